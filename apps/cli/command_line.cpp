@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <functional>
+#include <iostream>
+
+#include "commands.hpp"
+#include "manual.hpp"
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/version.hpp"
+
+namespace strainwave::cli {
+namespace {
+
+constexpr const char* kFile = "input file, or - for standard input";
+
+/// The command line: options fill plain structs; nothing runs before all of it is understood.
+class CommandLine {
+ public:
+  CommandLine() {
+    app_.name("strainwave");
+    app_.set_version_flag("--version", fmt::format("strainwave {} ({})", version(), git_revision()),
+                          "print version and revision, and exit");
+    app_.require_subcommand(1);
+    app_.get_formatter()->column_width(34);
+    add_stiffness();
+    add_audit();
+    add_sweep();
+    add_solve();
+    add_new();
+    add_schema();
+    add_man();
+  }
+
+  ExitCode run(int argc, const char* const* argv) {
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      // CLI11 prints help and version through an "error" of code 0.
+      return app_.exit(error) == 0 ? kOk : kUsage;
+    }
+    return chosen_();
+  }
+
+ private:
+  CLI::App* command(const std::string& name) {
+    const CommandManual& page = manual_of(name);
+    CLI::App* const sub = app_.add_subcommand(name, page.summary);
+    sub->footer("Example:\n  " + page.example);
+    return sub;
+  }
+
+  template <class Command>
+  void runs(CLI::App* sub, Command& command) {
+    sub->callback([this, &command] { chosen_ = [&command] { return cli::run(command); }; });
+  }
+
+  static void add_method(CLI::App* sub, std::string& method) {
+    sub->add_option("--method", method, "as-printed, repaired or corrected")
+        ->check(CLI::IsMember({"as-printed", "repaired", "corrected"}))
+        ->capture_default_str();
+  }
+
+  static void add_output(CLI::App* sub, Output& output, const std::vector<std::string>& formats) {
+    sub->add_option("--format", output.format, fmt::format("{}", fmt::join(formats, ", ")))
+        ->check(CLI::IsMember(formats))
+        ->capture_default_str();
+    add_path(sub, output.path);
+  }
+
+  static void add_path(CLI::App* sub, std::string& path) {
+    sub->add_option("--output", path, "write to this file instead of standard output")
+        ->type_name("PATH");
+  }
+
+  void add_stiffness() {
+    CLI::App* const sub = command("stiffness");
+    sub->add_option("FILE", stiffness_.file, kFile)->required();
+    add_method(sub, stiffness_.method);
+    add_output(sub, stiffness_.output, {"text", "json", "csv"});
+    runs(sub, stiffness_);
+  }
+
+  void add_audit() {
+    CLI::App* const sub = command("audit");
+    add_output(sub, audit_.output, {"text", "json", "markdown"});
+    runs(sub, audit_);
+  }
+
+  void add_sweep() {
+    CLI::App* const sub = command("sweep");
+    sub->add_option("FILE", sweep_.file, kFile)->required();
+    sub->add_option("--vary", sweep_.vary,
+                    "PATH=FROM..TO:N[:log], a field and its range with units; once or twice")
+        ->required()
+        ->type_name("RANGE")
+        ->take_all();
+    add_method(sub, sweep_.method);
+    add_output(sub, sweep_.output, {"csv", "json"});
+    sub->add_option("--plot", sweep_.plot, "draw the sweep as an SVG file")->type_name("PATH");
+    runs(sub, sweep_);
+  }
+
+  void add_solve() {
+    CLI::App* const sub = command("solve");
+    sub->add_option("FILE", solve_.file, kFile)->required();
+    sub->add_option("--vary", solve_.vary, "PATH[=FROM..TO], the field to find, and where")
+        ->required()
+        ->type_name("FIELD");
+    sub->add_option("--target", solve_.target, "OUTPUT=VALUE, with a unit")
+        ->required()
+        ->type_name("TARGET");
+    add_method(sub, solve_.method);
+    add_output(sub, solve_.output, {"text", "json"});
+    runs(sub, solve_);
+  }
+
+  void add_new() {
+    CLI::App* const sub = command("new");
+    add_path(sub, new_.path);
+    runs(sub, new_);
+  }
+
+  void add_schema() {
+    CLI::App* const sub = command("schema");
+    add_output(sub, schema_.output, {"json", "markdown"});
+    runs(sub, schema_);
+  }
+
+  void add_man() {
+    CLI::App* const sub = app_.add_subcommand("man", "Print a manual page (roff)");
+    sub->add_option("COMMAND", man_page_, "a command; the program itself if left out");
+    sub->callback([this] {
+      chosen_ = [this] {
+        if (man_page_.empty()) {
+          deliver(program_page(app_), {});
+          return kOk;
+        }
+        const auto commands = app_.get_subcommands([](const CLI::App*) { return true; });
+        const auto page = std::ranges::find(commands, man_page_, &CLI::App::get_name);
+        if (page == commands.end() || man_page_ == "man")
+          throw UsageError{fmt::format("{} has no manual page", man_page_)};
+        deliver(command_page(**page), {});
+        return kOk;
+      };
+    });
+  }
+
+  CLI::App app_{"Torsional stiffness of strain wave gears with cracks"};
+  std::function<ExitCode()> chosen_;
+  StiffnessCommand stiffness_;
+  AuditCommand audit_;
+  SweepCommand sweep_;
+  SolveCommand solve_;
+  NewCommand new_;
+  SchemaCommand schema_;
+  std::string man_page_;
+};
+
+ExitCode complain(std::string_view message, ExitCode code) {
+  std::cerr << "strainwave: " << message << '\n';
+  return code;
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv) {
+  try {
+    return CommandLine().run(argc, argv);
+  } catch (const UsageError& error) {
+    return complain(error.message, kUsage);
+  } catch (const InputError& error) {
+    return complain(error.what(), kInput);
+  } catch (const SolverError& error) {
+    return complain(error.what(), kNotUsable);
+  } catch (const std::exception& error) {
+    return complain(error.what(), kInternal);
+  }
+}
+
+}  // namespace strainwave::cli

@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command_line.hpp"
+
+int main(int argc, char** argv) { return strainwave::cli::run_command_line(argc, argv); }

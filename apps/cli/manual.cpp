@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "manual.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <stdexcept>
+
+#include "strainwave/core/version.hpp"
+
+namespace strainwave::cli {
+namespace {
+
+const std::array<CommandManual, 6> kCommands = {{
+    {"stiffness", "Torsional stiffness of a drive, sound and cracked",
+     "Reads a drive and its cracks and prints the compliance of each member at the output with the "
+     "input locked, without and with its cracks, the stiffness K_HD for both senses of torque, "
+     "what the cracks changed, the accuracy of each number, the validity notes and the equations "
+     "of the theory manual. Three methods: as-printed evaluates every equation of the article, "
+     "misprints included; repaired mends its outright errors; corrected is the one to use. The "
+     "json format carries all digits, units, uncertainties and the input as it was understood.",
+     "strainwave stiffness examples/article.toml --format json --output article.json"},
+    {"audit", "The article's worked example, number by number",
+     "Recomputes every number and equation of the article's worked example: the printed value, "
+     "what its own printed equation gives with the printed inputs, what the corrected theory "
+     "gives, and a verdict with one sentence; where one exists, also the input that would "
+     "reproduce the printed number, found by root finding.",
+     "strainwave audit --format json"},
+    {"sweep", "All outputs over one or two fields",
+     "Varies one or two fields of the input over a range and tabulates all outputs. A field is "
+     "named by its path, such as output_shaft.crack[0].depth; the ends of the range carry units. "
+     "The first field varies slowest. Points that a method refuses stay in the table with the "
+     "reason.",
+     "strainwave sweep examples/article.toml --vary 'output_shaft.crack[0].depth=0.05 mm..8 "
+     "mm:60:log' --plot sweep.svg --output sweep.csv"},
+    {"solve", "The value of a field that gives a wanted output",
+     "Inverts the stiffness: the crack size that lowers it by one per cent, the wall that gives a "
+     "wanted value. All solutions in the range are found by scanning it and refining each change "
+     "of sign; without a range, three decades on either side of the present value are searched. "
+     "It says so when there is none, and lists them when there are several.",
+     "strainwave solve examples/article.toml --vary 'output_shaft.crack[0].depth' --target "
+     "'cracked.positive.stiffness_change=-1 %'"},
+    {"new", "Print a commented starting file",
+     "Prints an input file that is valid as it stands, with every field that there is and its "
+     "meaning; those that are not needed are commented out.",
+     "strainwave new --output drive.toml"},
+    {"schema", "Print the JSON Schema of the input",
+     "Prints the schema (draft 2020-12) of the input file, which editors use to complete and "
+     "check it; or the reference of all fields as Markdown.",
+     "strainwave schema --output strainwave-drive-1.schema.json"},
+}};
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '\\')
+      result += "\\e";
+    else if (c == '-')
+      result += "\\-";
+    else if ((c == '.' || c == '\'') && (result.empty() || result.back() == '\n'))
+      result += fmt::format("\\&{}", c);
+    else
+      result += c;
+  }
+  return result;
+}
+
+std::string upper(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::toupper(c); });
+  return text;
+}
+
+std::string head(std::string_view page, std::string_view summary) {
+  return fmt::format(".TH {} 1 \"\" \"strainwave {}\" \"strainwave manual\"\n.SH NAME\n{} \\- {}\n",
+                     upper(std::string(page)), version(), escaped(page), escaped(summary));
+}
+
+/// "--method TEXT", as the synopsis and the list of options show it.
+std::string usage(const CLI::Option& option) {
+  if (option.get_positional()) return fmt::format("\\fI{}\\fR", escaped(option.get_name()));
+  const std::string name = escaped("--" + option.get_lnames().front());
+  if (option.get_items_expected() == 0) return fmt::format("\\fB{}\\fR", name);
+  std::string type = option.get_type_name();
+  type.erase(std::min(type.find(':'), type.size()));  // without the list of choices
+  return fmt::format("\\fB{}\\fR \\fI{}\\fR", name, escaped(type));
+}
+
+std::string exit_status() {
+  return ".SH EXIT STATUS\n"
+         ".TP\n0\nan answer was printed\n"
+         ".TP\n2\nthe command line is wrong\n"
+         ".TP\n3\nthe input breaks a rule; the message names file, line, field, value and rule\n"
+         ".TP\n4\nthere is no answer, or none that may be used; the message says why\n"
+         ".TP\n70\ninternal error, or the output cannot be written\n";
+}
+
+}  // namespace
+
+const CommandManual& manual_of(std::string_view command) {
+  const auto* const found = std::ranges::find(kCommands, command, &CommandManual::name);
+  if (found == kCommands.end()) throw std::out_of_range("no manual for " + std::string(command));
+  return *found;
+}
+
+std::string program_page(const CLI::App& app) {
+  std::string page = head("strainwave", app.get_description());
+  page += ".SH SYNOPSIS\n\\fBstrainwave\\fR \\fICOMMAND\\fR [\\fIOPTION\\fR ...]\n.SH COMMANDS\n";
+  for (const CommandManual& command : kCommands)
+    page += fmt::format(".TP\n\\fBstrainwave {}\\fR\n{}\n", command.name, escaped(command.summary));
+  page +=
+      ".SH OPTIONS\n.TP\n\\fB\\-\\-help\\fR\nprint help, also of a command\n"
+      ".TP\n\\fB\\-\\-version\\fR\nprint version and revision\n";
+  page += exit_status();
+  page += ".SH SEE ALSO\n";
+  for (const CommandManual& command : kCommands)
+    page += fmt::format(".BR strainwave\\-{} (1){}\n", command.name,
+                        command.name == kCommands.back().name ? "" : ",");
+  return page;
+}
+
+std::string command_page(const CLI::App& command) {
+  const CommandManual& manual = manual_of(command.get_name());
+  std::string page = head("strainwave-" + manual.name, manual.summary);
+  page += fmt::format(".SH SYNOPSIS\n\\fBstrainwave {}\\fR", manual.name);
+  std::string options;
+  for (const CLI::Option* const option : command.get_options()) {
+    if (option == command.get_help_ptr()) continue;
+    const std::string text = usage(*option);
+    page += option->get_required() ? " " + text : " [" + text + "]";
+    std::string description = option->get_description();
+    if (!option->get_default_str().empty())
+      description += fmt::format("; default {}", option->get_default_str());
+    options += fmt::format(".TP\n{}\n{}\n", text, escaped(description));
+  }
+  page += "\n.SH DESCRIPTION\n" + escaped(manual.description) + "\n";
+  page += ".SH OPTIONS\n" + options + exit_status();
+  page += ".SH EXAMPLE\n.nf\n" + escaped(manual.example) + "\n.fi\n";
+  page += ".SH SEE ALSO\n.BR strainwave (1)\n";
+  return page;
+}
+
+}  // namespace strainwave::cli

@@ -1,0 +1,76 @@
+# strainwave_module(<name> SOURCES ... [DEPENDS <module>...])
+# Library target strainwave::<name>, from src/<name>/ and include/strainwave/<name>/.
+function(strainwave_module name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  list(TRANSFORM ARG_SOURCES PREPEND "src/${name}/")
+  list(TRANSFORM ARG_DEPENDS PREPEND "strainwave::")
+  add_library(strainwave_${name} ${ARG_SOURCES})
+  add_library(strainwave::${name} ALIAS strainwave_${name})
+  set_target_properties(strainwave_${name} PROPERTIES EXPORT_NAME ${name})
+  target_compile_features(strainwave_${name} PUBLIC cxx_std_20)
+  target_include_directories(strainwave_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(strainwave_${name} PUBLIC ${ARG_DEPENDS} PRIVATE fmt::fmt)
+  strainwave_flags(strainwave_${name})
+  set_property(GLOBAL APPEND PROPERTY STRAINWAVE_MODULES strainwave_${name})
+endfunction()
+
+# strainwave_test(<path without _test.cpp> <module>...)
+# GoogleTest program of tests/<path>_test.cpp, labelled with its folder: `ctest -L fracture`.
+function(strainwave_test path)
+  string(REPLACE "/" "_" target "test_${path}")
+  string(REGEX REPLACE "/.*" "" label "${path}")
+  add_executable(${target} "${PROJECT_SOURCE_DIR}/tests/${path}_test.cpp")
+  list(TRANSFORM ARGN PREPEND "strainwave::")
+  target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
+  target_compile_definitions(${target} PRIVATE
+    STRAINWAVE_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
+    STRAINWAVE_EXAMPLES="${PROJECT_SOURCE_DIR}/examples"
+    STRAINWAVE_CLI="$<TARGET_FILE:strainwave_cli>")
+  target_link_libraries(${target} PRIVATE ${ARGN} GTest::gtest_main)
+  strainwave_flags(${target})
+  gtest_discover_tests(${target} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${label}" TIMEOUT 120)
+endfunction()
+
+function(strainwave_flags target)
+  target_compile_options(${target} PRIVATE
+    -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion
+    $<$<BOOL:${STRAINWAVE_WERROR}>:-Werror>)
+  if(STRAINWAVE_SANITIZE)
+    target_compile_options(${target} PRIVATE
+      -fsanitize=${STRAINWAVE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=${STRAINWAVE_SANITIZE})
+  endif()
+  if(STRAINWAVE_BUILD_FUZZERS)
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+  endif()
+endfunction()
+
+# strainwave_version(<module>)
+# Adds version.cpp, written at build time and only if the version or the git revision changed.
+function(strainwave_version module)
+  set(output "${PROJECT_BINARY_DIR}/generated/version.cpp")
+  add_custom_target(strainwave_revision BYPRODUCTS "${output}" VERBATIM COMMENT "" COMMAND
+    "${CMAKE_COMMAND}" "-DSOURCE_DIR=${PROJECT_SOURCE_DIR}" "-DPROJECT_VERSION=${PROJECT_VERSION}"
+    "-DINPUT=${PROJECT_SOURCE_DIR}/src/${module}/version.cpp.in" "-DOUTPUT=${output}"
+    -P "${PROJECT_SOURCE_DIR}/cmake/write_version.cmake")
+  target_sources(strainwave_${module} PRIVATE "${output}")
+  add_dependencies(strainwave_${module} strainwave_revision)
+endfunction()
+
+# What `cmake --install` lays down, so that find_package(strainwave) gives strainwave::<module>.
+function(strainwave_install)
+  include(CMakePackageConfigHelpers)
+  set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/strainwave")
+  get_property(modules GLOBAL PROPERTY STRAINWAVE_MODULES)
+  install(TARGETS ${modules} EXPORT strainwaveTargets)
+  install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+  install(EXPORT strainwaveTargets NAMESPACE strainwave:: DESTINATION "${package_dir}")
+  configure_package_config_file(cmake/strainwaveConfig.cmake.in strainwaveConfig.cmake
+    INSTALL_DESTINATION "${package_dir}")
+  write_basic_package_version_file(strainwaveConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+  install(FILES
+    "${PROJECT_BINARY_DIR}/strainwaveConfig.cmake"
+    "${PROJECT_BINARY_DIR}/strainwaveConfigVersion.cmake" DESTINATION "${package_dir}")
+endfunction()

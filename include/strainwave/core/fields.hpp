@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <limits>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+/// @file
+/// Every struct of the input describes its fields once, by a static member `describe`.  The file
+/// reader, the JSON Schema, the template of `strainwave new`, the field reference in the docs, the
+/// range checks and the field paths of `sweep` and `solve` are all visitors of that description,
+/// so they cannot drift apart.
+
+namespace strainwave {
+
+/// The values a number may have.
+struct Range {
+  double lower = -std::numeric_limits<double>::infinity();
+  bool lower_open = true;
+  double upper = std::numeric_limits<double>::infinity();
+  bool upper_open = true;
+
+  /// False for NaN and for infinities, whatever the bounds.
+  [[nodiscard]] constexpr bool contains(double x) const {
+    return (lower_open ? x > lower : x >= lower) && (upper_open ? x < upper : x <= upper);
+  }
+};
+
+inline constexpr Range kFinite{};
+inline constexpr Range kPositive{.lower = 0.0};
+inline constexpr Range kNonNegative{.lower = 0.0, .lower_open = false};
+
+/// The rule of a range as the reader would say it: "> 0", "> -1 and < 0.5", "<= 1.5708 rad".
+[[nodiscard]] std::string rule_text(const Range& range, std::string_view unit = "1");
+
+/// How the template of `strainwave new` shows a field.
+enum class InTemplate {
+  yes,        ///< as a live line
+  commented,  ///< as a comment that can be switched on
+};
+
+/// What there is to know about one field.
+struct Field {
+  std::string_view name;  ///< key in the file
+  std::string_view unit;  ///< SI unit of a number, "1" if pure; empty for text, flags, tables
+  std::string_view doc;   ///< meaning and symbol, one line
+  Range range = kFinite;  ///< of a number
+  std::string_view example = {};   ///< right-hand side in the template, TOML
+  std::string_view fallback = {};  ///< TOML value of a field that may be left out; empty: required,
+                                   ///< or optional without a fallback (std::optional)
+  InTemplate in_template = InTemplate::yes;
+};
+
+/// A struct that describes itself.
+template <class T>
+concept Described = requires {
+  T::describe([](const Field&, auto) {});
+};
+
+/// Names of an enumeration in files, in the order of its values; specialise `names` for each.
+template <class E>
+struct EnumNames;
+
+template <class E>
+[[nodiscard]] std::string_view enum_name(E value) {
+  return EnumNames<E>::names[static_cast<std::size_t>(value)];
+}
+
+template <class E>
+[[nodiscard]] std::optional<E> enum_value(std::string_view name) {
+  for (std::size_t i = 0; i < EnumNames<E>::names.size(); ++i)
+    if (EnumNames<E>::names[i] == name) return static_cast<E>(i);
+  return std::nullopt;
+}
+
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
+template <class T>
+inline constexpr bool is_vector = false;
+template <class T>
+inline constexpr bool is_vector<std::vector<T>> = true;
+
+template <class T>
+inline constexpr bool is_variant = false;
+template <class... Ts>
+inline constexpr bool is_variant<std::variant<Ts...>> = true;
+
+template <class T>
+inline constexpr bool is_string_map = false;
+template <class T>
+inline constexpr bool is_string_map<std::map<std::string, T>> = true;
+
+template <class T>
+inline constexpr bool is_pair_of_numbers = std::is_same_v<T, std::array<double, 2>>;
+
+/// Calls `f.template operator()<Alternative>()` for each alternative of a variant type.
+template <class Variant, class F>
+void for_each_alternative(F&& f) {
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    (f.template operator()<std::variant_alternative_t<I, Variant>>(), ...);
+  }
+  (std::make_index_sequence<std::variant_size_v<Variant>>{});
+}
+
+/// Path of a field inside its file, built while walking down: `output_shaft.crack[0].depth`.
+class FieldPath {
+ public:
+  FieldPath() = default;
+  explicit FieldPath(std::string text) : text_(std::move(text)) {}
+
+  [[nodiscard]] FieldPath operator/(std::string_view name) const {
+    std::string text = text_;
+    if (!text.empty()) text += '.';
+    return FieldPath(text.append(name));
+  }
+  [[nodiscard]] FieldPath operator[](std::size_t index) const {
+    return FieldPath(text_ + '[' + std::to_string(index) + ']');
+  }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+/// Stands in for a FieldPath where nobody will ask for its text, and costs nothing.
+struct NoPath {
+  NoPath operator/(std::string_view) const { return {}; }
+  NoPath operator[](std::size_t) const { return {}; }
+};
+
+/// Walks all numbers that a described value holds at present:
+/// `f(const Path&, const Field&, double&)` (const double& for a const value).
+template <class Path = FieldPath, class T, class F>
+void for_each_number(T& value, const F& f, const Path& path = {}, const Field* field = nullptr) {
+  using Value = std::remove_const_t<T>;
+  if constexpr (std::is_same_v<Value, double>) {
+    if (field != nullptr) f(path, *field, value);
+  } else if constexpr (is_optional<Value>) {
+    if (value) for_each_number(*value, f, path, field);
+  } else if constexpr (is_vector<Value> || is_pair_of_numbers<Value>) {
+    for (std::size_t i = 0; i < value.size(); ++i) for_each_number(value[i], f, path[i], field);
+  } else if constexpr (is_variant<Value>) {
+    std::visit([&](auto& alternative) { for_each_number(alternative, f, path); }, value);
+  } else if constexpr (is_string_map<Value>) {
+    for (auto& [name, element] : value) for_each_number(element, f, path / name);
+  } else if constexpr (Described<Value>) {
+    Value::describe([&](const Field& inner, auto member) {
+      for_each_number(value.*member, f, path / inner.name, &inner);
+    });
+  }
+}
+
+}  // namespace strainwave

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace strainwave {
+
+/// The known word nearest to a misspelt one by edit distance; empty if none is near
+/// (more than a third of the letters differ).
+[[nodiscard]] std::string nearest_word(std::string_view word, std::span<const std::string> known);
+
+}  // namespace strainwave

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace strainwave {
+
+/// Exponents of (length, mass, time, temperature, angle, energy tag).
+///
+/// The last two are no dimensions of physics.  They exist *in text only* and make it stricter than
+/// SI: an angle is not a pure number, so "Hz" is refused for "rad/s" and "N*m" for "N*m/rad"; a
+/// joule carries a tag, so "J" is refused for a torque.
+using Dimension = std::array<double, 6>;
+
+/// A unit written in text, such as "N*m/rad", "MPa*m^0.5", "1/(N*m)" or "1".
+struct Unit {
+  double factor = 1.0;  ///< value in strainwave units = factor * value in this unit
+  Dimension dimension = {};
+};
+
+/// Reads a product of known units: SI with prefixes, N*m or Nm, rad deg arcmin arcsec, rpm, Hz,
+/// min, h, %, with `*`, `/`, `^`, and parentheses.
+/// @throws InputError if `text` is anything else.
+[[nodiscard]] Unit parse_unit(std::string_view text);
+
+/// Reads "12.5 kN*m" as a double in strainwave units.
+///
+/// @param field  name used in the error message
+/// @param text   a number, and a unit; the unit may be absent only if `unit` is "1"
+/// @param unit   the unit the model expects; `text` must have its dimension
+/// @return       the value in strainwave units (m, kg, s, K, rad); always finite
+/// @throws InputError if the text does not parse, has another dimension, or is not finite.
+[[nodiscard]] double parse_quantity(std::string_view field, std::string_view text,
+                                    std::string_view unit);
+
+/// Writes a value so that `parse_quantity` reads back the same double: "0.00224 m".
+[[nodiscard]] std::string quantity_text(double value, std::string_view unit);
+
+}  // namespace strainwave

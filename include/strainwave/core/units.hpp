@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <numbers>
+
+/// @file
+/// Conversion factors to the units used inside strainwave: m, kg, s, K, rad
+/// (hence N, Pa, N*m/rad, Pa*m^0.5).  Multiply to enter, divide to leave:
+///
+///     const double thickness = 0.8 * units::mm;        // [m]
+///     std::cout << wind_up / units::arcmin << " arcmin";
+///
+/// The factors are plain doubles and cost nothing.  They document a call site; they do not check
+/// it.  Text is checked by `parse_quantity`, formulas by the scaling tests.
+namespace strainwave::units {
+
+inline constexpr double m = 1.0;
+inline constexpr double mm = 1e-3;
+inline constexpr double N = 1.0;
+inline constexpr double MPa = 1e6;
+inline constexpr double GPa = 1e9;
+inline constexpr double rad = 1.0;
+inline constexpr double deg = std::numbers::pi / 180.0;
+inline constexpr double arcmin = deg / 60.0;
+inline constexpr double arcsec = arcmin / 60.0;
+inline constexpr double rpm = 2.0 * std::numbers::pi / 60.0;
+
+}  // namespace strainwave::units

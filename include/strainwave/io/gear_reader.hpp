@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "strainwave/model/gear_set.hpp"
+
+namespace strainwave {
+
+/// Reads a drive from TOML text.
+///
+/// The fields are those that the structs describe (core/fields.hpp).  Everything that is wrong is
+/// refused with one sentence: file, line, column, field, value, rule.  The result has passed
+/// `check`.
+///
+/// @param text       at most 1 MiB
+/// @param file_name  for messages only
+/// @throws InputError
+[[nodiscard]] GearSet read_gear_set(std::string_view text, std::string_view file_name);
+
+/// Reads a drive from a file.
+/// @throws InputError  also if the file cannot be read
+[[nodiscard]] GearSet read_gear_set_file(const std::filesystem::path& file);
+
+}  // namespace strainwave

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+/// @file
+/// What an input file may say, in three forms, all made from the descriptions of the structs
+/// (core/fields.hpp): they cannot drift from the reader.
+
+namespace strainwave {
+
+/// A commented starting file that the reader accepts.
+[[nodiscard]] std::string input_template();
+
+/// JSON Schema (draft 2020-12) of the input, for editors and validators.
+[[nodiscard]] std::string input_schema();
+
+/// Reference of all fields as a Markdown page.
+[[nodiscard]] std::string input_reference();
+
+}  // namespace strainwave

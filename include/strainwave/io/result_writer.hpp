@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/stiffness_result.hpp"
+
+namespace strainwave {
+
+/// Where a result comes from.  The same input and version give the same bytes: no times, no hosts.
+struct Provenance {
+  std::string version;                ///< of strainwave
+  std::string revision;               ///< of its sources
+  std::string input_file;             ///< as the user named it
+  double quadrature_tolerance = 0.0;  ///< relative, of the crack integrals [-]
+};
+
+/// The result as a JSON document: all digits, SI, each quantity with unit and uncertainty, notes,
+/// equations, provenance and the input echoed with units.
+[[nodiscard]] std::string result_json(const StiffnessResult& result, const GearSet& gear,
+                                      const Provenance& provenance);
+
+/// Another JSON object of ours with `provenance` and the input added to it.
+[[nodiscard]] std::string with_provenance(const std::string& json_object, const GearSet& gear,
+                                          const Provenance& provenance);
+
+/// The result as CSV: path, value, unit, relative_uncertainty.
+[[nodiscard]] std::string result_csv(const StiffnessResult& result);
+
+/// The result as a table for a report, at most 100 columns wide; no more digits than the accuracy
+/// warrants plus two.
+[[nodiscard]] std::string result_text(const StiffnessResult& result, const GearSet& gear,
+                                      const Provenance& provenance);
+
+/// A number with the digits that its relative uncertainty warrants, plus two.
+[[nodiscard]] std::string warranted_digits(const Quantity& quantity);
+
+/// Text broken at spaces to `width` columns; lines after the first are indented.
+[[nodiscard]] std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
+
+/// Writes a file whole or not at all: the text goes to a file beside it, which then takes its name.
+/// @throws Error  if it cannot be written; nothing is left behind
+void write_file(const std::filesystem::path& file, std::string_view text);
+
+}  // namespace strainwave

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "strainwave/core/fields.hpp"
+
+namespace strainwave {
+
+/// What stresses a crack in a bearing ring of the wave generator.
+enum class StressDriver {
+  orthogonal_shear,  ///< the article's beta/2 * sigma_max, taken as an input stress (ST-12)
+  contact_edge,      ///< Hertz edge tension at the end of the minor axis of the contact (CO-7)
+  ring_bending,      ///< bending of the ring under the lobe forces (ST-13)
+  given,             ///< a stress at the given torque
+};
+template <>
+struct EnumNames<StressDriver> {
+  static constexpr std::array<std::string_view, 4> names = {"orthogonal_shear", "contact_edge",
+                                                            "ring_bending", "given"};
+};
+
+/// Semi-elliptical surface crack in the inner ring of the wave generator's bearing.
+struct RaceSurfaceCrack {
+  static constexpr std::string_view kKind = "surface";
+  double depth = 0.0;         ///< a, into the ring [m]; > 0, < ring thickness
+  double aspect_ratio = 0.0;  ///< a/c, depth per half length [-]; in (0, 1]
+  StressDriver stress_driver = StressDriver::orthogonal_shear;
+  std::optional<double> contact_factor;  ///< beta of orthogonal_shear [-]; else computed (CO-5)
+  std::optional<double> stress;          ///< hoop stress at the given torque [Pa]; driver `given`
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "depth",
+                .unit = "m",
+                .doc = "crack depth a",
+                .range = kPositive,
+                .example = R"("0.1 mm")"},
+          &RaceSurfaceCrack::depth);
+    field(Field{.name = "aspect_ratio",
+                .unit = "1",
+                .doc = "a/c, depth per half length",
+                .range = {.lower = 0.0, .upper = 1.0, .upper_open = false},
+                .example = "0.5"},
+          &RaceSurfaceCrack::aspect_ratio);
+    describe_driver<RaceSurfaceCrack>(field);
+  }
+
+  template <class Crack, class Visitor>
+  static void describe_driver(Visitor&& field) {
+    field(Field{.name = "stress_driver",
+                .unit = "",
+                .doc = "what stresses the crack",
+                .example = R"("orthogonal_shear")",
+                .fallback = R"("orthogonal_shear")"},
+          &Crack::stress_driver);
+    field(Field{.name = "contact_factor",
+                .unit = "1",
+                .doc = "beta of orthogonal_shear; from b'/a' when left out",
+                .range = {.lower = 0.0, .upper = 1.0, .upper_open = false},
+                .example = "0.45",
+                .in_template = InTemplate::commented},
+          &Crack::contact_factor);
+    field(Field{.name = "stress",
+                .unit = "Pa",
+                .doc = "hoop stress at the given torque; for stress_driver = \"given\"",
+                .example = R"("5 MPa")",
+                .in_template = InTemplate::commented},
+          &Crack::stress);
+  }
+};
+
+/// Edge crack through the whole width of the inner ring.
+struct RaceEdgeCrack {
+  static constexpr std::string_view kKind = "edge";
+  double depth = 0.0;  ///< a, into the ring [m]; > 0, < ring thickness
+  StressDriver stress_driver = StressDriver::orthogonal_shear;
+  std::optional<double> contact_factor;  ///< as in RaceSurfaceCrack
+  std::optional<double> stress;          ///< as in RaceSurfaceCrack
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "depth",
+                .unit = "m",
+                .doc = "crack depth a",
+                .range = kPositive,
+                .example = R"("0.1 mm")"},
+          &RaceEdgeCrack::depth);
+    RaceSurfaceCrack::describe_driver<RaceEdgeCrack>(field);
+  }
+};
+
+/// The part of a flexspline's wall that carries a crack, where sections are given.
+enum class WallSection { barrel, rim };
+template <>
+struct EnumNames<WallSection> {
+  static constexpr std::array<std::string_view, 2> names = {"barrel", "rim"};
+};
+
+/// Straight crack through the wall of the flexspline.
+struct WallThroughCrack {
+  static constexpr std::string_view kKind = "through";
+  double half_length = 0.0;             ///< a, along the crack [m]; > 0
+  double angle = std::numbers::pi / 4;  ///< beta, from +z toward -theta [rad]; in (-pi/2, pi/2]
+  bool shell_correction = true;         ///< A_I of the curved shell (FR-9); flat plate if false
+  WallSection section = WallSection::barrel;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "half_length",
+                .unit = "m",
+                .doc = "half of the crack's length, a",
+                .range = kPositive,
+                .example = R"("0.1 mm")"},
+          &WallThroughCrack::half_length);
+    describe_place<WallThroughCrack>(field);
+    field(Field{.name = "shell_correction",
+                .unit = "",
+                .doc = "raise K_I by the curvature of the shell",
+                .example = "true",
+                .fallback = "true",
+                .in_template = InTemplate::commented},
+          &WallThroughCrack::shell_correction);
+  }
+
+  template <class Crack, class Visitor>
+  static void describe_place(Visitor&& field) {
+    field(Field{.name = "angle",
+                .unit = "rad",
+                .doc = "beta, from the generator (+z) toward -theta; +45 deg is opened by T > 0",
+                .range = {.lower = -std::numbers::pi / 2,
+                          .upper = std::numbers::pi / 2,
+                          .upper_open = false},
+                .example = R"("45 deg")",
+                .fallback = R"("45 deg")"},
+          &Crack::angle);
+    field(Field{.name = "section",
+                .unit = "",
+                .doc = "where the crack is; only with crack_free = \"sections\"",
+                .example = R"("barrel")",
+                .fallback = R"("barrel")",
+                .in_template = InTemplate::commented},
+          &Crack::section);
+  }
+};
+
+/// Semi-elliptical surface crack in the wall of the flexspline.
+struct WallSurfaceCrack {
+  static constexpr std::string_view kKind = "surface";
+  double depth = 0.0;                   ///< a, into the wall [m]; > 0, < wall thickness
+  double half_length = 0.0;             ///< c, along the surface [m]; >= depth
+  double angle = std::numbers::pi / 4;  ///< as in WallThroughCrack
+  WallSection section = WallSection::barrel;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "depth",
+                .unit = "m",
+                .doc = "crack depth a",
+                .range = kPositive,
+                .example = R"("0.1 mm")"},
+          &WallSurfaceCrack::depth);
+    field(Field{.name = "half_length",
+                .unit = "m",
+                .doc = "half of the length on the surface, c",
+                .range = kPositive,
+                .example = R"("0.2 mm")"},
+          &WallSurfaceCrack::half_length);
+    WallThroughCrack::describe_place<WallSurfaceCrack>(field);
+  }
+};
+
+/// Which stress intensity a solid shaft's annular crack takes.
+enum class AnnularSolution {
+  improved,  ///< polynomials fitted to finite elements (FR-12)
+  tada,      ///< the handbook's polynomials (FR-12)
+};
+template <>
+struct EnumNames<AnnularSolution> {
+  static constexpr std::array<std::string_view, 2> names = {"improved", "tada"};
+};
+
+/// Circumferential crack of uniform depth in the outer surface of a shaft.
+struct AnnularCrack {
+  static constexpr std::string_view kKind = "annular";
+  double depth = 0.0;  ///< a, radial [m]; > 0, < wall of a hollow shaft, < radius of a solid one
+  AnnularSolution solution = AnnularSolution::improved;  ///< solid shafts only
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "depth",
+                .unit = "m",
+                .doc = "crack depth a",
+                .range = kPositive,
+                .example = R"("0.1 mm")"},
+          &AnnularCrack::depth);
+    field(Field{.name = "solution",
+                .unit = "",
+                .doc = "stress intensity of a solid shaft; a hollow one has a table",
+                .example = R"("improved")",
+                .fallback = R"("improved")",
+                .in_template = InTemplate::commented},
+          &AnnularCrack::solution);
+  }
+};
+
+using WaveGeneratorCrack = std::variant<RaceSurfaceCrack, RaceEdgeCrack>;
+using FlexsplineCrack = std::variant<WallThroughCrack, WallSurfaceCrack>;
+using OutputShaftCrack = std::variant<AnnularCrack>;
+
+}  // namespace strainwave

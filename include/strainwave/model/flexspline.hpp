@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "strainwave/core/fields.hpp"
+#include "strainwave/model/crack.hpp"
+
+namespace strainwave {
+
+enum class FlexsplineShape { cup, cylinder };
+template <>
+struct EnumNames<FlexsplineShape> {
+  static constexpr std::array<std::string_view, 2> names = {"cup", "cylinder"};
+};
+
+/// Where the compliance of the sound flexspline comes from.
+enum class CrackFree {
+  factor,    ///< tube times one empirical factor (ST-4)
+  sections,  ///< rim, barrel, diaphragm and boss in series (ST-2, ST-3)
+};
+template <>
+struct EnumNames<CrackFree> {
+  static constexpr std::array<std::string_view, 2> names = {"factor", "sections"};
+};
+
+/// A round tube: rim, barrel or boss of a flexspline.
+struct TubeSection {
+  double outer_diameter = 0.0;  ///< D [m]; > 0
+  double wall_thickness = 0.0;  ///< t [m]; > 0, < D/2
+  double length = 0.0;          ///< L [m]; > 0
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "outer_diameter",
+                .unit = "m",
+                .doc = "outer diameter",
+                .range = kPositive,
+                .example = R"("160 mm")"},
+          &TubeSection::outer_diameter);
+    field(Field{.name = "wall_thickness",
+                .unit = "m",
+                .doc = "wall thickness",
+                .range = kPositive,
+                .example = R"("2.24 mm")"},
+          &TubeSection::wall_thickness);
+    field(Field{.name = "length",
+                .unit = "m",
+                .doc = "length",
+                .range = kPositive,
+                .example = R"("120 mm")"},
+          &TubeSection::length);
+  }
+};
+
+/// The bottom of a cup: a flat annular plate in in-plane torsion.
+struct Diaphragm {
+  double outer_diameter = 0.0;  ///< where it meets the barrel [m]; > inner_diameter
+  double inner_diameter = 0.0;  ///< where it meets the boss [m]; > 0
+  double thickness = 0.0;       ///< h, constant [m]; > 0
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "outer_diameter",
+                .unit = "m",
+                .doc = "where it meets the barrel",
+                .range = kPositive,
+                .example = R"("157.76 mm")"},
+          &Diaphragm::outer_diameter);
+    field(Field{.name = "inner_diameter",
+                .unit = "m",
+                .doc = "where it meets the boss",
+                .range = kPositive,
+                .example = R"("80 mm")"},
+          &Diaphragm::inner_diameter);
+    field(Field{.name = "thickness",
+                .unit = "m",
+                .doc = "constant thickness",
+                .range = kPositive,
+                .example = R"("3 mm")"},
+          &Diaphragm::thickness);
+  }
+};
+
+/// The flexspline: cup or cylinder, and cracks in its wall.
+struct Flexspline {
+  std::string material;
+  FlexsplineShape shape = FlexsplineShape::cup;
+  double wall_thickness = 0.0;  ///< delta, at the tooth ring [m]; > 0
+  double length = 0.0;          ///< L [m]; > 0
+  CrackFree crack_free = CrackFree::factor;
+  std::optional<double> shape_factor;  ///< k of `factor` [-]; else 0.83 for a cup, 1 for a cylinder
+  double stress_nonuniformity = 1.0;   ///< K_u, multiplies the shear stress of torque [-]; > 0
+  double dynamic_load = 1.0;           ///< K_d; read by the article's methods only [-]; > 0
+  std::optional<TubeSection> rim;      ///< of `sections`
+  std::optional<TubeSection> barrel;   ///< of `sections`
+  std::optional<Diaphragm> diaphragm;  ///< of `sections`
+  std::optional<TubeSection> boss;     ///< of `sections`
+  std::vector<FlexsplineCrack> crack;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(
+        Field{
+            .name = "material", .unit = "", .doc = "name of a [material]", .example = R"("steel")"},
+        &Flexspline::material);
+    field(Field{.name = "shape",
+                .unit = "",
+                .doc = "cup or cylinder",
+                .example = R"("cup")",
+                .fallback = R"("cup")"},
+          &Flexspline::shape);
+    field(Field{.name = "wall_thickness",
+                .unit = "m",
+                .doc = "delta, at the tooth ring",
+                .range = kPositive,
+                .example = R"("2.24 mm")"},
+          &Flexspline::wall_thickness);
+    field(Field{.name = "length",
+                .unit = "m",
+                .doc = "L, of the cylinder",
+                .range = kPositive,
+                .example = R"("160 mm")"},
+          &Flexspline::length);
+    field(Field{.name = "crack_free",
+                .unit = "",
+                .doc = "compliance of the sound part: from a factor, or from sections",
+                .example = R"("factor")",
+                .fallback = R"("factor")"},
+          &Flexspline::crack_free);
+    field(Field{.name = "shape_factor",
+                .unit = "1",
+                .doc = "k of crack_free = \"factor\"; 0.83 for a cup, 1 for a cylinder if left out",
+                .range = kPositive,
+                .example = "0.83",
+                .in_template = InTemplate::commented},
+          &Flexspline::shape_factor);
+    field(Field{.name = "stress_nonuniformity",
+                .unit = "1",
+                .doc = "K_u, multiplies the shear stress of the torque",
+                .range = kPositive,
+                .example = "1.1",
+                .fallback = "1"},
+          &Flexspline::stress_nonuniformity);
+    field(Field{.name = "dynamic_load",
+                .unit = "1",
+                .doc = "K_d, read by the methods as-printed and repaired only",
+                .range = kPositive,
+                .example = "1.2",
+                .fallback = "1",
+                .in_template = InTemplate::commented},
+          &Flexspline::dynamic_load);
+    field(Field{.name = "rim",
+                .unit = "",
+                .doc = "toothed ring, for crack_free = \"sections\"",
+                .in_template = InTemplate::commented},
+          &Flexspline::rim);
+    field(Field{.name = "barrel",
+                .unit = "",
+                .doc = "smooth tube, for crack_free = \"sections\"",
+                .in_template = InTemplate::commented},
+          &Flexspline::barrel);
+    field(Field{.name = "diaphragm",
+                .unit = "",
+                .doc = "bottom, for crack_free = \"sections\"",
+                .in_template = InTemplate::commented},
+          &Flexspline::diaphragm);
+    field(Field{.name = "boss",
+                .unit = "",
+                .doc = "hub, for crack_free = \"sections\"",
+                .in_template = InTemplate::commented},
+          &Flexspline::boss);
+    field(Field{.name = "crack", .unit = "", .doc = "cracks in the wall"}, &Flexspline::crack);
+  }
+};
+
+}  // namespace strainwave

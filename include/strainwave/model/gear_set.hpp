@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "strainwave/core/fields.hpp"
+#include "strainwave/model/flexspline.hpp"
+#include "strainwave/model/material.hpp"
+#include "strainwave/model/output_shaft.hpp"
+#include "strainwave/model/wave_generator.hpp"
+
+namespace strainwave {
+
+/// The format that this version reads and writes.
+inline constexpr std::string_view kDriveFormat = "strainwave-drive/1";
+
+/// Transmission data of the drive as a whole.
+struct Transmission {
+  double ratio = 0.0;                ///< i_h, circular spline fixed [-]; > 0
+  int wave_number = 2;               ///< U, lobes of the wave generator [-]; >= 2
+  double pitch_diameter = 0.0;       ///< d_1, of the flexspline [m]; > 0
+  double radial_displacement = 0.0;  ///< w_0, amplitude of the flexspline's deflection [m]; > 0
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "ratio",
+                .unit = "1",
+                .doc = "i_h, with the circular spline fixed",
+                .range = kPositive,
+                .example = "100"},
+          &Transmission::ratio);
+    field(Field{.name = "wave_number",
+                .unit = "1",
+                .doc = "U, lobes of the wave generator",
+                .range = {.lower = 1.0, .lower_open = false, .upper = 8.0, .upper_open = false},
+                .example = "2",
+                .fallback = "2"},
+          &Transmission::wave_number);
+    field(Field{.name = "pitch_diameter",
+                .unit = "m",
+                .doc = "d_1, of the flexspline",
+                .range = kPositive,
+                .example = R"("160 mm")"},
+          &Transmission::pitch_diameter);
+    field(Field{.name = "radial_displacement",
+                .unit = "m",
+                .doc = "w_0, amplitude of the flexspline's deflection",
+                .range = kPositive,
+                .example = R"("0.8 mm")"},
+          &Transmission::radial_displacement);
+  }
+};
+
+/// The static load at the output.
+struct Load {
+  double torque = 0.0;       ///< T [N*m]; not 0. Both senses are always computed
+  double axial_force = 0.0;  ///< P, tension > 0 [N]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "torque",
+                .unit = "N*m",
+                .doc = "T at the output, right-handed about +z; both senses are computed",
+                .example = R"("100 N*m")"},
+          &Load::torque);
+    field(Field{.name = "axial_force",
+                .unit = "N",
+                .doc = "P at the output, tension > 0",
+                .example = R"("0 N")",
+                .fallback = R"("0 N")"},
+          &Load::axial_force);
+  }
+};
+
+/// Printed intermediate values of the article that do not follow from its inputs; read by the
+/// method as-printed only.
+struct ArticleOverrides {
+  std::optional<double> radial_load;                ///< F_r [N]
+  std::optional<double> flaw_parameter;             ///< Q [-]
+  std::optional<double> mean_radius;                ///< r_m [m]
+  std::optional<double> equivalent_shaft_diameter;  ///< d_s [m]
+  std::optional<double> M_p;                        ///< [-]
+  std::optional<double> M_M;                        ///< [-]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    const auto add = [&](std::string_view name, std::string_view unit, std::string_view doc,
+                         std::string_view example, auto member) {
+      field(Field{.name = name,
+                  .unit = unit,
+                  .doc = doc,
+                  .range = kPositive,
+                  .example = example,
+                  .in_template = InTemplate::commented},
+            member);
+    };
+    add("radial_load", "N", "F_r", R"("500 N")", &ArticleOverrides::radial_load);
+    add("flaw_parameter", "1", "Q", "1.5", &ArticleOverrides::flaw_parameter);
+    add("mean_radius", "m", "r_m", R"("79.88 mm")", &ArticleOverrides::mean_radius);
+    add("equivalent_shaft_diameter", "m", "d_s", R"("60 mm")",
+        &ArticleOverrides::equivalent_shaft_diameter);
+    add("M_p", "1", "geometry factor of K_I", "0.85", &ArticleOverrides::M_p);
+    add("M_M", "1", "geometry factor of K_III", "0.42", &ArticleOverrides::M_M);
+  }
+};
+
+/// A strain wave gear with its cracks, material and load: everything an input file says.
+///
+/// An absent member adds no compliance.
+struct GearSet {
+  std::string format{kDriveFormat};
+  std::string name;
+  std::map<std::string, Material> material;
+  Transmission drive;
+  Load load;
+  std::optional<WaveGenerator> wave_generator;
+  std::optional<Flexspline> flexspline;
+  std::optional<OutputShaft> output_shaft;
+  std::optional<ArticleOverrides> article;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "format",
+                .unit = "",
+                .doc = "must be \"strainwave-drive/1\"",
+                .example = R"("strainwave-drive/1")"},
+          &GearSet::format);
+    field(Field{.name = "name",
+                .unit = "",
+                .doc = "one line for reports",
+                .example = R"("My drive")",
+                .fallback = R"("")"},
+          &GearSet::name);
+    field(Field{.name = "material", .unit = "", .doc = "materials by name"}, &GearSet::material);
+    field(Field{.name = "drive", .unit = "", .doc = "the drive as a whole"}, &GearSet::drive);
+    field(Field{.name = "load", .unit = "", .doc = "static load at the output"}, &GearSet::load);
+    field(Field{.name = "wave_generator", .unit = "", .doc = "cam and bearing"},
+          &GearSet::wave_generator);
+    field(Field{.name = "flexspline", .unit = "", .doc = "cup or cylinder"}, &GearSet::flexspline);
+    field(Field{.name = "output_shaft", .unit = "", .doc = "solid or hollow"},
+          &GearSet::output_shaft);
+    field(Field{.name = "article",
+                .unit = "",
+                .doc = "printed values of the article; read by the method as-printed only",
+                .in_template = InTemplate::commented},
+          &GearSet::article);
+  }
+};
+
+/// The material that a member names.
+/// @throws InputError  if there is none of that name
+[[nodiscard]] const Material& material_of(const GearSet& gear, std::string_view name,
+                                          std::string_view field);
+
+/// Throws InputError for the first number outside its range, and for the first rule between
+/// fields that the gear breaks: inner diameter < outer, crack shallower than the wall, one source
+/// of the radial stiffness, ...  Every computation calls it first.
+void check(const GearSet& gear);
+
+/// Sets the number at `path`, such as "output_shaft.crack[0].depth" [unit of the field].
+/// @throws InputError  if there is no number at the path; the message names near ones
+void set_number(GearSet& gear, std::string_view path, double value);
+
+/// A number of the gear by its path.
+struct NumberAt {
+  std::string path;
+  Field field;
+  double value = 0.0;
+};
+/// @throws InputError  as set_number
+[[nodiscard]] NumberAt number_at(const GearSet& gear, std::string_view path);
+
+}  // namespace strainwave

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "strainwave/model/stiffness_result.hpp"
+
+namespace strainwave {
+
+/// Walks all quantities of a result in the order of the JSON output:
+/// `f(path, quantity)`, path such as "cracked.positive.stiffness".  JSON, CSV, sweep and solve name
+/// their outputs by this walk.
+template <class F>
+void for_each_quantity(const StiffnessResult& result, const F& f) {
+  const auto compliances = [&](const std::string& path, const Compliances& c) {
+    f(path + ".compliance.wave_generator", c.wave_generator);
+    f(path + ".compliance.flexspline", c.flexspline);
+    f(path + ".compliance.output_shaft", c.output_shaft);
+    f(path + ".compliance.total", c.total);
+  };
+  compliances("intact", result.intact.compliance);
+  f("intact.stiffness", result.intact.stiffness);
+  f("intact.wind_up", result.intact.wind_up);
+  const auto cracked = [&](const std::string& path, const CrackedDrive& drive) {
+    compliances(path, drive.compliance);
+    f(path + ".stiffness", drive.stiffness);
+    f(path + ".stiffness_change", drive.stiffness_change);
+    f(path + ".wind_up", drive.wind_up);
+  };
+  cracked("cracked.positive", result.positive);
+  cracked("cracked.negative", result.negative);
+
+  const auto added = [&](const std::string& path, const AddedCompliance& a) {
+    f(path + ".at_output", a.at_output);
+    if (!a.axial_torsion) return;
+    f(path + ".axial_axial", (*a.axial_torsion)[0]);
+    f(path + ".axial_torsion", (*a.axial_torsion)[1]);
+    f(path + ".torsion_torsion", (*a.axial_torsion)[2]);
+  };
+  const auto intensities = [&](const std::string& path, const StressIntensities& K) {
+    f(path + ".K_I", K.K_I);
+    f(path + ".K_II", K.K_II);
+    f(path + ".K_III", K.K_III);
+  };
+  for (std::size_t i = 0; i < result.cracks.size(); ++i) {
+    const CrackReport& crack = result.cracks[i];
+    const std::string path = "cracks[" + std::to_string(i) + "]";
+    added(path + ".added_compliance.positive", crack.positive);
+    added(path + ".added_compliance.negative", crack.negative);
+    if (crack.deepest) intensities(path + ".stress_intensity.deepest", *crack.deepest);
+    if (crack.largest) intensities(path + ".stress_intensity.largest", *crack.largest);
+    if (crack.utilisation) f(path + ".utilisation", *crack.utilisation);
+    if (crack.plastic_zone) f(path + ".plastic_zone", *crack.plastic_zone);
+  }
+}
+
+}  // namespace strainwave

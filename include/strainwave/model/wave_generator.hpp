@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "strainwave/core/fields.hpp"
+#include "strainwave/model/crack.hpp"
+
+namespace strainwave {
+
+/// How the radial compliance of a lobe becomes a torsional compliance at the output.
+enum class Conversion {
+  reciprocity,  ///< energy of the lobe forces, input locked (ST-6)
+  cam,          ///< the article's: the cam is turned back over its mean slope (ST-7)
+};
+template <>
+struct EnumNames<Conversion> {
+  static constexpr std::array<std::string_view, 2> names = {"reciprocity", "cam"};
+};
+
+/// Radial displacements of one lobe at the lobe force of the given torque.
+struct LobeDisplacements {
+  double bearing = 0.0;  ///< Delta_b, of the bearing rings and balls [m]; >= 0
+  double cam = 0.0;      ///< Delta_g, of the cam [m]; >= 0
+  double shaft = 0.0;    ///< Delta_a, of the input shaft in bending [m]; >= 0
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "bearing",
+                .unit = "m",
+                .doc = "of the bearing, Delta_b",
+                .range = kNonNegative,
+                .example = R"("3 um")"},
+          &LobeDisplacements::bearing);
+    field(Field{.name = "cam",
+                .unit = "m",
+                .doc = "of the cam, Delta_g",
+                .range = kNonNegative,
+                .example = R"("1 um")",
+                .fallback = R"("0 m")"},
+          &LobeDisplacements::cam);
+    field(Field{.name = "shaft",
+                .unit = "m",
+                .doc = "of the input shaft in bending, Delta_a; 0 for symmetric lobes",
+                .range = kNonNegative,
+                .example = R"("0 m")",
+                .fallback = R"("0 m")"},
+          &LobeDisplacements::shaft);
+  }
+};
+
+/// Outer ring of the bearing as a thin elastic ring.
+struct BearingRing {
+  double mean_radius = 0.0;  ///< R, of the ring's centre line [m]; > 0
+  double thickness = 0.0;    ///< radial [m]; > 0, < mean_radius
+  double width = 0.0;        ///< axial [m]; > 0
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "mean_radius",
+                .unit = "m",
+                .doc = "radius of the ring's centre line",
+                .range = kPositive,
+                .example = R"("70 mm")"},
+          &BearingRing::mean_radius);
+    field(Field{.name = "thickness",
+                .unit = "m",
+                .doc = "radial thickness",
+                .range = kPositive,
+                .example = R"("4 mm")"},
+          &BearingRing::thickness);
+    field(Field{.name = "width",
+                .unit = "m",
+                .doc = "axial width",
+                .range = kPositive,
+                .example = R"("20 mm")"},
+          &BearingRing::width);
+  }
+};
+
+/// Deep groove ball bearing between cam and flexspline.
+struct Bearing {
+  double ball_diameter = 0.0;             ///< D_w [m]; > 0
+  double inner_raceway_diameter = 0.0;    ///< d_i, at the bottom of the groove [m]; > 0
+  double outer_raceway_diameter = 0.0;    ///< d_o, at the bottom of the groove [m]; > d_i
+  double inner_conformity = 0.52;         ///< f_i = groove radius / D_w [-]; > 0.5
+  double outer_conformity = 0.53;         ///< f_o [-]; > 0.5
+  double loaded_balls = 1.0;              ///< balls that share the lobe force equally [-]; >= 1
+  std::optional<BearingRing> outer_ring;  ///< adds ring bending in series (ST-10)
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    const Range conformity{.lower = 0.5, .upper = 1.0};
+    field(Field{.name = "ball_diameter",
+                .unit = "m",
+                .doc = "D_w",
+                .range = kPositive,
+                .example = R"("12.7 mm")"},
+          &Bearing::ball_diameter);
+    field(Field{.name = "inner_raceway_diameter",
+                .unit = "m",
+                .doc = "at the groove's bottom",
+                .range = kPositive,
+                .example = R"("110 mm")"},
+          &Bearing::inner_raceway_diameter);
+    field(Field{.name = "outer_raceway_diameter",
+                .unit = "m",
+                .doc = "at the groove's bottom",
+                .range = kPositive,
+                .example = R"("135.4 mm")"},
+          &Bearing::outer_raceway_diameter);
+    field(Field{.name = "inner_conformity",
+                .unit = "1",
+                .doc = "groove radius / ball diameter",
+                .range = conformity,
+                .example = "0.52",
+                .fallback = "0.52"},
+          &Bearing::inner_conformity);
+    field(Field{.name = "outer_conformity",
+                .unit = "1",
+                .doc = "groove radius / ball diameter",
+                .range = conformity,
+                .example = "0.53",
+                .fallback = "0.53"},
+          &Bearing::outer_conformity);
+    field(Field{.name = "loaded_balls",
+                .unit = "1",
+                .doc = "balls that share the force of a lobe; 1 is the worst case",
+                .range = {.lower = 1.0, .lower_open = false},
+                .example = "3",
+                .fallback = "1"},
+          &Bearing::loaded_balls);
+    field(Field{.name = "outer_ring",
+                .unit = "",
+                .doc = "outer ring, bent by the lobe forces",
+                .in_template = InTemplate::commented},
+          &Bearing::outer_ring);
+  }
+};
+
+/// The wave generator: cam, flexible bearing, and cracks in the bearing's inner ring.
+///
+/// Its radial stiffness comes from exactly one of `radial_stiffness`, `displacements`, `bearing`.
+/// The Hertz contact at the inner race comes from `contact_semi_axes` or from `bearing`.
+struct WaveGenerator {
+  std::string material;
+  double force_transmission_coefficient = 0.0;  ///< k_r [-]; > 0
+  double load_factor = 1.15;                    ///< c_F of the lobe force [-]; > 0
+  Conversion conversion = Conversion::reciprocity;
+  std::optional<double> radial_stiffness;                  ///< K_G0, of one lobe [N/m]; > 0
+  std::optional<LobeDisplacements> displacements;          ///< or this
+  std::optional<Bearing> bearing;                          ///< or this
+  std::optional<std::array<double, 2>> contact_semi_axes;  ///< a', b' of the contact [m]; a' >= b'
+  std::optional<double> inner_ring_thickness;              ///< t_i, radial [m]; > 0
+  std::optional<double> inner_ring_width;                  ///< B, axial [m]; > 0
+  std::optional<double> inner_ring_mean_radius;  ///< R, centre line [m]; > inner_ring_thickness/2
+  std::vector<WaveGeneratorCrack> crack;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(
+        Field{
+            .name = "material", .unit = "", .doc = "name of a [material]", .example = R"("steel")"},
+        &WaveGenerator::material);
+    field(Field{.name = "force_transmission_coefficient",
+                .unit = "1",
+                .doc = "k_r",
+                .range = kPositive,
+                .example = "0.35"},
+          &WaveGenerator::force_transmission_coefficient);
+    field(Field{.name = "load_factor",
+                .unit = "1",
+                .doc = "c_F of the lobe force",
+                .range = kPositive,
+                .example = "1.15",
+                .fallback = "1.15"},
+          &WaveGenerator::load_factor);
+    field(Field{.name = "conversion",
+                .unit = "",
+                .doc = "radial to torsional: by reciprocity, or the article's turning of the cam",
+                .example = R"("reciprocity")",
+                .fallback = R"("reciprocity")",
+                .in_template = InTemplate::commented},
+          &WaveGenerator::conversion);
+    field(Field{.name = "radial_stiffness",
+                .unit = "N/m",
+                .doc = "K_G0 of one lobe; or displacements, or bearing",
+                .range = kPositive,
+                .example = R"("1.2e5 N/mm")"},
+          &WaveGenerator::radial_stiffness);
+    field(Field{.name = "contact_semi_axes",
+                .unit = "m",
+                .doc = "a', b' of the Hertz contact at the inner race; from bearing if left out",
+                .range = kPositive,
+                .example = R"(["5 mm", "2 mm"])"},
+          &WaveGenerator::contact_semi_axes);
+    field(Field{.name = "inner_ring_thickness",
+                .unit = "m",
+                .doc = "t_i; cracks need it",
+                .range = kPositive,
+                .example = R"("10 mm")"},
+          &WaveGenerator::inner_ring_thickness);
+    field(Field{.name = "inner_ring_width",
+                .unit = "m",
+                .doc = "axial; edge cracks and ring_bending need it",
+                .range = kPositive,
+                .example = R"("20 mm")",
+                .in_template = InTemplate::commented},
+          &WaveGenerator::inner_ring_width);
+    field(Field{.name = "inner_ring_mean_radius",
+                .unit = "m",
+                .doc = "of the centre line; ring_bending needs it",
+                .range = kPositive,
+                .example = R"("60 mm")",
+                .in_template = InTemplate::commented},
+          &WaveGenerator::inner_ring_mean_radius);
+    field(Field{.name = "displacements",
+                .unit = "",
+                .doc = "of one lobe at the force of the given torque",
+                .in_template = InTemplate::commented},
+          &WaveGenerator::displacements);
+    field(Field{.name = "bearing",
+                .unit = "",
+                .doc = "balls and raceways",
+                .in_template = InTemplate::commented},
+          &WaveGenerator::bearing);
+    field(Field{.name = "crack", .unit = "", .doc = "cracks in the inner ring"},
+          &WaveGenerator::crack);
+  }
+};
+
+}  // namespace strainwave

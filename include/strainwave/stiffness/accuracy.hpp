@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <string_view>
+
+/// @file
+/// How accurate the models are: one standard relative uncertainty of each, of the model's form
+/// alone (the inputs are taken as given), with what it rests on.  Theory manual, table ST-1.
+
+namespace strainwave {
+
+/// One standard relative uncertainty of a model, and what it rests on.
+struct ModelAccuracy {
+  double relative_uncertainty = 0.0;
+  std::string_view source;
+
+  // Implicit: it is used as the number it is.
+  constexpr operator double() const {  // NOLINT(google-explicit-constructor)
+    return relative_uncertainty;
+  }
+};
+
+}  // namespace strainwave
+
+namespace strainwave::accuracy {
+
+inline constexpr ModelAccuracy kTube{
+    0.01, "a tube in torsion is exact; ends, fillets and splines are left out"};
+inline constexpr ModelAccuracy kShapeFactor{
+    0.20, "one factor for every cup; a flat diaphragm alone adds 37 to 148 %"};
+inline constexpr ModelAccuracy kSections{
+    0.05, "0.1 % against finite elements with sharp corners; fillets and teeth are left out"};
+inline constexpr ModelAccuracy kLobeForce{
+    0.30, "lobe force: c_F between 1 and 1.15 alone is 32 % of the compliance"};
+inline constexpr ModelAccuracy kLoadSharing{0.30, "balls taken to share the lobe force equally"};
+inline constexpr ModelAccuracy kSurfaceCrack{
+    0.10, "Newman and Raju: 5 % of K against finite elements, 10 % of the compliance"};
+inline constexpr ModelAccuracy kSurfaceCrackShear{
+    0.20, "K_II and K_III of an embedded ellipse, without the free surface"};
+inline constexpr ModelAccuracy kSurfaceCrackExtrapolated{
+    0.20, "Newman and Raju beyond a/t = 0.8 or below a/c = 0.2"};
+inline constexpr ModelAccuracy kEdgeCrack{0.20, "strip with free ends; the cam holds the ring"};
+inline constexpr ModelAccuracy kThroughCrack{
+    0.10, "plane stress; a crack shorter than the wall is thick is 9 % less compliant"};
+inline constexpr ModelAccuracy kThroughCrackLong{
+    0.20, "shell correction beyond a shell parameter of 1: 8 % at 1.4 against finite elements"};
+inline constexpr ModelAccuracy kAnnularTorsion{0.002, "fitted to finite elements to 0.1 %"};
+inline constexpr ModelAccuracy kAnnularTension{
+    0.005, "fitted to finite elements to 0.2 %, for Poisson's ratio 0.3"};
+inline constexpr ModelAccuracy kAnnularExtrapolated{0.20,
+                                                    "extrapolated beyond the table in tension"};
+inline constexpr ModelAccuracy kAnnularTada{
+    0.055, "handbook polynomials: 3.6 % in torsion, 5.4 % in tension against finite elements"};
+inline constexpr ModelAccuracy kOrthogonalShear{
+    1.0, "a subsurface shear taken for a hoop tension: an order of magnitude at best"};
+inline constexpr ModelAccuracy kContactEdge{
+    0.50, "an edge tension that decays within the contact, taken as uniform"};
+inline constexpr ModelAccuracy kRingBending{0.30, "a free ring; the cam inside it is left out"};
+inline constexpr ModelAccuracy kGivenStress{0.10,
+                                            "a given stress, taken as uniform over the crack"};
+
+/// Root of the sum of squares of independent relative uncertainties.
+[[nodiscard]] inline double combined(double a, double b) { return std::hypot(a, b); }
+
+}  // namespace strainwave::accuracy

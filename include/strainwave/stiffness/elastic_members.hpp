@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace strainwave {
+
+/// A round tube in uniform torsion.
+struct Tube {
+  double outer_diameter = 0.0;  ///< D [m]; > 0
+  double inner_diameter = 0.0;  ///< d [m]; >= 0, < D; 0 is a solid bar
+  double length = 0.0;          ///< L [m]; > 0
+};
+
+/// Torsional compliance of a tube [rad/(N*m)].
+///
+/// Implements theory manual eq. (ST-2), lambda = L/(G J), J = pi/32 (D^4 - d^4).
+/// Exact for a round section of any wall; no teeth, fillets or ends.
+///
+/// @param tube           geometry
+/// @param shear_modulus  G [Pa]; > 0
+/// @throws InputError    if a length is not positive, the bore not smaller, or G not positive
+[[nodiscard]] double torsional_compliance(const Tube& tube, double shear_modulus);
+
+/// A flat annular plate of constant thickness, twisted in its own plane.
+struct AnnularPlate {
+  double outer_diameter = 0.0;  ///< [m]; > inner_diameter
+  double inner_diameter = 0.0;  ///< [m]; > 0
+  double thickness = 0.0;       ///< h [m]; > 0
+};
+
+/// Torsional compliance between the two rims of a plate [rad/(N*m)].
+///
+/// Implements theory manual eq. (ST-3), lambda = (1/(4 pi G h)) (1/r_i^2 - 1/r_o^2).
+/// Exact for shear tau = T/(2 pi h r^2); with rims that stay round.
+///
+/// @throws InputError  as for the tube
+[[nodiscard]] double torsional_compliance(const AnnularPlate& plate, double shear_modulus);
+
+/// Deflection of a thin ring under U equal radial forces, evenly spaced, over the force, at a
+/// force [m/N].
+///
+/// Implements theory manual eq. (ST-10), with theta = pi/U,
+///
+///     C = (R^3/(2EI)) [(theta + sin(theta)cos(theta))/(2 sin^2(theta)) - 1/theta].
+///
+/// Inextensible ring, thickness/R small (1 % at 0.1).
+///
+/// @param wave_number        U [-]; >= 2
+/// @param mean_radius        R [m]; > 0
+/// @param bending_stiffness  E I of the section [N*m^2]; > 0
+/// @throws InputError        if one of them is out of range
+[[nodiscard]] double ring_compliance(int wave_number, double mean_radius, double bending_stiffness);
+
+/// Bending moment of that ring at a force, over F R [-]: (1/theta - cot(theta))/2.
+/// @param wave_number  U [-]; >= 2
+[[nodiscard]] double ring_moment_factor(int wave_number);
+
+}  // namespace strainwave

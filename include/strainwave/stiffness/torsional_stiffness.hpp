@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "strainwave/core/quadrature.hpp"
+#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/stiffness_result.hpp"
+
+namespace strainwave {
+
+struct StiffnessOptions {
+  /// Of the crack integrals.
+  QuadratureOptions quadrature;
+};
+
+/// Compliance of one member at the output, with its cracks.
+struct MemberCompliance {
+  double intact = 0.0;                ///< without cracks [rad/(N*m)]
+  double relative_uncertainty = 0.0;  ///< of `intact` [-]
+  std::vector<CrackReport> cracks;
+  std::vector<Note> notes;
+  std::vector<AccuracyBasis> accuracies;
+  std::vector<std::string> equations;
+  std::string unusable_because;  ///< empty if usable
+};
+
+/// Wave generator: lobe compliance (ST-8, ST-9), conversion (ST-6, ST-7), race cracks.
+[[nodiscard]] MemberCompliance wave_generator_compliance(const GearSet& gear,
+                                                         const StiffnessOptions& options = {});
+
+/// Flexspline: factor (ST-4) or sections (ST-2, ST-3), wall cracks under both senses of torque.
+[[nodiscard]] MemberCompliance flexspline_compliance(const GearSet& gear,
+                                                     const StiffnessOptions& options = {});
+
+/// Output shaft: tube (ST-2), annular cracks.
+[[nodiscard]] MemberCompliance output_shaft_compliance(const GearSet& gear,
+                                                       const StiffnessOptions& options = {});
+
+/// Torsional stiffness of a drive by the corrected method, at the output, input locked.
+///
+/// Implements theory manual eq. (ST-1),
+///
+///     K_HD = 1/(lambda_H + lambda_f + lambda_so),
+///
+/// each lambda the compliance of a sound member plus what its cracks add.  The tooth mesh, the
+/// circular spline and the diaphragm (unless sections are given) add compliance that is not in
+/// it: without an output shaft it is 2 to 5 times too stiff against catalogue values.
+///
+/// @param gear     drive, cracks, load; checked by `check`
+/// @param options  tolerance of the crack integrals
+/// @return         stiffness sound and cracked, for both senses of torque, with evidence
+/// @throws InputError  if the gear breaks a rule
+[[nodiscard]] StiffnessResult torsional_stiffness(const GearSet& gear,
+                                                  const StiffnessOptions& options = {});
+
+/// Force on one lobe per unit of torque, f = 2 c_F k_r/(U d_1) [1/m]; eq. (ST-5).
+[[nodiscard]] double lobe_force_per_torque(const Transmission& drive, const WaveGenerator& wg);
+
+/// Bending stress of the flexspline's wall from its assembly on the wave generator [Pa].
+///
+/// Implements theory manual eq. (ST-17), E/(1-nu^2) (delta/2) (U^2-1) w_0/r_m^2, for a
+/// deflection w_0 cos(U theta); constant along the axis.
+[[nodiscard]] double ovalisation_stress(const GearSet& gear);
+
+}  // namespace strainwave

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/stiffness_result.hpp"
+
+namespace strainwave {
+
+/// Torsional stiffness of a drive by one of the three methods.
+///
+/// @throws InputError  if the gear breaks a rule, or holds what the method cannot treat
+[[nodiscard]] StiffnessResult evaluate(const GearSet& gear, Method method);
+
+}  // namespace strainwave

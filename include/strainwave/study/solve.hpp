@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/stiffness_result.hpp"
+
+namespace strainwave {
+
+/// Values between which a number of the gear is sought [unit of the field].
+struct SearchRange {
+  double from = 0.0;
+  double to = 0.0;
+};
+
+/// The number of the gear to be found.
+struct Unknown {
+  std::string path;  ///< "output_shaft.crack[0].depth"
+  /// Absent: chosen round the present value.  A field with two bounds is searched from one to the
+  /// other; any other from 1/1000 to 1000 times its present value, with 0 and with the other sign
+  /// where the field allows them.
+  std::optional<SearchRange> range;
+};
+
+/// The value that an output is to take.
+struct Target {
+  std::string output;          ///< as for_each_quantity names it: "cracked.positive.stiffness"
+  std::string_view unit = "1";  ///< SI
+  double value = 0.0;          ///< [unit]
+};
+
+/// Reads "PATH" or "PATH=FROM..TO", such as "output_shaft.crack[0].depth=0.1 mm..8 mm".
+/// @throws InputError  if the path is no number of `gear`, or the text is anything else
+[[nodiscard]] Unknown parse_unknown(const GearSet& gear, std::string_view text);
+
+/// Reads "OUTPUT=VALUE", such as "cracked.positive.stiffness_change=-1 %" or "intact.stiffness=6e5
+/// N*m/rad".
+///
+/// @param gear, method  decide which outputs there are
+/// @throws InputError   if there is no such output, the message names near ones; if the text is
+///                      anything else; as evaluate(gear, method)
+[[nodiscard]] Target parse_target(const GearSet& gear, Method method, std::string_view text);
+
+struct SolveOptions {
+  /// Points of the first scan; two solutions closer than its spacing are found only where the
+  /// output turns round between them.
+  int n_scan = 400;
+};
+
+/// One value that gives the target.
+struct Solution {
+  /// The sought number [unit of the field].  Its uncertainty is that of the output, carried over
+  /// to first order: u_x = u_y |y/(x dy/dx)|; absent where it cannot be stated.
+  Quantity value;
+  Quantity output;         ///< the output there
+  StiffnessResult result;  ///< everything else there
+};
+
+/// A part of the range where the method gives no result that may be used.
+struct Excluded {
+  double from = 0.0;  ///< [unit of the field]
+  double to = 0.0;
+  bool refused = false;  ///< no result at all; else one that may not be used
+  std::string reason;    ///< of the first point
+};
+
+/// All values of a number that give an output its wanted value.
+struct SolveResult {
+  Method method = Method::corrected;
+  std::string path;            ///< of the sought number
+  std::string_view unit = "1";  ///< of the sought number, SI
+  double present = 0.0;        ///< its value in the gear as given
+  Target target;
+  SearchRange searched;             ///< from < to
+  std::vector<Solution> solutions;  ///< ascending
+  std::vector<Excluded> excluded;   ///< ascending
+  /// Of the output over the searched range, where its result may be used; absent if nowhere.
+  std::optional<double> least;
+  std::optional<double> greatest;
+  /// Empty if there is one solution and nothing to remark; else sentences: none, several, jumps
+  /// over the target, solutions that may not be used.
+  std::string reason;
+
+  [[nodiscard]] bool usable() const { return !solutions.empty(); }
+};
+
+/// Finds all values of one number of the gear for which an output takes a wanted value.
+///
+/// The range is scanned; the ends of each stretch that the method accepts are found by bisection,
+/// so that a solution close to a limit (a crack almost through the wall) is not lost; each change
+/// of sign is refined to rounding.  Where the output jumps over the target (a crack that closes)
+/// there is no solution, and `reason` says so.  A result that may not be used is none either.
+///
+/// @throws InputError  if the range is not valid or none can be chosen; if there is no such output;
+///                     the first fault if the method refuses every value
+[[nodiscard]] SolveResult solve(const GearSet& gear, Method method, const Unknown& unknown,
+                                const Target& target, const SolveOptions& options = {});
+
+/// The result as a report, at most 100 columns wide.
+[[nodiscard]] std::string solve_text(const SolveResult& result);
+
+/// The result as a JSON object; quantities in SI.  A solution carries all outputs, by their names.
+[[nodiscard]] std::string solve_json(const SolveResult& result);
+
+}  // namespace strainwave

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "member.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+#include <variant>
+
+#include "strainwave/article/as_printed.hpp"
+#include "strainwave/core/error.hpp"
+
+namespace strainwave::article {
+namespace {
+
+constexpr std::string_view kCompliance = "rad/(N*m)";
+constexpr std::string_view kStiffness = "N*m/rad";
+constexpr std::string_view kStressIntensity = "Pa*m^0.5";
+constexpr std::string_view kSumEquation = "AP-18";
+
+[[noreturn]] void refuse(std::string_view path, Method method, std::string_view why) {
+  throw InputError(path, fmt::format("the method {} cannot treat it; {}", enum_name(method), why));
+}
+
+template <class Crack, class AnyCrack>
+const Crack* only_crack(const std::vector<AnyCrack>& cracks, std::string_view member,
+                        Method method) {
+  if (cracks.empty()) return nullptr;
+  if (cracks.size() > 1)
+    refuse(fmt::format("{}.crack[1]", member), method,
+           "the article has one crack in a member and no rule for more");
+  const auto* const crack = std::get_if<Crack>(&cracks.front());
+  if (crack == nullptr) {
+    const std::string_view kind = std::visit(
+        [](const auto& other) { return std::decay_t<decltype(other)>::kKind; }, cracks.front());
+    refuse(fmt::format("{}.crack[0]", member), method,
+           fmt::format("the article has no {} crack in this member", kind));
+  }
+  return crack;
+}
+
+void refuse_unknown_race(const WaveGenerator& wg, const RaceSurfaceCrack& crack, Method method) {
+  if (crack.stress_driver != StressDriver::orthogonal_shear)
+    refuse("wave_generator.crack[0].stress_driver", method,
+           "the article has the driver orthogonal_shear alone");
+  if (!crack.contact_factor)
+    throw InputError("wave_generator.crack[0].contact_factor",
+                     fmt::format("must be given for the method {}: the article takes beta as a "
+                                 "given number and has no formula for it",
+                                 enum_name(method)));
+  if (!wg.contact_semi_axes)
+    throw InputError("wave_generator.contact_semi_axes",
+                     fmt::format("must be given for the method {}", enum_name(method)));
+}
+
+double stiffness(const Compliances& compliance) {
+  return drive_stiffness(compliance.wave_generator.value, compliance.flexspline.value,
+                         compliance.output_shaft.value);
+}
+
+CrackedDrive cracked_drive(const IntactDrive& intact, const Compliances& compliance, double added,
+                           double torque) {
+  const double total = compliance.total.value;
+  return {.compliance = compliance,
+          .stiffness = {stiffness(compliance), kStiffness},
+          // K/K_0 - 1 = -Delta lambda/lambda: the difference of two nearly equal stiffnesses would
+          // lose the digits that a small crack is about.
+          .stiffness_change = {-added / total, "1"},
+          .wind_up = {total * std::abs(torque), intact.wind_up.unit}};
+}
+
+void append(StiffnessResult& result, const Member& member) {
+  if (member.crack) result.cracks.push_back(*member.crack);
+  result.notes.insert(result.notes.end(), member.notes.begin(), member.notes.end());
+  result.equations.insert(result.equations.end(), member.equations.begin(), member.equations.end());
+}
+
+void note_negative(std::vector<Note>& notes, double compliance, std::string_view path,
+                   std::string_view equation) {
+  if (compliance >= 0) return;
+  notes.push_back({"article.negative_compliance",
+                   fmt::format("the cracked compliance of {} is negative, {:.4g} rad/(N*m): the "
+                               "printed equations give it, and it has no physical meaning",
+                               path.empty() ? "the drive" : path, compliance),
+                   std::string(path), std::string(equation)});
+}
+
+std::vector<Note> general_notes(const GearSet& gear, Method method) {
+  std::vector<Note> notes;
+  notes.push_back({"article.accuracy",
+                   method == Method::as_printed
+                       ? "no accuracy is stated: several printed equations are dimensionally or "
+                         "physically wrong, so the numbers show what the article says, not a drive"
+                       : "no accuracy is stated: the article's models are kept where they are "
+                         "wrong in kind (race stress, cam conversion), not only in print",
+                   "", ""});
+  notes.push_back({"article.no_closure",
+                   "both senses of torque have the same values: the article takes every crack as "
+                   "open under either",
+                   "", ""});
+  if (method == Method::repaired && gear.article)
+    notes.push_back({"article.ignored",
+                     "the printed intermediate values are read by the method as-printed only",
+                     "article", ""});
+  if (gear.load.axial_force != 0)
+    notes.push_back({"article.axial_force",
+                     "the axial force enters K_I of the shaft's crack and nothing else",
+                     "load.axial_force", method == Method::as_printed ? "AP-13" : "AR-8"});
+  if (gear.wave_generator && gear.drive.wave_number != 2)
+    notes.push_back({"article.wave_number",
+                     "the article's force F_r on a lobe holds for two lobes and is taken as it is",
+                     "drive.wave_number", method == Method::as_printed ? "AP-4" : "AR-1"});
+  return notes;
+}
+
+}  // namespace
+
+Member absent_member(std::string_view path) {
+  Member member;
+  member.notes.push_back({"member.absent",
+                          fmt::format("[{}] is not given; it adds no compliance", path),
+                          std::string(path), ""});
+  return member;
+}
+
+Cracks treatable_cracks(const GearSet& gear, Method method) {
+  Cracks cracks;
+  if (gear.wave_generator) {
+    const WaveGenerator& wg = *gear.wave_generator;
+    cracks.race = only_crack<RaceSurfaceCrack>(wg.crack, "wave_generator", method);
+    if (wg.bearing)
+      refuse("wave_generator.bearing", method,
+             "the article takes radial_stiffness or displacements as given");
+    if (cracks.race != nullptr) refuse_unknown_race(wg, *cracks.race, method);
+  }
+  if (gear.flexspline) {
+    const Flexspline& fs = *gear.flexspline;
+    if (fs.crack_free != CrackFree::factor)
+      refuse("flexspline.crack_free", method, "the article has \"factor\" alone");
+    cracks.wall = only_crack<WallThroughCrack>(fs.crack, "flexspline", method);
+  }
+  if (gear.output_shaft)
+    cracks.shaft = only_crack<AnnularCrack>(gear.output_shaft->crack, "output_shaft", method);
+  return cracks;
+}
+
+CrackReport crack_report(std::string_view path, std::string_view kind, double added_compliance,
+                         const StressIntensities& deepest, bool uniform_front) {
+  const AddedCompliance added{.at_output = {added_compliance, kCompliance},
+                              .axial_torsion = std::nullopt};
+  CrackReport report;
+  report.path = path;
+  report.kind = kind;
+  report.opens_under = OpensUnder::both;
+  report.positive = added;
+  report.negative = added;
+  report.deepest = deepest;
+  if (uniform_front) report.largest = deepest;
+  return report;
+}
+
+StressIntensities stress_intensities(double K_I, double K_II, double K_III) {
+  return {.K_I = {K_I, kStressIntensity},
+          .K_II = {K_II, kStressIntensity},
+          .K_III = {K_III, kStressIntensity}};
+}
+
+Note not_read(std::string_view path, std::string_view equation, std::string_view what_is_done) {
+  return {"article.not_read", fmt::format("{} is not read: {}", path, what_is_done),
+          std::string(path), std::string(equation)};
+}
+
+StiffnessResult drive_result(const GearSet& gear, Method method, const Member& wave_generator,
+                             const Member& flexspline, const Member& output_shaft) {
+  StiffnessResult result;
+  result.method = method;
+  result.notes = general_notes(gear, method);
+  for (const Member* member : {&wave_generator, &flexspline, &output_shaft})
+    append(result, *member);
+  result.equations.emplace_back(kSumEquation);
+
+  const auto compliances = [&](double Member::*of) {
+    const double H = wave_generator.*of;
+    const double f = flexspline.*of;
+    const double so = output_shaft.*of;
+    return Compliances{.wave_generator = {H, kCompliance},
+                       .flexspline = {f, kCompliance},
+                       .output_shaft = {so, kCompliance},
+                       .total = {H + f + so, kCompliance}};
+  };
+  const Compliances sound = compliances(&Member::sound);
+  result.intact = {.compliance = sound,
+                   .stiffness = {stiffness(sound), kStiffness},
+                   .wind_up = {sound.total.value * std::abs(gear.load.torque), "rad"}};
+  const double added = wave_generator.added + flexspline.added + output_shaft.added;
+  result.positive =
+      cracked_drive(result.intact, compliances(&Member::cracked), added, gear.load.torque);
+  result.negative = result.positive;
+
+  note_negative(result.notes, wave_generator.cracked, "wave_generator", "AP-8");
+  note_negative(result.notes, result.positive.compliance.total.value, "", kSumEquation);
+  if (!std::isfinite(result.positive.stiffness.value) ||
+      !std::isfinite(result.positive.compliance.total.value))
+    result.unusable_because =
+        "the printed equations divide by zero for this drive: the stiffness that the crack takes "
+        "off equals what there is";
+  return result;
+}
+
+}  // namespace strainwave::article

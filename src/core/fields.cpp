@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/core/fields.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace strainwave {
+
+std::string rule_text(const Range& range, std::string_view unit) {
+  const bool below = std::isfinite(range.lower);
+  const bool above = std::isfinite(range.upper);
+  const auto bound = [&](double value) {
+    return unit == "1" || value == 0 ? fmt::format("{:g}", value)
+                                     : fmt::format("{:g} {}", value, unit);
+  };
+  std::string text;
+  if (below) text += fmt::format("{} {}", range.lower_open ? ">" : ">=", bound(range.lower));
+  if (below && above) text += " and ";
+  if (above) text += fmt::format("{} {}", range.upper_open ? "<" : "<=", bound(range.upper));
+  return text.empty() ? "a finite number" : text;
+}
+
+}  // namespace strainwave

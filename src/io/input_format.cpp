@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/io/input_format.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <type_traits>
+
+#include "strainwave/model/gear_set.hpp"
+
+namespace strainwave {
+namespace {
+
+template <class T>
+struct Unwrapped {
+  using type = T;
+};
+template <class T>
+struct Unwrapped<std::optional<T>> {
+  using type = T;
+};
+template <class T>
+struct Unwrapped<std::vector<T>> {
+  using type = T;
+};
+template <class T>
+struct Unwrapped<std::map<std::string, T>> {
+  using type = T;
+};
+
+/// Type of the struct member that a pointer to member points at.
+template <class Struct, class Value>
+Value member_type(Value Struct::*);
+
+template <class Member>
+using ValueOf = decltype(member_type(std::declval<Member>()));
+
+/// A table, an array of tables or a table of tables: what has a heading of its own.
+template <class T>
+inline constexpr bool is_section =
+    Described<typename Unwrapped<T>::type> || is_variant<typename Unwrapped<T>::type>;
+
+template <class T>
+bool required(const Field& field) {
+  return !is_optional<T> && !is_vector<T> && field.fallback.empty();
+}
+
+// ---------------------------------------------------------------------------------------------
+// Template
+
+class TemplateWriter {
+ public:
+  std::string text() && { return std::move(text_); }
+
+  template <class T>
+  void table(const std::string& path, const Field* field, bool live) {
+    heading(fmt::format("[{}]", path), field, live);
+    body<T>(path, {}, live);
+  }
+
+  /// Plain fields first, then the tables below: TOML wants it so.
+  template <class T>
+  void body(const std::string& path, std::string_view kind, bool live) {
+    if (!kind.empty()) line(fmt::format("kind = \"{}\"", kind), {}, live);
+    T::describe([&](const Field& field, auto member) {
+      using Value = ValueOf<decltype(member)>;
+      if constexpr (!is_section<Value>)
+        line(fmt::format("{} = {}", field.name, field.example), comment<Value>(field),
+             live && field.in_template == InTemplate::yes);
+    });
+    T::describe([&](const Field& field, auto member) {
+      using Value = ValueOf<decltype(member)>;
+      if constexpr (is_section<Value>) section<Value>(path, field, live);
+    });
+  }
+
+ private:
+  template <class Value>
+  void section(const std::string& path, const Field& field, bool live) {
+    const bool shown = live && field.in_template == InTemplate::yes;
+    const std::string at =
+        path.empty() ? std::string(field.name) : fmt::format("{}.{}", path, field.name);
+    using Inner = typename Unwrapped<Value>::type;
+    if constexpr (is_string_map<Value>) {
+      table<Inner>(at + ".steel", &field, shown);
+    } else if constexpr (is_vector<Value>) {
+      bool first = true;  // of the kinds of cracks one is live, the others are commented out
+      for_each_alternative<Inner>([&]<class Alternative>() {
+        heading(fmt::format("[[{}]]", at), &field, shown && first);
+        body<Alternative>(at, Alternative::kKind, shown && first);
+        first = false;
+      });
+    } else {
+      table<Inner>(at, &field, shown);
+    }
+  }
+
+  void heading(const std::string& head, const Field* field, bool live) {
+    text_ += '\n';
+    line(head, field != nullptr ? std::string(field->doc) : std::string(), live);
+  }
+
+  void line(const std::string& content, const std::string& comment, bool live) {
+    const std::string start = (live ? "" : "# ") + content;
+    text_ += comment.empty() ? start + '\n' : fmt::format("{:<44} # {}\n", start, comment);
+  }
+
+  template <class Value>
+  static std::string comment(const Field& field) {
+    std::string text(field.doc);
+    using Inner = typename Unwrapped<Value>::type;
+    if constexpr (std::is_enum_v<Inner>)
+      text += fmt::format("; one of {}", fmt::join(EnumNames<Inner>::names, ", "));
+    if (!field.fallback.empty() && field.fallback != R"("")")
+      text += fmt::format("; default {}", field.fallback);
+    return text;
+  }
+
+  std::string text_;
+};
+
+// ---------------------------------------------------------------------------------------------
+// JSON Schema
+
+using Json = nlohmann::ordered_json;
+
+Json number_schema(const Field& field) {
+  Json schema;
+  if (field.unit != "1") {
+    schema["type"] = "string";
+    // The reader checks the unit; the pattern catches bare numbers and forgotten units.
+    schema["pattern"] = R"(^ *[-+]?[0-9.]+([eE][-+]?[0-9]+)? *(1/)?[^-+0-9.eE\s].*$)";
+    return schema;
+  }
+  schema["type"] = "number";
+  const Range& range = field.range;
+  if (std::isfinite(range.lower))
+    schema[range.lower_open ? "exclusiveMinimum" : "minimum"] = range.lower;
+  if (std::isfinite(range.upper))
+    schema[range.upper_open ? "exclusiveMaximum" : "maximum"] = range.upper;
+  return schema;
+}
+
+template <Described T>
+Json table_schema(std::string_view kind = {});
+
+template <class Value>
+Json value_schema(const Field& field) {
+  if constexpr (is_optional<Value>) {
+    return value_schema<typename Unwrapped<Value>::type>(field);
+  } else if constexpr (std::is_same_v<Value, double>) {
+    return number_schema(field);
+  } else if constexpr (std::is_same_v<Value, int>) {
+    Json schema = number_schema(field);
+    schema["type"] = "integer";
+    return schema;
+  } else if constexpr (std::is_same_v<Value, bool>) {
+    return {{"type", "boolean"}};
+  } else if constexpr (std::is_same_v<Value, std::string>) {
+    return {{"type", "string"}};
+  } else if constexpr (std::is_enum_v<Value>) {
+    Json schema;
+    for (const std::string_view name : EnumNames<Value>::names) schema["enum"].push_back(name);
+    return schema;
+  } else if constexpr (is_pair_of_numbers<Value>) {
+    return {{"type", "array"}, {"items", number_schema(field)}, {"minItems", 2}, {"maxItems", 2}};
+  } else if constexpr (is_vector<Value>) {
+    return {{"type", "array"}, {"items", value_schema<typename Unwrapped<Value>::type>(field)}};
+  } else if constexpr (is_string_map<Value>) {
+    return {{"type", "object"},
+            {"minProperties", 1},
+            {"additionalProperties", value_schema<typename Unwrapped<Value>::type>(field)}};
+  } else if constexpr (is_variant<Value>) {
+    Json schema;
+    for_each_alternative<Value>([&]<class Alternative>() {
+      schema["oneOf"].push_back(table_schema<Alternative>(Alternative::kKind));
+    });
+    return schema;
+  } else {
+    return table_schema<Value>();
+  }
+}
+
+template <Described T>
+Json table_schema(std::string_view kind) {
+  Json schema = {{"type", "object"}, {"additionalProperties", false}};
+  Json needed = Json::array();
+  if (!kind.empty()) {
+    schema["properties"]["kind"] = {{"const", kind}};
+    needed.push_back("kind");
+  }
+  T::describe([&](const Field& field, auto member) {
+    using Value = ValueOf<decltype(member)>;
+    Json property = value_schema<Value>(field);
+    std::string description(field.doc);
+    if (!field.unit.empty() && field.unit != "1")
+      description += fmt::format(" [{}]; {}", field.unit, rule_text(field.range));
+    property["description"] = description;
+    if (!field.fallback.empty()) property["default"] = Json::parse(field.fallback);
+    if (required<Value>(field)) needed.push_back(field.name);
+    schema["properties"][std::string(field.name)] = std::move(property);
+  });
+  if (!needed.empty()) schema["required"] = std::move(needed);
+  return schema;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Reference
+
+class ReferenceWriter {
+ public:
+  std::string text() && { return std::move(text_); }
+
+  template <class T>
+  void table(const std::string& head, std::string_view doc, std::string_view kind) {
+    text_ += fmt::format(
+        "\n## `{}`\n\n{}\n\n| field | unit | rule | default | meaning |\n"
+        "|---|---|---|---|---|\n",
+        head, doc);
+    if (!kind.empty()) text_ += fmt::format("| `kind` | | `\"{}\"` | required | |\n", kind);
+    T::describe([&](const Field& field, auto member) {
+      using Value = ValueOf<decltype(member)>;
+      if constexpr (!is_section<Value>)
+        text_ += fmt::format("| `{}` | {} | {} | {} | {} |\n", field.name, unit(field),
+                             rule<Value>(field), fallback<Value>(field), field.doc);
+    });
+  }
+
+  template <class T>
+  void tables_below(const std::string& path) {
+    T::describe([&](const Field& field, auto member) {
+      using Value = ValueOf<decltype(member)>;
+      if constexpr (is_section<Value>) {
+        using Inner = typename Unwrapped<Value>::type;
+        const std::string at =
+            path.empty() ? std::string(field.name) : fmt::format("{}.{}", path, field.name);
+        if constexpr (is_variant<Inner>) {
+          for_each_alternative<Inner>([&]<class Alternative>() {
+            table<Alternative>(fmt::format("[[{}]] {}", at, Alternative::kKind), field.doc,
+                               Alternative::kKind);
+          });
+        } else {
+          const std::string head = is_string_map<Value> ? at + ".NAME" : at;
+          table<Inner>(fmt::format("[{}]", head), field.doc, {});
+          tables_below<Inner>(head);
+        }
+      }
+    });
+  }
+
+ private:
+  static std::string unit(const Field& field) {
+    return field.unit.empty() || field.unit == "1" ? "" : fmt::format("`{}`", field.unit);
+  }
+
+  template <class Value>
+  static std::string rule(const Field& field) {
+    using Inner = typename Unwrapped<Value>::type;
+    if constexpr (std::is_enum_v<Inner>)
+      return fmt::format("`\"{}\"`", fmt::join(EnumNames<Inner>::names, "\"`, `\""));
+    if (field.unit.empty()) return "";
+    return rule_text(field.range);
+  }
+
+  template <class Value>
+  static std::string fallback(const Field& field) {
+    if (required<Value>(field)) return "required";
+    return field.fallback.empty() ? "none" : fmt::format("`{}`", field.fallback);
+  }
+
+  std::string text_;
+};
+
+}  // namespace
+
+std::string input_template() {
+  TemplateWriter writer;
+  writer.body<GearSet>("", {}, true);
+  return "# A strain wave gear for strainwave.  Quantities are text with a unit; pure numbers are\n"
+         "# bare.  Lines that start with # can be switched on.  Any member may be left out.\n\n" +
+         std::move(writer).text();
+}
+
+std::string input_schema() {
+  Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                 {"$id", "urn:strainwave:drive:1"},
+                 {"title", "strainwave drive"}};
+  schema.update(table_schema<GearSet>());
+  schema["properties"]["format"] = {{"const", kDriveFormat}};
+  return schema.dump(2) + "\n";
+}
+
+std::string input_reference() {
+  ReferenceWriter writer;
+  writer.table<GearSet>("top of the file", "Format and name.", {});
+  writer.tables_below<GearSet>("");
+  return "# Input file reference\n\nMade by `strainwave schema --format markdown` from the "
+         "descriptions that the reader uses.\nQuantities are text with any convertible unit, such "
+         "as `\"2.24 mm\"`; pure numbers are bare.\nEvery field is addressed by its path, such as "
+         "`output_shaft.crack[0].depth`.\n" +
+         std::move(writer).text();
+}
+
+}  // namespace strainwave

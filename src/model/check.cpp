@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/model/gear_set.hpp"
+
+// Rules between fields.  Rules of one field alone are its Range.
+
+namespace strainwave {
+namespace {
+
+void check_tube(const FieldPath& path, const TubeSection& tube) {
+  require(tube.wall_thickness < tube.outer_diameter / 2, (path / "wall_thickness").text(),
+          tube.wall_thickness, "m", "wall_thickness < outer_diameter/2");
+}
+
+void check_material(const FieldPath& path, const Material& material) {
+  try {
+    (void)elastic_constants(material);
+  } catch (const InputError& error) {
+    const std::string field = (path / error.field()).text();
+    if (error.rule().empty()) throw InputError(field, "must be given, or shear_modulus");
+    throw InputError(field, material.shear_modulus.value_or(0.0), "Pa", error.rule());
+  }
+}
+
+void check_race_crack(const FieldPath& path, const WaveGenerator& wg, double depth,
+                      StressDriver driver, const std::optional<double>& contact_factor,
+                      const std::optional<double>& stress) {
+  const auto need = [&](bool given, std::string_view field, std::string_view why) {
+    if (!given) throw InputError(field, fmt::format("must be given for {} ({})", path.text(), why));
+  };
+  need(wg.inner_ring_thickness.has_value(), "wave_generator.inner_ring_thickness",
+       "inner ring thickness t_i [m]");
+  require(depth < *wg.inner_ring_thickness, (path / "depth").text(), depth, "m",
+          "depth < inner_ring_thickness");
+  const std::string driver_is = fmt::format("stress_driver = \"{}\" needs it", enum_name(driver));
+  const bool has_contact = wg.contact_semi_axes.has_value() || wg.bearing.has_value();
+  switch (driver) {
+    case StressDriver::orthogonal_shear:
+    case StressDriver::contact_edge:
+      need(has_contact, "wave_generator.contact_semi_axes", driver_is);
+      break;
+    case StressDriver::ring_bending:
+      need(wg.inner_ring_width.has_value(), "wave_generator.inner_ring_width", driver_is);
+      need(wg.inner_ring_mean_radius.has_value(), "wave_generator.inner_ring_mean_radius",
+           driver_is);
+      break;
+    case StressDriver::given:
+      need(stress.has_value(), (path / "stress").text(), driver_is);
+      break;
+  }
+  if (stress && driver != StressDriver::given)
+    throw InputError((path / "stress").text(), "is read only with stress_driver = \"given\"");
+  if (contact_factor && driver != StressDriver::orthogonal_shear)
+    throw InputError((path / "contact_factor").text(),
+                     "is read only with stress_driver = \"orthogonal_shear\"");
+}
+
+void check_wave_generator(const GearSet& gear) {
+  const WaveGenerator& wg = *gear.wave_generator;
+  const FieldPath path("wave_generator");
+  (void)material_of(gear, wg.material, (path / "material").text());
+  const int sources = int{wg.radial_stiffness.has_value()} + int{wg.displacements.has_value()} +
+                      int{wg.bearing.has_value()};
+  if (sources == 0)
+    throw InputError((path / "radial_stiffness").text(),
+                     "must be given (K_G0 of one lobe [N/m]), or displacements, or bearing");
+  if (sources > 1)
+    throw InputError(
+        (path / (wg.radial_stiffness && wg.displacements ? "displacements" : "bearing")).text(),
+        "is one source of the radial stiffness too many; give one of radial_stiffness, "
+        "displacements, bearing");
+  if (wg.displacements) {
+    const LobeDisplacements& d = *wg.displacements;
+    require(d.bearing + d.cam + d.shaft > 0, (path / "displacements" / "bearing").text(), d.bearing,
+            "m", "bearing + cam + shaft > 0");
+  }
+  if (wg.contact_semi_axes) {
+    const auto& [a, b] = *wg.contact_semi_axes;
+    require(b <= a, (path / "contact_semi_axes")[1].text(), b, "m",
+            "second semi-axis <= first semi-axis");
+  }
+  if (wg.inner_ring_thickness && wg.inner_ring_mean_radius)
+    require(*wg.inner_ring_thickness < *wg.inner_ring_mean_radius,
+            (path / "inner_ring_thickness").text(), *wg.inner_ring_thickness, "m",
+            "inner_ring_thickness < inner_ring_mean_radius");
+  if (wg.bearing) {
+    const FieldPath bearing = path / "bearing";
+    require(wg.bearing->outer_raceway_diameter > wg.bearing->inner_raceway_diameter,
+            (bearing / "outer_raceway_diameter").text(), wg.bearing->outer_raceway_diameter, "m",
+            "outer_raceway_diameter > inner_raceway_diameter");
+    if (wg.bearing->outer_ring) {
+      const BearingRing& ring = *wg.bearing->outer_ring;
+      require(ring.thickness < ring.mean_radius, (bearing / "outer_ring" / "thickness").text(),
+              ring.thickness, "m", "thickness < mean_radius");
+      require(gear.drive.wave_number >= 2, "drive.wave_number", gear.drive.wave_number, "1",
+              "wave_number >= 2 where a ring bends between lobes");
+    }
+  }
+  for (std::size_t i = 0; i < wg.crack.size(); ++i) {
+    std::visit(
+        [&](const auto& crack) {
+          check_race_crack((path / "crack")[i], wg, crack.depth, crack.stress_driver,
+                           crack.contact_factor, crack.stress);
+          if constexpr (std::is_same_v<std::decay_t<decltype(crack)>, RaceEdgeCrack>) {
+            if (!wg.inner_ring_width)
+              throw InputError("wave_generator.inner_ring_width",
+                               "must be given for an edge crack (axial width of the ring [m])");
+          }
+          if (crack.stress_driver == StressDriver::ring_bending)
+            require(gear.drive.wave_number >= 2, "drive.wave_number", gear.drive.wave_number, "1",
+                    "wave_number >= 2 where a ring bends between lobes");
+        },
+        wg.crack[i]);
+  }
+}
+
+void check_flexspline(const GearSet& gear) {
+  const Flexspline& fs = *gear.flexspline;
+  const FieldPath path("flexspline");
+  (void)material_of(gear, fs.material, (path / "material").text());
+  require(fs.wall_thickness < gear.drive.pitch_diameter / 2, (path / "wall_thickness").text(),
+          fs.wall_thickness, "m", "wall_thickness < drive.pitch_diameter/2");
+  if (fs.rim) check_tube(path / "rim", *fs.rim);
+  if (fs.barrel) check_tube(path / "barrel", *fs.barrel);
+  if (fs.boss) check_tube(path / "boss", *fs.boss);
+  if (fs.diaphragm)
+    require(fs.diaphragm->inner_diameter < fs.diaphragm->outer_diameter,
+            (path / "diaphragm" / "inner_diameter").text(), fs.diaphragm->inner_diameter, "m",
+            "inner_diameter < outer_diameter");
+  if (fs.crack_free == CrackFree::sections) {
+    if (!fs.barrel)
+      throw InputError((path / "barrel").text(),
+                       "must be given where crack_free = \"sections\" (smooth tube)");
+    if (fs.shape_factor)
+      throw InputError((path / "shape_factor").text(),
+                       "is read only where crack_free = \"factor\"");
+    if (fs.shape == FlexsplineShape::cup && !fs.diaphragm)
+      throw InputError((path / "diaphragm").text(),
+                       "must be given for a cup where crack_free = \"sections\" (bottom)");
+  } else if (fs.rim || fs.barrel || fs.diaphragm || fs.boss) {
+    const char* const given = fs.rim         ? "rim"
+                              : fs.barrel    ? "barrel"
+                              : fs.diaphragm ? "diaphragm"
+                                             : "boss";
+    throw InputError((path / given).text(), "is read only where crack_free = \"sections\"");
+  }
+  for (std::size_t i = 0; i < fs.crack.size(); ++i) {
+    const FieldPath at = (path / "crack")[i];
+    std::visit(
+        [&](const auto& crack) {
+          double wall = fs.wall_thickness;
+          double length = fs.length;
+          double diameter = gear.drive.pitch_diameter;
+          if (fs.crack_free == CrackFree::sections) {
+            if (crack.section == WallSection::rim && !fs.rim)
+              throw InputError((at / "section").text(), "\"rim\" needs a [flexspline.rim]");
+            const TubeSection& tube = crack.section == WallSection::rim ? *fs.rim : *fs.barrel;
+            wall = tube.wall_thickness;
+            length = tube.length;
+            diameter = tube.outer_diameter;
+          } else if (crack.section != WallSection::barrel) {
+            throw InputError((at / "section").text(),
+                             "is read only where crack_free = \"sections\"");
+          }
+          // A crack that is longer than the tube, or meets itself round the circumference, is none.
+          require(2 * crack.half_length * std::cos(crack.angle) < length,
+                  (at / "half_length").text(), crack.half_length, "m",
+                  "2 half_length cos(angle) < length of the tube");
+          require(2 * crack.half_length * std::abs(std::sin(crack.angle)) <
+                      2 * std::acos(0.0) * (diameter - wall),
+                  (at / "half_length").text(), crack.half_length, "m",
+                  "2 half_length |sin(angle)| < circumference of the tube");
+          if constexpr (std::is_same_v<std::decay_t<decltype(crack)>, WallSurfaceCrack>) {
+            require(crack.depth < wall, (at / "depth").text(), crack.depth, "m",
+                    "depth < wall_thickness");
+            require(crack.depth <= crack.half_length, (at / "half_length").text(),
+                    crack.half_length, "m", "half_length >= depth");
+          }
+        },
+        fs.crack[i]);
+  }
+}
+
+void check_output_shaft(const GearSet& gear) {
+  const OutputShaft& shaft = *gear.output_shaft;
+  const FieldPath path("output_shaft");
+  (void)material_of(gear, shaft.material, (path / "material").text());
+  require(shaft.inner_diameter < shaft.outer_diameter, (path / "inner_diameter").text(),
+          shaft.inner_diameter, "m", "inner_diameter < outer_diameter");
+  const double wall = (shaft.outer_diameter - shaft.inner_diameter) / 2;
+  for (std::size_t i = 0; i < shaft.crack.size(); ++i) {
+    const auto& crack = std::get<AnnularCrack>(shaft.crack[i]);
+    const FieldPath at = (path / "crack")[i];
+    require(crack.depth < wall, (at / "depth").text(), crack.depth, "m",
+            shaft.solid() ? "depth < outer_diameter/2"
+                          : "depth < (outer_diameter - inner_diameter)/2, the wall");
+    if (crack.solution == AnnularSolution::tada && !shaft.solid())
+      throw InputError((at / "solution").text(),
+                       "\"tada\" is for solid shafts; a hollow one has a table");
+  }
+}
+
+void check_ranges(const GearSet& gear) {
+  bool all_inside = true;
+  for_each_number<NoPath>(gear, [&](NoPath, const Field& field, const double& value) {
+    all_inside = all_inside && field.range.contains(value);
+  });
+  if (all_inside) return;
+  // Paths are made only now: a sound drive, the usual case, is checked without them.
+  for_each_number(gear, [](const FieldPath& path, const Field& field, const double& value) {
+    require(field.range.contains(value), path.text(), value, field.unit,
+            rule_text(field.range, field.unit));
+  });
+}
+
+}  // namespace
+
+void check(const GearSet& gear) {
+  if (gear.format != kDriveFormat)
+    throw InputError("format", fmt::format("\"{}\" is not known; this version reads \"{}\"",
+                                           shown(gear.format), kDriveFormat));
+  if (std::ranges::any_of(gear.name, [](unsigned char c) { return c < 0x20 || c == 0x7F; }))
+    throw InputError("name", "must be one line, without control characters");
+  check_ranges(gear);
+  for (const auto& [name, material] : gear.material)
+    check_material(FieldPath("material") / name, material);
+  require(gear.drive.wave_number >= 1 && gear.drive.wave_number <= 8, "drive.wave_number",
+          gear.drive.wave_number, "1", ">= 1 and <= 8");
+  require(gear.drive.radial_displacement < gear.drive.pitch_diameter / 2,
+          "drive.radial_displacement", gear.drive.radial_displacement, "m",
+          "radial_displacement < pitch_diameter/2");
+  require(gear.load.torque != 0, "load.torque", gear.load.torque, "N*m", "torque != 0");
+  if (!gear.wave_generator && !gear.flexspline && !gear.output_shaft)
+    throw InputError("flexspline",
+                     "at least one of wave_generator, flexspline, output_shaft must be given");
+  if (gear.wave_generator) check_wave_generator(gear);
+  if (gear.flexspline) check_flexspline(gear);
+  if (gear.output_shaft) check_output_shaft(gear);
+}
+
+}  // namespace strainwave

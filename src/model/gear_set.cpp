@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/model/gear_set.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/nearest.hpp"
+
+namespace strainwave {
+namespace {
+
+/// Calls `f(const Field&, number)` for the number at `path` of `gear` (const or not).
+template <class Gear, class F>
+void visit_number(Gear& gear, std::string_view path, const F& f) {
+  bool found = false;
+  std::vector<std::string> known;
+  for_each_number(gear, [&](const FieldPath& at, const Field& field, auto& number) {
+    known.push_back(at.text());
+    if (at.text() != path) return;
+    found = true;
+    f(field, number);
+  });
+  if (found) return;
+  const std::string near = nearest_word(path, known);
+  throw InputError(path, "is not a number of this drive" +
+                             (near.empty() ? std::string() : "; did you mean " + near + "?"));
+}
+
+}  // namespace
+
+ElasticConstants elastic_constants(const Material& material) {
+  const double E = material.youngs_modulus;
+  if (!material.shear_modulus && !material.poissons_ratio)
+    throw InputError("poissons_ratio", "must be given, or shear_modulus");
+  const double nu =
+      material.poissons_ratio ? *material.poissons_ratio : E / (2 * *material.shear_modulus) - 1;
+  require(nu > -1 && nu < 0.5, "shear_modulus", material.shear_modulus.value_or(0.0), "Pa",
+          "Poisson's ratio E/(2G) - 1 > -1 and < 0.5");
+  const double G = material.shear_modulus ? *material.shear_modulus : E / (2 * (1 + nu));
+  return {.E = E, .G = G, .nu = nu};
+}
+
+double elastic_contradiction(const Material& material) {
+  if (!material.shear_modulus || !material.poissons_ratio) return 0.0;
+  const double isotropic = material.youngs_modulus / (2 * (1 + *material.poissons_ratio));
+  return *material.shear_modulus / isotropic - 1;
+}
+
+const Material& material_of(const GearSet& gear, std::string_view name, std::string_view field) {
+  const auto found = gear.material.find(std::string(name));
+  if (found != gear.material.end()) return found->second;
+  std::vector<std::string> known;
+  for (const auto& [known_name, material] : gear.material) known.push_back(known_name);
+  throw InputError(field, fmt::format("\"{}\" is not one of the materials given ({})", shown(name),
+                                      shown(fmt::format("{}", fmt::join(known, ", ")))));
+}
+
+void set_number(GearSet& gear, std::string_view path, double value) {
+  visit_number(gear, path, [&](const Field&, double& number) { number = value; });
+}
+
+NumberAt number_at(const GearSet& gear, std::string_view path) {
+  NumberAt result{.path = std::string(path), .field = {}};
+  visit_number(gear, path, [&](const Field& field, const double& number) {
+    result.field = field;
+    result.value = number;
+  });
+  return result;
+}
+
+}  // namespace strainwave

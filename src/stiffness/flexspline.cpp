@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "member_support.hpp"
+#include "strainwave/core/units.hpp"
+#include "strainwave/fracture/surface_crack.hpp"
+#include "strainwave/stiffness/accuracy.hpp"
+#include "strainwave/stiffness/elastic_members.hpp"
+
+namespace strainwave {
+namespace {
+
+Tube tube(const TubeSection& section) {
+  return {.outer_diameter = section.outer_diameter,
+          .inner_diameter = section.outer_diameter - 2 * section.wall_thickness,
+          .length = section.length};
+}
+
+/// The wall that a crack sits in.
+struct Wall {
+  double mean_radius = 0.0;
+  double thickness = 0.0;
+};
+
+Wall wall_of(const GearSet& gear, WallSection section) {
+  const Flexspline& fs = *gear.flexspline;
+  if (fs.crack_free == CrackFree::factor)
+    return {(gear.drive.pitch_diameter - fs.wall_thickness) / 2, fs.wall_thickness};  // (ST-11)
+  const TubeSection& given = section == WallSection::rim ? *fs.rim : *fs.barrel;
+  return {(given.outer_diameter - given.wall_thickness) / 2, given.wall_thickness};  // (ST-11)
+}
+
+void add_sound_flexspline(const GearSet& gear, const ElasticConstants& steel,
+                          MemberCompliance& member) {
+  const Flexspline& fs = *gear.flexspline;
+  if (fs.crack_free == CrackFree::factor) {
+    const double D = gear.drive.pitch_diameter;
+    const double k = fs.shape_factor.value_or(fs.shape == FlexsplineShape::cup ? 0.83 : 1.0);
+    member.intact = k * torsional_compliance(Tube{.outer_diameter = D,
+                                                  .inner_diameter = D - 2 * fs.wall_thickness,
+                                                  .length = fs.length},
+                                             steel.G);  // (ST-4)
+    const ModelAccuracy& accuracy =
+        fs.shape == FlexsplineShape::cup ? accuracy::kShapeFactor : accuracy::kTube;
+    member.relative_uncertainty = accuracy;
+    rest_on(member, "flexspline", accuracy);
+    use_equation(member.equations, "ST-4");
+    if (fs.shape == FlexsplineShape::cup)
+      member.notes.push_back(
+          {"flexspline.shape_factor",
+           "a factor below 1 for a cup has the wrong direction: its bottom adds compliance; give "
+           "the sections where the geometry is known",
+           "flexspline.crack_free", "ST-4"});
+    return;
+  }
+  member.intact = torsional_compliance(tube(*fs.barrel), steel.G);
+  if (fs.rim) member.intact += torsional_compliance(tube(*fs.rim), steel.G);
+  if (fs.boss) member.intact += torsional_compliance(tube(*fs.boss), steel.G);
+  if (fs.diaphragm)
+    member.intact +=
+        torsional_compliance(AnnularPlate{.outer_diameter = fs.diaphragm->outer_diameter,
+                                          .inner_diameter = fs.diaphragm->inner_diameter,
+                                          .thickness = fs.diaphragm->thickness},
+                             steel.G);
+  member.relative_uncertainty = accuracy::kSections;
+  rest_on(member, "flexspline", accuracy::kSections);
+  use_equation(member.equations, "ST-2");
+  if (fs.diaphragm) use_equation(member.equations, "ST-3");
+}
+
+/// State of a crack's faces under both senses of torque.
+struct BothSenses {
+  Faces positive = Faces::touching;
+  Faces negative = Faces::touching;
+};
+
+BothSenses faces_under(const CrackPlaneStress& stress, const Load& load) {
+  const double P = load.axial_force;
+  const double T = std::abs(load.torque);
+  const double from_P = stress.normal[kAxial] * P;
+  const double from_T = stress.normal[kTorsion] * T;
+  const double scale = std::abs(from_P) + std::abs(from_T) + std::abs(stress.shear[kAxial] * P) +
+                       std::abs(stress.shear[kTorsion] * T);
+  return {faces(from_P + from_T, scale), faces(from_P - from_T, scale)};
+}
+
+/// What differs between the kinds of wall cracks.
+struct WallCrackModel {
+  CrackModuli moduli;
+  Constraint constraint = Constraint::plane_strain;
+  double uncertainty = 0.0;  ///< of the added compliance [-]
+  double ligament = 0.0;     ///< left of the section [m]
+};
+
+/// Adds one wall crack; `crack_with(open)` makes it with its faces apart or not.
+template <class MakeCrack>
+void add_wall_crack(MemberCompliance& member, CrackReport report, const MakeCrack& crack_with,
+                    const BothSenses& state, const GearSet& gear, const WallCrackModel& model,
+                    const StiffnessOptions& options) {
+  const auto added_under = [&](Faces sense) {
+    const auto added =
+        added_compliance(crack_with(sense != Faces::pressed), model.moduli, options.quadrature);
+    demand_convergence(member, report, added.relative_error, added.converged);
+    AddedCompliance result;
+    result.at_output = {added.matrix(kTorsion, kTorsion), kComplianceUnit, model.uncertainty};
+    result.axial_torsion = axial_torsion(added.matrix, model.uncertainty, model.uncertainty);
+    return result;
+  };
+  report.opens_under = opens_under(state.positive, state.negative);
+  report.positive = added_under(state.positive);
+  report.negative = (state.negative == Faces::pressed) == (state.positive == Faces::pressed)
+                        ? report.positive
+                        : added_under(state.negative);
+  const Faces given = gear.load.torque > 0 ? state.positive : state.negative;
+  report_intensities(report, member.notes, crack_with(given != Faces::pressed),
+                     {gear.load.axial_force, gear.load.torque}, model.moduli, model.uncertainty / 2,
+                     gear.material.at(gear.flexspline->material), model.constraint, model.ligament);
+  if (state.positive == Faces::pressed || state.negative == Faces::pressed)
+    member.notes.push_back(
+        {"crack.closed",
+         fmt::format("closed under {} torque: mode I adds nothing there, and the faces slide "
+                     "without friction, an upper bound",
+                     state.positive != Faces::pressed   ? "negative"
+                     : state.negative != Faces::pressed ? "positive"
+                                                        : "either sense of"),
+         report.path, "FR-17"});
+  const AddedCompliance& at_given = gear.load.torque > 0 ? report.positive : report.negative;
+  const double turned_by_axial_force = (*at_given.axial_torsion)[1].value * gear.load.axial_force;
+  if (turned_by_axial_force != 0)
+    member.notes.push_back(
+        {"crack.axial_coupling",
+         fmt::format(
+             "the axial force turns the output by {:.3g} arcmin through this inclined crack; "
+             "stiffness and wind-up are those of the torque alone",
+             turned_by_axial_force / units::arcmin),
+         report.path, "FR-2"});
+  member.cracks.push_back(std::move(report));
+}
+
+void add_through_crack(MemberCompliance& member, CrackReport report, const WallThroughCrack& crack,
+                       const GearSet& gear, const ElasticConstants& steel,
+                       const StiffnessOptions& options) {
+  const Wall wall = wall_of(gear, crack.section);
+  const double K_u = gear.flexspline->stress_nonuniformity;
+  const auto make = [&](bool open) {
+    return ThroughCrackInTube{.half_length = crack.half_length,
+                              .mean_radius = wall.mean_radius,
+                              .wall_thickness = wall.thickness,
+                              .angle = crack.angle,
+                              .stress_nonuniformity = K_u,
+                              .poissons_ratio = steel.nu,
+                              .shell_correction = crack.shell_correction,
+                              .open = open};
+  };
+  for (const char* const tag : {"FR-2", "FR-6", "FR-7", "FR-18", "ST-11"})
+    use_equation(member.equations, tag);
+  WallCrackModel model{.moduli = {.opening = steel.E, .shear = steel.G},
+                       .constraint = Constraint::plane_stress,
+                       .ligament = wall.mean_radius};
+  ModelAccuracy accuracy = accuracy::kThroughCrack;
+  member.notes.push_back(
+      {"crack.plane_stress",
+       "plane stress, E' = E, is an upper bound: a crack much shorter than the wall is thick is in "
+       "plane strain, 9 % less compliant",
+       report.path, "FR-18"});
+  const double lambda = std::sqrt(make(true).shell_parameter_squared(crack.half_length));
+  if (lambda > 1 && lambda <= 2) {
+    accuracy = accuracy::kThroughCrackLong;
+    member.notes.push_back({"crack.shell_range",
+                            fmt::format("shell parameter {:.3g} is outside the range of the shell "
+                                        "correction, <= 1: 8 % too compliant at 1.4",
+                                        lambda),
+                            report.path, "FR-9"});
+  } else if (lambda > 2) {
+    accuracy = accuracy::kThroughCrackLong;
+    member.unusable_because = fmt::format(
+        "{}: shell parameter {:.3g} is far outside the range of the shell correction (<= 1, usable "
+        "with care to 2): such a long crack needs finite elements",
+        report.path, lambda);
+  }
+  model.uncertainty = accuracy;
+  rest_on(member, report.path, accuracy);
+  if (crack.shell_correction)
+    for (const char* const tag : {"FR-8", "FR-9"}) use_equation(member.equations, tag);
+  const CrackPlaneStress stress =
+      crack_plane_stress(wall.mean_radius, wall.thickness, crack.angle, K_u);
+  add_wall_crack(member, std::move(report), make, faces_under(stress, gear.load), gear, model,
+                 options);
+}
+
+void add_surface_crack(MemberCompliance& member, CrackReport report, const WallSurfaceCrack& crack,
+                       const GearSet& gear, const ElasticConstants& steel,
+                       const StiffnessOptions& options) {
+  const Wall wall = wall_of(gear, crack.section);
+  const CrackPlaneStress stress = crack_plane_stress(wall.mean_radius, wall.thickness, crack.angle,
+                                                     gear.flexspline->stress_nonuniformity);
+  const auto make = [&](bool open) {
+    return SurfaceCrack<2>({.depth = crack.depth,
+                            .aspect_ratio = crack.depth / crack.half_length,
+                            .thickness = wall.thickness,
+                            .poissons_ratio = steel.nu,
+                            .normal_stress = stress.normal,
+                            .shear_stress = stress.shear,
+                            .open = open});
+  };
+  for (const char* const tag : {"FR-2", "FR-3", "FR-4", "FR-5", "FR-6", "FR-18", "ST-11"})
+    use_equation(member.equations, tag);
+  WallCrackModel model{.moduli = {.opening = steel.plane_strain_modulus(), .shear = steel.G},
+                       .constraint = Constraint::plane_strain,
+                       .ligament = wall.thickness - crack.depth};
+  ModelAccuracy fit = accuracy::kSurfaceCrack;
+  if (crack.depth > 0.8 * wall.thickness || crack.depth < 0.2 * crack.half_length) {
+    fit = accuracy::kSurfaceCrackExtrapolated;
+    member.notes.push_back({"crack.surface_range",
+                            "outside a/t <= 0.8 and a/c >= 0.2, where the stress intensity was "
+                            "fitted: extrapolated",
+                            report.path, "FR-4"});
+  }
+  model.uncertainty = fit;
+  rest_on(member, report.path, fit);
+  if (std::abs(std::abs(crack.angle) - 45 * units::deg) > 1e-9) {
+    use_equation(member.equations, "FR-10");
+    model.uncertainty = accuracy::combined(fit, accuracy::kSurfaceCrackShear);
+    rest_on(member, report.path, accuracy::kSurfaceCrackShear);
+    member.notes.push_back({"crack.surface_shear",
+                            "away from 45 deg the crack is sheared too: K_II and K_III are those "
+                            "of an ellipse inside a body, without the free surface",
+                            report.path, "FR-10"});
+  }
+  if (wall.mean_radius < 10 * wall.thickness)
+    member.notes.push_back({"crack.thick_wall",
+                            "the wall is thicker than a tenth of its radius: plate solution and "
+                            "mean shear stress lose accuracy",
+                            report.path, "FR-6"});
+  add_wall_crack(member, std::move(report), make, faces_under(stress, gear.load), gear, model,
+                 options);
+}
+
+void note_ovalisation(const GearSet& gear, MemberCompliance& member) {
+  const Wall wall = wall_of(gear, WallSection::barrel);
+  const double tau = std::abs(gear.load.torque) * gear.flexspline->stress_nonuniformity /
+                     (2 * std::numbers::pi * wall.mean_radius * wall.mean_radius * wall.thickness);
+  use_equation(member.equations, "ST-17");
+  member.notes.push_back(
+      {"flexspline.ovalisation",
+       fmt::format(
+           "assembly on the wave generator bends the wall by {:.3g} MPa, against {:.3g} MPa "
+           "of shear from the torque; it opens one face of a crack and closes the other "
+           "twice per turn, and is left out of the decision whether a crack is open",
+           ovalisation_stress(gear) / 1e6, tau / 1e6),
+       "flexspline.crack", "ST-17"});
+}
+
+}  // namespace
+
+double ovalisation_stress(const GearSet& gear) {
+  const Wall wall = wall_of(gear, WallSection::barrel);
+  const ElasticConstants steel =
+      elastic_constants(material_of(gear, gear.flexspline->material, "flexspline.material"));
+  const int U = gear.drive.wave_number;
+  const double curvature =
+      (U * U - 1) * gear.drive.radial_displacement / (wall.mean_radius * wall.mean_radius);
+  return steel.plane_strain_modulus() * wall.thickness / 2 * curvature;  // (ST-17)
+}
+
+MemberCompliance flexspline_compliance(const GearSet& gear, const StiffnessOptions& options) {
+  const Flexspline& fs = *gear.flexspline;
+  const ElasticConstants steel =
+      elastic_constants(material_of(gear, fs.material, "flexspline.material"));
+  MemberCompliance member;
+  add_sound_flexspline(gear, steel, member);
+  for (std::size_t i = 0; i < fs.crack.size(); ++i) {
+    CrackReport report{.path = fmt::format("flexspline.crack[{}]", i)};
+    if (const auto* const through = std::get_if<WallThroughCrack>(&fs.crack[i])) {
+      report.kind = WallThroughCrack::kKind;
+      add_through_crack(member, std::move(report), *through, gear, steel, options);
+    } else {
+      report.kind = WallSurfaceCrack::kKind;
+      add_surface_crack(member, std::move(report), std::get<WallSurfaceCrack>(fs.crack[i]), gear,
+                        steel, options);
+    }
+  }
+  if (!fs.crack.empty()) note_ovalisation(gear, member);
+  if (fs.dynamic_load != 1)
+    member.notes.push_back({"flexspline.dynamic_load",
+                            "a factor of the load has no place in a compliance: not used",
+                            "flexspline.dynamic_load", ""});
+  note_superposition(member.notes, fs.crack.size(), "flexspline.crack");
+  return member;
+}
+
+}  // namespace strainwave

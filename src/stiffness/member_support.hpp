@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "strainwave/fracture/crack_compliance.hpp"
+#include "strainwave/fracture/through_crack.hpp"
+#include "strainwave/stiffness/accuracy.hpp"
+#include "strainwave/stiffness/torsional_stiffness.hpp"
+
+// Shared by the three members: what a crack reports, and how.
+
+namespace strainwave {
+
+inline constexpr std::string_view kComplianceUnit = "rad/(N*m)";
+inline constexpr std::string_view kStressIntensityUnit = "Pa*m^0.5";
+
+/// Adds a tag unless it is there already.
+inline void use_equation(std::vector<std::string>& equations, std::string_view tag) {
+  if (std::ranges::find(equations, tag) == equations.end()) equations.emplace_back(tag);
+}
+
+/// Records what an uncertainty rests on.
+inline void rest_on(MemberCompliance& member, std::string_view path,
+                    const ModelAccuracy& accuracy) {
+  member.accuracies.push_back({std::string(path), accuracy, std::string(accuracy.source)});
+}
+
+/// Whether the faces of a crack are pulled apart by a normal stress.
+///
+/// Stresses below `scale` times rounding count as none: such a crack touches without pressure, and
+/// is neither opened nor closed.
+enum class Faces { pressed, touching, open };
+
+inline Faces faces(double normal_stress, double scale) {
+  const double negligible = 1e-12 * scale;
+  if (normal_stress > negligible) return Faces::open;
+  return normal_stress < -negligible ? Faces::pressed : Faces::touching;
+}
+
+inline OpensUnder opens_under(Faces positive, Faces negative) {
+  const bool p = positive == Faces::open;
+  const bool n = negative == Faces::open;
+  return p ? (n ? OpensUnder::both : OpensUnder::positive)
+           : (n ? OpensUnder::negative : OpensUnder::neither);
+}
+
+/// K of all modes at one point, at the given loads.
+template <std::size_t N>
+std::array<double, 3> intensity(const UnitStressIntensity<N>& k,
+                                const std::array<double, N>& load) {
+  std::array<double, 3> K{};
+  for (std::size_t i = 0; i < N; ++i) {
+    K[0] += k.I[i] * load[i];
+    K[1] += k.II[i] * load[i];
+    K[2] += k.III[i] * load[i];
+  }
+  return K;
+}
+
+inline StressIntensities stress_intensities(const std::array<double, 3>& K, double uncertainty) {
+  const auto quantity = [&](double value) {
+    return Quantity{value, kStressIntensityUnit, uncertainty};
+  };
+  return {quantity(K[0]), quantity(K[1]), quantity(K[2])};
+}
+
+/// Plane stress or plane strain ahead of a crack.
+enum class Constraint { plane_stress, plane_strain };
+
+/// Plastic zone radius after Irwin, modes I and II at the yield strength, III at the shear yield.
+///
+/// Implements theory manual eq. (FR-19).
+inline double plastic_zone(const std::array<double, 3>& K, double yield_strength,
+                           Constraint constraint) {
+  const double pi = std::acos(-1.0);
+  const double in_plane = (K[0] * K[0] + K[1] * K[1]) / (yield_strength * yield_strength);
+  const double antiplane = 3 * K[2] * K[2] / (yield_strength * yield_strength);
+  const double opening = constraint == Constraint::plane_strain ? 1 / (6 * pi) : 1 / (2 * pi);
+  return opening * in_plane + antiplane / (2 * pi);  // (FR-19)
+}
+
+/// Fills in what a crack does at the given load: K at the deepest point and along the front,
+/// utilisation (FR-20), plastic zone (FR-19) with a note where it is not small.
+template <SweptCrack Crack>
+void report_intensities(CrackReport& report, std::vector<Note>& notes, const Crack& crack,
+                        const std::array<double, Crack::kLoads>& load, const CrackModuli& moduli,
+                        double uncertainty, const Material& material, Constraint constraint,
+                        double ligament) {
+  constexpr int kFrontPoints = 33;  // of half a front; K varies slowly along it
+  const FrontRange front = crack.front();
+  const double a = crack.size();
+  std::array<double, 3> largest{};
+  std::array<double, 3> deepest{};
+  double worst_G = 0.0;
+  double worst_zone = 0.0;
+  const int n = front.begin == front.end ? 1 : kFrontPoints;
+  for (int i = 0; i < n; ++i) {
+    const double s = n == 1 ? front.begin : front.begin + (front.end - front.begin) * i / (n - 1);
+    deepest = intensity(crack.stress_intensity(a, s), load);  // the last point is the deepest
+    for (std::size_t m = 0; m < 3; ++m)
+      if (std::abs(deepest[m]) > std::abs(largest[m])) largest[m] = deepest[m];
+    worst_G = std::max(worst_G, energy_release_rate(deepest[0], deepest[1], deepest[2], moduli));
+    if (material.yield_strength)
+      worst_zone =
+          std::max(worst_zone, plastic_zone(deepest, *material.yield_strength, constraint));
+  }
+  report.deepest = stress_intensities(deepest, uncertainty);
+  report.largest = stress_intensities(largest, uncertainty);
+  if (material.fracture_toughness) {
+    const double K_equivalent = std::sqrt(worst_G * moduli.opening);  // (FR-20)
+    report.utilisation = Quantity{K_equivalent / *material.fracture_toughness, "1", uncertainty};
+    if (report.utilisation->value >= 1)
+      notes.push_back({"crack.fracture",
+                       "the stress intensity at the given load reaches the fracture toughness: "
+                       "the crack runs, and its stiffness has no meaning",
+                       report.path, "FR-20"});
+  }
+  if (material.yield_strength) {
+    report.plastic_zone = Quantity{worst_zone, "m", 2 * uncertainty};
+    if (worst_zone > 0.1 * std::min(a, ligament))
+      notes.push_back({"crack.plastic_zone",
+                       "the plastic zone is more than a tenth of the crack or of what is left of "
+                       "the section: linear elasticity is no longer accurate",
+                       report.path, "FR-19"});
+  }
+}
+
+/// Matrix over [axial, torsion] as quantities; `axial` is the uncertainty of entries with the
+/// axial force, `torsion` of the torsional one.
+inline std::array<Quantity, 3> axial_torsion(const SymmetricMatrix<2>& matrix, double axial,
+                                             double torsion) {
+  return {Quantity{matrix(kAxial, kAxial), "m/N", axial},
+          Quantity{matrix(kAxial, kTorsion), "1/N", std::max(axial, torsion)},
+          Quantity{matrix(kTorsion, kTorsion), kComplianceUnit, torsion}};
+}
+
+/// Note that cracks of one member are added without interaction.
+inline void note_superposition(std::vector<Note>& notes, std::size_t n_cracks,
+                               std::string_view member) {
+  if (n_cracks > 1)
+    notes.push_back({"crack.superposed",
+                     "the cracks of this member are added up; their interaction is left out",
+                     std::string(member), "ST-1"});
+}
+
+/// Note that a quadrature stopped short of its tolerance, and the reason not to use the answer.
+inline void demand_convergence(MemberCompliance& member, const CrackReport& report,
+                               double relative_error, bool converged) {
+  if (converged) return;
+  member.unusable_because = "the crack integral of " + report.path +
+                            " did not converge: relative error " + std::to_string(relative_error);
+}
+
+}  // namespace strainwave

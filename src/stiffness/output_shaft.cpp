@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "member_support.hpp"
+#include "strainwave/fracture/annular_crack.hpp"
+#include "strainwave/stiffness/accuracy.hpp"
+#include "strainwave/stiffness/elastic_members.hpp"
+
+namespace strainwave {
+namespace {
+
+/// Uncertainties of an annular crack's added compliance.
+struct AnnularAccuracy {
+  ModelAccuracy torsion = accuracy::kAnnularTorsion;
+  ModelAccuracy tension = accuracy::kAnnularTension;
+};
+
+/// Adds one annular crack; it is open unless the axial force presses it together.
+template <SweptCrack Crack>
+void add_annular_crack(MemberCompliance& member, CrackReport report, const Crack& crack,
+                       const GearSet& gear, const ElasticConstants& steel,
+                       const AnnularAccuracy& accuracy, const StiffnessOptions& options) {
+  const OutputShaft& shaft = *gear.output_shaft;
+  const CrackModuli moduli{.opening = steel.plane_strain_modulus(), .shear = steel.G};
+  const auto added = added_compliance(crack, moduli, options.quadrature);
+  demand_convergence(member, report, added.relative_error, added.converged);
+  rest_on(member, report.path, accuracy.torsion);
+  if (gear.load.axial_force != 0) rest_on(member, report.path, accuracy.tension);
+  report.positive.at_output = {added.matrix(kTorsion, kTorsion), kComplianceUnit, accuracy.torsion};
+  report.positive.axial_torsion = axial_torsion(added.matrix, accuracy.tension, accuracy.torsion);
+  report.negative = report.positive;
+  const double wall = (shaft.outer_diameter - shaft.inner_diameter) / 2;
+  report_intensities(report, member.notes, crack, {gear.load.axial_force, gear.load.torque}, moduli,
+                     std::max<double>(accuracy.torsion, accuracy.tension) / 2,
+                     gear.material.at(shaft.material), Constraint::plane_strain,
+                     wall - crack.size());
+  member.cracks.push_back(std::move(report));
+}
+
+void add_crack(MemberCompliance& member, CrackReport report, const AnnularCrack& crack,
+               const GearSet& gear, const ElasticConstants& steel,
+               const StiffnessOptions& options) {
+  const OutputShaft& shaft = *gear.output_shaft;
+  const bool open = gear.load.axial_force >= 0;
+  report.opens_under = gear.load.axial_force > 0 ? OpensUnder::both : OpensUnder::neither;
+  for (const char* const tag : {"FR-2", "FR-18"}) use_equation(member.equations, tag);
+  if (!open)
+    member.notes.push_back(
+        {"crack.closed",
+         "the axial force presses the faces together: no mode I; friction, which would hinder "
+         "mode III until the torque overcomes it, is left out",
+         report.path, "FR-17"});
+  if (shaft.length < 4 * shaft.outer_diameter)
+    member.notes.push_back({"crack.short_shaft",
+                            "the shaft is shorter than four diameters: the crack's field reaches "
+                            "its ends",
+                            report.path, "FR-12"});
+  if (std::abs(steel.nu - 0.3) > 0.02)
+    member.notes.push_back({"crack.poissons_ratio",
+                            "the mode I solution was computed for Poisson's ratio 0.3; torsion "
+                            "does not depend on it",
+                            report.path, shaft.solid() ? "FR-13" : "FR-15"});
+  if (shaft.solid()) {
+    const bool tada = crack.solution == AnnularSolution::tada;
+    for (const char* const tag : {"FR-12", "FR-13"}) use_equation(member.equations, tag);
+    add_annular_crack(
+        member, std::move(report),
+        AnnularCrackSolid{
+            .depth = crack.depth,
+            .diameter = shaft.outer_diameter,
+            .polynomials = tada ? AnnularPolynomials::tada : AnnularPolynomials::improved,
+            .open = open},
+        gear, steel,
+        tada ? AnnularAccuracy{accuracy::kAnnularTada, accuracy::kAnnularTada} : AnnularAccuracy{},
+        options);
+    return;
+  }
+  for (const char* const tag : {"FR-14", "FR-15", "FR-16"}) use_equation(member.equations, tag);
+  const double ro = shaft.outer_diameter / 2;
+  const double ri = shaft.inner_diameter / 2;
+  const double depth_ratio = crack.depth / (ro - ri);
+  AnnularAccuracy accuracy;
+  if (depth_ratio > AnnularCrackHollow::kMaxTensionDepthRatio ||
+      ri / ro > AnnularCrackHollow::kMaxTensionRadiusRatio) {
+    accuracy.tension = accuracy::kAnnularExtrapolated;
+    member.notes.push_back({"crack.tension_range",
+                            "outside a/t <= 0.7 and r_i/r_o <= 0.9 of the table in tension: the "
+                            "axial entries are extrapolated",
+                            report.path, "FR-15"});
+  }
+  if (depth_ratio > AnnularCrackHollow::kMaxTorsionDepthRatio)
+    member.unusable_because =
+        fmt::format("{}: a/t = {:.4g} is outside the table of the hollow shaft, a/t <= {}",
+                    report.path, depth_ratio, AnnularCrackHollow::kMaxTorsionDepthRatio);
+  add_annular_crack(
+      member, std::move(report),
+      AnnularCrackHollow(
+          {.depth = crack.depth, .outer_radius = ro, .inner_radius = ri, .open = open}),
+      gear, steel, accuracy, options);
+}
+
+}  // namespace
+
+MemberCompliance output_shaft_compliance(const GearSet& gear, const StiffnessOptions& options) {
+  const OutputShaft& shaft = *gear.output_shaft;
+  const ElasticConstants steel =
+      elastic_constants(material_of(gear, shaft.material, "output_shaft.material"));
+  MemberCompliance member;
+  member.intact = torsional_compliance(Tube{.outer_diameter = shaft.outer_diameter,
+                                            .inner_diameter = shaft.inner_diameter,
+                                            .length = shaft.length},
+                                       steel.G);
+  member.relative_uncertainty = accuracy::kTube;
+  rest_on(member, "output_shaft", accuracy::kTube);
+  use_equation(member.equations, "ST-2");
+  for (std::size_t i = 0; i < shaft.crack.size(); ++i) {
+    CrackReport report{.path = fmt::format("output_shaft.crack[{}]", i),
+                       .kind = std::string(AnnularCrack::kKind)};
+    add_crack(member, std::move(report), std::get<AnnularCrack>(shaft.crack[i]), gear, steel,
+              options);
+  }
+  note_superposition(member.notes, shaft.crack.size(), "output_shaft.crack");
+  return member;
+}
+
+}  // namespace strainwave

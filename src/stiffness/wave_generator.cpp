@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "member_support.hpp"
+#include "strainwave/contact/hertz.hpp"
+#include "strainwave/core/error.hpp"
+#include "strainwave/fracture/edge_crack.hpp"
+#include "strainwave/fracture/surface_crack.hpp"
+#include "strainwave/stiffness/accuracy.hpp"
+#include "strainwave/stiffness/elastic_members.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+
+/// A quantity and the accuracy of its model.
+struct Estimate {
+  double value = 0.0;
+  ModelAccuracy accuracy;
+};
+
+/// Hertz contacts of one ball with the inner and the outer race, under its share of the lobe force.
+struct BallContacts {
+  HertzContact inner;
+  HertzContact outer;
+};
+
+BallContacts ball_contacts(const Bearing& bearing, const ElasticConstants& steel,
+                           double lobe_force) {
+  const double D = bearing.ball_diameter;
+  // Ball and races of one material: 1/E* = 2 (1 - nu^2)/E.
+  const double contact_modulus = steel.plane_strain_modulus() / 2;
+  const auto contact = [&](double race_curvature, double conformity) {
+    // (CO-1): across the groove, and along the rolling direction.
+    return PointContact{.curvature_sums = {2 / D - 1 / (conformity * D), 2 / D + race_curvature},
+                        .contact_modulus = contact_modulus};
+  };
+  const double ball_force = lobe_force / bearing.loaded_balls;
+  return {.inner = hertz_contact(
+              contact(2 / bearing.inner_raceway_diameter, bearing.inner_conformity), ball_force),
+          .outer = hertz_contact(
+              contact(-2 / bearing.outer_raceway_diameter, bearing.outer_conformity), ball_force)};
+}
+
+/// Radial compliance of one lobe, C_0 [m/N].
+Estimate lobe_compliance(const GearSet& gear, const ElasticConstants& steel, double lobe_force,
+                         MemberCompliance& member) {
+  const WaveGenerator& wg = *gear.wave_generator;
+  if (wg.radial_stiffness) return {1 / *wg.radial_stiffness, {}};
+  if (wg.displacements) {
+    const LobeDisplacements& d = *wg.displacements;
+    if (d.shaft > 0 && gear.drive.wave_number % 2 == 0)
+      member.notes.push_back({"wave_generator.shaft_bending",
+                              "the forces of an even number of lobes balance: the shaft does not "
+                              "bend, and this displacement ought to be 0",
+                              "wave_generator.displacements.shaft", "ST-8"});
+    use_equation(member.equations, "ST-8");
+    return {(d.bearing + d.cam + d.shaft) / lobe_force, {}};  // (ST-8)
+  }
+  const Bearing& bearing = *wg.bearing;
+  const auto [inner, outer] = ball_contacts(bearing, steel, lobe_force);
+  // (ST-9): contacts in series, balls in parallel, linearised at the given load.
+  double C = (1 / inner.tangent_stiffness + 1 / outer.tangent_stiffness) / bearing.loaded_balls;
+  for (const char* const tag : {"ST-9", "CO-2", "CO-3", "CO-4"})
+    use_equation(member.equations, tag);
+  member.notes.push_back(
+      {"wave_generator.hertz",
+       fmt::format("the contacts are not linear: stiffness is the tangent at the given torque, at "
+                   "{:.3g} MPa peak pressure on the inner race; cam and inner ring are rigid",
+                   inner.peak_pressure / 1e6),
+       "wave_generator.bearing", "ST-9"});
+  if (bearing.outer_ring) {
+    const auto& [R, t, B] = *bearing.outer_ring;
+    C += ring_compliance(gear.drive.wave_number, R, steel.E * B * t * t * t / 12);
+    use_equation(member.equations, "ST-10");
+  }
+  return {C, accuracy::kLoadSharing};
+}
+
+/// Hoop stress at the crack per unit of lobe force, and how far it can be trusted [1/m^2].  The
+/// compliance goes with its square, so with twice its uncertainty.
+class UnitStress {
+ public:
+  UnitStress(const GearSet& gear, const ElasticConstants& steel, double lobe_force)
+      : gear_(gear), steel_(steel), lobe_force_(lobe_force) {}
+
+  template <class Crack>
+  Estimate operator()(const Crack& crack, const std::string& path, MemberCompliance& member) const {
+    switch (crack.stress_driver) {
+      case StressDriver::orthogonal_shear: {
+        const auto [a, b] = semi_axes();
+        const double beta =
+            crack.contact_factor ? *crack.contact_factor : orthogonal_shear_factor(b / a);
+        if (!crack.contact_factor) use_equation(member.equations, "CO-5");
+        use_equation(member.equations, "ST-12");
+        member.notes.push_back(
+            {"crack.orthogonal_shear",
+             "half beta times the contact pressure is a subsurface shear stress; taken for a hoop "
+             "tension, as the article does, it gives an order of magnitude at best",
+             path, "ST-12"});
+        return {beta / 2 * pressure_per_force(a, b), accuracy::kOrthogonalShear};  // (ST-12)
+      }
+      case StressDriver::contact_edge: {
+        const auto [a, b] = semi_axes();
+        use_equation(member.equations, "CO-7");
+        member.notes.push_back(
+            {"crack.contact_edge",
+             "the tension at the edge of the contact decays like 1/r^2; taken as uniform over the "
+             "crack, it is an upper bound",
+             path, "CO-7"});
+        return {edge_tension(b / a, steel_.nu).minor_end * pressure_per_force(a, b),
+                accuracy::kContactEdge};
+      }
+      case StressDriver::ring_bending: {
+        const WaveGenerator& wg = *gear_.wave_generator;
+        const double t = *wg.inner_ring_thickness;
+        use_equation(member.equations, "ST-13");
+        return {6 * ring_moment_factor(gear_.drive.wave_number) * *wg.inner_ring_mean_radius /
+                    (*wg.inner_ring_width * t * t),
+                accuracy::kRingBending};  // (ST-13)
+      }
+      case StressDriver::given:
+        break;
+    }
+    return {*crack.stress / lobe_force_, accuracy::kGivenStress};
+  }
+
+ private:
+  [[nodiscard]] std::array<double, 2> semi_axes() const {
+    const WaveGenerator& wg = *gear_.wave_generator;
+    if (wg.contact_semi_axes) return *wg.contact_semi_axes;
+    const HertzContact inner = ball_contacts(*wg.bearing, steel_, lobe_force_).inner;
+    return {inner.major_semi_axis, inner.minor_semi_axis};
+  }
+
+  /// Peak pressure per unit of lobe force, of the ball that carries the crack.
+  [[nodiscard]] double pressure_per_force(double a, double b) const {
+    const WaveGenerator& wg = *gear_.wave_generator;
+    const double share = wg.contact_semi_axes || !wg.bearing ? 1.0 : 1 / wg.bearing->loaded_balls;
+    return peak_pressure(share, a, b);
+  }
+
+  const GearSet& gear_;
+  const ElasticConstants& steel_;
+  double lobe_force_;
+};
+
+/// Adds one race crack: its radial compliance times `at_output` is its share of the drive's.
+template <SweptCrack Crack>
+void add_race_crack(MemberCompliance& member, CrackReport report, const Crack& crack,
+                    const GearSet& gear, const CrackModuli& moduli, double lobe_force,
+                    double at_output, double uncertainty, const StiffnessOptions& options) {
+  const WaveGenerator& wg = *gear.wave_generator;
+  const auto added = added_compliance(crack, moduli, options.quadrature);
+  demand_convergence(member, report, added.relative_error, added.converged);
+  const Quantity at{at_output * added.matrix(0, 0), kComplianceUnit,
+                    accuracy::combined(uncertainty, accuracy::kLobeForce)};
+  report.positive.at_output = at;
+  report.negative.at_output = at;
+  const double depth = crack.size();
+  report_intensities(report, member.notes, crack, {lobe_force}, moduli, uncertainty / 2,
+                     gear.material.at(wg.material), Constraint::plane_strain,
+                     *wg.inner_ring_thickness - depth);
+  member.cracks.push_back(std::move(report));
+}
+
+}  // namespace
+
+double lobe_force_per_torque(const Transmission& drive, const WaveGenerator& wg) {
+  return 2 * wg.load_factor * wg.force_transmission_coefficient /
+         (drive.wave_number * drive.pitch_diameter);  // (ST-5)
+}
+
+MemberCompliance wave_generator_compliance(const GearSet& gear, const StiffnessOptions& options) {
+  const WaveGenerator& wg = *gear.wave_generator;
+  const Transmission& drive = gear.drive;
+  const int U = drive.wave_number;
+  const ElasticConstants steel =
+      elastic_constants(material_of(gear, wg.material, "wave_generator.material"));
+  const double f = lobe_force_per_torque(drive, wg);
+  const double lobe_force = f * std::abs(gear.load.torque);
+
+  MemberCompliance member;
+  use_equation(member.equations, "ST-5");
+  const Estimate C_0 = lobe_compliance(gear, steel, lobe_force, member);
+
+  // Output compliance per unit of compliance of one lobe, and of all lobes.
+  double one_lobe = f * f;       // (ST-6)
+  double all_lobes = U * f * f;  // (ST-6)
+  if (wg.conversion == Conversion::cam) {
+    // (ST-7): the article's, where one compliance stands for the whole wave generator.
+    one_lobe = wg.force_transmission_coefficient * pi /
+               (2 * drive.pitch_diameter * U * drive.radial_displacement * drive.ratio);
+    all_lobes = one_lobe;
+    member.notes.push_back(
+        {"wave_generator.cam_conversion",
+         "turning the cam back over its mean slope does not obey reciprocity with the lobe force, "
+         "and answers another question: the input is not locked",
+         "wave_generator.conversion", "ST-7"});
+  }
+  use_equation(member.equations, wg.conversion == Conversion::cam ? "ST-7" : "ST-6");
+  member.intact = all_lobes * C_0.value;
+  member.relative_uncertainty = accuracy::combined(accuracy::kLobeForce, C_0.accuracy);
+  rest_on(member, "wave_generator", accuracy::kLobeForce);
+  if (C_0.accuracy > 0) rest_on(member, "wave_generator.bearing", C_0.accuracy);
+
+  const UnitStress unit_stress(gear, steel, lobe_force);
+  const CrackModuli moduli{.opening = steel.plane_strain_modulus(), .shear = steel.G};
+  for (std::size_t i = 0; i < wg.crack.size(); ++i) {
+    CrackReport report{.path = fmt::format("wave_generator.crack[{}]", i)};
+    const double t = *wg.inner_ring_thickness;
+    std::visit(
+        [&](const auto& crack) {
+          using Crack = std::decay_t<decltype(crack)>;
+          report.kind = Crack::kKind;
+          const Estimate stress = unit_stress(crack, report.path, member);
+          rest_on(member, report.path, stress.accuracy);
+          // The lobe force has one sense, whatever the sense of the torque.
+          const bool open = stress.value >= 0;
+          report.opens_under = stress.value > 0 ? OpensUnder::both : OpensUnder::neither;
+          if (!open)
+            member.notes.push_back({"crack.closed",
+                                    "the stress presses the faces together: the crack adds "
+                                    "nothing",
+                                    report.path, "FR-17"});
+          if constexpr (std::is_same_v<Crack, RaceSurfaceCrack>) {
+            ModelAccuracy fit = accuracy::kSurfaceCrack;
+            if (crack.depth > 0.8 * t || crack.aspect_ratio < 0.2) {
+              fit = accuracy::kSurfaceCrackExtrapolated;
+              member.notes.push_back({"crack.surface_range",
+                                      "outside a/t <= 0.8 and a/c >= 0.2, where the stress "
+                                      "intensity was fitted: extrapolated",
+                                      report.path, "FR-4"});
+            }
+            rest_on(member, report.path, fit);
+            for (const char* const tag : {"FR-2", "FR-3", "FR-4", "FR-5", "FR-18"})
+              use_equation(member.equations, tag);
+            add_race_crack(member, report,
+                           SurfaceCrack<1>({.depth = crack.depth,
+                                            .aspect_ratio = crack.aspect_ratio,
+                                            .thickness = t,
+                                            .poissons_ratio = steel.nu,
+                                            .normal_stress = {stress.value},
+                                            .open = open}),
+                           gear, moduli, lobe_force, one_lobe,
+                           accuracy::combined(fit, 2 * stress.accuracy), options);
+          } else {
+            rest_on(member, report.path, accuracy::kEdgeCrack);
+            for (const char* const tag : {"FR-2", "FR-11", "FR-18"})
+              use_equation(member.equations, tag);
+            const bool bending = crack.stress_driver == StressDriver::ring_bending;
+            add_race_crack(
+                member, report,
+                EdgeCrack{.depth = crack.depth,
+                          .thickness = t,
+                          .width = *wg.inner_ring_width,
+                          .unit_stress = stress.value,
+                          .loading = bending ? StripLoading::bending : StripLoading::tension,
+                          .open = open},
+                gear, moduli, lobe_force, one_lobe,
+                accuracy::combined(accuracy::kEdgeCrack, 2 * stress.accuracy), options);
+          }
+        },
+        wg.crack[i]);
+  }
+  if (!wg.crack.empty())
+    member.notes.push_back({"wave_generator.crack_under_lobe",
+                            "each crack is taken under the full force of one lobe; the inner ring "
+                            "turns with the cam, so it stays at its place relative to the lobe",
+                            "wave_generator.crack", "ST-6"});
+  note_superposition(member.notes, wg.crack.size(), "wave_generator.crack");
+  return member;
+}
+
+}  // namespace strainwave

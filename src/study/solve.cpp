@@ -1,0 +1,572 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/study/solve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "display_unit.hpp"
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/nearest.hpp"
+#include "strainwave/core/quantity_text.hpp"
+#include "strainwave/core/roots.hpp"
+#include "strainwave/io/result_writer.hpp"
+#include "strainwave/model/result_fields.hpp"
+#include "strainwave/study/evaluate.hpp"
+#include "strainwave/study/sweep.hpp"
+#include "vary_option.hpp"
+
+namespace strainwave {
+namespace {
+
+// --- Outputs by name ------------------------------------------------------------------------
+
+std::optional<Quantity> output_of(const StiffnessResult& result, std::string_view name) {
+  std::optional<Quantity> found;
+  for_each_quantity(result, [&](const std::string& path, const Quantity& q) {
+    if (path == name) found = q;
+  });
+  return found;
+}
+
+[[noreturn]] void refuse_output(const StiffnessResult& result, std::string_view name) {
+  std::vector<std::string> known;
+  std::vector<std::string> ending;  // "stiffness" is short for three outputs
+  for_each_quantity(result, [&](const std::string& path, const Quantity&) {
+    known.push_back(path);
+    if (!name.empty() && path.ends_with("." + std::string(name))) ending.push_back(path);
+  });
+  if (ending.empty())
+    if (std::string near = nearest_word(name, known); !near.empty())
+      ending.push_back(std::move(near));
+  throw InputError(
+      "--target", fmt::format("\"{}\" is not an output of this drive{}", name,
+                              ending.empty()
+                                  ? ", such as cracked.positive.stiffness"
+                                  : fmt::format("; did you mean {}?", fmt::join(ending, " or "))));
+}
+
+// --- The output as a function of the sought number --------------------------------------------
+
+enum class State {
+  refused,   // no result
+  unusable,  // a result that may not be used
+  usable,
+};
+
+struct Sample {
+  double x = 0.0;
+  State state = State::refused;
+  double y = 0.0;  // the output; nothing if refused
+  std::string reason = {};
+};
+
+class Probe {
+ public:
+  Probe(const GearSet& gear, Method method, std::string path, const Target& target)
+      : gear_(gear), method_(method), path_(std::move(path)), target_(target) {}
+
+  [[nodiscard]] StiffnessResult result(double x) {
+    set_number(gear_, path_, x);
+    return evaluate(gear_, method_);
+  }
+
+  [[nodiscard]] Sample sample(double x) {
+    try {
+      const StiffnessResult at_x = result(x);
+      const std::optional<Quantity> output = output_of(at_x, target_.output);
+      if (!output || !std::isfinite(output->value))
+        return {.x = x, .reason = target_.output + " has no finite value"};
+      return {.x = x,
+              .state = at_x.usable() ? State::usable : State::unusable,
+              .y = output->value,
+              .reason = at_x.unusable_because};
+    } catch (const Error& error) {
+      return {.x = x, .reason = error.what()};
+    }
+  }
+
+  /// The output alone; not a number where the method refuses.
+  [[nodiscard]] double output(double x) {
+    const Sample s = sample(x);
+    return s.state == State::refused ? std::numeric_limits<double>::quiet_NaN() : s.y;
+  }
+
+ private:
+  GearSet gear_;
+  Method method_;
+  std::string path_;
+  Target target_;
+};
+
+using Samples = std::vector<Sample>;
+
+// --- Where to look ---------------------------------------------------------------------------
+
+void append_spaced(std::vector<double>& points, double from, double to, int n, Spacing spacing) {
+  const Variation between{
+      .path = {}, .from = from, .to = to, .n_points = n, .spacing = spacing};
+  for (int i = 0; i < n; ++i) points.push_back(between.value(i));
+}
+
+/// Points over a range that the user gives.
+std::vector<double> points_within(const SearchRange& range, int n) {
+  const auto [lower, upper] = std::minmax(range.from, range.to);
+  // Equal ratios where the range covers more than one decade.
+  const bool decades = (lower > 0 && upper > 10 * lower) || (upper < 0 && lower < 10 * upper);
+  std::vector<double> points;
+  append_spaced(points, lower, upper, n, decades ? Spacing::logarithmic : Spacing::linear);
+  return points;
+}
+
+/// Points round the present value; see Unknown::range.
+std::vector<double> points_round(const NumberAt& number, int n) {
+  const Range& range = number.field.range;
+  std::vector<double> points;
+  if (std::isfinite(range.lower) && std::isfinite(range.upper)) {
+    append_spaced(points, range.lower, range.upper, n, Spacing::linear);
+    return points;
+  }
+  const double scale = std::abs(number.value);
+  if (scale == 0)
+    throw InputError(vary_option(number.path),
+                     fmt::format("is 0, from which no range can be chosen; give one: {}=FROM..TO",
+                                 number.path));
+  constexpr double kReach = 1e3;
+  const auto append_decades = [&](double sign, double lower, double upper) {
+    if (upper > lower) append_spaced(points, sign * lower, sign * upper, n, Spacing::logarithmic);
+  };
+  append_decades(1.0, std::max(scale / kReach, range.lower),
+                 std::min(scale * kReach, range.upper));
+  append_decades(-1.0, std::max(scale / kReach, -range.upper),
+                 std::min(scale * kReach, -range.lower));
+  if (range.contains(0.0)) points.push_back(0.0);
+  return points;
+}
+
+std::vector<double> scan_points(const NumberAt& number, const Unknown& unknown, int n) {
+  std::vector<double> points =
+      unknown.range ? points_within(*unknown.range, n) : points_round(number, n);
+  const auto [lower, upper] = std::ranges::minmax(points);
+  if (number.value > lower && number.value < upper) points.push_back(number.value);
+  std::ranges::sort(points);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+// --- Ends of stretches, turning points ---------------------------------------------------------
+
+/// Narrows [a, b], whose ends differ in state, to rounding; `resolution` holds near zero.
+std::pair<Sample, Sample> end_of_stretch(Probe& probe, Sample a, Sample b,
+                                         double resolution) {
+  const State state = a.state;
+  for (;;) {
+    const double width = b.x - a.x;
+    const double rounding =
+        4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a.x), std::abs(b.x));
+    if (width <= std::max(rounding, resolution)) return {std::move(a), std::move(b)};
+    Sample middle = probe.sample(a.x + width / 2);
+    (middle.state == state ? a : b) = std::move(middle);
+  }
+}
+
+/// The samples with the ends of each stretch of one state among them.
+Samples with_ends(Probe& probe, Samples samples) {
+  const double resolution = 1e-15 * (samples.back().x - samples.front().x);
+  Samples result;
+  for (Sample& next : samples) {
+    // More than one change may hide between two samples.
+    constexpr int kMaxChanges = 8;
+    for (int i = 0; i < kMaxChanges && !result.empty() && result.back().state != next.state; ++i) {
+      if (next.x - result.back().x <= resolution) break;
+      auto [last, first] = end_of_stretch(probe, result.back(), next, resolution);
+      if (last.x > result.back().x) result.push_back(std::move(last));
+      if (first.x >= next.x) break;
+      result.push_back(std::move(first));
+    }
+    result.push_back(std::move(next));
+  }
+  return result;
+}
+
+/// The samples with the turning points of the output among them: two solutions may lie close
+/// together on either side of one.
+Samples with_turning_points(Probe& probe, const Samples& samples) {
+  Samples result;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    result.push_back(samples[i]);
+    if (i == 0 || i + 1 == samples.size()) continue;
+    const Sample& before = samples[i - 1];
+    const Sample& here = samples[i];
+    const Sample& after = samples[i + 1];
+    if (here.state == State::refused || before.state != here.state || after.state != here.state)
+      continue;
+    const double rise = here.y - before.y;
+    const double fall = here.y - after.y;
+    const double rounding = 1e-12 * std::abs(here.y);
+    if (!(rise * fall > 0) || std::min(std::abs(rise), std::abs(fall)) < rounding) continue;
+    const double sign = rise > 0 ? -1.0 : 1.0;
+    constexpr int kBits = 26;  // of the place; the value there has all its digits
+    const double x = boost::math::tools::brent_find_minima(
+                         [&](double at) { return sign * probe.output(at); }, before.x, after.x, kBits)
+                         .first;
+    Sample turn = probe.sample(x);
+    if (turn.state != here.state || turn.x == here.x) continue;
+    if (turn.x > here.x)
+      result.push_back(std::move(turn));
+    else
+      result.insert(result.end() - 1, std::move(turn));
+  }
+  std::ranges::sort(result, {}, &Sample::x);
+  return result;
+}
+
+// --- Solutions ---------------------------------------------------------------------------------
+
+/// Whether the output runs through `x` without a jump: across a step a thousand times wider than
+/// rounding, a continuous output changes far more than across rounding itself.
+bool continuous_at(Probe& probe, double x, double lower, double upper, double scale) {
+  const double rounding = 1e-15 * std::max(std::abs(x), upper - lower);
+  const auto change = [&](double step) {
+    return std::abs(probe.output(std::min(x + step, upper)) -
+                    probe.output(std::max(x - step, lower)));
+  };
+  const double narrow = change(rounding);
+  // The crack integrals have a tolerance, so the smallest steps may be theirs.
+  return narrow <= 1e-9 * scale || narrow <= 0.5 * change(1000 * rounding);
+}
+
+/// d output/d x by a central difference, one-sided at the end of a stretch; NaN if there is none.
+double slope_at(Probe& probe, const Sample& at) {
+  const double step = 1e-4 * std::abs(at.x);
+  const auto neighbour = [&](double x) {
+    Sample s = probe.sample(x);
+    return s.state == State::refused ? at : s;
+  };
+  const Sample a = neighbour(at.x - step);
+  const Sample b = neighbour(at.x + step);
+  return (b.y - a.y) / (b.x - a.x);
+}
+
+Solution solution_at(Probe& probe, const Sample& at, const SolveResult& problem) {
+  Solution solution{.value = {at.x, problem.unit}, .output = {}, .result = probe.result(at.x)};
+  solution.output = *output_of(solution.result, problem.target.output);
+  if (solution.output.relative_uncertainty) {
+    const double u = std::abs(*solution.output.relative_uncertainty * solution.output.value /
+                              (at.x * slope_at(probe, at)));
+    if (std::isfinite(u)) solution.value.relative_uncertainty = u;
+  }
+  return solution;
+}
+
+/// "3.66 mm": a number of the gear or an output, for people.
+std::string shown(std::string_view name, double value, std::string_view si) {
+  const DisplayUnit unit = display_unit(name, si);
+  const std::string number = fmt::format("{:.6g}", value / unit.in_si);
+  return unit.text == "1" ? number : fmt::format("{} {}", number, unit.text);
+}
+
+/// Collects solutions, and sentences on everything that is not quite one.
+class Findings {
+ public:
+  Findings(Probe& probe, SolveResult& result) : probe_(probe), result_(result) {}
+
+  void found(const Sample& at) {
+    if (at.state == State::usable)
+      result_.solutions.push_back(solution_at(probe_, at, result_));
+    else
+      remark(fmt::format("{} = {} would give it, but its result may not be used: {}", result_.path,
+                         input(at.x), at.reason));
+  }
+
+  void found_everywhere(double from, double to) {
+    remark(fmt::format("it is {} all the way from {} to {}", output(result_.target.value),
+                       input(from), input(to)));
+  }
+
+  void crossed(const Sample& a, const Sample& b) {
+    const double target = result_.target.value;
+    const double x =
+        bracketed_root([&](double at) { return probe_.output(at) - target; }, a.x, b.x);
+    const Sample at = probe_.sample(x);
+    const double scale = std::max(std::abs(at.y), std::abs(target));
+    if (at.state == a.state && continuous_at(probe_, x, a.x, b.x, scale))
+      found(at);
+    else
+      remark(fmt::format("it jumps over {} at {} = {}", output(result_.target.value), result_.path,
+                         input(x)));
+  }
+
+  void conclude() {
+    const std::string& name = result_.target.output;
+    const std::size_t n = result_.solutions.size();
+    if (n > 1)
+      remarks_.insert(remarks_.begin(), fmt::format("{} values of {} give it", n, result_.path));
+    if (n == 0) {
+      std::string none = fmt::format("no {} from {} to {} gives {} = {}", result_.path,
+                                     input(result_.searched.from), input(result_.searched.to), name,
+                                     output(result_.target.value));
+      none += result_.least
+                  ? fmt::format("; it lies between {} and {}", output(*result_.least),
+                                output(*result_.greatest))
+                  : fmt::format("; nowhere is there a result that may be used: {}",
+                                std::ranges::find(result_.excluded, false, &Excluded::refused)
+                                    ->reason);
+      remarks_.insert(remarks_.begin(), std::move(none));
+    }
+    result_.reason = fmt::format("{}", fmt::join(remarks_, "; "));
+  }
+
+ private:
+  void remark(std::string text) { remarks_.push_back(std::move(text)); }
+  [[nodiscard]] std::string input(double x) const { return shown(result_.path, x, result_.unit); }
+  [[nodiscard]] std::string output(double y) const {
+    return shown(result_.target.output, y, result_.target.unit);
+  }
+
+  Probe& probe_;
+  SolveResult& result_;
+  std::vector<std::string> remarks_;
+};
+
+/// Walks the samples and finds where the output meets the target.
+void find_solutions(const Samples& samples, Findings& findings, double target) {
+  // Closer than this the output equals the target: its own last digits are rounding.
+  const auto met = [&](const Sample& s) {
+    return std::abs(s.y - target) <= 1e-14 * std::max(std::abs(target), std::abs(s.y));
+  };
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Sample& here = samples[i];
+    if (here.state == State::refused) continue;
+    if (met(here)) {
+      std::size_t last = i;
+      while (last + 1 < samples.size() && samples[last + 1].state == here.state &&
+             met(samples[last + 1]))
+        ++last;
+      if (last == i)
+        findings.found(here);
+      else
+        findings.found_everywhere(here.x, samples[last].x);
+      i = last;
+      continue;
+    }
+    if (i + 1 == samples.size()) continue;
+    const Sample& next = samples[i + 1];
+    if (next.state == here.state && !met(next) &&
+        (next.y < target) != (here.y < target))
+      findings.crossed(here, next);
+  }
+}
+
+void describe_range(const Samples& samples, SolveResult& result) {
+  result.searched = {samples.front().x, samples.back().x};
+  State previous = State::usable;
+  for (const Sample& s : samples) {
+    if (s.state == State::usable) {
+      result.least = std::min(result.least.value_or(s.y), s.y);
+      result.greatest = std::max(result.greatest.value_or(s.y), s.y);
+    } else if (s.state == previous) {
+      result.excluded.back().to = s.x;
+    } else {
+      result.excluded.push_back({s.x, s.x, s.state == State::refused, s.reason});
+    }
+    previous = s.state;
+  }
+}
+
+// --- Writers -----------------------------------------------------------------------------------
+
+constexpr std::size_t kWidth = 100;
+
+Quantity in_display_unit(std::string_view name, const Quantity& q) {
+  const DisplayUnit unit = display_unit(name, q.unit);
+  return {q.value / unit.in_si, unit.text, q.relative_uncertainty};
+}
+
+std::string quantity_line(std::string_view name, const Quantity& q) {
+  const Quantity shown_q = in_display_unit(name, q);
+  std::string line = fmt::format("{} = {}", name, warranted_digits(shown_q));
+  if (shown_q.unit != "1") line += fmt::format(" {}", shown_q.unit);
+  if (q.relative_uncertainty)
+    line += fmt::format(" (accuracy {:.2g} %)", 100 * *q.relative_uncertainty);
+  return line;
+}
+
+using Json = nlohmann::ordered_json;
+
+Json quantity_json(const Quantity& q) {
+  return {{"value", q.value},
+          {"unit", q.unit},
+          {"relative_uncertainty",
+           q.relative_uncertainty ? Json(*q.relative_uncertainty) : Json()}};
+}
+
+Json plain_json(double value, std::string_view unit) {
+  return {{"value", value}, {"unit", unit}};
+}
+
+Json solution_json(const Solution& solution) {
+  Json json = {{"value", quantity_json(solution.value)},
+               {"output", quantity_json(solution.output)}};
+  json["outputs"] = Json::object();
+  for_each_quantity(solution.result, [&](const std::string& path, const Quantity& q) {
+    json["outputs"][path] = quantity_json(q);
+  });
+  json["notes"] = Json::array();
+  for (const Note& note : solution.result.notes)
+    json["notes"].push_back({{"code", note.code},
+                             {"text", note.text},
+                             {"path", note.path},
+                             {"equation", note.equation}});
+  return json;
+}
+
+}  // namespace
+
+Unknown parse_unknown(const GearSet& gear, std::string_view text) {
+  const Assignment given = assignment(text);
+  const NumberAt number = varied_number(gear, given.key);
+  Unknown unknown{.path = number.path, .range = std::nullopt};
+  if (given.has_value) {
+    const Interval interval = parse_interval(number, given.value);
+    unknown.range = {interval.from, interval.to};
+  }
+  return unknown;
+}
+
+Target parse_target(const GearSet& gear, Method method, std::string_view text) {
+  const Assignment given = assignment(text);
+  if (!given.has_value)
+    throw InputError("--target",
+                     fmt::format("\"{}\" must be OUTPUT=VALUE, such as "
+                                 "\"cracked.positive.stiffness_change=-1 %\"",
+                                 text));
+  const StiffnessResult present = evaluate(gear, method);
+  const std::optional<Quantity> output = output_of(present, given.key);
+  if (!output) refuse_output(present, given.key);
+  return {.output = std::string(given.key),
+          .unit = output->unit,
+          .value = parse_quantity(fmt::format("--target {}", given.key), given.value,
+                                  output->unit)};
+}
+
+SolveResult solve(const GearSet& gear, Method method, const Unknown& unknown, const Target& target,
+                  const SolveOptions& options) {
+  const NumberAt number = varied_number(gear, unknown.path);
+  require(options.n_scan >= 2 && options.n_scan <= kMaxSweepPoints, "n_scan", options.n_scan, "1",
+          fmt::format(">= 2 and <= {}", kMaxSweepPoints));
+  require(std::isfinite(target.value), target.output, target.value, target.unit,
+          "a finite number");
+  if (unknown.range) {
+    const auto& [from, to] = *unknown.range;
+    if (!std::isfinite(from) || !std::isfinite(to) || from == to)
+      throw InputError(vary_option(number.path),
+                       fmt::format("{}..{} must be two different finite numbers", from, to));
+  }
+
+  Probe probe(gear, method, number.path, target);
+  Samples samples;
+  for (const double x : scan_points(number, unknown, options.n_scan))
+    samples.push_back(probe.sample(x));
+  if (std::ranges::all_of(samples, [](const Sample& s) { return s.state == State::refused; })) {
+    const StiffnessResult result = probe.result(samples.front().x);  // throws the fault itself
+    refuse_output(result, target.output);
+  }
+  samples = with_turning_points(probe, with_ends(probe, std::move(samples)));
+
+  SolveResult result{.method = method,
+                     .path = number.path,
+                     .unit = number.field.unit,
+                     .present = number.value,
+                     .target = target,
+                     .searched = {},
+                     .solutions = {},
+                     .excluded = {},
+                     .least = {},
+                     .greatest = {},
+                     .reason = {}};
+  describe_range(samples, result);
+  Findings findings(probe, result);
+  find_solutions(samples, findings, target.value);
+  findings.conclude();
+  return result;
+}
+
+std::string solve_text(const SolveResult& result) {
+  const auto input = [&](double x) { return shown(result.path, x, result.unit); };
+  const auto output = [&](double y) { return shown(result.target.output, y, result.target.unit); };
+  const auto paragraph = [](std::string_view indent, const std::string& text) {
+    return std::string(indent) + wrapped(text, kWidth - indent.size(), 4) + '\n';
+  };
+
+  std::string text =
+      fmt::format("{} for {} = {}\nmethod {}, searched from {} to {}; at present {}\n\n",
+                  result.path, result.target.output, output(result.target.value),
+                  enum_name(result.method), input(result.searched.from), input(result.searched.to),
+                  input(result.present));
+  for (const Solution& solution : result.solutions) {
+    text += "  " + quantity_line(result.path, solution.value) + '\n';
+    text += "    " + quantity_line(result.target.output, solution.output) + '\n';
+    const auto drive = [&](std::string_view name, const Quantity& q) {
+      if (name != result.target.output) text += "    " + quantity_line(name, q) + '\n';
+    };
+    drive("intact.stiffness", solution.result.intact.stiffness);
+    drive("cracked.positive.stiffness", solution.result.positive.stiffness);
+    drive("cracked.negative.stiffness", solution.result.negative.stiffness);
+    text += '\n';
+  }
+  if (!result.reason.empty())
+    text += paragraph("", (result.usable() ? "Note: " : "NO SOLUTION: ") + result.reason) + '\n';
+  if (result.least)
+    text += paragraph("", fmt::format("Over the searched range {} lies between {} and {}.",
+                                      result.target.output, output(*result.least),
+                                      output(*result.greatest)));
+  if (!result.excluded.empty()) text += "Left out of the search\n";
+  for (const Excluded& part : result.excluded)
+    text += paragraph("  ", fmt::format("{} to {}: {}{}", input(part.from), input(part.to),
+                                        part.refused ? "" : "not usable: ", part.reason));
+  if (!result.solutions.empty() && !result.solutions.front().result.notes.empty()) {
+    text += result.solutions.size() > 1 ? "\nNotes on the first\n" : "\nNotes\n";
+    for (const Note& note : result.solutions.front().result.notes) {
+      std::string line = note.path.empty() ? note.text : note.path + ": " + note.text;
+      if (!note.equation.empty()) line += fmt::format(" ({})", note.equation);
+      text += paragraph("  - ", line);
+    }
+  }
+  return text;
+}
+
+std::string solve_json(const SolveResult& result) {
+  const std::string_view unit = result.target.unit;
+  Json json;
+  json["method"] = enum_name(result.method);
+  json["path"] = result.path;
+  json["present"] = plain_json(result.present, result.unit);
+  json["target"] = {{"output", result.target.output},
+                    {"value", result.target.value},
+                    {"unit", unit}};
+  json["searched"] = {{"from", plain_json(result.searched.from, result.unit)},
+                      {"to", plain_json(result.searched.to, result.unit)}};
+  json["least"] = result.least ? plain_json(*result.least, unit) : Json();
+  json["greatest"] = result.greatest ? plain_json(*result.greatest, unit) : Json();
+  json["excluded"] = Json::array();
+  for (const Excluded& part : result.excluded)
+    json["excluded"].push_back({{"from", plain_json(part.from, result.unit)},
+                                {"to", plain_json(part.to, result.unit)},
+                                {"refused", part.refused},
+                                {"reason", part.reason}});
+  json["usable"] = result.usable();
+  json["reason"] = result.reason;
+  json["solutions"] = Json::array();
+  for (const Solution& solution : result.solutions)
+    json["solutions"].push_back(solution_json(solution));
+  // Names in a file may be any bytes; JSON must be UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace strainwave

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/study/sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <exception>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/model/result_fields.hpp"
+#include "strainwave/study/evaluate.hpp"
+#include "vary_option.hpp"
+
+namespace strainwave {
+namespace {
+
+void check_variation(const Variation& variation) {
+  const std::string option = vary_option(variation.path);
+  const auto& [path, from, to, n_points, spacing] = variation;
+  if (!std::isfinite(from) || !std::isfinite(to) || from == to)
+    throw InputError(option, fmt::format("{}..{} must be two different finite numbers", from, to));
+  if (n_points < 2 || n_points > kMaxSweepPoints)
+    throw InputError(option, fmt::format("{} points; must be from 2 to {}", n_points,
+                                         kMaxSweepPoints));
+  const bool one_sign = (from > 0 && to > 0) || (from < 0 && to < 0);
+  if (spacing == Spacing::logarithmic && !one_sign)
+    throw InputError(option, fmt::format("{}..{} spaced by equal ratios (log) must not reach or "
+                                         "cross 0",
+                                         from, to));
+}
+
+/// Gives each name of an output its column, in order of first appearance.
+class Columns {
+ public:
+  explicit Columns(std::vector<SweepColumn>& columns) : columns_(columns) {}
+
+  std::size_t index(const std::string& name, std::string_view unit) {
+    const auto [found, is_new] = index_.try_emplace(name, columns_.size());
+    if (is_new) columns_.push_back({name, unit});
+    return found->second;
+  }
+
+ private:
+  std::vector<SweepColumn>& columns_;
+  std::map<std::string, std::size_t> index_;
+};
+
+void fill_outputs(SweepRow& row, const StiffnessResult& result, Columns& columns) {
+  for_each_quantity(result, [&](const std::string& name, const Quantity& q) {
+    const std::size_t i = columns.index(name, q.unit);
+    if (i >= row.outputs.size()) row.outputs.resize(i + 1);
+    row.outputs[i] = SweepValue{q.value, q.relative_uncertainty};
+  });
+  row.reason = result.unusable_because;
+}
+
+/// Adds the notes of one row to those of the sweep; texts with numbers in them differ from row to
+/// row, so code and path decide whether two notes are the same.
+void gather_notes(std::vector<SweepNote>& gathered, const std::vector<Note>& notes,
+                  std::size_t row) {
+  for (const Note& note : notes) {
+    const auto known = std::ranges::find_if(gathered, [&](const SweepNote& g) {
+      return g.note.code == note.code && g.note.path == note.path;
+    });
+    if (known == gathered.end())
+      gathered.push_back({.note = note, .first_row = row, .n_rows = 1});
+    else
+      ++known->n_rows;
+  }
+}
+
+/// A field of a CSV line, quoted where it must be (RFC 4180).
+std::string csv_field(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted += '"';
+}
+
+using Json = nlohmann::ordered_json;
+
+Json columns_json(const SweepResult& result) {
+  Json columns = Json::array();
+  for (const auto* const group : {&result.inputs, &result.outputs})
+    for (const auto& [name, unit] : *group) columns.push_back({{"name", name}, {"unit", unit}});
+  return columns;
+}
+
+Json row_json(const SweepRow& row, std::size_t n_outputs) {
+  Json values = row.inputs;
+  Json uncertainties(row.inputs.size(), Json());
+  for (std::size_t i = 0; i < n_outputs; ++i) {
+    const bool given = i < row.outputs.size() && row.outputs[i];
+    values.push_back(given ? Json(row.outputs[i]->value) : Json());
+    uncertainties.push_back(given && row.outputs[i]->relative_uncertainty
+                                ? Json(*row.outputs[i]->relative_uncertainty)
+                                : Json());
+  }
+  return {{"values", std::move(values)},
+          {"relative_uncertainties", std::move(uncertainties)},
+          {"usable", row.usable()},
+          {"reason", row.reason}};
+}
+
+}  // namespace
+
+double Variation::value(int i) const {
+  if (i == 0) return from;
+  if (i == n_points - 1) return to;
+  const double t = static_cast<double>(i) / (n_points - 1);
+  return spacing == Spacing::linear ? std::lerp(from, to, t) : from * std::pow(to / from, t);
+}
+
+Variation parse_variation(const GearSet& gear, std::string_view text) {
+  const Assignment given = assignment(text);
+  if (!given.has_value)
+    throw InputError("--vary", fmt::format("\"{}\" must be PATH=FROM..TO:N or PATH=FROM..TO:N:log",
+                                           text));
+  const NumberAt number = varied_number(gear, given.key);
+  const std::string option = vary_option(number.path);
+
+  const std::size_t colon = given.value.find(':');
+  if (colon == std::string_view::npos)
+    throw InputError(option, fmt::format("\"{}\" does not say how many points: FROM..TO:N",
+                                         given.value));
+  const Interval interval = parse_interval(number, given.value.substr(0, colon));
+  Variation variation{.path = number.path, .from = interval.from, .to = interval.to};
+
+  std::string_view points = given.value.substr(colon + 1);
+  if (const std::size_t next = points.find(':'); next != std::string_view::npos) {
+    const std::string_view spacing = without_blanks(points.substr(next + 1));
+    if (spacing != "log")
+      throw InputError(option, fmt::format("\"{}\" after the number of points; only \"log\" can "
+                                           "stand there",
+                                           spacing));
+    variation.spacing = Spacing::logarithmic;
+    points = points.substr(0, next);
+  }
+  points = without_blanks(points);
+  const auto [end, error] =
+      std::from_chars(points.data(), points.data() + points.size(), variation.n_points);
+  if (error != std::errc{} || end != points.data() + points.size())
+    throw InputError(option, fmt::format("\"{}\" points; must be a whole number from 2 to {}",
+                                         points, kMaxSweepPoints));
+  check_variation(variation);
+  return variation;
+}
+
+SweepResult sweep(const GearSet& gear, Method method, std::span<const Variation> variations) {
+  if (variations.empty() || variations.size() > 2)
+    throw InputError("--vary", fmt::format("is given {} times; must be once or twice",
+                                           variations.size()));
+  SweepResult result;
+  result.method = method;
+  std::ptrdiff_t n_rows = 1;
+  for (const Variation& variation : variations) {
+    const NumberAt number = varied_number(gear, variation.path);
+    check_variation(variation);
+    n_rows *= variation.n_points;
+    result.variations.push_back(variation);
+    result.inputs.push_back({number.path, number.field.unit});
+  }
+  if (variations.size() == 2 && variations[0].path == variations[1].path)
+    throw InputError(vary_option(variations[0].path), "is given twice");
+  if (n_rows > kMaxSweepPoints)
+    throw InputError("--vary", fmt::format("{} times {} points; {} at most",
+                                           variations[0].n_points, variations[1].n_points,
+                                           kMaxSweepPoints));
+
+  Columns columns(result.outputs);
+  std::exception_ptr first_fault;
+  bool all_refused = true;
+  GearSet varied = gear;
+  const auto add_row = [&](std::vector<double> inputs) {
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+      set_number(varied, result.inputs[i].name, inputs[i]);
+    SweepRow row{.inputs = std::move(inputs), .outputs = {}, .reason = {}};
+    try {
+      const StiffnessResult at_point = evaluate(varied, method);
+      fill_outputs(row, at_point, columns);
+      gather_notes(result.notes, at_point.notes, result.rows.size());
+      if (all_refused)
+        for (const CrackReport& crack : at_point.cracks) result.crack_paths.push_back(crack.path);
+      all_refused = false;
+    } catch (const Error& error) {
+      row.reason = error.what();
+      if (!first_fault) first_fault = std::current_exception();
+    }
+    result.rows.push_back(std::move(row));
+  };
+  for (int i = 0; i < variations[0].n_points; ++i) {
+    if (variations.size() == 1) {
+      add_row({variations[0].value(i)});
+      continue;
+    }
+    for (int j = 0; j < variations[1].n_points; ++j)
+      add_row({variations[0].value(i), variations[1].value(j)});
+  }
+  if (all_refused) std::rethrow_exception(first_fault);
+  for (SweepRow& row : result.rows)
+    if (!row.outputs.empty()) row.outputs.resize(result.outputs.size());
+  return result;
+}
+
+std::string sweep_csv(const SweepResult& result) {
+  std::string csv;
+  for (const auto* const group : {&result.inputs, &result.outputs})
+    for (const auto& [name, unit] : *group) csv += csv_field(fmt::format("{} [{}]", name, unit)) + ',';
+  csv += "usable,reason\n";
+  for (const SweepRow& row : result.rows) {
+    for (const double input : row.inputs) csv += fmt::format("{},", input);
+    for (std::size_t i = 0; i < result.outputs.size(); ++i) {
+      if (i < row.outputs.size() && row.outputs[i]) csv += fmt::format("{}", row.outputs[i]->value);
+      csv += ',';
+    }
+    csv += fmt::format("{},{}\n", row.usable(), csv_field(row.reason));
+  }
+  return csv;
+}
+
+std::string sweep_json(const SweepResult& result) {
+  Json json;
+  json["method"] = enum_name(result.method);
+  json["variations"] = Json::array();
+  for (std::size_t i = 0; i < result.variations.size(); ++i) {
+    const Variation& variation = result.variations[i];
+    json["variations"].push_back({{"path", variation.path},
+                                  {"unit", result.inputs[i].unit},
+                                  {"from", variation.from},
+                                  {"to", variation.to},
+                                  {"points", variation.n_points},
+                                  {"spacing", enum_name(variation.spacing)}});
+  }
+  json["columns"] = columns_json(result);
+  json["rows"] = Json::array();
+  for (const SweepRow& row : result.rows)
+    json["rows"].push_back(row_json(row, result.outputs.size()));
+  json["notes"] = Json::array();
+  for (const auto& [note, first_row, n_rows] : result.notes)
+    json["notes"].push_back({{"code", note.code},
+                             {"text", note.text},
+                             {"path", note.path},
+                             {"equation", note.equation},
+                             {"first_row", first_row},
+                             {"rows", n_rows}});
+  // Names in a file may be any bytes; JSON must be UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace strainwave

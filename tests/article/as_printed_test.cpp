@@ -1,0 +1,562 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/article/as_printed.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <ostream>
+#include <string>
+#include <string_view>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/units.hpp"
+#include "support/article_gear.hpp"
+#include "support/reference.hpp"
+#include "support/scaling.hpp"
+
+namespace strainwave {
+namespace {
+
+using namespace units;  // NOLINT(google-build-using-namespace): 0.1 * mm reads as it should
+using std::numbers::pi;
+
+constexpr double kCompliance = 1 / (N * mm);  // [rad/(N*mm)]
+constexpr double kStiffness = N * mm;         // [N*mm/rad]
+const double kStressIntensity = MPa * std::sqrt(mm);
+
+/// A number of the article's method, in N and mm, computed with 30 digits and rounded to eight.
+test::Reference eight_digits(double value, std::string_view unit) {
+  return {.value = value,
+          .unit = unit,
+          .relative_tolerance = 1e-7,
+          .source = "theory manual, table AP-1 (printed equations, evaluated with mpmath)",
+          .tolerance_is = "eight digits printed: half a unit of the last is at most 5e-8"};
+}
+
+void expect_near(double actual, const test::Reference& reference) {
+  EXPECT_NEAR(actual, reference.value, std::abs(reference.value) * reference.relative_tolerance)
+      << "in " << reference.unit;
+}
+
+GearSet without_printed_coefficients(double crack_size) {
+  GearSet gear = test::article_gear(crack_size);
+  gear.article->M_p.reset();
+  gear.article->M_M.reset();
+  return gear;
+}
+
+bool has_note(const StiffnessResult& result, std::string_view code, std::string_view path = "") {
+  return std::ranges::any_of(result.notes, [&](const Note& note) {
+    return note.code == code && (path.empty() || note.path == path);
+  });
+}
+
+bool has_equation(const StiffnessResult& result, std::string_view tag) {
+  return std::ranges::find(result.equations, tag) != result.equations.end();
+}
+
+// --- The table of the example -------------------------------------------------------------------
+
+/// One column: the printed equations and inputs for one crack size; N, mm, rad.
+struct Column {
+  double a;
+  double K_I, Delta_u_H, Delta_K_G, K_G, lambda_H;
+  double Delta_lambda_f;
+  double axial_term, torsion_term, Delta_lambda_so;
+  double sum, K_HD, drop_percent;
+  // with M_p and M_M from the printed polynomials
+  double M_p, M_M, polynomial_Delta_lambda_so, polynomial_sum, polynomial_K_HD;
+
+  friend std::ostream& operator<<(std::ostream& out, const Column& column) {
+    return out << "a = " << column.a << " mm";
+  }
+};
+
+constexpr Column kTable[] = {
+    {0.1, 2.7044745, 3.4875000e-5, 1.4336918e7, -1.4216918e7, -1.5105758e-12, 1.0969189e-16,
+     1.3701999e-14, 8.2290594e-18, 1.3710228e-14, 2.1232963e-9, 4.7096582e8, -8.4991049, 1.2777642,
+     0.99496179, 3.1009503e-14, 2.1233136e-9, 4.7096199e8},
+    {0.5, 6.0473888, 8.7187500e-4, 5.7347670e5, -4.5347670e5, -4.7357959e-11, 2.7422973e-15,
+     3.6151026e-13, 1.1152064e-15, 3.6262547e-13, 2.0778005e-9, 4.8127816e8, -10.874818, 1.2453670,
+     0.96737039, 7.8194441e-13, 2.0782198e-9, 4.8118106e8},
+    {1.0, 8.5522993, 3.4875000e-3, 1.4336918e5, -2.3369176e4, -9.1897683e-10, 1.0969189e-14,
+     1.5483769e-12, 9.8852883e-15, 1.5582622e-12, 1.2073855e-9, 8.2823591e8, -90.805468, 1.2060730,
+     0.93411009, 3.1662507e-12, 1.2089935e-9, 8.2713434e8},
+    {2.0, 12.094778, 1.3950000e-2, 3.5842294e4, 8.4157706e4, 2.5518437e-10, 4.3876757e-14,
+     7.1268325e-12, 9.7615577e-14, 7.2244480e-12, 2.3872458e-9, 4.1889277e8, 3.4972632, 1.1313336,
+     0.87147560, 1.3045524e-11, 2.3930668e-9, 4.1787383e8},
+};
+
+class AsPrintedTable : public testing::TestWithParam<Column> {};
+
+TEST_P(AsPrintedTable, ReferenceEquations) {
+  const Column& c = GetParam();
+  const article::CrackedRace race{.depth = c.a,
+                                  .ring_thickness = 10,
+                                  .flaw_parameter = 1.5,
+                                  .contact_factor = 0.45,
+                                  .contact_semi_major = 5,
+                                  .contact_semi_minor = 2,
+                                  .youngs_modulus = 2.1e5};
+  const double Delta_K_G = article::race_crack_stiffness(race, 500);
+  expect_near(article::race_crack_displacement(race, 500), eight_digits(c.Delta_u_H, "N*mm"));
+  expect_near(Delta_K_G, eight_digits(c.Delta_K_G, "1/mm"));
+  expect_near(article::radial_stiffness(1.2e5, Delta_K_G), eight_digits(c.K_G, "N/mm"));
+
+  const article::CrackedShaft shaft{.depth = c.a,
+                                    .diameter = 60,
+                                    .M_p = 0.85,
+                                    .M_M = 0.42,
+                                    .youngs_modulus = 2.1e5,
+                                    .shear_modulus = 8e4};
+  const auto Delta_lambda_so = article::shaft_crack_compliance(shaft);
+  expect_near(Delta_lambda_so.axial_term, eight_digits(c.axial_term, "1/N"));
+  expect_near(Delta_lambda_so.torsion_term, eight_digits(c.torsion_term, "rad/(N*mm)"));
+
+  const double x = (60 - 2 * c.a) / 60;
+  expect_near(article::axial_coefficient(x), eight_digits(c.M_p, "1"));
+  expect_near(article::torsion_coefficient(x), eight_digits(c.M_M, "1"));
+}
+
+TEST_P(AsPrintedTable, ReferenceDrive) {
+  const Column& c = GetParam();
+  const StiffnessResult result = torsional_stiffness_as_printed(test::article_gear(c.a * mm));
+  ASSERT_EQ(result.cracks.size(), 3U);
+  expect_near(result.cracks[0].deepest->K_I.value / kStressIntensity,
+              eight_digits(c.K_I, "MPa*mm^0.5"));
+  expect_near(result.positive.compliance.wave_generator.value / kCompliance,
+              eight_digits(c.lambda_H, "rad/(N*mm)"));
+  expect_near(result.cracks[1].positive.at_output.value / kCompliance,
+              eight_digits(c.Delta_lambda_f, "rad/(N*mm)"));
+  expect_near(result.cracks[2].positive.at_output.value / kCompliance,
+              eight_digits(c.Delta_lambda_so, "rad/(N*mm)"));
+  expect_near(result.positive.compliance.total.value / kCompliance,
+              eight_digits(c.sum, "rad/(N*mm)"));
+  expect_near(result.positive.stiffness.value / kStiffness, eight_digits(c.K_HD, "N*mm/rad"));
+  expect_near(-100 * result.positive.stiffness_change.value, eight_digits(c.drop_percent, "%"));
+}
+
+TEST_P(AsPrintedTable, ReferenceDriveWithThePrintedPolynomials) {
+  const Column& c = GetParam();
+  const StiffnessResult result =
+      torsional_stiffness_as_printed(without_printed_coefficients(c.a * mm));
+  expect_near(result.cracks[2].positive.at_output.value / kCompliance,
+              eight_digits(c.polynomial_Delta_lambda_so, "rad/(N*mm)"));
+  expect_near(result.positive.compliance.total.value / kCompliance,
+              eight_digits(c.polynomial_sum, "rad/(N*mm)"));
+  expect_near(result.positive.stiffness.value / kStiffness,
+              eight_digits(c.polynomial_K_HD, "N*mm/rad"));
+}
+
+TEST_P(AsPrintedTable, IdentityCracksAddWhatTheMembersGain) {
+  const StiffnessResult result =
+      torsional_stiffness_as_printed(test::article_gear(GetParam().a * mm));
+  const Compliances& sound = result.intact.compliance;
+  const Compliances& cracked = result.positive.compliance;
+  const double gained[] = {cracked.wave_generator.value - sound.wave_generator.value,
+                           cracked.flexspline.value - sound.flexspline.value,
+                           cracked.output_shaft.value - sound.output_shaft.value};
+  for (std::size_t i = 0; i < 3;
+       ++i)  // a difference of members keeps 16 - log10(lambda/gain) digits
+    EXPECT_NEAR(result.cracks[i].positive.at_output.value, gained[i],
+                4e-16 * result.intact.compliance.total.value);
+  EXPECT_NEAR(result.positive.stiffness_change.value,
+              result.positive.stiffness.value / result.intact.stiffness.value - 1, 4e-15);
+  EXPECT_NEAR(result.positive.wind_up.value, cracked.total.value * 100, 1e-15);
+}
+
+INSTANTIATE_TEST_SUITE_P(CrackSizes, AsPrintedTable, testing::ValuesIn(kTable));
+
+TEST(AsPrinted, ReferenceStressOfTheRace) {
+  const double sigma_max = article::contact_pressure(500, 5, 2);
+  expect_near(sigma_max, eight_digits(23.873241, "MPa"));
+  expect_near(article::race_stress(0.45, sigma_max), eight_digits(5.3714793, "MPa"));
+}
+
+TEST(AsPrinted, ReferenceSoundDrive) {
+  const IntactDrive intact = torsional_stiffness_as_printed(test::article_gear()).intact;
+  const auto& [wave_generator, flexspline, output_shaft, total] = intact.compliance;
+  expect_near(wave_generator.value / kCompliance, eight_digits(1.7896443e-10, "rad/(N*mm)"));
+  expect_near(flexspline.value / kCompliance, eight_digits(1.9578073e-10, "rad/(N*mm)"));
+  expect_near(output_shaft.value / kCompliance, eight_digits(1.9290123e-9, "rad/(N*mm)"));
+  expect_near(total.value / kCompliance, eight_digits(2.3037575e-9, "rad/(N*mm)"));
+  expect_near(intact.stiffness.value / kStiffness, eight_digits(4.3407347e8, "N*mm/rad"));
+  EXPECT_DOUBLE_EQ(intact.wind_up.value, total.value * 100);
+}
+
+TEST(AsPrinted, ReferenceWithoutOverridesTheInputsAreUsed) {
+  GearSet gear = test::article_gear();
+  gear.article.reset();
+  const StiffnessResult result = torsional_stiffness_as_printed(gear);
+  const double tau = article::wall_shear(1e5, 78.88, 2.24);
+  expect_near(tau, eight_digits(1.1419269, "MPa"));
+  EXPECT_NEAR(result.cracks[1].deepest->K_I.value / kStressIntensity, tau * std::sqrt(pi * 0.1),
+              1e-14);
+  // F_r = 251.5625 N enters K_I in proportion, Q = 1.5 follows from the aspect ratio.
+  EXPECT_NEAR(result.cracks[0].deepest->K_I.value / kStressIntensity, 2.7044745 * 251.5625 / 500,
+              1e-7);
+  expect_near(result.cracks[1].positive.at_output.value / kCompliance,
+              eight_digits(1.1536103e-16, "rad/(N*mm)"));
+  expect_near(result.intact.compliance.output_shaft.value / kCompliance,
+              eight_digits(1.2556898e-9, "rad/(N*mm)"));
+}
+
+TEST(AsPrinted, ReferenceSoundFlexsplineByNumberOfFactors) {
+  article::SoundCup cup{.shape_coefficient = 1.0,
+                        .structure_coefficient = 1.0,
+                        .length = 160,
+                        .pitch_diameter = 160,
+                        .wall_thickness = 2.24,
+                        .shear_modulus = 8e4};
+  expect_near(article::sound_flexspline_compliance(cup), eight_digits(2.8419324e-10, "rad/(N*mm)"));
+  cup.shape_coefficient = 0.83;
+  expect_near(article::sound_flexspline_compliance(cup), eight_digits(2.3588039e-10, "rad/(N*mm)"));
+  cup.structure_coefficient = 0.83;
+  expect_near(article::sound_flexspline_compliance(cup), eight_digits(1.9578073e-10, "rad/(N*mm)"));
+}
+
+TEST(AsPrinted, ReferenceSoundShaft) {
+  const double hollow = std::pow(std::pow(70.0, 4) - std::pow(45.0, 4), 0.25);
+  expect_near(hollow, eight_digits(66.798146, "mm"));
+  expect_near(article::sound_shaft_compliance(110, hollow, 8e4),
+              eight_digits(6.9062941e-10, "rad/(N*mm)"));
+}
+
+TEST(AsPrinted, ReferencePolynomialsAtAShallowCrack) {
+  EXPECT_NEAR(article::axial_coefficient(1.0), 1.286, 1e-15);  // 1.1215 is right
+  EXPECT_NEAR(article::torsion_coefficient(1.0), 1.002, 1e-15);
+}
+
+// --- Equations by themselves --------------------------------------------------------------------
+
+TEST(AsPrinted, IdentityPrintedDisplacementIsHalfOfCastiglianos) {
+  // G = c P^2 A, U = c P^2 A^2/2 with c = 3: dU/dP = 3 P A^2.
+  const double load = 7.0;
+  const double area = 0.5;
+  const auto release_rate = [&](double A) { return 3 * load * load * A; };
+  const double castigliano = 3 * load * area * area;
+  EXPECT_NEAR(article::added_displacement(release_rate, area, load), castigliano / 2, 1e-14);
+  EXPECT_NEAR(article::added_compliance(release_rate, area, load), castigliano / load, 1e-14);
+}
+
+TEST(AsPrinted, IdentityReleaseRateOfModeIIIHoldsInPlaneStrainOnly) {
+  const double E = 210e9;
+  const double nu = 0.3;
+  const double right = (1 + nu) / E;  // 1/(2 mu)
+  EXPECT_NEAR(article::energy_release_rate(0, 0, 1, E / (1 - nu * nu), nu) / right, 1.0, 1e-15);
+  EXPECT_NEAR(article::energy_release_rate(0, 0, 1, E, nu) / right, 1 / (1 - nu * nu), 1e-15);
+}
+
+TEST(AsPrinted, IdentitySeriesOfDisplacements) {
+  GearSet gear = test::article_gear();
+  gear.wave_generator->radial_stiffness.reset();
+  gear.wave_generator->displacements = LobeDisplacements{.bearing = 3e-6, .cam = 1e-6};
+  const StiffnessResult from_displacements = torsional_stiffness_as_printed(gear);
+  EXPECT_TRUE(has_equation(from_displacements, "AP-7"));
+  gear.wave_generator->displacements.reset();
+  gear.wave_generator->radial_stiffness = 500 * N / (4e-6 * m);
+  const StiffnessResult from_stiffness = torsional_stiffness_as_printed(gear);
+  EXPECT_DOUBLE_EQ(from_displacements.positive.stiffness.value,
+                   from_stiffness.positive.stiffness.value);
+}
+
+TEST(AsPrinted, IdentityThroughCrackOfEveryAngleAddsTheSame) {
+  GearSet gear = test::article_gear();
+  const double at_45 = torsional_stiffness_as_printed(gear).cracks[1].positive.at_output.value;
+  for (const double angle : {-45 * deg, 0 * deg, 20 * deg, 90 * deg}) {
+    std::get<WallThroughCrack>(gear.flexspline->crack[0]).angle = angle;
+    const CrackReport crack = torsional_stiffness_as_printed(gear).cracks[1];
+    EXPECT_DOUBLE_EQ(crack.positive.at_output.value, at_45);
+    EXPECT_NEAR(std::hypot(crack.deepest->K_I.value, crack.deepest->K_II.value) / kStressIntensity,
+                article::wall_shear(1e5, 79.88, 2.24) * std::sqrt(pi * 0.1), 1e-14);
+  }
+}
+
+TEST(AsPrinted, IdentityBothSensesOfTorqueAreOne) {
+  GearSet gear = test::article_gear();
+  const StiffnessResult forward = torsional_stiffness_as_printed(gear);
+  gear.load.torque = -gear.load.torque;
+  const StiffnessResult backward = torsional_stiffness_as_printed(gear);
+  for (const StiffnessResult& result : {forward, backward}) {
+    EXPECT_EQ(result.positive.stiffness.value, forward.positive.stiffness.value);
+    EXPECT_EQ(result.negative.stiffness.value, forward.positive.stiffness.value);
+    EXPECT_TRUE(has_note(result, "article.no_closure"));
+    for (const CrackReport& crack : result.cracks) EXPECT_EQ(crack.opens_under, OpensUnder::both);
+  }
+}
+
+TEST(AsPrinted, LimitVanishingCrackTakesTheWholeWaveGeneratorAway) {
+  // Subtracted stiffnesses: Delta K_G -> infinity, so lambda_H -> -0 instead of lambda_H0.
+  const StiffnessResult result = torsional_stiffness_as_printed(test::article_gear(1e-6 * mm));
+  EXPECT_NEAR(result.cracks[0].positive.at_output.value,
+              -result.intact.compliance.wave_generator.value,
+              1e-9 * result.intact.compliance.wave_generator.value);
+  EXPECT_LT(result.positive.compliance.wave_generator.value, 0.0);
+}
+
+// --- Dimensions ---------------------------------------------------------------------------------
+
+TEST(AsPrinted, ScalingOfTheRace) {
+  using test::Arg;
+  test::expect_dimensionally_consistent("MPa", article::contact_pressure, Arg{500, "N"},
+                                        Arg{5, "m"}, Arg{2, "m"});
+  test::expect_dimensionally_consistent("N", article::radial_load, Arg{1.15, "1"}, Arg{0.35, "1"},
+                                        Arg{1e5, "N*m"}, Arg{160, "m"});
+  test::expect_dimensionally_consistent("Pa*m^0.5", article::race_stress_intensity, Arg{5.4, "Pa"},
+                                        Arg{0.1, "m"}, Arg{1.5, "1"});
+  test::expect_dimensionally_consistent("N/m", article::sound_radial_stiffness, Arg{500, "N"},
+                                        Arg{3, "m"}, Arg{1, "m"}, Arg{0, "m"});
+}
+
+article::CrackedRace race_of(double a, double t, double a_contact, double b_contact, double E) {
+  return {.depth = a,
+          .ring_thickness = t,
+          .flaw_parameter = 1.5,
+          .contact_factor = 0.45,
+          .contact_semi_major = a_contact,
+          .contact_semi_minor = b_contact,
+          .youngs_modulus = E};
+}
+
+TEST(AsPrinted, ScalingWrongOfTheRaceCrack) {
+  // A displacement that is a work, and a stiffness without its force.
+  using test::Arg;
+  test::expect_dimensionally_consistent(
+      "N*m",
+      [](double a, double t, double ac, double bc, double E, double F_r) {
+        return article::race_crack_displacement(race_of(a, t, ac, bc, E), F_r);
+      },
+      Arg{0.1, "m"}, Arg{10, "m"}, Arg{5, "m"}, Arg{2, "m"}, Arg{2.1e5, "Pa"}, Arg{500, "N"});
+  test::expect_dimensionally_consistent(
+      "1/m",
+      [](double a, double t, double ac, double bc, double E, double F_r) {
+        return article::race_crack_stiffness(race_of(a, t, ac, bc, E), F_r);
+      },
+      Arg{0.1, "m"}, Arg{10, "m"}, Arg{5, "m"}, Arg{2, "m"}, Arg{2.1e5, "Pa"}, Arg{500, "N"});
+}
+
+TEST(AsPrinted, ScalingOfTheSoundMembers) {
+  using test::Arg;
+  test::expect_dimensionally_consistent(
+      "1/(N*m)",
+      [](double K_G, double d_1, double w_0) {
+        return article::wave_generator_compliance({.force_transmission_coefficient = 0.35,
+                                                   .pitch_diameter = d_1,
+                                                   .wave_number = 2,
+                                                   .radial_displacement = w_0,
+                                                   .ratio = 100},
+                                                  K_G);
+      },
+      Arg{1.2e5, "N/m"}, Arg{160, "m"}, Arg{0.8, "m"});
+  test::expect_dimensionally_consistent(
+      "1/(N*m)",
+      [](double L, double d_1, double delta, double mu) {
+        return article::sound_flexspline_compliance({.shape_coefficient = 0.83,
+                                                     .structure_coefficient = 0.83,
+                                                     .length = L,
+                                                     .pitch_diameter = d_1,
+                                                     .wall_thickness = delta,
+                                                     .shear_modulus = mu});
+      },
+      Arg{160, "m"}, Arg{160, "m"}, Arg{2.24, "m"}, Arg{8e4, "Pa"});
+  test::expect_dimensionally_consistent("1/(N*m)", article::sound_shaft_compliance, Arg{200, "m"},
+                                        Arg{60, "m"}, Arg{8e4, "Pa"});
+}
+
+TEST(AsPrinted, ScalingOfTheWallCrack) {
+  using test::Arg;
+  test::expect_dimensionally_consistent(
+      "1/(N*m)",
+      [](double a, double r, double t, double E) {
+        return article::wall_crack_compliance({.half_length = a,
+                                               .mean_radius = r,
+                                               .wall_thickness = t,
+                                               .stress_nonuniformity = 1.1,
+                                               .dynamic_load = 1.2,
+                                               .youngs_modulus = E});
+      },
+      Arg{0.1, "m"}, Arg{79.88, "m"}, Arg{2.24, "m"}, Arg{2.1e5, "Pa"});
+  test::expect_dimensionally_consistent("Pa", article::wall_shear, Arg{1e5, "N*m"}, Arg{79.88, "m"},
+                                        Arg{2.24, "m"});
+}
+
+TEST(AsPrinted, ScalingWrongOfTheAxialTermOfTheShaftCrack) {
+  using test::Arg;
+  const auto compliance = [](double a, double d, double E, double mu) {
+    return article::shaft_crack_compliance({.depth = a,
+                                            .diameter = d,
+                                            .M_p = 0.85,
+                                            .M_M = 0.42,
+                                            .youngs_modulus = E,
+                                            .shear_modulus = mu});
+  };
+  test::expect_dimensionally_consistent(
+      "1/N",  // of a compliance that must be 1/(N*m)
+      [&](double a, double d, double E, double mu) { return compliance(a, d, E, mu).axial_term; },
+      Arg{0.1, "m"}, Arg{60, "m"}, Arg{2.1e5, "Pa"}, Arg{8e4, "Pa"});
+  test::expect_dimensionally_consistent(
+      "1/(N*m)",
+      [&](double a, double d, double E, double mu) { return compliance(a, d, E, mu).torsion_term; },
+      Arg{0.1, "m"}, Arg{60, "m"}, Arg{2.1e5, "Pa"}, Arg{8e4, "Pa"});
+}
+
+// --- Evidence -----------------------------------------------------------------------------------
+
+TEST(AsPrinted, IdentityNegativeComplianceIsNotedAndReturned) {
+  const StiffnessResult negative = torsional_stiffness_as_printed(test::article_gear(0.1 * mm));
+  EXPECT_LT(negative.positive.compliance.wave_generator.value, 0.0);
+  EXPECT_TRUE(has_note(negative, "article.negative_compliance", "wave_generator"));
+  EXPECT_TRUE(negative.usable());
+  const StiffnessResult positive = torsional_stiffness_as_printed(test::article_gear(2.0 * mm));
+  EXPECT_FALSE(has_note(positive, "article.negative_compliance"));
+  // Just above the depth at which the two stiffnesses are equal, the whole drive turns negative.
+  const StiffnessResult worse = torsional_stiffness_as_printed(test::article_gear(1.08 * mm));
+  EXPECT_LT(worse.positive.stiffness.value, 0.0);
+  EXPECT_TRUE(std::ranges::any_of(worse.notes, [](const Note& note) {
+    return note.code == "article.negative_compliance" && note.path.empty();
+  }));
+}
+
+TEST(AsPrinted, IdentityNoUncertaintyIsStatedAndANoteSaysWhy) {
+  const StiffnessResult result = torsional_stiffness_as_printed(test::article_gear());
+  EXPECT_FALSE(result.intact.stiffness.relative_uncertainty.has_value());
+  EXPECT_FALSE(result.positive.stiffness.relative_uncertainty.has_value());
+  EXPECT_TRUE(has_note(result, "article.accuracy"));
+  EXPECT_EQ(result.method, Method::as_printed);
+}
+
+TEST(AsPrinted, IdentityFieldsThatAreNotReadAreNoted) {
+  GearSet gear = test::article_gear();
+  EXPECT_TRUE(has_note(torsional_stiffness_as_printed(gear), "article.not_read",
+                       "wave_generator.conversion"));
+  EXPECT_TRUE(has_note(torsional_stiffness_as_printed(gear), "article.not_read",
+                       "flexspline.crack[0].shell_correction"));
+  gear.wave_generator->conversion = Conversion::cam;
+  std::get<WallThroughCrack>(gear.flexspline->crack[0]).shell_correction = false;
+  EXPECT_FALSE(has_note(torsional_stiffness_as_printed(gear), "article.not_read"));
+
+  gear.output_shaft->inner_diameter = 0;
+  EXPECT_TRUE(has_note(torsional_stiffness_as_printed(gear), "article.not_read",
+                       "output_shaft.crack[0].solution"));
+  gear.load.axial_force = 10;
+  EXPECT_TRUE(has_note(torsional_stiffness_as_printed(gear), "article.axial_force"));
+  gear.drive.wave_number = 3;
+  EXPECT_TRUE(has_note(torsional_stiffness_as_printed(gear), "article.wave_number"));
+  gear.flexspline->shape_factor = 0.9;
+  EXPECT_TRUE(has_note(torsional_stiffness_as_printed(gear), "article.factor_squared"));
+}
+
+TEST(AsPrinted, IdentityEquationsAreThoseThatWereUsed) {
+  const GearSet gear = test::article_gear();
+  EXPECT_FALSE(has_equation(torsional_stiffness_as_printed(gear), "AP-4"));
+  EXPECT_FALSE(has_equation(torsional_stiffness_as_printed(gear), "AP-14"));
+  GearSet plain = gear;
+  plain.article.reset();
+  EXPECT_TRUE(has_equation(torsional_stiffness_as_printed(plain), "AP-4"));
+  EXPECT_TRUE(has_equation(torsional_stiffness_as_printed(plain), "AP-14"));
+  EXPECT_TRUE(has_equation(torsional_stiffness_as_printed(plain), "AP-18"));
+}
+
+TEST(AsPrinted, IdentityAbsentMembersAddNothingAndAreNoted) {
+  GearSet gear = test::article_gear();
+  gear.wave_generator.reset();
+  gear.flexspline.reset();
+  const StiffnessResult result = torsional_stiffness_as_printed(gear);
+  EXPECT_EQ(result.intact.compliance.wave_generator.value, 0.0);
+  EXPECT_EQ(result.intact.compliance.flexspline.value, 0.0);
+  EXPECT_EQ(result.intact.compliance.total.value, result.intact.compliance.output_shaft.value);
+  EXPECT_TRUE(has_note(result, "member.absent", "wave_generator"));
+  EXPECT_TRUE(has_note(result, "member.absent", "flexspline"));
+  EXPECT_EQ(result.cracks.size(), 1U);
+}
+
+TEST(AsPrinted, IdentitySoundDriveHasNoCrackAndNoChange) {
+  GearSet gear = test::article_gear();
+  gear.wave_generator->crack.clear();
+  gear.flexspline->crack.clear();
+  gear.output_shaft->crack.clear();
+  const StiffnessResult result = torsional_stiffness_as_printed(gear);
+  EXPECT_EQ(result.positive.stiffness.value, result.intact.stiffness.value);
+  EXPECT_EQ(result.positive.stiffness_change.value, 0.0);
+  EXPECT_TRUE(result.cracks.empty());
+}
+
+// --- Refusals -----------------------------------------------------------------------------------
+
+void expect_refused(std::string_view path, const std::function<void(GearSet&)>& change) {
+  GearSet gear = test::article_gear();
+  change(gear);
+  try {
+    (void)torsional_stiffness_as_printed(gear);
+    ADD_FAILURE() << path << " was accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.field(), path) << error.what();
+    EXPECT_NE(std::string_view(error.what()).find("as-printed"), std::string_view::npos)
+        << error.what();
+  }
+}
+
+TEST(AsPrinted, InputCracksThatTheArticleDoesNotHave) {
+  expect_refused("wave_generator.crack[0]", [](GearSet& gear) {
+    gear.wave_generator->inner_ring_width = 20 * mm;
+    gear.wave_generator->crack = {
+        RaceEdgeCrack{.depth = 0.1 * mm, .contact_factor = {}, .stress = {}}};
+  });
+  expect_refused("flexspline.crack[0]", [](GearSet& gear) {
+    gear.flexspline->crack = {WallSurfaceCrack{.depth = 0.1 * mm, .half_length = 0.2 * mm}};
+  });
+}
+
+TEST(AsPrinted, InputMoreThanOneCrackInAMember) {
+  expect_refused("wave_generator.crack[1]", [](GearSet& gear) {
+    gear.wave_generator->crack.push_back(gear.wave_generator->crack[0]);
+  });
+  expect_refused("flexspline.crack[1]", [](GearSet& gear) {
+    gear.flexspline->crack.push_back(gear.flexspline->crack[0]);
+  });
+  expect_refused("output_shaft.crack[1]", [](GearSet& gear) {
+    gear.output_shaft->crack.push_back(gear.output_shaft->crack[0]);
+  });
+}
+
+TEST(AsPrinted, InputModelsThatTheArticleDoesNotHave) {
+  expect_refused("wave_generator.bearing", [](GearSet& gear) {
+    gear.wave_generator->radial_stiffness.reset();
+    gear.wave_generator->bearing = Bearing{.ball_diameter = 12.7 * mm,
+                                           .inner_raceway_diameter = 110 * mm,
+                                           .outer_raceway_diameter = 135.4 * mm,
+                                           .outer_ring = {}};
+  });
+  expect_refused("flexspline.crack_free", [](GearSet& gear) {
+    gear.flexspline->crack_free = CrackFree::sections;
+    gear.flexspline->barrel = TubeSection{160 * mm, 2.24 * mm, 160 * mm};
+    gear.flexspline->diaphragm = Diaphragm{157.76 * mm, 80 * mm, 3 * mm};
+  });
+  expect_refused("wave_generator.crack[0].stress_driver", [](GearSet& gear) {
+    auto& crack = std::get<RaceSurfaceCrack>(gear.wave_generator->crack[0]);
+    crack.contact_factor.reset();
+    crack.stress_driver = StressDriver::contact_edge;
+  });
+  expect_refused("wave_generator.crack[0].contact_factor", [](GearSet& gear) {
+    std::get<RaceSurfaceCrack>(gear.wave_generator->crack[0]).contact_factor.reset();
+  });
+}
+
+TEST(AsPrinted, InputCrackDeeperThanTheEquivalentShaft) {
+  expect_refused("output_shaft.crack[0].depth", [](GearSet& gear) {
+    gear.article->equivalent_shaft_diameter = 5 * mm;
+    std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = 3 * mm;
+  });
+}
+
+TEST(AsPrinted, InputGearIsChecked) {
+  GearSet gear = test::article_gear();
+  gear.load.torque = 0;
+  EXPECT_THROW((void)torsional_stiffness_as_printed(gear), InputError);
+}
+
+}  // namespace
+}  // namespace strainwave

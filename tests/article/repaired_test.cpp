@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/article/repaired.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <ostream>
+#include <string_view>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/units.hpp"
+#include "support/article_gear.hpp"
+#include "support/reference.hpp"
+#include "support/scaling.hpp"
+
+namespace strainwave {
+namespace {
+
+using namespace units;  // NOLINT(google-build-using-namespace): 0.1 * mm reads as it should
+using std::numbers::pi;
+
+constexpr double kCompliance = 1 / (N * mm);  // [rad/(N*mm)]
+constexpr double kStiffness = N * mm;         // [N*mm/rad]
+const double kStressIntensity = MPa * std::sqrt(mm);
+
+/// A number of the repaired method, in N and mm, computed with 30 digits and rounded to eight.
+test::Reference eight_digits(double value, std::string_view unit) {
+  return {.value = value,
+          .unit = unit,
+          .relative_tolerance = 1e-7,
+          .source = "theory manual, table AR-1 (repaired equations, evaluated with mpmath)",
+          .tolerance_is = "eight digits printed, and Q = 1.5 from an aspect ratio of eight digits"};
+}
+
+void expect_near(double actual, const test::Reference& reference) {
+  EXPECT_NEAR(actual, reference.value, std::abs(reference.value) * reference.relative_tolerance)
+      << "in " << reference.unit;
+}
+
+bool has_note(const StiffnessResult& result, std::string_view code, std::string_view path = "") {
+  return std::ranges::any_of(result.notes, [&](const Note& note) {
+    return note.code == code && (path.empty() || note.path == path);
+  });
+}
+
+/// One column of the table: the repaired method for one crack size; N, mm, rad.
+struct Column {
+  double a;
+  double Delta_K_G, K_G, lambda_H, Delta_lambda_f, Delta_lambda_so, sum, K_HD, drop_percent;
+
+  friend std::ostream& operator<<(std::ostream& out, const Column& column) {
+    return out << "a = " << column.a << " mm";
+  }
+};
+
+constexpr Column kTable[] = {
+    {0.1, 7.1684588e9, 1.1999799e5, 1.7896742e-10, 1.1536103e-16, 1.2069906e-14, 1.6705498e-9,
+     5.9860531e8, 9.0875061e-4},
+    {1.0, 7.1684588e7, 1.1979946e5, 1.7926401e-10, 1.1536103e-14, 1.2253842e-12, 1.6720712e-9,
+     5.9806067e8, 0.091892428},
+};
+
+class RepairedTable : public testing::TestWithParam<Column> {};
+
+TEST_P(RepairedTable, ReferenceDrive) {
+  const Column& c = GetParam();
+  const StiffnessResult result = torsional_stiffness_repaired(test::article_gear(c.a * mm));
+  ASSERT_EQ(result.cracks.size(), 3U);
+  // lambda_H = g/K_G with one factor g, so the radial stiffnesses follow from the compliances.
+  const double lambda_H0 = result.intact.compliance.wave_generator.value;
+  const double lambda_H = result.positive.compliance.wave_generator.value;
+  expect_near(1.2e5 * lambda_H0 / result.cracks[0].positive.at_output.value,
+              eight_digits(c.Delta_K_G, "N/mm"));
+  expect_near(1.2e5 * lambda_H0 / lambda_H, eight_digits(c.K_G, "N/mm"));
+  expect_near(lambda_H / kCompliance, eight_digits(c.lambda_H, "rad/(N*mm)"));
+  expect_near(result.cracks[1].positive.at_output.value / kCompliance,
+              eight_digits(c.Delta_lambda_f, "rad/(N*mm)"));
+  expect_near(result.cracks[2].positive.at_output.value / kCompliance,
+              eight_digits(c.Delta_lambda_so, "rad/(N*mm)"));
+  expect_near(result.positive.compliance.total.value / kCompliance,
+              eight_digits(c.sum, "rad/(N*mm)"));
+  expect_near(result.positive.stiffness.value / kStiffness, eight_digits(c.K_HD, "N*mm/rad"));
+  expect_near(-100 * result.positive.stiffness_change.value, eight_digits(c.drop_percent, "%"));
+}
+
+INSTANTIATE_TEST_SUITE_P(CrackSizes, RepairedTable, testing::ValuesIn(kTable));
+
+TEST(Repaired, ReferenceSoundDrive) {
+  const IntactDrive intact = torsional_stiffness_repaired(test::article_gear()).intact;
+  const auto& [wave_generator, flexspline, output_shaft, total] = intact.compliance;
+  expect_near(wave_generator.value / kCompliance, eight_digits(1.7896443e-10, "rad/(N*mm)"));
+  expect_near(flexspline.value / kCompliance, eight_digits(2.3588039e-10, "rad/(N*mm)"));
+  expect_near(output_shaft.value / kCompliance, eight_digits(1.2556898e-9, "rad/(N*mm)"));
+  expect_near(total.value / kCompliance, eight_digits(1.6705347e-9, "rad/(N*mm)"));
+  expect_near(intact.stiffness.value / kStiffness, eight_digits(5.9861075e8, "N*mm/rad"));
+}
+
+TEST(Repaired, ReferenceSolidShaftByTheHandbook) {
+  GearSet gear = test::article_gear(0.1 * mm);
+  gear.output_shaft->outer_diameter = 60 * mm;
+  gear.output_shaft->inner_diameter = 0;
+  const auto added = [&] {
+    return torsional_stiffness_repaired(gear).cracks[2].positive.at_output.value / kCompliance;
+  };
+  expect_near(added(), eight_digits(2.0646479e-14, "rad/(N*mm)"));
+  std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = 1 * mm;
+  expect_near(added(), eight_digits(2.1000955e-12, "rad/(N*mm)"));
+}
+
+TEST(Repaired, ReferenceRadialLoadDrivesTheRace) {
+  // F_r = 251.5625 N: sigma_max = 3F/(2 pi a'b'), sigma = beta/2 sigma_max, K_I = 1.95 sigma
+  // sqrt(a/Q).
+  const double sigma = 0.45 / 2 * 3 * 251.5625 / (2 * pi * 10);
+  const StiffnessResult result = torsional_stiffness_repaired(test::article_gear());
+  EXPECT_NEAR(result.cracks[0].deepest->K_I.value / kStressIntensity,
+              1.95 * sigma * std::sqrt(0.1 / 1.5), 1e-7);
+}
+
+TEST(Repaired, LimitShallowAnnularCrack) {
+  // Delta lambda -> 128 a^2/(mu d^5) times the square of the handbook's 1.00085156.
+  GearSet gear = test::article_gear(1e-4 * mm);
+  gear.output_shaft->outer_diameter = 60 * mm;
+  gear.output_shaft->inner_diameter = 0;
+  const double a = 1e-4 * mm;
+  const double shallow = 128 * a * a / (80 * GPa * std::pow(60 * mm, 5)) *
+                         std::pow(0.375 * (1 + 0.5 + 0.375 + 0.3125 + 35.0 / 128 + 0.208), 2);
+  const double added = torsional_stiffness_repaired(gear).cracks[2].positive.at_output.value;
+  EXPECT_NEAR(added / shallow, 1.0, 10 * a / (60 * mm));
+}
+
+TEST(Repaired, LimitDeepAnnularCrackIsTwoHalfSpaces) {
+  // Delta lambda -> 3/(mu d_e^3): two half-spaces joined over a disc.
+  GearSet gear = test::article_gear();
+  gear.output_shaft->outer_diameter = 60 * mm;
+  gear.output_shaft->inner_diameter = 0;
+  const double d_e = 60e-4 * mm;
+  std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = (60 * mm - d_e) / 2;
+  const double added = torsional_stiffness_repaired(gear).cracks[2].positive.at_output.value;
+  EXPECT_NEAR(added * 80 * GPa * std::pow(d_e, 3), 3.0, 1e-6);
+}
+
+TEST(Repaired, LimitVanishingCrackLeavesTheSoundStiffness) {
+  const StiffnessResult result = torsional_stiffness_repaired(test::article_gear(1e-6 * mm));
+  EXPECT_NEAR(result.positive.stiffness_change.value, 0.0, 1e-14);
+  EXPECT_GT(result.cracks[0].positive.at_output.value, 0.0);
+}
+
+TEST(Repaired, IdentityRaceCrackDoesNotDependOnTheLoad) {
+  GearSet gear = test::article_gear();
+  const double at_100 = torsional_stiffness_repaired(gear).cracks[0].positive.at_output.value;
+  gear.load.torque = 7;
+  EXPECT_EQ(torsional_stiffness_repaired(gear).cracks[0].positive.at_output.value, at_100);
+}
+
+TEST(Repaired, IdentityStiffnessFallsMonotonouslyWithTheCrack) {
+  double before =
+      torsional_stiffness_repaired(test::article_gear(0.01 * mm)).positive.stiffness.value;
+  for (const double a : {0.1, 0.5, 1.0, 2.0, 5.0}) {
+    const double now =
+        torsional_stiffness_repaired(test::article_gear(a * mm)).positive.stiffness.value;
+    EXPECT_LT(now, before);
+    before = now;
+  }
+}
+
+TEST(Repaired, IdentityReleaseRateIsTheSlopeOfTheCompliance) {
+  // G = T^2/2 d(lambda)/dA = K_III^2/(2 mu) on the annulus, by central difference.
+  const double h = 1e-4 * mm;
+  const auto added = [](double a) {
+    return torsional_stiffness_repaired(test::article_gear(a)).cracks[2].positive.at_output.value;
+  };
+  const double a = 1 * mm;
+  const double d = std::pow(std::pow(70.0, 4) - std::pow(45.0, 4), 0.25) * mm;
+  const double area_per_depth = pi * (d - 2 * a);
+  const double G = 100.0 * 100.0 / 2 * (added(a + h) - added(a - h)) / (2 * h) / area_per_depth;
+  const double K_III =
+      torsional_stiffness_repaired(test::article_gear(a)).cracks[2].deepest->K_III.value;
+  EXPECT_NEAR(G / (K_III * K_III / (2 * 80 * GPa)), 1.0, 1e-6);
+}
+
+TEST(Repaired, ScalingStiffnessIsTorquePerAngle) {
+  using test::Arg;
+  const auto stiffness = [](double length, double pressure) {
+    // Everything with a length scales with it; forces are pressure times area.
+    GearSet gear = test::article_gear(0.5 * mm * length);
+    Material& steel = gear.material["steel"];
+    steel.youngs_modulus *= pressure;
+    *steel.shear_modulus *= pressure;
+    gear.load.torque *= pressure * std::pow(length, 3);
+    gear.drive.pitch_diameter *= length;
+    gear.drive.radial_displacement *= length;
+    *gear.wave_generator->radial_stiffness *= pressure * length;
+    *gear.wave_generator->inner_ring_thickness *= length;
+    for (double& axis : *gear.wave_generator->contact_semi_axes) axis *= length;
+    gear.flexspline->wall_thickness *= length;
+    gear.flexspline->length *= length;
+    gear.output_shaft->outer_diameter *= length;
+    gear.output_shaft->inner_diameter *= length;
+    gear.output_shaft->length *= length;
+    return torsional_stiffness_repaired(gear).positive.stiffness.value;
+  };
+  test::expect_dimensionally_consistent("N*m/rad", stiffness, Arg{1, "m"}, Arg{1, "Pa"});
+}
+
+TEST(Repaired, IdentityEvidenceOfTheResult) {
+  const StiffnessResult result = torsional_stiffness_repaired(test::article_gear());
+  EXPECT_EQ(result.method, Method::repaired);
+  EXPECT_TRUE(result.usable());
+  EXPECT_FALSE(result.positive.stiffness.relative_uncertainty.has_value());
+  EXPECT_TRUE(has_note(result, "article.accuracy"));
+  EXPECT_TRUE(has_note(result, "article.no_closure"));
+  EXPECT_TRUE(has_note(result, "article.ignored", "article"));
+  EXPECT_TRUE(has_note(result, "article.not_read", "wave_generator.conversion"));
+  EXPECT_FALSE(has_note(result, "article.negative_compliance"));
+  EXPECT_EQ(result.positive.stiffness.value, result.negative.stiffness.value);
+  GearSet gear = test::article_gear();
+  gear.article.reset();
+  EXPECT_FALSE(has_note(torsional_stiffness_repaired(gear), "article.ignored"));
+  EXPECT_EQ(torsional_stiffness_repaired(gear).positive.stiffness.value,
+            result.positive.stiffness.value);
+}
+
+TEST(Repaired, IdentityAbsentMembersAddNothing) {
+  GearSet gear = test::article_gear();
+  gear.wave_generator.reset();
+  gear.output_shaft.reset();
+  const StiffnessResult result = torsional_stiffness_repaired(gear);
+  EXPECT_EQ(result.intact.compliance.total.value, result.intact.compliance.flexspline.value);
+  EXPECT_TRUE(has_note(result, "member.absent", "output_shaft"));
+}
+
+void expect_refused(std::string_view path, const std::function<void(GearSet&)>& change) {
+  GearSet gear = test::article_gear();
+  change(gear);
+  try {
+    (void)torsional_stiffness_repaired(gear);
+    ADD_FAILURE() << path << " was accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.field(), path) << error.what();
+    EXPECT_NE(std::string_view(error.what()).find("repaired"), std::string_view::npos)
+        << error.what();
+  }
+}
+
+TEST(Repaired, InputWhatTheArticleDoesNotHave) {
+  expect_refused("wave_generator.crack[0]", [](GearSet& gear) {
+    gear.wave_generator->inner_ring_width = 20 * mm;
+    gear.wave_generator->crack = {
+        RaceEdgeCrack{.depth = 0.1 * mm, .contact_factor = {}, .stress = {}}};
+  });
+  expect_refused("flexspline.crack[0]", [](GearSet& gear) {
+    gear.flexspline->crack = {WallSurfaceCrack{.depth = 0.1 * mm, .half_length = 0.2 * mm}};
+  });
+  expect_refused("output_shaft.crack[1]", [](GearSet& gear) {
+    gear.output_shaft->crack.push_back(gear.output_shaft->crack[0]);
+  });
+  expect_refused("wave_generator.crack[0].contact_factor", [](GearSet& gear) {
+    std::get<RaceSurfaceCrack>(gear.wave_generator->crack[0]).contact_factor.reset();
+  });
+}
+
+TEST(Repaired, InputGearIsChecked) {
+  GearSet gear = test::article_gear();
+  gear.drive.pitch_diameter = -1;
+  EXPECT_THROW((void)torsional_stiffness_repaired(gear), InputError);
+}
+
+}  // namespace
+}  // namespace strainwave

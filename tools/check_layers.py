@@ -1,0 +1,146 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Holds the sources to the module graph of CMakeLists.txt.
+
+    tools/check_layers.py [--root DIRECTORY]   check a tree (default: this one)
+    tools/check_layers.py --self-test          break every rule once in a scratch tree
+
+The linker alone would not notice a forbidden include of a header-only part.
+"""
+
+import argparse
+import pathlib
+import re
+import sys
+import tempfile
+
+MODULE = re.compile(r"^strainwave_module\(\s*(\w+)\s+SOURCES\s+([^)]*?)(?:\sDEPENDS\s+([^)]*))?\)", re.M)
+TEST = re.compile(r"^\s*strainwave_test\(\s*(\S+)([^)]*)\)", re.M)
+INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
+
+
+def read_graph(root):
+    """{module: modules it may include}, {module: its sources} and the faults of the lists."""
+    depends, sources, faults = {}, {}, []
+    for name, source_list, depend_list in MODULE.findall((root / "CMakeLists.txt").read_text()):
+        if name in depends:
+            faults.append(f"CMakeLists.txt: module {name} is declared twice")
+        for other in depend_list.split():
+            if other not in depends:
+                faults.append(f"CMakeLists.txt: {name} depends on {other}, which is not declared above it")
+        depends[name] = set(depend_list.split())
+        sources[name] = source_list.split()
+    if not depends:
+        faults.append("CMakeLists.txt: no strainwave_module(...) found")
+    return depends, sources, faults
+
+
+def files(root, *folders):
+    return sorted(path for folder in folders for path in (root / folder).rglob("*")
+                  if path.suffix in (".hpp", ".cpp"))
+
+
+def list_faults(what, listed, present):
+    """Lists are written by hand: each file once, and no file forgotten."""
+    return ([f"{what} {name} is listed {listed.count(name)} times" for name in sorted(set(listed))
+             if listed.count(name) > 1] +
+            [f"{what} {name} is listed but does not exist" for name in sorted(set(listed) - present)] +
+            [f"{what} {name} exists but is not listed" for name in sorted(present - set(listed))])
+
+
+def include_faults(root, depends):
+    faults = []
+    for path in files(root, "include", "src", "apps", "tests", "benchmarks"):
+        parts = path.relative_to(root).parts
+        owner = {"include": 2, "src": 1}.get(parts[0])  # where the module's name stands in the path
+        owner = parts[owner] if owner else None
+        if owner and owner not in depends:
+            faults.append(f"{path.relative_to(root)}: {owner} is not a declared module")
+            continue
+        for target in INCLUDE.findall(path.read_text(errors="replace")):
+            where = f"{path.relative_to(root)}: #include \"{target}\": "
+            if ".." in target.split("/"):
+                faults.append(where + "leaves the folder, and with it the graph")
+            if not target.startswith("strainwave/"):
+                continue
+            module = target.split("/")[1]
+            if module not in depends:
+                faults.append(where + f"{module} is not a declared module")
+            elif owner and module != owner and module not in depends[owner]:
+                faults.append(where + f"{owner} may include only {sorted(depends[owner]) or 'itself'}")
+    return faults
+
+
+def check(root):
+    depends, sources, faults = read_graph(root)
+    faults += list_faults("source", [f"{m}/{s}" for m in sources for s in sources[m]],
+                          {"/".join(p.relative_to(root / "src").parts)
+                           for p in files(root, "src") if p.suffix == ".cpp"})
+    lists = root / "tests" / "CMakeLists.txt"
+    faults += list_faults("test", [path for path, _ in TEST.findall(lists.read_text())],
+                          {p.relative_to(root / "tests").as_posix()[:-len("_test.cpp")]
+                           for p in files(root, "tests") if p.name.endswith("_test.cpp")})
+    return faults + include_faults(root, depends)
+
+
+SOUND = {
+    "CMakeLists.txt": "strainwave_module(low  SOURCES a.cpp)\n"
+                      "strainwave_module(left SOURCES b.cpp DEPENDS low)\n"
+                      "strainwave_module(right\n  SOURCES c.cpp\n  DEPENDS low)\n",
+    "tests/CMakeLists.txt": "strainwave_test(low/a low)\n",
+    "include/strainwave/low/a.hpp": "#include <string>\n",
+    "src/low/a.cpp": '#include "strainwave/low/a.hpp"\n',
+    "src/left/b.cpp": '#include "strainwave/low/a.hpp"\n#include "private.hpp"\n',
+    "src/right/c.cpp": "",
+    "tests/low/a_test.cpp": '#include "strainwave/low/a.hpp"\n',
+}
+# What is wrong, the files that make it so, and a part of the sentence that must name it.
+BROKEN = [
+    ("an edge not in the graph", {"src/left/b.cpp": '#include "strainwave/right/c.hpp"\n'},
+     "left may include only ['low']"),
+    ("an edge upwards, from a header", {"include/strainwave/low/a.hpp": "#include <strainwave/left/b.hpp>\n"},
+     "low may include only itself"),
+    ("a cycle", {"CMakeLists.txt": SOUND["CMakeLists.txt"].replace("a.cpp", "a.cpp DEPENDS right")},
+     "low depends on right, which is not declared above it"),
+    ("a module declared twice", {"CMakeLists.txt": SOUND["CMakeLists.txt"] * 2}, "is declared twice"),
+    ("an undeclared module included", {"apps/cli/main.cpp": '#include "strainwave/nowhere/a.hpp"\n'},
+     "nowhere is not a declared module"),
+    ("a file of an undeclared module", {"include/strainwave/new/a.hpp": ""}, "new is not a declared module"),
+    ("a way round the graph", {"src/left/b.cpp": '#include "../right/secret.hpp"\n'}, "leaves the folder"),
+    ("a source forgotten", {"src/low/forgotten.cpp": ""}, "low/forgotten.cpp exists but is not listed"),
+    ("a source that is not there", {"src/right/c.cpp": None}, "right/c.cpp is listed but does not exist"),
+    ("a source listed twice", {"CMakeLists.txt": SOUND["CMakeLists.txt"].replace("a.cpp", "a.cpp a.cpp")},
+     "low/a.cpp is listed 2 times"),
+    ("a test forgotten", {"tests/left/b_test.cpp": ""}, "left/b exists but is not listed"),
+    ("a graph that cannot be read", {"CMakeLists.txt": ""}, "no strainwave_module(...) found"),
+]
+
+
+def self_test():
+    failures = []
+    for name, changes, sentence in [("nothing", {}, None), *BROKEN]:
+        with tempfile.TemporaryDirectory() as scratch:
+            root = pathlib.Path(scratch)
+            for path, text in {**SOUND, **changes}.items():
+                if text is not None:
+                    (root / path).parent.mkdir(parents=True, exist_ok=True)
+                    (root / path).write_text(text)
+            faults = check(root)
+        found = any(sentence in fault for fault in faults) if sentence else not faults
+        if not found:
+            failures.append(f"broken: {name}; expected: {sentence}; reported: {faults}")
+    return failures
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("--root", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[1])
+    parser.add_argument("--self-test", action="store_true")
+    arguments = parser.parse_args()
+    faults = self_test() if arguments.self_test else check(arguments.root)
+    print("\n".join(faults) or "layers: no fault")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
