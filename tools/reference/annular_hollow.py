@@ -32,6 +32,7 @@ lower bound.  Reported, with A = pi (1 - rho^2):
 Independent: no finite elements and no conformal map in the first, no handbook K in either.
 
     annular_hollow.py --write          both tables (about three minutes)
+    annular_hollow.py --library        the nodes of the library's interpolation (ten minutes)
     annular_hollow.py --check          penny crack, torsion by finite elements, mesh sequence
 """
 import sys
@@ -273,7 +274,25 @@ def tension_table():
                 table.add("C_P", (repr(rho), repr(alpha), repr(nu)),
                           tension_factor(rho, alpha, nu), "1",
                           "annular_hollow.py axisymmetric finite elements p = 8", 5, 8)
+    for rho in (0.05, 0.25, 0.55, 0.75, 0.92):  # between the nodes of the library's table
+        for alpha in (0.15, 0.45, 0.75):
+            table.add("C_P", (repr(rho), repr(alpha), repr(0.3)),
+                      tension_factor(rho, alpha, 0.3), "1",
+                      "annular_hollow.py axisymmetric finite elements p = 8", 5, 8)
     return table
+
+
+def library_tables():
+    """The nodes that src/fracture/annular_crack.cpp interpolates, to its printed digits."""
+    depths = (0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8)
+    for rho in (0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 9 / 14, 0.7, 0.8, 0.9):
+        modes = Torsion(rho)
+        row = [finite_element_torsion_factor(rho, depths[0])]  # too shallow for the dual series
+        row += [torsion_factor(modes, alpha)[0] for alpha in depths[1:]]
+        print("C_T", rho, *(f"{value:.6f}" for value in row), flush=True)
+    for rho in (0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 9 / 14, 0.7, 0.8, 0.85, 0.9, 0.95):
+        row = [tension_factor(rho, alpha, 0.3) for alpha in depths]
+        print("C_P", rho, *(f"{value:.5f}" for value in row), flush=True)
 
 
 def check():
@@ -293,4 +312,9 @@ def check():
 
 
 if __name__ == "__main__":
-    check() if "--check" in sys.argv[1:] else publish(torsion_table(), tension_table())
+    if "--check" in sys.argv[1:]:
+        check()
+    elif "--library" in sys.argv[1:]:
+        library_tables()
+    else:
+        publish(torsion_table(), tension_table())

@@ -8,7 +8,7 @@
 namespace strainwave {
 
 /// The known word nearest to a misspelt one by edit distance; empty if none is near
-/// (more than a third of the letters differ).
+/// (more than a third of the letters differ, and more than two).
 [[nodiscard]] std::string nearest_word(std::string_view word, std::span<const std::string> known);
 
 }  // namespace strainwave

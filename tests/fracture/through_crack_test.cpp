@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/fracture/through_crack.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+
+#include "strainwave/core/units.hpp"
+#include "support/expect.hpp"
+#include "support/reference.hpp"
+#include "support/reference_csv.hpp"
+#include "support/scaling.hpp"
+
+namespace strainwave {
+namespace {
+
+using namespace units;  // NOLINT(google-build-using-namespace): 0.1 * mm reads as it should
+using std::numbers::pi;
+using test::Arg;
+
+constexpr double kE = 210 * GPa;
+constexpr CrackModuli kPlaneStress{.opening = kE, .shear = 80 * GPa};
+
+ThroughCrackInTube article_crack(double half_length = 1 * mm, double degrees = 45) {
+  return {.half_length = half_length,
+          .mean_radius = 78.88 * mm,
+          .wall_thickness = 2.24 * mm,
+          .angle = degrees * deg,
+          .shell_correction = false};
+}
+
+double torsion_entry(const ThroughCrackInTube& crack) {
+  return added_compliance(crack, kPlaneStress).matrix(kTorsion, kTorsion);
+}
+
+// --- (FR-6): stress on the crack's plane -------------------------------------------------------------
+
+TEST(CrackPlaneStress, ReferenceBredt) {
+  const double T = 100;
+  const CrackPlaneStress at_45 = crack_plane_stress(78.88 * mm, 2.24 * mm, 45 * deg, 1.0);
+  test::expect_reference(at_45.normal[kTorsion] * T / MPa,
+                         {.value = 1.1419269,
+                          .unit = "MPa",
+                          .relative_tolerance = 4e-8,
+                          .source = "Bredt: T/(2 pi r^2 t) of the article's flexspline, r = 78.88 mm",
+                          .tolerance_is = "eight digits printed"});
+}
+
+TEST(CrackPlaneStress, IdentityRotationOfTheStressTensor) {
+  // In (z, theta): the crack runs along (cos b, -sin b), its normal is (sin b, cos b), and the
+  // stress is [[sigma_z, tau], [tau, 0]].
+  const double r = 50 * mm;
+  const double t = 1 * mm;
+  const double sigma_z = 1 / (2 * pi * r * t);
+  for (const double K_u : {1.0, 1.1}) {
+    const double tau = K_u / (2 * pi * r * r * t);
+    for (const double degrees : {-89.0, -60.0, -45.0, -10.0, 0.0, 20.0, 45.0, 70.0, 90.0}) {
+      const double along[2] = {std::cos(degrees * deg), -std::sin(degrees * deg)};
+      const double normal[2] = {std::sin(degrees * deg), std::cos(degrees * deg)};
+      const CrackPlaneStress stress = crack_plane_stress(r, t, degrees * deg, K_u);
+      for (const std::size_t load : {kAxial, kTorsion}) {
+        const double s = load == kAxial ? sigma_z : 0.0;
+        const double q = load == kTorsion ? tau : 0.0;
+        const double traction[2] = {s * normal[0] + q * normal[1], q * normal[0]};
+        const double scale = s + q;
+        EXPECT_NEAR(stress.normal[load], traction[0] * normal[0] + traction[1] * normal[1],
+                    1e-15 * scale)
+            << degrees;
+        EXPECT_NEAR(stress.shear[load], traction[0] * along[0] + traction[1] * along[1],
+                    1e-15 * scale)
+            << degrees;
+      }
+    }
+  }
+}
+
+TEST(CrackPlaneStress, IdentityZerosAreExact) {
+  const auto at = [](double degrees) { return crack_plane_stress(0.05, 0.001, degrees * deg, 1.0); };
+  // 45 degrees is pure opening under torque, 0 and 90 degrees pure shear; 0 carries no axial force.
+  EXPECT_EQ(at(45).shear[kTorsion], 0.0);
+  EXPECT_EQ(at(-45).shear[kTorsion], 0.0);
+  EXPECT_EQ(at(0).normal[kTorsion], 0.0);
+  EXPECT_EQ(at(90).normal[kTorsion], 0.0);
+  EXPECT_EQ(at(0).normal[kAxial], 0.0);
+  EXPECT_EQ(at(90).shear[kAxial], 0.0);
+  EXPECT_EQ(at(0).shear[kAxial], 0.0);
+  EXPECT_GT(at(45).normal[kTorsion], 0.0);  // +45 degrees is opened by T > 0
+  EXPECT_LT(at(-45).normal[kTorsion], 0.0);
+  // Only what rounding leaves of a zero is dropped.
+  const double tiny = 1.005e-15;
+  EXPECT_NE(crack_plane_stress(0.05, 0.001, tiny, 1.0).normal[kTorsion], 0.0);
+  EXPECT_EQ(crack_plane_stress(0.05, 0.001, 0.9e-15, 1.0).normal[kTorsion], 0.0);
+}
+
+TEST(CrackPlaneStress, ScalingStressPerLoad) {
+  const auto expect = [](std::string_view unit, auto part, std::size_t load) {
+    test::expect_dimensionally_consistent(
+        unit,
+        [=](double r, double t) { return (crack_plane_stress(r, t, 0.4, 1.1).*part)[load]; },
+        Arg{0.08, "m"}, Arg{2e-3, "m"});
+  };
+  expect("1/m^2", &CrackPlaneStress::normal, kAxial);
+  expect("1/m^3", &CrackPlaneStress::normal, kTorsion);
+  expect("1/m^2", &CrackPlaneStress::shear, kAxial);
+  expect("1/m^3", &CrackPlaneStress::shear, kTorsion);
+}
+
+// --- (FR-7): stress intensity --------------------------------------------------------------------------
+
+TEST(ThroughCrack, ReferenceMatrixAt45Degrees) {
+  const auto added = added_compliance(article_crack(), kPlaneStress);
+  const auto reference = [](double value, std::string_view unit) {
+    return test::Reference{
+        .value = value,
+        .unit = unit,
+        .relative_tolerance = 5e-8,
+        .source = "a^2/(2 pi E r^2 t) [[s^2, sc/r], [sc/r, 1/r^2]], a = 1 mm at 45 degrees",
+        .tolerance_is = "eight digits printed"};
+  };
+  // Printed in N, mm.
+  test::expect_reference(added.matrix(kAxial, kAxial) * (N / mm),
+                         reference(2.7188736e-11, "mm/N"));
+  test::expect_reference(added.matrix(kAxial, kTorsion) * N, reference(3.4468479e-13, "1/N"));
+  test::expect_reference(added.matrix(kTorsion, kTorsion) * (N * mm),
+                         reference(8.7394723e-15, "rad/(N*mm)"));
+}
+
+TEST(ThroughCrack, ReferenceEveryAngleTheSameTorsionWhileOpen) {
+  for (const double degrees : {0.0, 30.0, 45.0, 70.0})
+    test::expect_reference(
+        torsion_entry(article_crack(1 * mm, degrees)) * (N * mm),
+        {.value = 8.7394723e-15,
+         .unit = "rad/(N*mm)",
+         .relative_tolerance = 5e-8,
+         .source = "a^2/(2 pi E r^4 t): K_I^2 + K_II^2 = tau^2 pi a at any angle of a flat crack",
+         .tolerance_is = "eight digits printed"});
+}
+
+TEST(ThroughCrack, IdentityTorsionOfAFlatOpenCrackDoesNotDependOnTheAngle) {
+  const double at_0 = torsion_entry(article_crack(1 * mm, 0));
+  for (double degrees = -85; degrees <= 90; degrees += 5)
+    test::expect_relative(torsion_entry(article_crack(1 * mm, degrees)), at_0, 1e-13);
+}
+
+TEST(ThroughCrack, IdentityClosedMatrix) {
+  for (const double degrees : {-70.0, -45.0, 10.0, 45.0, 80.0})
+    for (const double K_u : {1.0, 1.3}) {
+      ThroughCrackInTube crack = article_crack(3 * mm, degrees);
+      crack.stress_nonuniformity = K_u;
+      const auto matrix = added_compliance(crack, kPlaneStress).matrix;
+      const double a = crack.half_length;
+      const double r = crack.mean_radius;
+      const double s = std::sin(degrees * deg);
+      const double c = std::cos(degrees * deg);
+      const double base = a * a / (2 * pi * kE * r * r * crack.wall_thickness);
+      test::expect_relative(matrix(kAxial, kAxial), base * s * s, 1e-12);
+      test::expect_relative(matrix(kAxial, kTorsion), base * K_u * s * c / r, 1e-12);
+      test::expect_relative(matrix(kTorsion, kTorsion), base * K_u * K_u / (r * r), 1e-12);
+      EXPECT_EQ(matrix(kAxial, kTorsion), matrix(kTorsion, kAxial));
+    }
+}
+
+TEST(ThroughCrack, ReferenceTable) {
+  std::map<std::string, int> seen;
+  for (const test::CsvRow& row : test::read_reference_csv("through_crack")) {
+    const std::size_t dot = row.quantity.find('.');
+    const std::string entry = row.quantity.substr(dot + 1);
+    const double E = row("youngs_modulus");
+    const ThroughCrackInTube crack{.half_length = row("half_length"),
+                                   .mean_radius = row("mean_radius"),
+                                   .wall_thickness = row("wall_thickness"),
+                                   .angle = row("angle"),
+                                   .poissons_ratio = row("poissons_ratio"),
+                                   .shell_correction = row.quantity.substr(0, dot) == "shell"};
+    const auto matrix =
+        added_compliance(crack, {.opening = E, .shear = 80 * GPa}).matrix;
+    const std::size_t i = entry == "torsion" ? kTorsion : kAxial;
+    const std::size_t j = entry == "axial" ? kAxial : kTorsion;
+    test::expect_row(matrix(i, j), row, 1e-13);  // rounding; the integrand is a polynomial
+    ++seen[row.quantity];
+  }
+  EXPECT_EQ(seen.size(), 6U);
+  for (const auto& [quantity, n] : seen) EXPECT_GE(n, 24) << quantity;
+}
+
+TEST(ThroughCrack, IdentityGriffith) {
+  // A flat crack at 45 degrees is a Griffith crack under tension tau: energy pi tau^2 a^2 t/E.
+  const ThroughCrackInTube crack = article_crack();
+  const double T = 100;
+  const double tau =
+      T / (2 * pi * crack.mean_radius * crack.mean_radius * crack.wall_thickness);
+  const double energy = pi * tau * tau * crack.half_length * crack.half_length *
+                        crack.wall_thickness / kE;
+  test::expect_relative(torsion_entry(crack) * T * T / 2, energy, 1e-12);
+}
+
+TEST(ThroughCrack, IdentityStressIntensityIsStressTimesRoot) {
+  const ThroughCrackInTube crack = article_crack(2 * mm, 30);
+  const CrackPlaneStress stress =
+      crack_plane_stress(crack.mean_radius, crack.wall_thickness, crack.angle, 1.0);
+  for (const double a : {0.5 * mm, 2 * mm}) {
+    const UnitStressIntensity<2> k = crack.stress_intensity(a, 0);
+    for (const std::size_t load : {kAxial, kTorsion}) {
+      test::expect_relative(k.I[load], stress.normal[load] * std::sqrt(pi * a), 1e-15);
+      test::expect_relative(k.II[load], stress.shear[load] * std::sqrt(pi * a), 1e-15);
+      EXPECT_EQ(k.III[load], 0.0);
+    }
+  }
+  EXPECT_EQ(crack.size(), 2 * mm);
+  EXPECT_EQ(crack.front().begin, crack.front().end);
+  EXPECT_EQ(crack.swept_area(0.1, 0.2), 2 * crack.wall_thickness);
+}
+
+TEST(ThroughCrack, IdentityAt45DegreesThereIsNoSlidingUnderTorque) {
+  EXPECT_EQ(article_crack().stress_intensity(1 * mm, 0).II[kTorsion], 0.0);
+  EXPECT_GT(article_crack().stress_intensity(1 * mm, 0).I[kTorsion], 0.0);
+}
+
+TEST(ThroughCrack, IdentityClosedFacesOnlySlide) {  // (FR-17)
+  ThroughCrackInTube crack = article_crack();
+  crack.open = false;
+  crack.shell_correction = true;
+  EXPECT_EQ(torsion_entry(crack), 0.0);  // 45 degrees: nothing slides
+  crack.angle = 20 * deg;
+  const UnitStressIntensity<2> closed = crack.stress_intensity(1 * mm, 0);
+  EXPECT_EQ(closed.I[kAxial], 0.0);
+  EXPECT_EQ(closed.I[kTorsion], 0.0);
+  crack.open = true;
+  EXPECT_EQ(crack.stress_intensity(1 * mm, 0).II, closed.II);
+  EXPECT_NE(closed.II[kTorsion], 0.0);
+}
+
+// --- (FR-8), (FR-9): shell correction ------------------------------------------------------------------
+
+TEST(ThroughCrack, ReferenceShellParameter) {
+  test::expect_reference(article_crack().shell_parameter_squared(10 * mm),
+                         {.value = 1.8702359,
+                          .unit = "1",
+                          .relative_tolerance = 5e-8,
+                          .source = "sqrt(12 * 0.91) * 100/(78.88 * 2.24)",
+                          .tolerance_is = "eight digits"});
+  // a <= 7.3 mm is the range <= 1 of the article's flexspline.
+  EXPECT_NEAR(std::sqrt(article_crack().shell_parameter_squared(7.3 * mm)), 1.0, 0.002);
+}
+
+TEST(ThroughCrack, IdentityShellParameterUsesItsPoissonsRatio) {
+  ThroughCrackInTube crack = article_crack();
+  crack.poissons_ratio = 0.0;
+  test::expect_relative(crack.shell_parameter_squared(2 * mm),
+                        std::sqrt(12.0) * 4 / (78.88 * 2.24), 1e-14);
+  crack.poissons_ratio = 0.4;
+  test::expect_relative(crack.shell_parameter_squared(2 * mm),
+                        std::sqrt(12.0 * 0.84) * 4 / (78.88 * 2.24), 1e-14);
+}
+
+TEST(ThroughCrack, LimitFoliasAxialCircumferentialSphere) {
+  // K_I(shell)/K_I(flat) - 1 per lambda^2: 5 pi/64 (axial), pi/64 (circumferential), and at 45
+  // degrees their mean 3 pi/64, half of the sphere's 3 pi/32.
+  const auto slope = [](double degrees) {
+    ThroughCrackInTube crack = article_crack(2 * mm, degrees);
+    const std::size_t load = std::abs(degrees) == 90 ? kAxial : kTorsion;
+    const double a = crack.half_length;
+    const double flat = crack.stress_intensity(a, 0).I[load];
+    crack.shell_correction = true;
+    return (crack.stress_intensity(a, 0).I[load] / flat - 1) / crack.shell_parameter_squared(a);
+  };
+  test::expect_relative(slope(1e-7), 5 * pi / 64, 1e-12);
+  test::expect_relative(slope(90), pi / 64, 1e-12);
+  test::expect_relative(slope(45), 3 * pi / 64, 1e-12);
+  test::expect_relative(slope(-45), 3 * pi / 64, 1e-12);
+  test::expect_relative(slope(30), (5 * 0.75 + 0.25) * pi / 64, 1e-12);
+}
+
+TEST(ThroughCrack, IdentityShellIntegralIsAPolynomial) {
+  // 2/a^2 int_0^a x (1 + kappa x^2)^2 dx = 1 + kappa a^2 + kappa^2 a^4/3 at 45 degrees.
+  for (const double a : {0.1 * mm, 1 * mm, 7 * mm}) {
+    ThroughCrackInTube crack = article_crack(a);
+    const double flat = torsion_entry(crack);
+    crack.shell_correction = true;
+    const double kappa_a2 = 3 * pi / 64 * crack.shell_parameter_squared(a);
+    test::expect_relative(torsion_entry(crack) / flat,
+                          1 + kappa_a2 + kappa_a2 * kappa_a2 / 3, 1e-12);
+  }
+  // 1.1 % at a = 2 mm.
+  ThroughCrackInTube crack = article_crack(2 * mm);
+  const double flat = torsion_entry(crack);
+  crack.shell_correction = true;
+  EXPECT_NEAR(torsion_entry(crack) / flat - 1, 0.011, 0.0005);
+}
+
+TEST(ThroughCrack, IdentityShellLeavesSlidingAlone) {
+  ThroughCrackInTube crack = article_crack(5 * mm, 25);
+  const auto flat = crack.stress_intensity(5 * mm, 0);
+  crack.shell_correction = true;
+  EXPECT_EQ(crack.stress_intensity(5 * mm, 0).II, flat.II);
+}
+
+// --- finite elements ------------------------------------------------------------------------------------
+
+// Three-dimensional finite elements (p = 3, 4 and quadratic bricks) of a tube R = 78.88 mm,
+// t = 2.24 mm, L = 160 mm, E = 210 GPa, nu = 0.3, crack at 45 degrees; converged to 0.1 % of G.
+
+TEST(ThroughCrack, CrosscheckFiniteElementsShellParameter) {
+  struct Case {
+    double lambda_squared, G_over_flat;
+    double tolerance;
+  };
+  // The tolerance is model form: membrane theory of a shallow shell, first term in lambda^2, and
+  // an interpolation between axial and circumferential cracks.
+  for (const Case& c : {Case{0.052, 1.0127, 0.005}, Case{0.207, 1.0582, 0.005},
+                        Case{1.8702359, 1.5069, 0.085}}) {
+    ThroughCrackInTube crack = article_crack();
+    crack.shell_correction = true;
+    const double a = std::sqrt(c.lambda_squared / crack.shell_parameter_squared(1.0));
+    const double A_I = crack.stress_intensity(a, 0).I[kTorsion];
+    crack.shell_correction = false;
+    const double flat = crack.stress_intensity(a, 0).I[kTorsion];
+    const double G_over_flat = A_I * A_I / (flat * flat);
+    EXPECT_NEAR(G_over_flat / c.G_over_flat, 1.0, c.tolerance) << c.lambda_squared;
+    EXPECT_GT(G_over_flat, c.G_over_flat);  // on the compliant side
+  }
+}
+
+TEST(ThroughCrack, CrosscheckFiniteElementsLongCrack) {
+  // a = 10 mm: C/C0 - 1 = 3.8357e-3 with C0 = 2.867199393e-10 rad/(N*mm).
+  ThroughCrackInTube crack = article_crack(10 * mm);
+  crack.shell_correction = true;
+  const double finite_elements = 3.8357e-3 * 2.867199393e-10 / (N * mm);
+  // Model form: 8 % in G at the final size, less in its integral.
+  EXPECT_NEAR(torsion_entry(crack) / finite_elements, 1.034, 0.005);
+  crack.shell_correction = false;
+  EXPECT_NEAR(torsion_entry(crack) / finite_elements, 0.795, 0.005);
+}
+
+TEST(ThroughCrack, CrosscheckFiniteElementsShortCrackIsInPlaneStrain) {
+  // a/t = 0.045: 8.01e-17 rad/(N*mm).  Model form: such a crack is in plane strain; E' = E is an
+  // upper bound, 9 % too compliant.
+  const ThroughCrackInTube crack = article_crack(0.1 * mm);
+  const double finite_elements = 8.01e-17 / (N * mm);
+  EXPECT_NEAR(torsion_entry(crack) / finite_elements, 1.091, 0.002);
+  const double plane_strain =
+      added_compliance(crack, {.opening = kE / (1 - 0.3 * 0.3), .shear = 80 * GPa})
+          .matrix(kTorsion, kTorsion);
+  EXPECT_NEAR(plane_strain / finite_elements, 1.0, 0.01);  // curvature and faces of the wall
+}
+
+// --- (FR-1), (FR-2) --------------------------------------------------------------------------------------
+
+TEST(ThroughCrack, IdentityIrwin) {
+  // dlambda/dA by finite differences of the result = 2 G/Q^2, for both loads and their coupling.
+  ThroughCrackInTube crack = article_crack(3 * mm, 30);
+  crack.shell_correction = true;
+  const double P = 2000;
+  const double T = 80;
+  const auto twice_energy = [&](double a) {
+    crack.half_length = a;
+    const auto m = added_compliance(crack, kPlaneStress).matrix;
+    return P * P * m(0, 0) + 2 * P * T * m(0, 1) + T * T * m(1, 1);
+  };
+  const double a = 3 * mm;
+  const double h = 1e-3 * a;
+  const double slope = (twice_energy(a + h) - twice_energy(a - h)) / (2 * h);
+  const UnitStressIntensity<2> k = crack.stress_intensity(a, 0);
+  const double G = energy_release_rate(k.I[0] * P + k.I[1] * T, k.II[0] * P + k.II[1] * T, 0,
+                                       kPlaneStress);
+  // Central difference: h^2 lambda'''/6, 1e-6 of lambda' times the shell correction.
+  test::expect_relative(slope / (2 * crack.wall_thickness), 2 * G, 1e-6);
+}
+
+TEST(ThroughCrack, ScalingEntriesOfTheMatrix) {
+  const auto expect = [](std::string_view unit, std::size_t i, std::size_t j) {
+    test::expect_dimensionally_consistent(
+        unit,
+        [=](double a, double r, double t, double E, double mu) {
+          const ThroughCrackInTube crack{
+              .half_length = a, .mean_radius = r, .wall_thickness = t, .angle = 0.5};
+          return added_compliance(crack, {.opening = E, .shear = mu}).matrix(i, j);
+        },
+        Arg{3e-3, "m"}, Arg{0.08, "m"}, Arg{2e-3, "m"}, Arg{2.1e11, "Pa"}, Arg{8e10, "Pa"});
+  };
+  expect("m/N", kAxial, kAxial);
+  expect("1/N", kAxial, kTorsion);
+  expect("rad/(N*m)", kTorsion, kTorsion);
+  test::expect_dimensionally_consistent(
+      "1",
+      [](double a, double r, double t) {
+        return ThroughCrackInTube{.mean_radius = r, .wall_thickness = t}.shell_parameter_squared(a);
+      },
+      Arg{3e-3, "m"}, Arg{0.08, "m"}, Arg{2e-3, "m"});
+}
+
+TEST(ThroughCrack, InputDefaults) {
+  const ThroughCrackInTube crack;
+  EXPECT_EQ(crack.half_length, 0.0);
+  EXPECT_EQ(crack.mean_radius, 0.0);
+  EXPECT_EQ(crack.wall_thickness, 0.0);
+  EXPECT_EQ(crack.angle, 0.0);
+  EXPECT_EQ(crack.stress_nonuniformity, 1.0);
+  EXPECT_EQ(crack.poissons_ratio, 0.3);
+  EXPECT_TRUE(crack.shell_correction);
+  EXPECT_TRUE(crack.open);
+  EXPECT_EQ(kAxial, 0U);
+  EXPECT_EQ(kTorsion, 1U);
+}
+
+}  // namespace
+}  // namespace strainwave

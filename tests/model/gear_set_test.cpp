@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/model/gear_set.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <string_view>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/units.hpp"
+#include "support/article_gear.hpp"
+#include "support/reference.hpp"
+
+namespace strainwave {
+namespace {
+
+using namespace units;  // NOLINT(google-build-using-namespace): 210 * GPa reads as it should
+using test::article_gear;
+
+template <class F>
+InputError refusal(const F& f) {
+  try {
+    f();
+  } catch (const InputError& error) {
+    return error;
+  }
+  return {"", "accepted"};
+}
+
+Material steel() {
+  Material material;
+  material.youngs_modulus = 210 * GPa;
+  material.poissons_ratio = 0.3;
+  return material;
+}
+
+// --- Elastic constants ---------------------------------------------------------------------------
+
+TEST(ElasticConstants, ReferenceShearModulusOfSteel) {
+  constexpr test::Reference kReference{
+      .value = 80.76923076923077e9,
+      .unit = "Pa",
+      .relative_tolerance = 1e-15,
+      .source = "G = E/(2(1+nu)) in fractions: 210/2.6 = 1050/13 GPa",
+      .tolerance_is = "rounding of three operations"};
+  EXPECT_NEAR(elastic_constants(steel()).G, kReference.value,
+              kReference.value * kReference.relative_tolerance);
+}
+
+TEST(ElasticConstants, IdentityAnyTwoDefineTheThird) {
+  for (const double nu : {-0.9, -0.1, 0.0, 0.28, 0.3, 0.499}) {
+    Material by_nu = steel();
+    by_nu.poissons_ratio = nu;
+    const ElasticConstants c = elastic_constants(by_nu);
+    EXPECT_EQ(c.E, 210 * GPa);
+    EXPECT_EQ(c.nu, nu);
+    EXPECT_NEAR(c.G * 2 * (1 + nu) / c.E, 1, 1e-15);
+
+    Material by_G = steel();
+    by_G.poissons_ratio.reset();
+    by_G.shear_modulus = c.G;
+    EXPECT_EQ(elastic_constants(by_G).E, c.E);
+    EXPECT_EQ(elastic_constants(by_G).G, c.G);
+    EXPECT_NEAR(elastic_constants(by_G).nu, nu, 1e-14);
+    EXPECT_EQ(elastic_contradiction(by_nu), 0);
+    EXPECT_EQ(elastic_contradiction(by_G), 0);
+  }
+}
+
+TEST(ElasticConstants, IdentityThreeAreTakenAsGiven) {
+  Material article = steel();
+  article.shear_modulus = 80 * GPa;
+  const ElasticConstants c = elastic_constants(article);
+  EXPECT_EQ(c.E, 210 * GPa);
+  EXPECT_EQ(c.G, 80 * GPa);
+  EXPECT_EQ(c.nu, 0.3);
+  // The article's three constants contradict each other by about one per cent.
+  EXPECT_NEAR(elastic_contradiction(article), 80 * 13.0 / 1050 - 1, 1e-14);
+}
+
+TEST(ElasticConstants, IdentityPlaneStrainModulus) {
+  EXPECT_NEAR(elastic_constants(steel()).plane_strain_modulus(), 210 * GPa / 0.91, 1);
+  Material soft = steel();
+  soft.poissons_ratio = 0;
+  EXPECT_EQ(elastic_constants(soft).plane_strain_modulus(), 210 * GPa);
+}
+
+TEST(ElasticConstants, InputNeitherShearModulusNorPoissonsRatio) {
+  Material material = steel();
+  material.poissons_ratio.reset();
+  const InputError error = refusal([&] { (void)elastic_constants(material); });
+  EXPECT_STREQ(error.what(), "poissons_ratio: must be given, or shear_modulus");
+}
+
+TEST(ElasticConstants, LimitShearModulusThatNoMaterialHas) {
+  // E/(2G) - 1 lies in (-1, 0.5) if G > E/3; 70 GPa would be incompressible.
+  for (const double G : {1e-300, 1.0, 69 * GPa, 70 * GPa}) {
+    Material material = steel();
+    material.poissons_ratio.reset();
+    material.shear_modulus = G;
+    const InputError error = refusal([&] { (void)elastic_constants(material); });
+    EXPECT_EQ(error.field(), "shear_modulus") << G;
+    EXPECT_EQ(error.rule(), "Poisson's ratio E/(2G) - 1 > -1 and < 0.5") << G;
+  }
+  for (const double G : {70.001 * GPa, 80 * GPa, 1e20}) {
+    Material material = steel();
+    material.poissons_ratio.reset();
+    material.shear_modulus = G;
+    EXPECT_NO_THROW((void)elastic_constants(material)) << G;
+  }
+}
+
+// --- Materials by name ---------------------------------------------------------------------------
+
+TEST(MaterialOf, IdentityFindsByName) {
+  GearSet gear = article_gear();
+  EXPECT_EQ(&material_of(gear, "steel", "flexspline.material"), &gear.material.at("steel"));
+}
+
+TEST(MaterialOf, InputUnknownNameListsTheKnown) {
+  GearSet gear = article_gear();
+  gear.material["bronze"] = steel();
+  const InputError error = refusal([&] { (void)material_of(gear, "stel", "flexspline.material"); });
+  EXPECT_EQ(error.field(), "flexspline.material");
+  EXPECT_STREQ(error.what(),
+               "flexspline.material: \"stel\" is not one of the materials given (bronze, steel)");
+  gear.material.clear();
+  EXPECT_STREQ(refusal([&] { (void)material_of(gear, "", "m"); }).what(),
+               "m: \"\" is not one of the materials given ()");
+}
+
+// --- Numbers by path -----------------------------------------------------------------------------
+
+TEST(NumberAt, IdentityEveryNumberOfADriveCanBeReadAndSet) {
+  const GearSet original = article_gear();
+  GearSet gear = original;
+  int n = 0;
+  for_each_number(original, [&](const FieldPath& path, const Field& field, const double& x) {
+    const NumberAt at = number_at(gear, path.text());
+    EXPECT_EQ(at.path, path.text());
+    EXPECT_EQ(at.value, x) << at.path;
+    EXPECT_EQ(at.field.name, field.name);
+    EXPECT_EQ(at.field.unit, field.unit);
+    set_number(gear, path.text(), 7 + n);
+    EXPECT_EQ(number_at(gear, path.text()).value, 7 + n) << at.path;
+    ++n;
+  });
+  EXPECT_GT(n, 30);
+  EXPECT_EQ(gear.material.at("steel").youngs_modulus, 7);
+}
+
+TEST(NumberAt, IdentityPathsAreThoseOfTheFile) {
+  GearSet gear = article_gear();
+  EXPECT_EQ(number_at(gear, "drive.pitch_diameter").value, 160 * mm);
+  EXPECT_EQ(number_at(gear, "drive.pitch_diameter").field.unit, "m");
+  EXPECT_EQ(number_at(gear, "output_shaft.crack[0].depth").value, 0.1 * mm);
+  EXPECT_EQ(number_at(gear, "flexspline.crack[0].angle").value, std::numbers::pi / 4);
+  EXPECT_EQ(number_at(gear, "wave_generator.contact_semi_axes[1]").value, 2 * mm);
+  EXPECT_EQ(number_at(gear, "material.steel.poissons_ratio").value, 0.3);
+  EXPECT_EQ(number_at(gear, "article.M_p").value, 0.85);
+
+  set_number(gear, "output_shaft.crack[0].depth", 2 * mm);
+  EXPECT_EQ(std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth, 2 * mm);
+}
+
+TEST(NumberAt, IdentityANumberIsSetUnchecked) {
+  GearSet gear = article_gear();
+  set_number(gear, "output_shaft.crack[0].depth", -1);
+  EXPECT_EQ(refusal([&] { check(gear); }).field(), "output_shaft.crack[0].depth");
+}
+
+struct Wrong {
+  std::string_view path;
+  std::string_view message;
+};
+
+TEST(NumberAt, InputPathsThatAreNoNumberSuggestOne) {
+  const GearSet gear = article_gear();
+  for (const auto& [path, message] : {
+           Wrong{"output_shaft.crack[0].dept",
+                 "output_shaft.crack[0].dept: is not a number of this drive; did you mean "
+                 "output_shaft.crack[0].depth?"},
+           Wrong{"output_shaft.crack.depth",
+                 "output_shaft.crack.depth: is not a number of this drive; did you mean "
+                 "output_shaft.crack[0].depth?"},
+           Wrong{"output_shaft.crack[1].depth",
+                 "output_shaft.crack[1].depth: is not a number of this drive; did you mean "
+                 "output_shaft.crack[0].depth?"},
+           Wrong{"steel.youngs_modulus",
+                 "steel.youngs_modulus: is not a number of this drive; did you mean "
+                 "material.steel.shear_modulus?"},
+           Wrong{"drive.ration",
+                 "drive.ration: is not a number of this drive; did you mean drive.ratio?"},
+           Wrong{"Drive.Ratio",
+                 "Drive.Ratio: is not a number of this drive; did you mean drive.ratio?"},
+           Wrong{"torque", "torque: is not a number of this drive"},
+           Wrong{"", ": is not a number of this drive"},
+           Wrong{"drive", "drive: is not a number of this drive"},
+           Wrong{"flexspline.shape",
+                 "flexspline.shape: is not a number of this drive; did you "
+                 "mean flexspline.length?"},
+       }) {
+    EXPECT_STREQ(refusal([&] { (void)number_at(gear, path); }).what(), message.data());
+    GearSet copy = gear;
+    EXPECT_STREQ(refusal([&] { set_number(copy, path, 1); }).what(), message.data());
+  }
+}
+
+TEST(NumberAt, InputFieldsThatAreNotGivenAreNoNumbers) {
+  GearSet gear = article_gear();
+  gear.wave_generator->inner_ring_width.reset();
+  EXPECT_NE(refusal([&] { set_number(gear, "wave_generator.inner_ring_width", 1); }).field(), "");
+  EXPECT_FALSE(gear.wave_generator->inner_ring_width.has_value());
+  gear.output_shaft.reset();
+  EXPECT_NE(refusal([&] { set_number(gear, "output_shaft.length", 1); }).field(), "");
+  // A whole number has no place between two others: sweeping it makes no sense.
+  EXPECT_NE(refusal([&] { set_number(gear, "drive.wave_number", 3); }).field(), "");
+}
+
+TEST(NumberAt, InputPathsOfAnyLengthAreRefused) {
+  const GearSet gear = article_gear();
+  EXPECT_NE(refusal([&] { (void)number_at(gear, std::string(1'000'000, 'x')); }).field(), "");
+}
+
+}  // namespace
+}  // namespace strainwave
