@@ -83,18 +83,17 @@ void add_crack(MemberCompliance& member, CrackReport report, const AnnularCrack&
   const double ri = shaft.inner_diameter / 2;
   const double depth_ratio = crack.depth / (ro - ri);
   AnnularAccuracy accuracy;
-  if (depth_ratio > AnnularCrackHollow::kMaxTensionDepthRatio ||
-      ri / ro > AnnularCrackHollow::kMaxTensionRadiusRatio) {
+  if (ri / ro > AnnularCrackHollow::kMaxTensionRadiusRatio) {
     accuracy.tension = accuracy::kAnnularExtrapolated;
     member.notes.push_back({"crack.tension_range",
-                            "outside a/t <= 0.7 and r_i/r_o <= 0.9 of the table in tension: the "
+                            "the wall is thinner than r_i/r_o = 0.95 of the table in tension: the "
                             "axial entries are extrapolated",
                             report.path, "FR-15"});
   }
-  if (depth_ratio > AnnularCrackHollow::kMaxTorsionDepthRatio)
+  if (depth_ratio > AnnularCrackHollow::kMaxDepthRatio)
     member.unusable_because =
         fmt::format("{}: a/t = {:.4g} is outside the table of the hollow shaft, a/t <= {}",
-                    report.path, depth_ratio, AnnularCrackHollow::kMaxTorsionDepthRatio);
+                    report.path, depth_ratio, AnnularCrackHollow::kMaxDepthRatio);
   add_annular_crack(
       member, std::move(report),
       AnnularCrackHollow(

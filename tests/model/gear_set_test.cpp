@@ -189,9 +189,7 @@ TEST(NumberAt, InputPathsThatAreNoNumberSuggestOne) {
            Wrong{"output_shaft.crack[1].depth",
                  "output_shaft.crack[1].depth: is not a number of this drive; did you mean "
                  "output_shaft.crack[0].depth?"},
-           Wrong{"steel.youngs_modulus",
-                 "steel.youngs_modulus: is not a number of this drive; did you mean "
-                 "material.steel.shear_modulus?"},
+           Wrong{"steel.youngs_modulus", "steel.youngs_modulus: is not a number of this drive"},
            Wrong{"drive.ration",
                  "drive.ration: is not a number of this drive; did you mean drive.ratio?"},
            Wrong{"Drive.Ratio",
@@ -199,9 +197,7 @@ TEST(NumberAt, InputPathsThatAreNoNumberSuggestOne) {
            Wrong{"torque", "torque: is not a number of this drive"},
            Wrong{"", ": is not a number of this drive"},
            Wrong{"drive", "drive: is not a number of this drive"},
-           Wrong{"flexspline.shape",
-                 "flexspline.shape: is not a number of this drive; did you "
-                 "mean flexspline.length?"},
+           Wrong{"flexspline.shape", "flexspline.shape: is not a number of this drive"},
        }) {
     EXPECT_STREQ(refusal([&] { (void)number_at(gear, path); }).what(), message.data());
     GearSet copy = gear;

@@ -1,0 +1,773 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every rule broken once, and every boundary that a rule still accepts.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <ostream>
+#include <set>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/units.hpp"
+#include "strainwave/model/gear_set.hpp"
+#include "support/article_gear.hpp"
+
+namespace strainwave {
+namespace {
+
+using namespace units;  // NOLINT(google-build-using-namespace): 3 * mm reads as it should
+using std::numbers::pi;
+using test::article_gear;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The refusal of a gear; "accepted" if there is none.
+InputError refusal(const GearSet& gear) {
+  try {
+    check(gear);
+  } catch (const InputError& error) {
+    return error;
+  }
+  return {"", "accepted"};
+}
+
+/// A second sound drive, with the parts that the article's does not have.
+GearSet sections_gear() {
+  GearSet gear = article_gear();
+  gear.name = "sections";
+  gear.article.reset();
+
+  WaveGenerator& wg = *gear.wave_generator;
+  wg.radial_stiffness.reset();
+  wg.contact_semi_axes.reset();
+  wg.bearing = Bearing{
+      .ball_diameter = 12.7 * mm,
+      .inner_raceway_diameter = 110 * mm,
+      .outer_raceway_diameter = 135.4 * mm,
+      .loaded_balls = 3,
+      .outer_ring = BearingRing{.mean_radius = 70 * mm, .thickness = 4 * mm, .width = 20 * mm}};
+  wg.inner_ring_width = 20 * mm;
+  wg.inner_ring_mean_radius = 60 * mm;
+  RaceSurfaceCrack bent;
+  bent.depth = 1 * mm;
+  bent.aspect_ratio = 0.5;
+  bent.stress_driver = StressDriver::ring_bending;
+  RaceEdgeCrack edge;
+  edge.depth = 1 * mm;
+  edge.stress_driver = StressDriver::given;
+  edge.stress = -5 * MPa;
+  wg.crack = {bent, edge};
+
+  Flexspline& fs = *gear.flexspline;
+  fs.crack_free = CrackFree::sections;
+  fs.rim = TubeSection{.outer_diameter = 160 * mm, .wall_thickness = 3 * mm, .length = 30 * mm};
+  fs.barrel = TubeSection{.outer_diameter = 158 * mm, .wall_thickness = 2 * mm, .length = 100 * mm};
+  fs.diaphragm =
+      Diaphragm{.outer_diameter = 154 * mm, .inner_diameter = 80 * mm, .thickness = 3 * mm};
+  fs.boss = TubeSection{.outer_diameter = 80 * mm, .wall_thickness = 10 * mm, .length = 10 * mm};
+  WallSurfaceCrack in_rim;
+  in_rim.depth = 1 * mm;
+  in_rim.half_length = 2 * mm;
+  in_rim.section = WallSection::rim;
+  WallThroughCrack in_barrel;
+  in_barrel.half_length = 1 * mm;
+  fs.crack = {in_rim, in_barrel};
+  return gear;
+}
+
+WaveGenerator& wave_generator(GearSet& gear) { return *gear.wave_generator; }
+Flexspline& flexspline(GearSet& gear) { return *gear.flexspline; }
+OutputShaft& shaft(GearSet& gear) { return *gear.output_shaft; }
+RaceSurfaceCrack& race_crack(GearSet& gear) {
+  return std::get<RaceSurfaceCrack>(gear.wave_generator->crack[0]);
+}
+RaceEdgeCrack& edge_crack(GearSet& gear) {
+  return std::get<RaceEdgeCrack>(gear.wave_generator->crack[1]);
+}
+WallThroughCrack& through_crack(GearSet& gear) {
+  return std::get<WallThroughCrack>(gear.flexspline->crack[0]);
+}
+WallSurfaceCrack& rim_crack(GearSet& gear) {
+  return std::get<WallSurfaceCrack>(gear.flexspline->crack[0]);
+}
+WallThroughCrack& barrel_crack(GearSet& gear) {
+  return std::get<WallThroughCrack>(gear.flexspline->crack[1]);
+}
+AnnularCrack& annular_crack(GearSet& gear) {
+  return std::get<AnnularCrack>(gear.output_shaft->crack[0]);
+}
+
+TEST(Check, InputSoundDrivesAreAccepted) {
+  EXPECT_STREQ(refusal(article_gear()).what(), ": accepted");
+  EXPECT_STREQ(refusal(sections_gear()).what(), ": accepted");
+}
+
+// --- Rules between fields ------------------------------------------------------------------------
+
+using Mutation = std::function<void(GearSet&)>;
+
+/// One rule, broken by one change of a sound drive.
+struct Broken {
+  std::string name;
+  GearSet (*base)();
+  Mutation change;
+  std::string field;
+  std::string rule;     ///< of a number; else empty
+  std::string problem;  ///< what the message says after the field, if it is no rule
+
+  friend std::ostream& operator<<(std::ostream& out, const Broken& b) { return out << b.name; }
+};
+
+GearSet article() { return article_gear(); }
+
+const std::vector<Broken> kBroken = {
+    {"Format", article, [](GearSet& g) { g.format = "strainwave-drive/2"; }, "format", "",
+     "\"strainwave-drive/2\" is not known; this version reads \"strainwave-drive/1\""},
+    {"FormatEmpty", article, [](GearSet& g) { g.format.clear(); }, "format", "",
+     "\"\" is not known; this version reads \"strainwave-drive/1\""},
+    {"NameOfTwoLines", article, [](GearSet& g) { g.name = "one\ntwo"; }, "name", "",
+     "must be one line, without control characters"},
+    {"NameWithEscapes", article, [](GearSet& g) { g.name = "\x1b[31m"; }, "name", "",
+     "must be one line, without control characters"},
+
+    // materials
+    {"MaterialOfOneConstant", article,
+     [](GearSet& g) {
+       g.material["steel"].shear_modulus.reset();
+       g.material["steel"].poissons_ratio.reset();
+     },
+     "material.steel.poissons_ratio", "", "must be given, or shear_modulus"},
+    {"MaterialIncompressible", article,
+     [](GearSet& g) {
+       g.material["steel"].shear_modulus = 70 * GPa;
+       g.material["steel"].poissons_ratio.reset();
+     },
+     "material.steel.shear_modulus", "Poisson's ratio E/(2G) - 1 > -1 and < 0.5", ""},
+    {"MaterialUnusedButWrong", article, [](GearSet& g) { g.material["air"].youngs_modulus = 1; },
+     "material.air.poissons_ratio", "", "must be given, or shear_modulus"},
+    {"MaterialUnknownWaveGenerator", article,
+     [](GearSet& g) { wave_generator(g).material = "stel"; }, "wave_generator.material", "",
+     "\"stel\" is not one of the materials given (steel)"},
+    {"MaterialUnknownFlexspline", article, [](GearSet& g) { flexspline(g).material = ""; },
+     "flexspline.material", "", "\"\" is not one of the materials given (steel)"},
+    {"MaterialUnknownShaft", article, [](GearSet& g) { shaft(g).material = "Steel"; },
+     "output_shaft.material", "", "\"Steel\" is not one of the materials given (steel)"},
+
+    // drive and load
+    {"NoWave", article, [](GearSet& g) { g.drive.wave_number = 0; }, "drive.wave_number",
+     ">= 1 and <= 8", ""},
+    {"NegativeWaves", article, [](GearSet& g) { g.drive.wave_number = -2; }, "drive.wave_number",
+     ">= 1 and <= 8", ""},
+    {"NineWaves", article, [](GearSet& g) { g.drive.wave_number = 9; }, "drive.wave_number",
+     ">= 1 and <= 8", ""},
+    {"DisplacementOfTheRadius", article,
+     [](GearSet& g) { g.drive.radial_displacement = g.drive.pitch_diameter / 2; },
+     "drive.radial_displacement", "radial_displacement < pitch_diameter/2", ""},
+    {"NoTorque", article, [](GearSet& g) { g.load.torque = 0; }, "load.torque", "torque != 0", ""},
+    {"NegativeZeroTorque", article, [](GearSet& g) { g.load.torque = -0.0; }, "load.torque",
+     "torque != 0", ""},
+    {"NoMember", article,
+     [](GearSet& g) {
+       g.wave_generator.reset();
+       g.flexspline.reset();
+       g.output_shaft.reset();
+     },
+     "flexspline", "", "at least one of wave_generator, flexspline, output_shaft must be given"},
+
+    // wave generator: sources of its stiffness
+    {"NoRadialStiffness", article, [](GearSet& g) { wave_generator(g).radial_stiffness.reset(); },
+     "wave_generator.radial_stiffness", "",
+     "must be given (K_G0 of one lobe [N/m]), or displacements, or bearing"},
+    {"StiffnessAndDisplacements", article,
+     [](GearSet& g) { wave_generator(g).displacements = LobeDisplacements{.bearing = 3e-6}; },
+     "wave_generator.displacements", "",
+     "is one source of the radial stiffness too many; give one of radial_stiffness, "
+     "displacements, bearing"},
+    {"StiffnessAndBearing", sections_gear,
+     [](GearSet& g) { wave_generator(g).radial_stiffness = 1e8; }, "wave_generator.bearing", "",
+     "is one source of the radial stiffness too many; give one of radial_stiffness, "
+     "displacements, bearing"},
+    {"DisplacementsAndBearing", sections_gear,
+     [](GearSet& g) { wave_generator(g).displacements = LobeDisplacements{.bearing = 3e-6}; },
+     "wave_generator.bearing", "",
+     "is one source of the radial stiffness too many; give one of radial_stiffness, "
+     "displacements, bearing"},
+    {"AllThreeSources", sections_gear,
+     [](GearSet& g) {
+       wave_generator(g).radial_stiffness = 1e8;
+       wave_generator(g).displacements = LobeDisplacements{.bearing = 3e-6};
+     },
+     "wave_generator.displacements", "",
+     "is one source of the radial stiffness too many; give one of radial_stiffness, "
+     "displacements, bearing"},
+    {"NoDisplacementAtAll", article,
+     [](GearSet& g) {
+       wave_generator(g).radial_stiffness.reset();
+       wave_generator(g).displacements = LobeDisplacements{};
+     },
+     "wave_generator.displacements.bearing", "bearing + cam + shaft > 0", ""},
+
+    // wave generator: geometry
+    {"SemiAxesSwapped", article,
+     [](GearSet& g) {
+       wave_generator(g).contact_semi_axes = {2 * mm, 5 * mm};
+     },
+     "wave_generator.contact_semi_axes[1]", "second semi-axis <= first semi-axis", ""},
+    {"RingThickerThanItsRadius", sections_gear,
+     [](GearSet& g) { wave_generator(g).inner_ring_thickness = 60 * mm; },
+     "wave_generator.inner_ring_thickness", "inner_ring_thickness < inner_ring_mean_radius", ""},
+    {"RacewaysSwapped", sections_gear,
+     [](GearSet& g) {
+       std::swap(wave_generator(g).bearing->inner_raceway_diameter,
+                 wave_generator(g).bearing->outer_raceway_diameter);
+     },
+     "wave_generator.bearing.outer_raceway_diameter",
+     "outer_raceway_diameter > inner_raceway_diameter", ""},
+    {"RacewaysEqual", sections_gear,
+     [](GearSet& g) { wave_generator(g).bearing->outer_raceway_diameter = 110 * mm; },
+     "wave_generator.bearing.outer_raceway_diameter",
+     "outer_raceway_diameter > inner_raceway_diameter", ""},
+    {"OuterRingThickerThanItsRadius", sections_gear,
+     [](GearSet& g) { wave_generator(g).bearing->outer_ring->thickness = 70 * mm; },
+     "wave_generator.bearing.outer_ring.thickness", "thickness < mean_radius", ""},
+    {"OuterRingBentByOneLobe", sections_gear,
+     [](GearSet& g) {
+       g.drive.wave_number = 1;
+       wave_generator(g).crack.clear();
+     },
+     "drive.wave_number", "wave_number >= 2 where a ring bends between lobes", ""},
+
+    // wave generator: cracks
+    {"RaceCrackInUnknownRing", article,
+     [](GearSet& g) { wave_generator(g).inner_ring_thickness.reset(); },
+     "wave_generator.inner_ring_thickness", "",
+     "must be given for wave_generator.crack[0] (inner ring thickness t_i [m])"},
+    {"RaceCrackThroughTheRing", article, [](GearSet& g) { race_crack(g).depth = 10 * mm; },
+     "wave_generator.crack[0].depth", "depth < inner_ring_thickness", ""},
+    {"EdgeCrackThroughTheRing", sections_gear, [](GearSet& g) { edge_crack(g).depth = 10 * mm; },
+     "wave_generator.crack[1].depth", "depth < inner_ring_thickness", ""},
+    {"OrthogonalShearWithoutContact", article,
+     [](GearSet& g) { wave_generator(g).contact_semi_axes.reset(); },
+     "wave_generator.contact_semi_axes", "",
+     "must be given for wave_generator.crack[0] (stress_driver = \"orthogonal_shear\" needs it)"},
+    {"ContactEdgeWithoutContact", article,
+     [](GearSet& g) {
+       wave_generator(g).contact_semi_axes.reset();
+       race_crack(g).stress_driver = StressDriver::contact_edge;
+     },
+     "wave_generator.contact_semi_axes", "",
+     "must be given for wave_generator.crack[0] (stress_driver = \"contact_edge\" needs it)"},
+    {"RingBendingWithoutWidth", sections_gear,
+     [](GearSet& g) { wave_generator(g).inner_ring_width.reset(); },
+     "wave_generator.inner_ring_width", "",
+     "must be given for wave_generator.crack[0] (stress_driver = \"ring_bending\" needs it)"},
+    {"RingBendingWithoutRadius", sections_gear,
+     [](GearSet& g) { wave_generator(g).inner_ring_mean_radius.reset(); },
+     "wave_generator.inner_ring_mean_radius", "",
+     "must be given for wave_generator.crack[0] (stress_driver = \"ring_bending\" needs it)"},
+    {"RingBendingByOneLobe", sections_gear,
+     [](GearSet& g) {
+       g.drive.wave_number = 1;
+       wave_generator(g).bearing->outer_ring.reset();
+     },
+     "drive.wave_number", "wave_number >= 2 where a ring bends between lobes", ""},
+    {"GivenStressNotGiven", sections_gear, [](GearSet& g) { edge_crack(g).stress.reset(); },
+     "wave_generator.crack[1].stress", "",
+     "must be given for wave_generator.crack[1] (stress_driver = \"given\" needs it)"},
+    {"StressNotRead", article, [](GearSet& g) { race_crack(g).stress = 5 * MPa; },
+     "wave_generator.crack[0].stress", "", "is read only with stress_driver = \"given\""},
+    {"ContactFactorNotRead", article,
+     [](GearSet& g) { race_crack(g).stress_driver = StressDriver::contact_edge; },
+     "wave_generator.crack[0].contact_factor", "",
+     "is read only with stress_driver = \"orthogonal_shear\""},
+    {"EdgeCrackInRingOfUnknownWidth", sections_gear,
+     [](GearSet& g) {
+       wave_generator(g).inner_ring_width.reset();
+       wave_generator(g).crack.erase(wave_generator(g).crack.begin());
+     },
+     "wave_generator.inner_ring_width", "",
+     "must be given for an edge crack (axial width of the ring [m])"},
+
+    // flexspline
+    {"WallOfTheRadius", article, [](GearSet& g) { flexspline(g).wall_thickness = 80 * mm; },
+     "flexspline.wall_thickness", "wall_thickness < drive.pitch_diameter/2", ""},
+    {"RimOfTheRadius", sections_gear,
+     [](GearSet& g) { flexspline(g).rim->wall_thickness = 80 * mm; },
+     "flexspline.rim.wall_thickness", "wall_thickness < outer_diameter/2", ""},
+    {"BarrelOfTheRadius", sections_gear,
+     [](GearSet& g) { flexspline(g).barrel->wall_thickness = 79 * mm; },
+     "flexspline.barrel.wall_thickness", "wall_thickness < outer_diameter/2", ""},
+    {"BossOfTheRadius", sections_gear,
+     [](GearSet& g) { flexspline(g).boss->wall_thickness = 40 * mm; },
+     "flexspline.boss.wall_thickness", "wall_thickness < outer_diameter/2", ""},
+    {"DiaphragmWithoutWidth", sections_gear,
+     [](GearSet& g) { flexspline(g).diaphragm->inner_diameter = 154 * mm; },
+     "flexspline.diaphragm.inner_diameter", "inner_diameter < outer_diameter", ""},
+    {"SectionsWithoutBarrel", sections_gear, [](GearSet& g) { flexspline(g).barrel.reset(); },
+     "flexspline.barrel", "", "must be given where crack_free = \"sections\" (smooth tube)"},
+    {"SectionsWithShapeFactor", sections_gear,
+     [](GearSet& g) { flexspline(g).shape_factor = 0.83; }, "flexspline.shape_factor", "",
+     "is read only where crack_free = \"factor\""},
+    {"CupWithoutBottom", sections_gear, [](GearSet& g) { flexspline(g).diaphragm.reset(); },
+     "flexspline.diaphragm", "",
+     "must be given for a cup where crack_free = \"sections\" (bottom)"},
+    {"FactorWithRim", article,
+     [](GearSet& g) {
+       flexspline(g).rim = TubeSection{1, 0.1, 1};
+     },
+     "flexspline.rim", "", "is read only where crack_free = \"sections\""},
+    {"FactorWithBarrel", article,
+     [](GearSet& g) {
+       flexspline(g).barrel = TubeSection{1, 0.1, 1};
+     },
+     "flexspline.barrel", "", "is read only where crack_free = \"sections\""},
+    {"FactorWithDiaphragm", article,
+     [](GearSet& g) {
+       flexspline(g).diaphragm = Diaphragm{1, 0.1, 1};
+     },
+     "flexspline.diaphragm", "", "is read only where crack_free = \"sections\""},
+    {"FactorWithBoss", article,
+     [](GearSet& g) {
+       flexspline(g).boss = TubeSection{1, 0.1, 1};
+     },
+     "flexspline.boss", "", "is read only where crack_free = \"sections\""},
+
+    // flexspline: cracks
+    {"CrackInRimThatIsNotThere", sections_gear, [](GearSet& g) { flexspline(g).rim.reset(); },
+     "flexspline.crack[0].section", "", "\"rim\" needs a [flexspline.rim]"},
+    {"CrackInRimOfTheFactor", article,
+     [](GearSet& g) { through_crack(g).section = WallSection::rim; }, "flexspline.crack[0].section",
+     "", "is read only where crack_free = \"sections\""},
+    {"AxialCrackOfTheLength", article,
+     [](GearSet& g) {
+       through_crack(g).angle = 0;
+       through_crack(g).half_length = 80 * mm;
+     },
+     "flexspline.crack[0].half_length", "2 half_length cos(angle) < length of the tube", ""},
+    {"AxialCrackOfTheBarrel", sections_gear,
+     [](GearSet& g) {
+       barrel_crack(g).angle = 0;
+       barrel_crack(g).half_length = 50 * mm;
+     },
+     "flexspline.crack[1].half_length", "2 half_length cos(angle) < length of the tube", ""},
+    {"AxialCrackOfTheRim", sections_gear,
+     [](GearSet& g) {
+       rim_crack(g).angle = 0;
+       rim_crack(g).half_length = 15 * mm;
+     },
+     "flexspline.crack[0].half_length", "2 half_length cos(angle) < length of the tube", ""},
+    {"CircumferentialCrackAllRound", article,
+     [](GearSet& g) {
+       through_crack(g).angle = pi / 2;
+       through_crack(g).half_length = pi / 2 * (160 - 2.24) * mm * (1 + 1e-12);
+     },
+     "flexspline.crack[0].half_length", "2 half_length |sin(angle)| < circumference of the tube",
+     ""},
+    {"NegativeAngleAllRound", article,
+     [](GearSet& g) {
+       flexspline(g).length = 10;
+       through_crack(g).angle = -pi / 4;
+       through_crack(g).half_length = 400 * mm;
+     },
+     "flexspline.crack[0].half_length", "2 half_length |sin(angle)| < circumference of the tube",
+     ""},
+    {"SurfaceCrackThroughTheWall", sections_gear,
+     [](GearSet& g) {
+       rim_crack(g).half_length = 5 * mm;
+       rim_crack(g).depth = 3 * mm;
+     },
+     "flexspline.crack[0].depth", "depth < wall_thickness", ""},
+    {"SurfaceCrackDeeperThanLong", sections_gear,
+     [](GearSet& g) { rim_crack(g).half_length = 0.99 * mm; }, "flexspline.crack[0].half_length",
+     "half_length >= depth", ""},
+
+    // output shaft
+    {"BoreOfTheDiameter", article, [](GearSet& g) { shaft(g).inner_diameter = 70 * mm; },
+     "output_shaft.inner_diameter", "inner_diameter < outer_diameter", ""},
+    {"BoreBeyondTheDiameter", article, [](GearSet& g) { shaft(g).inner_diameter = 71 * mm; },
+     "output_shaft.inner_diameter", "inner_diameter < outer_diameter", ""},
+    {"AnnularCrackThroughTheWall", article, [](GearSet& g) { annular_crack(g).depth = 12.5 * mm; },
+     "output_shaft.crack[0].depth", "depth < (outer_diameter - inner_diameter)/2, the wall", ""},
+    {"AnnularCrackOfTheRadius", article,
+     [](GearSet& g) {
+       shaft(g).inner_diameter = 0;
+       annular_crack(g).depth = 35 * mm;
+     },
+     "output_shaft.crack[0].depth", "depth < outer_diameter/2", ""},
+    {"SecondCrackIsCheckedToo", article,
+     [](GearSet& g) { shaft(g).crack.emplace_back(AnnularCrack{.depth = 13 * mm}); },
+     "output_shaft.crack[1].depth", "depth < (outer_diameter - inner_diameter)/2, the wall", ""},
+    {"TadaOfAHollowShaft", article,
+     [](GearSet& g) { annular_crack(g).solution = AnnularSolution::tada; },
+     "output_shaft.crack[0].solution", "",
+     "\"tada\" is for solid shafts; a hollow one has a table"},
+};
+
+class CheckRule : public testing::TestWithParam<Broken> {};
+
+TEST_P(CheckRule, InputBrokenOnceIsRefused) {
+  const Broken& broken = GetParam();
+  GearSet gear = broken.base();
+  broken.change(gear);
+  const InputError error = refusal(gear);
+  EXPECT_EQ(error.field(), broken.field);
+  EXPECT_EQ(error.rule(), broken.rule);
+  const std::string message = error.what();
+  if (broken.rule.empty())
+    EXPECT_EQ(message, broken.field + ": " + broken.problem);
+  else
+    EXPECT_TRUE(message.ends_with(" violates: " + broken.rule)) << message;
+}
+
+INSTANTIATE_TEST_SUITE_P(Rules, CheckRule, testing::ValuesIn(kBroken),
+                         [](const auto& test) { return test.param.name; });
+
+// --- Boundaries that are still inside ------------------------------------------------------------
+
+struct Accepted {
+  std::string name;
+  GearSet (*base)();
+  Mutation change;
+
+  friend std::ostream& operator<<(std::ostream& out, const Accepted& a) { return out << a.name; }
+};
+
+double below(double x) { return std::nextafter(x, 0.0); }
+
+const std::vector<Accepted> kAccepted = {
+    {"NoName", article, [](GearSet& g) { g.name.clear(); }},
+    {"NameInGreek", article, [](GearSet& g) { g.name = "\u03BA\u03CD\u03BC\u03B1"; }},
+    {"OneWave", article, [](GearSet& g) { g.drive.wave_number = 1; }},
+    {"EightWaves", article, [](GearSet& g) { g.drive.wave_number = 8; }},
+    {"TwoWavesBendARing", sections_gear, [](GearSet& g) { g.drive.wave_number = 2; }},
+    {"NegativeTorque", article, [](GearSet& g) { g.load.torque = -100; }},
+    {"TinyTorque", article, [](GearSet& g) { g.load.torque = 1e-300; }},
+    {"Compression", article, [](GearSet& g) { g.load.axial_force = -1e6; }},
+    {"DisplacementBelowTheRadius", article,
+     [](GearSet& g) { g.drive.radial_displacement = below(g.drive.pitch_diameter / 2); }},
+    {"AuxeticMaterial", article, [](GearSet& g) { g.material["steel"].poissons_ratio = -0.999; }},
+    {"MaterialOfEAndG", article, [](GearSet& g) { g.material["steel"].poissons_ratio.reset(); }},
+    {"MaterialOfEAndNu", article, [](GearSet& g) { g.material["steel"].shear_modulus.reset(); }},
+    {"ContradictoryMaterial", article,
+     [](GearSet& g) { g.material["steel"].shear_modulus = 200 * GPa; }},
+    {"WaveGeneratorAlone", article,
+     [](GearSet& g) {
+       g.flexspline.reset();
+       g.output_shaft.reset();
+     }},
+    {"FlexsplineAlone", article,
+     [](GearSet& g) {
+       g.wave_generator.reset();
+       g.output_shaft.reset();
+     }},
+    {"ShaftAlone", article,
+     [](GearSet& g) {
+       g.wave_generator.reset();
+       g.flexspline.reset();
+     }},
+    {"NoCracks", article,
+     [](GearSet& g) {
+       wave_generator(g).crack.clear();
+       flexspline(g).crack.clear();
+       shaft(g).crack.clear();
+       wave_generator(g).inner_ring_thickness.reset();
+       wave_generator(g).contact_semi_axes.reset();
+     }},
+    {"CamAloneDeflects", article,
+     [](GearSet& g) {
+       wave_generator(g).radial_stiffness.reset();
+       wave_generator(g).displacements = LobeDisplacements{.cam = 1e-9};
+     }},
+    {"ShaftAloneDeflects", article,
+     [](GearSet& g) {
+       wave_generator(g).radial_stiffness.reset();
+       wave_generator(g).displacements = LobeDisplacements{.shaft = 1e-9};
+     }},
+    {"CircularContact", article,
+     [](GearSet& g) {
+       wave_generator(g).contact_semi_axes = {2 * mm, 2 * mm};
+     }},
+    {"OneLoadedBall", sections_gear,
+     [](GearSet& g) { wave_generator(g).bearing->loaded_balls = 1; }},
+    {"ThinnestWallBetweenRaceways", sections_gear,
+     [](GearSet& g) {
+       wave_generator(g).bearing->outer_raceway_diameter = std::nextafter(110 * mm, 1.0);
+     }},
+    {"RingOfOneLobeThatDoesNotBend", sections_gear,
+     [](GearSet& g) {
+       g.drive.wave_number = 1;
+       wave_generator(g).bearing->outer_ring.reset();
+       wave_generator(g).crack.erase(wave_generator(g).crack.begin());
+     }},
+    {"RingJustThinnerThanItsRadius", sections_gear,
+     [](GearSet& g) { wave_generator(g).inner_ring_thickness = below(60 * mm); }},
+    {"OuterRingJustThinnerThanItsRadius", sections_gear,
+     [](GearSet& g) { wave_generator(g).bearing->outer_ring->thickness = below(70 * mm); }},
+    {"SemicircularRaceCrack", article, [](GearSet& g) { race_crack(g).aspect_ratio = 1; }},
+    {"ContactFactorOfOne", article, [](GearSet& g) { race_crack(g).contact_factor = 1; }},
+    {"ContactFactorComputed", article, [](GearSet& g) { race_crack(g).contact_factor.reset(); }},
+    {"ContactOfTheBearing", sections_gear,
+     [](GearSet& g) { race_crack(g).stress_driver = StressDriver::orthogonal_shear; }},
+    {"ContactEdge", article,
+     [](GearSet& g) {
+       race_crack(g).stress_driver = StressDriver::contact_edge;
+       race_crack(g).contact_factor.reset();
+     }},
+    {"GivenStressOfZero", sections_gear, [](GearSet& g) { edge_crack(g).stress = 0; }},
+    {"RaceCrackJustInTheRing", article, [](GearSet& g) { race_crack(g).depth = below(10 * mm); }},
+    {"WallJustBelowTheRadius", article,
+     [](GearSet& g) { flexspline(g).wall_thickness = below(80 * mm); }},
+    {"RimJustBelowTheRadius", sections_gear,
+     [](GearSet& g) { flexspline(g).rim->wall_thickness = below(80 * mm); }},
+    {"NarrowestDiaphragm", sections_gear,
+     [](GearSet& g) { flexspline(g).diaphragm->inner_diameter = below(154 * mm); }},
+    {"CupWithoutRimAndBoss", sections_gear,
+     [](GearSet& g) {
+       flexspline(g).rim.reset();
+       flexspline(g).boss.reset();
+       rim_crack(g).section = WallSection::barrel;
+     }},
+    {"CylinderWithoutBottom", sections_gear,
+     [](GearSet& g) {
+       flexspline(g).shape = FlexsplineShape::cylinder;
+       flexspline(g).diaphragm.reset();
+     }},
+    {"CylinderWithBottom", sections_gear,
+     [](GearSet& g) { flexspline(g).shape = FlexsplineShape::cylinder; }},
+    {"ShapeFactorGiven", article, [](GearSet& g) { flexspline(g).shape_factor = 0.5; }},
+    {"AxialCrackJustInTheTube", article,
+     [](GearSet& g) {
+       through_crack(g).angle = 0;
+       through_crack(g).half_length = below(80 * mm);
+     }},
+    {"CircumferentialCrack", article, [](GearSet& g) { through_crack(g).angle = pi / 2; }},
+    {"CircumferentialCrackJustOpen", article,
+     [](GearSet& g) {
+       through_crack(g).angle = pi / 2;
+       through_crack(g).half_length = pi / 2 * (160 - 2.24) * mm * (1 - 1e-12);
+     }},
+    {"AlmostMinusNinetyDegrees", article,
+     [](GearSet& g) { through_crack(g).angle = std::nextafter(-pi / 2, 0.0); }},
+    {"SemicircularWallCrack", sections_gear,
+     [](GearSet& g) { rim_crack(g).half_length = rim_crack(g).depth; }},
+    {"WallCrackJustInTheRim", sections_gear,
+     [](GearSet& g) {
+       rim_crack(g).half_length = 5 * mm;
+       rim_crack(g).depth = below(3 * mm);
+     }},
+    {"SolidShaft", article, [](GearSet& g) { shaft(g).inner_diameter = 0; }},
+    {"SolidShaftByTada", article,
+     [](GearSet& g) {
+       shaft(g).inner_diameter = 0;
+       annular_crack(g).solution = AnnularSolution::tada;
+     }},
+    {"ThinnestShaft", article,
+     [](GearSet& g) {
+       shaft(g).inner_diameter = below(70 * mm);
+       g.output_shaft->crack.clear();
+     }},
+    {"AnnularCrackJustInTheWall", article,
+     [](GearSet& g) { annular_crack(g).depth = 12.5 * mm * (1 - 1e-12); }},
+    {"AnnularCrackJustInTheRadius", article,
+     [](GearSet& g) {
+       shaft(g).inner_diameter = 0;
+       annular_crack(g).depth = below(35 * mm);
+     }},
+    {"NoOverrides", article, [](GearSet& g) { g.article = ArticleOverrides{}; }},
+    {"MaterialOfAnyName", article,
+     [](GearSet& g) {
+       g.material["a.b[0]"] = g.material["steel"];
+       flexspline(g).material = "a.b[0]";
+     }},
+};
+
+class CheckBoundary : public testing::TestWithParam<Accepted> {};
+
+TEST_P(CheckBoundary, InputStillInsideIsAccepted) {
+  GearSet gear = GetParam().base();
+  GetParam().change(gear);
+  EXPECT_STREQ(refusal(gear).what(), ": accepted");
+}
+
+INSTANTIATE_TEST_SUITE_P(Boundaries, CheckBoundary, testing::ValuesIn(kAccepted),
+                         [](const auto& test) { return test.param.name; });
+
+// --- Ranges of single fields ---------------------------------------------------------------------
+
+/// Some number inside a range.
+double inside(const Range& range) {
+  if (std::isfinite(range.lower) && std::isfinite(range.upper))
+    return (range.lower + range.upper) / 2;
+  return std::isfinite(range.lower) ? range.lower + 1 : 1.0;
+}
+
+/// Gives a value everything that its type can hold: each optional, one element in each map, and in
+/// each list one of every kind.
+template <class T>
+void fill(T& value, const Field& field) {
+  if constexpr (std::is_same_v<T, double>) {
+    value = inside(field.range);
+  } else if constexpr (is_optional<T>) {
+    fill(value.emplace(), field);
+  } else if constexpr (is_pair_of_numbers<T>) {
+    value = {inside(field.range), inside(field.range)};
+  } else if constexpr (is_string_map<T>) {
+    fill(value["steel"], field);
+  } else if constexpr (is_vector<T>) {
+    for_each_alternative<typename T::value_type>(
+        [&]<class Alternative>() { value.emplace_back(Alternative{}); });
+    for (auto& element : value)
+      std::visit([&](auto& alternative) { fill(alternative, field); }, element);
+  } else if constexpr (Described<T>) {
+    T::describe([&](const Field& inner, auto member) { fill(value.*member, inner); });
+  }
+}
+
+/// A drive of which every number that can be given is given; the rules between fields are broken,
+/// which is found out only after the ranges.
+GearSet full_gear() {
+  GearSet gear;
+  fill(gear, Field{});
+  return gear;
+}
+
+/// Paths of all numbers that the types can hold, found without values.
+template <class T>
+void collect(const FieldPath& path, std::set<std::string>& paths) {
+  if constexpr (std::is_same_v<T, double>) {
+    paths.insert(path.text());
+  } else if constexpr (is_optional<T>) {
+    collect<typename T::value_type>(path, paths);
+  } else if constexpr (is_pair_of_numbers<T>) {
+    paths.insert(path[0].text());
+    paths.insert(path[1].text());
+  } else if constexpr (is_string_map<T>) {
+    collect<typename T::mapped_type>(path / "steel", paths);
+  } else if constexpr (is_vector<T>) {
+    std::size_t i = 0;
+    for_each_alternative<typename T::value_type>(
+        [&]<class Alternative>() { collect<Alternative>(path[i++], paths); });
+  } else if constexpr (Described<T>) {
+    T::describe([&]<class Value>(const Field& field, Value T::*) {
+      collect<Value>(path / field.name, paths);
+    });
+  }
+}
+
+/// Sets each number of the full drive in turn; `f(path, field, gear, number)` changes it.
+template <class F>
+void for_each_number_alone(const F& f) {
+  const GearSet full = full_gear();
+  for_each_number(full, [&](const FieldPath& path, const Field& field, const double&) {
+    GearSet gear = full;
+    for_each_number(gear, [&](const FieldPath& at, const Field&, double& number) {
+      if (at.text() == path.text()) f(path.text(), field, gear, number);
+    });
+  });
+}
+
+TEST(CheckRange, IdentityTheFullDriveHasEveryNumberThatADriveCanHave) {
+  std::set<std::string> possible;
+  collect<GearSet>(FieldPath(), possible);
+  std::set<std::string> present;
+  const GearSet full = full_gear();
+  for_each_number(full, [&](const FieldPath& path, const Field&, const double&) {
+    present.insert(path.text());
+  });
+  EXPECT_EQ(present, possible);
+  EXPECT_GT(present.size(), 80U);
+  // All of them are in their ranges: what is wrong with it is not a range.
+  EXPECT_EQ(refusal(full).field(), "wave_generator.displacements");
+}
+
+TEST(CheckRange, InputEveryNumberRefusesWhatIsNoNumber) {
+  for_each_number_alone([](const std::string& path, const Field& field, GearSet& gear, double& x) {
+    for (const double value : {kNaN, -kNaN, kInfinity, -kInfinity}) {
+      x = value;
+      const InputError error = refusal(gear);
+      EXPECT_EQ(error.field(), path) << value;
+      EXPECT_EQ(error.rule(), rule_text(field.range, field.unit)) << path << " " << value;
+    }
+  });
+}
+
+TEST(CheckRange, InputEveryBoundIsHeldOnBothSides) {
+  int bounds = 0;
+  for_each_number_alone([&](const std::string& path, const Field& field, GearSet& gear, double& x) {
+    const auto expect = [&](double value, bool accepted) {
+      x = value;
+      const InputError error = refusal(gear);
+      if (accepted) {
+        EXPECT_NE(error.field(), path) << value << ": " << error.what();
+      } else {
+        EXPECT_EQ(error.field(), path) << value;
+        EXPECT_EQ(error.rule(), rule_text(field.range, field.unit)) << path;
+      }
+    };
+    const Range& range = field.range;
+    if (std::isfinite(range.lower)) {
+      ++bounds;
+      expect(std::nextafter(range.lower, -kInfinity), false);
+      expect(range.lower, !range.lower_open);
+    }
+    if (std::isfinite(range.upper)) {
+      ++bounds;
+      expect(std::nextafter(range.upper, kInfinity), false);
+      expect(range.upper, !range.upper_open);
+    }
+  });
+  EXPECT_GT(bounds, 80);
+}
+
+/// The bounds themselves, written down once more: a range loosened by mistake shows here.
+TEST(CheckRange, ReferenceRanges) {
+  const std::set<std::string> any = {"load.torque", "load.axial_force",
+                                     "wave_generator.crack[0].stress",
+                                     "wave_generator.crack[1].stress"};
+  const std::set<std::string> may_be_zero = {
+      "output_shaft.inner_diameter", "wave_generator.displacements.bearing",
+      "wave_generator.displacements.cam", "wave_generator.displacements.shaft"};
+  const std::map<std::string, std::string> others = {
+      {"material.steel.poissons_ratio", "> -1 and < 0.5"},
+      {"wave_generator.bearing.inner_conformity", "> 0.5 and < 1"},
+      {"wave_generator.bearing.outer_conformity", "> 0.5 and < 1"},
+      {"wave_generator.bearing.loaded_balls", ">= 1"},
+      {"wave_generator.crack[0].aspect_ratio", "> 0 and <= 1"},
+      {"wave_generator.crack[0].contact_factor", "> 0 and <= 1"},
+      {"wave_generator.crack[1].contact_factor", "> 0 and <= 1"},
+      {"flexspline.crack[0].angle", "> -1.5708 rad and <= 1.5708 rad"},
+      {"flexspline.crack[1].angle", "> -1.5708 rad and <= 1.5708 rad"}};
+  const GearSet full = full_gear();
+  for_each_number(full, [&](const FieldPath& path, const Field& field, const double&) {
+    const std::string& at = path.text();
+    const auto other = others.find(at);
+    const std::string expected = any.contains(at)           ? "a finite number"
+                                 : may_be_zero.contains(at) ? ">= 0"
+                                 : other != others.end()    ? other->second
+                                                            : "> 0";
+    EXPECT_EQ(rule_text(field.range, field.unit), expected) << at;
+  });
+}
+
+TEST(CheckRange, InputRangesAreCheckedBeforeTheRulesBetweenFields) {
+  GearSet gear = article_gear();
+  shaft(gear).inner_diameter = -1;
+  shaft(gear).outer_diameter = -2;
+  EXPECT_EQ(refusal(gear).field(), "output_shaft.outer_diameter");
+  EXPECT_STREQ(refusal(gear).what(), "output_shaft.outer_diameter = -2 m violates: > 0");
+}
+
+}  // namespace
+}  // namespace strainwave
