@@ -110,17 +110,16 @@ ExitCode run(const SweepCommand& command) {
 ExitCode run(const SolveCommand& command) {
   const GearSet gear = read_input(command.file);
   const Method method = method_named(command.method);
-  const SolveRange range = from_command_line([&] { return parse_solve_range(gear, command.vary); });
+  const Unknown unknown = from_command_line([&] { return parse_unknown(gear, command.vary); });
   const Target target =
       from_command_line([&] { return parse_target(gear, method, command.target); });
-  const SolveResult result = solve(gear, method, range, target);
+  const SolveResult result = solve(gear, method, unknown, target);
   deliver(command.output.format == "json"
               ? with_provenance(solve_json(result), gear, provenance_of(command.file))
               : solve_text(result),
           command.output.path);
-  if (!result.solutions.empty()) return kOk;
-  warn(result.reason);
-  return kNotUsable;
+  if (!result.reason.empty()) warn(result.reason);
+  return result.usable() ? kOk : kNotUsable;
 }
 
 ExitCode run(const NewCommand& command) {

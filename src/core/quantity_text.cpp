@@ -182,6 +182,7 @@ double parse_quantity(std::string_view field, std::string_view text, std::string
   if (error != std::errc{} || !std::isfinite(number))
     refuse("must start with a finite number, such as 2.24 or 1.2e5");
   rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+  if (rest.starts_with(',')) refuse("has a comma; write a decimal point");
   rest = trimmed(rest);
   if (rest.empty() && unit != "1")
     refuse(fmt::format("has no unit; it must be convertible to {}", unit));

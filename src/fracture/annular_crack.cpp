@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace strainwave {
@@ -84,35 +85,44 @@ std::vector<double> depth_nodes() {
   return x;
 }
 
+/// Curves over rho, one for each column of a table; made once, for they never change.
+using Columns = std::array<Curve, kDepthRatios.size()>;
+
+template <class MakeColumn>
+Columns columns(const MakeColumn& make) {
+  return [&]<std::size_t... I>(std::index_sequence<I...>) { return Columns{make(I)...}; }
+  (std::make_index_sequence<kDepthRatios.size()>{});
+}
+
 /// ln(C_T/C_T(0)) over alpha at one radius ratio.
 ///
 /// C_T itself varies by a factor of 40 with rho.  (C_T(0)/C_T)^(1/3) is the radius, relative to
 /// r_o, at which the crack works: it runs smoothly from its value for a solid shaft to 1 for a thin
 /// tube, where C_T = 1 exactly.  So that is what is interpolated in rho.
 Curve log_torsion_curve(double rho) {
-  std::vector<double> rho_nodes(kTorsionRadiusRatios.begin(), kTorsionRadiusRatios.end());
-  rho_nodes.push_back(1.0);
-  std::vector<double> y = {0.0};
-  for (std::size_t column = 0; column < kDepthRatios.size(); ++column) {
+  static const Columns kColumns = columns([](std::size_t column) {
+    std::vector<double> nodes(kTorsionRadiusRatios.begin(), kTorsionRadiusRatios.end());
     std::vector<double> radius;
-    for (std::size_t row = 0; row < kTorsionRadiusRatios.size(); ++row)
-      radius.push_back(std::cbrt(shallow_torsion_factor(kTorsionRadiusRatios[row]) /
-                                 kTorsionTable[row][column]));
+    for (std::size_t row = 0; row < nodes.size(); ++row)
+      radius.push_back(std::cbrt(shallow_torsion_factor(nodes[row]) / kTorsionTable[row][column]));
+    nodes.push_back(1.0);
     radius.push_back(1.0);
-    y.push_back(-3 * std::log(curve(rho_nodes, std::move(radius))(rho)));
-  }
+    return curve(std::move(nodes), std::move(radius));
+  });
+  std::vector<double> y = {0.0};
+  for (const Curve& column : kColumns) y.push_back(-3 * std::log(column(rho)));
   return curve(depth_nodes(), std::move(y));
 }
 
 /// C_P over alpha at one radius ratio; its logarithm is the smoother in rho, toward thin tubes.
 Curve tension_curve(double rho) {
-  const std::vector<double> rho_nodes(kTensionRadiusRatios.begin(), kTensionRadiusRatios.end());
-  std::vector<double> y = {1.0};
-  for (std::size_t column = 0; column < kDepthRatios.size(); ++column) {
+  static const Columns kColumns = columns([](std::size_t column) {
     std::vector<double> log_factor;
     for (const Row& row : kTensionTable) log_factor.push_back(std::log(row[column]));
-    y.push_back(std::exp(curve(rho_nodes, std::move(log_factor))(rho)));
-  }
+    return curve({kTensionRadiusRatios.begin(), kTensionRadiusRatios.end()}, std::move(log_factor));
+  });
+  std::vector<double> y = {1.0};
+  for (const Curve& column : kColumns) y.push_back(std::exp(column(rho)));
   return curve(depth_nodes(), std::move(y));
 }
 

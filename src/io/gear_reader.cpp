@@ -42,10 +42,12 @@ class Reader {
   template <Described T>
   void read_table(const toml::table& table, const FieldPath& path, T& value) {
     remember(table, path);
+    // Unknown keys first: a misspelt key is also a missing one, and the spelling says more.
     std::vector<std::string> known;
     if constexpr (requires { T::kKind; }) known.emplace_back("kind");
+    T::describe([&](const Field& field, auto) { known.emplace_back(field.name); });
+    for (const auto& [key, node] : table) refuse_unknown(key, path, known);
     T::describe([&](const Field& field, auto member) {
-      known.emplace_back(field.name);
       const FieldPath at = path / field.name;
       const toml::node* const node = table.get(field.name);
       if (node == nullptr)
@@ -53,7 +55,6 @@ class Reader {
       else
         read(*node, at, field, value.*member);
     });
-    for (const auto& [key, node] : table) refuse_unknown(key, path, known);
   }
 
   /// The fault with its place in the file: that of the field, or of the table it is missing in.
@@ -185,9 +186,8 @@ class Reader {
     const auto* const list = node.as_array();
     if (list == nullptr) refuse_type(node, path, "a list of two", field.example);
     if (list->size() != 2)
-      refuse(
-          node, path,
-          fmt::format("has {} values; it must have two, such as {}", list->size(), field.example));
+      refuse(node, path,
+             fmt::format("must have two values, not {}, such as {}", list->size(), field.example));
     for (std::size_t i = 0; i < 2; ++i) read((*list)[i], path[i], field, value[i]);
   }
 
@@ -208,7 +208,8 @@ class Reader {
   void read(const toml::node& node, const FieldPath& path, const Field& field,
             std::map<std::string, T>& value) {
     const auto* const table = node.as_table();
-    if (table == nullptr) refuse(node, path, "must be a table of tables");
+    if (table == nullptr)
+      refuse(node, path, fmt::format("must be a table of tables, [{}.NAME]", path.text()));
     remember(node, path);
     for (const auto& [name, element] : *table)
       read(element, path / name.str(), field, value[std::string(name.str())]);

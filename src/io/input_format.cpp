@@ -289,7 +289,7 @@ std::string input_schema() {
                  {"$id", "urn:strainwave:drive:1"},
                  {"title", "strainwave drive"}};
   schema.update(table_schema<GearSet>());
-  schema["properties"]["format"] = {{"const", kDriveFormat}};
+  schema["properties"]["format"]["const"] = kDriveFormat;
   return schema.dump(2) + "\n";
 }
 

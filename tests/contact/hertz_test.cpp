@@ -57,11 +57,12 @@ TEST(HertzContact, ReferenceSphereOnFlat) {
 TEST(HertzContact, ReferenceBallOnInnerRace) {
   const HertzContact contact = hertz_contact(ball_on_race(), 500 * N);
   const auto digits = [](double value, double tolerance, std::string_view unit) {
-    return test::Reference{.value = value,
-                           .unit = unit,
-                           .relative_tolerance = tolerance,
-                           .source = "johnson1985 (secondary), evaluated by two roads: ball 12.7 mm, race 55 mm",
-                           .tolerance_is = "digits printed"};
+    return test::Reference{
+        .value = value,
+        .unit = unit,
+        .relative_tolerance = tolerance,
+        .source = "johnson1985 (secondary), evaluated by two roads: ball 12.7 mm, race 55 mm",
+        .tolerance_is = "digits printed"};
   };
   test::expect_reference(contact.major_semi_axis / mm, digits(1.2066143, 1e-7, "mm"));
   test::expect_reference(contact.minor_semi_axis / mm, digits(0.13875997, 1e-7, "mm"));
@@ -73,14 +74,15 @@ TEST(HertzContact, ReferencePalmgrenApproach) {
   const double D = 12.7 * mm;
   const PointContact outer{.curvature_sums = {2 / D - 1 / (0.52 * D), 2 / D - 1 / (67.7 * mm)},
                            .contact_modulus = kSteel};
-  const double approach = hertz_contact(ball_on_race(), 500 * N).approach +
-                          hertz_contact(outer, 500 * N).approach;
+  const double approach =
+      hertz_contact(ball_on_race(), 500 * N).approach + hertz_contact(outer, 500 * N).approach;
   test::expect_reference(
-      approach / mm, {.value = 1.1772e-2,
-                      .unit = "mm",
-                      .relative_tolerance = 0.03,
-                      .source = "harris2001 (secondary), Palmgren's rule for both races together",
-                      .tolerance_is = "model form: one rule for all conformities of ball bearings"});
+      approach / mm,
+      {.value = 1.1772e-2,
+       .unit = "mm",
+       .relative_tolerance = 0.03,
+       .source = "harris2001 (secondary), Palmgren's rule for both races together",
+       .tolerance_is = "model form: one rule for all conformities of ball bearings"});
   test::expect_relative(approach / mm, 1.2083e-2, 5e-5);  // five digits of an earlier evaluation
 }
 
@@ -120,8 +122,9 @@ TEST(HertzContact, IdentityStiffnessIsTheSlopeOfForceOverApproach) {
   const double Q = 500 * N;
   const double h = 1e-4 * Q;
   const HertzContact contact = hertz_contact(ball_on_race(), Q);
-  const double slope = 2 * h / (hertz_contact(ball_on_race(), Q + h).approach -
-                                hertz_contact(ball_on_race(), Q - h).approach);
+  const double slope = 2 * h /
+                       (hertz_contact(ball_on_race(), Q + h).approach -
+                        hertz_contact(ball_on_race(), Q - h).approach);
   // (CO-4); central difference: (h/Q)^2 and rounding 1e-16 Q/h.
   test::expect_relative(contact.tangent_stiffness, slope, 1e-8);
   test::expect_relative(contact.secant_stiffness, Q / contact.approach, 1e-15);
@@ -235,10 +238,9 @@ TEST(HertzContact, InputRulesBrokenOnce) {
 
 TEST(HertzContact, InputNothingUnlessGiven) {
   const HertzContact nothing;
-  for (const auto result :
-       {&HertzContact::major_semi_axis, &HertzContact::minor_semi_axis,
-        &HertzContact::peak_pressure, &HertzContact::approach, &HertzContact::secant_stiffness,
-        &HertzContact::tangent_stiffness})
+  for (const auto result : {&HertzContact::major_semi_axis, &HertzContact::minor_semi_axis,
+                            &HertzContact::peak_pressure, &HertzContact::approach,
+                            &HertzContact::secant_stiffness, &HertzContact::tangent_stiffness})
     EXPECT_EQ(nothing.*result, 0.0);
   EXPECT_EQ(PointContact{}.contact_modulus, 0.0);
   EXPECT_EQ(EdgeTension{}.major_end, 0.0);
@@ -263,15 +265,17 @@ TEST(PeakPressure, ScalingIsAPressure) {
       Arg{5e-3, "m"}, Arg{2e-3, "m"});
 }
 
-// --- (CO-5), (CO-6): orthogonal shear --------------------------------------------------------------
+// --- (CO-5), (CO-6): orthogonal shear
+// --------------------------------------------------------------
 
 TEST(OrthogonalShear, ReferenceCircleEllipseLine) {
   const auto reference = [](double value) {
-    return test::Reference{.value = value,
-                           .unit = "1",
-                           .relative_tolerance = 1.2e-8,
-                           .source = "harris2001 (secondary), Lundberg and Palmgren; root of a cubic",
-                           .tolerance_is = "eight digits printed"};
+    return test::Reference{
+        .value = value,
+        .unit = "1",
+        .relative_tolerance = 1.2e-8,
+        .source = "harris2001 (secondary), Lundberg and Palmgren; root of a cubic",
+        .tolerance_is = "eight digits printed"};
   };
   test::expect_reference(orthogonal_shear_factor(1.0), reference(0.42778180));
   test::expect_reference(orthogonal_shear_factor(0.4), reference(0.48255370));
@@ -315,16 +319,18 @@ TEST(OrthogonalShear, IdentityFallsFromLineToCircle) {
   }
 }
 
-// --- (CO-7): tension at the edge of the contact -----------------------------------------------------
+// --- (CO-7): tension at the edge of the contact
+// -----------------------------------------------------
 
 TEST(EdgeTension, ReferenceEllipse) {
   const EdgeTension tension = edge_tension(0.4, 0.3);
   const auto reference = [](double value) {
-    return test::Reference{.value = value,
-                           .unit = "1",
-                           .relative_tolerance = 1e-7,
-                           .source = "johnson1985 (secondary), ends of the axes of a contact ellipse",
-                           .tolerance_is = "eight digits printed"};
+    return test::Reference{
+        .value = value,
+        .unit = "1",
+        .relative_tolerance = 1e-7,
+        .source = "johnson1985 (secondary), ends of the axes of a contact ellipse",
+        .tolerance_is = "eight digits printed"};
   };
   test::expect_reference(tension.major_end, reference(0.13514631));
   test::expect_reference(tension.minor_end, reference(0.094104563));

@@ -235,9 +235,7 @@ TEST(QuantityText, InputRefusalsSayWhatIsWrong) {
            {"0x10 mm", "m",
             "field: \"0x10 mm\" has the unknown unit \"x10 mm\"; known are products such as mm, "
             "N*m/rad or MPa*m^0.5"},
-           {"1,5 mm", "m",
-            "field: \"1,5 mm\" has the unknown unit \",5 mm\"; known are products such as mm, "
-            "N*m/rad or MPa*m^0.5"},
+           {"1,5 mm", "m", "field: \"1,5 mm\" has a comma; write a decimal point"},
            {"100\tN*m", "N*m",
             "field: \"100\\tN*m\" has the unknown unit \"\\tN\"; known are products such as mm, "
             "N*m/rad or MPa*m^0.5"},

@@ -21,7 +21,8 @@ namespace {
 using std::numbers::pi;
 using test::Arg;
 
-// --- cracks with closed solutions, only for these tests ---------------------------------------------
+// --- cracks with closed solutions, only for these tests
+// ---------------------------------------------
 
 /// Penny in an infinite body under tension: K_I = 2 sigma sqrt(a/pi), dA = a da dtheta.
 struct Penny {
@@ -54,7 +55,8 @@ struct EmbeddedEllipse {
   [[nodiscard]] double swept_area(double a, double) const { return a / aspect_ratio; }
 };
 
-/// Edge crack in a strip under antiplane shear: K_III = tau sqrt(2t tan(pi a/2t)), front of width B.
+/// Edge crack in a strip under antiplane shear: K_III = tau sqrt(2t tan(pi a/2t)), front of width
+/// B.
 struct AntiplaneStrip {
   static constexpr std::size_t kLoads = 1;
   double depth = 0.5;
@@ -88,7 +90,8 @@ PointFront<N, F> point_front(F f, double size = 1.0, double width = 1.0) {
   return {std::move(f), size, width};
 }
 
-// --- the symmetric matrix ---------------------------------------------------------------------------
+// --- the symmetric matrix
+// ---------------------------------------------------------------------------
 
 TEST(SymmetricMatrix, IdentityIndicesAreSymmetricAndComplete) {
   using Matrix = SymmetricMatrix<4>;
@@ -133,7 +136,8 @@ TEST(SymmetricMatrix, IdentityNormIsTheLargestMagnitude) {
   EXPECT_EQ(abs(a), 9.0);
 }
 
-// --- (FR-1), (FR-2): the integrand -----------------------------------------------------------------
+// --- (FR-1), (FR-2): the integrand
+// -----------------------------------------------------------------
 
 TEST(EnergyReleaseRate, ReferenceIrwin) {
   const CrackModuli moduli{.opening = 5.0, .shear = 7.0};
@@ -176,9 +180,13 @@ TEST(ComplianceDensity, IdentityTwiceTheEnergyReleaseRate) {
       .I = {1.0, -2.0, 0.5}, .II = {0.3, 4.0, -1.0}, .III = {2.0, 0.0, -3.0}};
   const CrackModuli moduli{.opening = 11.0, .shear = 4.0};
   const SymmetricMatrix<3> density = compliance_density(k, moduli);
-  for (const std::array<double, 3> Q :
-       {std::array{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, {1.0, 1.0, 0.0},
-        {0.0, 1.0, -1.0}, {1.0, 0.0, 1.0}, {2.0, -3.0, 5.0}}) {
+  for (const std::array<double, 3> Q : {std::array{1.0, 0.0, 0.0},
+                                        {0.0, 1.0, 0.0},
+                                        {0.0, 0.0, 1.0},
+                                        {1.0, 1.0, 0.0},
+                                        {0.0, 1.0, -1.0},
+                                        {1.0, 0.0, 1.0},
+                                        {2.0, -3.0, 5.0}}) {
     double quadratic = 0.0;
     std::array<double, 3> K{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -192,7 +200,8 @@ TEST(ComplianceDensity, IdentityTwiceTheEnergyReleaseRate) {
   EXPECT_NE(density(0, 1), 0.0);
 }
 
-// --- (FR-2): the engine against closed solutions ----------------------------------------------------
+// --- (FR-2): the engine against closed solutions
+// ----------------------------------------------------
 
 TEST(AddedCompliance, ReferencePennyInTension) {
   const double nu = 0.3;
@@ -228,12 +237,10 @@ TEST(AddedCompliance, ReferenceEllipseTable) {
                       row.quantity == "unit_ellipse.tension_energy";
     if (!unit && row.quantity != "tension_energy_per_stress_squared") continue;
     const double rho = row("aspect_ratio");
-    const double E_k = integrate<31>(
-                           [&](double phi) {
-                             return std::hypot(rho * std::cos(phi), std::sin(phi));
-                           },
-                           0.0, pi / 2, {.relative_tolerance = 1e-14})
-                           .value;
+    const double E_k =
+        integrate<31>([&](double phi) { return std::hypot(rho * std::cos(phi), std::sin(phi)); },
+                      0.0, pi / 2, {.relative_tolerance = 1e-14})
+            .value;
     const double nu = row("poissons_ratio");
     const EmbeddedEllipse crack{.depth = row("depth"), .aspect_ratio = rho, .elliptic_E = E_k};
     const double E = row("youngs_modulus");
@@ -247,8 +254,7 @@ TEST(AddedCompliance, ReferenceEllipseTable) {
 }
 
 TEST(AddedCompliance, ReferenceAntiplaneStrip) {
-  const auto added =
-      added_compliance(AntiplaneStrip{}, {.opening = 1.0, .shear = 1.0});
+  const auto added = added_compliance(AntiplaneStrip{}, {.opening = 1.0, .shear = 1.0});
   test::expect_reference(added.matrix(0, 0),
                          {.value = 0.44127120,
                           .unit = "m^2, at t = 1, a = 0.5",
@@ -328,7 +334,8 @@ TEST(AddedCompliance, IdentityModesAndModuli) {
   test::expect_relative(with(2, 3, 4), 26.0 / 5 + 16.0 / 3, 1e-14);
 }
 
-// --- the engine: loads, units, evidence -------------------------------------------------------------
+// --- the engine: loads, units, evidence
+// -------------------------------------------------------------
 
 /// Three loads: smooth, kinked at a third of the size, and idle.
 UnitStressIntensity<3> smooth_kinked_idle(double x, double smooth, double kinked) {
@@ -383,8 +390,7 @@ TEST(AddedCompliance, ConvergenceToleranceIsKept) {
   const auto crack = point_front<3>([](double a) { return smooth_kinked_idle(a, 0.0, 1.0); });
   double last = 1.0;
   for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8}) {
-    const auto added =
-        added_compliance(crack, moduli, {.relative_tolerance = tolerance});
+    const auto added = added_compliance(crack, moduli, {.relative_tolerance = tolerance});
     const double error = std::abs(added.matrix(1, 1) / (5.0 / 18) - 1);
     EXPECT_LE(error, tolerance);
     EXPECT_LE(error, std::max(last, 1e-15));
@@ -403,9 +409,8 @@ TEST(AddedCompliance, ConvergenceIsDenied) {
   EXPECT_GT(added.relative_error, 1e-4);
   EXPECT_LT(added.relative_error, 1e-1);
   const auto with = [&](double factor) {
-    return added_compliance(
-               crack, moduli,
-               {.relative_tolerance = added.relative_error * factor, .max_pieces = 1})
+    return added_compliance(crack, moduli,
+                            {.relative_tolerance = added.relative_error * factor, .max_pieces = 1})
         .converged;
   };
   EXPECT_TRUE(with(1.001));

@@ -54,8 +54,8 @@ std::array<double, 3> closed_J(double rho) {
   const double I1 = rho + std::asin(k) / k;
   const double I2 = 2 * ((1 + k2) * E - (1 - k2) * K) / (3 * k2);
   const double I3 = I1 - (std::asin(k) - k * rho * (1 - 2 * k2)) / (4 * k2 * k);
-  const double I4 = 2 * ((3 * k2 * k2 + 7 * k2 - 2) * E + 2 * (1 - k2) * (1 - 3 * k2) * K) /
-                    (15 * k2 * k2);
+  const double I4 =
+      2 * ((3 * k2 * k2 + 7 * k2 - 2) * E + 2 * (1 - k2) * (1 - 3 * k2) * K) / (15 * k2 * k2);
   return {I0, I0 - 2 * I1 + I2, I0 - 4 * I1 + 6 * I2 - 4 * I3 + I4};
 }
 
@@ -79,7 +79,8 @@ double closed_energy_integral(double depth, double rho, double thickness) {
   return pi * depth * depth * depth / (Q * rho) * sum;
 }
 
-// --- (FR-4), (FR-5): Newman and Raju ---------------------------------------------------------------------
+// --- (FR-4), (FR-5): Newman and Raju
+// ---------------------------------------------------------------------
 
 TEST(NewmanRaju, ReferenceShapeParameter) {
   const auto reference = [](double value) {
@@ -133,9 +134,9 @@ TEST(NewmanRaju, ReferenceTable) {
     if (row.quantity == "Q")
       test::expect_row(solution.shape_parameter(), row, kRounding);
     else if (row.quantity == "K_I_per_stress")
-      test::expect_row(solution.factor(row("depth_ratio"), row("front_angle")) *
-                           std::sqrt(pi * row("depth")),
-                       row, kRounding);
+      test::expect_row(
+          solution.factor(row("depth_ratio"), row("front_angle")) * std::sqrt(pi * row("depth")),
+          row, kRounding);
     else if (row.quantity == "F")
       test::expect_row(solution.factor(row("depth_ratio"), row("front_angle")) *
                            std::sqrt(solution.shape_parameter()),
@@ -174,9 +175,9 @@ TEST(NewmanRaju, CrosscheckFiniteElementsOfABlock) {
   // fit's factor of the width, sqrt(sec(pi c/(2b) sqrt(a/t))), makes it 2.6 % more.
   const NewmanRaju ellipse(0.5);
   const double width = 1 / std::sqrt(std::cos(pi * 2 / (2 * 5.0) * std::sqrt(1 / 2.24)));
-  EXPECT_NEAR(width * ellipse.factor(1 / 2.24, pi / 2) * boost::math::ellint_2(std::sqrt(0.75)) /
-                  1.240,
-              1.026, 0.001);
+  EXPECT_NEAR(
+      width * ellipse.factor(1 / 2.24, pi / 2) * boost::math::ellint_2(std::sqrt(0.75)) / 1.240,
+      1.026, 0.001);
 }
 
 TEST(NewmanRaju, IdentityDeeperIsMoreSevere) {
@@ -186,7 +187,8 @@ TEST(NewmanRaju, IdentityDeeperIsMoreSevere) {
         EXPECT_GT(NewmanRaju(rho).factor(alpha + 0.1, phi), NewmanRaju(rho).factor(alpha, phi));
 }
 
-// --- (FR-3): energy of the swept crack -------------------------------------------------------------------
+// --- (FR-3): energy of the swept crack
+// -------------------------------------------------------------------
 
 TEST(SurfaceCrack, ReferenceEnergyIntegralTable) {
   int n = 0;
@@ -194,9 +196,9 @@ TEST(SurfaceCrack, ReferenceEnergyIntegralTable) {
     if (row.quantity != "energy_integral") continue;
     const double alpha = row("depth_ratio");
     const double a = row("depth");
-    test::expect_row(
-        energy_integral(a, row("aspect_ratio"), alpha > 0 ? a / alpha : kInfinite), row,
-        1e-11);  // the engine's tolerance of 1e-10, usually kept by far
+    test::expect_row(energy_integral(a, row("aspect_ratio"), alpha > 0 ? a / alpha : kInfinite),
+                     row,
+                     1e-11);  // the engine's tolerance of 1e-10, usually kept by far
     ++n;
   }
   EXPECT_GE(n, 25);
@@ -231,8 +233,7 @@ TEST(SurfaceCrack, IdentityIrwin) {
   const double t = 10 * mm;
   const double a = 4 * mm;
   const double h = 1e-4 * a;
-  const double slope =
-      (energy_integral(a + h, 0.6, t) - energy_integral(a - h, 0.6, t)) / (2 * h);
+  const double slope = (energy_integral(a + h, 0.6, t) - energy_integral(a - h, 0.6, t)) / (2 * h);
   const SurfaceCrack<1> crack = in_tension(a, 0.6, t);
   const double along_front = integrate<31>(
                                  [&](double phi) {
@@ -266,7 +267,8 @@ TEST(SurfaceCrack, IdentityDeepestPointIsTheLast) {
                         NewmanRaju(0.4).factor(0.1, pi / 2) * std::sqrt(pi * 1 * mm), 1e-15);
 }
 
-// --- (FR-10): the ellipse in shear -------------------------------------------------------------------------
+// --- (FR-10): the ellipse in shear
+// -------------------------------------------------------------------------
 
 TEST(KassirSih, ReferenceTable) {
   std::map<std::string, int> seen;
@@ -281,8 +283,7 @@ TEST(KassirSih, ReferenceTable) {
     } else if (row.quantity == "K_II_per_stress") {
       test::expect_row(solution.factor_II(row("front_angle")) * std::sqrt(pi * a), row, kRounding);
     } else if (row.quantity == "K_III_per_stress") {
-      test::expect_row(solution.factor_III(row("front_angle")) * std::sqrt(pi * a), row,
-                       kRounding);
+      test::expect_row(solution.factor_III(row("front_angle")) * std::sqrt(pi * a), row, kRounding);
     } else if (row.quantity == "shear_energy_per_stress_squared" ||
                row.quantity == "unit_penny.shear_energy") {
       // The engine follows a quarter of the front, and the surface crack half of the ellipse:
@@ -348,7 +349,8 @@ TEST(KassirSih, LimitPennyWithoutAStep) {
   }
 }
 
-// --- the crack with several loads --------------------------------------------------------------------------
+// --- the crack with several loads
+// --------------------------------------------------------------------------
 
 SurfaceCrack<2>::Parameters two_loads() {
   return {.depth = 1 * mm,
@@ -379,10 +381,8 @@ TEST(SurfaceCrack, IdentityEachModeHasItsStress) {
 TEST(SurfaceCrack, IdentityClosedFacesOnlySlide) {  // (FR-17)
   SurfaceCrack<2>::Parameters parameters = two_loads();
   parameters.open = false;
-  const UnitStressIntensity<2> closed =
-      SurfaceCrack<2>(parameters).stress_intensity(1 * mm, 0.6);
-  const UnitStressIntensity<2> open =
-      SurfaceCrack<2>(two_loads()).stress_intensity(1 * mm, 0.6);
+  const UnitStressIntensity<2> closed = SurfaceCrack<2>(parameters).stress_intensity(1 * mm, 0.6);
+  const UnitStressIntensity<2> open = SurfaceCrack<2>(two_loads()).stress_intensity(1 * mm, 0.6);
   EXPECT_EQ(closed.I, (std::array{0.0, 0.0}));
   EXPECT_EQ(closed.II, open.II);
   EXPECT_EQ(closed.III, open.III);
@@ -412,8 +412,7 @@ TEST(SurfaceCrack, IdentityCompliancesOfTheModesAdd) {
   const auto all = added_compliance(SurfaceCrack<2>(two_loads()), moduli).matrix;
   const auto sum = added_compliance(SurfaceCrack<2>(opening), moduli).matrix +
                    added_compliance(SurfaceCrack<2>(sliding), moduli).matrix;
-  for (std::size_t i = 0; i < 3; ++i)
-    EXPECT_NEAR(all.upper[i] / sum.upper[i], 1, 1e-9) << i;
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(all.upper[i] / sum.upper[i], 1, 1e-9) << i;
 }
 
 TEST(SurfaceCrack, ScalingComplianceAndIntensity) {

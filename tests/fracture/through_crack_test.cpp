@@ -37,17 +37,19 @@ double torsion_entry(const ThroughCrackInTube& crack) {
   return added_compliance(crack, kPlaneStress).matrix(kTorsion, kTorsion);
 }
 
-// --- (FR-6): stress on the crack's plane -------------------------------------------------------------
+// --- (FR-6): stress on the crack's plane
+// -------------------------------------------------------------
 
 TEST(CrackPlaneStress, ReferenceBredt) {
   const double T = 100;
   const CrackPlaneStress at_45 = crack_plane_stress(78.88 * mm, 2.24 * mm, 45 * deg, 1.0);
-  test::expect_reference(at_45.normal[kTorsion] * T / MPa,
-                         {.value = 1.1419269,
-                          .unit = "MPa",
-                          .relative_tolerance = 4e-8,
-                          .source = "Bredt: T/(2 pi r^2 t) of the article's flexspline, r = 78.88 mm",
-                          .tolerance_is = "eight digits printed"});
+  test::expect_reference(
+      at_45.normal[kTorsion] * T / MPa,
+      {.value = 1.1419269,
+       .unit = "MPa",
+       .relative_tolerance = 4e-8,
+       .source = "Bredt: T/(2 pi r^2 t) of the article's flexspline, r = 78.88 mm",
+       .tolerance_is = "eight digits printed"});
 }
 
 TEST(CrackPlaneStress, IdentityRotationOfTheStressTensor) {
@@ -79,7 +81,9 @@ TEST(CrackPlaneStress, IdentityRotationOfTheStressTensor) {
 }
 
 TEST(CrackPlaneStress, IdentityZerosAreExact) {
-  const auto at = [](double degrees) { return crack_plane_stress(0.05, 0.001, degrees * deg, 1.0); };
+  const auto at = [](double degrees) {
+    return crack_plane_stress(0.05, 0.001, degrees * deg, 1.0);
+  };
   // 45 degrees is pure opening under torque, 0 and 90 degrees pure shear; 0 carries no axial force.
   EXPECT_EQ(at(45).shear[kTorsion], 0.0);
   EXPECT_EQ(at(-45).shear[kTorsion], 0.0);
@@ -99,8 +103,7 @@ TEST(CrackPlaneStress, IdentityZerosAreExact) {
 TEST(CrackPlaneStress, ScalingStressPerLoad) {
   const auto expect = [](std::string_view unit, auto part, std::size_t load) {
     test::expect_dimensionally_consistent(
-        unit,
-        [=](double r, double t) { return (crack_plane_stress(r, t, 0.4, 1.1).*part)[load]; },
+        unit, [=](double r, double t) { return (crack_plane_stress(r, t, 0.4, 1.1).*part)[load]; },
         Arg{0.08, "m"}, Arg{2e-3, "m"});
   };
   expect("1/m^2", &CrackPlaneStress::normal, kAxial);
@@ -109,7 +112,8 @@ TEST(CrackPlaneStress, ScalingStressPerLoad) {
   expect("1/m^3", &CrackPlaneStress::shear, kTorsion);
 }
 
-// --- (FR-7): stress intensity --------------------------------------------------------------------------
+// --- (FR-7): stress intensity
+// --------------------------------------------------------------------------
 
 TEST(ThroughCrack, ReferenceMatrixAt45Degrees) {
   const auto added = added_compliance(article_crack(), kPlaneStress);
@@ -122,8 +126,7 @@ TEST(ThroughCrack, ReferenceMatrixAt45Degrees) {
         .tolerance_is = "eight digits printed"};
   };
   // Printed in N, mm.
-  test::expect_reference(added.matrix(kAxial, kAxial) * (N / mm),
-                         reference(2.7188736e-11, "mm/N"));
+  test::expect_reference(added.matrix(kAxial, kAxial) * (N / mm), reference(2.7188736e-11, "mm/N"));
   test::expect_reference(added.matrix(kAxial, kTorsion) * N, reference(3.4468479e-13, "1/N"));
   test::expect_reference(added.matrix(kTorsion, kTorsion) * (N * mm),
                          reference(8.7394723e-15, "rad/(N*mm)"));
@@ -176,8 +179,7 @@ TEST(ThroughCrack, ReferenceTable) {
                                    .angle = row("angle"),
                                    .poissons_ratio = row("poissons_ratio"),
                                    .shell_correction = row.quantity.substr(0, dot) == "shell"};
-    const auto matrix =
-        added_compliance(crack, {.opening = E, .shear = 80 * GPa}).matrix;
+    const auto matrix = added_compliance(crack, {.opening = E, .shear = 80 * GPa}).matrix;
     const std::size_t i = entry == "torsion" ? kTorsion : kAxial;
     const std::size_t j = entry == "axial" ? kAxial : kTorsion;
     test::expect_row(matrix(i, j), row, 1e-13);  // rounding; the integrand is a polynomial
@@ -191,10 +193,9 @@ TEST(ThroughCrack, IdentityGriffith) {
   // A flat crack at 45 degrees is a Griffith crack under tension tau: energy pi tau^2 a^2 t/E.
   const ThroughCrackInTube crack = article_crack();
   const double T = 100;
-  const double tau =
-      T / (2 * pi * crack.mean_radius * crack.mean_radius * crack.wall_thickness);
-  const double energy = pi * tau * tau * crack.half_length * crack.half_length *
-                        crack.wall_thickness / kE;
+  const double tau = T / (2 * pi * crack.mean_radius * crack.mean_radius * crack.wall_thickness);
+  const double energy =
+      pi * tau * tau * crack.half_length * crack.half_length * crack.wall_thickness / kE;
   test::expect_relative(torsion_entry(crack) * T * T / 2, energy, 1e-12);
 }
 
@@ -234,7 +235,8 @@ TEST(ThroughCrack, IdentityClosedFacesOnlySlide) {  // (FR-17)
   EXPECT_NE(closed.II[kTorsion], 0.0);
 }
 
-// --- (FR-8), (FR-9): shell correction ------------------------------------------------------------------
+// --- (FR-8), (FR-9): shell correction
+// ------------------------------------------------------------------
 
 TEST(ThroughCrack, ReferenceShellParameter) {
   test::expect_reference(article_crack().shell_parameter_squared(10 * mm),
@@ -250,8 +252,8 @@ TEST(ThroughCrack, ReferenceShellParameter) {
 TEST(ThroughCrack, IdentityShellParameterUsesItsPoissonsRatio) {
   ThroughCrackInTube crack = article_crack();
   crack.poissons_ratio = 0.0;
-  test::expect_relative(crack.shell_parameter_squared(2 * mm),
-                        std::sqrt(12.0) * 4 / (78.88 * 2.24), 1e-14);
+  test::expect_relative(crack.shell_parameter_squared(2 * mm), std::sqrt(12.0) * 4 / (78.88 * 2.24),
+                        1e-14);
   crack.poissons_ratio = 0.4;
   test::expect_relative(crack.shell_parameter_squared(2 * mm),
                         std::sqrt(12.0 * 0.84) * 4 / (78.88 * 2.24), 1e-14);
@@ -282,8 +284,8 @@ TEST(ThroughCrack, IdentityShellIntegralIsAPolynomial) {
     const double flat = torsion_entry(crack);
     crack.shell_correction = true;
     const double kappa_a2 = 3 * pi / 64 * crack.shell_parameter_squared(a);
-    test::expect_relative(torsion_entry(crack) / flat,
-                          1 + kappa_a2 + kappa_a2 * kappa_a2 / 3, 1e-12);
+    test::expect_relative(torsion_entry(crack) / flat, 1 + kappa_a2 + kappa_a2 * kappa_a2 / 3,
+                          1e-12);
   }
   // 1.1 % at a = 2 mm.
   ThroughCrackInTube crack = article_crack(2 * mm);
@@ -299,7 +301,8 @@ TEST(ThroughCrack, IdentityShellLeavesSlidingAlone) {
   EXPECT_EQ(crack.stress_intensity(5 * mm, 0).II, flat.II);
 }
 
-// --- finite elements ------------------------------------------------------------------------------------
+// --- finite elements
+// ------------------------------------------------------------------------------------
 
 // Three-dimensional finite elements (p = 3, 4 and quadratic bricks) of a tube R = 78.88 mm,
 // t = 2.24 mm, L = 160 mm, E = 210 GPa, nu = 0.3, crack at 45 degrees; converged to 0.1 % of G.
@@ -311,8 +314,8 @@ TEST(ThroughCrack, CrosscheckFiniteElementsShellParameter) {
   };
   // The tolerance is model form: membrane theory of a shallow shell, first term in lambda^2, and
   // an interpolation between axial and circumferential cracks.
-  for (const Case& c : {Case{0.052, 1.0127, 0.005}, Case{0.207, 1.0582, 0.005},
-                        Case{1.8702359, 1.5069, 0.085}}) {
+  for (const Case& c :
+       {Case{0.052, 1.0127, 0.005}, Case{0.207, 1.0582, 0.005}, Case{1.8702359, 1.5069, 0.085}}) {
     ThroughCrackInTube crack = article_crack();
     crack.shell_correction = true;
     const double a = std::sqrt(c.lambda_squared / crack.shell_parameter_squared(1.0));
@@ -348,7 +351,8 @@ TEST(ThroughCrack, CrosscheckFiniteElementsShortCrackIsInPlaneStrain) {
   EXPECT_NEAR(plane_strain / finite_elements, 1.0, 0.01);  // curvature and faces of the wall
 }
 
-// --- (FR-1), (FR-2) --------------------------------------------------------------------------------------
+// --- (FR-1), (FR-2)
+// --------------------------------------------------------------------------------------
 
 TEST(ThroughCrack, IdentityIrwin) {
   // dlambda/dA by finite differences of the result = 2 G/Q^2, for both loads and their coupling.
@@ -365,8 +369,8 @@ TEST(ThroughCrack, IdentityIrwin) {
   const double h = 1e-3 * a;
   const double slope = (twice_energy(a + h) - twice_energy(a - h)) / (2 * h);
   const UnitStressIntensity<2> k = crack.stress_intensity(a, 0);
-  const double G = energy_release_rate(k.I[0] * P + k.I[1] * T, k.II[0] * P + k.II[1] * T, 0,
-                                       kPlaneStress);
+  const double G =
+      energy_release_rate(k.I[0] * P + k.I[1] * T, k.II[0] * P + k.II[1] * T, 0, kPlaneStress);
   // Central difference: h^2 lambda'''/6, 1e-6 of lambda' times the shell correction.
   test::expect_relative(slope / (2 * crack.wall_thickness), 2 * G, 1e-6);
 }

@@ -400,6 +400,9 @@ const std::vector<Broken> kBroken = {
      "output_shaft.inner_diameter", "inner_diameter < outer_diameter", ""},
     {"AnnularCrackThroughTheWall", article, [](GearSet& g) { annular_crack(g).depth = 12.5 * mm; },
      "output_shaft.crack[0].depth", "depth < (outer_diameter - inner_diameter)/2, the wall", ""},
+    {"DepthIsThatOfTheWallButForRounding", article,
+     [](GearSet& g) { annular_crack(g).depth = std::nextafter((70 * mm - 45 * mm) / 2, 0.0); },
+     "output_shaft.crack[0].depth", "depth < (outer_diameter - inner_diameter)/2, the wall", ""},
     {"AnnularCrackOfTheRadius", article,
      [](GearSet& g) {
        shaft(g).inner_diameter = 0;
@@ -445,6 +448,8 @@ struct Accepted {
 };
 
 double below(double x) { return std::nextafter(x, 0.0); }
+/// For rules that do not let rounding decide.
+double just_below(double x) { return x * (1 - 1e-11); }
 
 const std::vector<Accepted> kAccepted = {
     {"NoName", article, [](GearSet& g) { g.name.clear(); }},
@@ -526,7 +531,8 @@ const std::vector<Accepted> kAccepted = {
        race_crack(g).contact_factor.reset();
      }},
     {"GivenStressOfZero", sections_gear, [](GearSet& g) { edge_crack(g).stress = 0; }},
-    {"RaceCrackJustInTheRing", article, [](GearSet& g) { race_crack(g).depth = below(10 * mm); }},
+    {"RaceCrackJustInTheRing", article,
+     [](GearSet& g) { race_crack(g).depth = just_below(10 * mm); }},
     {"WallJustBelowTheRadius", article,
      [](GearSet& g) { flexspline(g).wall_thickness = below(80 * mm); }},
     {"RimJustBelowTheRadius", sections_gear,
@@ -565,7 +571,7 @@ const std::vector<Accepted> kAccepted = {
     {"WallCrackJustInTheRim", sections_gear,
      [](GearSet& g) {
        rim_crack(g).half_length = 5 * mm;
-       rim_crack(g).depth = below(3 * mm);
+       rim_crack(g).depth = just_below(3 * mm);
      }},
     {"SolidShaft", article, [](GearSet& g) { shaft(g).inner_diameter = 0; }},
     {"SolidShaftByTada", article,
@@ -579,11 +585,11 @@ const std::vector<Accepted> kAccepted = {
        g.output_shaft->crack.clear();
      }},
     {"AnnularCrackJustInTheWall", article,
-     [](GearSet& g) { annular_crack(g).depth = 12.5 * mm * (1 - 1e-12); }},
+     [](GearSet& g) { annular_crack(g).depth = just_below(12.5 * mm); }},
     {"AnnularCrackJustInTheRadius", article,
      [](GearSet& g) {
        shaft(g).inner_diameter = 0;
-       annular_crack(g).depth = below(35 * mm);
+       annular_crack(g).depth = just_below(35 * mm);
      }},
     {"NoOverrides", article, [](GearSet& g) { g.article = ArticleOverrides{}; }},
     {"MaterialOfAnyName", article,
@@ -687,9 +693,9 @@ TEST(CheckRange, IdentityTheFullDriveHasEveryNumberThatADriveCanHave) {
     present.insert(path.text());
   });
   EXPECT_EQ(present, possible);
-  EXPECT_GT(present.size(), 80U);
+  EXPECT_GT(present.size(), 60U);
   // All of them are in their ranges: what is wrong with it is not a range.
-  EXPECT_EQ(refusal(full).field(), "wave_generator.displacements");
+  EXPECT_EQ(refusal(full).rule(), "radial_displacement < pitch_diameter/2");
 }
 
 TEST(CheckRange, InputEveryNumberRefusesWhatIsNoNumber) {
@@ -728,7 +734,7 @@ TEST(CheckRange, InputEveryBoundIsHeldOnBothSides) {
       expect(range.upper, !range.upper_open);
     }
   });
-  EXPECT_GT(bounds, 80);
+  EXPECT_GT(bounds, 60);
 }
 
 /// The bounds themselves, written down once more: a range loosened by mistake shows here.

@@ -179,7 +179,7 @@ struct Wrong {
 
 TEST(NumberAt, InputPathsThatAreNoNumberSuggestOne) {
   const GearSet gear = article_gear();
-  for (const auto& [path, message] : {
+  for (const Wrong& wrong : {
            Wrong{"output_shaft.crack[0].dept",
                  "output_shaft.crack[0].dept: is not a number of this drive; did you mean "
                  "output_shaft.crack[0].depth?"},
@@ -199,9 +199,9 @@ TEST(NumberAt, InputPathsThatAreNoNumberSuggestOne) {
            Wrong{"drive", "drive: is not a number of this drive"},
            Wrong{"flexspline.shape", "flexspline.shape: is not a number of this drive"},
        }) {
-    EXPECT_STREQ(refusal([&] { (void)number_at(gear, path); }).what(), message.data());
+    EXPECT_STREQ(refusal([&] { (void)number_at(gear, wrong.path); }).what(), wrong.message.data());
     GearSet copy = gear;
-    EXPECT_STREQ(refusal([&] { set_number(copy, path, 1); }).what(), message.data());
+    EXPECT_STREQ(refusal([&] { set_number(copy, wrong.path, 1); }).what(), wrong.message.data());
   }
 }
 

@@ -17,8 +17,8 @@ namespace strainwave::test {
 /// Compares with a reference number within its tolerance.
 inline void expect_reference(double actual, const Reference& reference) {
   EXPECT_NEAR(actual, reference.value, std::abs(reference.value) * reference.relative_tolerance)
-      << "in " << reference.unit << "; " << reference.source << "; tolerance: "
-      << reference.tolerance_is;
+      << "in " << reference.unit << "; " << reference.source
+      << "; tolerance: " << reference.tolerance_is;
 }
 
 /// |actual/expected - 1| <= tolerance, for an expected value other than zero.

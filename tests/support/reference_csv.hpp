@@ -95,8 +95,7 @@ inline std::vector<CsvRow> read_reference_csv(const std::string& table) {
     if (cells.size() != n) throw std::runtime_error(row.place + ": wrong number of cells");
     row.quantity = cells[0];
     for (std::size_t i = 0; i < names.size(); ++i)
-      if (!cells[i + 1].empty())
-        row.inputs[names[i]] = detail::csv_number(cells[i + 1], row.place);
+      if (!cells[i + 1].empty()) row.inputs[names[i]] = detail::csv_number(cells[i + 1], row.place);
     row.value = detail::csv_number(cells[n - 4], row.place);
     row.unit = cells[n - 3];
     row.digits = static_cast<int>(detail::csv_number(cells[n - 2], row.place));

@@ -152,13 +152,15 @@ template <SweptCrack Crack>
   };
   // The loads have different units, so their entries may differ by powers of ten.  Measured in
   // units that release equal energy at the final size, all entries get the same tolerance.
-  const SymmetricMatrix<N> final = along_front(crack.size());
   SymmetricMatrix<N> scale(1.0);
-  for (std::size_t i = 0; i < N; ++i)
-    for (std::size_t j = i; j < N; ++j) {
-      const double product = std::sqrt(final(i, i)) * std::sqrt(final(j, j));
-      if (product > 0) scale(i, j) = product;
-    }
+  if constexpr (N > 1) {
+    const SymmetricMatrix<N> final = along_front(crack.size());
+    for (std::size_t i = 0; i < N; ++i)
+      for (std::size_t j = i; j < N; ++j) {
+        const double product = std::sqrt(final(i, i)) * std::sqrt(final(j, j));
+        if (product > 0) scale(i, j) = product;
+      }
+  }
   const auto scaled = [&](SymmetricMatrix<N> matrix) {
     for (std::size_t n = 0; n < scale.upper.size(); ++n) matrix.upper[n] /= scale.upper[n];
     return matrix;

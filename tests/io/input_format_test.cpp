@@ -1,0 +1,680 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/io/input_format.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/quantity_text.hpp"
+#include "strainwave/io/gear_reader.hpp"
+#include "strainwave/model/gear_set.hpp"
+
+namespace strainwave {
+namespace {
+
+using Json = nlohmann::json;
+
+/// What the reader says to a text; "accepted" if it reads it.
+std::string verdict(std::string_view text) {
+  try {
+    (void)read_gear_set(text, "gear.toml");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
+bool is_commented_field(const std::string& line) {
+  static const std::regex kPattern(R"(# [A-Za-z_]+ = .*)");
+  return std::regex_match(line, kPattern);
+}
+
+bool is_commented_heading(const std::string& line) { return line.starts_with("# ["); }
+
+bool is_heading(const std::string& line) { return line.starts_with("["); }
+
+/// The key of "# key = value" or "key = value".
+std::string key_of(const std::string& line) {
+  const std::size_t start = line.starts_with("# ") ? 2 : 0;
+  return line.substr(start, line.find(" = ") - start);
+}
+
+/// "[drive]" of "# [drive]    # the drive as a whole".
+std::string heading_of(const std::string& line) {
+  const std::size_t start = line.find('[');
+  return line.substr(start, line.find_last_of(']', line.find(" #", start)) - start + 1);
+}
+
+// --- Every field of the input, walked without values ---------------------------------------------
+
+/// What a type can hold, with the struct it belongs to: `f.template operator()<Struct, Value>(path,
+/// field, default of the struct)`.
+template <class T, class F>
+void for_each_field(const std::string& path, const F& f) {
+  if constexpr (is_optional<T>) {
+    for_each_field<typename T::value_type>(path, f);
+  } else if constexpr (is_string_map<T>) {
+    for_each_field<typename T::mapped_type>(path + ".NAME", f);
+  } else if constexpr (is_vector<T>) {
+    for_each_alternative<typename T::value_type>([&]<class Alternative>() {
+      for_each_field<Alternative>(path + "[" + std::string(Alternative::kKind) + "]", f);
+    });
+  } else if constexpr (Described<T>) {
+    T::describe([&]<class Value>(const Field& field, Value T::*member) {
+      const std::string at = (path.empty() ? "" : path + ".") + std::string(field.name);
+      const T defaults{};
+      f(at, field, defaults.*member);
+      for_each_field<Value>(at, f);
+    });
+  }
+}
+
+template <class T>
+constexpr bool is_table = Described<T> || is_string_map<T> || is_vector<T>;
+template <class T>
+constexpr bool is_table<std::optional<T>> = Described<T>;
+
+template <class T>
+struct Unwrap {
+  using type = T;
+};
+template <class T>
+struct Unwrap<std::optional<T>> {
+  using type = T;
+};
+
+template <class T>
+constexpr bool is_required(const Field& field) {
+  return !is_optional<T> && !is_vector<T> && field.fallback.empty();
+}
+
+std::string unquoted(std::string_view text) {
+  EXPECT_GE(text.size(), 2U);
+  EXPECT_TRUE(text.front() == '"' && text.back() == '"') << text;
+  return std::string(text.substr(1, text.size() - 2));
+}
+
+/// A right-hand side of the template as the value of a field.
+template <class T>
+T parsed(std::string_view text, const Field& field) {
+  if constexpr (is_optional<T>) {
+    return parsed<typename T::value_type>(text, field);
+  } else if constexpr (std::is_same_v<T, double>) {
+    if (field.unit != "1") return parse_quantity(field.name, unquoted(text), field.unit);
+    return parse_quantity(field.name, text, "1");
+  } else if constexpr (std::is_same_v<T, int>) {
+    int value = 0;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+    EXPECT_EQ(result.ptr, text.data() + text.size()) << text;
+    return value;
+  } else if constexpr (std::is_same_v<T, bool>) {
+    EXPECT_TRUE(text == "true" || text == "false") << text;
+    return text == "true";
+  } else if constexpr (std::is_enum_v<T>) {
+    const auto value = enum_value<T>(unquoted(text));
+    EXPECT_TRUE(value.has_value()) << text;
+    return value.value_or(T{});
+  } else if constexpr (is_pair_of_numbers<T>) {
+    const std::size_t comma = text.find(", ");
+    return {parse_quantity(field.name, unquoted(text.substr(1, comma - 1)), field.unit),
+            parse_quantity(field.name, unquoted(text.substr(comma + 2, text.size() - comma - 3)),
+                           field.unit)};
+  } else {
+    return unquoted(text);
+  }
+}
+
+TEST(InputDescriptions, IdentityFallbacksAreTheDefaultsOfTheStructs) {
+  int n = 0;
+  for_each_field<GearSet>(
+      "", [&]<class Value>(const std::string& path, const Field& field, const Value& fallback) {
+        if (field.fallback.empty()) return;
+        if constexpr (!is_table<Value> && !is_optional<Value>) {
+          ++n;
+          EXPECT_EQ(parsed<Value>(field.fallback, field), fallback) << path;
+        } else {
+          ADD_FAILURE() << path << " has a fallback, but is a table or optional";
+        }
+      });
+  EXPECT_GE(n, 20);
+}
+
+TEST(InputDescriptions, IdentityFieldsThatMayBeLeftOutStartAbsent) {
+  for_each_field<GearSet>(
+      "", [&]<class Value>(const std::string& path, const Field&, const Value& fallback) {
+        if constexpr (is_optional<Value>) {
+          EXPECT_FALSE(fallback.has_value()) << path;
+        } else if constexpr (is_vector<Value>) {
+          EXPECT_TRUE(fallback.empty()) << path;
+        }
+      });
+}
+
+TEST(InputDescriptions, IdentityExamplesAndFallbacksAreInTheirRanges) {
+  for_each_field<GearSet>(
+      "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
+        if constexpr (!is_table<Value>) {
+          ASSERT_FALSE(field.example.empty()) << path;
+          for (const std::string_view text : {field.example, field.fallback}) {
+            if (text.empty()) continue;
+            using Inner = typename Unwrap<Value>::type;
+            const auto value = parsed<Inner>(text, field);
+            if constexpr (std::is_same_v<Inner, double> || std::is_same_v<Inner, int>) {
+              EXPECT_TRUE(field.range.contains(value)) << path << " = " << text;
+            } else if constexpr (is_pair_of_numbers<Inner>) {
+              EXPECT_TRUE(field.range.contains(value[0])) << path;
+              EXPECT_TRUE(field.range.contains(value[1])) << path;
+            }
+          }
+        }
+      });
+}
+
+TEST(InputDescriptions, IdentityNamesUnitsAndMeaningsAreThere) {
+  static const std::regex kBareKey("[A-Za-z][A-Za-z0-9_]*");
+  std::set<std::string> paths;
+  for_each_field<GearSet>(
+      "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
+        EXPECT_TRUE(std::regex_match(std::string(field.name), kBareKey)) << path;
+        EXPECT_TRUE(paths.insert(path).second) << path << " is described twice";
+        EXPECT_FALSE(field.doc.empty()) << path;
+        using Inner = typename Unwrap<Value>::type;
+        constexpr bool kIsNumber = std::is_same_v<Inner, double> || std::is_same_v<Inner, int> ||
+                                   is_pair_of_numbers<Inner>;
+        EXPECT_EQ(!field.unit.empty(), kIsNumber) << path;
+        if (kIsNumber) {
+          EXPECT_EQ(parse_unit(field.unit).factor, 1) << path << " is not in SI";
+        }
+      });
+  EXPECT_GT(paths.size(), 80U);
+}
+
+// --- Template ------------------------------------------------------------------------------------
+
+TEST(InputTemplate, CrosscheckTheReaderAcceptsIt) {
+  EXPECT_EQ(verdict(input_template()), "accepted");
+  const GearSet gear = read_gear_set(input_template(), "template");
+  EXPECT_TRUE(gear.wave_generator && gear.flexspline && gear.output_shaft);
+  EXPECT_FALSE(gear.article.has_value());
+  EXPECT_EQ(gear.wave_generator->crack.size(), 1U);
+}
+
+TEST(InputTemplate, IdentityShowsEveryField) {
+  const std::string text = input_template();
+  const std::vector<std::string> lines = lines_of(text);
+  for_each_field<GearSet>(
+      "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
+        if constexpr (!is_table<Value>) {
+          const std::string start = std::string(field.name) + " = " + std::string(field.example);
+          const bool commented = field.in_template == InTemplate::commented;
+          EXPECT_TRUE(std::ranges::any_of(lines, [&](const std::string& line) {
+            return (!commented && line.starts_with(start)) || line.starts_with("# " + start);
+          })) << path;
+          EXPECT_NE(text.find("# " + std::string(field.doc)), std::string::npos) << path;
+        }
+      });
+}
+
+TEST(InputTemplate, IdentityStatesTheFallbackAsDefault) {
+  const std::string text = input_template();
+  for_each_field<GearSet>(
+      "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
+        if (field.fallback.empty() || field.fallback == "\"\"") return;
+        EXPECT_NE(text.find("; default " + std::string(field.fallback) + "\n"), std::string::npos)
+            << path;
+      });
+}
+
+/// One commented field at a time under a live heading is switched on.
+TEST(InputTemplate, InputCommentedFieldsCanBeSwitchedOn) {
+  // What a field needs besides, or contradicts, by the heading above it.
+  const std::map<std::string, std::string> refused = {
+      {"[[wave_generator.crack]] stress", "is read only with stress_driver = \"given\""}};
+  const std::vector<std::string> lines = lines_of(input_template());
+  std::string heading = "top";
+  int switched = 0;
+  std::set<std::string> seen_refused;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (is_heading(lines[i]) || is_commented_heading(lines[i]))
+      heading = lines[i].substr(0, 2) == "# " ? "" : heading_of(lines[i]);
+    if (heading.empty() || !is_commented_field(lines[i])) continue;
+    ++switched;
+    std::vector<std::string> changed = lines;
+    changed[i].erase(0, 2);
+    const std::string result = verdict(joined(changed));
+    const std::string name = heading + " " + key_of(lines[i]);
+    const auto exception = refused.find(name);
+    if (exception == refused.end()) {
+      EXPECT_EQ(result, "accepted") << lines[i];
+    } else {
+      EXPECT_TRUE(result.ends_with(exception->second)) << name << ": " << result;
+      seen_refused.insert(name);
+    }
+  }
+  EXPECT_EQ(seen_refused.size(), refused.size());
+  EXPECT_GE(switched, 12);
+}
+
+/// Switches on the table at line `i` with all its fields, up to the empty line below.
+void switch_on_table(std::vector<std::string>& lines, std::size_t i) {
+  for (; i < lines.size() && !lines[i].empty(); ++i)
+    if (lines[i].starts_with("# ")) lines[i].erase(0, 2);
+}
+
+void replace_line(std::vector<std::string>& lines, std::string_view start, std::string_view by) {
+  for (std::string& line : lines)
+    if (line.starts_with(start)) {
+      line = by;
+      return;
+    }
+  FAIL() << "no line " << start;
+}
+
+/// Every commented table is switched on, together with what its comment says it needs.
+TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
+  using Lines = std::vector<std::string>;
+  const std::function<void(Lines&)> nothing = [](Lines&) {};
+  const std::function<void(Lines&)> no_stiffness = [](Lines& lines) {
+    replace_line(lines, "radial_stiffness", "");
+  };
+  const std::function<void(Lines&)> stress_not_read = [](Lines& lines) {
+    // The last of the two lines is that of the edge crack.
+    const auto last = std::find_if(lines.rbegin(), lines.rend(), [](const std::string& line) {
+      return line.starts_with("stress = ");
+    });
+    ASSERT_NE(last, lines.rend());
+    last->insert(0, "# ");
+    replace_line(lines, "# inner_ring_width", "inner_ring_width = \"20 mm\"");
+  };
+  const std::function<void(Lines&)> all_sections = [](Lines& lines) {
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      if (lines[i].starts_with("# [flexspline.")) switch_on_table(lines, i);
+    replace_line(lines, "crack_free", "crack_free = \"sections\"");
+  };
+  const std::function<void(Lines&)> with_bearing = [](Lines& lines) {
+    replace_line(lines, "radial_stiffness", "");
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      if (lines[i].starts_with("# [wave_generator.bearing]")) switch_on_table(lines, i);
+  };
+  struct Table {
+    std::string heading;
+    std::string alone;  ///< verdict without anything else
+    std::function<void(Lines&)> besides;
+  };
+  const std::vector<Table> tables = {
+      {"[wave_generator.displacements]", "one source of the radial stiffness too many",
+       no_stiffness},
+      {"[wave_generator.bearing]", "one source of the radial stiffness too many", no_stiffness},
+      {"[wave_generator.bearing.outer_ring]", "wave_generator.bearing.ball_diameter: must be given",
+       with_bearing},
+      {"[[wave_generator.crack]]", "is read only with stress_driver = \"given\"", stress_not_read},
+      {"[flexspline.rim]", "is read only where crack_free = \"sections\"", all_sections},
+      {"[flexspline.barrel]", "is read only where crack_free = \"sections\"", all_sections},
+      {"[flexspline.diaphragm]", "is read only where crack_free = \"sections\"", all_sections},
+      {"[flexspline.boss]", "is read only where crack_free = \"sections\"", all_sections},
+      {"[[flexspline.crack]]", "accepted", nothing},
+      {"[article]", "accepted", nothing}};
+
+  const Lines lines = lines_of(input_template());
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!is_commented_heading(lines[i])) continue;
+    const std::string heading = heading_of(lines[i]);
+    const auto table = std::ranges::find(tables, heading, &Table::heading);
+    ASSERT_NE(table, tables.end()) << heading;
+    ++found;
+    Lines changed = lines;
+    switch_on_table(changed, i);
+    const std::string alone = verdict(joined(changed));
+    EXPECT_NE(alone.find(table->alone), std::string::npos) << heading << ": " << alone;
+    table->besides(changed);
+    EXPECT_EQ(verdict(joined(changed)), "accepted") << heading;
+  }
+  EXPECT_EQ(found, tables.size());
+}
+
+TEST(InputTemplate, IdentityHasNoLineThatIsNeitherFieldNorHeadingNorComment) {
+  const std::vector<std::string> lines = lines_of(input_template());
+  int prose = 0;
+  for (const std::string& line : lines) {
+    EXPECT_TRUE(line.empty() || line.find(" = ") != std::string::npos || is_heading(line) ||
+                line.starts_with("# "))
+        << line;
+    if (line.starts_with("# ") && !is_commented_field(line) && !is_commented_heading(line)) ++prose;
+    EXPECT_EQ(line.find_last_not_of(' ') + 1, line.size()) << line;
+  }
+  EXPECT_EQ(prose, 2);
+}
+
+// --- What may be left out ------------------------------------------------------------------------
+
+/// The path of the live line `i` as `for_each_field` spells it.
+std::string path_of(const std::vector<std::string>& lines, std::size_t i) {
+  std::string table;
+  std::string kind;
+  for (std::size_t j = 0; j <= i; ++j) {
+    if (is_heading(lines[j])) {
+      table = heading_of(lines[j]);
+      kind.clear();
+    }
+    if (lines[j].starts_with("kind = "))
+      kind = "[" + lines[j].substr(8, lines[j].find('"', 8) - 8) + "]";
+  }
+  std::erase_if(table, [](char c) { return c == '[' || c == ']'; });
+  if (table == "material.steel") table = "material.NAME";
+  return (table.empty() ? "" : table + kind + ".") + key_of(lines[i]);
+}
+
+std::set<std::string> required_paths() {
+  std::set<std::string> paths;
+  for_each_field<GearSet>(
+      "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
+        if (is_required<Value>(field)) paths.insert(path);
+      });
+  return paths;
+}
+
+TEST(InputFormat, CrosscheckRequiredFieldsAreThoseThatTheReaderMisses) {
+  // Optional fields of the template that a rule between fields asks for.
+  const std::map<std::string, std::string> asked_for = {
+      // in the template E is accompanied by nu alone
+      {"material.NAME.poissons_ratio", "must be given, or shear_modulus"},
+      // the only source of the radial stiffness
+      {"wave_generator.radial_stiffness", "must be given (K_G0 of one lobe [N/m]), or"},
+      // the template has a crack in the ring, stressed by the contact
+      {"wave_generator.contact_semi_axes", "stress_driver = \"orthogonal_shear\" needs it"},
+      {"wave_generator.inner_ring_thickness", "must be given for wave_generator.crack[0]"}};
+  const std::set<std::string> required = required_paths();
+  std::set<std::string> seen;
+  const std::vector<std::string> lines = lines_of(input_template());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].empty() || lines[i].front() == '#' || is_heading(lines[i])) continue;
+    const std::string path = path_of(lines, i);
+    std::vector<std::string> changed = lines;
+    changed[i].clear();
+    const std::string result = verdict(joined(changed));
+    seen.insert(path);
+    if (path.ends_with(".kind")) {
+      EXPECT_NE(result.find("kind: must be given, one of "), std::string::npos) << result;
+    } else if (required.contains(path)) {
+      EXPECT_NE(result.find(key_of(lines[i]) + ": must be given ("), std::string::npos)
+          << path << ": " << result;
+    } else if (asked_for.contains(path)) {
+      EXPECT_NE(result.find(asked_for.at(path)), std::string::npos) << path << ": " << result;
+    } else {
+      EXPECT_EQ(result, "accepted") << path;
+    }
+  }
+  for (const auto& [path, reason] : asked_for) EXPECT_TRUE(seen.contains(path)) << path;
+}
+
+TEST(InputFormat, CrosscheckRequiredTablesAreThoseThatTheReaderMisses) {
+  const std::set<std::string> required = required_paths();
+  for (const auto& [heading, path] :
+       std::vector<std::pair<std::string, std::string>>{{"[material.steel]", "material"},
+                                                        {"[drive]", "drive"},
+                                                        {"[load]", "load"},
+                                                        {"[wave_generator]", "wave_generator"},
+                                                        {"[flexspline]", "flexspline"},
+                                                        {"[output_shaft]", "output_shaft"}}) {
+    // Every table whose heading starts like this one is left out, with its fields.
+    std::vector<std::string> kept;
+    bool skip = false;
+    const std::string inner = heading.substr(0, heading.size() - 1);
+    for (const std::string& line : lines_of(input_template())) {
+      if (is_heading(line)) skip = line.starts_with(inner) || line.starts_with("[" + inner);
+      if (!skip) kept.push_back(line);
+    }
+    const std::string result = verdict(joined(kept));
+    if (required.contains(path))
+      EXPECT_NE(result.find(path + ": must be given ("), std::string::npos) << result;
+    else
+      EXPECT_EQ(result, "accepted") << path;
+  }
+}
+
+// --- Schema --------------------------------------------------------------------------------------
+
+/// The schema of the value at a path of `for_each_field`.
+const Json& schema_at(const Json& schema, const std::string& path) {
+  const Json* at = &schema;
+  std::size_t start = 0;
+  while (start < path.size()) {
+    const std::size_t end = std::min(path.find('.', start), path.size());
+    std::string name = path.substr(start, end - start);
+    std::string kind;
+    if (const std::size_t bracket = name.find('['); bracket != std::string::npos) {
+      kind = name.substr(bracket + 1, name.size() - bracket - 2);
+      name.resize(bracket);
+    }
+    at = name == "NAME" ? &at->at("additionalProperties") : &at->at("properties").at(name);
+    if (!kind.empty()) {
+      const Json& choices = at->at("items").at("oneOf");
+      const auto choice = std::ranges::find_if(choices, [&](const Json& one) {
+        return one.at("properties").at("kind").at("const") == kind;
+      });
+      if (choice == choices.end()) throw std::out_of_range("no kind " + kind);
+      at = &*choice;
+    }
+    start = end + 1;
+  }
+  return *at;
+}
+
+Json schema() { return Json::parse(input_schema()); }
+
+TEST(InputSchema, IdentityIsAJsonSchemaOfTheDeclaredDraft) {
+  const Json s = schema();
+  EXPECT_EQ(s.at("$schema"), "https://json-schema.org/draft/2020-12/schema");
+  EXPECT_EQ(s.at("$id"), "urn:strainwave:drive:1");
+  EXPECT_EQ(s.at("type"), "object");
+  EXPECT_EQ(s.at("properties").at("format").at("const"), kDriveFormat);
+  EXPECT_TRUE(input_schema().ends_with("}\n"));
+}
+
+/// Calls `f` for each object of the schema that describes a table.
+void for_each_table(const Json& s, const std::function<void(const Json&)>& f) {
+  if (s.is_object() && s.value("type", Json()) == "object" && s.contains("properties")) f(s);
+  if (s.is_structured())
+    for (const Json& inner : s) for_each_table(inner, f);
+}
+
+TEST(InputSchema, IdentityTablesAreClosedAndRequireOnlyWhatTheyHave) {
+  int n = 0;
+  for_each_table(schema(), [&](const Json& table) {
+    ++n;
+    EXPECT_EQ(table.at("additionalProperties"), false) << table;
+    for (const Json& name : table.value("required", Json::array()))
+      EXPECT_TRUE(table.at("properties").contains(name)) << name;
+    std::set<std::string> unique;
+    for (const Json& name : table.value("required", Json::array()))
+      EXPECT_TRUE(unique.insert(name).second) << name;
+  });
+  EXPECT_EQ(n, 20);
+}
+
+TEST(InputSchema, IdentityHasEveryFieldAndNoOther) {
+  const Json s = schema();
+  std::size_t fields = 0;
+  for_each_field<GearSet>(
+      "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
+        ++fields;
+        const Json& property = schema_at(s, path);
+        const auto description = property.at("description").get<std::string>();
+        EXPECT_TRUE(description.starts_with(field.doc)) << path;
+        const bool has_unit = !field.unit.empty() && field.unit != "1";
+        EXPECT_EQ(description.find(" [" + std::string(field.unit) + "]; ") != std::string::npos,
+                  has_unit)
+            << path;
+      });
+  std::size_t properties = 0;
+  for_each_table(s, [&](const Json& table) {
+    for (const auto& [name, property] : table.at("properties").items())
+      if (name != "kind") ++properties;
+  });
+  EXPECT_EQ(properties, fields);
+}
+
+TEST(InputSchema, IdentityRequiredIsWhatTheReaderDemands) {
+  const Json s = schema();
+  for_each_field<GearSet>(
+      "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
+        const std::size_t dot = path.rfind('.');
+        const Json& table = dot == std::string::npos ? s : schema_at(s, path.substr(0, dot));
+        const Json names = table.value("required", Json::array());
+        EXPECT_EQ(std::ranges::find(names, field.name) != names.end(), is_required<Value>(field))
+            << path;
+        // An optional field without a fallback has no default, and the other way round.
+        EXPECT_EQ(schema_at(s, path).contains("default"), !field.fallback.empty()) << path;
+      });
+  for (const char* const member : {"wave_generator", "flexspline", "output_shaft"}) {
+    const Json& items = s.at("properties").at(member).at("properties").at("crack").at("items");
+    for (const Json& kind : items.at("oneOf"))
+      EXPECT_EQ(kind.at("required").at(0), "kind") << member;
+  }
+}
+
+TEST(InputSchema, IdentityTypesRangesAndDefaults) {
+  const Json s = schema();
+  for_each_field<GearSet>(
+      "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
+        const Json& property = schema_at(s, path);
+        using Inner = typename Unwrap<Value>::type;
+        if (path == "format") return;
+        if constexpr (std::is_same_v<Inner, double> || std::is_same_v<Inner, int>) {
+          if (field.unit == "1") {
+            EXPECT_EQ(property.at("type"), (std::is_same_v<Inner, int> ? "integer" : "number"));
+            const auto bound = [&](const char* key) {
+              return property.contains(key) ? std::optional<double>(property.at(key).get<double>())
+                                            : std::nullopt;
+            };
+            const auto expected = [](double value, bool here) {
+              return here && std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
+            };
+            const Range& range = field.range;
+            EXPECT_EQ(bound("minimum"), expected(range.lower, !range.lower_open)) << path;
+            EXPECT_EQ(bound("exclusiveMinimum"), expected(range.lower, range.lower_open)) << path;
+            EXPECT_EQ(bound("maximum"), expected(range.upper, !range.upper_open)) << path;
+            EXPECT_EQ(bound("exclusiveMaximum"), expected(range.upper, range.upper_open)) << path;
+          } else {
+            EXPECT_EQ(property.at("type"), "string") << path;
+            EXPECT_TRUE(property.contains("pattern")) << path;
+          }
+        } else if constexpr (std::is_same_v<Inner, bool>) {
+          EXPECT_EQ(property.at("type"), "boolean") << path;
+        } else if constexpr (std::is_same_v<Inner, std::string>) {
+          EXPECT_EQ(property.at("type"), "string") << path;
+        } else if constexpr (std::is_enum_v<Inner>) {
+          EXPECT_EQ(property.at("enum").size(), EnumNames<Inner>::names.size()) << path;
+          for (std::size_t i = 0; i < EnumNames<Inner>::names.size(); ++i)
+            EXPECT_EQ(property.at("enum").at(i), EnumNames<Inner>::names[i]) << path;
+        } else if constexpr (is_pair_of_numbers<Inner>) {
+          EXPECT_EQ(property.at("type"), "array") << path;
+          EXPECT_EQ(property.at("minItems"), 2) << path;
+          EXPECT_EQ(property.at("maxItems"), 2) << path;
+          EXPECT_EQ(property.at("items").at("type"), "string") << path;
+        } else if constexpr (is_vector<Inner>) {
+          EXPECT_EQ(property.at("type"), "array") << path;
+          EXPECT_EQ(property.at("items").at("oneOf").size(),
+                    std::variant_size_v<typename Inner::value_type>)
+              << path;
+        } else {
+          EXPECT_EQ(property.at("type"), "object") << path;
+        }
+        if (property.contains("default")) {
+          EXPECT_EQ(property.at("default"), Json::parse(field.fallback)) << path;
+        }
+      });
+}
+
+TEST(InputSchema, CrosscheckThePatternOfQuantitiesAgreesWithTheReader) {
+  const Json s = schema();
+  const std::regex pattern(
+      schema_at(s, "flexspline.wall_thickness").at("pattern").get<std::string>());
+  for (const char* const text : {"2.24 mm", "2.24mm", " 2.24 mm ", "+2.24 mm", ".5 mm", "5. mm",
+                                 "1e-3 m", "1E+3 m", "45 deg", "-45 deg", "1.2e5 N/mm", "100 N*m",
+                                 "60 MPa*m^0.5", "3 \u00B5m", "5 1/(N*m)", "2 (N*m)/rad", "0 m"})
+    EXPECT_TRUE(std::regex_search(text, pattern)) << text;
+  for (const char* const text : {"", " ", "2", "2.24", "100", "-1", "1e5", "1.5e-3", "1e5 ", "mm",
+                                 "nan mm", "inf mm", "thick", "0.", "12 3"})
+    EXPECT_FALSE(std::regex_search(text, pattern)) << text;
+  for_each_field<GearSet>(
+      "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
+        if (std::is_same_v<typename Unwrap<Value>::type, double> && field.unit != "1") {
+          EXPECT_EQ(schema_at(s, path).at("pattern"),
+                    schema_at(s, "flexspline.wall_thickness").at("pattern"));
+          EXPECT_TRUE(std::regex_search(unquoted(field.example), pattern)) << path;
+        }
+      });
+}
+
+// --- Reference -----------------------------------------------------------------------------------
+
+TEST(InputReference, IdentityHasARowForEveryField) {
+  const std::string text = input_reference();
+  int tables = 0;
+  for (const std::string& line : lines_of(text)) {
+    if (line.starts_with("## ")) ++tables;
+    // A bar inside a cell would break the table.
+    if (line.starts_with("|")) {
+      EXPECT_EQ(std::ranges::count(line, '|'), 6) << line;
+    }
+  }
+  EXPECT_EQ(tables, 20);
+  for_each_field<GearSet>(
+      "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
+        if constexpr (!is_table<Value>) {
+          const std::string row = "| `" + std::string(field.name) + "` | ";
+          const std::size_t at = text.find(row);
+          ASSERT_NE(at, std::string::npos) << path;
+          EXPECT_NE(text.find("| " + std::string(field.doc) + " |\n"), std::string::npos) << path;
+        } else {
+          EXPECT_NE(text.find("\n\n" + std::string(field.doc) + "\n\n| field |"), std::string::npos)
+              << path;
+        }
+      });
+}
+
+TEST(InputReference, IdentityThePageOfTheGuideIsUpToDate) {
+  const std::filesystem::path page =
+      std::filesystem::path(STRAINWAVE_EXAMPLES) / ".." / "docs" / "guide" / "input_file.md";
+  if (!std::filesystem::exists(page)) GTEST_SKIP() << page << " is not there";
+  std::ostringstream text;
+  text << std::ifstream(page, std::ios::binary).rdbuf();
+  EXPECT_EQ(text.str(), input_reference())
+      << "write it anew: strainwave schema --format markdown > docs/guide/input_file.md";
+}
+
+}  // namespace
+}  // namespace strainwave
