@@ -72,11 +72,12 @@ def check(root):
 
 
 def table(equations):
-    rows = [(f"({tag}) {title}", *("<br>".join(f"`{entry}`" for entry in cell) or "—" for cell in cells))
-            for tag, (title, *cells) in equations.items()]
-    rule = "|".join("-" * width for width in (26, 40, 34))
+    def cell(entries):
+        return "<br>".join(f"`{re.sub('^(src|include/strainwave|tests)/', '', entry)}`" for entry in entries) or "—"
+
+    rows = [(f"({tag}) {title}", cell(code), cell(tests)) for tag, (title, code, tests) in equations.items()]
     return ("# Traceability {#traceability}\n\nWhere each equation stands in the sources, and the tests that name it.\n\n"
-            f"| equation | source | tests |\n|{rule}|\n" + "".join(f"| {' | '.join(row)} |\n" for row in rows))
+            "| equation | source | tests |\n|---|---|---|\n" + "".join(f"| {' | '.join(row)} |\n" for row in rows))
 
 
 SOUND = {"docs/theory/FR.md": "### (FR-1) One {#FR-1}\n\n**Status:** implemented. From (FR-2).\n\n"

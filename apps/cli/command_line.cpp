@@ -98,6 +98,7 @@ class CommandLine {
                     "PATH=FROM..TO:N[:log], a field and its range with units; once or twice")
         ->required()
         ->type_name("RANGE")
+        ->allow_extra_args(false)  // or it would swallow FILE
         ->take_all();
     add_method(sub, sweep_.method);
     add_output(sub, sweep_.output, {"csv", "json"});

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/quadrature.hpp"
 #include "strainwave/core/version.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/io/input_format.hpp"

@@ -2,7 +2,7 @@
 -- Links of the theory manual: (FR-9) to the equation, "table FR-1" to the table, [@key] to the
 -- reference.  The Markdown stays readable without them.  Headings are left alone.  A citation of
 -- a key that is not in the references, or a missing anchor, is an error: a link leads somewhere.
--- Punctuation next to mathematics stays on its line (browsers would break there).
+-- Punctuation next to mathematics, and a unit next to its number, stay on their line.
 local anchors, wanted = {}, {}
 
 local function note(element)
@@ -11,7 +11,7 @@ end
 
 local function link(text, target)
   wanted[target] = true
-  return pandoc.Link(text, target)
+  return pandoc.Link(text, target, "", pandoc.Attr("", {"unbroken"}))
 end
 
 local function inlines(list)
@@ -40,10 +40,16 @@ local function inlines(list)
   return out
 end
 
+local units = {["%"] = true, mm = true, ["µm"] = true, N = true, MPa = true, ["N/mm"] = true, ["N·m"] = true,
+               ["N·mm/rad"] = true, ["N·m/rad"] = true, ["rad/(N·mm"] = true}
+
 local function unbroken(list)
   local out = pandoc.List()
-  for _, inline in ipairs(list) do
-    local last = out[#out]
+  for i, inline in ipairs(list) do
+    local last, after = out[#out], list[i + 1]
+    if inline.t == "Space" and last and after and after.t == "Str" and units[after.text:match("^[^,;.:)]*")] then
+      inline = pandoc.Str("\u{a0}")
+    end
     local opens = inline.t == "Math" and last and last.t == "Str" and last.text:match("[(%[]$")
     local closes = inline.t == "Str" and inline.text:match("^[,;.:)%]]") and last and
                    (last.t == "Math" or last.t == "Span" and last.classes:includes("unbroken"))

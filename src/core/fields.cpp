@@ -5,14 +5,18 @@
 
 #include <cmath>
 
+#include "strainwave/core/units.hpp"
+
 namespace strainwave {
 
 std::string rule_text(const Range& range, std::string_view unit) {
   const bool below = std::isfinite(range.lower);
   const bool above = std::isfinite(range.upper);
   const auto bound = [&](double value) {
-    return unit == "1" || value == 0 ? fmt::format("{:g}", value)
-                                     : fmt::format("{:g} {}", value, unit);
+    if (unit == "1" || value == 0) return fmt::format("{:g}", value);
+    // Nobody thinks of a right angle as 1.5708 rad.
+    if (unit == "rad") return fmt::format("{:g} deg", value / units::deg);
+    return fmt::format("{:g} {}", value, unit);
   };
   std::string text;
   if (below) text += fmt::format("{} {}", range.lower_open ? ">" : ">=", bound(range.lower));

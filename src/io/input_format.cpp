@@ -104,7 +104,7 @@ class TemplateWriter {
   }
 
   void line(const std::string& content, const std::string& comment, bool live) {
-    const std::string start = (live ? "" : "# ") + content;
+    const std::string start = fmt::format("{}{}", live ? "" : "# ", content);
     text_ += comment.empty() ? start + '\n' : fmt::format("{:<44} # {}\n", start, comment);
   }
 

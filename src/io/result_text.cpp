@@ -154,7 +154,7 @@ std::string result_text(const StiffnessResult& result, const GearSet& gear,
   for (const Note& note : result.notes) {
     std::string line = note.path.empty() ? note.text : note.path + ": " + note.text;
     if (!note.equation.empty()) line += fmt::format(" ({})", note.equation);
-    text += "  - " + wrapped(line, kWidth - 4, 4) + '\n';
+    text += fmt::format("  - {}\n", wrapped(line, kWidth - 4, 4));
   }
   if (!result.accuracies.empty()) text += "\nAccuracy of the models, one standard uncertainty\n";
   for (const AccuracyBasis& basis : result.accuracies)

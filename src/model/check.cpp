@@ -217,7 +217,7 @@ void check_ranges(const GearSet& gear) {
   // Paths are made only now: a sound drive, the usual case, is checked without them.
   for_each_number(gear, [](const FieldPath& path, const Field& field, const double& value) {
     require(field.range.contains(value), path.text(), value, field.unit,
-            rule_text(field.range, field.unit));
+            std::isfinite(value) ? rule_text(field.range, field.unit) : "a finite number");
   });
 }
 

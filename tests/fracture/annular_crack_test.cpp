@@ -286,10 +286,10 @@ TEST(AnnularCrackSolid, IdentityPrintedClosedForm) {
   const double d = 60 * mm;
   for (const double x : {0.95, 0.7, 0.3, 0.05}) {
     const SymmetricMatrix<2> m = matrix(solid(d * (1 - x) / 2, kTada));
-    test::expect_relative(m(kTorsion, kTorsion) * kMu * d * d * d / 9, static_cast<double>(I_T(x)),
-                          1e-10);
-    test::expect_relative(m(kAxial, kAxial) * kSteel.opening * d / 2, static_cast<double>(I_P(x)),
-                          1e-10);
+    test::expect_relative(m(kTorsion, kTorsion) * kMu * d * d * d / 9,
+                          static_cast<double>(I_T(static_cast<long double>(x))), 1e-10);
+    test::expect_relative(m(kAxial, kAxial) * kSteel.opening * d / 2,
+                          static_cast<double>(I_P(static_cast<long double>(x))), 1e-10);
   }
 }
 

@@ -753,8 +753,8 @@ TEST(CheckRange, ReferenceRanges) {
       {"wave_generator.crack[0].aspect_ratio", "> 0 and <= 1"},
       {"wave_generator.crack[0].contact_factor", "> 0 and <= 1"},
       {"wave_generator.crack[1].contact_factor", "> 0 and <= 1"},
-      {"flexspline.crack[0].angle", "> -1.5708 rad and <= 1.5708 rad"},
-      {"flexspline.crack[1].angle", "> -1.5708 rad and <= 1.5708 rad"}};
+      {"flexspline.crack[0].angle", "> -90 deg and <= 90 deg"},
+      {"flexspline.crack[1].angle", "> -90 deg and <= 90 deg"}};
   const GearSet full = full_gear();
   for_each_number(full, [&](const FieldPath& path, const Field& field, const double&) {
     const std::string& at = path.text();

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "strainwave/model/gear_set.hpp"
+#include "strainwave/study/sweep.hpp"
+
+namespace strainwave {
+
+/// One line of a plot; a point that is not finite, or not positive on a log axis, is a gap.
+struct PlotSeries {
+  std::string label;
+  std::vector<double> x = {};
+  std::vector<double> y = {};
+};
+
+enum class AxisScale { linear, logarithmic };
+
+/// One pair of axes.
+struct PlotPanel {
+  std::string title;
+  std::string x_label;
+  std::string y_label;
+  std::string legend_title = {};
+  AxisScale x_scale = AxisScale::linear;
+  AxisScale y_scale = AxisScale::linear;
+  std::vector<PlotSeries> series = {};
+};
+
+/// Panels below each other as one SVG document; colours that colour-blind readers can tell apart,
+/// and dashes for those who print in black.
+[[nodiscard]] std::string svg_plot(std::span<const PlotPanel> panels);
+
+/// The picture of a sweep.
+///
+/// Over one number: stiffness sound and cracked for both senses of torque, and below it the loss of
+/// stiffness and what the cracks of each member contribute to it.  Over two: the change of
+/// stiffness, a line for each value of the second number.
+[[nodiscard]] std::string sweep_plot(const SweepResult& result, const GearSet& gear);
+
+}  // namespace strainwave

@@ -1,0 +1,428 @@
+// SPDX-License-Identifier: Apache-2.0
+// Laws that every drive obeys, tried on many that nobody chose.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/units.hpp"
+#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/result_fields.hpp"
+#include "strainwave/stiffness/torsional_stiffness.hpp"
+
+namespace strainwave {
+namespace {
+
+using namespace units;  // NOLINT(google-build-using-namespace): 0.1 * mm reads as it should
+
+constexpr int kDrives = 500;
+
+/// Numbers that are the same on every platform, which those of <random>'s distributions need not
+/// be.
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : engine_(seed) {}
+
+  /// Uniform in [0, 1).
+  double unit() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
+  double uniform(double lower, double upper) { return lower + (upper - lower) * unit(); }
+  double log_uniform(double lower, double upper) { return lower * std::pow(upper / lower, unit()); }
+  int integer(int lower, int upper) {  // both included
+    return lower + static_cast<int>(engine_() % static_cast<std::uint64_t>(upper - lower + 1));
+  }
+  bool chance(double probability) { return unit() < probability; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+template <class Crack>
+void drive_race_crack(Dice& dice, Crack& crack) {
+  crack.stress_driver = static_cast<StressDriver>(dice.integer(0, 3));
+  if (crack.stress_driver == StressDriver::given)
+    crack.stress = dice.uniform(-50, 200) * MPa;  // sometimes pressed together
+  if (crack.stress_driver == StressDriver::orthogonal_shear && dice.chance(0.5))
+    crack.contact_factor = dice.uniform(0.3, 1);
+}
+
+WaveGenerator random_wave_generator(Dice& dice, const Transmission& drive) {
+  WaveGenerator wg;
+  wg.material = "steel";
+  wg.force_transmission_coefficient = dice.uniform(0.2, 0.6);
+  wg.load_factor = dice.uniform(1, 1.3);
+  wg.conversion = dice.chance(0.2) ? Conversion::cam : Conversion::reciprocity;
+  const double d = drive.pitch_diameter;
+  const double t = dice.uniform(0.02, 0.08) * d;
+  wg.inner_ring_thickness = t;
+  wg.inner_ring_width = dice.uniform(0.05, 0.2) * d;
+  wg.inner_ring_mean_radius = dice.uniform(0.3, 0.4) * d;
+  const double a = dice.uniform(0.005, 0.03) * d;
+  wg.contact_semi_axes = {a, a * dice.uniform(0.05, 1)};
+  switch (dice.integer(0, 2)) {
+    case 0:
+      wg.radial_stiffness = dice.log_uniform(1e6, 1e9);
+      break;
+    case 1:
+      wg.displacements = LobeDisplacements{.bearing = dice.log_uniform(1e-7, 1e-4),
+                                           .cam = dice.uniform(0, 1e-6),
+                                           .shaft = dice.chance(0.5) ? 1e-6 : 0.0};
+      break;
+    default: {
+      Bearing bearing;
+      bearing.ball_diameter = dice.uniform(0.05, 0.1) * d;
+      bearing.inner_raceway_diameter = 0.7 * d;
+      bearing.outer_raceway_diameter = bearing.inner_raceway_diameter + 2 * bearing.ball_diameter;
+      bearing.inner_conformity = dice.uniform(0.505, 0.6);
+      bearing.outer_conformity = dice.uniform(0.505, 0.6);
+      bearing.loaded_balls = dice.uniform(1, 6);
+      if (dice.chance(0.5))
+        bearing.outer_ring = BearingRing{
+            .mean_radius = 0.45 * d, .thickness = dice.uniform(0.01, 0.04) * d, .width = 0.1 * d};
+      wg.bearing = bearing;
+      if (dice.chance(0.5)) wg.contact_semi_axes.reset();
+    }
+  }
+  const int n_cracks = dice.integer(0, 2);
+  for (int i = 0; i < n_cracks; ++i) {
+    if (dice.chance(0.5)) {
+      RaceSurfaceCrack crack;
+      crack.depth = dice.log_uniform(1e-5, 0.95) * t;
+      crack.aspect_ratio = dice.uniform(0.1, 1);
+      drive_race_crack(dice, crack);
+      wg.crack.emplace_back(crack);
+    } else {
+      RaceEdgeCrack crack;
+      crack.depth = dice.log_uniform(1e-5, 0.95) * t;
+      drive_race_crack(dice, crack);
+      wg.crack.emplace_back(crack);
+    }
+  }
+  return wg;
+}
+
+Flexspline random_flexspline(Dice& dice, const Transmission& drive) {
+  Flexspline fs;
+  fs.material = "steel";
+  const double d = drive.pitch_diameter;
+  fs.wall_thickness = dice.log_uniform(0.004, 0.06) * d;
+  fs.length = dice.uniform(0.5, 1.2) * d;
+  fs.shape = dice.chance(0.5) ? FlexsplineShape::cup : FlexsplineShape::cylinder;
+  fs.stress_nonuniformity = dice.uniform(0.9, 1.5);
+  TubeSection wall{.outer_diameter = d, .wall_thickness = fs.wall_thickness, .length = fs.length};
+  if (dice.chance(0.4)) {
+    fs.crack_free = CrackFree::sections;
+    wall.wall_thickness *= dice.uniform(0.5, 1);
+    fs.barrel = wall;
+    if (dice.chance(0.5))
+      fs.rim = TubeSection{
+          .outer_diameter = d, .wall_thickness = 0.02 * d, .length = dice.uniform(0.1, 0.2) * d};
+    if (dice.chance(0.5))
+      fs.boss =
+          TubeSection{.outer_diameter = 0.4 * d, .wall_thickness = 0.1 * d, .length = 0.1 * d};
+    fs.diaphragm = Diaphragm{.outer_diameter = 0.95 * d,
+                             .inner_diameter = dice.uniform(0.3, 0.6) * d,
+                             .thickness = fs.wall_thickness};
+  } else if (dice.chance(0.5)) {
+    fs.shape_factor = dice.uniform(0.5, 3);
+  }
+  const double r = (wall.outer_diameter - wall.wall_thickness) / 2;
+  const double t = wall.wall_thickness;
+  const int n_cracks = dice.integer(0, 3);
+  for (int i = 0; i < n_cracks; ++i) {
+    const double angle =
+        dice.chance(0.3) ? dice.integer(-1, 2) * 45 * deg : dice.uniform(-89, 90) * deg;
+    if (dice.chance(0.5)) {
+      WallThroughCrack crack;
+      crack.half_length = dice.log_uniform(1e-4, 1.5) * std::sqrt(r * t);
+      crack.half_length = std::min(crack.half_length, 0.45 * wall.length);
+      crack.angle = angle;
+      crack.shell_correction = dice.chance(0.7);
+      fs.crack.emplace_back(crack);
+    } else {
+      WallSurfaceCrack crack;
+      crack.depth = dice.log_uniform(1e-4, 0.95) * t;
+      crack.half_length = crack.depth / dice.uniform(0.1, 1);
+      crack.angle = angle;
+      fs.crack.emplace_back(crack);
+    }
+  }
+  return fs;
+}
+
+OutputShaft random_output_shaft(Dice& dice) {
+  OutputShaft shaft;
+  shaft.material = "steel";
+  shaft.outer_diameter = dice.log_uniform(5 * mm, 300 * mm);
+  shaft.inner_diameter = dice.chance(0.3) ? 0.0 : dice.uniform(0.01, 0.97) * shaft.outer_diameter;
+  shaft.length = dice.uniform(0.5, 8) * shaft.outer_diameter;
+  const double wall = (shaft.outer_diameter - shaft.inner_diameter) / 2;
+  const int n_cracks = dice.integer(0, 2);
+  for (int i = 0; i < n_cracks; ++i) {
+    AnnularCrack crack;
+    crack.depth = dice.log_uniform(1e-7, shaft.solid() ? 0.98 : 0.95) * wall;
+    if (shaft.solid() && dice.chance(0.5)) crack.solution = AnnularSolution::tada;
+    shaft.crack.emplace_back(crack);
+  }
+  return shaft;
+}
+
+/// A drive that `check` accepts.
+GearSet random_drive(std::uint64_t seed) {
+  Dice dice(seed);
+  GearSet gear;
+  Material steel;
+  steel.youngs_modulus = dice.log_uniform(3e9, 400e9);
+  steel.poissons_ratio = dice.uniform(0.1, 0.45);
+  if (dice.chance(0.3))
+    steel.shear_modulus =
+        steel.youngs_modulus / (2 * (1 + *steel.poissons_ratio)) * dice.uniform(0.95, 1.05);
+  if (dice.chance(0.5)) steel.yield_strength = dice.log_uniform(50 * MPa, 2 * GPa);
+  if (dice.chance(0.5)) steel.fracture_toughness = dice.log_uniform(1e6, 2e8);
+  gear.material["steel"] = steel;
+  gear.drive.ratio = dice.integer(30, 320);
+  gear.drive.wave_number = dice.integer(2, 4);
+  gear.drive.pitch_diameter = dice.log_uniform(20 * mm, 400 * mm);
+  gear.drive.radial_displacement = dice.uniform(0.002, 0.01) * gear.drive.pitch_diameter;
+  gear.load.torque = (dice.chance(0.5) ? 1 : -1) * dice.log_uniform(0.1, 1e4);
+  gear.load.axial_force = dice.chance(0.4) ? 0.0 : dice.uniform(-1, 1) * 1e4;
+  const int members = dice.integer(1, 7);
+  if ((members & 1) != 0) gear.wave_generator = random_wave_generator(dice, gear.drive);
+  if ((members & 2) != 0) gear.flexspline = random_flexspline(dice, gear.drive);
+  if ((members & 4) != 0) gear.output_shaft = random_output_shaft(dice);
+  return gear;
+}
+
+/// The drives of all tests, the same for each.
+const std::vector<GearSet>& drives() {
+  static const std::vector<GearSet> all = [] {
+    std::vector<GearSet> result;
+    for (std::uint64_t seed = 1; result.size() < kDrives; ++seed)
+      result.push_back(random_drive(seed));
+    return result;
+  }();
+  return all;
+}
+
+TEST(RandomDrives, InputIsAcceptedAndVaried) {
+  int n_cracks = 0;
+  int n_usable = 0;
+  std::array<int, 4> opens{};
+  std::vector<std::string> codes;
+  for (std::size_t i = 0; i < drives().size(); ++i) {
+    ASSERT_NO_THROW(check(drives()[i])) << i;
+    const StiffnessResult result = torsional_stiffness(drives()[i]);
+    n_usable += result.usable() ? 1 : 0;
+    n_cracks += static_cast<int>(result.cracks.size());
+    for (const CrackReport& crack : result.cracks)
+      ++opens[static_cast<std::size_t>(crack.opens_under)];
+    for (const Note& note : result.notes) codes.push_back(note.code);
+  }
+  std::ranges::sort(codes);
+  codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
+  EXPECT_GT(n_cracks, 2 * kDrives);
+  EXPECT_GT(n_usable, kDrives / 2);
+  for (const int n : opens) EXPECT_GT(n, 20);
+  EXPECT_GT(codes.size(), 20U);  // nearly all that can be said is said
+}
+
+TEST(RandomDrives, LimitEveryNumberIsFinite) {
+  for (std::size_t i = 0; i < drives().size(); ++i) {
+    const StiffnessResult result = torsional_stiffness(drives()[i]);
+    for_each_quantity(result, [&](const std::string& path, const Quantity& quantity) {
+      EXPECT_TRUE(std::isfinite(quantity.value)) << i << ' ' << path;
+      ASSERT_TRUE(quantity.relative_uncertainty.has_value()) << i << ' ' << path;
+      EXPECT_TRUE(std::isfinite(*quantity.relative_uncertainty)) << i << ' ' << path;
+      EXPECT_GE(*quantity.relative_uncertainty, 0.0) << i << ' ' << path;
+    });
+    EXPECT_GT(result.intact.stiffness.value, 0.0) << i;
+    EXPECT_GT(result.positive.stiffness.value, 0.0) << i;
+    EXPECT_GT(result.negative.stiffness.value, 0.0) << i;
+  }
+}
+
+TEST(RandomDrives, IdentityCrackedIsNeverStifferThanSound) {
+  for (std::size_t i = 0; i < drives().size(); ++i) {
+    const StiffnessResult result = torsional_stiffness(drives()[i]);
+    for (const CrackedDrive& drive : {result.positive, result.negative}) {
+      EXPECT_LE(drive.stiffness.value, result.intact.stiffness.value) << i;
+      EXPECT_LE(drive.stiffness_change.value, 0.0) << i;
+      EXPECT_GE(drive.wind_up.value, result.intact.wind_up.value) << i;
+      EXPECT_GE(drive.compliance.total.value, result.intact.compliance.total.value) << i;
+      // The change is K/K_intact - 1, whichever way it is computed.
+      EXPECT_NEAR(drive.stiffness_change.value,
+                  drive.stiffness.value / result.intact.stiffness.value - 1, 1e-13)
+          << i;
+    }
+  }
+}
+
+TEST(RandomDrives, IdentityCompliancesArePositiveSemidefinite) {
+  for (std::size_t i = 0; i < drives().size(); ++i)
+    for (const CrackReport& crack : torsional_stiffness(drives()[i]).cracks)
+      for (const AddedCompliance& added : {crack.positive, crack.negative}) {
+        EXPECT_GE(added.at_output.value, 0.0) << i << ' ' << crack.path;
+        if (!added.axial_torsion) continue;
+        const double PP = (*added.axial_torsion)[0].value;
+        const double PT = (*added.axial_torsion)[1].value;
+        const double TT = (*added.axial_torsion)[2].value;
+        EXPECT_GE(PP, 0.0) << i << ' ' << crack.path;
+        EXPECT_GE(TT, 0.0) << i << ' ' << crack.path;
+        EXPECT_GE(PP * TT - PT * PT, -1e-12 * PP * TT) << i << ' ' << crack.path;
+        EXPECT_EQ(TT, added.at_output.value) << i << ' ' << crack.path;
+      }
+}
+
+TEST(RandomDrives, IdentityOrderOfTheCracksDoesNotMatter) {
+  for (std::size_t i = 0; i < drives().size(); ++i) {
+    GearSet reversed = drives()[i];
+    if (reversed.wave_generator) std::ranges::reverse(reversed.wave_generator->crack);
+    if (reversed.flexspline) std::ranges::reverse(reversed.flexspline->crack);
+    if (reversed.output_shaft) std::ranges::reverse(reversed.output_shaft->crack);
+    const StiffnessResult one = torsional_stiffness(drives()[i]);
+    const StiffnessResult other = torsional_stiffness(reversed);
+    EXPECT_NEAR(other.positive.stiffness.value / one.positive.stiffness.value, 1, 1e-14) << i;
+    EXPECT_NEAR(other.negative.stiffness.value / one.negative.stiffness.value, 1, 1e-14) << i;
+    EXPECT_EQ(one.usable(), other.usable()) << i;
+  }
+}
+
+TEST(RandomDrives, IdentityAnotherCrackNeverStiffens) {
+  for (std::size_t i = 0; i < drives().size(); ++i) {
+    // Cracks of other drives of the same member, as far as they fit.
+    const GearSet& donor = drives()[(i + 1) % drives().size()];
+    GearSet more = drives()[i];
+    const auto take = [](auto& to, const auto& from) {
+      if (to && from && !from->crack.empty()) to->crack.push_back(from->crack[0]);
+    };
+    take(more.wave_generator, donor.wave_generator);
+    take(more.flexspline, donor.flexspline);
+    take(more.output_shaft, donor.output_shaft);
+    try {
+      check(more);
+    } catch (const InputError&) {
+      continue;  // deeper than this wall
+    }
+    const StiffnessResult before = torsional_stiffness(drives()[i]);
+    const StiffnessResult after = torsional_stiffness(more);
+    EXPECT_LE(after.positive.stiffness.value, before.positive.stiffness.value) << i;
+    EXPECT_LE(after.negative.stiffness.value, before.negative.stiffness.value) << i;
+    EXPECT_EQ(after.intact.stiffness.value, before.intact.stiffness.value) << i;
+  }
+}
+
+TEST(RandomDrives, IdentityADeeperCrackNeverStiffens) {
+  for (std::size_t i = 0; i < drives().size(); ++i) {
+    GearSet deeper = drives()[i];
+    const auto grow = [](auto& member) {
+      if (!member) return;
+      for (auto& any : member->crack)
+        std::visit(
+            [](auto& crack) {
+              if constexpr (requires { crack.depth; }) crack.depth *= 1.01;
+              if constexpr (requires { crack.half_length; }) crack.half_length *= 1.01;
+            },
+            any);
+    };
+    grow(deeper.wave_generator);
+    grow(deeper.flexspline);
+    grow(deeper.output_shaft);
+    const StiffnessResult before = torsional_stiffness(drives()[i]);
+    const StiffnessResult after = torsional_stiffness(deeper);
+    EXPECT_LE(after.positive.stiffness_change.value, before.positive.stiffness_change.value) << i;
+    EXPECT_LE(after.negative.stiffness_change.value, before.negative.stiffness_change.value) << i;
+  }
+}
+
+TEST(RandomDrives, ScalingBySimilarity) {
+  // All lengths times s, and the stresses kept: forces s^2, torque s^3, stiffness s^3.  Every
+  // relation between lengths, and each one that somebody forgot, is tried at once.
+  constexpr double s = 1.7;
+  for (std::size_t i = 0; i < drives().size(); ++i) {
+    GearSet scaled = drives()[i];
+    for_each_number(scaled, [&](const FieldPath&, const Field& field, double& value) {
+      if (field.unit == "m" || field.unit == "N/m") value *= s;
+      if (field.unit == "N") value *= s * s;
+      if (field.unit == "N*m") value *= s * s * s;
+    });
+    const StiffnessResult one = torsional_stiffness(drives()[i]);
+    const StiffnessResult other = torsional_stiffness(scaled);
+    // Rounding, and a quadrature that takes the same steps.
+    const double tolerance = 1e-12;
+    for (const auto drive : {&StiffnessResult::positive, &StiffnessResult::negative}) {
+      EXPECT_NEAR((other.*drive).stiffness.value / (one.*drive).stiffness.value / (s * s * s), 1,
+                  tolerance)
+          << i;
+      EXPECT_NEAR((other.*drive).wind_up.value / (one.*drive).wind_up.value, 1, tolerance) << i;
+      EXPECT_NEAR((other.*drive).stiffness_change.value, (one.*drive).stiffness_change.value,
+                  1e-11 * std::abs((one.*drive).stiffness_change.value))
+          << i;
+    }
+    ASSERT_EQ(one.cracks.size(), other.cracks.size());
+    for (std::size_t n = 0; n < one.cracks.size(); ++n) {
+      EXPECT_EQ(one.cracks[n].opens_under, other.cracks[n].opens_under) << i;
+      const StressIntensities K = one.cracks[n].largest.value();
+      const StressIntensities K_scaled = other.cracks[n].largest.value();
+      for (const auto mode :
+           {&StressIntensities::K_I, &StressIntensities::K_II, &StressIntensities::K_III})
+        EXPECT_NEAR(
+            (K_scaled.*mode).value, (K.*mode).value * std::sqrt(s),
+            1e-11 * (std::abs(K.K_I.value) + std::abs(K.K_II.value) + std::abs(K.K_III.value)))
+            << i;
+    }
+  }
+}
+
+TEST(RandomDrives, IdentityTheSignOfTheGivenTorqueDoesNotMatter) {
+  // Both senses are computed whichever is given.
+  for (std::size_t i = 0; i < drives().size(); ++i) {
+    GearSet other_sense = drives()[i];
+    other_sense.load.torque *= -1;
+    const StiffnessResult one = torsional_stiffness(drives()[i]);
+    const StiffnessResult other = torsional_stiffness(other_sense);
+    EXPECT_EQ(one.positive.stiffness.value, other.positive.stiffness.value) << i;
+    EXPECT_EQ(one.negative.stiffness.value, other.negative.stiffness.value) << i;
+  }
+}
+
+TEST(RandomDrives, IdentityMirroredDriveMirrorsTheSenses) {
+  // A mirror that contains the axis turns every crack to -beta, and the torque round.
+  for (std::size_t i = 0; i < drives().size(); ++i) {
+    GearSet mirrored = drives()[i];
+    if (!mirrored.flexspline) continue;
+    for (FlexsplineCrack& any : mirrored.flexspline->crack)
+      std::visit(
+          [](auto& crack) {
+            if (crack.angle < 90 * deg) crack.angle *= -1;
+          },
+          any);
+    const StiffnessResult one = torsional_stiffness(drives()[i]);
+    const StiffnessResult other = torsional_stiffness(mirrored);
+    EXPECT_NEAR(one.positive.stiffness.value / other.negative.stiffness.value, 1, 1e-13) << i;
+    EXPECT_NEAR(one.negative.stiffness.value / other.positive.stiffness.value, 1, 1e-13) << i;
+  }
+}
+
+TEST(RandomDrives, IdentitySameInputSameBytes) {
+  for (std::size_t i = 0; i < drives().size(); i += 10) {
+    std::vector<double> first;
+    std::vector<double> second;
+    const auto collect = [&](std::vector<double>& values) {
+      for_each_quantity(torsional_stiffness(drives()[i]),
+                        [&](const std::string&, const Quantity& q) { values.push_back(q.value); });
+    };
+    collect(first);
+    collect(second);
+    EXPECT_EQ(first, second) << i;
+  }
+}
+
+}  // namespace
+}  // namespace strainwave

@@ -1,0 +1,753 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "strainwave/core/units.hpp"
+#include "strainwave/fracture/surface_crack.hpp"
+#include "strainwave/fracture/through_crack.hpp"
+#include "strainwave/stiffness/elastic_members.hpp"
+#include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "support/article_gear.hpp"
+#include "support/expect.hpp"
+#include "support/reference.hpp"
+#include "support/scaling.hpp"
+
+namespace strainwave {
+namespace {
+
+using namespace units;  // NOLINT(google-build-using-namespace): 0.1 * mm reads as it should
+using std::numbers::pi;
+using test::Arg;
+using Codes = std::vector<std::string>;
+
+constexpr double kComplianceNmm = 1 / (N * mm);  // [rad/(N*mm)]
+constexpr double kE = 210 * GPa;
+constexpr double kG = 80 * GPa;
+constexpr double kPlaneStrain = kE / (1 - 0.3 * 0.3);
+constexpr double kWall = 2.24 * mm;
+constexpr double kRadius = (160 * mm - kWall) / 2;  // 78.88 mm
+
+test::Reference eight_digits(double value, std::string_view unit) {
+  return {.value = value,
+          .unit = unit,
+          .relative_tolerance = 5e-8,
+          .source = "corrected theory evaluated with 30 digits for the article's inputs",
+          .tolerance_is = "eight digits printed"};
+}
+
+GearSet sound() {
+  GearSet gear = test::article_gear();
+  gear.flexspline->crack.clear();
+  gear.flexspline->dynamic_load = 1;
+  return gear;
+}
+
+GearSet with_crack(FlexsplineCrack crack) {
+  GearSet gear = sound();
+  gear.flexspline->crack = {crack};
+  return gear;
+}
+
+GearSet with_through_crack(double half_length = 1 * mm, double degrees = 45, bool shell = true) {
+  return with_crack(WallThroughCrack{
+      .half_length = half_length, .angle = degrees * deg, .shell_correction = shell});
+}
+
+GearSet with_surface_crack(double depth = 1 * mm, double degrees = 45, double aspect_ratio = 0.5) {
+  return with_crack(WallSurfaceCrack{
+      .depth = depth, .half_length = depth / aspect_ratio, .angle = degrees * deg});
+}
+
+CrackReport first_crack(const GearSet& gear) { return flexspline_compliance(gear).cracks.at(0); }
+
+double positive(const GearSet& gear) { return first_crack(gear).positive.at_output.value; }
+double negative(const GearSet& gear) { return first_crack(gear).negative.at_output.value; }
+
+std::array<double, 3> entries(const AddedCompliance& added) {
+  const auto& m = added.axial_torsion.value();
+  return {m[0].value, m[1].value, m[2].value};
+}
+
+/// The matrix of the first crack by the fracture module alone.
+SymmetricMatrix<2> fracture_matrix(const GearSet& gear, bool open, double r = kRadius,
+                                   double t = kWall) {
+  const double K_u = gear.flexspline->stress_nonuniformity;
+  if (const auto* crack = std::get_if<WallThroughCrack>(&gear.flexspline->crack.at(0))) {
+    const ThroughCrackInTube model{.half_length = crack->half_length,
+                                   .mean_radius = r,
+                                   .wall_thickness = t,
+                                   .angle = crack->angle,
+                                   .stress_nonuniformity = K_u,
+                                   .shell_correction = crack->shell_correction,
+                                   .open = open};
+    return added_compliance(model, {.opening = kE, .shear = kG}).matrix;
+  }
+  const auto& crack = std::get<WallSurfaceCrack>(gear.flexspline->crack.at(0));
+  const CrackPlaneStress stress = crack_plane_stress(r, t, crack.angle, K_u);
+  const SurfaceCrack<2> model({.depth = crack.depth,
+                               .aspect_ratio = crack.depth / crack.half_length,
+                               .thickness = t,
+                               .normal_stress = stress.normal,
+                               .shear_stress = stress.shear,
+                               .open = open});
+  return added_compliance(model, {.opening = kPlaneStrain, .shear = kG}).matrix;
+}
+
+// --- the sound flexspline (ST-2) to (ST-4)
+// --------------------------------------------------------------
+
+TEST(Flexspline, ReferenceSoundByAFactor) {
+  GearSet gear = sound();
+  const auto intact = [&] { return flexspline_compliance(gear).intact / kComplianceNmm; };
+  test::expect_reference(intact(), eight_digits(2.4026580e-10, "rad/(N*mm)"));  // 0.83, a cup
+  const double tube = torsional_compliance(Tube{160 * mm, 155.52 * mm, 160 * mm}, kG);
+  test::expect_relative(intact(), 0.83 * tube / kComplianceNmm, 1e-14);
+  gear.flexspline->shape = FlexsplineShape::cylinder;
+  test::expect_relative(intact(), tube / kComplianceNmm, 1e-14);
+  for (const FlexsplineShape shape : {FlexsplineShape::cup, FlexsplineShape::cylinder}) {
+    gear.flexspline->shape = shape;
+    gear.flexspline->shape_factor = 1.7;
+    test::expect_relative(intact(), 1.7 * tube / kComplianceNmm, 1e-14);
+  }
+}
+
+/// The finite elements' cup: tube and flat bottom of 2.24 mm, clamped at a boss radius of 30 mm.
+GearSet cup_of_sections() {
+  GearSet gear = sound();
+  gear.material["steel"].shear_modulus = kE / 2.6;
+  gear.flexspline->crack_free = CrackFree::sections;
+  gear.flexspline->barrel =
+      TubeSection{.outer_diameter = 160 * mm, .wall_thickness = kWall, .length = 157.76 * mm};
+  gear.flexspline->diaphragm =
+      Diaphragm{.outer_diameter = 157.76 * mm, .inner_diameter = 60 * mm, .thickness = kWall};
+  return gear;
+}
+
+TEST(Flexspline, CrosscheckFiniteElementsOfACup) {
+  // Axisymmetric torsion elements, 7.0095e-10 rad/(N*mm); model form: the corner, 0.1 %.
+  const GearSet gear = cup_of_sections();
+  EXPECT_NEAR(flexspline_compliance(gear).intact / kComplianceNmm / 7.0095e-10, 1, 1e-3);
+  // The factor of 0.83 goes the other way.
+  EXPECT_LT(flexspline_compliance(sound()).intact, 0.5 * flexspline_compliance(gear).intact);
+}
+
+TEST(Flexspline, IdentitySectionsInSeries) {
+  GearSet gear = cup_of_sections();
+  const double mu = kE / 2.6;
+  const double cup = flexspline_compliance(gear).intact;
+  const double barrel = torsional_compliance(Tube{160 * mm, 155.52 * mm, 157.76 * mm}, mu);
+  const double bottom = torsional_compliance(AnnularPlate{157.76 * mm, 60 * mm, kWall}, mu);
+  test::expect_relative(cup, barrel + bottom, 1e-14);
+  gear.flexspline->rim =
+      TubeSection{.outer_diameter = 162 * mm, .wall_thickness = 4 * mm, .length = 40 * mm};
+  const double rim = torsional_compliance(Tube{162 * mm, 154 * mm, 40 * mm}, mu);
+  test::expect_relative(flexspline_compliance(gear).intact, cup + rim, 1e-14);
+  gear.flexspline->boss =
+      TubeSection{.outer_diameter = 60 * mm, .wall_thickness = 9 * mm, .length = 15 * mm};
+  const double boss = torsional_compliance(Tube{60 * mm, 42 * mm, 15 * mm}, mu);
+  test::expect_relative(flexspline_compliance(gear).intact, cup + rim + boss, 1e-14);
+  gear.flexspline->diaphragm.reset();
+  test::expect_relative(flexspline_compliance(gear).intact, barrel + rim + boss, 1e-14);
+}
+
+TEST(Flexspline, IdentityAccuraciesOfTheSoundPart) {
+  GearSet gear = sound();
+  const auto uncertainty = [&] {
+    const MemberCompliance member = flexspline_compliance(gear);
+    EXPECT_EQ(member.accuracies.size(), 1U);
+    EXPECT_EQ(member.accuracies.at(0).path, "flexspline");
+    EXPECT_EQ(member.accuracies.at(0).relative_uncertainty, member.relative_uncertainty);
+    EXPECT_FALSE(member.accuracies.at(0).source.empty());
+    return member.relative_uncertainty;
+  };
+  EXPECT_EQ(uncertainty(), 0.20);
+  gear.flexspline->shape = FlexsplineShape::cylinder;
+  EXPECT_EQ(uncertainty(), 0.01);
+  gear = cup_of_sections();
+  EXPECT_EQ(uncertainty(), 0.05);
+}
+
+// --- the through crack
+// ------------------------------------------------------------------------------------
+
+TEST(WallThroughCrack, ReferenceArticle) {
+  struct Case {
+    double half_length, shell, flat;  // [mm], [rad/(N*mm)]
+  };
+  for (const Case& c :
+       {Case{0.1, 1.0575053e-16, 1.0574761e-16}, Case{1.0, 1.0603913e-14, 1.0574761e-14}}) {
+    test::expect_reference(positive(with_through_crack(c.half_length * mm)) / kComplianceNmm,
+                           eight_digits(c.shell, "rad/(N*mm)"));
+    test::expect_reference(
+        positive(with_through_crack(c.half_length * mm, 45, false)) / kComplianceNmm,
+        eight_digits(c.flat, "rad/(N*mm)"));
+    EXPECT_EQ(negative(with_through_crack(c.half_length * mm)), 0.0);
+  }
+}
+
+TEST(WallThroughCrack, IdentityNonuniformityIsSquared) {
+  GearSet gear = with_through_crack();
+  gear.flexspline->stress_nonuniformity = 1.0;
+  const double plain = positive(gear);
+  gear.flexspline->stress_nonuniformity = 1.3;
+  test::expect_relative(positive(gear) / plain, 1.69, 1e-12);
+  // The load factor K_d has no place in a compliance.
+  gear.flexspline->dynamic_load = 5;
+  test::expect_relative(positive(gear) / plain, 1.69, 1e-12);
+}
+
+TEST(WallThroughCrack, CrosscheckMatrixByTheFractureModule) {
+  for (const double degrees : {-80.0, -45.0, -20.0, 10.0, 45.0, 65.0}) {
+    const GearSet gear = with_through_crack(3 * mm, degrees);
+    const CrackReport crack = first_crack(gear);
+    const auto open = fracture_matrix(gear, true).upper;
+    const auto closed = fracture_matrix(gear, false).upper;
+    const auto at_positive = entries(crack.positive);
+    const auto at_negative = entries(crack.negative);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_NEAR(at_positive[i], degrees > 0 ? open[i] : closed[i], 1e-12 * std::abs(open[i]));
+      EXPECT_NEAR(at_negative[i], degrees > 0 ? closed[i] : open[i], 1e-12 * std::abs(open[i]));
+    }
+    EXPECT_EQ(crack.positive.at_output.value, at_positive[2]);
+    EXPECT_EQ(crack.negative.at_output.value, at_negative[2]);
+    EXPECT_EQ((*crack.positive.axial_torsion)[0].unit, "m/N");
+    EXPECT_EQ((*crack.positive.axial_torsion)[1].unit, "1/N");
+    EXPECT_EQ((*crack.positive.axial_torsion)[2].unit, "rad/(N*m)");
+  }
+}
+
+TEST(WallThroughCrack, IdentityClosedCrackKeepsItsSlidingPart) {
+  // Flat: K_II^2/(K_I^2 + K_II^2) = cos^2(2 beta).
+  for (const double degrees : {5.0, 20.0, 45.0, 60.0}) {
+    const GearSet gear = with_through_crack(1 * mm, degrees, false);
+    EXPECT_NEAR(negative(gear) / positive(gear), std::pow(std::cos(2 * degrees * deg), 2), 1e-13);
+  }
+}
+
+// --- the surface crack
+// --------------------------------------------------------------------------------------
+
+TEST(WallSurfaceCrack, ReferenceArticle) {
+  test::expect_reference(positive(with_surface_crack(0.1 * mm)) / kComplianceNmm,
+                         eight_digits(5.7715569e-18, "rad/(N*mm)"));
+  test::expect_reference(positive(with_surface_crack(1.0 * mm)) / kComplianceNmm,
+                         eight_digits(6.7608149e-15, "rad/(N*mm)"));
+  EXPECT_EQ(negative(with_surface_crack(1.0 * mm)), 0.0);
+}
+
+TEST(WallSurfaceCrack, CrosscheckMatrixByTheFractureModule) {
+  for (const double degrees : {-45.0, -20.0, 10.0, 45.0, 65.0}) {
+    const GearSet gear = with_surface_crack(0.7 * mm, degrees, 0.4);
+    const CrackReport crack = first_crack(gear);
+    const auto open = fracture_matrix(gear, true).upper;
+    const auto closed = fracture_matrix(gear, false).upper;
+    const auto at_positive = entries(crack.positive);
+    const auto at_negative = entries(crack.negative);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_NEAR(at_positive[i], degrees > 0 ? open[i] : closed[i], 1e-11 * std::abs(open[i]));
+      EXPECT_NEAR(at_negative[i], degrees > 0 ? closed[i] : open[i], 1e-11 * std::abs(open[i]));
+    }
+  }
+}
+
+TEST(WallSurfaceCrack, LimitCubeOfTheDepth) {
+  const auto coefficient = [](double a) { return positive(with_surface_crack(a)) / (a * a * a); };
+  EXPECT_NEAR(coefficient(1e-9) / coefficient(1e-6), 1, 1e-5);  // next term (a/t)^2
+}
+
+TEST(WallThroughCrack, LimitSquareOfTheHalfLength) {
+  const auto coefficient = [](double a) { return positive(with_through_crack(a)) / (a * a); };
+  EXPECT_NEAR(coefficient(1e-9) / coefficient(1e-6), 1, 1e-7);  // next term a^2/(r t)
+}
+
+// --- where the crack is (ST-11)
+// -------------------------------------------------------------------------------
+
+TEST(Flexspline, CrosscheckWallOfTheSection) {
+  GearSet gear = cup_of_sections();
+  gear.material["steel"].shear_modulus = kG;
+  gear.flexspline->rim =
+      TubeSection{.outer_diameter = 162 * mm, .wall_thickness = 4 * mm, .length = 40 * mm};
+  gear.flexspline->barrel =
+      TubeSection{.outer_diameter = 150 * mm, .wall_thickness = 3 * mm, .length = 100 * mm};
+  for (const bool surface : {false, true})
+    for (const WallSection section : {WallSection::rim, WallSection::barrel}) {
+      gear.flexspline->crack = {surface ? with_surface_crack().flexspline->crack[0]
+                                        : with_through_crack().flexspline->crack[0]};
+      std::visit([&](auto& crack) { crack.section = section; }, gear.flexspline->crack[0]);
+      const bool rim = section == WallSection::rim;
+      const auto expected =
+          fracture_matrix(gear, true, rim ? 79 * mm : 73.5 * mm, rim ? 4 * mm : 3 * mm);
+      test::expect_relative(positive(gear), expected(kTorsion, kTorsion), 1e-11);
+    }
+}
+
+// --- closure (FR-17)
+// ---------------------------------------------------------------------------------------------
+
+TEST(FlexsplineClosure, IdentityMirroredAnglesMirrorTheSenses) {
+  for (const bool surface : {false, true})
+    for (const double degrees : {15.0, 45.0, 70.0}) {
+      const auto at = [&](double angle) {
+        return first_crack(surface ? with_surface_crack(1 * mm, angle)
+                                   : with_through_crack(1 * mm, angle));
+      };
+      const CrackReport right = at(degrees);
+      const CrackReport left = at(-degrees);
+      EXPECT_EQ(right.opens_under, OpensUnder::positive);
+      EXPECT_EQ(left.opens_under, OpensUnder::negative);
+      test::expect_relative(left.negative.at_output.value, right.positive.at_output.value, 1e-13);
+      EXPECT_NEAR(left.positive.at_output.value, right.negative.at_output.value,
+                  1e-13 * right.positive.at_output.value);
+      // The coupling of force and torque changes its sign in the mirror.
+      EXPECT_NEAR(entries(left.negative)[1], -entries(right.positive)[1],
+                  1e-13 * std::abs(entries(right.positive)[1]));
+    }
+}
+
+TEST(FlexsplineClosure, IdentityTheGivenSenseDoesNotDecide) {
+  // Both senses are computed whatever the sign of the given torque.
+  GearSet gear = with_through_crack(1 * mm, 30);
+  const CrackReport forward = first_crack(gear);
+  gear.load.torque = -gear.load.torque;
+  const CrackReport backward = first_crack(gear);
+  EXPECT_EQ(forward.opens_under, backward.opens_under);
+  EXPECT_EQ(entries(forward.positive), entries(backward.positive));
+  EXPECT_EQ(entries(forward.negative), entries(backward.negative));
+  // The stress intensity is that of the given load: closed, it only slides.
+  EXPECT_GT(forward.deepest->K_I.value, 0.0);
+  EXPECT_EQ(backward.deepest->K_I.value, 0.0);
+  EXPECT_EQ(backward.deepest->K_II.value, -forward.deepest->K_II.value);
+}
+
+TEST(FlexsplineClosure, IdentityAlongAndAcrossTheAxisTorqueDoesNotOpen) {
+  for (const double degrees : {0.0, 90.0}) {
+    const MemberCompliance member = flexspline_compliance(with_through_crack(1 * mm, degrees));
+    EXPECT_EQ(member.cracks.at(0).opens_under, OpensUnder::neither);
+    EXPECT_EQ(entries(member.cracks.at(0).positive), entries(member.cracks.at(0).negative));
+    EXPECT_EQ(test::count_notes(member.notes, "crack.closed"), 0);  // it only touches
+    EXPECT_EQ(member.cracks.at(0).deepest->K_I.value, 0.0);
+  }
+}
+
+TEST(FlexsplineClosure, IdentityAxialForceOpensAndCloses) {
+  const auto opens = [](double degrees, double axial_force) {
+    GearSet gear = with_through_crack(1 * mm, degrees);
+    gear.load.axial_force = axial_force;
+    return first_crack(gear).opens_under;
+  };
+  // sigma_n = P sin^2(b)/(2 pi r t) +- K_u T sin(2b)/(2 pi r^2 t): at 45 degrees P decides beyond
+  // 2 K_u T/r = 2789 N.
+  const double balance = 2 * 1.1 * 100 / kRadius;
+  EXPECT_EQ(opens(45, 0.99 * balance), OpensUnder::positive);
+  EXPECT_EQ(opens(45, 1.01 * balance), OpensUnder::both);
+  EXPECT_EQ(opens(45, -0.99 * balance), OpensUnder::positive);
+  EXPECT_EQ(opens(45, -1.01 * balance), OpensUnder::neither);
+  EXPECT_EQ(opens(-45, 0.99 * balance), OpensUnder::negative);
+  EXPECT_EQ(opens(-45, 1.01 * balance), OpensUnder::both);
+  EXPECT_EQ(opens(90, 1), OpensUnder::both);
+  EXPECT_EQ(opens(90, -1), OpensUnder::neither);
+  EXPECT_EQ(opens(0, 1e9), OpensUnder::neither);  // the force runs along the crack
+}
+
+TEST(FlexsplineClosure, IdentityOpenUnderBothSensesAddsTheSame) {
+  GearSet gear = with_through_crack(1 * mm, 30);
+  gear.load.axial_force = 1e6;
+  const CrackReport crack = first_crack(gear);
+  EXPECT_EQ(entries(crack.positive), entries(crack.negative));
+  const auto open = fracture_matrix(gear, true).upper;
+  for (std::size_t i = 0; i < 3; ++i)
+    test::expect_relative(entries(crack.positive)[i], open[i], 1e-12);
+  gear.load.axial_force = -1e6;
+  const CrackReport pressed = first_crack(gear);
+  EXPECT_EQ(entries(pressed.positive), entries(pressed.negative));
+  const auto closed = fracture_matrix(gear, false).upper;
+  for (std::size_t i = 0; i < 3; ++i)
+    test::expect_relative(entries(pressed.positive)[i], closed[i], 1e-12);
+}
+
+TEST(FlexsplineClosure, LimitTouchingIsNeitherOpenNorClosed) {
+  // A normal stress within 1e-12 of what the loads could give is rounding.  The axial force that
+  // leaves `share` of that, of either sign, under the sense of torque that balances it.
+  for (const double degrees : {30.0, -60.0}) {
+    const CrackPlaneStress stress = crack_plane_stress(kRadius, kWall, degrees * deg, 1.1);
+    const double T = 100;
+    const double sense = degrees > 0 ? 1.0 : -1.0;  // of P: against the torque at +30 degrees
+    const double balance = -stress.normal[kTorsion] * T / stress.normal[kAxial];
+    ASSERT_EQ(std::signbit(balance), sense > 0);
+    const double scale =
+        std::abs(stress.normal[kAxial] * balance) + std::abs(stress.normal[kTorsion] * T) +
+        std::abs(stress.shear[kAxial] * balance) + std::abs(stress.shear[kTorsion] * T);
+    const auto report = [&](double share) {
+      GearSet gear = with_through_crack(1 * mm, degrees);
+      gear.load.axial_force = balance + share * 1e-12 * scale / stress.normal[kAxial];
+      return flexspline_compliance(gear);
+    };
+    const auto opens_under_positive = [&](double share) {
+      const OpensUnder opens = report(share).cracks.at(0).opens_under;
+      return opens == OpensUnder::positive || opens == OpensUnder::both;
+    };
+    // The balanced sense is the positive one; rounding of the balance itself is 1e-4 of the limit.
+    EXPECT_TRUE(opens_under_positive(1.005));
+    EXPECT_FALSE(opens_under_positive(0.995));
+    EXPECT_FALSE(opens_under_positive(-0.995));
+    // Touching, it carries mode I as an open crack does; pressed, it does not: in a flat wall
+    // sin^2 against sin^2 cos^2.
+    const double c = std::cos(degrees * deg);
+    EXPECT_NEAR(entries(report(-0.995).cracks.at(0).positive)[0] /
+                    entries(report(-1.005).cracks.at(0).positive)[0],
+                1 / (c * c), 0.02);
+  }
+}
+
+TEST(FlexsplineClosure, IdentityNoteNamesTheSense) {
+  const auto text = [](double degrees, double axial_force) {
+    GearSet gear = with_through_crack(1 * mm, degrees);
+    gear.load.axial_force = axial_force;
+    for (const Note& note : flexspline_compliance(gear).notes)
+      if (note.code == "crack.closed") return note.path + ": " + note.text;
+    return std::string("none");
+  };
+  EXPECT_TRUE(text(45, 0).starts_with("flexspline.crack[0]: closed under negative torque:"));
+  EXPECT_TRUE(text(-45, 0).starts_with("flexspline.crack[0]: closed under positive torque:"));
+  EXPECT_TRUE(
+      text(90, -5).starts_with("flexspline.crack[0]: closed under either sense of torque:"));
+  EXPECT_EQ(text(90, 5), "none");
+}
+
+// --- stress intensities at the load (FR-7), (FR-19), (FR-20)
+// -------------------------------------------------------
+
+TEST(FlexsplineIntensities, ReferenceFlatCrackAt45Degrees) {
+  const GearSet gear = with_through_crack(1 * mm, 45, false);
+  test::expect_reference(first_crack(gear).deepest->K_I.value / (MPa * std::sqrt(mm)),
+                         {.value = 1.1 * 1.1419269 * std::sqrt(pi),
+                          .unit = "MPa*mm^0.5",
+                          .relative_tolerance = 5e-8,
+                          .source = "K_u tau sqrt(pi a) with Bredt's tau = 1.1419269 MPa",
+                          .tolerance_is = "eight digits printed"});
+  EXPECT_EQ(first_crack(gear).deepest->K_II.value, 0.0);
+}
+
+TEST(FlexsplineIntensities, IdentityOfBothLoads) {
+  GearSet gear = with_through_crack(2 * mm, 25);
+  gear.load = {.torque = 80, .axial_force = 3000};
+  gear.material["steel"].fracture_toughness = 50e6;
+  gear.material["steel"].yield_strength = 700 * MPa;
+  const CrackPlaneStress stress = crack_plane_stress(kRadius, kWall, 25 * deg, 1.1);
+  const double root = std::sqrt(pi * 2 * mm);
+  const double c = std::cos(25 * deg);
+  const double s = std::sin(25 * deg);
+  const double A_I =
+      1 + pi / 64 * (5 * c * c + s * s) * std::sqrt(12 * 0.91) * 4 * mm * mm / (kRadius * kWall);
+  const double K_I = A_I * (stress.normal[0] * 3000 + stress.normal[1] * 80) * root;
+  const double K_II = (stress.shear[0] * 3000 + stress.shear[1] * 80) * root;
+  const CrackReport crack = first_crack(gear);
+  test::expect_relative(crack.deepest->K_I.value, K_I, 1e-13);
+  test::expect_relative(crack.deepest->K_II.value, K_II, 1e-13);
+  EXPECT_EQ(crack.deepest->K_III.value, 0.0);
+  EXPECT_EQ(crack.largest->K_I.value, crack.deepest->K_I.value);
+  EXPECT_EQ(crack.largest->K_II.value, crack.deepest->K_II.value);
+  // Plane stress: sqrt(G E) = hypot(K_I, K_II), and 1/(2 pi) of (K/sigma_y)^2.
+  test::expect_relative(crack.utilisation->value, std::hypot(K_I, K_II) / 50e6, 1e-13);
+  test::expect_relative(crack.plastic_zone->value,
+                        (K_I * K_I + K_II * K_II) / (2 * pi * std::pow(700 * MPa, 2)), 1e-13);
+  EXPECT_EQ(*crack.deepest->K_I.relative_uncertainty, 0.05);
+  EXPECT_EQ(*crack.plastic_zone->relative_uncertainty, 0.10);
+}
+
+TEST(FlexsplineIntensities, CrosscheckSurfaceCrackAlongItsFront) {
+  // All three modes; 33 points of half the front, the last of them the deepest.
+  for (const double degrees : {-30.0, 15.0, 62.0}) {
+    GearSet gear = with_surface_crack(1 * mm, degrees, 0.7);
+    gear.load = {.torque = degrees > 0 ? 90.0 : -90.0, .axial_force = 1500};
+    gear.material["steel"].fracture_toughness = 50e6;
+    gear.material["steel"].yield_strength = 700 * MPa;
+    const CrackPlaneStress stress = crack_plane_stress(kRadius, kWall, degrees * deg, 1.1);
+    const double sigma = stress.normal[0] * 1500 + stress.normal[1] * gear.load.torque;
+    const double tau = stress.shear[0] * 1500 + stress.shear[1] * gear.load.torque;
+    const double root = std::sqrt(pi * 1 * mm);
+    std::array<double, 3> K{};
+    std::array<double, 3> largest{};
+    double worst_G = 0.0;
+    double worst_zone = 0.0;
+    for (int i = 0; i <= 32; ++i) {
+      const double phi = i * pi / 64;
+      K = {sigma * NewmanRaju(0.7).factor(1 / 2.24, phi) * root,
+           tau * KassirSih(0.7, 0.3).factor_II(phi) * root,
+           tau * KassirSih(0.7, 0.3).factor_III(phi) * root};
+      for (std::size_t m = 0; m < 3; ++m)
+        if (std::abs(K[m]) > std::abs(largest[m])) largest[m] = K[m];
+      const double in_plane = K[0] * K[0] + K[1] * K[1];
+      worst_G = std::max(worst_G, in_plane / kPlaneStrain + K[2] * K[2] / (2 * kG));
+      // Irwin: plane strain 1/(6 pi) for I and II; mode III at the shear yield sigma_y/sqrt(3).
+      worst_zone = std::max(
+          worst_zone, (in_plane / (6 * pi) + 3 * K[2] * K[2] / (2 * pi)) / std::pow(700 * MPa, 2));
+    }
+    const CrackReport crack = first_crack(gear);
+    const double scale = 1e-13 * std::abs(largest[0]);
+    EXPECT_NEAR(crack.deepest->K_I.value, K[0], scale);
+    EXPECT_NEAR(crack.deepest->K_II.value, K[1], scale);
+    EXPECT_NEAR(crack.deepest->K_III.value, K[2], scale);
+    EXPECT_NEAR(crack.largest->K_I.value, largest[0], scale);
+    EXPECT_NEAR(crack.largest->K_II.value, largest[1], scale);
+    EXPECT_NEAR(crack.largest->K_III.value, largest[2], scale);
+    test::expect_relative(crack.utilisation->value, std::sqrt(worst_G * kPlaneStrain) / 50e6,
+                          1e-13);
+    test::expect_relative(crack.plastic_zone->value, worst_zone, 1e-13);
+    test::expect_relative(*crack.deepest->K_II.relative_uncertainty, std::hypot(0.1, 0.2) / 2,
+                          1e-14);
+  }
+}
+
+TEST(FlexsplineIntensities, LimitPlasticZoneAndTheRestOfTheSection) {
+  // Of a through crack, the half length counts against the mean radius; of a surface crack, the
+  // depth against the rest of the wall.
+  struct Case {
+    GearSet gear;
+    double smallest;
+  };
+  for (Case& c : std::array{Case{with_through_crack(1 * mm), 1 * mm},
+                            Case{with_surface_crack(0.5 * mm), 0.5 * mm},
+                            Case{with_surface_crack(1.9 * mm), kWall - 1.9 * mm}}) {
+    Material& steel = c.gear.material["steel"];
+    steel.yield_strength = 1 * MPa;
+    const double zone = first_crack(c.gear).plastic_zone->value;
+    for (const auto& [share, noted] : {std::pair{0.997, 0}, {1.003, 1}}) {
+      steel.yield_strength = 1 * MPa * std::sqrt(zone / (share * 0.1 * c.smallest));
+      EXPECT_EQ(test::count_notes(flexspline_compliance(c.gear).notes, "crack.plastic_zone",
+                                  "flexspline.crack[0]"),
+                noted);
+    }
+  }
+  // A wall crack longer than the radius is measured by the radius.
+  GearSet gear = with_through_crack(100 * mm, 0);
+  gear.load.axial_force = 0;
+  gear.material["steel"].yield_strength = 1 * MPa;
+  const double zone = first_crack(gear).plastic_zone->value;
+  for (const auto& [share, noted] : {std::pair{0.997, 0}, {1.003, 1}}) {
+    gear.material["steel"].yield_strength = 1 * MPa * std::sqrt(zone / (share * 0.1 * kRadius));
+    EXPECT_EQ(test::count_notes(flexspline_compliance(gear).notes, "crack.plastic_zone"), noted);
+  }
+}
+
+// --- notes, accuracies, ranges
+// ---------------------------------------------------------------------------------------
+
+TEST(Flexspline, IdentityNotesOfEachCase) {
+  const auto codes = [](const GearSet& gear) {
+    return test::note_codes(flexspline_compliance(gear).notes);
+  };
+  const std::string oval = "flexspline.ovalisation";
+  const std::string cup = "flexspline.shape_factor";
+  EXPECT_EQ(codes(sound()), Codes{cup});
+  GearSet gear = sound();
+  gear.flexspline->shape = FlexsplineShape::cylinder;
+  EXPECT_EQ(codes(gear), Codes{});
+  EXPECT_EQ(codes(cup_of_sections()), Codes{});
+  gear.flexspline->dynamic_load = 1.2;
+  EXPECT_EQ(codes(gear), Codes{"flexspline.dynamic_load"});
+  EXPECT_EQ(codes(with_through_crack()), (Codes{"crack.closed", "crack.plane_stress", oval, cup}));
+  EXPECT_EQ(codes(with_through_crack(1 * mm, 0)), (Codes{"crack.plane_stress", oval, cup}));
+  EXPECT_EQ(codes(with_surface_crack()), (Codes{"crack.closed", oval, cup}));
+  EXPECT_EQ(codes(with_surface_crack(1 * mm, 44)),
+            (Codes{"crack.closed", "crack.surface_shear", oval, cup}));
+  gear = with_surface_crack();
+  gear.flexspline->crack.push_back(with_surface_crack().flexspline->crack[0]);
+  EXPECT_EQ(codes(gear), (Codes{"crack.closed", "crack.closed", "crack.superposed", oval, cup}));
+  EXPECT_EQ(flexspline_compliance(gear).cracks.at(0).path, "flexspline.crack[0]");
+  EXPECT_EQ(flexspline_compliance(gear).cracks.at(1).path, "flexspline.crack[1]");
+  EXPECT_EQ(first_crack(with_through_crack()).kind, "through");
+  EXPECT_EQ(first_crack(with_surface_crack()).kind, "surface");
+}
+
+TEST(WallThroughCrack, LimitRangeOfTheShellCorrection) {
+  // The shell parameter: up to 1 no note, up to 2 a note and twice the uncertainty, beyond
+  // unusable.
+  const auto half_length_at = [](double lambda, double direction) {
+    // The largest (direction > 0) half length whose parameter is `lambda` to the last bit, or the
+    // first one beyond.
+    ThroughCrackInTube crack{.mean_radius = kRadius, .wall_thickness = kWall};
+    double a = lambda / std::sqrt(crack.shell_parameter_squared(1.0)) * (1 + 1e-14);
+    while (std::sqrt(crack.shell_parameter_squared(a)) > lambda) a = std::nextafter(a, 0);
+    return direction < 0 ? a : std::nextafter(a, 1);
+  };
+  struct Case {
+    double lambda, direction;
+    int noted;
+    double uncertainty;
+    bool usable;
+  };
+  for (const Case& c :
+       {Case{0.5, -1, 0, 0.10, true}, Case{1, -1, 0, 0.10, true}, Case{1, 1, 1, 0.20, true},
+        Case{1.4, 1, 1, 0.20, true}, Case{2, -1, 1, 0.20, true}, Case{2, 1, 0, 0.20, false}}) {
+    SCOPED_TRACE(testing::Message() << c.lambda << (c.direction > 0 ? "+" : "-"));
+    const MemberCompliance member =
+        flexspline_compliance(with_through_crack(half_length_at(c.lambda, c.direction)));
+    EXPECT_EQ(test::count_notes(member.notes, "crack.shell_range", "flexspline.crack[0]"), c.noted);
+    EXPECT_EQ(*member.cracks.at(0).positive.at_output.relative_uncertainty, c.uncertainty);
+    EXPECT_EQ(member.unusable_because.empty(), c.usable) << member.unusable_because;
+  }
+  const MemberCompliance member = flexspline_compliance(with_through_crack(20 * mm));
+  EXPECT_NE(member.unusable_because.find("flexspline.crack[0]: shell parameter 2.74"),
+            std::string::npos)
+      << member.unusable_because;
+}
+
+TEST(WallSurfaceCrack, LimitRangeOfTheFit) {
+  struct Case {
+    double depth, half_length;
+    bool inside;
+  };
+  const double bound = 0.8 * kWall;
+  const double slender = 0.2 * (4 * mm);
+  for (const Case& c :
+       {Case{bound, 4 * mm, true}, Case{std::nextafter(bound, 1), 4 * mm, false},
+        Case{slender, 4 * mm, true}, Case{std::nextafter(slender, 0), 4 * mm, false}}) {
+    const MemberCompliance member = flexspline_compliance(
+        with_crack(WallSurfaceCrack{.depth = c.depth, .half_length = c.half_length}));
+    EXPECT_EQ(test::count_notes(member.notes, "crack.surface_range", "flexspline.crack[0]"),
+              c.inside ? 0 : 1);
+    EXPECT_EQ(*member.cracks.at(0).positive.at_output.relative_uncertainty, c.inside ? 0.10 : 0.20);
+  }
+}
+
+TEST(WallSurfaceCrack, LimitShearAwayFrom45Degrees) {
+  for (const double sign : {1.0, -1.0})
+    for (const auto& [offset, noted] :
+         {std::pair{0.0, 0}, {0.9e-9, 0}, {-0.9e-9, 0}, {1.005e-9, 1}, {-1.005e-9, 1}}) {
+      GearSet gear = with_surface_crack();
+      std::get<WallSurfaceCrack>(gear.flexspline->crack[0]).angle = sign * (pi / 4 + offset);
+      const MemberCompliance member = flexspline_compliance(gear);
+      EXPECT_EQ(test::count_notes(member.notes, "crack.surface_shear", "flexspline.crack[0]"),
+                noted);
+      EXPECT_EQ(test::uses_equation(member.equations, "FR-10"), noted == 1);
+      test::expect_relative(*member.cracks.at(0).positive.at_output.relative_uncertainty,
+                            noted == 1 ? std::hypot(0.10, 0.20) : 0.10, 1e-15);
+    }
+}
+
+TEST(WallSurfaceCrack, LimitThickWall) {
+  // r = 10 t is thin; powers of two make it exact.
+  for (const auto& [diameter, noted] :
+       {std::pair{21.0 / 256, 0}, {std::nextafter(21.0 / 256, 0.0), 1}, {21.1 / 256, 0}}) {
+    GearSet gear = with_surface_crack();
+    gear.flexspline->wall_thickness = 1.0 / 256;
+    gear.drive.pitch_diameter = diameter;
+    EXPECT_EQ(test::count_notes(flexspline_compliance(gear).notes, "crack.thick_wall",
+                                "flexspline.crack[0]"),
+              noted)
+        << diameter;
+  }
+}
+
+TEST(Flexspline, IdentityEquationsOfEachCase) {
+  using Tags = std::vector<std::string>;
+  EXPECT_EQ(flexspline_compliance(sound()).equations, Tags{"ST-4"});
+  EXPECT_EQ(flexspline_compliance(cup_of_sections()).equations, (Tags{"ST-2", "ST-3"}));
+  EXPECT_EQ(flexspline_compliance(with_through_crack()).equations,
+            (Tags{"ST-4", "FR-2", "FR-6", "FR-7", "FR-18", "ST-11", "FR-8", "FR-9", "ST-17"}));
+  EXPECT_EQ(flexspline_compliance(with_through_crack(1 * mm, 45, false)).equations,
+            (Tags{"ST-4", "FR-2", "FR-6", "FR-7", "FR-18", "ST-11", "ST-17"}));
+  EXPECT_EQ(flexspline_compliance(with_surface_crack()).equations,
+            (Tags{"ST-4", "FR-2", "FR-3", "FR-4", "FR-5", "FR-6", "FR-18", "ST-11", "ST-17"}));
+}
+
+TEST(Flexspline, ConvergenceIsDemanded) {
+  const StiffnessOptions impossible{.quadrature = {.relative_tolerance = 1e-30, .max_pieces = 1}};
+  const MemberCompliance member = flexspline_compliance(with_surface_crack(), impossible);
+  EXPECT_NE(member.unusable_because.find("flexspline.crack[0]"), std::string::npos);
+  EXPECT_NE(member.unusable_because.find("did not converge"), std::string::npos);
+  EXPECT_TRUE(flexspline_compliance(with_surface_crack()).unusable_because.empty());
+}
+
+// --- (ST-17): ovalisation
+// ---------------------------------------------------------------------------------------------
+
+TEST(Ovalisation, ReferenceArticle) {
+  test::expect_reference(ovalisation_stress(sound()) / MPa,
+                         {.value = 99.7,
+                          .unit = "MPa",
+                          .relative_tolerance = 6e-4,
+                          .source = "E/(1-nu^2) * 3 w_0 (delta/2)/r_m^2 of the article's inputs",
+                          .tolerance_is = "three digits printed"});
+}
+
+TEST(Ovalisation, IdentityCurvatureOfTheDeflection) {
+  // w = w_0 cos(U theta): change of curvature (w + w'')/r^2, of magnitude (U^2 - 1) w_0/r^2.
+  for (const int U : {1, 2, 3, 4}) {
+    GearSet gear = sound();
+    gear.drive.wave_number = U;
+    EXPECT_NEAR(ovalisation_stress(gear),
+                kPlaneStrain * kWall / 2 * (U * U - 1) * 0.8 * mm / (kRadius * kRadius),
+                1e-14 * kE);
+  }
+  // Of sections, the barrel's wall.
+  GearSet gear = cup_of_sections();
+  gear.flexspline->barrel->wall_thickness = 3 * mm;
+  test::expect_relative(ovalisation_stress(gear),
+                        kPlaneStrain * 1.5 * mm * 3 * 0.8 * mm / std::pow(78.5 * mm, 2), 1e-14);
+}
+
+TEST(Ovalisation, IdentityNoteNamesBothStresses) {
+  for (const double torque : {100.0, -100.0}) {
+    GearSet gear = with_through_crack();
+    gear.load.torque = torque;
+    std::string text;
+    for (const Note& note : flexspline_compliance(gear).notes)
+      if (note.code == "flexspline.ovalisation") text = note.text;
+    // 99.7 MPa of bending against K_u tau = 1.1 * 1.1419 MPa.
+    EXPECT_NE(text.find("bends the wall by 99.7 MPa, against 1.26 MPa of shear"), std::string::npos)
+        << text;
+  }
+}
+
+// --- dimensions
+// -----------------------------------------------------------------------------------------------------------
+
+TEST(Flexspline, ScalingSoundAndCracked) {
+  const auto expect = [](std::string_view unit, bool surface, const auto& result_of) {
+    test::expect_dimensionally_consistent(
+        unit,
+        [&](double a, double t, double d, double L, double w, double E, double G, double T,
+            double P) {
+          GearSet gear = surface ? with_surface_crack(a, 20) : with_through_crack(a, 20);
+          gear.drive.pitch_diameter = d;
+          gear.drive.radial_displacement = w;
+          gear.flexspline->wall_thickness = t;
+          gear.flexspline->length = L;
+          gear.material["steel"].youngs_modulus = E;
+          gear.material["steel"].shear_modulus = G;
+          gear.material["steel"].yield_strength = E / 300;
+          gear.load = {.torque = T, .axial_force = P};
+          return result_of(gear);
+        },
+        Arg{1e-3, "m"}, Arg{2e-3, "m"}, Arg{0.16, "m"}, Arg{0.15, "m"}, Arg{8e-4, "m"},
+        Arg{2.1e11, "Pa"}, Arg{8e10, "Pa"}, Arg{100, "N*m"}, Arg{500, "N"});
+  };
+  expect("Pa", false, [](const GearSet& gear) { return ovalisation_stress(gear); });
+  expect("rad/(N*m)", false,
+         [](const GearSet& gear) { return flexspline_compliance(gear).intact; });
+  for (const bool surface : {false, true}) {
+    expect("m/N", surface,
+           [](const GearSet& gear) { return entries(first_crack(gear).positive)[0]; });
+    expect("1/N", surface,
+           [](const GearSet& gear) { return entries(first_crack(gear).positive)[1]; });
+    expect("rad/(N*m)", surface, positive);
+    expect("rad/(N*m)", surface, negative);
+    expect("Pa*m^0.5", surface,
+           [](const GearSet& gear) { return first_crack(gear).largest->K_I.value; });
+    expect("m", surface, [](const GearSet& gear) { return first_crack(gear).plastic_zone->value; });
+  }
+}
+
+}  // namespace
+}  // namespace strainwave

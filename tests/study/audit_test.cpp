@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// The audit of the article's worked example.  What it finds is compared with numbers that were
+// computed by other means: by hand, by tools/reference, or twice independently beforehand.
+#include "strainwave/study/audit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "strainwave/article/as_printed.hpp"
+
+namespace strainwave {
+namespace {
+
+const std::vector<AuditRow>& rows() {
+  static const std::vector<AuditRow> kRows = audit();
+  return kRows;
+}
+
+const AuditRow& row(const std::string& id) {
+  const auto found = std::ranges::find(rows(), id, &AuditRow::id);
+  EXPECT_NE(found, rows().end()) << id;
+  return *found;
+}
+
+TEST(Audit, IdentityEveryRowHasAnIdAQuantityAndASentence) {
+  std::set<std::string> ids;
+  for (const AuditRow& r : rows()) {
+    EXPECT_TRUE(ids.insert(r.id).second) << r.id;
+    EXPECT_FALSE(r.quantity.empty()) << r.id;
+    EXPECT_LE(r.quantity.size(), 46U) << r.quantity;
+    EXPECT_FALSE(r.sentence.empty()) << r.id;
+    EXPECT_TRUE(r.id == "A6" || r.printed || r.own || r.corrected) << r.id;
+    for (const auto& value : {r.printed, r.own, r.corrected})
+      EXPECT_TRUE(!value || std::isfinite(*value)) << r.id;
+  }
+  EXPECT_GE(rows().size(), 50U);
+}
+
+struct Expected {
+  const char* id;
+  std::optional<double> own;
+  std::optional<double> corrected;
+};
+
+class AuditNumbers : public testing::TestWithParam<Expected> {};
+
+// Own: the printed equation by hand calculator or mpmath; corrected: tools/reference.  The
+// tolerance is the digits given.
+TEST_P(AuditNumbers, ReferenceOwnEquationAndCorrectedTheory) {
+  const Expected& expected = GetParam();
+  const AuditRow& r = row(expected.id);
+  if (expected.own) {
+    EXPECT_NEAR(*r.own, *expected.own, 1e-6 * std::abs(*expected.own)) << expected.id;
+  }
+  if (expected.corrected) {
+    EXPECT_NEAR(*r.corrected, *expected.corrected, 1e-4 * std::abs(*expected.corrected))
+        << expected.id;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Article, AuditNumbers,
+    testing::Values(
+        Expected{"A1", 1 / (2.1e5 * 0.7), 1.3 / 2.1e5}, Expected{"A4", 1.0, 1.0 / 3},
+        Expected{"A7", 1481.4815, std::nullopt}, Expected{"B1", 1.95, 1.9496992},
+        Expected{"B2", 5.3714793, 2.2466}, Expected{"B3", 0.48255370, 0.48255370},
+        Expected{"B4", 23.873241, 23.873241}, Expected{"B5", 1.2066143, 1.2066143},
+        Expected{"B6", 251.5625, 251.5625}, Expected{"B7", 1 / 7.1684588e9, 3.9835790e-12},
+        Expected{"B8a", 0.21671651, std::nullopt}, Expected{"B8b", 3.4875e-5, std::nullopt},
+        Expected{"B9", 1.4336918e7, std::nullopt}, Expected{"B11a", 1.185e5, 1.2e5},
+        Expected{"B11b", -1.4216918e7, std::nullopt}, Expected{"B12", 1.7896443e-10, 1.0547282e-10},
+        Expected{"B13b", 1.8122980e-10, std::nullopt}, Expected{"C3", 1.1419269, 1.1419269},
+        Expected{"C4", 1.1536103e-16, 1.0575053e-16}, Expected{"C6", 1.9578073e-10, 2.4026580e-10},
+        Expected{"C7", 78.88, 78.88}, Expected{"C8", 1.0969189e-16, 1.0575053e-16},
+        Expected{"D2", 1.286, 1.1215}, Expected{"D3", 1.002, 1.00085156},
+        Expected{"D4", 1.3701999e-14, std::nullopt}, Expected{"D7", 8.2290594e-18, 2.0580757e-14},
+        Expected{"D9", 1.9290123e-9, 1.9648758e-9}, Expected{"D10", 66.798146, 66.798146},
+        Expected{"D12", 1.3710228e-14, 1.384611e-14}, Expected{"D13", std::nullopt, -5.0},
+        Expected{"D14", 1.2777642, 1.1145165}, Expected{"D15", 0.99496179, 0.99381042},
+        Expected{"T2", 80769.230769, 80769.230769}, Expected{"T4", 0.10738275, 0.10738275},
+        Expected{"T8", 7.8914141e8, 6.1547029e8}, Expected{"T9", 7.7984871e8, 6.15465e8},
+        Expected{"T10", 1.1775716, 8.602398e-4}, Expected{"T11", 53.856354, 78.72},
+        Expected{"T12", 27.747017, 6.49}, Expected{"T13", 18.396631, 14.79}),
+    [](const auto& instance) { return std::string(instance.param.id); });
+
+struct Found {
+  const char* id;
+  double value;
+};
+
+class AuditInputs : public testing::TestWithParam<Found> {};
+
+// Back-solved beforehand by other means; the tolerance is the digits given.
+TEST_P(AuditInputs, ReferenceInputThatReproducesThePrintedNumber) {
+  const AuditRow& r = row(GetParam().id);
+  ASSERT_TRUE(r.reproduce);
+  EXPECT_NEAR(r.reproduce->value, GetParam().value, 1e-4 * GetParam().value) << r.reproduce->name;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Article, AuditInputs,
+    testing::Values(Found{"B3", 0.76580}, Found{"B5", 2.3807e-4}, Found{"B6", 198757.76},
+                    Found{"B9", 9.7765}, Found{"B11b", 1.0930}, Found{"B13a", 63034},
+                    Found{"B13b", 60359}, Found{"C6", 0.83007}, Found{"C8", 0.30193},
+                    Found{"D11", 109.99531}, Found{"D14", 0.84669}, Found{"D15", 0.56205},
+                    Found{"T2", 0.3125}, Found{"T3", 0.52147039}, Found{"T10", 3.660}),
+    [](const auto& instance) { return std::string(instance.param.id); });
+
+TEST(Audit, CrosscheckReproducingInputsReallyReproduce) {
+  // Put back into the printed equations, written out here once more.
+  const double pi = std::acos(-1.0);
+  const auto value = [](const char* id) { return row(id).reproduce->value; };
+  EXPECT_NEAR(1.15 * 0.35 * value("B6") / 160, 500, 1e-6);
+  EXPECT_NEAR(2.1e5 * 1.5 / (0.217 * 500 * 10 * std::pow(0.45 * value("B9") / 10, 2)), 1500, 1e-6);
+  EXPECT_NEAR(0.35 / value("B13a") * pi / (2 * 160 * 2 * 0.8 * 100) * 1e10, 3.407, 1e-9);
+  EXPECT_NEAR(
+      1.1 * 1.2 * std::pow(value("C8"), 2) / (2 * pi * 2.1e5 * std::pow(79.88, 4) * 2.24) * 1e15,
+      1.0, 1e-9);
+  EXPECT_NEAR(value("D11") / (0.1 * 8e4 * (std::pow(70.0, 4) - std::pow(45.0, 4))) * 1e10, 6.906,
+              1e-9);
+}
+
+TEST(Audit, ReferenceDimensionsAreFoundLive) {
+  EXPECT_NE(row("B8b").sentence.find("force^1 length^1"), std::string::npos);
+  EXPECT_NE(row("B9").sentence.find("force^0 length^-1"), std::string::npos);
+  EXPECT_NE(row("D6").sentence.find("force^-1 length^0"), std::string::npos);
+}
+
+TEST(Audit, IdentityRatioIsPrintedOverOwnElseOwnOverCorrected) {
+  AuditRow r{.id = "x", .quantity = "x", .unit = "1"};
+  EXPECT_FALSE(r.ratio());
+  r.own = 6.0;
+  r.corrected = 3.0;
+  EXPECT_DOUBLE_EQ(*r.ratio(), 2.0);
+  r.printed = 18.0;
+  EXPECT_DOUBLE_EQ(*r.ratio(), 3.0);
+  r.own = 0.0;
+  EXPECT_FALSE(r.ratio());
+}
+
+TEST(Audit, IdentityAllFormsCarryAllRows) {
+  const nlohmann::json json = nlohmann::json::parse(audit_json(rows()));
+  ASSERT_EQ(json.size(), rows().size());
+  const std::string text = audit_text(rows());
+  const std::string markdown = audit_markdown(rows());
+  for (std::size_t i = 0; i < rows().size(); ++i) {
+    EXPECT_EQ(json[i].at("id"), rows()[i].id);
+    EXPECT_EQ(json[i].at("verdict"), enum_name(rows()[i].verdict));
+    EXPECT_NE(text.find("\n" + rows()[i].id + " "), std::string::npos) << rows()[i].id;
+    EXPECT_NE(markdown.find("\n| " + rows()[i].id + " |"), std::string::npos) << rows()[i].id;
+  }
+  std::size_t begin = 0;
+  for (std::size_t end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1)
+    EXPECT_LE(end - begin, 112U) << text.substr(begin, end - begin);
+}
+
+}  // namespace
+}  // namespace strainwave
