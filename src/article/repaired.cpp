@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/article/repaired.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -164,7 +166,13 @@ double annular_crack_compliance(double d, double depth, double shear_modulus) {
     const double k_III = torsion_stress_intensity(d, a);
     return k_III * k_III / shear_modulus * pi * (d - 2 * a);
   };
-  return integrate(integrand, 0.0, depth, {.relative_tolerance = 1e-12}).value;  // (AR-8)
+  const auto integral = integrate(integrand, 0.0, depth, {.relative_tolerance = 1e-12});  // (AR-8)
+  if (!integral.converged)
+    throw SolverError(
+        fmt::format("the crack integral (AR-8) did not converge: error {:.2g} of "
+                    "{:.2g}; is the crack almost through the shaft?",
+                    integral.error, integral.value));
+  return integral.value;
 }
 
 Member repaired_output_shaft(const GearSet& gear, const AnnularCrack* crack) {

@@ -30,18 +30,15 @@ double curvature_difference(double axis_ratio) {
 double axis_ratio_of(double F) {
   // Flatter than this is a line contact for every purpose, and F is 1 to rounding.
   constexpr double kFlattest = 1e-7;
-  if (F <= 0) return 1.0;
   if (F >= curvature_difference(kFlattest)) return kFlattest;
   return bracketed_root([&](double ratio) { return curvature_difference(ratio) - F; }, kFlattest,
                         1.0);
 }
 
-/// Root t of (t^2 - 1)(2t - 1) = (b/a)^2 in [1, (1 + sqrt 17)/4].
+/// Root t of (t^2 - 1)(2t - 1) = (b/a)^2, from 1 (line) to (1 + sqrt 17)/4 = 1.28 (circle).
 double lundberg_palmgren_t(double axis_ratio) {
-  const double upper = (1 + std::sqrt(17.0)) / 4;
   return bracketed_root(
-      [&](double t) { return (t * t - 1) * (2 * t - 1) - axis_ratio * axis_ratio; }, 1.0,
-      upper * (1 + 1e-12));
+      [&](double t) { return (t * t - 1) * (2 * t - 1) - axis_ratio * axis_ratio; }, 1.0, 1.3);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ InputError::InputError(std::string_view field, double value, std::string_view un
 InputError::InputError(std::string_view field, std::string_view problem)
     : Error(fmt::format("{}: {}", shown_field(field), problem)), field_(field) {}
 
-InputError::InputError(Text text, std::string field, std::string rule)
+InputError::InputError(const Text& text, std::string field, std::string rule)
     : Error(text.message), field_(std::move(field)), rule_(std::move(rule)) {}
 
 InputError InputError::located(std::string_view place, std::string_view value_as_written) const {

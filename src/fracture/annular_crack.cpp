@@ -78,6 +78,18 @@ Curve curve(std::vector<double> x, std::vector<double> y) {
   return {std::move(x), std::move(y), kOrder};
 }
 
+/// Derivative of a curve.
+///
+/// Boost's `prime` divides zero by zero within rounding of a node, where it is exact only at the
+/// node itself: there the nodes of this file are taken for the depth.
+double slope(const Curve& curve, double x) {
+  constexpr double kTooClose = 1e-7;
+  if (x < kTooClose) return curve.prime(0.0);
+  for (const double node : kDepthRatios)
+    if (std::abs(x - node) < kTooClose) return curve.prime(node);
+  return curve.prime(x);
+}
+
 /// Nodes of a curve over alpha: an exact value at 0, then the columns of a table.
 std::vector<double> depth_nodes() {
   std::vector<double> x = {0.0};
@@ -181,16 +193,16 @@ UnitStressIntensity<2> AnnularCrackHollow::stress_intensity(double a, double) co
   const double half_angle = pi * alpha / 2;
   const double log_sec = -std::log1p(-2 * std::pow(std::sin(half_angle / 2), 2));
   const double torsion_slope =
-      4 / (pi * I_p) * C_T * (pi / 2 * std::tan(half_angle) + log_sec * log_torsion_.prime(alpha));
-  k.III[1] = std::sqrt(std::max(0.0, torsion_slope) / front);
+      4 / (pi * I_p) * C_T * (pi / 2 * std::tan(half_angle) + log_sec * slope(log_torsion_, alpha));
+  k.III[1] = std::sqrt(torsion_slope / front);
 
   // lambda_PP = 2(1-nu^2) 1.1215^2 pi^2 r_o a^2/(E A^2) C_P (FR-15);
   // K_I = P sqrt(E lambda_PP'/(2(1-nu^2) front)), where E and nu drop out (FR-16).
   if (p_.open) {
     const double A = pi * (ro + ri) * t;
     const double tension_slope = std::pow(kEdgeCrackFactor * pi / A, 2) * ro * a *
-                                 (2 * tension_(alpha) + alpha * tension_.prime(alpha));
-    k.I[0] = std::sqrt(std::max(0.0, tension_slope) / front);
+                                 (2 * tension_(alpha) + alpha * slope(tension_, alpha));
+    k.I[0] = std::sqrt(tension_slope / front);
   }
   return k;
 }

@@ -32,15 +32,16 @@ double ThroughCrackInTube::shell_parameter_squared(double a) const {
   return std::sqrt(12 * (1 - nu * nu)) * a * a / (mean_radius * wall_thickness);  // (FR-8)
 }
 
+double ThroughCrackInTube::shell_factor(double a) const {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  return 1 + pi / 64 * (5 * c * c + s * s) * shell_parameter_squared(a);  // (FR-9)
+}
+
 UnitStressIntensity<2> ThroughCrackInTube::stress_intensity(double a, double) const {
   const CrackPlaneStress stress =
       crack_plane_stress(mean_radius, wall_thickness, angle, stress_nonuniformity);
-  double A_I = open ? 1.0 : 0.0;
-  if (open && shell_correction) {
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
-    A_I += pi / 64 * (5 * c * c + s * s) * shell_parameter_squared(a);  // (FR-9)
-  }
+  const double A_I = open ? (shell_correction ? shell_factor(a) : 1.0) : 0.0;
   const double root = std::sqrt(pi * a);
   UnitStressIntensity<2> k;
   for (const std::size_t i : {kAxial, kTorsion}) {

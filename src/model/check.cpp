@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "strainwave/core/compare.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/model/gear_set.hpp"
 
@@ -11,9 +13,6 @@
 
 namespace strainwave {
 namespace {
-
-/// a < b, and not by rounding alone: in doubles, 70 mm - 45 mm is more than twice 12.5 mm.
-bool clearly_less(double a, double b) { return a < b * (1 - 1e-12); }
 
 void check_tube(const FieldPath& path, const TubeSection& tube) {
   require(tube.wall_thickness < tube.outer_diameter / 2, (path / "wall_thickness").text(),
@@ -96,6 +95,14 @@ void check_wave_generator(const GearSet& gear) {
     require(wg.bearing->outer_raceway_diameter > wg.bearing->inner_raceway_diameter,
             (bearing / "outer_raceway_diameter").text(), wg.bearing->outer_raceway_diameter, "m",
             "outer_raceway_diameter > inner_raceway_diameter");
+    const double gap =
+        (wg.bearing->outer_raceway_diameter - wg.bearing->inner_raceway_diameter) / 2;
+    require(!clearly_less(gap, wg.bearing->ball_diameter), (bearing / "ball_diameter").text(),
+            wg.bearing->ball_diameter, "m",
+            "ball_diameter <= (outer_raceway_diameter - inner_raceway_diameter)/2");
+    if (wg.contact_semi_axes)
+      throw InputError((path / "contact_semi_axes").text(),
+                       "is one source of the contact too many; it follows from bearing");
     if (wg.bearing->outer_ring) {
       const BearingRing& ring = *wg.bearing->outer_ring;
       require(ring.thickness < ring.mean_radius, (bearing / "outer_ring" / "thickness").text(),
@@ -139,6 +146,9 @@ void check_flexspline(const GearSet& gear) {
     if (!fs.barrel)
       throw InputError((path / "barrel").text(),
                        "must be given where crack_free = \"sections\" (smooth tube)");
+    const double tubes = fs.barrel->length + (fs.rim ? fs.rim->length : 0.0);
+    require(!clearly_less(fs.length, tubes), (path / "length").text(), fs.length, "m",
+            "length >= barrel.length + rim.length");
     if (fs.shape_factor)
       throw InputError((path / "shape_factor").text(),
                        "is read only where crack_free = \"factor\"");
@@ -175,7 +185,7 @@ void check_flexspline(const GearSet& gear) {
                   (at / "half_length").text(), crack.half_length, "m",
                   "2 half_length cos(angle) < length of the tube");
           require(2 * crack.half_length * std::abs(std::sin(crack.angle)) <
-                      2 * std::acos(0.0) * (diameter - wall),
+                      std::numbers::pi * (diameter - wall),
                   (at / "half_length").text(), crack.half_length, "m",
                   "2 half_length |sin(angle)| < circumference of the tube");
           if constexpr (std::is_same_v<std::decay_t<decltype(crack)>, WallSurfaceCrack>) {

@@ -27,8 +27,8 @@ double torsional_compliance(const AnnularPlate& plate, double shear_modulus) {
   require(D > d, "outer_diameter", D, "m", "outer_diameter > inner_diameter");
   require(h > 0, "thickness", h, "m", "thickness > 0");
   require(shear_modulus > 0, "shear_modulus", shear_modulus, "Pa", "shear_modulus > 0");
-  const double curvature = 4 / (d * d) - 4 / (D * D);  // 1/r_i^2 - 1/r_o^2
-  return curvature / (4 * pi * shear_modulus * h);     // (ST-3)
+  const double curvature = 4 * (D - d) * (D + d) / (d * d * D * D);  // 1/r_i^2 - 1/r_o^2
+  return curvature / (4 * pi * shear_modulus * h);                   // (ST-3)
 }
 
 double ring_compliance(int wave_number, double mean_radius, double bending_stiffness) {

@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "member_support.hpp"
+#include "strainwave/core/compare.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/fracture/surface_crack.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
@@ -26,10 +28,15 @@ struct Wall {
   double thickness = 0.0;
 };
 
+/// The wall under the teeth, where the wave generator deflects it.
+Wall tooth_ring(const GearSet& gear) {
+  const double delta = gear.flexspline->wall_thickness;
+  return {(gear.drive.pitch_diameter - delta) / 2, delta};  // (ST-11)
+}
+
 Wall wall_of(const GearSet& gear, WallSection section) {
   const Flexspline& fs = *gear.flexspline;
-  if (fs.crack_free == CrackFree::factor)
-    return {(gear.drive.pitch_diameter - fs.wall_thickness) / 2, fs.wall_thickness};  // (ST-11)
+  if (fs.crack_free == CrackFree::factor) return tooth_ring(gear);
   const TubeSection& given = section == WallSection::rim ? *fs.rim : *fs.barrel;
   return {(given.outer_diameter - given.wall_thickness) / 2, given.wall_thickness};  // (ST-11)
 }
@@ -44,12 +51,12 @@ void add_sound_flexspline(const GearSet& gear, const ElasticConstants& steel,
                                                   .inner_diameter = D - 2 * fs.wall_thickness,
                                                   .length = fs.length},
                                              steel.G);  // (ST-4)
-    const ModelAccuracy& accuracy =
-        fs.shape == FlexsplineShape::cup ? accuracy::kShapeFactor : accuracy::kTube;
+    const bool plain_tube = fs.shape == FlexsplineShape::cylinder && !fs.shape_factor;
+    const ModelAccuracy& accuracy = plain_tube ? accuracy::kTube : accuracy::kShapeFactor;
     member.relative_uncertainty = accuracy;
     rest_on(member, "flexspline", accuracy);
     use_equation(member.equations, "ST-4");
-    if (fs.shape == FlexsplineShape::cup)
+    if (fs.shape == FlexsplineShape::cup && k < 1)
       member.notes.push_back(
           {"flexspline.shape_factor",
            "a factor below 1 for a cup has the wrong direction: its bottom adds compliance; give "
@@ -88,12 +95,21 @@ BothSenses faces_under(const CrackPlaneStress& stress, const Load& load) {
   return {faces(from_P + from_T, scale), faces(from_P - from_T, scale)};
 }
 
+void note_thick_wall(MemberCompliance& member, const Wall& wall, const std::string& path) {
+  if (wall.mean_radius < 10 * wall.thickness)
+    member.notes.push_back({"crack.thick_wall",
+                            "the wall is thicker than a tenth of its radius: plate and shell "
+                            "solutions and mean shear stress lose accuracy",
+                            path, "FR-6"});
+}
+
 /// What differs between the kinds of wall cracks.
 struct WallCrackModel {
   CrackModuli moduli;
   Constraint constraint = Constraint::plane_strain;
-  double uncertainty = 0.0;  ///< of the added compliance [-]
-  double ligament = 0.0;     ///< left of the section [m]
+  double axial_uncertainty = 0.0;    ///< of the added compliance, entries with the force [-]
+  double torsion_uncertainty = 0.0;  ///< of the added compliance in torsion [-]
+  double ligament = 0.0;             ///< left of the section [m]
 };
 
 /// Adds one wall crack; `crack_with(open)` makes it with its faces apart or not.
@@ -106,8 +122,10 @@ void add_wall_crack(MemberCompliance& member, CrackReport report, const MakeCrac
         added_compliance(crack_with(sense != Faces::pressed), model.moduli, options.quadrature);
     demand_convergence(member, report, added.relative_error, added.converged);
     AddedCompliance result;
-    result.at_output = {added.matrix(kTorsion, kTorsion), kComplianceUnit, model.uncertainty};
-    result.axial_torsion = axial_torsion(added.matrix, model.uncertainty, model.uncertainty);
+    result.at_output = {added.matrix(kTorsion, kTorsion), kComplianceUnit,
+                        model.torsion_uncertainty};
+    result.axial_torsion =
+        axial_torsion(added.matrix, model.axial_uncertainty, model.torsion_uncertainty);
     return result;
   };
   report.opens_under = opens_under(state.positive, state.negative);
@@ -116,10 +134,15 @@ void add_wall_crack(MemberCompliance& member, CrackReport report, const MakeCrac
                         ? report.positive
                         : added_under(state.negative);
   const Faces given = gear.load.torque > 0 ? state.positive : state.negative;
-  report_intensities(report, member.notes, crack_with(given != Faces::pressed),
-                     {gear.load.axial_force, gear.load.torque}, model.moduli, model.uncertainty / 2,
-                     gear.material.at(gear.flexspline->material), model.constraint, model.ligament);
-  if (state.positive == Faces::pressed || state.negative == Faces::pressed)
+  const double of_compliance = gear.load.axial_force != 0
+                                   ? std::max(model.axial_uncertainty, model.torsion_uncertainty)
+                                   : model.torsion_uncertainty;
+  report_intensities(report, member, crack_with(given != Faces::pressed),
+                     {gear.load.axial_force, gear.load.torque}, model.moduli,
+                     all_modes(of_compliance / 2), gear.material.at(gear.flexspline->material),
+                     model.constraint, model.ligament);
+  if (state.positive == Faces::pressed || state.negative == Faces::pressed) {
+    use_equation(member.equations, "FR-17");
     member.notes.push_back(
         {"crack.closed",
          fmt::format("closed under {} torque: mode I adds nothing there, and the faces slide "
@@ -128,6 +151,7 @@ void add_wall_crack(MemberCompliance& member, CrackReport report, const MakeCrac
                      : state.negative != Faces::pressed ? "positive"
                                                         : "either sense of"),
          report.path, "FR-17"});
+  }
   const AddedCompliance& at_given = gear.load.torque > 0 ? report.positive : report.negative;
   const double turned_by_axial_force = (*at_given.axial_torsion)[1].value * gear.load.axial_force;
   if (turned_by_axial_force != 0)
@@ -158,16 +182,19 @@ void add_through_crack(MemberCompliance& member, CrackReport report, const WallT
   };
   for (const char* const tag : {"FR-2", "FR-6", "FR-7", "FR-18", "ST-11"})
     use_equation(member.equations, tag);
+  // The tips run along the tube, which is long: there is no ligament to speak of.
   WallCrackModel model{.moduli = {.opening = steel.E, .shear = steel.G},
                        .constraint = Constraint::plane_stress,
-                       .ligament = wall.mean_radius};
+                       .ligament = std::numeric_limits<double>::infinity()};
   ModelAccuracy accuracy = accuracy::kThroughCrack;
   member.notes.push_back(
       {"crack.plane_stress",
-       "plane stress, E' = E, is an upper bound: a crack much shorter than the wall is thick is in "
-       "plane strain, 9 % less compliant",
+       fmt::format("plane stress, E' = E, is an upper bound: a crack much shorter than the wall is "
+                   "thick is in plane strain, {:.0f} % less compliant",
+                   100 * steel.nu * steel.nu),
        report.path, "FR-18"});
-  const double lambda = std::sqrt(make(true).shell_parameter_squared(crack.half_length));
+  const ThroughCrackInTube open_crack = make(true);
+  const double lambda = std::sqrt(open_crack.shell_parameter_squared(crack.half_length));
   if (lambda > 1 && lambda <= 2) {
     accuracy = accuracy::kThroughCrackLong;
     member.notes.push_back({"crack.shell_range",
@@ -182,8 +209,22 @@ void add_through_crack(MemberCompliance& member, CrackReport report, const WallT
         "with care to 2): such a long crack needs finite elements",
         report.path, lambda);
   }
-  model.uncertainty = accuracy;
   rest_on(member, report.path, accuracy);
+  model.torsion_uncertainty = accuracy;
+  if (!crack.shell_correction) {
+    // What the correction would have added, (FR-9).
+    const double missing = std::pow(open_crack.shell_factor(crack.half_length), 2) - 1;
+    const ModelAccuracy flat{missing, "flat plate instead of the curved shell: too stiff"};
+    model.torsion_uncertainty = accuracy::combined(accuracy, flat);
+    rest_on(member, report.path, flat);
+    member.notes.push_back({"crack.flat_plate",
+                            fmt::format("without the shell correction the crack is up to {:.2g} % "
+                                        "too stiff",
+                                        100 * missing),
+                            report.path, "FR-9"});
+  }
+  model.axial_uncertainty = model.torsion_uncertainty;
+  note_thick_wall(member, wall, report.path);
   if (crack.shell_correction)
     for (const char* const tag : {"FR-8", "FR-9"}) use_equation(member.equations, tag);
   const CrackPlaneStress stress =
@@ -213,52 +254,55 @@ void add_surface_crack(MemberCompliance& member, CrackReport report, const WallS
                        .constraint = Constraint::plane_strain,
                        .ligament = wall.thickness - crack.depth};
   ModelAccuracy fit = accuracy::kSurfaceCrack;
-  if (crack.depth > 0.8 * wall.thickness || crack.depth < 0.2 * crack.half_length) {
+  if (clearly_less(0.8 * wall.thickness, crack.depth) ||
+      clearly_less(crack.depth, 0.2 * crack.half_length)) {
     fit = accuracy::kSurfaceCrackExtrapolated;
     member.notes.push_back({"crack.surface_range",
                             "outside a/t <= 0.8 and a/c >= 0.2, where the stress intensity was "
                             "fitted: extrapolated",
                             report.path, "FR-4"});
   }
-  model.uncertainty = fit;
   rest_on(member, report.path, fit);
-  if (std::abs(std::abs(crack.angle) - 45 * units::deg) > 1e-9) {
+  // Shear comes with an angle other than 45 degrees under torque, other than 0 under axial force.
+  const double sheared = accuracy::combined(fit, accuracy::kSurfaceCrackShear);
+  model.torsion_uncertainty = stress.shear[kTorsion] != 0 ? sheared : double{fit};
+  model.axial_uncertainty = stress.shear[kAxial] != 0 ? sheared : model.torsion_uncertainty;
+  const double P = gear.load.axial_force;
+  if (stress.shear[kTorsion] != 0 || stress.shear[kAxial] != 0)
     use_equation(member.equations, "FR-10");
-    model.uncertainty = accuracy::combined(fit, accuracy::kSurfaceCrackShear);
+  if (stress.shear[kTorsion] != 0 || stress.shear[kAxial] * P != 0) {
     rest_on(member, report.path, accuracy::kSurfaceCrackShear);
     member.notes.push_back({"crack.surface_shear",
-                            "away from 45 deg the crack is sheared too: K_II and K_III are those "
-                            "of an ellipse inside a body, without the free surface",
+                            "the crack is sheared as well as opened: K_II and K_III are those of "
+                            "an ellipse inside a body, without the free surface",
                             report.path, "FR-10"});
   }
-  if (wall.mean_radius < 10 * wall.thickness)
-    member.notes.push_back({"crack.thick_wall",
-                            "the wall is thicker than a tenth of its radius: plate solution and "
-                            "mean shear stress lose accuracy",
-                            report.path, "FR-6"});
+  note_thick_wall(member, wall, report.path);
   add_wall_crack(member, std::move(report), make, faces_under(stress, gear.load), gear, model,
                  options);
 }
 
 void note_ovalisation(const GearSet& gear, MemberCompliance& member) {
-  const Wall wall = wall_of(gear, WallSection::barrel);
+  const int U = gear.drive.wave_number;
+  if (U < 2) return;  // one lobe shifts the ring, it does not bend it
+  const Wall wall = tooth_ring(gear);
   const double tau = std::abs(gear.load.torque) * gear.flexspline->stress_nonuniformity /
                      (2 * std::numbers::pi * wall.mean_radius * wall.mean_radius * wall.thickness);
   use_equation(member.equations, "ST-17");
   member.notes.push_back(
       {"flexspline.ovalisation",
-       fmt::format(
-           "assembly on the wave generator bends the wall by {:.3g} MPa, against {:.3g} MPa "
-           "of shear from the torque; it opens one face of a crack and closes the other "
-           "twice per turn, and is left out of the decision whether a crack is open",
-           ovalisation_stress(gear) / 1e6, tau / 1e6),
+       fmt::format("assembly on the wave generator bends the wall at the tooth ring by {:.3g} MPa, "
+                   "against {:.3g} MPa of shear from the torque; it opens one face of a crack and "
+                   "closes the other {} times per turn, and is left out of the decision whether a "
+                   "crack is open",
+                   ovalisation_stress(gear) / units::MPa, tau / units::MPa, U),
        "flexspline.crack", "ST-17"});
 }
 
 }  // namespace
 
 double ovalisation_stress(const GearSet& gear) {
-  const Wall wall = wall_of(gear, WallSection::barrel);
+  const Wall wall = tooth_ring(gear);
   const ElasticConstants steel =
       elastic_constants(material_of(gear, gear.flexspline->material, "flexspline.material"));
   const int U = gear.drive.wave_number;

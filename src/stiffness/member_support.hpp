@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -63,11 +66,17 @@ std::array<double, 3> intensity(const UnitStressIntensity<N>& k,
   return K;
 }
 
-inline StressIntensities stress_intensities(const std::array<double, 3>& K, double uncertainty) {
-  const auto quantity = [&](double value) {
-    return Quantity{value, kStressIntensityUnit, uncertainty};
-  };
-  return {quantity(K[0]), quantity(K[1]), quantity(K[2])};
+/// Relative uncertainties of K_I, K_II, K_III.
+using ModeUncertainties = std::array<double, 3>;
+
+inline ModeUncertainties all_modes(double uncertainty) {
+  return {uncertainty, uncertainty, uncertainty};
+}
+
+inline StressIntensities stress_intensities(const std::array<double, 3>& K,
+                                            const ModeUncertainties& u) {
+  const auto quantity = [&](std::size_t m) { return Quantity{K[m], kStressIntensityUnit, u[m]}; };
+  return {quantity(0), quantity(1), quantity(2)};
 }
 
 /// Plane stress or plane strain ahead of a crack.
@@ -78,7 +87,7 @@ enum class Constraint { plane_stress, plane_strain };
 /// Implements theory manual eq. (FR-19).
 inline double plastic_zone(const std::array<double, 3>& K, double yield_strength,
                            Constraint constraint) {
-  const double pi = std::acos(-1.0);
+  using std::numbers::pi;
   const double in_plane = (K[0] * K[0] + K[1] * K[1]) / (yield_strength * yield_strength);
   const double antiplane = 3 * K[2] * K[2] / (yield_strength * yield_strength);
   const double opening = constraint == Constraint::plane_strain ? 1 / (6 * pi) : 1 / (2 * pi);
@@ -88,10 +97,11 @@ inline double plastic_zone(const std::array<double, 3>& K, double yield_strength
 /// Fills in what a crack does at the given load: K at the deepest point and along the front,
 /// utilisation (FR-20), plastic zone (FR-19) with a note where it is not small.
 template <SweptCrack Crack>
-void report_intensities(CrackReport& report, std::vector<Note>& notes, const Crack& crack,
+void report_intensities(CrackReport& report, MemberCompliance& member, const Crack& crack,
                         const std::array<double, Crack::kLoads>& load, const CrackModuli& moduli,
-                        double uncertainty, const Material& material, Constraint constraint,
-                        double ligament) {
+                        const ModeUncertainties& uncertainties, const Material& material,
+                        Constraint constraint, double ligament) {
+  const double uncertainty = std::ranges::max(uncertainties);
   constexpr int kFrontPoints = 33;  // of half a front; K varies slowly along it
   const FrontRange front = crack.front();
   const double a = crack.size();
@@ -110,24 +120,28 @@ void report_intensities(CrackReport& report, std::vector<Note>& notes, const Cra
       worst_zone =
           std::max(worst_zone, plastic_zone(deepest, *material.yield_strength, constraint));
   }
-  report.deepest = stress_intensities(deepest, uncertainty);
-  report.largest = stress_intensities(largest, uncertainty);
+  report.deepest = stress_intensities(deepest, uncertainties);
+  report.largest = stress_intensities(largest, uncertainties);
   if (material.fracture_toughness) {
+    use_equation(member.equations, "FR-20");
     const double K_equivalent = std::sqrt(worst_G * moduli.opening);  // (FR-20)
     report.utilisation = Quantity{K_equivalent / *material.fracture_toughness, "1", uncertainty};
     if (report.utilisation->value >= 1)
-      notes.push_back({"crack.fracture",
-                       "the stress intensity at the given load reaches the fracture toughness: "
-                       "the crack runs, and its stiffness has no meaning",
-                       report.path, "FR-20"});
+      member.notes.push_back(
+          {"crack.fracture",
+           "the stress intensity at the given load reaches the fracture toughness: the "
+           "crack runs; the stiffness is that of the crack as it stands",
+           report.path, "FR-20"});
   }
   if (material.yield_strength) {
+    use_equation(member.equations, "FR-19");
     report.plastic_zone = Quantity{worst_zone, "m", 2 * uncertainty};
     if (worst_zone > 0.1 * std::min(a, ligament))
-      notes.push_back({"crack.plastic_zone",
-                       "the plastic zone is more than a tenth of the crack or of what is left of "
-                       "the section: linear elasticity is no longer accurate",
-                       report.path, "FR-19"});
+      member.notes.push_back(
+          {"crack.plastic_zone",
+           "the plastic zone is more than a tenth of the crack or of what is left of "
+           "the section: linear elasticity is no longer accurate",
+           report.path, "FR-19"});
   }
 }
 
@@ -154,7 +168,8 @@ inline void demand_convergence(MemberCompliance& member, const CrackReport& repo
                                double relative_error, bool converged) {
   if (converged) return;
   member.unusable_because = "the crack integral of " + report.path +
-                            " did not converge: relative error " + std::to_string(relative_error);
+                            " did not converge: relative error " +
+                            fmt::format("{:.2g}", relative_error);
 }
 
 }  // namespace strainwave

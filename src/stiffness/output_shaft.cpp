@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "member_support.hpp"
+#include "strainwave/core/compare.hpp"
 #include "strainwave/fracture/annular_crack.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
@@ -16,6 +17,7 @@ namespace {
 struct AnnularAccuracy {
   ModelAccuracy torsion = accuracy::kAnnularTorsion;
   ModelAccuracy tension = accuracy::kAnnularTension;
+  double K_I = accuracy::kAnnularTension / 2;  ///< of the stress intensity
 };
 
 /// Adds one annular crack; it is open unless the axial force presses it together.
@@ -33,10 +35,9 @@ void add_annular_crack(MemberCompliance& member, CrackReport report, const Crack
   report.positive.axial_torsion = axial_torsion(added.matrix, accuracy.tension, accuracy.torsion);
   report.negative = report.positive;
   const double wall = (shaft.outer_diameter - shaft.inner_diameter) / 2;
-  report_intensities(report, member.notes, crack, {gear.load.axial_force, gear.load.torque}, moduli,
-                     std::max<double>(accuracy.torsion, accuracy.tension) / 2,
-                     gear.material.at(shaft.material), Constraint::plane_strain,
-                     wall - crack.size());
+  report_intensities(report, member, crack, {gear.load.axial_force, gear.load.torque}, moduli,
+                     {accuracy.K_I, 0.0, accuracy.torsion / 2}, gear.material.at(shaft.material),
+                     Constraint::plane_strain, wall - crack.size());
   member.cracks.push_back(std::move(report));
 }
 
@@ -47,18 +48,20 @@ void add_crack(MemberCompliance& member, CrackReport report, const AnnularCrack&
   const bool open = gear.load.axial_force >= 0;
   report.opens_under = gear.load.axial_force > 0 ? OpensUnder::both : OpensUnder::neither;
   for (const char* const tag : {"FR-2", "FR-18"}) use_equation(member.equations, tag);
-  if (!open)
+  if (!open) {
+    use_equation(member.equations, "FR-17");
     member.notes.push_back(
         {"crack.closed",
          "the axial force presses the faces together: no mode I; friction, which would hinder "
          "mode III until the torque overcomes it, is left out",
          report.path, "FR-17"});
-  if (shaft.length < 4 * shaft.outer_diameter)
+  }
+  if (clearly_less(shaft.length, 2 * shaft.outer_diameter))
     member.notes.push_back({"crack.short_shaft",
-                            "the shaft is shorter than four diameters: the crack's field reaches "
-                            "its ends",
+                            "less than one diameter of shaft on each side of a crack even in the "
+                            "middle: the ends disturb its field",
                             report.path, "FR-12"});
-  if (std::abs(steel.nu - 0.3) > 0.02)
+  if (std::abs(steel.nu - 0.3) > 0.02 && gear.load.axial_force != 0)
     member.notes.push_back({"crack.poissons_ratio",
                             "the mode I solution was computed for Poisson's ratio 0.3; torsion "
                             "does not depend on it",
@@ -66,31 +69,35 @@ void add_crack(MemberCompliance& member, CrackReport report, const AnnularCrack&
   if (shaft.solid()) {
     const bool tada = crack.solution == AnnularSolution::tada;
     for (const char* const tag : {"FR-12", "FR-13"}) use_equation(member.equations, tag);
-    add_annular_crack(
-        member, std::move(report),
-        AnnularCrackSolid{
-            .depth = crack.depth,
-            .diameter = shaft.outer_diameter,
-            .polynomials = tada ? AnnularPolynomials::tada : AnnularPolynomials::improved,
-            .open = open},
-        gear, steel,
-        tada ? AnnularAccuracy{accuracy::kAnnularTada, accuracy::kAnnularTada} : AnnularAccuracy{},
-        options);
+    add_annular_crack(member, std::move(report),
+                      AnnularCrackSolid{.depth = crack.depth,
+                                        .diameter = shaft.outer_diameter,
+                                        .polynomials = tada ? AnnularPolynomials::tada
+                                                            : AnnularPolynomials::improved,
+                                        .open = open},
+                      gear, steel,
+                      tada ? AnnularAccuracy{accuracy::kAnnularTada, accuracy::kAnnularTada,
+                                             accuracy::kAnnularTada / 2}
+                           : AnnularAccuracy{},
+                      options);
     return;
   }
   for (const char* const tag : {"FR-14", "FR-15", "FR-16"}) use_equation(member.equations, tag);
   const double ro = shaft.outer_diameter / 2;
   const double ri = shaft.inner_diameter / 2;
   const double depth_ratio = crack.depth / (ro - ri);
-  AnnularAccuracy accuracy;
-  if (ri / ro > AnnularCrackHollow::kMaxTensionRadiusRatio) {
+  AnnularAccuracy accuracy{.K_I = accuracy::kHollowTensionIntensity};
+  if (clearly_less(AnnularCrackHollow::kMaxTensionRadiusRatio, ri / ro)) {
     accuracy.tension = accuracy::kAnnularExtrapolated;
-    member.notes.push_back({"crack.tension_range",
-                            "the wall is thinner than r_i/r_o = 0.95 of the table in tension: the "
-                            "axial entries are extrapolated",
-                            report.path, "FR-15"});
+    accuracy.K_I = accuracy.tension / 2;
+    if (gear.load.axial_force != 0)
+      member.notes.push_back(
+          {"crack.tension_range",
+           "the wall is thinner than r_i/r_o = 0.95 of the table in tension: the "
+           "axial entries are extrapolated",
+           report.path, "FR-15"});
   }
-  if (depth_ratio > AnnularCrackHollow::kMaxDepthRatio)
+  if (clearly_less(AnnularCrackHollow::kMaxDepthRatio, depth_ratio))
     member.unusable_because =
         fmt::format("{}: a/t = {:.4g} is outside the table of the hollow shaft, a/t <= {}",
                     report.path, depth_ratio, AnnularCrackHollow::kMaxDepthRatio);

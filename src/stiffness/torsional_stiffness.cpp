@@ -80,10 +80,13 @@ CrackedDrive cracked_drive(const Members& intact, const Members& added, double t
   drive.compliance = cracked.compliances();
   drive.stiffness = stiffness_of(total);
   drive.wind_up = wind_up_of(total, torque);
-  // (ST-15): K/K_intact - 1 without the difference of nearly equal numbers.
+  // (ST-15): K/K_intact - 1 without the difference of nearly equal numbers.  Of -x/(y + x) with
+  // independent x and y, d ln = (d ln x - d ln y) y/(x + y): a large loss is the better known.
+  const double sound_share = intact.total().value() / total.value();
   drive.stiffness_change = {
-      -extra.value() / total.value(), "1",
-      accuracy::combined(extra.relative_uncertainty(), intact.total().relative_uncertainty())};
+      extra.value() == 0 ? 0.0 : -extra.value() / total.value(), "1",
+      sound_share *
+          accuracy::combined(extra.relative_uncertainty(), intact.total().relative_uncertainty())};
   return drive;
 }
 

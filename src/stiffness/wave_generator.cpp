@@ -7,7 +7,7 @@
 
 #include "member_support.hpp"
 #include "strainwave/contact/hertz.hpp"
-#include "strainwave/core/error.hpp"
+#include "strainwave/core/compare.hpp"
 #include "strainwave/fracture/edge_crack.hpp"
 #include "strainwave/fracture/surface_crack.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
@@ -18,10 +18,11 @@ namespace {
 
 using std::numbers::pi;
 
-/// A quantity and the accuracy of its model.
+/// A quantity, the accuracy of its model, and the power of the lobe force that is in it.
 struct Estimate {
   double value = 0.0;
   ModelAccuracy accuracy;
+  double force_exponent = 0.0;
 };
 
 /// Hertz contacts of one ball with the inner and the outer race, under its share of the lobe force.
@@ -54,32 +55,34 @@ Estimate lobe_compliance(const GearSet& gear, const ElasticConstants& steel, dou
   if (wg.radial_stiffness) return {1 / *wg.radial_stiffness, {}};
   if (wg.displacements) {
     const LobeDisplacements& d = *wg.displacements;
-    if (d.shaft > 0 && gear.drive.wave_number % 2 == 0)
+    if (d.shaft > 0 && gear.drive.wave_number >= 2)
       member.notes.push_back({"wave_generator.shaft_bending",
-                              "the forces of an even number of lobes balance: the shaft does not "
-                              "bend, and this displacement ought to be 0",
+                              "the forces of evenly spaced lobes balance: the shaft does not bend, "
+                              "and this displacement ought to be 0",
                               "wave_generator.displacements.shaft", "ST-8"});
     use_equation(member.equations, "ST-8");
-    return {(d.bearing + d.cam + d.shaft) / lobe_force, {}};  // (ST-8)
+    return {(d.bearing + d.cam + d.shaft) / lobe_force, {}, -1.0};  // (ST-8)
   }
   const Bearing& bearing = *wg.bearing;
   const auto [inner, outer] = ball_contacts(bearing, steel, lobe_force);
   // (ST-9): contacts in series, balls in parallel, linearised at the given load.
   double C = (1 / inner.tangent_stiffness + 1 / outer.tangent_stiffness) / bearing.loaded_balls;
-  for (const char* const tag : {"ST-9", "CO-2", "CO-3", "CO-4"})
+  for (const char* const tag : {"ST-9", "CO-1", "CO-2", "CO-3", "CO-4"})
     use_equation(member.equations, tag);
   member.notes.push_back(
       {"wave_generator.hertz",
-       fmt::format("the contacts are not linear: stiffness is the tangent at the given torque, at "
-                   "{:.3g} MPa peak pressure on the inner race; cam and inner ring are rigid",
-                   inner.peak_pressure / 1e6),
+       fmt::format(
+           "the contacts are not linear: stiffness is the tangent at the given torque, at "
+           "{:.3g} MPa peak pressure on the inner race; the wind-up takes this tangent too, "
+           "and its contact part is a third short; cam and inner ring are rigid",
+           inner.peak_pressure / 1e6),
        "wave_generator.bearing", "ST-9"});
   if (bearing.outer_ring) {
     const auto& [R, t, B] = *bearing.outer_ring;
     C += ring_compliance(gear.drive.wave_number, R, steel.E * B * t * t * t / 12);
     use_equation(member.equations, "ST-10");
   }
-  return {C, accuracy::kLoadSharing};
+  return {C, accuracy::kLoadSharing, -1.0 / 3};  // (CO-4): compliance of a contact ~ force^(-1/3)
 }
 
 /// Hoop stress at the crack per unit of lobe force, and how far it can be trusted [1/m^2].  The
@@ -97,7 +100,7 @@ class UnitStress {
         const double beta =
             crack.contact_factor ? *crack.contact_factor : orthogonal_shear_factor(b / a);
         if (!crack.contact_factor) use_equation(member.equations, "CO-5");
-        use_equation(member.equations, "ST-12");
+        for (const char* const tag : {"ST-12", "CO-3"}) use_equation(member.equations, tag);
         member.notes.push_back(
             {"crack.orthogonal_shear",
              "half beta times the contact pressure is a subsurface shear stress; taken for a hoop "
@@ -107,7 +110,7 @@ class UnitStress {
       }
       case StressDriver::contact_edge: {
         const auto [a, b] = semi_axes();
-        use_equation(member.equations, "CO-7");
+        for (const char* const tag : {"CO-7", "CO-3"}) use_equation(member.equations, tag);
         member.notes.push_back(
             {"crack.contact_edge",
              "the tension at the edge of the contact decays like 1/r^2; taken as uniform over the "
@@ -120,6 +123,12 @@ class UnitStress {
         const WaveGenerator& wg = *gear_.wave_generator;
         const double t = *wg.inner_ring_thickness;
         use_equation(member.equations, "ST-13");
+        member.notes.push_back(
+            {"crack.ring_bending",
+             "a free ring under the lobe forces: its bore is in tension there, its raceway in "
+             "compression, so this is for a crack at the bore; the cam inside makes it an upper "
+             "bound, and a surface crack takes the stress as uniform",
+             path, "ST-13"});
         return {6 * ring_moment_factor(gear_.drive.wave_number) * *wg.inner_ring_mean_radius /
                     (*wg.inner_ring_width * t * t),
                 accuracy::kRingBending};  // (ST-13)
@@ -127,7 +136,7 @@ class UnitStress {
       case StressDriver::given:
         break;
     }
-    return {*crack.stress / lobe_force_, accuracy::kGivenStress};
+    return {*crack.stress / lobe_force_, accuracy::kGivenStress, -1.0};
   }
 
  private:
@@ -141,7 +150,7 @@ class UnitStress {
   /// Peak pressure per unit of lobe force, of the ball that carries the crack.
   [[nodiscard]] double pressure_per_force(double a, double b) const {
     const WaveGenerator& wg = *gear_.wave_generator;
-    const double share = wg.contact_semi_axes || !wg.bearing ? 1.0 : 1 / wg.bearing->loaded_balls;
+    const double share = wg.bearing ? 1 / wg.bearing->loaded_balls : 1.0;
     return peak_pressure(share, a, b);
   }
 
@@ -150,20 +159,26 @@ class UnitStress {
   double lobe_force_;
 };
 
+/// Relative uncertainties of what a race crack adds, and of its K.
+struct RaceAccuracy {
+  double compliance = 0.0;
+  double intensity = 0.0;
+};
+
 /// Adds one race crack: its radial compliance times `at_output` is its share of the drive's.
 template <SweptCrack Crack>
 void add_race_crack(MemberCompliance& member, CrackReport report, const Crack& crack,
                     const GearSet& gear, const CrackModuli& moduli, double lobe_force,
-                    double at_output, double uncertainty, const StiffnessOptions& options) {
+                    double at_output, const RaceAccuracy& accuracy,
+                    const StiffnessOptions& options) {
   const WaveGenerator& wg = *gear.wave_generator;
   const auto added = added_compliance(crack, moduli, options.quadrature);
   demand_convergence(member, report, added.relative_error, added.converged);
-  const Quantity at{at_output * added.matrix(0, 0), kComplianceUnit,
-                    accuracy::combined(uncertainty, accuracy::kLobeForce)};
+  const Quantity at{at_output * added.matrix(0, 0), kComplianceUnit, accuracy.compliance};
   report.positive.at_output = at;
   report.negative.at_output = at;
   const double depth = crack.size();
-  report_intensities(report, member.notes, crack, {lobe_force}, moduli, uncertainty / 2,
+  report_intensities(report, member, crack, {lobe_force}, moduli, all_modes(accuracy.intensity),
                      gear.material.at(wg.material), Constraint::plane_strain,
                      *wg.inner_ring_thickness - depth);
   member.cracks.push_back(std::move(report));
@@ -205,8 +220,18 @@ MemberCompliance wave_generator_compliance(const GearSet& gear, const StiffnessO
   }
   use_equation(member.equations, wg.conversion == Conversion::cam ? "ST-7" : "ST-6");
   member.intact = all_lobes * C_0.value;
-  member.relative_uncertainty = accuracy::combined(accuracy::kLobeForce, C_0.accuracy);
-  rest_on(member, "wave_generator", accuracy::kLobeForce);
+  const bool cam = wg.conversion == Conversion::cam;
+  // The conversion by reciprocity has the lobe force squared in it, the article's has none.
+  const double conversion_exponent = cam ? 0.0 : 2.0;
+  const ModelAccuracy of_force =
+      accuracy::power(accuracy::kLobeForce, conversion_exponent + C_0.force_exponent);
+  member.relative_uncertainty = accuracy::combined(of_force, C_0.accuracy);
+  rest_on(member, "wave_generator", of_force);
+  if (cam) {
+    member.relative_uncertainty =
+        accuracy::combined(member.relative_uncertainty, accuracy::kCamConversion);
+    rest_on(member, "wave_generator.conversion", accuracy::kCamConversion);
+  }
   if (C_0.accuracy > 0) rest_on(member, "wave_generator.bearing", C_0.accuracy);
 
   const UnitStress unit_stress(gear, steel, lobe_force);
@@ -219,18 +244,35 @@ MemberCompliance wave_generator_compliance(const GearSet& gear, const StiffnessO
           using Crack = std::decay_t<decltype(crack)>;
           report.kind = Crack::kKind;
           const Estimate stress = unit_stress(crack, report.path, member);
-          rest_on(member, report.path, stress.accuracy);
+          // Compliance goes with the square of the stress, K with the stress.
+          const double stress_exponent = 1 + stress.force_exponent;  // of the force, in K
+          const ModelAccuracy of_stress = accuracy::power(stress.accuracy, 2);
+          const ModelAccuracy of_load = accuracy::power(
+              accuracy::kLobeForce, std::abs(conversion_exponent + 2 * stress.force_exponent));
+          rest_on(member, report.path, of_stress);
+          if (of_load > 0) rest_on(member, report.path, of_load);
+          const auto race_accuracy = [&](double of_crack) {
+            const double compliance = accuracy::combined(
+                accuracy::combined(of_crack, of_stress),
+                cam ? accuracy::combined(of_load, accuracy::kCamConversion) : double{of_load});
+            const double intensity =
+                accuracy::combined(accuracy::combined(of_crack / 2, stress.accuracy),
+                                   stress_exponent * accuracy::kLobeForce);
+            return RaceAccuracy{compliance, intensity};
+          };
           // The lobe force has one sense, whatever the sense of the torque.
           const bool open = stress.value >= 0;
           report.opens_under = stress.value > 0 ? OpensUnder::both : OpensUnder::neither;
-          if (!open)
+          if (!open) {
+            use_equation(member.equations, "FR-17");
             member.notes.push_back({"crack.closed",
                                     "the stress presses the faces together: the crack adds "
                                     "nothing",
                                     report.path, "FR-17"});
+          }
           if constexpr (std::is_same_v<Crack, RaceSurfaceCrack>) {
             ModelAccuracy fit = accuracy::kSurfaceCrack;
-            if (crack.depth > 0.8 * t || crack.aspect_ratio < 0.2) {
+            if (clearly_less(0.8 * t, crack.depth) || clearly_less(crack.aspect_ratio, 0.2)) {
               fit = accuracy::kSurfaceCrackExtrapolated;
               member.notes.push_back({"crack.surface_range",
                                       "outside a/t <= 0.8 and a/c >= 0.2, where the stress "
@@ -247,8 +289,7 @@ MemberCompliance wave_generator_compliance(const GearSet& gear, const StiffnessO
                                             .poissons_ratio = steel.nu,
                                             .normal_stress = {stress.value},
                                             .open = open}),
-                           gear, moduli, lobe_force, one_lobe,
-                           accuracy::combined(fit, 2 * stress.accuracy), options);
+                           gear, moduli, lobe_force, one_lobe, race_accuracy(fit), options);
           } else {
             rest_on(member, report.path, accuracy::kEdgeCrack);
             for (const char* const tag : {"FR-2", "FR-11", "FR-18"})
@@ -262,8 +303,7 @@ MemberCompliance wave_generator_compliance(const GearSet& gear, const StiffnessO
                           .unit_stress = stress.value,
                           .loading = bending ? StripLoading::bending : StripLoading::tension,
                           .open = open},
-                gear, moduli, lobe_force, one_lobe,
-                accuracy::combined(accuracy::kEdgeCrack, 2 * stress.accuracy), options);
+                gear, moduli, lobe_force, one_lobe, race_accuracy(accuracy::kEdgeCrack), options);
           }
         },
         wg.crack[i]);

@@ -362,6 +362,8 @@ TEST(EdgeTension, LimitCircle) {
     EXPECT_NEAR(tension.major_end * 3 / 0.4 - 1, 0.1 * e2, e2 * e2 + rounding);
     EXPECT_NEAR(tension.minor_end * 3 / 0.4 - 1, -0.1 * e2, e2 * e2 + rounding);
   }
+  const EdgeTension first = edge_tension(std::sqrt(1 - 1.005e-7), 0.3);
+  EXPECT_GT(first.major_end, first.minor_end);
   // Where rounding would exceed that term, the circle's value is taken.
   const EdgeTension nearly = edge_tension(std::sqrt(1 - 0.99e-7), 0.3);
   EXPECT_EQ(nearly.major_end, circle.major_end);

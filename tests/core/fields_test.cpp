@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -155,7 +156,9 @@ TEST(Range, IdentityRulesAsTheReaderWouldSayThem) {
             ">= 1 and <= 8");
   EXPECT_EQ(rule_text({.upper = 3}), "< 3");
   EXPECT_EQ(rule_text(kPositive, "m"), "> 0");
-  EXPECT_EQ(rule_text({.lower = -1.5, .upper = 0.5}, "rad"), "> -1.5 rad and < 0.5 rad");
+  EXPECT_EQ(rule_text({.lower = -1.5, .upper = 0.5}, "m"), "> -1.5 m and < 0.5 m");
+  EXPECT_EQ(rule_text({.lower = -std::numbers::pi / 2, .upper = std::numbers::pi}, "rad"),
+            "> -90 deg and < 180 deg");
 }
 
 TEST(EnumNames, IdentityNamesAndValuesAreInverse) {

@@ -221,10 +221,11 @@ TEST(GearReader, IdentityTheUnitDoesNotMatter) {
       {"ratio = 100", "ratio = 0x64"},
       {"wave_number = 2", "wave_number = 0b10"},
       {"\"0 N\"", "\"-0.0 kN\""}};
-  for (const auto& [from, to] : same) {
-    const GearSet gear = read_gear_set(with(from, to), "gear.toml");
+  for (const auto& change : same) {
+    const GearSet gear = read_gear_set(with(change.first, change.second), "gear.toml");
     for_each_number(gear, [&](const FieldPath& path, const Field&, const double& number) {
-      EXPECT_DOUBLE_EQ(number, number_at(reference, path.text()).value) << to << " " << path.text();
+      EXPECT_DOUBLE_EQ(number, number_at(reference, path.text()).value)
+          << change.second << " " << path.text();
     });
   }
 }
@@ -589,7 +590,8 @@ const std::vector<Wrong> kWrong = {
      "7:18: material.steel.poissons_ratio = 0.5 violates: > -1 and < 0.5"},
     {"PoissonsRatioNaN", "poissons_ratio = 0.3", "poissons_ratio = nan",
      "7:18: material.steel.poissons_ratio = nan violates: a finite number"},
-    {"RatioInfinite", "ratio = 100", "ratio = +inf", "10:9: drive.ratio = inf violates: a finite number"},
+    {"RatioInfinite", "ratio = 100", "ratio = +inf",
+     "10:9: drive.ratio = inf violates: a finite number"},
     {"RatioAsHugeInteger", "ratio = 100", "ratio = -9223372036854775807",
      "10:9: drive.ratio = -9223372036854775807 violates: > 0"},
     {"AspectRatio", "aspect_ratio = 0.52147039", "aspect_ratio = 1.0000001",

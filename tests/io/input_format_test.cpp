@@ -308,6 +308,10 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
   const std::function<void(Lines&)> no_stiffness = [](Lines& lines) {
     replace_line(lines, "radial_stiffness", "");
   };
+  const std::function<void(Lines&)> bearing_alone = [](Lines& lines) {
+    replace_line(lines, "radial_stiffness", "");
+    replace_line(lines, "contact_semi_axes", "");
+  };
   const std::function<void(Lines&)> stress_not_read = [](Lines& lines) {
     // The last of the two lines is that of the edge crack.
     const auto last = std::find_if(lines.rbegin(), lines.rend(), [](const std::string& line) {
@@ -324,6 +328,7 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
   };
   const std::function<void(Lines&)> with_bearing = [](Lines& lines) {
     replace_line(lines, "radial_stiffness", "");
+    replace_line(lines, "contact_semi_axes", "");
     for (std::size_t i = 0; i < lines.size(); ++i)
       if (lines[i].starts_with("# [wave_generator.bearing]")) switch_on_table(lines, i);
   };
@@ -335,7 +340,7 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
   const std::vector<Table> tables = {
       {"[wave_generator.displacements]", "one source of the radial stiffness too many",
        no_stiffness},
-      {"[wave_generator.bearing]", "one source of the radial stiffness too many", no_stiffness},
+      {"[wave_generator.bearing]", "one source of the radial stiffness too many", bearing_alone},
       {"[wave_generator.bearing.outer_ring]", "wave_generator.bearing.ball_diameter: must be given",
        with_bearing},
       {"[[wave_generator.crack]]", "is read only with stress_driver = \"given\"", stress_not_read},

@@ -35,7 +35,7 @@ class InputError : public Error {
   struct Text {
     std::string message;
   };
-  InputError(Text text, std::string field, std::string rule);
+  InputError(const Text& text, std::string field, std::string rule);
 
   std::string field_;
   std::string rule_;

@@ -39,7 +39,7 @@ class NewmanRaju {
 /// Stress intensity of an elliptical crack in an infinite body, sheared along its major axis.
 ///
 /// Implements theory manual eq. (FR-10), exact (Kassir and Sih).  Taken for the surface crack of
-/// the same shape, it leaves the free surface out: an estimate of K_II and K_III to 15 %.
+/// the same shape, it leaves the free surface out: an estimate of K_II and K_III to 10 %.
 /// Source: kassirsih1966 (secondary).
 class KassirSih {
  public:

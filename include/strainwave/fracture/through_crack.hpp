@@ -53,6 +53,8 @@ struct ThroughCrackInTube {
 
   /// Shell parameter squared, lambda^2 = sqrt(12(1-nu^2)) a^2/(r t) [-]; eq. (FR-8).
   [[nodiscard]] double shell_parameter_squared(double a) const;
+  /// A_I of the shell, what it multiplies K_I by, whether switched on or not [-]; eq. (FR-9).
+  [[nodiscard]] double shell_factor(double a) const;
 };
 
 }  // namespace strainwave

@@ -51,7 +51,7 @@ struct TubeSection {
                 .unit = "m",
                 .doc = "length",
                 .range = kPositive,
-                .example = R"("120 mm")"},
+                .example = R"("80 mm")"},
           &TubeSection::length);
   }
 };

@@ -20,7 +20,7 @@ inline constexpr std::string_view kDriveFormat = "strainwave-drive/1";
 /// Transmission data of the drive as a whole.
 struct Transmission {
   double ratio = 0.0;                ///< i_h, circular spline fixed [-]; > 0
-  int wave_number = 2;               ///< U, lobes of the wave generator [-]; >= 2
+  int wave_number = 2;               ///< U, lobes of the wave generator [-]; 1 to 8
   double pitch_diameter = 0.0;       ///< d_1, of the flexspline [m]; > 0
   double radial_displacement = 0.0;  ///< w_0, amplitude of the flexspline's deflection [m]; > 0
 

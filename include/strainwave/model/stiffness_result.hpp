@@ -32,7 +32,7 @@ struct Note {
 /// A model-form uncertainty that entered a result, and what it rests on.
 struct AccuracyBasis {
   std::string path;                   ///< of the member or crack
-  double relative_uncertainty = 0.0;  ///< one standard, of the compliance [-]
+  double relative_uncertainty = 0.0;  ///< one standard, as it enters the compliance [-]
   std::string source;
 
   friend bool operator==(const AccuracyBasis&, const AccuracyBasis&) = default;
@@ -69,7 +69,8 @@ struct EnumNames<OpensUnder> {
                                                             "both"};
 };
 
-/// K_I, K_II, K_III at one point of a crack front under the given load.
+/// K_I, K_II, K_III at one point of a crack front under the given load; K_II and K_III have the
+/// sign of the shear in the corrected method, magnitudes in the article's.
 struct StressIntensities {
   Quantity K_I;    ///< [Pa*m^0.5]
   Quantity K_II;   ///< [Pa*m^0.5]

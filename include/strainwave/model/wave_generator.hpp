@@ -156,7 +156,7 @@ struct WaveGenerator {
   std::optional<std::array<double, 2>> contact_semi_axes;  ///< a', b' of the contact [m]; a' >= b'
   std::optional<double> inner_ring_thickness;              ///< t_i, radial [m]; > 0
   std::optional<double> inner_ring_width;                  ///< B, axial [m]; > 0
-  std::optional<double> inner_ring_mean_radius;  ///< R, centre line [m]; > inner_ring_thickness/2
+  std::optional<double> inner_ring_mean_radius;  ///< R, centre line [m]; > inner_ring_thickness
   std::vector<WaveGeneratorCrack> crack;
 
   template <class Visitor>

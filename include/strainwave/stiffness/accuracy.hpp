@@ -31,8 +31,9 @@ inline constexpr ModelAccuracy kShapeFactor{
     0.20, "one factor for every cup; a flat diaphragm alone adds 37 to 148 %"};
 inline constexpr ModelAccuracy kSections{
     0.05, "0.1 % against finite elements with sharp corners; fillets and teeth are left out"};
-inline constexpr ModelAccuracy kLobeForce{
-    0.30, "lobe force: c_F between 1 and 1.15 alone is 32 % of the compliance"};
+inline constexpr ModelAccuracy kLobeForce{0.15, "lobe force: c_F between 1 and 1.15"};
+inline constexpr ModelAccuracy kCamConversion{
+    0.70, "cam conversion: off by a factor of about 1.7 against reciprocity"};
 inline constexpr ModelAccuracy kLoadSharing{0.30, "balls taken to share the lobe force equally"};
 inline constexpr ModelAccuracy kSurfaceCrack{
     0.10, "Newman and Raju: 5 % of K against finite elements, 10 % of the compliance"};
@@ -50,7 +51,7 @@ inline constexpr ModelAccuracy kAnnularTorsion{
 inline constexpr ModelAccuracy kAnnularTension{
     0.005, "fits and table are within 0.25 % of independent computations, Poisson's ratio 0.3"};
 inline constexpr ModelAccuracy kAnnularExtrapolated{
-    0.20, "extrapolated beyond the table in tension, r_i/r_o <= 0.95"};
+    1.0, "extrapolated beyond the table in tension, r_i/r_o <= 0.95"};
 inline constexpr ModelAccuracy kAnnularTada{
     0.055, "handbook polynomials: 3.6 % in torsion, 5.4 % in tension against finite elements"};
 inline constexpr ModelAccuracy kOrthogonalShear{
@@ -60,6 +61,15 @@ inline constexpr ModelAccuracy kContactEdge{
 inline constexpr ModelAccuracy kRingBending{0.30, "a free ring; the cam inside it is left out"};
 inline constexpr ModelAccuracy kGivenStress{0.10,
                                             "a given stress, taken as uniform over the crack"};
+
+/// K_I of the hollow shaft: the slope of an interpolated table, against a solid shaft and off its
+/// nodes.
+inline constexpr double kHollowTensionIntensity = 0.015;
+
+/// The uncertainty of something that goes with the n-th power of a quantity.
+[[nodiscard]] constexpr ModelAccuracy power(const ModelAccuracy& accuracy, double n) {
+  return {n * accuracy.relative_uncertainty, accuracy.source};
+}
 
 /// Root of the sum of squares of independent relative uncertainties.
 [[nodiscard]] inline double combined(double a, double b) { return std::hypot(a, b); }
