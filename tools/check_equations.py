@@ -22,7 +22,7 @@ import tempfile
 
 TAG = r"[A-Z]{2}-\d+"
 EQUATION = re.compile(rf"^#+ \(({TAG})\) (.*) \{{#\1\}}\n+\*\*Status:\*\* (implemented|context only)\b", re.M)
-GROUP = re.compile(rf"\(({TAG}(?:, {TAG})*)\)")
+GROUP = re.compile(rf"\(({TAG}(?:, {TAG})*)\)")  # (FR-8, FR-9)
 QUOTED = re.compile(rf'"({TAG})"')
 BARE = re.compile(rf"(?<!table )\b({TAG})\b")
 TEST = re.compile(r"^TEST\w*\((\w+), (\w+)\)")
@@ -74,10 +74,9 @@ def check(root):
 def table(equations):
     def cell(entries):
         return "<br>".join(f"`{re.sub('^(src|include/strainwave|tests)/', '', entry)}`" for entry in entries) or "—"
-
-    rows = [(f"({tag}) {title}", cell(code), cell(tests)) for tag, (title, code, tests) in equations.items()]
     return ("# Traceability {#traceability}\n\nWhere each equation stands in the sources, and the tests that name it.\n\n"
-            "| equation | source | tests |\n|---|---|---|\n" + "".join(f"| {' | '.join(row)} |\n" for row in rows))
+            "| equation | source | tests |\n|---|---|---|\n" + "".join(
+                f"| ({tag}) {title} | {cell(code)} | {cell(tests)} |\n" for tag, (title, code, tests) in equations.items()))
 
 
 SOUND = {"docs/theory/FR.md": "### (FR-1) One {#FR-1}\n\n**Status:** implemented. From (FR-2).\n\n"

@@ -92,6 +92,7 @@ constexpr Column kTable[] = {
 
 class AsPrintedTable : public testing::TestWithParam<Column> {};
 
+// (AP-1), (AP-5), (AP-6), (AP-8), (AP-9), (AP-11), (AP-16)
 TEST_P(AsPrintedTable, ReferenceEquations) {
   const Column& c = GetParam();
   const article::CrackedRace race{.depth = c.a,
@@ -121,6 +122,7 @@ TEST_P(AsPrintedTable, ReferenceEquations) {
   expect_near(article::torsion_coefficient(x), eight_digits(c.M_M, "1"));
 }
 
+// (AP-18)
 TEST_P(AsPrintedTable, ReferenceDrive) {
   const Column& c = GetParam();
   const StiffnessResult result = torsional_stiffness_as_printed(test::article_gear(c.a * mm));
@@ -170,6 +172,7 @@ TEST_P(AsPrintedTable, IdentityCracksAddWhatTheMembersGain) {
 
 INSTANTIATE_TEST_SUITE_P(CrackSizes, AsPrintedTable, testing::ValuesIn(kTable));
 
+// (AP-2), (AP-3)
 TEST(AsPrinted, ReferenceStressOfTheRace) {
   const double sigma_max = article::contact_pressure(500, 5, 2);
   expect_near(sigma_max, eight_digits(23.873241, "MPa"));
@@ -187,6 +190,7 @@ TEST(AsPrinted, ReferenceSoundDrive) {
   EXPECT_DOUBLE_EQ(intact.wind_up.value, total.value * 100);
 }
 
+// (AP-4)
 TEST(AsPrinted, ReferenceWithoutOverridesTheInputsAreUsed) {
   GearSet gear = test::article_gear();
   gear.article.reset();
@@ -204,6 +208,7 @@ TEST(AsPrinted, ReferenceWithoutOverridesTheInputsAreUsed) {
               eight_digits(1.2556898e-9, "rad/(N*mm)"));
 }
 
+// (AP-12)
 TEST(AsPrinted, ReferenceSoundFlexsplineByNumberOfFactors) {
   article::SoundCup cup{.shape_coefficient = 1.0,
                         .structure_coefficient = 1.0,
@@ -218,6 +223,7 @@ TEST(AsPrinted, ReferenceSoundFlexsplineByNumberOfFactors) {
   expect_near(article::sound_flexspline_compliance(cup), eight_digits(1.9578073e-10, "rad/(N*mm)"));
 }
 
+// (AP-17)
 TEST(AsPrinted, ReferenceSoundShaft) {
   const double hollow = std::pow(std::pow(70.0, 4) - std::pow(45.0, 4), 0.25);
   expect_near(hollow, eight_digits(66.798146, "mm"));
@@ -225,6 +231,7 @@ TEST(AsPrinted, ReferenceSoundShaft) {
               eight_digits(6.9062941e-10, "rad/(N*mm)"));
 }
 
+// (AP-14), (AP-15)
 TEST(AsPrinted, ReferencePolynomialsAtAShallowCrack) {
   EXPECT_NEAR(article::axial_coefficient(1.0), 1.286, 1e-15);  // 1.1215 is right
   EXPECT_NEAR(article::torsion_coefficient(1.0), 1.002, 1e-15);
@@ -232,6 +239,7 @@ TEST(AsPrinted, ReferencePolynomialsAtAShallowCrack) {
 
 // --- Equations by themselves --------------------------------------------------------------------
 
+// (AP-20), (AP-21)
 TEST(AsPrinted, IdentityPrintedDisplacementIsHalfOfCastiglianos) {
   // G = c P^2 A, U = c P^2 A^2/2 with c = 3: dU/dP = 3 P A^2.
   const double load = 7.0;
@@ -242,6 +250,7 @@ TEST(AsPrinted, IdentityPrintedDisplacementIsHalfOfCastiglianos) {
   EXPECT_NEAR(article::added_compliance(release_rate, area, load), castigliano / load, 1e-14);
 }
 
+// (AP-19)
 TEST(AsPrinted, IdentityReleaseRateOfModeIIIHoldsInPlaneStrainOnly) {
   const double E = 210e9;
   const double nu = 0.3;
@@ -250,6 +259,7 @@ TEST(AsPrinted, IdentityReleaseRateOfModeIIIHoldsInPlaneStrainOnly) {
   EXPECT_NEAR(article::energy_release_rate(0, 0, 1, E, nu) / right, 1 / (1 - nu * nu), 1e-15);
 }
 
+// (AP-7)
 TEST(AsPrinted, IdentitySeriesOfDisplacements) {
   GearSet gear = test::article_gear();
   gear.wave_generator->radial_stiffness.reset();
@@ -263,6 +273,7 @@ TEST(AsPrinted, IdentitySeriesOfDisplacements) {
                    from_stiffness.positive.stiffness.value);
 }
 
+// (AP-10)
 TEST(AsPrinted, IdentityThroughCrackOfEveryAngleAddsTheSame) {
   GearSet gear = test::article_gear();
   const double at_45 = torsional_stiffness_as_printed(gear).cracks[1].positive.at_output.value;
@@ -338,6 +349,7 @@ TEST(AsPrinted, ScalingWrongOfTheRaceCrack) {
       Arg{0.1, "m"}, Arg{10, "m"}, Arg{5, "m"}, Arg{2, "m"}, Arg{2.1e5, "Pa"}, Arg{500, "N"});
 }
 
+// (AP-9), (AP-12), (AP-13), (AP-17)
 TEST(AsPrinted, ScalingOfTheSoundMembers) {
   using test::Arg;
   test::expect_dimensionally_consistent(
@@ -524,6 +536,7 @@ TEST(AsPrinted, InputMoreThanOneCrackInAMember) {
 
 TEST(AsPrinted, InputModelsThatTheArticleDoesNotHave) {
   expect_refused("wave_generator.bearing", [](GearSet& gear) {
+    gear.wave_generator->contact_semi_axes.reset();
     gear.wave_generator->radial_stiffness.reset();
     gear.wave_generator->bearing = Bearing{.ball_diameter = 12.7 * mm,
                                            .inner_raceway_diameter = 110 * mm,

@@ -65,6 +65,7 @@ constexpr Column kTable[] = {
 
 class RepairedTable : public testing::TestWithParam<Column> {};
 
+// (AR-3), (AR-4), (AR-5), (AR-8)
 TEST_P(RepairedTable, ReferenceDrive) {
   const Column& c = GetParam();
   const StiffnessResult result = torsional_stiffness_repaired(test::article_gear(c.a * mm));
@@ -88,6 +89,7 @@ TEST_P(RepairedTable, ReferenceDrive) {
 
 INSTANTIATE_TEST_SUITE_P(CrackSizes, RepairedTable, testing::ValuesIn(kTable));
 
+// (AR-6), (AR-7), (AR-9)
 TEST(Repaired, ReferenceSoundDrive) {
   const IntactDrive intact = torsional_stiffness_repaired(test::article_gear()).intact;
   const auto& [wave_generator, flexspline, output_shaft, total] = intact.compliance;
@@ -110,6 +112,7 @@ TEST(Repaired, ReferenceSolidShaftByTheHandbook) {
   expect_near(added(), eight_digits(2.1000955e-12, "rad/(N*mm)"));
 }
 
+// (AR-1)
 TEST(Repaired, ReferenceRadialLoadDrivesTheRace) {
   // F_r = 251.5625 N: sigma_max = 3F/(2 pi a'b'), sigma = beta/2 sigma_max, K_I = 1.95 sigma
   // sqrt(a/Q).
@@ -148,6 +151,7 @@ TEST(Repaired, LimitVanishingCrackLeavesTheSoundStiffness) {
   EXPECT_GT(result.cracks[0].positive.at_output.value, 0.0);
 }
 
+// (AR-2)
 TEST(Repaired, IdentityRaceCrackDoesNotDependOnTheLoad) {
   GearSet gear = test::article_gear();
   const double at_100 = torsional_stiffness_repaired(gear).cracks[0].positive.at_output.value;

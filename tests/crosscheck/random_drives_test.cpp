@@ -87,7 +87,7 @@ WaveGenerator random_wave_generator(Dice& dice, const Transmission& drive) {
         bearing.outer_ring = BearingRing{
             .mean_radius = 0.45 * d, .thickness = dice.uniform(0.01, 0.04) * d, .width = 0.1 * d};
       wg.bearing = bearing;
-      if (dice.chance(0.5)) wg.contact_semi_axes.reset();
+      wg.contact_semi_axes.reset();  // it follows from the bearing
     }
   }
   const int n_cracks = dice.integer(0, 2);
@@ -127,6 +127,7 @@ Flexspline random_flexspline(Dice& dice, const Transmission& drive) {
     if (dice.chance(0.5))
       fs.boss =
           TubeSection{.outer_diameter = 0.4 * d, .wall_thickness = 0.1 * d, .length = 0.1 * d};
+    fs.length = fs.barrel->length + (fs.rim ? fs.rim->length : 0.0);
     fs.diaphragm = Diaphragm{.outer_diameter = 0.95 * d,
                              .inner_diameter = dice.uniform(0.3, 0.6) * d,
                              .thickness = fs.wall_thickness};

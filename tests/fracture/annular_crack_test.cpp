@@ -752,5 +752,25 @@ TEST(AnnularCrack, InputDefaults) {
   EXPECT_TRUE(parameters.open);
 }
 
+// (FR-16) at real millimetre sizes, where a/t is a node of the table to rounding only.
+TEST(AnnularCrackHollow, IdentityStressIntensityIsSmoothAcrossTheNodes) {
+  for (int outer = 20; outer <= 80; outer += 6)
+    for (int inner = 4; inner < outer - 4; inner += 7)
+      for (int tenths = 1; tenths <= 7; ++tenths) {
+        const double ro = outer * 1e-3 / 2;
+        const double ri = inner * 1e-3 / 2;
+        const double a = (outer - inner) * 1e-3 / 2 * tenths / 10;
+        const AnnularCrackHollow crack(
+            {.depth = a, .outer_radius = ro, .inner_radius = ri, .open = true});
+        const auto K = crack.stress_intensity(a, 0);
+        for (const double step : {1e-15, 1e-12, 1e-9, 1e-6, 1e-4})
+          for (const double sign : {-1.0, 1.0}) {
+            const auto beside = crack.stress_intensity(a * (1 + sign * step), 0);
+            EXPECT_NEAR(beside.III[1] / K.III[1], 1, 20 * step + 1e-6) << outer << ' ' << inner;
+            EXPECT_NEAR(beside.I[0] / K.I[0], 1, 20 * step + 1e-6) << outer << ' ' << inner;
+          }
+      }
+}
+
 }  // namespace
 }  // namespace strainwave

@@ -376,6 +376,32 @@ TEST(ThroughCrack, IdentityIrwin) {
   test::expect_relative(slope / (2 * crack.wall_thickness), 2 * G, 1e-6);
 }
 
+TEST(ThroughCrack, IdentityReciprocity) {
+  // The extension per torque and the twist per axial force are the same number: both follow from
+  // the energy released under force, torque, and both together.
+  ThroughCrackInTube crack = article_crack(4 * mm, 25);
+  crack.shell_correction = true;
+  crack.stress_nonuniformity = 1.2;
+  const auto energy = [&](double P, double T) {
+    const auto release = [&](double a) {
+      const UnitStressIntensity<2> k = crack.stress_intensity(a, 0);
+      return energy_release_rate(k.I[kAxial] * P + k.I[kTorsion] * T,
+                                 k.II[kAxial] * P + k.II[kTorsion] * T, 0, kPlaneStress) *
+             crack.swept_area(a, 0);
+    };
+    return integrate(release, 0.0, crack.half_length).value;
+  };
+  const double P = 3000;
+  const double T = 90;
+  const double coupling = (energy(P, T) - energy(P, 0) - energy(0, T)) / (P * T);
+  const auto matrix = added_compliance(crack, kPlaneStress).matrix;
+  test::expect_relative(matrix(kAxial, kTorsion), coupling, 1e-11);
+  test::expect_relative(matrix(kTorsion, kAxial), coupling, 1e-11);
+  test::expect_relative(matrix(kAxial, kAxial), 2 * energy(P, 0) / (P * P), 1e-12);
+  test::expect_relative(matrix(kTorsion, kTorsion), 2 * energy(0, T) / (T * T), 1e-12);
+  EXPECT_GT(coupling, 0.0);  // + a^2 sin(b) cos(b)/(2 pi E r^3 t)
+}
+
 TEST(ThroughCrack, ScalingEntriesOfTheMatrix) {
   const auto expect = [](std::string_view unit, std::size_t i, std::size_t j) {
     test::expect_dimensionally_consistent(

@@ -261,9 +261,9 @@ TEST(OutputShaft, IdentityNotesOfEachCase) {
 }
 
 TEST(OutputShaftCrack, LimitShortShaft) {
-  const double bound = 4 * (70 * mm);
+  const double bound = 2 * (70 * mm);
   for (const auto& [length, noted] :
-       {std::pair{bound, 0}, {std::nextafter(bound, 0.0), 1}, {200 * mm, 1}, {300 * mm, 0}}) {
+       {std::pair{bound, 0}, {bound * (1 - 1e-11), 1}, {100 * mm, 1}, {300 * mm, 0}}) {
     GearSet gear = hollow();
     gear.output_shaft->length = length;
     EXPECT_EQ(test::count_notes(output_shaft_compliance(gear).notes, "crack.short_shaft",
@@ -283,6 +283,8 @@ TEST(OutputShaftCrack, LimitPoissonsRatio) {
     for (const bool is_solid : {false, true}) {
       GearSet gear = is_solid ? solid() : hollow();
       gear.material["steel"].poissons_ratio = nu;
+      EXPECT_EQ(test::note_codes(output_shaft_compliance(gear).notes), Codes{});  // torsion alone
+      gear.load.axial_force = 10;
       const MemberCompliance member = output_shaft_compliance(gear);
       EXPECT_EQ(test::note_codes(member.notes),
                 noted == 1 ? Codes{"crack.poissons_ratio"} : Codes{})
@@ -315,22 +317,32 @@ TEST(OutputShaftCrack, LimitDepthOfTheTable) {
   const std::string reason = output_shaft_compliance(of_ratios(0.5, 0.81)).unusable_because;
   EXPECT_TRUE(reason.starts_with("output_shaft.crack[0]: a/t = 0.81 ")) << reason;
   EXPECT_TRUE(reason.ends_with("a/t <= 0.8")) << reason;
-  EXPECT_FALSE(
-      output_shaft_compliance(of_ratios(0.5, std::nextafter(0.8, 1))).unusable_because.empty());
+  EXPECT_FALSE(output_shaft_compliance(of_ratios(0.5, 0.8 * (1 + 1e-11))).unusable_because.empty());
+  // In millimetres, 0.8 of the wall is 0.8 of the wall, whatever rounding makes of it.
+  for (int outer = 20; outer <= 80; outer += 3)
+    for (int inner = 2; inner < outer; inner += 5) {
+      GearSet gear = hollow();
+      gear.output_shaft->outer_diameter = outer * mm;
+      gear.output_shaft->inner_diameter = inner * mm;
+      std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = 0.4 * (outer - inner) * mm;
+      EXPECT_TRUE(output_shaft_compliance(gear).unusable_because.empty()) << outer << ' ' << inner;
+    }
   // A solid shaft has no such bound.
   EXPECT_TRUE(output_shaft_compliance(solid(29.9 * mm)).unusable_because.empty());
 }
 
 TEST(OutputShaftCrack, LimitRadiusRatioOfTheTable) {
   for (const auto& [radius_ratio, noted] :
-       {std::pair{0.5, 0}, {0.95, 0}, {std::nextafter(0.95, 1.0), 1}, {0.97, 1}}) {
-    const GearSet gear = of_ratios(radius_ratio, 0.3);
+       {std::pair{0.5, 0}, {0.95, 0}, {0.95 * (1 + 1e-11), 1}, {0.97, 1}}) {
+    GearSet gear = of_ratios(radius_ratio, 0.3);
+    EXPECT_EQ(test::count_notes(output_shaft_compliance(gear).notes, "crack.tension_range"), 0);
+    gear.load.axial_force = 10;
     EXPECT_EQ(test::count_notes(output_shaft_compliance(gear).notes, "crack.tension_range",
                                 "output_shaft.crack[0]"),
               noted)
         << radius_ratio;
     EXPECT_EQ(uncertainties(gear),
-              noted == 1 ? (std::array{0.20, 0.20, 0.002}) : (std::array{0.005, 0.005, 0.002}));
+              noted == 1 ? (std::array{1.0, 1.0, 0.002}) : (std::array{0.005, 0.005, 0.002}));
   }
 }
 
@@ -339,8 +351,11 @@ TEST(OutputShaftCrack, IdentityAccuraciesOfEachCase) {
   EXPECT_EQ(uncertainties(solid()), (std::array{0.005, 0.005, 0.002}));
   EXPECT_EQ(uncertainties(solid(1 * mm, AnnularSolution::tada)), (std::array{0.055, 0.055, 0.055}));
   EXPECT_EQ(*first_crack(hollow()).positive.at_output.relative_uncertainty, 0.002);
-  // The worse of both for K; half, for the compliance goes with its square.
-  EXPECT_EQ(*first_crack(hollow()).deepest->K_III.relative_uncertainty, 0.0025);
+  // Half for K, for the compliance goes with its square; more for the slope of the table in
+  // tension.
+  EXPECT_EQ(*first_crack(hollow()).deepest->K_III.relative_uncertainty, 0.001);
+  EXPECT_EQ(*first_crack(hollow()).deepest->K_I.relative_uncertainty, 0.015);
+  EXPECT_EQ(*first_crack(solid()).deepest->K_I.relative_uncertainty, 0.0025);
   EXPECT_EQ(*first_crack(solid(1 * mm, AnnularSolution::tada)).deepest->K_I.relative_uncertainty,
             0.0275);
 

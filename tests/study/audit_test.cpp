@@ -82,10 +82,10 @@ INSTANTIATE_TEST_SUITE_P(
         Expected{"D9", 1.9290123e-9, 1.9648758e-9}, Expected{"D10", 66.798146, 66.798146},
         Expected{"D12", 1.3710228e-14, 1.384611e-14}, Expected{"D13", std::nullopt, -5.0},
         Expected{"D14", 1.2777642, 1.1145165}, Expected{"D15", 0.99496179, 0.99381042},
-        Expected{"T2", 80769.230769, 80769.230769}, Expected{"T4", 0.10738275, 0.10738275},
+        Expected{"T2", 80769.230769, 80769.230769}, Expected{"T4", 0.1073831933, 0.1073831933},
         Expected{"T8", 7.8914141e8, 6.1547029e8}, Expected{"T9", 7.7984871e8, 6.15465e8},
         Expected{"T10", 1.1775716, 8.602398e-4}, Expected{"T11", 53.856354, 78.72},
-        Expected{"T12", 27.747017, 6.49}, Expected{"T13", 18.396631, 14.79}),
+        Expected{"T12", 27.747017, 6.4915}, Expected{"T13", 18.396631, 14.7875}),
     [](const auto& instance) { return std::string(instance.param.id); });
 
 struct Found {
