@@ -224,9 +224,9 @@ MemberCompliance wave_generator_compliance(const GearSet& gear, const StiffnessO
   // The conversion by reciprocity has the lobe force squared in it, the article's has none.
   const double conversion_exponent = cam ? 0.0 : 2.0;
   const ModelAccuracy of_force =
-      accuracy::power(accuracy::kLobeForce, conversion_exponent + C_0.force_exponent);
+      accuracy::power(accuracy::kLobeForce, std::abs(conversion_exponent + C_0.force_exponent));
   member.relative_uncertainty = accuracy::combined(of_force, C_0.accuracy);
-  rest_on(member, "wave_generator", of_force);
+  if (of_force > 0) rest_on(member, "wave_generator", of_force);
   if (cam) {
     member.relative_uncertainty =
         accuracy::combined(member.relative_uncertainty, accuracy::kCamConversion);

@@ -264,11 +264,34 @@ Solution solution_at(Probe& probe, const Sample& at, const SolveResult& problem)
   return solution;
 }
 
+constexpr int kDigits = 6;
+constexpr int kAllDigits = 17;
+
 /// "3.66 mm": a number of the gear or an output, for people.
-std::string shown(std::string_view name, double value, std::string_view si) {
+std::string shown(std::string_view name, double value, std::string_view si, int digits = kDigits) {
   const DisplayUnit unit = display_unit(name, si);
-  const std::string number = fmt::format("{:.6g}", value / unit.in_si);
+  const std::string number = fmt::format("{:.{}g}", value / unit.in_si, digits);
   return unit.text == "1" ? number : fmt::format("{} {}", number, unit.text);
+}
+
+/// "1 mm to 2 mm", with as many digits as tell the two apart.
+std::string span_shown(std::string_view name, double from, double to, std::string_view si,
+                       std::string_view between) {
+  int digits = kDigits;
+  while (digits < kAllDigits && shown(name, from, si, digits) == shown(name, to, si, digits))
+    ++digits;
+  return fmt::format("{} {} {}", shown(name, from, si, digits), between,
+                     shown(name, to, si, digits));
+}
+
+/// "between 1 % and 2 %", or that it is the same everywhere.
+std::string output_range(const SolveResult& result) {
+  const std::string_view name = result.target.output;
+  if (*result.least == *result.greatest)
+    return fmt::format("{} everywhere there: it does not depend on {}",
+                       shown(name, *result.least, result.target.unit), result.path);
+  return "between " +
+         span_shown(name, *result.least, *result.greatest, result.target.unit, "and");
 }
 
 /// Collects solutions, and sentences on everything that is not quite one.
@@ -280,13 +303,13 @@ class Findings {
     if (at.state == State::usable)
       result_.solutions.push_back(solution_at(probe_, at, result_));
     else
-      remark(fmt::format("{} = {} would give it, but its result may not be used: {}", result_.path,
-                         input(at.x), at.reason));
+      remark(fmt::format("{} = {} would give {}, but its result may not be used: {}", result_.path,
+                         input(at.x), wanted(), at.reason));
   }
 
   void found_everywhere(double from, double to) {
-    remark(fmt::format("it is {} all the way from {} to {}", output(result_.target.value),
-                       input(from), input(to)));
+    remark(fmt::format("{} all the way from {} = {}", wanted(), result_.path,
+                       span_shown(result_.path, from, to, result_.unit, "to")));
   }
 
   void crossed(const Sample& a, const Sample& b) {
@@ -298,25 +321,28 @@ class Findings {
     if (at.state == a.state && continuous_at(probe_, x, a.x, b.x, scale))
       found(at);
     else
-      remark(fmt::format("it jumps over {} at {} = {}", output(result_.target.value), result_.path,
+      remark(fmt::format("{} jumps over {} at {} = {}, where there is no solution",
+                         result_.target.output,
+                         shown(result_.target.output, target, result_.target.unit), result_.path,
                          input(x)));
   }
 
   void conclude() {
-    const std::string& name = result_.target.output;
     const std::size_t n = result_.solutions.size();
     if (n > 1)
-      remarks_.insert(remarks_.begin(), fmt::format("{} values of {} give it", n, result_.path));
+      remarks_.insert(remarks_.begin(),
+                      fmt::format("several ({}) values of {} give {}", n, result_.path, wanted()));
     if (n == 0) {
-      std::string none = fmt::format("no {} from {} to {} gives {} = {}", result_.path,
-                                     input(result_.searched.from), input(result_.searched.to), name,
-                                     output(result_.target.value));
-      none += result_.least
-                  ? fmt::format("; it lies between {} and {}", output(*result_.least),
-                                output(*result_.greatest))
-                  : fmt::format("; nowhere is there a result that may be used: {}",
-                                std::ranges::find(result_.excluded, false, &Excluded::refused)
-                                    ->reason);
+      std::string none = fmt::format("no {} from {} to {} gives {}; ", result_.path,
+                                     input(result_.searched.from), input(result_.searched.to),
+                                     wanted());
+      if (result_.least) {
+        none += (*result_.least == *result_.greatest ? "it is " : "it lies ") +
+                output_range(result_);
+      } else {
+        const auto unusable = std::ranges::find(result_.excluded, false, &Excluded::refused);
+        none += fmt::format("nowhere is there a result that may be used: {}", unusable->reason);
+      }
       remarks_.insert(remarks_.begin(), std::move(none));
     }
     result_.reason = fmt::format("{}", fmt::join(remarks_, "; "));
@@ -325,8 +351,9 @@ class Findings {
  private:
   void remark(std::string text) { remarks_.push_back(std::move(text)); }
   [[nodiscard]] std::string input(double x) const { return shown(result_.path, x, result_.unit); }
-  [[nodiscard]] std::string output(double y) const {
-    return shown(result_.target.output, y, result_.target.unit);
+  [[nodiscard]] std::string wanted() const {
+    return fmt::format("{} = {}", result_.target.output,
+                       shown(result_.target.output, result_.target.value, result_.target.unit));
   }
 
   Probe& probe_;
@@ -499,14 +526,14 @@ SolveResult solve(const GearSet& gear, Method method, const Unknown& unknown, co
 
 std::string solve_text(const SolveResult& result) {
   const auto input = [&](double x) { return shown(result.path, x, result.unit); };
-  const auto output = [&](double y) { return shown(result.target.output, y, result.target.unit); };
   const auto paragraph = [](std::string_view indent, const std::string& text) {
     return std::string(indent) + wrapped(text, kWidth - indent.size(), 4) + '\n';
   };
 
   std::string text =
       fmt::format("{} for {} = {}\nmethod {}, searched from {} to {}; at present {}\n\n",
-                  result.path, result.target.output, output(result.target.value),
+                  result.path, result.target.output,
+                  shown(result.target.output, result.target.value, result.target.unit),
                   enum_name(result.method), input(result.searched.from), input(result.searched.to),
                   input(result.present));
   for (const Solution& solution : result.solutions) {
@@ -522,14 +549,17 @@ std::string solve_text(const SolveResult& result) {
   }
   if (!result.reason.empty())
     text += paragraph("", (result.usable() ? "Note: " : "NO SOLUTION: ") + result.reason) + '\n';
-  if (result.least)
-    text += paragraph("", fmt::format("Over the searched range {} lies between {} and {}.",
-                                      result.target.output, output(*result.least),
-                                      output(*result.greatest)));
+  if (result.usable())  // else the reason says it
+    text += paragraph("", fmt::format("Over the searched range {} lies {}", result.target.output,
+                                      output_range(result)));
   if (!result.excluded.empty()) text += "Left out of the search\n";
   for (const Excluded& part : result.excluded)
-    text += paragraph("  ", fmt::format("{} to {}: {}{}", input(part.from), input(part.to),
-                                        part.refused ? "" : "not usable: ", part.reason));
+    text += paragraph(
+        "  ", fmt::format("{}: {}: {}",
+                          input(part.from) == input(part.to)
+                              ? "at " + input(part.from)
+                              : fmt::format("{} to {}", input(part.from), input(part.to)),
+                          part.refused ? "refused" : "not usable", part.reason));
   if (!result.solutions.empty() && !result.solutions.front().result.notes.empty()) {
     text += result.solutions.size() > 1 ? "\nNotes on the first\n" : "\nNotes\n";
     for (const Note& note : result.solutions.front().result.notes) {

@@ -48,7 +48,7 @@ struct AnnularCrackSolid {
 /// Implements theory manual eqs. (FR-14), (FR-15), (FR-16): the compliance is a table over depth
 /// and radius ratio, interpolated; the stress intensity is its derivative.  a/t <= 0.8.
 /// Torsion: any r_i/r_o, 0.04 % of an independent computation.  Tension: r_i/r_o <= 0.95 and
-/// nu = 0.3, 0.25 %; nu between 0.25 and 0.35 changes it by up to 0.6 %.
+/// nu = 0.3, 0.3 %; nu between 0.25 and 0.35 changes it by up to 0.6 %.
 class AnnularCrackHollow {
  public:
   static constexpr std::size_t kLoads = 2;

@@ -49,7 +49,7 @@ inline constexpr ModelAccuracy kThroughCrackLong{
 inline constexpr ModelAccuracy kAnnularTorsion{
     0.002, "fits and table are within 0.04 % of independent computations of the sharp crack"};
 inline constexpr ModelAccuracy kAnnularTension{
-    0.005, "fits and table are within 0.25 % of independent computations, Poisson's ratio 0.3"};
+    0.005, "fits and table are within 0.3 % of independent computations, Poisson's ratio 0.3"};
 inline constexpr ModelAccuracy kAnnularExtrapolated{
     1.0, "extrapolated beyond the table in tension, r_i/r_o <= 0.95"};
 inline constexpr ModelAccuracy kAnnularTada{
