@@ -30,7 +30,8 @@ function(strainwave_test path)
     STRAINWAVE_CLI="$<TARGET_FILE:strainwave_cli>")
   target_link_libraries(${target} PRIVATE ${ARGN} GTest::gtest_main)
   strainwave_flags(${target})
-  gtest_discover_tests(${target} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${label}" TIMEOUT 120)
+  gtest_discover_tests(${target} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS "${label}" TIMEOUT 120)
 endfunction()
 
 function(strainwave_flags target)

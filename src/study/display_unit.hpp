@@ -12,9 +12,9 @@ namespace strainwave {
 
 /// A unit for people.
 struct DisplayUnit {
-  std::string_view text;   ///< as `parse_unit` reads it
+  std::string_view text;     ///< as `parse_unit` reads it
   std::string_view typeset;  ///< as a figure shows it
-  double in_si = 1.0;      ///< divide a value in SI by it
+  double in_si = 1.0;        ///< divide a value in SI by it
 };
 
 /// The unit for an output or a field of this name and SI unit.

@@ -17,10 +17,10 @@ namespace {
 
 // Lengths in px of the SVG's own coordinates.
 constexpr double kWidth = 860;
-constexpr double kPanelHeight = 380;
-constexpr double kLeft = 92;
+constexpr double kPanelHeight = 400;
+constexpr double kLeft = 98;
 constexpr double kRight = 200;  // room for the labels of the lines
-constexpr double kTop = 46;
+constexpr double kTop = 60;
 constexpr double kBottom = 58;
 constexpr double kLabelHeight = 18;
 
@@ -37,6 +37,7 @@ constexpr std::array<Stroke, 7> kStrokes = {{{"#000000", ""},
                                              {"#E69F00", "12 4"},
                                              {"#56B4E9", "4 2"}}};
 
+/// Text as XML wants it; control characters, which XML has no place for, become blanks.
 std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {
@@ -54,10 +55,37 @@ std::string escaped(std::string_view text) {
         result += "&quot;";
         break;
       default:
-        result += c;
+        result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
     }
   }
   return result;
+}
+
+/// The first `most` characters of a UTF-8 text, with an ellipsis if there are more.
+std::string shortened(std::string_view text, std::size_t most) {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool begins_character = (static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U;
+    if (begins_character && n++ == most) return std::string(text.substr(0, i)) + "…";
+  }
+  return std::string(text);
+}
+
+/// "10⁻⁵"
+std::string power_of_ten(int exponent) {
+  static constexpr std::array<std::string_view, 10> kRaised = {"⁰", "¹", "²", "³", "⁴",
+                                                               "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = exponent < 0 ? "10⁻" : "10";
+  for (const char digit : std::to_string(std::abs(exponent)))
+    text += kRaised[static_cast<std::size_t>(digit - '0')];
+  return text;
+}
+
+/// A tick with a fixed number of decimals and a true minus.
+std::string fixed(double value, int decimals) {
+  const std::string digits = fmt::format("{:.{}f}", std::abs(value), decimals);
+  const bool zero = digits.find_first_not_of("0.") == std::string::npos;
+  return value < 0 && !zero ? "−" + digits : digits;
 }
 
 struct Interval {
@@ -82,29 +110,28 @@ class Axis {
   Axis(Interval values, AxisScale scale, double from_px, double to_px)
       : scale_(scale), from_px_(from_px), to_px_(to_px) {
     if (values.empty()) values = {scale == AxisScale::linear ? 0.0 : 1.0, 1.0};
-    if (scale == AxisScale::linear) {
-      if (values.lower == values.upper) {
-        const double margin = values.lower == 0 ? 1.0 : std::abs(values.lower) * 0.05;
-        values = {values.lower - margin, values.upper + margin};
-      }
-      place_linear_ticks(values);
-    } else {
-      if (values.lower == values.upper) values = {values.lower / 2, values.upper * 2};
+    if (scale == AxisScale::linear)
+      place_linear_ticks(widened(values));
+    else
       place_decades(values);
-    }
   }
 
-  [[nodiscard]] bool shows(double value) const {
-    return std::isfinite(value) && (scale_ == AxisScale::linear || value > 0);
-  }
   [[nodiscard]] double px(double value) const {
-    return from_px_ + (to_px_ - from_px_) * (position(value) - lower_) / (upper_ - lower_);
+    const double at = scale_ == AxisScale::linear ? value : std::log10(value);
+    return from_px_ + (to_px_ - from_px_) * (at - lower_) / (upper_ - lower_);
   }
   [[nodiscard]] const std::vector<Tick>& ticks() const { return ticks_; }
+  /// Factor that the labels leave out, such as "×10⁻⁶"; mostly empty.
+  [[nodiscard]] const std::string& factor() const { return factor_; }
 
  private:
-  [[nodiscard]] double position(double value) const {
-    return scale_ == AxisScale::linear ? value : std::log10(value);
+  /// A range that ticks can divide: round a constant, and no narrower than labels can show.
+  static Interval widened(const Interval& values) {
+    const double size = std::max(std::abs(values.lower), std::abs(values.upper));
+    const double width = values.upper - values.lower;
+    const double lacking = (size == 0 ? 1.0 : width == 0 ? 0.1 * size : 1e-6 * size) - width;
+    if (lacking <= 0) return values;
+    return {values.lower - lacking / 2, values.upper + lacking / 2};
   }
 
   /// Steps of 1, 2 or 5 times a power of ten, about six of them; the axis ends at ticks.
@@ -122,34 +149,65 @@ class Axis {
     const double last = std::ceil(values.upper / step - 1e-9);
     lower_ = first * step;
     upper_ = last * step;
-    for (double i = first; i <= last; ++i) {
-      const double value = i * step;
-      ticks_.push_back({value, fmt::format("{:.6g}", std::abs(value) < step / 2 ? 0.0 : value)});
+    // Very large or small labels share one power of ten, written once.
+    const double size = std::max(std::abs(lower_), std::abs(upper_));
+    int exponent = 0;
+    if (size >= 1e6 || size < 1e-3) {
+      exponent = static_cast<int>(std::floor(std::log10(size)));
+      factor_ = "×" + power_of_ten(exponent);
     }
+    const int step_exponent = static_cast<int>(std::floor(std::log10(step) + 1e-9));
+    const int decimals = std::max(0, exponent - step_exponent);
+    for (double i = first; i <= last; ++i)
+      ticks_.push_back({i * step, fixed(i * step * std::pow(10.0, -exponent), decimals)});
   }
 
-  /// Decades, with 2 and 5 between them where there are few.
+  /// Decades, with more labels between them where there are few; the axis ends at a whole digit.
   void place_decades(const Interval& values) {
-    lower_ = std::floor(std::log10(values.lower) + 1e-9);
-    upper_ = std::ceil(std::log10(values.upper) - 1e-9);
-    const bool few = upper_ - lower_ <= 2;
-    const int every = static_cast<int>(std::ceil((upper_ - lower_) / 8));
-    for (int decade = static_cast<int>(lower_); decade <= static_cast<int>(upper_); ++decade)
+    const auto outward = [](double value, auto round) {
+      const double decade = std::pow(10.0, std::floor(std::log10(value)));
+      return decade * round(value / decade);
+    };
+    double lower = outward(values.lower, [](double digit) { return std::floor(digit + 1e-9); });
+    double upper = outward(values.upper, [](double digit) { return std::ceil(digit - 1e-9); });
+    if (!(upper > lower)) {
+      lower /= 2;
+      upper *= 2;
+    }
+    lower_ = std::log10(lower);
+    upper_ = std::log10(upper);
+    const double decades = upper_ - lower_;
+    const int every = std::max(1, static_cast<int>(std::ceil(decades / 8)));
+    const bool plain = lower >= 9.9e-4 && upper <= 1.01e5;
+    const auto labelled = [&](int digit, int decade) {
+      if (digit == 1) return decade % every == 0;
+      return decades <= 1 || (decades <= 2.5 && (digit == 2 || digit == 5));
+    };
+    for (int decade = static_cast<int>(std::floor(lower_)); decade <= std::ceil(upper_); ++decade)
       for (int digit = 1; digit < 10; ++digit) {
-        if (digit > 1 && decade == static_cast<int>(upper_)) break;
         const double value = digit * std::pow(10.0, decade);
-        const bool labelled =
-            (digit == 1 && (decade - static_cast<int>(lower_)) % std::max(every, 1) == 0) ||
-            (few && (digit == 2 || digit == 5));
-        ticks_.push_back({value, labelled ? fmt::format("{:g}", value) : std::string()});
+        if (value < lower * (1 - 1e-9) || value > upper * (1 + 1e-9)) continue;
+        if (!labelled(digit, decade)) {
+          if (decades <= 5) ticks_.push_back({value, {}});
+        } else if (plain) {
+          ticks_.push_back({value, fixed(value, std::max(0, -decade))});
+        } else {
+          ticks_.push_back({value, digit == 1 ? power_of_ten(decade)
+                                              : fmt::format("{}·{}", digit, power_of_ten(decade))});
+        }
       }
   }
 
   AxisScale scale_;
   double from_px_, to_px_;
-  double lower_ = 0.0, upper_ = 1.0;
+  double lower_ = 0.0, upper_ = 1.0;  ///< of the values, or of their logarithms
   std::vector<Tick> ticks_;
+  std::string factor_;
 };
+
+bool drawable(AxisScale scale, double value) {
+  return std::isfinite(value) && (scale == AxisScale::linear || value > 0);
+}
 
 std::string line(double x1, double y1, double x2, double y2, std::string_view style) {
   return fmt::format(
@@ -163,15 +221,52 @@ std::string words(double x, double y, std::string_view style, std::string_view t
                      more, escaped(text));
 }
 
+/// A label in two lines where it is too long for the margin, broken at its last dot.
+std::string margin_words(double x, double& y, std::string_view text) {
+  constexpr std::size_t kMost = 27;
+  std::string svg;
+  const std::size_t dot = text.rfind('.');
+  if (text.size() > kMost && dot != std::string_view::npos) {
+    svg += words(x, y, "small", text.substr(0, dot + 1));
+    text.remove_prefix(dot + 1);
+    y += kLabelHeight - 4;
+  }
+  svg += words(x, y, "small", text);
+  y += kLabelHeight;
+  return svg;
+}
+
+/// The points of a series as strokes of a path; what cannot be drawn is a gap, and a point between
+/// two gaps a short stroke.
+std::string path_data(const PlotPanel& panel, const PlotSeries& series, const Axis& x,
+                      const Axis& y) {
+  const std::size_t n = std::min(series.x.size(), series.y.size());
+  const auto visible = [&](std::size_t i) {
+    return i < n && drawable(panel.x_scale, series.x[i]) && drawable(panel.y_scale, series.y[i]);
+  };
+  constexpr double kDot = 3;
+  std::string path;
+  bool drawing = false;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (visible(i)) {
+      const double at_x = x.px(series.x[i]);
+      const double at_y = y.px(series.y[i]);
+      if (drawing || visible(i + 1))
+        path += fmt::format("{}{:.2f},{:.2f} ", drawing ? "L" : "M", at_x, at_y);
+      else
+        path += fmt::format("M{:.2f},{:.2f} h{} ", at_x - kDot / 2, at_y, kDot);
+    }
+    drawing = visible(i);
+  }
+  return path;
+}
+
 /// Draws one panel with its upper edge at `top`.
 std::string panel_svg(const PlotPanel& panel, double top) {
   Interval x_values;
   Interval y_values;
-  const auto drawable = [](AxisScale scale, double value) {
-    return std::isfinite(value) && (scale == AxisScale::linear || value > 0);
-  };
   for (const PlotSeries& series : panel.series)
-    for (std::size_t i = 0; i < series.x.size(); ++i) {
+    for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
       if (!drawable(panel.x_scale, series.x[i]) || !drawable(panel.y_scale, series.y[i])) continue;
       x_values.include(series.x[i]);
       y_values.include(series.y[i]);
@@ -183,7 +278,11 @@ std::string panel_svg(const PlotPanel& panel, double top) {
   const Axis x(x_values, panel.x_scale, left, right);
   const Axis y(y_values, panel.y_scale, lower, upper);
 
-  std::string svg = words(left, top + 28, "title", panel.title);
+  constexpr std::size_t kTitleLength = 76;
+  constexpr std::size_t kSubtitleLength = 110;
+  std::string svg = words(left, top + 28, "title", shortened(panel.title, kTitleLength));
+  if (!panel.subtitle.empty())
+    svg += words(left, top + 46, "small", shortened(panel.subtitle, kSubtitleLength));
   for (const Tick& tick : x.ticks()) {
     const double at = x.px(tick.value);
     svg += line(at, upper, at, lower, tick.label.empty() ? "minor" : "grid");
@@ -195,16 +294,15 @@ std::string panel_svg(const PlotPanel& panel, double top) {
     if (!tick.label.empty()) svg += words(left - 8, at + 4, "tick end", tick.label);
   }
   svg += line(left, lower, right, lower, "axis") + line(left, upper, left, lower, "axis");
+  if (!x.factor().empty()) svg += words(right, lower + 42, "tick end", x.factor());
+  if (!y.factor().empty()) svg += words(left - 8, upper - 10, "tick end", y.factor());
   svg += words((left + right) / 2, lower + 42, "label middle", panel.x_label);
   const double middle = (upper + lower) / 2;
-  svg += words(22, middle, "label middle", panel.y_label,
-               fmt::format(" transform=\"rotate(-90 22 {:.1f})\"", middle));
+  svg += words(16, middle, "label middle", panel.y_label,
+               fmt::format(" transform=\"rotate(-90 16 {:.1f})\"", middle));
 
   double label_y = upper + 12;
-  if (!panel.legend_title.empty()) {
-    svg += words(right + 14, label_y, "small", panel.legend_title);
-    label_y += kLabelHeight;
-  }
+  if (!panel.legend_title.empty()) svg += margin_words(right + 14, label_y, panel.legend_title);
   for (std::size_t n = 0; n < panel.series.size(); ++n) {
     const PlotSeries& series = panel.series[n];
     const Stroke& stroke = kStrokes[n % kStrokes.size()];
@@ -213,18 +311,8 @@ std::string panel_svg(const PlotPanel& panel, double top) {
         fmt::format("stroke=\"{}\" stroke-width=\"{}\"{}", stroke.colour, n == 0 ? 4 : 2,
                     stroke.dashes.empty() ? std::string()
                                           : fmt::format(" stroke-dasharray=\"{}\"", stroke.dashes));
-    std::string path;
-    bool drawing = false;
-    for (std::size_t i = 0; i < series.x.size(); ++i) {
-      if (!x.shows(series.x[i]) || !y.shows(series.y[i])) {
-        drawing = false;
-        continue;
-      }
-      path += fmt::format("{}{:.2f},{:.2f} ", drawing ? "L" : "M", x.px(series.x[i]),
-                          y.px(series.y[i]));
-      drawing = true;
-    }
-    svg += fmt::format("<path d=\"{}\" class=\"series\" {}/>\n", path, style);
+    svg += fmt::format("<path d=\"{}\" class=\"series\" {}/>\n", path_data(panel, series, x, y),
+                       style);
     svg += fmt::format("<path d=\"M{:.1f},{:.1f} h26\" class=\"series\" {}/>\n", right + 14,
                        label_y - 4, style);
     svg += words(right + 46, label_y, "tick", series.label);
@@ -280,74 +368,125 @@ AxisScale scale_of(const Variation& variation) {
                                                                          : AxisScale::linear;
 }
 
-/// 100 (cracked - intact)/total cracked compliance of one member, under positive torque.
-std::vector<double> loss_by_member(const SweepTable& table, const std::string& member) {
-  const std::vector<double> cracked = table.output("cracked.positive.compliance." + member);
-  const std::vector<double> intact = table.output("intact.compliance." + member);
+/// What the cracks of one member contribute to the loss of stiffness under positive torque [%]:
+/// their compliance over that of the cracked drive.
+std::vector<double> loss_by_member(const SweepResult& result, const SweepTable& table,
+                                   std::string_view member) {
   const std::vector<double> total = table.output("cracked.positive.compliance.total");
-  std::vector<double> loss;
-  for (std::size_t i = 0; i < cracked.size(); ++i)
-    loss.push_back(100 * (cracked[i] - intact[i]) / total[i]);
+  std::vector<double> loss(total.size(), 0.0);
+  for (std::size_t n = 0; n < result.crack_paths.size(); ++n) {
+    if (!result.crack_paths[n].starts_with(member)) continue;
+    const std::vector<double> added =
+        table.output(fmt::format("cracks[{}].added_compliance.positive.at_output", n));
+    for (std::size_t i = 0; i < loss.size(); ++i) loss[i] += 100 * added[i] / total[i];
+  }
   return loss;
+}
+
+std::vector<double> negated(std::vector<double> values) {
+  for (double& value : values) value = -value;
+  return values;
+}
+
+/// "method corrected; 3 of 60 points are left out: refused, or not usable"
+std::string subtitle(const SweepResult& result) {
+  const auto left_out =
+      std::ranges::count_if(result.rows, [](const SweepRow& row) { return !row.usable(); });
+  std::string text = fmt::format("method {}", enum_name(result.method));
+  if (left_out > 0)
+    text += fmt::format("; {} of {} points are left out: refused, or not usable", left_out,
+                        result.rows.size());
+  return text;
 }
 
 std::vector<PlotPanel> panels_over_one(const SweepResult& result, const GearSet& gear) {
   const SweepTable table(result);
   const std::vector<double> x = table.input(0);
-  const auto negated = [](std::vector<double> values) {
-    for (double& value : values) value = -value;
-    return values;
-  };
-  PlotPanel stiffness{
-      .title = gear.name.empty() ? "Torsional stiffness" : gear.name,
-      .x_label = table.axis_label(0),
-      .y_label = "stiffness K at the output [N·m/arcmin]",
-      .x_scale = scale_of(result.variations[0]),
-      .series = {{"sound", x, table.output("intact.stiffness")},
-                 {"cracked, T > 0", x, table.output("cracked.positive.stiffness")},
-                 {"cracked, T < 0", x, table.output("cracked.negative.stiffness")}}};
+  std::vector<PlotPanel> panels{
+      {.title = gear.name.empty() ? "Torsional stiffness" : gear.name,
+       .subtitle = subtitle(result),
+       .x_label = table.axis_label(0),
+       .y_label = "stiffness K at the output [N·m/arcmin]",
+       .x_scale = scale_of(result.variations[0]),
+       .series = {{"sound", x, table.output("intact.stiffness")},
+                  {"cracked, T > 0", x, table.output("cracked.positive.stiffness")},
+                  {"cracked, T < 0", x, table.output("cracked.negative.stiffness")}}}};
+  if (result.crack_paths.empty()) return panels;
+
+  const std::vector<double> total = negated(table.output("cracked.positive.stiffness_change"));
+  const bool positive = std::ranges::none_of(total, [](double loss) { return loss <= 0; });
   PlotPanel loss{
-      .title = fmt::format("Loss of stiffness by cracks, method {}", enum_name(result.method)),
+      .title = "Loss of stiffness by cracks",
+      .subtitle = "and what the cracks of each member contribute to it under T > 0",
       .x_label = table.axis_label(0),
-      .y_label = "loss of stiffness [%]",
+      .y_label = "loss of stiffness −ΔK/K [%]",
       .x_scale = scale_of(result.variations[0]),
-      .y_scale = AxisScale::logarithmic,
-      .series = {{"total, T > 0", x, negated(table.output("cracked.positive.stiffness_change"))}}};
-  const auto add_member = [&](bool cracked, const char* label, const char* name) {
-    if (cracked) loss.series.push_back({label, x, loss_by_member(table, name)});
+      .y_scale = positive ? AxisScale::logarithmic : AxisScale::linear,
+      .series = {{"total, T > 0", x, total},
+                 {"total, T < 0", x, negated(table.output("cracked.negative.stiffness_change"))}}};
+  const auto add_member = [&](const char* label, std::string_view path) {
+    if (std::ranges::any_of(result.crack_paths,
+                            [&](const std::string& crack) { return crack.starts_with(path); }))
+      loss.series.push_back({label, x, loss_by_member(result, table, path)});
   };
-  add_member(gear.output_shaft && !gear.output_shaft->crack.empty(), "output shaft",
-             "output_shaft");
-  add_member(gear.flexspline && !gear.flexspline->crack.empty(), "flexspline", "flexspline");
-  add_member(gear.wave_generator && !gear.wave_generator->crack.empty(), "wave generator",
-             "wave_generator");
-  return {std::move(stiffness), std::move(loss)};
+  add_member("output shaft", "output_shaft.");
+  add_member("flexspline", "flexspline.");
+  add_member("wave generator", "wave_generator.");
+  panels.push_back(std::move(loss));
+  return panels;
 }
 
-std::vector<PlotPanel> panels_over_two(const SweepResult& result, const GearSet& gear) {
-  constexpr int kMostLines = 7;  // as many as there are strokes
-  const SweepTable table(result);
+/// Change of stiffness over the first number, a line for each value of the second.
+PlotPanel panel_over_two(const SweepResult& result, const SweepTable& table,
+                         const std::vector<double>& change) {
+  constexpr std::size_t kMostLines = kStrokes.size();
   const std::vector<double> x = table.input(0);
-  const std::vector<double> y = table.output("cracked.positive.stiffness_change");
-  const auto n_lines = static_cast<std::size_t>(result.variations[1].n_points);
-  const DisplayUnit unit = table.shown(1);
-  PlotPanel panel{.title = gear.name.empty() ? "Change of stiffness" : gear.name,
+  const std::vector<double> second = table.input(1);
+  const auto n_values = static_cast<std::size_t>(result.variations[1].n_points);
+  const std::size_t n_lines = std::min(n_values, kMostLines);
+  const std::string_view unit = table.shown(1).typeset;
+  PlotPanel panel{.title = {},
                   .x_label = table.axis_label(0),
-                  .y_label = "change of stiffness, T > 0 [%]",
+                  .y_label = {},
+                  .legend_title = result.inputs[1].name,
                   .x_scale = scale_of(result.variations[0])};
-  const std::size_t every = (n_lines + kMostLines - 1) / kMostLines;
-  for (std::size_t line = 0; line < n_lines; line += every) {
-    PlotSeries series{.label = fmt::format("{:.4g}{}{}", table.input(1)[line],
-                                           unit.typeset == "1" ? "" : " ",
-                                           unit.typeset == "1" ? "" : unit.typeset)};
-    for (std::size_t i = line; i < x.size(); i += n_lines) {
+  for (std::size_t line = 0; line < n_lines; ++line) {
+    // Evenly chosen where there are more values than lines; the first and the last are among them.
+    const std::size_t at = line * (n_values - 1) / (n_lines - 1);
+    PlotSeries series{.label = fmt::format("{}{:.4g}{}{}", second[at] < 0 ? "−" : "",
+                                           std::abs(second[at]), unit == "1" ? "" : " ",
+                                           unit == "1" ? "" : unit)};
+    for (std::size_t i = at; i < x.size(); i += n_values) {
       series.x.push_back(x[i]);
-      series.y.push_back(y[i]);
+      series.y.push_back(change[i]);
     }
     panel.series.push_back(std::move(series));
   }
-  panel.legend_title = result.inputs[1].name;
-  return {std::move(panel)};
+  return panel;
+}
+
+std::vector<PlotPanel> panels_over_two(const SweepResult& result, const GearSet& gear) {
+  const SweepTable table(result);
+  const std::vector<double> positive = table.output("cracked.positive.stiffness_change");
+  const std::vector<double> negative = table.output("cracked.negative.stiffness_change");
+  std::vector<PlotPanel> panels{panel_over_two(result, table, positive)};
+  panels[0].title = gear.name.empty() ? "Change of stiffness" : gear.name;
+  panels[0].subtitle = subtitle(result);
+  panels[0].y_label = "change of stiffness ΔK/K, T > 0 [%]";
+
+  double largest = 0.0;
+  double difference = 0.0;
+  for (std::size_t i = 0; i < positive.size(); ++i) {
+    if (!std::isfinite(positive[i])) continue;
+    largest = std::max(largest, std::abs(positive[i]));
+    difference = std::max(difference, std::abs(positive[i] - negative[i]));
+  }
+  if (difference > 0.005 * largest) {  // visible
+    panels.push_back(panel_over_two(result, table, negative));
+    panels[1].title = "Under negative torque";
+    panels[1].y_label = "change of stiffness ΔK/K, T < 0 [%]";
+  }
+  return panels;
 }
 
 }  // namespace
@@ -356,17 +495,17 @@ std::string svg_plot(std::span<const PlotPanel> panels) {
   const double height = kPanelHeight * static_cast<double>(panels.size());
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" "
-      "height=\"{1:g}\">\n"
+      "height=\"{1:g}\" role=\"img\">\n"
       "<style>\n"
       "text {{ font-family: 'DejaVu Sans', Arial, sans-serif; fill: #222 }}\n"
       ".title {{ font-size: 15px; font-weight: bold }}\n"
       ".label {{ font-size: 13px }}\n"
       ".tick {{ font-size: 12px }}\n"
-      ".small {{ font-size: 11px }}\n"
+      ".small {{ font-size: 11px; fill: #555 }}\n"
       ".middle {{ text-anchor: middle }}\n"
       ".end {{ text-anchor: end }}\n"
       ".grid {{ stroke: #ddd }}\n"
-      ".minor {{ stroke: #f2f2f2 }}\n"
+      ".minor {{ stroke: #eee }}\n"
       ".axis {{ stroke: #222 }}\n"
       ".series {{ fill: none; stroke-linejoin: round }}\n"
       "</style>\n"

@@ -45,10 +45,10 @@ std::optional<Quantity> output_of(const StiffnessResult& result, std::string_vie
     if (std::string near = nearest_word(name, known); !near.empty())
       ending.push_back(std::move(near));
   throw InputError(
-      "--target", fmt::format("\"{}\" is not an output of this drive{}", name,
-                              ending.empty()
-                                  ? ", such as cracked.positive.stiffness"
-                                  : fmt::format("; did you mean {}?", fmt::join(ending, " or "))));
+      "--target",
+      fmt::format("\"{}\" is not an output of this drive{}", name,
+                  ending.empty() ? ", such as cracked.positive.stiffness"
+                                 : fmt::format("; did you mean {}?", fmt::join(ending, " or "))));
 }
 
 // --- The output as a function of the sought number --------------------------------------------
@@ -109,8 +109,7 @@ using Samples = std::vector<Sample>;
 // --- Where to look ---------------------------------------------------------------------------
 
 void append_spaced(std::vector<double>& points, double from, double to, int n, Spacing spacing) {
-  const Variation between{
-      .path = {}, .from = from, .to = to, .n_points = n, .spacing = spacing};
+  const Variation between{.path = {}, .from = from, .to = to, .n_points = n, .spacing = spacing};
   for (int i = 0; i < n; ++i) points.push_back(between.value(i));
 }
 
@@ -134,15 +133,14 @@ std::vector<double> points_round(const NumberAt& number, int n) {
   }
   const double scale = std::abs(number.value);
   if (scale == 0)
-    throw InputError(vary_option(number.path),
-                     fmt::format("is 0, from which no range can be chosen; give one: {}=FROM..TO",
-                                 number.path));
+    throw InputError(
+        vary_option(number.path),
+        fmt::format("is 0, from which no range can be chosen; give one: {}=FROM..TO", number.path));
   constexpr double kReach = 1e3;
   const auto append_decades = [&](double sign, double lower, double upper) {
     if (upper > lower) append_spaced(points, sign * lower, sign * upper, n, Spacing::logarithmic);
   };
-  append_decades(1.0, std::max(scale / kReach, range.lower),
-                 std::min(scale * kReach, range.upper));
+  append_decades(1.0, std::max(scale / kReach, range.lower), std::min(scale * kReach, range.upper));
   append_decades(-1.0, std::max(scale / kReach, -range.upper),
                  std::min(scale * kReach, -range.lower));
   if (range.contains(0.0)) points.push_back(0.0);
@@ -162,8 +160,7 @@ std::vector<double> scan_points(const NumberAt& number, const Unknown& unknown, 
 // --- Ends of stretches, turning points ---------------------------------------------------------
 
 /// Narrows [a, b], whose ends differ in state, to rounding; `resolution` holds near zero.
-std::pair<Sample, Sample> end_of_stretch(Probe& probe, Sample a, Sample b,
-                                         double resolution) {
+std::pair<Sample, Sample> end_of_stretch(Probe& probe, Sample a, Sample b, double resolution) {
   const State state = a.state;
   for (;;) {
     const double width = b.x - a.x;
@@ -212,9 +209,10 @@ Samples with_turning_points(Probe& probe, const Samples& samples) {
     if (!(rise * fall > 0) || std::min(std::abs(rise), std::abs(fall)) < rounding) continue;
     const double sign = rise > 0 ? -1.0 : 1.0;
     constexpr int kBits = 26;  // of the place; the value there has all its digits
-    const double x = boost::math::tools::brent_find_minima(
-                         [&](double at) { return sign * probe.output(at); }, before.x, after.x, kBits)
-                         .first;
+    const double x =
+        boost::math::tools::brent_find_minima([&](double at) { return sign * probe.output(at); },
+                                              before.x, after.x, kBits)
+            .first;
     Sample turn = probe.sample(x);
     if (turn.state != here.state || turn.x == here.x) continue;
     if (turn.x > here.x)
@@ -290,8 +288,7 @@ std::string output_range(const SolveResult& result) {
   if (*result.least == *result.greatest)
     return fmt::format("{} everywhere there: it does not depend on {}",
                        shown(name, *result.least, result.target.unit), result.path);
-  return "between " +
-         span_shown(name, *result.least, *result.greatest, result.target.unit, "and");
+  return "between " + span_shown(name, *result.least, *result.greatest, result.target.unit, "and");
 }
 
 /// Collects solutions, and sentences on everything that is not quite one.
@@ -321,24 +318,23 @@ class Findings {
     if (at.state == a.state && continuous_at(probe_, x, a.x, b.x, scale))
       found(at);
     else
-      remark(fmt::format("{} jumps over {} at {} = {}, where there is no solution",
-                         result_.target.output,
-                         shown(result_.target.output, target, result_.target.unit), result_.path,
-                         input(x)));
+      remark(fmt::format(
+          "{} jumps over {} at {} = {}, where there is no solution", result_.target.output,
+          shown(result_.target.output, target, result_.target.unit), result_.path, input(x)));
   }
 
   void conclude() {
     const std::size_t n = result_.solutions.size();
     if (n > 1)
-      remarks_.insert(remarks_.begin(),
-                      fmt::format("several ({}) values of {} give {}", n, result_.path, wanted()));
+      remarks_.insert(remarks_.begin(), fmt::format("several solutions: {} values of {} give {}", n,
+                                                    result_.path, wanted()));
     if (n == 0) {
-      std::string none = fmt::format("no {} from {} to {} gives {}; ", result_.path,
-                                     input(result_.searched.from), input(result_.searched.to),
-                                     wanted());
+      std::string none =
+          fmt::format("no {} from {} to {} gives {}; ", result_.path, input(result_.searched.from),
+                      input(result_.searched.to), wanted());
       if (result_.least) {
-        none += (*result_.least == *result_.greatest ? "it is " : "it lies ") +
-                output_range(result_);
+        none +=
+            (*result_.least == *result_.greatest ? "it is " : "it lies ") + output_range(result_);
       } else {
         const auto unusable = std::ranges::find(result_.excluded, false, &Excluded::refused);
         none += fmt::format("nowhere is there a result that may be used: {}", unusable->reason);
@@ -384,8 +380,7 @@ void find_solutions(const Samples& samples, Findings& findings, double target) {
     }
     if (i + 1 == samples.size()) continue;
     const Sample& next = samples[i + 1];
-    if (next.state == here.state && !met(next) &&
-        (next.y < target) != (here.y < target))
+    if (next.state == here.state && !met(next) && (next.y < target) != (here.y < target))
       findings.crossed(here, next);
   }
 }
@@ -427,15 +422,13 @@ std::string quantity_line(std::string_view name, const Quantity& q) {
 using Json = nlohmann::ordered_json;
 
 Json quantity_json(const Quantity& q) {
-  return {{"value", q.value},
-          {"unit", q.unit},
-          {"relative_uncertainty",
-           q.relative_uncertainty ? Json(*q.relative_uncertainty) : Json()}};
+  return {
+      {"value", q.value},
+      {"unit", q.unit},
+      {"relative_uncertainty", q.relative_uncertainty ? Json(*q.relative_uncertainty) : Json()}};
 }
 
-Json plain_json(double value, std::string_view unit) {
-  return {{"value", value}, {"unit", unit}};
-}
+Json plain_json(double value, std::string_view unit) { return {{"value", value}, {"unit", unit}}; }
 
 Json solution_json(const Solution& solution) {
   Json json = {{"value", quantity_json(solution.value)},
@@ -469,17 +462,16 @@ Unknown parse_unknown(const GearSet& gear, std::string_view text) {
 Target parse_target(const GearSet& gear, Method method, std::string_view text) {
   const Assignment given = assignment(text);
   if (!given.has_value)
-    throw InputError("--target",
-                     fmt::format("\"{}\" must be OUTPUT=VALUE, such as "
-                                 "\"cracked.positive.stiffness_change=-1 %\"",
-                                 text));
+    throw InputError("--target", fmt::format("\"{}\" must be OUTPUT=VALUE, such as "
+                                             "\"cracked.positive.stiffness_change=-1 %\"",
+                                             text));
   const StiffnessResult present = evaluate(gear, method);
   const std::optional<Quantity> output = output_of(present, given.key);
   if (!output) refuse_output(present, given.key);
-  return {.output = std::string(given.key),
-          .unit = output->unit,
-          .value = parse_quantity(fmt::format("--target {}", given.key), given.value,
-                                  output->unit)};
+  return {
+      .output = std::string(given.key),
+      .unit = output->unit,
+      .value = parse_quantity(fmt::format("--target {}", given.key), given.value, output->unit)};
 }
 
 SolveResult solve(const GearSet& gear, Method method, const Unknown& unknown, const Target& target,
@@ -487,8 +479,7 @@ SolveResult solve(const GearSet& gear, Method method, const Unknown& unknown, co
   const NumberAt number = varied_number(gear, unknown.path);
   require(options.n_scan >= 2 && options.n_scan <= kMaxSweepPoints, "n_scan", options.n_scan, "1",
           fmt::format(">= 2 and <= {}", kMaxSweepPoints));
-  require(std::isfinite(target.value), target.output, target.value, target.unit,
-          "a finite number");
+  require(std::isfinite(target.value), target.output, target.value, target.unit, "a finite number");
   if (unknown.range) {
     const auto& [from, to] = *unknown.range;
     if (!std::isfinite(from) || !std::isfinite(to) || from == to)
@@ -530,12 +521,11 @@ std::string solve_text(const SolveResult& result) {
     return std::string(indent) + wrapped(text, kWidth - indent.size(), 4) + '\n';
   };
 
-  std::string text =
-      fmt::format("{} for {} = {}\nmethod {}, searched from {} to {}; at present {}\n\n",
-                  result.path, result.target.output,
-                  shown(result.target.output, result.target.value, result.target.unit),
-                  enum_name(result.method), input(result.searched.from), input(result.searched.to),
-                  input(result.present));
+  std::string text = fmt::format(
+      "{} for {} = {}\nmethod {}, searched from {} to {}; at present {}\n\n", result.path,
+      result.target.output, shown(result.target.output, result.target.value, result.target.unit),
+      enum_name(result.method), input(result.searched.from), input(result.searched.to),
+      input(result.present));
   for (const Solution& solution : result.solutions) {
     text += "  " + quantity_line(result.path, solution.value) + '\n';
     text += "    " + quantity_line(result.target.output, solution.output) + '\n';
@@ -554,12 +544,12 @@ std::string solve_text(const SolveResult& result) {
                                       output_range(result)));
   if (!result.excluded.empty()) text += "Left out of the search\n";
   for (const Excluded& part : result.excluded)
-    text += paragraph(
-        "  ", fmt::format("{}: {}: {}",
-                          input(part.from) == input(part.to)
-                              ? "at " + input(part.from)
-                              : fmt::format("{} to {}", input(part.from), input(part.to)),
-                          part.refused ? "refused" : "not usable", part.reason));
+    text +=
+        paragraph("  ", fmt::format("{}: {}: {}",
+                                    input(part.from) == input(part.to)
+                                        ? "at " + input(part.from)
+                                        : fmt::format("{} to {}", input(part.from), input(part.to)),
+                                    part.refused ? "refused" : "not usable", part.reason));
   if (!result.solutions.empty() && !result.solutions.front().result.notes.empty()) {
     text += result.solutions.size() > 1 ? "\nNotes on the first\n" : "\nNotes\n";
     for (const Note& note : result.solutions.front().result.notes) {
@@ -577,9 +567,8 @@ std::string solve_json(const SolveResult& result) {
   json["method"] = enum_name(result.method);
   json["path"] = result.path;
   json["present"] = plain_json(result.present, result.unit);
-  json["target"] = {{"output", result.target.output},
-                    {"value", result.target.value},
-                    {"unit", unit}};
+  json["target"] = {
+      {"output", result.target.output}, {"value", result.target.value}, {"unit", unit}};
   json["searched"] = {{"from", plain_json(result.searched.from, result.unit)},
                       {"to", plain_json(result.searched.to, result.unit)}};
   json["least"] = result.least ? plain_json(*result.least, unit) : Json();

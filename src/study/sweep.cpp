@@ -25,8 +25,8 @@ void check_variation(const Variation& variation) {
   if (!std::isfinite(from) || !std::isfinite(to) || from == to)
     throw InputError(option, fmt::format("{}..{} must be two different finite numbers", from, to));
   if (n_points < 2 || n_points > kMaxSweepPoints)
-    throw InputError(option, fmt::format("{} points; must be from 2 to {}", n_points,
-                                         kMaxSweepPoints));
+    throw InputError(option,
+                     fmt::format("{} points; must be from 2 to {}", n_points, kMaxSweepPoints));
   const bool one_sign = (from > 0 && to > 0) || (from < 0 && to < 0);
   if (spacing == Spacing::logarithmic && !one_sign)
     throw InputError(option, fmt::format("{}..{} spaced by equal ratios (log) must not reach or "
@@ -122,15 +122,15 @@ double Variation::value(int i) const {
 Variation parse_variation(const GearSet& gear, std::string_view text) {
   const Assignment given = assignment(text);
   if (!given.has_value)
-    throw InputError("--vary", fmt::format("\"{}\" must be PATH=FROM..TO:N or PATH=FROM..TO:N:log",
-                                           text));
+    throw InputError("--vary",
+                     fmt::format("\"{}\" must be PATH=FROM..TO:N or PATH=FROM..TO:N:log", text));
   const NumberAt number = varied_number(gear, given.key);
   const std::string option = vary_option(number.path);
 
   const std::size_t colon = given.value.find(':');
   if (colon == std::string_view::npos)
-    throw InputError(option, fmt::format("\"{}\" does not say how many points: FROM..TO:N",
-                                         given.value));
+    throw InputError(option,
+                     fmt::format("\"{}\" does not say how many points: FROM..TO:N", given.value));
   const Interval interval = parse_interval(number, given.value.substr(0, colon));
   Variation variation{.path = number.path, .from = interval.from, .to = interval.to};
 
@@ -156,8 +156,8 @@ Variation parse_variation(const GearSet& gear, std::string_view text) {
 
 SweepResult sweep(const GearSet& gear, Method method, std::span<const Variation> variations) {
   if (variations.empty() || variations.size() > 2)
-    throw InputError("--vary", fmt::format("is given {} times; must be once or twice",
-                                           variations.size()));
+    throw InputError("--vary",
+                     fmt::format("is given {} times; must be once or twice", variations.size()));
   SweepResult result;
   result.method = method;
   std::ptrdiff_t n_rows = 1;
@@ -171,9 +171,8 @@ SweepResult sweep(const GearSet& gear, Method method, std::span<const Variation>
   if (variations.size() == 2 && variations[0].path == variations[1].path)
     throw InputError(vary_option(variations[0].path), "is given twice");
   if (n_rows > kMaxSweepPoints)
-    throw InputError("--vary", fmt::format("{} times {} points; {} at most",
-                                           variations[0].n_points, variations[1].n_points,
-                                           kMaxSweepPoints));
+    throw InputError("--vary", fmt::format("{} times {} points; {} at most", variations[0].n_points,
+                                           variations[1].n_points, kMaxSweepPoints));
 
   Columns columns(result.outputs);
   std::exception_ptr first_fault;
@@ -213,7 +212,8 @@ SweepResult sweep(const GearSet& gear, Method method, std::span<const Variation>
 std::string sweep_csv(const SweepResult& result) {
   std::string csv;
   for (const auto* const group : {&result.inputs, &result.outputs})
-    for (const auto& [name, unit] : *group) csv += csv_field(fmt::format("{} [{}]", name, unit)) + ',';
+    for (const auto& [name, unit] : *group)
+      csv += csv_field(fmt::format("{} [{}]", name, unit)) + ',';
   csv += "usable,reason\n";
   for (const SweepRow& row : result.rows) {
     for (const double input : row.inputs) csv += fmt::format("{},", input);

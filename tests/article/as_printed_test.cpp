@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numbers>
 #include <ostream>
 #include <string>
@@ -15,6 +16,7 @@
 #include "strainwave/core/units.hpp"
 #include "support/article_gear.hpp"
 #include "support/reference.hpp"
+#include "support/reference_csv.hpp"
 #include "support/scaling.hpp"
 
 namespace strainwave {
@@ -56,6 +58,16 @@ bool has_note(const StiffnessResult& result, std::string_view code, std::string_
 
 bool has_equation(const StiffnessResult& result, std::string_view tag) {
   return std::ranges::find(result.equations, tag) != result.equations.end();
+}
+
+article::CrackedRace race_of(double a, double t, double a_contact, double b_contact, double E) {
+  return {.depth = a,
+          .ring_thickness = t,
+          .flaw_parameter = 1.5,
+          .contact_factor = 0.45,
+          .contact_semi_major = a_contact,
+          .contact_semi_minor = b_contact,
+          .youngs_modulus = E};
 }
 
 // --- The table of the example -------------------------------------------------------------------
@@ -237,6 +249,78 @@ TEST(AsPrinted, ReferencePolynomialsAtAShallowCrack) {
   EXPECT_NEAR(article::torsion_coefficient(1.0), 1.002, 1e-15);
 }
 
+// --- The same by a script ------------------------------------------------------------------------
+
+/// The numbers of tests/data/article_example.csv, which calls N/mm what the article calls so,
+/// whatever its dimension; SI.
+std::map<std::string, double> numbers_of(const GearSet& gear) {
+  const double a = std::get<RaceSurfaceCrack>(gear.wave_generator->crack[0]).depth / mm;
+  const article::CrackedRace race = race_of(a, 10, 5, 2, 2.1e5);
+  const double sigma_max = article::contact_pressure(500, 5, 2);
+  const double Delta_K_G = article::race_crack_stiffness(race, 500);
+  const double x = (60 - 2 * a) / 60;
+  const double M_p = gear.article->M_p.value_or(article::axial_coefficient(x));
+  const double M_M = gear.article->M_M.value_or(article::torsion_coefficient(x));
+  const auto terms = article::shaft_crack_compliance({.depth = a,
+                                                      .diameter = 60,
+                                                      .M_p = M_p,
+                                                      .M_M = M_M,
+                                                      .youngs_modulus = 2.1e5,
+                                                      .shear_modulus = 8e4});
+  const StiffnessResult result = torsional_stiffness_as_printed(gear);
+  return {
+      {"contact_pressure", sigma_max * MPa},
+      {"crack_stress", article::race_stress(0.45, sigma_max) * MPa},
+      {"wave_generator_stress_intensity", result.cracks[0].deepest->K_I.value},
+      {"wave_generator_added_displacement", article::race_crack_displacement(race, 500) * mm},
+      {"wave_generator_added_stiffness", Delta_K_G * N / mm},
+      {"wave_generator_radial_stiffness", article::radial_stiffness(1.2e5, Delta_K_G) * N / mm},
+      {"wave_generator_compliance", result.positive.compliance.wave_generator.value},
+      {"flexspline_added_compliance", result.cracks[1].positive.at_output.value},
+      {"M_p", M_p},
+      {"M_M", M_M},
+      {"shaft_axial_term", terms.axial_term * kCompliance},
+      {"shaft_torsion_term", terms.torsion_term * kCompliance},
+      {"shaft_added_compliance", result.cracks[2].positive.at_output.value},
+      {"total_compliance", result.positive.compliance.total.value},
+      {"stiffness", result.positive.stiffness.value},
+      {"stiffness_change", result.positive.stiffness_change.value},
+  };
+}
+
+std::map<std::string, double> sound_numbers_of(const GearSet& gear) {
+  std::map<std::string, double> numbers = numbers_of(gear);
+  const IntactDrive intact = torsional_stiffness_as_printed(gear).intact;
+  numbers["wave_generator_compliance"] = intact.compliance.wave_generator.value;
+  numbers["flexspline_compliance"] = intact.compliance.flexspline.value;
+  numbers["shaft_compliance"] = intact.compliance.output_shaft.value;
+  numbers["total_compliance"] = intact.compliance.total.value;
+  numbers["stiffness"] = intact.stiffness.value;
+  return numbers;
+}
+
+TEST(AsPrinted, ReferenceTableOfTheScript) {
+  int compared = 0;
+  for (const test::CsvRow& row : test::read_reference_csv("article_example")) {
+    const std::size_t dot = row.quantity.find('.');
+    const std::string variant = row.quantity.substr(0, dot);
+    if (variant != "printed_inputs" && variant != "printed_polynomials") continue;
+    const double a = row("depth");
+    GearSet gear = test::article_gear(a > 0 ? a : 0.1 * mm);
+    if (variant == "printed_polynomials") {
+      gear.article->M_p.reset();
+      gear.article->M_M.reset();
+    }
+    const auto numbers = a > 0 ? numbers_of(gear) : sound_numbers_of(gear);
+    const auto number = numbers.find(row.quantity.substr(dot + 1));
+    ASSERT_NE(number, numbers.end()) << row.place << ": " << row.quantity << " is not compared";
+    // K_G0 - Delta K_G of 1 mm cracks loses one digit.
+    test::expect_row(number->second, row, 1e-14);
+    ++compared;
+  }
+  EXPECT_GE(compared, 2 * (4 * 16 + 7));
+}
+
 // --- Equations by themselves --------------------------------------------------------------------
 
 // (AP-20), (AP-21)
@@ -320,16 +404,6 @@ TEST(AsPrinted, ScalingOfTheRace) {
                                         Arg{0.1, "m"}, Arg{1.5, "1"});
   test::expect_dimensionally_consistent("N/m", article::sound_radial_stiffness, Arg{500, "N"},
                                         Arg{3, "m"}, Arg{1, "m"}, Arg{0, "m"});
-}
-
-article::CrackedRace race_of(double a, double t, double a_contact, double b_contact, double E) {
-  return {.depth = a,
-          .ring_thickness = t,
-          .flaw_parameter = 1.5,
-          .contact_factor = 0.45,
-          .contact_semi_major = a_contact,
-          .contact_semi_minor = b_contact,
-          .youngs_modulus = E};
 }
 
 TEST(AsPrinted, ScalingWrongOfTheRaceCrack) {

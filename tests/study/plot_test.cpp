@@ -84,5 +84,85 @@ TEST(Plot, IdentitySweepOverTwoNumbersHasALineForEachValueOfTheSecond) {
     EXPECT_NE(svg.find(label), std::string::npos) << label;
 }
 
+TEST(Plot, IdentityAtMostSevenLinesAndNegativeTorqueWhereItDiffers) {
+  const GearSet gear = test::article_gear();
+  std::vector<Variation> two{parse_variation(gear, "output_shaft.crack[0].depth=1 mm..8 mm:3"),
+                             parse_variation(gear, "output_shaft.inner_diameter=0 mm..50 mm:11")};
+  std::string svg = sweep_plot(sweep(gear, Method::corrected, two), gear);
+  EXPECT_EQ(count(svg, "class=\"series\""), 14U);  // seven lines and their keys
+  EXPECT_NE(svg.find(">0 mm<"), std::string::npos);
+  EXPECT_NE(svg.find(">50 mm<"), std::string::npos);
+  EXPECT_EQ(svg.find("negative torque"), std::string::npos);
+  two = {parse_variation(gear, "flexspline.crack[0].half_length=1 mm..5 mm:3"),
+         parse_variation(gear, "flexspline.crack[0].angle=-45 deg..45 deg:2")};
+  svg = sweep_plot(sweep(gear, Method::corrected, two), gear);
+  EXPECT_NE(svg.find("negative torque"), std::string::npos);
+  EXPECT_NE(svg.find(">−45 deg<"), std::string::npos);
+}
+
+TEST(Plot, IdentityWhatIsLeftOutIsCounted) {
+  const GearSet gear = test::article_gear();
+  const std::vector<Variation> one{
+      parse_variation(gear, "output_shaft.crack[0].depth=8 mm..15 mm:8")};
+  const std::string svg = sweep_plot(sweep(gear, Method::corrected, one), gear);
+  EXPECT_NE(svg.find("method corrected; 5 of 8 points are left out"), std::string::npos);
+}
+
+TEST(Plot, IdentityWithoutCracksThereIsNoLoss) {
+  GearSet gear = test::article_gear();
+  gear.wave_generator->crack.clear();
+  gear.flexspline->crack.clear();
+  gear.output_shaft->crack.clear();
+  const std::vector<Variation> one{parse_variation(gear, "output_shaft.length=100 mm..200 mm:3")};
+  const std::string svg = sweep_plot(sweep(gear, Method::corrected, one), gear);
+  EXPECT_EQ(svg.find("Loss of stiffness"), std::string::npos);
+  EXPECT_NE(svg.find(">sound<"), std::string::npos);
+}
+
+TEST(Plot, IdentityALossThatIsNotPositiveHasALinearAxis) {
+  // As printed, the cracked drive may be stiffer than the sound one.
+  const GearSet gear = test::article_gear();
+  const std::vector<Variation> one{
+      parse_variation(gear, "wave_generator.crack[0].depth=0.1 mm..0.8 mm:9")};
+  const std::string svg = sweep_plot(sweep(gear, Method::as_printed, one), gear);
+  EXPECT_NE(svg.find(">−10<"), std::string::npos);
+}
+
+TEST(Plot, ReferenceTicksTellCloseValuesApart) {
+  PlotPanel panel{.title = "t",
+                  .x_label = "x",
+                  .y_label = "y",
+                  .series = {{"s", {0, 1}, {179.0322, 179.0330}}}};
+  std::string svg = svg_plot(std::vector{panel});
+  EXPECT_NE(svg.find(">179.0322<"), std::string::npos);
+  EXPECT_NE(svg.find(">179.0324<"), std::string::npos);
+  panel.series[0].y = {1e-9, 5e-9};
+  svg = svg_plot(std::vector{panel});
+  EXPECT_NE(svg.find(">×10⁻⁹<"), std::string::npos);
+  EXPECT_NE(svg.find(">5<"), std::string::npos);
+  panel.y_scale = AxisScale::logarithmic;
+  panel.series[0].y = {1e-9, 1e-2};
+  svg = svg_plot(std::vector{panel});
+  EXPECT_NE(svg.find(">10⁻⁹<"), std::string::npos);
+  EXPECT_NE(svg.find(">10⁻²<"), std::string::npos);
+  for (const std::vector<double>& flat : {std::vector<double>{5, 5}, {0, 0}, {-3, -3}}) {
+    panel.y_scale = AxisScale::linear;
+    panel.series[0].y = flat;
+    svg = svg_plot(std::vector{panel});
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
+    EXPECT_EQ(svg.find("inf"), std::string::npos);
+  }
+}
+
+TEST(Plot, InputTitlesOfAnyText) {
+  std::string title = "\x01\"bell\"";
+  for (int i = 0; i < 100; ++i) title += "ü";
+  const PlotPanel panel{.title = title, .x_label = "x", .y_label = "y"};
+  const std::string svg = svg_plot(std::vector{panel});
+  EXPECT_EQ(svg.find('\x01'), std::string::npos);  // XML has no control characters
+  EXPECT_NE(svg.find(" &quot;bell&quot;ü"), std::string::npos);
+  EXPECT_NE(svg.find("ü…<"), std::string::npos);  // cut between characters, not within one
+}
+
 }  // namespace
 }  // namespace strainwave

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -56,6 +57,49 @@ TEST(Variation, InputEveryFaultIsRefusedByName) {
   }
 }
 
+TEST(Variation, InputMessagesNameOptionAndValue) {
+  const auto fault = [](const char* text) -> std::string {
+    try {
+      (void)parse_variation(gear(), text);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no fault";
+  };
+  EXPECT_EQ(fault("output_shaft.crack[0].depth=0.1..2 mm:3"),
+            "--vary output_shaft.crack[0].depth: \"0.1\" has no unit; it must be convertible to m");
+  EXPECT_EQ(fault("output_shaft.crack[0].depth=0.1 mm..2 mm:2.5"),
+            "--vary output_shaft.crack[0].depth: \"2.5\" points; must be a whole number from 2 to "
+            "100000");
+  EXPECT_EQ(fault("output_shaft.crack[0].depth=0.1 mm..2 mm:100001"),
+            "--vary output_shaft.crack[0].depth: 100001 points; must be from 2 to 100000");
+  EXPECT_EQ(fault("output_shaft.crack[0].depth=0.1 mm..2 mm"),
+            "--vary output_shaft.crack[0].depth: \"0.1 mm..2 mm\" does not say how many points: "
+            "FROM..TO:N");
+  EXPECT_EQ(fault("output_shaft.crack[0].depth=0.1 mm-2 mm:3"),
+            "--vary output_shaft.crack[0].depth: \"0.1 mm-2 mm\" must be FROM..TO, each with its "
+            "unit");
+  EXPECT_EQ(fault("drive.ratio=1...2:3"),  // 1. to 2, or 1 to .2?
+            "--vary drive.ratio: \"1...2\" must be FROM..TO, each with its unit");
+  EXPECT_EQ(fault("drive.ratio=0..2:3:log"),
+            "--vary drive.ratio: 0..2 spaced by equal ratios (log) must not reach or cross 0");
+  EXPECT_EQ(fault("drive.ratio=1..2:3:cubic"),
+            "--vary drive.ratio: \"cubic\" after the number of points; only \"log\" can stand "
+            "there");
+  EXPECT_EQ(fault("output_shaft.crack[0].dept=1 mm..2 mm:3"),
+            "--vary: output_shaft.crack[0].dept: is not a number of this drive; did you mean "
+            "output_shaft.crack[0].depth?");
+}
+
+TEST(Variation, IdentityDescendingAndNegativeRanges) {
+  const Variation down = parse_variation(gear(), "drive.ratio = 100 .. 50 : 3");
+  EXPECT_EQ(down.value(0), 100);
+  EXPECT_EQ(down.value(1), 75);
+  EXPECT_EQ(down.value(2), 50);
+  const Variation negative = parse_variation(gear(), "load.torque=-1 N*m..-100 N*m:3:log");
+  EXPECT_NEAR(negative.value(1), -10, 1e-14);
+}
+
 TEST(Sweep, CrosscheckEveryRowIsTheResultAtThatPoint) {
   for (const Method method : {Method::as_printed, Method::repaired, Method::corrected}) {
     const std::vector<Variation> two{
@@ -107,6 +151,64 @@ TEST(Sweep, InputAllRefusedNoneOrTooMany) {
   const std::vector<Variation> three{depth, vary("drive.ratio=50..100:2"),
                                      vary("flexspline.length=100 mm..200 mm:2")};
   EXPECT_THROW((void)sweep(gear(), Method::corrected, three), InputError);
+  const std::vector<Variation> many{vary("drive.ratio=50..100:1000"),
+                                    vary("flexspline.length=100 mm..200 mm:101")};
+  EXPECT_THROW((void)sweep(gear(), Method::corrected, many), InputError);
+  for (const Variation& broken :
+       {Variation{.path = "drive.ratio", .from = 1, .to = 1, .n_points = 3},
+        Variation{.path = "drive.ratio", .from = 1, .to = std::nan(""), .n_points = 3},
+        Variation{.path = "drive.ratio", .from = 1, .to = 2, .n_points = 1},
+        Variation{.path = "drive.ratio",
+        .from = -1,
+        .to = 2,
+        .n_points = 3,
+        .spacing = Spacing::logarithmic},
+        Variation{.path = "drive", .from = 1, .to = 2, .n_points = 3}})
+    EXPECT_THROW((void)sweep(gear(), Method::corrected, std::vector{broken}), InputError)
+        << broken.path << ' ' << broken.from << ' ' << broken.to << ' ' << broken.n_points;
+}
+
+TEST(Sweep, IdentityNotesAreGatheredWithTheirRows) {
+  const std::vector<Variation> one{
+      parse_variation(gear(), "output_shaft.crack[0].depth=8 mm..15 mm:8")};
+  const SweepResult result = sweep(gear(), Method::corrected, one);
+  const auto note = std::ranges::find_if(result.notes, [](const SweepNote& n) {
+    return n.note.code == "crack.tension_range";  // a/t > 0.7, so beyond 8.75 mm
+  });
+  ASSERT_NE(note, result.notes.end());
+  EXPECT_EQ(note->first_row, 1U);
+  EXPECT_EQ(note->n_rows, 4U);  // 9, 10, 11, 12 mm; 13 mm and more are refused
+  EXPECT_EQ(result.crack_paths,
+            (std::vector<std::string>{"wave_generator.crack[0]", "flexspline.crack[0]",
+                                      "output_shaft.crack[0]"}));
+  const nlohmann::json json = nlohmann::json::parse(sweep_json(result));
+  EXPECT_EQ(json.at("notes").size(), result.notes.size());
+}
+
+TEST(Sweep, IdentityCsvKeepsEveryDigitAndQuotes) {
+  GearSet odd = gear();
+  odd.material["a,\"b\""] = odd.material.at("steel");
+  odd.output_shaft->material = "a,\"b\"";
+  const std::vector<Variation> one{
+      {.path = "material.a,\"b\".shear_modulus", .from = 70e9, .to = 1e11 / 3, .n_points = 2}};
+  const SweepResult result = sweep(odd, Method::corrected, one);
+  std::istringstream lines(sweep_csv(result));
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line.rfind("\"material.a,\"\"b\"\".shear_modulus [Pa]\",", 0), 0U) << line;
+  for (const SweepRow& row : result.rows) {
+    std::getline(lines, line);
+    std::istringstream cells(line);
+    std::string cell;
+    std::getline(cells, cell, ',');
+    EXPECT_EQ(std::stod(cell), row.inputs[0]);
+    for (const auto& output : row.outputs) {
+      std::getline(cells, cell, ',');
+      EXPECT_EQ(std::stod(cell), output->value);
+    }
+    std::getline(cells, cell);
+    EXPECT_EQ(cell, "true,");
+  }
 }
 
 TEST(Sweep, IdentityCsvAndJsonCarryTheSameTable) {
@@ -119,13 +221,27 @@ TEST(Sweep, IdentityCsvAndJsonCarryTheSameTable) {
   EXPECT_EQ(header.rfind("output_shaft.crack[0].depth [m],", 0), 0U);
   EXPECT_NE(header.find("intact.stiffness [N*m/rad]"), std::string::npos);
   EXPECT_NE(header.find(",usable,reason"), std::string::npos);
-  int n = 0;
-  for (std::string line; std::getline(lines, line);) ++n;
-  EXPECT_EQ(n, 3);
+  std::vector<std::string> rows;
+  for (std::string line; std::getline(lines, line);) rows.push_back(line);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_TRUE(rows[0].ends_with(",true,")) << rows[0];
+  EXPECT_NE(rows[1].find(",false,\"output_shaft.crack[0]: a/t"), std::string::npos) << rows[1];
+  EXPECT_EQ(rows[2].rfind("0.015,,,,", 0), 0U) << rows[2];  // refused: no outputs
   const nlohmann::json json = nlohmann::json::parse(sweep_json(result));
   EXPECT_EQ(json.at("method"), "corrected");
   EXPECT_EQ(json.at("rows").size(), 3U);
-  EXPECT_EQ(json.at("rows")[0].at("values").size(), json.at("columns").size());
+  const std::size_t n_columns = json.at("columns").size();
+  for (const nlohmann::json& row : json.at("rows")) {
+    EXPECT_EQ(row.at("values").size(), n_columns);
+    EXPECT_EQ(row.at("relative_uncertainties").size(), n_columns);
+  }
+  EXPECT_EQ(json.at("columns")[1].at("unit"), "rad/(N*m)");
+  EXPECT_EQ(json.at("rows")[0].at("values")[1].get<double>(), result.rows[0].outputs[0]->value);
+  EXPECT_EQ(json.at("rows")[0].at("relative_uncertainties")[1].get<double>(),
+            *result.rows[0].outputs[0]->relative_uncertainty);
+  EXPECT_TRUE(json.at("rows")[2].at("values")[1].is_null());
+  EXPECT_EQ(json.at("rows")[2].at("usable"), false);
+  EXPECT_EQ(json.at("variations")[0].at("spacing"), "linear");
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ enum class AxisScale { linear, logarithmic };
 /// One pair of axes.
 struct PlotPanel {
   std::string title;
+  std::string subtitle = {};  ///< smaller, below the title
   std::string x_label;
   std::string y_label;
   std::string legend_title = {};
@@ -31,14 +32,16 @@ struct PlotPanel {
 };
 
 /// Panels below each other as one SVG document; colours that colour-blind readers can tell apart,
-/// and dashes for those who print in black.
+/// and dashes for those who print in black.  The same input gives the same bytes.
 [[nodiscard]] std::string svg_plot(std::span<const PlotPanel> panels);
 
 /// The picture of a sweep.
 ///
-/// Over one number: stiffness sound and cracked for both senses of torque, and below it the loss of
-/// stiffness and what the cracks of each member contribute to it.  Over two: the change of
-/// stiffness, a line for each value of the second number.
+/// Over one number: stiffness sound and cracked for both senses of torque, and below it, if there
+/// are cracks, the loss of stiffness -Delta K/K and what the cracks of each member contribute to
+/// it, on a log axis if all of it is positive.  Over two: the change of stiffness, a line for each
+/// value of the second number, at most seven of them; a second panel for negative torque where it
+/// differs.  Points that were refused or may not be used are gaps, and the subtitle counts them.
 [[nodiscard]] std::string sweep_plot(const SweepResult& result, const GearSet& gear);
 
 }  // namespace strainwave

@@ -28,9 +28,9 @@ struct Unknown {
 
 /// The value that an output is to take.
 struct Target {
-  std::string output;          ///< as for_each_quantity names it: "cracked.positive.stiffness"
+  std::string output;           ///< as for_each_quantity names it: "cracked.positive.stiffness"
   std::string_view unit = "1";  ///< SI
-  double value = 0.0;          ///< [unit]
+  double value = 0.0;           ///< [unit]
 };
 
 /// Reads "PATH" or "PATH=FROM..TO", such as "output_shaft.crack[0].depth=0.1 mm..8 mm".
@@ -71,9 +71,9 @@ struct Excluded {
 /// All values of a number that give an output its wanted value.
 struct SolveResult {
   Method method = Method::corrected;
-  std::string path;            ///< of the sought number
+  std::string path;             ///< of the sought number
   std::string_view unit = "1";  ///< of the sought number, SI
-  double present = 0.0;        ///< its value in the gear as given
+  double present = 0.0;         ///< its value in the gear as given
   Target target;
   SearchRange searched;             ///< from < to
   std::vector<Solution> solutions;  ///< ascending

@@ -26,7 +26,7 @@ struct EnumNames<Spacing> {
 
 /// The values that one number of the gear takes, one after the other.
 struct Variation {
-  std::string path;  ///< of the number: "output_shaft.crack[0].depth"
+  std::string path;   ///< of the number: "output_shaft.crack[0].depth"
   double from = 0.0;  ///< first value [unit of the field]
   double to = 0.0;    ///< last value [unit of the field]; may be the smaller one
   int n_points = 0;   ///< >= 2
@@ -82,10 +82,10 @@ struct SweepNote {
 struct SweepResult {
   Method method = Method::corrected;
   std::vector<Variation> variations;
-  std::vector<SweepColumn> inputs;   ///< the varied numbers
-  std::vector<SweepColumn> outputs;  ///< all quantities of a result (model/result_fields.hpp)
-  std::vector<SweepRow> rows;        ///< the first variation varies slowest
-  std::vector<SweepNote> notes;      ///< of all rows, each once
+  std::vector<SweepColumn> inputs;       ///< the varied numbers
+  std::vector<SweepColumn> outputs;      ///< all quantities of a result (model/result_fields.hpp)
+  std::vector<SweepRow> rows;            ///< the first variation varies slowest
+  std::vector<SweepNote> notes;          ///< of all rows, each once
   std::vector<std::string> crack_paths;  ///< of cracks[0], cracks[1], ... in the outputs
 };
 
