@@ -170,14 +170,14 @@ TEST(Sweep, InputAllRefusedNoneOrTooMany) {
 
 TEST(Sweep, IdentityNotesAreGatheredWithTheirRows) {
   const std::vector<Variation> one{
-      parse_variation(gear(), "output_shaft.crack[0].depth=8 mm..15 mm:8")};
+      parse_variation(gear(), "flexspline.crack[0].half_length=6 mm..13 mm:8")};
   const SweepResult result = sweep(gear(), Method::corrected, one);
   const auto note = std::ranges::find_if(result.notes, [](const SweepNote& n) {
-    return n.note.code == "crack.tension_range";  // a/t > 0.7, so beyond 8.75 mm
+    return n.note.code == "crack.shell_range";  // shell parameter > 1, so beyond 7.3 mm
   });
   ASSERT_NE(note, result.notes.end());
-  EXPECT_EQ(note->first_row, 1U);
-  EXPECT_EQ(note->n_rows, 4U);  // 9, 10, 11, 12 mm; 13 mm and more are refused
+  EXPECT_EQ(note->first_row, 2U);
+  EXPECT_EQ(note->n_rows, 6U);
   EXPECT_EQ(result.crack_paths,
             (std::vector<std::string>{"wave_generator.crack[0]", "flexspline.crack[0]",
                                       "output_shaft.crack[0]"}));
