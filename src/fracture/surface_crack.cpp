@@ -29,7 +29,10 @@ KassirSih::KassirSih(double aspect_ratio, double poissons_ratio)
   // B/k^2 = E + nu (D - K) with Legendre's D = (K - E)/k^2: the usual form divides zero by zero
   // for a circle.
   const double k = std::sqrt(std::max(0.0, 1 - rho_ * rho_));
-  B_ = boost::math::ellint_2(k) + nu_ * (boost::math::ellint_d(k) - boost::math::ellint_1(k));
+  // A slit so slender that k rounds to 1 takes the limit, E -> 1 and D - K -> -1.
+  B_ = k < 1
+           ? boost::math::ellint_2(k) + nu_ * (boost::math::ellint_d(k) - boost::math::ellint_1(k))
+           : 1 - nu_;
 }
 
 double KassirSih::factor_II(double phi) const {

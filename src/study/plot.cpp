@@ -158,8 +158,11 @@ class Axis {
     }
     const int step_exponent = static_cast<int>(std::floor(std::log10(step) + 1e-9));
     const int decimals = std::max(0, exponent - step_exponent);
-    for (double i = first; i <= last; ++i)
-      ticks_.push_back({i * step, fixed(i * step * std::pow(10.0, -exponent), decimals)});
+    const int n_steps = static_cast<int>(last - first);
+    for (int i = 0; i <= n_steps; ++i) {
+      const double value = (first + i) * step;
+      ticks_.push_back({value, fixed(value * std::pow(10.0, -exponent), decimals)});
+    }
   }
 
   /// Decades, with more labels between them where there are few; the axis ends at a whole digit.

@@ -449,5 +449,11 @@ TEST(SurfaceCrack, InputDefaults) {
   EXPECT_TRUE(parameters.open);
 }
 
+// (FR-10) where the modulus of the elliptic integrals rounds to 1.
+TEST(KassirSih, LimitSlenderSlitIsPlaneShear) {
+  for (const double rho : {1e-6, 1e-9, 1e-300})
+    EXPECT_NEAR(KassirSih(rho, 0.3).factor_III(std::numbers::pi / 2), 1, 1e-9);
+}
+
 }  // namespace
 }  // namespace strainwave
