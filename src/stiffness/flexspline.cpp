@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "member_support.hpp"
-#include "strainwave/core/compare.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/fracture/surface_crack.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
@@ -253,23 +252,15 @@ void add_surface_crack(MemberCompliance& member, CrackReport report, const WallS
   WallCrackModel model{.moduli = {.opening = steel.plane_strain_modulus(), .shear = steel.G},
                        .constraint = Constraint::plane_strain,
                        .ligament = wall.thickness - crack.depth};
-  ModelAccuracy fit = accuracy::kSurfaceCrack;
-  if (clearly_less(0.8 * wall.thickness, crack.depth) ||
-      clearly_less(crack.depth, 0.2 * crack.half_length)) {
-    fit = accuracy::kSurfaceCrackExtrapolated;
-    member.notes.push_back({"crack.surface_range",
-                            "outside a/t <= 0.8 and a/c >= 0.2, where the stress intensity was "
-                            "fitted: extrapolated",
-                            report.path, "FR-4"});
-  }
-  rest_on(member, report.path, fit);
-  // Shear comes with an angle other than 45 degrees under torque, other than 0 under axial force.
+  const ModelAccuracy fit = surface_crack_fit(member, report.path, crack.depth,
+                                              crack.depth / crack.half_length, wall.thickness);
+  // Torque shears at angles other than 45 degrees, an axial force at angles other than 0 and 90
+  // degrees: no angle is without shear in one of the entries.
   const double sheared = accuracy::combined(fit, accuracy::kSurfaceCrackShear);
   model.torsion_uncertainty = stress.shear[kTorsion] != 0 ? sheared : double{fit};
-  model.axial_uncertainty = stress.shear[kAxial] != 0 ? sheared : model.torsion_uncertainty;
+  model.axial_uncertainty = sheared;
   const double P = gear.load.axial_force;
-  if (stress.shear[kTorsion] != 0 || stress.shear[kAxial] != 0)
-    use_equation(member.equations, "FR-10");
+  use_equation(member.equations, "FR-10");
   if (stress.shear[kTorsion] != 0 || stress.shear[kAxial] * P != 0) {
     rest_on(member, report.path, accuracy::kSurfaceCrackShear);
     member.notes.push_back({"crack.surface_shear",

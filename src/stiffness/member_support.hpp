@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "strainwave/core/compare.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
 #include "strainwave/fracture/through_crack.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
@@ -82,16 +83,16 @@ inline StressIntensities stress_intensities(const std::array<double, 3>& K,
 /// Plane stress or plane strain ahead of a crack.
 enum class Constraint { plane_stress, plane_strain };
 
-/// Plastic zone radius after Irwin, modes I and II at the yield strength, III at the shear yield.
+/// Plastic zone radius after Irwin, mode I at the yield strength, II and III at the shear yield.
 ///
 /// Implements theory manual eq. (FR-19).
 inline double plastic_zone(const std::array<double, 3>& K, double yield_strength,
                            Constraint constraint) {
   using std::numbers::pi;
-  const double in_plane = (K[0] * K[0] + K[1] * K[1]) / (yield_strength * yield_strength);
-  const double antiplane = 3 * K[2] * K[2] / (yield_strength * yield_strength);
-  const double opening = constraint == Constraint::plane_strain ? 1 / (6 * pi) : 1 / (2 * pi);
-  return opening * in_plane + antiplane / (2 * pi);  // (FR-19)
+  const double eta = constraint == Constraint::plane_strain ? 6 : 2;
+  const double opened = K[0] * K[0] / eta;
+  const double sheared = 3 * (K[1] * K[1] + K[2] * K[2]) / 2;
+  return (opened + sheared) / (pi * yield_strength * yield_strength);  // (FR-19)
 }
 
 /// Fills in what a crack does at the given load: K at the deepest point and along the front,
@@ -143,6 +144,21 @@ void report_intensities(CrackReport& report, MemberCompliance& member, const Cra
            "the section: linear elasticity is no longer accurate",
            report.path, "FR-19"});
   }
+}
+
+/// How accurate Newman and Raju's fit is for a surface crack, with a note outside its range.
+inline ModelAccuracy surface_crack_fit(MemberCompliance& member, const std::string& path,
+                                       double depth, double aspect_ratio, double thickness) {
+  ModelAccuracy fit = accuracy::kSurfaceCrack;
+  if (clearly_less(0.8 * thickness, depth) || clearly_less(aspect_ratio, 0.2)) {
+    fit = accuracy::kSurfaceCrackExtrapolated;
+    member.notes.push_back({"crack.surface_range",
+                            "outside a/t <= 0.8 and a/c >= 0.2, where the stress intensity was "
+                            "fitted: extrapolated",
+                            path, "FR-4"});
+  }
+  rest_on(member, path, fit);
+  return fit;
 }
 
 /// Matrix over [axial, torsion] as quantities; `axial` is the uncertainty of entries with the

@@ -271,15 +271,8 @@ MemberCompliance wave_generator_compliance(const GearSet& gear, const StiffnessO
                                     report.path, "FR-17"});
           }
           if constexpr (std::is_same_v<Crack, RaceSurfaceCrack>) {
-            ModelAccuracy fit = accuracy::kSurfaceCrack;
-            if (clearly_less(0.8 * t, crack.depth) || clearly_less(crack.aspect_ratio, 0.2)) {
-              fit = accuracy::kSurfaceCrackExtrapolated;
-              member.notes.push_back({"crack.surface_range",
-                                      "outside a/t <= 0.8 and a/c >= 0.2, where the stress "
-                                      "intensity was fitted: extrapolated",
-                                      report.path, "FR-4"});
-            }
-            rest_on(member, report.path, fit);
+            const ModelAccuracy fit =
+                surface_crack_fit(member, report.path, crack.depth, crack.aspect_ratio, t);
             for (const char* const tag : {"FR-2", "FR-3", "FR-4", "FR-5", "FR-18"})
               use_equation(member.equations, tag);
             add_race_crack(member, report,

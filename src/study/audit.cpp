@@ -451,7 +451,7 @@ void add_wave_generator(Rows& rows) {
                   .corrected = true_lambda,
                   .verdict = Verdict::physics,
                   .sentence = "the cam turned back over its mean slope violates reciprocity with "
-                              "the lobe force by pi/(U^2 c_F^2 k_r)"});
+                              "the lobe force, where w_0 i = d_1/2 by pi/(4 c_F^2 k_r)"});
   const auto lambda_of = [&](double K_G) {
     return article::wave_generator_compliance(p.cam(), K_G);
   };
@@ -738,7 +738,7 @@ void add_output_shaft(Rows& rows) {
                   .own = article::axial_coefficient(x),
                   .corrected = tada_M_p(x),
                   .verdict = Verdict::not_reproducible,
-                  .sentence = "it belongs to a crack fifty times as deep",
+                  .sentence = "it belongs to a crack 46 times as deep",
                   .reproduce = reproducing("d_e/d_s (handbook)", "1", p.M_p, 0.1, 1, tada_M_p)});
   rows.push_back({.id = "D15",
                   .quantity = "M_M at d_e/d_s = 0.9967",
@@ -919,9 +919,10 @@ std::string audit_text(std::span<const AuditRow> rows) {
   text += fmt::format("{:<5}{:<46}{:>12}{:>12}{:>12}{:>11}  {}\n", "", "", "printed", "own",
                       "corrected", "ratio", "unit");
   for (const AuditRow& row : rows) {
-    text += fmt::format("{:<5}{:<46}{:>12}{:>12}{:>12}{:>11}  {}\n", row.id, row.quantity,
+    const std::string unit = row.unit == "1" ? "" : fmt::format("  {}", row.unit);
+    text += fmt::format("{:<5}{:<46}{:>12}{:>12}{:>12}{:>11}{}\n", row.id, row.quantity,
                         number(row.printed), number(row.own), number(row.corrected),
-                        number(row.ratio()), row.unit == "1" ? "" : row.unit);
+                        number(row.ratio()), unit);
     std::string remark = fmt::format("{}: {}", enum_name(row.verdict), row.sentence);
     if (row.reproduce) remark += fmt::format("; reproduced by {}", reproduce_text(row));
     text += fmt::format("     {}\n", wrapped(remark, kWidth - 5, 5));

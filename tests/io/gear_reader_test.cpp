@@ -428,7 +428,7 @@ const std::vector<Wrong> kWrong = {
 
     // keys that are missing
     {"MissingFormat", "format = \"strainwave-drive/1\"\n", "",
-     "1:1: format: must be given (must be \"strainwave-drive/1\")"},
+     "1:1: format: must be given (always \"strainwave-drive/1\")"},
     {"MissingNumber", "ratio = 100\n", "",
      "9:1: drive.ratio: must be given (i_h, with the circular spline fixed)"},
     {"MissingQuantity", "torque = \"100 N*m\"\n", "",
@@ -754,7 +754,7 @@ TEST(GearReaderFile, InputFilesThatCannotBeRead) {
 TEST(GearReaderFile, InputEmptyFileSaysWhatMustBeGiven) {
   const TemporaryFile file("");
   EXPECT_EQ(file_refusal(file.path()),
-            file.path().string() + ":1:1: format: must be given (must be \"strainwave-drive/1\")");
+            file.path().string() + ":1:1: format: must be given (always \"strainwave-drive/1\")");
 }
 
 TEST(GearReaderFile, LimitOneMebibyteIsReadAndNoMore) {

@@ -456,10 +456,11 @@ TEST(FlexsplineIntensities, IdentityOfBothLoads) {
   EXPECT_EQ(crack.deepest->K_III.value, 0.0);
   EXPECT_EQ(crack.largest->K_I.value, crack.deepest->K_I.value);
   EXPECT_EQ(crack.largest->K_II.value, crack.deepest->K_II.value);
-  // Plane stress: sqrt(G E) = hypot(K_I, K_II), and 1/(2 pi) of (K/sigma_y)^2.
+  // Plane stress: sqrt(G E) = hypot(K_I, K_II); Irwin's zone 1/(2 pi) of (K_I/sigma_y)^2, and of
+  // (K_II/tau_y)^2 with tau_y = sigma_y/sqrt(3).
   test::expect_relative(crack.utilisation->value, std::hypot(K_I, K_II) / 50e6, 1e-13);
   test::expect_relative(crack.plastic_zone->value,
-                        (K_I * K_I + K_II * K_II) / (2 * pi * std::pow(700 * MPa, 2)), 1e-13);
+                        (K_I * K_I + 3 * K_II * K_II) / (2 * pi * std::pow(700 * MPa, 2)), 1e-13);
   EXPECT_EQ(*crack.deepest->K_I.relative_uncertainty, 0.05);
   EXPECT_EQ(*crack.plastic_zone->relative_uncertainty, 0.10);
 }
@@ -488,9 +489,10 @@ TEST(FlexsplineIntensities, CrosscheckSurfaceCrackAlongItsFront) {
         if (std::abs(K[m]) > std::abs(largest[m])) largest[m] = K[m];
       const double in_plane = K[0] * K[0] + K[1] * K[1];
       worst_G = std::max(worst_G, in_plane / kPlaneStrain + K[2] * K[2] / (2 * kG));
-      // Irwin: plane strain 1/(6 pi) for I and II; mode III at the shear yield sigma_y/sqrt(3).
-      worst_zone = std::max(
-          worst_zone, (in_plane / (6 * pi) + 3 * K[2] * K[2] / (2 * pi)) / std::pow(700 * MPa, 2));
+      // Irwin: plane strain 1/(6 pi) for I; II and III at the shear yield sigma_y/sqrt(3).
+      const double sheared = 3 * (K[1] * K[1] + K[2] * K[2]) / (2 * pi);
+      worst_zone =
+          std::max(worst_zone, (K[0] * K[0] / (6 * pi) + sheared) / std::pow(700 * MPa, 2));
     }
     const CrackReport crack = first_crack(gear);
     const double scale = 1e-13 * std::abs(largest[0]);
@@ -558,6 +560,81 @@ TEST(Flexspline, IdentityNotesOfEachCase) {
   EXPECT_EQ(flexspline_compliance(gear).cracks.at(1).path, "flexspline.crack[1]");
   EXPECT_EQ(first_crack(with_through_crack()).kind, "through");
   EXPECT_EQ(first_crack(with_surface_crack()).kind, "surface");
+}
+
+/// The text of the first note of a code; empty if there is none.
+std::string note_text(const GearSet& gear, std::string_view code) {
+  for (const Note& note : flexspline_compliance(gear).notes)
+    if (note.code == code) return note.text;
+  return {};
+}
+
+TEST(Flexspline, LimitFactorOfOne) {
+  GearSet gear = sound();
+  for (const auto& [factor, noted] : {std::pair{0.999, 1}, {1.0, 0}, {1.3, 0}}) {
+    gear.flexspline->shape_factor = factor;
+    EXPECT_EQ(test::count_notes(flexspline_compliance(gear).notes, "flexspline.shape_factor"),
+              noted);
+  }
+}
+
+TEST(WallThroughCrack, IdentityPlaneStressNoteNamesTheDifference) {
+  // E' of plane strain is E/(1 - nu^2).
+  GearSet gear = with_through_crack();
+  EXPECT_NE(note_text(gear, "crack.plane_stress").find("plane strain, 9 % less compliant"),
+            std::string::npos);
+  gear.material["steel"].poissons_ratio = 0.45;
+  EXPECT_NE(note_text(gear, "crack.plane_stress").find("plane strain, 20 % less compliant"),
+            std::string::npos);
+}
+
+TEST(WallThroughCrack, IdentityAxialCouplingAtTheGivenTorque) {
+  // The axial force turns the output by lambda_PT P, of the sense of torque that is given: open
+  // under one, sliding only under the other.
+  for (const double torque : {0.5, -0.5, 100.0, -100.0}) {
+    GearSet gear = with_through_crack(8 * mm, 25);
+    gear.load = {.torque = torque, .axial_force = 3.0};
+    const CrackReport crack = first_crack(gear);
+    ASSERT_EQ(crack.opens_under, OpensUnder::positive);
+    const double turned =
+        entries(torque > 0 ? crack.positive : crack.negative)[1] * 3.0 * 60 * 180 / pi;
+    char text[64];
+    std::snprintf(text, sizeof text, "turns the output by %.3g arcmin", turned);
+    EXPECT_NE(note_text(gear, "crack.axial_coupling").find(text), std::string::npos)
+        << note_text(gear, "crack.axial_coupling");
+    // Both senses differ by more than the digits of the note.
+    EXPECT_GT(std::abs(entries(crack.positive)[1] / entries(crack.negative)[1] - 1), 0.1);
+  }
+}
+
+TEST(WallThroughCrack, IdentityFlatPlateNoteNamesWhatIsMissing) {
+  const GearSet gear = with_through_crack(5 * mm, 45, false);
+  const double lambda_squared = std::sqrt(12 * 0.91) * 25 * mm * mm / (kRadius * kWall);
+  const double missing = std::pow(1 + 3 * pi / 64 * lambda_squared, 2) - 1;
+  char text[64];
+  std::snprintf(text, sizeof text, "is up to %.2g %% too stiff", 100 * missing);
+  EXPECT_NE(note_text(gear, "crack.flat_plate").find(text), std::string::npos)
+      << note_text(gear, "crack.flat_plate");
+  test::expect_relative(*first_crack(gear).positive.at_output.relative_uncertainty,
+                        std::hypot(0.10, missing), 1e-12);
+  EXPECT_EQ(note_text(with_through_crack(5 * mm), "crack.flat_plate"), "");
+}
+
+TEST(WallSurfaceCrack, IdentityUncertaintyOfTheLoadsThatAct) {
+  // At 45 degrees torque alone opens; the axial force shears too, and K then is less certain.
+  GearSet gear = with_surface_crack();
+  for (const auto& [axial_force, compliance] :
+       {std::pair{0.0, 0.10}, {1.0, std::hypot(0.10, 0.20)}, {500.0, std::hypot(0.10, 0.20)}}) {
+    gear.load.axial_force = axial_force;
+    const CrackReport crack = first_crack(gear);
+    test::expect_relative(*crack.deepest->K_I.relative_uncertainty, compliance / 2, 1e-15);
+    EXPECT_EQ(*crack.positive.at_output.relative_uncertainty, 0.10);
+    test::expect_relative(*(*crack.positive.axial_torsion)[0].relative_uncertainty,
+                          std::hypot(0.10, 0.20), 1e-15);
+    test::expect_relative(*(*crack.positive.axial_torsion)[1].relative_uncertainty,
+                          std::hypot(0.10, 0.20), 1e-15);
+    EXPECT_EQ(*(*crack.positive.axial_torsion)[2].relative_uncertainty, 0.10);
+  }
 }
 
 TEST(WallThroughCrack, LimitRangeOfTheShellCorrection) {

@@ -125,7 +125,7 @@ struct GearSet {
   static void describe(Visitor&& field) {
     field(Field{.name = "format",
                 .unit = "",
-                .doc = "must be \"strainwave-drive/1\"",
+                .doc = "always \"strainwave-drive/1\"",
                 .example = R"("strainwave-drive/1")"},
           &GearSet::format);
     field(Field{.name = "name",

@@ -42,8 +42,8 @@ struct AnnularPlate {
 ///
 ///     C = (R^3/(2EI)) [(theta + sin(theta)cos(theta))/(2 sin^2(theta)) - 1/theta].
 ///
-/// Inextensible ring without shear; at thickness/R = 0.1 a real one is 1.6 % (U = 2) to 15 % (U = 4)
-/// more compliant.
+/// Inextensible ring without shear; at thickness/R = 0.1 a real one is more compliant, by 1.6 % for
+/// two lobes and 15 % for four.
 ///
 /// @param wave_number        U [-]; >= 2
 /// @param mean_radius        R [m]; > 0
