@@ -31,6 +31,10 @@ class CommandLine {
     add_audit();
     add_sweep();
     add_solve();
+    add_torsion();
+    add_catalogue();
+    add_validate();
+    add_calibrate();
     add_new();
     add_schema();
     add_man();
@@ -120,8 +124,73 @@ class CommandLine {
     runs(sub, solve_);
   }
 
+  void add_torsion() {
+    CLI::App* const sub = command("torsion");
+    sub->add_option("FILE", torsion_.file, kFile)->required();
+    sub->add_flag("--compare", torsion_.compare, "with the cracks of the file against without");
+    sub->add_option("--angles", torsion_.angles, "positions of the wave generator for --compare")
+        ->check(CLI::Range(1, 720))
+        ->capture_default_str();
+    sub->add_option("--draws", torsion_.draws, "drives drawn from the file's ranges; 0 for none")
+        ->check(CLI::Range(0, 100000))
+        ->capture_default_str();
+    add_output(sub, torsion_.output, {"text", "json", "csv"});
+    sub->add_option("--plot", torsion_.plot, "draw the curve as an SVG file")->type_name("PATH");
+    runs(sub, torsion_);
+  }
+
+  void add_catalogue() {
+    CLI::App* const sub = command("catalogue");
+    sub->add_option("--size", catalogue_.size, "only this size");
+    sub->add_option("--ratio", catalogue_.ratio, "only this ratio, or its class");
+    add_output(sub, catalogue_.output, {"text", "json", "csv"});
+    runs(sub, catalogue_);
+  }
+
+  void add_validate() {
+    CLI::App* const sub = command("validate");
+    sub->add_option("--mode", validate_.mode, "geometry, leave-one-size-out or per-row")
+        ->check(CLI::IsMember({"geometry", "leave-one-size-out", "per-row"}))
+        ->capture_default_str();
+    sub->add_option("--factors", validate_.factors, "other factors to fit, at most three")
+        ->type_name("A,B,C");
+    sub->add_flag("--all-sets", validate_.all_sets,
+                  "with leave-one-size-out: also fit every set of one to three factors");
+    sub->add_option("--draws", validate_.draws, "drives drawn for the bands; 0 for none")
+        ->check(CLI::Range(0, 100000))
+        ->capture_default_str();
+    add_output(sub, validate_.output, {"text", "json", "csv", "markdown"});
+    sub->add_option("--plot", validate_.plot, "draw predicted over catalogue as an SVG file")
+        ->type_name("PATH");
+    runs(sub, validate_);
+  }
+
+  void add_calibrate() {
+    CLI::App* const sub = command("calibrate");
+    sub->add_option("FILE", calibrate_.file, kFile)->required();
+    sub->add_flag("--catalogue", calibrate_.catalogue,
+                  "with K1, K2, K3 of the nearest size and ratio");
+    sub->add_option("--measured", calibrate_.measured,
+                    "with a curve: CSV with the columns torque [N*m] and twist [arcmin]")
+        ->type_name("PATH");
+    sub->add_option("--factors", calibrate_.factors, "factors to fit, separated by commas")
+        ->type_name("A,B,C")
+        ->capture_default_str();
+    sub->add_option("--format", calibrate_.format, "text, json")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->capture_default_str();
+    sub->add_option("--output", calibrate_.path, "write the calibrated drive to this file")
+        ->type_name("PATH");
+    runs(sub, calibrate_);
+  }
+
   void add_new() {
     CLI::App* const sub = command("new");
+    sub->add_option("--size", new_.size, "of the catalogue; prints its typical drive");
+    sub->add_option("--ratio", new_.ratio, "of the typical drive, 30 to 320");
+    sub->add_option("--cup", new_.cup, "of the typical drive, short or standard")
+        ->check(CLI::IsMember({"short", "standard"}))
+        ->capture_default_str();
     add_path(sub, new_.path);
     runs(sub, new_);
   }
@@ -157,6 +226,10 @@ class CommandLine {
   AuditCommand audit_;
   SweepCommand sweep_;
   SolveCommand solve_;
+  TorsionCommand torsion_;
+  CatalogueCommand catalogue_;
+  ValidateCommand validate_;
+  CalibrateCommand calibrate_;
   NewCommand new_;
   SchemaCommand schema_;
   std::string man_page_;

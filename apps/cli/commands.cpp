@@ -3,13 +3,19 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <iostream>
 #include <iterator>
 
+#include "strainwave/catalogue/calibration.hpp"
+#include "strainwave/catalogue/catalogue.hpp"
+#include "strainwave/catalogue/proportions.hpp"
+#include "strainwave/catalogue/validation.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quadrature.hpp"
 #include "strainwave/core/version.hpp"
 #include "strainwave/io/gear_reader.hpp"
+#include "strainwave/io/gear_writer.hpp"
 #include "strainwave/io/input_format.hpp"
 #include "strainwave/io/result_writer.hpp"
 #include "strainwave/study/audit.hpp"
@@ -17,6 +23,8 @@
 #include "strainwave/study/plot.hpp"
 #include "strainwave/study/solve.hpp"
 #include "strainwave/study/sweep.hpp"
+#include "strainwave/study/torsion_report.hpp"
+#include "strainwave/study/validation_plot.hpp"
 
 namespace strainwave::cli {
 namespace {
@@ -39,6 +47,33 @@ Provenance provenance_of(const std::string& file) {
 }
 
 void warn(std::string_view message) { std::cerr << "strainwave: " << message << '\n'; }
+
+/// A text file of at most 1 MiB, or standard input.
+std::string read_text(const std::string& file) {
+  constexpr std::size_t kMaxSize = 1 << 20;
+  std::ifstream stream;
+  if (file != "-") {
+    stream.open(file, std::ios::binary);
+    if (!stream) throw InputError(file, "cannot be opened for reading");
+  }
+  std::istream& source = file == "-" ? std::cin : stream;
+  std::string text(kMaxSize + 1, '\0');
+  source.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (source.bad()) throw InputError(file, "cannot be read");
+  text.resize(static_cast<std::size_t>(source.gcount()));
+  if (text.size() > kMaxSize) throw InputError(file, "is larger than 1 MiB");
+  return text;
+}
+
+/// The calibrated drive as a file that says how it came about.
+std::string calibrated_file(const Calibration& calibration) {
+  std::string head = "# Calibrated with " + calibration.source + ".\n";
+  for (const CalibratedFactor& factor : calibration.factors)
+    head += fmt::format("# {}: {:.4g}, was {:.4g}; standard uncertainty {:.2g}, {}\n",
+                        enum_name(factor.factor), factor.value, factor.before, factor.uncertainty,
+                        factor.identified ? "identified" : "not identified");
+  return head + gear_text(calibration.gear);
+}
 
 /// A range or a target that cannot be read is a fault of the command line, not of the input.
 template <class Parse>
@@ -123,8 +158,92 @@ ExitCode run(const SolveCommand& command) {
   return result.usable() ? kOk : kNotUsable;
 }
 
+ExitCode run(const TorsionCommand& command) {
+  const GearSet gear = read_input(command.file);
+  const TorsionReport report = torsion_report(
+      gear, {.compare = command.compare, .angles = command.angles, .draws = command.draws});
+  // Both texts are made before either file is written: a failure leaves nothing behind.
+  const std::string text =
+      command.output.format == "json"
+          ? with_provenance(torsion_json(report), gear, provenance_of(command.file))
+      : command.output.format == "csv" ? torsion_csv(report)
+                                       : torsion_text(report, gear);
+  const std::string plot = command.plot.empty() ? std::string() : torsion_plot(report, gear);
+  if (!plot.empty()) write_file(command.plot, plot);
+  deliver(text, command.output.path);
+  return kOk;
+}
+
+ExitCode run(const CatalogueCommand& command) {
+  const CatalogueFilter filter{.size = command.size, .ratio = command.ratio};
+  deliver(from_command_line([&] {
+            return command.output.format == "json"  ? catalogue_json(filter)
+                   : command.output.format == "csv" ? catalogue_csv(filter)
+                                                    : catalogue_text(filter);
+          }),
+          command.output.path);
+  return kOk;
+}
+
+ExitCode run(const ValidateCommand& command) {
+  const Validation validation = from_command_line([&] {
+    return validate({.mode = enum_value<ValidationMode>(command.mode).value(),
+                     .factors = command.factors.empty() ? std::vector<Factor>()
+                                                        : parse_factors(command.factors),
+                     .all_sets = command.all_sets,
+                     .draws = command.draws,
+                     .sizes = {},
+                     .coupled = {}});
+  });
+  // Both texts are made before either file is written: a failure leaves nothing behind.
+  const std::string text = command.output.format == "json"       ? validation_json(validation)
+                           : command.output.format == "csv"      ? validation_csv(validation)
+                           : command.output.format == "markdown" ? validation_markdown(validation)
+                                                                 : validation_text(validation);
+  const std::string plot = command.plot.empty() ? std::string() : validation_plot(validation);
+  if (!plot.empty()) write_file(command.plot, plot);
+  deliver(text, command.output.path);
+  return kOk;
+}
+
+ExitCode run(const CalibrateCommand& command) {
+  if (command.catalogue != command.measured.empty())
+    throw UsageError{"calibrate needs one of --catalogue and --measured"};
+  const auto factors = from_command_line([&] { return parse_factors(command.factors); });
+  const GearSet gear = read_input(command.file);
+  const Calibration calibration = calibrate(
+      gear,
+      command.catalogue
+          ? catalogue_target(gear)
+          : measured_target(parse_measured_curve(read_text(command.measured), command.measured),
+                            command.measured),
+      factors);
+  const std::string text =
+      command.format == "json"
+          ? with_provenance(calibration_json(calibration), gear, provenance_of(command.file))
+          : calibration_text(calibration);
+  if (!command.path.empty()) write_file(command.path, calibrated_file(calibration));
+  deliver(text, {});
+  if (calibration.converged) return kOk;
+  warn("the calibration has not converged");
+  return kNotUsable;
+}
+
 ExitCode run(const NewCommand& command) {
-  deliver(input_template(), command.path);
+  if (command.size.has_value() != command.ratio.has_value())
+    throw UsageError{"new needs --size and --ratio together, or neither"};
+  if (!command.size) {
+    deliver(input_template(), command.path);
+    return kOk;
+  }
+  const CommentedDrive drive = from_command_line([&] {
+    return starting_drive(*command.size, *command.ratio, enum_value<Cup>(command.cup).value());
+  });
+  deliver(
+      "# A typical drive of this size and ratio: no maker publishes the geometry of one.\n"
+      "# Behind each number: how it is known, its limits, and where they come from.\n" +
+          gear_text(drive.gear, drive.comments),
+      command.path);
   return kOk;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,7 +48,48 @@ struct SolveCommand {
 };
 ExitCode run(const SolveCommand& command);
 
+struct TorsionCommand {
+  std::string file;
+  bool compare = false;
+  int angles = 36;
+  int draws = 200;
+  std::string plot;
+  Output output{.format = "text", .path = {}};
+};
+ExitCode run(const TorsionCommand& command);
+
+struct CatalogueCommand {
+  std::optional<int> size;
+  std::optional<double> ratio;
+  Output output{.format = "text", .path = {}};
+};
+ExitCode run(const CatalogueCommand& command);
+
+struct ValidateCommand {
+  std::string mode = "geometry";
+  std::string factors;
+  bool all_sets = false;
+  int draws = 0;
+  std::string plot;
+  Output output{.format = "text", .path = {}};
+};
+ExitCode run(const ValidateCommand& command);
+
+struct CalibrateCommand {
+  std::string file;
+  bool catalogue = false;
+  std::string measured;
+  std::string factors = "support,coning";
+  std::string format = "text";
+  std::string path;  ///< of the calibrated drive; empty: none is written
+};
+ExitCode run(const CalibrateCommand& command);
+
+/// With a size and a ratio, a typical drive; else the template of all fields.
 struct NewCommand {
+  std::optional<int> size;
+  std::optional<double> ratio;
+  std::string cup = "short";
   std::string path;
 };
 ExitCode run(const NewCommand& command);

@@ -14,7 +14,7 @@
 namespace strainwave::cli {
 namespace {
 
-const std::array<CommandManual, 6> kCommands = {{
+const std::array<CommandManual, 10> kCommands = {{
     {"stiffness", "Torsional stiffness of a drive, sound and cracked",
      "Reads a drive and its cracks and prints the compliance of each member at the output with the "
      "input locked, without and with its cracks, the stiffness K_HD for both senses of torque, "
@@ -43,10 +43,41 @@ const std::array<CommandManual, 6> kCommands = {{
      "It says so when there is none, and lists them when there are several.",
      "strainwave solve examples/article.toml --vary 'output_shaft.crack[0].depth' --target "
      "'cracked.positive.stiffness_change=-1 %'"},
+    {"torsion", "Torsion curve in the maker's numbers: K1, K2, K3",
+     "Solves the drive as one system, elastic rings on one-sided balls and flanks, and prints the "
+     "twist over the torque for both senses: K1, K2, K3 over the maker's torques, lost motion, "
+     "hysteresis loop of the flank friction, tangent stiffness and what each member has of it, "
+     "forces and contacts. The file must give bearing, flexspline by sections and mesh. Ranges in "
+     "the file are drawn from and give a band. With --compare, the same without the cracks, and "
+     "the changes over a turn of the wave generator.",
+     "strainwave torsion examples/catalogue_size25.toml --plot torsion.svg"},
+    {"catalogue", "What makers state: K1, K2, K3 and torques",
+     "Prints the stiffness tables of the makers' catalogues, 35 rows of size and ratio, and 36 "
+     "rows "
+     "of ratings, each with its source. A ratio selects the class of the stiffness table, which "
+     "has 30, 50, and 80 and more in one, and the very ratio of the ratings.",
+     "strainwave catalogue --size 25 --ratio 100"},
+    {"validate", "The torsion curve against the makers' tables",
+     "Predicts every row of the stiffness tables and compares. Mode geometry fits nothing: every "
+     "drive has the typical proportions. Mode leave-one-size-out fits up to three factors to all "
+     "other sizes and predicts the one left out. Mode per-row fits up to three factors to each "
+     "row and shows what the model can follow, not what it predicts. With --draws, the "
+     "proportions are drawn between their limits: the band that a drive of unknown geometry has.",
+     "strainwave validate --mode geometry --draws 200 --plot validation.svg"},
+    {"calibrate", "Factors of a drive from its catalogue or measured stiffness",
+     "Fits named factors of a drive, by least squares of the logarithm of stiffness, to the "
+     "catalogue's K1, K2, K3 of the nearest size and ratio, or to a measured curve with the "
+     "columns torque and twist. Prints each factor with its uncertainty, which combinations of "
+     "them the values identify, and refuses to call one identified that is uncertain by more "
+     "than half. A factor changes fields of the drive; the calibrated drive is written as a new "
+     "input file.",
+     "strainwave calibrate examples/catalogue_size25.toml --catalogue --output calibrated.toml"},
     {"new", "Print a commented starting file",
      "Prints an input file that is valid as it stands, with every field that there is and its "
-     "meaning; those that are not needed are commented out.",
-     "strainwave new --output drive.toml"},
+     "meaning; those that are not needed are commented out. With --size and --ratio, the typical "
+     "drive of that size of the makers' catalogues instead: every number with what is known of "
+     "it, its limits and where they come from, and ranges for the torsion curve.",
+     "strainwave new --size 25 --ratio 100 --output drive.toml"},
     {"schema", "Print the JSON Schema of the input",
      "Prints the schema (draft 2020-12) of the input file, which editors use to complete and "
      "check it; or the reference of all fields as Markdown.",

@@ -86,6 +86,9 @@ class TemplateWriter {
     using Inner = typename Unwrapped<Value>::type;
     if constexpr (is_string_map<Value>) {
       table<Inner>(at + ".steel", &field, shown);
+    } else if constexpr (is_vector<Value> && !is_variant<Inner>) {
+      heading(fmt::format("[[{}]]", at), &field, shown);
+      body<Inner>(at, {}, shown);
     } else if constexpr (is_vector<Value>) {
       bool first = true;  // of the kinds of cracks one is live, the others are commented out
       for_each_alternative<Inner>([&]<class Alternative>() {
@@ -244,7 +247,7 @@ class ReferenceWriter {
           });
         } else {
           const std::string head = is_string_map<Value> ? at + ".NAME" : at;
-          table<Inner>(fmt::format("[{}]", head), field.doc, {});
+          table<Inner>(fmt::format(is_vector<Value> ? "[[{}]]" : "[{}]", head), field.doc, {});
           tables_below<Inner>(head);
         }
       }

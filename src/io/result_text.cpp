@@ -148,6 +148,24 @@ std::string result_text(const StiffnessResult& result, const GearSet& gear,
                     &IntactDrive::wind_up, &CrackedDrive::wind_up, [](const Quantity& phi) {
                       return warranted_digits(in_unit(phi, units::arcmin, "arcmin"));
                     });
+  if (result.curve) {
+    text += "Torsion curve of the coupled drive, with balls, teeth and rings [N*m/rad]\n";
+    const auto line = [&](std::string_view label, Quantity CurveStiffness::*K) {
+      text += row(label, warranted_digits(result.curve->intact.*K), "",
+                  warranted_digits(result.curve->positive.*K),
+                  warranted_digits(result.curve->negative.*K), accuracy(result.curve->intact.*K));
+      const auto change = [&](const CurveStiffness& cracked) {
+        return percent({(cracked.*K).value / (result.curve->intact.*K).value - 1, "1", 0.1});
+      };
+      if (result.curve->positive.*K != result.curve->intact.*K ||
+          result.curve->negative.*K != result.curve->intact.*K)
+        text += row("  change", "", "", change(result.curve->positive),
+                    change(result.curve->negative), "");
+    };
+    line("K1, up to T1", &CurveStiffness::K1);
+    line("K2, T1 to T2", &CurveStiffness::K2);
+    line("K3, from T2", &CurveStiffness::K3);
+  }
   if (!result.cracks.empty()) text += "\nCracks\n";
   for (const CrackReport& crack : result.cracks) text += crack_lines(crack);
   if (!result.notes.empty()) text += "\nNotes\n";

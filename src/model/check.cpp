@@ -7,6 +7,7 @@
 
 #include "strainwave/core/compare.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/quantity_text.hpp"
 #include "strainwave/model/gear_set.hpp"
 
 // Rules between fields.  Rules of one field alone are its Range.
@@ -27,6 +28,11 @@ void check_material(const FieldPath& path, const Material& material) {
     if (error.rule().empty()) throw InputError(field, "must be given, or shear_modulus");
     throw InputError(field, material.shear_modulus.value_or(0.0), "Pa", error.rule());
   }
+}
+
+void check_ring_crack(const FieldPath& path, double depth, double thickness,
+                      std::string_view rule) {
+  require(clearly_less(depth, thickness), (path / "depth").text(), depth, "m", rule);
 }
 
 void check_race_crack(const FieldPath& path, const WaveGenerator& wg, double depth,
@@ -103,6 +109,9 @@ void check_wave_generator(const GearSet& gear) {
     if (wg.contact_semi_axes)
       throw InputError((path / "contact_semi_axes").text(),
                        "is one source of the contact too many; it follows from bearing");
+    if (wg.bearing->ball_count)
+      require(*wg.bearing->ball_count >= 3 && *wg.bearing->ball_count <= 200,
+              (bearing / "ball_count").text(), *wg.bearing->ball_count, "1", ">= 3 and <= 200");
     if (wg.bearing->outer_ring) {
       const BearingRing& ring = *wg.bearing->outer_ring;
       require(ring.thickness < ring.mean_radius, (bearing / "outer_ring" / "thickness").text(),
@@ -114,18 +123,103 @@ void check_wave_generator(const GearSet& gear) {
   for (std::size_t i = 0; i < wg.crack.size(); ++i) {
     std::visit(
         [&](const auto& crack) {
-          check_race_crack((path / "crack")[i], wg, crack.depth, crack.stress_driver,
-                           crack.contact_factor, crack.stress);
-          if constexpr (std::is_same_v<std::decay_t<decltype(crack)>, RaceEdgeCrack>) {
-            if (!wg.inner_ring_width)
-              throw InputError("wave_generator.inner_ring_width",
-                               "must be given for an edge crack (axial width of the ring [m])");
+          using Crack = std::decay_t<decltype(crack)>;
+          const FieldPath at = (path / "crack")[i];
+          if constexpr (std::is_same_v<Crack, OuterRaceCrack>) {
+            if (!wg.bearing || !wg.bearing->outer_ring)
+              throw InputError(
+                  "wave_generator.bearing.outer_ring",
+                  fmt::format("must be given for {} (the ring that it is in)", at.text()));
+            check_ring_crack(at, crack.depth, wg.bearing->outer_ring->thickness,
+                             "depth < wave_generator.bearing.outer_ring.thickness");
+          } else {
+            check_race_crack(at, wg, crack.depth, crack.stress_driver, crack.contact_factor,
+                             crack.stress);
+            if constexpr (std::is_same_v<Crack, RaceEdgeCrack>) {
+              if (!wg.inner_ring_width)
+                throw InputError("wave_generator.inner_ring_width",
+                                 "must be given for an edge crack (axial width of the ring [m])");
+            }
+            if (crack.stress_driver == StressDriver::ring_bending)
+              require(gear.drive.wave_number >= 2, "drive.wave_number", gear.drive.wave_number, "1",
+                      "wave_number >= 2 where a ring bends between lobes");
           }
-          if (crack.stress_driver == StressDriver::ring_bending)
-            require(gear.drive.wave_number >= 2, "drive.wave_number", gear.drive.wave_number, "1",
-                    "wave_number >= 2 where a ring bends between lobes");
         },
         wg.crack[i]);
+  }
+}
+
+void check_diaphragm(const FieldPath& path, const Diaphragm& diaphragm) {
+  require(diaphragm.inner_diameter < diaphragm.outer_diameter, (path / "inner_diameter").text(),
+          diaphragm.inner_diameter, "m", "inner_diameter < outer_diameter");
+  double last = 0.0;
+  for (std::size_t i = 0; i < diaphragm.profile.size(); ++i) {
+    const std::string at = ((path / "profile")[i] / "radius").text();
+    const double r = diaphragm.profile[i].radius;
+    require(r > last, at, r, "m", "radius > that of the station before");
+    require(r >= diaphragm.inner_diameter / 2 && clearly_less(r, diaphragm.outer_diameter / 2), at,
+            r, "m", "inner_diameter/2 <= radius < outer_diameter/2");
+    last = r;
+  }
+}
+
+/// A crack of the diaphragm lies on it, and is not deeper or longer than it.
+void check_diaphragm_crack(const FieldPath& path, const Flexspline& fs,
+                           const DiaphragmArcCrack& crack) {
+  const double radius = crack.radius.value_or(fs.diaphragm->inner_diameter / 2);
+  require(radius >= fs.diaphragm->inner_diameter / 2 && radius < fs.diaphragm->outer_diameter / 2,
+          (path / "radius").text(), radius, "m", "on the diaphragm");
+  require(crack.half_length < std::numbers::pi * radius, (path / "half_length").text(),
+          crack.half_length, "m", "2 half_length < circumference at its radius");
+}
+
+void check_diaphragm_crack(const FieldPath& path, const Flexspline& fs,
+                           const DiaphragmGroove& groove) {
+  const double inner = groove.radius - groove.width / 2;
+  const double outer = groove.radius + groove.width / 2;
+  require(!clearly_less(inner, fs.diaphragm->inner_diameter / 2) &&
+              !clearly_less(fs.diaphragm->outer_diameter / 2, outer),
+          (path / "radius").text(), groove.radius, "m", "radius +- width/2 on the diaphragm");
+  const auto thick_enough = [&](double r) {
+    require(clearly_less(groove.depth, diaphragm_thickness(*fs.diaphragm, r)),
+            (path / "depth").text(), groove.depth, "m", "depth < thickness of the diaphragm");
+  };
+  thick_enough(inner);
+  thick_enough(outer);
+  // The law is linear between the stations: a thin place inside the groove is at one of them.
+  for (const DiaphragmStation& station : fs.diaphragm->profile)
+    if (station.radius > inner && station.radius < outer) thick_enough(station.radius);
+}
+
+/// A crack of the wall that is longer than the tube, or meets itself round the circumference, is
+/// none.
+template <class Crack>
+void check_wall_crack(const FieldPath& at, const GearSet& gear, const Crack& crack) {
+  const Flexspline& fs = *gear.flexspline;
+  double wall = fs.wall_thickness;
+  double length = fs.length;
+  double diameter = gear.drive.pitch_diameter;
+  if (fs.crack_free == CrackFree::sections) {
+    if (crack.section == WallSection::rim && !fs.rim)
+      throw InputError((at / "section").text(), "\"rim\" needs a [flexspline.rim]");
+    const TubeSection& tube = crack.section == WallSection::rim ? *fs.rim : *fs.barrel;
+    wall = tube.wall_thickness;
+    length = tube.length;
+    diameter = tube.outer_diameter;
+  } else if (crack.section != WallSection::barrel) {
+    throw InputError((at / "section").text(), "is read only where crack_free = \"sections\"");
+  }
+  require(2 * crack.half_length * std::cos(crack.angle) < length, (at / "half_length").text(),
+          crack.half_length, "m", "2 half_length cos(angle) < length of the tube");
+  require(2 * crack.half_length * std::abs(std::sin(crack.angle)) <
+              std::numbers::pi * (diameter - wall),
+          (at / "half_length").text(), crack.half_length, "m",
+          "2 half_length |sin(angle)| < circumference of the tube");
+  if constexpr (std::is_same_v<Crack, WallSurfaceCrack>) {
+    require(clearly_less(crack.depth, wall), (at / "depth").text(), crack.depth, "m",
+            "depth < wall_thickness");
+    require(crack.depth <= crack.half_length, (at / "half_length").text(), crack.half_length, "m",
+            "half_length >= depth");
   }
 }
 
@@ -138,10 +232,7 @@ void check_flexspline(const GearSet& gear) {
   if (fs.rim) check_tube(path / "rim", *fs.rim);
   if (fs.barrel) check_tube(path / "barrel", *fs.barrel);
   if (fs.boss) check_tube(path / "boss", *fs.boss);
-  if (fs.diaphragm)
-    require(fs.diaphragm->inner_diameter < fs.diaphragm->outer_diameter,
-            (path / "diaphragm" / "inner_diameter").text(), fs.diaphragm->inner_diameter, "m",
-            "inner_diameter < outer_diameter");
+  if (fs.diaphragm) check_diaphragm(path / "diaphragm", *fs.diaphragm);
   if (fs.crack_free == CrackFree::sections) {
     if (!fs.barrel)
       throw InputError((path / "barrel").text(),
@@ -155,48 +246,81 @@ void check_flexspline(const GearSet& gear) {
     if (fs.shape == FlexsplineShape::cup && !fs.diaphragm)
       throw InputError((path / "diaphragm").text(),
                        "must be given for a cup where crack_free = \"sections\" (bottom)");
-  } else if (fs.rim || fs.barrel || fs.diaphragm || fs.boss) {
+  } else if (fs.rim || fs.barrel || fs.diaphragm || fs.boss || fs.flange_compliance != 0) {
     const char* const given = fs.rim         ? "rim"
                               : fs.barrel    ? "barrel"
                               : fs.diaphragm ? "diaphragm"
-                                             : "boss";
+                              : fs.boss      ? "boss"
+                                             : "flange_compliance";
     throw InputError((path / given).text(), "is read only where crack_free = \"sections\"");
   }
   for (std::size_t i = 0; i < fs.crack.size(); ++i) {
     const FieldPath at = (path / "crack")[i];
     std::visit(
         [&](const auto& crack) {
-          double wall = fs.wall_thickness;
-          double length = fs.length;
-          double diameter = gear.drive.pitch_diameter;
-          if (fs.crack_free == CrackFree::sections) {
-            if (crack.section == WallSection::rim && !fs.rim)
-              throw InputError((at / "section").text(), "\"rim\" needs a [flexspline.rim]");
-            const TubeSection& tube = crack.section == WallSection::rim ? *fs.rim : *fs.barrel;
-            wall = tube.wall_thickness;
-            length = tube.length;
-            diameter = tube.outer_diameter;
-          } else if (crack.section != WallSection::barrel) {
-            throw InputError((at / "section").text(),
-                             "is read only where crack_free = \"sections\"");
-          }
-          // A crack that is longer than the tube, or meets itself round the circumference, is none.
-          require(2 * crack.half_length * std::cos(crack.angle) < length,
-                  (at / "half_length").text(), crack.half_length, "m",
-                  "2 half_length cos(angle) < length of the tube");
-          require(2 * crack.half_length * std::abs(std::sin(crack.angle)) <
-                      std::numbers::pi * (diameter - wall),
-                  (at / "half_length").text(), crack.half_length, "m",
-                  "2 half_length |sin(angle)| < circumference of the tube");
-          if constexpr (std::is_same_v<std::decay_t<decltype(crack)>, WallSurfaceCrack>) {
-            require(clearly_less(crack.depth, wall), (at / "depth").text(), crack.depth, "m",
-                    "depth < wall_thickness");
-            require(crack.depth <= crack.half_length, (at / "half_length").text(),
-                    crack.half_length, "m", "half_length >= depth");
+          using Crack = std::decay_t<decltype(crack)>;
+          if constexpr (std::is_same_v<Crack, RimAxialCrack>) {
+            if (!fs.rim)
+              throw InputError(
+                  (path / "rim").text(),
+                  fmt::format("must be given for {} (the ring that it is in)", at.text()));
+            check_ring_crack(at, crack.depth, fs.rim->wall_thickness,
+                             "depth < flexspline.rim.wall_thickness");
+          } else if constexpr (std::is_same_v<Crack, DiaphragmArcCrack> ||
+                               std::is_same_v<Crack, DiaphragmGroove>) {
+            if (!fs.diaphragm)
+              throw InputError((path / "diaphragm").text(),
+                               fmt::format("must be given for {}", at.text()));
+            check_diaphragm_crack(at, fs, crack);
+          } else {
+            check_wall_crack(at, gear, crack);
           }
         },
         fs.crack[i]);
   }
+}
+
+void check_circular_spline(const GearSet& gear) {
+  const CircularSpline& ring = *gear.circular_spline;
+  const FieldPath path("circular_spline");
+  (void)material_of(gear, ring.material, (path / "material").text());
+  require(ring.inner_diameter < ring.outer_diameter, (path / "inner_diameter").text(),
+          ring.inner_diameter, "m", "inner_diameter < outer_diameter");
+  require(ring.inner_diameter > gear.drive.pitch_diameter, (path / "inner_diameter").text(),
+          ring.inner_diameter, "m", "inner_diameter > drive.pitch_diameter");
+  for (std::size_t i = 0; i < ring.crack.size(); ++i)
+    check_ring_crack((path / "crack")[i], std::get<CircularSplineRingCrack>(ring.crack[i]).depth,
+                     (ring.outer_diameter - ring.inner_diameter) / 2,
+                     "depth < (outer_diameter - inner_diameter)/2");
+}
+
+void check_rating(const Rating& rating) {
+  require(rating.T1 < rating.T2, "rating.T2", rating.T2, "N*m", "T2 > T1");
+  if (rating.T3) require(*rating.T3 > rating.T2, "rating.T3", *rating.T3, "N*m", "T3 > T2");
+}
+
+void check_range(const GearSet& gear, const FieldPath& path, const InputRange& range) {
+  for (const auto& [field, text] : {std::pair{"path", &range.path}, {"source", &range.source}})
+    if (std::ranges::any_of(*text, [](unsigned char c) { return c < 0x20 || c == 0x7F; }))
+      throw InputError((path / field).text(), "must be one line, without control characters");
+  const NumberAt number = [&] {
+    try {
+      return number_at(gear, range.path);
+    } catch (const InputError& error) {
+      // Its own words, after its field and a colon.
+      const std::string problem = std::string(error.what()).substr(error.field().size() + 2);
+      throw InputError((path / "path").text(),
+                       fmt::format("\"{}\" {}", shown(range.path), problem));
+    }
+  }();
+  const double lower = parse_quantity((path / "lower").text(), range.lower, number.field.unit);
+  const double upper = parse_quantity((path / "upper").text(), range.upper, number.field.unit);
+  require(lower < upper, (path / "upper").text(), upper, number.field.unit, "upper > lower");
+  for (const auto& [field, value] : {std::pair{"lower", lower}, {"upper", upper}})
+    require(number.field.range.contains(value), (path / field).text(), value, number.field.unit,
+            rule_text(number.field.range, number.field.unit));
+  require(number.value >= lower && number.value <= upper, (path / "path").text(), number.value,
+          number.field.unit, "the file's value between lower and upper");
 }
 
 void check_output_shaft(const GearSet& gear) {
@@ -254,6 +378,10 @@ void check(const GearSet& gear) {
   if (gear.wave_generator) check_wave_generator(gear);
   if (gear.flexspline) check_flexspline(gear);
   if (gear.output_shaft) check_output_shaft(gear);
+  if (gear.circular_spline) check_circular_spline(gear);
+  if (gear.rating) check_rating(*gear.rating);
+  for (std::size_t i = 0; i < gear.range.size(); ++i)
+    check_range(gear, FieldPath("range")[i], gear.range[i]);
 }
 
 }  // namespace strainwave

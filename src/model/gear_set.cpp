@@ -49,6 +49,22 @@ double elastic_contradiction(const Material& material) {
   return *material.shear_modulus / isotropic - 1;
 }
 
+double diaphragm_thickness(const Diaphragm& diaphragm, double radius) {
+  if (diaphragm.profile.empty()) return diaphragm.thickness;
+  DiaphragmStation inside = diaphragm.profile.front();
+  if (radius <= inside.radius) return inside.thickness;
+  const auto between = [&](const DiaphragmStation& outside) {
+    const double s = (radius - inside.radius) / (outside.radius - inside.radius);
+    return inside.thickness + s * (outside.thickness - inside.thickness);
+  };
+  for (const DiaphragmStation& station : diaphragm.profile) {
+    if (radius <= station.radius) return between(station);
+    inside = station;
+  }
+  const DiaphragmStation edge{diaphragm.outer_diameter / 2, diaphragm.thickness};
+  return radius < edge.radius ? between(edge) : edge.thickness;
+}
+
 const Material& material_of(const GearSet& gear, std::string_view name, std::string_view field) {
   const auto found = gear.material.find(std::string(name));
   if (found != gear.material.end()) return found->second;

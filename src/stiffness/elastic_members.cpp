@@ -3,8 +3,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/quadrature.hpp"
 
 namespace strainwave {
 
@@ -29,6 +31,47 @@ double torsional_compliance(const AnnularPlate& plate, double shear_modulus) {
   require(shear_modulus > 0, "shear_modulus", shear_modulus, "Pa", "shear_modulus > 0");
   const double curvature = 4 * (D - d) * (D + d) / (d * d * D * D);  // 1/r_i^2 - 1/r_o^2
   return curvature / (4 * pi * shear_modulus * h);                   // (ST-3)
+}
+
+namespace {
+
+/// Integral of 1/(r^3 (h(r) - depth)) over a diaphragm between two radii.
+double twist_integral(const Diaphragm& diaphragm, double depth, double inner, double outer) {
+  std::vector<double> joints{inner};
+  for (const DiaphragmStation& station : diaphragm.profile)
+    if (station.radius > inner && station.radius < outer) joints.push_back(station.radius);
+  joints.push_back(outer);
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 1 < joints.size(); ++i)
+    sum +=
+        integrate(
+            [&](double r) { return 1 / (r * r * r * (diaphragm_thickness(diaphragm, r) - depth)); },
+            joints[i], joints[i + 1], {.relative_tolerance = 1e-12})
+            .value;
+  return sum;
+}
+
+}  // namespace
+
+double torsional_compliance(const Diaphragm& diaphragm, double shear_modulus) {
+  if (diaphragm.profile.empty())
+    return torsional_compliance(AnnularPlate{.outer_diameter = diaphragm.outer_diameter,
+                                             .inner_diameter = diaphragm.inner_diameter,
+                                             .thickness = diaphragm.thickness},
+                                shear_modulus);
+  require(shear_modulus > 0, "shear_modulus", shear_modulus, "Pa", "shear_modulus > 0");
+  return twist_integral(diaphragm, 0.0, diaphragm.inner_diameter / 2,
+                        diaphragm.outer_diameter / 2) /
+         (2 * pi * shear_modulus);  // (TC-13)
+}
+
+double groove_compliance(const Diaphragm& diaphragm, const DiaphragmGroove& groove,
+                         double shear_modulus) {
+  const double inner = groove.radius - groove.width / 2;
+  const double outer = groove.radius + groove.width / 2;
+  return (twist_integral(diaphragm, groove.depth, inner, outer) -
+          twist_integral(diaphragm, 0.0, inner, outer)) /
+         (2 * pi * shear_modulus);  // (TC-20)
 }
 
 double ring_compliance(int wave_number, double mean_radius, double bending_stiffness) {

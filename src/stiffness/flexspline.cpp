@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -66,12 +67,8 @@ void add_sound_flexspline(const GearSet& gear, const ElasticConstants& steel,
   member.intact = torsional_compliance(tube(*fs.barrel), steel.G);
   if (fs.rim) member.intact += torsional_compliance(tube(*fs.rim), steel.G);
   if (fs.boss) member.intact += torsional_compliance(tube(*fs.boss), steel.G);
-  if (fs.diaphragm)
-    member.intact +=
-        torsional_compliance(AnnularPlate{.outer_diameter = fs.diaphragm->outer_diameter,
-                                          .inner_diameter = fs.diaphragm->inner_diameter,
-                                          .thickness = fs.diaphragm->thickness},
-                             steel.G);
+  if (fs.diaphragm) member.intact += torsional_compliance(*fs.diaphragm, steel.G);
+  member.intact += fs.flange_compliance;
   member.relative_uncertainty = accuracy::kSections;
   rest_on(member, "flexspline", accuracy::kSections);
   use_equation(member.equations, "ST-2");
@@ -273,6 +270,51 @@ void add_surface_crack(MemberCompliance& member, CrackReport report, const WallS
                  options);
 }
 
+/// An arc crack of the diaphragm slides under torque: a flat through crack in pure mode II.
+void add_diaphragm_arc(MemberCompliance& member, CrackReport report, const DiaphragmArcCrack& crack,
+                       const GearSet& gear, const ElasticConstants& steel,
+                       const StiffnessOptions& options) {
+  const Diaphragm& diaphragm = *gear.flexspline->diaphragm;
+  const double r = crack.radius.value_or(diaphragm.inner_diameter / 2);
+  const double h = diaphragm_thickness(diaphragm, r);
+  // The shear T/(2 pi r^2 h) along the arc is that along the generator of a tube of its radius.
+  const auto make = [&](bool open) {
+    return ThroughCrackInTube{.half_length = crack.half_length,
+                              .mean_radius = r,
+                              .wall_thickness = h,
+                              .angle = 0,
+                              .poissons_ratio = steel.nu,
+                              .shell_correction = false,
+                              .open = open};
+  };
+  for (const char* const tag : {"TC-19", "FR-2", "FR-18"}) use_equation(member.equations, tag);
+  if (crack.half_length > r / 2)
+    member.notes.push_back({"crack.diaphragm_arc",
+                            "the arc is longer than its radius: the shear varies along it and it "
+                            "is not straight",
+                            report.path, "TC-19"});
+  rest_on(member, report.path, accuracy::kDiaphragmArc);
+  const WallCrackModel model{.moduli = {.opening = steel.E, .shear = steel.G},
+                             .constraint = Constraint::plane_stress,
+                             .axial_uncertainty = accuracy::kDiaphragmArc,
+                             .torsion_uncertainty = accuracy::kDiaphragmArc,
+                             .ligament = std::numeric_limits<double>::infinity()};
+  add_wall_crack(member, std::move(report), make, BothSenses{}, gear, model, options);
+}
+
+void add_diaphragm_groove(MemberCompliance& member, CrackReport report,
+                          const DiaphragmGroove& groove, const Diaphragm& diaphragm,
+                          const ElasticConstants& steel) {
+  use_equation(member.equations, "TC-20");
+  rest_on(member, report.path, accuracy::kDiaphragmGroove);
+  const Quantity added{groove_compliance(diaphragm, groove, steel.G), kComplianceUnit,
+                       accuracy::kDiaphragmGroove};
+  report.opens_under = OpensUnder::neither;
+  report.positive.at_output = added;
+  report.negative.at_output = added;
+  member.cracks.push_back(std::move(report));
+}
+
 void note_ovalisation(const GearSet& gear, MemberCompliance& member) {
   const int U = gear.drive.wave_number;
   if (U < 2) return;  // one lobe shifts the ring, it does not bend it
@@ -310,21 +352,33 @@ MemberCompliance flexspline_compliance(const GearSet& gear, const StiffnessOptio
   add_sound_flexspline(gear, steel, member);
   for (std::size_t i = 0; i < fs.crack.size(); ++i) {
     CrackReport report{.path = fmt::format("flexspline.crack[{}]", i)};
-    if (const auto* const through = std::get_if<WallThroughCrack>(&fs.crack[i])) {
-      report.kind = WallThroughCrack::kKind;
-      add_through_crack(member, std::move(report), *through, gear, steel, options);
-    } else {
-      report.kind = WallSurfaceCrack::kKind;
-      add_surface_crack(member, std::move(report), std::get<WallSurfaceCrack>(fs.crack[i]), gear,
-                        steel, options);
-    }
+    std::visit(
+        [&](const auto& crack) {
+          using Crack = std::decay_t<decltype(crack)>;
+          report.kind = Crack::kKind;
+          if constexpr (std::is_same_v<Crack, WallThroughCrack>)
+            add_through_crack(member, std::move(report), crack, gear, steel, options);
+          else if constexpr (std::is_same_v<Crack, WallSurfaceCrack>)
+            add_surface_crack(member, std::move(report), crack, gear, steel, options);
+          else if constexpr (std::is_same_v<Crack, DiaphragmArcCrack>)
+            add_diaphragm_arc(member, std::move(report), crack, gear, steel, options);
+          else if constexpr (std::is_same_v<Crack, DiaphragmGroove>)
+            add_diaphragm_groove(member, std::move(report), crack, *fs.diaphragm, steel);
+          else
+            note_contact_path(member.notes, report.path);
+        },
+        fs.crack[i]);
   }
-  if (!fs.crack.empty()) note_ovalisation(gear, member);
+  const bool in_the_wall = std::ranges::any_of(fs.crack, [](const FlexsplineCrack& crack) {
+    return std::holds_alternative<WallThroughCrack>(crack) ||
+           std::holds_alternative<WallSurfaceCrack>(crack);
+  });
+  if (in_the_wall) note_ovalisation(gear, member);
   if (fs.dynamic_load != 1)
     member.notes.push_back({"flexspline.dynamic_load",
                             "a factor of the load has no place in a compliance: not used",
                             "flexspline.dynamic_load", ""});
-  note_superposition(member.notes, fs.crack.size(), "flexspline.crack");
+  note_superposition(member.notes, member.cracks.size(), "flexspline.crack");
   return member;
 }
 

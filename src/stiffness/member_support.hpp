@@ -170,6 +170,14 @@ inline std::array<Quantity, 3> axial_torsion(const SymmetricMatrix<2>& matrix, d
           Quantity{matrix(kTorsion, kTorsion), kComplianceUnit, torsion}};
 }
 
+/// Note that a crack acts on contacts, which the series model has not.
+inline void note_contact_path(std::vector<Note>& notes, const std::string& path) {
+  notes.push_back({"crack.contact_path",
+                   "acts through the contacts of balls and teeth, which a sum of compliances has "
+                   "not: it adds nothing here; the torsion curve has it",
+                   path, "ST-1"});
+}
+
 /// Note that cracks of one member are added without interaction.
 inline void note_superposition(std::vector<Note>& notes, std::size_t n_cracks,
                                std::string_view member) {

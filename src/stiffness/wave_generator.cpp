@@ -33,19 +33,10 @@ struct BallContacts {
 
 BallContacts ball_contacts(const Bearing& bearing, const ElasticConstants& steel,
                            double lobe_force) {
-  const double D = bearing.ball_diameter;
-  // Ball and races of one material: 1/E* = 2 (1 - nu^2)/E.
-  const double contact_modulus = steel.plane_strain_modulus() / 2;
-  const auto contact = [&](double race_curvature, double conformity) {
-    // (CO-1): across the groove, and along the rolling direction.
-    return PointContact{.curvature_sums = {2 / D - 1 / (conformity * D), 2 / D + race_curvature},
-                        .contact_modulus = contact_modulus};
-  };
+  const RaceContacts contacts = race_contacts(bearing, steel);
   const double ball_force = lobe_force / bearing.loaded_balls;
-  return {.inner = hertz_contact(
-              contact(2 / bearing.inner_raceway_diameter, bearing.inner_conformity), ball_force),
-          .outer = hertz_contact(
-              contact(-2 / bearing.outer_raceway_diameter, bearing.outer_conformity), ball_force)};
+  return {.inner = hertz_contact(contacts.inner, ball_force),
+          .outer = hertz_contact(contacts.outer, ball_force)};
 }
 
 /// Radial compliance of one lobe, C_0 [m/N].
@@ -78,9 +69,16 @@ Estimate lobe_compliance(const GearSet& gear, const ElasticConstants& steel, dou
            inner.peak_pressure / 1e6),
        "wave_generator.bearing", "ST-9"});
   if (bearing.outer_ring) {
-    const auto& [R, t, B] = *bearing.outer_ring;
-    C += ring_compliance(gear.drive.wave_number, R, steel.E * B * t * t * t / 12);
+    const BearingRing& ring = *bearing.outer_ring;
+    C += ring_compliance(gear.drive.wave_number, ring.mean_radius,
+                         steel.E * ring.width * std::pow(ring.thickness, 3) / 12);
     use_equation(member.equations, "ST-10");
+    member.notes.push_back(
+        {"wave_generator.free_ring",
+         "the outer ring is taken as free between the lobes; in the drive it lies "
+         "in the flexspline and on all balls, so this is an upper bound that may "
+         "be many times too soft; the torsion curve has the ring as it is held",
+         "wave_generator.bearing.outer_ring", "ST-10"});
   }
   return {C, accuracy::kLoadSharing, -1.0 / 3};  // (CO-4): compliance of a contact ~ force^(-1/3)
 }
@@ -186,6 +184,19 @@ void add_race_crack(MemberCompliance& member, CrackReport report, const Crack& c
 
 }  // namespace
 
+RaceContacts race_contacts(const Bearing& bearing, const ElasticConstants& steel) {
+  const double D = bearing.ball_diameter;
+  // Ball and races of one material: 1/E* = 2 (1 - nu^2)/E.
+  const double contact_modulus = steel.plane_strain_modulus() / 2;
+  const auto contact = [&](double race_curvature, double conformity) {
+    // (CO-1): across the groove, and along the rolling direction.
+    return PointContact{.curvature_sums = {2 / D - 1 / (conformity * D), 2 / D + race_curvature},
+                        .contact_modulus = contact_modulus};
+  };
+  return {.inner = contact(2 / bearing.inner_raceway_diameter, bearing.inner_conformity),
+          .outer = contact(-2 / bearing.outer_raceway_diameter, bearing.outer_conformity)};
+}
+
 double lobe_force_per_torque(const Transmission& drive, const WaveGenerator& wg) {
   return 2 * wg.load_factor * wg.force_transmission_coefficient /
          (drive.wave_number * drive.pitch_diameter);  // (ST-5)
@@ -238,75 +249,79 @@ MemberCompliance wave_generator_compliance(const GearSet& gear, const StiffnessO
   const CrackModuli moduli{.opening = steel.plane_strain_modulus(), .shear = steel.G};
   for (std::size_t i = 0; i < wg.crack.size(); ++i) {
     CrackReport report{.path = fmt::format("wave_generator.crack[{}]", i)};
-    const double t = *wg.inner_ring_thickness;
     std::visit(
         [&](const auto& crack) {
           using Crack = std::decay_t<decltype(crack)>;
-          report.kind = Crack::kKind;
-          const Estimate stress = unit_stress(crack, report.path, member);
-          // Compliance goes with the square of the stress, K with the stress.
-          const double stress_exponent = 1 + stress.force_exponent;  // of the force, in K
-          const ModelAccuracy of_stress = accuracy::power(stress.accuracy, 2);
-          const ModelAccuracy of_load = accuracy::power(
-              accuracy::kLobeForce, std::abs(conversion_exponent + 2 * stress.force_exponent));
-          rest_on(member, report.path, of_stress);
-          if (of_load > 0) rest_on(member, report.path, of_load);
-          const auto race_accuracy = [&](double of_crack) {
-            const double compliance = accuracy::combined(
-                accuracy::combined(of_crack, of_stress),
-                cam ? accuracy::combined(of_load, accuracy::kCamConversion) : double{of_load});
-            const double intensity =
-                accuracy::combined(accuracy::combined(of_crack / 2, stress.accuracy),
-                                   stress_exponent * accuracy::kLobeForce);
-            return RaceAccuracy{compliance, intensity};
-          };
-          // The lobe force has one sense, whatever the sense of the torque.
-          const bool open = stress.value >= 0;
-          report.opens_under = stress.value > 0 ? OpensUnder::both : OpensUnder::neither;
-          if (!open) {
-            use_equation(member.equations, "FR-17");
-            member.notes.push_back({"crack.closed",
-                                    "the stress presses the faces together: the crack adds "
-                                    "nothing",
-                                    report.path, "FR-17"});
-          }
-          if constexpr (std::is_same_v<Crack, RaceSurfaceCrack>) {
-            const ModelAccuracy fit =
-                surface_crack_fit(member, report.path, crack.depth, crack.aspect_ratio, t);
-            for (const char* const tag : {"FR-2", "FR-3", "FR-4", "FR-5", "FR-18"})
-              use_equation(member.equations, tag);
-            add_race_crack(member, report,
-                           SurfaceCrack<1>({.depth = crack.depth,
-                                            .aspect_ratio = crack.aspect_ratio,
-                                            .thickness = t,
-                                            .poissons_ratio = steel.nu,
-                                            .normal_stress = {stress.value},
-                                            .open = open}),
-                           gear, moduli, lobe_force, one_lobe, race_accuracy(fit), options);
+          if constexpr (std::is_same_v<Crack, OuterRaceCrack>) {
+            note_contact_path(member.notes, report.path);
           } else {
-            rest_on(member, report.path, accuracy::kEdgeCrack);
-            for (const char* const tag : {"FR-2", "FR-11", "FR-18"})
-              use_equation(member.equations, tag);
-            const bool bending = crack.stress_driver == StressDriver::ring_bending;
-            add_race_crack(
-                member, report,
-                EdgeCrack{.depth = crack.depth,
-                          .thickness = t,
-                          .width = *wg.inner_ring_width,
-                          .unit_stress = stress.value,
-                          .loading = bending ? StripLoading::bending : StripLoading::tension,
-                          .open = open},
-                gear, moduli, lobe_force, one_lobe, race_accuracy(accuracy::kEdgeCrack), options);
+            report.kind = Crack::kKind;
+            const double t = *wg.inner_ring_thickness;
+            const Estimate stress = unit_stress(crack, report.path, member);
+            // Compliance goes with the square of the stress, K with the stress.
+            const double stress_exponent = 1 + stress.force_exponent;  // of the force, in K
+            const ModelAccuracy of_stress = accuracy::power(stress.accuracy, 2);
+            const ModelAccuracy of_load = accuracy::power(
+                accuracy::kLobeForce, std::abs(conversion_exponent + 2 * stress.force_exponent));
+            rest_on(member, report.path, of_stress);
+            if (of_load > 0) rest_on(member, report.path, of_load);
+            const auto race_accuracy = [&](double of_crack) {
+              const double compliance = accuracy::combined(
+                  accuracy::combined(of_crack, of_stress),
+                  cam ? accuracy::combined(of_load, accuracy::kCamConversion) : double{of_load});
+              const double intensity =
+                  accuracy::combined(accuracy::combined(of_crack / 2, stress.accuracy),
+                                     stress_exponent * accuracy::kLobeForce);
+              return RaceAccuracy{compliance, intensity};
+            };
+            // The lobe force has one sense, whatever the sense of the torque.
+            const bool open = stress.value >= 0;
+            report.opens_under = stress.value > 0 ? OpensUnder::both : OpensUnder::neither;
+            if (!open) {
+              use_equation(member.equations, "FR-17");
+              member.notes.push_back({"crack.closed",
+                                      "the stress presses the faces together: the crack adds "
+                                      "nothing",
+                                      report.path, "FR-17"});
+            }
+            if constexpr (std::is_same_v<Crack, RaceSurfaceCrack>) {
+              const ModelAccuracy fit =
+                  surface_crack_fit(member, report.path, crack.depth, crack.aspect_ratio, t);
+              for (const char* const tag : {"FR-2", "FR-3", "FR-4", "FR-5", "FR-18"})
+                use_equation(member.equations, tag);
+              add_race_crack(member, report,
+                             SurfaceCrack<1>({.depth = crack.depth,
+                                              .aspect_ratio = crack.aspect_ratio,
+                                              .thickness = t,
+                                              .poissons_ratio = steel.nu,
+                                              .normal_stress = {stress.value},
+                                              .open = open}),
+                             gear, moduli, lobe_force, one_lobe, race_accuracy(fit), options);
+            } else {
+              rest_on(member, report.path, accuracy::kEdgeCrack);
+              for (const char* const tag : {"FR-2", "FR-11", "FR-18"})
+                use_equation(member.equations, tag);
+              const bool bending = crack.stress_driver == StressDriver::ring_bending;
+              add_race_crack(
+                  member, report,
+                  EdgeCrack{.depth = crack.depth,
+                            .thickness = t,
+                            .width = *wg.inner_ring_width,
+                            .unit_stress = stress.value,
+                            .loading = bending ? StripLoading::bending : StripLoading::tension,
+                            .open = open},
+                  gear, moduli, lobe_force, one_lobe, race_accuracy(accuracy::kEdgeCrack), options);
+            }
           }
         },
         wg.crack[i]);
   }
-  if (!wg.crack.empty())
+  if (!member.cracks.empty())
     member.notes.push_back({"wave_generator.crack_under_lobe",
                             "each crack is taken under the full force of one lobe; the inner ring "
                             "turns with the cam, so it stays at its place relative to the lobe",
                             "wave_generator.crack", "ST-6"});
-  note_superposition(member.notes, wg.crack.size(), "wave_generator.crack");
+  note_superposition(member.notes, member.cracks.size(), "wave_generator.crack");
   return member;
 }
 

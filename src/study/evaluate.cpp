@@ -5,9 +5,34 @@
 
 #include "strainwave/article/as_printed.hpp"
 #include "strainwave/article/repaired.hpp"
+#include "strainwave/core/error.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/torsion/compare.hpp"
 
 namespace strainwave {
+namespace {
+
+CurveStiffness lines_of(const GearSet& gear, int sense) {
+  const MakersLines lines = makers_lines(gear, sense);
+  const auto quantity = [&](double K) { return Quantity{K, "N*m/rad", curve_uncertainty(gear)}; };
+  return {quantity(lines.K1), quantity(lines.K2), quantity(lines.K3)};
+}
+
+/// The maker's stiffnesses beside the series model; a note says why where there are none.
+void add_curve(StiffnessResult& result, const GearSet& gear) {
+  try {
+    result.curve = {.intact = lines_of(without_cracks(gear), +1),
+                    .positive = lines_of(gear, +1),
+                    .negative = lines_of(gear, -1)};
+    result.equations.emplace_back("TC-14");
+  } catch (const Error& error) {
+    result.notes.push_back({"curve.none",
+                            std::string("no torsion curve of the coupled drive: ") + error.what(),
+                            "", "TC-11"});
+  }
+}
+
+}  // namespace
 
 StiffnessResult evaluate(const GearSet& gear, Method method) {
   switch (method) {
@@ -19,7 +44,9 @@ StiffnessResult evaluate(const GearSet& gear, Method method) {
       break;
   }
   assert(method == Method::corrected);
-  return torsional_stiffness(gear);
+  StiffnessResult result = torsional_stiffness(gear);
+  if (missing_for_torsion_curve(gear).empty()) add_curve(result, gear);
+  return result;
 }
 
 }  // namespace strainwave

@@ -220,6 +220,14 @@ TEST(AsPrinted, ReferenceWithoutOverridesTheInputsAreUsed) {
               eight_digits(1.2556898e-9, "rad/(N*mm)"));
 }
 
+TEST(AsPrinted, IdentityModesThatTheArticleDoesNotHave) {
+  const auto cracks = torsional_stiffness_as_printed(test::article_gear()).cracks;
+  EXPECT_EQ(cracks.at(0).deepest->K_II.value, 0.0);
+  EXPECT_EQ(cracks.at(0).deepest->K_III.value, 0.0);
+  EXPECT_EQ(cracks.at(1).deepest->K_III.value, 0.0);
+  EXPECT_EQ(cracks.at(2).deepest->K_II.value, 0.0);
+}
+
 // (AP-12)
 TEST(AsPrinted, ReferenceSoundFlexsplineByNumberOfFactors) {
   article::SoundCup cup{.shape_coefficient = 1.0,
@@ -241,6 +249,28 @@ TEST(AsPrinted, ReferenceSoundShaft) {
   expect_near(hollow, eight_digits(66.798146, "mm"));
   expect_near(article::sound_shaft_compliance(110, hollow, 8e4),
               eight_digits(6.9062941e-10, "rad/(N*mm)"));
+}
+
+// (AP-13)
+TEST(AsPrinted, IdentityStressOfTheNetShaftTimesItsCoefficient) {
+  // K = M sigma_net sqrt(pi a): P over the area, T over the polar section modulus, of 60 mm - 2a.
+  for (const double a : {0.1, 0.5, 5.0}) {
+    const double r_e = 30 - a;
+    const double area = pi * r_e * r_e;               // [mm^2]
+    const double modulus = pi * r_e * r_e * r_e / 2;  // [mm^3]
+    const double root = std::sqrt(pi * a);
+    const double K_I = 0.85 * 1e4 / area * root;       // of 10 kN [MPa*mm^0.5]
+    const double K_III = 0.42 * 1e5 / modulus * root;  // of 100 N*m
+    for (const double sense : {1.0, -1.0}) {
+      GearSet gear = test::article_gear();
+      std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = a * mm;
+      gear.load = {.torque = 100 * sense, .axial_force = 1e4 * sense};
+      const StressIntensities K = torsional_stiffness_as_printed(gear).cracks[2].deepest.value();
+      EXPECT_NEAR(K.K_I.value / kStressIntensity, sense * K_I, 1e-14 * K_I);
+      EXPECT_EQ(K.K_II.value, 0.0);
+      EXPECT_NEAR(K.K_III.value / kStressIntensity, K_III, 1e-14 * K_III);
+    }
+  }
 }
 
 // (AP-14), (AP-15)
@@ -343,6 +373,16 @@ TEST(AsPrinted, IdentityReleaseRateOfModeIIIHoldsInPlaneStrainOnly) {
   EXPECT_NEAR(article::energy_release_rate(0, 0, 1, E, nu) / right, 1 / (1 - nu * nu), 1e-15);
 }
 
+// (AP-19)
+TEST(AsPrinted, IdentityReleaseRatesOfTheModesAddUp) {
+  const double E = 210e9;
+  EXPECT_DOUBLE_EQ(article::energy_release_rate(3e6, 0, 0, E, 0.3), 9e12 / E);
+  EXPECT_DOUBLE_EQ(article::energy_release_rate(0, 5e6, 0, E, 0.3), 25e12 / E);
+  EXPECT_DOUBLE_EQ(article::energy_release_rate(0, 0, 7e6, E, 0.3), 49e12 / 0.7 / E);
+  EXPECT_DOUBLE_EQ(article::energy_release_rate(3e6, -5e6, 7e6, E, 0.3),
+                   (34 + 49 / 0.7) * 1e12 / E);
+}
+
 // (AP-7)
 TEST(AsPrinted, IdentitySeriesOfDisplacements) {
   GearSet gear = test::article_gear();
@@ -371,15 +411,27 @@ TEST(AsPrinted, IdentityThroughCrackOfEveryAngleAddsTheSame) {
 }
 
 TEST(AsPrinted, IdentityBothSensesOfTorqueAreOne) {
-  GearSet gear = test::article_gear();
-  const StiffnessResult forward = torsional_stiffness_as_printed(gear);
-  gear.load.torque = -gear.load.torque;
-  const StiffnessResult backward = torsional_stiffness_as_printed(gear);
-  for (const StiffnessResult& result : {forward, backward}) {
-    EXPECT_EQ(result.positive.stiffness.value, forward.positive.stiffness.value);
-    EXPECT_EQ(result.negative.stiffness.value, forward.positive.stiffness.value);
-    EXPECT_TRUE(has_note(result, "article.no_closure"));
-    for (const CrackReport& crack : result.cracks) EXPECT_EQ(crack.opens_under, OpensUnder::both);
+  for (const bool printed_numbers : {true, false}) {
+    GearSet gear = test::article_gear();
+    if (!printed_numbers) gear.article.reset();  // then F_r follows from the torque
+    const StiffnessResult forward = torsional_stiffness_as_printed(gear);
+    gear.load.torque = -gear.load.torque;
+    const StiffnessResult backward = torsional_stiffness_as_printed(gear);
+    for (const StiffnessResult& result : {forward, backward}) {
+      EXPECT_EQ(result.positive.stiffness.value, forward.positive.stiffness.value);
+      EXPECT_EQ(result.negative.stiffness.value, forward.positive.stiffness.value);
+      EXPECT_EQ(result.intact.wind_up.value, 100 * result.intact.compliance.total.value);
+      EXPECT_EQ(result.positive.wind_up.value, 100 * result.positive.compliance.total.value);
+      EXPECT_TRUE(has_note(result, "article.no_closure"));
+      ASSERT_EQ(result.cracks.size(), 3U);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const StressIntensities& K = *result.cracks[i].deepest;
+        EXPECT_EQ(K.K_I.value, forward.cracks[i].deepest->K_I.value);
+        EXPECT_EQ(K.K_II.value, forward.cracks[i].deepest->K_II.value);
+        EXPECT_EQ(K.K_III.value, forward.cracks[i].deepest->K_III.value);
+        EXPECT_EQ(result.cracks[i].opens_under, OpensUnder::both);
+      }
+    }
   }
 }
 
@@ -596,6 +648,41 @@ TEST(AsPrinted, InputCracksThatTheArticleDoesNotHave) {
   });
 }
 
+TEST(AsPrinted, InputCracksOfTheCoupledDrive) {
+  // With the sections that these cracks are in, crack_free is refused; a cracked tooth or a
+  // circular spline is not read.
+  const auto sections = [](GearSet& gear) {
+    gear.flexspline->crack_free = CrackFree::sections;
+    gear.flexspline->rim = TubeSection{160 * mm, 2.24 * mm, 20 * mm};
+    gear.flexspline->barrel = TubeSection{160 * mm, 2.24 * mm, 100 * mm};
+    gear.flexspline->diaphragm = Diaphragm{157.76 * mm, 80 * mm, 3 * mm, {}};
+  };
+  RimAxialCrack rim;
+  rim.depth = 0.1 * mm;
+  for (const FlexsplineCrack& crack :
+       {FlexsplineCrack(rim),
+        FlexsplineCrack(DiaphragmArcCrack{.half_length = 1 * mm, .radius = {}}),
+        FlexsplineCrack(DiaphragmGroove{.depth = 0.1 * mm, .width = 1 * mm, .radius = 50 * mm})}) {
+    GearSet gear = test::article_gear();
+    sections(gear);
+    gear.flexspline->crack = {crack};
+    EXPECT_THROW((void)torsional_stiffness_as_printed(gear), InputError);
+  }
+  OuterRaceCrack race;
+  race.depth = 0.1 * mm;
+  GearSet gear = test::article_gear();
+  gear.wave_generator->contact_semi_axes.reset();
+  gear.wave_generator->radial_stiffness.reset();
+  gear.wave_generator->bearing = Bearing{
+      .ball_diameter = 12.7 * mm,
+      .inner_raceway_diameter = 110 * mm,
+      .outer_raceway_diameter = 135.4 * mm,
+      .ball_count = 23,
+      .outer_ring = BearingRing{.mean_radius = 70 * mm, .thickness = 4 * mm, .width = 20 * mm}};
+  gear.wave_generator->crack = {race};
+  EXPECT_THROW((void)torsional_stiffness_as_printed(gear), InputError);
+}
+
 TEST(AsPrinted, InputMoreThanOneCrackInAMember) {
   expect_refused("wave_generator.crack[1]", [](GearSet& gear) {
     gear.wave_generator->crack.push_back(gear.wave_generator->crack[0]);
@@ -615,12 +702,13 @@ TEST(AsPrinted, InputModelsThatTheArticleDoesNotHave) {
     gear.wave_generator->bearing = Bearing{.ball_diameter = 12.7 * mm,
                                            .inner_raceway_diameter = 110 * mm,
                                            .outer_raceway_diameter = 135.4 * mm,
+                                           .ball_count = {},
                                            .outer_ring = {}};
   });
   expect_refused("flexspline.crack_free", [](GearSet& gear) {
     gear.flexspline->crack_free = CrackFree::sections;
     gear.flexspline->barrel = TubeSection{160 * mm, 2.24 * mm, 160 * mm};
-    gear.flexspline->diaphragm = Diaphragm{157.76 * mm, 80 * mm, 3 * mm};
+    gear.flexspline->diaphragm = Diaphragm{157.76 * mm, 80 * mm, 3 * mm, {}};
   });
   expect_refused("wave_generator.crack[0].stress_driver", [](GearSet& gear) {
     auto& crack = std::get<RaceSurfaceCrack>(gear.wave_generator->crack[0]);

@@ -150,6 +150,30 @@ TEST(Repaired, ReferenceSolidShaftByTheHandbook) {
   expect_near(added(), eight_digits(2.1000955e-12, "rad/(N*mm)"));
 }
 
+// (AR-8)
+TEST(Repaired, ReferenceStressIntensitiesOfTheSolidShaft) {
+  int compared = 0;
+  for (const test::CsvRow& row : test::read_reference_csv("annular_shaft")) {
+    const bool of_torque = row.quantity == "handbook.K_III_per_torque";
+    if (!of_torque && row.quantity != "handbook.K_I_per_force") continue;
+    const double x = row("net_diameter_ratio");
+    GearSet gear = test::article_gear();
+    gear.output_shaft->outer_diameter = row("diameter");
+    gear.output_shaft->inner_diameter = 0;
+    std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = row("diameter") * (1 - x) / 2;
+    for (const double sense : {1.0, -1.0}) {
+      gear.load = {.torque = 100 * sense, .axial_force = 1e4 * sense};
+      const StressIntensities K = torsional_stiffness_repaired(gear).cracks[2].deepest.value();
+      EXPECT_EQ(K.K_II.value, 0.0);
+      // a = d (1 - x)/2 of the input keeps 16 + log10(1 - x) digits, d - 2a 16 + log10(x).
+      test::expect_row(of_torque ? K.K_III.value / 100 : K.K_I.value / (1e4 * sense), row,
+                       3e-15 / std::min(x, 1 - x));
+    }
+    ++compared;
+  }
+  EXPECT_GE(compared, 2 * 9);
+}
+
 // (AR-1)
 TEST(Repaired, ReferenceRadialLoadDrivesTheRace) {
   // F_r = 251.5625 N: sigma_max = 3F/(2 pi a'b'), sigma = beta/2 sigma_max, K_I = 1.95 sigma
@@ -158,6 +182,14 @@ TEST(Repaired, ReferenceRadialLoadDrivesTheRace) {
   const StiffnessResult result = torsional_stiffness_repaired(test::article_gear());
   EXPECT_NEAR(result.cracks[0].deepest->K_I.value / kStressIntensity,
               1.95 * sigma * std::sqrt(0.1 / 1.5), 1e-7);
+}
+
+TEST(Repaired, IdentityModesThatTheArticleDoesNotHave) {
+  const auto cracks = torsional_stiffness_repaired(test::article_gear()).cracks;
+  EXPECT_EQ(cracks.at(0).deepest->K_II.value, 0.0);
+  EXPECT_EQ(cracks.at(0).deepest->K_III.value, 0.0);
+  EXPECT_EQ(cracks.at(1).deepest->K_III.value, 0.0);
+  EXPECT_EQ(cracks.at(2).deepest->K_II.value, 0.0);
 }
 
 TEST(Repaired, LimitShallowAnnularCrack) {
@@ -195,6 +227,25 @@ TEST(Repaired, IdentityRaceCrackDoesNotDependOnTheLoad) {
   const double at_100 = torsional_stiffness_repaired(gear).cracks[0].positive.at_output.value;
   gear.load.torque = 7;
   EXPECT_EQ(torsional_stiffness_repaired(gear).cracks[0].positive.at_output.value, at_100);
+}
+
+TEST(Repaired, IdentityBothSensesOfTorqueAreOne) {
+  GearSet gear = test::article_gear();
+  gear.wave_generator->radial_stiffness.reset();
+  gear.wave_generator->displacements = LobeDisplacements{.bearing = 3e-6, .cam = 1e-6};
+  const StiffnessResult forward = torsional_stiffness_repaired(gear);
+  gear.load.torque = -gear.load.torque;
+  const StiffnessResult backward = torsional_stiffness_repaired(gear);
+  EXPECT_EQ(backward.positive.stiffness.value, forward.positive.stiffness.value);
+  EXPECT_EQ(backward.negative.stiffness.value, forward.negative.stiffness.value);
+  EXPECT_EQ(backward.intact.wind_up.value, 100 * forward.intact.compliance.total.value);
+  EXPECT_EQ(backward.positive.wind_up.value, 100 * forward.positive.compliance.total.value);
+  ASSERT_EQ(backward.cracks.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(backward.cracks[i].deepest->K_I.value, forward.cracks[i].deepest->K_I.value);
+    EXPECT_EQ(backward.cracks[i].deepest->K_II.value, forward.cracks[i].deepest->K_II.value);
+    EXPECT_EQ(backward.cracks[i].deepest->K_III.value, forward.cracks[i].deepest->K_III.value);
+  }
 }
 
 TEST(Repaired, IdentityStiffnessFallsMonotonouslyWithTheCrack) {
@@ -302,6 +353,23 @@ TEST(Repaired, InputWhatTheArticleDoesNotHave) {
   expect_refused("wave_generator.crack[0].contact_factor", [](GearSet& gear) {
     std::get<RaceSurfaceCrack>(gear.wave_generator->crack[0]).contact_factor.reset();
   });
+}
+
+TEST(Repaired, InputCracksOfTheCoupledDrive) {
+  RimAxialCrack rim;
+  rim.depth = 0.1 * mm;
+  for (const FlexsplineCrack& crack :
+       {FlexsplineCrack(rim),
+        FlexsplineCrack(DiaphragmArcCrack{.half_length = 1 * mm, .radius = {}}),
+        FlexsplineCrack(DiaphragmGroove{.depth = 0.1 * mm, .width = 1 * mm, .radius = 50 * mm})}) {
+    GearSet gear = test::article_gear();
+    gear.flexspline->crack_free = CrackFree::sections;
+    gear.flexspline->rim = TubeSection{160 * mm, 2.24 * mm, 20 * mm};
+    gear.flexspline->barrel = TubeSection{160 * mm, 2.24 * mm, 100 * mm};
+    gear.flexspline->diaphragm = Diaphragm{157.76 * mm, 80 * mm, 3 * mm, {}};
+    gear.flexspline->crack = {crack};
+    EXPECT_THROW((void)torsional_stiffness_repaired(gear), InputError);
+  }
 }
 
 TEST(Repaired, InputGearIsChecked) {

@@ -82,7 +82,8 @@ TEST_F(Program, IdentityVersionAndHelpSucceed) {
   EXPECT_EQ(version.out.rfind("strainwave ", 0), 0U);
   const Outcome help = run("--help");
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* const command : {"stiffness", "audit", "sweep", "solve", "new", "schema", "man"})
+  for (const char* const command :
+       {"stiffness", "audit", "sweep", "solve", "torsion", "new", "schema", "man"})
     EXPECT_NE(help.out.find(command), std::string::npos) << command;
 }
 
@@ -316,12 +317,89 @@ TEST_F(Program, InputSolveSaysThatThereIsNoSolution) {
   EXPECT_FALSE(outcome.err.empty());
 }
 
+TEST_F(Program, IdentityTorsionWritesTablePlotAndJson) {
+  const std::string file = quoted(STRAINWAVE_EXAMPLES "/cracked_size25.toml");
+  const fs::path plot = in_folder("curve.svg");
+  const Outcome text =
+      run("torsion " + file + " --compare --angles 4 --plot " + quoted(plot.string()));
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_NE(text.out.find("K1 [N*m/rad]"), std::string::npos);
+  EXPECT_NE(text.out.find("4 positions over a turn"), std::string::npos);
+  EXPECT_TRUE(contents(plot).starts_with("<svg"));
+  const Outcome json = run("torsion " + file + " --format json");
+  EXPECT_EQ(json.exit_code, 0) << json.err;
+  const Json parsed = Json::parse(json.out);
+  EXPECT_GT(parsed["positive"]["K1"]["value"].get<double>(), 1e4);
+  EXPECT_TRUE(parsed.contains("provenance"));
+  // The same numbers stand beside the series model.
+  const Json beside = Json::parse(run("stiffness " + file + " --format json").out);
+  EXPECT_EQ(beside["curve"]["positive"]["K1"]["value"].get<double>(),
+            parsed["positive"]["K1"]["value"].get<double>());
+  EXPECT_LT(beside["curve"]["positive"]["K3"]["value"].get<double>(),
+            beside["curve"]["intact"]["K3"]["value"].get<double>());
+  EXPECT_EQ(run("torsion " + file + " --format csv").out.rfind("torque [N*m],", 0), 0U);
+}
+
+TEST_F(Program, InputTorsionSaysWhatIsMissingAndWhatFails) {
+  const Outcome missing = run("torsion " + kArticle);
+  EXPECT_EQ(missing.exit_code, 3);
+  EXPECT_NE(missing.err.find("wave_generator.bearing: must be given for the torsion curve"),
+            std::string::npos)
+      << missing.err;
+  std::string text = contents(fs::path(STRAINWAVE_EXAMPLES) / "cracked_size25.toml");
+  const std::string mesh = "[mesh]\n";
+  text.insert(text.find(mesh) + mesh.size(), "lobe_gap = \"2 mm\"\n");
+  const Outcome loose = run("torsion " + write("loose.toml", text));
+  EXPECT_EQ(loose.exit_code, 4);
+  EXPECT_NE(loose.err.find("lobe gap of 2000 um"), std::string::npos) << loose.err;
+  EXPECT_TRUE(loose.out.empty());
+  EXPECT_EQ(run("torsion " + kArticle + " --angles 0").exit_code, 2);
+}
+
 TEST_F(Program, IdentityAuditPrintsItsRowsInAllForms) {
   const Outcome json = run("audit --format json");
   ASSERT_EQ(json.exit_code, 0) << json.err;
   EXPECT_FALSE(Json::parse(json.out).empty());
   EXPECT_NE(run("audit").out.find("B9"), std::string::npos);
   EXPECT_NE(run("audit --format markdown").out.find('|'), std::string::npos);
+}
+
+TEST_F(Program, IdentityTypicalDriveOfACatalogueSize) {
+  const Outcome drive = run("new --size 32 --ratio 50 --cup standard");
+  ASSERT_EQ(drive.exit_code, 0) << drive.err;
+  const Outcome curve = run("torsion --draws 0 " + write("size32.toml", drive.out));
+  EXPECT_EQ(curve.exit_code, 0) << curve.err;
+  for (const char* const arguments :
+       {"new --size 32", "new --ratio 50", "new --size 22 --ratio 50", "new --size 32 --ratio 20",
+        "catalogue --size 22", "validate --factors support"}) {
+    const Outcome refused = run(arguments);
+    EXPECT_EQ(refused.exit_code, 2) << arguments << refused.out;
+    EXPECT_FALSE(refused.err.empty()) << arguments;
+  }
+}
+
+TEST_F(Program, IdentityCatalogueAndValidation) {
+  EXPECT_NE(run("catalogue --size 25 --ratio 100").out.find("87"), std::string::npos);
+  const fs::path plot = in_folder("validation.svg");
+  const Outcome outcome = run("validate --format json --plot " + quoted(plot.string()));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(Json::parse(outcome.out)["rows"].size(), 35U);
+  EXPECT_EQ(contents(plot).rfind("<svg", 0), 0U);
+}
+
+TEST_F(Program, IdentityCalibratedDriveIsAnInput) {
+  const std::string drive = quoted(STRAINWAVE_EXAMPLES "/catalogue_size25.toml");
+  const std::string calibrated = quoted(in_folder("calibrated.toml").string());
+  const Outcome outcome =
+      run("calibrate " + drive + " --catalogue --factors coning --output " + calibrated);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(run("stiffness " + calibrated).exit_code, 0);
+  const std::string curve =
+      write("curve.csv", "torque [N*m],twist [arcmin]\n14,1.5\n48,4.1\n-48,-4.1\n");
+  EXPECT_EQ(run("calibrate " + drive + " --factors coning --measured " + curve).exit_code, 0);
+  EXPECT_EQ(run("calibrate " + drive).exit_code, 2);
+  EXPECT_EQ(run("calibrate " + drive + " --catalogue --measured " + curve).exit_code, 2);
+  EXPECT_EQ(run("calibrate " + drive + " --measured nowhere.csv").exit_code, 3);
 }
 
 }  // namespace

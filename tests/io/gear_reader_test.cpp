@@ -338,6 +338,62 @@ TEST(GearReader, IdentitySeveralCracksKeepTheirOrder) {
   EXPECT_EQ(std::get<AnnularCrack>(gear.output_shaft->crack[2]).depth, 2 * units::mm);
 }
 
+TEST(GearReader, IdentityTheCoupledDriveIsRead) {
+  const std::string text = std::string(kArticle) + R"(
+[mesh]
+lobe_gap = "-2 um"
+[[mesh.crack]]
+kind = "tooth"
+stiffness_loss = 0.5
+position = "9 deg"
+[circular_spline]
+material = "steel"
+outer_diameter = "214 mm"
+inner_diameter = "164 mm"
+width = "25 mm"
+support = 0.5
+[[circular_spline.crack]]
+kind = "ring"
+depth = "2 mm"
+[rating]
+T1 = "212 N*m"
+T2 = "766 N*m"
+[[range]]
+path = "mesh.lobe_gap"
+lower = "-5 um"
+upper = "0 um"
+knowledge = "assumed"
+[[range]]
+path = "flexspline.wall_thickness"
+lower = "2 mm"
+upper = "2.5 mm"
+source = "drawing"
+)";
+  const GearSet gear = read_gear_set(text, "gear.toml");
+  EXPECT_EQ(gear.mesh->lobe_gap, -2e-6);
+  EXPECT_EQ(gear.mesh->gap_factor, 1.0);
+  const auto& tooth = std::get<ToothCrack>(gear.mesh->crack.at(0));
+  EXPECT_EQ(tooth.stiffness_loss, 0.5);
+  EXPECT_NEAR(tooth.position, 0.15707963267948966, 1e-16);
+  EXPECT_EQ(gear.circular_spline->support, 0.5);
+  const auto& ring = std::get<CircularSplineRingCrack>(gear.circular_spline->crack.at(0));
+  EXPECT_EQ(ring.depth, 2e-3);
+  EXPECT_EQ(ring.position, 0.0);
+  EXPECT_EQ(gear.rating->T2, 766);
+  EXPECT_FALSE(gear.rating->T3.has_value());
+  EXPECT_EQ(gear.rating->lost_motion_share, 0.04);
+  ASSERT_EQ(gear.range.size(), 2U);
+  EXPECT_EQ(gear.range[0].knowledge, Knowledge::assumed);
+  EXPECT_EQ(gear.range[0].source, "");
+  EXPECT_EQ(gear.range[1].path, "flexspline.wall_thickness");
+  EXPECT_EQ(gear.range[1].knowledge, Knowledge::typical);
+  EXPECT_EQ(gear.range[1].upper, "2.5 mm");
+  // Left out: absent.
+  const GearSet plain = read_gear_set(kArticle, "gear.toml");
+  EXPECT_FALSE(plain.mesh || plain.circular_spline || plain.rating);
+  EXPECT_TRUE(plain.range.empty());
+}
+
 TEST(GearReader, IdentityMaterialsMayHaveAnyName) {
   for (const std::string_view name :
        {"\"a.b\"", "\"\"", "'[0]'", "\"\\u03B1-Ti\"", "kind", "4340"}) {
@@ -407,10 +463,9 @@ const std::vector<Wrong> kWrong = {
      "29:1: wave_generator.crack[0].dept: is not known here; did you mean depth?"},
     {"UnknownTable", "[article]", "[artikel]",
      "59:2: artikel: is not known here; known are format, name, material, drive, load, "
-     "wave_generator, flexspline, output_shaft, article"},
-    {"UnknownMember", "[article]", "[circular_spline]",
-     "59:2: circular_spline: is not known here; known are format, name, material, drive, load, "
-     "wave_generator, flexspline, output_shaft, article"},
+     "wave_generator, flexspline, output_shaft, mesh, circular_spline, rating, range, article"},
+    {"UnknownMember", "[article]", "[input_shaft]",
+     "59:2: input_shaft: is not known here; did you mean output_shaft?"},
     {"UnknownEmptyKey", "M_M = ", "\"\" = ",
      "65:1: article.\"\": is not known here; known are radial_load, flaw_parameter, mean_radius, "
      "equivalent_shaft_diameter, M_p, M_M"},
@@ -440,8 +495,9 @@ const std::vector<Wrong> kWrong = {
      "49:1: output_shaft.material: must be given (name of a [material])"},
     {"MissingKind", "kind = \"annular\"\n", "",
      "55:1: output_shaft.crack[0].kind: must be given, one of \"annular\""},
-    {"MissingKindOfTwo", "kind = \"through\"\n", "",
-     "43:1: flexspline.crack[0].kind: must be given, one of \"through\", \"surface\""},
+    {"MissingKindOfFive", "kind = \"through\"\n", "",
+     "43:1: flexspline.crack[0].kind: must be given, one of \"through\", \"surface\", "
+     "\"diaphragm_arc\", \"diaphragm_groove\", \"rim_axial\""},
     {"MissingTable", "[load]\ntorque = \"100 N*m\"\naxial_force = \"0 N\"\n", "",
      "1:1: load: must be given (static load at the output)"},
     {"MissingMaterial",
@@ -567,7 +623,7 @@ const std::vector<Wrong> kWrong = {
      "have: \"annular\""},
     {"KindUnknown", "kind = \"surface\"", "kind = \"Surface\"",
      "28:8: wave_generator.crack[0].kind: \"Surface\" is not a kind of crack that this member can "
-     "have: \"surface\", \"edge\""},
+     "have: \"surface\", \"edge\", \"outer_race\""},
     {"KindAsNumber", "kind = \"annular\"", "kind = 1",
      "56:8: output_shaft.crack[0].kind: 1 is not a kind of crack that this member can have: "
      "\"annular\""},

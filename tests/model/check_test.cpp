@@ -57,6 +57,7 @@ GearSet sections_gear() {
       .inner_raceway_diameter = 110 * mm,
       .outer_raceway_diameter = 135.4 * mm,
       .loaded_balls = 3,
+      .ball_count = 23,
       .outer_ring = BearingRing{.mean_radius = 70 * mm, .thickness = 4 * mm, .width = 20 * mm}};
   wg.inner_ring_width = 20 * mm;
   wg.inner_ring_mean_radius = 60 * mm;
@@ -74,8 +75,8 @@ GearSet sections_gear() {
   fs.crack_free = CrackFree::sections;
   fs.rim = TubeSection{.outer_diameter = 160 * mm, .wall_thickness = 3 * mm, .length = 30 * mm};
   fs.barrel = TubeSection{.outer_diameter = 158 * mm, .wall_thickness = 2 * mm, .length = 100 * mm};
-  fs.diaphragm =
-      Diaphragm{.outer_diameter = 154 * mm, .inner_diameter = 80 * mm, .thickness = 3 * mm};
+  fs.diaphragm = Diaphragm{
+      .outer_diameter = 154 * mm, .inner_diameter = 80 * mm, .thickness = 3 * mm, .profile = {}};
   fs.boss = TubeSection{.outer_diameter = 80 * mm, .wall_thickness = 10 * mm, .length = 10 * mm};
   WallSurfaceCrack in_rim;
   in_rim.depth = 1 * mm;
@@ -85,6 +86,60 @@ GearSet sections_gear() {
   in_barrel.half_length = 1 * mm;
   fs.crack = {in_rim, in_barrel};
   return gear;
+}
+
+/// The same with what the torsion curve needs, and its cracks.
+GearSet coupled_gear() {
+  GearSet gear = sections_gear();
+  gear.name = "coupled";
+  OuterRaceCrack outer_race;
+  outer_race.depth = 1 * mm;
+  gear.wave_generator->crack.emplace_back(outer_race);
+  RimAxialCrack rim_axial;
+  rim_axial.depth = 1 * mm;
+  gear.flexspline->diaphragm->profile = {{.radius = 42 * mm, .thickness = 5 * mm},
+                                         {.radius = 50 * mm, .thickness = 2 * mm}};
+  gear.flexspline->crack = {rim_axial, DiaphragmArcCrack{.half_length = 3 * mm, .radius = 45 * mm},
+                            DiaphragmGroove{.depth = 0.5 * mm, .width = 1 * mm, .radius = 60 * mm}};
+  gear.mesh = ToothMesh{};
+  gear.mesh->crack.emplace_back(ToothCrack{.stiffness_loss = 1.0, .position = 0.1});
+  CircularSpline spline;
+  spline.material = "steel";
+  spline.outer_diameter = 214 * mm;
+  spline.inner_diameter = 164 * mm;
+  spline.width = 25 * mm;
+  spline.support = 0.5;
+  CircularSplineRingCrack ring;
+  ring.depth = 2 * mm;
+  spline.crack = {ring};
+  gear.circular_spline = spline;
+  Rating rating;
+  rating.T1 = 212;
+  rating.T2 = 766;
+  rating.T3 = 1226;
+  gear.rating = rating;
+  gear.range = {InputRange{.path = "flexspline.wall_thickness",
+                           .lower = "2 mm",
+                           .upper = "2.5 mm",
+                           .knowledge = Knowledge::typical,
+                           .source = "drawing"},
+                InputRange{.path = "mesh.friction_coefficient",
+                           .lower = "0",
+                           .upper = "0.1",
+                           .knowledge = Knowledge::assumed,
+                           .source = ""}};
+  return gear;
+}
+
+Diaphragm& diaphragm(GearSet& gear) { return *gear.flexspline->diaphragm; }
+RimAxialCrack& rim_axial_crack(GearSet& gear) {
+  return std::get<RimAxialCrack>(gear.flexspline->crack[0]);
+}
+DiaphragmArcCrack& arc_crack(GearSet& gear) {
+  return std::get<DiaphragmArcCrack>(gear.flexspline->crack[1]);
+}
+DiaphragmGroove& groove(GearSet& gear) {
+  return std::get<DiaphragmGroove>(gear.flexspline->crack[2]);
 }
 
 WaveGenerator& wave_generator(GearSet& gear) { return *gear.wave_generator; }
@@ -112,6 +167,7 @@ AnnularCrack& annular_crack(GearSet& gear) {
 TEST(Check, InputSoundDrivesAreAccepted) {
   EXPECT_STREQ(refusal(article_gear()).what(), ": accepted");
   EXPECT_STREQ(refusal(sections_gear()).what(), ": accepted");
+  EXPECT_STREQ(refusal(coupled_gear()).what(), ": accepted");
 }
 
 // --- Rules between fields ------------------------------------------------------------------------
@@ -355,7 +411,7 @@ const std::vector<Broken> kBroken = {
      "flexspline.barrel", "", "is read only where crack_free = \"sections\""},
     {"FactorWithDiaphragm", article,
      [](GearSet& g) {
-       flexspline(g).diaphragm = Diaphragm{1, 0.1, 1};
+       flexspline(g).diaphragm = Diaphragm{1, 0.1, 1, {}};
      },
      "flexspline.diaphragm", "", "is read only where crack_free = \"sections\""},
     {"FactorWithBoss", article,
@@ -413,6 +469,109 @@ const std::vector<Broken> kBroken = {
      [](GearSet& g) { rim_crack(g).half_length = 0.99 * mm; }, "flexspline.crack[0].half_length",
      "half_length >= depth", ""},
 
+    // coupled drive: balls and rings
+    {"TwoBalls", coupled_gear, [](GearSet& g) { wave_generator(g).bearing->ball_count = 2; },
+     "wave_generator.bearing.ball_count", ">= 3 and <= 200", ""},
+    {"TooManyBalls", coupled_gear, [](GearSet& g) { wave_generator(g).bearing->ball_count = 201; },
+     "wave_generator.bearing.ball_count", ">= 3 and <= 200", ""},
+    {"OuterRaceCrackWithoutRing", coupled_gear,
+     [](GearSet& g) { wave_generator(g).bearing->outer_ring.reset(); },
+     "wave_generator.bearing.outer_ring", "",
+     "must be given for wave_generator.crack[2] (the ring that it is in)"},
+    {"OuterRaceCrackWithoutBearing", coupled_gear,
+     [](GearSet& g) {
+       wave_generator(g).bearing.reset();
+       wave_generator(g).radial_stiffness = 1e8;
+     },
+     "wave_generator.bearing.outer_ring", "",
+     "must be given for wave_generator.crack[2] (the ring that it is in)"},
+    {"OuterRaceCrackThroughTheRing", coupled_gear,
+     [](GearSet& g) {
+       std::get<OuterRaceCrack>(wave_generator(g).crack[2]).depth = 4 * mm;
+     },
+     "wave_generator.crack[2].depth", "depth < wave_generator.bearing.outer_ring.thickness", ""},
+    {"RimAxialCrackWithoutRim", coupled_gear, [](GearSet& g) { flexspline(g).rim.reset(); },
+     "flexspline.rim", "", "must be given for flexspline.crack[0] (the ring that it is in)"},
+    {"RimAxialCrackThroughTheRim", coupled_gear,
+     [](GearSet& g) { rim_axial_crack(g).depth = 3 * mm; }, "flexspline.crack[0].depth",
+     "depth < flexspline.rim.wall_thickness", ""},
+
+    // coupled drive: diaphragm
+    {"StationsNotRising", coupled_gear,
+     [](GearSet& g) { diaphragm(g).profile[1].radius = 41 * mm; },
+     "flexspline.diaphragm.profile[1].radius", "radius > that of the station before", ""},
+    {"StationsAtOneRadius", coupled_gear,
+     [](GearSet& g) { diaphragm(g).profile[1].radius = 42 * mm; },
+     "flexspline.diaphragm.profile[1].radius", "radius > that of the station before", ""},
+    {"StationInTheBoss", coupled_gear,
+     [](GearSet& g) { diaphragm(g).profile[0].radius = 39.9 * mm; },
+     "flexspline.diaphragm.profile[0].radius",
+     "inner_diameter/2 <= radius < outer_diameter/2", ""},
+    {"StationAtTheBarrel", coupled_gear,
+     [](GearSet& g) { diaphragm(g).profile[1].radius = 77 * mm; },
+     "flexspline.diaphragm.profile[1].radius",
+     "inner_diameter/2 <= radius < outer_diameter/2", ""},
+    {"DiaphragmCrackWithoutDiaphragm", coupled_gear,
+     [](GearSet& g) {
+       flexspline(g).shape = FlexsplineShape::cylinder;
+       flexspline(g).diaphragm.reset();
+     },
+     "flexspline.diaphragm", "", "must be given for flexspline.crack[1]"},
+    {"ArcInTheBoss", coupled_gear, [](GearSet& g) { arc_crack(g).radius = 39.9 * mm; },
+     "flexspline.crack[1].radius", "on the diaphragm", ""},
+    {"ArcBeyondTheDiaphragm", coupled_gear, [](GearSet& g) { arc_crack(g).radius = 77 * mm; },
+     "flexspline.crack[1].radius", "on the diaphragm", ""},
+    {"ArcAllRound", coupled_gear,
+     [](GearSet& g) { arc_crack(g).half_length = pi * 45 * mm; },
+     "flexspline.crack[1].half_length", "2 half_length < circumference at its radius", ""},
+    {"GrooveReachesIntoTheBoss", coupled_gear, [](GearSet& g) { groove(g).radius = 40.4 * mm; },
+     "flexspline.crack[2].radius", "radius +- width/2 on the diaphragm", ""},
+    {"GrooveReachesIntoTheBarrel", coupled_gear, [](GearSet& g) { groove(g).radius = 76.6 * mm; },
+     "flexspline.crack[2].radius", "radius +- width/2 on the diaphragm", ""},
+    {"GrooveThroughTheDiaphragm", coupled_gear, [](GearSet& g) { groove(g).depth = 2.5 * mm; },
+     "flexspline.crack[2].depth", "depth < thickness of the diaphragm", ""},
+    {"GrooveThroughAThinPlaceInside", coupled_gear,  // 2 mm at 50 mm, more on either side
+     [](GearSet& g) {
+       groove(g).radius = 50 * mm;
+       groove(g).width = 6 * mm;
+       groove(g).depth = 2.05 * mm;
+     },
+     "flexspline.crack[2].depth", "depth < thickness of the diaphragm", ""},
+
+    // coupled drive: circular spline, rating, ranges
+    {"SplineOfUnknownMaterial", coupled_gear,
+     [](GearSet& g) { g.circular_spline->material = "iron"; }, "circular_spline.material", "",
+     "\"iron\" is not one of the materials given (steel)"},
+    {"SplineWithoutRing", coupled_gear,
+     [](GearSet& g) { g.circular_spline->outer_diameter = 164 * mm; },
+     "circular_spline.inner_diameter", "inner_diameter < outer_diameter", ""},
+    {"SplineInsideThePitchDiameter", coupled_gear,
+     [](GearSet& g) { g.circular_spline->inner_diameter = 160 * mm; },
+     "circular_spline.inner_diameter", "inner_diameter > drive.pitch_diameter", ""},
+    {"SplineCrackThroughTheRing", coupled_gear,
+     [](GearSet& g) {
+       std::get<CircularSplineRingCrack>(g.circular_spline->crack[0]).depth = 25 * mm;
+     },
+     "circular_spline.crack[0].depth", "depth < (outer_diameter - inner_diameter)/2", ""},
+    {"RatingsOutOfOrder", coupled_gear, [](GearSet& g) { g.rating->T2 = 212; }, "rating.T2",
+     "T2 > T1", ""},
+    {"ThirdTorqueOutOfOrder", coupled_gear, [](GearSet& g) { g.rating->T3 = 766; }, "rating.T3",
+     "T3 > T2", ""},
+    {"RangePathOfTwoLines", coupled_gear, [](GearSet& g) { g.range[0].path = "a\nb"; },
+     "range[0].path", "", "must be one line, without control characters"},
+    {"RangeSourceOfTwoLines", coupled_gear, [](GearSet& g) { g.range[1].source = "a\nb"; },
+     "range[1].source", "", "must be one line, without control characters"},
+    {"RangeReversed", coupled_gear, [](GearSet& g) { g.range[0].lower = "2.5 mm"; },
+     "range[0].upper", "upper > lower", ""},
+    {"RangeAboveItsNumber", coupled_gear, [](GearSet& g) { g.range[0].lower = "2.3 mm"; },
+     "range[0].path", "the file's value between lower and upper", ""},
+    {"RangeBelowItsNumber", coupled_gear, [](GearSet& g) { g.range[0].upper = "2.2 mm"; },
+     "range[0].path", "the file's value between lower and upper", ""},
+    {"RangeBeyondTheRuleBelow", coupled_gear, [](GearSet& g) { g.range[0].lower = "0 mm"; },
+     "range[0].lower", "> 0", ""},
+    {"RangeBeyondTheRuleAbove", coupled_gear, [](GearSet& g) { g.range[1].upper = "0.6"; },
+     "range[1].upper", ">= 0 and <= 0.5", ""},
+
     // output shaft
     {"BoreOfTheDiameter", article, [](GearSet& g) { shaft(g).inner_diameter = 70 * mm; },
      "output_shaft.inner_diameter", "inner_diameter < outer_diameter", ""},
@@ -456,6 +615,28 @@ TEST_P(CheckRule, InputBrokenOnceIsRefused) {
 
 INSTANTIATE_TEST_SUITE_P(Rules, CheckRule, testing::ValuesIn(kBroken),
                          [](const auto& test) { return test.param.name; });
+
+TEST(Check, InputFlangeComplianceNeedsSections) {
+  GearSet gear = test::article_gear();
+  gear.flexspline->flange_compliance = 1e-7;
+  EXPECT_STREQ(refusal(gear).what(),
+               "flexspline.flange_compliance: is read only where crack_free = \"sections\"");
+}
+
+TEST(Check, InputRangeOfWhatIsNoNumber) {
+  GearSet gear = coupled_gear();
+  gear.range[0].path = "flexspline.wall_thicknes";
+  EXPECT_STREQ(refusal(gear).what(),
+               "range[0].path: \"flexspline.wall_thicknes\" is not a number of this drive; did you "
+               "mean flexspline.wall_thickness?");
+  // A range is read in the unit of its number.
+  gear = coupled_gear();
+  gear.range[0].lower = "2 N";
+  EXPECT_EQ(refusal(gear).field(), "range[0].lower");
+  gear = coupled_gear();
+  gear.range[0].upper = "wide";
+  EXPECT_EQ(refusal(gear).field(), "range[0].upper");
+}
 
 // --- Boundaries that are still inside ------------------------------------------------------------
 
@@ -615,6 +796,34 @@ const std::vector<Accepted> kAccepted = {
        shaft(g).inner_diameter = 0;
        annular_crack(g).depth = just_below(35 * mm);
      }},
+    {"ThreeBalls", coupled_gear, [](GearSet& g) { wave_generator(g).bearing->ball_count = 3; }},
+    {"TwoHundredBalls", coupled_gear,
+     [](GearSet& g) { wave_generator(g).bearing->ball_count = 200; }},
+    {"RimAxialCrackJustInTheRim", coupled_gear,
+     [](GearSet& g) { rim_axial_crack(g).depth = just_below(3 * mm); }},
+    {"OuterRaceCrackJustInTheRing", coupled_gear,
+     [](GearSet& g) {
+       std::get<OuterRaceCrack>(wave_generator(g).crack[2]).depth = just_below(4 * mm);
+     }},
+    {"SplineCrackJustInTheRing", coupled_gear,
+     [](GearSet& g) {
+       std::get<CircularSplineRingCrack>(g.circular_spline->crack[0]).depth = just_below(25 * mm);
+     }},
+    {"StationAtTheBoss", coupled_gear,
+     [](GearSet& g) { diaphragm(g).profile[0].radius = 40 * mm; }},
+    {"StationJustInsideTheBarrel", coupled_gear,
+     [](GearSet& g) { diaphragm(g).profile[1].radius = just_below(77 * mm); }},
+    {"ArcAtTheBoss", coupled_gear, [](GearSet& g) { arc_crack(g).radius.reset(); }},
+    {"ArcJustInsideTheBarrel", coupled_gear,
+     [](GearSet& g) { arc_crack(g).radius = below(77 * mm); }},
+    {"ArcAlmostAllRound", coupled_gear,
+     [](GearSet& g) { arc_crack(g).half_length = just_below(pi * 45 * mm); }},
+    {"GrooveAtTheBoss", coupled_gear, [](GearSet& g) { groove(g).radius = 40.5 * mm; }},
+    {"GrooveAtTheBarrel", coupled_gear, [](GearSet& g) { groove(g).radius = 76.5 * mm; }},
+    {"SplineAlmostRigid", coupled_gear, [](GearSet& g) { g.circular_spline->support = 0; }},
+    {"ThirdTorqueByDefault", coupled_gear, [](GearSet& g) { g.rating->T3.reset(); }},
+    {"RangeFromItsNumber", coupled_gear, [](GearSet& g) { g.range[0].lower = "2.24 mm"; }},
+    {"RangeInOtherUnits", coupled_gear, [](GearSet& g) { g.range[0].lower = "2000 um"; }},
     {"NoOverrides", article, [](GearSet& g) { g.article = ArticleOverrides{}; }},
     {"MaterialOfAnyName", article,
      [](GearSet& g) {
@@ -656,10 +865,14 @@ void fill(T& value, const Field& field) {
   } else if constexpr (is_string_map<T>) {
     fill(value["steel"], field);
   } else if constexpr (is_vector<T>) {
-    for_each_alternative<typename T::value_type>(
-        [&]<class Alternative>() { value.emplace_back(Alternative{}); });
-    for (auto& element : value)
-      std::visit([&](auto& alternative) { fill(alternative, field); }, element);
+    if constexpr (is_variant<typename T::value_type>) {
+      for_each_alternative<typename T::value_type>(
+          [&]<class Alternative>() { value.emplace_back(Alternative{}); });
+      for (auto& element : value)
+        std::visit([&](auto& alternative) { fill(alternative, field); }, element);
+    } else {
+      fill(value.emplace_back(), field);
+    }
   } else if constexpr (Described<T>) {
     T::describe([&](const Field& inner, auto member) { fill(value.*member, inner); });
   }
@@ -686,11 +899,16 @@ void collect(const FieldPath& path, std::set<std::string>& paths) {
   } else if constexpr (is_string_map<T>) {
     collect<typename T::mapped_type>(path / "steel", paths);
   } else if constexpr (is_vector<T>) {
-    std::size_t i = 0;
-    for_each_alternative<typename T::value_type>(
-        [&]<class Alternative>() { collect<Alternative>(path[i++], paths); });
+    if constexpr (is_variant<typename T::value_type>) {
+      std::size_t i = 0;
+      for_each_alternative<typename T::value_type>(
+          [&]<class Alternative>() { collect<Alternative>(path[i++], paths); });
+    } else {
+      collect<typename T::value_type>(path[0], paths);
+    }
   } else if constexpr (Described<T>) {
-    T::describe([&]<class Value>(const Field& field, Value T::*) {
+    // The owner of a member may be a base of T.
+    T::describe([&]<class Value, class Owner>(const Field& field, Value Owner::*) {
       collect<Value>(path / field.name, paths);
     });
   }
@@ -763,17 +981,38 @@ TEST(CheckRange, InputEveryBoundIsHeldOnBothSides) {
 
 /// The bounds themselves, written down once more: a range loosened by mistake shows here.
 TEST(CheckRange, ReferenceRanges) {
-  const std::set<std::string> any = {"load.torque", "load.axial_force",
+  const std::set<std::string> any = {"load.torque",
+                                     "load.axial_force",
                                      "wave_generator.crack[0].stress",
-                                     "wave_generator.crack[1].stress"};
-  const std::set<std::string> may_be_zero = {
-      "output_shaft.inner_diameter", "wave_generator.displacements.bearing",
-      "wave_generator.displacements.cam", "wave_generator.displacements.shaft"};
+                                     "wave_generator.crack[1].stress",
+                                     "wave_generator.crack[0].position",
+                                     "wave_generator.crack[1].position",
+                                     "wave_generator.crack[2].position",
+                                     "flexspline.crack[4].position",
+                                     "mesh.lobe_gap",
+                                     "mesh.crack[0].position",
+                                     "circular_spline.crack[0].position"};
+  const std::set<std::string> may_be_zero = {"output_shaft.inner_diameter",
+                                             "wave_generator.displacements.bearing",
+                                             "wave_generator.displacements.cam",
+                                             "wave_generator.displacements.shaft",
+                                             "wave_generator.bearing.clearance",
+                                             "wave_generator.cam_flattening",
+                                             "flexspline.flange_compliance",
+                                             "mesh.gap_factor",
+                                             "mesh.coning",
+                                             "rating.friction_torque"};
   const std::map<std::string, std::string> others = {
       {"material.steel.poissons_ratio", "> -1 and < 0.5"},
       {"wave_generator.bearing.inner_conformity", "> 0.5 and < 1"},
       {"wave_generator.bearing.outer_conformity", "> 0.5 and < 1"},
       {"wave_generator.bearing.loaded_balls", ">= 1"},
+      {"wave_generator.bearing.outer_ring.groove_factor", "> 0 and <= 1"},
+      {"mesh.flank_angle", "> 0 and < 60 deg"},
+      {"mesh.friction_coefficient", ">= 0 and <= 0.5"},
+      {"mesh.crack[0].stiffness_loss", "> 0 and <= 1"},
+      {"circular_spline.support", ">= 0 and <= 1"},
+      {"rating.lost_motion_share", "> 0 and < 1"},
       {"wave_generator.crack[0].aspect_ratio", "> 0 and <= 1"},
       {"wave_generator.crack[0].contact_factor", "> 0 and <= 1"},
       {"wave_generator.crack[1].contact_factor", "> 0 and <= 1"},

@@ -221,5 +221,50 @@ TEST(NumberAt, InputPathsOfAnyLengthAreRefused) {
   EXPECT_NE(refusal([&] { (void)number_at(gear, std::string(1'000'000, 'x')); }).field(), "");
 }
 
+// --- Thickness of a diaphragm --------------------------------------------------------------------
+
+Diaphragm stepped_diaphragm() {
+  return {.outer_diameter = 150 * mm,
+          .inner_diameter = 80 * mm,
+          .thickness = 3 * mm,
+          .profile = {{.radius = 45 * mm, .thickness = 5 * mm},
+                      {.radius = 50 * mm, .thickness = 2 * mm}}};
+}
+
+TEST(DiaphragmThickness, IdentityConstantWithoutProfile) {
+  Diaphragm plain = stepped_diaphragm();
+  plain.profile.clear();
+  for (const double r : {40 * mm, 45 * mm, 60 * mm, 75 * mm})
+    EXPECT_EQ(diaphragm_thickness(plain, r), 3 * mm);
+}
+
+TEST(DiaphragmThickness, ReferenceLinearBetweenTheStations) {
+  const Diaphragm diaphragm = stepped_diaphragm();
+  const auto h = [&](double r) { return diaphragm_thickness(diaphragm, r * mm) / mm; };
+  EXPECT_EQ(h(40), 5);  // constant inside the first station
+  EXPECT_EQ(h(45), 5);
+  EXPECT_NEAR(h(46), 4.4, 1e-14);  // 5 - 3/5; rounding
+  EXPECT_NEAR(h(47.5), 3.5, 1e-14);
+  EXPECT_NEAR(h(50), 2, 1e-15);
+  EXPECT_NEAR(h(62.5), 2.5, 1e-14);  // half way to 3 mm at the outer diameter
+  EXPECT_NEAR(h(75), 3, 1e-14);
+  EXPECT_EQ(h(80), 3);
+}
+
+TEST(DiaphragmThickness, IdentityContinuous) {
+  const Diaphragm diaphragm = stepped_diaphragm();
+  for (const double r : {45 * mm, 50 * mm, 75 * mm})
+    // The steepest slope is 0.6.
+    EXPECT_NEAR(diaphragm_thickness(diaphragm, r * (1 - 1e-9)),
+                diaphragm_thickness(diaphragm, r * (1 + 1e-9)), 0.61 * 2e-9 * r);
+}
+
+TEST(DiaphragmThickness, LimitOneStation) {
+  Diaphragm diaphragm = stepped_diaphragm();
+  diaphragm.profile.resize(1);
+  EXPECT_EQ(diaphragm_thickness(diaphragm, 40 * mm), 5 * mm);
+  EXPECT_NEAR(diaphragm_thickness(diaphragm, 60 * mm), 4 * mm, 1e-17);  // half way to the edge
+}
+
 }  // namespace
 }  // namespace strainwave

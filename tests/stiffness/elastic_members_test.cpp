@@ -278,6 +278,108 @@ TEST(Ring, InputRulesBrokenOnce) {
   EXPECT_EQ(broken_rule([] { return ring_moment_factor(2); }), "no error");
 }
 
+// --- diaphragm of any thickness (TC-13), groove in it (TC-20)
+// --------------------------------------------------------------------------------
+
+constexpr double kG = 80 * GPa;
+
+Diaphragm tapered_diaphragm() {
+  return {.outer_diameter = 150 * mm,
+          .inner_diameter = 80 * mm,
+          .thickness = 2 * mm,
+          .profile = {{.radius = 40 * mm, .thickness = 5 * mm}}};
+}
+
+/// Integral of dr/(r^3 (c + k r)) from r_1 to r_2, by partial fractions.
+double linear_law(double c, double k, double r_1, double r_2) {
+  const auto primitive = [&](double r) {
+    return -1 / (2 * c * r * r) + k / (c * c * r) + k * k / (c * c * c) * std::log(r / (c + k * r));
+  };
+  return primitive(r_2) - primitive(r_1);
+}
+
+TEST(DiaphragmTorsion, ReferenceExactIntegralOfALinearLaw) {
+  const double k = (2 * mm - 5 * mm) / (75 * mm - 40 * mm);
+  const double c = 5 * mm - k * 40 * mm;
+  // Quadrature to 1e-12; the primitive loses two digits in its differences.
+  test::expect_relative(torsional_compliance(tapered_diaphragm(), kG),
+                        linear_law(c, k, 40 * mm, 75 * mm) / (2 * pi * kG), 1e-11);
+}
+
+TEST(DiaphragmTorsion, ReferenceExactIntegralOfThreePieces) {
+  Diaphragm diaphragm = tapered_diaphragm();
+  diaphragm.profile = {{.radius = 45 * mm, .thickness = 5 * mm},
+                       {.radius = 60 * mm, .thickness = 3 * mm}};
+  const double inside = (1 / std::pow(40 * mm, 2) - 1 / std::pow(45 * mm, 2)) / 2 / (5 * mm);
+  const double k_1 = -2.0 / 15;
+  const double k_2 = -1.0 / 15;
+  const double expected = inside + linear_law(5 * mm - k_1 * 45 * mm, k_1, 45 * mm, 60 * mm) +
+                          linear_law(3 * mm - k_2 * 60 * mm, k_2, 60 * mm, 75 * mm);
+  test::expect_relative(torsional_compliance(diaphragm, kG), expected / (2 * pi * kG), 1e-11);
+}
+
+TEST(DiaphragmTorsion, IdentityConstantThickness) {
+  Diaphragm diaphragm = tapered_diaphragm();
+  diaphragm.profile.clear();
+  const double plate = torsional_compliance(AnnularPlate{150 * mm, 80 * mm, 2 * mm}, kG);
+  EXPECT_EQ(torsional_compliance(diaphragm, kG), plate);
+  diaphragm.profile = {{.radius = 50 * mm, .thickness = 2 * mm}};
+  test::expect_relative(torsional_compliance(diaphragm, kG), plate, 1e-12);  // of the quadrature
+}
+
+TEST(DiaphragmTorsion, IdentityGrooveIsAThinnerRing) {
+  Diaphragm diaphragm = tapered_diaphragm();
+  diaphragm.profile.clear();
+  const DiaphragmGroove groove{.depth = 0.5 * mm, .width = 2 * mm, .radius = 50 * mm};
+  const auto ring = [](double h) {
+    return torsional_compliance(AnnularPlate{102 * mm, 98 * mm, h}, kG);
+  };
+  // Two integrals of 1e-12 apart by a third of either.
+  test::expect_relative(groove_compliance(diaphragm, groove, kG), ring(1.5 * mm) - ring(2 * mm),
+                        1e-11);
+  // In a tapered one, by the same law less the depth: h = c - d + k r.
+  const Diaphragm tapered = tapered_diaphragm();
+  const double k = -3.0 / 35;
+  const double c = 5 * mm - k * 40 * mm;
+  test::expect_relative(
+      groove_compliance(tapered, groove, kG) * 2 * pi * kG,
+      linear_law(c - 0.5 * mm, k, 49 * mm, 51 * mm) - linear_law(c, k, 49 * mm, 51 * mm), 1e-9);
+}
+
+TEST(DiaphragmTorsion, LimitShallowGroove) {
+  // dr d/(r^3 h^2)/(2 pi G); the next term is d/h.
+  Diaphragm diaphragm = tapered_diaphragm();
+  diaphragm.profile.clear();
+  const double d = 1e-4 * mm;
+  const double limit = (1 / std::pow(49 * mm, 2) - 1 / std::pow(51 * mm, 2)) / 2 * d /
+                       std::pow(2 * mm, 2) / (2 * pi * kG);
+  EXPECT_NEAR(
+      groove_compliance(diaphragm, {.depth = d, .width = 2 * mm, .radius = 50 * mm}, kG) / limit, 1,
+      1.1 * d / (2 * mm));
+}
+
+TEST(DiaphragmTorsion, ScalingIsAnglePerTorque) {
+  test::expect_dimensionally_consistent(
+      "rad/(N*m)",
+      [](double length, double G) {
+        Diaphragm diaphragm = tapered_diaphragm();
+        diaphragm.outer_diameter *= length;
+        diaphragm.inner_diameter *= length;
+        diaphragm.thickness *= length;
+        diaphragm.profile[0].radius *= length;
+        diaphragm.profile[0].thickness *= length;
+        const DiaphragmGroove groove{
+            .depth = 0.5 * mm * length, .width = 2 * mm * length, .radius = 50 * mm * length};
+        return torsional_compliance(diaphragm, G) + groove_compliance(diaphragm, groove, G);
+      },
+      Arg{1.0, "m"}, Arg{8e10, "Pa"});
+}
+
+TEST(DiaphragmTorsion, InputRulesBrokenOnce) {
+  EXPECT_EQ(broken_rule([] { return torsional_compliance(tapered_diaphragm(), 0.0); }),
+            "shear_modulus = 0 Pa violates: shear_modulus > 0");
+}
+
 TEST(ElasticMembers, InputNothingUnlessGiven) {
   const Tube tube;
   EXPECT_EQ(tube.outer_diameter, 0.0);

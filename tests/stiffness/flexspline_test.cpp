@@ -126,8 +126,8 @@ GearSet cup_of_sections() {
   gear.flexspline->crack_free = CrackFree::sections;
   gear.flexspline->barrel =
       TubeSection{.outer_diameter = 160 * mm, .wall_thickness = kWall, .length = 157.76 * mm};
-  gear.flexspline->diaphragm =
-      Diaphragm{.outer_diameter = 157.76 * mm, .inner_diameter = 60 * mm, .thickness = kWall};
+  gear.flexspline->diaphragm = Diaphragm{
+      .outer_diameter = 157.76 * mm, .inner_diameter = 60 * mm, .thickness = kWall, .profile = {}};
   return gear;
 }
 
@@ -282,7 +282,11 @@ TEST(Flexspline, CrosscheckWallOfTheSection) {
     for (const WallSection section : {WallSection::rim, WallSection::barrel}) {
       gear.flexspline->crack = {surface ? with_surface_crack().flexspline->crack[0]
                                         : with_through_crack().flexspline->crack[0]};
-      std::visit([&](auto& crack) { crack.section = section; }, gear.flexspline->crack[0]);
+      std::visit(
+          [&](auto& crack) {
+            if constexpr (requires { crack.section; }) crack.section = section;
+          },
+          gear.flexspline->crack[0]);
       const bool rim = section == WallSection::rim;
       const auto expected =
           fracture_matrix(gear, true, rim ? 79 * mm : 73.5 * mm, rim ? 4 * mm : 3 * mm);
@@ -853,6 +857,89 @@ TEST(Flexspline, ScalingSoundAndCracked) {
            [](const GearSet& gear) { return first_crack(gear).largest->K_I.value; });
     expect("m", surface, [](const GearSet& gear) { return first_crack(gear).plastic_zone->value; });
   }
+}
+
+// --- diaphragm, flange, and what acts through the contacts (TC-19), (TC-20)
+// --------------------------------------------------------------------------------
+
+TEST(DiaphragmArc, ReferenceSlidingOfAThroughCrack) {
+  // K_II = tau sqrt(pi a), tau = T/(2 pi r^2 h): a^2/(2 pi E r^4 h), plane stress.
+  for (const double a : {0.5 * mm, 3 * mm, 12 * mm})
+    for (const double r : {30 * mm, 45 * mm}) {
+      GearSet gear = cup_of_sections();
+      gear.flexspline->crack = {DiaphragmArcCrack{.half_length = a, .radius = r}};
+      const double expected = a * a / (2 * pi * kE * std::pow(r, 4) * kWall);
+      test::expect_relative(positive(gear), expected, 1e-11);  // of the quadrature
+      EXPECT_EQ(negative(gear), positive(gear));
+      EXPECT_EQ(first_crack(gear).kind, "diaphragm_arc");
+      EXPECT_EQ(first_crack(gear).opens_under, OpensUnder::neither);
+      EXPECT_EQ(first_crack(gear).deepest->K_I.value, 0.0);
+      const MemberCompliance member = flexspline_compliance(gear);
+      EXPECT_TRUE(test::uses_equation(member.equations, "TC-19"));
+      EXPECT_EQ(test::count_notes(member.notes, "crack.diaphragm_arc", "flexspline.crack[0]"), 0);
+      EXPECT_EQ(test::count_notes(member.notes, "flexspline.ovalisation"), 0);
+    }
+}
+
+TEST(DiaphragmArc, IdentityRadiusAndThicknessWhereItIs) {
+  GearSet gear = cup_of_sections();
+  gear.flexspline->crack = {DiaphragmArcCrack{.half_length = 3 * mm, .radius = 30 * mm}};
+  const double at_the_boss = positive(gear);
+  gear.flexspline->crack = {DiaphragmArcCrack{.half_length = 3 * mm, .radius = {}}};
+  EXPECT_EQ(positive(gear), at_the_boss);
+  gear.flexspline->diaphragm->profile = {{.radius = 30 * mm, .thickness = 2 * kWall}};
+  test::expect_relative(positive(gear), at_the_boss / 2, 1e-12);
+  EXPECT_EQ(first_crack(gear).deepest->K_II.value > 0, true);
+  gear.flexspline->crack = {DiaphragmArcCrack{.half_length = 15.1 * mm, .radius = {}}};
+  EXPECT_EQ(test::count_notes(flexspline_compliance(gear).notes, "crack.diaphragm_arc",
+                              "flexspline.crack[0]"),
+            1);
+}
+
+TEST(DiaphragmGroove, IdentityAddsTheThinnerRing) {
+  GearSet gear = cup_of_sections();
+  const DiaphragmGroove groove{.depth = 0.5 * mm, .width = 1 * mm, .radius = 40 * mm};
+  gear.flexspline->crack = {groove};
+  EXPECT_EQ(positive(gear), groove_compliance(*gear.flexspline->diaphragm, groove, kE / 2.6));
+  EXPECT_EQ(negative(gear), positive(gear));
+  EXPECT_GT(positive(gear), 0.0);
+  EXPECT_EQ(first_crack(gear).kind, "diaphragm_groove");
+  EXPECT_EQ(first_crack(gear).opens_under, OpensUnder::neither);
+  EXPECT_TRUE(test::uses_equation(flexspline_compliance(gear).equations, "TC-20"));
+}
+
+TEST(Flexspline, IdentityFlangeInSeries) {
+  GearSet gear = cup_of_sections();
+  const double cup = flexspline_compliance(gear).intact;
+  gear.flexspline->flange_compliance = 3e-7;
+  test::expect_relative(flexspline_compliance(gear).intact, cup + 3e-7, 1e-14);
+}
+
+TEST(Flexspline, IdentityProfiledDiaphragmInSeries) {
+  GearSet gear = cup_of_sections();
+  const double plain = flexspline_compliance(gear).intact;
+  const double mu = kE / 2.6;
+  const double flat = torsional_compliance(*gear.flexspline->diaphragm, mu);
+  gear.flexspline->diaphragm->profile = {{.radius = 30 * mm, .thickness = 5 * mm}};
+  test::expect_relative(flexspline_compliance(gear).intact,
+                        plain - flat + torsional_compliance(*gear.flexspline->diaphragm, mu),
+                        1e-13);
+  EXPECT_LT(flexspline_compliance(gear).intact, plain);
+}
+
+TEST(Flexspline, IdentityCracksOfTheContactPathAddNothingHere) {
+  GearSet gear = cup_of_sections();
+  gear.flexspline->rim =
+      TubeSection{.outer_diameter = 159 * mm, .wall_thickness = 4 * mm, .length = 2 * mm};
+  const double sound = flexspline_compliance(gear).intact;
+  RimAxialCrack crack;
+  crack.depth = 1 * mm;
+  gear.flexspline->crack = {crack};
+  const MemberCompliance member = flexspline_compliance(gear);
+  EXPECT_EQ(member.intact, sound);
+  EXPECT_TRUE(member.cracks.empty());
+  EXPECT_EQ(test::note_codes(member.notes), Codes{"crack.contact_path"});
+  EXPECT_EQ(member.notes.at(0).path, "flexspline.crack[0]");
 }
 
 }  // namespace

@@ -302,13 +302,14 @@ TEST(OutputShaftCrack, IdentityPoissonsRatioEntersTensionOnly) {
   test::expect_relative(at_025[2], at_03[2], 1e-12);
 }
 
-/// A hollow shaft with lengths of which the ratios are exact.
+/// A hollow shaft with lengths of which the ratios are exact; its outer radius, 1/4, is not 1, by
+/// which to divide or multiply would be the same.
 GearSet of_ratios(double radius_ratio, double depth_ratio) {
   GearSet gear = hollow();
-  gear.output_shaft->outer_diameter = 2.0;
-  gear.output_shaft->inner_diameter = 2 * radius_ratio;
-  gear.output_shaft->length = 20.0;
-  std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = depth_ratio * (1 - radius_ratio);
+  gear.output_shaft->outer_diameter = 0.5;
+  gear.output_shaft->inner_diameter = radius_ratio / 2;
+  gear.output_shaft->length = 5.0;
+  std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = depth_ratio * (1 - radius_ratio) / 4;
   return gear;
 }
 

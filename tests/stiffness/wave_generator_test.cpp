@@ -86,6 +86,7 @@ GearSet with_bearing(double balls = 1.0) {
                                          .inner_conformity = 0.52,
                                          .outer_conformity = 0.53,
                                          .loaded_balls = balls,
+                                         .ball_count = {},
                                          .outer_ring = {}};
   return gear;
 }
@@ -450,7 +451,11 @@ TEST(RaceCrack, IdentityCompressionClosesIt) {
   for (const bool edge : {false, true}) {
     GearSet gear = edge ? edge_crack_driven_by(StressDriver::given, 1 * mm)
                         : driven_by(StressDriver::given, 1 * mm);
-    std::visit([](auto& crack) { crack.stress = -5 * MPa; }, gear.wave_generator->crack[0]);
+    std::visit(
+        [](auto& crack) {
+          if constexpr (requires { crack.stress; }) crack.stress = -5 * MPa;
+        },
+        gear.wave_generator->crack[0]);
     const MemberCompliance member = wave_generator_compliance(gear);
     const CrackReport& crack = member.cracks.at(0);
     EXPECT_EQ(crack.positive.at_output.value, 0.0);
@@ -646,6 +651,13 @@ TEST(WaveGenerator, IdentityAccuraciesOfEachCase) {
             (Basis{{"wave_generator", 0.30}, {path, 2.0}, {path, 0.30}, {path, 0.10}}));
   EXPECT_EQ(basis(edge_crack_driven_by(StressDriver::given)),
             (Basis{{"wave_generator", 0.30}, {path, 0.20}, {path, 0.20}}));
+
+  // The cam's conversion has no lobe force for a given stress to cancel: it comes in twice.
+  cam = edge_crack_driven_by(StressDriver::given);
+  cam.wave_generator->conversion = Conversion::cam;
+  test::expect_relative(of_crack(cam), std::hypot(std::hypot(0.20, 0.20), 0.70, 0.30), 1e-14);
+  EXPECT_EQ(basis(cam),
+            (Basis{{"wave_generator.conversion", 0.70}, {path, 0.20}, {path, 0.30}, {path, 0.20}}));
 }
 
 TEST(WaveGenerator, IdentityEquationsOfEachCase) {
@@ -697,6 +709,30 @@ TEST(WaveGenerator, ScalingSoundAndCracked) {
   expect("Pa*m^0.5", [](const GearSet& gear) {
     return wave_generator_compliance(gear).cracks.at(0).deepest->K_I.value;
   });
+}
+
+// --- what acts through the contacts
+// ---------------------------------------------------------------
+
+TEST(OuterRaceCrack, IdentityAddsNothingHere) {
+  GearSet gear = with_bearing(3);
+  gear.wave_generator->bearing->outer_ring =
+      BearingRing{.mean_radius = 70 * mm, .thickness = 4 * mm, .width = 20 * mm};
+  const double sound = wave_generator_compliance(gear).intact;
+  OuterRaceCrack crack;
+  crack.depth = 1 * mm;
+  gear.wave_generator->crack = {crack};
+  const MemberCompliance member = wave_generator_compliance(gear);
+  EXPECT_EQ(member.intact, sound);
+  EXPECT_TRUE(member.cracks.empty());
+  EXPECT_EQ(test::count_notes(member.notes, "crack.contact_path", "wave_generator.crack[0]"), 1);
+  EXPECT_EQ(test::count_notes(member.notes, "wave_generator.crack_under_lobe"), 0);
+  // The groove's share of the ring's stiffness is of the coupled drive alone.
+  gear.wave_generator->bearing->outer_ring->groove_factor = 0.5;
+  gear.wave_generator->bearing->clearance = 5e-6;
+  gear.wave_generator->bearing->ball_count = 23;
+  gear.wave_generator->cam_flattening = 1.5;
+  EXPECT_EQ(wave_generator_compliance(gear).intact, sound);
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ struct RaceSurfaceCrack {
   StressDriver stress_driver = StressDriver::orthogonal_shear;
   std::optional<double> contact_factor;  ///< beta of orthogonal_shear [-]; else computed (CO-5)
   std::optional<double> stress;          ///< hoop stress at the given torque [Pa]; driver `given`
+  double position = 0.0;                 ///< from the major axis; coupled drive only [rad]
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -72,6 +73,13 @@ struct RaceSurfaceCrack {
                 .example = R"("5 MPa")",
                 .in_template = InTemplate::commented},
           &Crack::stress);
+    field(Field{.name = "position",
+                .unit = "rad",
+                .doc = "from the wave generator's major axis, toward +theta; coupled drive only",
+                .example = R"("0 deg")",
+                .fallback = R"("0 deg")",
+                .in_template = InTemplate::commented},
+          &Crack::position);
   }
 };
 
@@ -82,6 +90,7 @@ struct RaceEdgeCrack {
   StressDriver stress_driver = StressDriver::orthogonal_shear;
   std::optional<double> contact_factor;  ///< as in RaceSurfaceCrack
   std::optional<double> stress;          ///< as in RaceSurfaceCrack
+  double position = 0.0;                 ///< from the major axis; coupled drive only [rad]
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -209,8 +218,148 @@ struct AnnularCrack {
   }
 };
 
-using WaveGeneratorCrack = std::variant<RaceSurfaceCrack, RaceEdgeCrack>;
-using FlexsplineCrack = std::variant<WallThroughCrack, WallSurfaceCrack>;
+/// An axial crack over the whole width of a ring, from a surface that bends (TC-22).
+///
+/// It acts through the contacts: the coupled drive has it, the series model has not.
+struct RingCrack {
+  double depth = 0.0;     ///< a, into the ring [m]; > 0, < its thickness
+  double position = 0.0;  ///< angle from the wave generator's major axis, toward +theta [rad]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    describe_ring_crack<RingCrack>(field);
+  }
+
+  template <class Crack, class Visitor>
+  static void describe_ring_crack(Visitor&& field) {
+    field(Field{.name = "depth",
+                .unit = "m",
+                .doc = "crack depth a, over the whole width",
+                .range = kPositive,
+                .example = R"("0.3 mm")"},
+          &Crack::depth);
+    field(Field{.name = "position",
+                .unit = "rad",
+                .doc = "from the wave generator's major axis, toward +theta",
+                .example = R"("20 deg")",
+                .fallback = R"("0 deg")"},
+          &Crack::position);
+  }
+};
+
+/// Axial crack of the toothed rim, from a tooth root; in the coupled drive only.
+struct RimAxialCrack : RingCrack {
+  static constexpr std::string_view kKind = "rim_axial";
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    describe_ring_crack<RimAxialCrack>(field);
+  }
+};
+
+/// Axial crack of the wave generator bearing's outer ring; in the coupled drive only.
+struct OuterRaceCrack : RingCrack {
+  static constexpr std::string_view kKind = "outer_race";
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    describe_ring_crack<OuterRaceCrack>(field);
+  }
+};
+
+/// Axial crack of the circular spline; in the coupled drive only.
+struct CircularSplineRingCrack : RingCrack {
+  static constexpr std::string_view kKind = "ring";
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    describe_ring_crack<CircularSplineRingCrack>(field);
+  }
+};
+
+/// A cracked tooth of the flexspline: its pair is softer, on both flanks (TC-21); in the coupled
+/// drive only.
+struct ToothCrack {
+  static constexpr std::string_view kKind = "tooth";
+  double stiffness_loss = 0.0;  ///< delta, lost share of the pair's stiffness [-]; in (0, 1]
+  double position = 0.0;        ///< the tooth nearest to it is meant; as in RingCrack [rad]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "stiffness_loss",
+                .unit = "1",
+                .doc = "delta, share of the tooth pair's stiffness that is lost; 1: tooth gone",
+                .range = {.lower = 0.0, .upper = 1.0, .upper_open = false},
+                .example = "0.5"},
+          &ToothCrack::stiffness_loss);
+    field(Field{.name = "position",
+                .unit = "rad",
+                .doc = "from the wave generator's major axis, toward +theta; the nearest tooth",
+                .example = R"("10 deg")",
+                .fallback = R"("0 deg")"},
+          &ToothCrack::position);
+  }
+};
+
+/// Circumferential crack through the diaphragm of a cup, an arc round the boss (TC-19).
+struct DiaphragmArcCrack {
+  static constexpr std::string_view kKind = "diaphragm_arc";
+  double half_length = 0.0;      ///< a, along the arc [m]; > 0
+  std::optional<double> radius;  ///< of the arc [m]; else the diaphragm's inner radius
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "half_length",
+                .unit = "m",
+                .doc = "half of the arc's length, a",
+                .range = kPositive,
+                .example = R"("3 mm")"},
+          &DiaphragmArcCrack::half_length);
+    field(Field{.name = "radius",
+                .unit = "m",
+                .doc = "of the arc; the diaphragm's inner radius if left out",
+                .range = kPositive,
+                .example = R"("42 mm")",
+                .in_template = InTemplate::commented},
+          &DiaphragmArcCrack::radius);
+  }
+};
+
+/// Groove all round the diaphragm of a cup, part of the thickness deep (TC-20).
+struct DiaphragmGroove {
+  static constexpr std::string_view kKind = "diaphragm_groove";
+  double depth = 0.0;   ///< into the thickness [m]; > 0, < thickness there
+  double width = 0.0;   ///< radial [m]; > 0
+  double radius = 0.0;  ///< of its middle [m]; > 0
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "depth",
+                .unit = "m",
+                .doc = "depth into the thickness",
+                .range = kPositive,
+                .example = R"("0.2 mm")"},
+          &DiaphragmGroove::depth);
+    field(Field{.name = "width",
+                .unit = "m",
+                .doc = "radial width",
+                .range = kPositive,
+                .example = R"("0.5 mm")"},
+          &DiaphragmGroove::width);
+    field(Field{.name = "radius",
+                .unit = "m",
+                .doc = "of its middle",
+                .range = kPositive,
+                .example = R"("45 mm")"},
+          &DiaphragmGroove::radius);
+  }
+};
+
+using WaveGeneratorCrack = std::variant<RaceSurfaceCrack, RaceEdgeCrack, OuterRaceCrack>;
+using FlexsplineCrack = std::variant<WallThroughCrack, WallSurfaceCrack, DiaphragmArcCrack,
+                                     DiaphragmGroove, RimAxialCrack>;
 using OutputShaftCrack = std::variant<AnnularCrack>;
+using ToothMeshCrack = std::variant<ToothCrack>;
+using CircularSplineCrack = std::variant<CircularSplineRingCrack>;
 
 }  // namespace strainwave

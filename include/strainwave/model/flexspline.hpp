@@ -56,11 +56,36 @@ struct TubeSection {
   }
 };
 
+/// Thickness of a diaphragm at one radius.
+struct DiaphragmStation {
+  double radius = 0.0;     ///< r [m]; > 0
+  double thickness = 0.0;  ///< h(r) [m]; > 0
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "radius",
+                .unit = "m",
+                .doc = "radius, rising from station to station",
+                .range = kPositive,
+                .example = R"("42 mm")"},
+          &DiaphragmStation::radius);
+    field(Field{.name = "thickness",
+                .unit = "m",
+                .doc = "thickness there",
+                .range = kPositive,
+                .example = R"("4 mm")"},
+          &DiaphragmStation::thickness);
+  }
+};
+
 /// The bottom of a cup: a flat annular plate in in-plane torsion.
 struct Diaphragm {
   double outer_diameter = 0.0;  ///< where it meets the barrel [m]; > inner_diameter
   double inner_diameter = 0.0;  ///< where it meets the boss [m]; > 0
-  double thickness = 0.0;       ///< h, constant [m]; > 0
+  double thickness = 0.0;  ///< h: of the whole, or with a profile at the outer diameter [m]; > 0
+  /// Law of the thickness, linear between the stations and on to the outer diameter, constant
+  /// inside the first; empty: constant.
+  std::vector<DiaphragmStation> profile;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -78,14 +103,22 @@ struct Diaphragm {
           &Diaphragm::inner_diameter);
     field(Field{.name = "thickness",
                 .unit = "m",
-                .doc = "constant thickness",
+                .doc = "constant thickness; with a profile, that at the outer diameter",
                 .range = kPositive,
                 .example = R"("3 mm")"},
           &Diaphragm::thickness);
+    field(Field{.name = "profile",
+                .unit = "",
+                .doc = "thickness over the radius, linear in between; constant if left out",
+                .in_template = InTemplate::commented},
+          &Diaphragm::profile);
   }
 };
 
-/// The flexspline: cup or cylinder, and cracks in its wall.
+/// Thickness of a diaphragm at a radius [m], by its profile.
+[[nodiscard]] double diaphragm_thickness(const Diaphragm& diaphragm, double radius);
+
+/// The flexspline: cup or cylinder, and its cracks.
 struct Flexspline {
   std::string material;
   FlexsplineShape shape = FlexsplineShape::cup;
@@ -99,6 +132,7 @@ struct Flexspline {
   std::optional<TubeSection> barrel;   ///< of `sections`
   std::optional<Diaphragm> diaphragm;  ///< of `sections`
   std::optional<TubeSection> boss;     ///< of `sections`
+  double flange_compliance = 0.0;      ///< of boss bolts and output flange [rad/(N*m)]; >= 0
   std::vector<FlexsplineCrack> crack;
 
   template <class Visitor>
@@ -153,6 +187,14 @@ struct Flexspline {
                 .fallback = "1",
                 .in_template = InTemplate::commented},
           &Flexspline::dynamic_load);
+    field(Field{.name = "flange_compliance",
+                .unit = "rad/(N*m)",
+                .doc = "of bolts and output flange, added in series",
+                .range = kNonNegative,
+                .example = R"x("0 rad/(N*m)")x",
+                .fallback = R"x("0 rad/(N*m)")x",
+                .in_template = InTemplate::commented},
+          &Flexspline::flange_compliance);
     field(Field{.name = "rim",
                 .unit = "",
                 .doc = "toothed ring, for crack_free = \"sections\"",
@@ -173,7 +215,8 @@ struct Flexspline {
                 .doc = "hub, for crack_free = \"sections\"",
                 .in_template = InTemplate::commented},
           &Flexspline::boss);
-    field(Field{.name = "crack", .unit = "", .doc = "cracks in the wall"}, &Flexspline::crack);
+    field(Field{.name = "crack", .unit = "", .doc = "cracks of wall, diaphragm and rim"},
+          &Flexspline::crack);
   }
 };
 

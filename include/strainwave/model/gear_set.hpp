@@ -5,11 +5,15 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "strainwave/core/fields.hpp"
+#include "strainwave/model/circular_spline.hpp"
 #include "strainwave/model/flexspline.hpp"
 #include "strainwave/model/material.hpp"
 #include "strainwave/model/output_shaft.hpp"
+#include "strainwave/model/rating.hpp"
+#include "strainwave/model/tooth_mesh.hpp"
 #include "strainwave/model/wave_generator.hpp"
 
 namespace strainwave {
@@ -119,6 +123,10 @@ struct GearSet {
   std::optional<WaveGenerator> wave_generator;
   std::optional<Flexspline> flexspline;
   std::optional<OutputShaft> output_shaft;
+  std::optional<ToothMesh> mesh;                  ///< of the coupled drive
+  std::optional<CircularSpline> circular_spline;  ///< of the coupled drive; absent: rigid
+  std::optional<Rating> rating;                   ///< the maker's torques, for K1, K2, K3
+  std::vector<InputRange> range;                  ///< of inputs that are known only so far
   std::optional<ArticleOverrides> article;
 
   template <class Visitor>
@@ -142,6 +150,26 @@ struct GearSet {
     field(Field{.name = "flexspline", .unit = "", .doc = "cup or cylinder"}, &GearSet::flexspline);
     field(Field{.name = "output_shaft", .unit = "", .doc = "solid or hollow"},
           &GearSet::output_shaft);
+    field(Field{.name = "mesh",
+                .unit = "",
+                .doc = "tooth engagement, for the torsion curve",
+                .in_template = InTemplate::commented},
+          &GearSet::mesh);
+    field(Field{.name = "circular_spline",
+                .unit = "",
+                .doc = "ring in its housing, for the torsion curve; rigid if left out",
+                .in_template = InTemplate::commented},
+          &GearSet::circular_spline);
+    field(Field{.name = "rating",
+                .unit = "",
+                .doc = "the maker's torques, for the torsion curve",
+                .in_template = InTemplate::commented},
+          &GearSet::rating);
+    field(Field{.name = "range",
+                .unit = "",
+                .doc = "inputs that are known only within limits, for the torsion curve",
+                .in_template = InTemplate::commented},
+          &GearSet::range);
     field(Field{.name = "article",
                 .unit = "",
                 .doc = "printed values of the article; read by the method as-printed only",

@@ -30,6 +30,17 @@ void for_each_quantity(const StiffnessResult& result, const F& f) {
   cracked("cracked.positive", result.positive);
   cracked("cracked.negative", result.negative);
 
+  if (result.curve) {
+    const auto lines = [&](const std::string& path, const CurveStiffness& curve) {
+      f(path + ".K1", curve.K1);
+      f(path + ".K2", curve.K2);
+      f(path + ".K3", curve.K3);
+    };
+    lines("curve.intact", result.curve->intact);
+    lines("curve.positive", result.curve->positive);
+    lines("curve.negative", result.curve->negative);
+  }
+
   const auto added = [&](const std::string& path, const AddedCompliance& a) {
     f(path + ".at_output", a.at_output);
     if (!a.axial_torsion) return;

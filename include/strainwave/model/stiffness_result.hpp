@@ -17,6 +17,8 @@ struct Quantity {
   std::string_view unit = "1";
   /// One standard relative uncertainty of the model's form; absent where nobody can state it.
   std::optional<double> relative_uncertainty = std::nullopt;
+
+  friend bool operator==(const Quantity&, const Quantity&) = default;
 };
 
 /// A remark on validity: machine-readable code, sentence, field, equation of the theory manual.
@@ -101,12 +103,27 @@ struct CrackReport {
   std::optional<Quantity> plastic_zone = {};  ///< radius [m]
 };
 
+/// The maker's stiffnesses of the coupled drive, cracks at the positions of the file [N*m/rad].
+struct CurveStiffness {
+  Quantity K1;
+  Quantity K2;
+  Quantity K3;
+};
+
+/// The coupled drive beside the series model, where the file gives enough for it.
+struct CurveResult {
+  CurveStiffness intact;
+  CurveStiffness positive;  ///< cracked, torque about +z
+  CurveStiffness negative;  ///< cracked, torque about -z
+};
+
 /// Torsional stiffness of a drive, sound and cracked, by one method, with its evidence.
 struct StiffnessResult {
   Method method = Method::corrected;
   IntactDrive intact;
   CrackedDrive positive;  ///< torque about +z
   CrackedDrive negative;  ///< torque about -z
+  std::optional<CurveResult> curve;
   std::vector<CrackReport> cracks;
   std::vector<Note> notes;
   std::vector<AccuracyBasis> accuracies;  ///< where the uncertainties come from

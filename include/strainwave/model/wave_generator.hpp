@@ -57,6 +57,8 @@ struct BearingRing {
   double mean_radius = 0.0;  ///< R, of the ring's centre line [m]; > 0
   double thickness = 0.0;    ///< radial [m]; > 0, < mean_radius
   double width = 0.0;        ///< axial [m]; > 0
+  /// Share of the full section's bending stiffness that the groove leaves [-]; coupled drive only.
+  double groove_factor = 0.8;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -78,17 +80,26 @@ struct BearingRing {
                 .range = kPositive,
                 .example = R"("20 mm")"},
           &BearingRing::width);
+    field(Field{.name = "groove_factor",
+                .unit = "1",
+                .doc = "share of the bending stiffness that the groove leaves; coupled drive only",
+                .range = {.lower = 0.0, .upper = 1.0, .upper_open = false},
+                .example = "0.8",
+                .fallback = "0.8"},
+          &BearingRing::groove_factor);
   }
 };
 
 /// Deep groove ball bearing between cam and flexspline.
 struct Bearing {
-  double ball_diameter = 0.0;             ///< D_w [m]; > 0
-  double inner_raceway_diameter = 0.0;    ///< d_i, at the bottom of the groove [m]; > 0
-  double outer_raceway_diameter = 0.0;    ///< d_o, at the bottom of the groove [m]; > d_i
-  double inner_conformity = 0.52;         ///< f_i = groove radius / D_w [-]; > 0.5
-  double outer_conformity = 0.53;         ///< f_o [-]; > 0.5
-  double loaded_balls = 1.0;              ///< balls that share the lobe force equally [-]; >= 1
+  double ball_diameter = 0.0;           ///< D_w [m]; > 0
+  double inner_raceway_diameter = 0.0;  ///< d_i, at the bottom of the groove [m]; > 0
+  double outer_raceway_diameter = 0.0;  ///< d_o, at the bottom of the groove [m]; > d_i
+  double inner_conformity = 0.52;       ///< f_i = groove radius / D_w [-]; > 0.5
+  double outer_conformity = 0.53;       ///< f_o [-]; > 0.5
+  double loaded_balls = 1.0;            ///< balls that share the lobe force equally [-]; >= 1
+  std::optional<int> ball_count;  ///< n_b, all round; the coupled drive needs it [-]; 3 to 200
+  double clearance = 0.0;         ///< c, radial play at a ball; coupled drive only [m]; >= 0
   std::optional<BearingRing> outer_ring;  ///< adds ring bending in series (ST-10)
 
   template <class Visitor>
@@ -133,6 +144,21 @@ struct Bearing {
                 .example = "3",
                 .fallback = "1"},
           &Bearing::loaded_balls);
+    field(Field{.name = "ball_count",
+                .unit = "1",
+                .doc = "balls all round; the coupled drive needs it",
+                .range = {.lower = 3.0, .lower_open = false, .upper = 200.0, .upper_open = false},
+                .example = "23",
+                .in_template = InTemplate::commented},
+          &Bearing::ball_count);
+    field(Field{.name = "clearance",
+                .unit = "m",
+                .doc = "radial play at a ball; coupled drive only",
+                .range = kNonNegative,
+                .example = R"("0 um")",
+                .fallback = R"("0 m")",
+                .in_template = InTemplate::commented},
+          &Bearing::clearance);
     field(Field{.name = "outer_ring",
                 .unit = "",
                 .doc = "outer ring, bent by the lobe forces",
@@ -157,6 +183,9 @@ struct WaveGenerator {
   std::optional<double> inner_ring_thickness;              ///< t_i, radial [m]; > 0
   std::optional<double> inner_ring_width;                  ///< B, axial [m]; > 0
   std::optional<double> inner_ring_mean_radius;  ///< R, centre line [m]; > inner_ring_thickness
+  /// c_cam: the cam lies c_cam (w_0^2/R) sin^2(2 psi) inside the cosine; 1.5 for an ellipse [-];
+  /// coupled drive only.
+  double cam_flattening = 0.0;
   std::vector<WaveGeneratorCrack> crack;
 
   template <class Visitor>
@@ -217,6 +246,15 @@ struct WaveGenerator {
                 .example = R"("60 mm")",
                 .in_template = InTemplate::commented},
           &WaveGenerator::inner_ring_mean_radius);
+    field(Field{.name = "cam_flattening",
+                .unit = "1",
+                .doc = "c_cam, how far the cam lies inside the cosine; 1.5 for an ellipse; coupled "
+                       "drive only",
+                .range = kNonNegative,
+                .example = "0",
+                .fallback = "0",
+                .in_template = InTemplate::commented},
+          &WaveGenerator::cam_flattening);
     field(Field{.name = "displacements",
                 .unit = "",
                 .doc = "of one lobe at the force of the given torque",
@@ -227,7 +265,7 @@ struct WaveGenerator {
                 .doc = "balls and raceways",
                 .in_template = InTemplate::commented},
           &WaveGenerator::bearing);
-    field(Field{.name = "crack", .unit = "", .doc = "cracks in the inner ring"},
+    field(Field{.name = "crack", .unit = "", .doc = "cracks of the bearing's rings"},
           &WaveGenerator::crack);
   }
 };

@@ -46,6 +46,10 @@ inline constexpr ModelAccuracy kThroughCrack{
     0.10, "plane stress; a crack shorter than the wall is thick is 9 % less compliant"};
 inline constexpr ModelAccuracy kThroughCrackLong{
     0.20, "shell correction beyond a shell parameter of 1: 8 % at 1.4 against finite elements"};
+inline constexpr ModelAccuracy kDiaphragmArc{
+    0.10, "a straight crack in a flat plate under uniform shear"};
+inline constexpr ModelAccuracy kDiaphragmGroove{
+    0.20, "local thickness alone; the corners of the groove are left out"};
 inline constexpr ModelAccuracy kAnnularTorsion{
     0.002, "fits and table are within 0.04 % of independent computations of the sharp crack"};
 inline constexpr ModelAccuracy kAnnularTension{

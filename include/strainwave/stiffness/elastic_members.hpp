@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "strainwave/model/flexspline.hpp"
+
 namespace strainwave {
 
 /// A round tube in uniform torsion.
@@ -34,6 +36,20 @@ struct AnnularPlate {
 ///
 /// @throws InputError  as for the tube
 [[nodiscard]] double torsional_compliance(const AnnularPlate& plate, double shear_modulus);
+
+/// Torsional compliance of a diaphragm of any thickness law [rad/(N*m)].
+///
+/// Implements theory manual eq. (TC-13), lambda = (1/(2 pi G)) integral of dr/(r^3 h(r)), exactly
+/// for a law that is linear between stations.
+///
+/// @throws InputError  as for the tube
+[[nodiscard]] double torsional_compliance(const Diaphragm& diaphragm, double shear_modulus);
+
+/// What a groove all round a diaphragm adds to its compliance [rad/(N*m)]; eq. (TC-20).
+///
+/// The thickness is less by the groove's depth over its width.
+[[nodiscard]] double groove_compliance(const Diaphragm& diaphragm, const DiaphragmGroove& groove,
+                                       double shear_modulus);
 
 /// Deflection of a thin ring under U equal radial forces, evenly spaced, over the force, at a
 /// force [m/N].

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/quadrature.hpp"
 #include "strainwave/model/gear_set.hpp"
 #include "strainwave/model/stiffness_result.hpp"
@@ -57,6 +58,15 @@ struct MemberCompliance {
 
 /// Force on one lobe per unit of torque, f = 2 c_F k_r/(U d_1) [1/m]; eq. (ST-5).
 [[nodiscard]] double lobe_force_per_torque(const Transmission& drive, const WaveGenerator& wg);
+
+/// The two contacts of a ball of a wave generator bearing.
+struct RaceContacts {
+  PointContact inner;
+  PointContact outer;  ///< concave race
+};
+
+/// Geometry of a ball's contacts with its races, all of one material; eq. (CO-1).
+[[nodiscard]] RaceContacts race_contacts(const Bearing& bearing, const ElasticConstants& steel);
 
 /// Bending stress of the flexspline's wall from its assembly on the wave generator [Pa].
 ///

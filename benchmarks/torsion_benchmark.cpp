@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a torsion curve costs, on one core: set up, assembled, loaded point by point.
+#include <benchmark/benchmark.h>
+
+#include <vector>
+
+#include "strainwave/io/gear_reader.hpp"
+#include "strainwave/torsion/compare.hpp"
+#include "strainwave/torsion/torsion_curve.hpp"
+
+namespace strainwave {
+namespace {
+
+/// Size 25, ratio 100, rigid circular spline, as the peer has it.
+GearSet drive() {
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/catalogue_size25.toml");
+  gear.circular_spline.reset();
+  gear.range.clear();
+  gear.rating.reset();
+  return gear;
+}
+
+void torsion_curve_points(benchmark::State& state) {
+  const GearSet gear = drive();
+  const auto points = state.range(0);
+  std::vector<double> torques;
+  for (int i = 1; i <= points; ++i)
+    torques.push_back(makers_torques(gear).T3 * i / static_cast<double>(points));
+  double twist = 0.0;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(twist = torsion_curve(gear, torques).points.back().twist);
+  state.counters["twist"] = twist;
+}
+BENCHMARK(torsion_curve_points)->Arg(11)->Arg(200)->Unit(benchmark::kMillisecond);
+
+/// With the circular spline in its housing, as the file has it.
+void torsion_curve_with_spline(benchmark::State& state) {
+  const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/catalogue_size25.toml");
+  std::vector<double> torques;
+  for (int i = 1; i <= 11; ++i) torques.push_back(makers_torques(gear).T3 * i / 11.0);
+  for (auto _ : state) benchmark::DoNotOptimize(torsion_curve(gear, torques).points.back().twist);
+}
+BENCHMARK(torsion_curve_with_spline)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace strainwave

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "strainwave/catalogue/catalogue.hpp"
+#include "strainwave/catalogue/factors.hpp"
+#include "strainwave/model/gear_set.hpp"
+#include "strainwave/torsion/torsion_curve.hpp"
+
+/// @file
+/// Factors of one drive from its stiffness: a catalogue's three numbers, or a measured curve.
+
+namespace strainwave {
+
+/// A point of a measured torsion curve, input locked.
+struct MeasuredPoint {
+  double torque = 0.0;  ///< [N*m]; not 0
+  double twist = 0.0;   ///< from the unloaded state, of the sign of the torque [rad]
+};
+
+/// Reads a curve: a header "torque [N*m],twist [arcmin]" in either order and any units of torque
+/// and angle, then a line for each point; lines with # are comments, a point at zero is skipped.
+/// @param file_name  for messages only
+/// @throws InputError  with file and line
+[[nodiscard]] std::vector<MeasuredPoint> parse_measured_curve(std::string_view text,
+                                                              std::string_view file_name);
+
+/// One stiffness that a calibration is to meet.
+struct StiffnessTarget {
+  std::string name;          ///< "K1", or the secant at a torque
+  double from_torque = 0.0;  ///< [N*m]
+  double to_torque = 0.0;    ///< [N*m]
+  double stiffness = 0.0;    ///< (T_to - T_from)/(phi_to - phi_from) [N*m/rad]
+};
+
+/// What a drive is calibrated with.
+struct CalibrationTarget {
+  std::string source;  ///< one line
+  std::vector<StiffnessTarget> values;
+  double relative_uncertainty = 0.0;  ///< of one value, at least, one standard uncertainty [-]
+};
+
+/// K1, K2, K3 of the nearest row, scaled to the drive's diameter by d^3; 2 % each for rounding.
+[[nodiscard]] CalibrationTarget catalogue_target(const GearSet& gear);
+/// The secant stiffness of every point; 1 % each unless stated.
+[[nodiscard]] CalibrationTarget measured_target(const std::vector<MeasuredPoint>& points,
+                                                std::string_view name,
+                                                double relative_uncertainty = 0.01);
+
+/// A factor and how well the targets know it.
+struct CalibratedFactor {
+  Factor factor = Factor::support;
+  double before = 0.0;       ///< [-]
+  double value = 0.0;        ///< [-]
+  double uncertainty = 0.0;  ///< one standard uncertainty, of the value [-]
+  bool at_limit = false;     ///< of what a fit may take: then its uncertainty means nothing
+  bool plausible = true;     ///< between lower and upper of factor_info
+  bool identified = false;   ///< uncertainty of at most 50 % of the value, and not at a limit
+};
+
+/// A direction in the space of factors, in the order of the singular values of the Jacobian.
+struct FactorCombination {
+  std::vector<double> weights;  ///< of ln(factor), or of factor over its range; length 1
+  double singular_value = 0.0;  ///< change of the ln K per unit along it [-]
+  double uncertainty = 0.0;     ///< one standard uncertainty along it [-]
+  bool identified = false;      ///< uncertainty of at most 0.5
+};
+
+struct CalibratedStiffness {
+  StiffnessTarget target;
+  double before = 0.0;  ///< predicted with the file's values [N*m/rad]
+  double after = 0.0;   ///< with the fitted factors [N*m/rad]
+};
+
+struct Calibration {
+  GearSet gear;  ///< with the factors; `range` widened where a limit is passed
+  std::string source;
+  std::vector<CalibratedFactor> factors;
+  std::vector<FactorCombination> combinations;
+  std::vector<CalibratedStiffness> stiffnesses;
+  double residual = 0.0;              ///< root mean square of ln(after/target) [-]
+  double relative_uncertainty = 0.0;  ///< of one value, that the uncertainties rest on [-]
+  bool converged = false;
+  int iterations = 0;
+};
+
+/// Least squares of ln K over the factors, between the limits `least` and `most` of factor_info.
+///
+/// The uncertainty of a value is the larger of that of the target and that of the residuals, if
+/// there are more values than factors; that of the factors follows from the Jacobian.
+///
+/// @param factors  at least one, at most as many as there are targets
+/// @throws InputError   if a factor or a torque does not fit the drive
+/// @throws SolverError  if the drive as given has no equilibrium
+[[nodiscard]] Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
+                                    const std::vector<Factor>& factors,
+                                    const CoupledOptions& options = {});
+
+[[nodiscard]] std::string calibration_text(const Calibration& calibration);
+[[nodiscard]] std::string calibration_json(const Calibration& calibration);
+
+}  // namespace strainwave

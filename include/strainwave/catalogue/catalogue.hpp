@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "strainwave/core/fields.hpp"
+
+/// @file
+/// What makers state: torsional stiffness of 35 rows of size and ratio, and torques of 36 drives.
+
+namespace strainwave {
+
+/// The ratios that makers tabulate stiffness for: 30, 50, and 80 and more in one.
+enum class RatioClass { thirty, fifty, eighty_up };
+template <>
+struct EnumNames<RatioClass> {
+  static constexpr std::array<std::string_view, 3> names = {"30", "50", "80+"};
+};
+inline constexpr std::size_t kRatioClasses = EnumNames<RatioClass>::names.size();
+
+/// The class nearest to a ratio, by its logarithm: 30 below 38.7, 50 below 63.2, else 80+.
+/// @param ratio  i_h [-]; > 0
+[[nodiscard]] RatioClass ratio_class_of(double ratio);
+
+/// The ratio that stands for a class when it is computed: 30, 50, and 100 for 80+.
+[[nodiscard]] double representative_ratio(RatioClass ratio_class);
+
+/// One row of the stiffness tables.  The numbers have two or three digits: rounding is up to 5 %.
+struct StiffnessRow {
+  int size = 0;
+  RatioClass ratio_class = RatioClass::eighty_up;
+  double T1 = 0.0;           ///< up to which K1 holds [N*m]
+  double T2 = 0.0;           ///< up to which K2 holds [N*m]
+  double K1 = 0.0;           ///< [N*m/rad]
+  double K2 = 0.0;           ///< [N*m/rad]
+  std::optional<double> K3;  ///< beyond T2 [N*m/rad]; two rows have none
+  std::string_view sources;  ///< A, B, C of catalogue_data.cpp
+
+  /// K1, K2, K3 in one [N*m/rad].
+  [[nodiscard]] std::array<std::optional<double>, 3> K() const { return {K1, K2, K3}; }
+  /// Up to which K3 is compared: 1.6 T2 [N*m], the project's convention; makers state no end.
+  [[nodiscard]] double T3() const { return 1.6 * T2; }
+};
+
+/// One row of the rating tables.
+struct RatingRow {
+  std::string_view series;
+  int size = 0;
+  int ratio = 0;
+  double repeated_peak = 0.0;        ///< [N*m]
+  double average = 0.0;              ///< largest average torque [N*m]
+  double rated = 0.0;                ///< T_N, at an input of 2000 rpm [N*m]
+  double momentary_peak = 0.0;       ///< [N*m]
+  double max_input_speed = 0.0;      ///< with grease [rad/s]
+  double average_input_speed = 0.0;  ///< with grease [rad/s]
+  double input_inertia = 0.0;        ///< [kg*m^2]
+};
+
+[[nodiscard]] std::span<const StiffnessRow> stiffness_rows();
+[[nodiscard]] std::span<const RatingRow> rating_rows();
+
+/// Sizes of the stiffness table, rising.
+[[nodiscard]] std::vector<int> catalogue_sizes();
+
+/// d = 2.54 mm times the size [m]: makers' sizes are tenths of an inch.
+[[nodiscard]] double pitch_diameter_of(int size);
+
+/// Row of a size and the class of a ratio; null if there is none.
+[[nodiscard]] const StiffnessRow* find_stiffness(int size, double ratio);
+
+/// Row of exactly this size and ratio; null if there is none.
+[[nodiscard]] const RatingRow* find_rating(int size, double ratio);
+
+/// The row nearest to a drive: first the class of its ratio, then the size, by logarithm.
+/// @param pitch_diameter  [m]; > 0
+[[nodiscard]] const StiffnessRow& nearest_stiffness(double pitch_diameter, double ratio);
+
+/// Throws InputError unless the size is one of the catalogue's; the message names those.
+void require_catalogue_size(int size);
+
+/// Which rows to list.
+struct CatalogueFilter {
+  std::optional<int> size;
+  std::optional<double> ratio;  ///< stiffness: its class; ratings: exactly
+};
+/// Both tables for people, at most 100 columns.
+/// @throws InputError  if the size is not known or nothing is left
+[[nodiscard]] std::string catalogue_text(const CatalogueFilter& filter = {});
+/// Both tables as a JSON document, SI, with their sources.
+[[nodiscard]] std::string catalogue_json(const CatalogueFilter& filter = {});
+/// The stiffness table as CSV, SI.
+[[nodiscard]] std::string catalogue_csv(const CatalogueFilter& filter = {});
+
+}  // namespace strainwave

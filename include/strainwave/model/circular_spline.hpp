@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "strainwave/core/fields.hpp"
+#include "strainwave/model/crack.hpp"
+
+namespace strainwave {
+
+/// Circular spline: a ring that the flank forces make oval, held by its housing (TC-10).
+struct CircularSpline {
+  std::string material;
+  double outer_diameter = 0.0;  ///< [m]; > inner_diameter
+  double inner_diameter = 0.0;  ///< at the roots of the teeth [m]; > drive.pitch_diameter
+  double width = 0.0;           ///< axial [m]; > 0
+  /// s_h, share of the free ring's compliance that the housing leaves [-]: 0 rigid, 1 free.
+  double support = 0.0;
+  std::vector<CircularSplineCrack> crack;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(
+        Field{
+            .name = "material", .unit = "", .doc = "name of a [material]", .example = R"("steel")"},
+        &CircularSpline::material);
+    field(Field{.name = "outer_diameter",
+                .unit = "m",
+                .doc = "outer diameter",
+                .range = kPositive,
+                .example = R"("214 mm")"},
+          &CircularSpline::outer_diameter);
+    field(Field{.name = "inner_diameter",
+                .unit = "m",
+                .doc = "at the roots of the teeth",
+                .range = kPositive,
+                .example = R"("163.4 mm")"},
+          &CircularSpline::inner_diameter);
+    field(Field{.name = "width",
+                .unit = "m",
+                .doc = "axial width",
+                .range = kPositive,
+                .example = R"("25 mm")"},
+          &CircularSpline::width);
+    field(Field{.name = "support",
+                .unit = "1",
+                .doc = "s_h, share of the free ring's compliance that the housing leaves; 0 rigid",
+                .range = {.lower = 0.0, .lower_open = false, .upper = 1.0, .upper_open = false},
+                .example = "0.5"},
+          &CircularSpline::support);
+    field(Field{.name = "crack", .unit = "", .doc = "cracks in the ring"}, &CircularSpline::crack);
+  }
+};
+
+}  // namespace strainwave

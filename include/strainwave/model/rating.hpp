@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "strainwave/core/fields.hpp"
+
+namespace strainwave {
+
+/// The maker's torques: where the three straight lines of a torsion curve meet.
+///
+/// They are conventions, about 0.052 d^3 and 0.187 d^3 N/mm^2, which no model can predict.
+struct Rating {
+  double T1 = 0.0;                     ///< K1 holds up to it [N*m]; > 0
+  double T2 = 0.0;                     ///< K2 holds up to it [N*m]; > T1
+  std::optional<double> T3;            ///< K3 is taken up to it [N*m]; > T2; else 1.6 T2
+  std::optional<double> rated_torque;  ///< T_N [N*m]; > 0; else 1.8 T2
+  double lost_motion_share = 0.04;     ///< of T_N, at which lost motion is measured [-]; in (0, 1)
+  double friction_torque = 0.0;        ///< of seal, grease and bearings at the output [N*m]; >= 0
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "T1",
+                .unit = "N*m",
+                .doc = "torque up to which K1 holds",
+                .range = kPositive,
+                .example = R"("212 N*m")"},
+          &Rating::T1);
+    field(Field{.name = "T2",
+                .unit = "N*m",
+                .doc = "torque up to which K2 holds",
+                .range = kPositive,
+                .example = R"("766 N*m")"},
+          &Rating::T2);
+    field(Field{.name = "T3",
+                .unit = "N*m",
+                .doc = "torque up to which K3 is taken; 1.6 T2 if left out",
+                .range = kPositive,
+                .example = R"("1226 N*m")",
+                .in_template = InTemplate::commented},
+          &Rating::T3);
+    field(Field{.name = "rated_torque",
+                .unit = "N*m",
+                .doc = "T_N; 1.8 T2 if left out",
+                .range = kPositive,
+                .example = R"("1380 N*m")",
+                .in_template = InTemplate::commented},
+          &Rating::rated_torque);
+    field(Field{.name = "lost_motion_share",
+                .unit = "1",
+                .doc = "share of the rated torque at which lost motion is measured",
+                .range = {.lower = 0.0, .upper = 1.0},
+                .example = "0.04",
+                .fallback = "0.04",
+                .in_template = InTemplate::commented},
+          &Rating::lost_motion_share);
+    field(Field{.name = "friction_torque",
+                .unit = "N*m",
+                .doc = "of seal, grease and bearings, at the output without load; for the "
+                       "hysteresis",
+                .range = kNonNegative,
+                .example = R"("0 N*m")",
+                .fallback = R"("0 N*m")",
+                .in_template = InTemplate::commented},
+          &Rating::friction_torque);
+  }
+};
+
+/// Where a value comes from.
+enum class Knowledge {
+  catalogue,  ///< a maker's stated value
+  typical,    ///< within the range of published drives
+  assumed,    ///< nobody publishes it
+};
+template <>
+struct EnumNames<Knowledge> {
+  static constexpr std::array<std::string_view, 3> names = {"catalogue", "typical", "assumed"};
+};
+
+/// A number of the file that is known only within limits; uniform between them.
+struct InputRange {
+  std::string path;   ///< of the number, such as "flexspline.diaphragm.thickness"
+  std::string lower;  ///< quantity text, in the unit of the number
+  std::string upper;  ///< as lower; > lower
+  Knowledge knowledge = Knowledge::typical;
+  std::string source;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "path",
+                .unit = "",
+                .doc = "of the number",
+                .example = R"("flexspline.wall_thickness")"},
+          &InputRange::path);
+    field(
+        Field{.name = "lower", .unit = "", .doc = "lower limit, with unit", .example = R"("2 mm")"},
+        &InputRange::lower);
+    field(
+        Field{
+            .name = "upper", .unit = "", .doc = "upper limit, with unit", .example = R"("2.5 mm")"},
+        &InputRange::upper);
+    field(Field{.name = "knowledge",
+                .unit = "",
+                .doc = "where the limits come from",
+                .example = R"("typical")",
+                .fallback = R"("typical")"},
+          &InputRange::knowledge);
+    field(Field{.name = "source",
+                .unit = "",
+                .doc = "one line",
+                .example = R"("drawing tolerance")",
+                .fallback = R"("")"},
+          &InputRange::source);
+  }
+};
+
+}  // namespace strainwave

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "strainwave/core/fields.hpp"
+#include "strainwave/model/crack.hpp"
+
+namespace strainwave {
+
+/// Engagement of the teeth of flexspline and circular spline (TC-6 to TC-9).
+struct ToothMesh {
+  double flank_angle = 22 * std::numbers::pi / 180;  ///< alpha, working flank to radial [rad]
+  double gap_factor = 1.0;  ///< k_g, multiplies the kinematic gap of the flanks [-]; >= 0
+  double coning = 1.0;      ///< chi: 1 teeth uncorrected for the cup's tilt, 0 corrected [-]
+  double lobe_gap = 0.0;    ///< g_0, normal gap at the lobe; < 0 interference [m]
+  double friction_coefficient = 0.1;     ///< mu, on the flanks, for the hysteresis [-]; >= 0
+  double rim_stiffening = 1.25;          ///< C_tr, of the rim's bending by its teeth [-]; > 0
+  std::optional<double> pair_stiffness;  ///< c', of a pair per face width [Pa]; else (TC-9)
+  std::vector<ToothMeshCrack> crack;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "flank_angle",
+                .unit = "rad",
+                .doc = "alpha, of the working flank against the radius",
+                .range = {.lower = 0.0, .upper = std::numbers::pi / 3},
+                .example = R"("22 deg")",
+                .fallback = R"("22 deg")"},
+          &ToothMesh::flank_angle);
+    field(Field{.name = "gap_factor",
+                .unit = "1",
+                .doc = "k_g, of the kinematic gap between straight flanks",
+                .range = kNonNegative,
+                .example = "1",
+                .fallback = "1"},
+          &ToothMesh::gap_factor);
+    field(Field{.name = "coning",
+                .unit = "1",
+                .doc = "chi: 1 for teeth not corrected for the tilt of the cup, 0 for corrected",
+                .range = kNonNegative,
+                .example = "1",
+                .fallback = "1"},
+          &ToothMesh::coning);
+    field(Field{.name = "lobe_gap",
+                .unit = "m",
+                .doc = "normal gap of the flanks at the lobe; negative for interference",
+                .example = R"("0 um")",
+                .fallback = R"("0 m")"},
+          &ToothMesh::lobe_gap);
+    field(Field{.name = "friction_coefficient",
+                .unit = "1",
+                .doc = "mu on the flanks, for the hysteresis",
+                .range = {.lower = 0.0, .lower_open = false, .upper = 0.5, .upper_open = false},
+                .example = "0.1",
+                .fallback = "0.1"},
+          &ToothMesh::friction_coefficient);
+    field(Field{.name = "rim_stiffening",
+                .unit = "1",
+                .doc = "C_tr, of the rim in bending by its teeth",
+                .range = kPositive,
+                .example = "1.25",
+                .fallback = "1.25",
+                .in_template = InTemplate::commented},
+          &ToothMesh::rim_stiffening);
+    field(Field{.name = "pair_stiffness",
+                .unit = "Pa",
+                .doc = "c' of a pair of teeth per face width; from the rim's thickness if left out",
+                .range = kPositive,
+                .example = R"("19.3 GPa")",
+                .in_template = InTemplate::commented},
+          &ToothMesh::pair_stiffness);
+    field(Field{.name = "crack", .unit = "", .doc = "cracked teeth"}, &ToothMesh::crack);
+  }
+};
+
+}  // namespace strainwave

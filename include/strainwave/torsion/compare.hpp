@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "strainwave/torsion/torsion_curve.hpp"
+
+/// @file
+/// The torsion curve of a drive with its cracks beside that of the sound drive.
+
+namespace strainwave {
+
+/// Relative changes of the maker's stiffnesses, cracked/sound - 1 [-].
+struct LineChanges {
+  double K1 = 0.0;
+  double K2 = 0.0;
+  double K3 = 0.0;
+};
+
+/// Changes over a turn of the wave generator, under one sense of torque.
+struct ChangesOverTurn {
+  LineChanges as_given;  ///< at the positions of the file
+  LineChanges mean;
+  LineChanges worst;  ///< most negative of each
+  LineChanges best;
+  /// Peak to peak of each over the turn, less that of the sound drive's teeth and balls (none here:
+  /// they keep their place).
+  LineChanges ripple;
+  int ripple_order = 0;  ///< of K1, per turn of the wave generator; 0: no ripple
+  std::vector<LineChanges> at_angle;
+};
+
+/// What kind of member the cracks are in, told from the change of the curve.
+enum class CrackClass {
+  none,          ///< no change above rounding
+  series,        ///< barrel, diaphragm, shaft: the same compliance in all three lines
+  contact_path,  ///< teeth, rim, outer ring: K1 changes most, or the change varies over a turn
+  undecided,     ///< inner race, circular spline, or several
+};
+template <>
+struct EnumNames<CrackClass> {
+  static constexpr std::array<std::string_view, 4> names = {"none", "series", "contact_path",
+                                                            "undecided"};
+};
+
+/// The sound and the cracked drive.
+struct CurveComparison {
+  MakersTorques torques;
+  MakersLines sound;
+  std::vector<double> angles;  ///< turned by the wave generator [rad]
+  ChangesOverTurn positive;    ///< torque about +z
+  ChangesOverTurn negative;
+  double lost_motion_sound = 0.0;    ///< [rad]
+  double lost_motion_cracked = 0.0;  ///< at the positions of the file [rad]
+  double hysteresis_sound = 0.0;     ///< largest width of the loop at rated torque [rad]
+  double hysteresis_cracked = 0.0;   ///< [rad]
+  CrackClass crack_class = CrackClass::none;
+  double class_ratio = 0.0;  ///< mean dK1/dK3 of the sense that changes more [-]
+  std::string evidence;      ///< one sentence
+  std::vector<Note> notes;
+};
+
+/// Drive without its cracks.
+[[nodiscard]] GearSet without_cracks(const GearSet& gear);
+
+/// The drive after the wave generator has turned by an angle: cracks of flexspline, circular spline
+/// and outer ring move against the wave, those of the inner race stay [rad].
+[[nodiscard]] GearSet after_turn(const GearSet& gear, double angle);
+
+/// Compares the maker's stiffnesses of a drive with and without its cracks (TC-26).
+///
+/// @param angles  positions of the wave generator over a turn [-]; >= 1; taken to whole teeth
+/// @throws SolverError  if a curve is not usable
+[[nodiscard]] CurveComparison compare_curves(const GearSet& gear, int angles = 36,
+                                             const CoupledOptions& options = {});
+
+}  // namespace strainwave

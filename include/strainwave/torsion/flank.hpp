@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+/// @file
+/// How a pair of teeth meets: gap of the flanks, force of the pair.
+
+namespace strainwave {
+
+/// Normal gap between straight-sided flanks, left by the kinematics of the wave [m].
+///
+/// Implements theory manual eq. (TC-7),
+/// g(t) = k_g max(0, w_0 [(1 - cos 2t) sin(alpha) - (t - sin(2t)/2) cos(alpha)]).
+/// The side t > 0 of the lobe is nearly conjugate, the other opens.
+///
+/// @param t                    angle of the tooth from the lobe, toward its drive flank [rad];
+///                             in [-pi/2, pi/2]
+/// @param radial_displacement  w_0 [m]; > 0
+/// @param flank_angle          alpha [rad]; in (0, pi/2)
+/// @param gap_factor           k_g [-]; >= 0
+[[nodiscard]] double flank_gap(double t, double radial_displacement, double flank_angle,
+                               double gap_factor);
+
+/// Least flank angle that a tooth path of amplitude w_0 = kappa m needs [rad].
+///
+/// Implements theory manual eq. (TC-25), atan(sqrt(1 - kappa^2)/(2 kappa)); 0 from kappa = 1 on.
+[[nodiscard]] double least_flank_angle(double kappa);
+
+/// Stiffness of a pair of teeth per unit of face width, c' [Pa].
+///
+/// Implements theory manual eq. (TC-9), E/(9.373 + 3.090 m/t_r): tooth of the flexspline on its
+/// rim, tooth of the circular spline, line contact, in series.  The first is a line through
+/// plane-strain finite elements (0.5 <= t_r/m <= 2.4), within 7 %, 3 % of c'; the others are
+/// estimates.
+///
+/// @param youngs_modulus  E [Pa]; > 0
+/// @param module          m = pitch diameter/teeth [m]; > 0
+/// @param rim_thickness   t_r [m]; > 0
+[[nodiscard]] double tooth_pair_stiffness(double youngs_modulus, double module,
+                                          double rim_thickness);
+
+/// Force of a pair over its closing, where the tilt of the cup opens the gap along the face.
+///
+/// Implements theory manual eq. (TC-8): F = c' u^2/(2 s) while part of the face touches, u < s b,
+/// and c' b (u - s b/2) after; 0 for u <= 0.
+struct FlankLaw {
+  double pair_stiffness = 0.0;  ///< c' [Pa]; > 0
+  double face_width = 0.0;      ///< b [m]; > 0
+  double slope = 0.0;           ///< s, of the gap along the face [-]; >= 0
+
+  [[nodiscard]] double force(double closing) const;      ///< F [N]
+  [[nodiscard]] double stiffness(double closing) const;  ///< dF/du [N/m]
+  [[nodiscard]] double energy(double closing) const;     ///< integral of F [J]
+};
+
+}  // namespace strainwave

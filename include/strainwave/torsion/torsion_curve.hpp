@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "strainwave/core/fields.hpp"
+#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/stiffness_result.hpp"
+
+/// @file
+/// The torsion curve phi(T) of a drive as one system: elastic ring on one-sided balls and flanks.
+
+namespace strainwave {
+
+/// Way of the flanks' friction: it turns the force by atan(mu) (TC-16).
+enum class FlankFriction { none, loading, unloading };
+
+struct CoupledOptions {
+  int harmonics = 32;             ///< N of the ring [-]; 8 to 128; 0.1 % at 32
+  bool diaphragm_warping = true;  ///< the diaphragm's resistance to warping of the barrel (TC-2)
+  FlankFriction friction = FlankFriction::none;
+  double tolerance = 1e-11;  ///< of the contact forces, relative to the largest [-]
+  int max_iterations = 200;  ///< Newton steps per load
+};
+
+/// Members that share the tangent compliance, in the order of `CurvePoint::share`.
+enum class CurveMember {
+  balls,
+  rim_bending,
+  outer_ring_bending,
+  barrel_warping,
+  diaphragm_warping,
+  rim_extension,
+  teeth,
+  circular_spline,
+  barrel,
+  diaphragm,
+  rim_shear,
+  boss_and_flange,
+  series_cracks,
+  output_shaft,
+};
+template <>
+struct EnumNames<CurveMember> {
+  static constexpr std::array<std::string_view, 14> names = {
+      "balls",          "rim_bending",       "outer_ring_bending",
+      "barrel_warping", "diaphragm_warping", "rim_extension",
+      "teeth",          "circular_spline",   "barrel",
+      "diaphragm",      "rim_shear",         "boss_and_flange",
+      "series_cracks",  "output_shaft"};
+};
+inline constexpr std::size_t kCurveMembers = EnumNames<CurveMember>::names.size();
+
+/// Force of one contact.
+struct ContactForce {
+  double position = 0.0;  ///< from the major axis, toward +theta [rad]
+  double force = 0.0;     ///< [N]
+  double tangent = 0.0;   ///< dQ/dT [1/m]
+};
+
+/// The drive in equilibrium at one torque.
+struct CurvePoint {
+  double torque = 0.0;              ///< T at the output [N*m]
+  double twist = 0.0;               ///< phi, of the output, input locked [rad]
+  double ring_rotation = 0.0;       ///< the part of it that contacts and rings give [rad]
+  double tangent_compliance = 0.0;  ///< d phi/dT [rad/(N*m)]; infinite while no flank touches
+  std::array<double, kCurveMembers> share{};  ///< of the tangent compliance [-]; the sum is 1
+  std::vector<ContactForce> balls;            ///< all balls
+  std::vector<ContactForce> drive_flanks;     ///< in contact
+  std::vector<ContactForce> coast_flanks;     ///< in contact
+  int balls_in_contact = 0;
+  int teeth_in_contact = 0;
+  double residual = 0.0;  ///< of the contact forces, relative to the largest [-]
+  int iterations = 0;     ///< Newton steps
+
+  /// T/phi [N*m/rad]
+  [[nodiscard]] double secant_stiffness() const { return torque / twist; }
+};
+
+/// Torsion curve of a drive, with its evidence.
+struct TorsionCurve {
+  std::vector<CurvePoint> points;
+  int teeth = 0;                     ///< of the flexspline, z
+  double cam_amplitude = 0.0;        ///< A that assembles the lobe to w_0 [m]
+  double assembly_ball_force = 0.0;  ///< largest ball force without torque [N]
+  double series_compliance = 0.0;    ///< of the members beside the ring [rad/(N*m)]
+  std::vector<Note> notes;
+  std::vector<std::string> equations;
+  std::string unusable_because;  ///< empty if the answer may be used
+
+  [[nodiscard]] bool usable() const { return unusable_because.empty(); }
+};
+
+/// Whether a drive says enough for a torsion curve: bearing with balls and outer ring, cup by
+/// sections, tooth mesh.  Empty if it does; else one sentence with the field that is missing.
+[[nodiscard]] std::string missing_for_torsion_curve(const GearSet& gear);
+
+/// Twist of the output over the torque, from the assembled state, input locked.
+///
+/// Implements theory manual eqs. (TC-1) to (TC-15).  Ring of rim and bearing outer ring in Fourier
+/// modes on barrel and diaphragm; balls by Hertz on a fixed cam; straight flanks with the gap of
+/// the wave's kinematics and the tilt of the cup; circular spline held by its housing; barrel,
+/// diaphragm, rim, boss and flange in series.  Cracks act inside, under the sense of the torque.
+///
+/// Two lobes, a cup.  Geometry alone predicts catalogue stiffness within about 20 % for ratios of
+/// 50 and more; at ratio 30 it is too stiff by a factor of up to 2.7 (theory manual, chapter CV).
+///
+/// @param gear     with bearing, sections and mesh
+/// @param torques  T at the output [N*m], finite; each solved from the state before it, the first
+///                 from the assembly
+/// @throws InputError   if a rule is broken or something is missing for this model
+[[nodiscard]] TorsionCurve torsion_curve(const GearSet& gear, std::span<const double> torques,
+                                         const CoupledOptions& options = {});
+
+/// Displacements of the rim and its stresses at the line of the tooth roots, at one torque.
+struct RimState {
+  double position = 0.0;               ///< from the major axis [rad]
+  double radial = 0.0;                 ///< w, outward [m]
+  double tangential = 0.0;             ///< v, toward +theta [m]
+  double rim_outside_stress = 0.0;     ///< hoop, at the tooth roots [Pa]
+  double rim_inside_stress = 0.0;      ///< hoop, at the bore [Pa]
+  double barrel_bending_stress = 0.0;  ///< hoop, at the outer face of the barrel's end [Pa]
+  double barrel_shear_stress = 0.0;    ///< of the torque [Pa]
+};
+
+/// Rim and barrel over a turn of the wave generator: a point of the flexspline passes all
+/// positions.
+///
+/// Implements theory manual eq. (TC-24).  Ring theory: no stress concentration of tooth root or
+/// fillet.
+///
+/// @param positions  how many, evenly over a turn; > 0
+[[nodiscard]] std::vector<RimState> rim_states(const GearSet& gear, double torque, int positions,
+                                               const CoupledOptions& options = {});
+
+/// The maker's three straight lines, under one sense of torque.
+struct MakersLines {
+  double K1 = 0.0;    ///< T1/phi(T1) [N*m/rad]
+  double K2 = 0.0;    ///< (T2 - T1)/(phi(T2) - phi(T1)) [N*m/rad]
+  double K3 = 0.0;    ///< (T3 - T2)/(phi(T3) - phi(T2)) [N*m/rad]
+  double phi1 = 0.0;  ///< at T1 [rad]
+  double phi2 = 0.0;  ///< at T2 [rad]
+};
+
+/// One standard relative uncertainty of the model's form in K1, K2, K3, from its error against
+/// catalogues with typical geometry (theory manual, chapter CV) [-].
+[[nodiscard]] double curve_uncertainty(const GearSet& gear);
+
+/// The maker's torques with their defaults filled in.
+struct MakersTorques {
+  double T1 = 0.0;             ///< [N*m]
+  double T2 = 0.0;             ///< [N*m]
+  double T3 = 0.0;             ///< [N*m]
+  double rated = 0.0;          ///< T_N [N*m]
+  double lost_motion = 0.0;    ///< where lost motion is measured [N*m]
+  bool by_convention = false;  ///< T1 and T2 were not given: 0.0517 d^3 and 0.187 d^3 N/mm^2
+};
+[[nodiscard]] MakersTorques makers_torques(const GearSet& gear);
+
+/// K1, K2, K3 by eq. (TC-14), for torque of the given sense (+1 or -1).
+/// @throws SolverError  if the curve is not usable; the message says why
+[[nodiscard]] MakersLines makers_lines(const GearSet& gear, int sense = +1,
+                                       const CoupledOptions& options = {});
+
+}  // namespace strainwave

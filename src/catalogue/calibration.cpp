@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/catalogue/calibration.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "least_squares.hpp"
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/quantity_text.hpp"
+
+namespace strainwave {
+namespace {
+
+constexpr double kMostUncertainty = 0.5;  // of an identified factor
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlank = " \t\r";
+  const std::size_t first = text.find_first_not_of(kBlank);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
+}
+
+std::vector<std::string_view> cells(std::string_view line) {
+  std::vector<std::string_view> result;
+  while (true) {
+    const std::size_t comma = std::min(line.find(','), line.size());
+    result.push_back(trimmed(line.substr(0, comma)));
+    if (comma == line.size()) return result;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+/// Where torque and twist stand in a line, and in which units.
+struct Columns {
+  std::size_t torque = 0;
+  std::size_t twist = 1;
+  std::string torque_unit;
+  std::string twist_unit;
+};
+
+Columns parse_header(std::string_view line, const std::string& place) {
+  Columns columns;
+  bool has_torque = false;
+  bool has_twist = false;
+  const auto names = cells(line);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::size_t open = names[i].find('[');
+    const std::size_t close = names[i].rfind(']');
+    const std::string_view name = trimmed(names[i].substr(0, std::min(open, names[i].size())));
+    if (name != "torque" && name != "twist") continue;
+    const bool torque = name == "torque";
+    if (open == std::string_view::npos || close == std::string_view::npos || close < open)
+      throw InputError(place, fmt::format("the column {0} has no unit; write {0} [{1}]", name,
+                                          torque ? "N*m" : "arcmin"));
+    const std::string unit(names[i].substr(open + 1, close - open - 1));
+    (void)parse_quantity(place, "1 " + unit, torque ? "N*m" : "rad");
+    (torque ? columns.torque : columns.twist) = i;
+    (torque ? columns.torque_unit : columns.twist_unit) = unit;
+    (torque ? has_torque : has_twist) = true;
+  }
+  if (!has_torque || !has_twist)
+    throw InputError(place,
+                     "must name the columns torque and twist with their units, such as "
+                     "\"torque [N*m],twist [arcmin]\"");
+  return columns;
+}
+
+/// phi at each torque, which may have both senses.
+std::map<double, double> twists(const GearSet& gear, std::vector<double> torques,
+                                const CoupledOptions& options) {
+  std::map<double, double> twist = {{0.0, 0.0}};
+  for (const double sense : {1.0, -1.0}) {
+    std::vector<double> loads;
+    for (const double torque : torques)
+      if (sense * torque > 0) loads.push_back(sense * torque);
+    if (loads.empty()) continue;
+    std::ranges::sort(loads);
+    const auto repeated = std::ranges::unique(loads);
+    loads.erase(repeated.begin(), repeated.end());
+    loads.insert(loads.begin(), loads.front() / 3);
+    for (double& load : loads) load *= sense;
+    const TorsionCurve curve = torsion_curve(gear, loads, options);
+    if (!curve.usable()) throw SolverError(curve.unusable_because);
+    for (const CurvePoint& point : curve.points) twist[point.torque] = point.twist;
+  }
+  return twist;
+}
+
+std::vector<double> stiffnesses(const GearSet& gear, const CalibrationTarget& target,
+                                const CoupledOptions& options) {
+  std::vector<double> torques;
+  for (const StiffnessTarget& value : target.values) {
+    torques.push_back(value.from_torque);
+    torques.push_back(value.to_torque);
+  }
+  const auto twist = twists(gear, std::move(torques), options);
+  std::vector<double> K;
+  for (const StiffnessTarget& value : target.values)
+    K.push_back((value.to_torque - value.from_torque) /
+                (twist.at(value.to_torque) - twist.at(value.from_torque)));
+  return K;
+}
+
+/// Ranges whose number has moved past a limit are widened to hold it.
+void widen_ranges(GearSet& gear) {
+  for (InputRange& range : gear.range) {
+    const NumberAt at = number_at(gear, range.path);
+    const auto limit = [&](const std::string& text) {
+      return parse_quantity(range.path, text, at.field.unit);
+    };
+    const std::string value = quantity_text(at.value, at.field.unit);
+    if (limit(range.lower) > at.value) range.lower = value;
+    if (limit(range.upper) < at.value) range.upper = value;
+  }
+}
+
+}  // namespace
+
+std::vector<MeasuredPoint> parse_measured_curve(std::string_view text, std::string_view file_name) {
+  std::vector<MeasuredPoint> points;
+  std::optional<Columns> columns;
+  for (int number = 1; !text.empty(); ++number) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = trimmed(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.empty() || line.starts_with('#')) continue;
+    const std::string place = fmt::format("{}:{}", file_name, number);
+    if (!columns) {
+      columns = parse_header(line, place);
+      continue;
+    }
+    const auto values = cells(line);
+    if (values.size() <= std::max(columns->torque, columns->twist))
+      throw InputError(place, fmt::format("\"{}\" has too few columns", shown(line)));
+    const auto quantity = [&](std::size_t column, const std::string& unit, std::string_view si) {
+      return parse_quantity(place, fmt::format("{} {}", values[column], unit), si);
+    };
+    const MeasuredPoint point{quantity(columns->torque, columns->torque_unit, "N*m"),
+                              quantity(columns->twist, columns->twist_unit, "rad")};
+    if (point.torque == 0.0 && point.twist == 0.0) continue;
+    if (!(point.torque * point.twist > 0))
+      throw InputError(place,
+                       "torque and twist must have the same sign: count the twist from the "
+                       "unloaded state");
+    points.push_back(point);
+  }
+  if (!columns) throw InputError(file_name, "is empty");
+  if (points.empty()) throw InputError(file_name, "has no point under torque");
+  return points;
+}
+
+CalibrationTarget catalogue_target(const GearSet& gear) {
+  const double d = gear.drive.pitch_diameter;
+  const StiffnessRow& row = nearest_stiffness(d, gear.drive.ratio);
+  const double scale = std::pow(d / pitch_diameter_of(row.size), 3);
+  CalibrationTarget target{
+      .source = fmt::format("catalogue, size {}, ratio {}", row.size, enum_name(row.ratio_class)),
+      .values = {},
+      .relative_uncertainty = 0.02};
+  if (std::abs(scale - 1) > 1e-6)
+    target.source += fmt::format(", torques and stiffness times {:.4g} for the diameter", scale);
+  const std::array<double, 4> torques = {0.0, row.T1, row.T2, row.T3()};
+  const auto K = row.K();
+  for (std::size_t k = 0; k < 3; ++k)
+    if (K[k])
+      target.values.push_back(
+          {fmt::format("K{}", k + 1), scale * torques[k], scale * torques[k + 1], scale * *K[k]});
+  return target;
+}
+
+CalibrationTarget measured_target(const std::vector<MeasuredPoint>& points, std::string_view name,
+                                  double relative_uncertainty) {
+  require(relative_uncertainty > 0 && relative_uncertainty < 1, "relative_uncertainty",
+          relative_uncertainty, "1", "> 0 and < 1");
+  CalibrationTarget target{.source = fmt::format("{}, {} points", name, points.size()),
+                           .values = {},
+                           .relative_uncertainty = relative_uncertainty};
+  for (const MeasuredPoint& point : points)
+    target.values.push_back(
+        {fmt::format("{:.4g} N*m", point.torque), 0.0, point.torque, point.torque / point.twist});
+  return target;
+}
+
+Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
+                      const std::vector<Factor>& factors, const CoupledOptions& options) {
+  check(gear);
+  if (factors.empty()) throw InputError("factors", "at least one must be named");
+  if (factors.size() > target.values.size())
+    throw InputError("factors", fmt::format("{} cannot be found from {} values: name fewer",
+                                            factors.size(), target.values.size()));
+  FactorProblem problem{.factors = factors, .start = {}, .plausible_only = false, .residuals = {}};
+  for (const Factor factor : factors) problem.start.push_back(factor_value(gear, factor));
+  const auto changed = [&](const std::vector<double>& values) {
+    GearSet other = gear;
+    other.range.clear();
+    for (std::size_t i = 0; i < factors.size(); ++i)
+      other = with_factor(std::move(other), factors[i], values[i]);
+    return other;
+  };
+  const auto n_values = static_cast<Eigen::Index>(target.values.size());
+  problem.residuals = [&](const std::vector<double>& values) {
+    const std::vector<double> K = stiffnesses(changed(values), target, options);
+    Eigen::VectorXd residuals(n_values);
+    for (Eigen::Index i = 0; i < n_values; ++i) {
+      const auto n = static_cast<std::size_t>(i);
+      residuals(i) = std::log(K[n] / target.values[n].stiffness);
+    }
+    return residuals;
+  };
+  const std::vector<double> before = stiffnesses(gear, target, options);
+  const FactorFit fit = fit_factors(problem);
+
+  Calibration result;
+  result.source = target.source;
+  result.converged = fit.converged;
+  result.iterations = fit.iterations;
+  result.residual = std::sqrt(fit.residuals.squaredNorm() / static_cast<double>(n_values));
+  const auto spare = static_cast<double>(target.values.size() - factors.size());
+  result.relative_uncertainty =
+      std::max(target.relative_uncertainty,
+               spare > 0 ? std::sqrt(fit.residuals.squaredNorm() / spare) : 0.0);
+
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(fit.jacobian,
+                                              Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const auto n_factors = static_cast<Eigen::Index>(factors.size());
+  Eigen::VectorXd variance = Eigen::VectorXd::Zero(n_factors);
+  for (Eigen::Index k = 0; k < n_factors; ++k) {
+    const double singular = svd.singularValues()(k);
+    FactorCombination combination{
+        .weights = {},
+        .singular_value = singular,
+        .uncertainty = result.relative_uncertainty / std::max(singular, 1e-9),
+        .identified = false};
+    combination.identified = combination.uncertainty <= kMostUncertainty;
+    // The sign of a direction is arbitrary: its largest weight is made positive.
+    Eigen::Index largest = 0;
+    svd.matrixV().col(k).cwiseAbs().maxCoeff(&largest);
+    const double sign = svd.matrixV()(largest, k) < 0 ? -1.0 : 1.0;
+    for (Eigen::Index i = 0; i < n_factors; ++i) {
+      const double weight = sign * svd.matrixV()(i, k);
+      combination.weights.push_back(weight);
+      variance(i) += std::pow(weight * combination.uncertainty, 2);
+    }
+    result.combinations.push_back(std::move(combination));
+  }
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    const FactorInfo& info = factor_info(factors[i]);
+    CalibratedFactor factor{.factor = factors[i],
+                            .before = problem.start[i],
+                            .value = fit.values[i],
+                            .uncertainty = std::sqrt(variance(static_cast<Eigen::Index>(i))),
+                            .at_limit = fit.at_limit[i]};
+    factor.uncertainty *= info.logarithmic ? factor.value : scale_of(factors[i]);
+    factor.plausible = factor.value >= info.lower && factor.value <= info.upper;
+    factor.identified =
+        !factor.at_limit && factor.uncertainty <= kMostUncertainty * std::abs(factor.value);
+    result.factors.push_back(factor);
+  }
+  for (std::size_t i = 0; i < target.values.size(); ++i)
+    result.stiffnesses.push_back(
+        {target.values[i], before[i],
+         target.values[i].stiffness * std::exp(fit.residuals(static_cast<Eigen::Index>(i)))});
+  result.gear = changed(fit.values);
+  result.gear.range = gear.range;
+  widen_ranges(result.gear);
+  check(result.gear);
+  return result;
+}
+
+std::string calibration_text(const Calibration& c) {
+  std::string text = fmt::format("Calibration with {}: {} factors, {} values\n\n", c.source,
+                                 c.factors.size(), c.stiffnesses.size());
+  text += fmt::format("{:<14}{:>14}{:>14}{:>9}{:>14}{:>9}\n", "[N*m/rad]", "wanted", "as given", "",
+                      "calibrated", "");
+  for (const CalibratedStiffness& s : c.stiffnesses)
+    text += fmt::format("{:<14}{:>14.5g}{:>14.5g}{:>+8.1f}%{:>14.5g}{:>+8.1f}%\n", s.target.name,
+                        s.target.stiffness, s.before, 100 * (s.before / s.target.stiffness - 1),
+                        s.after, 100 * (s.after / s.target.stiffness - 1));
+  text += fmt::format("\n{:<18}{:>12}{:>12}{:>14}   {}\n", "factor", "as given", "calibrated",
+                      "uncertainty", "");
+  for (const CalibratedFactor& f : c.factors) {
+    std::string verdict = f.identified ? "identified" : "NOT IDENTIFIED";
+    if (f.at_limit)
+      verdict += ": at the limit of what a fit may take";
+    else if (!f.identified)
+      verdict += ": uncertain by more than 50 %";
+    if (!f.plausible) verdict += "; outside what is plausible";
+    text += fmt::format("{:<18}{:>12.4g}{:>12.4g}{:>14.2g}   {}\n", enum_name(f.factor), f.before,
+                        f.value, f.uncertainty, verdict);
+  }
+  const auto identified = std::ranges::count_if(c.combinations, &FactorCombination::identified);
+  text += fmt::format("\n{} values identify {} of {} combinations of ln(factor):\n",
+                      c.stiffnesses.size(), identified, c.combinations.size());
+  for (const FactorCombination& combination : c.combinations) {
+    std::string sum;
+    for (std::size_t i = 0; i < combination.weights.size(); ++i)
+      sum += fmt::format(
+          "{}{:.2f} {}",
+          combination.weights[i] < 0 ? (sum.empty() ? "-" : " - ") : (sum.empty() ? "" : " + "),
+          std::abs(combination.weights[i]), enum_name(c.factors[i].factor));
+    text += fmt::format("  singular value {:>8.3g}, uncertainty {:>8.2g}, {:<15} {}\n",
+                        combination.singular_value, combination.uncertainty,
+                        combination.identified ? "identified:" : "not identified:", sum);
+  }
+  text += fmt::format(
+      "\nOne standard uncertainty, for values uncertain by {:.2g} % each; residual {:.2g} %, {} "
+      "steps{}.\n",
+      100 * c.relative_uncertainty, 100 * c.residual, c.iterations,
+      c.converged ? "" : ", NOT CONVERGED");
+  return text;
+}
+
+std::string calibration_json(const Calibration& c) {
+  using Json = nlohmann::ordered_json;
+  Json json = {{"source", c.source},
+               {"converged", c.converged},
+               {"iterations", c.iterations},
+               {"residual", c.residual},
+               {"relative_uncertainty_of_a_value", c.relative_uncertainty},
+               {"factors", Json::array()},
+               {"combinations", Json::array()},
+               {"stiffness", Json::array()}};
+  for (const CalibratedFactor& f : c.factors)
+    json["factors"].push_back({{"name", enum_name(f.factor)},
+                               {"meaning", factor_info(f.factor).meaning},
+                               {"before", f.before},
+                               {"value", f.value},
+                               {"uncertainty", f.uncertainty},
+                               {"at_limit", f.at_limit},
+                               {"plausible", f.plausible},
+                               {"identified", f.identified}});
+  for (const FactorCombination& combination : c.combinations)
+    json["combinations"].push_back({{"weights", combination.weights},
+                                    {"singular_value", combination.singular_value},
+                                    {"uncertainty", combination.uncertainty},
+                                    {"identified", combination.identified}});
+  for (const CalibratedStiffness& s : c.stiffnesses)
+    json["stiffness"].push_back({{"name", s.target.name},
+                                 {"from_torque", s.target.from_torque},
+                                 {"to_torque", s.target.to_torque},
+                                 {"wanted", s.target.stiffness},
+                                 {"before", s.before},
+                                 {"after", s.after},
+                                 {"unit", "N*m/rad"}});
+  return json.dump(2) + "\n";
+}
+
+}  // namespace strainwave

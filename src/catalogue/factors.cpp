@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/catalogue/factors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/torsion/flank.hpp"
+
+namespace strainwave {
+namespace {
+
+// What is plausible: support, coning and gap as in proportions.cpp; a pair from half to twice the
+// compliance of plane finite elements; structure from the limits of barrel and diaphragm; play up
+// to 3 um at size 25 and ratio 100; a cam between the cosine and an ellipse.  A fit to one drive
+// may go further, because there a factor stands for all that is wrong with the drive's model.
+constexpr std::array<FactorInfo, kFactors> kInfo = {{
+    {"share of the circular spline's compliance that the housing leaves", 0.1, 1.0, 0.01, 1.0,
+     true},
+    {"tilt of the teeth by the cup, 1 uncorrected", 0.1, 1.0, 0.01, 3.0, true},
+    {"gap between the flanks over that of straight ones", 0.8, 1.2, 0.2, 3.0, true},
+    {"compliance of a pair of teeth over that of the file", 0.5, 2.0, 0.1, 10.0, true},
+    {"compliance of barrel and diaphragm over that of the file", 0.6, 1.5, 0.2, 5.0, true},
+    {"radial play at a ball over w_0", 0.0, 0.01, 0.0, 0.05, false},
+    {"cam inside the cosine, 1.5 for an ellipse", 0.0, 1.5, 0.0, 6.0, false},
+}};
+
+void need(bool there, std::string_view field, Factor factor) {
+  if (!there)
+    throw InputError(field, fmt::format("must be given for the factor {}", enum_name(factor)));
+}
+
+void need_fields(const GearSet& gear, Factor factor) {
+  switch (factor) {
+    case Factor::support:
+      need(gear.circular_spline.has_value(), "circular_spline", factor);
+      return;
+    case Factor::coning:
+    case Factor::gap_factor:
+      need(gear.mesh.has_value(), "mesh", factor);
+      return;
+    case Factor::pair_compliance:
+      need(gear.mesh.has_value(), "mesh", factor);
+      need(gear.flexspline && gear.flexspline->rim, "flexspline.rim", factor);
+      return;
+    case Factor::structure:
+      need(gear.flexspline && gear.flexspline->barrel, "flexspline.barrel", factor);
+      need(gear.flexspline->diaphragm.has_value(), "flexspline.diaphragm", factor);
+      return;
+    case Factor::clearance:
+      need(gear.wave_generator && gear.wave_generator->bearing, "wave_generator.bearing", factor);
+      return;
+    case Factor::cam_flattening:
+      need(gear.wave_generator.has_value(), "wave_generator", factor);
+      return;
+  }
+}
+
+}  // namespace
+
+const FactorInfo& factor_info(Factor factor) { return kInfo[static_cast<std::size_t>(factor)]; }
+
+double factor_value(const GearSet& gear, Factor factor) {
+  need_fields(gear, factor);
+  switch (factor) {
+    case Factor::support:
+      return gear.circular_spline->support;
+    case Factor::coning:
+      return gear.mesh->coning;
+    case Factor::gap_factor:
+      return gear.mesh->gap_factor;
+    case Factor::clearance:
+      return gear.wave_generator->bearing->clearance / gear.drive.radial_displacement;
+    case Factor::cam_flattening:
+      return gear.wave_generator->cam_flattening;
+    case Factor::pair_compliance:
+    case Factor::structure:
+      break;
+  }
+  return 1.0;
+}
+
+GearSet with_factor(GearSet gear, Factor factor, double value) {
+  need_fields(gear, factor);
+  switch (factor) {
+    case Factor::support:
+      gear.circular_spline->support = value;
+      break;
+    case Factor::coning:
+      gear.mesh->coning = value;
+      break;
+    case Factor::gap_factor:
+      gear.mesh->gap_factor = value;
+      break;
+    case Factor::pair_compliance: {
+      const double teeth = gear.drive.wave_number * gear.drive.ratio;
+      const double E =
+          material_of(gear, gear.flexspline->material, "flexspline.material").youngs_modulus;
+      const double stiffness = gear.mesh->pair_stiffness.value_or(tooth_pair_stiffness(
+          E, gear.drive.pitch_diameter / teeth, gear.flexspline->rim->wall_thickness));
+      gear.mesh->pair_stiffness = stiffness / value;
+      break;
+    }
+    case Factor::structure: {
+      TubeSection& barrel = *gear.flexspline->barrel;
+      const double mean = barrel.outer_diameter - barrel.wall_thickness;
+      barrel.wall_thickness /= value;
+      barrel.outer_diameter = mean + barrel.wall_thickness;
+      gear.flexspline->diaphragm->thickness /= value;
+      for (DiaphragmStation& station : gear.flexspline->diaphragm->profile)
+        station.thickness /= value;
+      break;
+    }
+    case Factor::clearance:
+      gear.wave_generator->bearing->clearance = value * gear.drive.radial_displacement;
+      break;
+    case Factor::cam_flattening:
+      gear.wave_generator->cam_flattening = value;
+      break;
+  }
+  return gear;
+}
+
+std::vector<Factor> parse_factors(std::string_view text) {
+  std::vector<Factor> factors;
+  while (true) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    std::string_view name = text.substr(0, comma);
+    while (name.starts_with(' ')) name.remove_prefix(1);
+    while (name.ends_with(' ')) name.remove_suffix(1);
+    const auto factor = enum_value<Factor>(name);
+    if (!factor)
+      throw InputError("factors", fmt::format("\"{}\" is not one of {}", shown(name),
+                                              fmt::join(EnumNames<Factor>::names, ", ")));
+    if (std::ranges::find(factors, *factor) != factors.end())
+      throw InputError("factors", fmt::format("{} is there twice", name));
+    factors.push_back(*factor);
+    if (comma == text.size()) return factors;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+std::string factor_names(const std::vector<Factor>& factors) {
+  std::string text;
+  for (const Factor factor : factors) {
+    if (!text.empty()) text += ", ";
+    text += enum_name(factor);
+  }
+  return text;
+}
+
+}  // namespace strainwave

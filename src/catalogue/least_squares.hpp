@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Dense>
+#include <functional>
+#include <vector>
+
+#include "strainwave/catalogue/factors.hpp"
+
+namespace strainwave {
+
+/// A least-squares problem in named factors; each is fitted in its own scale and kept between its
+/// limits.
+struct FactorProblem {
+  std::vector<Factor> factors;
+  std::vector<double> start;   ///< [-]
+  bool plausible_only = true;  ///< limits: lower and upper of factor_info, else least and most
+  /// ln(predicted/wanted) for the factors' values; may throw SolverError, which a step avoids.
+  std::function<Eigen::VectorXd(const std::vector<double>&)> residuals;
+};
+
+struct FactorFit {
+  std::vector<double> values;  ///< of the factors [-]
+  std::vector<bool> at_limit;
+  Eigen::VectorXd residuals;
+  Eigen::MatrixXd jacobian;  ///< d residual/d ln(factor); per width of its range if not logarithmic
+  int iterations = 0;
+  bool converged = false;
+};
+
+/// The damped Gauss-Newton method of Levenberg and Marquardt with limits.
+/// @throws SolverError  if the residuals cannot be computed at the start
+[[nodiscard]] FactorFit fit_factors(const FactorProblem& problem);
+
+/// Length of one unit of the scale in which a factor is fitted: relative if logarithmic.
+[[nodiscard]] double scale_of(Factor factor);
+
+}  // namespace strainwave

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "strainwave/catalogue/catalogue.hpp"
+#include "strainwave/model/gear_set.hpp"
+#include "strainwave/torsion/torsion_curve.hpp"
+
+namespace strainwave {
+
+using ThreeK = std::array<double, 3>;  ///< K1, K2, K3 [N*m/rad]
+
+/// Predicted K1, K2, K3 of catalogue rows, for drives that differ in size only.
+///
+/// Proportional drives are similar: phi depends on T/d^3, so one curve at one diameter serves all
+/// rows of a ratio.
+///
+/// @param drive_of  makes the drive of a class, of `pitch_diameter`
+/// @throws SolverError  if a curve is not usable
+[[nodiscard]] std::vector<ThreeK> predicted_rows(std::span<const StiffnessRow> rows,
+                                                 double pitch_diameter,
+                                                 const std::function<GearSet(RatioClass)>& drive_of,
+                                                 const CoupledOptions& options = {});
+
+}  // namespace strainwave

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/io/gear_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <type_traits>
+
+#include "strainwave/core/quantity_text.hpp"
+#include "strainwave/io/result_writer.hpp"
+
+namespace strainwave {
+namespace {
+
+constexpr std::size_t kWidth = 100;
+
+/// A unit that a file shows instead of the SI unit of a field, for values from `least` on.
+struct Alternative {
+  std::string_view si;
+  std::string_view shown;
+  double least = 0.0;  ///< in SI
+};
+constexpr std::array<Alternative, 6> kAlternatives = {{{"m", "mm", 1e-5},
+                                                       {"m", "um", 0.0},
+                                                       {"rad", "deg", 0.0},
+                                                       {"Pa", "GPa", 1e9},
+                                                       {"Pa", "MPa", 0.0},
+                                                       {"Pa*m^0.5", "MPa*m^0.5", 0.0}}};
+
+/// A short text that the reader turns into the very same double.
+std::string exact_text(double value, std::string_view unit) {
+  std::string si = quantity_text(value, unit);
+  const auto* const found = std::ranges::find_if(kAlternatives, [&](const Alternative& other) {
+    return other.si == unit && std::abs(value) >= other.least;
+  });
+  if (value == 0.0 || found == kAlternatives.end()) return si;
+  const double number = value / parse_unit(found->shown).factor;
+  for (int digits = 1; digits <= 17; ++digits) {
+    const std::string digits_text = fmt::format("{:.{}g}", number, digits);
+    if (digits_text.find('e') != std::string::npos) continue;
+    const std::string text = fmt::format("{} {}", digits_text, found->shown);
+    if (parse_quantity("value", text, unit) == value)
+      return text.size() <= si.size() + 2 ? text : si;
+  }
+  return si;
+}
+
+std::string toml_string(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      result += '\\';
+      result += c;
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
+      result += fmt::format("\\u{:04X}", static_cast<unsigned char>(c));
+    } else {
+      result += c;
+    }
+  }
+  return result + '"';
+}
+
+/// A key of a table: bare where TOML allows it.
+std::string key_text(std::string_view key) {
+  const bool bare = !key.empty() && std::ranges::all_of(key, [](unsigned char c) {
+    return (std::isalnum(c) != 0 && c < 0x80) || c == '_' || c == '-';
+  });
+  return bare ? std::string(key) : toml_string(key);
+}
+
+template <class T>
+inline constexpr bool is_table = Described<T> || is_variant<T> || is_string_map<T> || is_vector<T>;
+template <class T>
+inline constexpr bool is_table<std::optional<T>> = is_table<T>;
+
+class GearWriter {
+ public:
+  explicit GearWriter(const std::map<std::string, std::string>& comments) : comments_(comments) {}
+
+  std::string text() && { return std::move(text_); }
+
+  /// Plain fields first, then the tables below: TOML wants it so.
+  template <Described T>
+  void body(const T& value, const std::string& head, const FieldPath& path) {
+    if constexpr (requires { T::kKind; }) line("kind", toml_string(T::kKind), path / "kind");
+    static const T unset{};
+    T::describe([&](const Field& field, auto member) {
+      using Value = std::decay_t<decltype(value.*member)>;
+      if constexpr (!is_table<Value>) {
+        const FieldPath at = path / field.name;
+        const std::string text = plain(value.*member, field);
+        const bool implied = !field.fallback.empty() && text == plain(unset.*member, field) &&
+                             !comments_.contains(at.text());
+        if (!text.empty() && !implied) line(field.name, text, at);
+      }
+    });
+    T::describe([&](const Field& field, auto member) {
+      using Value = std::decay_t<decltype(value.*member)>;
+      if constexpr (is_table<Value>)
+        section(value.*member,
+                head.empty() ? std::string(field.name) : fmt::format("{}.{}", head, field.name),
+                path / field.name);
+    });
+  }
+
+ private:
+  /// Right-hand side of a plain field; empty for an optional one that is not there.
+  template <class T>
+  static std::string plain(const T& value, const Field& field) {
+    if constexpr (std::is_same_v<T, double>) {
+      const std::string text = exact_text(value, field.unit);
+      return field.unit == "1" ? text : toml_string(text);
+    } else if constexpr (is_optional<T>) {
+      return value ? plain(*value, field) : std::string();
+    } else if constexpr (is_pair_of_numbers<T>) {
+      return fmt::format("[{}, {}]", plain(value[0], field), plain(value[1], field));
+    } else if constexpr (std::is_enum_v<T>) {
+      return toml_string(enum_name(value));
+    } else if constexpr (std::is_same_v<T, std::string>) {
+      return toml_string(value);
+    } else {
+      return fmt::format("{}", value);
+    }
+  }
+
+  template <class T>
+  void section(const T& value, const std::string& head, const FieldPath& path) {
+    if constexpr (is_optional<T>) {
+      if (value) section(*value, head, path);
+    } else if constexpr (is_string_map<T>) {
+      for (const auto& [name, element] : value)
+        section(element, fmt::format("{}.{}", head, key_text(name)), path / name);
+    } else if constexpr (is_vector<T>) {
+      for (std::size_t i = 0; i < value.size(); ++i) {
+        text_ += fmt::format("\n[[{}]]\n", head);
+        if constexpr (is_variant<typename T::value_type>)
+          std::visit([&](const auto& one) { body(one, head, path[i]); }, value[i]);
+        else
+          body(value[i], head, path[i]);
+      }
+    } else {
+      text_ += fmt::format("\n[{}]\n", head);
+      body(value, head, path);
+    }
+  }
+
+  void line(std::string_view name, const std::string& text, const FieldPath& path) {
+    const std::string content = fmt::format("{} = {}", name, text);
+    const auto comment = comments_.find(path.text());
+    if (comment == comments_.end()) {
+      text_ += content + '\n';
+      return;
+    }
+    const std::string behind = fmt::format("{:<36}  # {}", content, comment->second);
+    if (behind.size() <= kWidth) {
+      text_ += behind + '\n';
+      return;
+    }
+    std::string above = "# ";
+    for (const char c : wrapped(comment->second, kWidth - 2, 0)) {
+      above += c;
+      if (c == '\n') above += "# ";
+    }
+    text_ += above + '\n' + content + '\n';
+  }
+
+  const std::map<std::string, std::string>& comments_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string gear_text(const GearSet& gear, const std::map<std::string, std::string>& comments) {
+  GearWriter writer(comments);
+  writer.body(gear, {}, FieldPath());
+  return std::move(writer).text();
+}
+
+}  // namespace strainwave

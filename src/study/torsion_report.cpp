@@ -1,0 +1,489 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/study/torsion_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/quantity_text.hpp"
+#include "strainwave/core/units.hpp"
+#include "strainwave/io/result_writer.hpp"
+#include "strainwave/study/plot.hpp"
+
+namespace strainwave {
+namespace {
+
+constexpr std::size_t kWidth = 100;
+constexpr int kCurvePoints = 40;  // on each side, evenly spaced in the root of the torque
+
+std::vector<double> curve_torques(const MakersTorques& at) {
+  const double most = std::max(at.T3, at.rated);
+  std::vector<double> torques = {at.T1, at.T2, at.T3, at.rated};
+  for (int i = 1; i <= kCurvePoints; ++i) {
+    const double share = static_cast<double>(i) / kCurvePoints;
+    torques.push_back(most * share * share);
+  }
+  std::ranges::sort(torques);
+  const auto same = [&](double a, double b) { return b - a < 1e-9 * most; };
+  torques.erase(std::unique(torques.begin(), torques.end(), same), torques.end());
+  return torques;
+}
+
+TorsionCurve usable_curve(const GearSet& gear, std::vector<double> torques, double sense) {
+  for (double& torque : torques) torque *= sense;
+  TorsionCurve curve = torsion_curve(gear, torques);
+  if (!curve.usable()) throw SolverError(curve.unusable_because);
+  return curve;
+}
+
+void add_once(std::vector<Note>& notes, const std::vector<Note>& more) {
+  for (const Note& note : more)
+    if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
+}
+
+Band band(std::vector<double> values) {
+  std::ranges::sort(values);
+  const auto quantile = [&](double p) {
+    const double at = p * static_cast<double>(values.size() - 1);
+    const auto below = static_cast<std::size_t>(at);
+    const std::size_t above = std::min(below + 1, values.size() - 1);
+    return values[below] + (at - static_cast<double>(below)) * (values[above] - values[below]);
+  };
+  return {quantile(0.05), quantile(0.5), quantile(0.95)};
+}
+
+bool has_cracks(const GearSet& gear) {
+  return (gear.wave_generator && !gear.wave_generator->crack.empty()) ||
+         (gear.flexspline && !gear.flexspline->crack.empty()) ||
+         (gear.output_shaft && !gear.output_shaft->crack.empty()) ||
+         (gear.mesh && !gear.mesh->crack.empty()) ||
+         (gear.circular_spline && !gear.circular_spline->crack.empty());
+}
+
+// --- text ---------------------------------------------------------------------------------------
+
+std::string stiffness_text(double K) { return fmt::format("{:.4g}", K); }
+std::string arcmin_text(double angle) { return fmt::format("{:.4g}", angle / units::arcmin); }
+std::string percent_text(double change) { return fmt::format("{:+.3g} %", 100 * change); }
+
+std::string line_row(std::string_view label, const TorsionReport& report, double MakersLines::*line,
+                     const Band* range, double unit) {
+  std::string text = fmt::format("  {:<24}{:>14}{:>14}", label,
+                                 fmt::format("{:.4g}", report.positive.*line / unit),
+                                 fmt::format("{:.4g}", report.negative.*line / unit));
+  if (range != nullptr)
+    text += fmt::format("{:>24}",
+                        fmt::format("{:.3g} .. {:.3g}", range->low / unit, range->high / unit));
+  return text + '\n';
+}
+
+std::string changes_row(std::string_view label, const LineChanges& positive,
+                        const LineChanges& negative) {
+  return fmt::format("  {:<18}{:>11}{:>11}{:>11}   {:>11}{:>11}{:>11}\n", label,
+                     percent_text(positive.K1), percent_text(positive.K2),
+                     percent_text(positive.K3), percent_text(negative.K1),
+                     percent_text(negative.K2), percent_text(negative.K3));
+}
+
+std::string comparison_text(const CurveComparison& c) {
+  std::string text = fmt::format(
+      "\nWith cracks against without, {} positions over a turn of the wave generator\n"
+      "  {:<18}{:>33}   {:>33}\n  {:<18}{:>11}{:>11}{:>11}   {:>11}{:>11}{:>11}\n",
+      c.angles.size(), "", "T > 0", "T < 0", "", "K1", "K2", "K3", "K1", "K2", "K3");
+  text += changes_row("as in the file", c.positive.as_given, c.negative.as_given);
+  text += changes_row("mean", c.positive.mean, c.negative.mean);
+  text += changes_row("worst", c.positive.worst, c.negative.worst);
+  text += changes_row("best", c.positive.best, c.negative.best);
+  text += changes_row("ripple", c.positive.ripple, c.negative.ripple);
+  text += fmt::format("  lost motion {} -> {} arcmin, largest width of the loop {} -> {} arcmin\n",
+                      arcmin_text(c.lost_motion_sound), arcmin_text(c.lost_motion_cracked),
+                      arcmin_text(c.hysteresis_sound), arcmin_text(c.hysteresis_cracked));
+  text += "  " +
+          wrapped(fmt::format("where the crack is: {}; {} (TC-26)",
+                              c.crack_class == CrackClass::series ? "a member in series"
+                              : c.crack_class == CrackClass::contact_path
+                                  ? "in the path of the contacts"
+                              : c.crack_class == CrackClass::none ? "cannot tell"
+                                                                  : "cannot tell, or several",
+                              c.evidence),
+                  kWidth - 2, 4) +
+          '\n';
+  return text;
+}
+
+// --- json ---------------------------------------------------------------------------------------
+
+using Json = nlohmann::ordered_json;
+
+Json quantity(double value, std::string_view unit) { return {{"value", value}, {"unit", unit}}; }
+
+Json lines_json(const MakersLines& lines) {
+  return {{"K1", quantity(lines.K1, "N*m/rad")},
+          {"K2", quantity(lines.K2, "N*m/rad")},
+          {"K3", quantity(lines.K3, "N*m/rad")},
+          {"phi1", quantity(lines.phi1, "rad")},
+          {"phi2", quantity(lines.phi2, "rad")}};
+}
+
+Json changes_json(const LineChanges& c) { return {{"K1", c.K1}, {"K2", c.K2}, {"K3", c.K3}}; }
+
+Json turn_json(const ChangesOverTurn& turn) {
+  Json at = Json::array();
+  for (const LineChanges& c : turn.at_angle) at.push_back(changes_json(c));
+  return {{"as_given", changes_json(turn.as_given)},
+          {"mean", changes_json(turn.mean)},
+          {"worst", changes_json(turn.worst)},
+          {"best", changes_json(turn.best)},
+          {"ripple", changes_json(turn.ripple)},
+          {"ripple_order", turn.ripple_order},
+          {"at_angle", std::move(at)}};
+}
+
+Json forces_json(const std::vector<ContactForce>& forces) {
+  Json list = Json::array();
+  for (const ContactForce& contact : forces)
+    list.push_back(
+        {{"position", contact.position}, {"force", contact.force}, {"tangent", contact.tangent}});
+  return list;
+}
+
+Json curve_json(const TorsionCurve& curve) {
+  Json points = Json::array();
+  for (const CurvePoint& p : curve.points) {
+    Json share;
+    for (std::size_t m = 0; m < kCurveMembers; ++m)
+      share[std::string(EnumNames<CurveMember>::names[m])] = p.share[m];
+    points.push_back({{"torque", p.torque},
+                      {"twist", p.twist},
+                      {"tangent_stiffness", 1 / p.tangent_compliance},
+                      {"secant_stiffness", p.secant_stiffness()},
+                      {"teeth_in_contact", p.teeth_in_contact},
+                      {"balls_in_contact", p.balls_in_contact},
+                      {"share", std::move(share)},
+                      {"balls", forces_json(p.balls)},
+                      {"drive_flanks", forces_json(p.drive_flanks)},
+                      {"coast_flanks", forces_json(p.coast_flanks)},
+                      {"residual", p.residual},
+                      {"iterations", p.iterations}});
+  }
+  return points;
+}
+
+double largest_force(const std::vector<ContactForce>& forces) {
+  double largest = 0.0;
+  for (const ContactForce& contact : forces) largest = std::max(largest, contact.force);
+  return largest;
+}
+
+}  // namespace
+
+LineBands line_bands(const GearSet& gear, int draws) {
+  struct Limits {
+    std::string path;
+    double lower;
+    double upper;
+  };
+  std::vector<Limits> limits;
+  for (std::size_t i = 0; i < gear.range.size(); ++i) {
+    const InputRange& range = gear.range[i];
+    const std::string_view unit = number_at(gear, range.path).field.unit;
+    limits.push_back({range.path, parse_quantity("lower", range.lower, unit),
+                      parse_quantity("upper", range.upper, unit)});
+  }
+  std::mt19937_64 random(20240607);
+  // Not std::uniform_real_distribution, whose sequence differs between libraries.
+  const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  LineBands bands;
+  std::vector<double> K1;
+  std::vector<double> K2;
+  std::vector<double> K3;
+  GearSet base = gear;
+  base.range.clear();  // the values drawn need not keep to them
+  for (int n = 0; n < draws; ++n) {
+    GearSet drawn = base;
+    for (const Limits& limit : limits)
+      set_number(drawn, limit.path, limit.lower + (limit.upper - limit.lower) * uniform());
+    try {
+      const MakersLines lines = makers_lines(drawn);
+      K1.push_back(lines.K1);
+      K2.push_back(lines.K2);
+      K3.push_back(lines.K3);
+    } catch (const Error&) {  // this combination cannot be built
+      ++bands.rejected;
+    }
+  }
+  bands.draws = static_cast<int>(K1.size());
+  if (bands.draws == 0)
+    throw SolverError("none of the drives drawn from the ranges can be built or assembled");
+  bands.K1 = band(std::move(K1));
+  bands.K2 = band(std::move(K2));
+  bands.K3 = band(std::move(K3));
+  return bands;
+}
+
+TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& options) {
+  TorsionReport report;
+  report.torques = makers_torques(gear);
+  const std::vector<double> torques = curve_torques(report.torques);
+  report.curve = usable_curve(gear, torques, +1);
+  report.curve_negative = usable_curve(gear, torques, -1);
+  for (const double at : {report.torques.T1, report.torques.T2, report.torques.rated}) {
+    const auto point = std::ranges::min_element(
+        report.curve.points, {}, [&](const CurvePoint& p) { return std::abs(p.torque - at); });
+    const auto index = static_cast<std::size_t>(point - report.curve.points.begin());
+    if (std::ranges::find(report.shown, index) == report.shown.end()) report.shown.push_back(index);
+  }
+  report.positive = makers_lines(gear, +1);
+  report.negative = makers_lines(gear, -1);
+  report.loop = hysteresis_loop(Hysteresis(gear, report.torques.rated), report.torques.rated);
+  report.lost_motion = lost_motion(gear);
+  if (!gear.range.empty() && options.draws > 0) report.bands = line_bands(gear, options.draws);
+  if (options.compare) {
+    report.comparison = compare_curves(gear, options.angles);
+    report.sound = usable_curve(without_cracks(gear), torques, +1);
+  }
+  if (report.torques.by_convention)
+    report.notes.push_back({"rating.convention",
+                            "not given: T1 and T2 are taken as 0.0517 and 0.187 N/mm^2 times the "
+                            "cube of the pitch diameter, as catalogues choose them",
+                            "rating", "TC-14"});
+  add_once(report.notes, report.curve.notes);
+  if (gear.mesh->friction_coefficient > 0 && (!gear.rating || gear.rating->friction_torque == 0))
+    report.notes.push_back({"hysteresis.no_load",
+                            "flank friction vanishes with the load, so the loop closes at zero "
+                            "torque; a maker's hysteresis loss there is of seal, grease and "
+                            "bearings: give friction_torque",
+                            "rating.friction_torque", "TC-17"});
+  if (has_cracks(gear) && !options.compare)
+    report.notes.push_back({"torsion.compare",
+                            "the drive has cracks; --compare shows what they change, and over a "
+                            "turn of the wave generator",
+                            "", "TC-26"});
+  report.equations = report.curve.equations;
+  for (const char* const tag : {"TC-16", "TC-17", "TC-18"}) report.equations.emplace_back(tag);
+  if (options.compare) report.equations.emplace_back("TC-26");
+  return report;
+}
+
+std::string torsion_text(const TorsionReport& report, const GearSet& gear) {
+  const MakersTorques& at = report.torques;
+  std::string text =
+      fmt::format("{}\nTorsion curve of the coupled drive, output against locked input\n\n",
+                  gear.name.empty() ? "Strain wave gear" : gear.name);
+  text += fmt::format("T1 = {:.5g}, T2 = {:.5g}, T3 = {:.5g}, rated {:.5g} N*m{}\n\n", at.T1, at.T2,
+                      at.T3, at.rated, at.by_convention ? " (by convention)" : "");
+  const LineBands* const bands = report.bands ? &*report.bands : nullptr;
+  text += fmt::format("  {:<24}{:>14}{:>14}{:>24}\n", "", "T > 0", "T < 0",
+                      bands != nullptr ? "90 % of the ranges" : "");
+  while (text.ends_with(" \n")) text.erase(text.size() - 2, 1);
+  const auto both = [&](std::string_view name, double MakersLines::*line, const Band* range) {
+    text += line_row(fmt::format("{} [N*m/rad]", name), report, line, range, 1.0);
+  };
+  both("K1", &MakersLines::K1, bands != nullptr ? &bands->K1 : nullptr);
+  both("K2", &MakersLines::K2, bands != nullptr ? &bands->K2 : nullptr);
+  both("K3", &MakersLines::K3, bands != nullptr ? &bands->K3 : nullptr);
+  text += line_row("phi1 [arcmin]", report, &MakersLines::phi1, nullptr, units::arcmin);
+  text += line_row("phi2 [arcmin]", report, &MakersLines::phi2, nullptr, units::arcmin);
+  text += fmt::format("  {:<24}{:>14}   at +-{:.4g} N*m\n", "lost motion [arcmin]",
+                      arcmin_text(report.lost_motion), at.lost_motion);
+  text += fmt::format("  {:<24}{:>14}   largest, at {:.4g} N*m; {} at zero torque\n",
+                      "loop width [arcmin]", arcmin_text(report.loop.largest_width),
+                      report.loop.torque_of_largest_width, arcmin_text(report.loop.width_at_zero));
+  if (bands != nullptr)
+    text += fmt::format("  {} drives drawn from {} ranges{}\n", bands->draws, gear.range.size(),
+                        bands->rejected > 0
+                            ? fmt::format(", {} more could not be built", bands->rejected)
+                            : std::string());
+
+  text += fmt::format("\n  {:<26}", "at T [N*m]");
+  const auto shown = [&](const auto& cell) {
+    for (const std::size_t i : report.shown)
+      text += fmt::format("{:>14}", cell(report.curve.points[i]));
+    text += '\n';
+  };
+  shown([](const CurvePoint& p) { return fmt::format("{:.5g}", p.torque); });
+  text += fmt::format("  {:<26}", "twist [arcmin]");
+  shown([](const CurvePoint& p) { return arcmin_text(p.twist); });
+  text += fmt::format("  {:<26}", "tangent K [N*m/rad]");
+  shown([](const CurvePoint& p) { return stiffness_text(1 / p.tangent_compliance); });
+  text += fmt::format("  {:<26}", fmt::format("teeth in contact of {}", report.curve.teeth));
+  shown([](const CurvePoint& p) { return fmt::format("{}", p.teeth_in_contact); });
+  text += fmt::format("  {:<26}", "balls in contact");
+  shown([](const CurvePoint& p) { return fmt::format("{}", p.balls_in_contact); });
+  text += fmt::format("  {:<26}", "largest ball force [N]");
+  shown([](const CurvePoint& p) { return fmt::format("{:.4g}", largest_force(p.balls)); });
+  text += fmt::format("  {:<26}", "largest flank force [N]");
+  shown([](const CurvePoint& p) {
+    return fmt::format("{:.4g}",
+                       std::max(largest_force(p.drive_flanks), largest_force(p.coast_flanks)));
+  });
+  text += "  share of the tangent compliance\n";
+  for (std::size_t m = 0; m < kCurveMembers; ++m) {
+    const bool any = std::ranges::any_of(report.shown, [&](std::size_t i) {
+      return std::abs(report.curve.points[i].share[m]) > 5e-5;
+    });
+    if (!any) continue;
+    std::string name(EnumNames<CurveMember>::names[m]);
+    std::ranges::replace(name, '_', ' ');
+    text += fmt::format("    {:<24}", name);
+    shown([&](const CurvePoint& p) { return fmt::format("{:.1f} %", 100 * p.share[m]); });
+  }
+  if (report.comparison) text += comparison_text(*report.comparison);
+  if (!report.notes.empty()) text += "\nNotes\n";
+  for (const Note& note : report.notes) {
+    std::string line = note.path.empty() ? note.text : note.path + ": " + note.text;
+    if (!note.equation.empty()) line += fmt::format(" ({})", note.equation);
+    text += fmt::format("  - {}\n", wrapped(line, kWidth - 4, 4));
+  }
+  text +=
+      "\n" +
+      wrapped(fmt::format("Equations of the theory manual: {}", fmt::join(report.equations, ", ")),
+              kWidth, 2) +
+      "\n";
+  return text;
+}
+
+std::string torsion_json(const TorsionReport& report) {
+  const MakersTorques& at = report.torques;
+  Json json = {{"torques",
+                {{"T1", quantity(at.T1, "N*m")},
+                 {"T2", quantity(at.T2, "N*m")},
+                 {"T3", quantity(at.T3, "N*m")},
+                 {"rated", quantity(at.rated, "N*m")},
+                 {"lost_motion", quantity(at.lost_motion, "N*m")},
+                 {"by_convention", at.by_convention}}},
+               {"positive", lines_json(report.positive)},
+               {"negative", lines_json(report.negative)},
+               {"lost_motion", quantity(report.lost_motion, "rad")},
+               {"hysteresis",
+                {{"amplitude", quantity(report.loop.amplitude, "N*m")},
+                 {"width_at_zero", quantity(report.loop.width_at_zero, "rad")},
+                 {"largest_width", quantity(report.loop.largest_width, "rad")},
+                 {"torque_of_largest_width", quantity(report.loop.torque_of_largest_width, "N*m")},
+                 {"lost_energy", quantity(report.loop.lost_energy, "J")},
+                 {"torque", report.loop.torque},
+                 {"twist", report.loop.twist}}},
+               {"cam_amplitude", quantity(report.curve.cam_amplitude, "m")},
+               {"assembly_ball_force", quantity(report.curve.assembly_ball_force, "N")},
+               {"series_compliance", quantity(report.curve.series_compliance, "rad/(N*m)")},
+               {"teeth", report.curve.teeth},
+               {"curve", curve_json(report.curve)},
+               {"curve_negative", curve_json(report.curve_negative)}};
+  if (report.bands) {
+    const auto band_json = [](const Band& b) {
+      return Json{{"low", b.low}, {"median", b.median}, {"high", b.high}, {"unit", "N*m/rad"}};
+    };
+    json["bands"] = {{"K1", band_json(report.bands->K1)},
+                     {"K2", band_json(report.bands->K2)},
+                     {"K3", band_json(report.bands->K3)},
+                     {"draws", report.bands->draws},
+                     {"rejected", report.bands->rejected}};
+  }
+  if (report.comparison) {
+    const CurveComparison& c = *report.comparison;
+    json["comparison"] = {{"sound", lines_json(c.sound)},
+                          {"angles", c.angles},
+                          {"positive", turn_json(c.positive)},
+                          {"negative", turn_json(c.negative)},
+                          {"lost_motion_sound", quantity(c.lost_motion_sound, "rad")},
+                          {"lost_motion_cracked", quantity(c.lost_motion_cracked, "rad")},
+                          {"hysteresis_sound", quantity(c.hysteresis_sound, "rad")},
+                          {"hysteresis_cracked", quantity(c.hysteresis_cracked, "rad")},
+                          {"crack_class", enum_name(c.crack_class)},
+                          {"class_ratio", c.class_ratio},
+                          {"evidence", c.evidence}};
+  }
+  json["notes"] = Json::array();
+  for (const Note& note : report.notes)
+    json["notes"].push_back({{"code", note.code},
+                             {"text", note.text},
+                             {"path", note.path},
+                             {"equation", note.equation}});
+  json["equations"] = report.equations;
+  return json.dump(2) + "\n";
+}
+
+std::string torsion_csv(const TorsionReport& report) {
+  std::string text =
+      "torque [N*m],twist [rad],tangent_stiffness [N*m/rad],teeth_in_contact,balls_in_contact\n";
+  const auto add = [&](const CurvePoint& p) {
+    text += fmt::format("{},{},{},{},{}\n", p.torque, p.twist, 1 / p.tangent_compliance,
+                        p.teeth_in_contact, p.balls_in_contact);
+  };
+  for (auto p = report.curve_negative.points.rbegin(); p != report.curve_negative.points.rend();
+       ++p)
+    add(*p);
+  for (const CurvePoint& p : report.curve.points) add(p);
+  return text;
+}
+
+std::string torsion_plot(const TorsionReport& report, const GearSet& gear) {
+  const auto in_arcmin = [](std::vector<double> values) {
+    for (double& value : values) value /= units::arcmin;
+    return values;
+  };
+  const MakersTorques& at = report.torques;
+  PlotSeries curve{.label = report.comparison ? "with cracks" : "predicted"};
+  PlotSeries sound{.label = "sound"};
+  PlotSeries tangent{.label = curve.label};
+  PlotSeries tangent_sound{.label = "sound"};
+  const auto add = [](PlotSeries& series, double x, double y) {
+    series.x.push_back(x);
+    series.y.push_back(y);
+  };
+  for (auto p = report.curve_negative.points.rbegin(); p != report.curve_negative.points.rend();
+       ++p)
+    add(curve, p->torque, p->twist / units::arcmin);
+  add(curve, 0.0, 0.0);
+  for (const CurvePoint& p : report.curve.points) {
+    add(curve, p.torque, p.twist / units::arcmin);
+    add(tangent, p.torque, units::arcmin / p.tangent_compliance);
+  }
+  for (const CurvePoint& p : report.sound.points) {
+    add(sound, p.torque, p.twist / units::arcmin);
+    add(tangent_sound, p.torque, units::arcmin / p.tangent_compliance);
+  }
+  const double phi3 = report.positive.phi2 + (at.T3 - at.T2) / report.positive.K3;
+  const PlotSeries lines{.label = "K1, K2, K3",
+                         .x = {0.0, at.T1, at.T2, at.T3},
+                         .y = in_arcmin({0.0, report.positive.phi1, report.positive.phi2, phi3})};
+  const PlotSeries loop{
+      .label = "loop, friction", .x = report.loop.torque, .y = in_arcmin(report.loop.twist)};
+  std::vector<PlotPanel> panels;
+  panels.push_back(
+      {.title = gear.name.empty() ? "Torsion curve" : gear.name,
+       .subtitle = fmt::format("K1 = {:.3g}, K2 = {:.3g}, K3 = {:.3g} N·m/rad", report.positive.K1,
+                               report.positive.K2, report.positive.K3),
+       .x_label = "torque T at the output [N·m]",
+       .y_label = "twist φ, input locked [arcmin]",
+       .series = {curve, lines, loop}});
+  if (report.comparison) panels.back().series.insert(panels.back().series.begin() + 1, sound);
+  panels.push_back({.title = "Tangent stiffness",
+                    .x_label = "torque T at the output [N·m]",
+                    .y_label = "dT/dφ [N·m/arcmin]",
+                    .series = {tangent}});
+  if (report.comparison) {
+    panels.back().series.push_back(tangent_sound);
+    PlotPanel turn{.title = "Change of stiffness over a turn of the wave generator",
+                   .subtitle = "T > 0",
+                   .x_label = "wave generator turned by [deg]",
+                   .y_label = "cracked/sound − 1 [%]"};
+    const auto series = [&](const char* label, double LineChanges::*line) {
+      PlotSeries s{.label = label};
+      for (std::size_t i = 0; i < report.comparison->angles.size(); ++i)
+        add(s, report.comparison->angles[i] / units::deg,
+            100 * report.comparison->positive.at_angle[i].*line);
+      return s;
+    };
+    turn.series = {series("K1", &LineChanges::K1), series("K2", &LineChanges::K2),
+                   series("K3", &LineChanges::K3)};
+    panels.push_back(std::move(turn));
+  }
+  return svg_plot(panels);
+}
+
+}  // namespace strainwave

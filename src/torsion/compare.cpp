@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/torsion/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/torsion/hysteresis.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double LineChanges::*kLines[] = {&LineChanges::K1, &LineChanges::K2, &LineChanges::K3};
+
+LineChanges changes(const MakersLines& cracked, const MakersLines& sound) {
+  return {cracked.K1 / sound.K1 - 1, cracked.K2 / sound.K2 - 1, cracked.K3 / sound.K3 - 1};
+}
+
+/// Order per turn with the largest amplitude; 0 if nothing varies.
+int dominant_order(const std::vector<LineChanges>& at_angle) {
+  const auto n = static_cast<int>(at_angle.size());
+  double largest = 1e-9;
+  int order = 0;
+  for (int k = 1; k <= n / 2; ++k) {
+    std::complex<double> sum = 0.0;
+    for (int i = 0; i < n; ++i)
+      sum += at_angle[static_cast<std::size_t>(i)].K1 * std::polar(1.0, -2 * pi * k * i / n);
+    const double amplitude = 2 * std::abs(sum) / n;
+    if (amplitude > largest * (1 + 1e-9)) {
+      largest = amplitude;
+      order = k;
+    }
+  }
+  return order;
+}
+
+ChangesOverTurn over_turn(const std::vector<GearSet>& turned, const MakersLines& sound, int sense,
+                          const CoupledOptions& options) {
+  ChangesOverTurn result;
+  for (const GearSet& gear : turned)
+    result.at_angle.push_back(changes(makers_lines(gear, sense, options), sound));
+  result.as_given = result.at_angle.front();
+  result.worst = result.best = result.as_given;
+  for (const LineChanges& at : result.at_angle)
+    for (const auto line : kLines) {
+      result.mean.*line += at.*line / static_cast<double>(result.at_angle.size());
+      result.worst.*line = std::min(result.worst.*line, at.*line);
+      result.best.*line = std::max(result.best.*line, at.*line);
+    }
+  for (const auto line : kLines) result.ripple.*line = result.best.*line - result.worst.*line;
+  result.ripple_order = dominant_order(result.at_angle);
+  return result;
+}
+
+double size(const LineChanges& c) {
+  return std::max({std::abs(c.K1), std::abs(c.K2), std::abs(c.K3)});
+}
+
+/// (TC-26): a member in series adds the same compliance to all three lines at every position; teeth
+/// and rim change K1 most, and not at every position alike.
+void diagnose(CurveComparison& comparison) {
+  constexpr double kAlike = 0.1;
+  constexpr double kContact = 1.5;
+  constexpr double kRounding = 1e-8;
+  const bool positive = size(comparison.positive.mean) >= size(comparison.negative.mean);
+  const ChangesOverTurn& more = positive ? comparison.positive : comparison.negative;
+  if (size(more.mean) < kRounding && size(more.worst) < kRounding) {
+    comparison.evidence = "the curve does not change";
+    return;
+  }
+  const auto added = [&](double LineChanges::*line, double sound) {
+    return (1 / (1 + more.mean.*line) - 1) / sound;
+  };
+  const auto [least, most] = std::minmax({added(&LineChanges::K1, comparison.sound.K1),
+                                          added(&LineChanges::K2, comparison.sound.K2),
+                                          added(&LineChanges::K3, comparison.sound.K3)});
+  const bool alike = least > 0 && most - least < kAlike * most;
+  const double mean = std::abs(more.mean.K1);
+  const bool k3_still = std::abs(more.mean.K3) < kRounding;
+  comparison.class_ratio = k3_still ? 0.0 : more.mean.K1 / more.mean.K3;
+  if (alike && more.ripple.K1 < kAlike * mean)
+    comparison.crack_class = CrackClass::series;
+  else if (more.ripple.K1 > mean || k3_still || comparison.class_ratio > kContact)
+    comparison.crack_class = CrackClass::contact_path;
+  else
+    comparison.crack_class = CrackClass::undecided;
+  comparison.evidence = fmt::format(
+      "the mean change of K1 is {:.2g} times that of K3, the compliances added to the three lines "
+      "{}, and K1 varies by {:.2g} % over a turn of the wave generator{}",
+      comparison.class_ratio, alike ? "are alike" : "differ", 100 * more.ripple.K1,
+      more.ripple_order > 0 ? fmt::format(", {} times per turn", more.ripple_order)
+                            : std::string());
+}
+
+}  // namespace
+
+GearSet without_cracks(const GearSet& gear) {
+  GearSet sound = gear;
+  if (sound.wave_generator) sound.wave_generator->crack.clear();
+  if (sound.flexspline) sound.flexspline->crack.clear();
+  if (sound.output_shaft) sound.output_shaft->crack.clear();
+  if (sound.mesh) sound.mesh->crack.clear();
+  if (sound.circular_spline) sound.circular_spline->crack.clear();
+  // Ranges of fields that are gone would not be found.
+  std::erase_if(sound.range, [](const InputRange& range) {
+    return range.path.find(".crack[") != std::string::npos;
+  });
+  return sound;
+}
+
+GearSet after_turn(const GearSet& gear, double angle) {
+  GearSet turned = gear;
+  const auto shift = [&](double& position) { position = std::remainder(position - angle, 2 * pi); };
+  if (turned.mesh)
+    for (ToothMeshCrack& crack : turned.mesh->crack) shift(std::get<ToothCrack>(crack).position);
+  if (turned.flexspline)
+    for (FlexsplineCrack& crack : turned.flexspline->crack)
+      if (auto* const axial = std::get_if<RimAxialCrack>(&crack)) shift(axial->position);
+  if (turned.wave_generator)
+    for (WaveGeneratorCrack& crack : turned.wave_generator->crack)
+      if (auto* const race = std::get_if<OuterRaceCrack>(&crack)) shift(race->position);
+  if (turned.circular_spline)
+    for (CircularSplineCrack& crack : turned.circular_spline->crack)
+      shift(std::get<CircularSplineRingCrack>(crack).position);
+  std::erase_if(turned.range, [](const InputRange& range) {
+    return range.path.find(".position") != std::string::npos;
+  });
+  return turned;
+}
+
+CurveComparison compare_curves(const GearSet& gear, int angles, const CoupledOptions& options) {
+  require(angles >= 1, "angles", angles, "1", ">= 1");
+  CurveComparison comparison;
+  comparison.torques = makers_torques(gear);
+  const GearSet sound = without_cracks(gear);
+  comparison.sound = makers_lines(sound, +1, options);
+  const MakersLines sound_negative = makers_lines(sound, -1, options);
+  // Whole teeth: a crack then meets the same teeth and gaps at each angle.
+  const int teeth = static_cast<int>(std::lround(gear.drive.wave_number * gear.drive.ratio));
+  std::vector<GearSet> turned;
+  const int count = std::min(angles, teeth);
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * pi / teeth * std::round(static_cast<double>(i) * teeth / count);
+    comparison.angles.push_back(angle);
+    turned.push_back(after_turn(gear, angle));
+  }
+  comparison.positive = over_turn(turned, comparison.sound, +1, options);
+  comparison.negative = over_turn(turned, sound_negative, -1, options);
+  comparison.lost_motion_sound = lost_motion(sound, options);
+  comparison.lost_motion_cracked = lost_motion(gear, options);
+  const double rated = comparison.torques.rated;
+  const HysteresisOptions loops{.coupled = options};
+  comparison.hysteresis_sound =
+      hysteresis_loop(Hysteresis(sound, rated, loops), rated).largest_width;
+  comparison.hysteresis_cracked =
+      hysteresis_loop(Hysteresis(gear, rated, loops), rated).largest_width;
+  diagnose(comparison);
+  return comparison;
+}
+
+}  // namespace strainwave

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/catalogue/calibration.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+
+#include "strainwave/catalogue/proportions.hpp"
+#include "strainwave/core/error.hpp"
+#include "support/expect.hpp"
+
+namespace strainwave {
+namespace {
+
+constexpr double kArcmin = std::numbers::pi / 10800;  // [rad]
+
+template <class F>
+std::string broken_rule(const F& f) {
+  try {
+    (void)f();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+/// K1, K2, K3 of a drive as a target: what a maker would state of it.
+CalibrationTarget lines_of(const GearSet& gear) {
+  const MakersTorques at = makers_torques(gear);
+  const MakersLines lines = makers_lines(gear);
+  return {.source = "made up",
+          .values = {{"K1", 0, at.T1, lines.K1},
+                     {"K2", at.T1, at.T2, lines.K2},
+                     {"K3", at.T2, at.T3, lines.K3}},
+          .relative_uncertainty = 0.01};
+}
+
+// Factors that were put in come out; 0.1 % is where the fit stops.
+TEST(Calibration, IdentityRecoversWhatWasPutIn) {
+  const GearSet gear = typical_drive_of_size(25, 100);
+  const GearSet truth = with_factor(with_factor(gear, Factor::support, 0.3), Factor::coning, 0.6);
+  const Calibration c = calibrate(gear, lines_of(truth), {Factor::support, Factor::coning});
+  EXPECT_TRUE(c.converged);
+  ASSERT_EQ(c.factors.size(), 2U);
+  test::expect_relative(c.factors[0].value, 0.3, 1e-3);
+  test::expect_relative(c.factors[1].value, 0.6, 1e-3);
+  EXPECT_TRUE(c.factors[0].identified);
+  EXPECT_TRUE(c.factors[1].identified);
+  EXPECT_EQ(c.gear.circular_spline->support, c.factors[0].value);
+  for (const CalibratedStiffness& s : c.stiffnesses)
+    test::expect_relative(s.after, s.target.stiffness, 1e-4);
+}
+
+// While only part of the face touches, coning and compliance of a pair act as one number: no K
+// tells them apart, and neither is called identified.
+TEST(Calibration, LimitInseparableFactorsAreNotIdentified) {
+  const GearSet gear = typical_drive_of_size(25, 100);
+  const Calibration c = calibrate(gear, lines_of(with_factor(gear, Factor::coning, 0.9)),
+                                  {Factor::coning, Factor::pair_compliance}, {.harmonics = 8});
+  EXPECT_FALSE(c.factors[0].identified);
+  EXPECT_FALSE(c.factors[1].identified);
+  ASSERT_EQ(c.combinations.size(), 2U);
+  EXPECT_TRUE(c.combinations[0].identified);
+  EXPECT_FALSE(c.combinations[1].identified);
+  const std::string text = calibration_text(c);
+  EXPECT_NE(text.find("NOT IDENTIFIED"), std::string::npos) << text;
+  EXPECT_NE(text.find("3 values identify 1 of 2"), std::string::npos) << text;
+}
+
+// The sum of squares of the weights is one, and one factor has one combination: itself.
+TEST(Calibration, IdentityUncertaintyOfOneFactor) {
+  const GearSet gear = typical_drive_of_size(25, 100);
+  const Calibration c = calibrate(gear, lines_of(gear), {Factor::coning}, {.harmonics = 8});
+  ASSERT_EQ(c.combinations.size(), 1U);
+  test::expect_relative(c.combinations[0].weights.at(0), 1.0, 1e-12);
+  test::expect_relative(
+      c.factors[0].uncertainty,
+      c.factors[0].value * c.relative_uncertainty / c.combinations[0].singular_value, 1e-12);
+}
+
+TEST(Calibration, IdentityRangesAreWidened) {
+  const GearSet gear = starting_drive(25, 100).gear;
+  GearSet truth = with_factor(gear, Factor::coning, 1.6);
+  truth.range.clear();
+  const Calibration c = calibrate(gear, lines_of(truth), {Factor::coning});
+  EXPECT_GT(c.gear.mesh->coning, 1.5);
+  EXPECT_EQ(c.gear.range.size(), gear.range.size());
+  EXPECT_NO_THROW(check(c.gear));
+}
+
+TEST(CalibrationTargets, ReferenceCatalogueRow) {
+  const CalibrationTarget own = catalogue_target(typical_drive_of_size(32, 120));
+  ASSERT_EQ(own.values.size(), 3U);
+  test::expect_relative(own.values[1].stiffness, 11e4, 1e-12);
+  test::expect_relative(own.values[2].to_torque, 1.6 * 108, 1e-12);
+  // d = 160 mm against size 65 of 165.1 mm: the cube of the ratio.
+  const CalibrationTarget scaled = catalogue_target(typical_drive(0.16, 100));
+  test::expect_relative(scaled.values[0].stiffness, 54e4 * std::pow(160 / 165.1, 3), 1e-12);
+  EXPECT_EQ(catalogue_target(typical_drive_of_size(100, 50)).values.size(), 2U);  // no K3
+}
+
+TEST(MeasuredCurve, IdentityUnitsAndColumns) {
+  const auto points = parse_measured_curve(
+      "# a bench\n\ntwist [arcmin], speed, torque [kN*m]\r\n0,0,0\n1.5,9,0.014\n-1.5,9,-0.014\n",
+      "bench.csv");
+  ASSERT_EQ(points.size(), 2U);
+  test::expect_relative(points[0].torque, 14, 1e-12);
+  test::expect_relative(points[0].twist, 1.5 * kArcmin, 1e-12);
+  test::expect_relative(points[1].torque, -14, 1e-12);
+}
+
+TEST(MeasuredCurve, CrosscheckCalibratesBothSenses) {
+  const GearSet gear = typical_drive_of_size(25, 100);
+  const GearSet truth = with_factor(gear, Factor::support, 0.8);
+  const CoupledOptions coarse{.harmonics = 8};
+  std::string csv = "torque [N*m],twist [rad]\n";
+  for (const double T : {10.0, 60.0, -30.0}) {
+    const TorsionCurve curve = torsion_curve(truth, {{T / 3, T}}, coarse);
+    csv += std::to_string(T) + "," + std::to_string(1e6 * curve.points.back().twist) + "e-6\n";
+  }
+  const CalibrationTarget target = measured_target(parse_measured_curve(csv, "made up"), "made up");
+  const Calibration c = calibrate(gear, target, {Factor::support}, coarse);
+  test::expect_relative(c.factors[0].value, 0.8, 1e-3);  // where the fit stops
+}
+
+TEST(MeasuredCurve, InputRefusals) {
+  const auto message = [](const std::string& text) {
+    return broken_rule([&] { return parse_measured_curve(text, "bench.csv"); });
+  };
+  EXPECT_NE(message("").find("bench.csv: is empty"), std::string::npos);
+  EXPECT_NE(message("torque [N*m],angle [rad]\n").find("must name the columns"), std::string::npos);
+  EXPECT_NE(message("torque,twist [rad]\n").find("has no unit"), std::string::npos);
+  EXPECT_NE(message("torque [N],twist [rad]\n").find("bench.csv:1"), std::string::npos);
+  EXPECT_NE(message("torque [N*m],twist [rad]\n").find("no point under torque"), std::string::npos);
+  EXPECT_NE(message("torque [N*m],twist [rad]\n1\n").find("bench.csv:2: \"1\" has too few"),
+            std::string::npos);
+  EXPECT_NE(message("torque [N*m],twist [rad]\n1,x\n").find("bench.csv:2"), std::string::npos);
+  EXPECT_NE(message("torque [N*m],twist [rad]\n1,-1\n").find("same sign"), std::string::npos);
+  EXPECT_NE(broken_rule([] {
+              return measured_target({{1, 1}}, "x", 0.0);
+            }).find("> 0 and < 1"),
+            std::string::npos);
+}
+
+TEST(Calibration, InputRefusals) {
+  const GearSet gear = typical_drive_of_size(25, 100);
+  const CalibrationTarget target = catalogue_target(gear);
+  EXPECT_NE(broken_rule([&] { return calibrate(gear, target, {}); }).find("at least one"),
+            std::string::npos);
+  EXPECT_NE(broken_rule([&] {
+              return calibrate(
+                  gear, target,
+                  {Factor::support, Factor::coning, Factor::gap_factor, Factor::structure});
+            }).find("name fewer"),
+            std::string::npos);
+  GearSet bare = gear;
+  bare.circular_spline.reset();
+  EXPECT_NE(broken_rule([&] {
+              return calibrate(bare, target, {Factor::support});
+            }).find("circular_spline"),
+            std::string::npos);
+}
+
+TEST(CalibrationOutput, IdentityJson) {
+  const GearSet gear = typical_drive_of_size(25, 100);
+  const Calibration c =
+      calibrate(gear, catalogue_target(gear), {Factor::support}, {.harmonics = 8});
+  const auto json = nlohmann::json::parse(calibration_json(c));
+  EXPECT_EQ(json["factors"][0]["name"], "support");
+  EXPECT_EQ(json["factors"][0]["value"], c.factors[0].value);
+  EXPECT_EQ(json["stiffness"].size(), 3U);
+  EXPECT_EQ(json["stiffness"][1]["wanted"], 50000);
+}
+
+}  // namespace
+}  // namespace strainwave

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/catalogue/validation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "strainwave/core/error.hpp"
+#include "support/expect.hpp"
+
+namespace strainwave {
+namespace {
+
+template <class F>
+std::string broken_rule(const F& f) {
+  try {
+    (void)f();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+const ErrorSummary& errors_of(const Validation& validation, const std::string& rows) {
+  const auto found = std::ranges::find(validation.errors, rows, &ErrorSummary::of);
+  EXPECT_NE(found, validation.errors.end()) << rows;
+  return *found;
+}
+
+/// Nothing fitted, all rows.
+const Validation& geometry() {
+  static const Validation validation = validate();
+  return validation;
+}
+
+// What geometry alone promises against the makers' tables; the tolerances are the model form.
+TEST(ValidationByGeometry, ReferenceMakersTables) {
+  ASSERT_EQ(geometry().rows.size(), 35U);
+  const ErrorSummary& all = errors_of(geometry(), "all rows");
+  EXPECT_EQ(all.values, 103);
+  EXPECT_LE(all.median, 0.20);
+  EXPECT_LE(errors_of(geometry(), "size >= 17, ratio >= 50").median, 0.15);
+  EXPECT_EQ(errors_of(geometry(), "size >= 17, ratio >= 50").values, 68);
+  for (const ValidationRow& row : geometry().rows) {
+    EXPECT_LT(row.predicted[0], row.predicted[1]) << row.catalogue.size;
+    EXPECT_LT(row.predicted[1], row.predicted[2]) << row.catalogue.size;
+  }
+}
+
+// One curve for all sizes of a ratio, against each drive solved at its own size.
+TEST(ValidationByGeometry, CrosscheckDriveOfItsOwnSize) {
+  for (const auto& [size, ratio] : {std::pair{17, 100.0}, {58, 50.0}}) {
+    GearSet gear = typical_drive_of_size(size, ratio);
+    const MakersLines lines = makers_lines(gear);
+    const auto row = std::ranges::find_if(geometry().rows, [&](const ValidationRow& r) {
+      return r.catalogue.size == size && r.catalogue.ratio_class == ratio_class_of(ratio);
+    });
+    ASSERT_NE(row, geometry().rows.end());
+    test::expect_relative(row->predicted[0], lines.K1, 1e-6);  // Newton's tolerance
+    test::expect_relative(row->predicted[1], lines.K2, 1e-6);
+    test::expect_relative(row->predicted[2], lines.K3, 1e-6);
+  }
+}
+
+// Median and worst by hand from the rows.
+TEST(ValidationByGeometry, CrosscheckSummaries) {
+  std::vector<double> errors;
+  for (const ValidationRow& row : geometry().rows)
+    if (row.catalogue.ratio_class == RatioClass::thirty)
+      for (const auto& ratio : row.ratio())
+        if (ratio) errors.push_back(std::abs(*ratio - 1));
+  std::ranges::sort(errors);
+  ASSERT_EQ(errors.size(), 21U);
+  const ErrorSummary& thirty = errors_of(geometry(), "ratio 30");
+  EXPECT_EQ(thirty.median, errors[10]);
+  EXPECT_EQ(thirty.worst, errors[20]);
+  EXPECT_EQ(thirty.rows, 7);
+}
+
+TEST(ValidationByFit, ReferenceLeaveOneSizeOut) {
+  const Validation v = validate({.mode = ValidationMode::leave_one_size_out,
+                                 .factors = {Factor::coning},
+                                 .sizes = {25, 58},
+                                 .coupled = {.harmonics = 8}});
+  ASSERT_EQ(v.rows.size(), 5U);
+  EXPECT_EQ(v.trials.size(), 1U);
+  const ErrorSummary& regular = errors_of(v, "size >= 17, ratio >= 50");
+  EXPECT_LE(regular.median, 0.08);  // the model form with one factor
+  EXPECT_LE(regular.worst, 0.15);
+  // The two sizes are fitted to each other: the factor differs between them.
+  EXPECT_NE(v.rows.front().factors.at(0), v.rows.back().factors.at(0));
+}
+
+// Three factors, three values: the residual is that of the fit's own tolerance.
+TEST(ValidationByFit, IdentityPerRowMeetsTheRow) {
+  const Validation v =
+      validate({.mode = ValidationMode::per_row, .sizes = {80}, .coupled = {.harmonics = 8}});
+  ASSERT_EQ(v.rows.size(), 2U);
+  EXPECT_LE(errors_of(v, "ratio >= 50").worst, 0.02);
+}
+
+TEST(ValidationBands, IdentityReproducibleAndOrdered) {
+  const ValidationOptions options{
+      .draws = 5, .seed = 11, .sizes = {90}, .coupled = {.harmonics = 8}};
+  const Validation one = validate(options);
+  const Validation same = validate(options);
+  EXPECT_EQ(validation_json(one), validation_json(same));
+  for (const ValidationRow& row : one.rows)
+    for (const auto& band : row.band) {
+      ASSERT_TRUE(band.has_value());
+      EXPECT_LT(band->low, band->middle);
+      EXPECT_LT(band->middle, band->high);
+    }
+  ValidationOptions other = options;
+  other.seed = 12;
+  EXPECT_NE(validation_csv(one), validation_csv(validate(other)));
+}
+
+TEST(ValidationOutput, IdentityFormatsAgree) {
+  const auto json = nlohmann::json::parse(validation_json(geometry()));
+  ASSERT_EQ(json["rows"].size(), 35U);
+  EXPECT_TRUE(json["rows"][7]["predicted_over_catalogue"][2].is_null());  // size 8, ratio 50
+  EXPECT_EQ(json["errors"][0]["values"], 103);
+  const std::string csv = validation_csv(geometry());
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + 3 * 35);
+  const std::string text = validation_text(geometry());
+  EXPECT_NE(text.find("size >= 17, ratio >= 50"), std::string::npos);
+  const std::string markdown = validation_markdown(geometry());
+  EXPECT_NE(markdown.find("| 25 | 80+ | 3.1 / 5 / 5.7 |"), std::string::npos) << markdown;
+}
+
+TEST(ValidationInput, InputRefusals) {
+  EXPECT_NE(broken_rule([] { return validate({.draws = -1}); }).find(">= 0"), std::string::npos);
+  EXPECT_NE(broken_rule([] { return validate({.sizes = {22}}); }).find("not a size"),
+            std::string::npos);
+  EXPECT_NE(broken_rule([] { return validate({.factors = {Factor::coning}}); }).find("geometry"),
+            std::string::npos);
+  EXPECT_NE(broken_rule([] {
+              return validate({.mode = ValidationMode::per_row,
+                               .factors = {Factor::coning, Factor::support, Factor::structure,
+                                           Factor::clearance}});
+            }).find("at most three"),
+            std::string::npos);
+  EXPECT_NE(broken_rule([] {
+              return validate({.mode = ValidationMode::per_row, .all_sets = true});
+            }).find("leave-one-size-out"),
+            std::string::npos);
+  EXPECT_NE(broken_rule([] {
+              return validate({.mode = ValidationMode::leave_one_size_out, .sizes = {8}});
+            }).find("no row"),
+            std::string::npos);
+  EXPECT_NE(broken_rule([] {
+              return validate({.mode = ValidationMode::leave_one_size_out,
+                               .factors = {Factor::clearance},
+                               .sizes = {25},
+                               .coupled = {.harmonics = 8}});
+            }).find("two of size"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace strainwave

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/io/gear_writer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "strainwave/io/gear_reader.hpp"
+
+namespace strainwave {
+namespace {
+
+/// Every number with its path, to the last bit.
+std::vector<std::pair<std::string, double>> numbers(const GearSet& gear) {
+  std::vector<std::pair<std::string, double>> all;
+  for_each_number(gear, [&](const FieldPath& path, const Field&, const double& value) {
+    all.emplace_back(path.text(), value);
+  });
+  return all;
+}
+
+TEST(GearWriter, IdentityReadsBackEveryExample) {
+  int n = 0;
+  for (const auto& file : std::filesystem::directory_iterator(STRAINWAVE_EXAMPLES)) {
+    if (file.path().extension() != ".toml") continue;
+    ++n;
+    const GearSet gear = read_gear_set_file(file.path());
+    const std::string text = gear_text(gear);
+    const GearSet again = read_gear_set(text, file.path().filename().string() + " written");
+    EXPECT_EQ(numbers(again), numbers(gear)) << file.path();
+    EXPECT_EQ(gear_text(again), text) << file.path();
+    EXPECT_EQ(again.name, gear.name);
+    EXPECT_EQ(again.range.size(), gear.range.size());
+  }
+  EXPECT_GE(n, 4);
+}
+
+TEST(GearWriter, IdentityValuesThatAreHardToWrite) {
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/article.toml");
+  for (const double value :
+       {1.0 / 3, 1e-9, 0.1, 3.0000000000000004e-3, 12345.678, 5e-324 * 1e300}) {
+    GearSet changed = gear;
+    changed.drive.pitch_diameter = 4 + value;
+    changed.output_shaft->length = value;
+    const GearSet again = read_gear_set(gear_text(changed), "written");
+    EXPECT_EQ(numbers(again), numbers(changed)) << value;
+  }
+}
+
+TEST(GearWriter, IdentityTextsAndMaterialNames) {
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/solid_shaft.toml");
+  gear.name = R"(a "name" with \ and ü)";
+  const std::string odd = "steel 4.3 \"hard\"";
+  auto node = gear.material.extract(gear.material.begin());
+  node.key() = odd;
+  gear.material.insert(std::move(node));
+  gear.output_shaft->material = odd;
+  const GearSet again = read_gear_set(gear_text(gear), "written");
+  EXPECT_EQ(again.name, gear.name);
+  EXPECT_TRUE(again.material.contains(odd));
+}
+
+TEST(GearWriter, IdentityUnitsAndComments) {
+  const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/article.toml");
+  const std::string long_comment(60, 'x');
+  const std::string text =
+      gear_text(gear, {{"drive.ratio", "short"},
+                       {"drive.wave_number", "a default that has a comment is written"},
+                       {"drive.pitch_diameter", long_comment + " " + long_comment}});
+  EXPECT_NE(text.find("pitch_diameter = \"160 mm\"\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("ratio = 100                           # short\n"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("wave_number = 2  "), std::string::npos) << text;
+  EXPECT_NE(text.find("# " + long_comment + "\n# " + long_comment + "\npitch_diameter"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(gear_text(gear).find("wave_number"), std::string::npos);  // its default
+}
+
+}  // namespace
+}  // namespace strainwave

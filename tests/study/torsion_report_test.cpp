@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `strainwave torsion` tells: text, JSON, CSV, plot, bands.
+#include "strainwave/study/torsion_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/io/gear_reader.hpp"
+#include "support/expect.hpp"
+#include "torsion/typical_drive.hpp"
+
+namespace strainwave {
+namespace {
+
+using Json = nlohmann::json;
+
+GearSet drive() {
+  GearSet gear = test::typical_drive(25, 100);
+  gear.rating = Rating{.T1 = 14, .T2 = 48, .T3 = {}, .rated_torque = 87};
+  return gear;
+}
+
+GearSet cracked() {
+  GearSet gear = drive();
+  gear.flexspline->crack.push_back(DiaphragmArcCrack{.half_length = 6e-3, .radius = {}});
+  return gear;
+}
+
+InputRange range(const char* path, const char* lower, const char* upper) {
+  return {.path = path, .lower = lower, .upper = upper, .source = {}};
+}
+
+TEST(TorsionReport, IdentityItsNumbersAreThoseOfTheModule) {
+  const TorsionReport report = torsion_report(drive());
+  const MakersLines lines = makers_lines(drive());
+  EXPECT_EQ(report.positive.K1, lines.K1);
+  EXPECT_EQ(report.negative.K3, makers_lines(drive(), -1).K3);
+  EXPECT_EQ(report.lost_motion, lost_motion(drive()));
+  EXPECT_EQ(report.loop.amplitude, 87.0);
+  ASSERT_EQ(report.shown.size(), 3U);
+  // T1, T2 and T_N are points of the curve, so its lines can be checked by hand.
+  const auto at = [&](std::size_t i) { return report.curve.points[report.shown[i]]; };
+  EXPECT_EQ(at(0).torque, 14.0);
+  EXPECT_EQ(at(1).torque, 48.0);
+  EXPECT_EQ(at(2).torque, 87.0);
+  // Contacts touch in another order on the finer path: equal to the tolerance of the solver.
+  test::expect_relative(at(0).torque / at(0).twist, lines.K1, 1e-9);
+  test::expect_relative((48 - 14) / (at(1).twist - at(0).twist), lines.K2, 1e-9);
+  EXPECT_FALSE(report.bands.has_value());
+  EXPECT_FALSE(report.comparison.has_value());
+}
+
+TEST(TorsionReport, IdentityNotesAndEquations) {
+  const auto has = [](const TorsionReport& report, std::string_view code) {
+    return std::ranges::count(report.notes, code, &Note::code);
+  };
+  GearSet gear = cracked();
+  gear.rating.reset();
+  const TorsionReport report = torsion_report(gear);
+  EXPECT_EQ(has(report, "rating.convention"), 1);
+  EXPECT_EQ(has(report, "torsion.compare"), 1);
+  EXPECT_EQ(has(report, "hysteresis.no_load"), 1);
+  const TorsionReport compared = torsion_report(cracked(), {.compare = true, .angles = 2});
+  EXPECT_EQ(has(compared, "rating.convention"), 0);
+  EXPECT_EQ(has(compared, "torsion.compare"), 0);
+  EXPECT_EQ(std::ranges::count(compared.equations, "TC-26"), 1);
+  gear = drive();
+  gear.rating->friction_torque = 0.2;
+  EXPECT_EQ(has(torsion_report(gear), "hysteresis.no_load"), 0);
+}
+
+TEST(TorsionBands, IdentityOfOneMonotonicInput) {
+  // K falls with the compliance of the flange, so its quantiles are K at those of the input; 400
+  // draws place a quantile to about 2 % of the range.
+  GearSet gear = drive();
+  gear.flexspline->flange_compliance = 5e-7;
+  gear.range.push_back(range("flexspline.flange_compliance", "0 rad/(N*m)", "1e-6 rad/(N*m)"));
+  const LineBands bands = line_bands(gear, 400);
+  EXPECT_EQ(bands.draws, 400);
+  EXPECT_EQ(bands.rejected, 0);
+  const auto K2_at = [&](double compliance) {
+    GearSet at = gear;
+    at.range.clear();
+    at.flexspline->flange_compliance = compliance;
+    return makers_lines(at).K2;
+  };
+  const double width = K2_at(0) - K2_at(1e-6);
+  EXPECT_NEAR(bands.K2.low, K2_at(0.95e-6), 0.03 * width);
+  EXPECT_NEAR(bands.K2.median, K2_at(0.50e-6), 0.06 * width);
+  EXPECT_NEAR(bands.K2.high, K2_at(0.05e-6), 0.03 * width);
+}
+
+TEST(TorsionBands, IdentityReproducibleAndRejecting) {
+  GearSet gear = drive();
+  gear.range.push_back(range("mesh.coning", "0.1", "1"));
+  const LineBands a = line_bands(gear, 20);
+  const LineBands b = line_bands(gear, 20);
+  EXPECT_EQ(a.K1.low, b.K1.low);
+  EXPECT_EQ(a.K3.high, b.K3.high);
+  EXPECT_LT(a.K1.low, a.K1.median);
+  EXPECT_LT(a.K1.median, a.K1.high);
+  // Half of these outer rings do not fit the bore.
+  const double fits = gear.wave_generator->bearing->outer_ring->mean_radius;
+  const std::string upper = std::to_string(1.01e3 * fits) + " mm";
+  const std::string lower = std::to_string(0.999e3 * fits) + " mm";
+  gear.range.push_back(
+      range("wave_generator.bearing.outer_ring.mean_radius", lower.c_str(), upper.c_str()));
+  const LineBands some = line_bands(gear, 40);
+  EXPECT_GT(some.rejected, 5);
+  EXPECT_EQ(some.rejected + some.draws, 40);
+  EXPECT_THROW((void)line_bands(gear, 0), SolverError);
+}
+
+TEST(TorsionText, IdentityTablesAndUnits) {
+  GearSet gear = cracked();
+  gear.name = "My drive";
+  gear.range.push_back(range("mesh.coning", "0.5", "1"));
+  const TorsionReport report = torsion_report(gear, {.compare = true, .angles = 2, .draws = 10});
+  const std::string text = torsion_text(report, gear);
+  for (const char* const part :
+       {"My drive\n", "T1 = 14, T2 = 48, T3 = 76.8, rated 87 N*m\n", "K1 [N*m/rad]",
+        "90 % of the ranges", "10 drives drawn from 1 ranges", "lost motion [arcmin]",
+        "loop width [arcmin]", "tangent K [N*m/rad]", "teeth in contact of 200",
+        "share of the tangent compliance", "series cracks",
+        "With cracks against without, 2 positions", "a member in series", "(TC-26)"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  EXPECT_EQ(text.find(" \n"), std::string::npos);  // no trailing blanks
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    EXPECT_LE(end - begin, 100U) << text.substr(begin, end - begin);
+    begin = end + 1;
+  }
+}
+
+TEST(TorsionJson, IdentityEverythingIsThere) {
+  const GearSet gear = cracked();
+  const TorsionReport report = torsion_report(gear, {.compare = true, .angles = 3});
+  const Json json = Json::parse(torsion_json(report));
+  EXPECT_EQ(json["positive"]["K1"]["value"].get<double>(), report.positive.K1);
+  EXPECT_EQ(json["positive"]["K1"]["unit"], "N*m/rad");
+  EXPECT_EQ(json["torques"]["rated"]["value"].get<double>(), 87.0);
+  EXPECT_EQ(json["curve"].size(), report.curve.points.size());
+  double sum = 0.0;
+  for (const auto& [name, share] : json["curve"].back()["share"].items())
+    sum += share.get<double>();
+  EXPECT_NEAR(sum, 1.0, 1e-12);
+  EXPECT_EQ(json["curve"][3]["balls"].size(), 23U);
+  EXPECT_EQ(json["comparison"]["crack_class"], "series");
+  EXPECT_EQ(json["comparison"]["positive"]["at_angle"].size(), 3U);
+  EXPECT_EQ(json["hysteresis"]["torque"].size(), report.loop.torque.size());
+  EXPECT_FALSE(json["notes"].empty());
+}
+
+TEST(TorsionCsv, IdentityBothSensesInOrder) {
+  const TorsionReport report = torsion_report(drive());
+  const std::string csv = torsion_csv(report);
+  const auto lines = static_cast<std::size_t>(std::ranges::count(csv, '\n'));
+  EXPECT_EQ(lines, 1 + report.curve.points.size() + report.curve_negative.points.size());
+  EXPECT_TRUE(csv.starts_with("torque [N*m],twist [rad],"));
+  EXPECT_NE(csv.find("\n-87,"), std::string::npos);
+}
+
+TEST(TorsionPlot, IdentityPanels) {
+  const TorsionReport plain = torsion_report(drive());
+  const std::string svg = torsion_plot(plain, drive());
+  EXPECT_NE(svg.find("Tangent stiffness"), std::string::npos);
+  EXPECT_EQ(svg.find("over a turn"), std::string::npos);
+  const TorsionReport compared = torsion_report(cracked(), {.compare = true, .angles = 3});
+  const std::string both = torsion_plot(compared, cracked());
+  EXPECT_NE(both.find("over a turn"), std::string::npos);
+  EXPECT_NE(both.find(">sound<"), std::string::npos);
+  EXPECT_NE(both.find(">with cracks<"), std::string::npos);
+}
+
+TEST(TorsionReport, InputUnusableCurveSaysWhy) {
+  GearSet gear = drive();
+  gear.mesh->lobe_gap = 2e-3;
+  try {
+    (void)torsion_report(gear);
+    FAIL();
+  } catch (const SolverError& error) {
+    EXPECT_NE(std::string(error.what()).find("half a tooth pitch"), std::string::npos);
+  }
+  gear.mesh.reset();
+  EXPECT_THROW((void)torsion_report(gear), InputError);
+}
+
+TEST(TorsionReport, IdentityExampleWithACrackInEveryPlace) {
+  const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/cracked_size25.toml");
+  const MakersLines cracked_lines = makers_lines(gear);
+  const MakersLines sound = makers_lines(without_cracks(gear));
+  EXPECT_LT(cracked_lines.K1, sound.K1);
+  EXPECT_LT(cracked_lines.K2, sound.K2);
+  EXPECT_LT(cracked_lines.K3, sound.K3);
+}
+
+}  // namespace
+}  // namespace strainwave

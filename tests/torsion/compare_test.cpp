@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// The torsion curve with cracks beside that without (TC-26).
+#include "strainwave/torsion/compare.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "support/expect.hpp"
+#include "typical_drive.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+constexpr double mm = 1e-3;
+
+GearSet drive() {
+  GearSet gear = test::typical_drive(25, 100);
+  gear.circular_spline->support = 0.0;
+  gear.rating = Rating{.T1 = 14, .T2 = 48, .T3 = {}, .rated_torque = 87};
+  return gear;
+}
+
+GearSet with_barrel_crack() {
+  GearSet gear = drive();
+  gear.flexspline->crack.push_back(WallThroughCrack{.half_length = 2 * mm});
+  return gear;
+}
+
+GearSet with_tooth(double loss, double position = 0.0) {
+  GearSet gear = drive();
+  gear.mesh->crack.push_back(ToothCrack{.stiffness_loss = loss, .position = position});
+  return gear;
+}
+
+template <class Crack>
+Crack ring_crack(double depth, double position = 0.0) {
+  Crack crack;
+  crack.depth = depth;
+  crack.position = position;
+  return crack;
+}
+
+TEST(CompareCurves, IdentityNoCracksNoChange) {
+  const CurveComparison c = compare_curves(drive(), 3);
+  EXPECT_EQ(c.crack_class, CrackClass::none);
+  for (const ChangesOverTurn& turn : {c.positive, c.negative}) {
+    EXPECT_NEAR(turn.worst.K1, 0.0, 1e-11);
+    EXPECT_NEAR(turn.best.K3, 0.0, 1e-11);
+    EXPECT_EQ(turn.ripple_order, 0);
+  }
+  EXPECT_EQ(c.lost_motion_cracked, c.lost_motion_sound);
+  EXPECT_EQ(c.hysteresis_cracked, c.hysteresis_sound);
+}
+
+TEST(CompareCurves, IdentitySeriesCrackAddsItsComplianceToEachLine) {
+  // A series compliance adds to 1/K of all three lines alike, under the sense that opens it.
+  const GearSet gear = with_barrel_crack();
+  const double added = flexspline_compliance(gear).cracks.at(0).positive.at_output.value;
+  const CurveComparison c = compare_curves(gear, 2);
+  const MakersLines sound = makers_lines(drive());
+  test::expect_relative(c.sound.K1, sound.K1, 1e-14);
+  // 1/K is the sound one plus the same addition; its relative change is a difference of 3e-4.
+  test::expect_relative(1 / (1 + c.positive.mean.K1) - 1, added * sound.K1, 1e-9);
+  test::expect_relative(1 / (1 + c.positive.mean.K2) - 1, added * sound.K2, 1e-9);
+  test::expect_relative(1 / (1 + c.positive.mean.K3) - 1, added * sound.K3, 1e-9);
+  EXPECT_NEAR(c.negative.mean.K1, 0.0, 1e-11);  // closed at 45 degrees: nothing in mode II
+  EXPECT_EQ(c.crack_class, CrackClass::series);
+  EXPECT_NEAR(c.class_ratio, sound.K1 / sound.K3, 1e-3);
+  EXPECT_EQ(c.positive.ripple_order, 0);
+}
+
+TEST(CompareCurves, ReferenceMagnitudesOfRealDrives) {
+  // Published design study of this drive: barrel crack of 4 mm -0.029/-0.047/-0.057 %, diaphragm
+  // arc of 12 mm -1.1/-1.7/-2.1 %; two digits printed.
+  const CurveComparison barrel = compare_curves(with_barrel_crack(), 1);
+  EXPECT_NEAR(100 * barrel.positive.mean.K1, -0.029, 0.0015);
+  EXPECT_NEAR(100 * barrel.positive.mean.K2, -0.047, 0.0015);
+  EXPECT_NEAR(100 * barrel.positive.mean.K3, -0.057, 0.0015);
+  GearSet arc = drive();
+  arc.flexspline->crack.push_back(DiaphragmArcCrack{.half_length = 6 * mm, .radius = {}});
+  const CurveComparison diaphragm = compare_curves(arc, 1);
+  EXPECT_NEAR(100 * diaphragm.positive.mean.K1, -1.1, 0.06);
+  EXPECT_NEAR(100 * diaphragm.positive.mean.K2, -1.7, 0.06);
+  EXPECT_NEAR(100 * diaphragm.positive.mean.K3, -2.1, 0.06);
+  EXPECT_EQ(diaphragm.crack_class, CrackClass::series);
+  EXPECT_NEAR(diaphragm.negative.mean.K1, diaphragm.positive.mean.K1, 1e-11);
+}
+
+TEST(CompareCurves, IdentityToothCrackActsTwicePerTurn) {
+  const CurveComparison c = compare_curves(with_tooth(0.5), 40);
+  EXPECT_EQ(c.crack_class, CrackClass::contact_path);
+  EXPECT_EQ(c.positive.ripple_order, 2);
+  EXPECT_LT(c.positive.worst.K1, -5e-3);
+  EXPECT_GT(c.positive.worst.K1, -12e-3);
+  EXPECT_LT(std::abs(c.positive.mean.K1), 0.1 * std::abs(c.positive.worst.K1));
+  EXPECT_EQ(c.positive.ripple.K1, c.positive.best.K1 - c.positive.worst.K1);
+  EXPECT_EQ(c.angles.size(), c.positive.at_angle.size());
+  const double pitch = 2 * pi / 200;
+  for (const double angle : c.angles) EXPECT_NEAR(angle / pitch, std::round(angle / pitch), 1e-9);
+}
+
+TEST(CompareCurves, IdentityMeanWorstAndBestAreThoseOfTheTurn) {
+  const ChangesOverTurn turn = compare_curves(with_tooth(1.0), 12).positive;
+  double sum = 0.0;
+  double least = 1.0;
+  double most = -1.0;
+  for (const LineChanges& at : turn.at_angle) {
+    sum += at.K2 / 12;
+    least = std::min(least, at.K2);
+    most = std::max(most, at.K2);
+  }
+  EXPECT_NEAR(turn.mean.K2, sum, 1e-15);
+  EXPECT_EQ(turn.worst.K2, least);
+  EXPECT_EQ(turn.best.K2, most);
+  EXPECT_EQ(turn.as_given.K1, turn.at_angle.front().K1);
+}
+
+TEST(CompareCurves, LimitVanishingRingCracks) {
+  for (const double share : {1e-4, 1e-3}) {
+    GearSet gear = drive();
+    gear.flexspline->crack.push_back(
+        ring_crack<RimAxialCrack>(share * gear.flexspline->rim->wall_thickness));
+    gear.wave_generator->crack.push_back(
+        ring_crack<OuterRaceCrack>(share * gear.wave_generator->bearing->outer_ring->thickness));
+    const MakersLines lines = makers_lines(gear);
+    const MakersLines sound = makers_lines(drive());
+    EXPECT_NEAR(lines.K1 / sound.K1, 1.0, 10 * share * share);
+  }
+}
+
+TEST(CompareCurves, IdentityRigidSplineHidesItsCrack) {
+  GearSet gear = drive();
+  gear.circular_spline->crack.push_back(ring_crack<CircularSplineRingCrack>(3 * mm));
+  EXPECT_EQ(makers_lines(gear).K2, makers_lines(drive()).K2);
+  gear.circular_spline->support = 0.5;
+  GearSet sound = drive();
+  sound.circular_spline->support = 0.5;
+  EXPECT_LT(makers_lines(gear).K2, 0.999 * makers_lines(sound).K2);
+}
+
+TEST(AfterTurn, IdentityWhatMovesAgainstTheWave) {
+  GearSet gear = with_tooth(0.5, 0.3);
+  gear.flexspline->crack.push_back(ring_crack<RimAxialCrack>(0.1 * mm, 0.2));
+  gear.wave_generator->crack.push_back(ring_crack<OuterRaceCrack>(0.1 * mm, -3.0));
+  gear.wave_generator->crack.push_back(RaceSurfaceCrack{
+      .depth = 0.1 * mm, .aspect_ratio = 0.5, .contact_factor = {}, .stress = {}, .position = 0.4});
+  gear.circular_spline->crack.push_back(ring_crack<CircularSplineRingCrack>(1 * mm, 0.1));
+  const GearSet turned = after_turn(gear, 0.25);
+  EXPECT_NEAR(std::get<ToothCrack>(turned.mesh->crack[0]).position, 0.05, 1e-15);
+  EXPECT_NEAR(std::get<RimAxialCrack>(turned.flexspline->crack[0]).position, -0.05, 1e-15);
+  EXPECT_NEAR(std::get<OuterRaceCrack>(turned.wave_generator->crack[0]).position, -3.25 + 2 * pi,
+              1e-14);
+  EXPECT_EQ(std::get<RaceSurfaceCrack>(turned.wave_generator->crack[1]).position, 0.4);
+  EXPECT_NEAR(std::get<CircularSplineRingCrack>(turned.circular_spline->crack[0]).position, -0.15,
+              1e-15);
+}
+
+TEST(WithoutCracks, IdentityNothingElseChanges) {
+  GearSet gear = with_barrel_crack();
+  gear.range.push_back(
+      {.path = "flexspline.crack[0].half_length", .lower = "1 mm", .upper = "3 mm", .source = {}});
+  gear.range.push_back(
+      {.path = "flexspline.diaphragm.thickness", .lower = "0.5 mm", .upper = "1 mm", .source = {}});
+  const GearSet sound = without_cracks(gear);
+  EXPECT_TRUE(sound.flexspline->crack.empty());
+  ASSERT_EQ(sound.range.size(), 1U);
+  EXPECT_EQ(sound.range[0].path, "flexspline.diaphragm.thickness");
+  EXPECT_EQ(makers_lines(sound).K1, makers_lines(drive()).K1);
+}
+
+TEST(CompareCurves, InputAngles) {
+  EXPECT_THROW((void)compare_curves(drive(), 0), InputError);
+  EXPECT_EQ(compare_curves(with_tooth(0.2), 1).angles.size(), 1U);
+}
+
+}  // namespace
+}  // namespace strainwave

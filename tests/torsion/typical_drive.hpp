@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "strainwave/model/gear_set.hpp"
+#include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "support/reference_csv.hpp"
+
+namespace strainwave::test {
+
+/// Inputs of one drive of tests/data/coupled_drive_members.csv, by name [SI].
+using DriveInputs = std::map<std::string, double>;
+
+inline const DriveInputs& drive_inputs(int size, int ratio) {
+  static const std::map<std::pair<int, int>, DriveInputs> all = [] {
+    std::map<std::pair<int, int>, DriveInputs> drives;
+    for (const CsvRow& row : read_reference_csv("coupled_drive_members"))
+      if (row.quantity.starts_with("input."))
+        drives[{static_cast<int>(row("size")), static_cast<int>(row("ratio"))}]
+              [row.quantity.substr(6)] = row.value;
+    return drives;
+  }();
+  const auto found = all.find({size, ratio});
+  if (found == all.end()) throw std::runtime_error("no such drive in coupled_drive_members.csv");
+  return found->second;
+}
+
+/// A cup drive of two lobes with the proportions that tools/reference/coupled_drive.py calls
+/// typical; sound, circular spline rigid, torque of the file 1 N*m.
+inline GearSet typical_drive(int size = 25, int ratio = 50) {
+  const DriveInputs& inputs = drive_inputs(size, ratio);
+  const auto in = [&](const char* name) { return inputs.at(name); };
+  const double R = in("rim_radius");
+  const double t_r = in("rim_thickness");
+  const double t_b = in("barrel_thickness");
+  const double b = in("face_width");
+
+  GearSet gear;
+  gear.name = "typical cup drive";
+  gear.material["steel"] = {.youngs_modulus = in("youngs_modulus"),
+                            .shear_modulus = {},
+                            .poissons_ratio = in("poissons_ratio"),
+                            .yield_strength = {},
+                            .fracture_toughness = {}};
+  gear.drive = {.ratio = in("ratio"),
+                .wave_number = 2,
+                .pitch_diameter = in("pitch_diameter"),
+                .radial_displacement = in("radial_displacement")};
+  gear.load = {.torque = 1, .axial_force = 0};
+
+  WaveGenerator wave_generator;
+  wave_generator.material = "steel";
+  wave_generator.force_transmission_coefficient = 0.35;  // not of the coupled drive
+  wave_generator.cam_flattening = in("cam_factor");
+  const double t_o = in("outer_race_thickness");
+  wave_generator.bearing = Bearing{.ball_diameter = in("ball_diameter"),
+                                   .inner_raceway_diameter = in("inner_race_diameter"),
+                                   .outer_raceway_diameter = in("outer_race_diameter"),
+                                   .inner_conformity = in("inner_conformity"),
+                                   .outer_conformity = in("outer_conformity"),
+                                   .loaded_balls = 1,
+                                   .ball_count = static_cast<int>(in("ball_count")),
+                                   .clearance = in("clearance"),
+                                   .outer_ring = BearingRing{.mean_radius = R - t_r / 2 - t_o / 2,
+                                                             .thickness = t_o,
+                                                             .width = in("race_width"),
+                                                             .groove_factor = in("groove_factor")}};
+  gear.wave_generator = wave_generator;
+
+  Flexspline flexspline;
+  flexspline.material = "steel";
+  flexspline.shape = FlexsplineShape::cup;
+  flexspline.crack_free = CrackFree::sections;
+  flexspline.wall_thickness = t_b;
+  flexspline.length = in("barrel_length") + b;
+  flexspline.rim = TubeSection{.outer_diameter = 2 * R + t_r, .wall_thickness = t_r, .length = b};
+  flexspline.barrel = TubeSection{
+      .outer_diameter = 2 * R + t_b, .wall_thickness = t_b, .length = in("barrel_length")};
+  flexspline.diaphragm = Diaphragm{.outer_diameter = 2 * in("diaphragm_outer_radius"),
+                                   .inner_diameter = 2 * in("diaphragm_inner_radius"),
+                                   .thickness = in("diaphragm_thickness"),
+                                   .profile = {}};
+  gear.flexspline = flexspline;
+
+  ToothMesh mesh;
+  mesh.flank_angle = in("flank_angle");
+  mesh.gap_factor = in("gap_factor");
+  mesh.coning = in("coning");
+  mesh.lobe_gap = in("lobe_gap");
+  mesh.rim_stiffening = in("rim_stiffening");
+  gear.mesh = mesh;
+
+  CircularSpline spline;
+  spline.material = "steel";
+  spline.outer_diameter = in("spline_outer_diameter");
+  spline.inner_diameter = in("spline_inner_diameter");
+  spline.width = in("spline_width");
+  spline.support = in("spline_support");
+  gear.circular_spline = spline;
+  return gear;
+}
+
+/// The maker's torques by convention [N*m]: where the lines of the curve of a drive meet.
+inline std::array<double, 3> conventional_torques(const GearSet& gear) {
+  const double d3 =
+      gear.drive.pitch_diameter * gear.drive.pitch_diameter * gear.drive.pitch_diameter;
+  return {51.7e3 * d3, 187e3 * d3, 1.6 * 187e3 * d3};
+}
+
+// Cracks, as in tools/reference/coupled_drive.py: depth over thickness, tooth by its number.
+
+inline void crack_tooth(GearSet& gear, int index, double loss) {
+  const double z = 2 * gear.drive.ratio;
+  gear.mesh->crack.emplace_back(
+      ToothCrack{.stiffness_loss = loss, .position = (index + 0.5) * 2 * std::numbers::pi / z});
+}
+
+template <class Crack>
+Crack ring_crack(double depth, double position) {
+  Crack crack;
+  crack.depth = depth;
+  crack.position = position;
+  return crack;
+}
+
+inline void crack_rim(GearSet& gear, double depth_ratio = 0.5, double position = 0.3) {
+  gear.flexspline->crack.emplace_back(
+      ring_crack<RimAxialCrack>(depth_ratio * gear.flexspline->rim->wall_thickness, position));
+}
+
+inline void crack_outer_race(GearSet& gear, double depth_ratio = 0.5, double position = 0.0) {
+  gear.wave_generator->crack.emplace_back(ring_crack<OuterRaceCrack>(
+      depth_ratio * gear.wave_generator->bearing->outer_ring->thickness, position));
+}
+
+inline void crack_spline(GearSet& gear, double depth_ratio = 0.4, double position = 0.2) {
+  const CircularSpline& spline = *gear.circular_spline;
+  gear.circular_spline->crack.emplace_back(ring_crack<CircularSplineRingCrack>(
+      depth_ratio * (spline.outer_diameter - spline.inner_diameter) / 2, position));
+}
+
+/// Adds a crack of the inner race that gives ball 1 a compliance [m/N]: the compliance goes with
+/// the square of the stress.
+inline void crack_race(GearSet& gear, double compliance) {
+  WaveGenerator& wg = *gear.wave_generator;
+  wg.inner_ring_thickness = 1.5e-3;
+  wg.inner_ring_mean_radius = 23e-3;
+  wg.inner_ring_width = 9e-3;
+  wg.conversion = Conversion::reciprocity;
+  RaceSurfaceCrack crack;
+  crack.depth = 1.2e-3;
+  crack.aspect_ratio = 0.3;
+  crack.position = 2 * std::numbers::pi / 23 + 0.05;  // ball 1 is the nearest
+  crack.contact_factor = 0.1;
+  GearSet alone = gear;
+  alone.wave_generator->crack = {crack};
+  const double f = lobe_force_per_torque(gear.drive, wg);
+  const double at_ball =
+      wave_generator_compliance(alone).cracks.at(0).positive.at_output.value / (f * f);
+  *crack.contact_factor *= std::sqrt(compliance / at_ball);
+  wg.crack.emplace_back(crack);
+}
+
+/// Holds the circular spline in a housing that leaves half of its compliance.
+inline void half_free(GearSet& gear) { gear.circular_spline->support = 0.5; }
+
+}  // namespace strainwave::test

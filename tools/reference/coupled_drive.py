@@ -1,0 +1,712 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Coupled drive: elastic ring on a cam bearing inside a circular spline, twist over torque.
+
+Rim and outer race are one elastic ring, w(theta) outward and v(theta) tangential in N harmonics;
+balls on a fixed cam and tooth flanks are unilateral; the circular spline may be a second ring.
+The state is the minimum of the potential energy
+
+    x.K.x/2 + sum_balls U(d) + sum_flanks V(u) - T c0/R ,
+
+found by damped Newton on all Fourier coefficients with the dense Hessian, the load torque by
+torque; the step is shortened towards the zero of the slope along it, nothing is added to gradient
+or energy.  It stops at |gradient| <= 1e-12 of the contact forces or where rounding stops it, and
+raises an error above 1e-11.  The cam amplitude A makes the mean of w at the two lobes the nominal
+w0 at T = 0 (Newton on A, for the cracked drive as well; in the cases "sound_cam" A is that of the
+sound drive).  There no flank may touch and the ring may
+turn freely within the play: then c0(0) is the point of the play nearest to 0, where a vanishing
+spring would hold it (the middle of the play of a sound drive).  Ring rotation is (c0(T) - c0(0))/R;
+the twist adds T lambda, lambda of the members in series.
+
+Independent: no condensation to the contacts, so no flexibility matrix and no complementarity; ball
+force constants by Carlson's integrals; stiffness of the diaphragm's edge by a Rayleigh-Ritz method
+in Legendre polynomials instead of the four powers of r; hinges and series members by quadrature.
+
+Units of everything: N, m, rad, Pa.  T1 = 51.7e3 Pa d^3, T2 = 187e3 Pa d^3, T3 = 1.6 T2 for pitch
+diameter d = 2.54 mm x size, except where a table gives its torques.
+
+    coupled_drive.py            JSON on stdout
+    coupled_drive.py --write    and tests/data/coupled_drive*.csv; 20 s
+    coupled_drive.py --digits   change of the twist by another start, another order of torques
+"""
+import sys
+from collections import namedtuple
+from functools import cache
+from math import asin, atan, cos, pi, radians, sin, sqrt, tan
+
+import numpy as np
+from scipy.integrate import quad
+from scipy.linalg import LinAlgError, cho_factor, cho_solve
+from scipy.optimize import brentq
+from scipy.special import elliprd, elliprf
+
+Drive = dict  # the inputs of one drive, see typical()
+State = namedtuple("State", "x ball_force flank_force closing residual steps")
+Hinge = namedtuple("Hinge", "member angle depth_ratio")  # member: rim, outer_race, circular_spline
+
+
+def typical(size, ratio, **changes):
+    """Proportions of a cup drive of 2 lobes by its size and ratio (all lengths in m)."""
+    d = 2.54e-3 * size
+    m = d / (2 * ratio)
+    t_r = 1e-4 * (65 + 2.5 * ratio ** (2 / 3)) * d
+    R = d / 2 - 1.1 * m - t_r / 2
+    bore = 2 * R - t_r
+    section = bore * (1 - 0.75) / 2
+    ball = 0.61 * section
+    pitch = bore - section
+    drive = Drive(
+        pitch_diameter=d, ratio=ratio, radial_displacement=m, rim_radius=R, rim_thickness=t_r,
+        face_width=0.15 * d, barrel_thickness=0.6 * t_r, barrel_length=(0.42 - 0.15) * d,
+        diaphragm_outer_radius=R, diaphragm_inner_radius=0.29 * d, diaphragm_thickness=0.012 * d,
+        ball_diameter=ball, ball_count=23, inner_race_diameter=pitch - ball,
+        outer_race_diameter=pitch + ball, inner_conformity=0.53, outer_conformity=0.53,
+        clearance=0.0, outer_race_thickness=(section - ball) / 2, race_width=0.15 * bore,
+        groove_factor=0.8, flank_angle=radians(22), gap_factor=1.0, coning=1.0, lobe_gap=0.0,
+        rim_stiffening=1.25, cam_factor=0.0, pair_stiffness=None,
+        spline_outer_diameter=1.34 * d, spline_inner_diameter=d + 2.2 * m, spline_width=0.15 * d,
+        spline_support=0.0, youngs_modulus=206e9, poissons_ratio=0.3, diaphragm_warping=True,
+        boss_compliance=0.0, flange_compliance=0.0, groove=None, diaphragm_arc=None,
+        flank_angle_shift=0.0, broken_teeth={}, ball_compliance={}, hinges=(), harmonics=32)
+    assert not set(changes) - set(drive), changes
+    return drive | changes
+
+
+# Members --------------------------------------------------------------------------------------
+
+@cache
+def legendre_tables(terms):
+    """Gauss points, weights, the polynomials and two derivatives there."""
+    legendre = np.polynomial.legendre
+    s, weight = legendre.leggauss(terms + 12)
+    unit = np.eye(terms)
+    return s, weight, *(np.array([legendre.legval(s, legendre.legder(c, k)) for c in unit])
+                        for k in range(3))
+
+
+def plate_edge_stiffness(n, inner, outer, thickness, E, nu, terms=26):
+    """Force per length times pi r_o over f(r_o): plate clamped at r_i, outer edge f cos(n theta)
+    with no moment.  Twice the least energy with f(r_o) = 1, f = (r - r_i)^2 sum c_k P_k."""
+    half = (outer - inner) / 2
+    s, weight, P, dP, ddP = legendre_tables(terms)
+    r = inner + half * (1 + s)
+    q = 1 + s  # (r - r_i)/half
+    f, df, ddf = q ** 2 * P, q ** 2 * dP + 2 * q * P, q ** 2 * ddP + 4 * q * dP + 2 * P
+    df, ddf = df / half, ddf / half ** 2
+    radial, hoop, twist = ddf, df / r - n * n * f / r ** 2, n * (df / r - f / r ** 2)
+    measure = pi * r * weight * half * E * thickness ** 3 / (12 * (1 - nu ** 2))
+
+    def energy(a, b):
+        return (a * measure) @ b.T
+
+    A = (energy(radial, radial) + energy(hoop, hoop) + nu * (energy(radial, hoop)
+         + energy(hoop, radial)) + 2 * (1 - nu) * energy(twist, twist))
+    edge = np.full(terms, 4.0)  # f(r_o) of each function
+    scale = 1 / np.sqrt(np.diag(A))
+    return 1 / (scale * edge @ np.linalg.solve(A * np.outer(scale, scale), scale * edge))
+
+
+def ring_stiffness(drive, n):
+    """kb_n: bending of rim and race, barrel, diaphragm, for amplitude 1 of cos(n theta)."""
+    g, E, nu = drive, drive["youngs_modulus"], drive["poissons_ratio"]
+    R, L_b, t_b = g["rim_radius"], g["barrel_length"], g["barrel_thickness"]
+    k = pi * bending_stiffness(g) / R ** 3 * (1 - n * n) ** 2
+    if n >= 2:
+        plate = E * t_b ** 3 / (12 * (1 - nu ** 2))
+        k += (plate * pi * R * L_b / 3 * min(1, 2.5 / n)
+              * ((n * n - 1) ** 2 / R ** 4 + 6 * (1 - nu) * ((n - 1 / n) / (R * L_b)) ** 2))
+        if g["diaphragm_warping"]:
+            k += (R / (n * n * L_b)) ** 2 * plate_edge_stiffness(
+                n, g["diaphragm_inner_radius"], g["diaphragm_outer_radius"],
+                g["diaphragm_thickness"], E, nu)
+    return k
+
+
+def strip_bending(E, width, thickness):
+    return E * width * thickness ** 3 / 12
+
+
+def bending_stiffness(g):
+    E = g["youngs_modulus"]
+    return (strip_bending(E, g["face_width"], g["rim_thickness"]) * g["rim_stiffening"]
+            + strip_bending(E, g["race_width"], g["outer_race_thickness"]) * g["groove_factor"])
+
+
+def hinge_compliance(depth_ratio, width, thickness, E, nu):
+    """Angle per moment of an edge crack through the width of a strip, (FR-11) in bending."""
+    def integrand(x):
+        u = pi * x / 2
+        F = sqrt(tan(u) / u) * (0.923 + 0.199 * (1 - sin(u)) ** 4) / cos(u) if x else 1.122
+        return x * F ** 2
+
+    integral, _ = quad(integrand, 0, depth_ratio, epsabs=0, epsrel=1e-13)
+    return 72 * pi * (1 - nu ** 2) / (E * width * thickness ** 2) * integral
+
+
+def ball_race_constant(diameter, race_diameter, conformity, convex, E, nu):
+    """c of approach = c Q^(2/3)."""
+    rolling = 2 / diameter + (2 if convex else -2) / race_diameter
+    across = 2 / diameter - 1 / (conformity * diameter)
+    small, large = sorted((rolling, across))
+
+    def potential_ratio(s):  # major semi-axis 1, minor s: ratio of the curvatures
+        return elliprd(0, s * s, 1) / elliprd(0, 1, s * s)
+
+    s = brentq(lambda s: potential_ratio(s) - small / large, 1e-3, 1, xtol=1e-15, rtol=1e-15)
+    contact_modulus = E / (2 * (1 - nu ** 2))
+    a = (elliprd(0, s * s, 1) / (pi * contact_modulus * small)) ** (1 / 3)  # at Q = 1
+    return 3 / (2 * pi * contact_modulus * a) * elliprf(0, 1, s * s)
+
+
+def structure_compliance(g):
+    """Barrel, a third of the rim, diaphragm, boss, flange and cracks in series, rad/(N*m)."""
+    E, nu = g["youngs_modulus"], g["poissons_ratio"]
+    G = E / (2 * (1 + nu))
+
+    def tube(length, thickness):
+        middle = 2 * g["rim_radius"]
+        J = pi / 32 * ((middle + thickness) ** 4 - (middle - thickness) ** 4)
+        return length / (G * J)
+
+    edges = [g["diaphragm_inner_radius"], g["diaphragm_outer_radius"]]
+    depth = 0.0
+    if g["groove"]:  # radius of its middle, width, depth
+        radius, width, depth = g["groove"]
+        edges[1:1] = [radius - width / 2, radius + width / 2]
+    total = (tube(g["barrel_length"], g["barrel_thickness"])
+             + tube(g["face_width"] / 3, g["rim_thickness"])
+             + g["boss_compliance"] + g["flange_compliance"])
+    for j, (low, high) in enumerate(zip(edges, edges[1:])):
+        h = g["diaphragm_thickness"] - (depth if j == 1 else 0)
+        total += quad(lambda r: 1 / (2 * pi * G * r ** 3 * h), low, high, epsabs=0,
+                      epsrel=1e-13)[0]
+    if g["diaphragm_arc"]:  # half length, radius
+        a, r = g["diaphragm_arc"]
+        total += a ** 2 / (2 * pi * E * r ** 4 * g["diaphragm_thickness"])
+    return total
+
+
+def flank_gap(t, angle, w0, factor=1.0):
+    opening = (1 - np.cos(2 * t)) * sin(angle) - (t - np.sin(2 * t) / 2) * cos(angle)
+    return factor * w0 * np.maximum(0, opening)
+
+
+def touching(state):
+    """Flanks that carry more than the rounding of a force."""
+    return state.flank_force > 1e-10 * state.ball_force.max()
+
+
+def pair_stiffness(g):
+    if g["pair_stiffness"]:
+        return g["pair_stiffness"]
+    module = g["pitch_diameter"] / (2 * g["ratio"])
+    return g["youngs_modulus"] / (
+        3.296 + 3.09 * module / g["rim_thickness"] + 3.605 + 2.472)
+
+
+# The coupled solve ----------------------------------------------------------------------------
+
+class Coupled:
+    """Energy of one drive in the coefficients (a0, c0, a_n, b_n, c_n, d_n; spline a_n, b_n)."""
+
+    def __init__(self, drive, tolerance=1e-12):
+        self.g, self.N, self.tolerance = drive, drive["harmonics"], tolerance
+        self.n = np.arange(1, self.N + 1)
+        self.ring = 2 + 4 * self.N
+        self.size = self.ring + (2 * (self.N - 1) if drive["spline_support"] else 0)
+        self.R = drive["rim_radius"]
+        self.K = self.stiffness_matrix()
+        self.balls()
+        self.flanks()
+        self.lambda_s = structure_compliance(drive)
+        self.start = None  # assembled state
+
+    def part(self, letter):
+        return slice(2 + self.N * "abcd".index(letter), 2 + self.N * ("abcd".index(letter) + 1))
+
+    def rows(self, theta, **parts):
+        """Rows with cos/sin factors: parts maps a letter to an array over n; zero = (a0, c0)."""
+        theta = np.atleast_1d(theta)
+        out = np.zeros((len(theta), self.size))
+        for letter, table in parts.items():
+            out[:, self.part(letter)] = table
+        return out
+
+    def radial(self, theta):
+        phase = np.outer(theta, self.n)
+        out = self.rows(theta, a=np.cos(phase), b=np.sin(phase))
+        out[:, 0] = 1
+        return out
+
+    def radial_slope(self, theta):
+        phase = np.outer(theta, self.n)
+        return self.rows(theta, a=-self.n * np.sin(phase), b=self.n * np.cos(phase))
+
+    def tangential(self, theta):
+        phase = np.outer(theta, self.n)
+        out = self.rows(theta, c=np.cos(phase), d=np.sin(phase))
+        out[:, 1] = 1
+        return out
+
+    def stiffness_matrix(self):
+        g, R, n = self.g, self.R, self.n
+        E, nu = g["youngs_modulus"], g["poissons_ratio"]
+        K = np.zeros((self.size, self.size))
+        EA = E * g["face_width"] * g["rim_thickness"]
+        K[0, 0] = 2 * pi * (EA / R + bending_stiffness(g) / R ** 3)
+        a, b, c, d = (np.arange(self.size)[self.part(p)] for p in "abcd")
+        bend, ke = np.array([ring_stiffness(g, k) for k in n]), pi * EA / R
+        for radial, along, sign in ((a, d, 1), (b, c, -1)):
+            K[radial, radial] = bend + ke
+            K[along, along] = ke * n ** 2
+            K[radial, along] = K[along, radial] = sign * ke * n
+        lateral = pi / 2 * E / (2 * (1 + nu)) * R * g["barrel_thickness"] / g["barrel_length"]
+        for p in (a, b, c, d):
+            K[p[0], p[0]] += lateral
+        if g["spline_support"]:
+            m = n[1:]
+            t, radius = self.spline_ring()
+            k = (pi * strip_bending(E, g["spline_width"], t) / radius ** 3 * (m ** 2 - 1) ** 2
+                 / g["spline_support"])
+            spline = np.arange(self.ring, self.size)
+            K[spline, spline] = np.concatenate((k, k))
+        for hinge in g["hinges"]:
+            row, alpha = self.hinge(hinge)
+            K -= alpha * np.outer(row, row)
+        return K
+
+    def spline_ring(self):
+        outer, inner = self.g["spline_outer_diameter"], self.g["spline_inner_diameter"]
+        return (outer - inner) / 2, (outer + inner) / 4
+
+    def hinge(self, hinge):
+        g, E, nu = self.g, self.g["youngs_modulus"], self.g["poissons_ratio"]
+        radius, n, more = self.R, self.n, 1.0
+        if hinge.member == "rim":
+            width, t, factor = g["face_width"], g["rim_thickness"], g["rim_stiffening"]
+        elif hinge.member == "outer_race":
+            width, t, factor = g["race_width"], g["outer_race_thickness"], g["groove_factor"]
+        else:
+            t, radius = self.spline_ring()
+            width, factor, n, more = g["spline_width"], 1.0, n[1:], g["spline_support"]
+        stiffness = strip_bending(E, width, t) * factor / more
+        c_M = hinge_compliance(hinge.depth_ratio, width, t, E, nu) * more
+        length = 2 * t
+        alpha = (stiffness - stiffness / (1 + c_M * stiffness / length)) * length
+        mean = (1 - n ** 2) / radius ** 2 * np.sinc(n * length / (2 * radius) / pi)
+        row = np.zeros(self.size)
+        waves = np.concatenate((mean * np.cos(n * hinge.angle), mean * np.sin(n * hinge.angle)))
+        if hinge.member == "circular_spline":
+            row[self.ring:] = waves
+        else:
+            row[2:2 + 2 * self.N] = waves
+        return row, alpha
+
+    def balls(self):
+        g = self.g
+        E, nu, D = g["youngs_modulus"], g["poissons_ratio"], g["ball_diameter"]
+        psi = 2 * pi * np.arange(g["ball_count"]) / g["ball_count"]
+        self.ball_rows = self.radial(psi)
+        self.cam = np.cos(2 * psi)
+        self.ball_free = (g["clearance"] + g["cam_factor"] * g["radial_displacement"] ** 2 / self.R
+                          * np.sin(2 * psi) ** 2)
+        self.hertz = (
+            ball_race_constant(D, g["inner_race_diameter"], g["inner_conformity"], True, E, nu)
+            + ball_race_constant(D, g["outer_race_diameter"], g["outer_conformity"], False, E, nu))
+        self.series = np.zeros(len(psi))
+        for k, compliance in g["ball_compliance"].items():
+            self.series[k] = compliance
+
+    def flanks(self):
+        g, R, w0 = self.g, self.R, self.g["radial_displacement"]
+        count = round(2 * g["ratio"])
+        index = np.arange(count)
+        theta = (index + 0.5) * 2 * pi / count
+        t = np.remainder(theta + pi / 2, pi) - pi / 2
+        near = np.abs(t) <= pi / 4 * (1 + 1e-12)  # a tooth at 45 degrees counts
+        index, theta, t = index[near], theta[near], t[near]
+        lever = (g["pitch_diameter"] / 2 - R) / R
+        along = self.tangential(theta) * (1 + lever) - self.radial_slope(theta) * lever
+        radial = self.radial(theta)
+        nominal = np.zeros(self.size)
+        nominal[self.part("a")][1] = w0
+        nominal[self.part("d")][1] = -w0 / 2
+        self.nominal = nominal
+        offset_along, offset_radial = along @ nominal, radial @ nominal
+        if g["spline_support"]:
+            _, radius = self.spline_ring()
+            m = self.n[1:]
+            lever = (g["pitch_diameter"] / 2 - radius) / radius
+            cosine, sine = np.cos(np.outer(theta, m)), np.sin(np.outer(theta, m))
+            w_c, slope = np.hstack((cosine, sine)), np.hstack((-m * sine, m * cosine))
+            v_c = np.hstack((-sine / m, cosine / m))
+            along[:, self.ring:] = -(v_c * (1 + lever) - slope * lever)
+            radial[:, self.ring:] = -w_c
+        flank = g["flank_angle"]
+        angle = flank + g["flank_angle_shift"]
+        rows, free = [], []
+        for side in (1, -1):
+            rows.append(side * cos(angle) * along + sin(angle) * radial)
+            free.append(side * cos(angle) * offset_along + sin(angle) * offset_radial
+                        + flank_gap(side * t, flank, w0, g["gap_factor"]) + g["lobe_gap"])
+        self.flank_rows, self.flank_free = np.vstack(rows), np.concatenate(free)
+        self.teeth = len(index)
+        self.health = np.ones(self.teeth)
+        for j, loss in g["broken_teeth"].items():
+            self.health[index == j] -= loss
+        self.health = np.tile(self.health, 2)
+        self.pair = pair_stiffness(g)
+        L = g["barrel_length"] + g["face_width"]
+        self.slope = g["coning"] * sin(flank) * w0 / (L - g["face_width"] / 2)
+
+    def ball_law(self, d):
+        """Force and its derivative at closing d."""
+        d = np.maximum(d, 0)
+        force = (d / self.hertz) ** 1.5
+        rate = 1.5 * np.sqrt(d / self.hertz) / self.hertz
+        for k in np.flatnonzero((self.series > 0) & (d > 0)):
+            q = force[k] ** (1 / 3)  # series q^3 + hertz q^2 = d, convex: from above
+            for _ in range(60):
+                excess = (self.series[k] * q + self.hertz) * q * q - d[k]
+                step = excess / ((3 * self.series[k] * q + 2 * self.hertz) * q)
+                q -= step
+                if abs(step) < 1e-16 * q:
+                    break
+            force[k] = q ** 3
+            rate[k] = 1 / (self.series[k] + 2 * self.hertz / (3 * q))
+        return force, rate
+
+    def flank_law(self, u):
+        b, s = self.g["face_width"], self.slope
+        u = np.maximum(u, 0)
+        if not s:
+            return self.health * self.pair * b * u, self.health * self.pair * b * (u > 0)
+        whole = u > s * b
+        force = np.where(whole, b * (u - s * b / 2), u * u / (2 * s))
+        rate = np.where(whole, b, u / s)
+        return self.health * self.pair * force, self.health * self.pair * rate
+
+    def gradient(self, x, torque, amplitude):
+        d = amplitude * self.cam - self.ball_free - self.ball_rows @ x
+        u = self.flank_rows @ x - self.flank_free
+        Q, q_rate = self.ball_law(d)
+        F, f_rate = self.flank_law(u)
+        push = F @ self.flank_rows - Q @ self.ball_rows
+        push[1] -= torque / self.R
+        return self.K @ x + push, q_rate, f_rate, (Q, F, u)
+
+    def factor(self, q_rate, f_rate):
+        balls, flanks = q_rate > 0, f_rate > 0
+        J = np.vstack((self.ball_rows[balls], self.flank_rows[flanks]))
+        H = self.K + (J.T * np.concatenate((q_rate[balls], f_rate[flanks]))) @ J
+        shift = 0.0
+        while True:  # a ring free to turn has a singular Hessian: only the step is damped
+            try:
+                return cho_factor(H + shift * np.diag(np.diag(H) + H[0, 0]))
+            except LinAlgError:
+                shift = max(10 * shift, 1e-14)
+
+    def solve(self, x, torque, amplitude, limit=400):
+        g, q_rate, f_rate, forces = self.gradient(x, torque, amplitude)
+        best = None
+        for step_number in range(limit):
+            Q, F, u = forces
+            scale = max(abs(torque) / self.R, np.linalg.norm(Q), np.linalg.norm(F), 1e-300)
+            residual = np.linalg.norm(g) / scale
+            if best is None or residual < best.residual:
+                best, stalled = State(x, Q, F, u, residual, step_number), 0
+            else:
+                stalled += 1
+            if residual <= self.tolerance or (best.residual < 1e-10 and stalled > 3):
+                break
+            dx = -cho_solve(self.factor(q_rate, f_rate), g)
+            low, slope_low, a = 0.0, g @ dx, 1.0
+            high = None
+            if slope_low >= 0:  # rounding
+                break
+            first = slope_low
+            for _ in range(60):  # energy is convex: towards the zero of its slope along dx
+                trial = self.gradient(x + a * dx, torque, amplitude)
+                slope = trial[0] @ dx
+                if slope <= -0.5 * first and (a == 1 or abs(slope) <= -0.5 * first):
+                    break
+                if slope > 0:
+                    high, slope_high = a, slope
+                else:
+                    low, slope_low = a, slope
+                secant = low - slope_low * (high - low) / (slope_high - slope_low)
+                a = min(max(secant, low + 0.1 * (high - low)), high - 0.1 * (high - low))
+            x = x + a * dx
+            g, q_rate, f_rate, forces = trial
+        if best.residual > max(1e-11, 10 * self.tolerance):
+            raise ArithmeticError(f"no equilibrium: {best.residual:.1e} after {best.steps} steps")
+        return best
+
+    def assemble(self, amplitude=None):
+        """The cam amplitude whose lobes have the mean w0 at no torque, and that state; or the
+        state on a cam of a given amplitude."""
+        if amplitude:
+            state = self.solve(self.nominal, 0.0, amplitude)
+            if not touching(state).any():
+                state = self.middle_of_play(state, amplitude)
+            self.amplitude, self.start = amplitude, state
+            return state
+        w0 = self.g["radial_displacement"]
+        lobes = self.radial(np.array([0, pi])).mean(axis=0)
+        amplitude, x = 1.02 * w0, self.nominal
+        for _ in range(30):
+            state = self.solve(x, 0.0, amplitude)
+            x = state.x
+            error = w0 - lobes @ x
+            _, q_rate, f_rate, _ = self.gradient(x, 0.0, amplitude)
+            growth = lobes @ cho_solve(self.factor(q_rate, f_rate),
+                                       (q_rate * self.cam) @ self.ball_rows)
+            if abs(error) <= 1e-14 * w0:
+                break
+            amplitude += error / growth
+        if abs(error) > 1e-12 * w0:
+            raise ArithmeticError(f"lobe off by {error / w0:.1e} of w0")
+        if not touching(state).any():
+            state = self.middle_of_play(state, amplitude)
+        self.amplitude, self.start = amplitude, state
+        return state
+
+    def middle_of_play(self, state, amplitude):
+        """The same state turned to c0 = 0, or as near to it as the flanks let it."""
+        rate = self.flank_rows[0, 1]  # closing of a drive flank per c0; of a coast flank -rate
+        drive, coast = state.closing[:self.teeth].max(), state.closing[self.teeth:].max()
+        x = state.x.copy()
+        x[1] = min(max(0.0, x[1] + coast / rate), x[1] - drive / rate)
+        g, _, _, (Q, F, u) = self.gradient(x, 0.0, amplitude)
+        return State(x, Q, F, u, np.linalg.norm(g) / np.linalg.norm(Q), state.steps)
+
+    def curve(self, torques):
+        """Ring rotation, twist and state at each torque, each from the one before."""
+        if self.start is None:
+            self.assemble()
+        x, result = self.start.x, []
+        for torque in torques:
+            state = self.solve(x, torque, self.amplitude)
+            x = state.x
+            rotation = (x[1] - self.start.x[1]) / self.R
+            result.append((rotation, rotation + torque * self.lambda_s, state))
+        return result
+
+
+# Tables ---------------------------------------------------------------------------------------
+
+SIZES = ((14, 50), (14, 80), (14, 100), (25, 50), (25, 100), (25, 160), (50, 50), (50, 100),
+         (50, 160))
+SOURCE = "dense Newton"
+
+
+def torques(drive):
+    d3 = drive["pitch_diameter"] ** 3
+    T1, T2 = 51.7e3 * d3, 187e3 * d3
+    return [T1 / 4, T1 / 2, T1, T2, 1.6 * T2]
+
+
+def plain(**changes):
+    return dict(diaphragm_warping=False) | changes
+
+
+CASES = {  # case: changes of the typical drive, sign of the torque
+    "sound": (plain(), 1),
+    "sound_warping_support": (dict(spline_support=0.5), 1),
+    "tooth": (plain(broken_teeth={0: 0.5}), 1),
+    "tooth_reversed": (plain(broken_teeth={0: 0.5}), -1),
+    "rim_hinge": (plain(hinges=(Hinge("rim", 0.3, 0.5),)), 1),
+    "outer_race_hinge": (plain(hinges=(Hinge("outer_race", 0.0, 0.5),)), 1),
+    "rim_hinge_sound_cam": (plain(hinges=(Hinge("rim", 0.3, 0.5),)), 1),
+    "outer_race_hinge_sound_cam": (plain(hinges=(Hinge("outer_race", 0.0, 0.5),)), 1),
+    "spline_hinge": (dict(spline_support=0.5, hinges=(Hinge("circular_spline", 0.2, 0.4),)), 1),
+}
+OTHERS = {  # of size 25, ratio 100 only
+    "race_crack": (plain(ball_compliance={1: 2e-8}), 1),
+    "diaphragm_arc": (plain(diaphragm_arc=(6e-3, 0.29 * 0.0635)), 1),
+    "diaphragm_groove": (plain(groove=(25e-3, 1e-3, 0.3e-3)), 1),
+    "clearance": (plain(clearance=5e-6), 1),
+    "lobe_interference": (plain(lobe_gap=-2e-6), 1),
+    "cam_factor": (plain(cam_factor=1.5), 1),
+    "no_coning": (plain(coning=0.0), 1),
+    "friction_loading": (plain(flank_angle_shift=-atan(0.1)), 1),
+    "friction_unloading": (plain(flank_angle_shift=atan(0.1)), 1),
+    "rim_hinge_reversed": (plain(hinges=(Hinge("rim", 0.3, 0.5),)), -1),
+    "all_cracks": (dict(spline_support=0.5, broken_teeth={0: 0.5, 101: 1.0},
+                        ball_compliance={1: 2e-8}, clearance=2e-6, hinges=(
+                            Hinge("rim", 0.3, 0.5), Hinge("outer_race", 0.0, 0.5),
+                            Hinge("circular_spline", 0.2, 0.4))), 1),
+}
+OTHERS |= {f"{case}_sound_cam": OTHERS[case]
+           for case in ("race_crack", "rim_hinge_reversed", "all_cracks")}
+
+
+def add_curve(table, case, size, ratio, changes, sign):
+    drive = typical(size, ratio, **changes)
+    model = Coupled(drive)
+    if case.endswith("sound_cam"):
+        sound = Coupled(drive | dict(hinges=(), broken_teeth={}, ball_compliance={}))
+        sound.assemble()
+        model.assemble(sound.amplitude)
+    loads = [sign * T for T in torques(drive)]
+    results = model.curve(loads)
+    add_state(table, case, (size, ratio, 0.0), model, 0.0, 0.0, model.start)
+    for T, (rotation, twist, state) in zip(loads, results):
+        add_state(table, case, (size, ratio, T), model, rotation, twist, state)
+
+
+def add_state(table, case, inputs, model, rotation, twist, state):
+    def add(what, value, unit, digits=11):
+        table.add(f"{case}.{what}", inputs, value, unit, SOURCE, digits=digits, printed=12)
+
+    closed = touching(state)
+    if inputs[-1]:
+        add("ring_rotation", rotation, "rad")
+        add("twist", twist, "rad")
+    else:
+        add("cam_amplitude", model.amplitude, "m")
+    add("balls_in_contact", int(np.sum(state.ball_force > 0)), "1")
+    add("flanks_in_contact", int(np.sum(closed)), "1")
+    add("teeth_in_contact", int(np.sum(closed[:model.teeth] | closed[model.teeth:])), "1")
+    if inputs[:2] == (25, 100):
+        add("largest_ball_force", state.ball_force.max(), "N")
+        add("largest_flank_force", state.flank_force[closed].max(initial=0), "N")
+
+
+def curve_table(sizes=SIZES):
+    from reference_csv import Table
+
+    table = Table("coupled_drive", "size [1]", "ratio [1]", "torque [N*m]")
+    for size, ratio in sizes:
+        cases = CASES | OTHERS if (size, ratio) == (25, 100) else CASES
+        for case, (changes, sign) in cases.items():
+            add_curve(table, case, size, ratio, changes, sign)
+    return table
+
+
+def maker_table():
+    """K1, K2, K3 of size 25 at the maker's torques; numbers of harmonics; an earlier mesh."""
+    from reference_csv import Table
+
+    table = Table("coupled_drive_stiffness", "size [1]", "ratio [1]", "harmonics [1]",
+                  "spline_support [1]", "diaphragm_warping [1]", "coning [1]",
+                  "pair_stiffness [Pa]", "T1 [N*m]", "T2 [N*m]", "T3 [N*m]")
+    T1, T2, T3 = 14.0, 48.0, 76.8
+    for ratio, harmonics, support, warping, coning, pair in (
+            (100, 32, 0, 0, 1, None), (50, 32, 0, 0, 1, None), (30, 32, 0, 0, 1, None),
+            (100, 32, 0.5, 1, 1, None), (50, 32, 0.5, 1, 1, None), (100, 24, 0, 0, 1, None),
+            (100, 48, 0, 0, 1, None), (100, 64, 0, 0, 1, None), (100, 32, 0, 0, 0.5, 6.5e9),
+            (50, 32, 0, 0, 0.5, 6.5e9), (30, 32, 0, 0, 0.5, 6.5e9)):
+        model = Coupled(typical(25, ratio, harmonics=harmonics, spline_support=support,
+                                diaphragm_warping=bool(warping), coning=coning,
+                                pair_stiffness=pair))
+        one, two, three = (twist for _, twist, _ in model.curve([T1, T2, T3]))
+        K = T1 / one, (T2 - T1) / (two - one), (T3 - T2) / (three - two)
+        for name, value in zip(("K1", "K2", "K3"), K):
+            table.add(name, (25, ratio, harmonics, support, warping, coning, model.pair, T1, T2,
+                             T3), value, "N*m/rad", SOURCE, digits=11, printed=12)
+    return table
+
+
+def drive_table():
+    """Inputs of each drive of the other tables, and what follows from them without a solve."""
+    from reference_csv import Table
+
+    table = Table("coupled_drive_members", "size [1]", "ratio [1]", "harmonic [1]")
+    units = {"angle": "rad", "modulus": "Pa", "compliance": "rad/(N*m)"}
+    no_length = ("ratio", "count", "conformity", "factor", "coning", "stiffening", "support")
+    skipped = ("shift", "harmonics")
+    for size, ratio in (*SIZES, (25, 30)):
+        drive = typical(size, ratio)
+
+        def add(case, value, unit, source, digits, harmonic=""):
+            table.add(case, (size, ratio, harmonic), value, unit, source, digits=digits,
+                      printed=min(digits + 2, 17))
+
+        for name, value in drive.items():
+            last = name.split("_")[-1]
+            if isinstance(value, (bool, tuple, dict)) or value is None or last in skipped:
+                continue
+            add(f"input.{name}", value, "1" if last in no_length else units.get(last, "m"),
+                "typical proportions", 17)
+        model = Coupled(drive)
+        add("ball_force_constant", model.hertz ** -1.5, "N/m^1.5", "Carlson's integrals", 12)
+        add("pair_stiffness", model.pair, "Pa", "sum of compliances", 14)
+        add("coning_slope", model.slope, "1", "definition", 14)
+        add("ring_bending_stiffness", bending_stiffness(drive), "N*m^2", "definition", 14)
+        add("structure_compliance", model.lambda_s, "rad/(N*m)", "quadrature", 13)
+        for n in (2, 3, 4, 6, 8, 16, 32):
+            add("plate_edge_stiffness", plate_edge_stiffness(
+                n, drive["diaphragm_inner_radius"], drive["diaphragm_outer_radius"],
+                drive["diaphragm_thickness"], drive["youngs_modulus"], drive["poissons_ratio"]),
+                "N/m", "Rayleigh-Ritz", 10, n)
+            add("ring_stiffness_free_warping", ring_stiffness(
+                drive | {"diaphragm_warping": False}, n), "N/m", "definition", 14, n)
+        for member, t in (("rim", drive["rim_thickness"]),
+                          ("outer_race", drive["outer_race_thickness"])):
+            width = drive["face_width" if member == "rim" else "race_width"]
+            add(f"{member}_hinge_compliance_at_half_depth",
+                hinge_compliance(0.5, width, t, drive["youngs_modulus"], 0.3), "rad/(N*m)",
+                "quadrature of (FR-11)", 12)
+    return table
+
+
+def kernel_table():
+    """Small laws: free ring under two opposite forces, gap, plate edge, force of a pair."""
+    from reference_csv import Table
+
+    table = Table("coupled_drive_laws", "harmonics_or_harmonic [1]", "angle [rad]",
+                  "inner_radius [m]", "outer_radius [m]", "thickness [m]", "youngs_modulus [Pa]",
+                  "poissons_ratio [1]")
+    blank = ("",) * 7
+    for N in (8, 16, 32, 64):
+        # 2 F a_n = pi E I/R^3 (n^2 - 1)^2 a_n^2 for even n, the load at theta = 0 and pi
+        value = sum(2 / (pi * (n * n - 1) ** 2) for n in range(2, N + 1, 2))
+        table.add("ring_under_opposite_forces", (N, *blank[1:]), value, "1",
+                  "minimum of the energy", digits=14, printed=16)
+    table.add("ring_under_opposite_forces_exact", blank, pi / 8 - 1 / pi, "1", "exact", digits=15,
+              printed=16)
+    for degrees in (-45, -30, -15, -5, 5, 15, 30, 40, 45):
+        t = radians(degrees)
+        table.add("gap_over_radial_displacement", ("", t, *blank[2:]),
+                  float(flank_gap(t, radians(22), 1.0)), "1", "flank angle 22 degrees", digits=13,
+                  printed=15)
+    for ratio, degrees in ((0.6, 0), (0.7, 0), (0.8, 0)):
+        table.add(f"least_flank_angle_{ratio}", blank, asin(sqrt(1 - ratio ** 2) / sqrt(
+            1 + 3 * ratio ** 2)), "rad", "tangent of the tooth's path", digits=15, printed=16)
+    plate = (18.415e-3, 31.02e-3, 0.762e-3, 2.06e11, 0.3)
+    for n in (2, 3, 4, 6, 10, 20, 32):
+        table.add("plate_edge_stiffness", (n, "", *plate), plate_edge_stiffness(n, *plate), "N/m",
+                  "Rayleigh-Ritz", digits=10, printed=12)
+    return table
+
+
+def tables():
+    return [curve_table(), maker_table(), drive_table(), kernel_table()]
+
+
+def some_tables():
+    """The same tables, the long one for two drives only."""
+    return [curve_table([(25, 100), (14, 50)]), maker_table(), drive_table(), kernel_table()]
+
+
+def main():
+    if "--digits" in sys.argv[1:]:
+        for size, ratio in SIZES:
+            for case, (changes, sign) in CASES.items():
+                drive = typical(size, ratio, **changes)
+                model, direct = Coupled(drive), Coupled(drive)
+                loads = [sign * T for T in torques(drive)]
+                stepped = model.curve(loads)
+                other = direct.curve(loads[::-1])[::-1]
+                change = max(abs(a[1] / b[1] - 1) for a, b in zip(stepped, other))
+                residual = max(a[2].residual for a in stepped)
+                margin = min(np.abs(a[2].closing).min() for a in stepped)
+                print(f"{size:3} {ratio:4} {case:24} {change:8.1e} {residual:8.1e} {margin:8.1e}")
+        return
+    from reference_csv import publish
+
+    publish(*tables())
+
+
+if __name__ == "__main__":
+    main()
