@@ -128,8 +128,9 @@ class CommandLine {
     CLI::App* const sub = command("torsion");
     sub->add_option("FILE", torsion_.file, kFile)->required();
     sub->add_flag("--compare", torsion_.compare, "with the cracks of the file against without");
-    sub->add_option("--angles", torsion_.angles, "positions of the wave generator for --compare")
-        ->check(CLI::Range(1, 720))
+    sub->add_option("--angles", torsion_.angles,
+                    "positions of the wave generator for --compare; 0 for every tooth")
+        ->check(CLI::Range(0, 720))
         ->capture_default_str();
     sub->add_option("--draws", torsion_.draws, "drives drawn from the file's ranges; 0 for none")
         ->check(CLI::Range(0, 100000))

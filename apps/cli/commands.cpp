@@ -71,7 +71,10 @@ std::string calibrated_file(const Calibration& calibration) {
   for (const CalibratedFactor& factor : calibration.factors)
     head += fmt::format("# {}: {:.4g}, was {:.4g}; standard uncertainty {:.2g}, {}\n",
                         enum_name(factor.factor), factor.value, factor.before, factor.uncertainty,
-                        factor.identified ? "identified" : "not identified");
+                        factor.identified ? "identified" : "not identified") +
+            (factor.at_limit    ? "#   at the limit of what a fit may take\n"
+             : factor.plausible ? ""
+                                : "#   outside what is plausible\n");
   return head + gear_text(calibration.gear);
 }
 

@@ -51,7 +51,7 @@ ExitCode run(const SolveCommand& command);
 struct TorsionCommand {
   std::string file;
   bool compare = false;
-  int angles = 36;
+  int angles = 0;
   int draws = 200;
   std::string plot;
   Output output{.format = "text", .path = {}};

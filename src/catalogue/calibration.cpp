@@ -11,6 +11,7 @@
 #include "least_squares.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
+#include "strainwave/torsion/compare.hpp"
 
 namespace strainwave {
 namespace {
@@ -105,17 +106,19 @@ std::vector<double> stiffnesses(const GearSet& gear, const CalibrationTarget& ta
   return K;
 }
 
-/// Ranges whose number has moved past a limit are widened to hold it.
-void widen_ranges(GearSet& gear) {
-  for (InputRange& range : gear.range) {
-    const NumberAt at = number_at(gear, range.path);
-    const auto limit = [&](const std::string& text) {
-      return parse_quantity(range.path, text, at.field.unit);
-    };
-    const std::string value = quantity_text(at.value, at.field.unit);
-    if (limit(range.lower) > at.value) range.lower = value;
-    if (limit(range.upper) < at.value) range.upper = value;
-  }
+/// What a catalogue stiffness is of: sound, without the customer's flange and shaft.
+GearSet component_set(const GearSet& gear) {
+  GearSet set = without_cracks(gear);
+  set.output_shaft.reset();
+  if (set.flexspline) set.flexspline->flange_compliance = 0.0;
+  return set;
+}
+
+/// A number that was fitted has its value, no longer its range from before.
+void drop_ranges_of_fitted(GearSet& gear, const GearSet& before) {
+  std::erase_if(gear.range, [&](const InputRange& range) {
+    return number_at(gear, range.path).value != number_at(before, range.path).value;
+  });
 }
 
 }  // namespace
@@ -160,7 +163,8 @@ CalibrationTarget catalogue_target(const GearSet& gear) {
   CalibrationTarget target{
       .source = fmt::format("catalogue, size {}, ratio {}", row.size, enum_name(row.ratio_class)),
       .values = {},
-      .relative_uncertainty = 0.02};
+      .relative_uncertainty = 0.02,
+      .component_set_only = true};
   if (std::abs(scale - 1) > 1e-6)
     target.source += fmt::format(", torques and stiffness times {:.4g} for the diameter", scale);
   const std::array<double, 4> torques = {0.0, row.T1, row.T2, row.T3()};
@@ -194,8 +198,9 @@ Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
                                             factors.size(), target.values.size()));
   FactorProblem problem{.factors = factors, .start = {}, .plausible_only = false, .residuals = {}};
   for (const Factor factor : factors) problem.start.push_back(factor_value(gear, factor));
-  const auto changed = [&](const std::vector<double>& values) {
-    GearSet other = gear;
+  const GearSet compared = target.component_set_only ? component_set(gear) : gear;
+  const auto changed = [&](const GearSet& drive, const std::vector<double>& values) {
+    GearSet other = drive;
     other.range.clear();
     for (std::size_t i = 0; i < factors.size(); ++i)
       other = with_factor(std::move(other), factors[i], values[i]);
@@ -203,7 +208,7 @@ Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
   };
   const auto n_values = static_cast<Eigen::Index>(target.values.size());
   problem.residuals = [&](const std::vector<double>& values) {
-    const std::vector<double> K = stiffnesses(changed(values), target, options);
+    const std::vector<double> K = stiffnesses(changed(compared, values), target, options);
     Eigen::VectorXd residuals(n_values);
     for (Eigen::Index i = 0; i < n_values; ++i) {
       const auto n = static_cast<std::size_t>(i);
@@ -211,7 +216,7 @@ Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
     }
     return residuals;
   };
-  const std::vector<double> before = stiffnesses(gear, target, options);
+  const std::vector<double> before = stiffnesses(compared, target, options);
   const FactorFit fit = fit_factors(problem);
 
   Calibration result;
@@ -264,9 +269,9 @@ Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
     result.stiffnesses.push_back(
         {target.values[i], before[i],
          target.values[i].stiffness * std::exp(fit.residuals(static_cast<Eigen::Index>(i)))});
-  result.gear = changed(fit.values);
+  result.gear = changed(gear, fit.values);
   result.gear.range = gear.range;
-  widen_ranges(result.gear);
+  drop_ranges_of_fitted(result.gear, gear);
   check(result.gear);
   return result;
 }
@@ -293,8 +298,9 @@ std::string calibration_text(const Calibration& c) {
                         f.value, f.uncertainty, verdict);
   }
   const auto identified = std::ranges::count_if(c.combinations, &FactorCombination::identified);
-  text += fmt::format("\n{} values identify {} of {} combinations of ln(factor):\n",
-                      c.stiffnesses.size(), identified, c.combinations.size());
+  text += fmt::format(
+      "\nAll other numbers of the file taken as exact, {} values identify {} of {} combinations:\n",
+      c.stiffnesses.size(), identified, c.combinations.size());
   for (const FactorCombination& combination : c.combinations) {
     std::string sum;
     for (std::size_t i = 0; i < combination.weights.size(); ++i)

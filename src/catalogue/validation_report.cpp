@@ -44,11 +44,11 @@ std::string what_was_done(const Validation& v) {
 
 constexpr std::string_view kHonesty =
     "The proportions stood before the comparison.  The factors did not: while the model was made, "
-    "every\nset of one to three of the seven was fitted to all sizes at once, and several come as "
-    "near.\n"
-    "That of the default has an unknown each of housing (support), tooth (coning) and cam "
-    "(cam_flattening),\nwhich nobody publishes, and needs none of them at a limit.  --all-sets "
-    "fits all again.";
+    "every\nset of one to three of the seven was fitted to all sizes at once, and many come as "
+    "near.  That of\nthe default has an unknown each of housing (support), tooth (coning) and cam "
+    "(cam_flattening), which\nnobody publishes, and needs none of them at a limit.  --all-sets "
+    "fits "
+    "all again.";
 
 std::string trial_values(const FactorTrial& trial) {
   std::string values;

@@ -10,6 +10,7 @@ namespace strainwave {
 NewmanRaju::NewmanRaju(double aspect_ratio)
     : rho_(aspect_ratio),
       Q_(1 + 1.464 * std::pow(aspect_ratio, 1.65)),  // (FR-5)
+      root_Q_(std::sqrt(Q_)),
       M1_(1.13 - 0.09 * aspect_ratio),
       M2_(-0.54 + 0.89 / (0.2 + aspect_ratio)),
       M3_(0.5 - 1 / (0.65 + aspect_ratio) + 14 * std::pow(1 - aspect_ratio, 24)) {}
@@ -17,11 +18,11 @@ NewmanRaju::NewmanRaju(double aspect_ratio)
 double NewmanRaju::factor(double depth_ratio, double phi) const {
   const double alpha2 = depth_ratio * depth_ratio;
   const double s = std::sin(phi);
-  const double c = std::cos(phi);
+  const double s2 = s * s;
   const double M = M1_ + alpha2 * (M2_ + alpha2 * M3_);
   const double g = 1 + (0.1 + 0.35 * alpha2) * (1 - s) * (1 - s);
-  const double f_phi = std::sqrt(std::sqrt(rho_ * rho_ * c * c + s * s));
-  return M * g * f_phi / std::sqrt(Q_);  // (FR-4)
+  const double f_phi = std::sqrt(std::sqrt(rho_ * rho_ * (1 - s2) + s2));
+  return M * g * f_phi / root_Q_;  // (FR-4)
 }
 
 KassirSih::KassirSih(double aspect_ratio, double poissons_ratio)

@@ -157,8 +157,10 @@ std::string result_text(const StiffnessResult& result, const GearSet& gear,
       const auto change = [&](const CurveStiffness& cracked) {
         return percent({(cracked.*K).value / (result.curve->intact.*K).value - 1, "1", 0.1});
       };
-      if (result.curve->positive.*K != result.curve->intact.*K ||
-          result.curve->negative.*K != result.curve->intact.*K)
+      const auto differs = [&](const CurveStiffness& cracked) {
+        return std::abs((cracked.*K).value / (result.curve->intact.*K).value - 1) > 1e-9;
+      };
+      if (differs(result.curve->positive) || differs(result.curve->negative))
         text += row("  change", "", "", change(result.curve->positive),
                     change(result.curve->negative), "");
     };

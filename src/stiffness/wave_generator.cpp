@@ -68,17 +68,22 @@ Estimate lobe_compliance(const GearSet& gear, const ElasticConstants& steel, dou
            "and its contact part is a third short; cam and inner ring are rigid",
            inner.peak_pressure / 1e6),
        "wave_generator.bearing", "ST-9"});
-  if (bearing.outer_ring) {
+  if (bearing.outer_ring && bearing.ball_count) {
+    member.notes.push_back(
+        {"wave_generator.held_ring",
+         "the outer ring lies on all balls and in the flexspline: its bending is "
+         "left out here, since a ring free between the lobes would be many times "
+         "too soft; the torsion curve has the ring as it is held",
+         "wave_generator.bearing.outer_ring", "ST-10"});
+  } else if (bearing.outer_ring) {
     const BearingRing& ring = *bearing.outer_ring;
     C += ring_compliance(gear.drive.wave_number, ring.mean_radius,
                          steel.E * ring.width * std::pow(ring.thickness, 3) / 12);
     use_equation(member.equations, "ST-10");
-    member.notes.push_back(
-        {"wave_generator.free_ring",
-         "the outer ring is taken as free between the lobes; in the drive it lies "
-         "in the flexspline and on all balls, so this is an upper bound that may "
-         "be many times too soft; the torsion curve has the ring as it is held",
-         "wave_generator.bearing.outer_ring", "ST-10"});
+    member.notes.push_back({"wave_generator.free_ring",
+                            "the outer ring is taken as free between the lobes, an upper bound: in "
+                            "a drive it lies in the flexspline and on all balls",
+                            "wave_generator.bearing.outer_ring", "ST-10"});
   }
   return {C, accuracy::kLoadSharing, -1.0 / 3};  // (CO-4): compliance of a contact ~ force^(-1/3)
 }

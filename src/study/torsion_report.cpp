@@ -68,7 +68,10 @@ bool has_cracks(const GearSet& gear) {
 
 std::string stiffness_text(double K) { return fmt::format("{:.4g}", K); }
 std::string arcmin_text(double angle) { return fmt::format("{:.4g}", angle / units::arcmin); }
-std::string percent_text(double change) { return fmt::format("{:+.3g} %", 100 * change); }
+/// Changes below rounding are none.
+std::string percent_text(double change) {
+  return std::abs(change) < 1e-9 ? "0 %" : fmt::format("{:+.2g} %", 100 * change);
+}
 
 std::string line_row(std::string_view label, const TorsionReport& report, double MakersLines::*line,
                      const Band* range, double unit) {
@@ -91,9 +94,11 @@ std::string changes_row(std::string_view label, const LineChanges& positive,
 
 std::string comparison_text(const CurveComparison& c) {
   std::string text = fmt::format(
-      "\nWith cracks against without, {} positions over a turn of the wave generator\n"
+      "\nWith cracks against without, {} over a turn of the wave generator\n"
       "  {:<18}{:>33}   {:>33}\n  {:<18}{:>11}{:>11}{:>11}   {:>11}{:>11}{:>11}\n",
-      c.angles.size(), "", "T > 0", "T < 0", "", "K1", "K2", "K3", "K1", "K2", "K3");
+      c.angles.size() == 1 ? std::string("1 position")
+                           : fmt::format("{} positions", c.angles.size()),
+      "", "T > 0", "T < 0", "", "K1", "K2", "K3", "K1", "K2", "K3");
   text += changes_row("as in the file", c.positive.as_given, c.negative.as_given);
   text += changes_row("mean", c.positive.mean, c.negative.mean);
   text += changes_row("worst", c.positive.worst, c.negative.worst);
@@ -263,6 +268,9 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
                             "the drive has cracks; --compare shows what they change, and over a "
                             "turn of the wave generator",
                             "", "TC-26"});
+  if (options.compare && !has_cracks(gear))
+    report.notes.push_back(
+        {"torsion.no_cracks", "the file has no cracks: there is nothing to compare", "", "TC-26"});
   report.equations = report.curve.equations;
   for (const char* const tag : {"TC-16", "TC-17", "TC-18"}) report.equations.emplace_back(tag);
   if (options.compare) report.equations.emplace_back("TC-26");

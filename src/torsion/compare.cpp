@@ -114,6 +114,20 @@ GearSet without_cracks(const GearSet& gear) {
   return sound;
 }
 
+bool has_moving_cracks(const GearSet& gear) {
+  const auto any = [](const auto& cracks, auto is) { return std::ranges::any_of(cracks, is); };
+  const auto axial = [](const FlexsplineCrack& c) {
+    return std::holds_alternative<RimAxialCrack>(c);
+  };
+  const auto outer = [](const WaveGeneratorCrack& c) {
+    return std::holds_alternative<OuterRaceCrack>(c);
+  };
+  return (gear.mesh && !gear.mesh->crack.empty()) ||
+         (gear.flexspline && any(gear.flexspline->crack, axial)) ||
+         (gear.wave_generator && any(gear.wave_generator->crack, outer)) ||
+         (gear.circular_spline && !gear.circular_spline->crack.empty());
+}
+
 GearSet after_turn(const GearSet& gear, double angle) {
   GearSet turned = gear;
   const auto shift = [&](double& position) { position = std::remainder(position - angle, 2 * pi); };
@@ -135,7 +149,7 @@ GearSet after_turn(const GearSet& gear, double angle) {
 }
 
 CurveComparison compare_curves(const GearSet& gear, int angles, const CoupledOptions& options) {
-  require(angles >= 1, "angles", angles, "1", ">= 1");
+  require(angles >= 0, "angles", angles, "1", ">= 0");
   CurveComparison comparison;
   comparison.torques = makers_torques(gear);
   const GearSet sound = without_cracks(gear);
@@ -144,7 +158,7 @@ CurveComparison compare_curves(const GearSet& gear, int angles, const CoupledOpt
   // Whole teeth: a crack then meets the same teeth and gaps at each angle.
   const int teeth = static_cast<int>(std::lround(gear.drive.wave_number * gear.drive.ratio));
   std::vector<GearSet> turned;
-  const int count = std::min(angles, teeth);
+  const int count = !has_moving_cracks(gear) ? 1 : angles == 0 ? teeth : std::min(angles, teeth);
   for (int i = 0; i < count; ++i) {
     const double angle = 2 * pi / teeth * std::round(static_cast<double>(i) * teeth / count);
     comparison.angles.push_back(angle);

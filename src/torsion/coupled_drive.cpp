@@ -17,7 +17,7 @@ constexpr double kToothSpan = pi / 4;  // teeth farther from a lobe never touch
 
 double angle_from_lobe(double theta) { return std::remainder(theta, pi); }
 
-double sinc(double x) { return x == 0 ? 1.0 : std::sin(x) / x; }
+double sinc(double x) { return std::sin(x) / x; }
 
 }  // namespace
 

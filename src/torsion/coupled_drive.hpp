@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -77,8 +78,10 @@ struct ContactCracks {
 };
 
 [[nodiscard]] CoupledGeometry coupled_geometry(const GearSet& gear, const CoupledOptions& options);
+/// Force of the ball nearest to a position, in the sound drive [N].
+using BallForce = std::function<double(double position)>;
 [[nodiscard]] ContactCracks contact_cracks(const GearSet& gear, const CoupledGeometry& geometry,
-                                           std::vector<Note>& notes);
+                                           const BallForce& ball_force, std::vector<Note>& notes);
 
 /// A state of equilibrium.
 struct Equilibrium {

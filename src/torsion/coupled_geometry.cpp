@@ -54,6 +54,25 @@ double hinge_compliance(double depth, double thickness, double width,
       .matrix(0, 0);  // (TC-22)
 }
 
+/// Radial compliance of a race crack under the force of one ball, with the notes of its stress.
+double race_crack_compliance(const GearSet& gear, std::size_t index, double ball_force,
+                             std::vector<Note>& notes) {
+  // The series model's crack under one lobe, whose force is made that of this ball.
+  GearSet single = gear;
+  WaveGenerator& wg = *single.wave_generator;
+  wg.conversion = Conversion::reciprocity;
+  if (wg.bearing) wg.bearing->loaded_balls = 1;
+  const double f = lobe_force_per_torque(gear.drive, wg);
+  single.load.torque = ball_force / f;
+  const MemberCompliance member = wave_generator_compliance(single);
+  const std::string path = fmt::format("wave_generator.crack[{}]", index);
+  for (const Note& note : member.notes)
+    if (note.path == path) notes.push_back(note);
+  for (const CrackReport& report : member.cracks)
+    if (report.path == path) return report.positive.at_output.value / (f * f);  // (TC-23)
+  return 0.0;
+}
+
 }  // namespace
 
 std::string missing_for_torsion_curve(const GearSet& gear) {
@@ -109,6 +128,18 @@ CoupledGeometry coupled_geometry(const GearSet& gear, const CoupledOptions& opti
     throw InputError("wave_generator.bearing.outer_raceway_diameter",
                      bearing.outer_raceway_diameter, "m",
                      "inside the outer ring, whose outer diameter is 2 mean_radius + thickness");
+  const double circle = (bearing.inner_raceway_diameter + bearing.outer_raceway_diameter) / 2;
+  require(*bearing.ball_count * bearing.ball_diameter < pi * circle,
+          "wave_generator.bearing.ball_count", *bearing.ball_count, "1",
+          "ball_count times ball_diameter < circumference of the balls' circle");
+  require(bearing.clearance < drive.radial_displacement, "wave_generator.bearing.clearance",
+          bearing.clearance, "m", "clearance < drive.radial_displacement");
+  require(wg.cam_flattening <= 6, "wave_generator.cam_flattening", wg.cam_flattening, "1",
+          "<= 6 for the torsion curve");
+  require(mesh.coning <= 3, "mesh.coning", mesh.coning, "1", "<= 3 for the torsion curve");
+  const double kappa = drive.radial_displacement / g.module;
+  require(kappa > 0.3 && kappa < 2, "drive.radial_displacement", drive.radial_displacement, "m",
+          "0.3 to 2 modules for the torsion curve");
   g.rim_bending =
       third_power_bending(g.rim_steel.E, g.rim_width, g.rim_thickness, mesh.rim_stiffening);
   g.outer_thickness = outer.thickness;
@@ -134,6 +165,8 @@ CoupledGeometry coupled_geometry(const GearSet& gear, const CoupledOptions& opti
   g.force_angle = g.flank_angle;
   if (options.friction == FlankFriction::loading) g.force_angle -= friction;    // (TC-16)
   if (options.friction == FlankFriction::unloading) g.force_angle += friction;  // (TC-16)
+  require(g.force_angle > 0, "mesh.friction_coefficient", mesh.friction_coefficient, "1",
+          "less than the tangent of mesh.flank_angle: else the flanks lock themselves");
   g.gap_factor = mesh.gap_factor;
   g.lobe_gap = mesh.lobe_gap;
   g.flank = {.pair_stiffness = mesh.pair_stiffness.value_or(
@@ -154,7 +187,7 @@ CoupledGeometry coupled_geometry(const GearSet& gear, const CoupledOptions& opti
 }
 
 ContactCracks contact_cracks(const GearSet& gear, const CoupledGeometry& g,
-                             std::vector<Note>& notes) {
+                             const BallForce& ball_force, std::vector<Note>& notes) {
   ContactCracks cracks;
   const auto hinge = [&](RingHinge::Ring ring, const RingCrack& crack, double thickness,
                          double width, double bending, double scale,
@@ -191,11 +224,6 @@ ContactCracks contact_cracks(const GearSet& gear, const CoupledGeometry& g,
   }
 
   const WaveGenerator& wg = *gear.wave_generator;
-  // Radial compliance of a race crack per force of one ball, from that per force of a lobe.
-  GearSet reciprocal = gear;
-  reciprocal.wave_generator->conversion = Conversion::reciprocity;
-  const double f = lobe_force_per_torque(gear.drive, wg);
-  std::vector<CrackReport> reports;
   for (std::size_t i = 0; i < wg.crack.size(); ++i) {
     const std::string path = fmt::format("wave_generator.crack[{}]", i);
     std::visit(
@@ -204,22 +232,24 @@ ContactCracks contact_cracks(const GearSet& gear, const CoupledGeometry& g,
           if constexpr (std::is_same_v<Crack, OuterRaceCrack>) {
             hinge(RingHinge::Ring::outer, crack, g.outer_thickness, g.outer_width, g.outer_bending,
                   1.0, g.ball_steel);
+          } else if (crack.stress_driver != StressDriver::orthogonal_shear &&
+                     crack.stress_driver != StressDriver::contact_edge) {
+            notes.push_back({"crack.not_of_a_ball",
+                             "its stress does not follow from the force of the ball over it: it is "
+                             "left out of the torsion curve",
+                             path, "TC-23"});
+          } else if (const double force = ball_force(crack.position); force > 0) {
+            cracks.balls.push_back({crack.position, race_crack_compliance(gear, i, force, notes)});
+            notes.push_back(
+                {"crack.under_a_ball",
+                 fmt::format("taken with the nearest ball exactly over it, the worst "
+                             "place, linear at {:.3g} N; the balls roll over it, so its "
+                             "effect comes and goes at ball-pass frequency",
+                             force),
+                 path, "TC-23"});
           } else {
-            if (crack.stress_driver != StressDriver::orthogonal_shear &&
-                crack.stress_driver != StressDriver::contact_edge) {
-              notes.push_back({"crack.not_of_a_ball",
-                               "its stress does not follow from the force of the ball over it: "
-                               "it is left out of the torsion curve",
-                               path, "TC-23"});
-              return;
-            }
-            if (reports.empty()) reports = wave_generator_compliance(reciprocal).cracks;
-            for (const CrackReport& report : reports)
-              if (report.path == path) {
-                const double balls = wg.bearing->loaded_balls;
-                cracks.balls.push_back({crack.position, report.positive.at_output.value / (f * f) *
-                                                            balls * balls});  // (TC-23)
-              }
+            notes.push_back({"crack.unloaded_ball", "no ball that carries is near it: no effect",
+                             path, "TC-23"});
           }
         },
         wg.crack[i]);

@@ -70,6 +70,9 @@ Hysteresis::Hysteresis(const GearSet& gear, double largest_torque,
           "N*m", "> 0");
   require(options.elements >= 1, "elements", options.elements, "1", ">= 1");
   require(options.grid >= 8, "grid", options.grid, "1", ">= 8");
+  if (gear.rating)
+    require(gear.rating->friction_torque < largest_torque, "rating.friction_torque",
+            gear.rating->friction_torque, "N*m", "less than the torque of the loop");
   std::vector<double> grid = {0.0};
   for (int i = 1; i <= options.grid; ++i) {
     const double share = static_cast<double>(i) / options.grid;

@@ -89,11 +89,11 @@ void note_geometry(const GearSet& gear, const CoupledGeometry& g, TorsionCurve& 
   if (gear.drive.ratio < 50)
     curve.notes.push_back({"torsion.low_ratio",
                            "against catalogues the model is too stiff below ratio 50, by a factor "
-                           "of up to 2.7 at 30: take it as empirical there",
+                           "of up to 2.2 at 30: take it as empirical there",
                            "drive.ratio", "TC-14"});
   if (gear.circular_spline == std::nullopt)
     curve.notes.push_back({"torsion.rigid_spline",
-                           "no circular spline given: it is taken as rigid, which is 10 to 30 % "
+                           "no circular spline given: it is taken as rigid, which is 13 to 36 % "
                            "too stiff",
                            "circular_spline", "TC-10"});
 }
@@ -138,32 +138,55 @@ CurvePoint point_of(CoupledDrive& drive, const Equilibrium& state, const SeriesM
   return point;
 }
 
+/// The larger force of the ball nearest to a position, of both senses of torque at T2, in the
+/// sound drive [N].
+double sound_ball_force(CoupledDrive& sound, double torque, double position) {
+  double largest = 0.0;
+  for (const double sense : {1.0, -1.0}) {
+    const Equilibrium state = sound.solve(sense * torque, sound.assembled());
+    int nearest = 0;
+    const auto distance = [&](int ball) {
+      return std::abs(std::remainder(sound.position_of(ball) - position, 2 * pi));
+    };
+    for (int ball = 1; ball < sound.balls(); ++ball)
+      if (distance(ball) < distance(nearest)) nearest = ball;
+    largest = std::max(largest, state.force[nearest]);
+  }
+  return largest;
+}
+
 /// A drive on its cam, or the reason why there is none.  The cam is that of the sound drive.
 struct Assembly {
   CoupledDrive drive;
   std::string fails_because;
 };
 
-Assembly assemble(const GearSet& gear, const CoupledGeometry& g, const ContactCracks& cracks,
+Assembly assemble(const GearSet& gear, const CoupledGeometry& g, std::vector<Note>& notes,
                   const CoupledOptions& options) {
-  const bool sound = cracks.hinges.empty() && cracks.teeth.empty() && cracks.balls.empty();
   Assembly assembly{CoupledDrive(gear, g, {}, options), {}};
-  bool assembled = assembly.drive.assemble();
-  if (assembled && !sound) {
-    const double amplitude = assembly.drive.cam_amplitude();
-    assembly.drive = CoupledDrive(gear, g, cracks, options);
-    assembled = assembly.drive.assemble_on(amplitude);
+  if (!assembly.drive.assemble()) {
+    assembly.fails_because =
+        assembly.drive.assembled().converged
+            ? fmt::format(
+                  "the drive does not assemble: no cam amplitude lifts the lobes by w_0 = "
+                  "{:.4g} mm with a flank gap of {:.4g} um and a bearing clearance of "
+                  "{:.4g} um",
+                  1e3 * g.radial_displacement, 1e6 * g.lobe_gap, 1e6 * g.clearance)
+            : fmt::format(
+                  "the assembled state was not found: residual {:.2g} of the largest "
+                  "contact force after {} steps",
+                  assembly.drive.assembled().residual, assembly.drive.assembled().iterations);
+    return assembly;
   }
-  if (!assembled && !assembly.drive.assembled().converged)
-    assembly.fails_because = fmt::format(
-        "the assembled state was not found: residual {:.2g} of the largest contact "
-        "force after {} steps",
-        assembly.drive.assembled().residual, assembly.drive.assembled().iterations);
-  else if (!assembled)
-    assembly.fails_because = fmt::format(
-        "the drive does not assemble: no cam amplitude lifts the lobes by w_0 = {:.4g} mm with a "
-        "flank gap of {:.4g} um and a bearing clearance of {:.4g} um",
-        1e3 * g.radial_displacement, 1e6 * g.lobe_gap, 1e6 * g.clearance);
+  const double T2 = makers_torques(gear).T2;
+  const ContactCracks cracks = contact_cracks(
+      gear, g, [&](double position) { return sound_ball_force(assembly.drive, T2, position); },
+      notes);
+  if (cracks.hinges.empty() && cracks.teeth.empty() && cracks.balls.empty()) return assembly;
+  const double amplitude = assembly.drive.cam_amplitude();
+  assembly.drive = CoupledDrive(gear, g, cracks, options);
+  if (!assembly.drive.assemble_on(amplitude))
+    assembly.fails_because = "the cracked drive does not assemble on the cam of the sound one";
   return assembly;
 }
 
@@ -181,10 +204,9 @@ TorsionCurve torsion_curve(const GearSet& gear, std::span<const double> torques,
     curve.equations.emplace_back(tag);
   if (geometry.support > 0) curve.equations.emplace_back("TC-10");
   note_geometry(gear, geometry, curve);
-  const ContactCracks cracks = contact_cracks(gear, geometry, curve.notes);
   const SeriesMembers series = series_members(gear, curve);
   curve.series_compliance = series.sound();
-  Assembly assembly = assemble(gear, geometry, cracks, options);
+  Assembly assembly = assemble(gear, geometry, curve.notes, options);
   if (!assembly.fails_because.empty()) {
     curve.unusable_because = std::move(assembly.fails_because);
     return curve;
@@ -196,9 +218,12 @@ TorsionCurve torsion_curve(const GearSet& gear, std::span<const double> torques,
   if (const double jam = drive.largest_flank_force(drive.assembled()); jam > 0)
     curve.notes.push_back(
         {"torsion.interference",
-         fmt::format("the flanks press on each other without torque, with up to {:.3g} N: the lobe "
-                     "gap of {:.4g} um is an interference",
-                     jam, 1e6 * geometry.lobe_gap),
+         fmt::format("the flanks press on each other without torque, with up to {:.3g} N: {}", jam,
+                     geometry.lobe_gap < 0
+                         ? fmt::format("the lobe gap of {:.4g} um is an interference",
+                                       1e6 * geometry.lobe_gap)
+                         : std::string("the assembled ring bulges beside the lobes; see clearance, "
+                                       "cam_flattening, ball_count, flank_angle")),
          "mesh.lobe_gap", "TC-6"});
   Equilibrium state = drive.assembled();
   // Half a pitch of free travel: the flanks of this tooth never meet, the next one's would.
@@ -217,7 +242,7 @@ TorsionCurve torsion_curve(const GearSet& gear, std::span<const double> torques,
       curve.unusable_because = fmt::format(
           "at {:.6g} N*m the ring has turned by {:.4g} mm, more than half a tooth pitch: the "
           "flanks "
-          "do not hold; the lobe gap of {:.4g} um or the gap factor is too large",
+          "do not hold; the torque, the lobe gap of {:.4g} um or the gap factor is too large",
           torque, 1e3 * state.rotation, 1e6 * geometry.lobe_gap);
       return curve;
     }
@@ -232,7 +257,7 @@ std::vector<RimState> rim_states(const GearSet& gear, double torque, int positio
   require(positions > 0, "positions", positions, "1", "> 0");
   require(std::isfinite(torque), "torque", torque, "N*m", "a finite number");
   std::vector<Note> notes;
-  Assembly assembly = assemble(gear, g, contact_cracks(gear, g, notes), options);
+  Assembly assembly = assemble(gear, g, notes, options);
   if (!assembly.fails_because.empty()) throw SolverError(assembly.fails_because);
   CoupledDrive& drive = assembly.drive;
   const Equilibrium state = drive.solve(torque, drive.assembled());

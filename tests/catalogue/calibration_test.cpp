@@ -81,14 +81,33 @@ TEST(Calibration, IdentityUncertaintyOfOneFactor) {
       c.factors[0].value * c.relative_uncertainty / c.combinations[0].singular_value, 1e-12);
 }
 
-TEST(Calibration, IdentityRangesAreWidened) {
+TEST(Calibration, IdentityFittedNumbersHaveNoRangeAnyMore) {
   const GearSet gear = starting_drive(25, 100).gear;
   GearSet truth = with_factor(gear, Factor::coning, 1.6);
   truth.range.clear();
   const Calibration c = calibrate(gear, lines_of(truth), {Factor::coning});
   EXPECT_GT(c.gear.mesh->coning, 1.5);
-  EXPECT_EQ(c.gear.range.size(), gear.range.size());
+  EXPECT_EQ(c.gear.range.size() + 1, gear.range.size());
+  for (const InputRange& range : c.gear.range) EXPECT_NE(range.path, "mesh.coning");
   EXPECT_NO_THROW(check(c.gear));
+}
+
+TEST(Calibration, IdentityCatalogueStiffnessIsOfTheComponentSet) {
+  // Shaft, flange and cracks are the customer's; they stay in the drive, out of the comparison.
+  GearSet gear = starting_drive(25, 100).gear;
+  const Calibration plain = calibrate(gear, catalogue_target(gear), {Factor::coning});
+  OutputShaft shaft;
+  shaft.material = "steel";
+  shaft.outer_diameter = 0.03;
+  shaft.length = 0.04;
+  gear.output_shaft = shaft;
+  gear.flexspline->flange_compliance = 1e-6;
+  gear.flexspline->crack.push_back(WallThroughCrack{.half_length = 2e-3});
+  const Calibration customer = calibrate(gear, catalogue_target(gear), {Factor::coning});
+  EXPECT_EQ(customer.gear.mesh->coning, plain.gear.mesh->coning);
+  EXPECT_TRUE(customer.gear.output_shaft.has_value());
+  EXPECT_EQ(customer.gear.flexspline->crack.size(), 1U);
+  EXPECT_EQ(customer.gear.flexspline->flange_compliance, 1e-6);
 }
 
 TEST(CalibrationTargets, ReferenceCatalogueRow) {

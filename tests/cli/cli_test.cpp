@@ -353,7 +353,7 @@ TEST_F(Program, InputTorsionSaysWhatIsMissingAndWhatFails) {
   EXPECT_EQ(loose.exit_code, 4);
   EXPECT_NE(loose.err.find("lobe gap of 2000 um"), std::string::npos) << loose.err;
   EXPECT_TRUE(loose.out.empty());
-  EXPECT_EQ(run("torsion " + kArticle + " --angles 0").exit_code, 2);
+  EXPECT_EQ(run("torsion " + kArticle + " --angles -1").exit_code, 2);
 }
 
 TEST_F(Program, IdentityAuditPrintsItsRowsInAllForms) {

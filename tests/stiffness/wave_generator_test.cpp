@@ -730,9 +730,23 @@ TEST(OuterRaceCrack, IdentityAddsNothingHere) {
   // The groove's share of the ring's stiffness is of the coupled drive alone.
   gear.wave_generator->bearing->outer_ring->groove_factor = 0.5;
   gear.wave_generator->bearing->clearance = 5e-6;
-  gear.wave_generator->bearing->ball_count = 23;
   gear.wave_generator->cam_flattening = 1.5;
   EXPECT_EQ(wave_generator_compliance(gear).intact, sound);
+  EXPECT_EQ(test::count_notes(member.notes, "wave_generator.free_ring"), 1);
+}
+
+TEST(OuterRing, IdentityHeldByAllBallsItsBendingIsLeftOut) {
+  // With the number of balls the file describes a ring that is held: free between the lobes it
+  // would be a hundred times too soft.
+  GearSet gear = with_bearing(3);
+  const double without_ring = wave_generator_compliance(gear).intact;
+  gear.wave_generator->bearing->outer_ring =
+      BearingRing{.mean_radius = 70 * mm, .thickness = 4 * mm, .width = 20 * mm};
+  EXPECT_GT(wave_generator_compliance(gear).intact, 10 * without_ring);
+  gear.wave_generator->bearing->ball_count = 23;
+  const MemberCompliance held = wave_generator_compliance(gear);
+  EXPECT_EQ(held.intact, without_ring);
+  EXPECT_EQ(test::count_notes(held.notes, "wave_generator.held_ring"), 1);
 }
 
 }  // namespace

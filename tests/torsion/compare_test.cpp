@@ -175,7 +175,9 @@ TEST(WithoutCracks, IdentityNothingElseChanges) {
 }
 
 TEST(CompareCurves, InputAngles) {
-  EXPECT_THROW((void)compare_curves(drive(), 0), InputError);
+  EXPECT_THROW((void)compare_curves(drive(), -1), InputError);
+  EXPECT_EQ(compare_curves(with_tooth(0.2), 0).angles.size(), 200U);    // every tooth
+  EXPECT_EQ(compare_curves(with_barrel_crack(), 0).angles.size(), 1U);  // nothing moves
   EXPECT_EQ(compare_curves(with_tooth(0.2), 1).angles.size(), 1U);
 }
 

@@ -218,6 +218,55 @@ TEST(ContactCracks, IdentityCracksThatDoNotReachTheContacts) {
   EXPECT_EQ(test::count_notes(bent.notes, "crack.not_of_a_ball", "wave_generator.crack[0]"), 1);
 }
 
+TEST(ContactCracks, IdentityRaceCrackIsThatOfItsBall) {
+  // Neither the balls that the series model lets share the lobe force nor the file's load matter:
+  // the crack is taken at the force of its own ball.  The notes of its stress come along.
+  const double T = Ts()[1];
+  GearSet gear = typical_drive();
+  test::crack_race(gear, 1e-8);
+  const TorsionCurve curve = torsion_curve(gear, {{T}});
+  for (const char* const code : {"crack.orthogonal_shear", "crack.under_a_ball"})
+    EXPECT_EQ(test::count_notes(curve.notes, code, "wave_generator.crack[0]"), 1) << code;
+  GearSet other = gear;
+  other.wave_generator->bearing->loaded_balls = 5;
+  other.load.torque *= 7;
+  EXPECT_EQ(twist(other, T), twist(gear, T));
+  // Between the lobes no ball carries.
+  auto& race = std::get<RaceSurfaceCrack>(gear.wave_generator->crack.at(0));
+  race.position = std::acos(-1.0) / 2;
+  const TorsionCurve idle = torsion_curve(gear, {{T}});
+  EXPECT_EQ(test::count_notes(idle.notes, "crack.unloaded_ball", "wave_generator.crack[0]"), 1);
+  test::expect_relative(idle.points.at(0).twist, twist(typical_drive(), T), 1e-12);
+}
+
+TEST(CoupledGeometry, InputLimitsOfTheModel) {
+  const auto field = [](const auto& change) {
+    GearSet gear = typical_drive();
+    change(gear);
+    try {
+      (void)torsion_curve(gear, {{1.0}});
+    } catch (const InputError& error) {
+      return error.field();
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(field([](GearSet& g) { g.wave_generator->bearing->ball_count = 60; }),
+            "wave_generator.bearing.ball_count");
+  EXPECT_EQ(field([](GearSet& g) { g.wave_generator->bearing->clearance = 1e-3; }),
+            "wave_generator.bearing.clearance");
+  EXPECT_EQ(field([](GearSet& g) { g.wave_generator->cam_flattening = 6.1; }),
+            "wave_generator.cam_flattening");
+  EXPECT_EQ(field([](GearSet& g) { g.mesh->coning = 3.1; }), "mesh.coning");
+  EXPECT_EQ(field([](GearSet& g) { g.drive.radial_displacement *= 2.1; }),
+            "drive.radial_displacement");
+  EXPECT_EQ(field([](GearSet& g) { g.drive.radial_displacement *= 0.29; }),
+            "drive.radial_displacement");
+  GearSet locking = typical_drive();
+  locking.mesh->friction_coefficient = 0.5;
+  const CoupledOptions loading{.friction = FlankFriction::loading};
+  EXPECT_THROW((void)torsion_curve(locking, {{1.0}}, loading), InputError);
+}
+
 // --- cracks in series ---------------------------------------------------------------------------
 
 TEST(SeriesCracks, IdentityTheirAddedCompliance) {

@@ -181,6 +181,12 @@ TEST(Hysteresis, InputRefusals) {
   EXPECT_THROW(Hysteresis(loose, kRated), SolverError);
 }
 
+TEST(Hysteresis, InputFrictionTorqueBelowTheLoop) {
+  GearSet gear = drive();
+  gear.rating->friction_torque = kRated;
+  EXPECT_THROW(Hysteresis(gear, kRated), InputError);
+}
+
 TEST(LostMotion, IdentityTwiceTheTwistAtItsTorque) {
   const GearSet gear = drive();
   test::expect_relative(lost_motion(gear), 2 * twist(gear, 0.04 * kRated, FlankFriction::none),

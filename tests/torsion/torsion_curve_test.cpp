@@ -443,10 +443,11 @@ GearSet resized(GearSet gear, double s, double e = 1.0) {
 
 TEST(TorsionCurve, ScalingSimilarDrives) {
   GearSet gear = full_drive();
-  gear.load.torque = Ts()[0];
+  gear.rating = Rating{.T1 = Ts()[0], .T2 = Ts()[1], .T3 = {}, .rated_torque = {}};
   for (const auto& [s, e] : {std::pair{0.4, 1.0}, {1.7, 2.3}}) {
     GearSet other = resized(gear, s, e);
-    other.load.torque *= e * s * s * s;  // a race crack is driven by the lobe force of this torque
+    other.rating->T1 *= e * s * s * s;  // a race crack is taken at the force of its ball at T2
+    other.rating->T2 *= e * s * s * s;
     for (const double T : {Ts()[0], -Ts()[1]}) {
       const CurvePoint one = point_at(gear, T);
       const CurvePoint two = point_at(other, T * e * s * s * s);
@@ -716,6 +717,14 @@ TEST(TorsionCurve, IdentityNoTorqueIsTheAssembledStateWhateverThePath) {
     EXPECT_EQ(curve.points[i].teeth_in_contact, 0);
   }
   EXPECT_NEAR(curve.points[1].twist, -curve.points[3].twist, 1e-12 * curve.points[1].twist);
+}
+
+TEST(TorsionCurve, ReferenceUncertaintyByRatio) {
+  GearSet gear = typical_drive();
+  gear.drive.ratio = 50;
+  EXPECT_EQ(curve_uncertainty(gear), 0.15);
+  gear.drive.ratio = 49.5;
+  EXPECT_EQ(curve_uncertainty(gear), 1.0);
 }
 
 TEST(TorsionCurve, IdentityInterferenceIsNoted) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -12,6 +13,8 @@
 
 #include "strainwave/model/gear_set.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/torsion/compare.hpp"
+#include "strainwave/torsion/torsion_curve.hpp"
 #include "support/reference_csv.hpp"
 
 namespace strainwave::test {
@@ -149,7 +152,7 @@ inline void crack_spline(GearSet& gear, double depth_ratio = 0.4, double positio
 
 /// Adds a crack of the inner race that gives ball 1 a compliance [m/N]: the compliance goes with
 /// the square of the stress.
-inline void crack_race(GearSet& gear, double compliance) {
+inline void crack_race(GearSet& gear, double compliance, const CoupledOptions& options = {}) {
   WaveGenerator& wg = *gear.wave_generator;
   wg.inner_ring_thickness = 1.5e-3;
   wg.inner_ring_mean_radius = 23e-3;
@@ -160,8 +163,18 @@ inline void crack_race(GearSet& gear, double compliance) {
   crack.aspect_ratio = 0.3;
   crack.position = 2 * std::numbers::pi / 23 + 0.05;  // ball 1 is the nearest
   crack.contact_factor = 0.1;
+  // The crack is taken at the force of its ball at T2, in the sound drive.
+  const double T2 = makers_torques(gear).T2;
+  double force = 0.0;
+  for (const double torque : {T2, -T2})
+    force = std::max(force, torsion_curve(without_cracks(gear), std::array{torque}, options)
+                                .points.at(0)
+                                .balls.at(1)
+                                .force);
   GearSet alone = gear;
   alone.wave_generator->crack = {crack};
+  alone.wave_generator->bearing->loaded_balls = 1;
+  alone.load.torque = force / lobe_force_per_torque(gear.drive, wg);
   const double f = lobe_force_per_torque(gear.drive, wg);
   const double at_ball =
       wave_generator_compliance(alone).cracks.at(0).positive.at_output.value / (f * f);

@@ -42,6 +42,8 @@ struct CalibrationTarget {
   std::string source;  ///< one line
   std::vector<StiffnessTarget> values;
   double relative_uncertainty = 0.0;  ///< of one value, at least, one standard uncertainty [-]
+  /// Compared with the drive without cracks, output shaft and flange: what a catalogue states.
+  bool component_set_only = false;
 };
 
 /// K1, K2, K3 of the nearest row, scaled to the drive's diameter by d^3; 2 % each for rounding.

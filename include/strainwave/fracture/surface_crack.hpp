@@ -33,7 +33,7 @@ class NewmanRaju {
   [[nodiscard]] double shape_parameter() const { return Q_; }
 
  private:
-  double rho_, Q_, M1_, M2_, M3_;
+  double rho_, Q_, root_Q_, M1_, M2_, M3_;
 };
 
 /// Stress intensity of an elliptical crack in an infinite body, sheared along its major axis.

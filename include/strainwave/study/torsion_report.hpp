@@ -17,7 +17,7 @@ namespace strainwave {
 
 struct TorsionReportOptions {
   bool compare = false;  ///< also without the cracks, and over a turn of the wave generator
-  int angles = 36;       ///< positions of the wave generator for it
+  int angles = 0;        ///< positions of the wave generator for it; 0: every tooth
   int draws = 200;       ///< of the ranges that the file gives; 0: none
 };
 

@@ -25,9 +25,7 @@ struct ChangesOverTurn {
   LineChanges mean;
   LineChanges worst;  ///< most negative of each
   LineChanges best;
-  /// Peak to peak of each over the turn, less that of the sound drive's teeth and balls (none here:
-  /// they keep their place).
-  LineChanges ripple;
+  LineChanges ripple;    ///< best less worst
   int ripple_order = 0;  ///< of K1, per turn of the wave generator; 0: no ripple
   std::vector<LineChanges> at_angle;
 };
@@ -36,8 +34,8 @@ struct ChangesOverTurn {
 enum class CrackClass {
   none,          ///< no change above rounding
   series,        ///< barrel, diaphragm, shaft: the same compliance in all three lines
-  contact_path,  ///< teeth, rim, outer ring: K1 changes most, or the change varies over a turn
-  undecided,     ///< inner race, circular spline, or several
+  contact_path,  ///< teeth and rings: K1 changes most, or the change varies over a turn
+  undecided,     ///< inner race, or several
 };
 template <>
 struct EnumNames<CrackClass> {
@@ -59,11 +57,13 @@ struct CurveComparison {
   CrackClass crack_class = CrackClass::none;
   double class_ratio = 0.0;  ///< mean dK1/dK3 of the sense that changes more [-]
   std::string evidence;      ///< one sentence
-  std::vector<Note> notes;
 };
 
 /// Drive without its cracks.
 [[nodiscard]] GearSet without_cracks(const GearSet& gear);
+
+/// Whether a crack moves against the wave: of rim, teeth, outer ring or circular spline.
+[[nodiscard]] bool has_moving_cracks(const GearSet& gear);
 
 /// The drive after the wave generator has turned by an angle: cracks of flexspline, circular spline
 /// and outer ring move against the wave, those of the inner race stay [rad].
@@ -71,9 +71,10 @@ struct CurveComparison {
 
 /// Compares the maker's stiffnesses of a drive with and without its cracks (TC-26).
 ///
-/// @param angles  positions of the wave generator over a turn [-]; >= 1; taken to whole teeth
+/// @param angles  positions of the wave generator over a turn [-]; 0 for every tooth, which alone
+///                finds the worst one; taken to whole teeth.  One where no crack moves
 /// @throws SolverError  if a curve is not usable
-[[nodiscard]] CurveComparison compare_curves(const GearSet& gear, int angles = 36,
+[[nodiscard]] CurveComparison compare_curves(const GearSet& gear, int angles = 0,
                                              const CoupledOptions& options = {});
 
 }  // namespace strainwave

@@ -107,7 +107,7 @@ struct TorsionCurve {
 /// diaphragm, rim, boss and flange in series.  Cracks act inside, under the sense of the torque.
 ///
 /// Two lobes, a cup.  Geometry alone predicts catalogue stiffness within about 20 % for ratios of
-/// 50 and more; at ratio 30 it is too stiff by a factor of up to 2.7 (theory manual, chapter CV).
+/// 50 and more; at ratio 30 it is too stiff by a factor of up to 2.2 (theory manual, chapter CV).
 ///
 /// @param gear     with bearing, sections and mesh
 /// @param torques  T at the output [N*m], finite; each solved from the state before it, the first
