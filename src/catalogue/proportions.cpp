@@ -238,15 +238,20 @@ CommentedDrive starting_drive(int size, double ratio, Cup cup) {
     return std::string();
   };
   auto& comments = drive.comments;
-  comments["drive.ratio"] = "catalogue";
+  const RatingRow* const rated = find_rating(size, ratio);
+  comments["drive.ratio"] = rated != nullptr ? fmt::format("catalogue: series {}", rated->series)
+                                             : "assumed: no rating of this size and ratio is known";
   comments["drive.wave_number"] = "catalogue: all makers' drives of this kind";
   comments["drive.pitch_diameter"] = "catalogue: 2.54 mm times the size";
-  comments["load.torque"] = "catalogue: rated torque, or T2 where there is none for this ratio";
+  comments["load.torque"] =
+      rated != nullptr ? "catalogue: rated torque" : "catalogue: T2, for want of a rated torque";
   comments["material.steel.youngs_modulus"] = "typical: alloy steel, 2 %";
   comments["material.steel.poissons_ratio"] = "typical";
-  comments["rating.T1"] = "catalogue";
-  comments["rating.T2"] = "catalogue";
-  comments["rating.rated_torque"] = "catalogue: at an input of 2000 rpm";
+  comments["rating.T1"] = "catalogue: of this size, the same for all ratios";
+  comments["rating.T2"] = "catalogue: of this size, the same for all ratios";
+  if (rated != nullptr)
+    comments["rating.rated_torque"] =
+        fmt::format("catalogue: series {}, at an input of 2000 rpm", rated->series);
   for (const Proportion& p : kProportions)
     if (!p.path.empty()) comments[std::string(p.path)] = remark(p.name);
   comments["flexspline.wall_thickness"] = "as rim.wall_thickness";

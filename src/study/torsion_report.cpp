@@ -18,6 +18,7 @@ namespace strainwave {
 namespace {
 
 constexpr std::size_t kWidth = 100;
+constexpr int kRimPositions = 180;
 constexpr int kCurvePoints = 40;  // on each side, evenly spaced in the root of the torque
 
 std::vector<double> curve_torques(const MakersTorques& at) {
@@ -246,6 +247,7 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   report.negative = makers_lines(gear, -1);
   report.loop = hysteresis_loop(Hysteresis(gear, report.torques.rated), report.torques.rated);
   report.lost_motion = lost_motion(gear);
+  report.rim = rim_states(gear, report.torques.rated, kRimPositions);
   if (!gear.range.empty() && options.draws > 0) report.bands = line_bands(gear, options.draws);
   if (options.compare) {
     report.comparison = compare_curves(gear, options.angles);
@@ -272,7 +274,8 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
     report.notes.push_back(
         {"torsion.no_cracks", "the file has no cracks: there is nothing to compare", "", "TC-26"});
   report.equations = report.curve.equations;
-  for (const char* const tag : {"TC-16", "TC-17", "TC-18"}) report.equations.emplace_back(tag);
+  for (const char* const tag : {"TC-16", "TC-17", "TC-18", "TC-24"})
+    report.equations.emplace_back(tag);
   if (options.compare) report.equations.emplace_back("TC-26");
   return report;
 }
@@ -340,6 +343,18 @@ std::string torsion_text(const TorsionReport& report, const GearSet& gear) {
     text += fmt::format("    {:<24}", name);
     shown([&](const CurvePoint& p) { return fmt::format("{:.1f} %", 100 * p.share[m]); });
   }
+  const auto extremes = [&](double RimState::*stress) {
+    const auto [least, most] = std::ranges::minmax_element(report.rim, {}, stress);
+    return fmt::format("{:>8.4g} .. {:.4g} MPa", (*least).*stress / units::MPa,
+                       (*most).*stress / units::MPa);
+  };
+  text += fmt::format(
+      "\nStress over a turn of the wave generator at {:.5g} N*m, without concentration (TC-24)\n"
+      "  {:<34}{}\n  {:<34}{}\n  {:<34}{}\n  {:<34}{:>8.4g} MPa\n",
+      report.torques.rated, "rim at the tooth roots, hoop", extremes(&RimState::rim_outside_stress),
+      "rim at its bore, hoop", extremes(&RimState::rim_inside_stress),
+      "barrel at the rim, hoop bending", extremes(&RimState::barrel_bending_stress),
+      "barrel, shear of the torque", report.rim.front().barrel_shear_stress / units::MPa);
   if (report.comparison) text += comparison_text(*report.comparison);
   if (!report.notes.empty()) text += "\nNotes\n";
   for (const Note& note : report.notes) {
@@ -381,6 +396,14 @@ std::string torsion_json(const TorsionReport& report) {
                {"teeth", report.curve.teeth},
                {"curve", curve_json(report.curve)},
                {"curve_negative", curve_json(report.curve_negative)}};
+  for (const RimState& rim : report.rim)
+    json["rim"].push_back({{"position", rim.position},
+                           {"radial", rim.radial},
+                           {"tangential", rim.tangential},
+                           {"rim_outside_stress", rim.rim_outside_stress},
+                           {"rim_inside_stress", rim.rim_inside_stress},
+                           {"barrel_bending_stress", rim.barrel_bending_stress},
+                           {"barrel_shear_stress", rim.barrel_shear_stress}});
   if (report.bands) {
     const auto band_json = [](const Band& b) {
       return Json{{"low", b.low}, {"median", b.median}, {"high", b.high}, {"unit", "N*m/rad"}};

@@ -91,6 +91,11 @@ void note_geometry(const GearSet& gear, const CoupledGeometry& g, TorsionCurve& 
                            "against catalogues the model is too stiff below ratio 50, by a factor "
                            "of up to 2.2 at 30: take it as empirical there",
                            "drive.ratio", "TC-14"});
+  if (gear.drive.pitch_diameter < 0.043)
+    curve.notes.push_back({"torsion.small_size",
+                           "makers' drives below size 17 are not similar to the larger ones, and "
+                           "typical proportions miss their stiffness by 20 to 60 %",
+                           "drive.pitch_diameter", "TC-14"});
   if (gear.circular_spline == std::nullopt)
     curve.notes.push_back({"torsion.rigid_spline",
                            "no circular spline given: it is taken as rigid, which is 13 to 36 % "

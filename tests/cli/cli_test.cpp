@@ -226,6 +226,9 @@ TEST_F(Program, IdentityEveryExampleRuns) {
     if (entry.path().extension() != ".toml") continue;
     ++n;
     EXPECT_EQ(run("stiffness " + quoted(entry.path().string())).exit_code, 0) << entry.path();
+    if (contents(entry.path()).find("[mesh]") == std::string::npos) continue;
+    const Outcome torsion = run("torsion " + quoted(entry.path().string()) + " --draws 5");
+    EXPECT_EQ(torsion.exit_code, 0) << entry.path() << torsion.err;
   }
   EXPECT_GE(n, 3);
 }

@@ -126,7 +126,8 @@ TEST(TorsionText, IdentityTablesAndUnits) {
        {"My drive\n", "T1 = 14, T2 = 48, T3 = 76.8, rated 87 N*m\n", "K1 [N*m/rad]",
         "90 % of the ranges", "10 drives drawn from 1 ranges", "lost motion [arcmin]",
         "loop width [arcmin]", "tangent K [N*m/rad]", "teeth in contact of 200",
-        "share of the tangent compliance", "series cracks",
+        "share of the tangent compliance", "rim at the tooth roots, hoop",
+        "over a turn of the wave generator at 87 N*m", "series cracks",
         "With cracks against without, 1 position", "a member in series", "(TC-26)"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   EXPECT_EQ(text.find(" \n"), std::string::npos);  // no trailing blanks
@@ -155,6 +156,9 @@ TEST(TorsionJson, IdentityEverythingIsThere) {
   EXPECT_EQ(json["comparison"]["positive"]["at_angle"].size(), 1U);
   EXPECT_EQ(json["hysteresis"]["torque"].size(), report.loop.torque.size());
   EXPECT_FALSE(json["notes"].empty());
+  ASSERT_EQ(json["rim"].size(), 180U);
+  const std::vector<RimState> rim = rim_states(gear, 87, 180);
+  EXPECT_EQ(json["rim"][17]["rim_outside_stress"].get<double>(), rim[17].rim_outside_stress);
 }
 
 TEST(TorsionCsv, IdentityBothSensesInOrder) {

@@ -46,6 +46,7 @@ struct TorsionReport {
   std::vector<std::size_t> shown;  ///< points of `curve` for the table: T1, T2, T_N
   HysteresisLoop loop;             ///< at rated torque
   double lost_motion = 0.0;        ///< [rad]
+  std::vector<RimState> rim;       ///< over a turn of the wave generator, at rated torque
   std::optional<LineBands> bands;
   std::optional<CurveComparison> comparison;
   TorsionCurve sound;  ///< for the plot of a comparison; empty without
