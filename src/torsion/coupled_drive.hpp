@@ -118,6 +118,9 @@ class CoupledDrive {
     double rotation = 0.0;  // [m/(N*m)]
   };
   [[nodiscard]] Tangent tangent(const Equilibrium& state);
+  /// Change of the forces when the free closings move by `moved` and the load by `load`.
+  [[nodiscard]] Tangent linear_response(const Equilibrium& state, const Eigen::VectorXd& moved,
+                                        double load);
   /// Shares of a tangent in the energy of members of the contact problem, d c_0/dT/R in all.
   void add_shares(const Equilibrium& state, const Tangent& tangent,
                   std::array<double, kCurveMembers>& share) const;
@@ -168,9 +171,6 @@ class CoupledDrive {
   [[nodiscard]] Eigen::VectorXd closing(const Eigen::VectorXd& force, double rotation) const;
   /// How far the ring turns under a load before the first flank touches.
   [[nodiscard]] double free_travel(const Eigen::VectorXd& closing, double load) const;
-  /// Change of the forces when the free closings move by `moved` and the load by `load`.
-  [[nodiscard]] Tangent linear_response(const Equilibrium& state, const Eigen::VectorXd& moved,
-                                        double load);
   [[nodiscard]] int coefficients() const {
     return 1 + 4 * N_ + (g_.support > 0 ? 2 * (N_ - 1) : 0);
   }

@@ -729,12 +729,12 @@ TEST(TorsionCurve, ReferenceUncertaintyByRatio) {
 
 TEST(TorsionCurve, IdentitySmallDrivesAreNoted) {
   // Size 17 has a pitch diameter of 43.18 mm, size 14 of 35.56 mm.
-  EXPECT_EQ(test::count_notes(torsion_curve(typical_drive(14, 50), {{1.0}}).notes,
-                              "torsion.small_size"),
-            1);
-  EXPECT_EQ(test::count_notes(torsion_curve(typical_drive(25, 50), {{1.0}}).notes,
-                              "torsion.small_size"),
-            0);
+  EXPECT_EQ(
+      test::count_notes(torsion_curve(typical_drive(14, 50), {{1.0}}).notes, "torsion.small_size"),
+      1);
+  EXPECT_EQ(
+      test::count_notes(torsion_curve(typical_drive(25, 50), {{1.0}}).notes, "torsion.small_size"),
+      0);
 }
 
 TEST(TorsionCurve, IdentityInterferenceIsNoted) {
