@@ -19,7 +19,7 @@ constexpr std::array<FactorInfo, kFactors> kInfo = {{
     {"share of the circular spline's compliance that the housing leaves", 0.1, 1.0, 0.01, 1.0,
      true},
     {"tilt of the teeth by the cup, 1 uncorrected", 0.1, 1.0, 0.01, 3.0, true},
-    {"gap between the flanks over that of straight ones", 0.8, 1.2, 0.2, 3.0, true},
+    {"gap between the flanks over that of straight ones", 0.8, 1.2, 0.2, 4.0, true},
     {"compliance of a pair of teeth over that of the file", 0.5, 2.0, 0.1, 10.0, true},
     {"compliance of barrel and diaphragm over that of the file", 0.6, 1.5, 0.2, 5.0, true},
     {"radial play at a ball over w_0", 0.0, 0.01, 0.0, 0.05, false},

@@ -136,7 +136,7 @@ CoupledGeometry coupled_geometry(const GearSet& gear, const CoupledOptions& opti
           bearing.clearance, "m", "clearance < drive.radial_displacement");
   require(wg.cam_flattening <= 6, "wave_generator.cam_flattening", wg.cam_flattening, "1",
           "<= 6 for the torsion curve");
-  require(mesh.coning <= 3, "mesh.coning", mesh.coning, "1", "<= 3 for the torsion curve");
+  require(mesh.coning <= 5, "mesh.coning", mesh.coning, "1", "<= 5 for the torsion curve");
   const double kappa = drive.radial_displacement / g.module;
   require(kappa > 0.3 && kappa < 2, "drive.radial_displacement", drive.radial_displacement, "m",
           "0.3 to 2 modules for the torsion curve");

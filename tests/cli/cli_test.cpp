@@ -343,6 +343,13 @@ TEST_F(Program, IdentityTorsionWritesTablePlotAndJson) {
   EXPECT_EQ(run("torsion " + file + " --format csv").out.rfind("torque [N*m],", 0), 0U);
 }
 
+TEST_F(Program, IdentityEveryRowIsFitted) {
+  // Fits go far beyond what is plausible; none may leave what the model takes.
+  const Outcome rows = run("validate --mode per-row --format csv");
+  EXPECT_EQ(rows.exit_code, 0) << rows.err;
+  EXPECT_TRUE(rows.err.empty()) << rows.err;
+}
+
 TEST_F(Program, InputTorsionSaysWhatIsMissingAndWhatFails) {
   const Outcome missing = run("torsion " + kArticle);
   EXPECT_EQ(missing.exit_code, 3);

@@ -256,7 +256,7 @@ TEST(CoupledGeometry, InputLimitsOfTheModel) {
             "wave_generator.bearing.clearance");
   EXPECT_EQ(field([](GearSet& g) { g.wave_generator->cam_flattening = 6.1; }),
             "wave_generator.cam_flattening");
-  EXPECT_EQ(field([](GearSet& g) { g.mesh->coning = 3.1; }), "mesh.coning");
+  EXPECT_EQ(field([](GearSet& g) { g.mesh->coning = 5.1; }), "mesh.coning");
   EXPECT_EQ(field([](GearSet& g) { g.drive.radial_displacement *= 2.1; }),
             "drive.radial_displacement");
   EXPECT_EQ(field([](GearSet& g) { g.drive.radial_displacement *= 0.29; }),
