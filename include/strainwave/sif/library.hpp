@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "strainwave/core/fields.hpp"
+#include "strainwave/sif/solution.hpp"
+
+namespace strainwave::sif {
+
+/// K_I, K_II, K_III at one point of a front [Pa*m^0.5].
+struct PointIntensity {
+  std::string name;  ///< of the point; empty for one found by scanning the front
+  double s = 0.0;    ///< front parameter
+  double K_I = 0.0;
+  double K_II = 0.0;
+  double K_III = 0.0;
+};
+
+/// A limit of the validity range.
+struct ValidityLimit {
+  bool inside = false;
+  std::string_view text;
+};
+
+/// Values of the fields of a solution, by name [SI].
+using Assignments = std::map<std::string, double, std::less<>>;
+
+/// One solution with its numbers, whatever its type: what the rows of the library make.
+///
+/// Stress intensities are per unit of one load; sum them up over the loads that act.
+class AnyCrack {
+ public:
+  virtual ~AnyCrack() = default;
+  AnyCrack() = default;
+  AnyCrack(const AnyCrack&) = delete;
+  AnyCrack& operator=(const AnyCrack&) = delete;
+  AnyCrack(AnyCrack&&) = delete;
+  AnyCrack& operator=(AnyCrack&&) = delete;
+
+  [[nodiscard]] virtual double size() const = 0;  ///< a of Y = K/(sigma sqrt(pi a)) [m]
+  [[nodiscard]] virtual FrontRange front() const = 0;
+  /// K of all modes per unit of a load, at the crack's size grown or shrunk in proportion to `a`.
+  [[nodiscard]] virtual PointIntensity unit_intensity(std::size_t load, double a,
+                                                      double s) const = 0;
+  [[nodiscard]] virtual double gross_stress(std::size_t load) const = 0;
+  [[nodiscard]] virtual std::vector<ValidityLimit> validity() const = 0;
+  /// Added compliance, upper triangle row by row, and whether its quadrature converged.
+  struct Compliance {
+    std::vector<double> upper;
+    double relative_error = 0.0;
+    bool converged = false;
+  };
+  [[nodiscard]] virtual Compliance compliance(const CrackModuli& moduli) const = 0;
+  /// Field values of this crack, in order.
+  [[nodiscard]] virtual const std::vector<double>& values() const = 0;
+};
+
+/// A row of the library.
+struct Row {
+  SolutionInfo info;
+  std::vector<LoadInfo> loads;
+  std::vector<FrontPoint> points;
+  std::vector<Field> fields;  ///< every field is a number; `example` is its default
+  /// The crack with fields set to `values`, the others to their examples.
+  /// @throws InputError  unknown field, number outside its range, impossible geometry
+  std::function<std::unique_ptr<AnyCrack>(const Assignments& values)> make;
+};
+
+/// All solutions, sorted by family as they are registered.
+[[nodiscard]] std::span<const Row> library();
+
+/// The solution of that name.
+/// @throws InputError  there is none; the message names near ones
+[[nodiscard]] const Row& solution(std::string_view name);
+
+}  // namespace strainwave::sif

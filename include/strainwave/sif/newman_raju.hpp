@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "strainwave/fracture/surface_crack.hpp"
+
+namespace strainwave::sif {
+
+/// Newman and Raju's surface crack in a plate under tension and bending, shallow and deep.
+///
+/// Implements theory manual eqs. (SP-1) to (SP-3): FR-4 for a/c <= 1, the second branch for
+/// a/c > 1, and the ratio H of bending to tension.  Source: newmanraju1984 (secondary).
+class NewmanRajuPlate {
+ public:
+  /// @param aspect_ratio  rho = a/c [-]; > 0
+  explicit NewmanRajuPlate(double aspect_ratio)
+      : rho_(aspect_ratio), shallow_(std::min(aspect_ratio, 1.0)) {}
+
+  /// K_I/(sigma sqrt(pi a)) of tension, wide plate [-].
+  /// @param alpha  a/t [-]; in [0, 1)
+  /// @param phi    from the surface; pi/2 is the deepest point [rad]
+  [[nodiscard]] double tension(double alpha, double phi) const {
+    if (rho_ <= 1) return shallow_.factor(alpha, phi);
+    const double q = 1 / rho_;  // c/a
+    const double s = std::sin(phi);
+    const double c = std::cos(phi);
+    const double a2 = alpha * alpha;
+    const double M1 = std::sqrt(q) * (1 + 0.04 * q);
+    const double q4 = q * q * q * q;
+    const double M = M1 + a2 * (0.2 * q4 - 0.11 * q4 * a2);
+    const double g = 1 + (0.1 + 0.35 * q * a2) * (1 - s) * (1 - s);
+    const double f_phi = std::sqrt(std::sqrt(q * q * s * s + c * c));
+    const double Q = 1 + 1.464 * std::pow(q, 1.65);
+    return M * g * f_phi / std::sqrt(Q);  // (SP-2)
+  }
+
+  /// H, K of bending over K of tension of the same surface stress [-].
+  [[nodiscard]] double bending_ratio(double alpha, double phi) const {
+    const auto [H1, H2, p] = ends(alpha);
+    return H1 + (H2 - H1) * std::pow(std::sin(phi), p);  // (SP-3)
+  }
+
+  /// Width correction [-], for a plate of half width b.  @param c_b  c/b [-]; in [0, 1)
+  [[nodiscard]] static double width_factor(double c_b, double alpha) {
+    return 1 / std::sqrt(std::cos(std::numbers::pi / 2 * c_b * std::sqrt(alpha)));  // (SP-1)
+  }
+
+ private:
+  struct Ends {
+    double H1, H2, p;
+  };
+  [[nodiscard]] Ends ends(double alpha) const {
+    if (rho_ <= 1) {
+      const double r = rho_;
+      const double G1 = -1.22 - 0.12 * r;
+      const double G2 = 0.55 - 1.05 * std::pow(r, 0.75) + 0.47 * std::pow(r, 1.5);
+      return {.H1 = 1 - 0.34 * alpha - 0.11 * r * alpha,
+              .H2 = 1 + alpha * (G1 + G2 * alpha),
+              .p = 0.2 + r + 0.6 * alpha};  // (SP-3)
+    }
+    const double q = 1 / rho_;
+    const double G11 = -0.04 - 0.41 * q;
+    const double G12 = 0.55 - 1.93 * std::pow(q, 0.75) + 1.38 * std::pow(q, 1.5);
+    const double G21 = -2.11 + 0.77 * q;
+    const double G22 = 0.55 - 0.72 * std::pow(q, 0.75) + 0.14 * std::pow(q, 1.5);
+    return {.H1 = 1 + alpha * (G11 + G12 * alpha),
+            .H2 = 1 + alpha * (G21 + G22 * alpha),
+            .p = 0.2 + q + 0.6 * alpha};  // (SP-3)
+  }
+
+  double rho_;
+  NewmanRaju shallow_;
+};
+
+}  // namespace strainwave::sif

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <numbers>
+#include <span>
+#include <string_view>
+
+#include "strainwave/core/fields.hpp"
+#include "strainwave/fracture/crack_compliance.hpp"
+
+/// @file
+/// What a solution of the stress intensity library is: a struct of lengths, angles and constants
+/// that knows its stress intensity factors per unit of each load, its validity, its accuracy and
+/// its source.  Each stands in a header of its own and in one row of a registry
+/// (src/sif/<family>.cpp); its added compliance comes from the engine of crack_compliance.hpp.
+
+namespace strainwave::sif {
+
+/// What holds a formula up.
+enum class Basis {
+  exact,      ///< derived here or proved by independent computation to be exact
+  read,       ///< from a work that was opened
+  secondary,  ///< from memory or from works that quote the source
+  computed,   ///< a fit or table of strainwave's own computations
+};
+
+/// Plane stress or plane strain ahead of the crack: E' = E or E/(1 - nu^2).
+enum class Constraint { plane_strain, plane_stress };
+
+/// What a solution says about itself.
+struct SolutionInfo {
+  std::string_view name;      ///< "plate-through": what the command line calls it
+  std::string_view family;    ///< "plate", "tube", "bar" or "gradient"
+  std::string_view title;     ///< one line
+  std::string_view modes;     ///< "I, II"
+  std::string_view equation;  ///< first tag in the theory manual
+  std::string_view source;    ///< keys of docs/references.bib; "-" where derived
+  Basis basis = Basis::secondary;
+  double relative_uncertainty = 0.0;  ///< one standard, of K, inside the validity range [-]
+  std::string_view accuracy;          ///< what was compared with what, and how it came out
+  Constraint constraint = Constraint::plane_strain;
+};
+
+/// One generalised load.
+struct LoadInfo {
+  std::string_view name;  ///< "tension"
+  std::string_view unit;  ///< "Pa", "N" or "N*m"
+  std::string_view doc;   ///< meaning, sign, where it acts
+};
+
+/// A named point of the crack front.
+struct FrontPoint {
+  std::string_view name;  ///< "deepest"
+  double s = 0.0;         ///< front parameter
+};
+
+/// A solution of the library.
+///
+/// Besides being a crack of the engine, whose loads are the entries of kLoadInfo, it
+///   - describes its fields (core/fields.hpp), numbers only, each with an example;
+///   - `check(rule)` calls `rule(ok, field, value, unit, text)` for each rule between fields, which
+///     an impossible geometry breaks;
+///   - `validity(range)` calls `range(inside, text)` for each limit of the range in which the
+///     stated accuracy holds;
+///   - `gross_stress(load)`: nominal stress of the uncracked section per unit of a load, which
+///     makes K dimensionless, Y = K/(sigma sqrt(pi a)) [1 for a stress; 1/m^2, 1/m^3].
+template <class S>
+concept Solution = SweptCrack<S> && Described<S> && requires(const S& s, std::size_t load) {
+  { S::kInfo } -> std::convertible_to<const SolutionInfo&>;
+  { S::kLoadInfo } -> std::convertible_to<std::array<LoadInfo, S::kLoads>>;
+  { S::kPoints.size() } -> std::convertible_to<std::size_t>;
+  { s.gross_stress(load) } -> std::convertible_to<double>;
+  s.check([](bool, std::string_view, double, std::string_view, std::string_view) {});
+  s.validity([](bool, std::string_view) {});
+};
+
+/// The loads of most solutions for plates.
+inline constexpr LoadInfo kTension{"tension", "Pa", "stress normal to the crack, far away"};
+inline constexpr LoadInfo kInPlaneShear{"shear", "Pa", "in-plane shear stress, far away"};
+inline constexpr LoadInfo kAntiplaneShear{"antiplane_shear", "Pa", "out-of-plane shear stress"};
+
+}  // namespace strainwave::sif

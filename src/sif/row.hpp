@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/sif/library.hpp"
+
+// How a solution becomes a row of the library.
+
+namespace strainwave::sif {
+
+/// A crack of N loads behind a fixed type, so that the engine is compiled once for each N.
+template <std::size_t N>
+class ErasedCrack {
+ public:
+  static constexpr std::size_t kLoads = N;
+
+  template <SweptCrack Crack>
+  explicit ErasedCrack(const Crack& crack)
+      : size_(crack.size()),
+        front_(crack.front()),
+        intensity_([&crack](double a, double s) { return crack.stress_intensity(a, s); }),
+        area_([&crack](double a, double s) { return crack.swept_area(a, s); }) {}
+
+  [[nodiscard]] double size() const { return size_; }
+  [[nodiscard]] FrontRange front() const { return front_; }
+  [[nodiscard]] UnitStressIntensity<N> stress_intensity(double a, double s) const {
+    return intensity_(a, s);
+  }
+  [[nodiscard]] double swept_area(double a, double s) const { return area_(a, s); }
+
+ private:
+  double size_;
+  FrontRange front_;
+  std::function<UnitStressIntensity<N>(double, double)> intensity_;
+  std::function<double(double, double)> area_;
+};
+
+/// The engine, compiled in engine.cpp.
+template <std::size_t N>
+[[nodiscard]] CrackCompliance<N> compliance_of(const ErasedCrack<N>& crack,
+                                               const CrackModuli& moduli);
+extern template CrackCompliance<1> compliance_of(const ErasedCrack<1>&, const CrackModuli&);
+extern template CrackCompliance<2> compliance_of(const ErasedCrack<2>&, const CrackModuli&);
+extern template CrackCompliance<3> compliance_of(const ErasedCrack<3>&, const CrackModuli&);
+extern template CrackCompliance<4> compliance_of(const ErasedCrack<4>&, const CrackModuli&);
+
+template <Solution S>
+class CrackOf final : public AnyCrack {
+ public:
+  explicit CrackOf(const S& solution) : solution_(solution) {
+    S::describe([&](const Field&, auto member) { values_.push_back(solution_.*member); });
+  }
+
+  [[nodiscard]] double size() const override { return solution_.size(); }
+  [[nodiscard]] FrontRange front() const override { return solution_.front(); }
+  [[nodiscard]] PointIntensity unit_intensity(std::size_t load, double a, double s) const override {
+    const auto k = solution_.stress_intensity(a, s);
+    return {.name = {}, .s = s, .K_I = k.I[load], .K_II = k.II[load], .K_III = k.III[load]};
+  }
+  [[nodiscard]] double gross_stress(std::size_t load) const override {
+    return solution_.gross_stress(load);
+  }
+  [[nodiscard]] std::vector<ValidityLimit> validity() const override {
+    std::vector<ValidityLimit> limits;
+    solution_.validity([&](bool inside, std::string_view text) {
+      limits.push_back({inside, text});
+    });
+    return limits;
+  }
+  [[nodiscard]] Compliance compliance(const CrackModuli& moduli) const override {
+    const auto result = compliance_of(ErasedCrack<S::kLoads>(solution_), moduli);
+    return {.upper = {result.matrix.upper.begin(), result.matrix.upper.end()},
+            .relative_error = result.relative_error,
+            .converged = result.converged};
+  }
+  [[nodiscard]] const std::vector<double>& values() const override { return values_; }
+
+ private:
+  S solution_;
+  std::vector<double> values_;
+};
+
+/// The value of a field's example, a quantity text or a bare number.
+[[nodiscard]] double example_value(const Field& field);
+
+/// Throws InputError unless a number is inside the range of its field.
+void require_in_range(const Field& field, double value);
+
+/// "; do you mean half_length?", or nothing if no known word is near.
+[[nodiscard]] std::string near_text(std::string_view word, std::span<const std::string> known);
+
+/// Row of a solution.
+template <Solution S>
+[[nodiscard]] Row row() {
+  Row result{.info = S::kInfo,
+             .loads = {S::kLoadInfo.begin(), S::kLoadInfo.end()},
+             .points = {S::kPoints.begin(), S::kPoints.end()},
+             .fields = {},
+             .make = {}};
+  S::describe([&](const Field& field, auto member) {
+    static_assert(std::is_same_v<decltype(member), double S::*>, "numbers only");
+    result.fields.push_back(field);
+  });
+  result.make = [](const Assignments& values) -> std::unique_ptr<AnyCrack> {
+    S solution;
+    std::vector<std::string> known;
+    S::describe([&](const Field& field, auto member) {
+      known.emplace_back(field.name);
+      const auto given = values.find(field.name);
+      solution.*member = given != values.end() ? given->second : example_value(field);
+      require_in_range(field, solution.*member);
+    });
+    for (const auto& [name, value] : values)
+      if (std::ranges::find(known, name) == known.end())
+        throw InputError(name,
+                         "is no field of " + std::string(S::kInfo.name) + near_text(name, known));
+    solution.check([](bool ok, std::string_view field, double value, std::string_view unit,
+                      std::string_view rule) { require(ok, field, value, unit, rule); });
+    return std::make_unique<CrackOf<S>>(solution);
+  };
+  return result;
+}
+
+/// The families, each in a source of its own: one row for each solution.
+[[nodiscard]] std::vector<Row> plate_rows();
+[[nodiscard]] std::vector<Row> tube_rows();
+[[nodiscard]] std::vector<Row> bar_rows();
+[[nodiscard]] std::vector<Row> gradient_rows();
+
+}  // namespace strainwave::sif
