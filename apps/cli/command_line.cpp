@@ -35,6 +35,7 @@ class CommandLine {
     add_catalogue();
     add_validate();
     add_calibrate();
+    add_sif();
     add_new();
     add_schema();
     add_man();
@@ -77,7 +78,7 @@ class CommandLine {
   }
 
   static void add_path(CLI::App* sub, std::string& path) {
-    sub->add_option("--output", path, "write to this file instead of standard output")
+    sub->add_option("-o,--output", path, "write to this file instead of standard output")
         ->type_name("PATH");
   }
 
@@ -180,9 +181,40 @@ class CommandLine {
     sub->add_option("--format", calibrate_.format, "text, json")
         ->check(CLI::IsMember({"text", "json"}))
         ->capture_default_str();
-    sub->add_option("--output", calibrate_.path, "write the calibrated drive to this file")
+    sub->add_option("-o,--output", calibrate_.path, "write the calibrated drive to this file")
         ->type_name("PATH");
     runs(sub, calibrate_);
+  }
+
+  void add_sif() {
+    CLI::App* const sif = command("sif");
+    sif->require_subcommand(1);
+    CLI::App* const list = sif->add_subcommand("list", "All solutions of the library");
+    list->add_option("--family", sif_list_.family, "only plate, tube, bar or gradient");
+    add_output(list, sif_list_.output, {"text", "json", "markdown"});
+    runs(list, sif_list_);
+    const auto add_named = [&](const char* name, const char* summary, auto& named) {
+      CLI::App* const sub = sif->add_subcommand(name, summary);
+      sub->add_option("NAME", named.name, "of a solution")->required();
+      runs(sub, named);
+      return sub;
+    };
+    const auto add_set = [](CLI::App* sub, std::vector<std::string>& set) {
+      sub->add_option("--set", set, "NAME=VALUE, a field or a load, with its unit; repeatable")
+          ->type_name("NAME=VALUE")
+          ->allow_extra_args(false)
+          ->take_all();
+    };
+    CLI::App* const show = add_named("show", "What a solution says about itself", sif_show_);
+    add_output(show, sif_show_.output, {"text", "json"});
+    CLI::App* const eval =
+        add_named("eval", "Stress intensity, geometry factors, added compliance", sif_eval_);
+    add_set(eval, sif_eval_.set);
+    add_output(eval, sif_eval_.output, {"text", "json"});
+    CLI::App* const plot =
+        add_named("plot", "Geometry factors over the crack size and along its front", sif_plot_);
+    add_set(plot, sif_plot_.set);
+    add_path(plot, sif_plot_.path);
   }
 
   void add_new() {
@@ -231,6 +263,10 @@ class CommandLine {
   CatalogueCommand catalogue_;
   ValidateCommand validate_;
   CalibrateCommand calibrate_;
+  SifListCommand sif_list_;
+  SifShowCommand sif_show_;
+  SifEvalCommand sif_eval_;
+  SifPlotCommand sif_plot_;
   NewCommand new_;
   SchemaCommand schema_;
   std::string man_page_;

@@ -21,6 +21,7 @@
 #include "strainwave/study/audit.hpp"
 #include "strainwave/study/evaluate.hpp"
 #include "strainwave/study/plot.hpp"
+#include "strainwave/study/sif_report.hpp"
 #include "strainwave/study/solve.hpp"
 #include "strainwave/study/sweep.hpp"
 #include "strainwave/study/torsion_report.hpp"
@@ -253,6 +254,40 @@ ExitCode run(const NewCommand& command) {
 ExitCode run(const SchemaCommand& command) {
   deliver(command.output.format == "markdown" ? input_reference() : input_schema(),
           command.output.path);
+  return kOk;
+}
+
+ExitCode run(const SifListCommand& command) {
+  deliver(from_command_line([&] {
+            return command.output.format == "json"       ? sif_list_json(command.family)
+                   : command.output.format == "markdown" ? sif_list_markdown(command.family)
+                                                         : sif_list_text(command.family);
+          }),
+          command.output.path);
+  return kOk;
+}
+
+ExitCode run(const SifShowCommand& command) {
+  const sif::Row& row = sif::solution(command.name);
+  deliver(command.output.format == "json" ? sif_solution_json(row) : sif_solution_text(row),
+          command.output.path);
+  return kOk;
+}
+
+ExitCode run(const SifEvalCommand& command) {
+  const sif::Row& row = sif::solution(command.name);
+  const sif::Evaluation evaluation = sif::evaluate(row, sif_assignments(row, command.set));
+  deliver(command.output.format == "json" ? sif_evaluation_json(evaluation)
+                                          : sif_evaluation_text(evaluation),
+          command.output.path);
+  if (evaluation.converged) return kOk;
+  warn("the integral of the added compliance has not converged");
+  return kNotUsable;
+}
+
+ExitCode run(const SifPlotCommand& command) {
+  const sif::Row& row = sif::solution(command.name);
+  deliver(sif_plot(row, sif_assignments(row, command.set)), command.path);
   return kOk;
 }
 

@@ -99,6 +99,32 @@ struct SchemaCommand {
 };
 ExitCode run(const SchemaCommand& command);
 
+struct SifListCommand {
+  std::string family;
+  Output output{.format = "text", .path = {}};
+};
+ExitCode run(const SifListCommand& command);
+
+struct SifShowCommand {
+  std::string name;
+  Output output{.format = "text", .path = {}};
+};
+ExitCode run(const SifShowCommand& command);
+
+struct SifEvalCommand {
+  std::string name;
+  std::vector<std::string> set;
+  Output output{.format = "text", .path = {}};
+};
+ExitCode run(const SifEvalCommand& command);
+
+struct SifPlotCommand {
+  std::string name;
+  std::vector<std::string> set;
+  std::string path;
+};
+ExitCode run(const SifPlotCommand& command);
+
 /// Writes to a file, whole or not at all, or to standard output.
 void deliver(const std::string& text, const std::string& path);
 

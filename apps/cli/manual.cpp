@@ -14,7 +14,7 @@
 namespace strainwave::cli {
 namespace {
 
-const std::array<CommandManual, 10> kCommands = {{
+const std::array<CommandManual, 11> kCommands = {{
     {"stiffness", "Torsional stiffness of a drive, sound and cracked",
      "Reads a drive and its cracks and prints the compliance of each member at the output with the "
      "input locked, without and with its cracks, the stiffness K_HD for both senses of torque, "
@@ -72,6 +72,15 @@ const std::array<CommandManual, 10> kCommands = {{
      "than half. A factor changes fields of the drive; the calibrated drive is written as a new "
      "input file.",
      "strainwave calibrate examples/catalogue_size25.toml --catalogue --output calibrated.toml"},
+    {"sif", "Stress intensity library: list, show, eval, plot",
+     "Solutions for cracks in plates, tubes, round bars and stress gradients, each with its modes, "
+     "validity range, accuracy and source. list names them; show prints what one says about "
+     "itself; eval gives geometry factors, stress intensities under the loads that are set, the "
+     "added compliance matrix, and says what is outside the validity range; plot draws the "
+     "geometry factors over the crack size and along the front. Fields and loads are set by name, "
+     "with units; a field left out takes the value that show prints.",
+     "strainwave sif eval plate-surface --set 'depth=1 mm' --set 'half_length=2 mm' --set "
+     "'tension=200 MPa'"},
     {"new", "Print a commented starting file",
      "Prints an input file that is valid as it stands, with every field that there is and its "
      "meaning; those that are not needed are commented out. With --size and --ratio, the typical "

@@ -64,6 +64,9 @@ class CrackOf final : public AnyCrack {
     const auto k = solution_.stress_intensity(a, s);
     return {.name = {}, .s = s, .K_I = k.I[load], .K_II = k.II[load], .K_III = k.III[load]};
   }
+  [[nodiscard]] double swept_area(double a, double s) const override {
+    return solution_.swept_area(a, s);
+  }
   [[nodiscard]] double gross_stress(std::size_t load) const override {
     return solution_.gross_stress(load);
   }

@@ -49,6 +49,8 @@ class AnyCrack {
   /// K of all modes per unit of a load, at the crack's size grown or shrunk in proportion to `a`.
   [[nodiscard]] virtual PointIntensity unit_intensity(std::size_t load, double a,
                                                       double s) const = 0;
+  /// Area that the front sweeps per da and ds (per da, where it is one point) [m].
+  [[nodiscard]] virtual double swept_area(double a, double s) const = 0;
   [[nodiscard]] virtual double gross_stress(std::size_t load) const = 0;
   [[nodiscard]] virtual std::vector<ValidityLimit> validity() const = 0;
   /// Added compliance, upper triangle row by row, and whether its quadrature converged.

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "strainwave/sif/library.hpp"
+
+namespace strainwave::sif {
+
+/// What the answer for one crack needs of its material.
+struct CrackMaterial {
+  double youngs_modulus = 210e9;             ///< E [Pa]; > 0
+  double poissons_ratio = 0.3;               ///< nu [-]; in (-1, 0.5)
+  std::optional<double> fracture_toughness;  ///< K_Ic [Pa*m^0.5]
+};
+
+/// A field or load with its value.
+struct Input {
+  std::string name;
+  std::string unit;
+  std::string doc;
+  double value = 0.0;
+  bool given = false;  ///< by the caller; else the example of a field, 0 of a load
+};
+
+/// Y = K/(sigma sqrt(pi a)) of one load at one point of the front [-].
+struct GeometryFactors {
+  std::string load;
+  std::string point;
+  double Y_I = 0.0;
+  double Y_II = 0.0;
+  double Y_III = 0.0;
+};
+
+/// Entry (i, j) of the added compliance: what the crack adds to the displacement that does work on
+/// load i, per unit of load j.
+struct ComplianceEntry {
+  std::string load_i;
+  std::string load_j;
+  double value = 0.0;
+  std::string unit;  ///< such as "m/N", "1/N", "rad/(N*m)", "m^3/Pa"
+};
+
+/// A solution with numbers: stress intensities, geometry factors, compliance, and its evidence.
+struct Evaluation {
+  SolutionInfo info;
+  std::vector<Input> fields;
+  std::vector<Input> loads;
+  CrackMaterial material;
+  double crack_size = 0.0;  ///< a of the geometry factors [m]
+  std::vector<GeometryFactors> factors;
+  /// At the named points under all loads; empty without loads.
+  std::vector<PointIntensity> points;
+  /// Largest magnitude of each mode along the front, each where it occurs; without loads absent.
+  std::optional<PointIntensity> largest;
+  /// sqrt(G E') at the worst point of the front [Pa*m^0.5]; (FR-20).
+  std::optional<double> equivalent;
+  std::optional<double> utilisation;  ///< equivalent/K_Ic [-]
+  std::vector<ComplianceEntry> compliance;
+  double quadrature_error = 0.0;  ///< of the compliance, relative [-]
+  bool converged = false;         ///< the quadrature of the compliance
+  std::vector<ValidityLimit> validity;
+
+  /// Every limit of the validity range is kept, and the stated accuracy holds.
+  [[nodiscard]] bool in_range() const;
+};
+
+/// Number of points at which a front is scanned for its largest stress intensity.
+inline constexpr int kFrontScan = 65;
+
+/// Evaluates a solution.
+///
+/// @param row       of the library
+/// @param values    of fields and loads, by name [SI]; fields left out take their examples, loads
+///                  0; a field poissons_ratio left out takes that of the material
+/// @param material  E, nu, toughness
+/// @throws InputError  unknown name, number outside its range, impossible geometry
+[[nodiscard]] Evaluation evaluate(const Row& row, const Assignments& values,
+                                  const CrackMaterial& material = {});
+
+/// Unit of the compliance between two loads: the displacement that does work on a force is a
+/// length, on a moment an angle, on a stress a volume.
+[[nodiscard]] std::string compliance_unit(const LoadInfo& i, const LoadInfo& j);
+
+}  // namespace strainwave::sif

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/sif/evaluation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "row.hpp"
+#include "strainwave/core/error.hpp"
+
+namespace strainwave::sif {
+namespace {
+
+using std::numbers::pi;
+
+CrackModuli moduli_of(const CrackMaterial& material, Constraint constraint) {
+  const double nu = material.poissons_ratio;
+  return {.opening = constraint == Constraint::plane_strain
+                         ? material.youngs_modulus / (1 - nu * nu)
+                         : material.youngs_modulus,  // (FR-18)
+          .shear = material.youngs_modulus / (2 * (1 + nu))};
+}
+
+/// K under all loads at one point of the front.
+PointIntensity under_loads(const AnyCrack& crack, const std::vector<Input>& loads, double s) {
+  PointIntensity sum;
+  sum.s = s;
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const PointIntensity unit = crack.unit_intensity(i, crack.size(), s);
+    sum.K_I += unit.K_I * loads[i].value;
+    sum.K_II += unit.K_II * loads[i].value;
+    sum.K_III += unit.K_III * loads[i].value;
+  }
+  return sum;
+}
+
+void scan_front(Evaluation& result, const AnyCrack& crack, const CrackModuli& moduli) {
+  const FrontRange front = crack.front();
+  const int n = front.begin == front.end ? 1 : kFrontScan;
+  PointIntensity largest;
+  double worst = 0.0;
+  for (int i = 0; i < n; ++i) {
+    const double s = n == 1 ? front.begin : front.begin + (front.end - front.begin) * i / (n - 1);
+    const PointIntensity K = under_loads(crack, result.loads, s);
+    for (double PointIntensity::*const mode :
+         {&PointIntensity::K_I, &PointIntensity::K_II, &PointIntensity::K_III})
+      if (std::abs(K.*mode) > std::abs(largest.*mode)) largest.*mode = K.*mode;
+    worst = std::max(worst, energy_release_rate(K.K_I, K.K_II, K.K_III, moduli));
+  }
+  result.largest = largest;
+  result.equivalent = std::sqrt(worst * moduli.opening);  // (FR-20)
+  if (result.material.fracture_toughness)
+    result.utilisation = *result.equivalent / *result.material.fracture_toughness;
+}
+
+/// The conjugate displacement of a load.
+std::string_view displacement_unit(std::string_view load_unit) {
+  return load_unit == "N" ? "m" : load_unit == "N*m" ? "rad" : "m^3";
+}
+
+}  // namespace
+
+bool Evaluation::in_range() const { return std::ranges::all_of(validity, &ValidityLimit::inside); }
+
+std::string compliance_unit(const LoadInfo& i, const LoadInfo& j) {
+  const std::string_view displacement = displacement_unit(i.unit);
+  if (displacement == "m" && j.unit == "N*m") return "1/N";
+  if (displacement == "rad" && j.unit == "N") return "1/N";
+  if (displacement == "rad") return "rad/(" + std::string(j.unit) + ")";
+  return std::string(displacement) + "/" + std::string(j.unit);
+}
+
+Evaluation evaluate(const Row& row, const Assignments& values, const CrackMaterial& material) {
+  require(kPositive.contains(material.youngs_modulus), "youngs_modulus", material.youngs_modulus,
+          "Pa", "> 0");
+  require(material.poissons_ratio > -1 && material.poissons_ratio < 0.5, "poissons_ratio",
+          material.poissons_ratio, "1", "> -1 and < 0.5");
+  Evaluation result;
+  result.info = row.info;
+  result.material = material;
+  Assignments fields;
+  std::vector<std::string> known;
+  for (const Field& field : row.fields) {
+    known.emplace_back(field.name);
+    const auto given = values.find(field.name);
+    if (given != values.end())
+      fields.emplace(field.name, given->second);
+    else if (field.name == "poissons_ratio")
+      fields.emplace(field.name, material.poissons_ratio);
+  }
+  bool loaded = false;
+  for (const LoadInfo& load : row.loads) {
+    known.emplace_back(load.name);
+    const auto given = values.find(load.name);
+    const bool is_given = given != values.end();
+    result.loads.push_back({.name = std::string(load.name),
+                            .unit = std::string(load.unit),
+                            .doc = std::string(load.doc),
+                            .value = is_given ? given->second : 0.0,
+                            .given = is_given});
+    require(kFinite.contains(result.loads.back().value), load.name, result.loads.back().value,
+            load.unit, "a finite number");
+    loaded = loaded || is_given;
+  }
+  for (const auto& [name, value] : values)
+    if (std::ranges::find(known, name) == known.end())
+      throw InputError(
+          name, "is no field or load of " + std::string(row.info.name) + near_text(name, known));
+
+  const std::unique_ptr<AnyCrack> crack = row.make(fields);
+  for (std::size_t i = 0; i < row.fields.size(); ++i) {
+    const Field& field = row.fields[i];
+    result.fields.push_back({.name = std::string(field.name),
+                             .unit = std::string(field.unit),
+                             .doc = std::string(field.doc),
+                             .value = crack->values()[i],
+                             .given = values.contains(field.name)});
+  }
+  result.crack_size = crack->size();
+  result.validity = crack->validity();
+
+  for (std::size_t i = 0; i < row.loads.size(); ++i) {
+    const double scale = crack->gross_stress(i) * std::sqrt(pi * crack->size());
+    for (const FrontPoint& point : row.points) {
+      const PointIntensity K = crack->unit_intensity(i, crack->size(), point.s);
+      result.factors.push_back({.load = std::string(row.loads[i].name),
+                                .point = std::string(point.name),
+                                .Y_I = K.K_I / scale,
+                                .Y_II = K.K_II / scale,
+                                .Y_III = K.K_III / scale});
+    }
+  }
+  const CrackModuli moduli = moduli_of(material, row.info.constraint);
+  if (loaded) {
+    for (const FrontPoint& point : row.points) {
+      result.points.push_back(under_loads(*crack, result.loads, point.s));
+      result.points.back().name = point.name;
+    }
+    scan_front(result, *crack, moduli);
+  }
+  const AnyCrack::Compliance compliance = crack->compliance(moduli);
+  result.quadrature_error = compliance.relative_error;
+  result.converged = compliance.converged;
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < row.loads.size(); ++i)
+    for (std::size_t j = i; j < row.loads.size(); ++j)
+      result.compliance.push_back({.load_i = std::string(row.loads[i].name),
+                                   .load_j = std::string(row.loads[j].name),
+                                   .value = compliance.upper[n++],
+                                   .unit = compliance_unit(row.loads[i], row.loads[j])});
+  return result;
+}
+
+}  // namespace strainwave::sif
