@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -410,6 +411,50 @@ TEST_F(Program, IdentityCalibratedDriveIsAnInput) {
   EXPECT_EQ(run("calibrate " + drive).exit_code, 2);
   EXPECT_EQ(run("calibrate " + drive + " --catalogue --measured " + curve).exit_code, 2);
   EXPECT_EQ(run("calibrate " + drive + " --measured nowhere.csv").exit_code, 3);
+}
+
+// --- sif
+
+TEST_F(Program, ReferenceSifEvalOfAGriffithCrack) {
+  // K = 100 MPa sqrt(pi 1 mm), by hand.
+  const Outcome eval =
+      run("sif eval plate-through --set 'half_length=1 mm' --set 'thickness=0.5 mm' --set "
+          "'tension=100 MPa' --format json");
+  ASSERT_EQ(eval.exit_code, 0) << eval.err;
+  const Json json = Json::parse(eval.out);
+  EXPECT_NEAR(json["stress_intensity"]["tip"]["K_I"]["value"].get<double>(), 5.6049912e6, 1);
+  EXPECT_EQ(json["in_range"], true);
+}
+
+TEST_F(Program, IdentitySifListShowAndPlotAnswer) {
+  const Outcome list = run("sif list --family plate --format json");
+  ASSERT_EQ(list.exit_code, 0) << list.err;
+  for (const Json& row : Json::parse(list.out)) {
+    const Outcome show = run("sif show " + row["name"].get<std::string>());
+    EXPECT_EQ(show.exit_code, 0) << show.err;
+    EXPECT_NE(show.out.find(row["accuracy"].get<std::string>()), std::string::npos);
+  }
+  const fs::path svg = in_folder("y.svg");
+  ASSERT_EQ(run("sif plot plate-surface -o " + quoted(svg.string())).exit_code, 0);
+  EXPECT_TRUE(contents(svg).starts_with("<svg"));
+}
+
+TEST_F(Program, InputSifRefusesInOneSentence) {
+  const std::string svg = quoted(in_folder("none.svg").string());
+  for (const std::string& bad : {std::string("sif show plate-surfac"),
+                                 std::string("sif eval plate-surface --set 'dept=1 mm'"),
+                                 std::string("sif eval plate-surface --set 'depth=1'"),
+                                 std::string("sif eval plate-surface --set 'depth=1 m'"),
+                                 std::string("sif eval plate-surface --set 'tension=nan MPa'"),
+                                 "sif plot plate-surface --set 'depth=20 mm' -o " + svg}) {
+    const Outcome refused = run(bad);
+    EXPECT_EQ(refused.exit_code, 3) << bad;
+    EXPECT_EQ(std::ranges::count(refused.err, '\n'), 1) << refused.err;
+    EXPECT_TRUE(refused.out.empty()) << bad;
+  }
+  EXPECT_FALSE(fs::exists(in_folder("none.svg")));
+  EXPECT_EQ(run("sif").exit_code, 2);
+  EXPECT_EQ(run("sif list --family plates").exit_code, 2);
 }
 
 }  // namespace
