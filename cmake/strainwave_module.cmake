@@ -60,6 +60,19 @@ function(strainwave_version module)
   add_dependencies(strainwave_${module} strainwave_revision)
 endfunction()
 
+# strainwave_equation_titles(<module>)
+# Adds equation_titles.cpp, made from the headings of the theory manual.
+function(strainwave_equation_titles module)
+  set(output "${PROJECT_BINARY_DIR}/generated/equation_titles.cpp")
+  set(script "${PROJECT_SOURCE_DIR}/cmake/write_equation_titles.cmake")
+  file(GLOB chapters CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/docs/theory/*.md")
+  add_custom_command(OUTPUT "${output}" DEPENDS ${chapters} "${script}" VERBATIM COMMAND
+    "${CMAKE_COMMAND}" "-DMANUAL=${PROJECT_SOURCE_DIR}/docs/theory" "-DOUTPUT=${output}"
+    -P "${script}")
+  target_sources(strainwave_${module} PRIVATE "${output}")
+  target_include_directories(strainwave_${module} PRIVATE "${PROJECT_SOURCE_DIR}/src/${module}")
+endfunction()
+
 # What `cmake --install` lays down, so that find_package(strainwave) gives strainwave::<module>.
 function(strainwave_install)
   include(CMakePackageConfigHelpers)

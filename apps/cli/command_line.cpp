@@ -36,6 +36,7 @@ class CommandLine {
     add_validate();
     add_calibrate();
     add_sif();
+    add_report();
     add_new();
     add_schema();
     add_man();
@@ -217,6 +218,17 @@ class CommandLine {
     add_path(plot, sif_plot_.path);
   }
 
+  void add_report() {
+    CLI::App* const sub = command("report");
+    sub->add_option("FILE", report_.file, kFile)->required();
+    sub->add_option("-o,--output", report_.path, "write to this file instead of standard output")
+        ->type_name("PATH");
+    add_method(sub, report_.method);
+    sub->add_option("--date", report_.date,
+                    "date to print; of SOURCE_DATE_EPOCH if left out, else none");
+    runs(sub, report_);
+  }
+
   void add_new() {
     CLI::App* const sub = command("new");
     sub->add_option("--size", new_.size, "of the catalogue; prints its typical drive");
@@ -267,6 +279,7 @@ class CommandLine {
   SifShowCommand sif_show_;
   SifEvalCommand sif_eval_;
   SifPlotCommand sif_plot_;
+  ReportCommand report_;
   NewCommand new_;
   SchemaCommand schema_;
   std::string man_page_;

@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -18,6 +22,7 @@
 #include "strainwave/io/gear_writer.hpp"
 #include "strainwave/io/input_format.hpp"
 #include "strainwave/io/result_writer.hpp"
+#include "strainwave/report/report.hpp"
 #include "strainwave/study/audit.hpp"
 #include "strainwave/study/evaluate.hpp"
 #include "strainwave/study/plot.hpp"
@@ -64,6 +69,22 @@ std::string read_text(const std::string& file) {
   text.resize(static_cast<std::size_t>(source.gcount()));
   if (text.size() > kMaxSize) throw InputError(file, "is larger than 1 MiB");
   return text;
+}
+
+/// The day of SOURCE_DATE_EPOCH, which makes builds repeatable; empty if it is not set.
+std::string build_date() {
+  const char* const variable = std::getenv("SOURCE_DATE_EPOCH");
+  if (variable == nullptr || *variable == '\0') return {};
+  const std::string_view text = variable;
+  constexpr std::int64_t kMost = 253402300799;  // the end of the year 9999
+  std::int64_t seconds = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+  if (fault != std::errc() || end != text.data() + text.size() || seconds < 0 || seconds > kMost)
+    throw UsageError{fmt::format("SOURCE_DATE_EPOCH is not seconds since 1970: {}", shown(text))};
+  const std::chrono::year_month_day day{std::chrono::floor<std::chrono::days>(
+      std::chrono::sys_seconds(std::chrono::seconds(seconds)))};
+  return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(day.year()),
+                     static_cast<unsigned>(day.month()), static_cast<unsigned>(day.day()));
 }
 
 /// The calibrated drive as a file that says how it came about.
@@ -230,6 +251,20 @@ ExitCode run(const CalibrateCommand& command) {
   deliver(text, {});
   if (calibration.converged) return kOk;
   warn("the calibration has not converged");
+  return kNotUsable;
+}
+
+ExitCode run(const ReportCommand& command) {
+  const std::string text = read_text(command.file);
+  const Provenance provenance = provenance_of(command.file);
+  const GearSet gear = read_gear_set(text, provenance.input_file);
+  const Report report = make_report(gear, provenance,
+                                    {.method = method_named(command.method),
+                                     .input_text = text,
+                                     .date = command.date.empty() ? build_date() : command.date});
+  deliver(report_html(report), command.path);
+  if (report.result.usable()) return kOk;
+  warn(report.result.unusable_because);
   return kNotUsable;
 }
 

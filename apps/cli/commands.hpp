@@ -85,6 +85,14 @@ struct CalibrateCommand {
 };
 ExitCode run(const CalibrateCommand& command);
 
+struct ReportCommand {
+  std::string file;
+  std::string method = "corrected";
+  std::string date;  ///< to be printed; empty: of SOURCE_DATE_EPOCH, or none
+  std::string path;
+};
+ExitCode run(const ReportCommand& command);
+
 /// With a size and a ratio, a typical drive; else the template of all fields.
 struct NewCommand {
   std::optional<int> size;

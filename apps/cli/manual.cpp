@@ -14,7 +14,7 @@
 namespace strainwave::cli {
 namespace {
 
-const std::array<CommandManual, 11> kCommands = {{
+const std::array<CommandManual, 12> kCommands = {{
     {"stiffness", "Torsional stiffness of a drive, sound and cracked",
      "Reads a drive and its cracks and prints the compliance of each member at the output with the "
      "input locked, without and with its cracks, the stiffness K_HD for both senses of torque, "
@@ -81,6 +81,16 @@ const std::array<CommandManual, 11> kCommands = {{
      "with units; a field left out takes the value that show prints.",
      "strainwave sif eval plate-surface --set 'depth=1 mm' --set 'half_length=2 mm' --set "
      "'tension=200 MPa'"},
+    {"report", "Report on a drive as one HTML file",
+     "Writes what an engineer attaches to a decision: a verdict, the drive drawn to scale in "
+     "section with its cracks, the inputs and who gave each, compliance and stiffness sound and "
+     "cracked, the shares of members and cracks, the torsion curve where the geometry is "
+     "complete, stress intensities against toughness, validity notes, accuracies, the equations "
+     "used, and the provenance with the input word for word. The file stands alone: no script and "
+     "nothing from a network; it is made for light, dark and narrow screens and for A4 paper. The "
+     "same input gives the same bytes. A result that may not be used is reported too, with the "
+     "reason on top.",
+     "strainwave report examples/cracked_size25.toml -o report.html"},
     {"new", "Print a commented starting file",
      "Prints an input file that is valid as it stands, with every field that there is and its "
      "meaning; those that are not needed are commented out. With --size and --ratio, the typical "

@@ -452,7 +452,7 @@ std::string torsion_csv(const TorsionReport& report) {
   return text;
 }
 
-std::string torsion_plot(const TorsionReport& report, const GearSet& gear) {
+std::vector<PlotPanel> torsion_panels(const TorsionReport& report, const GearSet& gear) {
   const auto in_arcmin = [](std::vector<double> values) {
     for (double& value : values) value /= units::arcmin;
     return values;
@@ -514,7 +514,11 @@ std::string torsion_plot(const TorsionReport& report, const GearSet& gear) {
                    series("K3", &LineChanges::K3)};
     panels.push_back(std::move(turn));
   }
-  return svg_plot(panels);
+  return panels;
+}
+
+std::string torsion_plot(const TorsionReport& report, const GearSet& gear) {
+  return svg_plot(torsion_panels(report, gear));
 }
 
 }  // namespace strainwave

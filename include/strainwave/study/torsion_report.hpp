@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "strainwave/model/gear_set.hpp"
+#include "strainwave/study/plot.hpp"
 #include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/hysteresis.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
@@ -67,6 +68,9 @@ struct TorsionReport {
 /// torque [N*m], twist [rad], tangent stiffness [N*m/rad], teeth and balls in contact.
 [[nodiscard]] std::string torsion_csv(const TorsionReport& report);
 /// Curve with its three lines and loop; tangent stiffness; changes over a turn if compared.
+[[nodiscard]] std::vector<PlotPanel> torsion_panels(const TorsionReport& report,
+                                                    const GearSet& gear);
+/// The panels as one SVG document.
 [[nodiscard]] std::string torsion_plot(const TorsionReport& report, const GearSet& gear);
 
 }  // namespace strainwave

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "strainwave/io/result_writer.hpp"
+#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/method.hpp"
+#include "strainwave/model/stiffness_result.hpp"
+
+/// @file
+/// A report on one drive as one HTML file: what an engineer attaches to a decision.
+
+namespace strainwave {
+
+struct ReportOptions {
+  Method method = Method::corrected;
+  /// The input file, word for word; empty: the drive as `gear_text` writes it.
+  std::string input_text;
+  std::string date;  ///< as it is to be printed; empty: none
+  int angles = 12;   ///< positions of the wave generator in the comparison of torsion curves; >= 0
+  int draws = 200;   ///< of the file's ranges for the bands of K1, K2, K3; >= 0
+};
+
+/// A chapter of a report.
+struct ReportSection {
+  std::string id;     ///< of the element, for links
+  std::string title;  ///< plain text
+  std::string html;   ///< content, well-formed as XML
+};
+
+struct Report {
+  std::string title;       ///< name of the drive; plain text
+  std::string subtitle;    ///< file, method, version, date; plain text
+  StiffnessResult result;  ///< as `evaluate` gives it
+  std::string verdict;     ///< usable or not, why, and the key numbers; HTML
+  std::vector<ReportSection> sections;
+};
+
+/// Evaluates a drive and writes the chapters: drawing, inputs and who gave them, results, shares,
+/// torsion curve where the geometry is complete, stress intensities against toughness, validity
+/// notes, accuracies, equations, provenance.
+///
+/// The same input, version and options give the same bytes: no clock, no host, no environment.
+/// @throws InputError  if the gear breaks a rule, or holds what the method cannot treat
+[[nodiscard]] Report make_report(const GearSet& gear, const Provenance& provenance,
+                                 const ReportOptions& options = {});
+
+/// The report as one HTML5 document, also well-formed XML: no script, nothing from outside the
+/// file, for screens light, dark and narrow, and for A4 paper.
+[[nodiscard]] std::string report_html(const Report& whole);
+
+}  // namespace strainwave

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "strainwave/report/report.hpp"
+#include "strainwave/report/section_drawing.hpp"
+
+// The chapters of a report, one function each.
+
+namespace strainwave::report {
+
+/// What all chapters read, and what they add to for the chapters behind them.
+struct Draft {
+  const GearSet& gear;
+  const Provenance& provenance;
+  const ReportOptions& options;
+  std::string input_text;
+  StiffnessResult result;
+  std::vector<NumberedCrack> cracks;
+  std::vector<Note> notes;             ///< of the result and of other models, each once
+  std::vector<std::string> equations;  ///< tags, each once
+
+  void add(const std::vector<Note>& more);
+  void add(const std::vector<std::string>& tags);
+  [[nodiscard]] bool corrected() const { return result.method == Method::corrected; }
+};
+
+/// How much a note weighs for whoever decides.
+enum class Severity {
+  critical,    ///< the result describes something that will not stay as it is
+  outside,     ///< outside the range of a formula, or contradictory input
+  left_out,    ///< something in the file that a model does not have
+  assumption,  ///< what the model takes for granted
+};
+[[nodiscard]] Severity severity_of(const Note& note);
+[[nodiscard]] std::string_view severity_title(Severity severity);
+
+[[nodiscard]] std::string verdict_html(const Draft& draft);
+
+[[nodiscard]] ReportSection drawing_chapter(const Draft& draft);
+[[nodiscard]] ReportSection inputs_chapter(const Draft& draft);
+[[nodiscard]] ReportSection results_chapter(const Draft& draft);
+[[nodiscard]] ReportSection shares_chapter(const Draft& draft);
+[[nodiscard]] ReportSection torsion_chapter(Draft& draft);
+[[nodiscard]] ReportSection intensities_chapter(const Draft& draft);
+[[nodiscard]] ReportSection notes_chapter(const Draft& draft);
+[[nodiscard]] ReportSection accuracy_chapter(const Draft& draft);
+[[nodiscard]] ReportSection equations_chapter(const Draft& draft);
+[[nodiscard]] ReportSection provenance_chapter(const Draft& draft);
+
+}  // namespace strainwave::report

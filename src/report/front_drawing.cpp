@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "layout.hpp"
+#include "markup.hpp"
+#include "sheet.hpp"
+#include "strainwave/core/units.hpp"
+
+namespace strainwave {
+namespace {
+
+using namespace report;
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kPaper = 180;
+constexpr double kRound = 112;      // of the drawing, at most [mm]
+constexpr double kOvality = 0.055;  // of the exaggerated deflection per radius
+
+/// A point at an angle from the major axis, which stands upright; seen against +z.
+Point at_angle(double radius, double angle) {
+  return {-radius * std::sin(angle), radius * std::cos(angle)};
+}
+
+template <class Crack>
+constexpr bool has_position = requires(const Crack& c) {
+  c.position;
+};
+
+/// How many times too large the deflection is drawn.
+double exaggeration(const GearSet& gear, double radius) {
+  const double wanted = kOvality * radius / gear.drive.radial_displacement;
+  double factor = 1;
+  for (const double step : {2.0, 5.0, 10.0, 20.0, 50.0, 100.0})
+    if (step <= wanted) factor = step;
+  return factor;
+}
+
+class Front {
+ public:
+  Front(const GearSet& gear, const Layout& layout)
+      : gear_(gear),
+        at_(layout),
+        sheet_(drawing_scale(2 * layout.top, kRound), {0, 0}),
+        factor_(exaggeration(gear, layout.rim      ? layout.rim->outer
+                                   : layout.barrel ? layout.barrel->outer
+                                                   : gear.drive.pitch_diameter / 2)) {
+    half_ = sheet_.paper(at_.top) + 12;
+    sheet_ = Sheet(sheet_.scale(), {half_ + 6, half_});
+  }
+
+  std::string svg() {
+    if (at_.circular_spline) {
+      const char* const style = at_.circular_spline->given ? "seen" : "sketched";
+      sheet_.circle("circular_spline", {0, 0}, at_.circular_spline->outer, style);
+      sheet_.circle("circular_spline_roots", {0, 0}, at_.circular_spline->inner, style);
+    }
+    if (gear_.flexspline) {
+      const Ring& wall = at_.rim ? *at_.rim : *at_.barrel;
+      oval(wall.outer, "seen");
+      oval(wall.inner, "seen");
+    }
+    if (gear_.wave_generator) {
+      if (!gear_.flexspline)
+        oval(at_.outer_ring->outer, at_.outer_ring->given ? "seen" : "sketched");
+      oval(at_.outer_ring->inner, at_.outer_ring->given ? "seen" : "sketched");
+      oval(at_.inner_ring->outer, at_.inner_ring->given ? "seen" : "sketched");
+      oval(at_.inner_ring->inner, at_.inner_ring->given ? "seen" : "sketched");
+      draw_balls();
+    }
+    const double beyond = at_.top + 5e-3 / sheet_.scale();
+    for (int lobe = 0; lobe < gear_.drive.wave_number; ++lobe)
+      sheet_.line({0, 0}, at_angle(beyond, 2 * kPi * lobe / gear_.drive.wave_number), "axis");
+    if (gear_.drive.wave_number == 2) sheet_.line({-beyond, 0}, {beyond, 0}, "axis");
+    for_each_crack(gear_, [&](int number, const std::string& path, const auto& crack) {
+      if constexpr (has_position<std::decay_t<decltype(crack)>>) add(number, path, crack);
+    });
+    draw_marks();
+    return finish();
+  }
+
+ private:
+  /// Radius of what is round before assembly, deflected: true at the lobes.
+  [[nodiscard]] double deflected(double radius, double angle) const {
+    const double w0 = gear_.drive.radial_displacement;
+    return radius + w0 - factor_ * w0 * (1 - std::cos(gear_.drive.wave_number * angle));
+  }
+
+  void oval(double radius, const char* style) {
+    constexpr int kSteps = 180;
+    Polygon points;
+    for (int i = 0; i <= kSteps; ++i) {
+      const double angle = 2 * kPi * i / kSteps;
+      points.push_back(at_angle(deflected(radius, angle), angle));
+    }
+    sheet_.curve(points, style);
+  }
+
+  void draw_balls() {
+    const bool counted = gear_.wave_generator->bearing && gear_.wave_generator->bearing->ball_count;
+    const int count = counted
+                          ? *gear_.wave_generator->bearing->ball_count
+                          : static_cast<int>(0.7 * 2 * kPi * at_.ball_radius / at_.ball_diameter);
+    for (int i = 0; i < count; ++i) {
+      const double angle = 2 * kPi * i / count;
+      sheet_.circle("ball", at_angle(deflected(at_.ball_radius, angle), angle),
+                    at_.ball_diameter / 2, counted && at_.ball_given ? "ball" : "sketched");
+    }
+  }
+
+  void radial(int number, const std::string& path, double angle, double from, double to) {
+    sheet_.crack(path, {at_angle(from, angle), at_angle(to, angle)}, false);
+    const Point target = sheet_.paper(at_angle((from + to) / 2, angle));
+    cracks_.push_back({number, angle, target});
+  }
+
+  void add(int number, const std::string& path, const RaceSurfaceCrack& c) {
+    const double race = deflected(at_.inner_ring->outer, c.position);
+    radial(number, path, c.position, race, race - c.depth);
+  }
+  void add(int number, const std::string& path, const RaceEdgeCrack& c) {
+    const double race = deflected(at_.inner_ring->outer, c.position);
+    radial(number, path, c.position, race, race - c.depth);
+  }
+  void add(int number, const std::string& path, const OuterRaceCrack& c) {
+    const double race = deflected(at_.outer_ring->inner, c.position);
+    radial(number, path, c.position, race, race + c.depth);
+  }
+  void add(int number, const std::string& path, const RimAxialCrack& c) {
+    const double root = deflected(at_.rim->outer, c.position);
+    radial(number, path, c.position, root, root - c.depth);
+  }
+  void add(int number, const std::string& path, const CircularSplineRingCrack& c) {
+    radial(number, path, c.position, at_.circular_spline->inner,
+           at_.circular_spline->inner + c.depth);
+  }
+  void add(int number, const std::string& path, const ToothCrack& c) {
+    const Ring& wall = at_.rim ? *at_.rim : *at_.barrel;
+    const double root = deflected(wall.outer, c.position);
+    radial(number, path, c.position, root, root + at_.tooth_height);
+  }
+
+  struct Placed {
+    int number = 0;
+    double angle = 0.0;
+    Point target;
+  };
+
+  /// Marks round the drawing at the angle of their crack, pushed apart where they would overlap.
+  void draw_marks() {
+    std::vector<double> wanted;
+    for (const Placed& c : cracks_) wanted.push_back(std::remainder(c.angle, 2 * kPi));
+    const double radius = at_.top + 7e-3 / sheet_.scale();
+    const double apart = 6e-3 / sheet_.scale() / radius;
+    const std::vector<double> angles = spread(wanted, apart, -kPi, kPi);
+    for (std::size_t i = 0; i < cracks_.size(); ++i) {
+      const Point mark = sheet_.paper(at_angle(radius, angles[i]));
+      sheet_.paper_line(cracks_[i].target, mark, "crack-leader");
+      sheet_.balloon(mark, std::to_string(cracks_[i].number), "crack-mark");
+    }
+  }
+
+  std::string finish() {
+    const double x = 2 * half_ + 16;
+    double y = 12;
+    const auto say = [&](const std::string& text, const char* style) {
+      sheet_.words({x, y}, text, style);
+      y += 4.6;
+    };
+    say("Seen from the output, against +z", "");
+    say("major axis upright, +θ counter-clockwise", "small");
+    say(fmt::format("deflection w₀ = {} drawn {:g} times", in_mm(gear_.drive.radial_displacement),
+                    factor_),
+        "small");
+    say("too large; radii are true at the lobes", "small");
+    say("cracks: angle and depth to scale", "small");
+    say(fmt::format("scale {}", scale_text(sheet_.scale())), "small");
+    y += 2;
+    for_each_crack(gear_, [&](int number, const std::string&, const auto& crack) {
+      if constexpr (has_position<std::decay_t<decltype(crack)>>)
+        say(fmt::format("{}: {} at {:.4g}°", number, std::decay_t<decltype(crack)>::kKind,
+                        crack.position / units::deg),
+            "small");
+    });
+    sheet_.scale_bar({x, std::max(y + 2, 2 * half_ - 8)}, 30);
+    return sheet_.svg("front", {kPaper, std::max(2 * half_, y + 10)},
+                      "Front view of the drive with the angles of its cracks",
+                      fmt::format("Scale {}; the deflection is drawn {:g} times too large.",
+                                  scale_text(sheet_.scale()), factor_));
+  }
+
+  const GearSet& gear_;
+  const Layout& at_;
+  Sheet sheet_;
+  double factor_;
+  double half_ = 0.0;  ///< of the square that the drawing takes [mm]
+  std::vector<Placed> cracks_;
+};
+
+}  // namespace
+
+std::string front_drawing(const GearSet& gear) {
+  bool any = false;
+  for_each_crack(gear, [&](int, const std::string&, const auto& crack) {
+    any = any || has_position<std::decay_t<decltype(crack)>>;
+  });
+  if (!any) return {};
+  const Layout layout = layout_of(gear);
+  return Front(gear, layout).svg();
+}
+
+}  // namespace strainwave

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "html.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "markup.hpp"
+#include "strainwave/io/result_writer.hpp"
+
+namespace strainwave::report {
+namespace {
+
+std::string attribute(std::string_view name, std::string_view value) {
+  return value.empty() ? std::string() : fmt::format(" {}=\"{}\"", name, value);
+}
+
+}  // namespace
+
+std::string table(std::string_view caption, const std::vector<std::string>& head,
+                  const std::vector<RowGroup>& groups, const TableLook& look) {
+  const auto style = [&](std::size_t column) {
+    return column >= look.numbers ? " class=\"number\"" : "";
+  };
+  std::string html = fmt::format(
+      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{0}\">\n"
+      "<table{1}>\n<caption>{0}</caption>\n<thead>\n<tr>",
+      escaped(caption), attribute("class", look.style));
+  for (std::size_t i = 0; i < head.size(); ++i)
+    html += fmt::format("<th scope=\"col\"{}>{}</th>", style(i), head[i]);
+  html += "</tr>\n</thead>\n";
+  for (const RowGroup& group : groups) {
+    html += "<tbody>\n";
+    if (!group.title.empty())
+      html +=
+          fmt::format("<tr class=\"group\"><th scope=\"rowgroup\" colspan=\"{}\">{}</th></tr>\n",
+                      head.size(), escaped(group.title));
+    for (const Row& row : group.rows) {
+      html += fmt::format("<tr{}>", attribute("class", row.style));
+      for (std::size_t i = 0; i < row.cells.size(); ++i)
+        html += i == 0 ? fmt::format("<th scope=\"row\">{}</th>", row.cells[i])
+                       : fmt::format("<td{}>{}</td>", style(i), row.cells[i]);
+      html += "</tr>\n";
+    }
+    html += "</tbody>\n";
+  }
+  return html + "</table>\n</div>\n";
+}
+
+std::string typeset(std::string_view number) {
+  static constexpr std::string_view kRaised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text;
+  std::size_t i = 0;
+  for (; i < number.size() && number[i] != 'e'; ++i)
+    text += number[i] == '-' ? "−" : std::string(1, number[i]);
+  if (i == number.size()) return text;
+  text += "·10";
+  bool leading = true;
+  for (++i; i < number.size(); ++i) {
+    const char c = number[i];
+    if (c == '-') text += "⁻";
+    if (c < '0' || c > '9') continue;
+    if (c == '0' && leading) continue;
+    leading = false;
+    text += kRaised[c - '0'];
+  }
+  return text;
+}
+
+std::string quantity(std::string_view path, const Quantity& q, double unit_in_si) {
+  return fmt::format(
+      "<data value=\"{}\" data-path=\"{}\">{}</data>", q.value, path,
+      typeset(warranted_digits({q.value / unit_in_si, q.unit, q.relative_uncertainty})));
+}
+
+std::string percent(double share) {
+  const double p = 100 * share;
+  return typeset(std::abs(p) >= 9.95 ? fmt::format("{:.0f}", p) : fmt::format("{:.2g}", p)) + " %";
+}
+
+std::string accuracy(const Quantity& q) {
+  if (!q.relative_uncertainty) return "none";
+  return q.value == 0 ? "–" : percent(*q.relative_uncertainty);
+}
+
+std::string bar_chart(const BarChart& chart) {
+  // Millimetres of paper, as the drawings.
+  constexpr double kWidth = 180;
+  constexpr double kLabels = 52;
+  constexpr double kTexts = 34;
+  constexpr double kRow = 6;
+  constexpr double kTop = 8;
+  double least = std::min(0.0, chart.reference.value_or(0.0));
+  double most = std::max(0.0, chart.reference.value_or(0.0));
+  for (const Bar& bar : chart.bars) {
+    least = std::min({least, bar.from, bar.to});
+    most = std::max({most, bar.from, bar.to});
+  }
+  if (!(most > least)) most = least + 1;
+  const double left = kLabels + (least < 0 ? kTexts : 0);
+  const auto x = [&](double value) {
+    return left + (kWidth - kTexts - left) * (value - least) / (most - least);
+  };
+  std::string body;
+  const auto words = [&](double at_x, double at_y, std::string_view style, std::string_view text) {
+    body += fmt::format("<text x=\"{}\" y=\"{}\" class=\"{}\">{}</text>\n", coordinate(at_x),
+                        coordinate(at_y), style, escaped(text));
+  };
+  double y = kTop;
+  bool first = true;
+  for (const Bar& bar : chart.bars) {
+    if (!bar.same_line && !first) y += kRow;
+    first = false;
+    const double from = x(std::min(bar.from, bar.to));
+    const double to = x(std::max(bar.from, bar.to));
+    if (!bar.same_line) words(kLabels + (least < 0 ? 0 : -2), y + 3.3, "end", bar.label);
+    body += fmt::format(
+        "<rect class=\"bar{}\" data-from=\"{}\" data-to=\"{}\" x=\"{}\" y=\"{}\" width=\"{}\" "
+        "height=\"4.2\"/>\n",
+        bar.style.empty() ? "" : " " + bar.style, bar.from, bar.to, coordinate(from), coordinate(y),
+        coordinate(to - from));
+    if (bar.to < bar.from)
+      words(from - 1.2, y + 3.3, "end", bar.text);
+    else
+      words(to + 1.2, y + 3.3, "", bar.text);
+  }
+  y += kRow;
+  body += fmt::format("<path class=\"zero\" d=\"M{0} {1}V{2}\"/>\n", coordinate(x(0)),
+                      coordinate(kTop - 1.5), coordinate(y));
+  if (chart.reference) {
+    body += fmt::format("<path class=\"reference\" d=\"M{0} {1}V{2}\"/>\n",
+                        coordinate(x(*chart.reference)), coordinate(kTop - 1.5), coordinate(y));
+    words(x(*chart.reference), kTop - 2.6, "small middle", chart.reference_label);
+  }
+  words(left, y + 3.6, "small", chart.axis);
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"chart\" viewBox=\"0 0 {0} {1}\" "
+      "width=\"{0}mm\" height=\"{1}mm\" role=\"img\" aria-labelledby=\"{2}-title\">\n<title "
+      "id=\"{2}-title\">{3}</title>\n{4}</svg>\n",
+      coordinate(kWidth), coordinate(y + 6), chart.id, escaped(chart.title), body);
+}
+
+std::string figure(std::string_view svg, std::string_view caption, std::string_view style) {
+  return fmt::format(
+      "<figure class=\"{}\">\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" "
+      "aria-label=\"{}\">\n{}</div>\n<figcaption>{}</figcaption>\n</figure>\n",
+      style, escaped(caption), svg, escaped(caption));
+}
+
+std::string plot_figure(const std::string& svg, std::string_view caption) {
+  // Its rules stand one to a line; in a page they would reach every other picture and the text.
+  constexpr std::string_view kBegin = "<style>\n";
+  constexpr std::string_view kEnd = "</style>";
+  std::string confined;
+  const std::size_t begin = svg.find(kBegin);
+  const std::size_t end = svg.find(kEnd);
+  if (begin == std::string::npos || end == std::string::npos) return figure(svg, caption, "plot");
+  confined = svg.substr(0, begin + kBegin.size());
+  std::string_view rules =
+      std::string_view(svg).substr(begin + kBegin.size(), end - begin - kBegin.size());
+  while (!rules.empty()) {
+    const std::size_t line = std::min(rules.find('\n'), rules.size());
+    if (line > 0) confined += ".plot " + std::string(rules.substr(0, line)) + '\n';
+    rules.remove_prefix(std::min(line + 1, rules.size()));
+  }
+  confined += svg.substr(end);
+  const std::size_t role = confined.find("role=\"img\"");
+  if (role != std::string::npos)
+    confined.insert(role, fmt::format("aria-label=\"{}\" ", escaped(caption)));
+  return figure(confined, caption, "plot");
+}
+
+std::string paragraph(std::string_view text, std::string_view style) {
+  return fmt::format("<p{}>{}</p>\n", attribute("class", style), escaped(text));
+}
+
+}  // namespace strainwave::report

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "strainwave/model/stiffness_result.hpp"
+
+// Tables and charts of a report.  Cells are HTML already; labels of charts are plain text.
+
+namespace strainwave::report {
+
+/// A row of a table; its first cell is its head.
+struct Row {
+  std::vector<std::string> cells;
+  std::string style;
+};
+/// Rows under a heading of their own.
+struct RowGroup {
+  std::string title;  ///< plain text; empty: none
+  std::vector<Row> rows;
+};
+struct TableLook {
+  std::string style;         ///< class of the table
+  std::size_t numbers = 99;  ///< columns from this one on are aligned as numbers
+};
+
+/// A table that scrolls in its own box where the screen is narrow; its head is repeated on paper.
+[[nodiscard]] std::string table(std::string_view caption, const std::vector<std::string>& head,
+                                const std::vector<RowGroup>& groups, const TableLook& look = {});
+
+/// Text "6.33e-06" as people write it: "6.33·10⁻⁶", with a true minus.
+[[nodiscard]] std::string typeset(std::string_view number);
+
+/// A quantity with the digits that it warrants, all its digits in `value`, and its place in the
+/// result: `<data value="..." data-path="...">`.
+///
+/// @param unit_in_si  the unit to show it in; the unit itself is not written
+[[nodiscard]] std::string quantity(std::string_view path, const Quantity& q,
+                                   double unit_in_si = 1.0);
+
+/// "5 %", "none" where nobody can state an accuracy, "–" for a zero.
+[[nodiscard]] std::string accuracy(const Quantity& q);
+
+[[nodiscard]] std::string percent(double share);
+
+/// A bar from one value to another; most begin at zero.
+struct Bar {
+  std::string label;
+  double from = 0.0;
+  double to = 0.0;
+  std::string text;   ///< behind it
+  std::string style;  ///< "", "crack", "low", "high"
+  /// On the line of the bar before, as the other side of a tornado.
+  bool same_line = false;
+};
+struct BarChart {
+  std::string id;  ///< unique in the report
+  std::string title;
+  std::string axis;  ///< what the bars measure, with unit
+  std::vector<Bar> bars = {};
+  std::optional<double> reference = {};  ///< a line across all bars
+  std::string reference_label = {};
+};
+/// Horizontal bars as SVG, in colours that the page sets.
+[[nodiscard]] std::string bar_chart(const BarChart& chart);
+
+/// A figure with its caption (plain text); `style` is its class.
+[[nodiscard]] std::string figure(std::string_view svg, std::string_view caption,
+                                 std::string_view style);
+
+/// A plot of `svg_plot`, its style sheet confined to itself.
+[[nodiscard]] std::string plot_figure(const std::string& svg, std::string_view caption);
+
+[[nodiscard]] std::string paragraph(std::string_view text, std::string_view style = {});
+
+}  // namespace strainwave::report

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "chapters.hpp"
+#include "html.hpp"
+#include "markup.hpp"
+#include "strainwave/io/input_remarks.hpp"
+
+namespace strainwave::report {
+namespace {
+
+/// Who gave a value.
+enum class Giver { file, catalogue, typical, assumed, fallback };
+constexpr std::array<std::string_view, 5> kGivers = {"in the file", "catalogue", "typical",
+                                                     "assumed", "default"};
+
+struct Entry {
+  std::string path;
+  std::string meaning;
+  std::string value;
+  Giver giver = Giver::file;
+  std::string remark;
+};
+
+/// A TOML value of a field's description as people write it.
+std::string unquoted(std::string_view toml) {
+  if (toml.size() > 1 && toml.front() == '"' && toml.back() == '"')
+    toml = toml.substr(1, toml.size() - 2);
+  return std::string(toml);
+}
+
+template <class T>
+inline constexpr bool is_table = Described<T> || is_variant<T> || is_string_map<T> || is_vector<T>;
+template <class T>
+inline constexpr bool is_table<std::optional<T>> = is_table<T>;
+
+class Collector {
+ public:
+  Collector(const GearSet& gear, const std::string& text)
+      : gear_(gear), remarks_(input_remarks(text)) {}
+
+  /// Groups of entries by the table that they stand in, in the order of the file's description.
+  std::vector<std::pair<std::string, std::vector<Entry>>> collect() && {
+    walk(gear_, FieldPath(), Field{});
+    return std::move(groups_);
+  }
+
+ private:
+  template <class T>
+  void walk(const T& value, const FieldPath& path, const Field& field) {
+    if constexpr (is_optional<T>) {
+      if (value) walk(*value, path, field);
+    } else if constexpr (is_vector<T>) {
+      for (std::size_t i = 0; i < value.size(); ++i) walk(value[i], path[i], field);
+    } else if constexpr (is_string_map<T>) {
+      for (const auto& [name, element] : value) walk(element, path / name, field);
+    } else if constexpr (is_variant<T>) {
+      std::visit(
+          [&](const auto& alternative) {
+            group_ = path.text();
+            add(path / "kind", Field{.name = "kind", .unit = "", .doc = "kind of crack"});
+            walk(alternative, path, field);
+          },
+          value);
+    } else if constexpr (Described<T>) {
+      // Plain fields first: a table below begins a group of its own.
+      T::describe([&](const Field& inner, auto member) {
+        using Value = std::decay_t<decltype(value.*member)>;
+        if constexpr (!is_table<Value>) {
+          group_ = path.text();
+          add(path / inner.name, inner);
+        }
+      });
+      T::describe([&](const Field& inner, auto member) {
+        using Value = std::decay_t<decltype(value.*member)>;
+        if constexpr (is_table<Value>)
+          if (path.text().empty() && (inner.name == "range")) return;
+        if constexpr (is_table<Value>) walk(value.*member, path / inner.name, inner);
+      });
+    }
+  }
+
+  void add(const FieldPath& path, const Field& field) {
+    if (path.text() == "format" || path.text() == "name") return;
+    Entry entry{.path = path.text(), .meaning = std::string(field.doc), .value = {}, .remark = {}};
+    const auto found = remarks_.find(path.text());
+    if (found != remarks_.end()) {
+      entry.value = found->second.written;
+      entry.remark = found->second.comment;
+      for (const Giver giver : {Giver::catalogue, Giver::typical, Giver::assumed}) {
+        const std::string_view word = kGivers[static_cast<std::size_t>(giver)];
+        if (!entry.remark.starts_with(word)) continue;
+        entry.giver = giver;
+        entry.remark.erase(0, word.size());
+        entry.remark.erase(0,
+                           std::min(entry.remark.find_first_not_of(":;, "), entry.remark.size()));
+      }
+    } else if (!field.fallback.empty()) {
+      entry.value = unquoted(field.fallback);
+      entry.giver = Giver::fallback;
+    } else {
+      return;  // neither given nor filled in
+    }
+    for (const InputRange& range : gear_.range) {
+      if (range.path != entry.path) continue;
+      entry.giver = range.knowledge == Knowledge::catalogue ? Giver::catalogue
+                    : range.knowledge == Knowledge::typical ? Giver::typical
+                                                            : Giver::assumed;
+      const std::string between = fmt::format("{} to {}", range.lower, range.upper);
+      if (entry.remark.find(range.source) == std::string::npos && !range.source.empty())
+        entry.remark += (entry.remark.empty() ? "" : "; ") + range.source;
+      entry.remark = between + (entry.remark.empty() ? "" : "; " + entry.remark);
+    }
+    if (groups_.empty() || groups_.back().first != group_) groups_.push_back({group_, {}});
+    groups_.back().second.push_back(std::move(entry));
+  }
+
+  const GearSet& gear_;
+  std::map<std::string, InputRemark> remarks_;
+  std::string group_;
+  std::vector<std::pair<std::string, std::vector<Entry>>> groups_;
+};
+
+}  // namespace
+
+ReportSection inputs_chapter(const Draft& draft) {
+  std::array<int, kGivers.size()> counts{};
+  std::vector<RowGroup> groups;
+  int total = 0;
+  for (const auto& [title, entries] : Collector(draft.gear, draft.input_text).collect()) {
+    RowGroup& group = groups.emplace_back();
+    group.title = title;
+    for (const Entry& entry : entries) {
+      const auto giver = static_cast<std::size_t>(entry.giver);
+      ++counts[giver];
+      ++total;
+      const std::string name = entry.path.substr(title.size() + (title.empty() ? 0 : 1));
+      group.rows.push_back(
+          {{fmt::format("<code data-field=\"{}\">{}</code>", escaped(entry.path), escaped(name)),
+            escaped(entry.value),
+            fmt::format("<span class=\"giver g{}\">{}</span>", giver, kGivers[giver]),
+            escaped(entry.meaning), escaped(entry.remark)},
+           {}});
+    }
+  }
+  std::string summary = fmt::format("{} values: ", total);
+  bool first = true;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] == 0) continue;
+    summary += fmt::format("{}{} {}", first ? "" : ", ", counts[i], kGivers[i]);
+    first = false;
+  }
+  summary +=
+      ". “In the file” stands for what the file gives without saying how it is known; “default” is "
+      "filled in by strainwave because the file does not say. Of a typical or assumed value, the "
+      "remark gives the limits and where they come from.";
+  return {"inputs", "Inputs",
+          paragraph(summary) + table("Inputs, as the file writes them",
+                                     {"field", "value", "given by", "meaning", "remark"}, groups,
+                                     {.style = "inputs", .numbers = 99})};
+}
+
+}  // namespace strainwave::report

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "chapters.hpp"
+#include "html.hpp"
+#include "markup.hpp"
+#include "strainwave/core/units.hpp"
+#include "strainwave/io/gear_writer.hpp"
+#include "strainwave/study/evaluate.hpp"
+
+namespace strainwave {
+namespace report {
+
+void Draft::add(const std::vector<Note>& more) {
+  for (const Note& note : more)
+    if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
+}
+
+void Draft::add(const std::vector<std::string>& tags) {
+  for (const std::string& tag : tags)
+    if (std::ranges::find(equations, tag) == equations.end()) equations.push_back(tag);
+}
+
+namespace {
+
+/// The note that weighs most; the first of several.
+const Note* worst_note(const std::vector<Note>& notes) {
+  const auto worst = std::ranges::min_element(notes, {}, severity_of);
+  return worst == notes.end() ? nullptr : &*worst;
+}
+
+std::string key_number(std::string_view label, const std::string& value, std::string_view unit,
+                       std::string_view remark) {
+  return fmt::format("<div><dt>{}</dt><dd><b>{}</b> {}<small>{}</small></dd></div>\n", label, value,
+                     unit, remark);
+}
+
+}  // namespace
+
+std::string verdict_html(const Draft& draft) {
+  const StiffnessResult& r = draft.result;
+  const Note* const worst = worst_note(draft.notes);
+  const bool critical = worst != nullptr && severity_of(*worst) == Severity::critical;
+  const bool outside = worst != nullptr && severity_of(*worst) == Severity::outside;
+  std::string html = fmt::format("<div class=\"verdict {}\">\n", !r.usable() || critical ? "bad"
+                                                                 : outside               ? "care"
+                                                                                         : "good");
+  if (!r.usable())
+    html += fmt::format("<p class=\"word\">Not to be used</p>\n<p>{}</p>\n",
+                        escaped(r.unusable_because));
+  else if (critical)
+    html += "<p class=\"word\">Critical</p>\n";
+  else if (outside)
+    html += "<p class=\"word\">Usable with care</p>\n";
+  else
+    html += "<p class=\"word\">Usable, within what is assumed</p>\n";
+  if (worst != nullptr)
+    html +=
+        fmt::format("<p>{}{}: {}</p>\n", severity_title(severity_of(*worst)),
+                    worst->path.empty() ? std::string()
+                                        : fmt::format(", <code>{}</code>", escaped(worst->path)),
+                    escaped(worst->text));
+  html += "<dl class=\"key\">\n";
+  const auto stiffness = [&](const std::string& path, const Quantity& K) {
+    return quantity(path, K, 1 / units::arcmin);
+  };
+  html += key_number("Stiffness, sound", stiffness("intact.stiffness", r.intact.stiffness),
+                     "N·m/arcmin", "accuracy " + accuracy(r.intact.stiffness));
+  const auto cracked = [&](const char* label, const std::string& path, const CrackedDrive& drive) {
+    html += key_number(
+        label, stiffness(path + ".stiffness", drive.stiffness), "N·m/arcmin",
+        "change " + quantity(path + ".stiffness_change", drive.stiffness_change, 0.01) + " %");
+  };
+  if (!draft.cracks.empty()) {
+    cracked("Cracked, <i>T</i> &gt; 0", "cracked.positive", r.positive);
+    cracked("Cracked, <i>T</i> &lt; 0", "cracked.negative", r.negative);
+  }
+  html += key_number(fmt::format("Wind-up at {} N·m", number(std::abs(draft.gear.load.torque))),
+                     quantity("cracked.positive.wind_up", r.positive.wind_up, units::arcmin),
+                     "arcmin", draft.cracks.empty() ? "sound" : "cracked, <i>T</i> &gt; 0");
+  if (r.curve)
+    html += key_number(
+        "<i>K</i><sub>1</sub> / <i>K</i><sub>2</sub> / <i>K</i><sub>3</sub>",
+        quantity("curve.positive.K1", r.curve->positive.K1, 1 / units::arcmin) + " / " +
+            quantity("curve.positive.K2", r.curve->positive.K2, 1 / units::arcmin) + " / " +
+            quantity("curve.positive.K3", r.curve->positive.K3, 1 / units::arcmin),
+        "N·m/arcmin", "torsion curve, accuracy " + accuracy(r.curve->positive.K1));
+  const CrackReport* hardest = nullptr;
+  for (const CrackReport& crack : r.cracks)
+    if (crack.utilisation &&
+        (hardest == nullptr || crack.utilisation->value > hardest->utilisation->value))
+      hardest = &crack;
+  if (hardest != nullptr)
+    html += key_number("Largest <i>K</i>/<i>K</i><sub>Ic</sub>",
+                       number(hardest->utilisation->value, 3), "", escaped(hardest->path));
+  return html + "</dl>\n</div>\n";
+}
+
+ReportSection drawing_chapter(const Draft& draft) {
+  std::string html;
+  const std::string section = section_drawing(draft.gear);
+  if (section.empty())
+    html += paragraph("The file gives no member that could be drawn.", "absent");
+  else
+    html +=
+        figure(section, "Half section through the axis; cracks in red, at their numbers.", "paper");
+  const std::string front = front_drawing(draft.gear);
+  if (!front.empty())
+    html += figure(front, "Where the cracks are round the axis, the wave generator as it stands.",
+                   "paper");
+  const std::string wall = wall_drawing(draft.gear);
+  if (!wall.empty())
+    html += figure(wall, "Cracks of the wall; β = +45° is opened by T > 0.", "paper");
+  if (!draft.cracks.empty()) {
+    std::vector<Row> rows;
+    for (const NumberedCrack& crack : draft.cracks)
+      rows.push_back({{fmt::format("<span class=\"crack-number\">{}</span> <code>{}</code>",
+                                   crack.number, escaped(crack.path)),
+                       escaped(crack.kind), escaped(crack.size)},
+                      {}});
+    html += table("Cracks", {"crack", "kind", "size and place"}, {{"", rows}});
+    html += paragraph(
+        "From which surface a crack over the width of a ring starts is not in the file: it is "
+        "drawn from the raceway of a bearing ring, from the teeth of rim and circular spline; a "
+        "groove of the diaphragm outside, a crack of a wall outside.",
+        "remark");
+  }
+  return {"drawing", "The drive and its cracks", html};
+}
+
+}  // namespace report
+
+Report make_report(const GearSet& gear, const Provenance& provenance,
+                   const ReportOptions& options) {
+  report::Draft draft{
+      .gear = gear,
+      .provenance = provenance,
+      .options = options,
+      .input_text = options.input_text.empty() ? gear_text(gear) : options.input_text,
+      .result = evaluate(gear, options.method),
+      .cracks = numbered_cracks(gear),
+      .notes = {},
+      .equations = {}};
+  draft.add(draft.result.notes);
+  draft.add(draft.result.equations);
+  Report made;
+  made.title = gear.name.empty() ? "Strain wave gear" : gear.name;
+  made.subtitle = fmt::format("{}, method {}, strainwave {}{}", provenance.input_file,
+                              enum_name(options.method), provenance.version,
+                              options.date.empty() ? "" : ", " + options.date);
+  using namespace report;
+  made.sections.push_back(drawing_chapter(draft));
+  made.sections.push_back(inputs_chapter(draft));
+  made.sections.push_back(results_chapter(draft));
+  made.sections.push_back(shares_chapter(draft));
+  made.sections.push_back(torsion_chapter(draft));
+  made.sections.push_back(intensities_chapter(draft));
+  // Behind all that add notes and equations.
+  made.sections.push_back(notes_chapter(draft));
+  made.sections.push_back(accuracy_chapter(draft));
+  made.sections.push_back(equations_chapter(draft));
+  made.sections.push_back(provenance_chapter(draft));
+  made.verdict = verdict_html(draft);
+  made.result = std::move(draft.result);
+  return made;
+}
+
+}  // namespace strainwave

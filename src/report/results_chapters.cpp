@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "chapters.hpp"
+#include "html.hpp"
+#include "markup.hpp"
+#include "strainwave/core/units.hpp"
+
+namespace strainwave::report {
+namespace {
+
+const std::string kPositive = "cracked, <i>T</i> &gt; 0";
+const std::string kNegative = "cracked, <i>T</i> &lt; 0";
+
+Row compliance_row(const StiffnessResult& result, std::string label, const std::string& name,
+                   Quantity Compliances::*member) {
+  const Quantity& sound = result.intact.compliance.*member;
+  const std::string path = ".compliance." + name;
+  return {
+      {std::move(label), quantity("intact" + path, sound),
+       fmt::format("{:.1f} %", 100 * sound.value / result.intact.compliance.total.value),
+       quantity("cracked.positive" + path, result.positive.compliance.*member),
+       quantity("cracked.negative" + path, result.negative.compliance.*member), accuracy(sound)},
+      name == "total" ? "sum" : ""};
+}
+
+std::vector<Row> curve_rows(const StiffnessResult& result) {
+  std::vector<Row> rows;
+  const auto add = [&](const std::string& name, const char* label, Quantity CurveStiffness::*K) {
+    const Quantity& sound = result.curve->intact.*K;
+    rows.push_back(
+        {{label, quantity("curve.intact." + name, sound), "",
+          quantity("curve.positive." + name, result.curve->positive.*K),
+          quantity("curve.negative." + name, result.curve->negative.*K), accuracy(sound)},
+         {}});
+    const auto change = [&](const CurveStiffness& cracked) {
+      const double relative = (cracked.*K).value / sound.value - 1;
+      return std::abs(relative) < 1e-9 ? std::string("0 %")
+                                       : typeset(fmt::format("{:+.3g}", 100 * relative)) + " %";
+    };
+    if (!result.cracks.empty() || result.curve->positive.*K != sound)
+      rows.push_back(
+          {{"change", "", "", change(result.curve->positive), change(result.curve->negative), ""},
+           "change"});
+  };
+  add("K1", "<i>K</i><sub>1</sub>, up to <i>T</i><sub>1</sub>", &CurveStiffness::K1);
+  add("K2", "<i>K</i><sub>2</sub>, <i>T</i><sub>1</sub> to <i>T</i><sub>2</sub>",
+      &CurveStiffness::K2);
+  add("K3", "<i>K</i><sub>3</sub>, from <i>T</i><sub>2</sub>", &CurveStiffness::K3);
+  return rows;
+}
+
+/// Number of a crack in drawings and tables.
+std::string crack_mark(const Draft& draft, const std::string& path) {
+  const auto found = std::ranges::find(draft.cracks, path, &NumberedCrack::path);
+  return found == draft.cracks.end() ? std::string("?") : std::to_string(found->number);
+}
+
+std::string opens_text(OpensUnder opens) {
+  switch (opens) {
+    case OpensUnder::both:
+      return "either sense";
+    case OpensUnder::neither:
+      return "neither sense";
+    case OpensUnder::positive:
+      return "T > 0";
+    case OpensUnder::negative:
+      return "T < 0";
+  }
+  return {};
+}
+
+}  // namespace
+
+ReportSection results_chapter(const Draft& draft) {
+  const StiffnessResult& r = draft.result;
+  std::vector<RowGroup> groups;
+  groups.push_back(
+      {"Compliance at the output, input locked [rad/(N·m)]",
+       {compliance_row(r, "wave generator", "wave_generator", &Compliances::wave_generator),
+        compliance_row(r, "flexspline", "flexspline", &Compliances::flexspline),
+        compliance_row(r, "output shaft", "output_shaft", &Compliances::output_shaft),
+        compliance_row(r, "total", "total", &Compliances::total)}});
+  const auto drive = [&](std::string label, Quantity IntactDrive::*sound,
+                         Quantity CrackedDrive::*cracked, const std::string& name, double unit) {
+    return Row{{std::move(label), quantity("intact." + name, r.intact.*sound, unit), "",
+                quantity("cracked.positive." + name, r.positive.*cracked, unit),
+                quantity("cracked.negative." + name, r.negative.*cracked, unit),
+                accuracy(r.intact.*sound)},
+               {}};
+  };
+  groups.push_back(
+      {"Torsional stiffness",
+       {drive("<i>K</i><sub>HD</sub> [N·m/rad]", &IntactDrive::stiffness, &CrackedDrive::stiffness,
+              "stiffness", 1),
+        drive("<i>K</i><sub>HD</sub> [N·m/arcmin]", &IntactDrive::stiffness,
+              &CrackedDrive::stiffness, "stiffness", 1 / units::arcmin),
+        Row{{"change", "", "",
+             quantity("cracked.positive.stiffness_change", r.positive.stiffness_change, 0.01) +
+                 " %",
+             quantity("cracked.negative.stiffness_change", r.negative.stiffness_change, 0.01) +
+                 " %",
+             accuracy(r.positive.stiffness_change)},
+            "change"},
+        drive(fmt::format("wind-up at {} N·m [arcmin]", number(std::abs(draft.gear.load.torque))),
+              &IntactDrive::wind_up, &CrackedDrive::wind_up, "wind_up", units::arcmin)}});
+  if (r.curve)
+    groups.push_back({"Torsion curve of the coupled drive, with balls, teeth and rings [N·m/rad]",
+                      curve_rows(r)});
+  std::string html = paragraph(fmt::format(
+      "Load at the output: T = {} N·m, P = {} N. Both senses of torque are computed. Accuracy is "
+      "one standard relative uncertainty of the model's form; the inputs are taken as they stand.",
+      number(draft.gear.load.torque, 6), number(draft.gear.load.axial_force, 6)));
+  html +=
+      table("Compliance and stiffness", {"", "sound", "share", kPositive, kNegative, "accuracy"},
+            groups, {.style = "results", .numbers = 1});
+  return {"results", "Results", html};
+}
+
+ReportSection shares_chapter(const Draft& draft) {
+  const StiffnessResult& r = draft.result;
+  const double total = r.intact.compliance.total.value;
+  BarChart members{.id = "shares-members",
+                   .title = "Shares of the members in the compliance of the sound drive",
+                   .axis = "share of the sound drive's compliance [%]"};
+  const auto member = [&](const char* label, const Quantity& q) {
+    members.bars.push_back({.label = label,
+                            .to = 100 * q.value / total,
+                            .text = fmt::format("{:.1f} %", 100 * q.value / total),
+                            .style = {}});
+  };
+  member("wave generator", r.intact.compliance.wave_generator);
+  member("flexspline", r.intact.compliance.flexspline);
+  member("output shaft", r.intact.compliance.output_shaft);
+  std::string html = figure(
+      bar_chart(members), "Where the compliance of the sound drive is: members in series.", "bars");
+  if (!r.cracks.empty()) {
+    BarChart cracks{.id = "shares-cracks",
+                    .title = "What each crack adds to the compliance",
+                    .axis = "added compliance per compliance of the sound drive [%]"};
+    std::vector<Row> rows;
+    for (const CrackReport& crack : r.cracks) {
+      const std::string mark = crack_mark(draft, crack.path);
+      const auto bar = [&](const char* sense, const Quantity& added) {
+        cracks.bars.push_back({.label = fmt::format("{}: {}{}", mark, crack.path, sense),
+                               .to = 100 * added.value / total,
+                               .text = percent(added.value / total),
+                               .style = "crack"});
+      };
+      const bool alike = crack.positive.at_output.value == crack.negative.at_output.value;
+      bar(alike ? "" : ", T > 0", crack.positive.at_output);
+      if (!alike) bar(", T < 0", crack.negative.at_output);
+      const std::size_t index = static_cast<std::size_t>(&crack - r.cracks.data());
+      const std::string path = fmt::format("cracks[{}].added_compliance", index);
+      rows.push_back(
+          {{fmt::format("<span class=\"crack-number\">{}</span> <code>{}</code>", mark,
+                        escaped(crack.path)),
+            escaped(crack.kind), escaped(opens_text(crack.opens_under)),
+            quantity(path + ".positive.at_output", crack.positive.at_output),
+            quantity(path + ".negative.at_output", crack.negative.at_output),
+            percent(crack.positive.at_output.value / total), accuracy(crack.positive.at_output)},
+           {}});
+    }
+    html += figure(bar_chart(cracks), "What each crack adds, under torque at its place.", "bars");
+    html += table("Added compliance of each crack at the output [rad/(N·m)]",
+                  {"crack", "kind", "opens under", "<i>T</i> &gt; 0", "<i>T</i> &lt; 0",
+                   "of the sound, <i>T</i> &gt; 0", "accuracy"},
+                  {{"", rows}}, {.style = "results", .numbers = 3});
+  }
+  for (const NumberedCrack& crack : draft.cracks)
+    if (std::ranges::find(r.cracks, crack.path, &CrackReport::path) == r.cracks.end())
+      html += paragraph(
+          fmt::format("Crack {} ({}, {}) adds nothing to this sum of compliances: it acts through "
+                      "the contacts, and the torsion curve alone has it.",
+                      crack.number, crack.path, crack.kind),
+          "remark");
+  return {"shares", "Shares of members and cracks", html};
+}
+
+ReportSection intensities_chapter(const Draft& draft) {
+  const StiffnessResult& r = draft.result;
+  std::vector<Row> rows;
+  BarChart chart{.id = "intensities-bars",
+                 .title = "Stress intensity of each crack against the toughness",
+                 .axis = "K/K_Ic at the given load",
+                 .reference = 1.0,
+                 .reference_label = "toughness"};
+  std::string html;
+  for (std::size_t i = 0; i < r.cracks.size(); ++i) {
+    const CrackReport& crack = r.cracks[i];
+    const std::string mark = crack_mark(draft, crack.path);
+    const std::string path = fmt::format("cracks[{}]", i);
+    const auto row = [&](const char* where, const StressIntensities& K, const std::string& name,
+                         bool first) {
+      const std::string at = path + ".stress_intensity." + name;
+      rows.push_back(
+          {{first ? fmt::format("<span class=\"crack-number\">{}</span> <code>{}</code>", mark,
+                                escaped(crack.path))
+                  : std::string(),
+            where, quantity(at + ".K_I", K.K_I, units::MPa),
+            quantity(at + ".K_II", K.K_II, units::MPa),
+            quantity(at + ".K_III", K.K_III, units::MPa),
+            first && crack.utilisation ? quantity(path + ".utilisation", *crack.utilisation)
+                                       : std::string(first ? "no toughness" : ""),
+            first && crack.plastic_zone
+                ? quantity(path + ".plastic_zone", *crack.plastic_zone, units::mm)
+                : std::string(first ? "no yield strength" : ""),
+            first ? accuracy(K.K_I.value != 0    ? K.K_I
+                             : K.K_II.value != 0 ? K.K_II
+                                                 : K.K_III)
+                  : std::string()},
+           {}});
+    };
+    if (crack.deepest) row("deepest point", *crack.deepest, "deepest", true);
+    if (crack.largest) row("largest on the front", *crack.largest, "largest", false);
+    if (crack.utilisation)
+      chart.bars.push_back({.label = fmt::format("{}: {}", mark, crack.path),
+                            .to = crack.utilisation->value,
+                            .text = number(crack.utilisation->value, 3),
+                            .style = crack.utilisation->value >= 1 ? "crack" : ""});
+  }
+  if (rows.empty())
+    html += paragraph(draft.cracks.empty()
+                          ? "The file has no cracks."
+                          : "None of the cracks has a stress intensity in this method.");
+  if (!chart.bars.empty())
+    html += figure(bar_chart(chart),
+                   "Stress intensity at the given load against the fracture "
+                   "toughness; beyond 1 the crack runs.",
+                   "bars");
+  else if (!rows.empty())
+    html += paragraph(
+        "The materials of the cracked members give no fracture_toughness: what these "
+        "stress intensities mean for the part is not said here.",
+        "remark");
+  if (!rows.empty())
+    html += table("Stress intensities at the given load [MPa·√m]",
+                  {"crack", "where", "<i>K</i><sub>I</sub>", "<i>K</i><sub>II</sub>",
+                   "<i>K</i><sub>III</sub>", "<i>K</i>/<i>K</i><sub>Ic</sub>", "plastic zone [mm]",
+                   "accuracy"},
+                  {{"", rows}}, {.style = "results", .numbers = 2});
+  for (const CrackReport& crack : r.cracks)
+    if (!crack.deepest)
+      html += paragraph(fmt::format("{} ({}) has no stress intensity: it is modelled by what it "
+                                    "takes from the section.",
+                                    crack.path, crack.kind),
+                        "remark");
+  return {"intensities", "Stress intensities against toughness", html};
+}
+
+}  // namespace strainwave::report

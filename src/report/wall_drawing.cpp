@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "layout.hpp"
+#include "markup.hpp"
+#include "sheet.hpp"
+#include "strainwave/core/units.hpp"
+
+namespace strainwave {
+namespace {
+
+using namespace report;
+
+constexpr double kPaper = 180;
+constexpr double kLength = 120;  // of the wall on paper, at most [mm]
+constexpr double kLeast = 26;    // height of the wall that is drawn, at least [mm]
+
+struct WallCrack {
+  int number = 0;
+  std::string path;
+  double half_length = 0.0;  ///< [m]
+  double angle = 0.0;        ///< from +z toward -theta [rad]
+  WallSection section = WallSection::barrel;
+};
+
+template <class Crack>
+constexpr bool is_wall_crack =
+    std::is_same_v<Crack, WallThroughCrack> || std::is_same_v<Crack, WallSurfaceCrack>;
+
+std::vector<WallCrack> wall_cracks(const GearSet& gear) {
+  std::vector<WallCrack> cracks;
+  for_each_crack(gear, [&](int number, const std::string& path, const auto& c) {
+    if constexpr (is_wall_crack<std::decay_t<decltype(c)>>)
+      cracks.push_back({number, path, c.half_length, c.angle, c.section});
+  });
+  return cracks;
+}
+
+/// The ends of a straight crack; -theta is upward, as y is.
+Polygon ends(Point middle, double half_length, double angle) {
+  const double dz = half_length * std::cos(angle);
+  const double dy = half_length * std::sin(angle);
+  return {{middle.x - dz, middle.y - dy}, {middle.x + dz, middle.y + dy}};
+}
+
+void arrow(Sheet& sheet, Point from, Point to) {
+  sheet.paper_line(from, to, "arrow");
+  const double angle = std::atan2(to.y - from.y, to.x - from.x);
+  for (const double side : {-0.45, 0.45})
+    sheet.paper_line(to, {to.x - 2 * std::cos(angle + side), to.y - 2 * std::sin(angle + side)},
+                     "arrow");
+}
+
+/// A crack too short to be seen, in a box of its own.
+void enlarged(Sheet& sheet, const WallCrack& crack, Point corner) {
+  constexpr double kMost = 16;
+  const double scale = drawing_scale(2 * crack.half_length, kMost);
+  sheet.raw(
+      fmt::format("<g data-detail=\"{}\" data-scale=\"{}\">\n<rect class=\"inset\" x=\"{}\" "
+                  "y=\"{}\" width=\"{}\" height=\"{}\"/>\n",
+                  crack.path, scale, coordinate(corner.x), coordinate(corner.y),
+                  coordinate(kDetailWidth), coordinate(kDetailHeight)));
+  sheet.balloon({corner.x + 4, corner.y + 4}, std::to_string(crack.number), "crack-mark");
+  sheet.words({corner.x + 8.2, corner.y + 3.6}, fmt::format("enlarged, {}", scale_text(scale)), "");
+  sheet.words({corner.x + 8.2, corner.y + 7.0}, "2a = " + in_mm(2 * crack.half_length), "small");
+  const Point middle{corner.x + kDetailWidth / 2, corner.y + 20};
+  sheet.paper_line({corner.x + 3, middle.y}, {corner.x + kDetailWidth - 3, middle.y}, "axis");
+  const double half = crack.half_length / units::mm * scale;
+  sheet.raw(
+      fmt::format("<path data-enlarged=\"{}\" class=\"crack open\" d=\"M{} {}L{} {}\"/>\n</g>\n",
+                  crack.path, coordinate(middle.x - half * std::cos(crack.angle)),
+                  coordinate(middle.y + half * std::sin(crack.angle)),
+                  coordinate(middle.x + half * std::cos(crack.angle)),
+                  coordinate(middle.y - half * std::sin(crack.angle))));
+}
+
+}  // namespace
+
+std::string wall_drawing(const GearSet& gear) {
+  const std::vector<WallCrack> cracks = wall_cracks(gear);
+  if (cracks.empty()) return {};
+  const Layout at = layout_of(gear);
+  const double length = at.barrel->z2;
+  // Room for every crack beside the others, round the circumference.
+  double height = 0.0;
+  for (const WallCrack& c : cracks)
+    height += std::max(2 * c.half_length * std::abs(std::sin(c.angle)), 0.16 * length);
+  height *= 1.25;
+  const double scale = std::min(drawing_scale(length, kLength), drawing_scale(height, 110));
+  const double spare = std::max(0.0, kLeast * units::mm / scale - height);
+  height += spare;
+  constexpr double kLeft = 18;
+  constexpr double kTop = 12;
+  Sheet sheet(scale, {kLeft, kTop + height / units::mm * scale});
+  const double width_on_paper = sheet.paper(length);
+  const double height_on_paper = sheet.paper(height);
+  sheet.outline("wall", rectangle(0, 0, length, height), "seen");
+  if (at.rim) sheet.line({at.rim->z2, 0}, {at.rim->z2, height}, "seen");
+  const double bottom = kTop + height_on_paper;
+  if (at.rim) sheet.words({kLeft + 1, bottom - 1.2}, "rim", "small");
+  sheet.words({kLeft + sheet.paper(at.barrel->z1) + 1, bottom - 1.2}, at.rim ? "barrel" : "wall",
+              "small");
+  double y = height - spare / 2;
+  std::vector<const WallCrack*> small;
+  for (const WallCrack& c : cracks) {
+    const double room =
+        1.25 * std::max(2 * c.half_length * std::abs(std::sin(c.angle)), 0.16 * length);
+    const Point middle{wall_of(at, c.section).middle(), y - room / 2};
+    y -= room;
+    sheet.line({middle.x - 0.16 * length, middle.y}, {middle.x + 0.16 * length, middle.y}, "axis");
+    sheet.crack(c.path, ends(middle, c.half_length, c.angle), false);
+    const Point target = sheet.paper(middle);
+    const Point mark{kLeft + width_on_paper + 7, target.y};
+    sheet.paper_line({mark.x - 2.5, mark.y}, target, "crack-leader");
+    sheet.balloon(mark, std::to_string(c.number), "crack-mark");
+    if (sheet.paper(2 * c.half_length) < kVisible) small.push_back(&c);
+  }
+  // The sense of T > 0: +theta on the output's end, which is downward here.
+  const double middle_y = kTop + height_on_paper / 2;
+  const double half = std::min(8.0, height_on_paper / 2);
+  arrow(sheet, {kLeft - 5, middle_y + half}, {kLeft - 5, middle_y - half});
+  arrow(sheet, {kLeft + width_on_paper + 2.5, middle_y - half},
+        {kLeft + width_on_paper + 2.5, middle_y + half});
+  sheet.words({kLeft - 13, middle_y + 1}, "T>0", "small");
+  arrow(sheet, {kLeft, 6}, {kLeft + 14, 6});
+  sheet.words({kLeft + 16, 7}, "+z, output", "small");
+  arrow(sheet, {kLeft - 5, 10}, {kLeft - 5, 3});
+  sheet.words({kLeft - 14, 6.5}, "−θ", "small");
+  const double x = kLeft + width_on_paper + 14;
+  double line = kTop + 3;
+  const auto say = [&](const std::string& text) {
+    if (x < kPaper - 40) {
+      sheet.words({x, line}, text, "small");
+      line += 4.2;
+    }
+  };
+  for (const WallCrack& c : cracks)
+    say(fmt::format("{}: 2a = {}, β = {:.4g}°", c.number, in_mm(2 * c.half_length),
+                    c.angle / units::deg));
+  double end = std::max(bottom + 4, line + 2);
+  for (std::size_t i = 0; i < small.size(); ++i)
+    enlarged(sheet, *small[i], {2 + static_cast<double>(i) * (kDetailWidth + 4), end});
+  if (!small.empty()) end += kDetailHeight + 4;
+  sheet.scale_bar({4, end}, 40);
+  sheet.words({kPaper - 2, end + 1.2},
+              fmt::format("wall of the flexspline seen from outside, unrolled; scale {}",
+                          scale_text(scale)),
+              "small end");
+  sheet.words({kPaper - 2, end + 4.8},
+              "where on the wall a crack lies is not in the file; length and angle β are to scale",
+              "small end");
+  return sheet.svg(
+      "wall", {kPaper, end + 8}, "Developed wall of the flexspline with its cracks",
+      fmt::format("Scale {}; the angle beta is counter-clockwise from +z.", scale_text(scale)));
+}
+
+}  // namespace strainwave
