@@ -46,9 +46,7 @@ class Front {
       : gear_(gear),
         at_(layout),
         sheet_(drawing_scale(2 * layout.top, kRound), {0, 0}),
-        factor_(exaggeration(gear, layout.rim      ? layout.rim->outer
-                                   : layout.barrel ? layout.barrel->outer
-                                                   : gear.drive.pitch_diameter / 2)) {
+        factor_(exaggeration(gear, layout.tooth_root)) {
     half_ = sheet_.paper(at_.top) + 12;
     sheet_ = Sheet(sheet_.scale(), {half_ + 6, half_});
   }
@@ -139,8 +137,7 @@ class Front {
            at_.circular_spline->inner + c.depth);
   }
   void add(int number, const std::string& path, const ToothCrack& c) {
-    const Ring& wall = at_.rim ? *at_.rim : *at_.barrel;
-    const double root = deflected(wall.outer, c.position);
+    const double root = deflected(at_.tooth_root, c.position);
     radial(number, path, c.position, root, root + at_.tooth_height);
   }
 

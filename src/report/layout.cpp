@@ -122,6 +122,7 @@ Layout layout_of(const GearSet& gear) {
   if (gear.flexspline) place_flexspline(gear, at);
   if (gear.wave_generator) place_wave_generator(gear, at);
   at.tooth_height = kSketchedTooth * pitch / (gear.drive.wave_number * gear.drive.ratio);
+  at.tooth_root = at.rim ? at.rim->outer : at.barrel ? at.barrel->outer : pitch / 2;
   const double middle = at.teeth_middle();
   if (gear.circular_spline) {
     const CircularSpline& cs = *gear.circular_spline;

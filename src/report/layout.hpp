@@ -44,6 +44,7 @@ struct Layout {
   std::optional<Ring> circular_spline;
   std::optional<Ring> shaft;
   double teeth_width = 0.0;   ///< axial
+  double tooth_root = 0.0;    ///< radius of the roots of the flexspline's teeth
   double tooth_height = 0.0;  ///< sketched
   double end = 0.0;           ///< largest z
   double top = 0.0;           ///< largest radius

@@ -87,7 +87,11 @@ std::string number(double value, int digits) {
   const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
   std::string text;
   if (exponent >= -3 && exponent < 6) {
-    text = fmt::format("{:.{}f}", std::abs(value), std::max(0, digits - 1 - exponent));
+    // Digits left of the point that are not significant become zeros.
+    const double unit = std::pow(10.0, std::max(0, exponent - digits + 1));
+    text = fmt::format("{:.{}f}",
+                       unit > 1 ? std::round(std::abs(value) / unit) * unit : std::abs(value),
+                       std::max(0, digits - 1 - exponent));
     if (text.find('.') != std::string::npos) {
       text.erase(text.find_last_not_of('0') + 1);
       if (text.ends_with('.')) text.pop_back();

@@ -86,8 +86,8 @@ tbody th { font-weight: 400; }
 .notes li { margin: .25rem 0; }
 .s0 li::marker, .s0 { color: var(--bad); }
 .equations { columns: 17rem; padding-left: 0; list-style: none; }
-.equations li { break-inside: avoid; }
-.equations b { display: inline-block; min-width: 3.6rem; }
+.equations li { break-inside: avoid; padding-left: 3.9rem; text-indent: -3.9rem; }
+.equations b { display: inline-block; width: 3.9rem; text-indent: 0; }
 dl:not(.key) { display: grid; grid-template-columns: max-content 1fr; gap: .1rem 1.2rem; }
 dl:not(.key) dd { margin: 0; overflow-wrap: anywhere; }
 dl:not(.key) dt { color: var(--muted); }
@@ -115,13 +115,16 @@ summary { cursor: pointer; }
     color: #57606a; } }
 @media print {
   body { max-width: none; padding: 0; font-size: 9.5pt; }
-  nav { display: none; }
   h2 { break-after: avoid; margin-top: 1.2rem; }
   h3, caption { break-after: avoid; }
   figure, tr, li, .verdict, .key div { break-inside: avoid; }
   thead { display: table-header-group; }
   .scroll { overflow: visible; }
-  .inputs { min-width: 0; font-size: .78em; }
+  .results tbody { break-inside: avoid; }
+  .group { break-after: avoid; }
+  .inputs { min-width: 0; font-size: .74em; }
+  .inputs th, .inputs td { padding-top: .08rem; padding-bottom: .08rem; }
+  .inputs .group th { padding-top: .4rem; }
   .inputs th, .inputs td:nth-child(2) { white-space: normal; }
   table { font-size: .82em; }
   pre { white-space: pre-wrap; overflow: visible; font-size: 6.8pt; line-height: 1.35; }

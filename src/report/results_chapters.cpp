@@ -73,6 +73,11 @@ std::string opens_text(OpensUnder opens) {
   return {};
 }
 
+bool same(const StressIntensities& a, const StressIntensities& b) {
+  return a.K_I.value == b.K_I.value && a.K_II.value == b.K_II.value &&
+         a.K_III.value == b.K_III.value;
+}
+
 }  // namespace
 
 ReportSection results_chapter(const Draft& draft) {
@@ -215,7 +220,8 @@ ReportSection intensities_chapter(const Draft& draft) {
            {}});
     };
     if (crack.deepest) row("deepest point", *crack.deepest, "deepest", true);
-    if (crack.largest) row("largest on the front", *crack.largest, "largest", false);
+    if (crack.largest && !(crack.deepest && same(*crack.deepest, *crack.largest)))
+      row("largest on the front", *crack.largest, "largest", !crack.deepest);
     if (crack.utilisation)
       chart.bars.push_back({.label = fmt::format("{}: {}", mark, crack.path),
                             .to = crack.utilisation->value,

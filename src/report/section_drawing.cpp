@@ -276,7 +276,7 @@ class Section {
                Detail::Shape::rectangle});
   }
   void crack(int number, const std::string& path, const ToothCrack&) {
-    const double root = at_.rim ? at_.rim->outer : at_.barrel->outer;
+    const double root = at_.tooth_root;
     add(number, path, rectangle(0, root, at_.teeth_width, root + at_.tooth_height), true,
         at_.teeth_width, {});
   }

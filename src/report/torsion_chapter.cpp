@@ -23,33 +23,35 @@ std::string change(double relative) {
 }
 
 std::string lines_table(const TorsionReport& t) {
-  std::vector<Row> rows;
-  const auto add = [&](const char* label, double MakersLines::*line, const Band* band,
-                       double unit) {
-    rows.push_back(
-        {{label, number(t.positive.*line / unit), number(t.negative.*line / unit),
-          band == nullptr ? std::string()
-                          : number(band->low / unit, 3) + " to " + number(band->high / unit, 3)},
-         {}});
-  };
   const LineBands* const bands = t.bands ? &*t.bands : nullptr;
-  add("<i>K</i><sub>1</sub> [N·m/rad]", &MakersLines::K1, bands ? &bands->K1 : nullptr, 1);
-  add("<i>K</i><sub>2</sub> [N·m/rad]", &MakersLines::K2, bands ? &bands->K2 : nullptr, 1);
-  add("<i>K</i><sub>3</sub> [N·m/rad]", &MakersLines::K3, bands ? &bands->K3 : nullptr, 1);
-  add("twist at <i>T</i><sub>1</sub> [arcmin]", &MakersLines::phi1, nullptr, units::arcmin);
-  add("twist at <i>T</i><sub>2</sub> [arcmin]", &MakersLines::phi2, nullptr, units::arcmin);
-  rows.push_back({{fmt::format("lost motion [arcmin], at ±{} N·m", number(t.torques.lost_motion)),
-                   arcmin(t.lost_motion), "", ""},
-                  {}});
-  rows.push_back({{fmt::format("widest place of the loop [arcmin], at {} N·m",
-                               number(t.loop.torque_of_largest_width)),
-                   arcmin(t.loop.largest_width), "", ""},
-                  {}});
-  return table(
-      "Torsion curve in the maker's numbers, with the cracks of the file",
-      {"", "<i>T</i> &gt; 0", "<i>T</i> &lt; 0",
-       bands ? fmt::format("90 % of {} draws of the ranges", bands->draws) : std::string("range")},
-      {{"", rows}}, {.style = "results", .numbers = 1});
+  std::vector<Row> rows;
+  const auto add = [&](std::string label, std::string positive, std::string negative,
+                       const Band* band) {
+    Row row{{std::move(label), std::move(positive), std::move(negative)}, {}};
+    if (bands != nullptr)
+      row.cells.push_back(band == nullptr ? std::string()
+                                          : number(band->low, 3) + " to " + number(band->high, 3));
+    rows.push_back(std::move(row));
+  };
+  const auto stiffness = [&](const char* label, double MakersLines::*line, const Band* band) {
+    add(label, number(t.positive.*line), number(t.negative.*line), band);
+  };
+  stiffness("<i>K</i><sub>1</sub> [N·m/rad]", &MakersLines::K1, bands ? &bands->K1 : nullptr);
+  stiffness("<i>K</i><sub>2</sub> [N·m/rad]", &MakersLines::K2, bands ? &bands->K2 : nullptr);
+  stiffness("<i>K</i><sub>3</sub> [N·m/rad]", &MakersLines::K3, bands ? &bands->K3 : nullptr);
+  add("twist at <i>T</i><sub>1</sub> [arcmin]", arcmin(t.positive.phi1), arcmin(t.negative.phi1),
+      nullptr);
+  add("twist at <i>T</i><sub>2</sub> [arcmin]", arcmin(t.positive.phi2), arcmin(t.negative.phi2),
+      nullptr);
+  add(fmt::format("lost motion [arcmin], at ±{} N·m", number(t.torques.lost_motion)),
+      arcmin(t.lost_motion), "", nullptr);
+  add(fmt::format("widest place of the loop [arcmin], at {} N·m",
+                  number(t.loop.torque_of_largest_width)),
+      arcmin(t.loop.largest_width), "", nullptr);
+  std::vector<std::string> head = {"", "<i>T</i> &gt; 0", "<i>T</i> &lt; 0"};
+  if (bands != nullptr) head.push_back(fmt::format("90 % of {} draws of the ranges", bands->draws));
+  return table("Torsion curve in the maker's numbers, with the cracks of the file", head,
+               {{"", rows}}, {.style = "results", .numbers = 1});
 }
 
 std::string comparison_table(const CurveComparison& c) {
@@ -171,14 +173,13 @@ ReportSection torsion_chapter(Draft& draft) {
     html += lines_table(t);
     if (t.comparison) {
       html += comparison_table(*t.comparison);
-      html += paragraph(
-          "Where the crack is, told from the curve alone: " +
-          std::string(t.comparison->crack_class == CrackClass::series ? "a member in series"
-                      : t.comparison->crack_class == CrackClass::contact_path
-                          ? "in the path of the contacts"
-                      : t.comparison->crack_class == CrackClass::none ? "cannot tell"
-                                                                      : "cannot tell, or several") +
-          "; " + t.comparison->evidence + " (TC-26).");
+      const std::size_t positions = t.comparison->angles.size();
+      if (positions > 1 && positions < static_cast<std::size_t>(t.curve.teeth))
+        html += paragraph(
+            fmt::format("The flexspline has {} teeth: the worst position may lie between these {}. "
+                        "The command `strainwave torsion --compare` takes every tooth.",
+                        t.curve.teeth, positions),
+            "remark");
     }
     html += points_table(t);
     html += rim_table(t);

@@ -84,7 +84,7 @@ TEST_F(Program, IdentityVersionAndHelpSucceed) {
   const Outcome help = run("--help");
   EXPECT_EQ(help.exit_code, 0);
   for (const char* const command :
-       {"stiffness", "audit", "sweep", "solve", "torsion", "new", "schema", "man"})
+       {"stiffness", "audit", "sweep", "solve", "torsion", "report", "new", "schema", "man"})
     EXPECT_NE(help.out.find(command), std::string::npos) << command;
 }
 
@@ -455,6 +455,56 @@ TEST_F(Program, InputSifRefusesInOneSentence) {
   EXPECT_FALSE(fs::exists(in_folder("none.svg")));
   EXPECT_EQ(run("sif").exit_code, 2);
   EXPECT_EQ(run("sif list --family plates").exit_code, 2);
+}
+
+TEST_F(Program, IdentityReportIsAPageInAFileOrOnStandardOutput) {
+  const Outcome printed = run("report " + kArticle);
+  EXPECT_EQ(printed.exit_code, 0) << printed.err;
+  EXPECT_EQ(printed.out.rfind("<!DOCTYPE html>", 0), 0U);
+  EXPECT_NE(printed.out.find("</html>"), std::string::npos);
+  const fs::path page = in_folder("report.html");
+  const Outcome written = run("report " + kArticle + " -o " + quoted(page.string()));
+  EXPECT_EQ(written.exit_code, 0) << written.err;
+  EXPECT_TRUE(written.out.empty());
+  EXPECT_EQ(contents(page), printed.out);
+  EXPECT_EQ(run("report " + kArticle + " --output " + quoted(page.string())).exit_code, 0);
+  EXPECT_EQ(contents(page), printed.out);
+}
+
+TEST_F(Program, IdentityReportHasADateOnlyIfItIsGiven) {
+  EXPECT_EQ(run("report " + kArticle).out.find("<dt>Date</dt>"), std::string::npos);
+  // 86400 seconds after 1970 began.
+  EXPECT_NE(run("report " + kArticle, "SOURCE_DATE_EPOCH=86400 ")
+                .out.find("<dt>Date</dt><dd>1970-01-02</dd>"),
+            std::string::npos);
+  EXPECT_NE(run("report --date 'Friday & more' " + kArticle, "SOURCE_DATE_EPOCH=86400 ")
+                .out.find("<dt>Date</dt><dd>Friday &amp; more</dd>"),
+            std::string::npos);
+  for (const char* const epoch : {"SOURCE_DATE_EPOCH=soon ", "SOURCE_DATE_EPOCH=-1 ",
+                                  "SOURCE_DATE_EPOCH=1e9 ", "SOURCE_DATE_EPOCH=253402300800 "}) {
+    const Outcome outcome = run("report " + kArticle, epoch);
+    EXPECT_EQ(outcome.exit_code, 2) << epoch;
+    EXPECT_TRUE(outcome.out.empty()) << epoch;
+  }
+}
+
+TEST_F(Program, InputReportOfAWrongFileLeavesNothingBehind) {
+  const fs::path page = in_folder("report.html");
+  const std::string bad =
+      changed_article("outer_diameter = \"70 mm\"", "outer_diameter = \"40 mm\"");
+  EXPECT_EQ(run("report " + bad + " -o " + quoted(page.string())).exit_code, 3);
+  EXPECT_FALSE(fs::exists(page));
+  EXPECT_EQ(run("report " + quoted(in_folder("none.toml").string())).exit_code, 3);
+}
+
+TEST_F(Program, IdentityReportOfAnUnusableResultIsMadeAndEndsWithFour) {
+  const fs::path page = in_folder("report.html");
+  const std::string long_crack =
+      changed_article("half_length = \"0.1 mm\"", "half_length = \"30 mm\"");
+  const Outcome outcome = run("report " + long_crack + " -o " + quoted(page.string()));
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_NE(outcome.err.find("finite elements"), std::string::npos);
+  EXPECT_NE(contents(page).find("Not to be used"), std::string::npos);
 }
 
 }  // namespace

@@ -17,10 +17,10 @@ namespace strainwave {
 struct ReportOptions {
   Method method = Method::corrected;
   /// The input file, word for word; empty: the drive as `gear_text` writes it.
-  std::string input_text;
-  std::string date;  ///< as it is to be printed; empty: none
-  int angles = 12;   ///< positions of the wave generator in the comparison of torsion curves; >= 0
-  int draws = 200;   ///< of the file's ranges for the bands of K1, K2, K3; >= 0
+  std::string input_text = {};
+  std::string date = {};  ///< as it is to be printed; empty: none
+  int angles = 24;  ///< positions of the wave generator in the comparison of torsion curves; >= 0
+  int draws = 200;  ///< of the file's ranges for the bands of K1, K2, K3; >= 0
 };
 
 /// A chapter of a report.

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/report/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "report/svg_document.hpp"
+#include "strainwave/core/sha256.hpp"
+#include "strainwave/core/units.hpp"
+#include "strainwave/io/gear_reader.hpp"
+#include "strainwave/model/result_fields.hpp"
+#include "strainwave/report/section_drawing.hpp"
+#include "strainwave/study/evaluate.hpp"
+#include "support/article_gear.hpp"
+
+namespace strainwave {
+namespace {
+
+using test::Element;
+using units::mm;
+using units::MPa;
+
+constexpr std::array kSections = {"drawing",     "inputs", "results",  "shares",    "torsion",
+                                  "intensities", "notes",  "accuracy", "equations", "provenance"};
+
+const Provenance kProvenance{.version = "1.2.3",
+                             .revision = "abc",
+                             .input_file = "drive.toml",
+                             .quadrature_tolerance = 1e-10};
+
+std::string text_of(const std::string& name) {
+  std::ifstream stream(std::filesystem::path(STRAINWAVE_EXAMPLES) / (name + ".toml"));
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Few positions and draws: what is tested here is the report, not the curve.
+Report report_on(const std::string& text, Method method = Method::corrected) {
+  return make_report(read_gear_set(text, "drive.toml"), kProvenance,
+                     {.method = method, .input_text = text, .date = {}, .angles = 1, .draws = 2});
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+const ReportSection& section(const Report& report, const std::string& id) {
+  for (const ReportSection& s : report.sections)
+    if (s.id == id) return s;
+  throw std::runtime_error("no section " + id);
+}
+
+/// The page is XML but for the style sheet's raw text, which has neither `<` nor `&`.
+std::vector<Element> parsed(const std::string& html) { return test::parse_xml(html); }
+
+TEST(Report, IdentityEveryExampleGivesAWholePage) {
+  for (const char* const name :
+       {"article", "cracked_size25", "cup_sections", "solid_shaft", "catalogue_size25"}) {
+    const Report report = report_on(text_of(name));
+    const std::string html = report_html(report);
+    ASSERT_NO_THROW((void)parsed(html)) << name;
+    const std::vector<Element> elements = parsed(html);
+    std::set<std::string> ids;
+    std::vector<std::string> sections;
+    std::size_t headings = 0;
+    for (const Element& element : elements) {
+      if (element.has("id")) {
+        EXPECT_TRUE(ids.insert(element.at("id")).second) << element.at("id");
+      }
+      if (element.name == "section") sections.push_back(element.at("id"));
+      headings += element.name == "h2" ? 1 : 0;
+      if (element.name == "th") {
+        EXPECT_TRUE(element.has("scope")) << name;
+      }
+      if (element.name == "svg") {
+        EXPECT_EQ(element.at("role"), "img");
+        EXPECT_TRUE(element.has("aria-labelledby") || element.has("aria-label"));
+      }
+    }
+    EXPECT_EQ(sections, std::vector<std::string>(kSections.begin(), kSections.end())) << name;
+    EXPECT_EQ(headings, kSections.size());
+    EXPECT_EQ(elements.front().name, "html");
+    EXPECT_EQ(elements.front().at("lang"), "en");
+    EXPECT_EQ(html.find("<!DOCTYPE html>"), 0U);
+    // Links lead somewhere in the page.
+    for (const Element& element : elements)
+      if (element.name == "a") {
+        ASSERT_EQ(element.at("href")[0], '#');
+        EXPECT_TRUE(ids.contains(element.at("href").substr(1))) << element.at("href");
+      }
+    for (const ReportSection& s : report.sections)
+      EXPECT_GT(s.html.size(), 25U) << name << ' ' << s.id;
+  }
+}
+
+TEST(Report, IdentityNothingComesFromOutsideTheFile) {
+  const std::string html = report_html(report_on(text_of("cracked_size25")));
+  for (const char* const forbidden : {"src=", "<script", "<link", "<iframe", "@import", "url("})
+    EXPECT_EQ(html.find(forbidden), std::string::npos) << forbidden;
+  // The name spaces of XML are names, not places.
+  std::string rest = html;
+  for (const std::string name :
+       {"xmlns=\"http://www.w3.org/1999/xhtml\"", "xmlns=\"http://www.w3.org/2000/svg\""})
+    for (std::size_t at = rest.find(name); at != std::string::npos; at = rest.find(name))
+      rest.erase(at, name.size());
+  EXPECT_EQ(rest.find("://"), std::string::npos);
+}
+
+TEST(Report, IdentityTheSameInputGivesTheSameBytes) {
+  const std::string text = text_of("cup_sections");
+  EXPECT_EQ(report_html(report_on(text)), report_html(report_on(text)));
+}
+
+// Every number of the page that names its place in the result is that of `evaluate`.
+TEST(Report, CrosscheckNumbersAreThoseOfEvaluate) {
+  for (const char* const name : {"article", "cracked_size25", "cup_sections", "solid_shaft"}) {
+    const std::string text = text_of(name);
+    const StiffnessResult result = evaluate(read_gear_set(text, "x"), Method::corrected);
+    std::map<std::string, double> values;
+    for_each_quantity(result,
+                      [&](const std::string& path, const Quantity& q) { values[path] = q.value; });
+    std::set<std::string> shown;
+    for (const Element& element : parsed(report_html(report_on(text)))) {
+      if (element.name != "data") continue;
+      const std::string& path = element.at("data-path");
+      ASSERT_TRUE(values.contains(path)) << path;
+      EXPECT_EQ(std::stod(element.at("value")), values[path]) << path;
+      EXPECT_FALSE(element.text.empty());
+      shown.insert(path);
+    }
+    for (const char* const path :
+         {"intact.compliance.wave_generator", "intact.compliance.flexspline",
+          "intact.compliance.output_shaft", "intact.compliance.total", "intact.stiffness",
+          "intact.wind_up", "cracked.positive.stiffness", "cracked.negative.stiffness",
+          "cracked.positive.stiffness_change", "cracked.negative.stiffness_change",
+          "cracked.negative.wind_up", "cracked.negative.compliance.total"})
+      EXPECT_TRUE(shown.contains(path)) << name << ' ' << path;
+    for (std::size_t i = 0; i < result.cracks.size(); ++i)
+      EXPECT_TRUE(
+          shown.contains("cracks[" + std::to_string(i) + "].added_compliance.negative.at_output"));
+    EXPECT_EQ(shown.contains("curve.positive.K3"), result.curve.has_value());
+  }
+}
+
+TEST(Report, ReferenceStiffnessIsShownInTheUnitThatItNames) {
+  const Report report = report_on(text_of("solid_shaft"));
+  // 1 N*m/arcmin is 10800/pi N*m/rad.
+  const double expected = report.result.intact.stiffness.value * 3.14159265358979 / 10800;
+  bool found = false;
+  for (const Element& element : parsed("<x>" + report.verdict + "</x>")) {
+    if (element.name != "data" || element.at("data-path") != "intact.stiffness") continue;
+    found = true;
+    EXPECT_NEAR(std::stod(element.text), expected, 5e-4 * expected);
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST(Report, InputTextFromTheFileIsEscapedEverywhere) {
+  std::string text = text_of("article");
+  const std::string evil = "<script>alert(1)</script> & \\\"q\\\" 'x'";
+  const std::size_t at = text.find("Article example");
+  text.replace(at, text.find('"', at) - at, evil);
+  // A name of a material is a key, and stands in paths and notes.
+  for (std::size_t i = text.find("[material.steel]"); i != std::string::npos;
+       i = text.find("[material.steel]"))
+    text.replace(i, 16, "[material.\"<b>&\"]");
+  for (std::size_t i = text.find("\"steel\""); i != std::string::npos; i = text.find("\"steel\""))
+    text.replace(i, 7, "\"<b>&\"");
+  text += "\n# </pre><img onerror=x> &nbsp;\n";
+  Provenance provenance = kProvenance;
+  provenance.input_file = "<i>\xff.toml";
+  const GearSet gear = read_gear_set(text, "drive.toml");
+  const std::string html =
+      report_html(make_report(gear, provenance, {.input_text = text, .date = "<now>\x07"}));
+  ASSERT_NO_THROW((void)parsed(html));
+  for (const char* const raw : {"<script", "<img", "<b>&", "<now>", "<i>\xff", "&nbsp;"})
+    EXPECT_EQ(html.find(raw), std::string::npos) << raw;
+  EXPECT_NE(html.find("&lt;script&gt;alert(1)&lt;/script&gt; &amp; &quot;q&quot; &#39;x&#39;"),
+            std::string::npos);
+  EXPECT_NE(html.find("&lt;b&gt;&amp;"), std::string::npos);
+  EXPECT_NE(html.find("\uFFFD.toml"), std::string::npos);
+}
+
+TEST(Report, ReferenceProvenanceHasTheInputWordForWord) {
+  const std::string text = text_of("solid_shaft");
+  const Report report = report_on(text);
+  const std::string& html = section(report, "provenance").html;
+  EXPECT_NE(html.find(sha256_hex(text)), std::string::npos);
+  for (const char* const part : {"strainwave 1.2.3 (abc)", "drive.toml", "corrected", "1·10⁻¹⁰"})
+    EXPECT_NE(html.find(part), std::string::npos) << part;
+  std::string word_for_word;
+  for (const Element& element : parsed("<x>" + html + "</x>"))
+    if (element.name == "pre") word_for_word = element.text;
+  for (const auto& [entity, plain] :
+       std::map<std::string, std::string>{{"&quot;", "\""}, {"&lt;", "<"}, {"&gt;", ">"}})
+    for (std::size_t at = word_for_word.find(entity); at != std::string::npos;
+         at = word_for_word.find(entity, at))
+      word_for_word.replace(at, entity.size(), plain);
+  EXPECT_EQ(word_for_word, text);
+  EXPECT_EQ(html.find("Date"), std::string::npos);  // none unless it is given
+}
+
+TEST(Report, ReferenceInputsSayWhoGaveThem) {
+  const Report report = report_on(text_of("catalogue_size25"));
+  std::map<std::string, std::string> givers;
+  std::string path;
+  for (const Element& element : parsed("<x>" + section(report, "inputs").html + "</x>")) {
+    if (element.name == "code") path = element.at("data-field");
+    if (element.name == "span") givers[path] = element.text;
+  }
+  const std::map<std::string, std::string> expected = {
+      {"drive.ratio", "catalogue"},                         // from its comment
+      {"wave_generator.bearing.ball_diameter", "typical"},  // from the comment above it
+      {"wave_generator.bearing.loaded_balls", "assumed"},
+      {"flexspline.diaphragm.thickness", "typical"},  // from its [[range]]
+      {"mesh.flank_angle", "assumed"},
+      {"wave_generator.load_factor", "default"},
+      {"flexspline.length", "typical"},
+      {"flexspline.rim.outer_diameter", "in the file"},  // its comment begins otherwise
+      {"load.axial_force", "default"}};
+  for (const auto& [field, giver] : expected) EXPECT_EQ(givers[field], giver) << field;
+  const std::string& html = section(report, "inputs").html;
+  EXPECT_NE(html.find("18 deg to 26 deg"), std::string::npos);
+  EXPECT_NE(html.find("few samples, mostly tapered: a mean"), std::string::npos);
+}
+
+TEST(Report, IdentityEveryNoteAndEquationIsThere) {
+  const std::string text = text_of("cup_sections");
+  const Report report = report_on(text);
+  const std::string& notes = section(report, "notes").html;
+  for (const Note& note : report.result.notes)
+    EXPECT_NE(notes.find("data-code=\"" + note.code + "\""), std::string::npos) << note.code;
+  EXPECT_EQ(count(notes, "<li "), report.result.notes.size());
+  const std::string& equations = section(report, "equations").html;
+  for (const std::string& tag : report.result.equations)
+    EXPECT_NE(equations.find("<li id=\"" + tag + "\"><b>" + tag + "</b> "), std::string::npos)
+        << tag;
+  EXPECT_EQ(count(equations, "<li "), report.result.equations.size());
+  // A title of the manual, docs/theory/FR.md.
+  EXPECT_NE(equations.find("<b>FR-2</b> Added compliance<"), std::string::npos);
+}
+
+TEST(Report, ReferenceVerdictFollowsTheWorstNote) {
+  // The solid shaft's crack is far below its toughness; deeper and under more torque it runs.
+  GearSet gear = read_gear_set(text_of("solid_shaft"), "x");
+  const auto verdict = [&] { return make_report(gear, kProvenance, {}).verdict; };
+  EXPECT_EQ(verdict().find("verdict bad"), std::string::npos);
+  gear.load.torque *= 200;
+  EXPECT_NE(verdict().find("verdict bad"), std::string::npos);
+  EXPECT_NE(verdict().find(">Critical<"), std::string::npos);
+  EXPECT_NE(verdict().find("reaches the fracture toughness"), std::string::npos);
+}
+
+TEST(Report, InputUnusableResultIsReportedWithItsReasonOnTop) {
+  GearSet gear = test::article_gear();
+  std::get<WallThroughCrack>(gear.flexspline->crack[0]).half_length = 30 * mm;
+  const Report report = make_report(gear, kProvenance, {});
+  ASSERT_FALSE(report.result.usable());
+  EXPECT_NE(report.verdict.find("verdict bad"), std::string::npos);
+  EXPECT_NE(report.verdict.find(">Not to be used<"), std::string::npos);
+  EXPECT_NE(report.verdict.find("needs finite elements"), std::string::npos);
+  EXPECT_NO_THROW((void)parsed(report_html(report)));
+}
+
+TEST(Report, IdentityWithoutGeometryThereIsASentenceInsteadOfACurve) {
+  const Report article = report_on(text_of("article"));
+  const std::string& why = section(article, "torsion").html;
+  EXPECT_NE(why.find("No torsion curve"), std::string::npos);
+  EXPECT_NE(why.find("wave_generator.bearing"), std::string::npos) << why;
+  EXPECT_EQ(why.find("<svg"), std::string::npos);
+  const Report cracked = report_on(text_of("cracked_size25"));
+  const std::string& curve = section(cracked, "torsion").html;
+  EXPECT_GE(count(curve, "<svg"), 2U);
+  EXPECT_NE(curve.find(">with cracks<"), std::string::npos);
+  EXPECT_NE(curve.find(">sound<"), std::string::npos);
+  // The plot's own rules stay within it.
+  EXPECT_EQ(curve.find("\ntext {"), std::string::npos);
+  EXPECT_NE(curve.find(".plot text {"), std::string::npos);
+}
+
+TEST(Report, IdentityMethodsOfTheArticleHaveAReportToo) {
+  for (const Method method : {Method::as_printed, Method::repaired}) {
+    const Report report = report_on(text_of("article"), method);
+    EXPECT_NO_THROW((void)parsed(report_html(report)));
+    EXPECT_EQ(report.result.method, method);
+    EXPECT_NE(report.subtitle.find(enum_name(method)), std::string::npos);
+    EXPECT_NE(section(report, "torsion").html.find("No torsion curve"), std::string::npos);
+  }
+}
+
+TEST(Report, IdentityToughnessGivesUtilisationWithALineAtOne) {
+  const Report report = report_on(text_of("solid_shaft"));
+  const std::string& html = section(report, "intensities").html;
+  ASSERT_TRUE(report.result.cracks.at(0).utilisation.has_value());
+  bool bar = false;
+  for (const Element& element : parsed("<x>" + html + "</x>"))
+    if (element.name == "rect") {
+      bar = true;
+      EXPECT_NEAR(std::stod(element.at("data-to")), report.result.cracks[0].utilisation->value,
+                  1e-12);
+    }
+  EXPECT_TRUE(bar);
+  EXPECT_NE(html.find("class=\"reference\""), std::string::npos);
+  // Without toughness the report says that it cannot judge.
+  EXPECT_NE(section(report_on(text_of("article")), "intensities").html.find("no toughness"),
+            std::string::npos);
+}
+
+TEST(Report, LimitADriveThatTheLibraryWasGivenWithoutATextHasOne) {
+  const GearSet gear = test::article_gear();
+  const Report report = make_report(gear, kProvenance, {});
+  EXPECT_NE(section(report, "provenance").html.find("pitch_diameter = &quot;160 mm&quot;"),
+            std::string::npos);
+  EXPECT_NE(section(report, "inputs").html.find("160 mm"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace strainwave
