@@ -20,8 +20,9 @@ struct Draft {
   std::string input_text;
   StiffnessResult result;
   std::vector<NumberedCrack> cracks;
-  std::vector<Note> notes;             ///< of the result and of other models, each once
-  std::vector<std::string> equations;  ///< tags, each once
+  std::vector<Note> notes = {};             ///< of the result and of other models, each once
+  std::vector<std::string> equations = {};  ///< tags, each once
+  std::string inputs_summary = {};          ///< how many inputs are known in which way; plain text
 
   void add(const std::vector<Note>& more);
   void add(const std::vector<std::string>& tags);
@@ -41,7 +42,7 @@ enum class Severity {
 [[nodiscard]] std::string verdict_html(const Draft& draft);
 
 [[nodiscard]] ReportSection drawing_chapter(const Draft& draft);
-[[nodiscard]] ReportSection inputs_chapter(const Draft& draft);
+[[nodiscard]] ReportSection inputs_chapter(Draft& draft);
 [[nodiscard]] ReportSection results_chapter(const Draft& draft);
 [[nodiscard]] ReportSection shares_chapter(const Draft& draft);
 [[nodiscard]] ReportSection torsion_chapter(Draft& draft);

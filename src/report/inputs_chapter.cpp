@@ -126,7 +126,7 @@ class Collector {
 
 }  // namespace
 
-ReportSection inputs_chapter(const Draft& draft) {
+ReportSection inputs_chapter(Draft& draft) {
   std::array<int, kGivers.size()> counts{};
   std::vector<RowGroup> groups;
   int total = 0;
@@ -153,6 +153,7 @@ ReportSection inputs_chapter(const Draft& draft) {
     summary += fmt::format("{}{} {}", first ? "" : ", ", counts[i], kGivers[i]);
     first = false;
   }
+  draft.inputs_summary = summary;
   summary +=
       ". “In the file” stands for what the file gives without saying how it is known; “default” is "
       "filled in by strainwave because the file does not say. Of a typical or assumed value, the "

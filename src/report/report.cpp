@@ -65,6 +65,7 @@ std::string verdict_html(const Draft& draft) {
                     worst->path.empty() ? std::string()
                                         : fmt::format(", <code>{}</code>", escaped(worst->path)),
                     escaped(worst->text));
+  html += paragraph("Inputs: " + draft.inputs_summary + ".");
   html += "<dl class=\"key\">\n";
   const auto stiffness = [&](const std::string& path, const Quantity& K) {
     return quantity(path, K, 1 / units::arcmin);
@@ -124,11 +125,16 @@ ReportSection drawing_chapter(const Draft& draft) {
                        escaped(crack.kind), escaped(crack.size)},
                       {}});
     html += table("Cracks", {"crack", "kind", "size and place"}, {{"", rows}});
-    html += paragraph(
-        "From which surface a crack over the width of a ring starts is not in the file: it is "
-        "drawn from the raceway of a bearing ring, from the teeth of rim and circular spline; a "
-        "groove of the diaphragm outside, a crack of a wall outside.",
-        "remark");
+    const bool surface = std::ranges::any_of(draft.cracks, [](const NumberedCrack& crack) {
+      return crack.kind == "outer_race" || crack.kind == "rim_axial" || crack.kind == "ring" ||
+             crack.kind == "diaphragm_groove" || crack.path.starts_with("flexspline");
+    });
+    if (surface)
+      html += paragraph(
+          "From which surface a crack over the width of a ring starts is not in the file: it is "
+          "drawn from the raceway of a bearing ring, from the teeth of rim and circular spline; a "
+          "crack or groove of the flexspline from outside.",
+          "remark");
   }
   return {"drawing", "The drive and its cracks", html};
 }
