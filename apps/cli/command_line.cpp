@@ -86,6 +86,11 @@ class CommandLine {
     sub->add_option("FILE", stiffness_.file, kFile)->required();
     add_method(sub, stiffness_.method);
     add_output(sub, stiffness_.output, {"text", "json", "csv"});
+    sub->add_option("--plot", stiffness_.plot,
+                    "draw the failure assessment diagram of the cracks as an SVG file")
+        ->type_name("PATH");
+    sub->add_option("--fad", stiffness_.fad, "write the failure assessment diagram as a CSV table")
+        ->type_name("PATH");
     runs(sub, stiffness_);
   }
 
