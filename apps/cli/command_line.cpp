@@ -88,6 +88,11 @@ class CommandLine {
     sub->add_option("FILE", stiffness_.file, kFile)->required();
     add_method(sub, stiffness_.method);
     add_output(sub, stiffness_.output, {"text", "json", "csv"});
+    sub->add_option("--plot", stiffness_.plot,
+                    "draw the failure assessment diagram of the cracks as an SVG file")
+        ->type_name("PATH");
+    sub->add_option("--fad", stiffness_.fad, "write the failure assessment diagram as a CSV table")
+        ->type_name("PATH");
     runs(sub, stiffness_);
   }
 
@@ -221,8 +226,7 @@ class CommandLine {
   void add_report() {
     CLI::App* const sub = command("report");
     sub->add_option("FILE", report_.file, kFile)->required();
-    sub->add_option("-o,--output", report_.path, "write to this file instead of standard output")
-        ->type_name("PATH");
+    add_path(sub, report_.path);
     add_method(sub, report_.method);
     sub->add_option("--date", report_.date,
                     "date to print; of SOURCE_DATE_EPOCH if left out, else none");

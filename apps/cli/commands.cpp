@@ -28,6 +28,7 @@
 #include "strainwave/study/plot.hpp"
 #include "strainwave/study/sif_report.hpp"
 #include "strainwave/study/solve.hpp"
+#include "strainwave/study/strength_report.hpp"
 #include "strainwave/study/sweep.hpp"
 #include "strainwave/study/torsion_report.hpp"
 #include "strainwave/study/validation_plot.hpp"
@@ -125,10 +126,17 @@ ExitCode run(const StiffnessCommand& command) {
   const GearSet gear = read_input(command.file);
   const StiffnessResult result = evaluate(gear, method_named(command.method));
   const Provenance provenance = provenance_of(command.file);
-  deliver(command.output.format == "json"  ? result_json(result, gear, provenance)
-          : command.output.format == "csv" ? result_csv(result)
-                                           : result_text(result, gear, provenance),
-          command.output.path);
+  // All texts are made before any file is written: a failure leaves nothing behind.
+  const std::string text = command.output.format == "json"  ? result_json(result, gear, provenance)
+                           : command.output.format == "csv" ? result_csv(result)
+                                                            : result_text(result, gear, provenance);
+  const std::string plot =
+      command.plot.empty() ? std::string() : failure_assessment_plot(result, gear);
+  const std::string table =
+      command.fad.empty() ? std::string() : failure_assessment_csv(result, gear);
+  if (!plot.empty()) write_file(command.plot, plot);
+  if (!table.empty()) write_file(command.fad, table);
+  deliver(text, command.output.path);
   if (result.usable()) return kOk;
   warn(result.unusable_because);
   return kNotUsable;

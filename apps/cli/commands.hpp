@@ -21,6 +21,8 @@ struct Output {
 struct StiffnessCommand {
   std::string file;
   std::string method = "corrected";
+  std::string plot;
+  std::string fad;
   Output output{.format = "text", .path = {}};
 };
 ExitCode run(const StiffnessCommand& command);

@@ -19,7 +19,13 @@ const std::array<CommandManual, 12> kCommands = {{
      "Reads a drive and its cracks and prints the compliance of each member at the output with the "
      "input locked, without and with its cracks, the stiffness K_HD for both senses of torque, "
      "what the cracks changed, the accuracy of each number, the validity notes and the equations "
-     "of the theory manual. Three methods: as-printed evaluates every equation of the article, "
+     "of the theory manual. Where a material gives toughness and yield strength, also the strength "
+     "of "
+     "each crack at the given load: stress intensity against toughness, net section against yield, "
+     "reserve and critical size by a failure assessment diagram (option 1 of BS 7910), which "
+     "--plot "
+     "draws and --fad tabulates; a crack that fractures is answered, with a warning. Three "
+     "methods: as-printed evaluates every equation of the article, "
      "misprints included; repaired mends its outright errors; corrected is the one to use. The "
      "json format carries all digits, units, uncertainties and the input as it was understood.",
      "strainwave stiffness examples/article.toml --format json --output article.json"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
@@ -68,6 +69,52 @@ Json echo(const T& value, const Field& field) {
   }
 }
 
+Json critical_json(const std::optional<CriticalSize>& critical) {
+  if (!critical) return {};
+  if (critical->size) return quantity_json({*critical->size, "m"});
+  return {{"none", critical->text}};
+}
+
+Json state_json(const StrengthState& state) {
+  Json json = {{"torque", enum_name(state.sense)},
+               {"with_assembly", state.with_assembly},
+               {"verdict", enum_name(state.verdict)}};
+  if (!state.unknown.empty()) json["unknown"] = state.unknown;
+  const auto number = [&](const char* name, const std::optional<double>& value,
+                          std::string_view unit,
+                          const std::optional<double>& uncertainty = std::nullopt) {
+    if (value) json[name] = quantity_json({*value, unit, uncertainty});
+  };
+  constexpr std::string_view kIntensity = "Pa*m^0.5";
+  number("K_load", state.K_load, kIntensity, state.relative_uncertainty);
+  number("K_assembly", state.K_assembly, kIntensity);
+  number("K", state.K, kIntensity, state.relative_uncertainty);
+  number("utilisation", state.utilisation, "1", state.relative_uncertainty);
+  number("L_r", state.L_r, "1");
+  number("interaction", state.interaction, "1");
+  number("K_r", state.K_r, "1");
+  number("line", state.line, "1");
+  number("reserve", state.reserve, "1");
+  number("plastic_zone", state.plastic_zone, "m");
+  if (state.brittle_size) json["brittle_size"] = critical_json(state.brittle_size);
+  if (state.critical_size) json["critical_size"] = critical_json(state.critical_size);
+  return json;
+}
+
+/// What is said of a crack's strength besides the numbers of its worst state.
+Json strength_json(const CrackStrength& crack) {
+  Json json = {{"verdict", enum_name(crack.verdict)},
+               {"sentence", crack.sentence},
+               {"size_name", crack.size_name},
+               {"material", crack.material}};
+  if (!crack.states.empty()) json["governing"] = crack.governing;
+  json["states"] = Json::array();
+  for (const StrengthState& state : crack.states) json["states"].push_back(state_json(state));
+  json["notes"] = crack.notes;
+  json["equations"] = crack.equations;
+  return json;
+}
+
 Json provenance_json(const GearSet& gear, const Provenance& provenance) {
   return {{"program", "strainwave"},
           {"version", provenance.version},
@@ -101,6 +148,16 @@ std::string result_json(const StiffnessResult& result, const GearSet& gear,
   for_each_quantity(result, [&](const std::string& path, const Quantity& q) {
     json[pointer(path)] = quantity_json(q);
   });
+  // A crack of the coupled drive has no report: it stands by its path.
+  for (const CrackStrength& crack : result.strength) {
+    const auto report = std::ranges::find(result.cracks, crack.path, &CrackReport::path);
+    if (report == result.cracks.end())
+      json["cracks"].push_back(
+          {{"path", crack.path}, {"kind", crack.kind}, {"strength", strength_json(crack)}});
+    else
+      json["cracks"][static_cast<std::size_t>(report - result.cracks.begin())]["strength"].update(
+          strength_json(crack));
+  }
   json["notes"] = Json::array();
   for (const Note& note : result.notes)
     json["notes"].push_back({{"code", note.code},

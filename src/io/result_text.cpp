@@ -87,6 +87,54 @@ std::string crack_lines(const CrackReport& crack) {
   return text;
 }
 
+std::string three_digits(const std::optional<double>& value) {
+  return value ? fmt::format("{:.3g}", *value) : "-";
+}
+
+std::string critical_text(const StrengthState& state) {
+  const auto& answer = state.critical_size ? state.critical_size : state.brittle_size;
+  if (!answer) return "-";
+  return answer->size ? fmt::format("{:.3g} mm", *answer->size / units::mm) : "none";
+}
+
+/// One line per state of a crack, then the verdict in words.
+std::string strength_lines(const std::vector<CrackStrength>& strength) {
+  std::string text = "\nStrength at the given load: failure assessment, option 1 of BS 7910\n";
+  const auto line = [&](std::string_view state, std::string_view utilisation, std::string_view L_r,
+                        std::string_view K_r, std::string_view limit, std::string_view reserve,
+                        std::string_view critical, std::string_view zone,
+                        std::string_view verdict) {
+    text += fmt::format("  {:<16}{:>8}{:>9}{:>9}{:>7}{:>9}{:>12}{:>9}  {}\n", state, utilisation,
+                        L_r, K_r, limit, reserve, critical, zone, verdict);
+  };
+  line("", "K/K_Ic", "L_r", "K_r", "line", "reserve", "critical", "r_p/lig.", "verdict");
+  for (const CrackStrength& crack : strength) {
+    text += fmt::format(
+        "  {} ({}{})\n", crack.path, crack.kind,
+        crack.size_name.empty()
+            ? std::string()
+            : fmt::format(", {} {:.3g} mm", crack.size_name == "depth" ? "depth" : "half length",
+                          crack.size / units::mm));
+    for (const StrengthState& state : crack.states) {
+      std::optional<double> zone;
+      if (state.plastic_zone && crack.ligament) zone = *state.plastic_zone / *crack.ligament;
+      line(
+          fmt::format("  T {} 0{}", state.sense == TorqueSense::positive ? '>' : '<',
+                      state.with_assembly ? " + assem." : ""),
+          three_digits(state.utilisation), three_digits(state.L_r), three_digits(state.K_r),
+          three_digits(state.line), three_digits(state.reserve), critical_text(state),
+          three_digits(zone),
+          state.verdict == StrengthVerdict::cannot_tell ? "cannot tell" : enum_name(state.verdict));
+    }
+    text += "    " + wrapped(crack.sentence, kWidth - 4, 4) + '\n';
+  }
+  return text;
+}
+
+bool breaks(const CrackStrength& crack) {
+  return crack.verdict == StrengthVerdict::fractures || crack.verdict == StrengthVerdict::collapses;
+}
+
 }  // namespace
 
 std::string warranted_digits(const Quantity& quantity) {
@@ -127,6 +175,11 @@ std::string result_text(const StiffnessResult& result, const GearSet& gear,
       enum_name(result.method), provenance.version, gear.load.torque, gear.load.axial_force);
   if (!result.usable())
     text += wrapped("NOT USABLE: " + result.unusable_because, kWidth, 2) + "\n\n";
+  for (const CrackStrength& crack : result.strength)
+    if (breaks(crack))
+      text += wrapped("WARNING: " + crack.path + " " + crack.sentence, kWidth, 2) + '\n';
+  if (std::ranges::any_of(result.strength, breaks))
+    text += "The stiffness below is that of the cracks as they stand.\n\n";
 
   text += row("", "sound", "share", "cracked, T > 0", "cracked, T < 0", "accuracy");
   text += "Compliance at the output, input locked [rad/(N*m)]\n";
@@ -170,6 +223,7 @@ std::string result_text(const StiffnessResult& result, const GearSet& gear,
   }
   if (!result.cracks.empty()) text += "\nCracks\n";
   for (const CrackReport& crack : result.cracks) text += crack_lines(crack);
+  if (!result.strength.empty()) text += strength_lines(result.strength);
   if (!result.notes.empty()) text += "\nNotes\n";
   for (const Note& note : result.notes) {
     std::string line = note.path.empty() ? note.text : note.path + ": " + note.text;

@@ -130,8 +130,8 @@ void report_intensities(CrackReport& report, MemberCompliance& member, const Cra
     if (report.utilisation->value >= 1)
       member.notes.push_back(
           {"crack.fracture",
-           "the stress intensity at the given load reaches the fracture toughness: the "
-           "crack runs; the stiffness is that of the crack as it stands",
+           "fractures at this load: the stress intensity reaches the fracture toughness; the "
+           "stiffness is that of the crack as it stands",
            report.path, "FR-20"});
   }
   if (material.yield_strength) {

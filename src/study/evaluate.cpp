@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/study/evaluate.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 #include "strainwave/article/as_printed.hpp"
 #include "strainwave/article/repaired.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/strength/crack_strength.hpp"
 #include "strainwave/torsion/compare.hpp"
 
 namespace strainwave {
@@ -32,6 +34,34 @@ void add_curve(StiffnessResult& result, const GearSet& gear) {
   }
 }
 
+/// Strength of the cracks beside the stiffness; a note says what is missing where there is none.
+void add_strength(StiffnessResult& result, const GearSet& gear) {
+  std::vector<CrackStrength> strength = crack_strength(gear, result.cracks);
+  if (strength.empty()) return;
+  const bool known = std::ranges::any_of(gear.material, [](const auto& named) {
+    return named.second.fracture_toughness || named.second.yield_strength;
+  });
+  if (!known) {
+    result.notes.push_back({"strength.cannot_tell",
+                            "strength of the cracks: cannot tell, no material gives "
+                            "fracture_toughness or yield_strength",
+                            "material", "FA-13"});
+    return;
+  }
+  for (const CrackStrength& crack : strength) {
+    for (const std::string& text : crack.notes) {
+      const bool there = std::ranges::any_of(result.notes, [&](const Note& note) {
+        return note.code == "strength.scope" && note.text == text;
+      });
+      if (!there) result.notes.push_back({"strength.scope", text, "strength", "FA-13"});
+    }
+    for (const std::string& tag : crack.equations)
+      if (std::ranges::find(result.equations, tag) == result.equations.end())
+        result.equations.push_back(tag);
+  }
+  result.strength = std::move(strength);
+}
+
 }  // namespace
 
 StiffnessResult evaluate(const GearSet& gear, Method method) {
@@ -45,6 +75,7 @@ StiffnessResult evaluate(const GearSet& gear, Method method) {
   }
   assert(method == Method::corrected);
   StiffnessResult result = torsional_stiffness(gear);
+  add_strength(result, gear);
   if (missing_for_torsion_curve(gear).empty()) add_curve(result, gear);
   return result;
 }

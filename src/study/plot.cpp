@@ -316,6 +316,12 @@ std::string panel_svg(const PlotPanel& panel, double top) {
                                           : fmt::format(" stroke-dasharray=\"{}\"", stroke.dashes));
     svg += fmt::format("<path d=\"{}\" class=\"series\" {}/>\n", path_data(panel, series, x, y),
                        style);
+    const std::size_t n_points = std::min(series.x.size(), series.y.size());
+    if (series.discs == Discs::at_end && n_points > 0 &&
+        drawable(panel.x_scale, series.x[n_points - 1]) &&
+        drawable(panel.y_scale, series.y[n_points - 1]))
+      svg += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"5\" fill=\"{}\"/>\n",
+                         x.px(series.x[n_points - 1]), y.px(series.y[n_points - 1]), stroke.colour);
     svg += fmt::format("<path d=\"M{:.1f},{:.1f} h26\" class=\"series\" {}/>\n", right + 14,
                        label_y - 4, style);
     svg += words(right + 46, label_y, "tick", series.label);

@@ -88,6 +88,25 @@ TEST_F(Program, IdentityVersionAndHelpSucceed) {
     EXPECT_NE(help.out.find(command), std::string::npos) << command;
 }
 
+TEST_F(Program, IdentityACrackBeyondCriticalIsAnswered) {
+  const fs::path svg = in_folder("fad.svg");
+  const fs::path csv = in_folder("fad.csv");
+  const Outcome outcome = run("stiffness " + quoted(STRAINWAVE_EXAMPLES "/critical_crack.toml") +
+                              " --plot " + quoted(svg.string()) + " --fad " + quoted(csv.string()));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("WARNING: flexspline.crack[0] fractures at this load"),
+            std::string::npos);
+  EXPECT_NE(contents(svg).find("K_r, stress intensity over toughness"), std::string::npos);
+  EXPECT_NE(contents(csv).find("crack,flexspline.crack[0],positive,1,"), std::string::npos);
+  // Without a toughness there is no diagram, and nothing is written.
+  const fs::path none = in_folder("none.svg");
+  const Outcome unknown = run("stiffness " + kArticle + " --plot " + quoted(none.string()));
+  EXPECT_EQ(unknown.exit_code, 3);
+  EXPECT_NE(unknown.err.find("fracture_toughness and yield_strength"), std::string::npos);
+  EXPECT_TRUE(unknown.out.empty());
+  EXPECT_FALSE(fs::exists(none));
+}
+
 TEST_F(Program, InputUsageErrorsEndWithTwo) {
   for (const std::string& arguments :
        {std::string(), std::string("stifness"), std::string("stiffness"),

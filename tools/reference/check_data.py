@@ -7,7 +7,7 @@ rerun.  Exit status 0 equal, 1 different, 77 mpmath, numpy or scipy not installe
 import importlib
 import sys
 
-GENERATORS = ("annular_shaft", "article_example", "edge_crack", "hertz_contact", "surface_crack",
+GENERATORS = ("annular_shaft", "article_example", "edge_crack", "failure_assessment", "hertz_contact", "surface_crack",
               "through_crack", "tube_and_diaphragm")
 
 

@@ -1,11 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <string>
 
 #include "strainwave/model/stiffness_result.hpp"
 
 namespace strainwave {
+
+/// Walks the numbers of a crack's strength, of its worst state under the given sense of torque:
+/// `f(path, quantity)`, path such as "cracks[0].strength.reserve".
+template <class F>
+void for_each_strength(const CrackStrength& strength, const std::string& path, const F& f) {
+  const StrengthState* const worst = strength.worst();
+  if (worst == nullptr) return;
+  const auto quantity = [&](const char* name, const std::optional<double>& value,
+                            std::string_view unit,
+                            const std::optional<double>& uncertainty = std::nullopt) {
+    if (value) f(path + name, Quantity{*value, unit, uncertainty});
+  };
+  quantity(".K", worst->K, "Pa*m^0.5", worst->relative_uncertainty);
+  quantity(".utilisation", worst->utilisation, "1", worst->relative_uncertainty);
+  quantity(".L_r", worst->L_r, "1");
+  quantity(".K_r", worst->K_r, "1");
+  quantity(".line", worst->line, "1");
+  quantity(".reserve", worst->reserve, "1");
+  if (worst->brittle_size) quantity(".brittle_size", worst->brittle_size->size, "m");
+  if (worst->critical_size) quantity(".critical_size", worst->critical_size->size, "m");
+  quantity(".plastic_zone", worst->plastic_zone, "m");
+  quantity(".ligament", strength.ligament, "m");
+}
 
 /// Walks all quantities of a result in the order of the JSON output:
 /// `f(path, quantity)`, path such as "cracked.positive.stiffness".  JSON, CSV, sweep and solve name
@@ -62,6 +86,8 @@ void for_each_quantity(const StiffnessResult& result, const F& f) {
     if (crack.largest) intensities(path + ".stress_intensity.largest", *crack.largest);
     if (crack.utilisation) f(path + ".utilisation", *crack.utilisation);
     if (crack.plastic_zone) f(path + ".plastic_zone", *crack.plastic_zone);
+    const auto strength = std::ranges::find(result.strength, crack.path, &CrackStrength::path);
+    if (strength != result.strength.end()) for_each_strength(*strength, path + ".strength", f);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "strainwave/model/crack_strength.hpp"
 #include "strainwave/model/method.hpp"
 
 namespace strainwave {
@@ -125,6 +126,8 @@ struct StiffnessResult {
   CrackedDrive negative;  ///< torque about -z
   std::optional<CurveResult> curve;
   std::vector<CrackReport> cracks;
+  /// Of all cracks, where a material gives toughness or yield strength; corrected method only.
+  std::vector<CrackStrength> strength;
   std::vector<Note> notes;
   std::vector<AccuracyBasis> accuracies;  ///< where the uncertainties come from
   std::vector<std::string> equations;     ///< tags of the equations used, in order of first use

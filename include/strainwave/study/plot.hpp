@@ -10,11 +10,15 @@
 
 namespace strainwave {
 
+/// Where a series has discs besides its line.
+enum class Discs { none, at_end };
+
 /// One line of a plot; a point that is not finite, or not positive on a log axis, is a gap.
 struct PlotSeries {
   std::string label;
   std::vector<double> x = {};
   std::vector<double> y = {};
+  Discs discs = Discs::none;
 };
 
 enum class AxisScale { linear, logarithmic };

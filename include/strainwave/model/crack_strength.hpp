@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "strainwave/core/fields.hpp"
+
+namespace strainwave {
+
+/// Answer of the failure assessment.
+enum class StrengthVerdict {
+  acceptable,   ///< inside the assessment line
+  fractures,    ///< outside it
+  collapses,    ///< the net section is fully plastic before the crack runs
+  cannot_tell,  ///< a property or a stress is not known
+};
+template <>
+struct EnumNames<StrengthVerdict> {
+  static constexpr std::array<std::string_view, 4> names = {"acceptable", "fractures", "collapses",
+                                                            "cannot_tell"};
+};
+
+/// Sense of the torque that a number belongs to.
+enum class TorqueSense { positive, negative };
+template <>
+struct EnumNames<TorqueSense> {
+  static constexpr std::array<std::string_view, 2> names = {"positive", "negative"};
+};
+
+/// Size of a crack at which a criterion is reached, the crack keeping its shape.
+struct CriticalSize {
+  /// Depth or half length, as the crack states its size [m]; absent: not reached in the range.
+  std::optional<double> size = {};
+  std::string text = {};  ///< where there is no size: why
+};
+
+/// One crack under one sense of torque, with or without the stress of the assembly.
+struct StrengthState {
+  TorqueSense sense = TorqueSense::positive;
+  bool with_assembly = false;  ///< with the wall's bending by the wave generator, worst in a turn
+  double K_load = 0.0;         ///< equivalent K of the load alone, worst point [Pa*m^0.5]
+  double K_assembly = 0.0;     ///< equivalent K of the assembly alone, worst point [Pa*m^0.5]
+  double K = 0.0;              ///< equivalent K of both together, elastic, worst point [Pa*m^0.5]
+  std::optional<double> relative_uncertainty = {};  ///< of K [-]
+  std::optional<double> utilisation = {};           ///< K/K_Ic [-]
+  std::optional<double> L_r = {};                   ///< reference stress over yield strength [-]
+  std::optional<double> interaction = {};           ///< V, on the K of the assembly [-]
+  std::optional<double> K_r = {};   ///< K with V on the assembly's part, over K_Ic [-]
+  std::optional<double> line = {};  ///< f(L_r): the largest K_r that is accepted [-]
+  /// Factor on the given load at which the line is reached [-]; 0: the assembly alone is beyond it.
+  std::optional<double> reserve = {};
+  std::optional<double> plastic_zone = {};         ///< radius [m]
+  std::optional<CriticalSize> brittle_size = {};   ///< at which K reaches K_Ic
+  std::optional<CriticalSize> critical_size = {};  ///< at which the line is reached
+  StrengthVerdict verdict = StrengthVerdict::cannot_tell;
+  std::string unknown = {};  ///< what is missing, where the verdict is cannot_tell
+};
+
+/// Strength of one crack at the given load, with its evidence.
+struct CrackStrength {
+  std::string path = {};                 ///< "flexspline.crack[0]"
+  std::string kind = {};                 ///< "through"
+  std::string material = {};             ///< name of the material
+  std::string size_name = {};            ///< "depth" or "half_length"
+  double size = 0.0;                     ///< present size [m]
+  std::optional<double> toughness = {};  ///< K_Ic [Pa*m^0.5]
+  std::optional<double> ligament = {};   ///< what is left of the section [m]
+  /// Given sense of torque first, load alone before load and assembly; then the other sense where
+  /// it differs.  Empty where the crack's stress is not known.
+  std::vector<StrengthState> states = {};
+  std::size_t governing = 0;  ///< the worst state under the given sense of torque
+  StrengthVerdict verdict = StrengthVerdict::cannot_tell;  ///< under the given sense of torque
+  std::string sentence = {};                               ///< the verdict in words
+  std::vector<std::string> notes = {};                     ///< what the verdict leaves out
+  std::vector<std::string> equations = {};                 ///< tags of the theory manual
+
+  [[nodiscard]] const StrengthState* worst() const {
+    return states.empty() ? nullptr : &states[governing];
+  }
+};
+
+}  // namespace strainwave

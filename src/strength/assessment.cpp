@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "assessed_crack.hpp"
+#include "strainwave/core/compare.hpp"
+#include "strainwave/core/roots.hpp"
+#include "strainwave/core/units.hpp"
+#include "strainwave/strength/failure_assessment.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+
+/// Modes of the load times a factor with those of the assembly times a factor; pressed faces have
+/// no mode I.
+std::array<double, 3> sum(const FrontModes& modes, double load, double assembly) {
+  std::array<double, 3> K{};
+  for (std::size_t m = 0; m < 3; ++m) K[m] = load * modes.load[m] + assembly * modes.assembly[m];
+  K[0] = std::max(K[0], 0.0);  // (FR-17)
+  return K;
+}
+
+/// A crack at one size, under one sense of torque.
+class AtSize {
+ public:
+  AtSize(const AssessedCrack& crack, double size, double sense, bool with_assembly)
+      : crack_(crack),
+        front_(crack.front(size, sense)),
+        reference_stress_(crack.reference_stress(size, sense)),
+        with_assembly_(with_assembly) {}
+
+  /// Largest K of equal energy release rate along the front and over a turn [Pa*m^0.5].
+  [[nodiscard]] double K(double load, double assembly) const {
+    double G = 0.0;
+    for_each_state(load, assembly, [&](const std::array<double, 3>& K) {
+      G = std::max(G, energy_release_rate(K[0], K[1], K[2], crack_.moduli));
+    });
+    return std::sqrt(G * crack_.moduli.opening);  // (FR-20)
+  }
+  [[nodiscard]] double K_load() const { return K(1, 0); }
+  [[nodiscard]] double K_assembly() const { return with_assembly_ ? K(0, 1) : 0.0; }
+  [[nodiscard]] double K_together() const { return K(1, assembly()); }
+
+  [[nodiscard]] double plastic_zone(double yield_strength) const {
+    const double eta = crack_.plane_stress ? 2 : 6;
+    double largest = 0.0;
+    for_each_state(1, assembly(), [&](const std::array<double, 3>& K) {
+      const double opened = K[0] * K[0] / eta;
+      const double sheared = 3 * (K[1] * K[1] + K[2] * K[2]) / 2;
+      largest = std::max(largest, opened + sheared);
+    });
+    return largest / (pi * yield_strength * yield_strength);  // (FR-19)
+  }
+
+  [[nodiscard]] double reference_stress() const { return reference_stress_; }
+  [[nodiscard]] bool with_assembly() const { return with_assembly_; }
+
+ private:
+  [[nodiscard]] double assembly() const { return with_assembly_ ? 1.0 : 0.0; }
+
+  template <class F>
+  void for_each_state(double load, double assembly, const F& f) const {
+    // G is convex in the phase of the assembly, and so largest at one of its two extremes.
+    for (const FrontModes& modes : front_) {
+      f(sum(modes, load, assembly));
+      if (assembly != 0) f(sum(modes, load, -assembly));
+    }
+  }
+
+  const AssessedCrack& crack_;
+  std::vector<FrontModes> front_;
+  double reference_stress_;
+  bool with_assembly_;
+};
+
+/// A crack at one size in the diagram, at any multiple of the given load.
+class InDiagram {
+ public:
+  InDiagram(const AtSize& crack, const AssessmentMaterial& material, double toughness)
+      : crack_(crack), material_(material), toughness_(toughness) {
+    const double K_p = crack.K_load();
+    const double K_s = crack.K_assembly();
+    // A load that puts no K on the crack has chi without limit.
+    chi_ = K_s == 0  ? 0.0
+           : K_p > 0 ? K_s * L_r(1.0) / K_p
+                     : std::numeric_limits<double>::infinity();  // (FA-3)
+    L_r_max_ = collapse_limit(material);
+  }
+
+  [[nodiscard]] double L_r(double load) const {
+    return load * crack_.reference_stress() / material_.yield_strength;  // (FA-6)
+  }
+  [[nodiscard]] double interaction(double load) const {
+    return crack_.with_assembly() ? plasticity_interaction(chi_, L_r(load)) : 1.0;
+  }
+  [[nodiscard]] double K_r(double load) const {
+    const double V = crack_.with_assembly() ? interaction(load) : 0.0;
+    return crack_.K(load, V) / toughness_;  // (FA-3)
+  }
+  [[nodiscard]] double line(double load) const { return assessment_line(L_r(load), material_); }
+  [[nodiscard]] double collapse_at() const { return L_r_max_; }
+  [[nodiscard]] double chi() const { return chi_; }
+  /// How far outside the line, 0 or more: outside.
+  [[nodiscard]] double beyond(double load) const {
+    return L_r(load) > L_r_max_ ? 1.0 : K_r(load) - line(load);
+  }
+
+  [[nodiscard]] StrengthVerdict verdict() const {
+    if (beyond(1.0) < 0) return StrengthVerdict::acceptable;
+    return L_r(1.0) > L_r_max_ && K_r(1.0) < 1 ? StrengthVerdict::collapses
+                                               : StrengthVerdict::fractures;  // (FA-13)
+  }
+
+  /// Factor on the load at which the line is reached; absent for a crack that it does not stress.
+  [[nodiscard]] std::optional<double> reserve() const {
+    if (!(L_r(1.0) > 0)) return std::nullopt;
+    if (beyond(0.0) >= 0) return 0.0;
+    const double collapse = L_r_max_ / L_r(1.0);
+    // A load that presses the crack may lower K_r at first: the first crossing is the answer.
+    constexpr int kSteps = 32;
+    double inside = 0.0;
+    for (int i = 1; i <= kSteps; ++i) {
+      // Rounding must not carry the last step past the end of the line.
+      const double load = collapse * (i == kSteps ? 1 - 1e-15 : static_cast<double>(i) / kSteps);
+      if (beyond(load) >= 0)
+        return bracketed_root([&](double x) { return beyond(x); }, inside, load);  // (FA-4)
+      inside = load;
+    }
+    return collapse;  // (FA-4)
+  }
+
+ private:
+  const AtSize& crack_;
+  AssessmentMaterial material_;
+  double toughness_;
+  double chi_ = 0.0;
+  double L_r_max_ = 1.0;
+};
+
+/// The smallest size up to the end of the range at which `beyond` is not negative.
+template <class Beyond>
+CriticalSize first_size(const AssessedCrack& crack, const Beyond& beyond) {
+  constexpr int kSteps = 24;
+  constexpr double kSmallest = 1e-4;  // of the range
+  const double end = crack.range_end;
+  double inside = kSmallest * end;
+  if (beyond(inside) >= 0) return {{}, "none: reached without a crack"};
+  for (int i = 1; i <= kSteps; ++i) {
+    const double size = i == kSteps ? end : end * std::pow(kSmallest, 1 - double{1} * i / kSteps);
+    if (beyond(size) >= 0) return {bracketed_root(beyond, inside, size), {}};  // (FA-5)
+    inside = size;
+  }
+  return {{}, fmt::format("none up to {:.3g} mm, {}", end / units::mm, crack.range_text)};
+}
+
+StrengthState state_of(const AssessedCrack& crack, const Material& material, TorqueSense which,
+                       bool with_assembly) {
+  const double sense = which == TorqueSense::positive ? 1.0 : -1.0;
+  const auto at_size = [&](double size) { return AtSize(crack, size, sense, with_assembly); };
+  const bool in_range = !clearly_less(crack.range_end, crack.report.size);
+  const AtSize present = at_size(std::min(crack.report.size, crack.range_end));
+
+  StrengthState state{.sense = which, .with_assembly = with_assembly};
+  state.K_load = present.K_load();
+  state.K_assembly = present.K_assembly();
+  state.K = present.K_together();
+  if (!with_assembly) state.relative_uncertainty = crack.relative_uncertainty;
+  if (material.yield_strength) state.plastic_zone = present.plastic_zone(*material.yield_strength);
+  const std::optional<double>& K_Ic = material.fracture_toughness;
+  if (K_Ic) {
+    state.utilisation = state.K / *K_Ic;  // (FR-20)
+    state.brittle_size =
+        first_size(crack, [&](double size) { return at_size(size).K_together() / *K_Ic - 1; });
+    if (*state.utilisation >= 1) state.verdict = StrengthVerdict::fractures;  // (FA-13)
+  }
+  if (!K_Ic)
+    state.unknown = fmt::format("material.{} gives no fracture_toughness", crack.report.material);
+  if (!material.yield_strength)
+    state.unknown = fmt::format("material.{} gives no {}yield_strength", crack.report.material,
+                                K_Ic ? "" : "fracture_toughness and no ");
+  if (!material.yield_strength) return state;
+
+  const AssessmentMaterial steel{.youngs_modulus = material.youngs_modulus,
+                                 .yield_strength = *material.yield_strength,
+                                 .ultimate_strength = material.ultimate_strength};
+  // Without a toughness only the collapse can be told: a tough material.
+  const InDiagram point(present, steel, K_Ic.value_or(std::numeric_limits<double>::infinity()));
+  state.L_r = point.L_r(1.0);
+  state.line = point.line(1.0);
+  if (!K_Ic) {
+    if (*state.L_r > point.collapse_at()) state.verdict = StrengthVerdict::collapses;
+    return state;
+  }
+  if (with_assembly) state.interaction = point.interaction(1.0);
+  state.K_r = point.K_r(1.0);
+  state.reserve = point.reserve();
+  state.verdict = point.verdict();
+  state.critical_size = first_size(crack, [&](double size) {
+    const AtSize crack_at = at_size(size);
+    return InDiagram(crack_at, steel, *K_Ic).beyond(1.0);
+  });
+  if (state.verdict != StrengthVerdict::acceptable) return state;
+  if (!in_range) {
+    state.verdict = StrengthVerdict::cannot_tell;
+    state.unknown = fmt::format("the crack is larger than {:.3g} mm, {}",
+                                crack.range_end / units::mm, crack.range_text);
+  } else if (with_assembly && point.chi() > kMaxInteractionRatio &&
+             crack.assembly_peak > *material.yield_strength) {
+    state.verdict = StrengthVerdict::cannot_tell;
+    state.unknown =
+        "the assembly alone, if elastic, is beyond the yield strength: outside the range of the "
+        "plasticity interaction (FA-3)";
+  }
+  return state;
+}
+
+/// Rank of a verdict: a worse one is larger.
+int badness(const StrengthState& state) {
+  switch (state.verdict) {
+    case StrengthVerdict::acceptable:
+      return 0;
+    case StrengthVerdict::cannot_tell:
+      return 1;
+    case StrengthVerdict::collapses:
+    case StrengthVerdict::fractures:
+      return 2;
+  }
+  return 0;
+}
+
+bool worse(const StrengthState& a, const StrengthState& b) {
+  if (badness(a) != badness(b)) return badness(a) > badness(b);
+  if (a.reserve && b.reserve && *a.reserve != *b.reserve) return *a.reserve < *b.reserve;
+  return a.K > b.K;
+}
+
+std::string mpa(double K) { return fmt::format("{:.3g} MPa*m^0.5", K / units::MPa); }
+
+/// "critical depth 1.23 mm, present 2 mm", or why there is none.
+std::string size_words(const CrackStrength& crack, const StrengthState& state) {
+  const std::optional<CriticalSize>& answer =
+      state.critical_size ? state.critical_size : state.brittle_size;
+  if (!answer) return {};
+  const std::string name = crack.size_name == "half_length" ? "half length" : crack.size_name;
+  if (answer->size)
+    return fmt::format("; critical {} {:.3g} mm, present {:.3g} mm", name,
+                       *answer->size / units::mm, crack.size / units::mm);
+  return fmt::format("; critical {}: {}", name, answer->text);
+}
+
+std::string words(const CrackStrength& crack, const StrengthState& state) {
+  const std::string with = state.with_assembly ? " together with the assembly's bending" : "";
+  switch (state.verdict) {
+    case StrengthVerdict::fractures:
+      if (!state.K_r)
+        return fmt::format("fractures at this load{}: K = {} reaches K_Ic{}", with, mpa(state.K),
+                           size_words(crack, state));
+      return fmt::format(
+          "fractures at this load{}: K = {}, K_r = {:.3g} against {:.3g} at L_r = "
+          "{:.3g}{}",
+          with, mpa(state.K), *state.K_r, *state.line, *state.L_r, size_words(crack, state));
+    case StrengthVerdict::collapses:
+      return fmt::format("collapses at this load: the net section is fully plastic, L_r = {:.3g}{}",
+                         *state.L_r, size_words(crack, state));
+    case StrengthVerdict::acceptable:
+      return fmt::format("holds at this load{}{}{}", with,
+                         state.reserve ? fmt::format(": reserve factor {:.3g}", *state.reserve)
+                                       : std::string(": the load does not stress it"),
+                         size_words(crack, state));
+    case StrengthVerdict::cannot_tell:
+      break;
+  }
+  std::string text = "cannot tell: " + state.unknown;
+  if (state.utilisation) text += fmt::format("; K/K_Ic = {:.3g}", *state.utilisation);
+  if (state.L_r) text += fmt::format("; L_r = {:.3g}", *state.L_r);
+  return text + size_words(crack, state);
+}
+
+bool same(const StrengthState& a, const StrengthState& b) {
+  const auto close = [](double x, double y) { return std::abs(x - y) <= 1e-9 * std::abs(y); };
+  return close(a.K, b.K) && close(a.L_r.value_or(0.0), b.L_r.value_or(0.0));
+}
+
+}  // namespace
+
+CrackStrength assess(const AssessedCrack& crack, const Material& material, TorqueSense given) {
+  CrackStrength result = crack.report;
+  result.toughness = material.fracture_toughness;
+  const TorqueSense other =
+      given == TorqueSense::positive ? TorqueSense::negative : TorqueSense::positive;
+  const auto states = [&](TorqueSense sense) {
+    std::vector<StrengthState> of_sense{state_of(crack, material, sense, false)};
+    if (crack.assembly) of_sense.push_back(state_of(crack, material, sense, true));
+    for (StrengthState& state : of_sense)
+      if (state.verdict != StrengthVerdict::cannot_tell) state.unknown.clear();
+    return of_sense;
+  };
+  result.states = states(given);
+  const std::size_t n = result.states.size();
+  for (std::size_t i = 1; i < n; ++i)
+    if (worse(result.states[i], result.states[result.governing])) result.governing = i;
+  result.verdict = result.worst()->verdict;
+  result.sentence = words(result, *result.worst());
+  const StrengthState& load_alone = result.states[0];
+  if (result.governing != 0 && result.verdict != load_alone.verdict && load_alone.reserve)
+    result.sentence += fmt::format("; under the load alone: {}, reserve factor {:.3g}",
+                                   enum_name(load_alone.verdict), *load_alone.reserve);
+
+  std::vector<StrengthState> reversed = states(other);
+  bool differs = false;
+  for (std::size_t i = 0; i < n; ++i) differs = differs || !same(reversed[i], result.states[i]);
+  if (!differs) return result;
+  const StrengthState& worst_reversed =
+      *std::ranges::max_element(reversed, [](const auto& a, const auto& b) { return worse(b, a); });
+  // Where both end at the same collapse, nothing is worse.
+  const bool lower = worst_reversed.reserve && result.worst()->reserve &&
+                     *worst_reversed.reserve < 0.995 * *result.worst()->reserve;
+  if (badness(worst_reversed) > badness(*result.worst()) || lower)
+    result.sentence += fmt::format(
+        "; the reversed torque is worse: {}{}", enum_name(worst_reversed.verdict),
+        worst_reversed.reserve ? fmt::format(", reserve factor {:.3g}", *worst_reversed.reserve)
+                               : std::string());
+  for (StrengthState& state : reversed) result.states.push_back(std::move(state));
+  return result;
+}
+
+}  // namespace strainwave

@@ -1,0 +1,653 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/strength/crack_strength.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/units.hpp"
+#include "strainwave/fracture/through_crack.hpp"
+#include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/strength/failure_assessment.hpp"
+#include "strainwave/strength/reference_stress.hpp"
+#include "support/article_gear.hpp"
+#include "support/expect.hpp"
+#include "support/reference_csv.hpp"
+
+namespace strainwave {
+namespace {
+
+using namespace units;  // NOLINT(google-build-using-namespace): 0.1 * mm reads as it should
+using std::numbers::pi;
+using Verdict = StrengthVerdict;
+
+constexpr double kYield = 900 * MPa;
+constexpr double kTough = 1e15;  ///< a toughness, or a strength, that nothing reaches
+
+/// The article's drive of the worked example of tools/reference/failure_assessment.py.
+GearSet article(double crack_size = 1 * mm, double toughness = 5 * MPa) {
+  GearSet gear = test::article_gear(crack_size);
+  Material& steel = gear.material["steel"];
+  steel.yield_strength = kYield;
+  steel.ultimate_strength = 1000 * MPa;
+  steel.fracture_toughness = toughness;
+  return gear;
+}
+
+WallThroughCrack& wall(GearSet& gear) {
+  return std::get<WallThroughCrack>(gear.flexspline->crack.at(0));
+}
+
+CrackStrength strength_of(const GearSet& gear, const std::string& path) {
+  const auto all = crack_strength(gear);
+  const auto found = std::ranges::find(all, path, &CrackStrength::path);
+  if (found == all.end()) throw std::runtime_error("no " + path);
+  return *found;
+}
+CrackStrength of_wall(const GearSet& gear) { return strength_of(gear, "flexspline.crack[0]"); }
+CrackStrength of_shaft(const GearSet& gear) { return strength_of(gear, "output_shaft.crack[0]"); }
+CrackStrength of_race(const GearSet& gear) { return strength_of(gear, "wave_generator.crack[0]"); }
+
+/// A through crack under the torque alone: one lobe bends nothing, flat plate, K_u = 1.
+GearSet griffith(double toughness, double half_length = 1 * mm) {
+  GearSet gear = article(half_length, toughness);
+  gear.drive.wave_number = 1;
+  gear.flexspline->stress_nonuniformity = 1;
+  wall(gear).shell_correction = false;
+  return gear;
+}
+
+/// Bredt's shear of the article's flexspline under 100 N*m.
+double shear(double torque = 100) {
+  const double r = 78.88 * mm;
+  return torque / (2 * pi * r * r * 2.24 * mm);
+}
+
+bool mentions(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// --- the worked example: K, L_r, K_r, reserve, critical size by another road (FA-4), (FA-5) -----
+
+TEST(CrackStrength, ReferenceWorkedExample) {
+  const GearSet gear = article();
+  const std::map<std::string, StrengthState> states = {
+      {"annular", of_shaft(gear).states.at(0)},
+      {"race", of_race(gear).states.at(0)},
+      {"through", of_wall(gear).states.at(0)},
+      {"through_assembly", of_wall(gear).states.at(1)},
+  };
+  int n = 0;
+  for (const test::CsvRow& row : test::read_reference_csv("failure_assessment")) {
+    for (const auto& [name, state] : states) {
+      const auto compare = [&](const char* quantity, double value) {
+        if (row.quantity != name + "_" + quantity) return;
+        // The reserve divides by rounded stresses and is found by iteration.
+        test::expect_row(value, row, 1e-10);
+        ++n;
+      };
+      compare("K", state.K);
+      compare("L_r", state.L_r.value());
+      compare("K_r", state.K_r.value());
+      compare("reserve", state.reserve.value());
+      if (state.critical_size->size) compare("critical_size", *state.critical_size->size);
+    }
+  }
+  EXPECT_EQ(n, 17);
+  EXPECT_EQ(of_wall(gear).governing, 1U);
+  EXPECT_FALSE(of_race(gear).states.at(0).critical_size->size.has_value());
+}
+
+TEST(CrackStrength, CrosscheckUtilisationOfTheStiffness) {
+  // Two codes for one number: FR-20 in the report of each crack, and here.
+  GearSet gear = article(1.3 * mm);
+  WallSurfaceCrack surface;
+  surface.depth = 0.8 * mm;
+  surface.half_length = 1.7 * mm;
+  surface.angle = 20 * deg;
+  gear.flexspline->crack.emplace_back(surface);
+  gear.wave_generator->inner_ring_width = 20 * mm;
+  RaceEdgeCrack edge;
+  edge.depth = 0.7 * mm;
+  edge.contact_factor = 0.45;
+  gear.wave_generator->crack.emplace_back(edge);
+  for (const double torque : {100.0, -100.0})
+    for (const double force : {0.0, 3e3, -3e3}) {
+      gear.load = {.torque = torque, .axial_force = force};
+      const StiffnessResult result = torsional_stiffness(gear);
+      const auto strength = crack_strength(gear, result.cracks);
+      ASSERT_EQ(strength.size(), result.cracks.size());
+      for (std::size_t i = 0; i < strength.size(); ++i) {
+        EXPECT_EQ(strength[i].path, result.cracks[i].path);
+        EXPECT_EQ(strength[i].kind, result.cracks[i].kind);
+        const StrengthState& state = strength[i].states.at(0);
+        EXPECT_EQ(state.sense, torque > 0 ? TorqueSense::positive : TorqueSense::negative);
+        EXPECT_NEAR(*state.utilisation, result.cracks[i].utilisation->value,
+                    1e-12 * (1 + *state.utilisation))
+            << strength[i].path << ' ' << torque << ' ' << force;
+        EXPECT_EQ(state.relative_uncertainty, result.cracks[i].utilisation->relative_uncertainty);
+        EXPECT_NEAR(*state.plastic_zone, result.cracks[i].plastic_zone->value,
+                    1e-10 * *state.plastic_zone + 1e-25);
+        EXPECT_NEAR(state.K, *state.utilisation * 5 * MPa, 1e-9 * state.K);
+      }
+    }
+}
+
+// --- Griffith's crack: everything in closed form ------------------------------------------------
+
+TEST(CriticalSize, IdentityGriffith) {
+  const double K_Ic = 0.12 * MPa;
+  const double closed = std::pow(K_Ic / shear(), 2) / pi;  // 3.5 mm
+  GearSet gear = griffith(K_Ic);
+  gear.material["steel"].yield_strength = kTough;
+  gear.material["steel"].ultimate_strength = {};
+  const CrackStrength strength = of_wall(gear);
+  ASSERT_EQ(strength.states.size(), 2U);  // both senses: the crack is open under one
+  const StrengthState& state = strength.states[0];
+  test::expect_relative(state.brittle_size->size.value(), closed, 1e-12);
+  // Nothing yields: the line is at 1.
+  test::expect_relative(state.critical_size->size.value(), closed, 1e-9);
+  test::expect_relative(state.reserve.value(), std::sqrt(closed / (1 * mm)), 1e-9);
+  test::expect_relative(state.utilisation.value(), std::sqrt(1 * mm / closed), 1e-12);
+  EXPECT_EQ(strength.verdict, Verdict::acceptable);
+  EXPECT_EQ(strength.size_name, "half_length");
+  EXPECT_EQ(strength.size, 1 * mm);
+}
+
+TEST(CriticalSize, IdentityBelowTheLimitOfTheLine) {
+  // With yielding the line is lower, and so is the critical size; on it K_r is the line.
+  GearSet gear = griffith(0.12 * MPa);
+  gear.material["steel"].yield_strength = 4 * MPa;
+  gear.material["steel"].ultimate_strength = 5 * MPa;
+  const StrengthState state = of_wall(gear).states.at(0);
+  EXPECT_LT(*state.critical_size->size, *state.brittle_size->size);
+  wall(gear).half_length = *state.critical_size->size;
+  const StrengthState at_line = of_wall(gear).states.at(0);
+  test::expect_relative(*at_line.K_r, *at_line.line, 1e-9);
+  test::expect_relative(*at_line.reserve, 1.0, 1e-9);
+  const double share = 1 - 2 * wall(gear).half_length * std::sqrt(0.5) / (160 * mm);
+  test::expect_relative(*at_line.L_r, std::sqrt(3.0) * shear() / share / (4 * MPa), 1e-12);
+}
+
+TEST(Reserve, LimitToughMaterialCollapses) {
+  GearSet gear = griffith(kTough);
+  const StrengthState state = of_wall(gear).states.at(0);
+  const AssessmentMaterial steel{
+      .youngs_modulus = 210 * GPa, .yield_strength = kYield, .ultimate_strength = 1000 * MPa};
+  test::expect_relative(*state.reserve, collapse_limit(steel) / *state.L_r, 1e-14);
+  EXPECT_FALSE(state.brittle_size->size.has_value());
+}
+
+TEST(Reserve, IdentityScalesTheLoad) {
+  // The load times the reserve is on the line, with the assembly as it is.
+  GearSet gear = article(1 * mm, 10 * MPa);
+  for (const double force : {0.0, 2e3}) {
+    gear.load = {.torque = 100, .axial_force = force};
+    const StrengthState state = of_wall(gear).states.at(1);
+    ASSERT_TRUE(state.with_assembly);
+    GearSet heavier = gear;
+    heavier.load = {.torque = 100 * *state.reserve, .axial_force = force * *state.reserve};
+    const StrengthState at_line = of_wall(heavier).states.at(1);
+    test::expect_relative(*at_line.reserve, 1.0, 1e-9);
+    test::expect_relative(at_line.K_assembly, state.K_assembly, 1e-13);
+    test::expect_relative(*at_line.K_r, *at_line.line, 1e-9);
+  }
+}
+
+TEST(CriticalSize, IdentityOfEveryKind) {
+  // A crack of its critical size is on the line; a little more is beyond, a little less is not.
+  GearSet gear = article(1 * mm, 30 * MPa);
+  gear.load.torque = 12000;
+  gear.load.axial_force = 1e4;
+  WallSurfaceCrack surface;
+  surface.depth = 0.5 * mm;
+  surface.half_length = 2 * mm;
+  gear.flexspline->crack.emplace_back(surface);
+  const auto depth_of = [](GearSet& drive, const std::string& path) -> std::vector<std::string> {
+    (void)drive;
+    if (path == "flexspline.crack[0]") return {path + ".half_length"};
+    if (path == "flexspline.crack[1]") return {path + ".depth", path + ".half_length"};
+    return {path + ".depth"};
+  };
+  int found = 0;
+  for (const CrackStrength& crack : crack_strength(gear)) {
+    const auto& critical = crack.worst()->critical_size;
+    if (!critical->size) continue;
+    ++found;
+    for (const double factor : {0.999, 1.001}) {
+      GearSet changed = gear;
+      for (const std::string& path : depth_of(changed, crack.path))
+        set_number(changed, path,
+                   number_at(gear, path).value * factor * *critical->size / crack.size);
+      const CrackStrength at = strength_of(changed, crack.path);
+      EXPECT_EQ(at.verdict == Verdict::acceptable, factor < 1) << crack.path << ' ' << at.sentence;
+    }
+  }
+  EXPECT_EQ(found, 4);
+}
+
+TEST(CriticalSize, IdentityGrowsWithTheToughness) {
+  double before = 0.0;
+  for (const double K_Ic : {4 * MPa, 5 * MPa, 7 * MPa, 12 * MPa}) {
+    const auto size = of_wall(article(1 * mm, K_Ic)).states.at(1).critical_size->size;
+    ASSERT_TRUE(size.has_value());
+    EXPECT_GT(*size, before);
+    before = *size;
+  }
+  const auto none = of_wall(article(1 * mm, 100 * MPa)).states.at(1).critical_size;
+  EXPECT_FALSE(none->size.has_value());
+  EXPECT_TRUE(mentions(none->text, "a shell parameter of 2")) << none->text;
+}
+
+TEST(CriticalSize, LimitCollapseWithoutACrack) {
+  GearSet gear = griffith(kTough);
+  gear.material["steel"].yield_strength = 1 * MPa;
+  gear.material["steel"].ultimate_strength = 1.2 * MPa;
+  const StrengthState state = of_wall(gear).states.at(0);
+  EXPECT_EQ(state.verdict, Verdict::collapses);
+  EXPECT_FALSE(state.critical_size->size.has_value());
+  EXPECT_TRUE(mentions(state.critical_size->text, "without a crack"));
+  EXPECT_LT(*state.reserve, 1.0);
+}
+
+// --- the assembly (FA-12), (FA-14), (FA-3) -----------------------------------------------------
+
+TEST(AssemblyStress, IdentityOfTheTensor) {
+  const GearSet gear = article();
+  const auto at = [&](double angle) { return assembly_stress(gear, 78.88 * mm, 2.24 * mm, angle); };
+  const double hoop = ovalisation_stress(gear);  // ST-17 at the tooth ring
+  test::expect_relative(at(0).normal, hoop, 1e-14);
+  test::expect_relative(at(pi / 2).normal, 0.3 * hoop, 1e-14);
+  EXPECT_NEAR(at(0).shear, 0.0, 1e-6);
+  for (const double angle : {0.1, 0.5, pi / 4, 1.2, -0.7}) {
+    // Trace and determinant do not depend on the frame; the shear is minus half the slope of the
+    // normal stress turned toward -theta.
+    const AssemblyStress along = at(angle);
+    const AssemblyStress across = at(angle - pi / 2);
+    test::expect_relative(along.normal + across.normal, 1.3 * hoop, 1e-13);
+    test::expect_relative(along.normal * across.normal - along.shear * along.shear,
+                          0.3 * hoop * hoop, 1e-13);
+    const double slope = (at(angle + 1e-6).normal - at(angle - 1e-6).normal) / 2e-6;
+    EXPECT_NEAR(along.shear, slope / 2, 1e-6 * hoop);
+  }
+}
+
+TEST(AssemblyStress, IdentitySignAsTheLoads) {
+  // The same turn of the frame as crack_plane_stress: an axial stress alone.
+  const GearSet gear = article();
+  for (const double angle : {0.3, -0.6, 1.1}) {
+    const CrackPlaneStress axial = crack_plane_stress(78.88 * mm, 2.24 * mm, angle, 1);
+    const double sigma_z = 1 / (2 * pi * 78.88 * mm * 2.24 * mm);  // per newton
+    const double hoop = ovalisation_stress(gear);
+    // (hoop, nu hoop) is hoop everywhere less (1 - nu) hoop along the axis.
+    const AssemblyStress bent = assembly_stress(gear, 78.88 * mm, 2.24 * mm, angle);
+    EXPECT_NEAR(bent.normal, hoop - 0.7 * hoop * axial.normal[kAxial] / sigma_z, 1e-12 * hoop);
+    EXPECT_NEAR(bent.shear, -0.7 * hoop * axial.shear[kAxial] / sigma_z, 1e-12 * hoop);
+  }
+}
+
+TEST(AssemblyStress, ScalingAndInput) {
+  GearSet gear = article();
+  const double before = assembly_stress(gear, 0.08, 0.002, 0).normal;
+  EXPECT_NEAR(assembly_stress(gear, 0.08, 0.004, 0).normal, 2 * before, 1e-9 * before);
+  EXPECT_NEAR(assembly_stress(gear, 0.16, 0.002, 0).normal, before / 4, 1e-9 * before);
+  gear.drive.wave_number = 3;  // (9 - 1)/(4 - 1)
+  EXPECT_NEAR(assembly_stress(gear, 0.08, 0.002, 0).normal, 8.0 / 3 * before, 1e-9 * before);
+  EXPECT_THROW((void)assembly_stress(gear, 0, 0.002, 0), InputError);
+  EXPECT_THROW((void)assembly_stress(gear, 0.08, 0, 0), InputError);
+  gear.flexspline.reset();
+  EXPECT_THROW((void)assembly_stress(gear, 0.08, 0.002, 0), InputError);
+}
+
+TEST(Assembly, IdentityAxialThroughCrack) {
+  // Along the generator torque only slides the crack, and the assembly only opens it.
+  GearSet gear = article();
+  wall(gear).angle = 0;
+  const StrengthState state = of_wall(gear).states.at(1);
+  const double root = std::sqrt(pi * 1 * mm);
+  test::expect_relative(state.K_load, 1.1 * shear() * root, 1e-12);
+  test::expect_relative(state.K_assembly, ovalisation_stress(gear) * root, 1e-12);  // FA-14
+  test::expect_relative(state.K, std::hypot(state.K_load, state.K_assembly), 1e-12);
+  const double chi = state.K_assembly * *state.L_r / state.K_load;
+  test::expect_relative(*state.interaction, plasticity_interaction(chi, *state.L_r), 1e-13);
+  test::expect_relative(*state.K_r,
+                        std::hypot(state.K_load, *state.interaction * state.K_assembly) / (5 * MPa),
+                        1e-12);
+}
+
+TEST(Assembly, IdentitySurfaceCrackWithoutLoadIsBending) {
+  // A torque that does nothing leaves Newman and Raju's bending, the largest along the front.
+  GearSet gear = article();
+  WallSurfaceCrack surface;
+  surface.depth = 0.6 * mm;
+  surface.half_length = 1 * mm;
+  surface.angle = 0;
+  gear.flexspline->crack = {surface};
+  gear.load.torque = 1e-9;
+  const StrengthState state = of_wall(gear).states.at(1);
+  // a/c = 0.6, a/t = 0.268: written out at the surface, where bending is worst.
+  const double rho = 0.6;
+  const double alpha = 0.6 / 2.24;
+  const double Q = 1 + 1.464 * std::pow(rho, 1.65);
+  const double M = 1.13 - 0.09 * rho + (0.89 / (0.2 + rho) - 0.54) * alpha * alpha +
+                   (0.5 - 1 / (0.65 + rho) + 14 * std::pow(1 - rho, 24)) * std::pow(alpha, 4);
+  const double at_surface = M * (1.1 + 0.35 * alpha * alpha) * std::sqrt(rho) *
+                            (1 - 0.34 * alpha - 0.11 * rho * alpha) / std::sqrt(Q);
+  test::expect_relative(state.K_assembly,
+                        ovalisation_stress(gear) * std::sqrt(pi * 0.6 * mm) * at_surface, 1e-10);
+  test::expect_relative(state.K, state.K_assembly, 1e-6);
+}
+
+TEST(Assembly, IdentityTakesTheWorseOfTheTwoSensesAndBothPhases) {
+  // 45 degrees: positive torque opens, negative presses; the assembly opens under both.
+  GearSet gear = article();
+  const CrackStrength positive = of_wall(gear);
+  gear.load.torque = -100;
+  const CrackStrength negative = of_wall(gear);
+  ASSERT_EQ(positive.states.size(), 4U);
+  ASSERT_EQ(negative.states.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const StrengthState& here = positive.states[i];
+    const StrengthState& there = negative.states[(i + 2) % 4];
+    EXPECT_EQ(here.sense, there.sense);
+    EXPECT_EQ(here.with_assembly, there.with_assembly);
+    EXPECT_EQ(here.K, there.K);
+  }
+  EXPECT_LT(negative.states[0].K, 1e-9 * positive.states[0].K);  // pressed
+  EXPECT_GT(negative.states[1].K, 0.9 * positive.states[1].K);   // the assembly is the larger
+  EXPECT_LT(negative.states[1].K, positive.states[1].K);
+  EXPECT_EQ(*negative.states[1].interaction,
+            plasticity_interaction(4, *negative.states[1].L_r));  // chi has no limit
+  // K_u tau adds to the opening, or takes from it; the assembly slides the crack by as much.
+  const AssemblyStress bent = assembly_stress(gear, 78.88 * mm, 2.24 * mm, pi / 4);
+  const double root = std::sqrt(pi * 1 * mm);
+  test::expect_relative(negative.states[1].K,
+                        root * std::hypot(bent.normal - 1.1 * shear() * 1.0046, bent.shear), 1e-4);
+  EXPECT_TRUE(mentions(negative.sentence, "holds at this load together with the assembly's"))
+      << negative.sentence;
+}
+
+TEST(Assembly, IdentityOneLobeBendsNothing) {
+  GearSet gear = article();
+  gear.drive.wave_number = 1;
+  for (const StrengthState& state : of_wall(gear).states) EXPECT_FALSE(state.with_assembly);
+}
+
+TEST(Assembly, LimitBeyondYieldIsNotAnswered) {
+  GearSet gear = article(1 * mm, kTough);
+  gear.load.torque = -100;  // pressed: chi without limit
+  EXPECT_EQ(of_wall(gear).states.at(1).verdict, Verdict::acceptable);
+  gear.material["steel"].yield_strength = 90 * MPa;  // below the 99.7 MPa of the assembly
+  gear.material["steel"].ultimate_strength = {};
+  const CrackStrength strength = of_wall(gear);
+  EXPECT_EQ(strength.states.at(0).verdict, Verdict::acceptable);
+  EXPECT_EQ(strength.states.at(1).verdict, Verdict::cannot_tell);
+  EXPECT_EQ(strength.verdict, Verdict::cannot_tell);
+  EXPECT_TRUE(mentions(strength.sentence, "beyond the yield strength")) << strength.sentence;
+}
+
+TEST(Assembly, LimitFractureByAssemblyAloneHasNoReserve) {
+  const CrackStrength strength = of_wall(article(1 * mm, 3 * MPa));
+  EXPECT_EQ(strength.verdict, Verdict::fractures);
+  EXPECT_EQ(strength.governing, 1U);
+  EXPECT_EQ(strength.worst()->reserve, 0.0);
+  EXPECT_EQ(strength.states[0].verdict, Verdict::acceptable);
+  EXPECT_TRUE(mentions(strength.sentence, "under the load alone: acceptable"));
+}
+
+// --- the other kinds ---------------------------------------------------------------------------
+
+TEST(CrackStrength, IdentityAnnularLimitLoad) {
+  GearSet gear = article(4 * mm);
+  gear.load.axial_force = -2e4;  // pressed: no mode I, and yet in the section
+  const StrengthState state = of_shaft(gear).states.at(0);
+  test::expect_relative(
+      *state.L_r * kYield,
+      ring_reference_stress({.outer_radius = 31 * mm, .inner_radius = 22.5 * mm}, -2e4, 100),
+      1e-13);
+  gear.load.axial_force = 0;
+  EXPECT_EQ(of_shaft(gear).states.at(0).K, state.K);
+  EXPECT_EQ(of_shaft(gear).states.size(), 1U);
+  EXPECT_NEAR(*of_shaft(gear).ligament, 8.5 * mm, 1e-15);
+}
+
+TEST(CrackStrength, IdentitySolidShaftBothPolynomials) {
+  GearSet gear = article(5 * mm);
+  gear.output_shaft->inner_diameter = 0;
+  const double improved = of_shaft(gear).states.at(0).K;
+  std::get<AnnularCrack>(gear.output_shaft->crack[0]).solution = AnnularSolution::tada;
+  const double tada = of_shaft(gear).states.at(0).K;
+  EXPECT_NE(improved, tada);
+  EXPECT_NEAR(tada / improved, 1.0, 0.02);
+  EXPECT_EQ(tada / (5 * MPa), torsional_stiffness(gear).cracks.back().utilisation->value);
+}
+
+TEST(CrackStrength, IdentityRaceStrip) {
+  GearSet gear = article(1 * mm);
+  gear.wave_generator->inner_ring_width = 20 * mm;
+  gear.wave_generator->inner_ring_mean_radius = 60 * mm;
+  RaceEdgeCrack edge;
+  edge.depth = 2 * mm;
+  edge.stress_driver = StressDriver::given;
+  edge.stress = 150 * MPa;
+  gear.wave_generator->crack = {edge};
+  test::expect_relative(*of_race(gear).states.at(0).L_r, 150.0 / 900 / 0.8, 1e-12);
+  std::get<RaceEdgeCrack>(gear.wave_generator->crack[0]).stress = -150 * MPa;  // pressed
+  const CrackStrength pressed = of_race(gear);
+  EXPECT_EQ(pressed.verdict, Verdict::acceptable);
+  EXPECT_FALSE(pressed.worst()->reserve.has_value());
+  EXPECT_TRUE(mentions(pressed.sentence, "the load does not stress it"));
+  auto& bent = std::get<RaceEdgeCrack>(gear.wave_generator->crack[0]);
+  bent.stress_driver = StressDriver::ring_bending;
+  bent.stress.reset();
+  // 6 m F R/(B t^2), m = 1/pi; the plastic moment of what is left.
+  const double F = 2 * 1.15 * 0.35 * 100 / (2 * 0.16);
+  const double stress = 6 * F * 0.06 / pi / (0.02 * 0.01 * 0.01);
+  test::expect_relative(*of_race(gear).states.at(0).L_r, stress / (1.5 * 0.64) / kYield, 1e-12);
+}
+
+TEST(CrackStrength, IdentityDiaphragm) {
+  GearSet gear = article();
+  Flexspline& fs = *gear.flexspline;
+  fs.crack_free = CrackFree::sections;
+  fs.barrel = TubeSection{160 * mm, 2.24 * mm, 150 * mm};
+  fs.diaphragm = Diaphragm{157 * mm, 80 * mm, 3 * mm, {}};
+  DiaphragmArcCrack arc;
+  arc.half_length = 4 * mm;
+  DiaphragmGroove groove;
+  groove.depth = 1 * mm;
+  groove.width = 2 * mm;
+  groove.radius = 50 * mm;
+  fs.crack = {arc, groove};
+  const CrackStrength cut = strength_of(gear, "flexspline.crack[0]");
+  const double at_arc = 100 / (2 * pi * 0.04 * 0.04 * 0.003);
+  test::expect_relative(cut.worst()->K, at_arc * std::sqrt(pi * 4 * mm), 1e-12);
+  test::expect_relative(*cut.worst()->L_r,
+                        std::sqrt(3.0) * at_arc / (1 - 2 * 4 / (pi * 40)) / kYield, 1e-12);
+  const CrackStrength cut_round = strength_of(gear, "flexspline.crack[1]");
+  const double at_groove = 100 / (2 * pi * 0.049 * 0.049 * 0.003);  // its inner edge
+  const double K_III = at_groove * std::sqrt(0.006 * std::tan(pi / 6));
+  test::expect_relative(cut_round.worst()->K, K_III * std::sqrt(210e9 / 0.91 / (2 * 80e9)), 1e-12);
+  test::expect_relative(*cut_round.worst()->L_r, std::sqrt(3.0) * at_groove * 1.5 / kYield, 1e-12);
+  EXPECT_EQ(cut_round.states.size(), 1U);
+  EXPECT_NEAR(*cut_round.ligament, 2 * mm, 1e-15);
+  // A thinner place within the groove decides.
+  fs.diaphragm->profile = {{50 * mm, 2 * mm}};
+  EXPECT_NEAR(*strength_of(gear, "flexspline.crack[1]").ligament, 1 * mm, 1e-15);
+}
+
+TEST(CrackStrength, IdentityWallSections) {
+  GearSet gear = article();
+  Flexspline& fs = *gear.flexspline;
+  fs.crack_free = CrackFree::sections;
+  fs.rim = TubeSection{161 * mm, 3 * mm, 40 * mm};
+  fs.barrel = TubeSection{160 * mm, 2 * mm, 110 * mm};
+  fs.diaphragm = Diaphragm{156 * mm, 80 * mm, 3 * mm, {}};
+  for (const auto& [section, r, t] : {std::tuple{WallSection::rim, 79 * mm, 3 * mm},
+                                      std::tuple{WallSection::barrel, 79 * mm, 2 * mm}}) {
+    wall(gear).section = section;
+    wall(gear).angle = 0;
+    const StrengthState state = of_wall(gear).states.at(1);
+    test::expect_relative(state.K_load, 1.1 * 100 / (2 * pi * r * r * t) * std::sqrt(pi * 1 * mm),
+                          1e-12);
+    test::expect_relative(state.K_assembly,
+                          assembly_stress(gear, r, t, 0).normal * std::sqrt(pi * 1 * mm), 1e-12);
+  }
+}
+
+TEST(CrackStrength, IdentitySurfaceCrackNetThickness) {
+  GearSet gear = article();
+  WallSurfaceCrack surface;
+  surface.depth = 0.56 * mm;  // a quarter of the wall
+  surface.half_length = 2 * mm;
+  gear.flexspline->crack = {surface};
+  gear.load.axial_force = 1e4;
+  const double sigma = 1e4 / (2 * pi * 78.88 * mm * 2.24 * mm);
+  test::expect_relative(*of_wall(gear).states.at(0).L_r,
+                        std::hypot(sigma, std::sqrt(3.0) * 1.1 * shear()) / 0.75 / kYield, 1e-12);
+}
+
+// --- verdicts (FA-13) --------------------------------------------------------------------------
+
+TEST(StrengthVerdict, InputWhatIsMissing) {
+  struct Case {
+    bool toughness, yield;
+    double torque;
+    Verdict verdict;
+    const char* part;
+  };
+  // 100 N*m is harmless to the shaft; 200 kN*m breaks it by toughness, and by yielding.
+  for (const Case& c :
+       {Case{true, true, 100, Verdict::acceptable, "holds at this load: reserve factor"},
+        Case{false, true, 100, Verdict::cannot_tell, "material.steel gives no fracture_toughness;"},
+        Case{true, false, 100, Verdict::cannot_tell, "material.steel gives no yield_strength;"},
+        Case{false, false, 100, Verdict::cannot_tell,
+             "gives no fracture_toughness and no yield_strength"},
+        Case{true, false, 2e5, Verdict::fractures, "fractures at this load: K = "},
+        Case{true, true, 2e5, Verdict::fractures, "fractures at this load: K = "},
+        Case{false, true, 2e5, Verdict::collapses, "collapses at this load"}}) {
+    GearSet gear = article();
+    gear.load.torque = c.torque;
+    if (!c.toughness) gear.material["steel"].fracture_toughness.reset();
+    if (!c.yield) gear.material["steel"].yield_strength.reset();
+    const CrackStrength strength = of_shaft(gear);
+    EXPECT_EQ(strength.verdict, c.verdict) << strength.sentence;
+    EXPECT_TRUE(mentions(strength.sentence, c.part)) << strength.sentence;
+    EXPECT_EQ(strength.worst()->unknown.empty(), c.verdict != Verdict::cannot_tell);
+    EXPECT_EQ(strength.worst()->utilisation.has_value(), c.toughness);
+    EXPECT_EQ(strength.worst()->brittle_size.has_value(), c.toughness);
+    EXPECT_EQ(strength.worst()->L_r.has_value(), c.yield);
+    EXPECT_EQ(strength.worst()->plastic_zone.has_value(), c.yield);
+    EXPECT_EQ(strength.worst()->reserve.has_value(), c.toughness && c.yield);
+    EXPECT_EQ(strength.worst()->critical_size.has_value(), c.toughness && c.yield);
+  }
+}
+
+TEST(StrengthVerdict, LimitCollapseBeforeFracture) {
+  // A tough shaft: beyond the end of the line with K_r below 1 it collapses.
+  GearSet gear = article(1 * mm, 1000 * MPa);
+  gear.load.torque = 35e3;
+  const CrackStrength strength = of_shaft(gear);
+  EXPECT_EQ(strength.verdict, Verdict::collapses) << strength.sentence;
+  EXPECT_GT(*strength.worst()->L_r, 1000.0 / 900 / 2 + 0.5);
+  EXPECT_EQ(*strength.worst()->line, 0.0);
+  EXPECT_TRUE(mentions(strength.sentence, "the net section is fully plastic"));
+}
+
+TEST(StrengthVerdict, LimitOutOfRangeIsNotAccepted) {
+  GearSet gear = article(16 * mm, kTough);  // shell parameter 2.2
+  gear.output_shaft->crack.clear();
+  gear.wave_generator->crack.clear();
+  CrackStrength strength = of_wall(gear);
+  EXPECT_EQ(strength.verdict, Verdict::cannot_tell);
+  EXPECT_TRUE(mentions(strength.sentence, "a shell parameter of 2")) << strength.sentence;
+  // One that fractures at the end of the range fractures.
+  strength = of_wall([&] {
+    gear.material["steel"].fracture_toughness = 5 * MPa;
+    return gear;
+  }());
+  EXPECT_EQ(strength.verdict, Verdict::fractures);
+  EXPECT_LT(*strength.worst()->critical_size->size, strength.size);
+}
+
+TEST(StrengthVerdict, LimitHollowShaftBeyondItsTable) {
+  GearSet gear = article(1 * mm, kTough);
+  std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = 11 * mm;  // 0.88 of the wall
+  const CrackStrength strength = of_shaft(gear);
+  EXPECT_EQ(strength.verdict, Verdict::cannot_tell);
+  EXPECT_TRUE(mentions(strength.sentence, "larger than 10 mm, 0.8 of the wall"))
+      << strength.sentence;
+}
+
+TEST(StrengthVerdict, LimitHalfOfTheCircumference) {
+  GearSet gear = griffith(kTough);
+  wall(gear).half_length = 130 * mm;  // pi r/2 is 124 mm: no net section by FA-8
+  wall(gear).angle = pi / 2;
+  const CrackStrength strength = of_wall(gear);
+  EXPECT_EQ(strength.verdict, Verdict::cannot_tell);
+  EXPECT_GT(strength.worst()->K, 0.0);
+}
+
+TEST(StrengthVerdict, LimitShortTube) {
+  GearSet gear = griffith(kTough);
+  gear.flexspline->length = 20 * mm;
+  wall(gear).angle = 0;
+  const auto size = of_wall(gear).states.at(0).brittle_size;
+  EXPECT_FALSE(size->size.has_value());
+  EXPECT_TRUE(mentions(size->text, "none up to 10 mm, the length of the tube")) << size->text;
+}
+
+TEST(StrengthVerdict, InputCracksOfTheCoupledDrive) {
+  GearSet gear = article();
+  OuterRaceCrack outer;
+  outer.depth = 1 * mm;
+  gear.wave_generator->radial_stiffness.reset();
+  gear.wave_generator->contact_semi_axes.reset();
+  gear.wave_generator->bearing = Bearing{.ball_diameter = 12.7 * mm,
+                                         .inner_raceway_diameter = 110 * mm,
+                                         .outer_raceway_diameter = 135.4 * mm,
+                                         .ball_count = 23,
+                                         .outer_ring = BearingRing{70 * mm, 4 * mm, 20 * mm}};
+  gear.wave_generator->crack.emplace_back(outer);
+  ToothCrack tooth;
+  tooth.stiffness_loss = 0.5;
+  gear.mesh = ToothMesh{};
+  gear.mesh->crack.emplace_back(tooth);
+  const auto all = crack_strength(gear);
+  ASSERT_EQ(all.size(), 5U);
+  for (const char* const path : {"wave_generator.crack[1]", "mesh.crack[0]"}) {
+    const CrackStrength strength = strength_of(gear, path);
+    EXPECT_EQ(strength.verdict, Verdict::cannot_tell);
+    EXPECT_EQ(strength.worst(), nullptr);
+    EXPECT_TRUE(mentions(strength.sentence, "coupled drive only"));
+  }
+}
+
+TEST(StrengthVerdict, InputBrokenGear) {
+  GearSet gear = article();
+  gear.material["steel"].ultimate_strength = 800 * MPa;
+  EXPECT_THROW((void)crack_strength(gear), InputError);
+  gear.material["steel"].ultimate_strength = kYield;
+  EXPECT_NO_THROW((void)crack_strength(gear));
+}
+
+TEST(CrackStrength, IdentityNotesAndEquations) {
+  GearSet gear = article();
+  const CrackStrength strength = of_wall(gear);
+  for (const char* const tag :
+       {"FA-1", "FA-2", "FA-3", "FA-4", "FA-5", "FA-6", "FA-8", "FA-12", "FA-13", "FA-14", "ST-17"})
+    EXPECT_TRUE(test::uses_equation(strength.equations, tag)) << tag;
+  EXPECT_EQ(strength.notes.size(), 3U);
+  gear.material["steel"].ultimate_strength.reset();
+  EXPECT_EQ(of_wall(gear).notes.size(), 4U);  // the line ends at 1
+  EXPECT_EQ(of_shaft(gear).notes.size(), 2U);
+}
+
+}  // namespace
+}  // namespace strainwave
