@@ -39,6 +39,9 @@ enum class Severity {
 [[nodiscard]] Severity severity_of(const Note& note);
 [[nodiscard]] std::string_view severity_title(Severity severity);
 
+/// Whether the given load breaks the part at this crack.
+[[nodiscard]] bool breaks(const CrackStrength& crack);
+
 [[nodiscard]] std::string verdict_html(const Draft& draft);
 
 [[nodiscard]] ReportSection drawing_chapter(const Draft& draft);
@@ -47,6 +50,7 @@ enum class Severity {
 [[nodiscard]] ReportSection shares_chapter(const Draft& draft);
 [[nodiscard]] ReportSection torsion_chapter(Draft& draft);
 [[nodiscard]] ReportSection intensities_chapter(const Draft& draft);
+[[nodiscard]] ReportSection strength_chapter(const Draft& draft);
 [[nodiscard]] ReportSection notes_chapter(const Draft& draft);
 [[nodiscard]] ReportSection accuracy_chapter(const Draft& draft);
 [[nodiscard]] ReportSection equations_chapter(const Draft& draft);

@@ -32,7 +32,8 @@ constexpr std::array kWeights = {Weight{"crack.fracture", Severity::critical},
                                  Weight{"flexspline.ovalisation", Severity::left_out},
                                  Weight{"hysteresis.no_load", Severity::left_out},
                                  Weight{"member.absent", Severity::left_out},
-                                 Weight{"torsion.rigid_spline", Severity::left_out},
+                                 Weight{"strength.scope", Severity::left_out},
+    Weight{"torsion.rigid_spline", Severity::left_out},
                                  Weight{"wave_generator.held_ring", Severity::left_out},
                                  Weight{"wave_generator.shaft_bending", Severity::left_out},
                                  Weight{"article.accuracy", Severity::assumption},
@@ -73,7 +74,7 @@ std::string_view severity_title(Severity severity) {
     case Severity::critical:
       return "Critical";
     case Severity::outside:
-      return "Outside a range, or doubtful";
+      return "Doubtful, or outside a range";
     case Severity::left_out:
       return "Left out";
     case Severity::assumption:

@@ -82,6 +82,9 @@ tbody th { font-weight: 400; }
 .g4 { color: var(--muted); }
 .crack-number { display: inline-block; min-width: 1.5em; text-align: center; font-size: .85em;
   color: var(--crack); border: 1px solid var(--crack); border-radius: 1em; }
+.breaks, .breaks td, .breaks th { color: var(--bad); }
+.verdicts { list-style: none; padding-left: 0; }
+.verdicts li { margin: .25rem 0; }
 .notes { padding-left: 1.2rem; }
 .notes li { margin: .25rem 0; }
 .s0 li::marker, .s0 { color: var(--bad); }

@@ -40,12 +40,34 @@ std::string key_number(std::string_view label, const std::string& value, std::st
                      unit, remark);
 }
 
+/// The least reserve of all cracks; else the largest share of the toughness.
+std::string strength_number(const Draft& draft) {
+  const CrackStrength* weakest = nullptr;
+  for (const CrackStrength& crack : draft.result.strength)
+    if (crack.worst() != nullptr && crack.worst()->reserve &&
+        (weakest == nullptr || *crack.worst()->reserve < *weakest->worst()->reserve))
+      weakest = &crack;
+  if (weakest != nullptr)
+    return key_number("Least reserve on the load", number(*weakest->worst()->reserve, 3), "",
+                      escaped(weakest->path));
+  const CrackReport* hardest = nullptr;
+  for (const CrackReport& crack : draft.result.cracks)
+    if (crack.utilisation &&
+        (hardest == nullptr || crack.utilisation->value > hardest->utilisation->value))
+      hardest = &crack;
+  if (hardest == nullptr) return {};
+  return key_number("Largest <i>K</i>/<i>K</i><sub>Ic</sub>",
+                    number(hardest->utilisation->value, 3), "", escaped(hardest->path));
+}
+
 }  // namespace
 
 std::string verdict_html(const Draft& draft) {
   const StiffnessResult& r = draft.result;
   const Note* const worst = worst_note(draft.notes);
-  const bool critical = worst != nullptr && severity_of(*worst) == Severity::critical;
+  const bool broken = std::ranges::any_of(r.strength, breaks);
+  const bool critical =
+      broken || (worst != nullptr && severity_of(*worst) == Severity::critical);
   const bool outside = worst != nullptr && severity_of(*worst) == Severity::outside;
   std::string html = fmt::format("<div class=\"verdict {}\">\n", !r.usable() || critical ? "bad"
                                                                  : outside               ? "care"
@@ -59,6 +81,11 @@ std::string verdict_html(const Draft& draft) {
     html += "<p class=\"word\">Usable with care</p>\n";
   else
     html += "<p class=\"word\">Usable, within what is assumed</p>\n";
+  for (const CrackStrength& crack : r.strength)
+    if (breaks(crack))
+      html += fmt::format("<p><code>{}</code>: {}</p>\n", escaped(crack.path),
+                          escaped(crack.sentence));
+  if (broken) html += paragraph("The stiffness below is that of the cracks as they stand.");
   if (worst != nullptr)
     html +=
         fmt::format("<p>{}{}: {}</p>\n", severity_title(severity_of(*worst)),
@@ -81,9 +108,12 @@ std::string verdict_html(const Draft& draft) {
     cracked("Cracked, <i>T</i> &gt; 0", "cracked.positive", r.positive);
     cracked("Cracked, <i>T</i> &lt; 0", "cracked.negative", r.negative);
   }
-  html += key_number(fmt::format("Wind-up at {} N·m", number(std::abs(draft.gear.load.torque))),
-                     quantity("cracked.positive.wind_up", r.positive.wind_up, units::arcmin),
-                     "arcmin", draft.cracks.empty() ? "sound" : "cracked, <i>T</i> &gt; 0");
+  const bool positive = draft.gear.load.torque > 0;
+  html += key_number(
+      fmt::format("Wind-up at {} N·m", number(draft.gear.load.torque)),
+      quantity(positive ? "cracked.positive.wind_up" : "cracked.negative.wind_up",
+               positive ? r.positive.wind_up : r.negative.wind_up, units::arcmin),
+      "arcmin", draft.cracks.empty() ? "sound" : "cracked");
   if (r.curve)
     html += key_number(
         "<i>K</i><sub>1</sub> / <i>K</i><sub>2</sub> / <i>K</i><sub>3</sub>",
@@ -91,14 +121,7 @@ std::string verdict_html(const Draft& draft) {
             quantity("curve.positive.K2", r.curve->positive.K2, 1 / units::arcmin) + " / " +
             quantity("curve.positive.K3", r.curve->positive.K3, 1 / units::arcmin),
         "N·m/arcmin", "torsion curve, accuracy " + accuracy(r.curve->positive.K1));
-  const CrackReport* hardest = nullptr;
-  for (const CrackReport& crack : r.cracks)
-    if (crack.utilisation &&
-        (hardest == nullptr || crack.utilisation->value > hardest->utilisation->value))
-      hardest = &crack;
-  if (hardest != nullptr)
-    html += key_number("Largest <i>K</i>/<i>K</i><sub>Ic</sub>",
-                       number(hardest->utilisation->value, 3), "", escaped(hardest->path));
+  html += strength_number(draft);
   return html + "</dl>\n</div>\n";
 }
 
@@ -166,6 +189,7 @@ Report make_report(const GearSet& gear, const Provenance& provenance,
   made.sections.push_back(shares_chapter(draft));
   made.sections.push_back(torsion_chapter(draft));
   made.sections.push_back(intensities_chapter(draft));
+  made.sections.push_back(strength_chapter(draft));
   // Behind all that add notes and equations.
   made.sections.push_back(notes_chapter(draft));
   made.sections.push_back(accuracy_chapter(draft));

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -27,8 +29,9 @@ using test::Element;
 using units::mm;
 using units::MPa;
 
-constexpr std::array kSections = {"drawing",     "inputs", "results",  "shares",    "torsion",
-                                  "intensities", "notes",  "accuracy", "equations", "provenance"};
+constexpr std::array kSections = {"drawing",  "inputs",      "results",   "shares",
+                                  "torsion",  "intensities", "strength",  "notes",
+                                  "accuracy", "equations",   "provenance"};
 
 const Provenance kProvenance{.version = "1.2.3",
                              .revision = "abc",
@@ -62,8 +65,8 @@ const ReportSection& section(const Report& report, const std::string& id) {
 std::vector<Element> parsed(const std::string& html) { return test::parse_xml(html); }
 
 TEST(Report, IdentityEveryExampleGivesAWholePage) {
-  for (const char* const name :
-       {"article", "cracked_size25", "cup_sections", "solid_shaft", "catalogue_size25"}) {
+  for (const char* const name : {"article", "cracked_size25", "cup_sections", "solid_shaft",
+                                 "catalogue_size25", "critical_crack"}) {
     const Report report = report_on(text_of(name));
     const std::string html = report_html(report);
     ASSERT_NO_THROW((void)parsed(html)) << name;
@@ -312,6 +315,33 @@ TEST(Report, IdentityToughnessGivesUtilisationWithALineAtOne) {
   // Without toughness the report says that it cannot judge.
   EXPECT_NE(section(report_on(text_of("article")), "intensities").html.find("no toughness"),
             std::string::npos);
+}
+
+TEST(Report, IdentityCracksBeyondCriticalStandOnTop) {
+  const Report report = report_on(text_of("critical_crack"));
+  const auto worst = std::ranges::find(report.result.strength, StrengthVerdict::fractures,
+                                       &CrackStrength::verdict);
+  ASSERT_NE(worst, report.result.strength.end());
+  EXPECT_NE(report.verdict.find("verdict bad"), std::string::npos);
+  EXPECT_NE(report.verdict.find("<code>" + worst->path + "</code>: "), std::string::npos);
+  EXPECT_NE(report.verdict.find("cracks as they stand"), std::string::npos);
+  const std::string& html = section(report, "strength").html;
+  // A row for every state, a sentence for every crack, a bar for each under the given torque.
+  std::size_t states = 0;
+  std::size_t bars = 0;
+  for (const CrackStrength& crack : report.result.strength) {
+    states += crack.states.size();
+    for (const StrengthState& state : crack.states)
+      bars += state.utilisation && state.sense == crack.worst()->sense ? 1 : 0;
+  }
+  EXPECT_EQ(count(html, "<th scope=\"row\">T "), states);
+  EXPECT_EQ(count(html, "<li"), report.result.strength.size());
+  EXPECT_EQ(count(html, "<rect class=\"bar"), bars);
+  EXPECT_NE(html.find(">line, hard_steel<"), std::string::npos);
+  // Nothing to hold the cracks against: the report says so.
+  EXPECT_NE(section(report_on(text_of("article")), "strength").html.find("Cannot tell"),
+            std::string::npos);
+  EXPECT_NE(report_on(text_of("article")).verdict.find("verdict care"), std::string::npos);
 }
 
 TEST(Report, LimitADriveThatTheLibraryWasGivenWithoutATextHasOne) {

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "chapters.hpp"
+#include "html.hpp"
+#include "markup.hpp"
+#include "strainwave/core/units.hpp"
+#include "strainwave/study/plot.hpp"
+#include "strainwave/study/strength_report.hpp"
+
+namespace strainwave::report {
+namespace {
+
+std::string optional_number(const std::optional<double>& value) {
+  return value ? number(*value, 3) : std::string("–");
+}
+
+/// Critical size of the assessment, else of K alone.
+std::string critical_text(const StrengthState& state) {
+  const auto& answer = state.critical_size ? state.critical_size : state.brittle_size;
+  if (!answer) return "–";
+  return answer->size ? number(*answer->size / units::mm, 3) : escaped(answer->text);
+}
+
+std::string verdict_text(StrengthVerdict verdict) {
+  return verdict == StrengthVerdict::cannot_tell ? "cannot tell" : std::string(enum_name(verdict));
+}
+
+std::string state_text(const StrengthState& state) {
+  return fmt::format("T {} 0{}", state.sense == TorqueSense::positive ? '>' : '<',
+                     state.with_assembly ? ", with the assembly" : ", load alone");
+}
+
+std::string crack_mark(const Draft& draft, const std::string& path) {
+  const auto found = std::ranges::find(draft.cracks, path, &NumberedCrack::path);
+  return found == draft.cracks.end() ? std::string("?") : std::to_string(found->number);
+}
+
+}  // namespace
+
+bool breaks(const CrackStrength& crack) {
+  return crack.verdict == StrengthVerdict::fractures || crack.verdict == StrengthVerdict::collapses;
+}
+
+ReportSection strength_chapter(const Draft& draft) {
+  ReportSection section{"strength", "Strength: failure assessment", {}};
+  const StiffnessResult& r = draft.result;
+  if (r.strength.empty()) {
+    section.html = paragraph(
+        draft.cracks.empty() ? "The file has no cracks."
+        : !draft.corrected()
+            ? fmt::format("No failure assessment: the method {} has none; it is a model of the "
+                          "method corrected.",
+                          enum_name(r.method))
+            : "Cannot tell: no material of the file gives fracture_toughness or yield_strength, so "
+              "there is nothing to hold the cracks against.",
+        "absent");
+    return section;
+  }
+  section.html = paragraph(
+      "Option 1 of BS 7910: a crack is accepted while its point (L_r, K_r) lies inside the line. "
+      "The reserve is the factor on the given load at which the line is reached. “With the "
+      "assembly” adds the bending of the wall by the wave generator, at its worst in a turn.");
+  BarChart chart{.id = "strength-bars",
+                 .title = "Stress intensity of each crack against the toughness",
+                 .axis = "K/K_Ic at the given load",
+                 .reference = 1.0,
+                 .reference_label = "toughness"};
+  std::vector<RowGroup> groups;
+  std::string sentences;
+  for (const CrackStrength& crack : r.strength) {
+    const std::string mark = crack_mark(draft, crack.path);
+    RowGroup group{.title = fmt::format("{}: {} ({})", mark, crack.path, crack.kind), .rows = {}};
+    for (const StrengthState& state : crack.states) {
+      group.rows.push_back(
+          {{escaped(state_text(state)), number(state.K / units::MPa, 3),
+            optional_number(state.utilisation), optional_number(state.L_r),
+            optional_number(state.K_r), optional_number(state.line), optional_number(state.reserve),
+            critical_text(state),
+            state.plastic_zone ? number(*state.plastic_zone / units::mm, 3) : std::string("–"),
+            verdict_text(state.verdict)},
+           state.verdict == StrengthVerdict::fractures ||
+                   state.verdict == StrengthVerdict::collapses
+               ? "breaks"
+               : ""});
+      if (state.utilisation && state.sense == crack.worst()->sense)
+        chart.bars.push_back(
+            {.label = fmt::format("{}: {}", mark,
+                                  state.with_assembly ? "with the assembly" : crack.path),
+             .to = *state.utilisation,
+             .text = number(*state.utilisation, 3),
+             .style = *state.utilisation >= 1 ? "crack" : ""});
+    }
+    if (!group.rows.empty()) groups.push_back(std::move(group));
+    sentences +=
+        fmt::format("<li{}><span class=\"crack-number\">{}</span> <code>{}</code>: {}</li>\n",
+                    breaks(crack) ? " class=\"breaks\"" : "", mark, escaped(crack.path),
+                    escaped(crack.sentence));
+  }
+  section.html += fmt::format("<ul class=\"verdicts\">\n{}</ul>\n", sentences);
+  const bool any_point = std::ranges::any_of(r.strength, [](const CrackStrength& crack) {
+    return std::ranges::any_of(crack.states,
+                               [](const StrengthState& state) { return state.K_r.has_value(); });
+  });
+  if (any_point)
+    section.html += plot_figure(svg_plot(std::array{failure_assessment_panel(r, draft.gear)}),
+                                "Failure assessment diagram: the path of each crack from no load "
+                                "to the given one; beyond a line the crack runs.");
+  if (!chart.bars.empty())
+    section.html +=
+        figure(bar_chart(chart),
+               "Elastic stress intensity at the given load against the toughness.", "bars");
+  if (!groups.empty())
+    section.html += table("Failure assessment at the given load",
+                          {"", "<i>K</i> [MPa·√m]", "<i>K</i>/<i>K</i><sub>Ic</sub>",
+                           "<i>L</i><sub>r</sub>", "<i>K</i><sub>r</sub>", "line", "reserve",
+                           "critical size [mm]", "plastic zone [mm]", "verdict"},
+                          groups, {.style = "results", .numbers = 1});
+  return section;
+}
+
+}  // namespace strainwave::report
