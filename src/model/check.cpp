@@ -28,6 +28,10 @@ void check_material(const FieldPath& path, const Material& material) {
     if (error.rule().empty()) throw InputError(field, "must be given, or shear_modulus");
     throw InputError(field, material.shear_modulus.value_or(0.0), "Pa", error.rule());
   }
+  if (material.yield_strength && material.ultimate_strength)
+    require(*material.ultimate_strength >= *material.yield_strength,
+            (path / "ultimate_strength").text(), *material.ultimate_strength, "Pa",
+            "ultimate_strength >= yield_strength");
 }
 
 void check_ring_crack(const FieldPath& path, double depth, double thickness,

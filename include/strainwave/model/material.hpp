@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "strainwave/core/fields.hpp"
 
@@ -12,11 +13,16 @@ namespace strainwave {
 /// Two of E, G, nu define it.  All three may be given, because published examples do so; then E,
 /// G and nu are used where a formula asks for them, and a note reports a contradiction.
 struct Material {
-  double youngs_modulus = 0.0;               ///< E, Young's modulus [Pa]; > 0
-  std::optional<double> shear_modulus;       ///< G (mu in the manual), shear modulus [Pa]; > 0
-  std::optional<double> poissons_ratio;      ///< nu, Poisson's ratio [-]; in (-1, 0.5)
-  std::optional<double> yield_strength;      ///< sigma_y, yield strength [Pa]; > 0
+  double youngs_modulus = 0.0;           ///< E, Young's modulus [Pa]; > 0
+  std::optional<double> shear_modulus;   ///< G (mu in the manual), shear modulus [Pa]; > 0
+  std::optional<double> poissons_ratio;  ///< nu, Poisson's ratio [-]; in (-1, 0.5)
+  std::optional<double> yield_strength;  ///< sigma_y, yield strength [Pa]; > 0
+  /// sigma_u, tensile strength [Pa]; > 0, >= yield_strength
+  std::optional<double> ultimate_strength = {};
   std::optional<double> fracture_toughness;  ///< K_Ic, fracture toughness [Pa*m^0.5]; > 0
+  /// Where the numbers come from if the input only names them: one sentence for the notes of a
+  /// result.  Empty: the input gives them.  No field of the input file.
+  std::string origin = {};
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -46,6 +52,13 @@ struct Material {
                 .example = R"("900 MPa")",
                 .in_template = InTemplate::commented},
           &Material::yield_strength);
+    field(Field{.name = "ultimate_strength",
+                .unit = "Pa",
+                .doc = "tensile strength; not below yield_strength",
+                .range = kPositive,
+                .example = R"("1000 MPa")",
+                .in_template = InTemplate::commented},
+          &Material::ultimate_strength);
     field(Field{.name = "fracture_toughness",
                 .unit = "Pa*m^0.5",
                 .doc = "fracture toughness K_Ic; needed for utilisations",
