@@ -73,6 +73,19 @@ function(strainwave_equation_titles module)
   target_include_directories(strainwave_${module} PRIVATE "${PROJECT_SOURCE_DIR}/src/${module}")
 endfunction()
 
+# strainwave_material_data(<module>)
+# Adds material_data.cpp, written at build time from data/materials.toml; the file is installed too.
+function(strainwave_material_data module)
+  set(input "${PROJECT_SOURCE_DIR}/src/${module}/material_data.cpp.in")
+  set(data "${PROJECT_SOURCE_DIR}/data/materials.toml")
+  set(script "${PROJECT_SOURCE_DIR}/cmake/write_material_data.cmake")
+  set(output "${PROJECT_BINARY_DIR}/generated/material_data.cpp")
+  add_custom_command(OUTPUT "${output}" DEPENDS "${data}" "${input}" "${script}" VERBATIM COMMAND
+    "${CMAKE_COMMAND}" "-DDATA=${data}" "-DINPUT=${input}" "-DOUTPUT=${output}" -P "${script}")
+  target_sources(strainwave_${module} PRIVATE "${output}")
+  install(FILES "${data}" DESTINATION "${CMAKE_INSTALL_DATADIR}/strainwave")
+endfunction()
+
 # What `cmake --install` lays down, so that find_package(strainwave) gives strainwave::<module>.
 function(strainwave_install)
   include(CMakePackageConfigHelpers)

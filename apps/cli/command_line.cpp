@@ -12,6 +12,7 @@
 #include "manual.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/version.hpp"
+#include "strainwave/materials/material_record.hpp"
 
 namespace strainwave::cli {
 namespace {
@@ -32,6 +33,7 @@ class CommandLine {
     add_sweep();
     add_solve();
     add_torsion();
+    add_material();
     add_catalogue();
     add_validate();
     add_calibrate();
@@ -145,6 +147,22 @@ class CommandLine {
     add_output(sub, torsion_.output, {"text", "json", "csv"});
     sub->add_option("--plot", torsion_.plot, "draw the curve as an SVG file")->type_name("PATH");
     runs(sub, torsion_);
+  }
+
+  void add_material() {
+    CLI::App* const sub = command("material");
+    sub->require_subcommand(1);
+    CLI::App* const list = sub->add_subcommand("list", "Print all steels, one line each");
+    const auto& uses = EnumNames<MaterialUse>::names;
+    list->add_option("--use", material_list_.use, "flexspline, bearing, shaft or generic; else all")
+        ->check(CLI::IsMember(std::vector<std::string>(uses.begin(), uses.end())));
+    add_output(list, material_list_.output, {"text", "json", "markdown"});
+    runs(list, material_list_);
+    CLI::App* const show = sub->add_subcommand("show", "Print all that is known of one steel");
+    show->add_option("NAME", material_show_.name, "name or alias; case and blanks do not matter")
+        ->required();
+    add_output(show, material_show_.output, {"text", "json"});
+    runs(show, material_show_);
   }
 
   void add_catalogue() {
@@ -276,6 +294,8 @@ class CommandLine {
   SweepCommand sweep_;
   SolveCommand solve_;
   TorsionCommand torsion_;
+  MaterialListCommand material_list_;
+  MaterialShowCommand material_show_;
   CatalogueCommand catalogue_;
   ValidateCommand validate_;
   CalibrateCommand calibrate_;

@@ -25,6 +25,7 @@
 #include "strainwave/report/report.hpp"
 #include "strainwave/study/audit.hpp"
 #include "strainwave/study/evaluate.hpp"
+#include "strainwave/study/material_report.hpp"
 #include "strainwave/study/plot.hpp"
 #include "strainwave/study/sif_report.hpp"
 #include "strainwave/study/solve.hpp"
@@ -204,6 +205,22 @@ ExitCode run(const TorsionCommand& command) {
   const std::string plot = command.plot.empty() ? std::string() : torsion_plot(report, gear);
   if (!plot.empty()) write_file(command.plot, plot);
   deliver(text, command.output.path);
+  return kOk;
+}
+
+ExitCode run(const MaterialListCommand& command) {
+  const std::optional<MaterialUse> use = enum_value<MaterialUse>(command.use);
+  deliver(command.output.format == "json"       ? material_list_json(use)
+          : command.output.format == "markdown" ? material_list_markdown(use)
+                                                : material_list_text(use),
+          command.output.path);
+  return kOk;
+}
+
+ExitCode run(const MaterialShowCommand& command) {
+  const MaterialRecord& record = require_material(command.name);
+  deliver(command.output.format == "json" ? material_json(record) : material_text(record),
+          command.output.path);
   return kOk;
 }
 

@@ -60,6 +60,18 @@ struct TorsionCommand {
 };
 ExitCode run(const TorsionCommand& command);
 
+struct MaterialListCommand {
+  std::string use;  ///< empty: all
+  Output output{.format = "text", .path = {}};
+};
+ExitCode run(const MaterialListCommand& command);
+
+struct MaterialShowCommand {
+  std::string name;
+  Output output{.format = "text", .path = {}};
+};
+ExitCode run(const MaterialShowCommand& command);
+
 struct CatalogueCommand {
   std::optional<int> size;
   std::optional<double> ratio;

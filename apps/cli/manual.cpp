@@ -14,7 +14,7 @@
 namespace strainwave::cli {
 namespace {
 
-const std::array<CommandManual, 12> kCommands = {{
+const std::array<CommandManual, 13> kCommands = {{
     {"stiffness", "Torsional stiffness of a drive, sound and cracked",
      "Reads a drive and its cracks and prints the compliance of each member at the output with the "
      "input locked, without and with its cracks, the stiffness K_HD for both senses of torque, "
@@ -57,6 +57,13 @@ const std::array<CommandManual, 12> kCommands = {{
      "the file are drawn from and give a band. With --compare, the same without the cracks, and "
      "the changes over a turn of the wave generator.",
      "strainwave torsion examples/catalogue_size25.toml --plot torsion.svg"},
+    {"material", "The material library: steels with sources",
+     "Lists the steels that are built in, or shows all that is known of one: elastic constants, "
+     "strength, toughness, fatigue limit, growth constants and threshold, each with unit, source, "
+     "confidence and scatter. A member of a drive may name one of them in place of a table of the "
+     "input file. What nobody has published is not there; what could not be confirmed is called "
+     "unverified.",
+     "strainwave material show '17-4PH H900'"},
     {"catalogue", "What makers state: K1, K2, K3 and torques",
      "Prints the stiffness tables of the makers' catalogues, 35 rows of size and ratio, and 36 "
      "rows "
@@ -144,6 +151,26 @@ std::string usage(const CLI::Option& option) {
   return fmt::format("\\fB{}\\fR \\fI{}\\fR", name, escaped(type));
 }
 
+struct Options {
+  std::string synopsis;
+  std::string list;
+};
+
+/// The options of a command, without those of commands below it.
+Options options_of(const CLI::App& command) {
+  Options result;
+  for (const CLI::Option* const option : command.get_options()) {
+    if (option == command.get_help_ptr()) continue;
+    const std::string text = usage(*option);
+    result.synopsis += option->get_required() ? " " + text : " [" + text + "]";
+    std::string description = option->get_description();
+    if (!option->get_default_str().empty())
+      description += fmt::format("; default {}", option->get_default_str());
+    result.list += fmt::format(".TP\n{}\n{}\n", text, escaped(description));
+  }
+  return result;
+}
+
 std::string exit_status() {
   return ".SH EXIT STATUS\n"
          ".TP\n0\nan answer was printed\n"
@@ -180,19 +207,20 @@ std::string program_page(const CLI::App& app) {
 std::string command_page(const CLI::App& command) {
   const CommandManual& manual = manual_of(command.get_name());
   std::string page = head("strainwave-" + manual.name, manual.summary);
-  page += fmt::format(".SH SYNOPSIS\n\\fBstrainwave {}\\fR", manual.name);
-  std::string options;
-  for (const CLI::Option* const option : command.get_options()) {
-    if (option == command.get_help_ptr()) continue;
-    const std::string text = usage(*option);
-    page += option->get_required() ? " " + text : " [" + text + "]";
-    std::string description = option->get_description();
-    if (!option->get_default_str().empty())
-      description += fmt::format("; default {}", option->get_default_str());
-    options += fmt::format(".TP\n{}\n{}\n", text, escaped(description));
+  const auto parts = command.get_subcommands([](const CLI::App*) { return true; });
+  const Options own = options_of(command);
+  std::string list = own.list;
+  page += ".SH SYNOPSIS\n";
+  if (parts.empty()) page += fmt::format("\\fBstrainwave {}\\fR{}\n", manual.name, own.synopsis);
+  for (const CLI::App* const part : parts) {
+    const Options options = options_of(*part);
+    page += fmt::format("{}\\fBstrainwave {} {}\\fR{}\n", part == parts.front() ? "" : ".br\n",
+                        manual.name, part->get_name(), options.synopsis);
+    list += fmt::format(".SS {}\n{}\n{}", part->get_name(), escaped(part->get_description()),
+                        options.list);
   }
-  page += "\n.SH DESCRIPTION\n" + escaped(manual.description) + "\n";
-  page += ".SH OPTIONS\n" + options + exit_status();
+  page += ".SH DESCRIPTION\n" + escaped(manual.description) + "\n";
+  page += ".SH OPTIONS\n" + list + exit_status();
   page += ".SH EXAMPLE\n.nf\n" + escaped(manual.example) + "\n.fi\n";
   page += ".SH SEE ALSO\n.BR strainwave (1)\n";
   return page;

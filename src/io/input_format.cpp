@@ -45,7 +45,7 @@ inline constexpr bool is_section =
 
 template <class T>
 bool required(const Field& field) {
-  return !is_optional<T> && !is_vector<T> && field.fallback.empty();
+  return !is_optional<T> && !is_vector<T> && !is_string_map<T> && field.fallback.empty();
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -174,7 +174,6 @@ Json value_schema(const Field& field) {
     return {{"type", "array"}, {"items", value_schema<typename Unwrapped<Value>::type>(field)}};
   } else if constexpr (is_string_map<Value>) {
     return {{"type", "object"},
-            {"minProperties", 1},
             {"additionalProperties", value_schema<typename Unwrapped<Value>::type>(field)}};
   } else if constexpr (is_variant<Value>) {
     Json schema;

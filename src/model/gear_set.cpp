@@ -75,7 +75,20 @@ const Material& material_of(const GearSet& gear, std::string_view name, std::str
 }
 
 void set_number(GearSet& gear, std::string_view path, double value) {
-  visit_number(gear, path, [&](const Field&, double& number) { number = value; });
+  bool changed = false;
+  visit_number(gear, path, [&](const Field&, double& number) {
+    changed = number != value;
+    number = value;
+  });
+  if (!changed) return;
+  for (auto& [name, material] : gear.material) {
+    const std::string table = (FieldPath("material") / name).text() + '.';
+    if (material.origin.empty() || !path.starts_with(table)) continue;
+    const std::string_view field = path.substr(table.size());
+    if (field.find('.') != std::string_view::npos) continue;  // "a" is no part of the name "a.b"
+    const std::string remark = fmt::format("; {} was set since", field);
+    if (material.origin.find(remark) == std::string::npos) material.origin += remark;
+  }
 }
 
 NumberAt number_at(const GearSet& gear, std::string_view path) {

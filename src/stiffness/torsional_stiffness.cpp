@@ -100,6 +100,8 @@ void note_materials(const GearSet& gear, std::vector<Note>& notes) {
                        "used as given",
                        100 * contradiction),
            "material." + name, "FR-18"});
+    if (!material.origin.empty())
+      notes.push_back({"material.library", material.origin, "material." + name, ""});
   }
 }
 

@@ -12,7 +12,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -269,14 +271,108 @@ TEST_F(Program, IdentitySchemaIsJsonAndTheReferencePageIsUpToDate) {
             run("schema --format markdown").out);
 }
 
+TEST_F(Program, IdentityMaterialListAndShow) {
+  const Outcome list = run("material list");
+  ASSERT_EQ(list.exit_code, 0) << list.err;
+  EXPECT_NE(list.out.find("\n17-4PH H900 "), std::string::npos) << list.out;
+  for (const std::string& out :
+       {list.out, run("material show '17-4PH H900'").out, run("material show '15-5PH H900'").out,
+        run("material show 'generic steel'").out}) {
+    std::istringstream lines(out);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
+  }
+  const std::string bearings = run("material list --use bearing").out;
+  EXPECT_NE(bearings.find("52100"), std::string::npos);
+  EXPECT_EQ(bearings.find("17-4PH"), std::string::npos);
+  const std::string show = run("material show 15-5phH900").out;  // case and blanks do not matter
+  EXPECT_EQ(show.rfind("15-5PH H900\n", 0), 0U) << show;
+  for (const char* const part :
+       {"yield strength: 1172 MPa", "handbook, scatter not stated, source nasgro155",
+        "C = 1.359e-12 m, n = 4", "Sources\n", "nasgro155: NASGRO data base"})
+    EXPECT_NE(show.find(part), std::string::npos) << part << '\n' << show;
+  EXPECT_NE(run("material show 'generic steel'").out.find("scatter 170 %"), std::string::npos);
+}
+
+TEST_F(Program, IdentityMaterialsAsJson) {
+  const Json all = Json::parse(run("material list --format json").out);
+  ASSERT_GT(all["material"].size(), 10U);
+  std::set<std::string> used;
+  const auto visit = [&](const auto& self, const Json& json) -> void {
+    if (json.is_object() && json.contains("source") && json["source"].is_string()) {
+      used.insert(json["source"]);
+      EXPECT_TRUE(json.contains("confidence") && json.contains("scatter")) << json;
+    }
+    for (const Json& part : json) self(self, part);
+  };
+  visit(visit, all["material"]);
+  for (const std::string& key : used) EXPECT_TRUE(all["source"].contains(key)) << key;
+  EXPECT_EQ(all["source"].size(), used.size());
+  const Json one = Json::parse(run("material show 52100 --format json").out);
+  EXPECT_EQ(one["name"], "52100");
+  EXPECT_EQ(one["youngs_modulus"]["value"]["value"], 203.4e9);
+  EXPECT_EQ(one["youngs_modulus"]["value"]["unit"], "Pa");
+  EXPECT_EQ(one["youngs_modulus"]["confidence"], "handbook");
+  EXPECT_TRUE(one["youngs_modulus"]["scatter"].is_null());
+  EXPECT_EQ(one["hardness"]["scatter"]["value"], 0.0329);
+  EXPECT_TRUE(one["fracture_toughness"].is_null());
+  EXPECT_TRUE(one["sources"].contains("skf"));
+  const Json growth = Json::parse(run("material show '15-5PH H900' --format json").out)["growth"];
+  EXPECT_EQ(growth[0]["kind"], "nasgro");
+  EXPECT_EQ(growth[0]["coefficient"]["value"], 1.359e-12);
+  EXPECT_EQ(Json::parse(run("material list --use bearing --format json").out)["material"].size(),
+            1U);
+}
+
+TEST_F(Program, IdentityTheMaterialPageIsUpToDate) {
+  // docs/guide/materials.md is made by `strainwave material list --format markdown`.
+  EXPECT_EQ(contents(fs::path(STRAINWAVE_EXAMPLES) / "../docs/guide/materials.md"),
+            run("material list --format markdown").out);
+}
+
+TEST_F(Program, InputMaterialsThatAreNotThere) {
+  const Outcome outcome = run("material show '17-4PH H90'");
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_EQ(outcome.err,
+            "strainwave: material: \"17-4PH H90\" is not in the material library; did you mean "
+            "17-4PH H900?\n");
+  EXPECT_TRUE(outcome.out.empty());
+  EXPECT_EQ(run("material").exit_code, 2);
+  EXPECT_EQ(run("material show").exit_code, 2);
+  EXPECT_EQ(run("material list --use spoon").exit_code, 2);
+}
+
+TEST_F(Program, IdentityLibraryMaterialIsNotedAndCanBeVaried) {
+  const std::string file = quoted(STRAINWAVE_EXAMPLES "/library_material.toml");
+  const Json json = Json::parse(run("stiffness " + file + " --format json").out);
+  std::map<std::string, std::string> notes;
+  for (const Json& note : json["notes"])
+    if (note["code"] == "material.library") notes[note["path"]] = note["text"];
+  EXPECT_EQ(notes.size(), 4U);
+  const std::string& text = notes["material.17-4PH H900"];
+  EXPECT_NE(text.find("yield strength 1170 MPa (handbook)"), std::string::npos) << text;
+  EXPECT_NE(notes["material.52100"].find("unverified, to be checked before a decision rests on it: "
+                                         "Poisson's ratio"),
+            std::string::npos);
+  EXPECT_EQ(json.at("/provenance/input/material/17-4PH H900/yield_strength"_json_pointer),
+            "1170000000 Pa");
+  const Outcome sweep =
+      run("sweep " + file + " --vary 'material.17-4PH H900.youngs_modulus=190 GPa..200 GPa:3'");
+  EXPECT_EQ(sweep.exit_code, 0) << sweep.err;
+  EXPECT_EQ(sweep.out.rfind("material.17-4PH H900.youngs_modulus [Pa],", 0), 0U) << sweep.out;
+}
+
 TEST_F(Program, IdentityManualPagesNameEveryOption) {
   EXPECT_NE(run("man").out.find(".TH STRAINWAVE 1"), std::string::npos);
-  for (const std::string command : {"stiffness", "audit", "sweep", "solve", "new", "schema"}) {
+  for (const std::string command :
+       {"stiffness", "audit", "sweep", "solve", "material", "new", "schema"}) {
     const std::string page = run("man " + command).out;
     for (const char* const section : {".SH NAME", ".SH SYNOPSIS", ".SH DESCRIPTION", ".SH OPTIONS",
                                       ".SH EXIT STATUS", ".SH EXAMPLE"})
       EXPECT_NE(page.find(section), std::string::npos) << command << ' ' << section;
-    std::istringstream words(run(command + " --help").out);
+    std::string help = run(command + " --help").out;
+    if (command == "material")
+      help += run("material list --help").out + run("material show --help").out;
+    std::istringstream words(help);
     for (std::string word; words >> word;) {
       if (word.rfind("--", 0) != 0 || word == "--help") continue;
       std::string escaped;

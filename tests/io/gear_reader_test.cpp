@@ -20,6 +20,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/materials/material_library.hpp"
 #include "support/article_gear.hpp"
 
 namespace strainwave {
@@ -408,6 +409,49 @@ TEST(GearReader, IdentityMaterialsMayHaveAnyName) {
   }
 }
 
+TEST(GearReader, IdentityMaterialsOfTheLibrary) {
+  std::string text = with("material = \"steel\"\nshape", "material = \"17-4ph  h900\"\nshape");
+  text = with("material = \"steel\"\nforce", "material = \"100Cr6\"\nforce", text);
+  text = with("material = \"steel\"\nouter", "material = \"100Cr6\"\nouter", text);
+  const GearSet gear = read_gear_set(text, "gear.toml");
+  // Under the name that the member gives, beside those of the file.
+  ASSERT_EQ(gear.material.size(), 3U);
+  const Material& flexspline = gear.material.at("17-4ph  h900");
+  const MaterialRecord& record = require_material("17-4PH H900");
+  EXPECT_EQ(flexspline.youngs_modulus, record.youngs_modulus->value);
+  EXPECT_EQ(flexspline.yield_strength, record.yield_strength->value);
+  EXPECT_EQ(flexspline.origin, as_material(record).origin);
+  EXPECT_EQ(gear.material.at("100Cr6").ultimate_strength,
+            require_material("52100").ultimate_strength->value);
+  EXPECT_EQ(gear.material.at("steel").origin, "");
+  // No table at all is needed.
+  text = with(
+      "[material.steel]\nyoungs_modulus = \"210 GPa\"\nshear_modulus = \"80 GPa\"\npoissons_ratio "
+      "= 0.3\n",
+      "", text);
+  EXPECT_EQ(read_gear_set(text, "gear.toml").material.size(), 2U);
+  // Sweep and solve reach its numbers by name.
+  EXPECT_EQ(number_at(gear, "material.17-4ph  h900.yield_strength").value,
+            record.yield_strength->value);
+  EXPECT_EQ(number_at(gear, "material.17-4ph  h900.yield_strength").field.unit, "Pa");
+}
+
+TEST(GearReader, IdentityATableOfTheFileWinsOverTheLibrary) {
+  std::string text = with("[material.steel]", "[material.\"17-4PH H900\"]");
+  for (int member = 0; member < 3; ++member)
+    text = with("material = \"steel\"", "material = \"17-4PH H900\"", text);
+  const GearSet gear = read_gear_set(text, "gear.toml");
+  ASSERT_EQ(gear.material.size(), 1U);
+  EXPECT_EQ(gear.material.at("17-4PH H900").youngs_modulus, 210e9);
+  EXPECT_EQ(gear.material.at("17-4PH H900").yield_strength, std::nullopt);
+  EXPECT_EQ(gear.material.at("17-4PH H900").origin, "");
+  // The two are not mixed: what the table lacks is not filled in.
+  const std::string_view E = "youngs_modulus = \"210 GPa\"\n";
+  EXPECT_EQ(refusal(text.replace(text.find(E), E.size(), "")),
+            "gear.toml:4:1: material.17-4PH H900.youngs_modulus: must be given (Young's modulus E "
+            "[Pa])");
+}
+
 TEST(GearReader, IdentityExamplesAreRead) {
   const std::filesystem::path folder = STRAINWAVE_EXAMPLES;
   if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << folder << " is not there";
@@ -492,7 +536,8 @@ const std::vector<Wrong> kWrong = {
     {"MissingQuantityOfACrack", "half_length = \"0.1 mm\"\n", "",
      "43:1: flexspline.crack[0].half_length: must be given (half of the crack's length, a [m])"},
     {"MissingText", "material = \"steel\"\nouter", "outer",
-     "49:1: output_shaft.material: must be given (name of a [material])"},
+     "49:1: output_shaft.material: must be given (name of a [material], or of a record of "
+     "the library)"},
     {"MissingKind", "kind = \"annular\"\n", "",
      "55:1: output_shaft.crack[0].kind: must be given, one of \"annular\""},
     {"MissingKindOfFive", "kind = \"through\"\n", "",
@@ -503,7 +548,9 @@ const std::vector<Wrong> kWrong = {
     {"MissingMaterial",
      "[material.steel]\nyoungs_modulus = \"210 GPa\"\nshear_modulus = \"80 GPa\"\npoissons_ratio = "
      "0.3\n",
-     "", "1:1: material: must be given (materials by name)"},
+     "",
+     "16:12: wave_generator.material: \"steel\" is not one of the materials given (), nor in the "
+     "material library; strainwave material list names those"},
     {"MissingShearModulusAndPoissonsRatio", "shear_modulus = \"80 GPa\"\npoissons_ratio = 0.3\n",
      "", "4:1: material.steel.poissons_ratio: must be given, or shear_modulus"},
     {"MissingRadialStiffness", "radial_stiffness = \"1.2e5 N/mm\"\n", "",
@@ -664,7 +711,13 @@ const std::vector<Wrong> kWrong = {
     {"NoTorque", "\"100 N*m\"", "\"0 kN*m\"",
      "16:10: load.torque = \"0 kN*m\" violates: torque != 0"},
     {"MaterialNotGiven", "material = \"steel\"\nouter", "material = \"stel\"\nouter",
-     "50:12: output_shaft.material: \"stel\" is not one of the materials given (steel)"},
+     "50:12: output_shaft.material: \"stel\" is not one of the materials given (steel), nor in the "
+     "material library; did you mean steel?"},
+    {"MaterialNearlyOfTheLibrary", "material = \"steel\"\nouter",
+     "material = \"17-4PH H90\"\nouter",
+     "50:12: output_shaft.material: \"17-4PH H90\" is not one of the materials given (steel), nor "
+     "in "
+     "the material library; did you mean 17-4PH H900?"},
     {"BoreNotInside", "\"45 mm\"", "\"7 cm\"",
      "52:18: output_shaft.inner_diameter = \"7 cm\" violates: inner_diameter < outer_diameter"},
     {"CrackThroughTheWall", "kind = \"annular\"\ndepth = \"0.1 mm\"",

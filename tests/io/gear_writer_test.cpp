@@ -49,6 +49,20 @@ TEST(GearWriter, IdentityValuesThatAreHardToWrite) {
   }
 }
 
+TEST(GearWriter, IdentityAMaterialOfTheLibraryIsWrittenOut) {
+  // The file stands on its own, whatever the library of a later version says.
+  const GearSet gear =
+      read_gear_set_file(std::filesystem::path(STRAINWAVE_EXAMPLES) / "library_material.toml");
+  const std::string text = gear_text(gear);
+  EXPECT_NE(text.find("[material.\"17-4PH H900\"]\nyoungs_modulus = \"196 GPa\"\n"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("taken from"), std::string::npos);
+  const GearSet again = read_gear_set(text, "again.toml");
+  EXPECT_EQ(again.material.at("17-4PH H900").origin, "");
+  EXPECT_EQ(gear_text(again), text);
+}
+
 TEST(GearWriter, IdentityTextsAndMaterialNames) {
   GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/solid_shaft.toml");
   gear.name = R"(a "name" with \ and ü)";

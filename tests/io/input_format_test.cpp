@@ -500,6 +500,11 @@ TEST(InputFormat, CrosscheckRequiredTablesAreThoseThatTheReaderMisses) {
       if (is_heading(line)) skip = line.starts_with(inner) || line.starts_with("[" + inner);
       if (!skip) kept.push_back(line);
     }
+    // Without materials of its own, a file can still name those of the library.
+    if (path == "material")
+      for (std::string& line : kept)
+        if (const std::size_t at = line.find("material = \"steel\""); at != std::string::npos)
+          line.replace(at, 18, "material = \"52100\"");
     const std::string result = verdict(joined(kept));
     if (required.contains(path))
       EXPECT_NE(result.find(path + ": must be given ("), std::string::npos) << result;

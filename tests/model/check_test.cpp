@@ -211,6 +211,12 @@ const std::vector<Broken> kBroken = {
        g.material["steel"].poissons_ratio.reset();
      },
      "material.steel.shear_modulus", "Poisson's ratio E/(2G) - 1 > -1 and < 0.5", ""},
+    {"MaterialWeakerThanItsYield", article,
+     [](GearSet& g) {
+       g.material["steel"].yield_strength = 900e6;
+       g.material["steel"].ultimate_strength = 899e6;
+     },
+     "material.steel.ultimate_strength", "ultimate_strength >= yield_strength", ""},
     {"MaterialUnusedButWrong", article, [](GearSet& g) { g.material["air"].youngs_modulus = 1; },
      "material.air.poissons_ratio", "", "must be given, or shear_modulus"},
     {"MaterialUnknownWaveGenerator", article,
@@ -663,6 +669,13 @@ const std::vector<Accepted> kAccepted = {
     {"Compression", article, [](GearSet& g) { g.load.axial_force = -1e6; }},
     {"DisplacementBelowTheRadius", article,
      [](GearSet& g) { g.drive.radial_displacement = below(g.drive.pitch_diameter / 2); }},
+    {"MaterialThatYieldsAsItBreaks", article,
+     [](GearSet& g) {
+       g.material["steel"].yield_strength = 900e6;
+       g.material["steel"].ultimate_strength = 900e6;
+     }},
+    {"MaterialOfTensileStrengthAlone", article,
+     [](GearSet& g) { g.material["steel"].ultimate_strength = 1e6; }},
     {"AuxeticMaterial", article, [](GearSet& g) { g.material["steel"].poissons_ratio = -0.999; }},
     {"MaterialOfEAndG", article, [](GearSet& g) { g.material["steel"].poissons_ratio.reset(); }},
     {"MaterialOfEAndNu", article, [](GearSet& g) { g.material["steel"].shear_modulus.reset(); }},

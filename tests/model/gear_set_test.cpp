@@ -166,6 +166,37 @@ TEST(NumberAt, IdentityPathsAreThoseOfTheFile) {
   EXPECT_EQ(std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth, 2 * mm);
 }
 
+TEST(NumberAt, IdentityNamesOfMaterialsNeedNoQuotes) {
+  GearSet gear = article_gear();
+  gear.material["17-4PH H900 1.4542"] = steel();
+  gear.material["17-4PH H900 1.4542"].yield_strength = 1170e6;
+  const std::string path = "material.17-4PH H900 1.4542.yield_strength";
+  EXPECT_EQ(number_at(gear, path).value, 1170e6);
+  set_number(gear, path, 1000e6);
+  EXPECT_EQ(gear.material["17-4PH H900 1.4542"].yield_strength, 1000e6);
+  EXPECT_EQ(gear.material["17-4PH H900 1.4542"].origin, "");
+}
+
+TEST(NumberAt, IdentityTheOriginSaysWhatWasSetSince) {
+  GearSet gear = article_gear();
+  Material known = steel();
+  known.yield_strength = 1170e6;
+  known.origin = "a book";
+  gear.material["a.b"] = known;
+  gear.material["a"] = known;
+  set_number(gear, "material.a.b.yield_strength", 1170e6);  // the same
+  EXPECT_EQ(gear.material["a.b"].origin, "a book");
+  set_number(gear, "material.a.b.yield_strength", 1000e6);
+  set_number(gear, "material.a.b.yield_strength", 900e6);
+  EXPECT_EQ(gear.material["a.b"].origin, "a book; yield_strength was set since");
+  set_number(gear, "material.a.b.poissons_ratio", 0.28);
+  EXPECT_EQ(gear.material["a.b"].origin,
+            "a book; yield_strength was set since; poissons_ratio was set since");
+  set_number(gear, "drive.ratio", 50);
+  EXPECT_EQ(gear.material["a"].origin, "a book");
+  EXPECT_EQ(gear.material["steel"].origin, "");
+}
+
 TEST(NumberAt, IdentityANumberIsSetUnchecked) {
   GearSet gear = article_gear();
   set_number(gear, "output_shaft.crack[0].depth", -1);

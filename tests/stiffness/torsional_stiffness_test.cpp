@@ -569,6 +569,15 @@ TEST(TorsionalStiffness, IdentityNotesOfEachCase) {
              "material.contradiction", "wave_generator.crack_under_lobe"}));
 }
 
+TEST(TorsionalStiffness, IdentityOriginOfTheMaterial) {
+  GearSet gear = sound();
+  EXPECT_EQ(test::count_notes(torsional_stiffness(gear).notes, "material.library"), 0);
+  gear.material["steel"].origin = "taken from a book";
+  const std::vector<Note> notes = torsional_stiffness(gear).notes;
+  ASSERT_EQ(test::count_notes(notes, "material.library", "material.steel"), 1);
+  EXPECT_EQ(std::ranges::find(notes, "material.library", &Note::code)->text, "taken from a book");
+}
+
 TEST(TorsionalStiffness, IdentityContradictionOfTheMaterial) {
   const auto notes = [](double share_off) {
     GearSet gear = sound();

@@ -11,8 +11,9 @@ namespace strainwave {
 /// Reads a drive from TOML text.
 ///
 /// The fields are those that the structs describe (core/fields.hpp).  Everything that is wrong is
-/// refused with one sentence: file, line, column, field, value, rule.  The result has passed
-/// `check`.
+/// refused with one sentence: file, line, column, field, value, rule.  A material that a member
+/// names and the file does not give is taken from the material library, if it is there; a table of
+/// the file always wins, and must be complete.  The result has passed `check`.
 ///
 /// @param text       at most 1 MiB
 /// @param file_name  for messages only

@@ -137,10 +137,11 @@ struct Flexspline {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field(
-        Field{
-            .name = "material", .unit = "", .doc = "name of a [material]", .example = R"("steel")"},
-        &Flexspline::material);
+    field(Field{.name = "material",
+                .unit = "",
+                .doc = "name of a [material], or of a record of the library",
+                .example = R"("steel")"},
+          &Flexspline::material);
     field(Field{.name = "shape",
                 .unit = "",
                 .doc = "cup or cylinder",

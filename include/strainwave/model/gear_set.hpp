@@ -142,7 +142,10 @@ struct GearSet {
                 .example = R"("My drive")",
                 .fallback = R"("")"},
           &GearSet::name);
-    field(Field{.name = "material", .unit = "", .doc = "materials by name"}, &GearSet::material);
+    field(Field{.name = "material",
+                .unit = "",
+                .doc = "materials by name; those of the library need none"},
+          &GearSet::material);
     field(Field{.name = "drive", .unit = "", .doc = "the drive as a whole"}, &GearSet::drive);
     field(Field{.name = "load", .unit = "", .doc = "static load at the output"}, &GearSet::load);
     field(Field{.name = "wave_generator", .unit = "", .doc = "cam and bearing"},
@@ -188,7 +191,9 @@ struct GearSet {
 /// of the radial stiffness, ...  Every computation calls it first.
 void check(const GearSet& gear);
 
-/// Sets the number at `path`, such as "output_shaft.crack[0].depth" [unit of the field].
+/// Sets the number at `path`, such as "output_shaft.crack[0].depth" [unit of the field].  The path
+/// is text: "material.17-4PH H900.yield_strength" needs no quotes.  The origin of a material says
+/// which of its numbers were set to another value.
 /// @throws InputError  if there is no number at the path; the message names near ones
 void set_number(GearSet& gear, std::string_view path, double value);
 

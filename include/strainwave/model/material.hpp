@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "strainwave/core/fields.hpp"
 
@@ -19,6 +20,9 @@ struct Material {
   /// sigma_u, tensile strength [Pa]; > 0, >= yield_strength
   std::optional<double> ultimate_strength = {};
   std::optional<double> fracture_toughness;  ///< K_Ic, fracture toughness [Pa*m^0.5]; > 0
+  /// Where the numbers come from if the input only names them: one sentence for the notes of a
+  /// result.  Empty: the input gives them.  No field of the input file.
+  std::string origin = {};
 
   template <class Visitor>
   static void describe(Visitor&& field) {

@@ -21,10 +21,11 @@ struct OutputShaft {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field(
-        Field{
-            .name = "material", .unit = "", .doc = "name of a [material]", .example = R"("steel")"},
-        &OutputShaft::material);
+    field(Field{.name = "material",
+                .unit = "",
+                .doc = "name of a [material], or of a record of the library",
+                .example = R"("steel")"},
+          &OutputShaft::material);
     field(Field{.name = "outer_diameter",
                 .unit = "m",
                 .doc = "outer diameter",

@@ -190,10 +190,11 @@ struct WaveGenerator {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field(
-        Field{
-            .name = "material", .unit = "", .doc = "name of a [material]", .example = R"("steel")"},
-        &WaveGenerator::material);
+    field(Field{.name = "material",
+                .unit = "",
+                .doc = "name of a [material], or of a record of the library",
+                .example = R"("steel")"},
+          &WaveGenerator::material);
     field(Field{.name = "force_transmission_coefficient",
                 .unit = "1",
                 .doc = "k_r",

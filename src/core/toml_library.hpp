@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The only door to toml++, which is used header-only and in sources of this module alone.
+// The only door to toml++, which is used header-only, in sources of the modules that read files
+// (core/toml_reader.hpp).
 //
 // Version 3.3 promises the compiler what a malformed file makes untrue: `[&` breaks an assertion
 // (marzer/tomlplusplus issue 294), and `45°` outside quotes reaches a place marked unreachable

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "strainwave/materials/material_record.hpp"
+#include "strainwave/model/material.hpp"
+
+/// @file
+/// The steels of strain wave gears.  The data are in data/materials.toml, and nowhere else; they
+/// are built into the library.
+
+namespace strainwave {
+
+/// The format of data/materials.toml that this version reads.
+inline constexpr std::string_view kMaterialFormat = "strainwave-materials/1";
+
+/// A file of materials: its sources by key, its records in order.
+struct MaterialLibrary {
+  std::string format;
+  std::map<std::string, std::string> source;
+  std::vector<MaterialRecord> material;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "format",
+                .unit = "",
+                .doc = "always \"strainwave-materials/1\"",
+                .example = R"("strainwave-materials/1")"},
+          &MaterialLibrary::format);
+    field(Field{.name = "source",
+                .unit = "",
+                .doc = "sources by key",
+                .example = R"("author, title, what was read")"},
+          &MaterialLibrary::source);
+    field(Field{.name = "material", .unit = "", .doc = "records"}, &MaterialLibrary::material);
+  }
+};
+
+/// Reads and checks a file of materials.
+///
+/// @param file_name    for messages only
+/// @throws InputError  one sentence with file, line, column, field, value and rule
+[[nodiscard]] MaterialLibrary parse_material_library(std::string_view text,
+                                                     std::string_view file_name);
+
+/// The records that are built in.  Read once, at the first call; may be called from any thread.
+[[nodiscard]] std::span<const MaterialRecord> material_library();
+
+/// What a source key of the built-in records stands for.
+/// @throws InputError  if there is no such key
+[[nodiscard]] std::string_view material_source(std::string_view key);
+
+/// All names and aliases of the built-in records, in their order.
+[[nodiscard]] std::vector<std::string> material_names();
+
+/// The record of a name or an alias; null if there is none.  The very name first; else one that
+/// differs in case and blanks only.  Never a similar one.
+[[nodiscard]] const MaterialRecord* find_material(std::string_view name_or_alias);
+
+/// The record of a name or an alias.
+/// @throws InputError  if there is none; the message names a near one, if one is near
+[[nodiscard]] const MaterialRecord& require_material(std::string_view name_or_alias);
+
+/// The record as a material of a drive; its origin says which numbers are unverified.
+[[nodiscard]] Material as_material(const MaterialRecord& record);
+
+/// A number of a record as people write it, four digits: "196 GPa", "54.94 MPa*m^0.5".
+/// @param unit  "Pa", "Pa*m^0.5", "m" or "1"
+[[nodiscard]] std::string short_quantity(double value, std::string_view unit);
+
+/// Growth per cycle of a power law, C (Delta K/1 MPa*m^0.5)^m, without regard to the range that it
+/// is stated for.  (MA-1)
+///
+/// @param delta_K      range of the stress intensity factor [Pa*m^0.5]; > 0
+/// @return             da/dN [m]
+/// @throws InputError  if delta_K is not positive
+[[nodiscard]] double growth_per_cycle(const ParisLaw& law, double delta_K);
+
+/// Delta K at which two power laws give the same growth (MA-3).
+/// @return             [Pa*m^0.5]
+/// @throws InputError  if the exponents are equal
+[[nodiscard]] double transition_range(const ParisLaw& first, const ParisLaw& second);
+
+}  // namespace strainwave

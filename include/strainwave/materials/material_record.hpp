@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "strainwave/core/fields.hpp"
+
+/// @file
+/// What the material library knows of a steel: every number with its source, how well it is known,
+/// and its scatter where somebody states it.  What is not known is absent.
+
+namespace strainwave {
+
+/// How well a number is known; chapter MA of the theory manual.
+enum class Confidence {
+  measured,    ///< by a test whose report was read
+  handbook,    ///< typical value of a handbook, textbook or maker's data sheet that was read, or
+               ///< that a copy names
+  standard,    ///< minimum, nominal or statistical value of a standard or code, or of a sheet that
+               ///< quotes it
+  derived,     ///< computed from other values of the same source
+  unverified,  ///< anything else: to be checked before a decision rests on it
+};
+template <>
+struct EnumNames<Confidence> {
+  static constexpr std::array<std::string_view, 5> names = {"measured", "handbook", "standard",
+                                                            "derived", "unverified"};
+};
+
+/// The part of a drive that a steel is used for.
+enum class MaterialUse { flexspline, bearing, shaft, generic };
+template <>
+struct EnumNames<MaterialUse> {
+  static constexpr std::array<std::string_view, 4> names = {"flexspline", "bearing", "shaft",
+                                                            "generic"};
+};
+
+/// Where a number comes from.
+struct Evidence {
+  std::string source;  ///< key of the list of sources
+  Confidence confidence = Confidence::unverified;
+  /// One standard deviation over the value [-]; > 0.  Absent: nobody states it.
+  std::optional<double> scatter;
+  std::string remark;  ///< what contradicts it, or limits it; may be empty
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "source", .unit = "", .doc = "key in [source]", .example = R"("handbook")"},
+          &Evidence::source);
+    field(Field{.name = "confidence",
+                .unit = "",
+                .doc = "how well the number is known",
+                .example = R"("unverified")"},
+          &Evidence::confidence);
+    field(Field{.name = "scatter",
+                .unit = "1",
+                .doc = "one standard deviation over the value",
+                .range = kPositive,
+                .example = "0.05"},
+          &Evidence::scatter);
+    field(Field{.name = "remark",
+                .unit = "",
+                .doc = "what contradicts or limits the number",
+                .example = R"("")",
+                .fallback = R"("")"},
+          &Evidence::remark);
+  }
+};
+
+struct StressKind {
+  static constexpr std::string_view unit = "Pa";
+  static constexpr std::string_view example = R"("900 MPa")";
+  static constexpr Range range = kPositive;
+};
+struct ToughnessKind {
+  static constexpr std::string_view unit = "Pa*m^0.5";
+  static constexpr std::string_view example = R"("60 MPa*m^0.5")";
+  static constexpr Range range = kPositive;
+};
+struct PoissonKind {
+  static constexpr std::string_view unit = "1";
+  static constexpr std::string_view example = "0.3";
+  static constexpr Range range = {.lower = -1.0, .upper = 0.5};
+};
+struct RockwellKind {
+  static constexpr std::string_view unit = "1";
+  static constexpr std::string_view example = "60";
+  static constexpr Range range = {.lower = 20.0, .lower_open = false, .upper = 70.0};
+};
+
+/// A number [Kind::unit] with its evidence.
+template <class Kind>
+struct Sourced : Evidence {
+  double value = 0.0;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "value",
+                .unit = Kind::unit,
+                .doc = "the number",
+                .range = Kind::range,
+                .example = Kind::example},
+          &Sourced::value);
+    Evidence::describe(field);
+  }
+};
+
+/// How the specimen of a fatigue limit was loaded.
+enum class FatigueLoading { axial, bending, rotating_bending, not_stated };
+template <>
+struct EnumNames<FatigueLoading> {
+  static constexpr std::array<std::string_view, 4> names = {"axial", "bending", "rotating_bending",
+                                                            "not_stated"};
+};
+
+/// Stress amplitude that a smooth specimen bears for a number of cycles [Pa].
+struct FatigueLimit : Sourced<StressKind> {
+  double stress_ratio = -1.0;    ///< R = sigma_min/sigma_max [-]; < 1
+  std::optional<double> cycles;  ///< [-]; > 0.  Absent: not stated
+  FatigueLoading loading = FatigueLoading::not_stated;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    Sourced<StressKind>::describe(field);
+    field(Field{.name = "stress_ratio",
+                .unit = "1",
+                .doc = "R, smallest over largest stress",
+                .range = {.upper = 1.0},
+                .example = "-1"},
+          &FatigueLimit::stress_ratio);
+    field(Field{.name = "cycles",
+                .unit = "1",
+                .doc = "cycles that it is stated for",
+                .range = kPositive,
+                .example = "1e7"},
+          &FatigueLimit::cycles);
+    field(Field{.name = "loading",
+                .unit = "",
+                .doc = "how the specimen was loaded",
+                .example = R"("axial")"},
+          &FatigueLimit::loading);
+  }
+};
+
+/// Interval of stress ratios that a growth datum holds for, ends included.
+using StressRatios = std::array<double, 2>;
+
+inline constexpr Field kStressRatioField{.name = "stress_ratio",
+                                         .unit = "1",
+                                         .doc = "R it holds for, from and to",
+                                         .range = {.upper = 1.0, .upper_open = false},
+                                         .example = "[0.5, 1]"};
+inline constexpr Field kEnvironmentField{
+    .name = "environment", .unit = "", .doc = "what surrounds the crack", .example = R"("air")"};
+
+/// Range of the stress intensity factor below which a long crack does not grow [Pa*m^0.5].
+struct GrowthThreshold : Sourced<ToughnessKind> {
+  StressRatios stress_ratio = {};
+  std::string environment;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    Sourced<ToughnessKind>::describe(field);
+    field(kStressRatioField, &GrowthThreshold::stress_ratio);
+    field(kEnvironmentField, &GrowthThreshold::environment);
+  }
+};
+
+/// da/dN = C (Delta K/1 MPa*m^0.5)^m (MA-1).  The scatter is that of C.
+struct ParisLaw : Evidence {
+  static constexpr std::string_view kKind = "paris";
+  double coefficient = 0.0;  ///< C, growth per cycle at Delta K = 1 MPa*m^0.5 [m]; > 0
+  double exponent = 0.0;     ///< m [-]; > 0
+  StressRatios stress_ratio = {};
+  std::string environment;
+  std::optional<double> from;  ///< least Delta K it holds for [Pa*m^0.5]; absent: not stated
+  std::optional<double> to;    ///< greatest Delta K [Pa*m^0.5]; absent: not stated
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "coefficient",
+                .unit = "m",
+                .doc = "growth per cycle at Delta K = 1 MPa*m^0.5",
+                .range = kPositive,
+                .example = R"("1.2e-11 m")"},
+          &ParisLaw::coefficient);
+    field(Field{.name = "exponent", .unit = "1", .doc = "m", .range = kPositive, .example = "2.9"},
+          &ParisLaw::exponent);
+    field(kStressRatioField, &ParisLaw::stress_ratio);
+    field(kEnvironmentField, &ParisLaw::environment);
+    field(Field{.name = "from",
+                .unit = "Pa*m^0.5",
+                .doc = "least Delta K",
+                .range = kPositive,
+                .example = R"("4 MPa*m^0.5")"},
+          &ParisLaw::from);
+    field(Field{.name = "to",
+                .unit = "Pa*m^0.5",
+                .doc = "greatest Delta K",
+                .range = kPositive,
+                .example = R"("30 MPa*m^0.5")"},
+          &ParisLaw::to);
+    Evidence::describe(field);
+  }
+};
+
+/// Constants of the NASGRO equation with Newman's closure, all stress ratios (MA-5).
+struct NasgroLaw : Evidence {
+  static constexpr std::string_view kKind = "nasgro";
+  double coefficient = 0.0;             ///< C, as in ParisLaw [m]; > 0
+  double exponent = 0.0;                ///< n [-]; > 0
+  double threshold_exponent = 0.0;      ///< p [-]; >= 0
+  double instability_exponent = 0.0;    ///< q [-]; >= 0
+  double plane_strain_toughness = 0.0;  ///< K_Ic [Pa*m^0.5]; > 0
+  double part_through_toughness = 0.0;  ///< K_Ie [Pa*m^0.5]; >= K_Ic
+  double thickness_A = 0.0;             ///< A_k of the toughness over the thickness [-]; >= 0
+  double thickness_B = 0.0;             ///< B_k [-]; >= 0
+  double threshold_at_one = 0.0;        ///< Delta K_1, threshold for R -> 1 [Pa*m^0.5]; > 0
+  double threshold_slope_plus = 0.0;    ///< C_th of R >= 0 [-]
+  double threshold_slope_minus = 0.0;   ///< C_th of R < 0 [-]
+  double constraint = 0.0;              ///< alpha of the closure, 1 to 3 [-]
+  double stress_level = 0.0;            ///< S_max/sigma_0 of the closure [-]; in (0, 1)
+  double intrinsic_crack_length = 0.0;  ///< a_0 of the short-crack threshold [m]; > 0
+  std::string environment;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    const auto pure = [&](std::string_view name, std::string_view doc, const Range& range,
+                          auto member) {
+      field(Field{.name = name, .unit = "1", .doc = doc, .range = range, .example = "0.5"}, member);
+    };
+    const auto toughness = [&](std::string_view name, std::string_view doc, auto member) {
+      field(Field{.name = name,
+                  .unit = "Pa*m^0.5",
+                  .doc = doc,
+                  .range = kPositive,
+                  .example = R"("60 MPa*m^0.5")"},
+            member);
+    };
+    field(Field{.name = "coefficient",
+                .unit = "m",
+                .doc = "C, growth per cycle at an effective Delta K of 1 MPa*m^0.5",
+                .range = kPositive,
+                .example = R"("1.2e-11 m")"},
+          &NasgroLaw::coefficient);
+    pure("exponent", "n", kPositive, &NasgroLaw::exponent);
+    pure("threshold_exponent", "p", kNonNegative, &NasgroLaw::threshold_exponent);
+    pure("instability_exponent", "q", kNonNegative, &NasgroLaw::instability_exponent);
+    toughness("plane_strain_toughness", "K_Ic", &NasgroLaw::plane_strain_toughness);
+    toughness("part_through_toughness", "K_Ie", &NasgroLaw::part_through_toughness);
+    pure("thickness_A", "A_k", kNonNegative, &NasgroLaw::thickness_A);
+    pure("thickness_B", "B_k", kNonNegative, &NasgroLaw::thickness_B);
+    toughness("threshold_at_one", "Delta K_1, for R -> 1", &NasgroLaw::threshold_at_one);
+    pure("threshold_slope_plus", "C_th of R >= 0", kFinite, &NasgroLaw::threshold_slope_plus);
+    pure("threshold_slope_minus", "C_th of R < 0", kFinite, &NasgroLaw::threshold_slope_minus);
+    pure("constraint", "alpha of the closure",
+         {.lower = 1.0, .lower_open = false, .upper = 3.0, .upper_open = false},
+         &NasgroLaw::constraint);
+    pure("stress_level", "S_max/sigma_0 of the closure", {.lower = 0.0, .upper = 1.0},
+         &NasgroLaw::stress_level);
+    field(Field{.name = "intrinsic_crack_length",
+                .unit = "m",
+                .doc = "a_0 of the short-crack threshold",
+                .range = kPositive,
+                .example = R"("0.0381 mm")"},
+          &NasgroLaw::intrinsic_crack_length);
+    field(kEnvironmentField, &NasgroLaw::environment);
+    Evidence::describe(field);
+  }
+};
+
+using GrowthLaw = std::variant<ParisLaw, NasgroLaw>;
+
+/// A steel in one condition.
+struct MaterialRecord {
+  std::string name;                  ///< as an input file writes it: "17-4PH H900"
+  std::vector<std::string> aliases;  ///< other names of the same steel in the same condition
+  std::vector<MaterialUse> use;      ///< at least one
+  std::string treatment;
+  std::string remark;
+  std::optional<Sourced<StressKind>> youngs_modulus;  ///< E [Pa]
+  std::optional<Sourced<StressKind>> shear_modulus;   ///< G, where measured by itself [Pa]
+  std::optional<Sourced<PoissonKind>> poissons_ratio;
+  std::optional<Sourced<StressKind>> yield_strength;
+  std::optional<Sourced<StressKind>> ultimate_strength;
+  std::optional<Sourced<ToughnessKind>> fracture_toughness;
+  std::optional<Sourced<RockwellKind>> hardness;  ///< Rockwell C
+  std::vector<FatigueLimit> fatigue_limit;
+  std::vector<GrowthThreshold> threshold;
+  std::vector<GrowthLaw> growth;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    const auto text = [&](std::string_view name, std::string_view doc, std::string_view fallback,
+                          auto member) {
+      field(Field{.name = name,
+                  .unit = "",
+                  .doc = doc,
+                  .example = R"("17-4PH H900")",
+                  .fallback = fallback},
+            member);
+    };
+    const auto table = [&](std::string_view name, std::string_view doc, auto member) {
+      field(Field{.name = name, .unit = "", .doc = doc}, member);
+    };
+    text("name", "as an input file writes it", "", &MaterialRecord::name);
+    field(Field{.name = "aliases", .unit = "", .doc = "other names", .example = R"(["1.4542"])"},
+          &MaterialRecord::aliases);
+    field(Field{.name = "use", .unit = "", .doc = "parts it is for", .example = R"(["bearing"])"},
+          &MaterialRecord::use);
+    text("treatment", "heat treatment and product", "", &MaterialRecord::treatment);
+    text("remark", "of the whole record", R"("")", &MaterialRecord::remark);
+    table("youngs_modulus", "Young's modulus", &MaterialRecord::youngs_modulus);
+    table("shear_modulus", "shear modulus", &MaterialRecord::shear_modulus);
+    table("poissons_ratio", "Poisson's ratio", &MaterialRecord::poissons_ratio);
+    table("yield_strength", "yield strength", &MaterialRecord::yield_strength);
+    table("ultimate_strength", "tensile strength", &MaterialRecord::ultimate_strength);
+    table("fracture_toughness", "fracture toughness", &MaterialRecord::fracture_toughness);
+    table("hardness", "hardness HRC", &MaterialRecord::hardness);
+    table("fatigue_limit", "fatigue limit", &MaterialRecord::fatigue_limit);
+    table("threshold", "growth threshold", &MaterialRecord::threshold);
+    table("growth", "growth law", &MaterialRecord::growth);
+  }
+};
+
+/// The unit of a number, SI; "1" if it is pure.
+template <class Kind>
+[[nodiscard]] std::string_view unit_of(const Sourced<Kind>&) {
+  return Kind::unit;
+}
+
+/// Calls `f(field name, words, number)` for each single number that a record has.
+template <class F>
+void for_each_property(const MaterialRecord& record, const F& f) {
+  const auto visit = [&](std::string_view name, std::string_view words, const auto& number) {
+    if (number) f(name, words, *number);
+  };
+  visit("youngs_modulus", "Young's modulus", record.youngs_modulus);
+  visit("shear_modulus", "shear modulus", record.shear_modulus);
+  visit("poissons_ratio", "Poisson's ratio", record.poissons_ratio);
+  visit("yield_strength", "yield strength", record.yield_strength);
+  visit("ultimate_strength", "tensile strength", record.ultimate_strength);
+  visit("fracture_toughness", "fracture toughness", record.fracture_toughness);
+  visit("hardness", "hardness HRC", record.hardness);
+}
+
+}  // namespace strainwave

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/materials/material_library.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+
+#include "core/toml_reader.hpp"
+#include "materials/material_data.hpp"
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/nearest.hpp"
+#include "strainwave/core/units.hpp"
+
+namespace strainwave {
+
+template <>
+inline constexpr std::string_view kKindsOf<GrowthLaw> = "growth law";
+
+namespace {
+
+/// Lower case and without blanks: names that nobody would hold apart.
+std::string plain_name(std::string_view name) {
+  std::string result;
+  for (const unsigned char c : name)
+    if (std::isspace(c) == 0) result += static_cast<char>(std::tolower(c));
+  return result;
+}
+
+void check_text(const std::string& field, std::string_view text) {
+  if (text.empty()) throw InputError(field, "must not be empty");
+  if (std::ranges::any_of(text, [](unsigned char c) { return c < 0x20 || c == 0x7F; }))
+    throw InputError(field, "must be one line, without control characters");
+}
+
+/// Calls `f(path, evidence)` for everything in a record that has a source.
+template <class F>
+void for_each_evidence(const MaterialRecord& record, const FieldPath& path, const F& f) {
+  for_each_property(record, [&](std::string_view name, std::string_view, const auto& number) {
+    f(path / name, number);
+  });
+  const auto list = [&](std::string_view name, const auto& elements) {
+    for (std::size_t i = 0; i < elements.size(); ++i) f((path / name)[i], elements[i]);
+  };
+  list("fatigue_limit", record.fatigue_limit);
+  list("threshold", record.threshold);
+  for (std::size_t i = 0; i < record.growth.size(); ++i)
+    std::visit([&](const Evidence& law) { f((path / "growth")[i], law); }, record.growth[i]);
+}
+
+void check_names(const MaterialLibrary& library) {
+  std::set<std::string> taken;
+  const auto take = [&](const FieldPath& path, const std::string& name) {
+    check_text(path.text(), name);
+    if (!taken.insert(plain_name(name)).second)
+      throw InputError(path.text(),
+                       fmt::format("\"{}\" is there twice, but for case and blanks", shown(name)));
+  };
+  for (std::size_t i = 0; i < library.material.size(); ++i) {
+    const MaterialRecord& record = library.material[i];
+    const FieldPath path = FieldPath("material")[i];
+    take(path / "name", record.name);
+    for (std::size_t k = 0; k < record.aliases.size(); ++k)
+      take((path / "aliases")[k], record.aliases[k]);
+  }
+}
+
+void check_sources(const MaterialLibrary& library) {
+  std::set<std::string> used;
+  for (std::size_t i = 0; i < library.material.size(); ++i)
+    for_each_evidence(library.material[i], FieldPath("material")[i],
+                      [&](const FieldPath& path, const Evidence& evidence) {
+                        const std::string field = (path / "source").text();
+                        if (!library.source.contains(evidence.source))
+                          throw InputError(field, fmt::format("\"{}\" is not a key of [source]",
+                                                              shown(evidence.source)));
+                        used.insert(evidence.source);
+                        if (!evidence.remark.empty())
+                          check_text((path / "remark").text(), evidence.remark);
+                      });
+  for (const auto& [key, text] : library.source) {
+    const std::string field = (FieldPath("source") / key).text();
+    check_text(field, text);
+    if (!used.contains(key)) throw InputError(field, "is the source of nothing");
+  }
+}
+
+void check_ratios(const FieldPath& path, const StressRatios& ratios) {
+  require(ratios[0] <= ratios[1], (path / "stress_ratio")[0].text(), ratios[0], "1",
+          "first <= second");
+}
+
+void check_law(const FieldPath& path, const ParisLaw& law) {
+  check_ratios(path, law.stress_ratio);
+  check_text((path / "environment").text(), law.environment);
+  if (law.from && law.to)
+    require(*law.from < *law.to, (path / "to").text(), *law.to, "Pa*m^0.5", "to > from");
+}
+
+void check_law(const FieldPath& path, const NasgroLaw& law) {
+  check_text((path / "environment").text(), law.environment);
+  require(law.part_through_toughness >= law.plane_strain_toughness,
+          (path / "part_through_toughness").text(), law.part_through_toughness, "Pa*m^0.5",
+          "part_through_toughness >= plane_strain_toughness");
+  require(law.threshold_at_one < law.plane_strain_toughness, (path / "threshold_at_one").text(),
+          law.threshold_at_one, "Pa*m^0.5", "threshold_at_one < plane_strain_toughness");
+}
+
+/// Two branches of one line meet where the first ends, or one of the numbers is mistyped.
+void check_branches(const FieldPath& path, const std::vector<GrowthLaw>& growth) {
+  for (std::size_t i = 1; i < growth.size(); ++i) {
+    const auto* const first = std::get_if<ParisLaw>(&growth[i - 1]);
+    const auto* const second = std::get_if<ParisLaw>(&growth[i]);
+    if (first == nullptr || second == nullptr || !first->to || !second->from ||
+        first->stress_ratio != second->stress_ratio || first->environment != second->environment)
+      continue;
+    require(*second->from == *first->to, (path[i] / "from").text(), *second->from, "Pa*m^0.5",
+            "from = to of the branch before it");
+    constexpr double kDigits = 0.01;  // of three printed digits
+    require(std::abs(transition_range(*first, *second) / *first->to - 1) < kDigits,
+            (path[i] / "from").text(), *second->from, "Pa*m^0.5",
+            "the branches give the same growth where they meet");
+  }
+}
+
+void check_record(const FieldPath& path, const MaterialRecord& record) {
+  if (record.use.empty()) throw InputError((path / "use").text(), "must name at least one use");
+  if (std::set<MaterialUse>(record.use.begin(), record.use.end()).size() != record.use.size())
+    throw InputError((path / "use").text(), "names a use twice");
+  check_text((path / "treatment").text(), record.treatment);
+  if (!record.remark.empty()) check_text((path / "remark").text(), record.remark);
+  if (!record.youngs_modulus) throw InputError((path / "youngs_modulus").text(), "must be given");
+  if (record.yield_strength && record.ultimate_strength)
+    require(record.ultimate_strength->value >= record.yield_strength->value,
+            (path / "ultimate_strength" / "value").text(), record.ultimate_strength->value, "Pa",
+            "ultimate_strength >= yield_strength");
+  try {
+    (void)elastic_constants(as_material(record));
+  } catch (const InputError& error) {
+    const FieldPath field = path / error.field();
+    if (error.rule().empty()) throw InputError(field.text(), "must be given, or shear_modulus");
+    throw InputError((field / "value").text(), record.shear_modulus->value, "Pa", error.rule());
+  }
+  for (std::size_t i = 0; i < record.fatigue_limit.size(); ++i)
+    if (record.ultimate_strength)
+      require(record.fatigue_limit[i].value < record.ultimate_strength->value,
+              ((path / "fatigue_limit")[i] / "value").text(), record.fatigue_limit[i].value, "Pa",
+              "fatigue limit < ultimate_strength");
+  for (std::size_t i = 0; i < record.threshold.size(); ++i) {
+    const FieldPath at = (path / "threshold")[i];
+    check_ratios(at, record.threshold[i].stress_ratio);
+    check_text((at / "environment").text(), record.threshold[i].environment);
+  }
+  for (std::size_t i = 0; i < record.growth.size(); ++i)
+    std::visit([&](const auto& law) { check_law((path / "growth")[i], law); }, record.growth[i]);
+  check_branches(path / "growth", record.growth);
+}
+
+void check(const MaterialLibrary& library) {
+  if (library.format != kMaterialFormat)
+    throw InputError("format", fmt::format("\"{}\" is not known; this version reads \"{}\"",
+                                           shown(library.format), kMaterialFormat));
+  for_each_number(library, [](const FieldPath& path, const Field& field, const double& value) {
+    require(field.range.contains(value), path.text(), value, field.unit,
+            rule_text(field.range, field.unit));
+  });
+  check_names(library);
+  check_sources(library);
+  for (std::size_t i = 0; i < library.material.size(); ++i)
+    check_record(FieldPath("material")[i], library.material[i]);
+}
+
+const MaterialLibrary& built_in() {
+  static const MaterialLibrary library =
+      parse_material_library(material_data(), "data/materials.toml");
+  return library;
+}
+
+}  // namespace
+
+MaterialLibrary parse_material_library(std::string_view text, std::string_view file_name) {
+  const toml::table table = parse_toml(text, file_name);
+  TomlReader reader(file_name);
+  MaterialLibrary library;
+  reader.read_table(table, FieldPath(), library);
+  try {
+    check(library);
+  } catch (const InputError& error) {
+    throw reader.located(error);
+  }
+  return library;
+}
+
+std::span<const MaterialRecord> material_library() { return built_in().material; }
+
+std::string_view material_source(std::string_view key) {
+  const auto& sources = built_in().source;
+  const auto found = sources.find(std::string(key));
+  if (found == sources.end())
+    throw InputError("source",
+                     fmt::format("\"{}\" is not a source of the material library", shown(key)));
+  return found->second;
+}
+
+std::vector<std::string> material_names() {
+  std::vector<std::string> names;
+  for (const MaterialRecord& record : material_library()) {
+    names.push_back(record.name);
+    names.insert(names.end(), record.aliases.begin(), record.aliases.end());
+  }
+  return names;
+}
+
+const MaterialRecord* find_material(std::string_view name_or_alias) {
+  const auto find = [&](const auto& same) -> const MaterialRecord* {
+    for (const MaterialRecord& record : material_library())
+      if (same(record.name) || std::ranges::any_of(record.aliases, same)) return &record;
+    return nullptr;
+  };
+  const auto* const exact = find([&](const std::string& name) { return name == name_or_alias; });
+  if (exact != nullptr) return exact;
+  const std::string wanted = plain_name(name_or_alias);
+  return find([&](const std::string& name) { return plain_name(name) == wanted; });
+}
+
+const MaterialRecord& require_material(std::string_view name_or_alias) {
+  if (const MaterialRecord* const record = find_material(name_or_alias)) return *record;
+  const std::string near = nearest_word(name_or_alias, material_names());
+  throw InputError("material",
+                   fmt::format("\"{}\" is not in the material library; {}", shown(name_or_alias),
+                               near.empty() ? std::string("strainwave material list shows it")
+                                            : fmt::format("did you mean {}?", near)));
+}
+
+std::string short_quantity(double value, std::string_view unit) {
+  if (unit == "1") return fmt::format("{:.4g}", value);
+  if (unit == "Pa" && value >= 1e10) return fmt::format("{:.4g} GPa", value / units::GPa);
+  if (unit.starts_with("Pa")) return fmt::format("{:.4g} M{}", value / units::MPa, unit);
+  return fmt::format("{:.4g} {}", value, unit);
+}
+
+Material as_material(const MaterialRecord& record) {
+  const auto value = [](const auto& number) -> std::optional<double> {
+    return number ? std::optional(number->value) : std::nullopt;
+  };
+  Material material;
+  material.youngs_modulus = record.youngs_modulus ? record.youngs_modulus->value : 0.0;
+  material.shear_modulus = value(record.shear_modulus);
+  material.poissons_ratio = value(record.poissons_ratio);
+  material.yield_strength = value(record.yield_strength);
+  material.ultimate_strength = value(record.ultimate_strength);
+  material.fracture_toughness = value(record.fracture_toughness);
+  std::vector<std::string> numbers;
+  std::vector<std::string> unverified;
+  for_each_property(record, [&](std::string_view name, std::string_view doc, const auto& number) {
+    if (name == "hardness") return;  // no number of a material of a drive
+    numbers.push_back(fmt::format("{} {} ({})", doc, short_quantity(number.value, unit_of(number)),
+                                  enum_name(number.confidence)));
+    if (number.confidence == Confidence::unverified) unverified.emplace_back(doc);
+  });
+  material.origin =
+      fmt::format("taken from the material library, {}: {}", record.name, fmt::join(numbers, ", "));
+  if (!unverified.empty())
+    material.origin += fmt::format("; unverified, to be checked before a decision rests on it: {}",
+                                   fmt::join(unverified, ", "));
+  return material;
+}
+
+double growth_per_cycle(const ParisLaw& law, double delta_K) {
+  require(delta_K > 0, "delta_K", delta_K, "Pa*m^0.5", "> 0");
+  return law.coefficient * std::pow(delta_K / units::MPa, law.exponent);  // (MA-1)
+}
+
+double transition_range(const ParisLaw& first, const ParisLaw& second) {
+  require(first.exponent != second.exponent, "exponent", second.exponent, "1",
+          "another exponent than the first law's");
+  return units::MPa * std::pow(first.coefficient / second.coefficient,
+                               1 / (second.exponent - first.exponent));  // (MA-3)
+}
+
+}  // namespace strainwave

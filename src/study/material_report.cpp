@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/study/material_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <vector>
+
+#include "strainwave/core/units.hpp"
+#include "strainwave/io/result_writer.hpp"
+
+namespace strainwave {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kWidth = 100;
+
+std::vector<const MaterialRecord*> records_for(std::optional<MaterialUse> use) {
+  std::vector<const MaterialRecord*> records;
+  for (const MaterialRecord& record : material_library())
+    if (!use || std::ranges::find(record.use, *use) != record.use.end()) records.push_back(&record);
+  return records;
+}
+
+std::string use_text(const MaterialRecord& record) {
+  std::vector<std::string_view> names;
+  for (const MaterialUse use : record.use) names.push_back(enum_name(use));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string ratio_text(const StressRatios& R) {
+  return R[0] == R[1] ? fmt::format("R = {:g}", R[0]) : fmt::format("R = {:g} to {:g}", R[0], R[1]);
+}
+
+std::string scatter_text(const Evidence& evidence) {
+  return evidence.scatter ? fmt::format("{:.3g} %", 100 * *evidence.scatter) : "not stated";
+}
+
+// --- One datum after the other, the same for all forms -----------------------------------------
+
+/// A number or law of a record in words.
+struct Datum {
+  std::string what;
+  std::string value;
+  const Evidence* evidence = nullptr;
+};
+
+std::string words_of(const FatigueLimit& limit) {
+  return fmt::format("fatigue limit, R = {:g}, {}{}", limit.stress_ratio,
+                     limit.loading == FatigueLoading::not_stated         ? "loading not stated"
+                     : limit.loading == FatigueLoading::rotating_bending ? "rotating bending"
+                                                                         : enum_name(limit.loading),
+                     limit.cycles ? fmt::format(", {:g} cycles", *limit.cycles) : std::string());
+}
+
+Datum datum_of(const ParisLaw& law) {
+  const auto end = [](const std::optional<double>& K, std::string_view word) {
+    return K ? fmt::format(", {} {}", word, short_quantity(*K, "Pa*m^0.5")) : std::string();
+  };
+  return {fmt::format("growth, power law, {}, {}{}{}", ratio_text(law.stress_ratio),
+                      law.environment, end(law.from, "from"), end(law.to, "to")),
+          fmt::format("C = {}, m = {:g}", short_quantity(law.coefficient, "m"), law.exponent),
+          &law};
+}
+
+Datum datum_of(const NasgroLaw& law) {
+  const auto K = [](double value) { return short_quantity(value, "Pa*m^0.5"); };
+  return {fmt::format("growth, NASGRO, all R, {}", law.environment),
+          fmt::format("C = {}, n = {:g}, p = {:g}, q = {:g}, K_Ic = {}, K_Ie = {}, A_k = {:g}, "
+                      "B_k = {:g}, Delta K_1 = {}, C_th+ = {:g}, C_th- = {:g}, alpha = {:g}, "
+                      "S_max/sigma_0 = {:g}, a_0 = {:.4g} mm",
+                      short_quantity(law.coefficient, "m"), law.exponent, law.threshold_exponent,
+                      law.instability_exponent, K(law.plane_strain_toughness),
+                      K(law.part_through_toughness), law.thickness_A, law.thickness_B,
+                      K(law.threshold_at_one), law.threshold_slope_plus, law.threshold_slope_minus,
+                      law.constraint, law.stress_level, law.intrinsic_crack_length / units::mm),
+          &law};
+}
+
+std::vector<Datum> data_of(const MaterialRecord& record) {
+  std::vector<Datum> data;
+  for_each_property(record, [&](std::string_view, std::string_view words, const auto& number) {
+    data.push_back({std::string(words), short_quantity(number.value, unit_of(number)), &number});
+  });
+  for (const FatigueLimit& limit : record.fatigue_limit)
+    data.push_back({words_of(limit), short_quantity(limit.value, "Pa"), &limit});
+  for (const GrowthThreshold& threshold : record.threshold)
+    data.push_back({fmt::format("growth threshold, {}, {}", ratio_text(threshold.stress_ratio),
+                                threshold.environment),
+                    short_quantity(threshold.value, "Pa*m^0.5"), &threshold});
+  for (const GrowthLaw& law : record.growth)
+    data.push_back(std::visit([](const auto& one) { return datum_of(one); }, law));
+  return data;
+}
+
+std::set<std::string> sources_of(const MaterialRecord& record) {
+  std::set<std::string> keys;
+  for (const Datum& datum : data_of(record)) keys.insert(datum.evidence->source);
+  return keys;
+}
+
+// --- Text ---------------------------------------------------------------------------------------
+
+std::string paragraph(const std::string& text, std::size_t indent) {
+  return std::string(indent, ' ') + wrapped(text, kWidth - indent, indent) + '\n';
+}
+
+template <class Kind>
+std::string cell(const std::optional<Sourced<Kind>>& number, double unit) {
+  if (!number) return "-";
+  return fmt::format("{:.4g}{}", number->value / unit,
+                     number->confidence == Confidence::unverified ? "*" : "");
+}
+
+// --- JSON ---------------------------------------------------------------------------------------
+
+/// Any described value of a record; numbers with their units.
+template <class T>
+Json plain_json(const T& value, const Field& field);
+
+template <Described T>
+Json table_json(const T& value) {
+  Json json = Json::object();
+  T::describe([&](const Field& field, auto member) {
+    json[std::string(field.name)] = plain_json(value.*member, field);
+  });
+  return json;
+}
+
+template <class T>
+Json plain_json(const T& value, const Field& field) {
+  if constexpr (std::is_same_v<T, double>) {
+    return {{"value", value}, {"unit", field.unit}};
+  } else if constexpr (is_optional<T>) {
+    return value ? plain_json(*value, field) : Json();
+  } else if constexpr (is_pair_of_numbers<T>) {
+    return Json::array({value[0], value[1]});
+  } else if constexpr (std::is_enum_v<T>) {
+    return enum_name(value);
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    return value;
+  } else if constexpr (is_variant<T>) {
+    return std::visit(
+        [](const auto& one) {
+          Json json = {{"kind", one.kKind}};
+          json.update(table_json(one));
+          return json;
+        },
+        value);
+  } else if constexpr (is_vector<T>) {
+    Json json = Json::array();
+    for (const auto& element : value) json.push_back(plain_json(element, field));
+    return json;
+  } else {
+    return table_json(value);
+  }
+}
+
+std::string dumped(const Json& json) { return json.dump(2) + "\n"; }
+
+Json sources_json(const std::set<std::string>& keys) {
+  Json json = Json::object();
+  for (const std::string& key : keys) json[key] = material_source(key);
+  return json;
+}
+
+}  // namespace
+
+std::string material_list_text(std::optional<MaterialUse> use) {
+  std::string text =
+      "Steels of the material library; * unverified, - not known\n"
+      "E in GPa, strengths in MPa, K_Ic in MPa*m^0.5\n\n";
+  text += fmt::format("{:<22}{:>7}{:>8}{:>8}{:>9}{:>8}  {:<15}{}\n", "name", "E", "nu", "yield",
+                      "tensile", "K_Ic", "growth", "use");
+  for (const MaterialRecord* const record : records_for(use)) {
+    std::vector<std::string_view> laws;
+    for (const GrowthLaw& law : record->growth) {
+      const std::string_view kind = std::visit([](const auto& one) { return one.kKind; }, law);
+      if (std::ranges::find(laws, kind) == laws.end()) laws.push_back(kind);
+    }
+    text += fmt::format("{:<22}{:>7}{:>8}{:>8}{:>9}{:>8}  {:<15}{}\n", record->name,
+                        cell(record->youngs_modulus, units::GPa), cell(record->poissons_ratio, 1),
+                        cell(record->yield_strength, units::MPa),
+                        cell(record->ultimate_strength, units::MPa),
+                        cell(record->fracture_toughness, units::MPa),
+                        laws.empty() ? std::string("-") : fmt::format("{}", fmt::join(laws, ", ")),
+                        use_text(*record));
+  }
+  return text + "\nstrainwave material show NAME gives sources, scatter and remarks.\n";
+}
+
+std::string material_list_json(std::optional<MaterialUse> use) {
+  Json json = {
+      {"format", kMaterialFormat}, {"source", Json::object()}, {"material", Json::array()}};
+  std::set<std::string> keys;
+  for (const MaterialRecord* const record : records_for(use)) {
+    keys.merge(sources_of(*record));
+    json["material"].push_back(table_json(*record));
+  }
+  json["source"] = sources_json(keys);
+  return dumped(json);
+}
+
+std::string material_list_markdown(std::optional<MaterialUse> use) {
+  std::string text =
+      "# Material library\n\nMade by `strainwave material list --format markdown` from "
+      "`data/materials.toml`.\n\n"
+      "A member of a drive may name any of these steels, by name or alias, in place of a table of\n"
+      "the input file: `material = \"17-4PH H900\"`. Case and blanks do not matter. A table\n"
+      "`[material.\"17-4PH H900\"]` in the file always wins over the library, and must then be\n"
+      "complete: the two are not mixed. The corrected method lists in a note what it took from "
+      "the\nlibrary, and which of it is unverified.\n\n"
+      "What the confidences mean, and how numbers were converted, is in chapter MA of the theory\n"
+      "manual. Scatter is one standard deviation over the value.\n";
+  std::set<std::string> keys;
+  for (const MaterialRecord* const record : records_for(use)) {
+    keys.merge(sources_of(*record));
+    text += fmt::format("\n## {}\n\nFor: {}. Treatment: {}.", record->name, use_text(*record),
+                        record->treatment);
+    if (!record->aliases.empty())
+      text += fmt::format(" Also: {}.", fmt::join(record->aliases, ", "));
+    if (!record->remark.empty()) text += fmt::format(" Remark: {}.", record->remark);
+    text +=
+        "\n\n| what | value | confidence | scatter | source | remark "
+        "|\n|---|---|---|---|---|---|\n";
+    for (const Datum& datum : data_of(*record))
+      text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", datum.what, datum.value,
+                          enum_name(datum.evidence->confidence), scatter_text(*datum.evidence),
+                          datum.evidence->source, datum.evidence->remark);
+  }
+  text += "\n## Sources\n\n| key | source |\n|---|---|\n";
+  for (const std::string& key : keys)
+    text += fmt::format("| {} | {} |\n", key, material_source(key));
+  return text;
+}
+
+std::string material_text(const MaterialRecord& record) {
+  std::string text = record.name + '\n';
+  const auto line = [&](std::string_view label, const std::string& content) {
+    if (!content.empty()) text += paragraph(fmt::format("{}: {}", label, content), 2);
+  };
+  line("also", fmt::format("{}", fmt::join(record.aliases, ", ")));
+  line("use", use_text(record));
+  line("treatment", record.treatment);
+  line("remark", record.remark);
+  for (const Datum& datum : data_of(record)) {
+    text += '\n' + paragraph(fmt::format("{}: {}", datum.what, datum.value), 2);
+    text +=
+        paragraph(fmt::format("{}, scatter {}, source {}", enum_name(datum.evidence->confidence),
+                              scatter_text(*datum.evidence), datum.evidence->source),
+                  4);
+    if (!datum.evidence->remark.empty()) text += paragraph(datum.evidence->remark, 4);
+  }
+  text += "\nSources\n";
+  for (const std::string& key : sources_of(record))
+    text += paragraph(fmt::format("{}: {}", key, material_source(key)), 2);
+  return text;
+}
+
+std::string material_json(const MaterialRecord& record) {
+  Json json = table_json(record);
+  json["sources"] = sources_json(sources_of(record));
+  return dumped(json);
+}
+
+}  // namespace strainwave
