@@ -33,7 +33,7 @@ constexpr std::array kWeights = {Weight{"crack.fracture", Severity::critical},
                                  Weight{"hysteresis.no_load", Severity::left_out},
                                  Weight{"member.absent", Severity::left_out},
                                  Weight{"strength.scope", Severity::left_out},
-    Weight{"torsion.rigid_spline", Severity::left_out},
+                                 Weight{"torsion.rigid_spline", Severity::left_out},
                                  Weight{"wave_generator.held_ring", Severity::left_out},
                                  Weight{"wave_generator.shaft_bending", Severity::left_out},
                                  Weight{"article.accuracy", Severity::assumption},
@@ -65,6 +65,9 @@ std::string note_item(const Draft& draft, const Note& note) {
 }  // namespace
 
 Severity severity_of(const Note& note) {
+  if (note.code == "material.library")
+    return note.text.find("unverified") == std::string::npos ? Severity::assumption
+                                                             : Severity::outside;
   const auto* const found = std::ranges::find(kWeights, note.code, &Weight::code);
   return found == kWeights.end() ? Severity::outside : found->severity;
 }

@@ -3,19 +3,22 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <type_traits>
 
 #include "chapters.hpp"
 #include "html.hpp"
 #include "markup.hpp"
+#include "strainwave/core/units.hpp"
 #include "strainwave/io/input_remarks.hpp"
 
 namespace strainwave::report {
 namespace {
 
 /// Who gave a value.
-enum class Giver { file, catalogue, typical, assumed, fallback };
-constexpr std::array<std::string_view, 5> kGivers = {"in the file", "catalogue", "typical",
-                                                     "assumed", "default"};
+enum class Giver { file, catalogue, typical, assumed, fallback, library };
+constexpr std::array<std::string_view, 6> kGivers = {
+    "in the file", "catalogue", "typical", "assumed", "default", "material library"};
 
 struct Entry {
   std::string path;
@@ -30,6 +33,15 @@ std::string unquoted(std::string_view toml) {
   if (toml.size() > 1 && toml.front() == '"' && toml.back() == '"')
     toml = toml.substr(1, toml.size() - 2);
   return std::string(toml);
+}
+
+/// A number of a material as drawings have it.
+std::string library_text(const std::optional<double>& value, std::string_view unit) {
+  if (!value) return {};
+  if (unit == "1") return fmt::format("{:.6g}", *value);
+  const bool giga = unit == "Pa" && *value >= 10 * units::GPa;
+  return fmt::format("{:.6g} {}{}", *value / (giga ? units::GPa : units::MPa), giga ? "G" : "M",
+                     unit);
 }
 
 template <class T>
@@ -61,7 +73,7 @@ class Collector {
       std::visit(
           [&](const auto& alternative) {
             group_ = path.text();
-            add(path / "kind", Field{.name = "kind", .unit = "", .doc = "kind of crack"});
+            add(path / "kind", Field{.name = "kind", .unit = "", .doc = "kind of crack"}, {});
             walk(alternative, path, field);
           },
           value);
@@ -71,7 +83,10 @@ class Collector {
         using Value = std::decay_t<decltype(value.*member)>;
         if constexpr (!is_table<Value>) {
           group_ = path.text();
-          add(path / inner.name, inner);
+          std::string taken;
+          if constexpr (std::is_same_v<T, Material>)
+            if (!value.origin.empty()) taken = library_text(value.*member, inner.unit);
+          add(path / inner.name, inner, taken);
         }
       });
       T::describe([&](const Field& inner, auto member) {
@@ -83,7 +98,8 @@ class Collector {
     }
   }
 
-  void add(const FieldPath& path, const Field& field) {
+  /// @param taken  value from the material library; empty if it is none
+  void add(const FieldPath& path, const Field& field, const std::string& taken) {
     if (path.text() == "format" || path.text() == "name") return;
     Entry entry{.path = path.text(), .meaning = std::string(field.doc), .value = {}, .remark = {}};
     const auto found = remarks_.find(path.text());
@@ -98,6 +114,10 @@ class Collector {
         entry.remark.erase(0,
                            std::min(entry.remark.find_first_not_of(":;, "), entry.remark.size()));
       }
+    } else if (!taken.empty()) {
+      entry.value = taken;
+      entry.giver = Giver::library;
+      entry.remark = "see the validity notes";
     } else if (!field.fallback.empty()) {
       entry.value = unquoted(field.fallback);
       entry.giver = Giver::fallback;

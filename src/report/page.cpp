@@ -76,7 +76,7 @@ tbody th { font-weight: 400; }
 .inputs { min-width: 44rem; }
 .inputs .group th { white-space: normal; }
 .giver { font-size: .85em; padding: 0 .4em; border: 1px solid var(--rule); border-radius: 3px; }
-.g1 { color: var(--link); border-color: currentColor; }
+.g1, .g5 { color: var(--link); border-color: currentColor; }
 .g2, .g3 { color: var(--care); border-color: currentColor; }
 .g3 { font-weight: 700; }
 .g4 { color: var(--muted); }

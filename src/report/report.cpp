@@ -66,8 +66,7 @@ std::string verdict_html(const Draft& draft) {
   const StiffnessResult& r = draft.result;
   const Note* const worst = worst_note(draft.notes);
   const bool broken = std::ranges::any_of(r.strength, breaks);
-  const bool critical =
-      broken || (worst != nullptr && severity_of(*worst) == Severity::critical);
+  const bool critical = broken || (worst != nullptr && severity_of(*worst) == Severity::critical);
   const bool outside = worst != nullptr && severity_of(*worst) == Severity::outside;
   std::string html = fmt::format("<div class=\"verdict {}\">\n", !r.usable() || critical ? "bad"
                                                                  : outside               ? "care"
@@ -83,8 +82,8 @@ std::string verdict_html(const Draft& draft) {
     html += "<p class=\"word\">Usable, within what is assumed</p>\n";
   for (const CrackStrength& crack : r.strength)
     if (breaks(crack))
-      html += fmt::format("<p><code>{}</code>: {}</p>\n", escaped(crack.path),
-                          escaped(crack.sentence));
+      html +=
+          fmt::format("<p><code>{}</code>: {}</p>\n", escaped(crack.path), escaped(crack.sentence));
   if (broken) html += paragraph("The stiffness below is that of the cracks as they stand.");
   if (worst != nullptr)
     html +=
@@ -109,11 +108,10 @@ std::string verdict_html(const Draft& draft) {
     cracked("Cracked, <i>T</i> &lt; 0", "cracked.negative", r.negative);
   }
   const bool positive = draft.gear.load.torque > 0;
-  html += key_number(
-      fmt::format("Wind-up at {} N·m", number(draft.gear.load.torque)),
-      quantity(positive ? "cracked.positive.wind_up" : "cracked.negative.wind_up",
-               positive ? r.positive.wind_up : r.negative.wind_up, units::arcmin),
-      "arcmin", draft.cracks.empty() ? "sound" : "cracked");
+  html += key_number(fmt::format("Wind-up at {} N·m", number(draft.gear.load.torque)),
+                     quantity(positive ? "cracked.positive.wind_up" : "cracked.negative.wind_up",
+                              positive ? r.positive.wind_up : r.negative.wind_up, units::arcmin),
+                     "arcmin", draft.cracks.empty() ? "sound" : "cracked");
   if (r.curve)
     html += key_number(
         "<i>K</i><sub>1</sub> / <i>K</i><sub>2</sub> / <i>K</i><sub>3</sub>",

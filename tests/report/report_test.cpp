@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -233,6 +234,18 @@ TEST(Report, ReferenceInputsSayWhoGaveThem) {
   const std::string& html = section(report, "inputs").html;
   EXPECT_NE(html.find("18 deg to 26 deg"), std::string::npos);
   EXPECT_NE(html.find("few samples, mostly tapered: a mean"), std::string::npos);
+}
+
+TEST(Report, ReferenceMaterialsOfTheLibraryAreNamedAsSuch) {
+  const Report report = report_on(text_of("library_material"));
+  const std::string& html = section(report, "inputs").html;
+  const std::size_t row = html.find("data-field=\"material.52100.youngs_modulus\"");
+  ASSERT_NE(row, std::string::npos);
+  const std::string cells = html.substr(row, html.find("</tr>", row) - row);
+  const double E =
+      read_gear_set(text_of("library_material"), "x").material.at("52100").youngs_modulus;
+  EXPECT_NE(cells.find(std::to_string(std::lround(E / 1e9)) + " GPa"), std::string::npos) << cells;
+  EXPECT_NE(cells.find(">material library<"), std::string::npos) << cells;
 }
 
 TEST(Report, IdentityEveryNoteAndEquationIsThere) {
