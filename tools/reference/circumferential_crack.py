@@ -19,6 +19,7 @@ import sys
 import numpy as np
 from scipy.special import jv
 
+from reference_csv import Table, publish
 from shell_crack import graded, joined
 
 
@@ -67,7 +68,7 @@ def kernels(n, t, nu, nodes=10, panels=16):
     return K.real
 
 
-def solve(alpha, t, nu=0.3, terms=10, exact_harmonics=400, harmonics=20000, cache={}):
+def solve(alpha, t, nu=0.3, terms=10, exact_harmonics=400, harmonics=20000, energy=False, cache={}):
     """{t, tb, b, bb, s, sc}"""
     flat_b = (1 - nu) * (3 + nu) / 4
     key = (t, nu, exact_harmonics)
@@ -112,6 +113,8 @@ def solve(alpha, t, nu=0.3, terms=10, exact_harmonics=400, harmonics=20000, cach
         result[linear] = scale * ((even + 1) @ Theta[:, load_index])
     result["s"] = (even + 1) @ U[:, 2] / 4 / alpha
     result["sc"] = scale * (tip_W @ W[:, 2])
+    if energy:
+        result["work"] = load.T @ np.linalg.solve(matrix, load) / 2
     return result
 
 
@@ -122,7 +125,21 @@ def zahoor(alpha, r_t):
             1 + A * (4.5967 * x ** 1.5 + 2.6422 * x ** 4.24))
 
 
-if __name__ == "__main__" and "--check" in sys.argv:
+def tables():
+    table = Table("circumferential_crack", "half_angle [rad]", "radius_ratio [1]")
+    for alpha, r_t in ((0.2, 8.0), (0.5, 15.0), (1.0, 30.0), (1.4, 50.0)):
+        for name, value in solve(alpha, 1 / r_t).items():
+            table.add(name, (alpha, r_t), float(value), "1", "Sanders-Koiter shell; Galerkin",
+                      digits=5, printed=8)
+    for x in (0.1, 0.2, 0.35, 0.5):
+        for r_t in (10.0, 20.0):
+            for name, value in zip(("zahoor_axial", "zahoor_bending"), zahoor(x * np.pi, r_t)):
+                table.add(name, (float(x * np.pi), r_t), float(value), "1", "zahoor1985 (secondary)",
+                          printed=17)
+    return [table]
+
+
+def check():
     import shell_crack
     for r_t in (5, 10, 20, 50):
         for x in (0.02, 0.05, 0.1, 0.2, 0.35, 0.5):
@@ -133,3 +150,16 @@ if __name__ == "__main__" and "--check" in sys.argv:
             print(r_t, x, round(lam, 2), {k: round(float(v), 4) for k, v in r.items()}, "shallow",
                   {k: round(float(s[k]), 4) for k in ("nn", "bn", "tt", "ct")}, "zahoor",
                   np.round(zahoor(alpha, r_t), 3), flush=True)
+    for r_t in (10, 40):  # energy against its derivative
+        for alpha in (0.4, 1.2):
+            r, h = solve(alpha, 1 / r_t), 1e-3
+            work = [solve(alpha + d, 1 / r_t, energy=True)["work"] for d in (h, -h)]
+            slope = (work[0] - work[1]) / (2 * h) / (2 * np.pi * alpha)
+            for k, (f, g) in enumerate((("t", "tb"), ("b", "bb"), ("s", "sc"))):
+                print("energy", r_t, alpha, f, (r[f] ** 2 + r[g] ** 2 / 3) / slope[k, k] - 1)
+            more = solve(alpha, 1 / r_t, terms=14, exact_harmonics=800)
+            print("terms", max(abs(more[k] - r[k]) for k in r))
+
+
+if __name__ == "__main__":
+    check() if "--check" in sys.argv else publish(*tables())

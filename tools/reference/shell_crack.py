@@ -25,6 +25,8 @@ import sys
 import numpy as np
 from scipy.special import jv
 
+from reference_csv import Table, publish
+
 
 def graded(a, b, panels, nodes, toward, ratio=0.5):
     """Gauss nodes and weights on [a, b], panels shrinking toward one end."""
@@ -142,5 +144,20 @@ def check():
                   work[0][0, 1] - work[0][1, 0])
 
 
-if __name__ == "__main__" and "--check" in sys.argv:
-    check()
+def tables():
+    table = Table("shell_crack", "shell_parameter [1]", "angle [rad]")
+    for degrees in (0, 20, 50, 90):
+        for lam in (0.3, 0.7, 1.5, 3.3, 6.5):
+            beta = float(np.radians(degrees))
+            for name, value in solve(lam, beta, terms=10).items():
+                if abs(value) > 1e-12:
+                    table.add(name, (lam, beta), float(value), "1", "shallow shell; Galerkin",
+                              digits=5, printed=8)
+    for lam, ratio in ((0.23, 1.0127), (0.455, 1.0582), (1.37, 1.507)):
+        table.add("release_finite_elements", (lam, float(np.pi / 4)), ratio, "1",
+                  "three-dimensional finite elements", digits=4, printed=5)
+    return [table]
+
+
+if __name__ == "__main__":
+    check() if "--check" in sys.argv else publish(*tables())
