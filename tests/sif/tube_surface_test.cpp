@@ -351,8 +351,8 @@ S edge(double depth_ratio, double radius_ratio) {
 }
 
 TEST(TubeEdgeAxial, ReferenceFiniteElementsOfRings) {
-  // K/sqrt(pi a).  Strip and curved beam: 1.2 % in tension and pressure, 2.4 % in bending, of which
-  // 1.7 % are the strip's (FR-11).  The elements are good to 0.3 %.
+  // K/sqrt(pi a).  Strip and curved beam: 0.8 % in tension, 1.2 % under pressure, 2.4 % in
+  // bending, of which 1.8 % are the strip's (FR-11).  The elements are good to 0.3 %.
   int n = 0;
   for (const test::CsvRow& row : test::read_reference_csv("cracked_ring")) {
     const double a = row("depth_ratio") * 0.01;
@@ -362,7 +362,7 @@ TEST(TubeEdgeAxial, ReferenceFiniteElementsOfRings) {
                        : edge<TubeEdgeAxialOuter>(row("depth_ratio"), row("radius_ratio"))
                              .stress_intensity(a, 0);
     const std::size_t load = row.quantity == "pressure" ? 0 : (row.quantity == "tension" ? 1 : 2);
-    EXPECT_NEAR(k.I[load] / std::sqrt(pi * a) / row.value, 1, load == 2 ? 0.025 : 0.013)
+    EXPECT_NEAR(k.I[load] / std::sqrt(pi * a) / row.value, 1, load == 2 ? 0.024 : 0.012)
         << row.place;
     ++n;
   }

@@ -63,7 +63,7 @@ using Texts = std::vector<std::string>;
 
 TEST(ShellFactors, ReferenceGalerkin) {
   // Places between the nodes of the table, from the singular problem itself.  The tolerance is the
-  // interpolation, relative to the plate's 1 or to the value where that is larger.
+  // interpolation, in units of the plate's K.
   std::map<std::string, int> seen;
   for (const test::CsvRow& row : test::read_reference_csv("shell_crack")) {
     if (row.quantity == "release_finite_elements") continue;
@@ -73,7 +73,7 @@ TEST(ShellFactors, ReferenceGalerkin) {
         {"tn", f.sliding_by_normal.mean}, {"cn", f.sliding_by_normal.linear},
         {"nt", f.opening_by_shear.mean},  {"bt", -f.opening_by_shear.linear},
         {"tt", f.sliding_by_shear.mean},  {"ct", f.sliding_by_shear.linear}};
-    EXPECT_NEAR(ours.at(row.quantity), row.value, 1e-3 * std::max(1.0, std::abs(row.value)))
+    EXPECT_NEAR(ours.at(row.quantity), row.value, row("shell_parameter") < 4 ? 4e-5 : 6e-4)
         << row.place;
     ++seen[row.quantity];
   }
@@ -230,7 +230,8 @@ TEST(TubeThroughAxial, InputRules) {
 // -------------------------------------------------------------------------------
 
 TEST(CircumferentialFactors, ReferenceSandersShell) {
-  // Between the nodes.  The interpolation: 0.5 % of K, the linear part 0.02.
+  // Between the nodes.  The interpolation: 0.1 % of K, the linear part 0.003 (axial, bending) and
+  // 0.02 (torque).
   int n = 0;
   for (const test::CsvRow& row : test::read_reference_csv("circumferential_crack")) {
     if (row.quantity.starts_with("zahoor")) continue;
@@ -242,15 +243,17 @@ TEST(CircumferentialFactors, ReferenceSandersShell) {
                                                 {"b", f.bending.mean}, {"bb", -f.bending.linear},
                                                 {"s", f.torque.mean},  {"sc", f.torque.linear}};
     const bool linear = row.quantity == "tb" || row.quantity == "bb" || row.quantity == "sc";
-    EXPECT_NEAR(ours.at(row.quantity), row.value, linear ? 0.02 : 0.005 * row.value) << row.place;
+    EXPECT_NEAR(ours.at(row.quantity), row.value,
+                linear ? (row.quantity == "sc" ? 0.02 : 0.003) : 0.001 * row.value)
+        << row.place;
     ++n;
   }
   EXPECT_EQ(n, 24);
 }
 
 TEST(CircumferentialFactors, CrosscheckFiniteElementFit) {
-  // Zahoor's fit, r/t = 10 and 20, up to half of the circumference: 11 %, his fit's own scatter
-  // (it has r/t in one power for all lengths).
+  // Zahoor's fit of finite elements, r/t = 10 and 20: -10 to +6.5 %, and -0 to +3.7 % up to a crack
+  // of 72 degrees.  The fit has one power of r/t for all lengths.
   int n = 0;
   for (const test::CsvRow& row : test::read_reference_csv("circumferential_crack")) {
     if (!row.quantity.starts_with("zahoor")) continue;

@@ -36,7 +36,7 @@ inline constexpr double kMaxShellParameter = 8.0;
 inline constexpr double kMaxCircumferentialShellParameter = 24.0;
 
 /// Implements theory manual eq. (SU-2): Donnell's shallow shell with Kirchhoff bending, nu = 0.3,
-/// interpolated to 0.1 %; nu between 0.25 and 0.35 changes K by up to 0.7 %.
+/// interpolated to 0.06 %; nu between 0.25 and 0.35 changes K by up to 0.7 %.
 ///
 /// @param lambda  shell parameter [-]; in [0, 8]
 /// @param angle   beta, from the generator toward -theta [rad]
@@ -49,7 +49,7 @@ struct CircumferentialFactors {
   WallIntensity torque;   ///< K_II of a torque
 };
 
-/// Implements theory manual eq. (SU-4): Sanders and Koiter's shell, interpolated to 0.4 %.
+/// Implements theory manual eq. (SU-4): Sanders and Koiter's shell, interpolated to 0.3 %.
 ///
 /// @param half_angle  alpha = a/r [rad]; in [0, pi/2]
 /// @param radius_ratio  r/t [-]; in [5, 60]

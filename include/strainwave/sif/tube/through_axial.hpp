@@ -11,18 +11,19 @@ namespace strainwave::sif {
 /// ends within about 2 sqrt(r t) of the crack, pressure on the crack's faces, and the tension that
 /// the deflection of a pressurised bulge would meet (linear theory, an upper bound).
 struct TubeThroughAxial {
-  static constexpr SolutionInfo kInfo{
-      .name = "tube-through-axial",
-      .family = "tube",
-      .title = "Axial through crack in the wall of a tube",
-      .modes = "I, II",
-      .equation = "SU-3",
-      .source = "folias1965",
-      .basis = Basis::computed,
-      .relative_uncertainty = 0.02,
-      .accuracy =
-          "table to 0.1 % of shallow-shell theory; its K_I is within 3 % of Folias' long-crack fit",
-      .constraint = Constraint::plane_stress};
+  static constexpr SolutionInfo kInfo{.name = "tube-through-axial",
+                                      .family = "tube",
+                                      .title = "Axial through crack in the wall of a tube",
+                                      .modes = "I, II",
+                                      .equation = "SU-3",
+                                      .source = "folias1965",
+                                      .basis = Basis::computed,
+                                      .relative_uncertainty = 0.02,
+                                      .accuracy =
+                                          "table to 0.1 % of shallow-shell theory, whose energy at "
+                                          "45 deg is within 1.6 % of finite "
+                                          "elements; within 3 % of Folias' fit for long cracks",
+                                      .constraint = Constraint::plane_stress};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
       LoadInfo{"pressure", "Pa", "inside; not on the crack's faces"},

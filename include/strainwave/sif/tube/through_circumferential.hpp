@@ -22,7 +22,8 @@ struct TubeThroughCircumferential {
       .basis = Basis::computed,
       .relative_uncertainty = 0.03,
       .accuracy =
-          "table to 0.5 % of Sanders' shell; a finite-element fit (r/t 10 and 20) within 11 %",
+          "table to 0.3 % of Sanders' shell; zahoor1985, a fit of finite elements, within 4 % to "
+          "72 deg and 10 % to 180 deg of crack",
       .constraint = Constraint::plane_stress};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
