@@ -147,6 +147,25 @@ TEST(ShellFactors, CrosscheckLongCrackFit) {
   }
 }
 
+TEST(ShellFactors, IdentityWallIsTheFront) {
+  EXPECT_EQ(kWallPoints[0].s, 0.0);
+  EXPECT_EQ(kWallPoints[1].name, "inner");
+  EXPECT_EQ(kWallPoints[1].s, -1.0);
+  EXPECT_EQ(kWallPoints[2].name, "outer");
+  EXPECT_EQ(kWallPoints[2].s, 1.0);
+  const WallIntensity k{.mean = 2.0, .linear = 0.5};
+  EXPECT_EQ(k.at(-1.0), 1.5);
+  EXPECT_EQ(k.at(1.0), 2.5);
+  // Two tips: 2 t of area for each da, whichever way the crack runs.
+  const auto area = [](const auto& crack) {
+    const FrontRange front = crack.front();
+    return (front.end - front.begin) * crack.swept_area(0.001, 0.0);
+  };
+  EXPECT_DOUBLE_EQ(area(axial(0.01)), 0.002);
+  EXPECT_DOUBLE_EQ(area(circumferential(0.01)), 0.002);
+  EXPECT_DOUBLE_EQ(area(inclined(0.01, 0.5)), 0.002);
+}
+
 TEST(ShellFactors, IdentityShellParameter) {
   // SU-1 is the root of FR-8.
   const ThroughCrackInTube crack{
@@ -249,6 +268,22 @@ TEST(CircumferentialFactors, ReferenceSandersShell) {
     ++n;
   }
   EXPECT_EQ(n, 24);
+}
+
+TEST(CircumferentialFactors, IdentityNodesAreNoExceptions) {
+  // At a node of the table and a hair beside it.
+  for (const double alpha : {0.05 * pi, 0.5 * pi}) {
+    const double lambda = shell_parameter(alpha, 1.0, 0.2, 0.3);
+    const auto at = circumferential_factors(alpha, 5.0, lambda);
+    const auto beside = circumferential_factors(alpha * (1 - 1e-9), 5.0 * (1 + 1e-9), lambda);
+    EXPECT_NEAR(at.axial.mean, beside.axial.mean, 1e-7);
+    EXPECT_NEAR(at.bending.linear, beside.bending.linear, 1e-7);
+    EXPECT_NEAR(at.torque.mean, beside.torque.mean, 1e-7);
+  }
+  const auto at = shell_factors(8.0, pi / 2);
+  const auto beside = shell_factors(8.0 - 1e-9, pi / 2 - 1e-9);
+  EXPECT_NEAR(at.opening_by_normal.mean, beside.opening_by_normal.mean, 1e-7);
+  EXPECT_NEAR(at.sliding_by_shear.linear, beside.sliding_by_shear.linear, 1e-7);
 }
 
 TEST(CircumferentialFactors, CrosscheckFiniteElementFit) {

@@ -150,6 +150,10 @@ def check():
             print(r_t, x, round(lam, 2), {k: round(float(v), 4) for k, v in r.items()}, "shallow",
                   {k: round(float(s[k]), 4) for k in ("nn", "bn", "tt", "ct")}, "zahoor",
                   np.round(zahoor(alpha, r_t), 3), flush=True)
+    d = 1e-3 / np.sqrt(12 * 0.91)
+    for n in (2, 3, 4):  # semi-membrane theory: n sqrt((n^2 - 1) d)/(2 sqrt(2)), next term n^2 d
+        semi_membrane = n * np.sqrt((n ** 2 - 1) * d / 8)
+        print("semi-membrane", n, kernels(n, 1e-3, 0.3)[0, 0] / semi_membrane - 1)
     for r_t in (10, 40):  # energy against its derivative
         for alpha in (0.4, 1.2):
             r, h = solve(alpha, 1 / r_t), 1e-3
