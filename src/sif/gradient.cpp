@@ -2,6 +2,8 @@
 #include "row.hpp"
 #include "strainwave/sif/gradient/contact_edge.hpp"
 #include "strainwave/sif/gradient/edge_crack.hpp"
+#include "strainwave/sif/gradient/notch_edge.hpp"
+#include "strainwave/sif/gradient/notch_surface.hpp"
 #include "strainwave/sif/gradient/race_hoop_edge.hpp"
 #include "strainwave/sif/gradient/race_hoop_surface.hpp"
 #include "strainwave/sif/gradient/residual_edge.hpp"
@@ -12,9 +14,9 @@ namespace strainwave::sif {
 
 std::vector<Row> gradient_rows() {
   return {
-      row<GradientEdgeCrack>(),    row<GradientSurfaceCrack>(), row<ResidualEdgeCrack>(),
-      row<ResidualSurfaceCrack>(), row<ContactEdgeCrack>(),     row<RaceHoopEdgeCrack>(),
-      row<RaceHoopSurfaceCrack>(),
+      row<GradientEdgeCrack>(), row<GradientSurfaceCrack>(), row<NotchEdgeCrack>(),
+      row<NotchSurfaceCrack>(), row<ResidualEdgeCrack>(),    row<ResidualSurfaceCrack>(),
+      row<ContactEdgeCrack>(),  row<RaceHoopEdgeCrack>(),    row<RaceHoopSurfaceCrack>(),
   };
 }
 

@@ -1,7 +1,7 @@
 """Rerun the fast generators and require the tables in tests/data to be byte-equal.
 
-coupled_drive.py computes in double precision: some of its rows are rerun and must agree with the
-file to the digits it states.  The tables of annular_hollow.py (minutes, floating point) are not
+coupled_drive.py, gradient.py and weight_function.py compute in double precision: their rows, some of
+the first, are rerun and must agree with the file to the digits it states.  The tables of annular_hollow.py (minutes, floating point) are not
 rerun.  Exit status 0 equal, 1 different, 77 mpmath, numpy or scipy not installed (a skipped test).
 """
 import importlib
@@ -9,6 +9,7 @@ import sys
 
 GENERATORS = ("annular_shaft", "article_example", "edge_crack", "failure_assessment", "hertz_contact", "surface_crack",
               "through_crack", "tube_and_diaphragm")
+IN_DOUBLE = ("gradient", "weight_function")
 
 
 def difference(table):
@@ -54,7 +55,10 @@ def main():
             problem = difference(table)
             different += problem is not None
             print(f"{table.path.name}: {problem or 'equal'}", flush=True)
-    for table in importlib.import_module("coupled_drive").some_tables():
+    in_double = importlib.import_module("coupled_drive").some_tables()
+    for name in IN_DOUBLE:
+        in_double += importlib.import_module(name).tables()
+    for table in in_double:
         problem = difference_in_digits(table)
         different += problem is not None
         print(f"{table.path.name}: {problem or 'equal to its digits'}", flush=True)

@@ -27,9 +27,9 @@ def gauss(a, b, n):
     return (a + b) / 2 + (b - a) / 2 * x, (b - a) / 2 * w
 
 
-def graded(n):
+def graded(n, levels=40):
     """Nodes in (0, 1) crowded at 1, as 1 - v and weights."""
-    edges = [0.0] + [2.0 ** -k for k in range(40, -1, -1)]
+    edges = [0.0] + [2.0 ** -k for k in range(levels, -1, -1)]
     parts = [gauss(lo, hi, n) for lo, hi in zip(edges, edges[1:])]
     return np.concatenate([p[0] for p in parts]), np.concatenate([p[1] for p in parts])
 

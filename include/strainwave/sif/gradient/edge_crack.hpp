@@ -21,7 +21,8 @@ struct GradientEdgeCrack {
       .source = "-",
       .basis = Basis::computed,
       .relative_uncertainty = 0.001,
-      .accuracy = "within 2e-5 of its own integral equation, which FR-11 meets within 0.6 %",
+      .accuracy =
+          "within 2e-5 of its own integral equation, which Gross and Srawley meet within 0.7 %",
       .constraint = Constraint::plane_strain};
   static constexpr std::size_t kLoads = 4;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{

@@ -24,8 +24,8 @@ struct ResidualSurfaceCrack {
       .basis = Basis::secondary,
       .relative_uncertainty = 0.1,
       .accuracy =
-          "uniform and linear stress are Newman and Raju's to rounding (5 %); x^2 and x^3 at both "
-          "points within 4 % of exact penny cracks",
+          "uniform and linear stress are Newman and Raju's to rounding (5 %); x^2 and x^3 of exact "
+          "penny cracks within 2.2 %",
       .constraint = Constraint::plane_strain};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
@@ -49,7 +49,7 @@ struct ResidualSurfaceCrack {
                 .unit = "m",
                 .doc = "delta, depth in which the residual stress decays",
                 .range = kPositive,
-                .example = "0.2 mm"},
+                .example = "0.25 mm"},
           &ResidualSurfaceCrack::decay);
     field(Field{.name = "hump",
                 .unit = "1",

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "strainwave/sif/solution.hpp"
 
 /// @file
 /// Stresses without the crack that the solutions of this family weigh, and fields they share.
-
-#include "strainwave/sif/solution.hpp"
 
 namespace strainwave::sif {
 
@@ -65,12 +65,70 @@ class ResidualProfile {
   double delta_, hump_, t_, A_ = 0.0, B_ = 0.0;
 };
 
+/// Stress ahead of a notch or fillet over the nominal stress of the section at its root [-].
+///
+/// Implements theory manual eq. (SW-10): Inglis' stress ahead of the elliptical hole that has the
+/// same root radius and the same stress concentration, whose half length is
+/// D = rho ((K_t - 1)/2)^2.  Starts at K_t, falls at first by (2 + 1/K_t)/rho of it, ends at 1.
+class NotchProfile {
+ public:
+  /// @param radius         rho, of the root [m]; > 0
+  /// @param concentration  K_t, largest over nominal stress [-]; > 1
+  NotchProfile(double radius, double concentration)
+      : k_((concentration - 1) / 2),
+        m_((k_ - 1) / (k_ + 1)),
+        R_(radius * k_ * (k_ + 1) / 2),
+        depth_(radius * k_ * k_),
+        radius_(radius) {}
+
+  /// D, depth of the equivalent notch [m].
+  [[nodiscard]] double depth() const { return depth_; }
+
+  /// @param x  from the root [m]; >= 0
+  [[nodiscard]] double operator()(double x) const {
+    const double X = depth_ + x;
+    const double zeta = (X + std::sqrt(X * X - 4 * R_ * R_ * m_)) / (2 * R_);
+    const double z2 = zeta * zeta;
+    const double d = z2 - m_;
+    const double phi = (1 + m_) / (2 * d);
+    return 1 + phi * (3 + (1 - m_ * z2) / d) -
+           (1 - m_ * m_) * z2 * (z2 - 1) / (d * d * d);  // (SW-10)
+  }
+
+  /// K of an edge crack at the root over that of a flat surface under the same stress [-].
+  ///
+  /// Implements theory manual eq. (SW-11), a fit to strainwave's own cracks at elliptical holes:
+  /// the flanks of the notch, parallel to the crack, carry no stress where a flat surface would.
+  /// @param a  depth of the crack [m]
+  [[nodiscard]] double flank_factor(double a) const {
+    return 1 - 0.286 * a / (a + 0.4 * radius_) / (1 + 0.8 * a / depth_);  // (SW-11)
+  }
+
+ private:
+  double k_, m_, R_, depth_, radius_;
+};
+
 /// Stress components of plane strain below a surface [Pa per Pa of the largest traction].
 struct SubsurfaceStress {
   double along = 0.0;   ///< sigma_x, along the surface
   double normal = 0.0;  ///< sigma_z
   double shear = 0.0;   ///< tau_xz, z into the body
 };
+
+/// McEwen's m and n, over b: m^2 - n^2 = 1 - X^2 + Z^2, m n = X Z, m >= 0; (SW-7).
+struct McEwen {
+  double Z, m, n;
+};
+[[nodiscard]] inline McEwen mcewen(double x, double z, double b) {
+  const double X = x / b;
+  const double Z = z / b;
+  const double d = 1 - X * X + Z * Z;
+  // The larger of the two first, the other without cancellation.
+  double m = std::sqrt((std::hypot(d, 2 * X * Z) + std::abs(d)) / 2);
+  double n = m > 0 ? std::abs(X) * Z / m : 0.0;
+  if (d < 0) std::swap(m, n);
+  return {.Z = Z, .m = m, .n = std::copysign(n, X)};
+}
 
 /// Stress below a Hertz line contact of half width b, p = p_0 sqrt(1 - x^2/b^2), per unit of p_0.
 ///
@@ -81,15 +139,7 @@ struct SubsurfaceStress {
 /// @param z  depth [m]; >= 0
 /// @param b  half width [m]; > 0
 [[nodiscard]] inline SubsurfaceStress hertz_pressure_stress(double x, double z, double b) {
-  const double X = x / b;
-  const double Z = z / b;
-  const double d = 1 - X * X + Z * Z;
-  const double root = std::hypot(d, 2 * X * Z);
-  // m^2 - n^2 = d, m n = X Z: the larger of the two first, the other without cancellation.
-  double m = std::sqrt((root + std::abs(d)) / 2);
-  double n = m > 0 ? std::abs(X) * Z / m : 0.0;
-  if (d < 0) std::swap(m, n);
-  n = std::copysign(n, X);
+  const auto [Z, m, n] = mcewen(x, z, b);
   const double sum = m * m + n * n;
   if (sum == 0) return {};  // at the edge of the contact, all is zero
   const double w = (Z * Z + n * n) / sum;
@@ -103,18 +153,11 @@ struct SubsurfaceStress {
 /// Implements theory manual eq. (SW-8), sliding in the direction of +x: the traction on this body
 /// points to +x.  Exact for a half-plane.  Source: johnson1985 (secondary); confirmed as above.
 [[nodiscard]] inline SubsurfaceStress hertz_traction_stress(double x, double z, double b) {
-  const double X = x / b;
-  const double Z = z / b;
-  const double d = 1 - X * X + Z * Z;
-  const double root = std::hypot(d, 2 * X * Z);
-  double m = std::sqrt((root + std::abs(d)) / 2);
-  double n = m > 0 ? std::abs(X) * Z / m : 0.0;
-  if (d < 0) std::swap(m, n);
-  n = std::copysign(n, X);
+  const auto [Z, m, n] = mcewen(x, z, b);
   const double sum = m * m + n * n;
   const SubsurfaceStress p = hertz_pressure_stress(x, z, b);
   const double ratio = sum > 0 ? (Z * Z - m * m) / sum : 0.0;
-  return {.along = n * (2 - ratio) - 2 * X, .normal = p.shear, .shear = p.along};  // (SW-8)
+  return {.along = n * (2 - ratio) - 2 * x / b, .normal = p.shear, .shear = p.along};  // (SW-8)
 }
 
 }  // namespace strainwave::sif

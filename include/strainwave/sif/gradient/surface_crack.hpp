@@ -21,8 +21,8 @@ struct GradientSurfaceCrack {
       .basis = Basis::secondary,
       .relative_uncertainty = 0.07,
       .accuracy =
-          "uniform and linear stress are Newman and Raju's to rounding (5 %); x^2 and x^3 at both "
-          "points within 4 % of exact penny cracks",
+          "uniform and linear stress are Newman and Raju's to rounding (5 %); x^2 and x^3 of exact "
+          "penny cracks within 2.2 %",
       .constraint = Constraint::plane_strain};
   static constexpr std::size_t kLoads = 4;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
