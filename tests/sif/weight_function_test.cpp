@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "strainwave/fracture/edge_crack.hpp"
 #include "support/expect.hpp"
@@ -201,26 +203,62 @@ TEST(SurfaceWeight, CrosscheckPennyEndsWithExactReferences) {
     expect_relative(at_deepest, deepest[n], 0.03);
     expect_relative(at_surface, surface[n], 0.001);
   }
+  // Exponentials: 8 % too little at the deepest point for exp(-4 x/a), the worst of the range.
+  int seen = 0;
+  for (const test::CsvRow& row : test::read_reference_csv("gradient")) {
+    if (row.quantity != "front_exponential") continue;
+    const auto stress = [&](double x) {
+      return (1 + row("c") * row("a") * x) * std::exp(-row("a") * x);
+    };
+    const auto weighed = [&](const auto& m, double base, const auto& at) {
+      return integrate<31>([&](double v) { return stress(at(v)) * power_sum(m, v); }, 0, 1).value /
+             base;
+    };
+    if (row("b") == 0)
+      expect_relative(weighed(mB, B0, [](double v) { return v * v; }), row.value, 0.001);
+    else if (row("b") > 1.5)
+      expect_relative(weighed(mA, A0, [](double v) { return 1 - v * v; }), row.value, 0.08);
+    else
+      continue;
+    ++seen;
+  }
+  EXPECT_EQ(seen, 8);
+}
+
+/// How far K has gone from the surface, 0, to the deepest point, 1, on a half circle in a
+/// half-space, and how far the exact penny crack has; the largest difference.
+template <class Stress>
+double front_difference(const std::map<double, double>& penny, const Stress& stress) {
+  const SurfaceWeight weight(1, 0);
+  const auto ratio = [&](double phi) {
+    return weighted_intensity(weight, 1.0, phi, stress).value / weight.uniform(1.0, phi);
+  };
+  const double low = penny.begin()->second;
+  const double high = penny.rbegin()->second;
+  double largest = 0;
+  for (const auto& [phi, K] : penny)
+    largest = std::max(largest, std::abs((ratio(phi) - ratio(0)) / (ratio(pi / 2) - ratio(0)) -
+                                         (K - low) / (high - low)));
+  return largest;
 }
 
 TEST(SurfaceWeight, CrosscheckPennyFront) {
-  // How K goes from the surface to the deepest point, half circle in a half-space: the way that
-  // the exact penny crack goes.  Tolerance: 2 % of the largest K.
-  std::map<double, std::map<double, double>> penny;
-  for (const test::CsvRow& row : test::read_reference_csv("gradient"))
-    if (row.quantity == "front") penny[row("a")][row("b")] = row.value;
-  ASSERT_EQ(penny.size(), 4U);
-  for (const auto& [n, front] : penny) {
-    const double low = front.begin()->second;
-    const double high = front.rbegin()->second;
-    const auto ratio = [n = n](double phi) {
-      return surface_factor(1, 0, phi, n) / surface_factor(1, 0, phi, 0);
-    };
-    for (const auto& [phi, K] : front)
-      EXPECT_NEAR((ratio(phi) - ratio(0)) / (ratio(pi / 2) - ratio(0)), (K - low) / (high - low),
-                  0.02)
-          << "n = " << n << ", phi = " << phi;
+  std::map<double, std::map<double, double>> powers;
+  std::map<std::pair<double, double>, std::map<double, double>> exponentials;
+  for (const test::CsvRow& row : test::read_reference_csv("gradient")) {
+    if (row.quantity == "front") powers[row("a")][row("b")] = row.value;
+    if (row.quantity == "front_exponential")
+      exponentials[{row("a"), row("c")}][row("b")] = row.value;
   }
+  ASSERT_EQ(powers.size(), 4U);
+  ASSERT_EQ(exponentials.size(), 4U);
+  for (const auto& [n, penny] : powers)
+    EXPECT_LT(front_difference(penny, [n = n](double x) { return std::pow(x, n); }), 0.02) << n;
+  for (const auto& [inputs, penny] : exponentials)
+    EXPECT_LT(front_difference(penny, [k = inputs.first, h = inputs.second](
+                                          double x) { return (1 + h * k * x) * std::exp(-k * x); }),
+              0.03)
+        << inputs.first << ", " << inputs.second;
 }
 
 TEST(SurfaceWeight, ScalingIntensity) {

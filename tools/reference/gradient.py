@@ -1,8 +1,9 @@
 """Cracks in stress gradients: what tests of the family `gradient` are held to.
 
 Road of its own for every number:
-  front      K along the front of a penny crack of radius a under the pressure |y/a|^n, over K of the
-             pressure 1: Fourier series and Abel integrals, exact (Sneddon); y = a sin(phi)
+  front      K along the front of a penny crack of radius a under the pressure |y/a|^n, or an
+             exponential, over K of the pressure 1: Fourier series and Abel integrals, exact
+             (Sneddon); y = a sin(phi)
   stress     below a line contact: integrals of Flamant's point force over Hertz's traction
   contact    K_I, K_II of an edge crack in a half-plane under that stress: integral equation of
              weight_function.py, no weight function
@@ -26,6 +27,20 @@ def penny_ratio(n, phi):
     profile = np.sin(theta) ** n
     return sum((2 if k else 1) * np.mean(profile * np.cos(k * theta)) * np.cos(k * phi)
                * abel(1 + n + k) for k in range(0, 2000, 2))
+
+
+def penny_exponential(decay, hump, phi):
+    """The same under (1 + hump decay |y|) exp(-decay |y|), harmonics of the pressure at each r."""
+    count = 2000
+    theta = np.arange(2 * count) * np.pi / count
+    k = np.arange(0, count, 2)
+    total = 0.0
+    for t, w in zip(*gauss(0, np.pi / 2, 80)):
+        r = np.sin(t)
+        y = decay * np.abs(r * np.sin(theta))
+        c = np.fft.rfft((1 + hump * y) * np.exp(-y)).real[:count:2] / (2 * count)
+        total += w * r * np.sum(np.where(k, 2, 1) * c * r ** k * np.cos(k * phi))
+    return total
 
 
 def flamant(traction, x, z):
@@ -137,6 +152,11 @@ def tables():
         for degrees in (0, 15, 30, 45, 60, 90):
             table.add("front", (n, np.radians(degrees), ""), penny_ratio(n, np.radians(degrees)),
                       "1", "gradient.py (exact series)", digits=5, printed=8)
+    for decay, hump in ((1, 0), (2, 0), (4, 0), (4, 1.5)):
+        for degrees in (0, 10, 20, 45, 70, 90):
+            table.add("front_exponential", (decay, np.radians(degrees), hump),
+                      penny_exponential(decay, hump, np.radians(degrees)), "1",
+                      "gradient.py (exact series)", digits=5, printed=8)
     for x, z in ((0, 0.3), (0.5, 0.5), (-0.7, 0.2), (1.6, 0.4), (2.5, 3), (-1.3, 1)):
         for traction in ("pressure", "traction"):
             for name, value in zip(("along", "normal", "shear"), flamant(traction, x, z)):

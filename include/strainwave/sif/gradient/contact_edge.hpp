@@ -25,7 +25,7 @@ struct ContactEdgeCrack {
       .source = "johnson1985",
       .basis = Basis::computed,
       .relative_uncertainty = 0.005,
-      .accuracy = "stresses exact; weight function within 1e-4 of its own integral equation",
+      .accuracy = "stresses exact; K within 3e-4 of its own integral equation, a and |x| <= 10 b",
       .constraint = Constraint::plane_strain};
   static constexpr std::size_t kLoads = 2;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{

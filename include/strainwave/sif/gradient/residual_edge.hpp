@@ -46,7 +46,7 @@ struct ResidualEdgeCrack {
                 .unit = "m",
                 .doc = "delta, depth in which the residual stress decays",
                 .range = kPositive,
-                .example = "0.25 mm"},
+                .example = "0.3 mm"},
           &ResidualEdgeCrack::decay);
     field(Field{.name = "hump",
                 .unit = "1",
