@@ -7,10 +7,11 @@ rerun.  Exit status 0 equal, 1 different, 77 mpmath, numpy or scipy not installe
 import importlib
 import sys
 
-GENERATORS = ("annular_shaft", "article_example", "edge_crack", "failure_assessment", "hertz_contact", "surface_crack",
-              "through_crack", "tube_and_diaphragm")
-IN_DOUBLE = ("circumferential_crack", "coupled_drive", "cracked_ring", "gradient", "shell_crack",
-             "weight_function")
+GENERATORS = ("annular_shaft", "article_example", "body_cracks", "collinear_cracks", "edge_crack",
+              "failure_assessment", "hertz_contact", "inclined_edge_crack", "newman_raju",
+              "surface_crack", "through_crack", "tube_and_diaphragm")
+IN_DOUBLE = ("circumferential_crack", "coupled_drive", "cracked_block", "cracked_ring",
+             "cracked_strip", "gradient", "shell_crack", "weight_function")
 
 
 def difference(table):
