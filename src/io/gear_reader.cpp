@@ -21,17 +21,25 @@ constexpr std::size_t kMaxSize = 1 << 20;  // 1 MiB
 template <class Member>
 void add_from_library(GearSet& gear, const std::optional<Member>& member, std::string_view path) {
   if (!member || gear.material.contains(member->material)) return;
+  const std::string field = (FieldPath(std::string(path)) / "material").text();
   if (const MaterialRecord* const record = find_material(member->material)) {
+    // A table of the file wins; one that is meant but written otherwise must not be passed over.
+    for (const auto& [name, material] : gear.material)
+      if (material.origin.empty() && find_material(name) == record)
+        throw InputError(field, fmt::format("\"{}\" is in the material library, but the file gives "
+                                            "the same steel as [material.\"{}\"]; use one name",
+                                            shown(member->material), shown(name)));
     gear.material.emplace(member->material, as_material(*record));
     return;
   }
   std::vector<std::string> given;
-  for (const auto& [name, material] : gear.material) given.push_back(name);
+  for (const auto& [name, material] : gear.material)
+    if (material.origin.empty()) given.push_back(name);
   std::vector<std::string> known = material_names();
   known.insert(known.begin(), given.begin(), given.end());
   const std::string near = nearest_word(member->material, known);
   throw InputError(
-      (FieldPath(std::string(path)) / "material").text(),
+      field,
       fmt::format("\"{}\" is not one of the materials given ({}), nor in the material library; {}",
                   shown(member->material), shown(fmt::format("{}", fmt::join(given, ", "))),
                   near.empty() ? std::string("strainwave material list names those")

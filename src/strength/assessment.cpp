@@ -283,9 +283,14 @@ std::string words(const CrackStrength& crack, const StrengthState& state) {
   return text + size_words(crack, state);
 }
 
-bool same(const StrengthState& a, const StrengthState& b) {
+/// Whether reversing the torque changes K or the reference stress at the present size.
+bool senses_differ(const AssessedCrack& crack, bool with_assembly) {
+  const double size = std::min(crack.report.size, crack.range_end);
+  const AtSize positive(crack, size, 1.0, with_assembly);
+  const AtSize negative(crack, size, -1.0, with_assembly);
   const auto close = [](double x, double y) { return std::abs(x - y) <= 1e-9 * std::abs(y); };
-  return close(a.K, b.K) && close(a.L_r.value_or(0.0), b.L_r.value_or(0.0));
+  return !close(positive.K_together(), negative.K_together()) ||
+         !close(positive.reference_stress(), negative.reference_stress());
 }
 
 }  // namespace
@@ -313,10 +318,9 @@ CrackStrength assess(const AssessedCrack& crack, const Material& material, Torqu
     result.sentence += fmt::format("; under the load alone: {}, reserve factor {:.3g}",
                                    enum_name(load_alone.verdict), *load_alone.reserve);
 
+  if (!senses_differ(crack, false) && !(crack.assembly && senses_differ(crack, true)))
+    return result;
   std::vector<StrengthState> reversed = states(other);
-  bool differs = false;
-  for (std::size_t i = 0; i < n; ++i) differs = differs || !same(reversed[i], result.states[i]);
-  if (!differs) return result;
   const StrengthState& worst_reversed =
       *std::ranges::max_element(reversed, [](const auto& a, const auto& b) { return worse(b, a); });
   // Where both end at the same collapse, nothing is worse.

@@ -452,6 +452,26 @@ TEST(GearReader, IdentityATableOfTheFileWinsOverTheLibrary) {
             "[Pa])");
 }
 
+TEST(GearReader, InputATableOfTheFileIsNotPassedOver) {
+  // Half the members name the table, one writes an alias of the same steel.
+  std::string text = with("[material.steel]", "[material.\"52100\"]");
+  text = with("material = \"steel\"\nforce", "material = \"52100\"\nforce", text);
+  text = with("material = \"steel\"\nshape", "material = \"100Cr6\"\nshape", text);
+  text = with("material = \"steel\"\nouter", "material = \"52100\"\nouter", text);
+  EXPECT_EQ(refusal(text),
+            "gear.toml:35:12: flexspline.material: \"100Cr6\" is in the material library, but the "
+            "file gives the same steel as [material.\"52100\"]; use one name");
+  // Two names of one steel of the library are no contradiction.
+  std::string library = with("material = \"steel\"\nforce", "material = \"GCr15\"\nforce");
+  library = with("material = \"steel\"\nshape", "material = \"100Cr6\"\nshape", library);
+  EXPECT_EQ(read_gear_set(library, "gear.toml").material.size(), 3U);
+  // Only tables of the file are named as given.
+  EXPECT_EQ(
+      refusal(with("material = \"steel\"\nouter", "material = \"unobtainium\"\nouter", library)),
+      "gear.toml:50:12: output_shaft.material: \"unobtainium\" is not one of the materials given "
+      "(steel), nor in the material library; strainwave material list names those");
+}
+
 TEST(GearReader, IdentityExamplesAreRead) {
   const std::filesystem::path folder = STRAINWAVE_EXAMPLES;
   if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << folder << " is not there";

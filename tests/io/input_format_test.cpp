@@ -120,7 +120,7 @@ struct Unwrap<std::optional<T>> {
 
 template <class T>
 constexpr bool is_required(const Field& field) {
-  return !is_optional<T> && !is_vector<T> && field.fallback.empty();
+  return !is_optional<T> && !is_vector<T> && !is_string_map<T> && field.fallback.empty();
 }
 
 std::string unquoted(std::string_view text) {

@@ -375,6 +375,18 @@ TEST(MaterialFile, LimitBranchesOfOtherConditionsNeedNotMeet) {
   }
 }
 
+TEST(MaterialFile, LimitBranchesMeetWithinTheDigitsOfTheFile) {
+  // The branches have exponents 5 and 3: 1 % in Delta K is 2 % in the coefficient.
+  EXPECT_EQ(refusal(with("coefficient = \"1e-13 m\"", "coefficient = \"1.019e-13 m\"")),
+            "accepted");
+  EXPECT_EQ(refusal(with("coefficient = \"1e-13 m\"", "coefficient = \"0.981e-13 m\"")),
+            "accepted");
+  EXPECT_NE(refusal(with("coefficient = \"1e-13 m\"", "coefficient = \"1.021e-13 m\"")),
+            "accepted");
+  EXPECT_NE(refusal(with("coefficient = \"1e-13 m\"", "coefficient = \"0.979e-13 m\"")),
+            "accepted");
+}
+
 TEST(MaterialFile, InputThePlaceIsThatOfTheFault) {
   EXPECT_TRUE(
       refusal(with("value = \"900 MPa\"", "value = \"-900 MPa\"")).starts_with("m.toml:22:9: "));

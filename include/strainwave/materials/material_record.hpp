@@ -20,7 +20,7 @@ namespace strainwave {
 enum class Confidence {
   measured,    ///< by a test whose report was read
   handbook,    ///< typical value of a handbook, textbook or maker's data sheet that was read, or
-               ///< that a copy names
+               ///< on which two independent published copies agree
   standard,    ///< minimum, nominal or statistical value of a standard or code, or of a sheet that
                ///< quotes it
   derived,     ///< computed from other values of the same source

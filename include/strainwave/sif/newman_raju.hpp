@@ -38,9 +38,18 @@ class NewmanRajuPlate {
 
   /// H, K of bending over K of tension of the same surface stress [-].
   [[nodiscard]] double bending_ratio(double alpha, double phi) const {
-    const auto [H1, H2, p] = ends(alpha);
-    return H1 + (H2 - H1) * std::pow(std::sin(phi), p);  // (SP-3)
+    return 1 - 2 * alpha * linear_ratio(alpha, phi);  // (SP-3)
   }
+
+  /// K of the stress x/a over K of the stress 1, x from the surface: (1 - H)/(2 alpha), without the
+  /// division [-].
+  [[nodiscard]] double linear_ratio(double alpha, double phi) const {
+    const auto [h1, h2, p] = ends(alpha);
+    return -(h1 + (h2 - h1) * std::pow(std::sin(phi), p)) / 2;  // (SP-3)
+  }
+
+  /// Exponent p of sin(phi), with which the ratio of two loads goes along the front [-].
+  [[nodiscard]] double front_exponent(double alpha) const { return ends(alpha).p; }  // (SP-3)
 
   /// Width correction [-], for a plate of half width b.  @param c_b  c/b [-]; in [0, 1)
   [[nodiscard]] static double width_factor(double c_b, double alpha) {
@@ -48,26 +57,24 @@ class NewmanRajuPlate {
   }
 
  private:
+  /// H = 1 + alpha h at the surface and at the deepest point, and the exponent between them.
   struct Ends {
-    double H1, H2, p;
+    double h1, h2, p;
   };
   [[nodiscard]] Ends ends(double alpha) const {
     if (rho_ <= 1) {
       const double r = rho_;
       const double G1 = -1.22 - 0.12 * r;
       const double G2 = 0.55 - 1.05 * std::pow(r, 0.75) + 0.47 * std::pow(r, 1.5);
-      return {.H1 = 1 - 0.34 * alpha - 0.11 * r * alpha,
-              .H2 = 1 + alpha * (G1 + G2 * alpha),
-              .p = 0.2 + r + 0.6 * alpha};  // (SP-3)
+      return {.h1 = -0.34 - 0.11 * r, .h2 = G1 + G2 * alpha, .p = 0.2 + r + 0.6 * alpha};  // (SP-3)
     }
     const double q = 1 / rho_;
     const double G11 = -0.04 - 0.41 * q;
     const double G12 = 0.55 - 1.93 * std::pow(q, 0.75) + 1.38 * std::pow(q, 1.5);
     const double G21 = -2.11 + 0.77 * q;
     const double G22 = 0.55 - 0.72 * std::pow(q, 0.75) + 0.14 * std::pow(q, 1.5);
-    return {.H1 = 1 + alpha * (G11 + G12 * alpha),
-            .H2 = 1 + alpha * (G21 + G22 * alpha),
-            .p = 0.2 + q + 0.6 * alpha};  // (SP-3)
+    return {
+        .h1 = G11 + G12 * alpha, .h2 = G21 + G22 * alpha, .p = 0.2 + q + 0.6 * alpha};  // (SP-3)
   }
 
   double rho_;

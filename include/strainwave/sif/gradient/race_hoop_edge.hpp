@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "strainwave/sif/gradient/stress.hpp"
+#include "strainwave/sif/weight_function.hpp"
+
+namespace strainwave::sif {
+
+/// Crack through the width of a bearing ring under hoop stress, at an angle to the major axis of
+/// the cam.
+///
+/// Implements theory manual eq. (SW-9): sigma(x) = sigma_m + sigma_b cos(U theta) (1 - 2x/t).  Over
+/// the lobe the ring is bent more sharply: there sigma_b is tension outside and compression in the
+/// bore, between the lobes the reverse.  By (ST-17) its magnitude is E/(1 - nu^2) (t/2) (U^2 - 1)
+/// w_0/r_m^2.  A negative total K means closed faces.  The ring is taken as a straight strip, free
+/// to rotate beside the crack, an upper bound for a closed ring on a cam.
+struct RaceHoopEdgeCrack {
+  static constexpr SolutionInfo kInfo{
+      .name = "race-hoop-edge",
+      .family = "gradient",
+      .title = "Edge crack in a ring on a cam, hoop stress at an angle to the major axis",
+      .modes = "I",
+      .equation = "SW-9",
+      .source = "-",
+      .basis = Basis::computed,
+      .relative_uncertainty = 0.03,
+      .accuracy =
+          "exact strip within 2e-5; the curvature of the ring, left out, makes about t/(3 r_m) of "
+          "it",
+      .constraint = Constraint::plane_strain};
+  static constexpr std::size_t kLoads = 2;
+  static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
+      LoadInfo{"membrane", "Pa", "hoop stress of the press fit, uniform over the thickness"},
+      LoadInfo{
+          "ovality", "Pa",
+          "bending stress of the cracked face at the major axis: > 0 outside, < 0 in the bore"}};
+  static constexpr std::array<FrontPoint, 1> kPoints{FrontPoint{"tip", 0.0}};
+
+  double depth = 0.0;      ///< a [m]; > 0, < thickness
+  double thickness = 0.0;  ///< t [m]
+  double width = 0.0;      ///< B, length of the front [m]
+  double angle = 0.0;      ///< theta, from the major axis of the cam to the crack [rad]
+  double lobes = 0.0;      ///< U, lobes of the cam: 2, 3, ... [-]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(kGradientDepth, &RaceHoopEdgeCrack::depth);
+    field(kGradientThickness, &RaceHoopEdgeCrack::thickness);
+    field(kGradientWidth, &RaceHoopEdgeCrack::width);
+    field(Field{.name = "angle",
+                .unit = "rad",
+                .doc = "theta, from the major axis of the cam to the crack",
+                .range = {.lower = -std::numbers::pi,
+                          .lower_open = false,
+                          .upper = std::numbers::pi,
+                          .upper_open = false},
+                .example = "30 deg"},
+          &RaceHoopEdgeCrack::angle);
+    field(Field{.name = "lobes",
+                .unit = "1",
+                .doc = "U, lobes of the cam",
+                .range = {.lower = 2.0, .lower_open = false},
+                .example = "2"},
+          &RaceHoopEdgeCrack::lobes);
+  }
+  template <class Rule>
+  void check(Rule&& rule) const {
+    rule(depth < thickness, "depth", depth, "m", "depth < thickness");
+    rule(lobes == std::floor(lobes), "lobes", lobes, "1", "a whole number");
+  }
+  template <class Limit>
+  void validity(Limit&& limit) const {
+    limit(depth <= 0.9 * thickness, "a/t <= 0.9");
+  }
+  [[nodiscard]] double gross_stress(std::size_t) const { return 1.0; }
+
+  [[nodiscard]] double size() const { return depth; }
+  [[nodiscard]] FrontRange front() const { return {}; }
+  [[nodiscard]] double swept_area(double, double) const { return width; }
+  [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double) const {
+    const EdgeWeight weight(a / thickness);
+    const auto K = [&](const auto& stress) { return weighted_intensity(weight, a, stress).value; };
+    return {.I = {K([](double) { return 1.0; }), std::cos(lobes * angle) * K([&](double x) {
+                                                   return bending_profile(x, thickness);
+                                                 })},
+            .II = {},
+            .III = {}};  // (SW-9)
+  }
+};
+
+}  // namespace strainwave::sif

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "strainwave/sif/gradient/stress.hpp"
+#include "strainwave/sif/weight_function.hpp"
+
+namespace strainwave::sif {
+
+/// Semi-elliptical surface crack in a bearing ring under hoop stress, at an angle to the major axis
+/// of the cam.
+///
+/// Implements theory manual eq. (SW-9): sigma(x) = sigma_m + sigma_b cos(U theta) (1 - 2x/t).  Over
+/// the lobe the ring is bent more sharply: there sigma_b is tension outside and compression in the
+/// bore, between the lobes the reverse.  By (ST-17) its magnitude is E/(1 - nu^2) (t/2) (U^2 - 1)
+/// w_0/r_m^2.  A negative total K means closed faces.  The ring is taken as a straight strip, wide
+/// beside the crack.
+struct RaceHoopSurfaceCrack {
+  static constexpr SolutionInfo kInfo{
+      .name = "race-hoop-surface",
+      .family = "gradient",
+      .title =
+          "Semi-elliptical crack in a ring on a cam, hoop stress at an angle to the major axis",
+      .modes = "I",
+      .equation = "SW-9",
+      .source = "newmanraju1984",
+      .basis = Basis::secondary,
+      .relative_uncertainty = 0.06,
+      .accuracy = "Newman and Raju's plate to rounding (5 %); the curvature of the ring left out",
+      .constraint = Constraint::plane_strain};
+  static constexpr std::size_t kLoads = 2;
+  static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
+      LoadInfo{"membrane", "Pa", "hoop stress of the press fit, uniform over the thickness"},
+      LoadInfo{
+          "ovality", "Pa",
+          "bending stress of the cracked face at the major axis: > 0 outside, < 0 in the bore"}};
+  static constexpr std::array<FrontPoint, 2> kPoints{FrontPoint{"surface", 0.0},
+                                                     FrontPoint{"deepest", std::numbers::pi / 2}};
+
+  double depth = 0.0;        ///< a [m]; > 0, < thickness
+  double half_length = 0.0;  ///< c, at the surface [m]; > 0
+  double thickness = 0.0;    ///< t [m]
+  double angle = 0.0;        ///< theta, from the major axis of the cam to the crack [rad]
+  double lobes = 0.0;        ///< U, lobes of the cam: 2, 3, ... [-]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(kGradientDepth, &RaceHoopSurfaceCrack::depth);
+    field(kGradientHalfLength, &RaceHoopSurfaceCrack::half_length);
+    field(kGradientThickness, &RaceHoopSurfaceCrack::thickness);
+    field(Field{.name = "angle",
+                .unit = "rad",
+                .doc = "theta, from the major axis of the cam to the crack",
+                .range = {.lower = -std::numbers::pi,
+                          .lower_open = false,
+                          .upper = std::numbers::pi,
+                          .upper_open = false},
+                .example = "30 deg"},
+          &RaceHoopSurfaceCrack::angle);
+    field(Field{.name = "lobes",
+                .unit = "1",
+                .doc = "U, lobes of the cam",
+                .range = {.lower = 2.0, .lower_open = false},
+                .example = "2"},
+          &RaceHoopSurfaceCrack::lobes);
+  }
+  template <class Rule>
+  void check(Rule&& rule) const {
+    rule(depth < thickness, "depth", depth, "m", "depth < thickness");
+    rule(lobes == std::floor(lobes), "lobes", lobes, "1", "a whole number");
+  }
+  template <class Limit>
+  void validity(Limit&& limit) const {
+    limit(depth <= 0.8 * thickness, "a/t <= 0.8");
+    limit(depth >= 0.2 * half_length && depth <= 2 * half_length, "0.2 <= a/c <= 2");
+  }
+  [[nodiscard]] double gross_stress(std::size_t) const { return 1.0; }
+
+  [[nodiscard]] double size() const { return depth; }
+  /// Half of the front, phi from the surface.
+  [[nodiscard]] FrontRange front() const { return {0.0, std::numbers::pi / 2}; }
+  /// Both halves, dA = 2 c da dphi; (FR-3).
+  [[nodiscard]] double swept_area(double a, double) const { return 2 * a * half_length / depth; }
+  [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double phi) const {
+    const SurfaceWeight weight(depth / half_length, a / thickness);
+    const auto K = [&](const auto& stress) {
+      return weighted_intensity(weight, a, phi, stress).value;
+    };
+    return {.I = {K([](double) { return 1.0; }), std::cos(lobes * angle) * K([&](double x) {
+                                                   return bending_profile(x, thickness);
+                                                 })},
+            .II = {},
+            .III = {}};  // (SW-9)
+  }
+};
+
+}  // namespace strainwave::sif

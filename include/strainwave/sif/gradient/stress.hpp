@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <utility>
+
+#include "strainwave/sif/solution.hpp"
+
+/// @file
+/// Stresses without the crack that the solutions of this family weigh, and fields they share.
+
+namespace strainwave::sif {
+
+inline constexpr Field kGradientDepth{
+    .name = "depth", .unit = "m", .doc = "a", .range = kPositive, .example = "1 mm"};
+inline constexpr Field kGradientHalfLength{.name = "half_length",
+                                           .unit = "m",
+                                           .doc = "c, half of the length at the surface",
+                                           .range = kPositive,
+                                           .example = "2 mm"};
+inline constexpr Field kGradientThickness{
+    .name = "thickness", .unit = "m", .doc = "t", .range = kPositive, .example = "10 mm"};
+inline constexpr Field kGradientWidth{.name = "width",
+                                      .unit = "m",
+                                      .doc = "B, length of the front",
+                                      .range = kPositive,
+                                      .example = "20 mm"};
+
+/// Stress of bending of a section of thickness t, 1 at the surface from which x counts [-].
+[[nodiscard]] inline double bending_profile(double x, double t) { return 1 - 2 * x / t; }
+
+/// Residual stress below a treated surface, over its value there [-].
+///
+/// Implements theory manual eq. (SW-6),
+///
+///     r = (g - A - B (1 - 2x/t))/(1 - A - B),  g = (1 + h x/delta) exp(-x/delta),
+///
+/// A and B so that the section carries neither force nor moment.  h > 1 puts the largest value
+/// below the surface, at x = delta (1 - 1/h).
+class ResidualProfile {
+ public:
+  /// @param decay      delta, depth in which the treatment's stress decays [m]; > 0
+  /// @param hump       h [-]; >= 0
+  /// @param thickness  t [m]; > 0
+  ResidualProfile(double decay, double hump, double thickness)
+      : delta_(decay), hump_(hump), t_(thickness) {
+    // int_0^t g dx/t and int_0^t g (1 - 2x/t) dx/t; q = delta/t.
+    const double q = delta_ / t_;
+    const double e = std::exp(-1 / q);
+    const double I0 = q * (1 - e);
+    const double I1 = q * (I0 - e);
+    const double I2 = q * (2 * I1 - e);
+    const double force = I0 + hump_ / q * I1;
+    const double moment = force - 2 * (I1 + hump_ / q * I2);
+    A_ = force;
+    B_ = 3 * moment;  // (SW-6)
+  }
+
+  [[nodiscard]] double operator()(double x) const {
+    const double g = (1 + hump_ * x / delta_) * std::exp(-x / delta_);
+    return (g - A_ - B_ * bending_profile(x, t_)) / (1 - A_ - B_);  // (SW-6)
+  }
+
+ private:
+  double delta_, hump_, t_, A_ = 0.0, B_ = 0.0;
+};
+
+/// Stress ahead of a notch or fillet over the nominal stress of the section at its root [-].
+///
+/// Implements theory manual eq. (SW-10): Inglis' stress ahead of the elliptical hole that has the
+/// same root radius and the same stress concentration, whose half length is
+/// D = rho ((K_t - 1)/2)^2.  Starts at K_t, falls at first by (2 + 1/K_t)/rho of it, ends at 1.
+class NotchProfile {
+ public:
+  /// @param radius         rho, of the root [m]; > 0
+  /// @param concentration  K_t, largest over nominal stress [-]; > 1
+  NotchProfile(double radius, double concentration)
+      : k_((concentration - 1) / 2),
+        m_((k_ - 1) / (k_ + 1)),
+        R_(radius * k_ * (k_ + 1) / 2),
+        depth_(radius * k_ * k_),
+        radius_(radius) {}
+
+  /// D, depth of the equivalent notch [m].
+  [[nodiscard]] double depth() const { return depth_; }
+
+  /// @param x  from the root [m]; >= 0
+  [[nodiscard]] double operator()(double x) const {
+    const double X = depth_ + x;
+    const double zeta = (X + std::sqrt(X * X - 4 * R_ * R_ * m_)) / (2 * R_);
+    const double z2 = zeta * zeta;
+    const double d = z2 - m_;
+    const double phi = (1 + m_) / (2 * d);
+    return 1 + phi * (3 + (1 - m_ * z2) / d) -
+           (1 - m_ * m_) * z2 * (z2 - 1) / (d * d * d);  // (SW-10)
+  }
+
+  /// K of an edge crack at the root over that of a flat surface under the same stress [-].
+  ///
+  /// Implements theory manual eq. (SW-11), a fit to strainwave's own cracks at elliptical holes:
+  /// the flanks of the notch, parallel to the crack, carry no stress where a flat surface would.
+  /// @param a  depth of the crack [m]
+  [[nodiscard]] double flank_factor(double a) const {
+    return 1 - 0.286 * a / (a + 0.4 * radius_) / (1 + 0.8 * a / depth_);  // (SW-11)
+  }
+
+ private:
+  double k_, m_, R_, depth_, radius_;
+};
+
+/// Stress components of plane strain below a surface [Pa per Pa of the largest traction].
+struct SubsurfaceStress {
+  double along = 0.0;   ///< sigma_x, along the surface
+  double normal = 0.0;  ///< sigma_z
+  double shear = 0.0;   ///< tau_xz, z into the body
+};
+
+/// McEwen's m and n, over b: m^2 - n^2 = 1 - X^2 + Z^2, m n = X Z, m >= 0; (SW-7).
+struct McEwen {
+  double Z, m, n;
+};
+[[nodiscard]] inline McEwen mcewen(double x, double z, double b) {
+  const double X = x / b;
+  const double Z = z / b;
+  const double d = 1 - X * X + Z * Z;
+  // The larger of the two first, the other without cancellation.
+  double m = std::sqrt((std::hypot(d, 2 * X * Z) + std::abs(d)) / 2);
+  double n = m > 0 ? std::abs(X) * Z / m : 0.0;
+  if (d < 0) std::swap(m, n);
+  return {.Z = Z, .m = m, .n = std::copysign(n, X)};
+}
+
+/// Stress below a Hertz line contact of half width b, p = p_0 sqrt(1 - x^2/b^2), per unit of p_0.
+///
+/// Implements theory manual eq. (SW-7), McEwen's closed form, exact for a half-plane.
+/// Source: johnson1985 (secondary); integrals of Flamant's solution confirm it to 1e-10.
+///
+/// @param x  along the surface, from the middle of the contact [m]
+/// @param z  depth [m]; >= 0
+/// @param b  half width [m]; > 0
+[[nodiscard]] inline SubsurfaceStress hertz_pressure_stress(double x, double z, double b) {
+  const auto [Z, m, n] = mcewen(x, z, b);
+  const double sum = m * m + n * n;
+  if (sum == 0) return {};  // at the edge of the contact, all is zero
+  const double w = (Z * Z + n * n) / sum;
+  return {.along = 2 * Z - m * (1 + w),
+          .normal = -m * (1 - w),
+          .shear = -n * (m * m - Z * Z) / sum};  // (SW-7)
+}
+
+/// Stress below a contact whose shear traction is q = q_0 sqrt(1 - x^2/b^2), per unit of q_0.
+///
+/// Implements theory manual eq. (SW-8), sliding in the direction of +x: the traction on this body
+/// points to +x.  Exact for a half-plane.  Source: johnson1985 (secondary); confirmed as above.
+[[nodiscard]] inline SubsurfaceStress hertz_traction_stress(double x, double z, double b) {
+  const auto [Z, m, n] = mcewen(x, z, b);
+  const double sum = m * m + n * n;
+  const SubsurfaceStress p = hertz_pressure_stress(x, z, b);
+  const double ratio = sum > 0 ? (Z * Z - m * m) / sum : 0.0;
+  return {.along = n * (2 - ratio) - 2 * x / b, .normal = p.shear, .shear = p.along};  // (SW-8)
+}
+
+}  // namespace strainwave::sif

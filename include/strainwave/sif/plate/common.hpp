@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include "strainwave/core/fields.hpp"
+#include "strainwave/fracture/crack_compliance.hpp"
+#include "strainwave/sif/solution.hpp"
+
+/// @file
+/// What the solutions for plates and strips share.
+
+namespace strainwave::sif {
+
+/// A positive length among the fields of a solution.
+[[nodiscard]] constexpr Field length_field(std::string_view name, std::string_view doc,
+                                           std::string_view example) {
+  return {.name = name, .unit = "m", .doc = doc, .range = kPositive, .example = example};
+}
+
+inline constexpr Field kPoissonsRatioField{.name = "poissons_ratio",
+                                           .unit = "1",
+                                           .doc = "nu",
+                                           .range = {.lower = -1.0, .upper = 0.5},
+                                           .example = "0.3"};
+
+/// Transverse force on a strip, by its mean stress.
+inline constexpr LoadInfo kTransverseShear{
+    "shear", "Pa", "mean shear stress of a transverse force without moment at the crack"};
+
+inline constexpr std::array<FrontPoint, 1> kTip{FrontPoint{"tip", 0.0}};
+
+/// tan(x)/x, 1 at x = 0.
+[[nodiscard]] inline double tan_ratio(double x) { return x > 0 ? std::tan(x) / x : 1.0; }
+
+}  // namespace strainwave::sif

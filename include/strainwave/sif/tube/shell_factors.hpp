@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "strainwave/sif/solution.hpp"
+
+/// @file
+/// Through cracks in the wall of a tube: what the curvature multiplies the plate's K by.  The front
+/// is the wall, s from -1 (inner face) to +1 (outer face); K = mean + s linear.
+
+namespace strainwave::sif {
+
+/// Shell parameter lambda = (12 (1 - nu^2))^(1/4) a/sqrt(r t) [-]; (SU-1).
+[[nodiscard]] double shell_parameter(double half_length, double mean_radius, double thickness,
+                                     double poissons_ratio);
+
+/// Stress intensity through the wall over sigma sqrt(pi a) [-].
+struct WallIntensity {
+  double mean = 0.0;    ///< of the wall: membrane
+  double linear = 0.0;  ///< what the outer face has more; its energy is that of shell bending
+  [[nodiscard]] double at(double s) const { return mean + s * linear; }
+};
+
+/// Answer of a crack in a shallow cylindrical shell to a unit stress far away.
+struct ShellFactors {
+  WallIntensity opening_by_normal;  ///< K_I from the normal stress; flat plate: mean 1
+  WallIntensity sliding_by_normal;  ///< K_II from the normal stress; flat plate: 0
+  WallIntensity opening_by_shear;   ///< K_I from the shear stress; flat plate: 0
+  WallIntensity sliding_by_shear;   ///< K_II from the shear stress; flat plate: mean 1
+};
+
+/// Largest lambda of the table for any angle.
+inline constexpr double kMaxShellParameter = 8.0;
+/// Largest lambda of the table for a circumferential crack.
+inline constexpr double kMaxCircumferentialShellParameter = 24.0;
+
+/// Implements theory manual eq. (SU-2): Donnell's shallow shell with Kirchhoff bending, nu = 0.3,
+/// interpolated to 0.06 %; nu between 0.25 and 0.35 changes K by up to 0.7 %.
+///
+/// @param lambda  shell parameter [-]; in [0, 8]
+/// @param angle   beta, from the generator toward -theta [rad]
+[[nodiscard]] ShellFactors shell_factors(double lambda, double angle);
+
+/// Circumferential through crack of finite angle, K over nominal stress sqrt(pi a) [-].
+struct CircumferentialFactors {
+  WallIntensity axial;    ///< K_I of an axial force
+  WallIntensity bending;  ///< K_I of a bending moment, crack in the middle of the tensile side
+  WallIntensity torque;   ///< K_II of a torque
+};
+
+/// Implements theory manual eq. (SU-4): Sanders and Koiter's shell, interpolated to 0.3 %.
+///
+/// @param half_angle  alpha = a/r [rad]; in [0, pi/2]
+/// @param radius_ratio  r/t [-]; in [5, 60]
+/// @param lambda      shell parameter [-]; in [0, 24]
+[[nodiscard]] CircumferentialFactors circumferential_factors(double half_angle, double radius_ratio,
+                                                             double lambda);
+
+/// Points of a front through the wall.
+inline constexpr std::array<FrontPoint, 3> kWallPoints{
+    FrontPoint{"middle", 0.0}, FrontPoint{"inner", -1.0}, FrontPoint{"outer", 1.0}};
+
+}  // namespace strainwave::sif

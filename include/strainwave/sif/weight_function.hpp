@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "strainwave/core/quadrature.hpp"
+#include "strainwave/sif/newman_raju.hpp"
+
+/// @file
+/// Stress intensity of any stress on the plane of a crack, by weight functions.  A stress is a
+/// callable sigma(x) [Pa], x the depth below the cracked surface [m]: the stress that the body
+/// would have there without the crack.
+
+namespace strainwave::sif {
+
+/// Tolerance of the integrals; an integral of stresses that cancel stops at `max_pieces`.
+inline constexpr QuadratureOptions kWeightQuadrature{.relative_tolerance = 1e-11,
+                                                     .max_pieces = 200};
+
+/// Weight function of an edge crack in a strip whose ends are free to move and to rotate.
+///
+/// Implements theory manual eqs. (SW-1), (SW-2): K_I = int_0^a sigma(x) m(x) dx,
+///
+///     m = sqrt(2/(pi a)) M(v)/v,  v = sqrt(1 - x/a),  M a polynomial in v^2, M(0) = 1,
+///
+/// from strainwave's own solution of the singular integral equation, 0 <= a/t < 1.  Within 2e-5 of
+/// it for polynomials of x up to the fifth power and 0 <= a/t <= 0.98; within 1e-4 for a stress
+/// that decays as exp(-10 x/a), a/t <= 0.9.  For a/t = 0 the crack is in a half-plane, where m is
+/// that of K_II and the shear stress too.
+class EdgeWeight {
+ public:
+  /// @param depth_ratio  alpha = a/t [-]; in [0, 1)
+  explicit EdgeWeight(double depth_ratio);
+
+  /// M [-].  @param v  sqrt(1 - x/a): 0 at the tip, 1 at the mouth [-]
+  [[nodiscard]] double value(double v) const {
+    const double y = v * v;
+    double sum = 0.0;
+    for (std::size_t i = M_.size(); i-- > 0;) sum = sum * y + M_[i];
+    return sum;
+  }
+
+ private:
+  std::array<double, 7> M_{};
+};
+
+/// K_I of an edge crack under any stress [Pa*m^0.5].
+///
+/// Implements theory manual eq. (SW-1); v removes the singularity at the tip.
+///
+/// @param weight  of the crack
+/// @param a       depth [m]; > 0
+/// @param stress  sigma(x) [Pa] for x in [0, a] [m]
+/// @return        K_I, with the estimated error of the quadrature
+template <class Stress>
+[[nodiscard]] Integral<double> weighted_intensity(const EdgeWeight& weight, double a,
+                                                  const Stress& stress) {
+  const double scale = 2 * std::sqrt(2 * a / std::numbers::pi);
+  return integrate<31>(
+      [&](double v) { return scale * stress(a * (1 - v * v)) * weight.value(v); },  // (SW-1)
+      0.0, 1.0, kWeightQuadrature);
+}
+
+/// Weight functions of a semi-elliptical surface crack in a wide plate, for a stress that varies
+/// with the depth only.
+///
+/// Implements theory manual eqs. (SW-3) to (SW-5).  The deepest point and the point at the surface
+/// have universal weight functions of three coefficients each, from Newman and Raju's uniform and
+/// linear stress (SP-1 to SP-3), which they therefore give back, and one condition on the far end.
+/// Between the two points (SW-5) gives back Newman and Raju's bending and, for a half circle, the
+/// exact front of the penny crack under |x|^n.
+/// Source: shenglinka1991 (secondary), coefficients derived here.
+class SurfaceWeight {
+ public:
+  /// @param aspect_ratio  rho = a/c [-]; > 0
+  /// @param depth_ratio   alpha = a/t [-]; in [0, 1)
+  SurfaceWeight(double aspect_ratio, double depth_ratio);
+
+  /// K_I of the uniform stress 1 [m^0.5].
+  [[nodiscard]] double uniform(double a, double phi) const {
+    return fit_.tension(alpha_, phi) * std::sqrt(std::numbers::pi * a);
+  }
+  /// p of (SP-3) [-].
+  [[nodiscard]] double front_exponent() const { return fit_.front_exponent(alpha_); }
+
+  /// 1, M_1, M_2, M_3 of the deepest point and of the surface [-].
+  using Coefficients = std::array<double, 4>;
+  [[nodiscard]] const Coefficients& deepest() const { return deepest_; }
+  [[nodiscard]] const Coefficients& surface() const { return surface_; }
+
+ private:
+  NewmanRajuPlate fit_;
+  double alpha_;
+  Coefficients deepest_{};
+  Coefficients surface_{};
+};
+
+/// 1 + M_1 v + M_2 v^2 + M_3 v^3 of (SW-3), (SW-4).
+[[nodiscard]] inline double power_sum(const SurfaceWeight::Coefficients& M, double v) {
+  return M[0] + v * (M[1] + v * (M[2] + v * M[3]));
+}
+
+/// K_I at a point of the front of a surface crack under any stress of the depth [Pa*m^0.5].
+///
+/// Implements theory manual eq. (SW-5): with s = sin phi, q = 0.82 and
+///
+///     T sigma(x) = sigma(0) + s^(p - q) (sigma(x s^q) - sigma(0)),
+///
+/// which takes x^n to s^(p + (n-1) q) x^n, the ratio to the uniform stress is that of the deepest
+/// point under T sigma and that of the surface under sigma - T sigma.
+///
+/// @param weight  of the crack
+/// @param a       depth [m]; > 0
+/// @param phi     parametric angle from the surface; pi/2 is the deepest point [rad]
+/// @param stress  sigma(x) [Pa] for x in [0, a] [m]
+/// @return        K_I, with the estimated error of the quadrature
+template <class Stress>
+[[nodiscard]] Integral<double> weighted_intensity(const SurfaceWeight& weight, double a, double phi,
+                                                  const Stress& stress) {
+  constexpr double kDepthExponent = 0.82;
+  const double s = std::sin(phi);
+  const double mouth = stress(0.0);
+  const double depth = std::pow(s, kDepthExponent);
+  const double part = s > 0 ? std::pow(s, weight.front_exponent() - kDepthExponent) : 0.0;
+  const auto shrunk = [&](double x) { return mouth + part * (stress(x * depth) - mouth); };
+  const double K = std::sqrt(a / std::numbers::pi) * weight.uniform(a, phi);
+  const double to_deepest = 2 * std::numbers::sqrt2 * K / weight.uniform(a, std::numbers::pi / 2);
+  const double to_surface = 4 * K / weight.uniform(a, 0.0);
+  return integrate<31>(
+      [&](double v) {
+        const double x = a * v * v;
+        return to_deepest * shrunk(a - x) * power_sum(weight.deepest(), v) +
+               to_surface * (stress(x) - shrunk(x)) * power_sum(weight.surface(), v);
+      },  // (SW-5)
+      0.0, 1.0, kWeightQuadrature);
+}
+
+}  // namespace strainwave::sif

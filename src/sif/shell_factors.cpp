@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/sif/tube/shell_factors.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "shell_tables.hpp"
+
+namespace strainwave::sif {
+
+namespace {
+
+using std::numbers::pi;
+
+/// Weights of Lagrange's polynomial through N Chebyshev-Lobatto nodes of [from, to].
+template <std::size_t N>
+std::array<double, N> lobatto_weights(double from, double to, double x) {
+  std::array<double, N> weights{};
+  double sum = 0.0;
+  for (std::size_t i = 0; i < N; ++i) {
+    const double node =
+        from + (to - from) * (1 - std::cos(pi * static_cast<double>(i) / (N - 1))) / 2;
+    if (std::abs(x - node) < 1e-14 * std::abs(to - from)) {
+      weights.fill(0.0);
+      weights[i] = 1.0;
+      return weights;
+    }
+    const double end = i == 0 || i + 1 == N ? 0.5 : 1.0;
+    weights[i] = (i % 2 == 0 ? end : -end) / (x - node);
+    sum += weights[i];
+  }
+  for (double& weight : weights) weight /= sum;
+  return weights;
+}
+
+/// The variable of the tables, lambda/(lambda + 3).
+double mapped(double lambda) { return lambda / (lambda + 3); }
+
+enum Column : std::size_t { kNN, kTN, kBN, kCN, kNT, kTT, kBT, kCT };
+
+}  // namespace
+
+double shell_parameter(double half_length, double mean_radius, double thickness,
+                       double poissons_ratio) {
+  const double nu = poissons_ratio;
+  return std::sqrt(std::sqrt(12 * (1 - nu * nu))) * half_length /
+         std::sqrt(mean_radius * thickness);  // (SU-1)
+}
+
+ShellFactors shell_factors(double lambda, double angle) {
+  const auto over_lambda = lobatto_weights<12>(0.0, mapped(kMaxShellParameter), mapped(lambda));
+  const double cos_2beta = std::cos(2 * angle);
+  const auto over_angle = lobatto_weights<7>(1.0, -1.0, cos_2beta);
+  const auto value = [&](Column column) {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < over_angle.size(); ++j)
+      for (std::size_t i = 0; i < over_lambda.size(); ++i)
+        sum += over_angle[j] * over_lambda[i] * kShellTable[column][j][i];
+    return sum;
+  };
+  const double l2 = lambda * lambda;
+  // 90 degrees have no exact value in radians; what rounding leaves of the zero is a zero.
+  const double sine = std::sin(2 * angle);
+  const double sin_2beta = std::abs(sine) < 1e-15 ? 0.0 : sine;
+  // The table's bending is positive where the inner face opens more.
+  return {
+      .opening_by_normal = {.mean = 1 + l2 * value(kNN), .linear = -value(kBN)},  // (SU-2)
+      .sliding_by_normal = {.mean = sin_2beta * l2 * value(kTN),
+                            .linear = sin_2beta * l2 * value(kCN)},
+      .opening_by_shear = {.mean = sin_2beta * l2 * value(kNT), .linear = -sin_2beta * value(kBT)},
+      .sliding_by_shear = {.mean = 1 + l2 * value(kTT), .linear = l2 * value(kCT)}};
+}
+
+CircumferentialFactors circumferential_factors(double half_angle, double radius_ratio,
+                                               double lambda) {
+  const auto over_lambda =
+      lobatto_weights<16>(0.0, mapped(kMaxCircumferentialShellParameter), mapped(lambda));
+  const auto shallow = [&](std::size_t column) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < over_lambda.size(); ++i)
+      sum += over_lambda[i] * kCircumferentialTable[column][i];
+    return sum;
+  };
+  const auto over_angle = lobatto_weights<6>(0.05 * pi, 0.5 * pi, half_angle);
+  const auto over_ratio = lobatto_weights<4>(std::log(5.0), std::log(60.0), std::log(radius_ratio));
+  const auto excess = [&](std::size_t column) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < over_angle.size(); ++i)
+      for (std::size_t j = 0; j < over_ratio.size(); ++j)
+        sum += over_angle[i] * over_ratio[j] * kFiniteAngleTable[column][i][j];
+    return sum;
+  };
+  const double l2 = lambda * lambda;
+  const double a1 = half_angle;
+  const double a2 = a1 * a1;
+  const double opening = 1 + l2 * shallow(0);
+  const double opening_linear = shallow(1);
+  return {
+      .axial = {.mean = opening + a2 * excess(0),  // (SU-4)
+                .linear = -(opening_linear + a1 * excess(1))},
+      .bending = {.mean = opening + a2 * excess(2), .linear = -(opening_linear + a1 * excess(3))},
+      .torque = {.mean = 1 + l2 * shallow(2) + a2 * excess(4),
+                 .linear = l2 * shallow(3) + a1 * excess(5)}};
+}
+
+}  // namespace strainwave::sif
