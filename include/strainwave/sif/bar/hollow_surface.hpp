@@ -13,7 +13,8 @@ enum class BarSurface { outer, inner };
 /// K of a semi-elliptical surface crack in a hollow bar, the wall taken as a plate.
 ///
 /// Implements theory manual eqs. (SB-10), (SB-11): the moment's stress through the wall is split
-/// into tension and bending of the plate, the torque's shear is that of mid-depth.
+/// into tension and bending of the plate, and falls along the arc; the torque's shear is that of
+/// mid-depth.
 ///
 /// @param aspect  a/c [-]; in (0, 1]
 /// @param phi     from the surface; pi/2 is the deepest point [rad]
@@ -31,14 +32,15 @@ enum class BarSurface { outer, inner };
   const KassirSih shear(aspect, kPoisson);
   const double tension = plate.tension(alpha, phi) * root;
   const double bending = plate.bending_ratio(alpha, phi) * inward;
+  const double along = std::cos(a / aspect * std::cos(phi) / mouth);  // x/r at this point
   const double membrane = section.stress(kMoment, middle);
   const double gradient = section.stress(kMoment, section.wall() / 2);
   const double tau = section.stress(kTorque, mouth - inward * a / 2);
   UnitStressIntensity<3> k;
-  k.I[kForce] = tension * section.stress(kForce, mouth);     // (SB-10)
-  k.I[kMoment] = tension * (membrane + bending * gradient);  // (SB-10)
-  k.II[kTorque] = shear.factor_II(phi) * tau * root;         // (SB-11)
-  k.III[kTorque] = shear.factor_III(phi) * tau * root;       // (SB-11)
+  k.I[kForce] = tension * section.stress(kForce, mouth);             // (SB-10)
+  k.I[kMoment] = tension * (membrane + bending * gradient) * along;  // (SB-10)
+  k.II[kTorque] = shear.factor_II(phi) * tau * root;                 // (SB-11)
+  k.III[kTorque] = shear.factor_III(phi) * tau * root;               // (SB-11)
   return k;
 }
 
