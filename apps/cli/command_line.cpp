@@ -13,6 +13,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/version.hpp"
 #include "strainwave/materials/material_record.hpp"
+#include "strainwave/study/scatter.hpp"
 
 namespace strainwave::cli {
 namespace {
@@ -32,6 +33,7 @@ class CommandLine {
     add_audit();
     add_sweep();
     add_solve();
+    add_sensitivity();
     add_torsion();
     add_material();
     add_catalogue();
@@ -131,6 +133,30 @@ class CommandLine {
     add_method(sub, solve_.method);
     add_output(sub, solve_.output, {"text", "json"});
     runs(sub, solve_);
+  }
+
+  void add_sensitivity() {
+    CLI::App* const sub = command("sensitivity");
+    sub->add_option("FILE", sensitivity_.file, kFile)->required();
+    CLI::Option* const scatter =
+        sub->add_flag("--scatter", sensitivity_.scatter,
+                      "combined uncertainty by the scatter that the file gives");
+    sub->add_option("--samples", sensitivity_.samples, "draws of the Monte Carlo study")
+        ->check(CLI::Range(2, kMaxSamples))
+        ->capture_default_str()
+        ->needs(scatter);
+    sub->add_option("--seed", sensitivity_.seed, "of the draws")
+        ->capture_default_str()
+        ->needs(scatter);
+    sub->add_option("--threads", sensitivity_.threads,
+                    "0 for all that there are; the answer is the same for any number")
+        ->check(CLI::Range(0, 256))
+        ->capture_default_str()
+        ->needs(scatter);
+    add_output(sub, sensitivity_.output, {"text", "json", "csv"});
+    sub->add_option("--plot", sensitivity_.plot, "draw the elasticities as an SVG file")
+        ->type_name("PATH");
+    runs(sub, sensitivity_);
   }
 
   void add_torsion() {
@@ -293,6 +319,7 @@ class CommandLine {
   AuditCommand audit_;
   SweepCommand sweep_;
   SolveCommand solve_;
+  SensitivityCommand sensitivity_;
   TorsionCommand torsion_;
   MaterialListCommand material_list_;
   MaterialShowCommand material_show_;

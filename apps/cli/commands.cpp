@@ -27,6 +27,9 @@
 #include "strainwave/study/evaluate.hpp"
 #include "strainwave/study/material_report.hpp"
 #include "strainwave/study/plot.hpp"
+#include "strainwave/study/scatter.hpp"
+#include "strainwave/study/sensitivity.hpp"
+#include "strainwave/study/sensitivity_report.hpp"
 #include "strainwave/study/sif_report.hpp"
 #include "strainwave/study/solve.hpp"
 #include "strainwave/study/strength_report.hpp"
@@ -190,6 +193,27 @@ ExitCode run(const SolveCommand& command) {
           command.output.path);
   if (!result.reason.empty()) warn(result.reason);
   return result.usable() ? kOk : kNotUsable;
+}
+
+ExitCode run(const SensitivityCommand& command) {
+  const GearSet gear = read_input(command.file);
+  SensitivityReport report{.sensitivity = sensitivity_of(gear), .scatter = {}};
+  if (command.scatter)
+    report.scatter =
+        scatter_of(gear, report.sensitivity,
+                   {.samples = command.samples, .seed = command.seed, .threads = command.threads});
+  // Both texts are made before either file is written: a failure leaves nothing behind.
+  const std::string text =
+      command.output.format == "json"
+          ? with_provenance(sensitivity_json(report), gear, provenance_of(command.file))
+      : command.output.format == "csv" ? sensitivity_csv(report)
+                                       : sensitivity_text(report, gear);
+  const std::string plot = command.plot.empty() ? std::string() : tornado_plot(report, gear);
+  if (!plot.empty()) write_file(command.plot, plot);
+  deliver(text, command.output.path);
+  if (report.sensitivity.usable()) return kOk;
+  warn(report.sensitivity.unusable_because);
+  return kNotUsable;
 }
 
 ExitCode run(const TorsionCommand& command) {

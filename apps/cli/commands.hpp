@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,6 +50,17 @@ struct SolveCommand {
   Output output{.format = "text", .path = {}};
 };
 ExitCode run(const SolveCommand& command);
+
+struct SensitivityCommand {
+  std::string file;
+  bool scatter = false;
+  int samples = 100'000;
+  std::uint64_t seed = 1;
+  int threads = 0;
+  std::string plot;
+  Output output{.format = "text", .path = {}};
+};
+ExitCode run(const SensitivityCommand& command);
 
 struct TorsionCommand {
   std::string file;

@@ -14,7 +14,7 @@
 namespace strainwave::cli {
 namespace {
 
-const std::array<CommandManual, 13> kCommands = {{
+const std::array<CommandManual, 14> kCommands = {{
     {"stiffness", "Torsional stiffness of a drive, sound and cracked",
      "Reads a drive and its cracks and prints the compliance of each member at the output with the "
      "input locked, without and with its cracks, the stiffness K_HD for both senses of torque, "
@@ -49,6 +49,16 @@ const std::array<CommandManual, 13> kCommands = {{
      "It says so when there is none, and lists them when there are several.",
      "strainwave solve examples/article.toml --vary 'output_shaft.crack[0].depth' --target "
      "'cracked.positive.stiffness_change=-1 %'"},
+    {"sensitivity", "What stiffness and its loss depend on, and how much",
+     "Prints the elasticities of the stiffness K_HD, sound and cracked under both senses of "
+     "torque, "
+     "and of its loss by cracks, to every number of the file: per cent of output per per cent of "
+     "input, exact by automatic differentiation of the corrected method, the largest first. Their "
+     "sums must reproduce the dimensions of the outputs; if not, the answer is refused. With "
+     "--scatter, the relative standard deviations that the file gives under [[scatter]] are "
+     "propagated by first order and by Monte Carlo, with the share of each input; draws that "
+     "break a rule of the input are counted.",
+     "strainwave sensitivity examples/article_scatter.toml --scatter --plot tornado.svg"},
     {"torsion", "Torsion curve in the maker's numbers: K1, K2, K3",
      "Solves the drive as one system, elastic rings on one-sided balls and flanks, and prints the "
      "twist over the torque for both senses: K1, K2, K3 over the maker's torques, lost motion, "

@@ -2,12 +2,11 @@
 #include "strainwave/contact/hertz.hpp"
 
 #include <algorithm>
-#include <boost/math/special_functions/ellint_1.hpp>
-#include <boost/math/special_functions/ellint_2.hpp>
-#include <boost/math/special_functions/ellint_d.hpp>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
+#include "strainwave/core/elliptic.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/roots.hpp"
 
@@ -19,64 +18,122 @@ using std::numbers::pi;
 /// Curvature difference that an ellipse of this axis ratio carries, (CO-2):
 /// F = [(kappa^2+1)E - 2K]/[(kappa^2-1)E] = 2(K - D)/E - 1 with Legendre's D = (K - E)/k^2, a form
 /// that does not divide zero by zero for a circle.
-double curvature_difference(double axis_ratio) {
-  const double k = std::sqrt(1 - axis_ratio * axis_ratio);
-  const double K = boost::math::ellint_1(k);
-  const double E = boost::math::ellint_2(k);
-  return 2 * (K - boost::math::ellint_d(k)) / E - 1;  // (CO-2)
+template <class Real>
+Real curvature_difference(const Real& axis_ratio) {
+  return 2 * (ellipse_K(axis_ratio) - ellipse_D(axis_ratio)) / ellipse_E(axis_ratio) - 1;  // (CO-2)
 }
 
 /// b'/a' for a curvature difference F in [0, 1).
-double axis_ratio_of(double F) {
+template <class Real>
+Real axis_ratio_of(const Real& F) {
   // Flatter than this is a line contact for every purpose, and F is 1 to rounding.
   constexpr double kFlattest = 1e-7;
   if (F >= curvature_difference(kFlattest)) return kFlattest;
-  return bracketed_root([&](double ratio) { return curvature_difference(ratio) - F; }, kFlattest,
-                        1.0);
+  const double root = bracketed_root(
+      [&](double ratio) { return curvature_difference(ratio) - value_of(F); }, kFlattest, 1.0);
+  if constexpr (std::is_same_v<Real, double>) {
+    return root;
+  } else {
+    Dual<1> ratio(root);
+    ratio.partial[0] = 1.0;
+    return root_with_partials(root, -F, curvature_difference(ratio).partial[0]);
+  }
 }
 
 /// Root t of (t^2 - 1)(2t - 1) = (b/a)^2, from 1 (line) to (1 + sqrt 17)/4 = 1.28 (circle).
-double lundberg_palmgren_t(double axis_ratio) {
-  return bracketed_root(
-      [&](double t) { return (t * t - 1) * (2 * t - 1) - axis_ratio * axis_ratio; }, 1.0, 1.3);
+template <class Real>
+Real lundberg_palmgren_t(const Real& axis_ratio) {
+  const Real square = axis_ratio * axis_ratio;
+  const double t = bracketed_root(
+      [&](double x) { return (x * x - 1) * (2 * x - 1) - value_of(square); }, 1.0, 1.3);
+  return root_with_partials(t, Real(-square), 2 * t * (2 * t - 1) + 2 * (t * t - 1));
 }
 
-}  // namespace
-
-double peak_pressure(double force, double major_semi_axis, double minor_semi_axis) {
+template <class Real>
+Real pressure(const Real& force, const Real& major_semi_axis, const Real& minor_semi_axis) {
   return 3 * force / (2 * pi * major_semi_axis * minor_semi_axis);  // (CO-3)
 }
 
-HertzContact hertz_contact(const PointContact& contact, double force) {
-  for (const double curvature : contact.curvature_sums)
-    require(curvature > 0, "curvature_sums", curvature, "1/m", "both curvature sums > 0");
-  require(contact.contact_modulus > 0, "contact_modulus", contact.contact_modulus, "Pa",
+template <class Real>
+BasicHertzContact<Real> solved(const BasicPointContact<Real>& contact, const Real& force) {
+  using std::cbrt;
+  for (const Real& curvature : contact.curvature_sums)
+    require(curvature > 0, "curvature_sums", value_of(curvature), "1/m", "both curvature sums > 0");
+  require(contact.contact_modulus > 0, "contact_modulus", value_of(contact.contact_modulus), "Pa",
           "contact_modulus > 0");
-  require(force > 0, "force", force, "N", "force > 0");
+  require(force > 0, "force", value_of(force), "N", "force > 0");
   const auto [lower, upper] = std::minmax(contact.curvature_sums[0], contact.curvature_sums[1]);
-  const double sum = lower + upper;                           // (CO-1)
-  const double ratio = axis_ratio_of((upper - lower) / sum);  // (CO-2)
-  const double kappa2 = 1 / (ratio * ratio);
-  const double k = std::sqrt(1 - ratio * ratio);
-  const double K = boost::math::ellint_1(k);
-  const double E = boost::math::ellint_2(k);
-  const double size = std::cbrt(3 * force / (2 * contact.contact_modulus * sum));
+  const Real sum = lower + upper;                                 // (CO-1)
+  const Real ratio = axis_ratio_of<Real>((upper - lower) / sum);  // (CO-2)
+  const Real kappa2 = 1 / (ratio * ratio);
+  const Real K = ellipse_K(ratio);
+  const Real E = ellipse_E(ratio);
+  const Real size = cbrt(3 * force / (2 * contact.contact_modulus * sum));
 
-  HertzContact result;
-  result.major_semi_axis = std::cbrt(2 * kappa2 * E / pi) * size;  // (CO-3)
+  BasicHertzContact<Real> result;
+  result.major_semi_axis = cbrt(2 * kappa2 * E / pi) * size;  // (CO-3)
   result.minor_semi_axis = result.major_semi_axis * ratio;
-  result.peak_pressure = peak_pressure(force, result.major_semi_axis, result.minor_semi_axis);
-  result.approach =
-      2 * K / pi * std::cbrt(pi / (2 * kappa2 * E)) * size * size * sum / 2;  // (CO-4)
+  result.peak_pressure = pressure(force, result.major_semi_axis, result.minor_semi_axis);
+  result.approach = 2 * K / pi * cbrt(pi / (2 * kappa2 * E)) * size * size * sum / 2;  // (CO-4)
   result.secant_stiffness = force / result.approach;
   result.tangent_stiffness = 1.5 * force / result.approach;  // (CO-4)
   return result;
 }
 
-double orthogonal_shear_factor(double axis_ratio) {
-  const double t = lundberg_palmgren_t(axis_ratio);
-  return std::sqrt(2 * t - 1) / (t * (t + 1));  // (CO-5)
+template <class Real>
+Real shear_factor(const Real& axis_ratio) {
+  using std::sqrt;
+  const Real t = lundberg_palmgren_t(axis_ratio);
+  return sqrt(2 * t - 1) / (t * (t + 1));  // (CO-5)
 }
+
+/// Sum of (-s)^n/(2n + 3): (1 - atan(x)/x)/x^2 with s = x^2, (artanh(x)/x - 1)/x^2 with s = -x^2.
+template <class Real>
+Real bracket_series(const Real& s) {
+  Real sum(0.0);
+  for (int n = 8; n >= 0; --n) sum = 1.0 / (2 * n + 3) - s * sum;
+  return sum;
+}
+
+template <class Real>
+BasicEdgeTension<Real> tension(const Real& axis_ratio, const Real& poissons_ratio) {
+  using std::asinh, std::atan, std::sqrt;
+  const Real elastic = 1 - 2 * poissons_ratio;
+  const Real e2 = 1 - axis_ratio * axis_ratio;
+  // Both brackets are differences of nearly equal numbers close to a circle; with their power
+  // series, artanh(e)/e = 1 + e^2/3 + e^4/5 + ..., nothing cancels.
+  constexpr double kNearlyCircular = 0.01;
+  if (e2 < kNearlyCircular)
+    return {
+        .major_end = elastic * axis_ratio * bracket_series<Real>(-e2),
+        .minor_end = elastic / axis_ratio * bracket_series<Real>(e2 / (axis_ratio * axis_ratio))};
+  const Real e = sqrt(e2);
+  const Real front = elastic * axis_ratio / e2;
+  // artanh(e) = arsinh(e a'/b'), which loses no digits towards a line.
+  return {.major_end = front * (asinh(e / axis_ratio) / e - 1),               // (CO-7)
+          .minor_end = front * (1 - axis_ratio / e * atan(e / axis_ratio))};  // (CO-7)
+}
+
+}  // namespace
+
+double peak_pressure(double force, double major_semi_axis, double minor_semi_axis) {
+  return pressure(force, major_semi_axis, minor_semi_axis);
+}
+DualReal peak_pressure(const DualReal& force, const DualReal& major_semi_axis,
+                       const DualReal& minor_semi_axis) {
+  return pressure(force, major_semi_axis, minor_semi_axis);
+}
+
+HertzContact hertz_contact(const PointContact& contact, double force) {
+  return solved(contact, force);
+}
+BasicHertzContact<DualReal> hertz_contact(const BasicPointContact<DualReal>& contact,
+                                          const DualReal& force) {
+  return solved(contact, force);
+}
+
+double orthogonal_shear_factor(double axis_ratio) { return shear_factor(axis_ratio); }
+DualReal orthogonal_shear_factor(const DualReal& axis_ratio) { return shear_factor(axis_ratio); }
 
 double orthogonal_shear_depth(double axis_ratio) {
   const double t = lundberg_palmgren_t(axis_ratio);
@@ -84,16 +141,11 @@ double orthogonal_shear_depth(double axis_ratio) {
 }
 
 EdgeTension edge_tension(double axis_ratio, double poissons_ratio) {
-  const double elastic = 1 - 2 * poissons_ratio;
-  const double e2 = 1 - axis_ratio * axis_ratio;
-  // Both brackets are differences of nearly equal numbers close to a circle; their series there is
-  // (1-2nu)/3 with an error of order e^2.
-  if (e2 < 1e-7) return {elastic / 3, elastic / 3};
-  const double e = std::sqrt(e2);
-  const double front = elastic * axis_ratio / e2;
-  // artanh(e) = arsinh(e a'/b'), which loses no digits towards a line.
-  return {.major_end = front * (std::asinh(e / axis_ratio) / e - 1),               // (CO-7)
-          .minor_end = front * (1 - axis_ratio / e * std::atan(e / axis_ratio))};  // (CO-7)
+  return tension(axis_ratio, poissons_ratio);
+}
+BasicEdgeTension<DualReal> edge_tension(const DualReal& axis_ratio,
+                                        const DualReal& poissons_ratio) {
+  return tension(axis_ratio, poissons_ratio);
 }
 
 }  // namespace strainwave

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 namespace strainwave {
 namespace {
@@ -12,9 +11,9 @@ namespace {
 using std::numbers::pi;
 
 /// Coefficients c_0 + c_1 x + c_2 x^2 + ...
-template <std::size_t N>
-double polynomial(const std::array<double, N>& c, double x) {
-  double value = 0.0;
+template <std::size_t N, class Real>
+Real polynomial(const std::array<double, N>& c, const Real& x) {
+  Real value(0.0);
   for (std::size_t i = N; i-- > 0;) value = value * x + c[i];
   return value;
 }
@@ -69,41 +68,34 @@ constexpr double kEdgeCrackFactor = 1.1215;  // of K_I, shallow crack; the base 
 
 /// C_T(0) = 4 (1 - rho)/(1 - rho^4): the shallow crack, exact; 4/((1+rho)(1+rho^2)) loses no
 /// digits.
-double shallow_torsion_factor(double rho) { return 4 / ((1 + rho) * (1 + rho * rho)); }
-
-using Curve = boost::math::barycentric_rational<double>;
-
-Curve curve(std::vector<double> x, std::vector<double> y) {
-  constexpr std::size_t kOrder = 3;
-  return {std::move(x), std::move(y), kOrder};
+template <class Real>
+Real shallow_torsion_factor(const Real& rho) {
+  return 4 / ((1 + rho) * (1 + rho * rho));
 }
 
-/// Derivative of a curve.
-///
-/// Boost's `prime` divides zero by zero within rounding of a node, where it is exact only at the
-/// node itself: there the nodes of this file are taken for the depth.
-double slope(const Curve& curve, double x) {
-  constexpr double kTooClose = 1e-7;
-  if (x < kTooClose) return curve.prime(0.0);
-  for (const double node : kDepthRatios)
-    if (std::abs(x - node) < kTooClose) return curve.prime(node);
-  return curve.prime(x);
-}
+constexpr std::size_t kColumns = kDepthRatios.size();
 
-/// Nodes of a curve over alpha: an exact value at 0, then the columns of a table.
-std::vector<double> depth_nodes() {
-  std::vector<double> x = {0.0};
-  x.insert(x.end(), kDepthRatios.begin(), kDepthRatios.end());
-  return x;
+/// Ordinates over alpha: an exact value at 0, then one for each column of a table.
+template <class Real, class MakeOrdinate>
+FloaterHormann<Real, kColumns + 1> depth_curve(double at_zero, const MakeOrdinate& make) {
+  std::array<double, kColumns + 1> x{};
+  std::array<Real, kColumns + 1> y{};
+  y[0] = at_zero;
+  for (std::size_t column = 0; column < kColumns; ++column) {
+    x[column + 1] = kDepthRatios[column];
+    y[column + 1] = make(column);
+  }
+  return {x, y};
 }
 
 /// Curves over rho, one for each column of a table; made once, for they never change.
-using Columns = std::array<Curve, kDepthRatios.size()>;
+template <std::size_t Nodes>
+using Columns = std::array<FloaterHormann<double, Nodes>, kColumns>;
 
-template <class MakeColumn>
-Columns columns(const MakeColumn& make) {
-  return [&]<std::size_t... I>(std::index_sequence<I...>) { return Columns{make(I)...}; }
-  (std::make_index_sequence<kDepthRatios.size()>{});
+template <std::size_t Nodes, class MakeColumn>
+Columns<Nodes> columns(const MakeColumn& make) {
+  return [&]<std::size_t... I>(std::index_sequence<I...>) { return Columns<Nodes>{make(I)...}; }
+  (std::make_index_sequence<kColumns>{});
 }
 
 /// ln(C_T/C_T(0)) over alpha at one radius ratio.
@@ -111,100 +103,138 @@ Columns columns(const MakeColumn& make) {
 /// C_T itself varies by a factor of 40 with rho.  (C_T(0)/C_T)^(1/3) is the radius, relative to
 /// r_o, at which the crack works: it runs smoothly from its value for a solid shaft to 1 for a thin
 /// tube, where C_T = 1 exactly.  So that is what is interpolated in rho.
-Curve log_torsion_curve(double rho) {
-  static const Columns kColumns = columns([](std::size_t column) {
-    std::vector<double> nodes(kTorsionRadiusRatios.begin(), kTorsionRadiusRatios.end());
-    std::vector<double> radius;
-    for (std::size_t row = 0; row < nodes.size(); ++row)
-      radius.push_back(std::cbrt(shallow_torsion_factor(nodes[row]) / kTorsionTable[row][column]));
-    nodes.push_back(1.0);
-    radius.push_back(1.0);
-    return curve(std::move(nodes), std::move(radius));
+template <class Real>
+FloaterHormann<Real, kColumns + 1> log_torsion_curve(const Real& rho) {
+  using std::log;
+  constexpr std::size_t kRows = kTorsionRadiusRatios.size();
+  static const auto kCurves = columns<kRows + 1>([](std::size_t column) {
+    std::array<double, kRows + 1> nodes{};
+    std::array<double, kRows + 1> radius{};
+    for (std::size_t row = 0; row < kRows; ++row) {
+      nodes[row] = kTorsionRadiusRatios[row];
+      radius[row] = std::cbrt(shallow_torsion_factor(nodes[row]) / kTorsionTable[row][column]);
+    }
+    nodes[kRows] = 1.0;
+    radius[kRows] = 1.0;
+    return FloaterHormann<double, kRows + 1>(nodes, radius);
   });
-  std::vector<double> y = {0.0};
-  for (const Curve& column : kColumns) y.push_back(-3 * std::log(column(rho)));
-  return curve(depth_nodes(), std::move(y));
+  return depth_curve<Real>(
+      0.0, [&](std::size_t column) -> Real { return -3 * log(kCurves[column](rho)); });
 }
 
 /// C_P over alpha at one radius ratio; its logarithm is the smoother in rho, toward thin tubes.
-Curve tension_curve(double rho) {
-  static const Columns kColumns = columns([](std::size_t column) {
-    std::vector<double> log_factor;
-    for (const Row& row : kTensionTable) log_factor.push_back(std::log(row[column]));
-    return curve({kTensionRadiusRatios.begin(), kTensionRadiusRatios.end()}, std::move(log_factor));
+template <class Real>
+FloaterHormann<Real, kColumns + 1> tension_curve(const Real& rho) {
+  using std::exp;
+  constexpr std::size_t kRows = kTensionRadiusRatios.size();
+  static const auto kCurves = columns<kRows>([](std::size_t column) {
+    std::array<double, kRows> log_factor{};
+    for (std::size_t row = 0; row < kRows; ++row)
+      log_factor[row] = std::log(kTensionTable[row][column]);
+    return FloaterHormann<double, kRows>(kTensionRadiusRatios, log_factor);
   });
-  std::vector<double> y = {1.0};
-  for (const Curve& column : kColumns) y.push_back(std::exp(column(rho)));
-  return curve(depth_nodes(), std::move(y));
+  return depth_curve<Real>(1.0,
+                           [&](std::size_t column) -> Real { return exp(kCurves[column](rho)); });
+}
+
+template <class Real>
+Real p1(AnnularPolynomials which, const Real& x) {
+  return which == AnnularPolynomials::tada ? polynomial(kTada1, x) : polynomial(kImproved1, x);
+}
+
+template <class Real>
+Real p3(AnnularPolynomials which, const Real& x) {
+  return which == AnnularPolynomials::tada ? polynomial(kTada3, x) : polynomial(kImproved3, x);
 }
 
 }  // namespace
 
-double annular_p1(AnnularPolynomials which, double x) {
-  return which == AnnularPolynomials::tada ? polynomial(kTada1, x) : polynomial(kImproved1, x);
-}
+double annular_p1(AnnularPolynomials which, double x) { return p1(which, x); }
 
-double annular_p3(AnnularPolynomials which, double x) {
-  return which == AnnularPolynomials::tada ? polynomial(kTada3, x) : polynomial(kImproved3, x);
-}
+double annular_p3(AnnularPolynomials which, double x) { return p3(which, x); }
 
-UnitStressIntensity<2> AnnularCrackSolid::stress_intensity(double a, double) const {
-  const double net = diameter - 2 * a;
-  const double x = net / diameter;
-  const double root = std::sqrt(pi * a) * std::sqrt(x);
-  UnitStressIntensity<2> k;
-  k.III[1] = 3.0 / 8 * annular_p3(polynomials, x) * 16 / (pi * net * net * net) * root;  // (FR-12)
-  if (open) k.I[0] = annular_p1(polynomials, x) / 2 * 4 / (pi * net * net) * root;       // (FR-13)
+template <class Real>
+UnitStressIntensity<2, Real> BasicAnnularCrackSolid<Real>::stress_intensity(const Real& a,
+                                                                            double) const {
+  using std::sqrt;
+  const Real net = diameter - 2 * a;
+  const Real x = net / diameter;
+  const Real root = sqrt(pi * a) * sqrt(x);
+  UnitStressIntensity<2, Real> k;
+  k.III[1] = 3.0 / 8 * p3(polynomials, x) * 16 / (pi * net * net * net) * root;  // (FR-12)
+  if (open) k.I[0] = p1(polynomials, x) / 2 * 4 / (pi * net * net) * root;       // (FR-13)
   return k;
 }
 
-double AnnularCrackSolid::swept_area(double a, double) const { return pi * (diameter - 2 * a); }
-
-AnnularCrackHollow::AnnularCrackHollow(const Parameters& parameters)
-    : p_(parameters),
-      shallow_torsion_factor_(shallow_torsion_factor(p_.inner_radius / p_.outer_radius)),
-      log_torsion_(log_torsion_curve(p_.inner_radius / p_.outer_radius)),
-      tension_(tension_curve(p_.inner_radius / p_.outer_radius)) {}
-
-double AnnularCrackHollow::torsion_factor(double depth_ratio) const {
-  return shallow_torsion_factor_ * std::exp(log_torsion_(depth_ratio));
+template <class Real>
+Real BasicAnnularCrackSolid<Real>::swept_area(const Real& a, double) const {
+  return pi * (diameter - 2 * a);
 }
 
-double AnnularCrackHollow::tension_factor(double depth_ratio) const {
+template <class Real>
+BasicAnnularCrackHollow<Real>::BasicAnnularCrackHollow(const Parameters& parameters)
+    : p_(parameters),
+      shallow_torsion_factor_(shallow_torsion_factor<Real>(p_.inner_radius / p_.outer_radius)),
+      log_torsion_(log_torsion_curve<Real>(p_.inner_radius / p_.outer_radius)),
+      tension_(tension_curve<Real>(p_.inner_radius / p_.outer_radius)) {
+  static_assert(kNodes == kColumns + 1);
+}
+
+template <class Real>
+Real BasicAnnularCrackHollow<Real>::torsion_factor(const Real& depth_ratio) const {
+  using std::exp;
+  return shallow_torsion_factor_ * exp(log_torsion_(depth_ratio));
+}
+
+template <class Real>
+Real BasicAnnularCrackHollow<Real>::tension_factor(const Real& depth_ratio) const {
   return tension_(depth_ratio);
 }
 
-double AnnularCrackHollow::swept_area(double a, double) const {
+template <class Real>
+Real BasicAnnularCrackHollow<Real>::swept_area(const Real& a, double) const {
   return 2 * pi * (p_.outer_radius - a);
 }
 
-UnitStressIntensity<2> AnnularCrackHollow::stress_intensity(double a, double) const {
-  const double ro = p_.outer_radius;
-  const double ri = p_.inner_radius;
-  const double t = ro - ri;
-  const double alpha = a / t;
-  const double front = swept_area(a, 0.0);
-  UnitStressIntensity<2> k;
+template <class Real>
+UnitStressIntensity<2, Real> BasicAnnularCrackHollow<Real>::stress_intensity(const Real& a,
+                                                                             double) const {
+  using std::exp, std::log1p, std::sin, std::sqrt, std::tan;
+  const Real& ro = p_.outer_radius;
+  const Real& ri = p_.inner_radius;
+  const Real t = ro - ri;
+  const Real alpha = a / t;
+  const Real front = swept_area(a, 0.0);
+  UnitStressIntensity<2, Real> k;
 
   // lambda_TT = 4t/(pi mu I_p) ln sec(pi alpha/2) C_T (FR-14); K_III = T sqrt(mu lambda_TT'/front),
   // where mu drops out (FR-16).
-  const double I_p = pi / 2 * (ro * ro + ri * ri) * (ro + ri) * t;
-  const double C_T = torsion_factor(alpha);
-  const double half_angle = pi * alpha / 2;
-  const double log_sec = -std::log1p(-2 * std::pow(std::sin(half_angle / 2), 2));
-  const double torsion_slope =
-      4 / (pi * I_p) * C_T * (pi / 2 * std::tan(half_angle) + log_sec * slope(log_torsion_, alpha));
-  k.III[1] = std::sqrt(torsion_slope / front);
+  const Real I_p = pi / 2 * (ro * ro + ri * ri) * (ro + ri) * t;
+  const auto log_torsion = log_torsion_.value_and_slope(alpha);
+  const Real C_T = shallow_torsion_factor_ * exp(log_torsion.value);
+  const Real half_angle = pi * alpha / 2;
+  const Real sine = sin(half_angle / 2);
+  const Real log_sec = -log1p(-2 * sine * sine);
+  const Real torsion_slope =
+      4 / (pi * I_p) * C_T * (pi / 2 * tan(half_angle) + log_sec * log_torsion.slope);
+  k.III[1] = sqrt(torsion_slope / front);
 
   // lambda_PP = 2(1-nu^2) 1.1215^2 pi^2 r_o a^2/(E A^2) C_P (FR-15);
   // K_I = P sqrt(E lambda_PP'/(2(1-nu^2) front)), where E and nu drop out (FR-16).
   if (p_.open) {
-    const double A = pi * (ro + ri) * t;
-    const double tension_slope = std::pow(kEdgeCrackFactor * pi / A, 2) * ro * a *
-                                 (2 * tension_(alpha) + alpha * slope(tension_, alpha));
-    k.I[0] = std::sqrt(tension_slope / front);
+    const Real A = pi * (ro + ri) * t;
+    const Real stress = kEdgeCrackFactor * pi / A;
+    const auto tension = tension_.value_and_slope(alpha);
+    const Real tension_slope =
+        stress * stress * ro * a * (2 * tension.value + alpha * tension.slope);
+    k.I[0] = sqrt(tension_slope / front);
   }
   return k;
 }
+
+template struct BasicAnnularCrackSolid<double>;
+template struct BasicAnnularCrackSolid<DualReal>;
+template class BasicAnnularCrackHollow<double>;
+template class BasicAnnularCrackHollow<DualReal>;
 
 }  // namespace strainwave

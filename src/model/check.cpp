@@ -303,20 +303,26 @@ void check_rating(const Rating& rating) {
   if (rating.T3) require(*rating.T3 > rating.T2, "rating.T3", *rating.T3, "N*m", "T3 > T2");
 }
 
+void check_one_line(const FieldPath& path, std::string_view field, const std::string& text) {
+  if (std::ranges::any_of(text, [](unsigned char c) { return c < 0x20 || c == 0x7F; }))
+    throw InputError((path / field).text(), "must be one line, without control characters");
+}
+
+/// The number that an entry at `path` names by its own field `path`.
+NumberAt number_named(const GearSet& gear, const FieldPath& path, const std::string& named) {
+  try {
+    return number_at(gear, named);
+  } catch (const InputError& error) {
+    // Its own words, after its field and a colon.
+    const std::string problem = std::string(error.what()).substr(error.field().size() + 2);
+    throw InputError((path / "path").text(), fmt::format("\"{}\" {}", shown(named), problem));
+  }
+}
+
 void check_range(const GearSet& gear, const FieldPath& path, const InputRange& range) {
-  for (const auto& [field, text] : {std::pair{"path", &range.path}, {"source", &range.source}})
-    if (std::ranges::any_of(*text, [](unsigned char c) { return c < 0x20 || c == 0x7F; }))
-      throw InputError((path / field).text(), "must be one line, without control characters");
-  const NumberAt number = [&] {
-    try {
-      return number_at(gear, range.path);
-    } catch (const InputError& error) {
-      // Its own words, after its field and a colon.
-      const std::string problem = std::string(error.what()).substr(error.field().size() + 2);
-      throw InputError((path / "path").text(),
-                       fmt::format("\"{}\" {}", shown(range.path), problem));
-    }
-  }();
+  check_one_line(path, "path", range.path);
+  check_one_line(path, "source", range.source);
+  const NumberAt number = number_named(gear, path, range.path);
   const double lower = parse_quantity((path / "lower").text(), range.lower, number.field.unit);
   const double upper = parse_quantity((path / "upper").text(), range.upper, number.field.unit);
   require(lower < upper, (path / "upper").text(), upper, number.field.unit, "upper > lower");
@@ -325,6 +331,23 @@ void check_range(const GearSet& gear, const FieldPath& path, const InputRange& r
             rule_text(number.field.range, number.field.unit));
   require(number.value >= lower && number.value <= upper, (path / "path").text(), number.value,
           number.field.unit, "the file's value between lower and upper");
+}
+
+void check_scatter(const GearSet& gear, std::size_t which) {
+  const InputScatter& scatter = gear.scatter[which];
+  const FieldPath path = FieldPath("scatter")[which];
+  check_one_line(path, "path", scatter.path);
+  check_one_line(path, "source", scatter.source);
+  const NumberAt number = number_named(gear, path, scatter.path);
+  if (scatter.path.starts_with("scatter["))
+    throw InputError((path / "path").text(), "must be a number of the drive, not of its scatter");
+  if (number.value == 0)
+    throw InputError((path / "path").text(),
+                     fmt::format("{} is 0, of which no share can scatter", scatter.path));
+  for (std::size_t i = 0; i < which; ++i)
+    if (gear.scatter[i].path == scatter.path)
+      throw InputError((path / "path").text(),
+                       fmt::format("{} scatters already by scatter[{}]", scatter.path, i));
 }
 
 void check_output_shaft(const GearSet& gear) {
@@ -386,6 +409,7 @@ void check(const GearSet& gear) {
   if (gear.rating) check_rating(*gear.rating);
   for (std::size_t i = 0; i < gear.range.size(); ++i)
     check_range(gear, FieldPath("range")[i], gear.range[i]);
+  for (std::size_t i = 0; i < gear.scatter.size(); ++i) check_scatter(gear, i);
 }
 
 }  // namespace strainwave

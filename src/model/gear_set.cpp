@@ -32,15 +32,7 @@ void visit_number(Gear& gear, std::string_view path, const F& f) {
 }  // namespace
 
 ElasticConstants elastic_constants(const Material& material) {
-  const double E = material.youngs_modulus;
-  if (!material.shear_modulus && !material.poissons_ratio)
-    throw InputError("poissons_ratio", "must be given, or shear_modulus");
-  const double nu =
-      material.poissons_ratio ? *material.poissons_ratio : E / (2 * *material.shear_modulus) - 1;
-  require(nu > -1 && nu < 0.5, "shear_modulus", material.shear_modulus.value_or(0.0), "Pa",
-          "Poisson's ratio E/(2G) - 1 > -1 and < 0.5");
-  const double G = material.shear_modulus ? *material.shear_modulus : E / (2 * (1 + nu));
-  return {.E = E, .G = G, .nu = nu};
+  return elastic_constants(Lift<double>(), material);
 }
 
 double elastic_contradiction(const Material& material) {
@@ -50,19 +42,7 @@ double elastic_contradiction(const Material& material) {
 }
 
 double diaphragm_thickness(const Diaphragm& diaphragm, double radius) {
-  if (diaphragm.profile.empty()) return diaphragm.thickness;
-  DiaphragmStation inside = diaphragm.profile.front();
-  if (radius <= inside.radius) return inside.thickness;
-  const auto between = [&](const DiaphragmStation& outside) {
-    const double s = (radius - inside.radius) / (outside.radius - inside.radius);
-    return inside.thickness + s * (outside.thickness - inside.thickness);
-  };
-  for (const DiaphragmStation& station : diaphragm.profile) {
-    if (radius <= station.radius) return between(station);
-    inside = station;
-  }
-  const DiaphragmStation edge{diaphragm.outer_diameter / 2, diaphragm.thickness};
-  return radius < edge.radius ? between(edge) : edge.thickness;
+  return diaphragm_thickness(Lift<double>(), diaphragm, radius);
 }
 
 const Material& material_of(const GearSet& gear, std::string_view name, std::string_view field) {

@@ -9,54 +9,23 @@
 
 #include "member_support.hpp"
 #include "strainwave/core/units.hpp"
-#include "strainwave/fracture/surface_crack.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
-#include "strainwave/stiffness/elastic_members.hpp"
 
 namespace strainwave {
 namespace {
 
-Tube tube(const TubeSection& section) {
-  return {.outer_diameter = section.outer_diameter,
-          .inner_diameter = section.outer_diameter - 2 * section.wall_thickness,
-          .length = section.length};
-}
-
-/// The wall that a crack sits in.
-struct Wall {
-  double mean_radius = 0.0;
-  double thickness = 0.0;
-};
-
-/// The wall under the teeth, where the wave generator deflects it.
-Wall tooth_ring(const GearSet& gear) {
-  const double delta = gear.flexspline->wall_thickness;
-  return {(gear.drive.pitch_diameter - delta) / 2, delta};  // (ST-11)
-}
-
-Wall wall_of(const GearSet& gear, WallSection section) {
-  const Flexspline& fs = *gear.flexspline;
-  if (fs.crack_free == CrackFree::factor) return tooth_ring(gear);
-  const TubeSection& given = section == WallSection::rim ? *fs.rim : *fs.barrel;
-  return {(given.outer_diameter - given.wall_thickness) / 2, given.wall_thickness};  // (ST-11)
-}
-
 void add_sound_flexspline(const GearSet& gear, const ElasticConstants& steel,
                           MemberCompliance& member) {
   const Flexspline& fs = *gear.flexspline;
+  const SeriesModel<double> model(gear);
+  member.intact = model.sound_flexspline(steel);
   if (fs.crack_free == CrackFree::factor) {
-    const double D = gear.drive.pitch_diameter;
-    const double k = fs.shape_factor.value_or(fs.shape == FlexsplineShape::cup ? 0.83 : 1.0);
-    member.intact = k * torsional_compliance(Tube{.outer_diameter = D,
-                                                  .inner_diameter = D - 2 * fs.wall_thickness,
-                                                  .length = fs.length},
-                                             steel.G);  // (ST-4)
     const bool plain_tube = fs.shape == FlexsplineShape::cylinder && !fs.shape_factor;
     const ModelAccuracy& accuracy = plain_tube ? accuracy::kTube : accuracy::kShapeFactor;
     member.relative_uncertainty = accuracy;
     rest_on(member, "flexspline", accuracy);
     use_equation(member.equations, "ST-4");
-    if (fs.shape == FlexsplineShape::cup && k < 1)
+    if (fs.shape == FlexsplineShape::cup && model.shape_factor() < 1)
       member.notes.push_back(
           {"flexspline.shape_factor",
            "a factor below 1 for a cup has the wrong direction: its bottom adds compliance; give "
@@ -64,34 +33,13 @@ void add_sound_flexspline(const GearSet& gear, const ElasticConstants& steel,
            "flexspline.crack_free", "ST-4"});
     return;
   }
-  member.intact = torsional_compliance(tube(*fs.barrel), steel.G);
-  if (fs.rim) member.intact += torsional_compliance(tube(*fs.rim), steel.G);
-  if (fs.boss) member.intact += torsional_compliance(tube(*fs.boss), steel.G);
-  if (fs.diaphragm) member.intact += torsional_compliance(*fs.diaphragm, steel.G);
-  member.intact += fs.flange_compliance;
   member.relative_uncertainty = accuracy::kSections;
   rest_on(member, "flexspline", accuracy::kSections);
   use_equation(member.equations, "ST-2");
   if (fs.diaphragm) use_equation(member.equations, "ST-3");
 }
 
-/// State of a crack's faces under both senses of torque.
-struct BothSenses {
-  Faces positive = Faces::touching;
-  Faces negative = Faces::touching;
-};
-
-BothSenses faces_under(const CrackPlaneStress& stress, const Load& load) {
-  const double P = load.axial_force;
-  const double T = std::abs(load.torque);
-  const double from_P = stress.normal[kAxial] * P;
-  const double from_T = stress.normal[kTorsion] * T;
-  const double scale = std::abs(from_P) + std::abs(from_T) + std::abs(stress.shear[kAxial] * P) +
-                       std::abs(stress.shear[kTorsion] * T);
-  return {faces(from_P + from_T, scale), faces(from_P - from_T, scale)};
-}
-
-void note_thick_wall(MemberCompliance& member, const Wall& wall, const std::string& path) {
+void note_thick_wall(MemberCompliance& member, const Wall<double>& wall, const std::string& path) {
   if (wall.mean_radius < 10 * wall.thickness)
     member.notes.push_back({"crack.thick_wall",
                             "the wall is thicker than a tenth of its radius: plate and shell "
@@ -164,22 +112,13 @@ void add_wall_crack(MemberCompliance& member, CrackReport report, const MakeCrac
 void add_through_crack(MemberCompliance& member, CrackReport report, const WallThroughCrack& crack,
                        const GearSet& gear, const ElasticConstants& steel,
                        const StiffnessOptions& options) {
-  const Wall wall = wall_of(gear, crack.section);
-  const double K_u = gear.flexspline->stress_nonuniformity;
-  const auto make = [&](bool open) {
-    return ThroughCrackInTube{.half_length = crack.half_length,
-                              .mean_radius = wall.mean_radius,
-                              .wall_thickness = wall.thickness,
-                              .angle = crack.angle,
-                              .stress_nonuniformity = K_u,
-                              .poissons_ratio = steel.nu,
-                              .shell_correction = crack.shell_correction,
-                              .open = open};
-  };
+  const SeriesModel<double> series(gear);
+  const Wall<double> wall = series.wall_of(crack.section);
+  const auto make = [&](bool open) { return series.wall_crack(crack, steel, open); };
   for (const char* const tag : {"FR-2", "FR-6", "FR-7", "FR-18", "ST-11"})
     use_equation(member.equations, tag);
   // The tips run along the tube, which is long: there is no ligament to speak of.
-  WallCrackModel model{.moduli = {.opening = steel.E, .shear = steel.G},
+  WallCrackModel model{.moduli = SeriesModel<double>::wall_moduli(crack, steel),
                        .constraint = Constraint::plane_stress,
                        .ligament = std::numeric_limits<double>::infinity()};
   ModelAccuracy accuracy = accuracy::kThroughCrack;
@@ -191,14 +130,14 @@ void add_through_crack(MemberCompliance& member, CrackReport report, const WallT
        report.path, "FR-18"});
   const ThroughCrackInTube open_crack = make(true);
   const double lambda = std::sqrt(open_crack.shell_parameter_squared(crack.half_length));
-  if (lambda > 1 && lambda <= 2) {
+  if (lambda > 1 && lambda <= kMaxShellParameter) {
     accuracy = accuracy::kThroughCrackLong;
     member.notes.push_back({"crack.shell_range",
                             fmt::format("shell parameter {:.3g} is outside the range of the shell "
                                         "correction, <= 1: 8 % too compliant at 1.4",
                                         lambda),
                             report.path, "FR-9"});
-  } else if (lambda > 2) {
+  } else if (lambda > kMaxShellParameter) {
     accuracy = accuracy::kThroughCrackLong;
     member.unusable_because = fmt::format(
         "{}: shell parameter {:.3g} is far outside the range of the shell correction (<= 1, usable "
@@ -223,30 +162,19 @@ void add_through_crack(MemberCompliance& member, CrackReport report, const WallT
   note_thick_wall(member, wall, report.path);
   if (crack.shell_correction)
     for (const char* const tag : {"FR-8", "FR-9"}) use_equation(member.equations, tag);
-  const CrackPlaneStress stress =
-      crack_plane_stress(wall.mean_radius, wall.thickness, crack.angle, K_u);
-  add_wall_crack(member, std::move(report), make, faces_under(stress, gear.load), gear, model,
-                 options);
+  add_wall_crack(member, std::move(report), make, series.faces_of(crack), gear, model, options);
 }
 
 void add_surface_crack(MemberCompliance& member, CrackReport report, const WallSurfaceCrack& crack,
                        const GearSet& gear, const ElasticConstants& steel,
                        const StiffnessOptions& options) {
-  const Wall wall = wall_of(gear, crack.section);
-  const CrackPlaneStress stress = crack_plane_stress(wall.mean_radius, wall.thickness, crack.angle,
-                                                     gear.flexspline->stress_nonuniformity);
-  const auto make = [&](bool open) {
-    return SurfaceCrack<2>({.depth = crack.depth,
-                            .aspect_ratio = crack.depth / crack.half_length,
-                            .thickness = wall.thickness,
-                            .poissons_ratio = steel.nu,
-                            .normal_stress = stress.normal,
-                            .shear_stress = stress.shear,
-                            .open = open});
-  };
+  const SeriesModel<double> series(gear);
+  const Wall<double> wall = series.wall_of(crack.section);
+  const CrackPlaneStress stress = series.plane_of(crack);
+  const auto make = [&](bool open) { return series.wall_crack(crack, steel, open); };
   for (const char* const tag : {"FR-2", "FR-3", "FR-4", "FR-5", "FR-6", "FR-18", "ST-11"})
     use_equation(member.equations, tag);
-  WallCrackModel model{.moduli = {.opening = steel.plane_strain_modulus(), .shear = steel.G},
+  WallCrackModel model{.moduli = SeriesModel<double>::wall_moduli(crack, steel),
                        .constraint = Constraint::plane_strain,
                        .ligament = wall.thickness - crack.depth};
   const ModelAccuracy fit = surface_crack_fit(member, report.path, crack.depth,
@@ -266,48 +194,36 @@ void add_surface_crack(MemberCompliance& member, CrackReport report, const WallS
                             report.path, "FR-10"});
   }
   note_thick_wall(member, wall, report.path);
-  add_wall_crack(member, std::move(report), make, faces_under(stress, gear.load), gear, model,
-                 options);
+  add_wall_crack(member, std::move(report), make, series.faces_of(crack), gear, model, options);
 }
 
 /// An arc crack of the diaphragm slides under torque: a flat through crack in pure mode II.
 void add_diaphragm_arc(MemberCompliance& member, CrackReport report, const DiaphragmArcCrack& crack,
                        const GearSet& gear, const ElasticConstants& steel,
                        const StiffnessOptions& options) {
-  const Diaphragm& diaphragm = *gear.flexspline->diaphragm;
-  const double r = crack.radius.value_or(diaphragm.inner_diameter / 2);
-  const double h = diaphragm_thickness(diaphragm, r);
-  // The shear T/(2 pi r^2 h) along the arc is that along the generator of a tube of its radius.
-  const auto make = [&](bool open) {
-    return ThroughCrackInTube{.half_length = crack.half_length,
-                              .mean_radius = r,
-                              .wall_thickness = h,
-                              .angle = 0,
-                              .poissons_ratio = steel.nu,
-                              .shell_correction = false,
-                              .open = open};
-  };
+  const SeriesModel<double> series(gear);
+  const auto make = [&](bool open) { return series.wall_crack(crack, steel, open); };
   for (const char* const tag : {"TC-19", "FR-2", "FR-18"}) use_equation(member.equations, tag);
-  if (crack.half_length > r / 2)
+  if (crack.half_length > series.arc_radius(crack) / 2)
     member.notes.push_back({"crack.diaphragm_arc",
                             "the arc is longer than its radius: the shear varies along it and it "
                             "is not straight",
                             report.path, "TC-19"});
   rest_on(member, report.path, accuracy::kDiaphragmArc);
-  const WallCrackModel model{.moduli = {.opening = steel.E, .shear = steel.G},
+  const WallCrackModel model{.moduli = SeriesModel<double>::wall_moduli(crack, steel),
                              .constraint = Constraint::plane_stress,
                              .axial_uncertainty = accuracy::kDiaphragmArc,
                              .torsion_uncertainty = accuracy::kDiaphragmArc,
                              .ligament = std::numeric_limits<double>::infinity()};
-  add_wall_crack(member, std::move(report), make, BothSenses{}, gear, model, options);
+  add_wall_crack(member, std::move(report), make, series.faces_of(crack), gear, model, options);
 }
 
 void add_diaphragm_groove(MemberCompliance& member, CrackReport report,
-                          const DiaphragmGroove& groove, const Diaphragm& diaphragm,
+                          const DiaphragmGroove& groove, const GearSet& gear,
                           const ElasticConstants& steel) {
   use_equation(member.equations, "TC-20");
   rest_on(member, report.path, accuracy::kDiaphragmGroove);
-  const Quantity added{groove_compliance(diaphragm, groove, steel.G), kComplianceUnit,
+  const Quantity added{SeriesModel<double>(gear).groove(groove, steel), kComplianceUnit,
                        accuracy::kDiaphragmGroove};
   report.opens_under = OpensUnder::neither;
   report.positive.at_output = added;
@@ -318,7 +234,7 @@ void add_diaphragm_groove(MemberCompliance& member, CrackReport report,
 void note_ovalisation(const GearSet& gear, MemberCompliance& member) {
   const int U = gear.drive.wave_number;
   if (U < 2) return;  // one lobe shifts the ring, it does not bend it
-  const Wall wall = tooth_ring(gear);
+  const Wall<double> wall = SeriesModel<double>(gear).tooth_ring();
   const double tau = std::abs(gear.load.torque) * gear.flexspline->stress_nonuniformity /
                      (2 * std::numbers::pi * wall.mean_radius * wall.mean_radius * wall.thickness);
   use_equation(member.equations, "ST-17");
@@ -335,7 +251,7 @@ void note_ovalisation(const GearSet& gear, MemberCompliance& member) {
 }  // namespace
 
 double ovalisation_stress(const GearSet& gear) {
-  const Wall wall = tooth_ring(gear);
+  const Wall<double> wall = SeriesModel<double>(gear).tooth_ring();
   const ElasticConstants steel =
       elastic_constants(material_of(gear, gear.flexspline->material, "flexspline.material"));
   const int U = gear.drive.wave_number;
@@ -363,7 +279,7 @@ MemberCompliance flexspline_compliance(const GearSet& gear, const StiffnessOptio
           else if constexpr (std::is_same_v<Crack, DiaphragmArcCrack>)
             add_diaphragm_arc(member, std::move(report), crack, gear, steel, options);
           else if constexpr (std::is_same_v<Crack, DiaphragmGroove>)
-            add_diaphragm_groove(member, std::move(report), crack, *fs.diaphragm, steel);
+            add_diaphragm_groove(member, std::move(report), crack, gear, steel);
           else
             note_contact_path(member.notes, report.path);
         },

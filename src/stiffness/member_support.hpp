@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "series_model.hpp"
 #include "strainwave/core/compare.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
 #include "strainwave/fracture/through_crack.hpp"
@@ -33,18 +34,6 @@ inline void use_equation(std::vector<std::string>& equations, std::string_view t
 inline void rest_on(MemberCompliance& member, std::string_view path,
                     const ModelAccuracy& accuracy) {
   member.accuracies.push_back({std::string(path), accuracy, std::string(accuracy.source)});
-}
-
-/// Whether the faces of a crack are pulled apart by a normal stress.
-///
-/// Stresses below `scale` times rounding count as none: such a crack touches without pressure, and
-/// is neither opened nor closed.
-enum class Faces { pressed, touching, open };
-
-inline Faces faces(double normal_stress, double scale) {
-  const double negligible = 1e-12 * scale;
-  if (normal_stress > negligible) return Faces::open;
-  return normal_stress < -negligible ? Faces::pressed : Faces::touching;
 }
 
 inline OpensUnder opens_under(Faces positive, Faces negative) {

@@ -8,7 +8,6 @@
 #include "strainwave/core/compare.hpp"
 #include "strainwave/fracture/annular_crack.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
-#include "strainwave/stiffness/elastic_members.hpp"
 
 namespace strainwave {
 namespace {
@@ -45,7 +44,8 @@ void add_crack(MemberCompliance& member, CrackReport report, const AnnularCrack&
                const GearSet& gear, const ElasticConstants& steel,
                const StiffnessOptions& options) {
   const OutputShaft& shaft = *gear.output_shaft;
-  const bool open = gear.load.axial_force >= 0;
+  const SeriesModel<double> model(gear);
+  const bool open = model.annular_open();
   report.opens_under = gear.load.axial_force > 0 ? OpensUnder::both : OpensUnder::neither;
   for (const char* const tag : {"FR-2", "FR-18"}) use_equation(member.equations, tag);
   if (!open) {
@@ -69,13 +69,7 @@ void add_crack(MemberCompliance& member, CrackReport report, const AnnularCrack&
   if (shaft.solid()) {
     const bool tada = crack.solution == AnnularSolution::tada;
     for (const char* const tag : {"FR-12", "FR-13"}) use_equation(member.equations, tag);
-    add_annular_crack(member, std::move(report),
-                      AnnularCrackSolid{.depth = crack.depth,
-                                        .diameter = shaft.outer_diameter,
-                                        .polynomials = tada ? AnnularPolynomials::tada
-                                                            : AnnularPolynomials::improved,
-                                        .open = open},
-                      gear, steel,
+    add_annular_crack(member, std::move(report), model.solid_shaft_crack(crack), gear, steel,
                       tada ? AnnularAccuracy{accuracy::kAnnularTada, accuracy::kAnnularTada,
                                              accuracy::kAnnularTada / 2}
                            : AnnularAccuracy{},
@@ -85,7 +79,7 @@ void add_crack(MemberCompliance& member, CrackReport report, const AnnularCrack&
   for (const char* const tag : {"FR-14", "FR-15", "FR-16"}) use_equation(member.equations, tag);
   const double ro = shaft.outer_diameter / 2;
   const double ri = shaft.inner_diameter / 2;
-  const double depth_ratio = crack.depth / (ro - ri);
+  const double depth_ratio = model.depth_ratio(crack);
   AnnularAccuracy accuracy{.K_I = accuracy::kHollowTensionIntensity};
   if (clearly_less(AnnularCrackHollow::kMaxTensionRadiusRatio, ri / ro)) {
     accuracy.tension = accuracy::kAnnularExtrapolated;
@@ -101,11 +95,8 @@ void add_crack(MemberCompliance& member, CrackReport report, const AnnularCrack&
     member.unusable_because =
         fmt::format("{}: a/t = {:.4g} is outside the table of the hollow shaft, a/t <= {}",
                     report.path, depth_ratio, AnnularCrackHollow::kMaxDepthRatio);
-  add_annular_crack(
-      member, std::move(report),
-      AnnularCrackHollow(
-          {.depth = crack.depth, .outer_radius = ro, .inner_radius = ri, .open = open}),
-      gear, steel, accuracy, options);
+  add_annular_crack(member, std::move(report), model.hollow_shaft_crack(crack), gear, steel,
+                    accuracy, options);
 }
 
 }  // namespace
@@ -115,10 +106,7 @@ MemberCompliance output_shaft_compliance(const GearSet& gear, const StiffnessOpt
   const ElasticConstants steel =
       elastic_constants(material_of(gear, shaft.material, "output_shaft.material"));
   MemberCompliance member;
-  member.intact = torsional_compliance(Tube{.outer_diameter = shaft.outer_diameter,
-                                            .inner_diameter = shaft.inner_diameter,
-                                            .length = shaft.length},
-                                       steel.G);
+  member.intact = SeriesModel<double>(gear).sound_shaft(steel);
   member.relative_uncertainty = accuracy::kTube;
   rest_on(member, "output_shaft", accuracy::kTube);
   use_equation(member.equations, "ST-2");

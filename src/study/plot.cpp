@@ -330,6 +330,68 @@ std::string panel_svg(const PlotPanel& panel, double top) {
   return svg;
 }
 
+constexpr double kRowHeight = 24;
+constexpr double kBarLabels = 330;  // room for the paths
+
+double tornado_height(const TornadoPanel& panel) {
+  return kTop + kRowHeight * static_cast<double>(panel.labels.size()) + kBottom;
+}
+
+/// Draws one panel of bars with its upper edge at `top`.
+std::string tornado_panel_svg(const TornadoPanel& panel, double top) {
+  constexpr double kEnds = 64;  // room for the numbers at the ends of the bars
+  const double left = kBarLabels;
+  const double right = kWidth - 30;
+  const double upper = top + kTop;
+  const double lower = top + tornado_height(panel) - kBottom;
+  Interval values{0.0, 0.0};
+  for (const TornadoSeries& series : panel.series)
+    for (const double value : series.values)
+      if (std::isfinite(value)) values.include(value);
+  const Axis x(values, AxisScale::linear, left + kEnds, right - kEnds);
+
+  constexpr std::size_t kTitleLength = 88;
+  std::string svg = words(16, top + 28, "title", shortened(panel.title, kTitleLength));
+  double legend = 16;
+  if (!panel.subtitle.empty()) {
+    svg += words(legend, top + 46, "small", panel.subtitle);
+    legend += 160;
+  }
+  for (std::size_t n = 0; n < panel.series.size(); ++n) {
+    svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"14\" height=\"9\" fill=\"{}\"/>\n",
+                       legend, top + 38, kStrokes[n == 0 ? 2 : 1].colour);
+    svg += words(legend + 20, top + 46, "small", panel.series[n].label);
+    legend += 120;
+  }
+  for (const Tick& tick : x.ticks()) {
+    svg += line(x.px(tick.value), upper, x.px(tick.value), lower, "grid");
+    svg += words(x.px(tick.value), lower + 18, "tick middle", tick.label);
+  }
+  const double thickness = 16 / static_cast<double>(std::max<std::size_t>(1, panel.series.size()));
+  for (std::size_t i = 0; i < panel.labels.size(); ++i) {
+    const double middle = upper + kRowHeight * (static_cast<double>(i) + 0.5);
+    svg += words(left - 8, middle + 4, "small end", shortened(panel.labels[i], 50));
+    for (std::size_t n = 0; n < panel.series.size(); ++n) {
+      const double value = panel.series[n].values[i];
+      if (!std::isfinite(value)) continue;
+      const double bar_top = middle - 8 + thickness * static_cast<double>(n);
+      const double from = std::min(x.px(0.0), x.px(value));
+      const double to = std::max(x.px(0.0), x.px(value));
+      svg += fmt::format(
+          "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" "
+          "fill=\"{}\"/>\n",
+          from, bar_top, to - from, thickness, kStrokes[n == 0 ? 2 : 1].colour);
+      const bool one = panel.series.size() == 1;
+      svg += words(value < 0 ? from - 5 : to + 5, bar_top + thickness / 2 + (one ? 4 : 3),
+                   value < 0 ? "small end" : "small",
+                   (value < 0 ? "−" : "+") + fmt::format("{:.3g}", std::abs(value)));
+    }
+  }
+  svg += line(left, lower, right, lower, "axis") + line(x.px(0.0), upper, x.px(0.0), lower, "axis");
+  if (!x.factor().empty()) svg += words(right, lower + 18, "tick end", x.factor());
+  return svg + words((left + right) / 2, lower + 42, "label middle", panel.x_label);
+}
+
 // --- The picture of a sweep -------------------------------------------------------------------
 
 /// A column of a sweep in display units; NaN where a point has no such output.
@@ -500,9 +562,11 @@ std::vector<PlotPanel> panels_over_two(const SweepResult& result, const GearSet&
 
 }  // namespace
 
-std::string svg_plot(std::span<const PlotPanel> panels) {
-  const double height = kPanelHeight * static_cast<double>(panels.size());
-  std::string svg = fmt::format(
+namespace {
+
+/// A document of one height, to which panels are added.
+std::string svg_head(double height) {
+  return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" "
       "height=\"{1:g}\" role=\"img\">\n"
       "<style>\n"
@@ -520,10 +584,28 @@ std::string svg_plot(std::span<const PlotPanel> panels) {
       "</style>\n"
       "<rect width=\"{0:g}\" height=\"{1:g}\" fill=\"white\"/>\n",
       kWidth, height);
+}
+
+}  // namespace
+
+std::string svg_plot(std::span<const PlotPanel> panels) {
+  std::string svg = svg_head(kPanelHeight * static_cast<double>(panels.size()));
   double top = 0.0;
   for (const PlotPanel& panel : panels) {
     svg += panel_svg(panel, top);
     top += kPanelHeight;
+  }
+  return svg + "</svg>\n";
+}
+
+std::string tornado_svg(std::span<const TornadoPanel> panels) {
+  double height = 0.0;
+  for (const TornadoPanel& panel : panels) height += tornado_height(panel);
+  std::string svg = svg_head(height);
+  double top = 0.0;
+  for (const TornadoPanel& panel : panels) {
+    svg += tornado_panel_svg(panel, top);
+    top += tornado_height(panel);
   }
   return svg + "</svg>\n";
 }

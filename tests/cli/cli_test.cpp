@@ -86,7 +86,8 @@ TEST_F(Program, IdentityVersionAndHelpSucceed) {
   const Outcome help = run("--help");
   EXPECT_EQ(help.exit_code, 0);
   for (const char* const command :
-       {"stiffness", "audit", "sweep", "solve", "torsion", "report", "new", "schema", "man"})
+       {"stiffness", "audit", "sweep", "solve", "sensitivity", "torsion", "sif", "material", "report",
+        "new", "schema", "man"})
     EXPECT_NE(help.out.find(command), std::string::npos) << command;
 }
 
@@ -621,6 +622,42 @@ TEST_F(Program, IdentityReportOfAnUnusableResultIsMadeAndEndsWithFour) {
   EXPECT_EQ(outcome.exit_code, 4);
   EXPECT_NE(outcome.err.find("finite elements"), std::string::npos);
   EXPECT_NE(contents(page).find("Not to be used"), std::string::npos);
+}
+
+TEST_F(Program, IdentitySensitivityInEveryForm) {
+  const std::string file = quoted(std::string(STRAINWAVE_EXAMPLES) + "/article_scatter.toml");
+  const fs::path plot = in_folder("tornado.svg");
+  const Outcome text = run("sensitivity " + file + " --plot " + quoted(plot.string()));
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_NE(text.out.find("flexspline.crack[0].half_length"), std::string::npos);
+  EXPECT_TRUE(contents(plot).starts_with("<svg"));
+  const Outcome json = run("sensitivity " + file + " --format json --scatter --samples 200");
+  ASSERT_EQ(json.exit_code, 0) << json.err;
+  const Json report = Json::parse(json.out);
+  EXPECT_TRUE(report["usable"].get<bool>());
+  EXPECT_EQ(report["scatter"]["samples"], 200);
+  EXPECT_EQ(report["provenance"]["program"], "strainwave");
+  const Outcome csv = run("sensitivity " + file + " --format csv");
+  EXPECT_TRUE(csv.out.starts_with("output,path,unit,value,derivative,elasticity\n"));
+  // One thread or three, the same bytes.
+  const std::string scatter = "sensitivity " + file + " --scatter --samples 600 --threads ";
+  EXPECT_EQ(run(scatter + "1").out, run(scatter + "3").out);
+  EXPECT_NE(run(scatter + "1").out, run(scatter + "1 --seed 2").out);
+}
+
+TEST_F(Program, InputSensitivityOptions) {
+  const std::string file = quoted(std::string(STRAINWAVE_EXAMPLES) + "/article.toml");
+  EXPECT_EQ(run("sensitivity").exit_code, 2);
+  EXPECT_EQ(run("sensitivity " + file + " --samples 100").exit_code, 2);  // of no study
+  EXPECT_EQ(run("sensitivity " + file + " --scatter --samples 1").exit_code, 2);
+  const Outcome none = run("sensitivity " + file + " --scatter");
+  EXPECT_EQ(none.exit_code, 3);
+  EXPECT_NE(none.err.find("[[scatter]]"), std::string::npos);
+  const std::string deep = changed_article("kind = \"annular\"\ndepth = \"0.1 mm\"",
+                                           "kind = \"annular\"\ndepth = \"11 mm\"");
+  const Outcome unusable = run("sensitivity " + deep);
+  EXPECT_EQ(unusable.exit_code, 4);
+  EXPECT_NE(unusable.err.find("a/t"), std::string::npos);
 }
 
 }  // namespace

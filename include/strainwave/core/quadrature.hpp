@@ -6,7 +6,11 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <type_traits>
 #include <vector>
+
+#include "strainwave/core/dual.hpp"
 
 namespace strainwave {
 
@@ -28,32 +32,52 @@ struct Integral {
 
 /// Adaptive Gauss-Kronrod integral of a scalar or matrix-valued function over [a, b].
 ///
-/// The rule and its error estimate are Boost.Math's.  The bisection is not: Boost 1.74 compares the
-/// error of a piece mapped to [-1, 1] with a tolerance for the piece as it is, so it bisects short
-/// intervals without end and long ones too little.
+/// Points and weights of the rule are Boost.Math's, and the error estimate is as there.  The
+/// bisection is not: Boost 1.74 compares the error of a piece mapped to [-1, 1] with a tolerance
+/// for the piece as it is, so it bisects short intervals without end and long ones too little.
+///
+/// With limits or a function in dual numbers, the derivatives of the integral come along; a piece
+/// is bisected until they too meet the tolerance, measured by the largest of value and derivatives.
 ///
 /// @tparam Points  of the rule: 15, or 31 for an integrand that 15 would have to bisect
-/// @param f  callable double -> Value, Value a vector space over double with `abs`
-template <unsigned Points = 15, class Function>
-[[nodiscard]] auto integrate(const Function& f, double a, double b,
+/// @param f  callable Real -> Value, Value a vector space over Real with `magnitude` or `abs`; Real
+///           is double, or the Dual of a limit
+template <unsigned Points = 15, class Function, class Lower, class Upper>
+[[nodiscard]] auto integrate(const Function& f, const Lower& a, const Upper& b,
                              const QuadratureOptions& options = {}) {
-  using Value = decltype(f(a));
-  using std::abs;
+  using Real =
+      std::conditional_t<is_dual<Lower>, Lower, std::conditional_t<is_dual<Upper>, Upper, double>>;
+  using Value = decltype(f(Real{}));
+  using Rule = boost::math::quadrature::gauss_kronrod<double, Points>;
+  using GaussRule = boost::math::quadrature::gauss<double, (Points - 1) / 2>;
   struct Piece {
-    double a, b;
+    Real a, b;
     Value value;
     double error;
     bool operator<(const Piece& other) const { return error < other.error; }
   };
-  const auto piece = [&](double from, double to) {
-    const double mean = (from + to) / 2;
-    const double half = (to - from) / 2;
-    Piece result{from, to, {}, 0.0};
-    constexpr unsigned kNoBisection = 0;
-    result.value = boost::math::quadrature::gauss_kronrod<double, Points>::integrate(
-        [&](double t) -> Value { return f(mean + half * t) * half; }, -1.0, 1.0, kNoBisection,
-        options.relative_tolerance, &result.error);
-    return result;
+  const auto piece = [&](const Real& from, const Real& to) {
+    const Real mean = (from + to) / 2;
+    const Real half = (to - from) / 2;
+    const auto at = [&](double t) -> Value { return f(mean + half * t) * half; };
+    // Points are 0, then pairs +-t; those of the Gauss rule are every other one of them.
+    constexpr bool kGaussHasMiddle = (Points - 1) / 2 % 2 == 1;
+    const Value middle = at(0.0);
+    Value kronrod = middle * Rule::weights()[0];
+    Value gauss = kGaussHasMiddle ? middle * GaussRule::weights()[0] : Value{};
+    const auto add_pairs = [&](std::size_t first, bool of_gauss) {
+      for (std::size_t i = first; i < Rule::abscissa().size(); i += 2) {
+        const double t = Rule::abscissa()[i];
+        const Value pair = at(t) + at(-t);
+        kronrod += pair * Rule::weights()[i];
+        if (of_gauss) gauss += pair * GaussRule::weights()[i / 2];
+      }
+    };
+    add_pairs(kGaussHasMiddle ? 2 : 1, true);
+    add_pairs(kGaussHasMiddle ? 1 : 2, false);
+    constexpr double kRounding = 2 * std::numeric_limits<double>::epsilon();
+    return Piece{from, to, kronrod,
+                 std::max(magnitude(kronrod - gauss), kRounding * magnitude(kronrod))};
   };
 
   Integral<Value> result;
@@ -64,7 +88,7 @@ template <unsigned Points = 15, class Function>
       result.value += p.value;
       result.error += p.error;
     }
-    result.converged = result.error <= options.relative_tolerance * abs(result.value);
+    result.converged = result.error <= options.relative_tolerance * magnitude(result.value);
   };
   const Piece whole = piece(a, b);
   sum_up(std::array<Piece, 1>{whole});
@@ -74,7 +98,7 @@ template <unsigned Points = 15, class Function>
   while (!result.converged && heap.size() < options.max_pieces) {
     std::pop_heap(heap.begin(), heap.end());
     const Piece worst = heap.back();
-    const double middle = (worst.a + worst.b) / 2;
+    const Real middle = (worst.a + worst.b) / 2;
     if (middle == worst.a || middle == worst.b) break;  // as narrow as doubles are
     heap.back() = piece(worst.a, middle);
     std::push_heap(heap.begin(), heap.end());

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <array>
-#include <boost/math/interpolators/barycentric_rational.hpp>
 #include <cstddef>
 
+#include "strainwave/core/floater_hormann.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
 
 namespace strainwave {
@@ -28,20 +28,25 @@ enum class AnnularPolynomials {
 ///     K_I   = (1/2) sqrt(x) p_1(x) 4P/(pi d_e^2) sqrt(pi a).
 ///
 /// Exact for shallow and for deep cracks (K_III); free length of about one diameter each side.
-struct AnnularCrackSolid {
+template <class Real>
+struct BasicAnnularCrackSolid {
   static constexpr std::size_t kLoads = 2;
 
-  double depth = 0.0;     ///< a [m]; > 0, < diameter/2
-  double diameter = 0.0;  ///< d [m]
+  Real depth{};     ///< a [m]; > 0, < diameter/2
+  Real diameter{};  ///< d [m]
   AnnularPolynomials polynomials = AnnularPolynomials::improved;
   bool open = true;  ///< false: pressed together by the axial force, K_I = 0 (FR-17)
 
-  [[nodiscard]] double size() const { return depth; }
+  [[nodiscard]] Real size() const { return depth; }
   [[nodiscard]] FrontRange front() const { return {}; }
-  [[nodiscard]] UnitStressIntensity<2> stress_intensity(double a, double s) const;
+  [[nodiscard]] UnitStressIntensity<2, Real> stress_intensity(const Real& a, double s) const;
   /// pi d_e: the circle that the front is [m].
-  [[nodiscard]] double swept_area(double a, double s) const;
+  [[nodiscard]] Real swept_area(const Real& a, double s) const;
 };
+using AnnularCrackSolid = BasicAnnularCrackSolid<double>;
+
+extern template struct BasicAnnularCrackSolid<double>;
+extern template struct BasicAnnularCrackSolid<DualReal>;
 
 /// Annular crack in the outer surface of a hollow shaft, loads [axial force, torque].
 ///
@@ -49,39 +54,45 @@ struct AnnularCrackSolid {
 /// and radius ratio, interpolated; the stress intensity is its derivative.  a/t <= 0.8.
 /// Torsion: any r_i/r_o, 0.04 % of an independent computation.  Tension: r_i/r_o <= 0.95 and
 /// nu = 0.3, 0.3 %; nu between 0.25 and 0.35 changes it by up to 0.6 %.
-class AnnularCrackHollow {
+template <class Real>
+class BasicAnnularCrackHollow {
  public:
   static constexpr std::size_t kLoads = 2;
   static constexpr double kMaxDepthRatio = 0.8;           ///< a/t of the table
   static constexpr double kMaxTensionRadiusRatio = 0.95;  ///< r_i/r_o of the table in tension
 
   struct Parameters {
-    double depth = 0.0;         ///< a [m]; > 0, <= 0.8 of the wall
-    double outer_radius = 0.0;  ///< r_o [m]
-    double inner_radius = 0.0;  ///< r_i [m]; >= 0, < outer_radius
-    bool open = true;           ///< false: pressed together by the axial force, K_I = 0 (FR-17)
+    Real depth{};         ///< a [m]; > 0, <= 0.8 of the wall
+    Real outer_radius{};  ///< r_o [m]
+    Real inner_radius{};  ///< r_i [m]; >= 0, < outer_radius
+    bool open = true;     ///< false: pressed together by the axial force, K_I = 0 (FR-17)
   };
 
-  explicit AnnularCrackHollow(const Parameters& parameters);
+  explicit BasicAnnularCrackHollow(const Parameters& parameters);
 
-  [[nodiscard]] double size() const { return p_.depth; }
+  [[nodiscard]] Real size() const { return p_.depth; }
   [[nodiscard]] FrontRange front() const { return {}; }
-  [[nodiscard]] UnitStressIntensity<2> stress_intensity(double a, double s) const;
+  [[nodiscard]] UnitStressIntensity<2, Real> stress_intensity(const Real& a, double s) const;
   /// 2 pi r_e, r_e = r_o - a: the circle that the front is [m].
-  [[nodiscard]] double swept_area(double a, double s) const;
+  [[nodiscard]] Real swept_area(const Real& a, double s) const;
 
   /// C_T(alpha) of (FR-14) at this radius ratio [-].
-  [[nodiscard]] double torsion_factor(double depth_ratio) const;
+  [[nodiscard]] Real torsion_factor(const Real& depth_ratio) const;
   /// C_P(alpha) of (FR-15) at this radius ratio [-].
-  [[nodiscard]] double tension_factor(double depth_ratio) const;
+  [[nodiscard]] Real tension_factor(const Real& depth_ratio) const;
 
  private:
-  using Curve = boost::math::barycentric_rational<double>;
+  static constexpr std::size_t kNodes = 11;  ///< an exact value at 0, then the table's columns
+  using Curve = FloaterHormann<Real, kNodes>;
 
   Parameters p_;
-  double shallow_torsion_factor_;  ///< C_T(0), exact
-  Curve log_torsion_;              ///< ln(C_T/C_T(0)) over alpha
-  Curve tension_;                  ///< C_P over alpha
+  Real shallow_torsion_factor_;  ///< C_T(0), exact
+  Curve log_torsion_;            ///< ln(C_T/C_T(0)) over alpha
+  Curve tension_;                ///< C_P over alpha
 };
+using AnnularCrackHollow = BasicAnnularCrackHollow<double>;
+
+extern template class BasicAnnularCrackHollow<double>;
+extern template class BasicAnnularCrackHollow<DualReal>;
 
 }  // namespace strainwave

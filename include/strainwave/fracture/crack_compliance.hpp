@@ -6,67 +6,81 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <type_traits>
+#include <utility>
 
+#include "strainwave/core/dual.hpp"
 #include "strainwave/core/quadrature.hpp"
 
 /// @file
 /// The one engine that turns stress intensity factors into added compliance.  A crack is a value
 /// that knows its stress intensity factors per unit of each generalised load, and the area that
 /// its front sweeps; everything else follows.
+///
+/// The scalar `Real` is double, or DualReal for the derivatives of everything (core/dual.hpp).
 
 namespace strainwave {
 
 /// Symmetric N x N matrix, stored as its upper triangle, row by row.
-template <std::size_t N>
+template <std::size_t N, class Real = double>
 struct SymmetricMatrix {
-  std::array<double, N*(N + 1) / 2> upper{};
+  std::array<Real, N*(N + 1) / 2> upper{};
 
   SymmetricMatrix() = default;
-  // Implicit, because Boost's quadrature starts its sums from 0.
-  SymmetricMatrix(double fill) { upper.fill(fill); }  // NOLINT(google-explicit-constructor)
+  explicit SymmetricMatrix(const Real& fill) { upper.fill(fill); }
 
   [[nodiscard]] static constexpr std::size_t index(std::size_t i, std::size_t j) {
     return i <= j ? i * N - i * (i + 1) / 2 + j : index(j, i);
   }
-  [[nodiscard]] double operator()(std::size_t i, std::size_t j) const { return upper[index(i, j)]; }
-  double& operator()(std::size_t i, std::size_t j) { return upper[index(i, j)]; }
+  [[nodiscard]] const Real& operator()(std::size_t i, std::size_t j) const {
+    return upper[index(i, j)];
+  }
+  Real& operator()(std::size_t i, std::size_t j) { return upper[index(i, j)]; }
 
   SymmetricMatrix& operator+=(const SymmetricMatrix& other) {
     for (std::size_t n = 0; n < upper.size(); ++n) upper[n] += other.upper[n];
     return *this;
   }
-  SymmetricMatrix& operator*=(double factor) {
-    for (double& entry : upper) entry *= factor;
+  template <class Factor>
+  SymmetricMatrix& operator*=(const Factor& factor) {
+    for (Real& entry : upper) entry *= factor;
     return *this;
   }
-  friend SymmetricMatrix operator-(SymmetricMatrix a) { return a *= -1; }
+  friend SymmetricMatrix operator-(SymmetricMatrix a) { return a *= -1.0; }
   friend SymmetricMatrix operator+(SymmetricMatrix a, const SymmetricMatrix& b) { return a += b; }
-  friend SymmetricMatrix operator-(SymmetricMatrix a, SymmetricMatrix b) { return a += (b *= -1); }
+  friend SymmetricMatrix operator-(SymmetricMatrix a, SymmetricMatrix b) {
+    return a += (b *= -1.0);
+  }
   friend SymmetricMatrix operator*(SymmetricMatrix a, double factor) { return a *= factor; }
   friend SymmetricMatrix operator*(double factor, SymmetricMatrix a) { return a *= factor; }
+  friend SymmetricMatrix operator*(SymmetricMatrix a, const Real& factor) requires is_dual<Real> {
+    return a *= factor;
+  }
   /// Largest magnitude of an entry: the norm that adaptive quadrature needs.
   friend double abs(const SymmetricMatrix& a) {
     double largest = 0.0;
-    for (const double entry : a.upper) largest = std::max(largest, std::abs(entry));
+    for (const Real& entry : a.upper) largest = std::max(largest, magnitude(entry));
     return largest;
   }
 };
 
 /// k_m,i = dK_m/dQ_i: stress intensity factors of modes I, II, III per unit of each of N
 /// generalised loads Q_i, at one point of the front [Pa*m^0.5 per unit of load].
-template <std::size_t N>
+template <std::size_t N, class Real = double>
 struct UnitStressIntensity {
-  std::array<double, N> I{};
-  std::array<double, N> II{};
-  std::array<double, N> III{};
+  std::array<Real, N> I{};
+  std::array<Real, N> II{};
+  std::array<Real, N> III{};
 };
 
 /// Elastic constants that turn stress intensity into energy.
-struct CrackModuli {
-  double opening =
-      0.0;             ///< E' of modes I and II: E in plane stress, E/(1-nu^2) in plane strain [Pa]
-  double shear = 0.0;  ///< mu, of mode III [Pa]
+template <class Real>
+struct BasicCrackModuli {
+  /// E' of modes I and II: E in plane stress, E/(1-nu^2) in plane strain [Pa]
+  Real opening{};
+  Real shear{};  ///< mu, of mode III [Pa]
 };
+using CrackModuli = BasicCrackModuli<double>;
 
 /// Energy release rate of a mixed-mode crack, G = (K_I^2 + K_II^2)/E' + K_III^2/(2 mu) [J/m^2].
 ///
@@ -83,26 +97,31 @@ struct FrontRange {
   double end = 0.0;
 };
 
+/// The scalar that a crack computes with.
+template <class Crack>
+using ScalarOf = std::remove_cvref_t<decltype(std::declval<const Crack&>().size())>;
+
 /// What the engine asks of a crack.
 ///
 /// The front is a curve with parameter s.  While the crack grows from 0 to size(), a piece ds of
 /// the front at size a sweeps the area swept_area(a, s) ds da; where the front is one point, it
 /// sweeps swept_area(a, s) da.
 template <class C>
-concept SweptCrack = requires(const C& crack, double a, double s) {
+concept SweptCrack = requires(const C& crack, const ScalarOf<C>& a, double s) {
   { C::kLoads } -> std::convertible_to<std::size_t>;
-  { crack.size() } -> std::convertible_to<double>;
+  { crack.size() } -> std::convertible_to<ScalarOf<C>>;
   { crack.front() } -> std::same_as<FrontRange>;
-  { crack.stress_intensity(a, s) } -> std::same_as<UnitStressIntensity<C::kLoads>>;
-  { crack.swept_area(a, s) } -> std::convertible_to<double>;
+  { crack.stress_intensity(a, s) } -> std::same_as<UnitStressIntensity<C::kLoads, ScalarOf<C>>>;
+  { crack.swept_area(a, s) } -> std::convertible_to<ScalarOf<C>>;
 };
 
 /// Added compliance matrix with the evidence of its quadrature.
-template <std::size_t N>
+template <std::size_t N, class Real = double>
 struct CrackCompliance {
-  SymmetricMatrix<N> matrix = {};  ///< Delta lambda_ij [displacement of load i per unit of load j]
-  double relative_error = 0.0;     ///< of the quadrature, estimated, relative to the largest entry
-  bool converged = false;          ///< every integral met its tolerance
+  /// Delta lambda_ij [displacement of load i per unit of load j]
+  SymmetricMatrix<N, Real> matrix = {};
+  double relative_error = 0.0;  ///< of the quadrature, estimated, relative to the largest entry
+  bool converged = false;       ///< every integral met its tolerance
 };
 
 /// d(lambda_ij)/dA at one point of the front.
@@ -110,10 +129,11 @@ struct CrackCompliance {
 /// Implements theory manual eq. (FR-2), the integrand,
 ///
 ///     (2/E')(k_I,i k_I,j + k_II,i k_II,j) + (1/mu) k_III,i k_III,j.
-template <std::size_t N>
-[[nodiscard]] SymmetricMatrix<N> compliance_density(const UnitStressIntensity<N>& k,
-                                                    const CrackModuli& moduli) {
-  SymmetricMatrix<N> density;
+template <std::size_t N, class Real>
+[[nodiscard]] SymmetricMatrix<N, Real> compliance_density(
+    const UnitStressIntensity<N, Real>& k,
+    const std::type_identity_t<BasicCrackModuli<Real>>& moduli) {
+  SymmetricMatrix<N, Real> density;
   for (std::size_t i = 0; i < N; ++i)
     for (std::size_t j = i; j < N; ++j)
       density(i, j) = 2 / moduli.opening * (k.I[i] * k.I[j] + k.II[i] * k.II[j]) +  // (FR-2)
@@ -133,16 +153,18 @@ template <std::size_t N>
 /// @param options  tolerance of the adaptive quadrature
 /// @return         symmetric positive semidefinite matrix, shape (N, N)
 template <SweptCrack Crack>
-[[nodiscard]] CrackCompliance<Crack::kLoads> added_compliance(
-    const Crack& crack, const CrackModuli& moduli, const QuadratureOptions& options = {}) {
+[[nodiscard]] CrackCompliance<Crack::kLoads, ScalarOf<Crack>> added_compliance(
+    const Crack& crack, const BasicCrackModuli<ScalarOf<Crack>>& moduli,
+    const QuadratureOptions& options = {}) {
   constexpr std::size_t N = Crack::kLoads;
+  using Real = ScalarOf<Crack>;
   const FrontRange front = crack.front();
   const bool point = front.begin == front.end;
-  const auto density = [&](double a, double s) {
+  const auto density = [&](const Real& a, double s) {
     return compliance_density(crack.stress_intensity(a, s), moduli) * crack.swept_area(a, s);
   };
-  CrackCompliance<N> result{.converged = true};
-  const auto along_front = [&](double a) {
+  CrackCompliance<N, Real> result{.converged = true};
+  const auto along_front = [&](const Real& a) {
     if (point) return density(a, front.begin);
     // 31 points: a slender front bends sharply at the surface.
     const auto integral =
@@ -154,19 +176,19 @@ template <SweptCrack Crack>
   // units that release equal energy at the final size, all entries get the same tolerance.
   SymmetricMatrix<N> scale(1.0);
   if constexpr (N > 1) {
-    const SymmetricMatrix<N> final = along_front(crack.size());
+    const SymmetricMatrix<N, Real> final = along_front(crack.size());
     for (std::size_t i = 0; i < N; ++i)
       for (std::size_t j = i; j < N; ++j) {
-        const double product = std::sqrt(final(i, i)) * std::sqrt(final(j, j));
+        const double product = std::sqrt(value_of(final(i, i))) * std::sqrt(value_of(final(j, j)));
         if (product > 0) scale(i, j) = product;
       }
   }
-  const auto scaled = [&](SymmetricMatrix<N> matrix) {
+  const auto scaled = [&](SymmetricMatrix<N, Real> matrix) {
     for (std::size_t n = 0; n < scale.upper.size(); ++n) matrix.upper[n] /= scale.upper[n];
     return matrix;
   };
   const auto integral =
-      integrate([&](double a) { return scaled(along_front(a)); }, 0.0, crack.size(), options);
+      integrate([&](const Real& a) { return scaled(along_front(a)); }, 0.0, crack.size(), options);
 
   result.matrix = integral.value;
   for (std::size_t n = 0; n < scale.upper.size(); ++n) result.matrix.upper[n] *= scale.upper[n];

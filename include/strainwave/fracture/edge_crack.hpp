@@ -23,20 +23,25 @@ enum class StripLoading {
 [[nodiscard]] double edge_crack_factor(StripLoading loading, double depth_ratio);
 
 /// Edge crack through the whole width of a ring, load [lobe force].
-struct EdgeCrack {
+template <class Real>
+struct BasicEdgeCrack {
   static constexpr std::size_t kLoads = 1;
 
-  double depth = 0.0;        ///< a [m]; > 0, < thickness
-  double thickness = 0.0;    ///< t [m]
-  double width = 0.0;        ///< B, length of the front [m]
-  double unit_stress = 0.0;  ///< stress per unit of load [1/m^2]
+  Real depth{};        ///< a [m]; > 0, < thickness
+  Real thickness{};    ///< t [m]
+  Real width{};        ///< B, length of the front [m]
+  Real unit_stress{};  ///< stress per unit of load [1/m^2]
   StripLoading loading = StripLoading::tension;
   bool open = true;  ///< false: the faces touch, K_I = 0 (FR-17)
 
-  [[nodiscard]] double size() const { return depth; }
+  [[nodiscard]] Real size() const { return depth; }
   [[nodiscard]] FrontRange front() const { return {}; }
-  [[nodiscard]] UnitStressIntensity<1> stress_intensity(double a, double s) const;
-  [[nodiscard]] double swept_area(double, double) const { return width; }
+  [[nodiscard]] UnitStressIntensity<1, Real> stress_intensity(const Real& a, double s) const;
+  [[nodiscard]] Real swept_area(const Real&, double) const { return width; }
 };
+using EdgeCrack = BasicEdgeCrack<double>;
+
+extern template struct BasicEdgeCrack<double>;
+extern template struct BasicEdgeCrack<DualReal>;
 
 }  // namespace strainwave

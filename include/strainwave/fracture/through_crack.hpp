@@ -11,10 +11,12 @@ namespace strainwave {
 enum Load2 : std::size_t { kAxial = 0, kTorsion = 1 };
 
 /// Stress of a thin tube on the plane of an inclined crack, per unit of axial force and torque.
-struct CrackPlaneStress {
-  std::array<double, 2> normal{};  ///< sigma_n per [P, T] [1/m^2, 1/m^3]
-  std::array<double, 2> shear{};   ///< tau_n per [P, T] [1/m^2, 1/m^3]
+template <class Real>
+struct BasicCrackPlaneStress {
+  std::array<Real, 2> normal{};  ///< sigma_n per [P, T] [1/m^2, 1/m^3]
+  std::array<Real, 2> shear{};   ///< tau_n per [P, T] [1/m^2, 1/m^3]
 };
+using CrackPlaneStress = BasicCrackPlaneStress<double>;
 
 /// Implements theory manual eq. (FR-6),
 ///
@@ -27,34 +29,43 @@ struct CrackPlaneStress {
 /// @param nonuniformity   K_u, multiplies the stress of the torque [-]
 [[nodiscard]] CrackPlaneStress crack_plane_stress(double mean_radius, double wall_thickness,
                                                   double angle, double nonuniformity);
+[[nodiscard]] BasicCrackPlaneStress<DualReal> crack_plane_stress(const DualReal& mean_radius,
+                                                                 const DualReal& wall_thickness,
+                                                                 const DualReal& angle,
+                                                                 const DualReal& nonuniformity);
 
 /// Straight through crack in the wall of a thin tube, loads [axial force, torque].
 ///
 /// Stress intensity (FR-7), with the shell correction (FR-8), (FR-9); the area swept is 2 t da.
 /// Membrane theory of a shallow shell: accuracy 2 % on G up to shell parameter 0.7, 8 % at 1.4
 /// (finite elements at 45 degrees).
-struct ThroughCrackInTube {
+template <class Real>
+struct BasicThroughCrackInTube {
   static constexpr std::size_t kLoads = 2;
 
-  double half_length = 0.0;           ///< a [m]; > 0
-  double mean_radius = 0.0;           ///< r [m]; > 0
-  double wall_thickness = 0.0;        ///< t [m]; > 0
-  double angle = 0.0;                 ///< beta [rad]
-  double stress_nonuniformity = 1.0;  ///< K_u [-]
-  double poissons_ratio = 0.3;        ///< nu [-]
-  bool shell_correction = true;       ///< false: flat plate, A_I = 1
-  bool open = true;                   ///< false: the faces touch, K_I = 0 (FR-17)
+  Real half_length{};              ///< a [m]; > 0
+  Real mean_radius{};              ///< r [m]; > 0
+  Real wall_thickness{};           ///< t [m]; > 0
+  Real angle{};                    ///< beta [rad]
+  Real stress_nonuniformity{1.0};  ///< K_u [-]
+  Real poissons_ratio{0.3};        ///< nu [-]
+  bool shell_correction = true;    ///< false: flat plate, A_I = 1
+  bool open = true;                ///< false: the faces touch, K_I = 0 (FR-17)
 
-  [[nodiscard]] double size() const { return half_length; }
+  [[nodiscard]] Real size() const { return half_length; }
   [[nodiscard]] FrontRange front() const { return {}; }
-  [[nodiscard]] UnitStressIntensity<2> stress_intensity(double a, double s) const;
+  [[nodiscard]] UnitStressIntensity<2, Real> stress_intensity(const Real& a, double s) const;
   /// Two tips, each through the wall: 2 t [m].
-  [[nodiscard]] double swept_area(double, double) const { return 2 * wall_thickness; }
+  [[nodiscard]] Real swept_area(const Real&, double) const { return 2 * wall_thickness; }
 
   /// Shell parameter squared, lambda^2 = sqrt(12(1-nu^2)) a^2/(r t) [-]; eq. (FR-8).
-  [[nodiscard]] double shell_parameter_squared(double a) const;
+  [[nodiscard]] Real shell_parameter_squared(const Real& a) const;
   /// A_I of the shell, what it multiplies K_I by, whether switched on or not [-]; eq. (FR-9).
-  [[nodiscard]] double shell_factor(double a) const;
+  [[nodiscard]] Real shell_factor(const Real& a) const;
 };
+using ThroughCrackInTube = BasicThroughCrackInTube<double>;
+
+extern template struct BasicThroughCrackInTube<double>;
+extern template struct BasicThroughCrackInTube<DualReal>;
 
 }  // namespace strainwave

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "strainwave/core/fields.hpp"
+#include "strainwave/core/lift.hpp"
 #include "strainwave/model/crack.hpp"
 
 namespace strainwave {
@@ -117,6 +118,32 @@ struct Diaphragm {
 
 /// Thickness of a diaphragm at a radius [m], by its profile.
 [[nodiscard]] double diaphragm_thickness(const Diaphragm& diaphragm, double radius);
+
+/// The same in the scalar of a lift.  At a station the derivative is that of the law inside it.
+template <class Real>
+[[nodiscard]] Real diaphragm_thickness(const Lift<Real>& lift, const Diaphragm& diaphragm,
+                                       const Real& radius) {
+  if (diaphragm.profile.empty()) return lift(diaphragm.thickness);
+  struct Station {
+    Real radius;
+    Real thickness;
+  };
+  const auto station = [&](const DiaphragmStation& given) {
+    return Station{lift(given.radius), lift(given.thickness)};
+  };
+  const auto between = [&](const Station& inside, const Station& outside) -> Real {
+    const Real s = (radius - inside.radius) / (outside.radius - inside.radius);
+    return inside.thickness + s * (outside.thickness - inside.thickness);
+  };
+  const DiaphragmStation* inside = &diaphragm.profile.front();
+  if (radius <= inside->radius) return lift(inside->thickness);
+  for (const DiaphragmStation& given : diaphragm.profile) {
+    if (radius <= given.radius) return between(station(*inside), station(given));
+    inside = &given;
+  }
+  const Station edge{lift(diaphragm.outer_diameter) / 2, lift(diaphragm.thickness)};
+  return radius < edge.radius ? between(station(*inside), edge) : edge.thickness;
+}
 
 /// The flexspline: cup or cylinder, and its cracks.
 struct Flexspline {

@@ -13,6 +13,7 @@
 #include "strainwave/model/material.hpp"
 #include "strainwave/model/output_shaft.hpp"
 #include "strainwave/model/rating.hpp"
+#include "strainwave/model/scatter.hpp"
 #include "strainwave/model/tooth_mesh.hpp"
 #include "strainwave/model/wave_generator.hpp"
 
@@ -127,6 +128,7 @@ struct GearSet {
   std::optional<CircularSpline> circular_spline;  ///< of the coupled drive; absent: rigid
   std::optional<Rating> rating;                   ///< the maker's torques, for K1, K2, K3
   std::vector<InputRange> range;                  ///< of inputs that are known only so far
+  std::vector<InputScatter> scatter;              ///< of inputs, for combined uncertainty
   std::optional<ArticleOverrides> article;
 
   template <class Visitor>
@@ -173,6 +175,11 @@ struct GearSet {
                 .doc = "inputs that are known only within limits, for the torsion curve",
                 .in_template = InTemplate::commented},
           &GearSet::range);
+    field(Field{.name = "scatter",
+                .unit = "",
+                .doc = "inputs that scatter, for sensitivity --scatter",
+                .in_template = InTemplate::commented},
+          &GearSet::scatter);
     field(Field{.name = "article",
                 .unit = "",
                 .doc = "printed values of the article; read by the method as-printed only",

@@ -4,7 +4,9 @@
 #include <optional>
 #include <string>
 
+#include "strainwave/core/error.hpp"
 #include "strainwave/core/fields.hpp"
+#include "strainwave/core/lift.hpp"
 
 namespace strainwave {
 
@@ -70,18 +72,36 @@ struct Material {
 };
 
 /// The three elastic constants that formulas use.
-struct ElasticConstants {
-  double E = 0.0;   ///< Young's modulus [Pa]
-  double G = 0.0;   ///< shear modulus [Pa]
-  double nu = 0.0;  ///< Poisson's ratio [-]
+template <class Real>
+struct BasicElasticConstants {
+  Real E{};   ///< Young's modulus [Pa]
+  Real G{};   ///< shear modulus [Pa]
+  Real nu{};  ///< Poisson's ratio [-]
 
   /// E' of plane strain, E/(1 - nu^2) [Pa]; theory manual eq. (FR-18).
-  [[nodiscard]] double plane_strain_modulus() const { return E / (1 - nu * nu); }  // (FR-18)
+  [[nodiscard]] Real plane_strain_modulus() const { return E / (1 - nu * nu); }  // (FR-18)
 };
+using ElasticConstants = BasicElasticConstants<double>;
 
 /// Completes E, G, nu from those given, G = E/(2(1+nu)).
 /// @throws InputError  if neither G nor nu is given, or nu = E/(2G) - 1 is outside (-1, 0.5)
 [[nodiscard]] ElasticConstants elastic_constants(const Material& material);
+
+/// The same in the scalar of a lift.
+template <class Real>
+[[nodiscard]] BasicElasticConstants<Real> elastic_constants(const Lift<Real>& lift,
+                                                            const Material& material) {
+  const Real E = lift(material.youngs_modulus);
+  if (!material.shear_modulus && !material.poissons_ratio)
+    throw InputError("poissons_ratio", "must be given, or shear_modulus");
+  const Real nu = material.poissons_ratio ? Real(lift(*material.poissons_ratio))
+                                          : Real(E / (2 * lift(*material.shear_modulus)) - 1);
+  require(nu > -1 && nu < 0.5, "shear_modulus", material.shear_modulus.value_or(0.0), "Pa",
+          "Poisson's ratio E/(2G) - 1 > -1 and < 0.5");
+  const Real G =
+      material.shear_modulus ? Real(lift(*material.shear_modulus)) : Real(E / (2 * (1 + nu)));
+  return {.E = E, .G = G, .nu = nu};
+}
 
 /// Relative contradiction G/(E/(2(1+nu))) - 1 of a material that gives all three [-]; else 0.
 [[nodiscard]] double elastic_contradiction(const Material& material);

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "strainwave/core/dual.hpp"
+#include "strainwave/core/lift.hpp"
 #include "strainwave/model/flexspline.hpp"
 
 namespace strainwave {
 
 /// A round tube in uniform torsion.
-struct Tube {
-  double outer_diameter = 0.0;  ///< D [m]; > 0
-  double inner_diameter = 0.0;  ///< d [m]; >= 0, < D; 0 is a solid bar
-  double length = 0.0;          ///< L [m]; > 0
+template <class Real>
+struct BasicTube {
+  Real outer_diameter{};  ///< D [m]; > 0
+  Real inner_diameter{};  ///< d [m]; >= 0, < D; 0 is a solid bar
+  Real length{};          ///< L [m]; > 0
 };
+using Tube = BasicTube<double>;
 
 /// Torsional compliance of a tube [rad/(N*m)].
 ///
@@ -21,6 +25,8 @@ struct Tube {
 /// @param shear_modulus  G [Pa]; > 0
 /// @throws InputError    if a length is not positive, the bore not smaller, or G not positive
 [[nodiscard]] double torsional_compliance(const Tube& tube, double shear_modulus);
+[[nodiscard]] DualReal torsional_compliance(const BasicTube<DualReal>& tube,
+                                            const DualReal& shear_modulus);
 
 /// A flat annular plate of constant thickness, twisted in its own plane.
 struct AnnularPlate {
@@ -44,12 +50,20 @@ struct AnnularPlate {
 ///
 /// @throws InputError  as for the tube
 [[nodiscard]] double torsional_compliance(const Diaphragm& diaphragm, double shear_modulus);
+/// The same in the scalar of a lift, double or DualReal.
+template <class Real>
+[[nodiscard]] Real torsional_compliance(const Lift<Real>& lift, const Diaphragm& diaphragm,
+                                        const Real& shear_modulus);
 
 /// What a groove all round a diaphragm adds to its compliance [rad/(N*m)]; eq. (TC-20).
 ///
 /// The thickness is less by the groove's depth over its width.
 [[nodiscard]] double groove_compliance(const Diaphragm& diaphragm, const DiaphragmGroove& groove,
                                        double shear_modulus);
+/// The same in the scalar of a lift, double or DualReal.
+template <class Real>
+[[nodiscard]] Real groove_compliance(const Lift<Real>& lift, const Diaphragm& diaphragm,
+                                     const DiaphragmGroove& groove, const Real& shear_modulus);
 
 /// Deflection of a thin ring under U equal radial forces, evenly spaced, over the force, at a
 /// force [m/N].
@@ -66,6 +80,8 @@ struct AnnularPlate {
 /// @param bending_stiffness  E I of the section [N*m^2]; > 0
 /// @throws InputError        if one of them is out of range
 [[nodiscard]] double ring_compliance(int wave_number, double mean_radius, double bending_stiffness);
+[[nodiscard]] DualReal ring_compliance(int wave_number, const DualReal& mean_radius,
+                                       const DualReal& bending_stiffness);
 
 /// Bending moment of that ring at a force, over F R [-]: (1/theta - cot(theta))/2.
 /// @param wave_number  U [-]; >= 2

@@ -39,6 +39,24 @@ struct PlotPanel {
 /// and dashes for those who print in black.  The same input gives the same bytes.
 [[nodiscard]] std::string svg_plot(std::span<const PlotPanel> panels);
 
+/// Bars of one colour.
+struct TornadoSeries {
+  std::string label;
+  std::vector<double> values;  ///< shape (n labels)
+};
+
+/// Horizontal bars from zero, one row for each label, a bar for each series.
+struct TornadoPanel {
+  std::string title = {};
+  std::string subtitle = {};
+  std::string x_label = {};
+  std::vector<std::string> labels = {};
+  std::vector<TornadoSeries> series = {};  ///< one or two
+};
+
+/// Panels of bars below each other as one SVG document; the number stands at the end of each bar.
+[[nodiscard]] std::string tornado_svg(std::span<const TornadoPanel> panels);
+
 /// The picture of a sweep.
 ///
 /// Over one number: stiffness sound and cracked for both senses of torque, and below it, if there

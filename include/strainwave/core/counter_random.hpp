@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <boost/math/special_functions/erf.hpp>
+#include <cstdint>
+#include <numbers>
+
+/// @file
+/// Random numbers by their place, not by their order: the number of draw n and input i is a
+/// function of (seed, n, i), so that any thread may compute any of them.
+
+namespace strainwave {
+
+/// The finaliser of SplitMix64 (Steele, Lea and Flood): a bijection that leaves no pattern.
+[[nodiscard]] constexpr std::uint64_t mixed(std::uint64_t z) {
+  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
+  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
+  return z ^ (z >> 31U);
+}
+
+/// Number n, from 0, of the sequence SplitMix64 begins with a seed.
+[[nodiscard]] constexpr std::uint64_t splitmix64(std::uint64_t seed, std::uint64_t n) {
+  return mixed(seed + (n + 1) * 0x9E3779B97F4A7C15U);
+}
+
+/// Uniform in (0, 1), both excluded: 52 bits and a half.
+[[nodiscard]] constexpr double counter_uniform(std::uint64_t seed, std::uint64_t draw,
+                                               std::uint64_t input) {
+  const std::uint64_t bits = splitmix64(splitmix64(seed, draw), input);
+  return (static_cast<double>(bits >> 12U) + 0.5) * 0x1p-52;
+}
+
+/// Standard normal deviate, by the inverse of the distribution function.
+[[nodiscard]] inline double counter_normal(std::uint64_t seed, std::uint64_t draw,
+                                           std::uint64_t input) {
+  const double u = counter_uniform(seed, draw, input);
+  return -std::numbers::sqrt2 * boost::math::erfc_inv(2 * u);
+}
+
+}  // namespace strainwave

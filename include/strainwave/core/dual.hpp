@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+/// @file
+/// Forward-mode automatic differentiation: numbers that carry N partial derivatives along.
+///
+/// A formula written for a scalar type `Real` gives its value with `double`, and its value and its
+/// exact derivatives with `Dual<N>`, by the chain rule and without a step size (theory manual,
+/// chapter SN; docs/adr/0010).
+
+namespace strainwave {
+
+/// A value and its N partial derivatives, first order; theory manual eq. (SN-2).
+///
+/// A double becomes a Dual of no derivative by itself; a Dual never becomes a double, so nothing
+/// loses its derivatives unseen.  Comparisons are those of the values: a branch is differentiated
+/// as it was taken.
+template <std::size_t N>
+struct Dual {
+  static constexpr std::size_t kPartials = N;
+
+  double value = 0.0;
+  std::array<double, N> partial{};
+
+  constexpr Dual() = default;
+  // Implicit: constants of a formula are numbers without derivatives.
+  constexpr Dual(double constant) : value(constant) {}  // NOLINT(google-explicit-constructor)
+
+  Dual& operator+=(const Dual& b) {
+    value += b.value;
+    for (std::size_t k = 0; k < N; ++k) partial[k] += b.partial[k];
+    return *this;
+  }
+  Dual& operator-=(const Dual& b) {
+    value -= b.value;
+    for (std::size_t k = 0; k < N; ++k) partial[k] -= b.partial[k];
+    return *this;
+  }
+  Dual& operator*=(const Dual& b) {
+    for (std::size_t k = 0; k < N; ++k) partial[k] = partial[k] * b.value + value * b.partial[k];
+    value *= b.value;
+    return *this;
+  }
+  Dual& operator/=(const Dual& b) {
+    const double inverse = 1 / b.value;
+    value /= b.value;
+    for (std::size_t k = 0; k < N; ++k)
+      partial[k] = (partial[k] - value * b.partial[k]) * inverse;  // (SN-2)
+    return *this;
+  }
+  Dual& operator+=(double b) {
+    value += b;
+    return *this;
+  }
+  Dual& operator-=(double b) {
+    value -= b;
+    return *this;
+  }
+  Dual& operator*=(double b) {
+    value *= b;
+    for (double& p : partial) p *= b;
+    return *this;
+  }
+  Dual& operator/=(double b) {
+    value /= b;
+    for (double& p : partial) p /= b;
+    return *this;
+  }
+
+  friend Dual operator-(Dual a) {
+    a.value = -a.value;
+    for (double& p : a.partial) p = -p;
+    return a;
+  }
+  friend Dual operator+(Dual a, const Dual& b) { return a += b; }
+  friend Dual operator+(Dual a, double b) { return a += b; }
+  friend Dual operator+(double a, Dual b) { return b += a; }
+  friend Dual operator-(Dual a, const Dual& b) { return a -= b; }
+  friend Dual operator-(Dual a, double b) { return a -= b; }
+  friend Dual operator-(double a, const Dual& b) {
+    Dual result = -b;
+    result.value = a - b.value;
+    return result;
+  }
+  friend Dual operator*(Dual a, const Dual& b) { return a *= b; }
+  friend Dual operator*(Dual a, double b) { return a *= b; }
+  friend Dual operator*(double a, Dual b) { return b *= a; }
+  friend Dual operator/(Dual a, const Dual& b) { return a /= b; }
+  friend Dual operator/(Dual a, double b) { return a /= b; }
+  friend Dual operator/(double a, const Dual& b) {
+    const double value = a / b.value;
+    return chain(b, value, -value / b.value);
+  }
+
+  friend bool operator==(const Dual& a, const Dual& b) { return a.value == b.value; }
+  friend auto operator<=>(const Dual& a, const Dual& b) { return a.value <=> b.value; }
+
+  /// f(x) where f and its derivative at the value are known: the chain rule; eq. (SN-2).
+  friend Dual chain(const Dual& x, double f, double slope) {
+    Dual result(f);
+    for (std::size_t k = 0; k < N; ++k) result.partial[k] = slope * x.partial[k];  // (SN-2)
+    return result;
+  }
+
+  /// The derivative at 0 is that of +x; only even functions ask for it there.
+  friend Dual abs(const Dual& x) { return std::signbit(x.value) ? -x : x; }
+  friend Dual sqrt(const Dual& x) {
+    const double root = std::sqrt(x.value);
+    return chain(x, root, 0.5 / root);
+  }
+  friend Dual cbrt(const Dual& x) {
+    const double root = std::cbrt(x.value);
+    return chain(x, root, 1 / (3 * root * root));
+  }
+  friend Dual pow(const Dual& x, double exponent) {
+    return chain(x, std::pow(x.value, exponent), exponent * std::pow(x.value, exponent - 1));
+  }
+  friend Dual exp(const Dual& x) {
+    const double f = std::exp(x.value);
+    return chain(x, f, f);
+  }
+  friend Dual log(const Dual& x) { return chain(x, std::log(x.value), 1 / x.value); }
+  friend Dual log1p(const Dual& x) { return chain(x, std::log1p(x.value), 1 / (1 + x.value)); }
+  friend Dual sin(const Dual& x) { return chain(x, std::sin(x.value), std::cos(x.value)); }
+  friend Dual cos(const Dual& x) { return chain(x, std::cos(x.value), -std::sin(x.value)); }
+  friend Dual tan(const Dual& x) {
+    const double f = std::tan(x.value);
+    return chain(x, f, 1 + f * f);
+  }
+  friend Dual atan(const Dual& x) {
+    return chain(x, std::atan(x.value), 1 / (1 + x.value * x.value));
+  }
+  friend Dual asinh(const Dual& x) {
+    return chain(x, std::asinh(x.value), 1 / std::sqrt(1 + x.value * x.value));
+  }
+};
+
+/// The width that the numerical kernels are compiled for: two vectors of four doubles.
+inline constexpr std::size_t kDualWidth = 8;
+/// The scalar, besides double, that the numerical kernels are compiled for.
+using DualReal = Dual<kDualWidth>;
+
+template <class T>
+inline constexpr bool is_dual = false;
+template <std::size_t N>
+inline constexpr bool is_dual<Dual<N>> = true;
+
+/// The value, without derivatives.
+[[nodiscard]] constexpr double value_of(double x) { return x; }
+template <std::size_t N>
+[[nodiscard]] constexpr double value_of(const Dual<N>& x) {
+  return x.value;
+}
+
+/// Zero, and so are all derivatives: what it multiplies may be left out.
+[[nodiscard]] constexpr bool is_nothing(double x) { return x == 0.0; }
+template <std::size_t N>
+[[nodiscard]] constexpr bool is_nothing(const Dual<N>& x) {
+  return x.value == 0.0 && std::ranges::all_of(x.partial, [](double p) { return p == 0.0; });
+}
+
+/// Largest magnitude of the value and its derivatives: the norm that adaptive quadrature needs.
+[[nodiscard]] inline double magnitude(double x) { return std::abs(x); }
+template <std::size_t N>
+[[nodiscard]] double magnitude(const Dual<N>& x) {
+  double largest = std::abs(x.value);
+  for (const double p : x.partial) largest = std::max(largest, std::abs(p));
+  return largest;
+}
+template <class Value>
+[[nodiscard]] double magnitude(const Value& x) {
+  using std::abs;
+  return abs(x);
+}
+
+/// Gives a root, found in doubles, its derivatives: one step of Newton's method in dual numbers.
+///
+/// Implements theory manual eq. (SN-3), dx/dp = -(df/dp)/(df/dx).
+///
+/// @param root      x with f(x) = 0
+/// @param residual  f of the root held constant, with its derivatives
+/// @param slope     df/dx at the root; not 0
+[[nodiscard]] inline double root_with_partials(double root, double, double) { return root; }
+template <std::size_t N>
+[[nodiscard]] Dual<N> root_with_partials(double root, const Dual<N>& residual, double slope) {
+  Dual<N> result = residual * (-1 / slope);  // (SN-3)
+  result.value = root;
+  return result;
+}
+
+}  // namespace strainwave

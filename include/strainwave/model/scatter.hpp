@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "strainwave/core/fields.hpp"
+
+namespace strainwave {
+
+/// How a number scatters about the value in the file.
+enum class ScatterDistribution {
+  lognormal,  ///< the file's value is the median; keeps its sign
+  normal,     ///< the file's value is the mean
+};
+template <>
+struct EnumNames<ScatterDistribution> {
+  static constexpr std::array<std::string_view, 2> names = {"lognormal", "normal"};
+};
+
+/// A number of the file that scatters, independently of the others; read by `strainwave sensitivity
+/// --scatter` only.
+struct InputScatter {
+  std::string path;                          ///< of the number, such as "flexspline.wall_thickness"
+  double relative_standard_deviation = 0.0;  ///< s [-]; in (0, 1]
+  ScatterDistribution distribution = ScatterDistribution::lognormal;
+  std::string source;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "path",
+                .unit = "",
+                .doc = "of the number",
+                .example = R"("flexspline.wall_thickness")"},
+          &InputScatter::path);
+    field(Field{.name = "relative_standard_deviation",
+                .unit = "1",
+                .doc = "s, standard deviation over the value in the file",
+                .range = {.lower = 0.0, .upper = 1.0, .upper_open = false},
+                .example = "0.03"},
+          &InputScatter::relative_standard_deviation);
+    field(Field{.name = "distribution",
+                .unit = "",
+                .doc = "about the value in the file, its median or its mean",
+                .example = R"("lognormal")",
+                .fallback = R"("lognormal")"},
+          &InputScatter::distribution);
+    field(Field{.name = "source",
+                .unit = "",
+                .doc = "one line",
+                .example = R"("drawing tolerance")",
+                .fallback = R"("")"},
+          &InputScatter::source);
+  }
+};
+
+}  // namespace strainwave

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "strainwave/fracture/surface_crack.hpp"
+#include "strainwave/sif/bar/section.hpp"
+#include "strainwave/sif/newman_raju.hpp"
+
+namespace strainwave::sif {
+
+/// From which surface of a hollow bar a crack starts.
+enum class BarSurface { outer, inner };
+
+/// K of a semi-elliptical surface crack in a hollow bar, the wall taken as a plate.
+///
+/// Implements theory manual eqs. (SB-10), (SB-11): the moment's stress through the wall is split
+/// into tension and bending of the plate, and falls along the arc; the torque's shear is that of
+/// mid-depth.
+///
+/// @param aspect  a/c [-]; in (0, 1]
+/// @param phi     from the surface; pi/2 is the deepest point [rad]
+[[nodiscard]] inline UnitStressIntensity<3> hollow_surface_intensity(const RoundSection& section,
+                                                                     BarSurface surface,
+                                                                     double aspect, double a,
+                                                                     double phi) {
+  constexpr double kPoisson = 0.3;
+  const double alpha = a / section.wall();
+  const double root = std::sqrt(std::numbers::pi * a);
+  const double middle = (section.outer_radius + section.inner_radius) / 2;
+  const double inward = surface == BarSurface::outer ? 1.0 : -1.0;
+  const double mouth = middle + inward * section.wall() / 2;
+  const NewmanRajuPlate plate(aspect);
+  const KassirSih shear(aspect, kPoisson);
+  const double tension = plate.tension(alpha, phi) * root;
+  const double bending = plate.bending_ratio(alpha, phi) * inward;
+  const double along = std::cos(a / aspect * std::cos(phi) / mouth);  // x/r at this point
+  const double membrane = section.stress(kMoment, middle);
+  const double gradient = section.stress(kMoment, section.wall() / 2);
+  const double tau = section.stress(kTorque, mouth - inward * a / 2);
+  UnitStressIntensity<3> k;
+  k.I[kForce] = tension * section.stress(kForce, mouth);             // (SB-10)
+  k.I[kMoment] = tension * (membrane + bending * gradient) * along;  // (SB-10)
+  k.II[kTorque] = shear.factor_II(phi) * tau * root;                 // (SB-11)
+  k.III[kTorque] = shear.factor_III(phi) * tau * root;               // (SB-11)
+  return k;
+}
+
+}  // namespace strainwave::sif

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/stiffness_result.hpp"
+#include "strainwave/stiffness/torsional_stiffness.hpp"
+
+/// @file
+/// What `strainwave sensitivity` tells: how stiffness and its loss depend on each input.
+
+namespace strainwave {
+
+/// An output that is differentiated.
+struct SensitivityOutput {
+  std::string name;  ///< "cracked.positive.stiffness"
+  Quantity value;    ///< with the uncertainty of the model's form, which is not of the inputs
+  /// What the elasticities leave of the dimensions of the output, (SN-6), powers of length and of
+  /// force; 0 but for rounding unless a number was read without its derivative.
+  double length_residual = 0.0;
+  double force_residual = 0.0;
+};
+
+/// How one output depends on one input.
+struct Influence {
+  double derivative = 0.0;  ///< dy/dx [unit of the output per unit of the input]
+  double elasticity = 0.0;  ///< d ln y/d ln x [-]; 0 where the input is 0; eq. (SN-1)
+};
+
+/// One number of the file.
+struct SensitivityInput {
+  std::string path;
+  std::string_view unit;  ///< SI
+  double value = 0.0;
+  std::vector<Influence> influence;  ///< shape (n outputs)
+
+  /// Largest magnitude of an elasticity over the outputs.
+  [[nodiscard]] double largest_elasticity() const;
+};
+
+/// Exact first derivatives of the series model at one drive.
+struct Sensitivity {
+  /// Stiffness sound and cracked under both senses of torque, then the losses that are not zero.
+  std::vector<SensitivityOutput> outputs;
+  /// Numbers that any output depends on, the largest elasticity first.
+  std::vector<SensitivityInput> inputs;
+  std::vector<std::string> no_influence;  ///< paths of all other numbers: every derivative is 0
+  std::vector<Note> notes;
+  std::string unusable_because;  ///< empty if usable
+
+  [[nodiscard]] bool usable() const { return unusable_because.empty(); }
+  /// Largest magnitude of the residuals of all outputs (SN-6).
+  [[nodiscard]] double homogeneity_residual() const;
+};
+
+/// A residual beyond this makes a sensitivity not usable; rounding leaves less than 1e-12.
+inline constexpr double kMaxHomogeneityResidual = 1e-9;
+
+/// Derivatives and elasticities of stiffness K_HD and of stiffness loss to every number of a drive.
+///
+/// Implements theory manual eqs. (SN-1), (SN-2), (SN-6): forward-mode automatic differentiation of
+/// the corrected series model, exact but for rounding and the tolerance of the crack integrals.
+/// Whole numbers, such as the wave number, are not differentiated.  At a crack whose faces just
+/// touch the derivative does not exist; a note says so.
+///
+/// @param gear     drive, cracks, load
+/// @param options  tolerance of the crack integrals; value and derivatives are held to it
+/// @throws InputError  if the gear breaks a rule
+[[nodiscard]] Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options = {});
+
+/// The sensitivity with its residuals of (SN-6) computed; not usable if one of them is too large.
+///
+/// `sensitivity_of` ends with it: a number that the model reads without its derivative, which no
+/// other check would see, leaves its dimension missing.
+[[nodiscard]] Sensitivity held_to_dimensions(Sensitivity sensitivity);
+
+/// Power of length and of force in a unit: those of N*m are 1 and 1.
+struct LengthAndForce {
+  double length = 0.0;
+  double force = 0.0;
+};
+/// @throws InputError  if the unit has a dimension that length and force do not make up
+[[nodiscard]] LengthAndForce length_and_force(std::string_view unit);
+
+}  // namespace strainwave

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "strainwave/model/gear_set.hpp"
+#include "strainwave/study/scatter.hpp"
+#include "strainwave/study/sensitivity.hpp"
+
+/// @file
+/// `strainwave sensitivity` as text, JSON, CSV and picture.
+
+namespace strainwave {
+
+struct SensitivityReport {
+  Sensitivity sensitivity;
+  std::optional<Scatter> scatter;
+};
+
+/// Tables at most 100 columns wide: elasticities, the largest first; with scatter, the combined
+/// uncertainty and the share of each input.
+[[nodiscard]] std::string sensitivity_text(const SensitivityReport& report, const GearSet& gear);
+
+/// A JSON object with all digits, SI: `outputs`, `inputs` with `derivative` and `elasticity` by
+/// output, `no_influence`, `homogeneity_residual`, `scatter`, `notes`.
+[[nodiscard]] std::string sensitivity_json(const SensitivityReport& report);
+
+/// A row for each output and input: output, path, unit, value, derivative, elasticity, and with
+/// scatter relative_standard_deviation and share, empty for inputs that do not scatter.
+[[nodiscard]] std::string sensitivity_csv(const SensitivityReport& report);
+
+/// Bars of the elasticities, the largest on top: a panel for the cracked stiffness and, where
+/// cracks take some away, one for its loss.
+[[nodiscard]] std::string tornado_plot(const SensitivityReport& report, const GearSet& gear);
+
+}  // namespace strainwave

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/study/scatter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <span>
+#include <thread>
+
+#include "strainwave/core/counter_random.hpp"
+#include "strainwave/core/error.hpp"
+#include "strainwave/stiffness/series_stiffness.hpp"
+
+namespace strainwave {
+namespace {
+
+constexpr std::size_t kOutputs = 5;
+using Values = std::array<double, kOutputs>;
+
+/// In the order that Sensitivity names them.
+constexpr std::array<std::string_view, kOutputs> kNames = {
+    "intact.stiffness", "cracked.positive.stiffness", "cracked.negative.stiffness",
+    "cracked.positive.stiffness_loss", "cracked.negative.stiffness_loss"};
+
+enum class Fate : unsigned char { evaluated, refused, unusable };
+
+struct Draw {
+  Values value{};
+  Fate fate = Fate::evaluated;
+};
+
+/// Draws values of the numbers that scatter, and evaluates the drive; one for each thread.
+class Evaluator {
+ public:
+  Evaluator(const GearSet& gear, std::uint64_t seed) : gear_(gear), seed_(seed) {
+    // What is known of the inputs does not restrict the draws, and costs time to check.
+    gear_.range.clear();
+    gear_.scatter.clear();
+    for (const InputScatter& scatter : gear.scatter) {
+      double* address = nullptr;
+      for_each_number(gear_, [&](const FieldPath& path, const Field&, double& number) {
+        if (path.text() == scatter.path) address = &number;
+      });
+      const double s = scatter.relative_standard_deviation;
+      const bool lognormal = scatter.distribution == ScatterDistribution::lognormal;
+      numbers_.push_back({.address = address,
+                          .centre = *address,
+                          .deviation = lognormal ? std::sqrt(std::log1p(s * s)) : s,
+                          .lognormal = lognormal});
+    }
+  }
+  Evaluator(const Evaluator&) = delete;  // it points into itself
+  Evaluator& operator=(const Evaluator&) = delete;
+
+  Draw operator()(std::uint64_t n) {
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+      const Number& number = numbers_[i];
+      const double z = number.deviation * counter_normal(seed_, n, i);
+      *number.address = number.centre * (number.lognormal ? std::exp(z) : 1 + z);  // (SN-8)
+    }
+    try {
+      check(gear_);
+      const auto series = series_compliance<double>(gear_);
+      if (!series.usable) return {.fate = Fate::unusable};
+      return {.value = {series.intact_stiffness(), series.positive_stiffness(),
+                        series.negative_stiffness(), series.positive_loss(),
+                        series.negative_loss()}};
+    } catch (const InputError&) {
+      return {.fate = Fate::refused};
+    }
+  }
+
+ private:
+  struct Number {
+    double* address = nullptr;
+    double centre = 0.0;
+    double deviation = 0.0;
+    bool lognormal = true;
+  };
+
+  GearSet gear_;
+  std::uint64_t seed_;
+  std::vector<Number> numbers_;
+};
+
+/// All draws, each at its place; blocks go to whichever thread is free.
+std::vector<Draw> draws_of(const GearSet& gear, const ScatterOptions& options) {
+  constexpr std::size_t kBlock = 256;
+  const auto n = static_cast<std::size_t>(options.samples);
+  std::vector<Draw> draws(n);
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr fault;
+  std::mutex fault_mutex;
+  const auto work = [&] {
+    try {
+      Evaluator evaluate(gear, options.seed);
+      for (;;) {
+        const std::size_t first = next.fetch_add(kBlock);
+        if (first >= n) return;
+        for (std::size_t i = first; i < std::min(first + kBlock, n); ++i) draws[i] = evaluate(i);
+      }
+    } catch (...) {
+      const std::scoped_lock lock(fault_mutex);
+      fault = std::current_exception();
+      next = n;
+    }
+  };
+  const unsigned asked = options.threads > 0 ? static_cast<unsigned>(options.threads)
+                                             : std::max(1U, std::thread::hardware_concurrency());
+  {
+    std::vector<std::jthread> others;
+    for (unsigned t = 1; t < asked; ++t) others.emplace_back(work);
+    work();
+  }
+  if (fault) std::rethrow_exception(fault);
+  return draws;
+}
+
+/// Moments and quantiles of one output, summed in the order of the draws.
+void fill_moments(ScatterOutput& output, std::vector<double> values) {
+  const auto n = static_cast<double>(values.size());
+  double sum = 0.0;
+  for (const double v : values) sum += v;
+  output.mean = sum / n;
+  double second = 0.0;
+  double fourth = 0.0;
+  for (const double v : values) {
+    const double square = (v - output.mean) * (v - output.mean);
+    second += square;
+    fourth += square * square;
+  }
+  const double variance = second / (n - 1);  // (SN-8)
+  const double deviation = std::sqrt(variance);
+  if (output.mean != 0) {
+    output.relative_deviation = deviation / std::abs(output.mean);
+    output.mean_error = output.relative_deviation / std::sqrt(n);
+  }
+  if (deviation > 0) {
+    // Of the variance: (mu_4 - sigma^4)/n; half of that, relatively, of its root.
+    const double kurtosis = fourth / n / (variance * variance);
+    output.relative_deviation_error =
+        output.relative_deviation * std::sqrt(std::max(0.0, kurtosis - 1) / n) / 2;  // (SN-9)
+  }
+  std::ranges::sort(values);
+  const auto quantile = [&](double p) {
+    const double at = p * (n - 1);
+    const auto below = static_cast<std::size_t>(at);
+    const std::size_t above = std::min(below + 1, values.size() - 1);
+    return std::lerp(values[below], values[above], at - static_cast<double>(below));
+  };
+  output.low = quantile(0.05);
+  output.median = quantile(0.5);
+  output.high = quantile(0.95);
+}
+
+/// First order: what each input contributes to the variance of the logarithm.
+void fill_first_order(ScatterOutput& output, const Sensitivity& sensitivity, std::size_t y,
+                      const std::vector<InputScatter>& inputs) {
+  double variance = 0.0;
+  for (const InputScatter& scatter : inputs) {
+    const auto input = std::ranges::find(sensitivity.inputs, scatter.path, &SensitivityInput::path);
+    const double e = input == sensitivity.inputs.end() ? 0.0 : input->influence[y].elasticity;
+    output.share.push_back(std::pow(e * scatter.relative_standard_deviation, 2));
+    variance += output.share.back();  // (SN-7)
+  }
+  output.first_order = std::sqrt(variance);
+  if (variance > 0)
+    for (double& share : output.share) share /= variance;
+}
+
+void note_nonlinear(Scatter& scatter, const ScatterOutput& output) {
+  const double difference = std::abs(output.relative_deviation - output.first_order);
+  if (difference > 3 * output.relative_deviation_error && difference > 0.05 * output.first_order)
+    scatter.notes.push_back(
+        {"scatter.not_linear",
+         fmt::format("first order is {:+.2g} % off the Monte Carlo deviation, beyond its standard "
+                     "error of {:.1g} %: the inputs scatter too far for a linear estimate",
+                     100 * (output.first_order / output.relative_deviation - 1),
+                     100 * output.relative_deviation_error / output.relative_deviation),
+         output.name, "SN-7"});
+}
+
+}  // namespace
+
+Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
+                   const ScatterOptions& options) {
+  check(gear);
+  if (gear.scatter.empty())
+    throw InputError("scatter",
+                     "must be given: at least one [[scatter]] with path and "
+                     "relative_standard_deviation");
+  require(options.samples >= 2 && options.samples <= kMaxSamples, "--samples", options.samples, "1",
+          fmt::format(">= 2 and <= {}", kMaxSamples));
+  require(options.threads >= 0, "--threads", options.threads, "1", ">= 0");
+  if (!sensitivity.usable()) throw SolverError(sensitivity.unusable_because);
+
+  Scatter scatter;
+  scatter.inputs = gear.scatter;
+  scatter.samples = options.samples;
+  scatter.seed = options.seed;
+  const std::vector<Draw> draws = draws_of(gear, options);
+  for (const Draw& draw : draws) {
+    scatter.evaluated += draw.fate == Fate::evaluated ? 1 : 0;
+    scatter.refused += draw.fate == Fate::refused ? 1 : 0;
+    scatter.unusable += draw.fate == Fate::unusable ? 1 : 0;
+  }
+  if (scatter.evaluated < 2)
+    throw SolverError(fmt::format(
+        "of {} draws {} break a rule of the input and {} are beyond the validity of the model",
+        scatter.samples, scatter.refused, scatter.unusable));
+
+  for (std::size_t y = 0; y < sensitivity.outputs.size(); ++y) {
+    const SensitivityOutput& of = sensitivity.outputs[y];
+    ScatterOutput output{.name = of.name,
+                         .unit = of.value.unit,
+                         .value = of.value.value,
+                         .share = {},
+                         .model_uncertainty = of.value.relative_uncertainty};
+    fill_first_order(output, sensitivity, y, gear.scatter);
+    const auto index =
+        static_cast<std::size_t>(std::ranges::find(kNames, of.name) - kNames.begin());
+    std::vector<double> values;
+    for (const Draw& draw : draws)
+      if (draw.fate == Fate::evaluated) values.push_back(draw.value[index]);
+    fill_moments(output, std::move(values));
+    note_nonlinear(scatter, output);
+    scatter.outputs.push_back(std::move(output));
+  }
+  if (scatter.refused + scatter.unusable > 0)
+    scatter.notes.push_back(
+        {"scatter.left_out",
+         fmt::format(
+             "{} draws break a rule of the input, such as a crack deeper than its wall, and "
+             "{} are beyond the validity of the model: means and quantiles are those of the "
+             "other {}",
+             scatter.refused, scatter.unusable, scatter.evaluated),
+         "scatter", "SN-8"});
+  scatter.notes.push_back(
+      {"scatter.model_form",
+       "the uncertainty of the model's form is beside, not in, the scatter by the inputs",
+       "scatter", "ST-16"});
+  scatter.notes.push_back({"scatter.independent",
+                           "the inputs are drawn independently of each other; numbers of one "
+                           "casting or one heat treatment may not be",
+                           "scatter", "SN-7"});
+  return scatter;
+}
+
+}  // namespace strainwave

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/study/sensitivity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/quantity_text.hpp"
+#include "strainwave/stiffness/series_stiffness.hpp"
+
+namespace strainwave {
+namespace {
+
+/// The five outputs of a series computation, in a fixed order.
+template <class Real>
+std::array<Real, 5> outputs_of(const SeriesCompliance<Real>& series) {
+  return {series.intact_stiffness(), series.positive_stiffness(), series.negative_stiffness(),
+          series.positive_loss(), series.negative_loss()};
+}
+
+struct Number {
+  SensitivityInput input;
+  const double* address = nullptr;
+};
+
+/// The numbers that describe the drive; those that describe what is known of them are none.
+std::vector<Number> numbers_of(const GearSet& gear) {
+  std::vector<Number> numbers;
+  for_each_number(gear, [&](const FieldPath& path, const Field& field, const double& value) {
+    if (path.text().starts_with("scatter[")) return;
+    numbers.push_back(
+        {.input = {.path = path.text(), .unit = field.unit, .value = value, .influence = {}},
+         .address = &value});
+  });
+  return numbers;
+}
+
+Quantity loss_of(const Quantity& change) {
+  return {change.value == 0 ? 0.0 : -change.value, change.unit, change.relative_uncertainty};
+}
+
+}  // namespace
+
+double SensitivityInput::largest_elasticity() const {
+  double largest = 0.0;
+  for (const Influence& i : influence) largest = std::max(largest, std::abs(i.elasticity));
+  return largest;
+}
+
+double Sensitivity::homogeneity_residual() const {
+  double largest = 0.0;
+  for (const SensitivityOutput& output : outputs)
+    largest =
+        std::max({largest, std::abs(output.length_residual), std::abs(output.force_residual)});
+  return largest;
+}
+
+LengthAndForce length_and_force(std::string_view unit) {
+  // Text tells joules and radians apart; here they are N*m and 1.
+  const Dimension d = parse_unit(unit).dimension;
+  if (d[2] != -2 * d[1] || d[3] != 0)
+    throw InputError("unit", fmt::format("{} is not made of length and force", unit));
+  return {.length = d[0] - d[1], .force = d[1]};  // N = kg m/s^2
+}
+
+Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options) {
+  const StiffnessResult result = torsional_stiffness(gear, options);
+  Sensitivity sensitivity;
+  sensitivity.unusable_because = result.unusable_because;
+  sensitivity.notes = smoothness_notes(gear);
+
+  const std::array<SensitivityOutput, 5> all = {{
+      {"intact.stiffness", result.intact.stiffness},
+      {"cracked.positive.stiffness", result.positive.stiffness},
+      {"cracked.negative.stiffness", result.negative.stiffness},
+      {"cracked.positive.stiffness_loss", loss_of(result.positive.stiffness_change)},
+      {"cracked.negative.stiffness_loss", loss_of(result.negative.stiffness_change)},
+  }};
+  std::vector<std::size_t> kept;  // of the five
+  for (std::size_t y = 0; y < all.size(); ++y) {
+    if (all[y].value.value != 0) {
+      kept.push_back(y);
+      sensitivity.outputs.push_back(all[y]);
+    } else {
+      sensitivity.notes.push_back({"sensitivity.no_loss",
+                                   "no crack takes stiffness away: a loss of 0 has no elasticity",
+                                   all[y].name, "SN-1"});
+    }
+  }
+
+  std::vector<Number> numbers = numbers_of(gear);
+  bool converged = true;
+  for (std::size_t first = 0; first < numbers.size(); first += kDualWidth) {
+    const std::size_t n = std::min(kDualWidth, numbers.size() - first);
+    std::array<const double*, kDualWidth> addresses{};
+    for (std::size_t k = 0; k < n; ++k) addresses[k] = numbers[first + k].address;
+    const auto inputs = std::span(addresses).first(n);
+    const Lift<DualReal> lift(inputs);
+    const auto series = series_compliance(gear, lift, options);
+    const auto outputs = outputs_of(series);
+    converged = converged && series.usable;
+    for (std::size_t k = 0; k < n; ++k) {
+      SensitivityInput& input = numbers[first + k].input;
+      for (const std::size_t y : kept) {
+        const double partial = outputs[y].partial[k];
+        const double derivative = partial / Lift<DualReal>::seed(input.value);
+        input.influence.push_back(
+            {derivative, derivative * input.value / outputs[y].value});  // (SN-1)
+      }
+    }
+  }
+  if (sensitivity.usable() && !converged)
+    sensitivity.unusable_because = "the derivative of a crack integral did not converge";
+
+  for (Number& number : numbers) {
+    const bool none = std::ranges::all_of(number.input.influence,
+                                          [](const Influence& i) { return i.derivative == 0.0; });
+    if (none)
+      sensitivity.no_influence.push_back(std::move(number.input.path));
+    else
+      sensitivity.inputs.push_back(std::move(number.input));
+  }
+  std::ranges::stable_sort(sensitivity.inputs, std::ranges::greater{},
+                           &SensitivityInput::largest_elasticity);
+  sensitivity.notes.push_back({"sensitivity.whole_numbers",
+                               "whole numbers, such as the wave number, have no derivative", "",
+                               "SN-1"});
+  sensitivity.notes.push_back({"sensitivity.series_model",
+                               "of the series model; the maker's K1, K2, K3 of the torsion curve "
+                               "are not differentiated",
+                               "", "ST-1"});
+  return held_to_dimensions(std::move(sensitivity));
+}
+
+Sensitivity held_to_dimensions(Sensitivity sensitivity) {
+  for (std::size_t y = 0; y < sensitivity.outputs.size(); ++y) {
+    SensitivityOutput& output = sensitivity.outputs[y];
+    const LengthAndForce of_output = length_and_force(output.value.unit);
+    output.length_residual = -of_output.length;
+    output.force_residual = -of_output.force;
+    for (const SensitivityInput& input : sensitivity.inputs) {
+      const LengthAndForce of_input = length_and_force(input.unit);
+      output.length_residual += input.influence[y].elasticity * of_input.length;  // (SN-6)
+      output.force_residual += input.influence[y].elasticity * of_input.force;    // (SN-6)
+    }
+  }
+  const double residual = sensitivity.homogeneity_residual();
+  if (sensitivity.usable() && !(residual <= kMaxHomogeneityResidual))
+    sensitivity.unusable_because = fmt::format(
+        "the elasticities miss the dimensions of the stiffness by {:.2g} (SN-6): the model reads a "
+        "number whose derivative is lost",
+        residual);
+  return sensitivity;
+}
+
+}  // namespace strainwave

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/study/sensitivity_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <vector>
+
+#include "display_unit.hpp"
+#include "strainwave/io/result_writer.hpp"
+#include "strainwave/study/plot.hpp"
+
+namespace strainwave {
+namespace {
+
+constexpr std::size_t kWidth = 100;
+constexpr std::size_t kPathWidth = 36;
+
+/// Head of a column.
+std::string_view short_name(std::string_view output) {
+  if (output == "intact.stiffness") return "K sound";
+  if (output == "cracked.positive.stiffness") return "K, T > 0";
+  if (output == "cracked.negative.stiffness") return "K, T < 0";
+  if (output == "cracked.positive.stiffness_loss") return "loss, T > 0";
+  return "loss, T < 0";
+}
+
+bool is_loss(std::string_view output) { return output.ends_with("_loss"); }
+
+std::string shown_value(double value, std::string_view path, std::string_view si) {
+  const DisplayUnit unit = display_unit(path, si);
+  return unit.text == "1" ? fmt::format("{:.5g}", value)
+                          : fmt::format("{:.5g} {}", value / unit.in_si, unit.text);
+}
+
+std::string shown_output(const Quantity& value, std::string_view name) {
+  if (is_loss(name)) return fmt::format("{:.4g} %", 100 * value.value);
+  return fmt::format("{:.5g}", value.value / display_unit(name, value.unit).in_si);
+}
+
+std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
+
+/// A row of a table; a path that is too long for its column has a line of its own.
+std::string row(std::string_view label, std::string_view value,
+                const std::vector<std::string>& cells) {
+  std::string text;
+  if (label.size() > kPathWidth) {
+    text += fmt::format("  {}\n", label);
+    label = "";
+  }
+  text += fmt::format("  {:<36}{:>14}", label, value);
+  for (const std::string& cell : cells) text += fmt::format("{:>12}", cell);
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text + '\n';
+}
+
+template <class Range, class Cell>
+std::vector<std::string> cells(const Range& range, const Cell& cell) {
+  std::vector<std::string> result;
+  for (const auto& element : range) result.push_back(cell(element));
+  return result;
+}
+
+/// Columns of a table that do not fit beside each other go below: stiffness, then loss.
+std::vector<std::vector<std::size_t>> column_groups(const Sensitivity& sensitivity) {
+  std::vector<std::vector<std::size_t>> groups;
+  for (const bool loss : {false, true}) {
+    std::vector<std::size_t> group;
+    for (std::size_t y = 0; y < sensitivity.outputs.size(); ++y)
+      if (is_loss(sensitivity.outputs[y].name) == loss) group.push_back(y);
+    if (!group.empty()) groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+double largest(const SensitivityInput& input, const std::vector<std::size_t>& outputs) {
+  double most = 0.0;
+  for (const std::size_t y : outputs)
+    most = std::max(most, std::abs(input.influence[y].elasticity));
+  return most;
+}
+
+std::string elasticities_text(const Sensitivity& sensitivity) {
+  std::string text =
+      "Elasticities: per cent that the output changes per per cent of the input (SN-1)\n";
+  for (const std::vector<std::size_t>& group : column_groups(sensitivity)) {
+    text += '\n' + row("", "", cells(group, [&](std::size_t y) {
+                         return std::string(short_name(sensitivity.outputs[y].name));
+                       }));
+    text += row(is_loss(sensitivity.outputs[group[0]].name) ? "loss of stiffness"
+                                                            : "stiffness [N*m/arcmin]",
+                "", cells(group, [&](std::size_t y) {
+                  return shown_output(sensitivity.outputs[y].value, sensitivity.outputs[y].name);
+                }));
+    std::vector<const SensitivityInput*> inputs;
+    for (const SensitivityInput& input : sensitivity.inputs)
+      if (largest(input, group) > 0) inputs.push_back(&input);
+    std::ranges::stable_sort(inputs, [&](const auto* a, const auto* b) {
+      return largest(*a, group) > largest(*b, group);
+    });
+    for (const SensitivityInput* const input : inputs)
+      text += row(input->path, shown_value(input->value, input->path, input->unit),
+                  cells(group, [&](std::size_t y) {
+                    return fmt::format("{:+.4f}", input->influence[y].elasticity);
+                  }));
+  }
+  std::string zeros;
+  for (const SensitivityInput& input : sensitivity.inputs) {
+    if (input.value != 0) continue;
+    for (std::size_t y = 0; y < sensitivity.outputs.size(); ++y)
+      zeros += fmt::format("  d {}/d {} = {:.5g} in SI units\n", sensitivity.outputs[y].name,
+                           input.path, input.influence[y].derivative);
+  }
+  if (!zeros.empty())
+    text += "\nInputs that are 0, which have a derivative but no elasticity\n" + zeros;
+  if (!sensitivity.no_influence.empty())
+    text += "\n" +
+            wrapped(fmt::format("No influence: {}", fmt::join(sensitivity.no_influence, ", ")),
+                    kWidth, 2) +
+            '\n';
+  text += fmt::format("\nDimensions hold to {:.1g}, at most {:.0g} is accepted (SN-6)\n",
+                      sensitivity.homogeneity_residual(), kMaxHomogeneityResidual);
+  return text;
+}
+
+std::string scatter_text(const Scatter& scatter, const Sensitivity& sensitivity) {
+  std::string text = fmt::format(
+      "\nScatter of the inputs: {} of {} draws evaluated, {} refused, {} not usable; seed {}\n",
+      scatter.evaluated, scatter.samples, scatter.refused, scatter.unusable, scatter.seed);
+  for (const std::vector<std::size_t>& group : column_groups(sensitivity)) {
+    const auto line = [&](std::string_view label, const auto& cell) {
+      text += row(label, "", cells(group, [&](std::size_t y) { return cell(scatter.outputs[y]); }));
+    };
+    text += '\n';
+    line("", [](const ScatterOutput& o) { return std::string(short_name(o.name)); });
+    line("relative deviation, first order",
+         [](const ScatterOutput& o) { return percent(o.first_order); });
+    line("relative deviation, Monte Carlo",
+         [](const ScatterOutput& o) { return percent(o.relative_deviation); });
+    line("  its standard error",
+         [](const ScatterOutput& o) { return percent(o.relative_deviation_error); });
+    const auto value = [](const ScatterOutput& o, double of) {
+      return shown_output({of, o.unit}, o.name);
+    };
+    line("value in the file", [&](const ScatterOutput& o) { return value(o, o.value); });
+    line("mean", [&](const ScatterOutput& o) { return value(o, o.mean); });
+    line("5 %", [&](const ScatterOutput& o) { return value(o, o.low); });
+    line("median", [&](const ScatterOutput& o) { return value(o, o.median); });
+    line("95 %", [&](const ScatterOutput& o) { return value(o, o.high); });
+    line("beside it: form of the model", [](const ScatterOutput& o) {
+      return o.model_uncertainty ? percent(*o.model_uncertainty) : std::string("none");
+    });
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < scatter.inputs.size(); ++i) order.push_back(i);
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+      return scatter.outputs[group[0]].share[a] > scatter.outputs[group[0]].share[b];
+    });
+    text += row("share of the variance, first order", "deviation", {});
+    for (const std::size_t i : order)
+      text += row(scatter.inputs[i].path, percent(scatter.inputs[i].relative_standard_deviation),
+                  cells(group, [&](std::size_t y) {
+                    return fmt::format("{:.1f} %", 100 * scatter.outputs[y].share[i]);
+                  }));
+  }
+  return text;
+}
+
+std::string notes_text(const std::vector<Note>& notes) {
+  std::string text;
+  for (const Note& note : notes) {
+    std::string line = note.path.empty() ? note.text : note.path + ": " + note.text;
+    if (!note.equation.empty()) line += fmt::format(" ({})", note.equation);
+    text += fmt::format("  - {}\n", wrapped(line, kWidth - 4, 4));
+  }
+  return text;
+}
+
+using Json = nlohmann::ordered_json;
+
+Json notes_json(const std::vector<Note>& notes) {
+  Json list = Json::array();
+  for (const Note& note : notes)
+    list.push_back({{"code", note.code},
+                    {"text", note.text},
+                    {"path", note.path},
+                    {"equation", note.equation}});
+  return list;
+}
+
+Json number_or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
+
+Json scatter_json(const Scatter& scatter) {
+  Json json = {{"samples", scatter.samples}, {"evaluated", scatter.evaluated},
+               {"refused", scatter.refused}, {"unusable", scatter.unusable},
+               {"seed", scatter.seed},       {"inputs", Json::array()},
+               {"outputs", Json::array()}};
+  for (const InputScatter& input : scatter.inputs)
+    json["inputs"].push_back({{"path", input.path},
+                              {"relative_standard_deviation", input.relative_standard_deviation},
+                              {"distribution", enum_name(input.distribution)},
+                              {"source", input.source}});
+  for (const ScatterOutput& output : scatter.outputs)
+    json["outputs"].push_back(
+        {{"name", output.name},
+         {"unit", output.unit},
+         {"value", output.value},
+         {"first_order", {{"relative_deviation", output.first_order}, {"share", output.share}}},
+         {"monte_carlo",
+          {{"mean", output.mean},
+           {"mean_relative_error", output.mean_error},
+           {"relative_deviation", output.relative_deviation},
+           {"relative_deviation_error", output.relative_deviation_error},
+           {"low", output.low},
+           {"median", output.median},
+           {"high", output.high}}},
+         {"model_relative_uncertainty", number_or_null(output.model_uncertainty)}});
+  json["notes"] = notes_json(scatter.notes);
+  return json;
+}
+
+/// A path as a field of a CSV line, quoted where it must be (RFC 4180).
+std::string csv_field(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted += '"';
+}
+
+/// Bars of the outputs of one kind that a panel shows, the largest on top.
+TornadoPanel panel_of(const Sensitivity& sensitivity, const std::vector<std::size_t>& outputs) {
+  constexpr std::size_t kMostBars = 14;
+  TornadoPanel panel;
+  std::vector<const SensitivityInput*> inputs;
+  for (const SensitivityInput& input : sensitivity.inputs)
+    if (largest(input, outputs) > 0) inputs.push_back(&input);
+  std::ranges::stable_sort(inputs, [&](const auto* a, const auto* b) {
+    return largest(*a, outputs) > largest(*b, outputs);
+  });
+  const std::size_t shown = std::min(kMostBars, inputs.size());
+  if (shown < inputs.size())
+    panel.subtitle = fmt::format("the {} largest of {}", shown, inputs.size());
+  for (const std::size_t y : outputs) {
+    TornadoSeries series{
+        .label = sensitivity.outputs[y].name.find("positive") != std::string::npos   ? "T > 0"
+                 : sensitivity.outputs[y].name.find("negative") != std::string::npos ? "T < 0"
+                                                                                     : "sound",
+        .values = {}};
+    for (std::size_t i = 0; i < shown; ++i)
+      series.values.push_back(inputs[i]->influence[y].elasticity);
+    panel.series.push_back(std::move(series));
+  }
+  for (std::size_t i = 0; i < shown; ++i) panel.labels.push_back(inputs[i]->path);
+  // One bar tells as much where both senses are the same to the eye.
+  if (panel.series.size() == 2) {
+    bool same = true;
+    for (std::size_t i = 0; i < shown; ++i)
+      same = same && std::abs(panel.series[0].values[i] - panel.series[1].values[i]) < 5e-4;
+    if (same) {
+      panel.series.pop_back();
+      panel.series[0].label = "T > 0 and T < 0";
+    }
+  }
+  return panel;
+}
+
+}  // namespace
+
+std::string sensitivity_text(const SensitivityReport& report, const GearSet& gear) {
+  const Sensitivity& sensitivity = report.sensitivity;
+  std::string text =
+      fmt::format("{}\nSensitivity of the torsional stiffness, method corrected, series model\n\n",
+                  gear.name.empty() ? "Strain wave gear" : gear.name);
+  text += elasticities_text(sensitivity);
+  if (report.scatter) text += scatter_text(*report.scatter, sensitivity);
+  text += "\nNotes\n" + notes_text(sensitivity.notes);
+  if (report.scatter) text += notes_text(report.scatter->notes);
+  return text;
+}
+
+std::string sensitivity_json(const SensitivityReport& report) {
+  const Sensitivity& sensitivity = report.sensitivity;
+  Json json;
+  json["method"] = "corrected";
+  json["usable"] = sensitivity.usable();
+  if (!sensitivity.usable()) json["unusable_because"] = sensitivity.unusable_because;
+  json["homogeneity_residual"] = sensitivity.homogeneity_residual();
+  json["outputs"] = Json::array();
+  for (const SensitivityOutput& output : sensitivity.outputs)
+    json["outputs"].push_back(
+        {{"name", output.name},
+         {"value", output.value.value},
+         {"unit", output.value.unit},
+         {"relative_uncertainty", number_or_null(output.value.relative_uncertainty)},
+         {"length_residual", output.length_residual},
+         {"force_residual", output.force_residual}});
+  json["inputs"] = Json::array();
+  for (const SensitivityInput& input : sensitivity.inputs) {
+    Json influence = Json::object();
+    for (std::size_t y = 0; y < sensitivity.outputs.size(); ++y)
+      influence[sensitivity.outputs[y].name] = {{"derivative", input.influence[y].derivative},
+                                                {"elasticity", input.influence[y].elasticity}};
+    json["inputs"].push_back({{"path", input.path},
+                              {"value", input.value},
+                              {"unit", input.unit},
+                              {"influence", std::move(influence)}});
+  }
+  json["no_influence"] = sensitivity.no_influence;
+  if (report.scatter) json["scatter"] = scatter_json(*report.scatter);
+  json["notes"] = notes_json(sensitivity.notes);
+  // Names in a file may be any bytes; JSON must be UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string sensitivity_csv(const SensitivityReport& report) {
+  const Sensitivity& sensitivity = report.sensitivity;
+  std::string csv = "output,path,unit,value,derivative,elasticity";
+  if (report.scatter) csv += ",relative_standard_deviation,share";
+  csv += '\n';
+  for (std::size_t y = 0; y < sensitivity.outputs.size(); ++y)
+    for (const SensitivityInput& input : sensitivity.inputs) {
+      csv += fmt::format("{},{},{},{},{},{}", sensitivity.outputs[y].name, csv_field(input.path),
+                         input.unit, input.value, input.influence[y].derivative,
+                         input.influence[y].elasticity);
+      if (report.scatter) {
+        const auto& inputs = report.scatter->inputs;
+        const auto at = std::ranges::find(inputs, input.path, &InputScatter::path);
+        csv += at == inputs.end()
+                   ? std::string(",,")
+                   : fmt::format(",{},{}", at->relative_standard_deviation,
+                                 report.scatter->outputs[y]
+                                     .share[static_cast<std::size_t>(at - inputs.begin())]);
+      }
+      csv += '\n';
+    }
+  return csv;
+}
+
+std::string tornado_plot(const SensitivityReport& report, const GearSet& gear) {
+  const Sensitivity& sensitivity = report.sensitivity;
+  std::vector<TornadoPanel> panels;
+  for (std::vector<std::size_t> group : column_groups(sensitivity)) {
+    const bool loss = is_loss(sensitivity.outputs[group[0]].name);
+    if (!loss) group.erase(group.begin());  // the sound drive: both cracked ones show it too
+    TornadoPanel panel = panel_of(sensitivity, group);
+    panel.title = loss ? "Loss of stiffness by cracks" : "Stiffness K at the output";
+    if (panels.empty() && !gear.name.empty()) panel.title += ": " + gear.name;
+    panel.x_label =
+        loss ? "elasticity of the loss, ∂ ln(−ΔK/K)/∂ ln x" : "elasticity, ∂ ln K/∂ ln x";
+    panels.push_back(std::move(panel));
+  }
+  return tornado_svg(panels);
+}
+
+}  // namespace strainwave
