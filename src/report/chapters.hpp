@@ -49,6 +49,7 @@ enum class Severity {
 [[nodiscard]] ReportSection results_chapter(const Draft& draft);
 [[nodiscard]] ReportSection shares_chapter(const Draft& draft);
 [[nodiscard]] ReportSection torsion_chapter(Draft& draft);
+[[nodiscard]] ReportSection sensitivity_chapter(Draft& draft);
 [[nodiscard]] ReportSection intensities_chapter(const Draft& draft);
 [[nodiscard]] ReportSection strength_chapter(const Draft& draft);
 [[nodiscard]] ReportSection notes_chapter(const Draft& draft);

@@ -92,7 +92,7 @@ class Collector {
       T::describe([&](const Field& inner, auto member) {
         using Value = std::decay_t<decltype(value.*member)>;
         if constexpr (is_table<Value>)
-          if (path.text().empty() && (inner.name == "range")) return;
+          if (path.text().empty() && (inner.name == "range" || inner.name == "scatter")) return;
         if constexpr (is_table<Value>) walk(value.*member, path / inner.name, inner);
       });
     }
@@ -134,6 +134,11 @@ class Collector {
         entry.remark += (entry.remark.empty() ? "" : "; ") + range.source;
       entry.remark = between + (entry.remark.empty() ? "" : "; " + entry.remark);
     }
+    for (const InputScatter& scatter : gear_.scatter)
+      if (scatter.path == entry.path)
+        entry.remark += fmt::format("{}scatters by {:.3g} %{}{}", entry.remark.empty() ? "" : "; ",
+                                    100 * scatter.relative_standard_deviation,
+                                    scatter.source.empty() ? "" : ": ", scatter.source);
     if (groups_.empty() || groups_.back().first != group_) groups_.push_back({group_, {}});
     groups_.back().second.push_back(std::move(entry));
   }

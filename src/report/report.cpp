@@ -186,6 +186,7 @@ Report make_report(const GearSet& gear, const Provenance& provenance,
   made.sections.push_back(results_chapter(draft));
   made.sections.push_back(shares_chapter(draft));
   made.sections.push_back(torsion_chapter(draft));
+  made.sections.push_back(sensitivity_chapter(draft));
   made.sections.push_back(intensities_chapter(draft));
   made.sections.push_back(strength_chapter(draft));
   // Behind all that add notes and equations.

@@ -21,6 +21,7 @@
 #include "strainwave/model/result_fields.hpp"
 #include "strainwave/report/section_drawing.hpp"
 #include "strainwave/study/evaluate.hpp"
+#include "strainwave/study/sensitivity.hpp"
 #include "support/article_gear.hpp"
 
 namespace strainwave {
@@ -30,9 +31,9 @@ using test::Element;
 using units::mm;
 using units::MPa;
 
-constexpr std::array kSections = {"drawing",  "inputs",      "results",   "shares",
-                                  "torsion",  "intensities", "strength",  "notes",
-                                  "accuracy", "equations",   "provenance"};
+constexpr std::array kSections = {"drawing", "inputs",      "results",     "shares",
+                                  "torsion", "sensitivity", "intensities", "strength",
+                                  "notes",   "accuracy",    "equations",   "provenance"};
 
 const Provenance kProvenance{.version = "1.2.3",
                              .revision = "abc",
@@ -46,8 +47,9 @@ std::string text_of(const std::string& name) {
 
 /// Few positions and draws: what is tested here is the report, not the curve.
 Report report_on(const std::string& text, Method method = Method::corrected) {
-  return make_report(read_gear_set(text, "drive.toml"), kProvenance,
-                     {.method = method, .input_text = text, .date = {}, .angles = 1, .draws = 2});
+  return make_report(
+      read_gear_set(text, "drive.toml"), kProvenance,
+      {.method = method, .input_text = text, .date = {}, .angles = 1, .draws = 2, .samples = 20});
 }
 
 std::size_t count(const std::string& text, const std::string& part) {
@@ -66,8 +68,9 @@ const ReportSection& section(const Report& report, const std::string& id) {
 std::vector<Element> parsed(const std::string& html) { return test::parse_xml(html); }
 
 TEST(Report, IdentityEveryExampleGivesAWholePage) {
-  for (const char* const name : {"article", "cracked_size25", "cup_sections", "solid_shaft",
-                                 "catalogue_size25", "critical_crack"}) {
+  for (const char* const name :
+       {"article", "cracked_size25", "cup_sections", "solid_shaft", "catalogue_size25",
+        "critical_crack", "article_scatter", "library_material"}) {
     const Report report = report_on(text_of(name));
     const std::string html = report_html(report);
     ASSERT_NO_THROW((void)parsed(html)) << name;
@@ -355,6 +358,32 @@ TEST(Report, IdentityCracksBeyondCriticalStandOnTop) {
   EXPECT_NE(section(report_on(text_of("article")), "strength").html.find("Cannot tell"),
             std::string::npos);
   EXPECT_NE(report_on(text_of("article")).verdict.find("verdict care"), std::string::npos);
+}
+
+TEST(Report, CrosscheckElasticitiesAreThoseOfTheSensitivity) {
+  const std::string text = text_of("article_scatter");
+  const Report report = report_on(text);
+  const Sensitivity s = sensitivity_of(read_gear_set(text, "x"));
+  const std::string& html = section(report, "sensitivity").html;
+  std::size_t output = 0;
+  while (s.outputs.at(output).name != "cracked.positive.stiffness") ++output;
+  // The longest bar is the largest elasticity.
+  double largest = 0;
+  for (const SensitivityInput& input : s.inputs)
+    largest = std::max(largest, std::abs(input.influence[output].elasticity));
+  double longest = 0;
+  for (const Element& element :
+       parsed("<x>" + html.substr(0, html.find("</figure>")) + "</figure></x>"))
+    if (element.name == "rect")
+      longest = std::max(longest, std::abs(std::stod(element.at("data-to"))));
+  EXPECT_DOUBLE_EQ(longest, largest);
+  EXPECT_NE(html.find("Scatter of the outputs"), std::string::npos);
+  EXPECT_NE(html.find("of which 20 were evaluated"), std::string::npos);
+  EXPECT_EQ(section(report_on(text_of("article")), "sensitivity").html.find("Scatter of"),
+            std::string::npos);
+  EXPECT_NE(section(report_on(text_of("article"), Method::repaired), "sensitivity")
+                .html.find("No sensitivity"),
+            std::string::npos);
 }
 
 TEST(Report, LimitADriveThatTheLibraryWasGivenWithoutATextHasOne) {

@@ -21,6 +21,7 @@ struct ReportOptions {
   std::string date = {};  ///< as it is to be printed; empty: none
   int angles = 24;  ///< positions of the wave generator in the comparison of torsion curves; >= 0
   int draws = 200;  ///< of the file's ranges for the bands of K1, K2, K3; >= 0
+  int samples = 2000;  ///< of the scatter that the file gives; 2 to kMaxSamples
 };
 
 /// A chapter of a report.
@@ -39,8 +40,8 @@ struct Report {
 };
 
 /// Evaluates a drive and writes the chapters: drawing, inputs and who gave them, results, shares,
-/// torsion curve where the geometry is complete, stress intensities against toughness, validity
-/// notes, accuracies, equations, provenance.
+/// torsion curve where the geometry is complete, sensitivity, stress intensities against toughness,
+/// validity notes, accuracies, equations, provenance.
 ///
 /// The same input, version and options give the same bytes: no clock, no host, no environment.
 /// @throws InputError  if the gear breaks a rule, or holds what the method cannot treat

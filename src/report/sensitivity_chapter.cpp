@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "chapters.hpp"
+#include "html.hpp"
+#include "markup.hpp"
+#include "strainwave/core/error.hpp"
+#include "strainwave/study/scatter.hpp"
+#include "strainwave/study/sensitivity.hpp"
+
+namespace strainwave::report {
+namespace {
+
+constexpr std::size_t kMostBars = 12;
+constexpr std::size_t kMostRows = 20;
+
+/// "stiffness, T > 0" for "cracked.positive.stiffness".
+std::string output_text(std::string_view name) {
+  const std::string_view what = name.ends_with("_loss") ? "loss of stiffness" : "stiffness";
+  if (name.starts_with("intact")) return fmt::format("{}, sound", what);
+  return fmt::format("{}, T {} 0", what,
+                     name.find("negative") == std::string_view::npos ? '>' : '<');
+}
+
+std::string elasticity_text(double elasticity) {
+  return typeset(fmt::format("{:+.3g}", elasticity));
+}
+
+std::string tornado(const Sensitivity& s, std::size_t output, const std::string& id) {
+  std::vector<const SensitivityInput*> inputs;
+  for (const SensitivityInput& input : s.inputs)
+    if (input.influence[output].elasticity != 0) inputs.push_back(&input);
+  std::ranges::stable_sort(inputs, std::greater<>(), [&](const SensitivityInput* input) {
+    return std::abs(input->influence[output].elasticity);
+  });
+  inputs.resize(std::min(inputs.size(), kMostBars));
+  const std::string what = output_text(s.outputs[output].name);
+  BarChart chart{
+      .id = id,
+      .title = "Elasticities of the " + what,
+      .axis = fmt::format("change of the {} in percent, for one percent more of the input", what)};
+  for (const SensitivityInput* input : inputs) {
+    const double elasticity = input->influence[output].elasticity;
+    chart.bars.push_back({.label = input->path,
+                          .to = elasticity,
+                          .text = elasticity_text(elasticity),
+                          .style = elasticity < 0 ? "low" : ""});
+  }
+  return chart.bars.empty()
+             ? std::string()
+             : figure(bar_chart(chart), "What weighs most on the " + what + ".", "bars");
+}
+
+std::string scatter_html(Draft& draft, const Sensitivity& s) {
+  const ScatterOptions options{.samples = draft.options.samples, .seed = 1, .threads = 1};
+  const Scatter scatter = scatter_of(draft.gear, s, options);
+  draft.add(scatter.notes);
+  draft.add(std::vector<std::string>{"SN-7", "SN-8"});
+  std::vector<Row> rows;
+  for (const ScatterOutput& output : scatter.outputs)
+    rows.push_back({{escaped(output_text(output.name)), percent(output.first_order),
+                     percent(output.relative_deviation), number(output.low), number(output.median),
+                     number(output.high), escaped(output.unit)},
+                    {}});
+  std::string html =
+      paragraph(fmt::format("Scatter of {} inputs, as the file gives it, by first order and by {} "
+                            "draws, of which {} were "
+                            "evaluated.",
+                            scatter.inputs.size(), scatter.samples, scatter.evaluated));
+  html += table("Scatter of the outputs",
+                {"", "first order", "of the draws", "5 %", "50 %", "95 %", "unit"}, {{"", rows}},
+                {.style = "results", .numbers = 1});
+  std::vector<Row> shares;
+  for (std::size_t i = 0; i < scatter.inputs.size(); ++i) {
+    Row row{{fmt::format("<code>{}</code>", escaped(scatter.inputs[i].path)),
+             percent(scatter.inputs[i].relative_standard_deviation)},
+            {}};
+    for (const ScatterOutput& output : scatter.outputs)
+      row.cells.push_back(percent(output.share[i]));
+    shares.push_back(std::move(row));
+  }
+  std::vector<std::string> head = {"input", "scatter"};
+  for (const ScatterOutput& output : scatter.outputs)
+    head.push_back(escaped(output_text(output.name)));
+  return html + table("Share of each input in the variance, by first order", head, {{"", shares}},
+                      {.style = "results", .numbers = 1});
+}
+
+ReportSection absent(std::string_view why) {
+  return {"sensitivity", "Sensitivity", paragraph(why, "absent")};
+}
+
+}  // namespace
+
+ReportSection sensitivity_chapter(Draft& draft) {
+  if (!draft.corrected())
+    return absent(
+        fmt::format("No sensitivity: the method {} has none; it is that of the method "
+                    "corrected.",
+                    enum_name(draft.result.method)));
+  try {
+    const Sensitivity s = sensitivity_of(draft.gear);
+    if (!s.usable()) return absent("No sensitivity: " + s.unusable_because + ".");
+    std::string html = paragraph(
+        "Exact first derivatives of the sum of compliances, as elasticities: by how many percent "
+        "an "
+        "output changes for one percent more of an input, all others kept. The torsion curve is "
+        "not "
+        "in them.");
+    const std::string sense = draft.gear.load.torque > 0 ? "positive" : "negative";
+    std::size_t charts = 0;
+    for (const std::string& name : {draft.cracks.empty() ? std::string("intact.stiffness")
+                                                         : "cracked." + sense + ".stiffness",
+                                    "cracked." + sense + ".stiffness_loss"}) {
+      const auto output = std::ranges::find(s.outputs, name, &SensitivityOutput::name);
+      if (output == s.outputs.end()) continue;
+      html += tornado(s, static_cast<std::size_t>(output - s.outputs.begin()),
+                      fmt::format("tornado-{}", ++charts));
+    }
+    std::vector<std::string> head = {"input"};
+    for (const SensitivityOutput& output : s.outputs)
+      head.push_back(escaped(output_text(output.name)));
+    std::vector<Row> rows;
+    for (const SensitivityInput& input : s.inputs) {
+      if (rows.size() == kMostRows) break;
+      Row row{{fmt::format("<code>{}</code>", escaped(input.path))}, {}};
+      for (const Influence& influence : input.influence)
+        row.cells.push_back(elasticity_text(influence.elasticity));
+      rows.push_back(std::move(row));
+    }
+    html += table(
+        s.inputs.size() > kMostRows
+            ? fmt::format("Elasticities, the {} largest of {} inputs", kMostRows, s.inputs.size())
+            : std::string("Elasticities"),
+        head, {{"", rows}}, {.style = "results", .numbers = 1});
+    if (!s.no_influence.empty())
+      html += paragraph(
+          fmt::format("{} numbers of the file have no influence on this sum of compliances.",
+                      s.no_influence.size()),
+          "remark");
+    draft.add(s.notes);
+    draft.add(std::vector<std::string>{"SN-1", "SN-2", "SN-6"});
+    if (!draft.gear.scatter.empty()) html += scatter_html(draft, s);
+    return {"sensitivity", draft.gear.scatter.empty() ? "Sensitivity" : "Sensitivity and scatter",
+            html};
+  } catch (const Error& error) {
+    return absent(std::string("No sensitivity: ") + error.what());
+  }
+}
+
+}  // namespace strainwave::report
