@@ -3,12 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <numbers>
 #include <string>
+#include <type_traits>
 
 #include "sif/plate_support.hpp"
 #include "strainwave/core/quadrature.hpp"
@@ -455,6 +454,22 @@ TEST(Stack, InputLimits) {
   EXPECT_EQ(limits_broken(PlateStackedPeriodic{.half_length = 2, .spacing = 1, .thickness = 1}),
             Texts{});
   test::expect_refused("plate-stacked-periodic", {{"spacing", 0.0}}, "spacing");
+}
+
+TEST(PlateStraight, IdentityNominalStressIsTheLoad) {
+  const auto all_one = [](const auto& crack) {
+    for (std::size_t load = 0; load < std::decay_t<decltype(crack)>::kLoads; ++load)
+      EXPECT_EQ(crack.gross_stress(load), 1.0);
+    EXPECT_EQ(crack.size(), 1.0);
+  };
+  all_one(PlateThroughCrack{.half_length = 1, .thickness = 1});
+  all_one(StripCentreCrack{.half_length = 1, .half_width = 2, .thickness = 1});
+  all_one(StripEdgeCrack{.depth = 1, .width = 2, .thickness = 1});
+  all_one(StripDoubleEdgeCrack{.depth = 1, .half_width = 2, .thickness = 1});
+  all_one(HalfPlaneEdgeCrack{.length = 1, .thickness = 1});
+  all_one(PlateCollinearTwo{.half_length = 1, .half_distance = 2, .thickness = 1});
+  all_one(PlateCollinearPeriodic{.half_length = 1, .pitch = 3, .thickness = 1});
+  all_one(PlateStackedPeriodic{.half_length = 1, .spacing = 3, .thickness = 1});
 }
 
 // --- (SP-23): pins
