@@ -22,7 +22,7 @@ struct NotchEdgeCrack {
                                       .basis = Basis::computed,
                                       .relative_uncertainty = 0.05,
                                       .accuracy =
-                                          "flanks within 1.5 % of own cracks at elliptical holes, "
+                                          "flanks within 0.5 % of own cracks at elliptical holes, "
                                           "1 <= D/rho <= 100; model of the section not compared",
                                       .constraint = Constraint::plane_strain};
   static constexpr std::size_t kLoads = 2;
