@@ -330,11 +330,15 @@ std::string panel_svg(const PlotPanel& panel, double top) {
   return svg;
 }
 
-constexpr double kRowHeight = 24;
+constexpr double kBarHeight = 12;
 constexpr double kBarLabels = 330;  // room for the paths
 
+double row_height(const TornadoPanel& panel) {
+  return kBarHeight * static_cast<double>(panel.series.size()) + 8;
+}
+
 double tornado_height(const TornadoPanel& panel) {
-  return kTop + kRowHeight * static_cast<double>(panel.labels.size()) + kBottom;
+  return kTop + row_height(panel) * static_cast<double>(panel.labels.size()) + kBottom;
 }
 
 /// Draws one panel of bars with its upper edge at `top`.
@@ -367,22 +371,21 @@ std::string tornado_panel_svg(const TornadoPanel& panel, double top) {
     svg += line(x.px(tick.value), upper, x.px(tick.value), lower, "grid");
     svg += words(x.px(tick.value), lower + 18, "tick middle", tick.label);
   }
-  const double thickness = 16 / static_cast<double>(std::max<std::size_t>(1, panel.series.size()));
   for (std::size_t i = 0; i < panel.labels.size(); ++i) {
-    const double middle = upper + kRowHeight * (static_cast<double>(i) + 0.5);
-    svg += words(left - 8, middle + 4, "small end", shortened(panel.labels[i], 50));
+    const double row_top = upper + row_height(panel) * static_cast<double>(i) + 4;
+    svg += words(left - 8, row_top + (row_height(panel) - 8) / 2 + 4, "small end",
+                 shortened(panel.labels[i], 50));
     for (std::size_t n = 0; n < panel.series.size(); ++n) {
       const double value = panel.series[n].values[i];
       if (!std::isfinite(value)) continue;
-      const double bar_top = middle - 8 + thickness * static_cast<double>(n);
+      const double bar_top = row_top + kBarHeight * static_cast<double>(n);
       const double from = std::min(x.px(0.0), x.px(value));
       const double to = std::max(x.px(0.0), x.px(value));
       svg += fmt::format(
           "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" "
           "fill=\"{}\"/>\n",
-          from, bar_top, to - from, thickness, kStrokes[n == 0 ? 2 : 1].colour);
-      const bool one = panel.series.size() == 1;
-      svg += words(value < 0 ? from - 5 : to + 5, bar_top + thickness / 2 + (one ? 4 : 3),
+          from, bar_top + 0.5, to - from, kBarHeight - 1, kStrokes[n == 0 ? 2 : 1].colour);
+      svg += words(value < 0 ? from - 5 : to + 5, bar_top + kBarHeight / 2 + 4,
                    value < 0 ? "small end" : "small",
                    (value < 0 ? "−" : "+") + fmt::format("{:.3g}", std::abs(value)));
     }

@@ -369,6 +369,14 @@ path = "flexspline.wall_thickness"
 lower = "2 mm"
 upper = "2.5 mm"
 source = "drawing"
+[[scatter]]
+path = "flexspline.wall_thickness"
+relative_standard_deviation = 0.02
+[[scatter]]
+path = "load.torque"
+relative_standard_deviation = 0.1
+distribution = "normal"
+source = "measured"
 )";
   const GearSet gear = read_gear_set(text, "gear.toml");
   EXPECT_EQ(gear.mesh->lobe_gap, -2e-6);
@@ -389,10 +397,17 @@ source = "drawing"
   EXPECT_EQ(gear.range[1].path, "flexspline.wall_thickness");
   EXPECT_EQ(gear.range[1].knowledge, Knowledge::typical);
   EXPECT_EQ(gear.range[1].upper, "2.5 mm");
+  ASSERT_EQ(gear.scatter.size(), 2U);
+  EXPECT_EQ(gear.scatter[0].path, "flexspline.wall_thickness");
+  EXPECT_EQ(gear.scatter[0].relative_standard_deviation, 0.02);
+  EXPECT_EQ(gear.scatter[0].distribution, ScatterDistribution::lognormal);
+  EXPECT_EQ(gear.scatter[1].distribution, ScatterDistribution::normal);
+  EXPECT_EQ(gear.scatter[1].source, "measured");
   // Left out: absent.
   const GearSet plain = read_gear_set(kArticle, "gear.toml");
   EXPECT_FALSE(plain.mesh || plain.circular_spline || plain.rating);
   EXPECT_TRUE(plain.range.empty());
+  EXPECT_TRUE(plain.scatter.empty());
 }
 
 TEST(GearReader, IdentityMaterialsMayHaveAnyName) {
@@ -527,7 +542,7 @@ const std::vector<Wrong> kWrong = {
      "29:1: wave_generator.crack[0].dept: is not known here; did you mean depth?"},
     {"UnknownTable", "[article]", "[artikel]",
      "59:2: artikel: is not known here; known are format, name, material, drive, load, "
-     "wave_generator, flexspline, output_shaft, mesh, circular_spline, rating, range, article"},
+     "wave_generator, flexspline, output_shaft, mesh, circular_spline, rating, range, scatter, article"},
     {"UnknownMember", "[article]", "[input_shaft]",
      "59:2: input_shaft: is not known here; did you mean output_shaft?"},
     {"UnknownEmptyKey", "M_M = ", "\"\" = ",

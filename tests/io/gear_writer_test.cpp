@@ -33,6 +33,11 @@ TEST(GearWriter, IdentityReadsBackEveryExample) {
     EXPECT_EQ(gear_text(again), text) << file.path();
     EXPECT_EQ(again.name, gear.name);
     EXPECT_EQ(again.range.size(), gear.range.size());
+    ASSERT_EQ(again.scatter.size(), gear.scatter.size());
+    for (std::size_t i = 0; i < gear.scatter.size(); ++i) {
+      EXPECT_EQ(again.scatter[i].path, gear.scatter[i].path);
+      EXPECT_EQ(again.scatter[i].distribution, gear.scatter[i].distribution);
+    }
   }
   EXPECT_GE(n, 4);
 }

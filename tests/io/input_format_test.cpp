@@ -386,6 +386,7 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
       {"[[circular_spline.crack]] ring", "circular_spline.material: must be given", with_spline},
       {"[rating]", "accepted", nothing},
       {"[[range]]", "accepted", nothing},
+      {"[[scatter]]", "accepted", nothing},
       {"[article]", "accepted", nothing}};
 
   const Lines lines = lines_of(input_template());

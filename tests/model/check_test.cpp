@@ -128,6 +128,13 @@ GearSet coupled_gear() {
                            .upper = "0.1",
                            .knowledge = Knowledge::assumed,
                            .source = ""}};
+  gear.scatter = {InputScatter{.path = "flexspline.wall_thickness",
+                               .relative_standard_deviation = 0.01,
+                               .source = "drawing"},
+                  InputScatter{.path = "material.steel.youngs_modulus",
+                               .relative_standard_deviation = 0.02,
+                               .distribution = ScatterDistribution::normal,
+                               .source = ""}};
   return gear;
 }
 
@@ -577,6 +584,29 @@ const std::vector<Broken> kBroken = {
      "range[0].lower", "> 0", ""},
     {"RangeBeyondTheRuleAbove", coupled_gear, [](GearSet& g) { g.range[1].upper = "0.6"; },
      "range[1].upper", ">= 0 and <= 0.5", ""},
+    {"ScatterPathOfTwoLines", coupled_gear, [](GearSet& g) { g.scatter[0].path = "a\nb"; },
+     "scatter[0].path", "", "must be one line, without control characters"},
+    {"ScatterSourceOfTwoLines", coupled_gear, [](GearSet& g) { g.scatter[1].source = "a\nb"; },
+     "scatter[1].source", "", "must be one line, without control characters"},
+    {"ScatterOfNoNumber", coupled_gear,
+     [](GearSet& g) { g.scatter[0].path = "flexspline.material"; }, "scatter[0].path", "",
+     "\"flexspline.material\" is not a number of this drive"},
+    {"ScatterOfAnAbsentNumber", coupled_gear,
+     [](GearSet& g) { g.scatter[0].path = "drive.wave_number"; }, "scatter[0].path", "",
+     "\"drive.wave_number\" is not a number of this drive"},
+    {"ScatterOfScatter", coupled_gear,
+     [](GearSet& g) { g.scatter[0].path = "scatter[1].relative_standard_deviation"; },
+     "scatter[0].path", "", "must be a number of the drive, not of its scatter"},
+    {"ScatterOfNothing", coupled_gear, [](GearSet& g) { g.scatter[0].path = "load.axial_force"; },
+     "scatter[0].path", "", "load.axial_force is 0, of which no share can scatter"},
+    {"ScatterTwice", coupled_gear, [](GearSet& g) { g.scatter[1].path = g.scatter[0].path; },
+     "scatter[1].path", "", "flexspline.wall_thickness scatters already by scatter[0]"},
+    {"ScatterOfNoWidth", coupled_gear,
+     [](GearSet& g) { g.scatter[0].relative_standard_deviation = 0; },
+     "scatter[0].relative_standard_deviation", "> 0 and <= 1", ""},
+    {"ScatterTooWide", coupled_gear,
+     [](GearSet& g) { g.scatter[1].relative_standard_deviation = 1.01; },
+     "scatter[1].relative_standard_deviation", "> 0 and <= 1", ""},
 
     // output shaft
     {"BoreOfTheDiameter", article, [](GearSet& g) { shaft(g).inner_diameter = 70 * mm; },
@@ -837,6 +867,9 @@ const std::vector<Accepted> kAccepted = {
     {"ThirdTorqueByDefault", coupled_gear, [](GearSet& g) { g.rating->T3.reset(); }},
     {"RangeFromItsNumber", coupled_gear, [](GearSet& g) { g.range[0].lower = "2.24 mm"; }},
     {"RangeInOtherUnits", coupled_gear, [](GearSet& g) { g.range[0].lower = "2000 um"; }},
+    {"ScatterAsWideAsItsNumber", coupled_gear,
+     [](GearSet& g) { g.scatter[0].relative_standard_deviation = 1; }},
+    {"ScatterOfAnAngle", coupled_gear, [](GearSet& g) { g.scatter[0].path = "mesh.flank_angle"; }},
     {"NoOverrides", article, [](GearSet& g) { g.article = ArticleOverrides{}; }},
     {"MaterialOfAnyName", article,
      [](GearSet& g) {

@@ -44,8 +44,9 @@ GearSet shaft() {
 TEST(Scatter, ReferenceLognormalByHand) {
   // K ~ G/L^1: ln K is normal with the variance of ln G plus that of ln L (SN-7, SN-8).
   GearSet gear = shaft();
-  gear.scatter = {{.path = "material.steel.shear_modulus", .relative_standard_deviation = 0.1},
-                  {.path = "output_shaft.length", .relative_standard_deviation = 0.2}};
+  gear.scatter = {
+      {.path = "material.steel.shear_modulus", .relative_standard_deviation = 0.1, .source = {}},
+      {.path = "output_shaft.length", .relative_standard_deviation = 0.2, .source = {}}};
   constexpr int kN = 20'000;
   const Scatter result = scatter(gear, {.samples = kN});
   const ScatterOutput& K = output(result, "intact.stiffness");
@@ -75,7 +76,8 @@ TEST(Scatter, ReferenceNormalByHand) {
   GearSet gear = shaft();
   gear.scatter = {{.path = "material.steel.shear_modulus",
                    .relative_standard_deviation = 0.05,
-                   .distribution = ScatterDistribution::normal}};
+                   .distribution = ScatterDistribution::normal,
+                   .source = {}}};
   constexpr int kN = 20'000;
   const Scatter result = scatter(gear, {.samples = kN});
   const ScatterOutput& K = output(result, "intact.stiffness");
@@ -125,7 +127,8 @@ TEST(Scatter, IdentityRefusedDrawsAreCounted) {
   gear.output_shaft->crack = {crack};
   gear.scatter = {{.path = "output_shaft.crack[0].depth",
                    .relative_standard_deviation = 0.5,
-                   .distribution = ScatterDistribution::normal}};
+                   .distribution = ScatterDistribution::normal,
+                   .source = {}}};
   constexpr int kN = 4000;
   const Scatter result = scatter(gear, {.samples = kN});
   const auto share = [](int n) { return static_cast<double>(n) / kN; };
@@ -139,8 +142,10 @@ TEST(Scatter, IdentityRefusedDrawsAreCounted) {
 
 TEST(Scatter, IdentityStrongScatterIsNotLinear) {
   GearSet gear = shaft();
-  gear.scatter = {{.path = "output_shaft.outer_diameter", .relative_standard_deviation = 0.1}};
-  const Scatter result = scatter(gear, {.samples = 4000});
+  // K ~ D^4.8: of a lognormal K the deviation is sqrt(exp(0.72^2) - 1) = 0.83 rather than 0.72.
+  gear.scatter = {
+      {.path = "output_shaft.outer_diameter", .relative_standard_deviation = 0.15, .source = {}}};
+  const Scatter result = scatter(gear, {.samples = 20'000});
   EXPECT_EQ(test::count_notes(result.notes, "scatter.not_linear", "intact.stiffness"), 1);
   gear.scatter[0].relative_standard_deviation = 0.001;
   EXPECT_EQ(test::count_notes(scatter(gear, {.samples = 4000}).notes, "scatter.not_linear"), 0);
@@ -148,7 +153,7 @@ TEST(Scatter, IdentityStrongScatterIsNotLinear) {
 
 TEST(Scatter, IdentityAnInputWithoutInfluenceHasNoShare) {
   GearSet gear = shaft();
-  gear.scatter = {{.path = "drive.ratio", .relative_standard_deviation = 0.1}};
+  gear.scatter = {{.path = "drive.ratio", .relative_standard_deviation = 0.1, .source = {}}};
   const Scatter result = scatter(gear, {.samples = 10});
   const ScatterOutput& K = output(result, "intact.stiffness");
   EXPECT_EQ(K.first_order, 0.0);
