@@ -102,7 +102,7 @@ TEST(BarOneSided, CrosscheckMurakamiTension) {
 // program: interpolation and fit over the front, 2 % of K_I and 3 % of K_II and K_III.
 //
 // (SB-10), (SB-11) against the elements of the hollow bar, which measure the plate that stands for
-// the wall: K_I from 4.5 % low to 6.5 % high for the outer crack, 3 % low to 17 % high for the
+// the wall: K_I from 5 % low to 6.5 % high for the outer crack, 3 % low to 17 % high for the
 // inner one; K_II and K_III miss by up to 0.12 of tau sqrt(pi a), the free surface that (FR-10)
 // leaves out.
 TEST(BarOneSided, ReferenceThreeDimensionalElements) {
@@ -127,21 +127,23 @@ TEST(BarOneSided, ReferenceThreeDimensionalElements) {
     const bool mode_I = quantity == "tension" || quantity == "bending";
     const double phi = pi / 2 * (1 - t);
     if (kind == "solid") {
-      test::expect_row(factor(ellipse(alpha / 2, aspect), t), row, mode_I ? 0.02 : 0.03);
+      const double ours =
+          aspect > 0 ? factor(ellipse(alpha / 2, aspect), t) : factor(straight(alpha / 2), t);
+      EXPECT_NEAR(ours, row.value, mode_I ? 0.015 * row.value : 0.02) << row.place;
       continue;
     }
     const bool outer = kind == "outer";
     const double ours = outer ? factor(hollow<HollowSurfaceOuterCrack>(rho, alpha, aspect), phi)
                               : factor(hollow<HollowSurfaceInnerCrack>(rho, alpha, aspect), phi);
     if (mode_I) {
-      EXPECT_GT(ours / row.value, outer ? 0.955 : 0.97) << row.place;
+      EXPECT_GT(ours / row.value, outer ? 0.95 : 0.97) << row.place;
       EXPECT_LT(ours / row.value, outer ? 1.065 : 1.17) << row.place;
     } else {
       EXPECT_NEAR(ours, row.value, 0.12) << row.place;
     }
   }
   EXPECT_EQ(seen.size(), 3U);
-  EXPECT_EQ(seen["solid"], 22);
+  EXPECT_EQ(seen["solid"], 27 * 11);
   EXPECT_EQ(seen["outer"], 33);
   EXPECT_EQ(seen["inner"], 33);
 }

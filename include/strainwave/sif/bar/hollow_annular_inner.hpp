@@ -20,8 +20,8 @@ struct HollowAnnularInnerCrack {
                                       .basis = Basis::computed,
                                       .relative_uncertainty = 0.005,
                                       .accuracy =
-                                          "table and interpolation within 0.15 % of axisymmetric "
-                                          "finite elements, energies within 0.2 %",
+                                          "within 0.12 % of axisymmetric finite elements, energies "
+                                          "within 0.1 %",
                                       .constraint = Constraint::plane_strain};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo = kAnnularLoads;
