@@ -260,6 +260,8 @@ class CommandLine {
     CLI::App* const eval =
         add_named("eval", "Stress intensity, geometry factors, added compliance", sif_eval_);
     add_set(eval, sif_eval_.set);
+    eval->add_option("--material", sif_eval_.material,
+                     "of the material library; E = 210 GPa, nu = 0.3 if left out");
     add_output(eval, sif_eval_.output, {"text", "json"});
     CLI::App* const plot =
         add_named("plot", "Geometry factors over the crack size and along its front", sif_plot_);

@@ -22,6 +22,7 @@
 #include "strainwave/io/gear_writer.hpp"
 #include "strainwave/io/input_format.hpp"
 #include "strainwave/io/result_writer.hpp"
+#include "strainwave/materials/material_library.hpp"
 #include "strainwave/report/report.hpp"
 #include "strainwave/study/audit.hpp"
 #include "strainwave/study/evaluate.hpp"
@@ -113,6 +114,16 @@ auto from_command_line(const Parse& parse) {
   } catch (const InputError& error) {
     throw UsageError{error.what()};
   }
+}
+
+/// Elastic constants and toughness of a steel of the material library.
+sif::CrackMaterial crack_material(const std::string& name) {
+  if (name.empty()) return {};
+  const Material steel = as_material(require_material(name));
+  const ElasticConstants elastic = elastic_constants(steel);
+  return {.youngs_modulus = elastic.E,
+          .poissons_ratio = elastic.nu,
+          .fracture_toughness = steel.fracture_toughness};
 }
 
 }  // namespace
@@ -360,7 +371,8 @@ ExitCode run(const SifShowCommand& command) {
 
 ExitCode run(const SifEvalCommand& command) {
   const sif::Row& row = sif::solution(command.name);
-  const sif::Evaluation evaluation = sif::evaluate(row, sif_assignments(row, command.set));
+  const sif::Evaluation evaluation =
+      sif::evaluate(row, sif_assignments(row, command.set), crack_material(command.material));
   deliver(command.output.format == "json" ? sif_evaluation_json(evaluation)
                                           : sif_evaluation_text(evaluation),
           command.output.path);

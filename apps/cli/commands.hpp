@@ -148,6 +148,7 @@ ExitCode run(const SifShowCommand& command);
 struct SifEvalCommand {
   std::string name;
   std::vector<std::string> set;
+  std::string material;  ///< of the library; empty: E = 210 GPa, nu = 0.3
   Output output{.format = "text", .path = {}};
 };
 ExitCode run(const SifEvalCommand& command);

@@ -85,9 +85,8 @@ TEST_F(Program, IdentityVersionAndHelpSucceed) {
   EXPECT_EQ(version.out.rfind("strainwave ", 0), 0U);
   const Outcome help = run("--help");
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* const command :
-       {"stiffness", "audit", "sweep", "solve", "sensitivity", "torsion", "sif", "material", "report",
-        "new", "schema", "man"})
+  for (const char* const command : {"stiffness", "audit", "sweep", "solve", "sensitivity",
+                                    "torsion", "sif", "material", "report", "new", "schema", "man"})
     EXPECT_NE(help.out.find(command), std::string::npos) << command;
 }
 
@@ -541,6 +540,17 @@ TEST_F(Program, ReferenceSifEvalOfAGriffithCrack) {
   const Json json = Json::parse(eval.out);
   EXPECT_NEAR(json["stress_intensity"]["tip"]["K_I"]["value"].get<double>(), 5.6049912e6, 1);
   EXPECT_EQ(json["in_range"], true);
+}
+
+TEST_F(Program, IdentitySifEvalTakesASteelOfTheMaterialLibrary) {
+  const Outcome eval =
+      run("sif eval plate-through --set 'tension=100 MPa' --material '15-5PH H900' --format json");
+  ASSERT_EQ(eval.exit_code, 0) << eval.err;
+  const Json json = Json::parse(eval.out);
+  const double K = json["equivalent"]["value"].get<double>();
+  const double K_Ic = json["material"]["fracture_toughness"]["value"].get<double>();
+  EXPECT_NEAR(json["utilisation"]["value"].get<double>(), K / K_Ic, 1e-12);
+  EXPECT_EQ(run("sif eval plate-through --material '15-5PHH H900'").exit_code, 3);
 }
 
 TEST_F(Program, IdentitySifListShowAndPlotAnswer) {
