@@ -325,17 +325,17 @@ void add_wave_generator(Rows& rows) {
                   .sentence =
                       "beta/2 sigma_max is the subsurface orthogonal shear, no hoop tension; "
                       "the only Hertz tension is at the edge of the contact"});
-  rows.push_back(
-      {.id = "B3",
-       .quantity = "beta for a' = 5, b' = 2",
-       .unit = "1",
-       .printed = p.beta,
-       .own = orthogonal_shear_factor(axis_ratio),
-       .corrected = orthogonal_shear_factor(axis_ratio),
-       .verdict = Verdict::not_reproducible,
-       .sentence = fmt::format("beta follows from b'/a' and is {:.4f} here",
-                               orthogonal_shear_factor(axis_ratio)),
-       .reproduce = reproducing("b'/a'", "1", p.beta, 0.1, 1.0, orthogonal_shear_factor)});
+  rows.push_back({.id = "B3",
+                  .quantity = "beta for a' = 5, b' = 2",
+                  .unit = "1",
+                  .printed = p.beta,
+                  .own = orthogonal_shear_factor(axis_ratio),
+                  .corrected = orthogonal_shear_factor(axis_ratio),
+                  .verdict = Verdict::not_reproducible,
+                  .sentence = fmt::format("beta follows from b'/a' and is {:.4f} here",
+                                          orthogonal_shear_factor(axis_ratio)),
+                  .reproduce = reproducing("b'/a'", "1", p.beta, 0.1, 1.0,
+                                           [](double x) { return orthogonal_shear_factor(x); })});
   rows.push_back({.id = "B4",
                   .quantity = "sigma_max = 3F_r/(2 pi a' b')",
                   .unit = "MPa",

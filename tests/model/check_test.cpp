@@ -1046,6 +1046,7 @@ TEST(CheckRange, ReferenceRanges) {
       {"mesh.crack[0].stiffness_loss", "> 0 and <= 1"},
       {"circular_spline.support", ">= 0 and <= 1"},
       {"rating.lost_motion_share", "> 0 and < 1"},
+      {"scatter[0].relative_standard_deviation", "> 0 and <= 1"},
       {"wave_generator.crack[0].aspect_ratio", "> 0 and <= 1"},
       {"wave_generator.crack[0].contact_factor", "> 0 and <= 1"},
       {"wave_generator.crack[1].contact_factor", "> 0 and <= 1"},
