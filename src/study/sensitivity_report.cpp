@@ -104,7 +104,8 @@ std::string elasticities_text(const Sensitivity& sensitivity) {
     for (const SensitivityInput* const input : inputs)
       text += row(input->path, shown_value(input->value, input->path, input->unit),
                   cells(group, [&](std::size_t y) {
-                    return fmt::format("{:+.4f}", input->influence[y].elasticity);
+                    const double e = input->influence[y].elasticity;
+                    return e == 0 ? std::string("0") : fmt::format("{:+.4g}", e);
                   }));
   }
   std::string zeros;
