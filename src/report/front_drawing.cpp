@@ -162,8 +162,11 @@ class Front {
   }
 
   std::string finish() {
-    const double x = 2 * half_ + 16;
-    double y = 12;
+    // The words stand beside the drawing, or below it where there is no room.
+    constexpr double kWords = 64;
+    const bool beside = 2 * half_ + 16 + kWords <= kPaper;
+    const double x = beside ? 2 * half_ + 16 : 10;
+    double y = beside ? 12 : 2 * half_ + 8;
     const auto say = [&](const std::string& text, const char* style) {
       sheet_.words({x, y}, text, style);
       y += 4.6;
@@ -183,7 +186,8 @@ class Front {
                         crack.position / units::deg),
             "small");
     });
-    sheet_.scale_bar({x, std::max(y + 2, 2 * half_ - 8)}, 30);
+    sheet_.scale_bar(
+        beside ? Point{x, std::max(y + 2, 2 * half_ - 8)} : Point{x + kWords + 30, y - 8}, 30);
     return sheet_.svg("front", {kPaper, std::max(2 * half_, y + 10)},
                       "Front view of the drive with the angles of its cracks",
                       fmt::format("Scale {}; the deflection is drawn {:g} times too large.",
