@@ -10,7 +10,7 @@ namespace strainwave::sif {
 /// Axial crack of even depth along a whole tube or ring, loads [pressure, hoop stress, wall
 /// bending].
 ///
-/// Implements theory manual eq. (SU-11): Tada's strip (FR-11) under the wall's stress, taken as
+/// Implements theory manual eq. (SU-11): the strip (FR-11) under the wall's stress, taken as
 /// linear over the depth, and the force and moment with which the rest of the ring, a curved beam,
 /// resists the opening.  Plane strain.  Neglects: the curvature of the wall at the crack.
 template <Face face>
