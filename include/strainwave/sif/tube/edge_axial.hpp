@@ -24,10 +24,8 @@ struct TubeEdgeAxial {
       .equation = "SU-11",
       .source = "tada2000",
       .basis = Basis::secondary,
-      .relative_uncertainty = 0.02,
-      .accuracy =
-          "plane-strain finite elements of rings, r/t 5 to 20: tension 0.8 %, pressure 1.2 %, "
-          "bending 2.4 %",
+      .relative_uncertainty = 0.01,
+      .accuracy = "plane-strain finite elements of rings, r/t 5 to 20, a/t 0.2 to 0.6: 0.7 %",
       .constraint = Constraint::plane_strain};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
