@@ -5,18 +5,12 @@
 #include <numbers>
 #include <utility>
 
+#include "strainwave/core/polynomial.hpp"
+
 namespace strainwave {
 namespace {
 
 using std::numbers::pi;
-
-/// Coefficients c_0 + c_1 x + c_2 x^2 + ...
-template <std::size_t N, class Real>
-Real polynomial(const std::array<double, N>& c, const Real& x) {
-  Real value(0.0);
-  for (std::size_t i = N; i-- > 0;) value = value * x + c[i];
-  return value;
-}
 
 // The first terms are the same: they give the deep crack, where the ligament is a neck between two
 // half-spaces.  The tails meet the shallow crack.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/fracture/edge_crack.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
+
+#include "strainwave/core/polynomial.hpp"
 
 namespace strainwave {
 
@@ -10,17 +13,19 @@ using std::numbers::pi;
 
 namespace {
 
+// Fitted to plane finite elements, tools/reference/cracked_strip.py.  The first coefficient is the
+// half plane's, the sum of all the deep ligament's.
+constexpr std::array kTension = {1.1215,   -1.6693, 8.0801,  -24.962, 56.3305,
+                                 -86.0594, 82.2275, -43.877, 9.9295};
+constexpr std::array kBending = {1.1215,   -3.0255, 9.8273,   -28.6524, 61.7662,
+                                 -89.4007, 81.0079, -41.2108, 8.9402};
+
 template <class Real>
 Real factor(StripLoading loading, const Real& alpha) {
-  using std::cos, std::sin, std::sqrt, std::tan;
-  const Real half_angle = pi * alpha / 2;
-  // tan(x)/x, with its limit 1 at a crack of no depth.
-  const Real root = sqrt(half_angle > 0 ? Real(tan(half_angle) / half_angle) : Real(1.0));
-  const Real u = 1 - sin(half_angle);
-  const Real polynomial = loading == StripLoading::tension
-                              ? Real(0.752 + 2.02 * alpha + 0.37 * u * u * u)
-                              : Real(0.923 + 0.199 * u * u * u * u);
-  return root * polynomial / cos(half_angle);  // (FR-11)
+  using std::sqrt;
+  const Real ligament = 1 - alpha;
+  return polynomial(loading == StripLoading::tension ? kTension : kBending, alpha) /
+         (ligament * sqrt(ligament));  // (FR-11)
 }
 
 }  // namespace

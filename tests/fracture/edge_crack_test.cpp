@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -69,34 +70,86 @@ TEST(EdgeCrackFactor, ReferenceTable) {
   EXPECT_GE(seen["F_bending"], 10);
 }
 
+TEST(EdgeCrackFactor, CrosscheckFiniteElements) {
+  // tools/reference/cracked_strip.py, 0.01 <= alpha <= 0.95; 9 of the 22 depths were not seen by
+  // the fit.  Tolerance: the fit's 0.02 %.
+  std::map<std::string, int> seen;
+  for (const test::CsvRow& row : test::read_reference_csv("cracked_strip")) {
+    const bool tension = row.quantity == "edge.tension";
+    if (!tension && row.quantity != "edge.bending") continue;
+    test::expect_relative(edge_crack_factor(tension ? StripLoading::tension : StripLoading::bending,
+                                            row("size_ratio")),
+                          row.value, 2e-4);
+    ++seen[row.quantity];
+  }
+  EXPECT_EQ(seen["edge.tension"], 22);
+  EXPECT_EQ(seen["edge.bending"], 22);
+}
+
+TEST(EdgeCrackFactor, CrosscheckIntegralEquation) {
+  // tools/reference/weight_function.py: the stress (x/a)^n gives P_n, tension P_0 and bending
+  // P_0 - 2 alpha P_1.  Tolerance: 0.02 % up to alpha = 0.9, 0.1 % beyond.
+  std::map<double, std::map<int, double>> power;
+  for (const test::CsvRow& row : test::read_reference_csv("weight_function"))
+    if (row.quantity == "power")
+      power[row("depth_ratio")][static_cast<int>(row("exponent"))] = row.value;
+  EXPECT_EQ(power.size(), 9U);
+  for (const auto& [alpha, P] : power) {
+    const double tolerance = alpha <= 0.9 ? 2e-4 : 1e-3;
+    test::expect_relative(edge_crack_factor(StripLoading::tension, alpha), P.at(0), tolerance);
+    test::expect_relative(edge_crack_factor(StripLoading::bending, alpha),
+                          P.at(0) - 2 * alpha * P.at(1), tolerance);
+  }
+}
+
 TEST(EdgeCrackFactor, CrosscheckGrossAndSrawley) {
-  // Another handbook fit of the same strip, stated to 0.5 % like this one, for alpha <= 0.6.
+  // Handbook fits to boundary collocation, alpha <= 0.6, stated to 0.5 % (tada2000, secondary);
+  // measured 0.46 % in tension, 0.35 % in bending.
   int n = 0;
   for (const test::CsvRow& row : test::read_reference_csv("edge_crack")) {
-    if (row.quantity != "F_tension_gross_srawley") continue;
-    EXPECT_NEAR(edge_crack_factor(StripLoading::tension, row("depth_ratio")) / row.value, 1, 0.012)
-        << row.place;
+    if (!row.quantity.ends_with("_gross_srawley")) continue;
+    const bool tension = row.quantity.starts_with("F_tension");
+    test::expect_relative(edge_crack_factor(tension ? StripLoading::tension : StripLoading::bending,
+                                            row("depth_ratio")),
+                          row.value, 5e-3);
     ++n;
   }
-  EXPECT_EQ(n, 8);
+  EXPECT_EQ(n, 16);
+}
+
+TEST(EdgeCrackFactor, CrosscheckTadaAsRecalled) {
+  // Another handbook form, stated to 0.5 % for every depth (tada2000, secondary: from memory), in
+  // tension within 0.67 %, in bending 2.34 % low at alpha = 0.3: not what the library uses.
+  double lowest = 1.0;
+  for (double alpha = 0.01; alpha < 0.955; alpha += 0.01) {
+    const double u = pi * alpha / 2;
+    const double root = std::sqrt(std::tan(u) / u) / std::cos(u);
+    const double q = 1 - std::sin(u);
+    const double tension = root * (0.752 + 2.02 * alpha + 0.37 * std::pow(q, 3));
+    const double bending = root * (0.923 + 0.199 * std::pow(q, 4));
+    EXPECT_NEAR(tension / edge_crack_factor(StripLoading::tension, alpha), 1, 0.007) << alpha;
+    const double ratio = bending / edge_crack_factor(StripLoading::bending, alpha);
+    EXPECT_LT(ratio, 1.002) << alpha;
+    lowest = std::min(lowest, ratio);
+  }
+  EXPECT_NEAR(lowest, 1 - 0.0234, 2e-4);
 }
 
 TEST(EdgeCrackFactor, LimitHalfPlane) {
-  // 1.1215 of the half plane, in tension and in bending; the fit has 1.122.
+  // Koiter's 1.1215222552 of the half plane, in tension and in bending; four decimals are kept.
   for (const StripLoading loading : {StripLoading::tension, StripLoading::bending}) {
-    EXPECT_DOUBLE_EQ(edge_crack_factor(loading, 0), 1.122);
-    EXPECT_NEAR(edge_crack_factor(loading, 0), 1.1215, 0.001);
-    EXPECT_NEAR(edge_crack_factor(loading, 1e-12), 1.122, 1e-10);
+    EXPECT_NEAR(edge_crack_factor(loading, 0), 1.1215222552, 3e-5);
+    EXPECT_NEAR(edge_crack_factor(loading, 1e-12), 1.1215222552, 3e-5);
   }
 }
 
 TEST(EdgeCrackFactor, LimitDeepLigament) {
   // The ligament b = t - a bends: K = 3.975 M/(B b^(3/2)), with M the moment about the ligament,
-  // that is N t/2 in tension.  Tolerance: the 0.5 % of the fit.
-  const double alpha = 1 - 1e-5;
+  // that is N t/2 in tension.  Tolerance: the last digit, and the next term of order 1 - alpha.
+  const double alpha = 1 - 1e-6;
   const double scale = std::pow(1 - alpha, 1.5) * std::sqrt(pi);
-  EXPECT_NEAR(edge_crack_factor(StripLoading::tension, alpha) * scale / (3.975 / 2), 1, 0.005);
-  EXPECT_NEAR(edge_crack_factor(StripLoading::bending, alpha) * scale / (3.975 / 6), 1, 0.005);
+  EXPECT_NEAR(edge_crack_factor(StripLoading::tension, alpha) * scale / (3.975 / 2), 1, 3e-4);
+  EXPECT_NEAR(edge_crack_factor(StripLoading::bending, alpha) * scale / (3.975 / 6), 1, 3e-4);
 }
 
 TEST(EdgeCrackFactor, IdentityTensionIsMoreSevereThanBending) {
@@ -111,18 +164,18 @@ TEST(EdgeCrackFactor, IdentityTensionIsMoreSevereThanBending) {
 TEST(EdgeCrack, ReferenceComplianceTable) {
   std::map<std::string, int> seen;
   for (const test::CsvRow& row : test::read_reference_csv("edge_crack")) {
-    if (!row.quantity.ends_with("_compliance")) continue;
+    if (row.quantity.find("_compliance") == std::string::npos) continue;
     const double t = row("thickness");
     const double B = row("width");
     const double a = row("depth_ratio") * t;
     const double nu = row("poissons_ratio");
     const CrackModuli moduli{.opening = row("youngs_modulus") / (1 - nu * nu), .shear = 80 * GPa};
     double actual = 0.0;
-    if (row.quantity == "coupling_compliance") {
+    if (row.quantity.starts_with("coupling")) {
       const Strip strip{.depth = a, .thickness = t, .width = B};
       actual = added_compliance(strip, moduli).matrix(0, 1);
     } else {
-      const bool axial = row.quantity == "axial_compliance";
+      const bool axial = row.quantity.starts_with("axial");
       const EdgeCrack crack{.depth = a,
                             .thickness = t,
                             .width = B,
@@ -130,11 +183,16 @@ TEST(EdgeCrack, ReferenceComplianceTable) {
                             .loading = axial ? StripLoading::tension : StripLoading::bending};
       actual = added_compliance(crack, moduli).matrix(0, 0);
     }
-    test::expect_row(actual, row, 1e-10);  // tolerance of the engine
+    // Of the same polynomials: tolerance of the engine.  Of the finite elements' factors, without
+    // polynomials: twice the 0.02 % of K.
+    if (row.quantity.ends_with("_by_elements"))
+      test::expect_relative(actual, row.value, 4e-4);
+    else
+      test::expect_row(actual, row, 1e-10);
     ++seen[row.quantity];
   }
-  EXPECT_EQ(seen.size(), 3U);
-  for (const auto& [quantity, n] : seen) EXPECT_GE(n, 9) << quantity;
+  EXPECT_EQ(seen.size(), 6U);
+  for (const auto& [quantity, n] : seen) EXPECT_GE(n, 8) << quantity;
 }
 
 TEST(EdgeCrack, IdentityStressIntensity) {
@@ -157,11 +215,11 @@ TEST(EdgeCrack, IdentityClosedFacesAddNothing) {  // (FR-17)
 }
 
 TEST(EdgeCrack, LimitShallowIsAQuarterOfASquare) {
-  // lambda -> (2/E') B (1.122 s)^2 pi a^2/2; the first correction is linear in a/t.
+  // lambda -> (2/E') B (1.1215 s)^2 pi a^2/2; the first correction is linear in a/t.
   const CrackModuli moduli{.opening = 7.0, .shear = 1.0};
   for (const double alpha : {1e-6, 1e-3}) {
     const EdgeCrack crack = ring(alpha * 10 * mm);
-    const double limit = pi / 7 * crack.width * std::pow(1.122 * 3e3 * crack.depth, 2);
+    const double limit = pi / 7 * crack.width * std::pow(1.1215 * 3e3 * crack.depth, 2);
     EXPECT_NEAR(added_compliance(crack, moduli).matrix(0, 0) / limit, 1, 3 * alpha);
   }
 }

@@ -14,13 +14,13 @@
 
 #include "sif/plate_support.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/fracture/edge_crack.hpp"
 #include "strainwave/fracture/surface_crack.hpp"
 #include "strainwave/sif/newman_raju.hpp"
 #include "strainwave/sif/plate/body_ellipse.hpp"
 #include "strainwave/sif/plate/body_penny.hpp"
 #include "strainwave/sif/plate/corner_crack.hpp"
 #include "strainwave/sif/plate/embedded_ellipse.hpp"
-#include "strainwave/sif/plate/strip_factors.hpp"
 #include "strainwave/sif/plate/surface_crack.hpp"
 #include "support/expect.hpp"
 #include "support/reference_csv.hpp"
@@ -140,8 +140,10 @@ TEST(PlateSurface, LimitEdgeCrack) {
   const NewmanRajuPlate slit(1e-9);
   for (const double alpha : {0.0, 0.05, 0.1, 0.2}) {
     const double tension = slit.tension(alpha, pi / 2);
-    EXPECT_NEAR(tension / strip_edge_tension(alpha), 1, 0.05);
-    EXPECT_NEAR(tension * slit.bending_ratio(alpha, pi / 2) / strip_edge_bending(alpha), 1, 0.05);
+    EXPECT_NEAR(tension / edge_crack_factor(StripLoading::tension, alpha), 1, 0.05);
+    EXPECT_NEAR(tension * slit.bending_ratio(alpha, pi / 2) /
+                    edge_crack_factor(StripLoading::bending, alpha),
+                1, 0.05);
   }
 }
 
@@ -215,9 +217,10 @@ TEST(PlateCorner, LimitQuarterCircleOfAQuarterSpace) {
 TEST(PlateCorner, LimitEdgeCrackAcrossTheWidth) {
   // (SP-16): f_w takes over the edge crack in a strip of width b as the plate is cracked through.
   for (double x = 0.05; x <= 0.5; x += 0.05)
-    EXPECT_NEAR(
-        PlateCornerCrack::width_factor(x, 1.0) * strip_edge_tension(0) / strip_edge_tension(x), 1,
-        0.01);
+    EXPECT_NEAR(PlateCornerCrack::width_factor(x, 1.0) *
+                    edge_crack_factor(StripLoading::tension, 0) /
+                    edge_crack_factor(StripLoading::tension, x),
+                1, 0.01);
   EXPECT_EQ(PlateCornerCrack::width_factor(0, 0.5), 1.0);
   EXPECT_EQ(PlateCornerCrack::width_factor(0.2, 0.25), PlateCornerCrack::width_factor(0.1, 1));
 }
@@ -225,8 +228,9 @@ TEST(PlateCorner, LimitEdgeCrackAcrossTheWidth) {
 TEST(PlateCorner, LimitEdgeCrackAcrossTheThickness) {
   // A long shallow crack, at the end of its depth: the fit is stated for a/c >= 0.2.
   for (const double alpha : {0.0, 0.1, 0.2})
-    EXPECT_NEAR(PlateCornerCrack::tension(1e-9, alpha, pi / 2) / strip_edge_tension(alpha), 1,
-                0.05);
+    EXPECT_NEAR(PlateCornerCrack::tension(1e-9, alpha, pi / 2) /
+                    edge_crack_factor(StripLoading::tension, alpha),
+                1, 0.05);
 }
 
 TEST(PlateCorner, InputRulesAndLimits) {

@@ -351,7 +351,8 @@ S edge(double depth_ratio, double radius_ratio) {
 }
 
 TEST(TubeEdgeAxial, ReferenceFiniteElementsOfRings) {
-  // K/sqrt(pi a).  Strip and curved beam: 0.7 %, of which the elements may have 0.3 %.
+  // K/sqrt(pi a).  Strip (FR-11) and curved beam: 0.7 % at r/t = 5, 0.3 % from 10; the elements are
+  // good to 0.3 %.
   int n = 0;
   for (const test::CsvRow& row : test::read_reference_csv("cracked_ring")) {
     const double a = row("depth_ratio") * 0.01;
@@ -361,7 +362,9 @@ TEST(TubeEdgeAxial, ReferenceFiniteElementsOfRings) {
                        : edge<TubeEdgeAxialOuter>(row("depth_ratio"), row("radius_ratio"))
                              .stress_intensity(a, 0);
     const std::size_t load = row.quantity == "pressure" ? 0 : (row.quantity == "tension" ? 1 : 2);
-    EXPECT_NEAR(k.I[load] / std::sqrt(pi * a) / row.value, 1, 0.007) << row.place;
+    EXPECT_NEAR(k.I[load] / std::sqrt(pi * a) / row.value, 1,
+                row("radius_ratio") < 10 ? 7e-3 : 3.5e-3)
+        << row.place;
     ++n;
   }
   EXPECT_EQ(n, 54);
@@ -383,7 +386,7 @@ TEST(TubeEdgeAxial, LimitStrip) {
 }
 
 TEST(TubeEdgeAxial, LimitLongSurfaceCrack) {
-  // Newman and Raju's 1.13 of a long shallow crack, the edge crack 1.122.
+  // Newman and Raju's 1.13 of a long shallow crack, the edge crack 1.1215.
   const auto shallow = edge<TubeEdgeAxialInner>(1e-5, 20).stress_intensity(1e-7, 0);
   const TubeSurfaceAxialInner surface{
       .depth = 1e-7, .half_length = 1e-3, .mean_radius = 0.2, .thickness = 0.01};

@@ -63,13 +63,15 @@ TEST(EdgeWeight, ReferenceHalfPlane) {
   expect_relative(power_factor(0, 1), 0.682863, 2e-5);
 }
 
-TEST(EdgeWeight, CrosscheckHandbookFactors) {
-  // FR-11, stated to 0.5 %: in tension it keeps that but for 0.67 % at a/t = 0.06; in bending it
-  // is up to 2.4 % low around a/t = 0.3, by this computation and by the next test.
-  for (double alpha = 0.02; alpha < 0.95; alpha += 0.04) {
-    expect_relative(power_factor(alpha, 0), edge_crack_factor(StripLoading::tension, alpha), 0.007);
+TEST(EdgeWeight, CrosscheckFiniteElementsOfTheStrip) {
+  // (FR-11), fitted to finite elements: 0.02 % for alpha <= 0.9, 0.1 % beyond; here 0.002 % of the
+  // table, twice in bending.
+  for (double alpha = 0.02; alpha < 0.96; alpha += 0.04) {
+    const double tolerance = alpha < 0.91 ? 2.2e-4 : 1e-3;
+    expect_relative(power_factor(alpha, 0), edge_crack_factor(StripLoading::tension, alpha),
+                    tolerance);
     expect_relative(power_factor(alpha, 0) - 2 * alpha * power_factor(alpha, 1),
-                    edge_crack_factor(StripLoading::bending, alpha), 0.0245);
+                    edge_crack_factor(StripLoading::bending, alpha), tolerance);
   }
 }
 

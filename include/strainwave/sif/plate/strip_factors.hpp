@@ -3,25 +3,18 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 
+#include "strainwave/core/polynomial.hpp"
 #include "strainwave/sif/plate/common.hpp"
 
 /// @file
 /// Factors K/(sigma sqrt(pi a)) of straight cracks across a long strip [-].  `x` is the relative
 /// size of the crack, in [0, 1): depth over width of an edge crack, half length over half width of
-/// a centre crack, depth over half width of two edge cracks.
+/// a centre crack, depth over half width of two edge cracks.  The edge crack in tension and in
+/// bending is `edge_crack_factor`.
 
 namespace strainwave::sif {
-
-/// sum_k c_k x^k.
-template <std::size_t N>
-[[nodiscard]] constexpr double polynomial(const std::array<double, N>& c, double x) {
-  double sum = 0.0;
-  for (std::size_t k = N; k > 0; --k) sum = sum * x + c[k - 1];
-  return sum;
-}
 
 /// Antiplane shear of an edge crack, a centre crack or two edge cracks, exact; (SP-6).
 [[nodiscard]] inline double strip_antiplane(double x) {
@@ -38,20 +31,6 @@ template <std::size_t N>
 [[nodiscard]] inline double strip_centre_shear(double x) {
   constexpr std::array kC = {1.5, -0.7498, 0.0589, -0.1846, 0.202};
   return polynomial(kC, x) / std::sqrt(1 - x);  // (SP-7)
-}
-
-/// Edge crack in tension; (SP-22).
-[[nodiscard]] inline double strip_edge_tension(double x) {
-  constexpr std::array kC = {1.1215,   -1.6693, 8.0801,  -24.962, 56.3305,
-                             -86.0594, 82.2275, -43.877, 9.9295};
-  return polynomial(kC, x) / ((1 - x) * std::sqrt(1 - x));  // (SP-22)
-}
-
-/// Edge crack in bending, by the stress at the cracked edge; (SP-22).
-[[nodiscard]] inline double strip_edge_bending(double x) {
-  constexpr std::array kC = {1.1215,   -3.0255, 9.8273,   -28.6524, 61.7662,
-                             -89.4007, 81.0079, -41.2108, 8.9402};
-  return polynomial(kC, x) / ((1 - x) * std::sqrt(1 - x));  // (SP-22)
 }
 
 /// Edge crack under a transverse force, by its mean stress; (SP-8).

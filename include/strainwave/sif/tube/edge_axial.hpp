@@ -10,7 +10,7 @@ namespace strainwave::sif {
 /// Axial crack of even depth along a whole tube or ring, loads [pressure, hoop stress, wall
 /// bending].
 ///
-/// Implements theory manual eq. (SU-11): the strip (SP-22) under the wall's stress, taken as
+/// Implements theory manual eq. (SU-11): the strip (FR-11) under the wall's stress, taken as
 /// linear over the depth, and the force and moment with which the rest of the ring, a curved beam,
 /// resists the opening.  Plane strain.  Neglects: the curvature of the wall at the crack.
 template <Face face>
@@ -25,7 +25,7 @@ struct TubeEdgeAxial {
       .source = "-",
       .basis = Basis::computed,
       .relative_uncertainty = 0.01,
-      .accuracy = "plane-strain finite elements of rings, r/t 5 to 20, within 0.7 %",
+      .accuracy = "plane-strain finite elements of rings, r/t 5 to 20, a/t 0.2 to 0.6: 0.7 %",
       .constraint = Constraint::plane_strain};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
