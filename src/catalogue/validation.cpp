@@ -10,6 +10,7 @@
 #include "least_squares.hpp"
 #include "similar_rows.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/quantile.hpp"
 
 namespace strainwave {
 namespace {
@@ -174,14 +175,6 @@ void predict_per_row(Validation& v, const Drives& drives, std::span<const Stiffn
   }
 }
 
-/// Linear between the order statistics; `sorted` is not empty.
-double quantile(const std::vector<double>& sorted, double p) {
-  const double at = p * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(at);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
-
 void add_bands(Validation& v, std::span<const StiffnessRow> rows) {
   std::mt19937_64 generator(v.options.seed);
   std::vector<std::array<std::vector<double>, 3>> drawn(rows.size());
@@ -201,7 +194,6 @@ void add_bands(Validation& v, std::span<const StiffnessRow> rows) {
     for (std::size_t k = 0; k < 3; ++k) {
       std::vector<double>& values = drawn[i][k];
       if (values.empty()) throw SolverError("no drawn drive has an equilibrium");
-      std::ranges::sort(values);
       v.rows[i].band[k] =
           PredictionBand{quantile(values, 0.05), quantile(values, 0.5), quantile(values, 0.95)};
     }

@@ -15,6 +15,7 @@
 
 #include "strainwave/core/counter_random.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/quantile.hpp"
 #include "strainwave/stiffness/series_stiffness.hpp"
 
 namespace strainwave {
@@ -147,16 +148,9 @@ void fill_moments(ScatterOutput& output, std::vector<double> values) {
     output.relative_deviation_error =
         output.relative_deviation * std::sqrt(std::max(0.0, kurtosis - 1) / n) / 2;  // (SN-9)
   }
-  std::ranges::sort(values);
-  const auto quantile = [&](double p) {
-    const double at = p * (n - 1);
-    const auto below = static_cast<std::size_t>(at);
-    const std::size_t above = std::min(below + 1, values.size() - 1);
-    return std::lerp(values[below], values[above], at - static_cast<double>(below));
-  };
-  output.low = quantile(0.05);
-  output.median = quantile(0.5);
-  output.high = quantile(0.95);
+  output.low = quantile(values, 0.05);
+  output.median = quantile(values, 0.5);
+  output.high = quantile(values, 0.95);
 }
 
 /// First order: what each input contributes to the variance of the logarithm.

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/quantile.hpp"
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/io/result_writer.hpp"
@@ -47,14 +48,7 @@ void add_once(std::vector<Note>& notes, const std::vector<Note>& more) {
 }
 
 Band band(std::vector<double> values) {
-  std::ranges::sort(values);
-  const auto quantile = [&](double p) {
-    const double at = p * static_cast<double>(values.size() - 1);
-    const auto below = static_cast<std::size_t>(at);
-    const std::size_t above = std::min(below + 1, values.size() - 1);
-    return values[below] + (at - static_cast<double>(below)) * (values[above] - values[below]);
-  };
-  return {quantile(0.05), quantile(0.5), quantile(0.95)};
+  return {quantile(values, 0.05), quantile(values, 0.5), quantile(values, 0.95)};
 }
 
 bool has_cracks(const GearSet& gear) {

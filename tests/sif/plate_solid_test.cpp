@@ -21,6 +21,7 @@
 #include "strainwave/sif/plate/body_penny.hpp"
 #include "strainwave/sif/plate/corner_crack.hpp"
 #include "strainwave/sif/plate/embedded_ellipse.hpp"
+#include "strainwave/sif/plate/strip_factors.hpp"
 #include "strainwave/sif/plate/surface_crack.hpp"
 #include "support/expect.hpp"
 #include "support/reference_csv.hpp"

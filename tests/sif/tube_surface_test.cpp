@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "strainwave/fracture/edge_crack.hpp"
 #include "strainwave/fracture/surface_crack.hpp"
 #include "strainwave/fracture/through_crack.hpp"
 #include "strainwave/sif/newman_raju.hpp"
-#include "strainwave/sif/plate/strip_factors.hpp"
 #include "strainwave/sif/tube/edge_axial.hpp"
 #include "strainwave/sif/tube/ovalised.hpp"
 #include "strainwave/sif/tube/surface_axial.hpp"
@@ -376,8 +376,8 @@ TEST(TubeEdgeAxial, LimitStrip) {
   const double root = std::sqrt(pi * a);
   const auto inner = edge<TubeEdgeAxialInner>(0.5, 1e4).stress_intensity(a, 0);
   const auto outer = edge<TubeEdgeAxialOuter>(0.5, 1e4).stress_intensity(a, 0);
-  const double tension = strip_edge_tension(0.5) * root;
-  const double bending = strip_edge_bending(0.5) * root;
+  const double tension = edge_crack_factor(StripLoading::tension, 0.5) * root;
+  const double bending = edge_crack_factor(StripLoading::bending, 0.5) * root;
   for (const auto& k : {inner, outer}) {
     test::expect_relative(k.I[0], tension * 1e4, 5e-4);
     test::expect_relative(k.I[1], tension, 5e-4);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "strainwave/core/quadrature.hpp"
-#include "strainwave/sif/plate/strip_factors.hpp"
+#include "strainwave/fracture/edge_crack.hpp"
 #include "strainwave/sif/tube/surface_crack.hpp"
 
 namespace strainwave::sif {
@@ -88,8 +88,8 @@ struct TubeEdgeAxial {
   [[nodiscard]] double swept_area(double, double) const { return length; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double) const {
     const double alpha = a / thickness;
-    const double tension = strip_edge_tension(alpha);
-    const double bending = strip_edge_bending(alpha);
+    const double tension = edge_crack_factor(StripLoading::tension, alpha);
+    const double bending = edge_crack_factor(StripLoading::bending, alpha);
     const Flexibility crack = flexibility(alpha);
     const double root = std::sqrt(std::numbers::pi * a);
     UnitStressIntensity<kLoads> k;
@@ -106,14 +106,18 @@ struct TubeEdgeAxial {
     double tt, tb, bb;
   };
   [[nodiscard]] static Flexibility flexibility(double alpha) {
-    const auto integral = [&](double (*one)(double), double (*other)(double)) {
+    const auto integral = [&](StripLoading one, StripLoading other) {
       return 2 * std::numbers::pi *
-             integrate([&](double x) { return x * one(x) * other(x); }, 0.0, alpha)
+             integrate(
+                 [&](double x) {
+                   return x * edge_crack_factor(one, x) * edge_crack_factor(other, x);
+                 },
+                 0.0, alpha)
                  .value;  // (SU-11)
     };
-    return {.tt = integral(strip_edge_tension, strip_edge_tension),
-            .tb = integral(strip_edge_tension, strip_edge_bending),
-            .bb = integral(strip_edge_bending, strip_edge_bending)};
+    return {.tt = integral(StripLoading::tension, StripLoading::tension),
+            .tb = integral(StripLoading::tension, StripLoading::bending),
+            .bb = integral(StripLoading::bending, StripLoading::bending)};
   }
   [[nodiscard]] WallStress wall_stress(std::size_t load, double a) const {
     if (load == 1) return {.tension = 1.0, .bending = 0.0};
