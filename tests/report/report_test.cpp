@@ -247,7 +247,9 @@ TEST(Report, ReferenceMaterialsOfTheLibraryAreNamedAsSuch) {
   const std::string cells = html.substr(row, html.find("</tr>", row) - row);
   const double E =
       read_gear_set(text_of("library_material"), "x").material.at("52100").youngs_modulus;
-  EXPECT_NE(cells.find(std::to_string(std::lround(E / 1e9)) + " GPa"), std::string::npos) << cells;
+  const std::size_t value = cells.find("<td>") + 4;
+  EXPECT_DOUBLE_EQ(std::stod(cells.substr(value)) * 1e9, E) << cells;
+  EXPECT_NE(cells.find(" GPa</td>"), std::string::npos) << cells;
   EXPECT_NE(cells.find(">material library<"), std::string::npos) << cells;
 }
 
@@ -257,12 +259,13 @@ TEST(Report, IdentityEveryNoteAndEquationIsThere) {
   const std::string& notes = section(report, "notes").html;
   for (const Note& note : report.result.notes)
     EXPECT_NE(notes.find("data-code=\"" + note.code + "\""), std::string::npos) << note.code;
-  EXPECT_EQ(count(notes, "<li "), report.result.notes.size());
+  // Beside those of the result there are the notes of curve and sensitivity, each once.
+  EXPECT_GE(count(notes, "<li "), report.result.notes.size());
   const std::string& equations = section(report, "equations").html;
   for (const std::string& tag : report.result.equations)
     EXPECT_NE(equations.find("<li id=\"" + tag + "\"><b>" + tag + "</b> "), std::string::npos)
         << tag;
-  EXPECT_EQ(count(equations, "<li "), report.result.equations.size());
+  EXPECT_GE(count(equations, "<li "), report.result.equations.size());
   // A title of the manual, docs/theory/FR.md.
   EXPECT_NE(equations.find("<b>FR-2</b> Added compliance<"), std::string::npos);
 }
@@ -351,7 +354,7 @@ TEST(Report, IdentityCracksBeyondCriticalStandOnTop) {
       bars += state.utilisation && state.sense == crack.worst()->sense ? 1 : 0;
   }
   EXPECT_EQ(count(html, "<th scope=\"row\">T "), states);
-  EXPECT_EQ(count(html, "<li"), report.result.strength.size());
+  EXPECT_EQ(count(html, "<span class=\"crack-number\">"), report.result.strength.size());
   EXPECT_EQ(count(html, "<rect class=\"bar"), bars);
   EXPECT_NE(html.find(">line, hard_steel<"), std::string::npos);
   // Nothing to hold the cracks against: the report says so.
