@@ -66,7 +66,7 @@ std::string compliance_unit(const LoadInfo& i, const LoadInfo& j) {
   const std::string_view displacement = displacement_unit(i.unit);
   if (displacement == "m" && j.unit == "N*m") return "1/N";
   if (displacement == "rad" && j.unit == "N") return "1/N";
-  if (displacement == "rad") return "rad/(" + std::string(j.unit) + ")";
+  if (j.unit == "N*m") return std::string(displacement) + "/(N*m)";
   return std::string(displacement) + "/" + std::string(j.unit);
 }
 

@@ -136,6 +136,8 @@ TEST(ComplianceUnit, ReferenceOfAllPairs) {
   EXPECT_EQ(compliance_unit(force, moment), "1/N");
   EXPECT_EQ(compliance_unit(moment, force), "1/N");
   EXPECT_EQ(compliance_unit(force, stress), "m/Pa");
+  EXPECT_EQ(compliance_unit(moment, stress), "rad/Pa");
+  EXPECT_EQ(compliance_unit(stress, moment), "m^3/(N*m)");
 }
 
 }  // namespace
