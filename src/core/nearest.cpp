@@ -2,6 +2,7 @@
 #include "strainwave/core/nearest.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 #include <vector>
 
@@ -39,6 +40,20 @@ std::string nearest_word(std::string_view word, std::span<const std::string> kno
     }
   }
   return best;
+}
+
+std::vector<std::string> words_beginning(std::string_view word,
+                                         std::span<const std::string> known) {
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) ==
+           std::tolower(static_cast<unsigned char>(b));
+  };
+  std::vector<std::string> found;
+  for (const std::string& candidate : known)
+    if (!word.empty() && candidate.size() >= word.size() &&
+        std::equal(word.begin(), word.end(), candidate.begin(), same))
+      found.push_back(candidate);
+  return found;
 }
 
 }  // namespace strainwave

@@ -35,15 +35,14 @@ void add_from_library(GearSet& gear, const std::optional<Member>& member, std::s
   std::vector<std::string> given;
   for (const auto& [name, material] : gear.material)
     if (material.origin.empty()) given.push_back(name);
-  std::vector<std::string> known = material_names();
-  known.insert(known.begin(), given.begin(), given.end());
-  const std::string near = nearest_word(member->material, known);
+  const std::string near = nearest_word(member->material, given);
+  const std::string meant = near.empty() ? meant_material(member->material, material_names())
+                                         : fmt::format("did you mean {}?", near);
   throw InputError(
       field,
       fmt::format("\"{}\" is not one of the materials given ({}), nor in the material library; {}",
                   shown(member->material), shown(fmt::format("{}", fmt::join(given, ", "))),
-                  near.empty() ? std::string("strainwave material list names those")
-                               : fmt::format("did you mean {}?", shown(near))));
+                  meant.empty() ? "strainwave material list has the names" : shown(meant)));
 }
 
 }  // namespace

@@ -225,13 +225,24 @@ const MaterialRecord* find_material(std::string_view name_or_alias) {
   return find([&](const std::string& name) { return plain_name(name) == wanted; });
 }
 
+std::string meant_material(std::string_view unknown, std::span<const std::string> known) {
+  constexpr std::size_t kMostNames = 4;
+  constexpr std::size_t kLongEnough = 8;
+  std::vector<std::string> names = words_beginning(unknown, known);
+  if (names.size() > kMostNames) names.resize(kMostNames);
+  if (names.empty() && unknown.size() >= kLongEnough) {
+    const std::string near = nearest_word(unknown, known);
+    if (!near.empty()) names.push_back(near);
+  }
+  return names.empty() ? std::string() : fmt::format("did you mean {}?", fmt::join(names, " or "));
+}
+
 const MaterialRecord& require_material(std::string_view name_or_alias) {
   if (const MaterialRecord* const record = find_material(name_or_alias)) return *record;
-  const std::string near = nearest_word(name_or_alias, material_names());
+  const std::string meant = meant_material(name_or_alias, material_names());
   throw InputError("material",
                    fmt::format("\"{}\" is not in the material library; {}", shown(name_or_alias),
-                               near.empty() ? std::string("strainwave material list shows it")
-                                            : fmt::format("did you mean {}?", near)));
+                               meant.empty() ? "strainwave material list has the names" : meant));
 }
 
 std::string short_quantity(double value, std::string_view unit) {

@@ -42,15 +42,32 @@ void scan_front(Evaluation& result, const AnyCrack& crack, const CrackModuli& mo
   for (int i = 0; i < n; ++i) {
     const double s = n == 1 ? front.begin : front.begin + (front.end - front.begin) * i / (n - 1);
     const PointIntensity K = under_loads(crack, result.loads, s);
-    for (double PointIntensity::*const mode :
-         {&PointIntensity::K_I, &PointIntensity::K_II, &PointIntensity::K_III})
-      if (std::abs(K.*mode) > std::abs(largest.*mode)) largest.*mode = K.*mode;
-    worst = std::max(worst, energy_release_rate(K.K_I, K.K_II, K.K_III, moduli));
+    largest.K_I = i == 0 ? K.K_I : std::max(largest.K_I, K.K_I);
+    if (std::abs(K.K_II) > std::abs(largest.K_II)) largest.K_II = K.K_II;
+    if (std::abs(K.K_III) > std::abs(largest.K_III)) largest.K_III = K.K_III;
+    result.pressed = result.pressed || K.K_I < 0;
+    worst = std::max(worst, energy_release_rate(std::max(K.K_I, 0.0), K.K_II, K.K_III,
+                                                moduli));  // (FR-17)
   }
   result.largest = largest;
   result.equivalent = std::sqrt(worst * moduli.opening);  // (FR-20)
   if (result.material.fracture_toughness)
     result.utilisation = *result.equivalent / *result.material.fracture_toughness;
+}
+
+/// Formulas overflow or cancel where numbers are absurd: no answer then, rather than NaN.
+void require_finite(const Evaluation& result) {
+  bool finite = std::isfinite(result.equivalent.value_or(0.0));
+  for (const GeometryFactors& factor : result.factors)
+    finite = finite && std::isfinite(factor.Y_I + factor.Y_II + factor.Y_III);
+  for (const PointIntensity& K : result.points)
+    finite = finite && std::isfinite(K.K_I + K.K_II + K.K_III);
+  for (const ComplianceEntry& entry : result.compliance)
+    finite = finite && std::isfinite(entry.value);
+  if (!finite)
+    throw SolverError(std::string(result.info.name) +
+                      ": the result is not a finite number; a field or a load is too large or too "
+                      "small for the formulas");
 }
 
 /// The conjugate displacement of a load.
@@ -87,6 +104,8 @@ Evaluation evaluate(const Row& row, const Assignments& values, const CrackMateri
       fields.emplace(field.name, given->second);
     else if (field.name == "poissons_ratio")
       fields.emplace(field.name, material.poissons_ratio);
+    if (field.name == "poissons_ratio")
+      result.material.poissons_ratio = fields.find(field.name)->second;
   }
   bool loaded = false;
   for (const LoadInfo& load : row.loads) {
@@ -130,7 +149,7 @@ Evaluation evaluate(const Row& row, const Assignments& values, const CrackMateri
                                 .Y_III = K.K_III / scale});
     }
   }
-  const CrackModuli moduli = moduli_of(material, row.info.constraint);
+  const CrackModuli moduli = moduli_of(result.material, row.info.constraint);
   if (loaded) {
     for (const FrontPoint& point : row.points) {
       result.points.push_back(under_loads(*crack, result.loads, point.s));
@@ -148,6 +167,7 @@ Evaluation evaluate(const Row& row, const Assignments& values, const CrackMateri
                                    .load_j = std::string(row.loads[j].name),
                                    .value = compliance.upper[n++],
                                    .unit = compliance_unit(row.loads[i], row.loads[j])});
+  require_finite(result);
   return result;
 }
 

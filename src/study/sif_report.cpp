@@ -236,11 +236,8 @@ std::string sif_evaluation_text(const sif::Evaluation& e) {
     if (e.utilisation)
       text += fmt::format("  {:36}{:>12.5g}{}\n", "over the fracture toughness", *e.utilisation,
                           *e.utilisation >= 1 ? "   fractures at this load" : "");
-    const bool pressed = std::ranges::any_of(
-        e.points, [](const sif::PointIntensity& point) { return point.K_I < 0; });
-    if (pressed)
-      text +=
-          "  K_I < 0: the faces press on each other there; mode I counts only in superposition\n";
+    if (e.pressed)
+      text += "  K_I < 0: the faces press on each other there, and mode I counts as 0 (FR-17)\n";
   }
   text += fmt::format("\nAdded compliance ({}, E = {:.4g} GPa, nu = {:.3g})\n",
                       enum_name(e.info.constraint), e.material.youngs_modulus / 1e9,
@@ -286,6 +283,7 @@ std::string sif_evaluation_json(const sif::Evaluation& e) {
     for (const sif::PointIntensity& point : e.points) points[point.name] = intensity_json(point);
     points["largest"] = intensity_json(*e.largest);
     json["stress_intensity"] = points;
+    json["faces_pressed"] = e.pressed;
     json["equivalent"] = quantity_json(*e.equivalent, "Pa*m^0.5");
     if (e.utilisation) json["utilisation"] = quantity_json(*e.utilisation, "1");
   }

@@ -282,7 +282,7 @@ TEST_F(Program, IdentityMaterialListAndShow) {
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
   }
   const std::string bearings = run("material list --use bearing").out;
-  EXPECT_NE(bearings.find("52100"), std::string::npos);
+  EXPECT_NE(bearings.find("52100 hardened"), std::string::npos);
   EXPECT_EQ(bearings.find("17-4PH"), std::string::npos);
   const std::string show = run("material show 15-5phH900").out;  // case and blanks do not matter
   EXPECT_EQ(show.rfind("15-5PH H900\n", 0), 0U) << show;
@@ -308,8 +308,8 @@ TEST_F(Program, IdentityMaterialsAsJson) {
   visit(visit, all["material"]);
   for (const std::string& key : used) EXPECT_TRUE(all["source"].contains(key)) << key;
   EXPECT_EQ(all["source"].size(), used.size());
-  const Json one = Json::parse(run("material show 52100 --format json").out);
-  EXPECT_EQ(one["name"], "52100");
+  const Json one = Json::parse(run("material show '52100 hardened' --format json").out);
+  EXPECT_EQ(one["name"], "52100 hardened");
   EXPECT_EQ(one["youngs_modulus"]["value"]["value"], 203.4e9);
   EXPECT_EQ(one["youngs_modulus"]["value"]["unit"], "Pa");
   EXPECT_EQ(one["youngs_modulus"]["confidence"], "handbook");
@@ -351,8 +351,9 @@ TEST_F(Program, IdentityLibraryMaterialIsNotedAndCanBeVaried) {
   EXPECT_EQ(notes.size(), 4U);
   const std::string& text = notes["material.17-4PH H900"];
   EXPECT_NE(text.find("yield strength 1170 MPa (handbook)"), std::string::npos) << text;
-  EXPECT_NE(notes["material.52100"].find("unverified, to be checked before a decision rests on it: "
-                                         "Poisson's ratio"),
+  EXPECT_NE(notes["material.52100 hardened"].find(
+                "unverified, to be checked before a decision rests on it: "
+                "Poisson's ratio"),
             std::string::npos);
   EXPECT_EQ(json.at("/provenance/input/material/17-4PH H900/yield_strength"_json_pointer),
             "1170000000 Pa");

@@ -57,5 +57,13 @@ TEST(NearestWord, LimitHostileLengthsResembleNothing) {
   EXPECT_EQ(nearest_word(std::string(1'000'000, 'x'), kFields), "");
 }
 
+TEST(WordsBeginning, ReferenceCaseDoesNotCount) {
+  const std::vector<std::string> known = {"4340 tempered 425 C", "C300", "42CrMo4 QT"};
+  EXPECT_EQ(words_beginning("4340", known), std::vector<std::string>{"4340 tempered 425 C"});
+  EXPECT_EQ(words_beginning("42crmo", known), std::vector<std::string>{"42CrMo4 QT"});
+  EXPECT_TRUE(words_beginning("4340 tempered 425 C hard", known).empty());
+  EXPECT_TRUE(words_beginning("", known).empty());
+}
+
 }  // namespace
 }  // namespace strainwave

@@ -426,8 +426,8 @@ TEST(GearReader, IdentityMaterialsMayHaveAnyName) {
 
 TEST(GearReader, IdentityMaterialsOfTheLibrary) {
   std::string text = with("material = \"steel\"\nshape", "material = \"17-4ph  h900\"\nshape");
-  text = with("material = \"steel\"\nforce", "material = \"100Cr6\"\nforce", text);
-  text = with("material = \"steel\"\nouter", "material = \"100Cr6\"\nouter", text);
+  text = with("material = \"steel\"\nforce", "material = \"100Cr6 hardened\"\nforce", text);
+  text = with("material = \"steel\"\nouter", "material = \"100Cr6 hardened\"\nouter", text);
   const GearSet gear = read_gear_set(text, "gear.toml");
   // Under the name that the member gives, beside those of the file.
   ASSERT_EQ(gear.material.size(), 3U);
@@ -436,8 +436,8 @@ TEST(GearReader, IdentityMaterialsOfTheLibrary) {
   EXPECT_EQ(flexspline.youngs_modulus, record.youngs_modulus->value);
   EXPECT_EQ(flexspline.yield_strength, record.yield_strength->value);
   EXPECT_EQ(flexspline.origin, as_material(record).origin);
-  EXPECT_EQ(gear.material.at("100Cr6").ultimate_strength,
-            require_material("52100").ultimate_strength->value);
+  EXPECT_EQ(gear.material.at("100Cr6 hardened").ultimate_strength,
+            require_material("52100 hardened").ultimate_strength->value);
   EXPECT_EQ(gear.material.at("steel").origin, "");
   // No table at all is needed.
   text = with(
@@ -469,22 +469,23 @@ TEST(GearReader, IdentityATableOfTheFileWinsOverTheLibrary) {
 
 TEST(GearReader, InputATableOfTheFileIsNotPassedOver) {
   // Half the members name the table, one writes an alias of the same steel.
-  std::string text = with("[material.steel]", "[material.\"52100\"]");
-  text = with("material = \"steel\"\nforce", "material = \"52100\"\nforce", text);
-  text = with("material = \"steel\"\nshape", "material = \"100Cr6\"\nshape", text);
-  text = with("material = \"steel\"\nouter", "material = \"52100\"\nouter", text);
+  std::string text = with("[material.steel]", "[material.\"52100 hardened\"]");
+  text = with("material = \"steel\"\nforce", "material = \"52100 hardened\"\nforce", text);
+  text = with("material = \"steel\"\nshape", "material = \"100Cr6 hardened\"\nshape", text);
+  text = with("material = \"steel\"\nouter", "material = \"52100 hardened\"\nouter", text);
   EXPECT_EQ(refusal(text),
-            "gear.toml:35:12: flexspline.material: \"100Cr6\" is in the material library, but the "
-            "file gives the same steel as [material.\"52100\"]; use one name");
+            "gear.toml:35:12: flexspline.material: \"100Cr6 hardened\" is in the material library, "
+            "but the "
+            "file gives the same steel as [material.\"52100 hardened\"]; use one name");
   // Two names of one steel of the library are no contradiction.
-  std::string library = with("material = \"steel\"\nforce", "material = \"GCr15\"\nforce");
-  library = with("material = \"steel\"\nshape", "material = \"100Cr6\"\nshape", library);
+  std::string library = with("material = \"steel\"\nforce", "material = \"GCr15 hardened\"\nforce");
+  library = with("material = \"steel\"\nshape", "material = \"100Cr6 hardened\"\nshape", library);
   EXPECT_EQ(read_gear_set(library, "gear.toml").material.size(), 3U);
   // Only tables of the file are named as given.
   EXPECT_EQ(
       refusal(with("material = \"steel\"\nouter", "material = \"unobtainium\"\nouter", library)),
       "gear.toml:50:12: output_shaft.material: \"unobtainium\" is not one of the materials given "
-      "(steel), nor in the material library; strainwave material list names those");
+      "(steel), nor in the material library; strainwave material list has the names");
 }
 
 TEST(GearReader, IdentityExamplesAreRead) {
@@ -542,7 +543,8 @@ const std::vector<Wrong> kWrong = {
      "29:1: wave_generator.crack[0].dept: is not known here; did you mean depth?"},
     {"UnknownTable", "[article]", "[artikel]",
      "59:2: artikel: is not known here; known are format, name, material, drive, load, "
-     "wave_generator, flexspline, output_shaft, mesh, circular_spline, rating, range, scatter, article"},
+     "wave_generator, flexspline, output_shaft, mesh, circular_spline, rating, range, scatter, "
+     "article"},
     {"UnknownMember", "[article]", "[input_shaft]",
      "59:2: input_shaft: is not known here; did you mean output_shaft?"},
     {"UnknownEmptyKey", "M_M = ", "\"\" = ",
@@ -585,7 +587,7 @@ const std::vector<Wrong> kWrong = {
      "0.3\n",
      "",
      "16:12: wave_generator.material: \"steel\" is not one of the materials given (), nor in the "
-     "material library; strainwave material list names those"},
+     "material library; strainwave material list has the names"},
     {"MissingShearModulusAndPoissonsRatio", "shear_modulus = \"80 GPa\"\npoissons_ratio = 0.3\n",
      "", "4:1: material.steel.poissons_ratio: must be given, or shear_modulus"},
     {"MissingRadialStiffness", "radial_stiffness = \"1.2e5 N/mm\"\n", "",

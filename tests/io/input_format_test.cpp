@@ -505,7 +505,7 @@ TEST(InputFormat, CrosscheckRequiredTablesAreThoseThatTheReaderMisses) {
     if (path == "material")
       for (std::string& line : kept)
         if (const std::size_t at = line.find("material = \"steel\""); at != std::string::npos)
-          line.replace(at, 18, "material = \"52100\"");
+          line.replace(at, 18, "material = \"52100 hardened\"");
     const std::string result = verdict(joined(kept));
     if (required.contains(path))
       EXPECT_NE(result.find(path + ": must be given ("), std::string::npos) << result;

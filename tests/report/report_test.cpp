@@ -246,7 +246,7 @@ TEST(Report, ReferenceMaterialsOfTheLibraryAreNamedAsSuch) {
   ASSERT_NE(row, std::string::npos);
   const std::string cells = html.substr(row, html.find("</tr>", row) - row);
   const double E =
-      read_gear_set(text_of("library_material"), "x").material.at("52100").youngs_modulus;
+      read_gear_set(text_of("library_material"), "x").material.at("52100 hardened").youngs_modulus;
   const std::size_t value = cells.find("<td>") + 4;
   EXPECT_DOUBLE_EQ(std::stod(cells.substr(value)) * 1e9, E) << cells;
   EXPECT_NE(cells.find(" GPa</td>"), std::string::npos) << cells;

@@ -93,6 +93,50 @@ TEST(Evaluation, IdentityLargestIsTheLargestOfTheFront) {
   for (const PointIntensity& point : e.points) EXPECT_GE(e.largest->K_I, std::abs(point.K_I));
 }
 
+TEST(Evaluation, IdentityPressedFacesCountAsNothing) {
+  // (FR-17): under pure compression nothing is left of mode I.
+  const CrackMaterial steel{
+      .youngs_modulus = 210 * GPa, .poissons_ratio = 0.3, .fracture_toughness = 50e6};
+  const Evaluation e = evaluate(surface(), {{"tension", -2000 * MPa}}, steel);
+  EXPECT_TRUE(e.pressed);
+  EXPECT_EQ(*e.equivalent, 0);
+  EXPECT_EQ(*e.utilisation, 0);
+  EXPECT_LT(e.largest->K_I, 0);
+  EXPECT_FALSE(evaluate(surface(), {{"tension", 2000 * MPa}}, steel).pressed);
+  // Bending opens one side of a bar, a larger force presses the other harder: the opening is what
+  // is left, and the shear of the torque stays.
+  const Row& bar = solution("bar-annular");
+  const Evaluation opened = evaluate(bar, {{"moment", 100.0}, {"force", -3000.0}}, steel);
+  const double moment = evaluate(bar, {{"moment", 100.0}}, steel).largest->K_I;
+  const double force = evaluate(bar, {{"force", 3000.0}}, steel).largest->K_I;
+  EXPECT_NEAR(opened.largest->K_I, moment - force, 1e-9 * moment);
+  EXPECT_NEAR(*opened.equivalent, moment - force, 1e-9 * moment);
+  EXPECT_TRUE(opened.pressed);
+}
+
+TEST(Evaluation, ReferenceOnePoissonsRatio) {
+  // Penny under shear: C = 32 (1 - nu^2) a^3/(3 (2 - nu) E); by hand from Eshelby's slip.
+  const Row& penny = solution("body-penny");
+  const auto compliance = [&](const Assignments& values, double nu) {
+    return entry(evaluate(
+                     penny, values,
+                     {.youngs_modulus = 210 * GPa, .poissons_ratio = nu, .fracture_toughness = {}}),
+                 "shear", "shear")
+        .value;
+  };
+  const double a = 1 * mm;
+  const std::string size(penny.fields.front().name);
+  for (const double nu : {0.0, 0.25, 0.4}) {
+    const double by_hand = 32 * (1 - nu * nu) * a * a * a / (3 * (2 - nu) * 210 * GPa);
+    EXPECT_NEAR(compliance({{size, a}, {"poissons_ratio", nu}}, 0.3) / by_hand, 1, 1e-8) << nu;
+    EXPECT_NEAR(compliance({{size, a}}, nu) / by_hand, 1, 1e-8) << nu;
+  }
+}
+
+TEST(Evaluation, InputAbsurdNumbersHaveNoAnswer) {
+  EXPECT_THROW((void)evaluate(through(), {{"tension", 1e200}}), SolverError);
+}
+
 TEST(Evaluation, IdentityWithoutLoadsThereIsNoStressIntensity) {
   const Evaluation e = evaluate(through(), {});
   EXPECT_TRUE(e.points.empty());

@@ -62,6 +62,12 @@ struct MaterialLibrary {
 /// differs in case and blanks only.  Never a similar one.
 [[nodiscard]] const MaterialRecord* find_material(std::string_view name_or_alias);
 
+/// "did you mean 4340 tempered 425 C or 4340 tempered 260 C?": names of `known` that begin with an
+/// unknown one; else a near one, if the name is long enough for likeness to mean something; else
+/// empty.  A short name is never guessed at: 4340 and C300 differ in two letters.
+[[nodiscard]] std::string meant_material(std::string_view unknown,
+                                         std::span<const std::string> known);
+
 /// The record of a name or an alias.
 /// @throws InputError  if there is none; the message names a near one, if one is near
 [[nodiscard]] const MaterialRecord& require_material(std::string_view name_or_alias);

@@ -53,8 +53,12 @@ struct Evaluation {
   std::vector<GeometryFactors> factors;
   /// At the named points under all loads; empty without loads.
   std::vector<PointIntensity> points;
-  /// Largest magnitude of each mode along the front, each where it occurs; without loads absent.
+  /// Largest K_I, and largest magnitude of K_II and K_III with its sign, along the front, each
+  /// where it occurs; without loads absent.
   std::optional<PointIntensity> largest;
+  /// K_I < 0 somewhere on the front: the faces press on each other there, and mode I counts as 0 in
+  /// what follows (FR-17).  The compliance is that of open faces all the same.
+  bool pressed = false;
   /// sqrt(G E') at the worst point of the front [Pa*m^0.5]; (FR-20).
   std::optional<double> equivalent;
   std::optional<double> utilisation;  ///< equivalent/K_Ic [-]
@@ -74,9 +78,11 @@ inline constexpr int kFrontScan = 65;
 ///
 /// @param row       of the library
 /// @param values    of fields and loads, by name [SI]; fields left out take their examples, loads
-///                  0; a field poissons_ratio left out takes that of the material
+///                  0.  A field poissons_ratio left out takes that of the material; given, it is
+///                  that of the material, too
 /// @param material  E, nu, toughness
-/// @throws InputError  unknown name, number outside its range, impossible geometry
+/// @throws InputError   unknown name, number outside its range, impossible geometry
+/// @throws SolverError  a result is not finite: numbers too large or too small for the formulas
 [[nodiscard]] Evaluation evaluate(const Row& row, const Assignments& values,
                                   const CrackMaterial& material = {});
 
