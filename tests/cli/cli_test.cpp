@@ -350,7 +350,7 @@ TEST_F(Program, IdentityLibraryMaterialIsNotedAndCanBeVaried) {
     if (note["code"] == "material.library") notes[note["path"]] = note["text"];
   EXPECT_EQ(notes.size(), 4U);
   const std::string& text = notes["material.17-4PH H900"];
-  EXPECT_NE(text.find("yield strength 1170 MPa (handbook)"), std::string::npos) << text;
+  EXPECT_NE(text.find("yield strength 1170 MPa (standard)"), std::string::npos) << text;
   EXPECT_NE(notes["material.52100 hardened"].find(
                 "unverified, to be checked before a decision rests on it: "
                 "Poisson's ratio"),
