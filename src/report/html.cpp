@@ -68,7 +68,9 @@ std::string typeset(std::string_view number) {
   return text;
 }
 
-std::string quantity(std::string_view path, const Quantity& q, double unit_in_si) {
+std::string quantity(std::string_view path, const Quantity& q, double unit_in_si, double rounding) {
+  if (std::abs(q.value) <= rounding)
+    return fmt::format("<data value=\"{}\" data-path=\"{}\">0</data>", q.value, path);
   return fmt::format(
       "<data value=\"{}\" data-path=\"{}\">{}</data>", q.value, path,
       typeset(warranted_digits({q.value / unit_in_si, q.unit, q.relative_uncertainty})));
@@ -87,8 +89,12 @@ std::string accuracy(const Quantity& q) {
 std::string bar_chart(const BarChart& chart) {
   // Millimetres of paper, as the drawings.
   constexpr double kWidth = 180;
-  constexpr double kLabels = 52;
-  constexpr double kTexts = 34;
+  constexpr double kCharacter = 1.95;  // width, about
+  std::size_t longest = 0;
+  for (const Bar& bar : chart.bars)
+    if (!bar.same_line) longest = std::max(longest, bar.label.size());
+  const double labels = std::clamp(kCharacter * static_cast<double>(longest) + 4, 52.0, 92.0);
+  constexpr double kTexts = 22;
   constexpr double kRow = 6;
   constexpr double kTop = 8;
   double least = std::min(0.0, chart.reference.value_or(0.0));
@@ -98,7 +104,7 @@ std::string bar_chart(const BarChart& chart) {
     most = std::max({most, bar.from, bar.to});
   }
   if (!(most > least)) most = least + 1;
-  const double left = kLabels + (least < 0 ? kTexts : 0);
+  const double left = labels + (least < 0 ? kTexts : 0);
   const auto x = [&](double value) {
     return left + (kWidth - kTexts - left) * (value - least) / (most - least);
   };
@@ -114,7 +120,7 @@ std::string bar_chart(const BarChart& chart) {
     first = false;
     const double from = x(std::min(bar.from, bar.to));
     const double to = x(std::max(bar.from, bar.to));
-    if (!bar.same_line) words(kLabels + (least < 0 ? 0 : -2), y + 3.3, "end", bar.label);
+    if (!bar.same_line) words(labels + (least < 0 ? 0 : -2), y + 3.3, "end", bar.label);
     body += fmt::format(
         "<rect class=\"bar{}\" data-from=\"{}\" data-to=\"{}\" x=\"{}\" y=\"{}\" width=\"{}\" "
         "height=\"4.2\"/>\n",
@@ -133,7 +139,7 @@ std::string bar_chart(const BarChart& chart) {
                         coordinate(x(*chart.reference)), coordinate(kTop - 1.5), coordinate(y));
     words(x(*chart.reference), kTop - 2.6, "small middle", chart.reference_label);
   }
-  words(left, y + 3.6, "small", chart.axis);
+  words(kWidth - 2, y + 3.6, "small end", chart.axis);
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"chart\" viewBox=\"0 0 {0} {1}\" "
       "width=\"{0}mm\" height=\"{1}mm\" role=\"img\" aria-labelledby=\"{2}-title\">\n<title "

@@ -201,13 +201,15 @@ ReportSection intensities_chapter(const Draft& draft) {
     const auto row = [&](const char* where, const StressIntensities& K, const std::string& name,
                          bool first) {
       const std::string at = path + ".stress_intensity." + name;
+      const double rounding = 1e-12 * std::max({std::abs(K.K_I.value), std::abs(K.K_II.value),
+                                                std::abs(K.K_III.value)});
       rows.push_back(
           {{first ? fmt::format("<span class=\"crack-number\">{}</span> <code>{}</code>", mark,
                                 escaped(crack.path))
                   : std::string(),
-            where, quantity(at + ".K_I", K.K_I, units::MPa),
-            quantity(at + ".K_II", K.K_II, units::MPa),
-            quantity(at + ".K_III", K.K_III, units::MPa),
+            where, quantity(at + ".K_I", K.K_I, units::MPa, rounding),
+            quantity(at + ".K_II", K.K_II, units::MPa, rounding),
+            quantity(at + ".K_III", K.K_III, units::MPa, rounding),
             first && crack.utilisation ? quantity(path + ".utilisation", *crack.utilisation)
                                        : std::string(first ? "no toughness" : ""),
             first && crack.plastic_zone
@@ -233,10 +235,9 @@ ReportSection intensities_chapter(const Draft& draft) {
                           ? "The file has no cracks."
                           : "None of the cracks has a stress intensity in this method.");
   if (!chart.bars.empty())
-    html += figure(bar_chart(chart),
-                   "Stress intensity at the given load against the fracture "
-                   "toughness; beyond 1 the crack runs.",
-                   "bars");
+    html +=
+        figure(bar_chart(chart),
+               "Stress intensity of the given load alone against the fracture toughness.", "bars");
   else if (!rows.empty())
     html += paragraph(
         "The materials of the cracked members give no fracture_toughness: what these "

@@ -26,7 +26,9 @@ std::string output_text(std::string_view name) {
                      name.find("negative") == std::string_view::npos ? '>' : '<');
 }
 
+/// Rounding is nothing: an influence is exact to twelve digits of the largest one.
 std::string elasticity_text(double elasticity) {
+  if (std::abs(elasticity) < 1e-12) return "0";
   return typeset(fmt::format("{:+.3g}", elasticity));
 }
 
@@ -39,10 +41,9 @@ std::string tornado(const Sensitivity& s, std::size_t output, const std::string&
   });
   inputs.resize(std::min(inputs.size(), kMostBars));
   const std::string what = output_text(s.outputs[output].name);
-  BarChart chart{
-      .id = id,
-      .title = "Elasticities of the " + what,
-      .axis = fmt::format("change of the {} in percent, for one percent more of the input", what)};
+  BarChart chart{.id = id,
+                 .title = "Elasticities of the " + what,
+                 .axis = fmt::format("percent of the {} for one percent of the input", what)};
   for (const SensitivityInput* input : inputs) {
     const double elasticity = input->influence[output].elasticity;
     chart.bars.push_back({.label = input->path,
@@ -64,7 +65,7 @@ std::string scatter_html(Draft& draft, const Sensitivity& s) {
   for (const ScatterOutput& output : scatter.outputs)
     rows.push_back({{escaped(output_text(output.name)), percent(output.first_order),
                      percent(output.relative_deviation), number(output.low), number(output.median),
-                     number(output.high), escaped(output.unit)},
+                     number(output.high), escaped(typeset_unit(output.unit))},
                     {}});
   std::string html =
       paragraph(fmt::format("Scatter of {} inputs, as the file gives it, by first order and by {} "
