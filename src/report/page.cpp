@@ -129,8 +129,11 @@ summary { cursor: pointer; }
   .inputs th, .inputs td { padding-top: .08rem; padding-bottom: .08rem; }
   .inputs .group th { padding-top: .4rem; }
   .inputs th, .inputs td:nth-child(2) { white-space: normal; }
+  .number, .giver, thead th { white-space: normal; }
+  th, td, code, dd { overflow-wrap: anywhere; }
+  .number { overflow-wrap: normal; }
   table { font-size: .82em; }
-  pre { white-space: pre-wrap; overflow: visible; font-size: 6.8pt; line-height: 1.35; }
+  pre { white-space: pre-wrap; overflow-wrap: anywhere; overflow: visible; font-size: 6.8pt; line-height: 1.35; }
   .plot svg { width: 165mm; }
   a { color: inherit; text-decoration: none; }
 }
