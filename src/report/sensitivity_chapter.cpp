@@ -27,22 +27,22 @@ std::string output_text(std::string_view name) {
 }
 
 std::string elasticity_text(double elasticity) {
-  return typeset(fmt::format("{:+.3g}", elasticity));
+  constexpr double kNoise = 1e-12;  // of the arithmetic; elasticities are of the order of one
+  return std::abs(elasticity) < kNoise ? "0" : typeset(fmt::format("{:+.3g}", elasticity));
 }
 
 std::string tornado(const Sensitivity& s, std::size_t output, const std::string& id) {
   std::vector<const SensitivityInput*> inputs;
   for (const SensitivityInput& input : s.inputs)
-    if (input.influence[output].elasticity != 0) inputs.push_back(&input);
+    if (elasticity_text(input.influence[output].elasticity) != "0") inputs.push_back(&input);
   std::ranges::stable_sort(inputs, std::greater<>(), [&](const SensitivityInput* input) {
     return std::abs(input->influence[output].elasticity);
   });
   inputs.resize(std::min(inputs.size(), kMostBars));
   const std::string what = output_text(s.outputs[output].name);
-  BarChart chart{
-      .id = id,
-      .title = "Elasticities of the " + what,
-      .axis = fmt::format("change of the {} in percent, for one percent more of the input", what)};
+  BarChart chart{.id = id,
+                 .title = "Elasticities of the " + what,
+                 .axis = "percent of change for one percent more of the input"};
   for (const SensitivityInput* input : inputs) {
     const double elasticity = input->influence[output].elasticity;
     chart.bars.push_back({.label = input->path,
