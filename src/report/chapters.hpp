@@ -41,6 +41,7 @@ enum class Severity {
 
 /// Whether the given load breaks the part at this crack.
 [[nodiscard]] bool breaks(const CrackStrength& crack);
+[[nodiscard]] bool breaks_at(const StrengthState& state);
 
 [[nodiscard]] std::string verdict_html(const Draft& draft);
 

@@ -16,6 +16,37 @@ std::string attribute(std::string_view name, std::string_view value) {
   return value.empty() ? std::string() : fmt::format(" {}=\"{}\"", name, value);
 }
 
+/// Widths of a line of text in a chart [mm], estimated: wider than most fonts make it.
+constexpr double kWide = 1.95;    // a character
+constexpr double kNarrow = 1.72;  // a character of the small size
+
+double characters(std::string_view text) {
+  return static_cast<double>(std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+/// Where a label that is too long for one line ends its first: behind the last dot, comma or blank
+/// that fits, so that the two lines are as even as may be.
+std::size_t break_of(std::string_view label) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i + 1 < label.size(); ++i) {
+    const std::size_t end = label[i] == '.' ? i : i + 1;
+    if (label[i] != '.' && label[i] != ' ') continue;
+    const auto uneven = [&](std::size_t at) {
+      return std::abs(2 * static_cast<double>(at) - static_cast<double>(label.size()));
+    };
+    if (best == 0 || uneven(end) < uneven(best)) best = end;
+  }
+  return best;
+}
+
+/// "-0.0" is 0.
+std::string without_signed_zero(std::string text) {
+  if (text.starts_with('-') && text.find_first_of("123456789") == std::string::npos)
+    text.erase(0, 1);
+  return text;
+}
+
 }  // namespace
 
 std::string table(std::string_view caption, const std::vector<std::string>& head,
@@ -68,17 +99,19 @@ std::string typeset(std::string_view number) {
   return text;
 }
 
-std::string quantity(std::string_view path, const Quantity& q, double unit_in_si, double rounding) {
-  if (std::abs(q.value) <= rounding)
-    return fmt::format("<data value=\"{}\" data-path=\"{}\">0</data>", q.value, path);
+std::string quantity(std::string_view path, const Quantity& q, double unit_in_si) {
   return fmt::format(
       "<data value=\"{}\" data-path=\"{}\">{}</data>", q.value, path,
-      typeset(warranted_digits({q.value / unit_in_si, q.unit, q.relative_uncertainty})));
+      q.value == 0
+          ? "0"
+          : typeset(warranted_digits({q.value / unit_in_si, q.unit, q.relative_uncertainty})));
 }
 
 std::string percent(double share) {
   const double p = 100 * share;
-  return typeset(std::abs(p) >= 9.95 ? fmt::format("{:.0f}", p) : fmt::format("{:.2g}", p)) + " %";
+  return typeset(without_signed_zero(std::abs(p) >= 9.95 ? fmt::format("{:.0f}", p)
+                                                         : fmt::format("{:.2g}", p))) +
+         " %";
 }
 
 std::string accuracy(const Quantity& q) {
@@ -89,13 +122,14 @@ std::string accuracy(const Quantity& q) {
 std::string bar_chart(const BarChart& chart) {
   // Millimetres of paper, as the drawings.
   constexpr double kWidth = 180;
-  constexpr double kCharacter = 1.95;  // width, about
-  std::size_t longest = 0;
-  for (const Bar& bar : chart.bars)
-    if (!bar.same_line) longest = std::max(longest, bar.label.size());
-  const double labels = std::clamp(kCharacter * static_cast<double>(longest) + 4, 52.0, 92.0);
-  constexpr double kTexts = 22;
+  constexpr double kMostLabels = 66;
   constexpr double kRow = 6;
+  double labels = 30;
+  double texts = 12;
+  for (const Bar& bar : chart.bars) {
+    labels = std::max(labels, std::min(kMostLabels, 2 + kWide * characters(bar.label)));
+    texts = std::max(texts, 3 + kWide * characters(bar.text));
+  }
   constexpr double kTop = 8;
   double least = std::min(0.0, chart.reference.value_or(0.0));
   double most = std::max(0.0, chart.reference.value_or(0.0));
@@ -104,9 +138,10 @@ std::string bar_chart(const BarChart& chart) {
     most = std::max({most, bar.from, bar.to});
   }
   if (!(most > least)) most = least + 1;
-  const double left = labels + (least < 0 ? kTexts : 0);
+  const double left = labels + (least < 0 ? texts : 0);
+  const double right = kWidth - texts;
   const auto x = [&](double value) {
-    return left + (kWidth - kTexts - left) * (value - least) / (most - least);
+    return left + (right - left) * (value - least) / (most - least);
   };
   std::string body;
   const auto words = [&](double at_x, double at_y, std::string_view style, std::string_view text) {
@@ -120,7 +155,17 @@ std::string bar_chart(const BarChart& chart) {
     first = false;
     const double from = x(std::min(bar.from, bar.to));
     const double to = x(std::max(bar.from, bar.to));
-    if (!bar.same_line) words(labels + (least < 0 ? 0 : -2), y + 3.3, "end", bar.label);
+    if (!bar.same_line) {
+      const std::size_t cut =
+          2 + kWide * characters(bar.label) > kMostLabels ? break_of(bar.label) : 0;
+      if (cut == 0) {
+        words(labels - 2, y + 3.3, "end", bar.label);
+      } else {
+        const std::string_view label = bar.label;
+        words(labels - 2, y + 1.6, "small end", label.substr(0, cut));
+        words(labels - 2, y + 4.3, "small end", label.substr(cut));
+      }
+    }
     body += fmt::format(
         "<rect class=\"bar{}\" data-from=\"{}\" data-to=\"{}\" x=\"{}\" y=\"{}\" width=\"{}\" "
         "height=\"4.2\"/>\n",
@@ -139,7 +184,10 @@ std::string bar_chart(const BarChart& chart) {
                         coordinate(x(*chart.reference)), coordinate(kTop - 1.5), coordinate(y));
     words(x(*chart.reference), kTop - 2.6, "small middle", chart.reference_label);
   }
-  words(kWidth - 2, y + 3.6, "small end", chart.axis);
+  // In the middle of the bars, as far as the paper is wide enough.
+  const double half = kNarrow * characters(chart.axis) / 2;
+  words(std::max(half, std::min((left + right) / 2, kWidth - half)), y + 3.6, "small middle",
+        chart.axis);
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"chart\" viewBox=\"0 0 {0} {1}\" "
       "width=\"{0}mm\" height=\"{1}mm\" role=\"img\" aria-labelledby=\"{2}-title\">\n<title "

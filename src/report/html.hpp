@@ -38,9 +38,8 @@ struct TableLook {
 /// result: `<data value="..." data-path="...">`.
 ///
 /// @param unit_in_si  the unit to show it in; the unit itself is not written
-/// @param rounding    what is not larger is rounding, and shown as 0 [SI]
 [[nodiscard]] std::string quantity(std::string_view path, const Quantity& q,
-                                   double unit_in_si = 1.0, double rounding = 0.0);
+                                   double unit_in_si = 1.0);
 
 /// "5 %", "none" where nobody can state an accuracy, "–" for a zero.
 [[nodiscard]] std::string accuracy(const Quantity& q);

@@ -11,6 +11,7 @@
 #include "markup.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/io/input_remarks.hpp"
+#include "strainwave/materials/material_library.hpp"
 
 namespace strainwave::report {
 namespace {
@@ -44,6 +45,18 @@ std::string library_text(const std::optional<double>& value, std::string_view un
                      unit);
 }
 
+/// How well the material library knows a number, and its source there.
+std::string library_evidence(std::string_view material, std::string_view property) {
+  std::string text = "see the validity notes";
+  const MaterialRecord* const record = find_material(material);
+  if (record == nullptr) return text;
+  for_each_property(*record, [&](std::string_view name, std::string_view, const auto& number) {
+    if (name == property)
+      text = fmt::format("{}, source {}", enum_name(number.confidence), number.source);
+  });
+  return text;
+}
+
 template <class T>
 inline constexpr bool is_table = Described<T> || is_variant<T> || is_string_map<T> || is_vector<T>;
 template <class T>
@@ -68,7 +81,10 @@ class Collector {
     } else if constexpr (is_vector<T>) {
       for (std::size_t i = 0; i < value.size(); ++i) walk(value[i], path[i], field);
     } else if constexpr (is_string_map<T>) {
-      for (const auto& [name, element] : value) walk(element, path / name, field);
+      for (const auto& [name, element] : value) {
+        key_ = name;
+        walk(element, path / name, field);
+      }
     } else if constexpr (is_variant<T>) {
       std::visit(
           [&](const auto& alternative) {
@@ -117,7 +133,7 @@ class Collector {
     } else if (!taken.empty()) {
       entry.value = taken;
       entry.giver = Giver::library;
-      entry.remark = "see the validity notes";
+      entry.remark = library_evidence(key_, field.name);
     } else if (!field.fallback.empty()) {
       entry.value = unquoted(field.fallback);
       entry.giver = Giver::fallback;
@@ -146,6 +162,7 @@ class Collector {
   const GearSet& gear_;
   std::map<std::string, InputRemark> remarks_;
   std::string group_;
+  std::string key_;  ///< of the table that is walked, where it is one of many
   std::vector<std::pair<std::string, std::vector<Entry>>> groups_;
 };
 

@@ -40,23 +40,82 @@ std::string key_number(std::string_view label, const std::string& value, std::st
                      unit, remark);
 }
 
-/// The least reserve of all cracks; else the largest share of the toughness.
-std::string strength_number(const Draft& draft) {
+/// How many cracks hold, break and cannot be told under the given sense of torque.
+struct StrengthCount {
+  std::size_t holding = 0;
+  std::size_t breaking = 0;
+  std::size_t unknown = 0;
+  std::size_t breaking_reversed = 0;  ///< of those that do not break under the given sense
+};
+
+StrengthCount count_of(const std::vector<CrackStrength>& strength) {
+  StrengthCount count;
+  for (const CrackStrength& crack : strength) {
+    if (breaks(crack))
+      ++count.breaking;
+    else if (crack.verdict == StrengthVerdict::cannot_tell)
+      ++count.unknown;
+    else
+      ++count.holding;
+    if (!breaks(crack) && std::ranges::any_of(crack.states, breaks_at)) ++count.breaking_reversed;
+  }
+  return count;
+}
+
+/// What the report answers on strength, and what it does not; plain text, empty without cracks.
+std::string strength_words(const Draft& draft, const StrengthCount& count) {
+  if (draft.cracks.empty()) return {};
+  const std::size_t all = draft.cracks.size();
+  if (draft.result.strength.empty())
+    return draft.corrected()
+               ? "Strength: not assessed, no toughness or yield strength in the file."
+               : fmt::format("Strength: not assessed, the method {} has no failure assessment.",
+                             enum_name(draft.result.method));
+  const bool positive = draft.gear.load.torque >= 0;
+  std::string text = fmt::format(
+      "Strength at the given load: {} of {} crack{} hold{}, {} fracture{} or collapse{}, {} cannot "
+      "be told.",
+      count.holding, all, all == 1 ? "" : "s", count.holding == 1 ? "s" : "", count.breaking,
+      count.breaking == 1 ? "s" : "", count.breaking == 1 ? "s" : "", count.unknown);
+  if (count.breaking_reversed > 0)
+    text += fmt::format(" Under the reversed torque, T {} 0, {} more would fracture or collapse.",
+                        positive ? '<' : '>', count.breaking_reversed);
+  return text;
+}
+
+/// The least reserve of all states of the cracks that are assessed, both senses of torque; else
+/// the largest share of the toughness.
+std::string strength_number(const Draft& draft, const StrengthCount& count) {
   const CrackStrength* weakest = nullptr;
-  for (const CrackStrength& crack : draft.result.strength)
-    if (crack.worst() != nullptr && crack.worst()->reserve &&
-        (weakest == nullptr || *crack.worst()->reserve < *weakest->worst()->reserve))
-      weakest = &crack;
-  if (weakest != nullptr)
-    return key_number("Least reserve on the load", number(*weakest->worst()->reserve, 3), "",
-                      escaped(weakest->path));
+  const StrengthState* least = nullptr;
+  for (const CrackStrength& crack : draft.result.strength) {
+    if (crack.verdict == StrengthVerdict::cannot_tell) continue;
+    for (const StrengthState& state : crack.states)
+      if (state.reserve && state.verdict != StrengthVerdict::cannot_tell &&
+          (least == nullptr || *state.reserve < *least->reserve)) {
+        weakest = &crack;
+        least = &state;
+      }
+  }
+  if (least != nullptr) {
+    const bool either = std::ranges::all_of(
+        weakest->states, [&](const StrengthState& state) { return state.sense == least->sense; });
+    return key_number(fmt::format("Least reserve on the load, of the {} assessed",
+                                  count.holding + count.breaking),
+                      number(*least->reserve, 3), "",
+                      escaped(weakest->path + ", " +
+                              (either                                  ? "either sense"
+                               : least->sense == TorqueSense::positive ? "T > 0"
+                                                                       : "T < 0") +
+                              (least->with_assembly ? ", with the assembly" : "")));
+  }
   const CrackReport* hardest = nullptr;
   for (const CrackReport& crack : draft.result.cracks)
     if (crack.utilisation &&
         (hardest == nullptr || crack.utilisation->value > hardest->utilisation->value))
       hardest = &crack;
   if (hardest == nullptr) return {};
-  return key_number("Largest <i>K</i>/<i>K</i><sub>Ic</sub>",
+  return key_number("Largest <i>K</i>/<i>K</i><sub>Ic</sub>, load alone",
                     number(hardest->utilisation->value, 3), "", escaped(hardest->path));
 }
 
@@ -67,7 +126,12 @@ std::string verdict_html(const Draft& draft) {
   const Note* const worst = worst_note(draft.notes);
   const bool broken = std::ranges::any_of(r.strength, breaks);
   const bool critical = broken || (worst != nullptr && severity_of(*worst) == Severity::critical);
-  const bool outside = worst != nullptr && severity_of(*worst) == Severity::outside;
+  const StrengthCount count = count_of(r.strength);
+  const std::string strength = strength_words(draft, count);
+  // What nobody has assessed, or what breaks under the reversed torque, is not simply usable.
+  const bool open =
+      !strength.empty() && (r.strength.empty() || count.unknown > 0 || count.breaking_reversed > 0);
+  const bool outside = open || (worst != nullptr && severity_of(*worst) == Severity::outside);
   std::string html = fmt::format("<div class=\"verdict {}\">\n", !r.usable() || critical ? "bad"
                                                                  : outside               ? "care"
                                                                                          : "good");
@@ -80,6 +144,7 @@ std::string verdict_html(const Draft& draft) {
     html += "<p class=\"word\">Usable with care</p>\n";
   else
     html += "<p class=\"word\">Usable, within what is assumed</p>\n";
+  if (!strength.empty()) html += paragraph(strength);
   for (const CrackStrength& crack : r.strength)
     if (breaks(crack))
       html +=
@@ -119,7 +184,7 @@ std::string verdict_html(const Draft& draft) {
             quantity("curve.positive.K2", r.curve->positive.K2, 1 / units::arcmin) + " / " +
             quantity("curve.positive.K3", r.curve->positive.K3, 1 / units::arcmin),
         "N·m/arcmin", "torsion curve, accuracy " + accuracy(r.curve->positive.K1));
-  html += strength_number(draft);
+  html += strength_number(draft, count);
   return html + "</dl>\n</div>\n";
 }
 

@@ -15,6 +15,23 @@ namespace {
 const std::string kPositive = "cracked, <i>T</i> &gt; 0";
 const std::string kNegative = "cracked, <i>T</i> &lt; 0";
 
+struct SeriesMember {
+  const char* label;
+  const char* name;
+  Quantity Compliances::*compliance;
+};
+
+/// The members that the file gives.
+std::vector<SeriesMember> members_of(const GearSet& gear) {
+  std::vector<SeriesMember> members;
+  if (gear.wave_generator)
+    members.push_back({"wave generator", "wave_generator", &Compliances::wave_generator});
+  if (gear.flexspline) members.push_back({"flexspline", "flexspline", &Compliances::flexspline});
+  if (gear.output_shaft)
+    members.push_back({"output shaft", "output_shaft", &Compliances::output_shaft});
+  return members;
+}
+
 Row compliance_row(const StiffnessResult& result, std::string label, const std::string& name,
                    Quantity Compliances::*member) {
   const Quantity& sound = result.intact.compliance.*member;
@@ -73,6 +90,11 @@ std::string opens_text(OpensUnder opens) {
   return {};
 }
 
+/// A zero but for the noise of the arithmetic, which stays in `value`.
+std::string nothing(const std::string& path, const Quantity& q) {
+  return fmt::format("<data value=\"{}\" data-path=\"{}\">0</data>", q.value, path);
+}
+
 bool same(const StressIntensities& a, const StressIntensities& b) {
   return a.K_I.value == b.K_I.value && a.K_II.value == b.K_II.value &&
          a.K_III.value == b.K_III.value;
@@ -83,12 +105,11 @@ bool same(const StressIntensities& a, const StressIntensities& b) {
 ReportSection results_chapter(const Draft& draft) {
   const StiffnessResult& r = draft.result;
   std::vector<RowGroup> groups;
-  groups.push_back(
-      {"Compliance at the output, input locked [rad/(N·m)]",
-       {compliance_row(r, "wave generator", "wave_generator", &Compliances::wave_generator),
-        compliance_row(r, "flexspline", "flexspline", &Compliances::flexspline),
-        compliance_row(r, "output shaft", "output_shaft", &Compliances::output_shaft),
-        compliance_row(r, "total", "total", &Compliances::total)}});
+  RowGroup& compliances =
+      groups.emplace_back(RowGroup{"Compliance at the output, input locked [rad/(N·m)]", {}});
+  for (const SeriesMember& member : members_of(draft.gear))
+    compliances.rows.push_back(compliance_row(r, member.label, member.name, member.compliance));
+  compliances.rows.push_back(compliance_row(r, "total", "total", &Compliances::total));
   const auto drive = [&](std::string label, Quantity IntactDrive::*sound,
                          Quantity CrackedDrive::*cracked, const std::string& name, double unit) {
     return Row{{std::move(label), quantity("intact." + name, r.intact.*sound, unit), "",
@@ -131,15 +152,13 @@ ReportSection shares_chapter(const Draft& draft) {
   BarChart members{.id = "shares-members",
                    .title = "Shares of the members in the compliance of the sound drive",
                    .axis = "share of the sound drive's compliance [%]"};
-  const auto member = [&](const char* label, const Quantity& q) {
-    members.bars.push_back({.label = label,
+  for (const SeriesMember& member : members_of(draft.gear)) {
+    const Quantity& q = r.intact.compliance.*member.compliance;
+    members.bars.push_back({.label = member.label,
                             .to = 100 * q.value / total,
                             .text = fmt::format("{:.1f} %", 100 * q.value / total),
                             .style = {}});
-  };
-  member("wave generator", r.intact.compliance.wave_generator);
-  member("flexspline", r.intact.compliance.flexspline);
-  member("output shaft", r.intact.compliance.output_shaft);
+  }
   std::string html = figure(
       bar_chart(members), "Where the compliance of the sound drive is: members in series.", "bars");
   if (!r.cracks.empty()) {
@@ -188,11 +207,12 @@ ReportSection shares_chapter(const Draft& draft) {
 ReportSection intensities_chapter(const Draft& draft) {
   const StiffnessResult& r = draft.result;
   std::vector<Row> rows;
-  BarChart chart{.id = "intensities-bars",
-                 .title = "Stress intensity of each crack against the toughness",
-                 .axis = "K/K_Ic at the given load",
-                 .reference = 1.0,
-                 .reference_label = "toughness"};
+  BarChart chart{
+      .id = "intensities-bars",
+      .title = "Stress intensity of each crack under the load alone against the toughness",
+      .axis = "K/K_Ic at the given load, load alone",
+      .reference = 1.0,
+      .reference_label = "toughness"};
   std::string html;
   for (std::size_t i = 0; i < r.cracks.size(); ++i) {
     const CrackReport& crack = r.cracks[i];
@@ -201,23 +221,26 @@ ReportSection intensities_chapter(const Draft& draft) {
     const auto row = [&](const char* where, const StressIntensities& K, const std::string& name,
                          bool first) {
       const std::string at = path + ".stress_intensity." + name;
-      const double rounding = 1e-12 * std::max({std::abs(K.K_I.value), std::abs(K.K_II.value),
-                                                std::abs(K.K_III.value)});
+      const double largest =
+          std::max({std::abs(K.K_I.value), std::abs(K.K_II.value), std::abs(K.K_III.value)});
+      // Noise of the arithmetic against the largest mode is none.
+      const auto mode = [&](const char* which, const Quantity& K_mode) {
+        return std::abs(K_mode.value) < 1e-12 * largest ? nothing(at + which, K_mode)
+                                                        : quantity(at + which, K_mode, units::MPa);
+      };
       rows.push_back(
           {{first ? fmt::format("<span class=\"crack-number\">{}</span> <code>{}</code>", mark,
                                 escaped(crack.path))
                   : std::string(),
-            where, quantity(at + ".K_I", K.K_I, units::MPa, rounding),
-            quantity(at + ".K_II", K.K_II, units::MPa, rounding),
-            quantity(at + ".K_III", K.K_III, units::MPa, rounding),
+            where, mode(".K_I", K.K_I), mode(".K_II", K.K_II), mode(".K_III", K.K_III),
             first && crack.utilisation ? quantity(path + ".utilisation", *crack.utilisation)
                                        : std::string(first ? "no toughness" : ""),
             first && crack.plastic_zone
                 ? quantity(path + ".plastic_zone", *crack.plastic_zone, units::mm)
                 : std::string(first ? "no yield strength" : ""),
-            first ? accuracy(K.K_I.value != 0    ? K.K_I
-                             : K.K_II.value != 0 ? K.K_II
-                                                 : K.K_III)
+            first ? accuracy(std::abs(K.K_I.value) == largest    ? K.K_I
+                             : std::abs(K.K_II.value) == largest ? K.K_II
+                                                                 : K.K_III)
                   : std::string()},
            {}});
     };
@@ -235,16 +258,18 @@ ReportSection intensities_chapter(const Draft& draft) {
                           ? "The file has no cracks."
                           : "None of the cracks has a stress intensity in this method.");
   if (!chart.bars.empty())
-    html +=
-        figure(bar_chart(chart),
-               "Stress intensity of the given load alone against the fracture toughness.", "bars");
+    html += figure(bar_chart(chart),
+                   "Stress intensity of the load alone against the fracture toughness; beyond 1 "
+                   "the crack runs. With the bending of the wall by the wave generator: next "
+                   "chapter.",
+                   "bars");
   else if (!rows.empty())
     html += paragraph(
         "The materials of the cracked members give no fracture_toughness: what these "
         "stress intensities mean for the part is not said here.",
         "remark");
   if (!rows.empty())
-    html += table("Stress intensities at the given load [MPa·√m]",
+    html += table("Stress intensities at the given load, load alone [MPa·√m]",
                   {"crack", "where", "<i>K</i><sub>I</sub>", "<i>K</i><sub>II</sub>",
                    "<i>K</i><sub>III</sub>", "<i>K</i>/<i>K</i><sub>Ic</sub>", "plastic zone [mm]",
                    "accuracy"},
@@ -255,7 +280,7 @@ ReportSection intensities_chapter(const Draft& draft) {
                                     "takes from the section.",
                                     crack.path, crack.kind),
                         "remark");
-  return {"intensities", "Stress intensities against toughness", html};
+  return {"intensities", "Stress intensities of the load alone against toughness", html};
 }
 
 }  // namespace strainwave::report

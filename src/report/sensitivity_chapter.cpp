@@ -26,16 +26,15 @@ std::string output_text(std::string_view name) {
                      name.find("negative") == std::string_view::npos ? '>' : '<');
 }
 
-/// Rounding is nothing: an influence is exact to twelve digits of the largest one.
 std::string elasticity_text(double elasticity) {
-  if (std::abs(elasticity) < 1e-12) return "0";
-  return typeset(fmt::format("{:+.3g}", elasticity));
+  constexpr double kNoise = 1e-12;  // of the arithmetic; elasticities are of the order of one
+  return std::abs(elasticity) < kNoise ? "0" : typeset(fmt::format("{:+.3g}", elasticity));
 }
 
 std::string tornado(const Sensitivity& s, std::size_t output, const std::string& id) {
   std::vector<const SensitivityInput*> inputs;
   for (const SensitivityInput& input : s.inputs)
-    if (input.influence[output].elasticity != 0) inputs.push_back(&input);
+    if (elasticity_text(input.influence[output].elasticity) != "0") inputs.push_back(&input);
   std::ranges::stable_sort(inputs, std::greater<>(), [&](const SensitivityInput* input) {
     return std::abs(input->influence[output].elasticity);
   });
@@ -43,7 +42,7 @@ std::string tornado(const Sensitivity& s, std::size_t output, const std::string&
   const std::string what = output_text(s.outputs[output].name);
   BarChart chart{.id = id,
                  .title = "Elasticities of the " + what,
-                 .axis = fmt::format("percent of the {} for one percent of the input", what)};
+                 .axis = "percent of change for one percent more of the input"};
   for (const SensitivityInput* input : inputs) {
     const double elasticity = input->influence[output].elasticity;
     chart.bars.push_back({.label = input->path,
@@ -65,7 +64,7 @@ std::string scatter_html(Draft& draft, const Sensitivity& s) {
   for (const ScatterOutput& output : scatter.outputs)
     rows.push_back({{escaped(output_text(output.name)), percent(output.first_order),
                      percent(output.relative_deviation), number(output.low), number(output.median),
-                     number(output.high), escaped(typeset_unit(output.unit))},
+                     number(output.high), escaped(output.unit)},
                     {}});
   std::string html =
       paragraph(fmt::format("Scatter of {} inputs, as the file gives it, by first order and by {} "

@@ -19,10 +19,35 @@ std::string optional_number(const std::optional<double>& value) {
 }
 
 /// Critical size of the assessment, else of K alone.
+const std::optional<CriticalSize>& critical_of(const StrengthState& state) {
+  return state.critical_size ? state.critical_size : state.brittle_size;
+}
+
+/// Short enough for a cell [mm]; where there is no size, the list below the table says why.
 std::string critical_text(const StrengthState& state) {
-  const auto& answer = state.critical_size ? state.critical_size : state.brittle_size;
+  const std::optional<CriticalSize>& answer = critical_of(state);
   if (!answer) return "–";
-  return answer->size ? number(*answer->size / units::mm, 3) : escaped(answer->text);
+  if (answer->size) return number(*answer->size / units::mm, 3);
+  constexpr std::string_view kNone = "none up to ";
+  const std::size_t unit = answer->text.find(" mm");
+  return answer->text.starts_with(kNone) && unit != std::string::npos
+             ? "&gt; " + escaped(answer->text.substr(kNone.size(), unit - kNone.size()))
+             : "none";
+}
+
+/// Why cells of the table have no critical size, each reason once for each crack.
+std::string missing_sizes(const CrackStrength& crack, const std::string& mark) {
+  std::vector<std::string> reasons;
+  for (const StrengthState& state : crack.states) {
+    const std::optional<CriticalSize>& answer = critical_of(state);
+    if (answer && !answer->size && std::ranges::find(reasons, answer->text) == reasons.end())
+      reasons.push_back(answer->text);
+  }
+  std::string items;
+  for (const std::string& reason : reasons)
+    items += fmt::format("<li><span class=\"crack-number\">{}</span> critical size: {}</li>\n",
+                         mark, escaped(reason));
+  return items;
 }
 
 std::string verdict_text(StrengthVerdict verdict) {
@@ -43,6 +68,10 @@ std::string crack_mark(const Draft& draft, const std::string& path) {
 
 bool breaks(const CrackStrength& crack) {
   return crack.verdict == StrengthVerdict::fractures || crack.verdict == StrengthVerdict::collapses;
+}
+
+bool breaks_at(const StrengthState& state) {
+  return state.verdict == StrengthVerdict::fractures || state.verdict == StrengthVerdict::collapses;
 }
 
 ReportSection strength_chapter(const Draft& draft) {
@@ -71,6 +100,7 @@ ReportSection strength_chapter(const Draft& draft) {
                  .reference_label = "toughness"};
   std::vector<RowGroup> groups;
   std::string sentences;
+  std::string sizes;
   for (const CrackStrength& crack : r.strength) {
     const std::string mark = crack_mark(draft, crack.path);
     RowGroup group{.title = fmt::format("{}: {} ({})", mark, crack.path, crack.kind), .rows = {}};
@@ -82,10 +112,7 @@ ReportSection strength_chapter(const Draft& draft) {
             critical_text(state),
             state.plastic_zone ? number(*state.plastic_zone / units::mm, 3) : std::string("–"),
             verdict_text(state.verdict)},
-           state.verdict == StrengthVerdict::fractures ||
-                   state.verdict == StrengthVerdict::collapses
-               ? "breaks"
-               : ""});
+           breaks_at(state) ? "breaks" : ""});
       if (state.utilisation && state.sense == crack.worst()->sense)
         chart.bars.push_back(
             {.label = fmt::format("{}: {}", mark,
@@ -99,6 +126,7 @@ ReportSection strength_chapter(const Draft& draft) {
         fmt::format("<li{}><span class=\"crack-number\">{}</span> <code>{}</code>: {}</li>\n",
                     breaks(crack) ? " class=\"breaks\"" : "", mark, escaped(crack.path),
                     escaped(crack.sentence));
+    sizes += missing_sizes(crack, mark);
   }
   section.html += fmt::format("<ul class=\"verdicts\">\n{}</ul>\n", sentences);
   const bool any_point = std::ranges::any_of(r.strength, [](const CrackStrength& crack) {
@@ -119,6 +147,8 @@ ReportSection strength_chapter(const Draft& draft) {
                            "<i>L</i><sub>r</sub>", "<i>K</i><sub>r</sub>", "line", "reserve",
                            "critical size [mm]", "plastic zone [mm]", "verdict"},
                           groups, {.style = "results", .numbers = 1});
+  if (!sizes.empty())
+    section.html += fmt::format("<ul class=\"verdicts remark\">\n{}</ul>\n", sizes);
   return section;
 }
 

@@ -106,7 +106,8 @@ std::string points_table(const TorsionReport& t) {
     for (const std::size_t i : t.shown) {
       const double share = t.curve.points[i].share[m];
       any = any || std::abs(share) >= 5e-4;
-      row.cells.push_back(typeset(fmt::format("{:.1f}", 100 * share)) + " %");
+      row.cells.push_back(std::abs(share) < 5e-4 ? "0 %"
+                                                 : typeset(fmt::format("{:.1f} %", 100 * share)));
     }
     if (any) shares.push_back(std::move(row));
   }
@@ -175,11 +176,11 @@ ReportSection torsion_chapter(Draft& draft) {
       html += comparison_table(*t.comparison);
       const std::size_t positions = t.comparison->angles.size();
       if (positions > 1 && positions < static_cast<std::size_t>(t.curve.teeth))
-        html += paragraph(
-            fmt::format("The flexspline has {} teeth: the worst position may lie between these {}. "
-                        "The command `strainwave torsion --compare` takes every tooth.",
-                        t.curve.teeth, positions),
-            "remark");
+        html += fmt::format(
+            "<p class=\"remark\">The flexspline has {} teeth: the worst position may lie between "
+            "these {}. The command <code>strainwave torsion --compare</code> takes every "
+            "tooth.</p>\n",
+            t.curve.teeth, positions);
     }
     html += points_table(t);
     html += rim_table(t);

@@ -107,8 +107,9 @@ struct Tick {
 /// One axis: which values it shows, where it puts them, and its ticks.
 class Axis {
  public:
-  Axis(Interval values, AxisScale scale, double from_px, double to_px)
-      : scale_(scale), from_px_(from_px), to_px_(to_px) {
+  /// @param label  of the axis: angles of about a turn are divided by 60 deg
+  Axis(Interval values, AxisScale scale, double from_px, double to_px, std::string_view label = {})
+      : scale_(scale), from_px_(from_px), to_px_(to_px), in_degrees_(label.ends_with("[deg]")) {
     if (values.empty()) values = {scale == AxisScale::linear ? 0.0 : 1.0, 1.0};
     if (scale == AxisScale::linear)
       place_linear_ticks(widened(values));
@@ -145,6 +146,8 @@ class Axis {
         break;
       }
     }
+    const double width = values.upper - values.lower;
+    if (in_degrees_ && width > 240 && width <= 360) step = 60;
     const double first = std::floor(values.lower / step + 1e-9);
     const double last = std::ceil(values.upper / step - 1e-9);
     lower_ = first * step;
@@ -203,6 +206,7 @@ class Axis {
 
   AxisScale scale_;
   double from_px_, to_px_;
+  bool in_degrees_ = false;
   double lower_ = 0.0, upper_ = 1.0;  ///< of the values, or of their logarithms
   std::vector<Tick> ticks_;
   std::string factor_;
@@ -278,7 +282,7 @@ std::string panel_svg(const PlotPanel& panel, double top) {
   const double right = kWidth - kRight;
   const double upper = top + kTop;
   const double lower = top + kPanelHeight - kBottom;
-  const Axis x(x_values, panel.x_scale, left, right);
+  const Axis x(x_values, panel.x_scale, left, right, panel.x_label);
   const Axis y(y_values, panel.y_scale, lower, upper);
 
   constexpr std::size_t kTitleLength = 76;

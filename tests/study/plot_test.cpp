@@ -62,6 +62,19 @@ TEST(Plot, ReferenceTicksAreRoundNumbers) {
     EXPECT_NE(svg.find(label), std::string::npos) << label;
 }
 
+TEST(Plot, ReferenceATurnEndsAt360Degrees) {
+  PlotPanel panel{.title = "t",
+                  .x_label = "turned by [deg]",
+                  .y_label = "y",
+                  .series = {{"s", {0, 345}, {0, 1}}}};
+  const std::string turn = svg_plot(std::vector{panel});
+  for (const char* const label : {">0<", ">60<", ">300<", ">360<"})
+    EXPECT_NE(turn.find(label), std::string::npos) << label;
+  EXPECT_EQ(turn.find(">400<"), std::string::npos);
+  panel.x_label = "x [mm]";
+  EXPECT_NE(svg_plot(std::vector{panel}).find(">400<"), std::string::npos);
+}
+
 TEST(Plot, IdentitySweepOverOneNumberShowsStiffnessAndLoss) {
   const GearSet gear = test::article_gear();
   const std::vector<Variation> one{
