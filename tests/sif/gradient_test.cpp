@@ -625,9 +625,10 @@ TEST(GradientFamily, InputValidity) {
   EXPECT_EQ(texts_outside("notch-edge", {{"root_radius", 6e-3}}), Texts{"rho <= t/2"});
 
   for (const std::string name : {"gradient-surface", "race-hoop-surface"}) {
-    if (name == "gradient-surface")
+    if (name == "gradient-surface") {
       EXPECT_EQ(texts_outside(name, {{"depth", 8.1e-3}, {"half_length", 8e-3}}),
                 Texts{"a/t <= 0.8"});
+    }
     EXPECT_EQ(texts_outside(name, {{"half_length", 6e-3}}), Texts{"0.2 <= a/c <= 2"});
     EXPECT_EQ(texts_outside(name, {{"half_length", 0.4e-3}}), Texts{"0.2 <= a/c <= 2"});
   }
