@@ -178,11 +178,11 @@ TEST(PlateSurface, InputRulesAndLimits) {
   EXPECT_EQ(rules_broken(surface(1, 0.5, 1)), Texts{"half_length"});
   EXPECT_EQ(rules_broken(surface(1, 0.98, 0.99)), Texts{});
   EXPECT_EQ(limits_broken(surface(1, 0.81, 0.1)), Texts{"a/t <= 0.8"});
-  EXPECT_EQ(limits_broken(surface(0.19, 0.5, 0.1)), Texts{"0.2 <= a/c <= 2"});
-  EXPECT_EQ(limits_broken(surface(2.1, 0.5, 0.1)), Texts{"0.2 <= a/c <= 2"});
+  EXPECT_EQ(limits_broken(surface(0.24, 0.5, 0.1)), Texts{"0.25 <= a/c <= 2"});
+  EXPECT_EQ(limits_broken(surface(2.1, 0.5, 0.1)), Texts{"0.25 <= a/c <= 2"});
   EXPECT_EQ(limits_broken(surface(1, 0.5, 0.51)), Texts{"c/b <= 0.5"});
   EXPECT_EQ(limits_broken(surface(1.9, 0.79, 0.49)), Texts{});
-  EXPECT_EQ(limits_broken(surface(0.21, 0.79, 0.49)), Texts{});
+  EXPECT_EQ(limits_broken(surface(0.26, 0.79, 0.49)), Texts{});
   test::expect_refused("plate-surface", {{"depth", 0.02}}, "depth");
   test::expect_refused("plate-surface", {{"half_length", 1e-6}}, "half_length");
   test::expect_refused("plate-surface", {{"half_length", 0.2}}, "half_length");
