@@ -42,7 +42,7 @@ class ErasedCrack {
   std::function<double(double, double)> area_;
 };
 
-/// The engine, compiled in engine.cpp.
+/// The engine, compiled in library.cpp.
 template <std::size_t N>
 [[nodiscard]] CrackCompliance<N> compliance_of(const ErasedCrack<N>& crack,
                                                const CrackModuli& moduli);

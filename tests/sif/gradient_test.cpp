@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -134,6 +135,48 @@ TEST(ResidualEdgeCrack, ReferenceIntegralEquation) {
   EXPECT_EQ(n, 4);
 }
 
+TEST(ResidualEdgeCrack, LimitShallowTreatment) {
+  // delta << a: what is left of the treatment is the answer of the section, a line over the depth;
+  // the layer itself adds 2 sqrt(2/(pi a)) M(1) delta (1 + h).  Next terms: (delta/a)^2 of it.
+  for (const double decay : {1e-5, 3e-6, 1.0001e-6}) {
+    const double a = 1e-3;
+    const double t = 1e-2;
+    const ResidualEdgeCrack crack{
+        .depth = a, .thickness = t, .width = 1, .decay = decay, .hump = 1.5};
+    const EdgeWeight weight(a / t);
+    const ResidualProfile r(decay, 1.5, t);
+    const double far = r(a);  // g = 0
+    const double further = r(a / 2);
+    const double slope = (far - further) / (a / 2);
+    const double line =
+        weighted_intensity(weight, a, [&](double x) { return far + slope * (x - a); }).value;
+    const double layer =
+        (1 - far + slope * a) * std::sqrt(2 / (pi * a)) * weight.value(1) * decay * (1 + 1.5);
+    const double K = crack.stress_intensity(a, 0).I[2];
+    EXPECT_NEAR(K, line + layer, 0.2 * decay / a * layer);
+    EXPECT_GT(K, 0);
+  }
+}
+
+TEST(ResidualSurfaceCrack, LimitShallowTreatment) {
+  // The layer's K goes with delta, at every point of the front: ratio 2, next term delta/a.
+  const auto K = [](double decay, double phi) {
+    const ResidualSurfaceCrack crack{
+        .depth = 1e-3, .half_length = 2e-3, .thickness = 1e-2, .decay = decay, .hump = 0};
+    return crack.stress_intensity(1e-3, phi).I[2];
+  };
+  expect_relative(K(4e-6, pi / 2), 2 * K(2e-6, pi / 2), 0.02);
+  EXPECT_GT(K(2e-6, pi / 2), 0);
+}
+
+TEST(GradientFamily, InputIntegralThatDoesNotConvergeIsRefused) {
+  // A stress that rings faster than the pieces can follow.
+  const auto stress = [](double x) { return std::sin(1e7 * x * x); };
+  const auto integral = weighted_intensity(EdgeWeight(0), 1.0, stress);
+  EXPECT_FALSE(integral.converged);
+  EXPECT_THROW((void)converged_value(integral), SolverError);
+}
+
 TEST(ResidualEdgeCrack, IdentityAppliedLoads) {
   const ResidualEdgeCrack crack{
       .depth = 2e-3, .thickness = 8e-3, .width = 1, .decay = 2e-4, .hump = 1};
@@ -221,6 +264,21 @@ TEST(HertzLineStress, IdentitySurface) {
   }
 }
 
+TEST(HertzLineStress, LimitFarAway) {
+  // A line force P = pi b p_0/2, by Flamant: sigma_x = -(2 P/pi) x^2 z/r^4, sigma_z by z^3,
+  // tau by x z^2; of a tangential force x^3, x z^2, x^2 z.  The next term is (b/r)^2, 1e-7.
+  for (const double x : {-3000.0, 2000.0, 5000.0})
+    for (const double z : {500.0, 4000.0}) {
+      const double r4 = std::pow(x * x + z * z, 2);
+      const auto p = hertz_pressure_stress(x, z, 1);
+      EXPECT_NEAR(p.along * r4, -x * x * z, 3e-6 * std::abs(x * x * z) + 1e-6 * z * z * z);
+      EXPECT_NEAR(p.normal * r4, -z * z * z, 3e-5 * z * z * z);
+      EXPECT_NEAR(p.shear * r4, -x * z * z, 3e-5 * std::abs(x * z * z));
+      const auto q = hertz_traction_stress(x, z, 1);
+      EXPECT_NEAR(q.along * r4, -x * x * x, 3e-5 * std::abs(x * x * x));
+    }
+}
+
 TEST(HertzLineStress, ReferenceLargestShear) {
   // tau_max = 0.300 p_0 at z = 0.786 b, and orthogonal shear 0.25 p_0 at z = 0.5 b (johnson1985,
   // secondary; printed digits).
@@ -300,7 +358,8 @@ TEST(RaceHoop, IdentityBetweenTheLobesTheSignTurns) {
 
 TEST(RaceHoop, CrosscheckClosedRing) {
   // SU-11, within 0.7 % of finite elements, gives the ring back its resistance: the strip is an
-  // upper bound, by no more than the accuracy says at the end of the range.
+  // upper bound, by no more than the accuracy says at the end of the range.  0.7 %: what (FR-11)
+  // differs from the exact strip and elements.
   const auto excess = [](const auto& ring) {
     const RaceHoopEdgeCrack strip{.depth = ring.depth,
                                   .thickness = ring.thickness,
@@ -315,15 +374,15 @@ TEST(RaceHoop, CrosscheckClosedRing) {
     double radius_ratio, depth_ratio, membrane, ovality;
   };
   for (const Case& c :
-       {Case{10, 0.2, 0.018, 0.020}, Case{5, 0.2, 0.037, 0.041}, Case{5, 0.5, 0.28, 0.35}}) {
+       {Case{10, 0.2, 0.018, 0.020}, Case{5, 0.2, 0.037, 0.041}, Case{5, 0.5, 0.292, 0.362}}) {
     const TubeEdgeAxialInner inner{
         .depth = c.depth_ratio, .mean_radius = c.radius_ratio, .thickness = 1, .length = 10};
     const TubeEdgeAxialOuter outer{
         .depth = c.depth_ratio, .mean_radius = c.radius_ratio, .thickness = 1, .length = 10};
     const auto in = excess(inner);
     const auto out = excess(outer);
-    EXPECT_NEAR(in[0], c.membrane, 0.002 + 0.02 * c.membrane);
-    EXPECT_NEAR(in[1], c.ovality, 0.002 + 0.02 * c.ovality);
+    EXPECT_NEAR(in[0], c.membrane, 0.007 + 0.02 * c.membrane);
+    EXPECT_NEAR(in[1], c.ovality, 0.007 + 0.02 * c.ovality);
     for (const std::size_t load : {0U, 1U}) {
       EXPECT_GT(out[load], 0.8 * in[load]);
       EXPECT_LT(out[load], in[load]);
@@ -352,6 +411,23 @@ TEST(NotchProfile, IdentityEllipse) {
                   0.0, 1 - 1e-9)
             .value;
     expect_relative(force * rho, notch.depth(), 1e-6);
+  }
+}
+
+TEST(NotchProfile, LimitSharpNotch) {
+  // K_t >> 1: K_t/sqrt(1 + 2 x/rho) (1 + 1/(1 + 2 x/rho))/2, Creager and Paris' field of a slender
+  // notch; next term 1/K_t.  Once x is lost beside D, the difference of squares was nan.
+  for (const double kt : {1e3, 1e9}) {
+    const NotchProfile notch(1e-3, kt);
+    for (const double x : {0.0, 1e-4, 1e-3, 3e-3}) {
+      const double y = 1 + 2 * x / 1e-3;
+      expect_relative(notch(x), kt / std::sqrt(y) * (1 + 1 / y) / 2, kt > 1e6 ? 1e-6 : 4e-3);
+    }
+  }
+  for (const std::string name : {"notch-edge", "notch-surface"}) {
+    EXPECT_NE(message(name, {{"concentration", 1001}}), "");
+    EXPECT_TRUE(std::isfinite(
+        solution(name).make({{"concentration", 999}})->unit_intensity(0, 1e-3, 0).K_I));
   }
 }
 
@@ -480,7 +556,20 @@ TEST(GradientFamily, IdentitySweptArea) {
 TEST(GradientFamily, InputRules) {
   for (const auto* names : {&kEdge, &kSurface})
     for (const std::string& name : *names)
-      EXPECT_NE(message(name, {{"depth", 0.01}}).find("depth < thickness"), std::string::npos);
+      EXPECT_NE(message(name, {{"depth", 0.01}}).find("depth <= 0.99 thickness"),
+                std::string::npos);
+  for (const std::string& name : kSurface)
+    for (const double half_length : {0.101, 0.99e-5})
+      EXPECT_NE(message(name, {{"half_length", half_length}}).find("0.01 <= depth/half_length"),
+                std::string::npos)
+          << name;
+  EXPECT_NE(message("contact-edge", {{"depth", 0.301}}).find("1000 contact_half_width"),
+            std::string::npos);
+  for (const double x : {-0.301, 0.301})
+    EXPECT_NE(message("contact-edge", {{"position", x}}).find("|position| <= 1000"),
+              std::string::npos);
+  for (const std::string name : {"residual-edge", "residual-surface"})
+    EXPECT_NE(message(name, {{"decay", 0.99e-6}}).find("depth <= 1000 decay"), std::string::npos);
   for (const std::string name : {"race-hoop-edge", "race-hoop-surface"}) {
     EXPECT_NE(message(name, {{"lobes", 2.5}}).find("whole number"), std::string::npos);
     EXPECT_NE(message(name, {{"lobes", 1}}), "");
@@ -491,6 +580,33 @@ TEST(GradientFamily, InputRules) {
     EXPECT_EQ(message(name, {{"decay", 0.9e-3}, {"hump", 1}}), "");
     EXPECT_NE(message(name, {{"decay", 1.1e-3}, {"hump", 1}}).find("thickness/5"),
               std::string::npos);
+  }
+}
+
+// Every corner of the rules ends, with a finite compliance.
+TEST(GradientFamily, LimitCornersOfTheRules) {
+  struct Case {
+    const char* name;
+    Assignments values;
+  };
+  for (const auto& [name, values] :
+       std::vector<Case>{{"gradient-surface", {{"half_length", 1.01e-5}}},
+                         {"gradient-surface", {{"depth", 9.8e-3}, {"half_length", 0.97}}},
+                         {"gradient-edge", {{"depth", 9.8e-3}}},
+                         {"notch-edge", {{"concentration", 999}}},
+                         {"notch-edge", {{"root_radius", 1e-9}}},
+                         {"residual-edge", {{"decay", 1.01e-6}}},
+                         {"residual-surface", {{"decay", 1.01e-6}}},
+                         {"contact-edge", {{"position", 0.29}}},
+                         {"contact-edge", {{"contact_half_width", 1.01e-6}}},
+                         {"plate-surface", {{"depth", 9.8e-3}, {"thickness", 1e-2}}},
+                         {"tube-edge-axial-inner", {{"depth", 0.98e-3}}}}) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto result = solution(name).make(values)->compliance({.opening = 2e11, .shear = 8e10});
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    for (const double c : result.upper) EXPECT_TRUE(std::isfinite(c)) << name;
+
+    EXPECT_LT(time.count(), 30) << name;  // s; a hang, whatever the machine
   }
 }
 
@@ -510,9 +626,10 @@ TEST(GradientFamily, InputValidity) {
   EXPECT_EQ(texts_outside("notch-edge", {{"root_radius", 6e-3}}), Texts{"rho <= t/2"});
 
   for (const std::string name : {"gradient-surface", "race-hoop-surface"}) {
-    if (name == "gradient-surface")
+    if (name == "gradient-surface") {
       EXPECT_EQ(texts_outside(name, {{"depth", 8.1e-3}, {"half_length", 8e-3}}),
                 Texts{"a/t <= 0.8"});
+    }
     EXPECT_EQ(texts_outside(name, {{"half_length", 6e-3}}), Texts{"0.2 <= a/c <= 2"});
     EXPECT_EQ(texts_outside(name, {{"half_length", 0.4e-3}}), Texts{"0.2 <= a/c <= 2"});
   }

@@ -176,14 +176,15 @@ TEST(PlateSurface, IdentityShallowBranchIsTheEnginesCrack) {
 TEST(PlateSurface, InputRulesAndLimits) {
   EXPECT_EQ(rules_broken(surface(1, 1, 0.1)), Texts{"depth"});
   EXPECT_EQ(rules_broken(surface(1, 0.5, 1)), Texts{"half_length"});
-  EXPECT_EQ(rules_broken(surface(1, 0.99, 0.99)), Texts{});
+  EXPECT_EQ(rules_broken(surface(1, 0.98, 0.99)), Texts{});
   EXPECT_EQ(limits_broken(surface(1, 0.81, 0.1)), Texts{"a/t <= 0.8"});
-  EXPECT_EQ(limits_broken(surface(0.19, 0.5, 0.1)), Texts{"0.2 <= a/c <= 2"});
-  EXPECT_EQ(limits_broken(surface(2.1, 0.5, 0.1)), Texts{"0.2 <= a/c <= 2"});
+  EXPECT_EQ(limits_broken(surface(0.24, 0.5, 0.1)), Texts{"0.25 <= a/c <= 2"});
+  EXPECT_EQ(limits_broken(surface(2.1, 0.5, 0.1)), Texts{"0.25 <= a/c <= 2"});
   EXPECT_EQ(limits_broken(surface(1, 0.5, 0.51)), Texts{"c/b <= 0.5"});
   EXPECT_EQ(limits_broken(surface(1.9, 0.79, 0.49)), Texts{});
-  EXPECT_EQ(limits_broken(surface(0.21, 0.79, 0.49)), Texts{});
+  EXPECT_EQ(limits_broken(surface(0.26, 0.79, 0.49)), Texts{});
   test::expect_refused("plate-surface", {{"depth", 0.02}}, "depth");
+  test::expect_refused("plate-surface", {{"half_length", 1e-6}}, "half_length");
   test::expect_refused("plate-surface", {{"half_length", 0.2}}, "half_length");
 }
 
@@ -237,7 +238,7 @@ TEST(PlateCorner, LimitEdgeCrackAcrossTheThickness) {
 TEST(PlateCorner, InputRulesAndLimits) {
   EXPECT_EQ(rules_broken(corner(1, 1, 0.1)), Texts{"depth"});
   EXPECT_EQ(rules_broken(corner(1, 0.5, 1)), Texts{"length"});
-  EXPECT_EQ(rules_broken(corner(1, 0.99, 0.99)), Texts{});
+  EXPECT_EQ(rules_broken(corner(1, 0.98, 0.99)), Texts{});
   EXPECT_EQ(limits_broken(corner(1, 0.51, 0.1)), Texts{"a/t <= 0.5"});
   EXPECT_EQ(limits_broken(corner(0.49, 0.4, 0.1)), Texts{"0.5 <= a/c <= 2"});
   EXPECT_EQ(limits_broken(corner(2.1, 0.4, 0.1)), Texts{"0.5 <= a/c <= 2"});
@@ -245,6 +246,7 @@ TEST(PlateCorner, InputRulesAndLimits) {
   EXPECT_EQ(limits_broken(corner(1.9, 0.49, 0.19)), Texts{});
   EXPECT_EQ(limits_broken(corner(0.51, 0.49, 0.19)), Texts{});
   test::expect_refused("plate-corner", {{"depth", 0.02}}, "depth");
+  test::expect_refused("plate-corner", {{"length", 1e-6}}, "length");
   test::expect_refused("plate-corner", {{"length", 0.06}}, "length");
 }
 
@@ -287,7 +289,7 @@ TEST(PlateEllipse, ReferenceWidth) {
 TEST(PlateEllipse, InputRulesAndLimits) {
   EXPECT_EQ(rules_broken(embedded(1, 1, 0.1)), Texts{"half_depth"});
   EXPECT_EQ(rules_broken(embedded(1, 0.5, 1)), Texts{"half_length"});
-  EXPECT_EQ(rules_broken(embedded(1, 0.99, 0.99)), Texts{});
+  EXPECT_EQ(rules_broken(embedded(1, 0.98, 0.99)), Texts{});
   EXPECT_EQ(limits_broken(embedded(1, 0.81, 0.1)).size(), 1U);
   EXPECT_EQ(limits_broken(embedded(0.19, 0.5, 0.1)), Texts{"0.2 <= a/c <= 2"});
   EXPECT_EQ(limits_broken(embedded(2.1, 0.5, 0.1)), Texts{"0.2 <= a/c <= 2"});
@@ -295,6 +297,7 @@ TEST(PlateEllipse, InputRulesAndLimits) {
   EXPECT_EQ(limits_broken(embedded(1.9, 0.79, 0.49)), Texts{});
   EXPECT_EQ(limits_broken(embedded(0.21, 0.79, 0.49)), Texts{});
   test::expect_refused("plate-ellipse", {{"half_depth", 0.005}}, "half_depth");
+  test::expect_refused("plate-ellipse", {{"half_length", 1e-6}}, "half_length");
   test::expect_refused("plate-ellipse", {{"half_length", 0.1}}, "half_length");
 }
 

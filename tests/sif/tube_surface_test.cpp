@@ -329,6 +329,7 @@ TEST(TubeSurfaceInclined, InputRules) {
   EXPECT_EQ(outside(inclined(0.5)), Texts{});
   EXPECT_EQ(broken(changed(&T::depth, 1e-3)), Texts{"depth"});
   EXPECT_EQ(broken(changed(&T::half_length, 0.39e-3)), Texts{"depth"});
+  EXPECT_EQ(broken(changed(&T::half_length, 41e-3)), Texts{"half_length"});
   EXPECT_EQ(broken(changed(&T::mean_radius, 0.5e-3)), Texts{"thickness"});
   EXPECT_EQ(outside(changed(&T::depth, 0.81e-3)), Texts{"a/t <= 0.8"});
   EXPECT_EQ(outside(changed(&T::depth, 0.19e-3)), Texts{"a/c >= 0.2"});

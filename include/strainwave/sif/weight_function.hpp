@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <utility>
+#include <vector>
 
+#include "strainwave/core/error.hpp"
 #include "strainwave/core/quadrature.hpp"
 #include "strainwave/sif/newman_raju.hpp"
 
@@ -15,9 +20,70 @@
 
 namespace strainwave::sif {
 
-/// Tolerance of the integrals; an integral of stresses that cancel stops at `max_pieces`.
+/// Tolerance of the integrals, of K or of the K of a uniform stress as large as the largest,
+/// whichever is larger, so that stresses that cancel end too.
 inline constexpr QuadratureOptions kWeightQuadrature{.relative_tolerance = 1e-11,
                                                      .max_pieces = 200};
+
+/// K with the K of a uniform stress as large as the largest, which measures its error.
+struct WeightedSum {
+  double K = 0.0;
+  double uniform = 0.0;
+
+  WeightedSum& operator+=(const WeightedSum& other) {
+    K += other.K;
+    uniform += other.uniform;
+    return *this;
+  }
+  friend WeightedSum operator+(WeightedSum a, const WeightedSum& b) { return a += b; }
+  friend WeightedSum operator-(const WeightedSum& a, const WeightedSum& b) {
+    return {.K = a.K - b.K, .uniform = a.uniform - b.uniform};
+  }
+  friend WeightedSum operator*(const WeightedSum& a, double factor) {
+    return {.K = a.K * factor, .uniform = a.uniform * factor};
+  }
+  friend double abs(const WeightedSum& a) { return std::max(std::abs(a.K), std::abs(a.uniform)); }
+};
+
+/// Integral of f(v) over [0, 1], in pieces that end at `ends`; those outside (0, 1) are left out.
+template <class Function>
+[[nodiscard]] Integral<double> integrate_in_pieces(const Function& f, std::vector<double> ends) {
+  std::erase_if(ends, [](double v) { return !(v > 0 && v < 1); });
+  ends.push_back(1.0);
+  std::ranges::sort(ends);
+  Integral<double> sum{.value = 0.0, .error = 0.0, .converged = true};
+  double from = 0.0;
+  for (const double to : ends) {
+    if (to == from) continue;
+    const Integral<WeightedSum> piece = integrate<31>(f, from, to, kWeightQuadrature);
+    sum.value += piece.value.K;
+    sum.error += piece.error;
+    sum.converged = sum.converged && piece.converged;
+    from = to;
+  }
+  return sum;
+}
+
+/// Largest |stress| at 33 depths and where it changes [Pa].
+template <class Stress>
+[[nodiscard]] double largest_stress(const Stress& stress, double a,
+                                    std::span<const double> changes) {
+  double largest = 0.0;
+  for (int i = 0; i <= 32; ++i) largest = std::max(largest, std::abs(stress(a * i / 32)));
+  for (const double x : changes)
+    if (x > 0 && x < a) largest = std::max(largest, std::abs(stress(x)));
+  return largest;
+}
+
+/// The value of an integral that converged.
+/// @throws SolverError  it did not
+[[nodiscard]] inline double converged_value(const Integral<double>& integral) {
+  if (!integral.converged)
+    throw SolverError(
+        "the integral of weight function and stress did not converge: the stress varies too "
+        "sharply over the depth of the crack");
+  return integral.value;
+}
 
 /// Weight function of an edge crack in a strip whose ends are free to move and to rotate.
 ///
@@ -52,15 +118,24 @@ class EdgeWeight {
 ///
 /// @param weight  of the crack
 /// @param a       depth [m]; > 0
-/// @param stress  sigma(x) [Pa] for x in [0, a] [m]
-/// @return        K_I, with the estimated error of the quadrature
+/// @param stress   sigma(x) [Pa] for x in [0, a] [m]
+/// @param changes  depths at which the stress changes sharply, where the quadrature begins anew [m]
+/// @return         K_I, with the estimated error of the quadrature
 template <class Stress>
 [[nodiscard]] Integral<double> weighted_intensity(const EdgeWeight& weight, double a,
-                                                  const Stress& stress) {
+                                                  const Stress& stress,
+                                                  std::span<const double> changes = {}) {
   const double scale = 2 * std::sqrt(2 * a / std::numbers::pi);
-  return integrate<31>(
-      [&](double v) { return scale * stress(a * (1 - v * v)) * weight.value(v); },  // (SW-1)
-      0.0, 1.0, kWeightQuadrature);
+  const double largest = largest_stress(stress, a, changes);
+  std::vector<double> ends;
+  for (const double x : changes)
+    if (x < a) ends.push_back(std::sqrt(1 - x / a));
+  return integrate_in_pieces(
+      [&](double v) {
+        const double m = scale * weight.value(v);
+        return WeightedSum{.K = m * stress(a * (1 - v) * (1 + v)), .uniform = m * largest};
+      },  // (SW-1)
+      std::move(ends));
 }
 
 /// Weight functions of a semi-elliptical surface crack in a wide plate, for a stress that varies
@@ -114,11 +189,13 @@ class SurfaceWeight {
 /// @param weight  of the crack
 /// @param a       depth [m]; > 0
 /// @param phi     parametric angle from the surface; pi/2 is the deepest point [rad]
-/// @param stress  sigma(x) [Pa] for x in [0, a] [m]
-/// @return        K_I, with the estimated error of the quadrature
+/// @param stress   sigma(x) [Pa] for x in [0, a] [m]
+/// @param changes  depths at which the stress changes sharply, where the quadrature begins anew [m]
+/// @return         K_I, with the estimated error of the quadrature
 template <class Stress>
 [[nodiscard]] Integral<double> weighted_intensity(const SurfaceWeight& weight, double a, double phi,
-                                                  const Stress& stress) {
+                                                  const Stress& stress,
+                                                  std::span<const double> changes = {}) {
   constexpr double kDepthExponent = 0.82;
   const double s = std::sin(phi);
   const double mouth = stress(0.0);
@@ -128,13 +205,23 @@ template <class Stress>
   const double K = std::sqrt(a / std::numbers::pi) * weight.uniform(a, phi);
   const double to_deepest = 2 * std::numbers::sqrt2 * K / weight.uniform(a, std::numbers::pi / 2);
   const double to_surface = 4 * K / weight.uniform(a, 0.0);
-  return integrate<31>(
+  const double uniform = K * std::sqrt(std::numbers::pi / a) * largest_stress(stress, a, changes);
+  std::vector<double> ends;
+  for (const double x : changes) {
+    if (x < a) ends.push_back(std::sqrt(x / a));
+    if (x >= a * depth) continue;
+    ends.push_back(std::sqrt(x / (a * depth)));
+    ends.push_back(std::sqrt(1 - x / (a * depth)));
+  }
+  return integrate_in_pieces(
       [&](double v) {
         const double x = a * v * v;
-        return to_deepest * shrunk(a - x) * power_sum(weight.deepest(), v) +
-               to_surface * (stress(x) - shrunk(x)) * power_sum(weight.surface(), v);
+        return WeightedSum{
+            .K = to_deepest * shrunk(a * (1 - v) * (1 + v)) * power_sum(weight.deepest(), v) +
+                 to_surface * (stress(x) - shrunk(x)) * power_sum(weight.surface(), v),
+            .uniform = uniform};
       },  // (SW-5)
-      0.0, 1.0, kWeightQuadrature);
+      std::move(ends));
 }
 
 }  // namespace strainwave::sif

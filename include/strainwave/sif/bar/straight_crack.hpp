@@ -22,13 +22,13 @@ struct BarStraightCrack {
       .relative_uncertainty = 0.03,
       .accuracy =
           "finite elements; K_I in the middle within 1 % of shincai2004 in bending, K_II, K_III 5 "
-          "%; not at the surface itself",
+          "%; not at the surface itself; nu = 0.3",
       .constraint = Constraint::plane_strain};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo = kOneSidedLoads;
   static constexpr auto kPoints = kOneSidedPoints;
 
-  double depth = 0.0;     ///< a [m]; > 0, < diameter
+  double depth = 0.0;     ///< a [m]; > 0, < diameter/2
   double diameter = 0.0;  ///< d [m]
 
   template <class Visitor>

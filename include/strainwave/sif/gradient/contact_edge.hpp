@@ -33,7 +33,7 @@ struct ContactEdgeCrack {
       LoadInfo{"traction", "Pa", "q_0 = mu p_0, largest traction on this body, toward +x"}};
   static constexpr std::array<FrontPoint, 1> kPoints{FrontPoint{"tip", 0.0}};
 
-  double depth = 0.0;               ///< a [m]; > 0, < thickness
+  double depth = 0.0;               ///< a [m]; > 0, <= 1000 contact_half_width
   double contact_half_width = 0.0;  ///< b [m]
   double position = 0.0;            ///< x of the crack, from the middle of the contact [m]
   double width = 0.0;               ///< B, length of the front [m]
@@ -56,7 +56,12 @@ struct ContactEdgeCrack {
     field(kGradientWidth, &ContactEdgeCrack::width);
   }
   template <class Rule>
-  void check(Rule&&) const {}
+  void check(Rule&& rule) const {
+    rule(depth <= 1000 * contact_half_width, "depth", depth, "m",
+         "depth <= 1000 contact_half_width");
+    rule(std::abs(position) <= 1000 * contact_half_width, "position", position, "m",
+         "|position| <= 1000 contact_half_width");
+  }
   template <class Limit>
   void validity(Limit&& limit) const {
     limit(depth <= 10 * contact_half_width, "a <= 10 b");
@@ -69,13 +74,16 @@ struct ContactEdgeCrack {
   [[nodiscard]] double swept_area(double, double) const { return width; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double) const {
     const EdgeWeight weight(0.0);
+    const std::array<double, 2> changes{contact_half_width, std::abs(position)};
     const auto pressure = [&](double z) {
       return hertz_pressure_stress(position, z, contact_half_width);
     };
     const auto traction = [&](double z) {
       return hertz_traction_stress(position, z, contact_half_width);
     };
-    const auto K = [&](const auto& stress) { return weighted_intensity(weight, a, stress).value; };
+    const auto K = [&](const auto& stress) {
+      return converged_value(weighted_intensity(weight, a, stress, changes));
+    };
     return {.I = {K([&](double z) { return pressure(z).along; }),
                   K([&](double z) { return traction(z).along; })},
             .II = {K([&](double z) { return pressure(z).shear; }),

@@ -32,7 +32,7 @@ struct GradientEdgeCrack {
       LoadInfo{"cubic", "Pa", "coefficient of (x/t)^3"}};
   static constexpr std::array<FrontPoint, 1> kPoints{FrontPoint{"tip", 0.0}};
 
-  double depth = 0.0;      ///< a [m]; > 0, < thickness
+  double depth = 0.0;      ///< a [m]; > 0, <= 0.99 thickness
   double thickness = 0.0;  ///< t [m]
   double width = 0.0;      ///< B, length of the front [m]
 
@@ -44,7 +44,7 @@ struct GradientEdgeCrack {
   }
   template <class Rule>
   void check(Rule&& rule) const {
-    rule(depth < thickness, "depth", depth, "m", "depth < thickness");
+    rule(depth <= 0.99 * thickness, "depth", depth, "m", "depth <= 0.99 thickness");
   }
   template <class Limit>
   void validity(Limit&& limit) const {
@@ -57,7 +57,9 @@ struct GradientEdgeCrack {
   [[nodiscard]] double swept_area(double, double) const { return width; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double) const {
     const EdgeWeight weight(a / thickness);
-    const auto K = [&](const auto& stress) { return weighted_intensity(weight, a, stress).value; };
+    const auto K = [&](const auto& stress) {
+      return converged_value(weighted_intensity(weight, a, stress));
+    };
     return {.I = {K([](double) { return 1.0; }), K([&](double x) { return x / thickness; }),
                   K([&](double x) { return std::pow(x / thickness, 2); }),
                   K([&](double x) { return std::pow(x / thickness, 3); })},

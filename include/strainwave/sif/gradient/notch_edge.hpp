@@ -31,7 +31,7 @@ struct NotchEdgeCrack {
       LoadInfo{"bending", "Pa", "nominal bending stress of that section at the root"}};
   static constexpr std::array<FrontPoint, 1> kPoints{FrontPoint{"tip", 0.0}};
 
-  double depth = 0.0;          ///< a [m]; > 0, < thickness
+  double depth = 0.0;          ///< a [m]; > 0, <= 0.99 thickness
   double thickness = 0.0;      ///< t [m]
   double width = 0.0;          ///< B, length of the front [m]
   double root_radius = 0.0;    ///< rho, of the notch, fillet or tooth root [m]
@@ -51,13 +51,13 @@ struct NotchEdgeCrack {
     field(Field{.name = "concentration",
                 .unit = "1",
                 .doc = "K_t, largest stress over nominal stress at the root",
-                .range = {.lower = 1.0},
+                .range = {.lower = 1.0, .upper = 1000.0},
                 .example = "2"},
           &NotchEdgeCrack::concentration);
   }
   template <class Rule>
   void check(Rule&& rule) const {
-    rule(depth < thickness, "depth", depth, "m", "depth < thickness");
+    rule(depth <= 0.99 * thickness, "depth", depth, "m", "depth <= 0.99 thickness");
   }
   template <class Limit>
   void validity(Limit&& limit) const {
@@ -73,7 +73,9 @@ struct NotchEdgeCrack {
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double) const {
     const EdgeWeight weight(a / thickness);
     const NotchProfile notch(root_radius, concentration);
-    const auto K = [&](const auto& stress) { return weighted_intensity(weight, a, stress).value; };
+    const auto K = [&](const auto& stress) {
+      return converged_value(weighted_intensity(weight, a, stress, notch.changes()));
+    };
     return {.I = {notch.flank_factor(a) * K(notch), notch.flank_factor(a) * K([&](double x) {
                                                       return notch(x) *
                                                              bending_profile(x, thickness);

@@ -31,7 +31,7 @@ struct NotchSurfaceCrack {
   static constexpr std::array<FrontPoint, 2> kPoints{FrontPoint{"surface", 0.0},
                                                      FrontPoint{"deepest", std::numbers::pi / 2}};
 
-  double depth = 0.0;          ///< a [m]; > 0, < thickness
+  double depth = 0.0;          ///< a [m]; > 0, <= 0.99 thickness
   double half_length = 0.0;    ///< c, at the surface [m]; > 0
   double thickness = 0.0;      ///< t [m]
   double root_radius = 0.0;    ///< rho, of the notch, fillet or tooth root [m]
@@ -51,13 +51,15 @@ struct NotchSurfaceCrack {
     field(Field{.name = "concentration",
                 .unit = "1",
                 .doc = "K_t, largest stress over nominal stress at the root",
-                .range = {.lower = 1.0},
+                .range = {.lower = 1.0, .upper = 1000.0},
                 .example = "2"},
           &NotchSurfaceCrack::concentration);
   }
   template <class Rule>
   void check(Rule&& rule) const {
-    rule(depth < thickness, "depth", depth, "m", "depth < thickness");
+    rule(depth <= 0.99 * thickness, "depth", depth, "m", "depth <= 0.99 thickness");
+    rule(depth >= 0.01 * half_length && depth <= 100 * half_length, "half_length", half_length, "m",
+         "0.01 <= depth/half_length <= 100");
   }
   template <class Limit>
   void validity(Limit&& limit) const {
@@ -77,7 +79,7 @@ struct NotchSurfaceCrack {
     const SurfaceWeight weight(depth / half_length, a / thickness);
     const NotchProfile notch(root_radius, concentration);
     const auto K = [&](const auto& stress) {
-      return weighted_intensity(weight, a, phi, stress).value;
+      return converged_value(weighted_intensity(weight, a, phi, stress, notch.changes()));
     };
     return {.I = {K(notch), K([&](double x) { return notch(x) * bending_profile(x, thickness); })},
             .II = {},

@@ -37,7 +37,7 @@ struct RaceHoopEdgeCrack {
           "bending stress of the cracked face at the major axis: > 0 outside, < 0 in the bore"}};
   static constexpr std::array<FrontPoint, 1> kPoints{FrontPoint{"tip", 0.0}};
 
-  double depth = 0.0;      ///< a [m]; > 0, < thickness
+  double depth = 0.0;      ///< a [m]; > 0, <= 0.99 thickness
   double thickness = 0.0;  ///< t [m]
   double width = 0.0;      ///< B, length of the front [m]
   double angle = 0.0;      ///< theta, from the major axis of the cam to the crack [rad]
@@ -66,7 +66,7 @@ struct RaceHoopEdgeCrack {
   }
   template <class Rule>
   void check(Rule&& rule) const {
-    rule(depth < thickness, "depth", depth, "m", "depth < thickness");
+    rule(depth <= 0.99 * thickness, "depth", depth, "m", "depth <= 0.99 thickness");
     rule(lobes == std::floor(lobes), "lobes", lobes, "1", "a whole number");
   }
   template <class Limit>
@@ -80,7 +80,9 @@ struct RaceHoopEdgeCrack {
   [[nodiscard]] double swept_area(double, double) const { return width; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double) const {
     const EdgeWeight weight(a / thickness);
-    const auto K = [&](const auto& stress) { return weighted_intensity(weight, a, stress).value; };
+    const auto K = [&](const auto& stress) {
+      return converged_value(weighted_intensity(weight, a, stress));
+    };
     return {.I = {K([](double) { return 1.0; }), std::cos(lobes * angle) * K([&](double x) {
                                                    return bending_profile(x, thickness);
                                                  })},

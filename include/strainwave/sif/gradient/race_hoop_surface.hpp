@@ -40,7 +40,7 @@ struct RaceHoopSurfaceCrack {
   static constexpr std::array<FrontPoint, 2> kPoints{FrontPoint{"surface", 0.0},
                                                      FrontPoint{"deepest", std::numbers::pi / 2}};
 
-  double depth = 0.0;        ///< a [m]; > 0, < thickness
+  double depth = 0.0;        ///< a [m]; > 0, <= 0.99 thickness
   double half_length = 0.0;  ///< c, at the surface [m]; > 0
   double thickness = 0.0;    ///< t [m]
   double angle = 0.0;        ///< theta, from the major axis of the cam to the crack [rad]
@@ -69,7 +69,9 @@ struct RaceHoopSurfaceCrack {
   }
   template <class Rule>
   void check(Rule&& rule) const {
-    rule(depth < thickness, "depth", depth, "m", "depth < thickness");
+    rule(depth <= 0.99 * thickness, "depth", depth, "m", "depth <= 0.99 thickness");
+    rule(depth >= 0.01 * half_length && depth <= 100 * half_length, "half_length", half_length, "m",
+         "0.01 <= depth/half_length <= 100");
     rule(lobes == std::floor(lobes), "lobes", lobes, "1", "a whole number");
   }
   template <class Limit>
@@ -87,7 +89,7 @@ struct RaceHoopSurfaceCrack {
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double phi) const {
     const SurfaceWeight weight(depth / half_length, a / thickness);
     const auto K = [&](const auto& stress) {
-      return weighted_intensity(weight, a, phi, stress).value;
+      return converged_value(weighted_intensity(weight, a, phi, stress));
     };
     return {.I = {K([](double) { return 1.0; }), std::cos(lobes * angle) * K([&](double x) {
                                                    return bending_profile(x, thickness);

@@ -31,7 +31,7 @@ struct ResidualEdgeCrack {
       LoadInfo{"residual", "Pa", "residual stress at the surface; negative after peening"}};
   static constexpr std::array<FrontPoint, 1> kPoints{FrontPoint{"tip", 0.0}};
 
-  double depth = 0.0;      ///< a [m]; > 0, < thickness
+  double depth = 0.0;      ///< a [m]; > 0, <= 0.99 thickness
   double thickness = 0.0;  ///< t [m]
   double width = 0.0;      ///< B, length of the front [m]
   double decay = 0.0;      ///< delta, depth in which the residual stress decays [m]
@@ -57,9 +57,10 @@ struct ResidualEdgeCrack {
   }
   template <class Rule>
   void check(Rule&& rule) const {
-    rule(depth < thickness, "depth", depth, "m", "depth < thickness");
+    rule(depth <= 0.99 * thickness, "depth", depth, "m", "depth <= 0.99 thickness");
     rule(decay * (1 + hump) <= thickness / 5, "decay", decay, "m",
          "decay (1 + hump) <= thickness/5");
+    rule(depth <= 1000 * decay, "depth", depth, "m", "depth <= 1000 decay");
   }
   template <class Limit>
   void validity(Limit&& limit) const {
@@ -74,7 +75,9 @@ struct ResidualEdgeCrack {
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double) const {
     const EdgeWeight weight(a / thickness);
     const ResidualProfile residual(decay, hump, thickness);
-    const auto K = [&](const auto& stress) { return weighted_intensity(weight, a, stress).value; };
+    const auto K = [&](const auto& stress) {
+      return converged_value(weighted_intensity(weight, a, stress, residual.changes()));
+    };
     return {.I = {K([](double) { return 1.0; }),
                   K([&](double x) { return bending_profile(x, thickness); }), K(residual)},
             .II = {},

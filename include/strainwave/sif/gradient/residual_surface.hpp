@@ -34,7 +34,7 @@ struct ResidualSurfaceCrack {
   static constexpr std::array<FrontPoint, 2> kPoints{FrontPoint{"surface", 0.0},
                                                      FrontPoint{"deepest", std::numbers::pi / 2}};
 
-  double depth = 0.0;        ///< a [m]; > 0, < thickness
+  double depth = 0.0;        ///< a [m]; > 0, <= 0.99 thickness
   double half_length = 0.0;  ///< c, at the surface [m]; > 0
   double thickness = 0.0;    ///< t [m]
   double decay = 0.0;        ///< delta, depth in which the residual stress decays [m]
@@ -60,9 +60,12 @@ struct ResidualSurfaceCrack {
   }
   template <class Rule>
   void check(Rule&& rule) const {
-    rule(depth < thickness, "depth", depth, "m", "depth < thickness");
+    rule(depth <= 0.99 * thickness, "depth", depth, "m", "depth <= 0.99 thickness");
+    rule(depth >= 0.01 * half_length && depth <= 100 * half_length, "half_length", half_length, "m",
+         "0.01 <= depth/half_length <= 100");
     rule(decay * (1 + hump) <= thickness / 5, "decay", decay, "m",
          "decay (1 + hump) <= thickness/5");
+    rule(depth <= 1000 * decay, "depth", depth, "m", "depth <= 1000 decay");
   }
   template <class Limit>
   void validity(Limit&& limit) const {
@@ -81,7 +84,7 @@ struct ResidualSurfaceCrack {
     const SurfaceWeight weight(depth / half_length, a / thickness);
     const ResidualProfile residual(decay, hump, thickness);
     const auto K = [&](const auto& stress) {
-      return weighted_intensity(weight, a, phi, stress).value;
+      return converged_value(weighted_intensity(weight, a, phi, stress, residual.changes()));
     };
     return {.I = {K([](double) { return 1.0; }),
                   K([&](double x) { return bending_profile(x, thickness); }), K(residual)},

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cmath>
-#include <utility>
 
 #include "strainwave/sif/solution.hpp"
 
@@ -60,6 +60,8 @@ class ResidualProfile {
     const double g = (1 + hump_ * x / delta_) * std::exp(-x / delta_);
     return (g - A_ - B_ * bending_profile(x, t_)) / (1 - A_ - B_);  // (SW-6)
   }
+  /// Depths between which it is smooth [m].
+  [[nodiscard]] std::array<double, 3> changes() const { return {delta_, 4 * delta_, 20 * delta_}; }
 
  private:
   double delta_, hump_, t_, A_ = 0.0, B_ = 0.0;
@@ -83,13 +85,18 @@ class NotchProfile {
 
   /// D, depth of the equivalent notch [m].
   [[nodiscard]] double depth() const { return depth_; }
+  /// Depths between which it is smooth [m].
+  [[nodiscard]] std::array<double, 4> changes() const {
+    return {radius_, 10 * radius_, 100 * radius_, depth_};
+  }
 
   /// @param x  from the root [m]; >= 0
   [[nodiscard]] double operator()(double x) const {
-    const double X = depth_ + x;
-    const double zeta = (X + std::sqrt(X * X - 4 * R_ * R_ * m_)) / (2 * R_);
+    // X^2 - 4 m R^2 and zeta^2 - m, without their cancellation for K_t >> 1.
+    const double root = std::sqrt(x * (x + 2 * depth_) + std::pow(radius_ * k_, 2));
+    const double zeta = (depth_ + x + root) / (2 * R_);
     const double z2 = zeta * zeta;
-    const double d = z2 - m_;
+    const double d = zeta * root / R_;
     const double phi = (1 + m_) / (2 * d);
     return 1 + phi * (3 + (1 - m_ * z2) / d) -
            (1 - m_ * m_) * z2 * (z2 - 1) / (d * d * d);  // (SW-10)
@@ -115,19 +122,31 @@ struct SubsurfaceStress {
   double shear = 0.0;   ///< tau_xz, z into the body
 };
 
-/// McEwen's m and n, over b: m^2 - n^2 = 1 - X^2 + Z^2, m n = X Z, m >= 0; (SW-7).
+/// McEwen's m and n, over b: m^2 - n^2 = 1 - X^2 + Z^2, m n = X Z, m >= 0; (SW-7).  With the
+/// differences that vanish far from the contact, from u = m^2 - Z^2, u^2 - (1 - X^2 - Z^2) u = Z^2.
 struct McEwen {
-  double Z, m, n;
+  double m, n;
+  double m_less_Z;  ///< >= 0
+  double n_less_X;
+  double share;  ///< (m^2 - Z^2)/(m^2 + n^2); 0 at the edge of the contact
 };
 [[nodiscard]] inline McEwen mcewen(double x, double z, double b) {
   const double X = x / b;
   const double Z = z / b;
-  const double d = 1 - X * X + Z * Z;
-  // The larger of the two first, the other without cancellation.
-  double m = std::sqrt((std::hypot(d, 2 * X * Z) + std::abs(d)) / 2);
-  double n = m > 0 ? std::abs(X) * Z / m : 0.0;
-  if (d < 0) std::swap(m, n);
-  return {.Z = Z, .m = m, .n = std::copysign(n, X)};
+  const double e = (1 - X) * (1 + X) - Z * Z;
+  const double root = std::hypot(e, 2 * Z);
+  const double u = e >= 0 ? (root + e) / 2 : 2 * Z * Z / (root - e);
+  const double m = std::sqrt(u + Z * Z);
+  // n^2 = X^2 - 1 + u or n = X Z/m: the one that does not cancel.
+  const bool beside = std::abs(X) > 1 && Z < std::abs(X);
+  const double n = beside  ? std::copysign(std::sqrt((X - 1) * (X + 1) + u), X)
+                   : m > 0 ? X * Z / m
+                           : 0.0;
+  const double m_less_Z = m + Z > 0 ? u / (m + Z) : 0.0;
+  const double n_less_X = beside ? (u - 1) / (n + X) : m > 0 ? -X * m_less_Z / m : -X;
+  const double sum = m * m + n * n;
+  return {
+      .m = m, .n = n, .m_less_Z = m_less_Z, .n_less_X = n_less_X, .share = sum > 0 ? u / sum : 0.0};
 }
 
 /// Stress below a Hertz line contact of half width b, p = p_0 sqrt(1 - x^2/b^2), per unit of p_0.
@@ -139,13 +158,10 @@ struct McEwen {
 /// @param z  depth [m]; >= 0
 /// @param b  half width [m]; > 0
 [[nodiscard]] inline SubsurfaceStress hertz_pressure_stress(double x, double z, double b) {
-  const auto [Z, m, n] = mcewen(x, z, b);
-  const double sum = m * m + n * n;
-  if (sum == 0) return {};  // at the edge of the contact, all is zero
-  const double w = (Z * Z + n * n) / sum;
-  return {.along = 2 * Z - m * (1 + w),
-          .normal = -m * (1 - w),
-          .shear = -n * (m * m - Z * Z) / sum};  // (SW-7)
+  const McEwen c = mcewen(x, z, b);
+  return {.along = c.m * c.share - 2 * c.m_less_Z,
+          .normal = -c.m * c.share,
+          .shear = -c.n * c.share};  // (SW-7)
 }
 
 /// Stress below a contact whose shear traction is q = q_0 sqrt(1 - x^2/b^2), per unit of q_0.
@@ -153,11 +169,9 @@ struct McEwen {
 /// Implements theory manual eq. (SW-8), sliding in the direction of +x: the traction on this body
 /// points to +x.  Exact for a half-plane.  Source: johnson1985 (secondary); confirmed as above.
 [[nodiscard]] inline SubsurfaceStress hertz_traction_stress(double x, double z, double b) {
-  const auto [Z, m, n] = mcewen(x, z, b);
-  const double sum = m * m + n * n;
+  const McEwen c = mcewen(x, z, b);
   const SubsurfaceStress p = hertz_pressure_stress(x, z, b);
-  const double ratio = sum > 0 ? (Z * Z - m * m) / sum : 0.0;
-  return {.along = n * (2 - ratio) - 2 * x / b, .normal = p.shear, .shear = p.along};  // (SW-8)
+  return {.along = 2 * c.n_less_X + c.n * c.share, .normal = p.shear, .shear = p.along};  // (SW-8)
 }
 
 }  // namespace strainwave::sif

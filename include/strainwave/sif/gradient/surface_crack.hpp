@@ -33,7 +33,7 @@ struct GradientSurfaceCrack {
   static constexpr std::array<FrontPoint, 2> kPoints{FrontPoint{"surface", 0.0},
                                                      FrontPoint{"deepest", std::numbers::pi / 2}};
 
-  double depth = 0.0;        ///< a [m]; > 0, < thickness
+  double depth = 0.0;        ///< a [m]; > 0, <= 0.99 thickness
   double half_length = 0.0;  ///< c, at the surface [m]; > 0
   double thickness = 0.0;    ///< t [m]
 
@@ -45,7 +45,9 @@ struct GradientSurfaceCrack {
   }
   template <class Rule>
   void check(Rule&& rule) const {
-    rule(depth < thickness, "depth", depth, "m", "depth < thickness");
+    rule(depth <= 0.99 * thickness, "depth", depth, "m", "depth <= 0.99 thickness");
+    rule(depth >= 0.01 * half_length && depth <= 100 * half_length, "half_length", half_length, "m",
+         "0.01 <= depth/half_length <= 100");
   }
   template <class Limit>
   void validity(Limit&& limit) const {
@@ -62,7 +64,7 @@ struct GradientSurfaceCrack {
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double phi) const {
     const SurfaceWeight weight(depth / half_length, a / thickness);
     const auto K = [&](const auto& stress) {
-      return weighted_intensity(weight, a, phi, stress).value;
+      return converged_value(weighted_intensity(weight, a, phi, stress));
     };
     return {.I = {K([](double) { return 1.0; }), K([&](double x) { return x / thickness; }),
                   K([&](double x) { return std::pow(x / thickness, 2); }),

@@ -47,7 +47,9 @@ struct PlateCornerCrack {
   }
   template <class Rule>
   void check(Rule&& rule) const {
-    rule(depth < thickness, "depth", depth, "m", "depth < thickness");
+    rule(depth <= 0.99 * thickness, "depth", depth, "m", "depth <= 0.99 thickness");
+    rule(depth >= 0.01 * length && depth <= 100 * length, "length", length, "m",
+         "0.01 <= depth/length <= 100");
     rule(length < width, "length", length, "m", "length < width");
   }
   template <class Limit>

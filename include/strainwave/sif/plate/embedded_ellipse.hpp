@@ -46,7 +46,10 @@ struct PlateEllipse {
   }
   template <class Rule>
   void check(Rule&& rule) const {
-    rule(2 * half_depth < thickness, "half_depth", half_depth, "m", "2 half_depth < thickness");
+    rule(2 * half_depth <= 0.99 * thickness, "half_depth", half_depth, "m",
+         "2 half_depth <= 0.99 thickness");
+    rule(half_depth >= 0.01 * half_length && half_depth <= 100 * half_length, "half_length",
+         half_length, "m", "0.01 <= half_depth/half_length <= 100");
     rule(half_length < half_width, "half_length", half_length, "m", "half_length < half_width");
   }
   template <class Limit>

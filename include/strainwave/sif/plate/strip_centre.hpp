@@ -10,17 +10,19 @@ namespace strainwave::sif {
 /// Implements theory manual eqs. (SP-5), (SP-7), (SP-6).  The shear is that of a transverse force,
 /// parabolic over the width of the uncracked strip.
 struct StripCentreCrack {
-  static constexpr SolutionInfo kInfo{
-      .name = "strip-centre",
-      .family = "plate",
-      .title = "Centre crack across a strip",
-      .modes = "I, II, III",
-      .equation = "SP-5",
-      .source = "tada2000",
-      .basis = Basis::computed,
-      .relative_uncertainty = 2e-4,
-      .accuracy = "mode III exact; I and II fitted to finite elements of 5 digits, within 0.02 %",
-      .constraint = Constraint::plane_stress};
+  static constexpr SolutionInfo kInfo{.name = "strip-centre",
+                                      .family = "plate",
+                                      .title = "Centre crack across a strip",
+                                      .modes = "I, II, III",
+                                      .equation = "SP-5",
+                                      .source = "tada2000",
+                                      .basis = Basis::computed,
+                                      .relative_uncertainty = 2e-4,
+                                      .accuracy =
+                                          "mode III exact; I and II fitted to finite elements of 5 "
+                                          "digits, within 0.02 %; plane stress: "
+                                          "cracks of at least twice the thickness",
+                                      .constraint = Constraint::plane_stress};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{kTension, kTransverseShear,
                                                           kAntiplaneShear};

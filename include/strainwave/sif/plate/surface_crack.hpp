@@ -20,7 +20,8 @@ struct PlateSurfaceCrack {
       .source = "newmanraju1984",
       .basis = Basis::secondary,
       .relative_uncertainty = 0.05,
-      .accuracy = "within 5 % of finite elements, 10 % at the deepest point for a/t = 0.8",
+      .accuracy =
+          "within 6 % of finite elements from a/c = 0.25, 10 % at the deepest point for a/t = 0.8",
       .constraint = Constraint::plane_strain};
   static constexpr std::size_t kLoads = 2;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
@@ -28,7 +29,7 @@ struct PlateSurfaceCrack {
   static constexpr std::array<FrontPoint, 2> kPoints{FrontPoint{"surface", 0.0},
                                                      FrontPoint{"deepest", std::numbers::pi / 2}};
 
-  double depth = 0.0;        ///< a [m]; > 0, < thickness
+  double depth = 0.0;        ///< a [m]; > 0, <= 0.99 thickness
   double half_length = 0.0;  ///< c, at the surface [m]; > 0, < half_width
   double thickness = 0.0;    ///< t [m]
   double half_width = 0.0;   ///< b [m]
@@ -55,13 +56,15 @@ struct PlateSurfaceCrack {
   }
   template <class Rule>
   void check(Rule&& rule) const {
-    rule(depth < thickness, "depth", depth, "m", "depth < thickness");
+    rule(depth <= 0.99 * thickness, "depth", depth, "m", "depth <= 0.99 thickness");
+    rule(depth >= 0.01 * half_length && depth <= 100 * half_length, "half_length", half_length, "m",
+         "0.01 <= depth/half_length <= 100");
     rule(half_length < half_width, "half_length", half_length, "m", "half_length < half_width");
   }
   template <class Limit>
   void validity(Limit&& limit) const {
     limit(depth <= 0.8 * thickness, "a/t <= 0.8");
-    limit(depth >= 0.2 * half_length && depth <= 2 * half_length, "0.2 <= a/c <= 2");
+    limit(depth >= 0.25 * half_length && depth <= 2 * half_length, "0.25 <= a/c <= 2");
     limit(half_length <= 0.5 * half_width, "c/b <= 0.5");
   }
   [[nodiscard]] double gross_stress(std::size_t) const { return 1.0; }

@@ -36,7 +36,7 @@ struct TubeEdgeAxial {
                "bending stress of the uncracked ring at the cracked face, from given forces"}};
   static constexpr std::array<FrontPoint, 1> kPoints{FrontPoint{"front", 0.0}};
 
-  double depth = 0.0;        ///< a [m]; > 0, < thickness
+  double depth = 0.0;        ///< a [m]; > 0, <= 0.99 thickness
   double mean_radius = 0.0;  ///< r [m]; > thickness/2
   double thickness = 0.0;    ///< t [m]; > 0
   double length = 0.0;       ///< of the front, along the axis [m]; > 0
@@ -66,7 +66,7 @@ struct TubeEdgeAxial {
   }
   template <class Rule>
   void check(Rule&& rule) const {
-    rule(depth < thickness, "depth", depth, "m", "depth < thickness");
+    rule(depth <= 0.99 * thickness, "depth", depth, "m", "depth <= 0.99 thickness");
     rule(thickness < 2 * mean_radius, "thickness", thickness, "m", "thickness < 2 mean_radius");
   }
   template <class Limit>

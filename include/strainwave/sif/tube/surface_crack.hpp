@@ -57,7 +57,7 @@ struct TubeSurfaceCrack {
   static constexpr std::array<FrontPoint, 2> kPoints{FrontPoint{"surface", 0.0},
                                                      FrontPoint{"deepest", std::numbers::pi / 2}};
 
-  double depth = 0.0;        ///< a [m]; > 0, < thickness
+  double depth = 0.0;        ///< a [m]; > 0, <= 0.99 thickness
   double half_length = 0.0;  ///< c, at the surface [m]; > 0
   double mean_radius = 0.0;  ///< r [m]; > thickness/2
   double thickness = 0.0;    ///< t [m]; > 0
@@ -87,7 +87,9 @@ struct TubeSurfaceCrack {
   }
   template <class Rule>
   void check(Rule&& rule) const {
-    rule(depth < thickness, "depth", depth, "m", "depth < thickness");
+    rule(depth <= 0.99 * thickness, "depth", depth, "m", "depth <= 0.99 thickness");
+    rule(depth >= 0.01 * half_length && depth <= 100 * half_length, "half_length", half_length, "m",
+         "0.01 <= depth/half_length <= 100");
     rule(thickness < 2 * mean_radius, "thickness", thickness, "m", "thickness < 2 mean_radius");
   }
   template <class Limit>

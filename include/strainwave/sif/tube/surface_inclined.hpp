@@ -33,7 +33,7 @@ struct TubeSurfaceInclined {
   static constexpr std::array<FrontPoint, 2> kPoints{FrontPoint{"surface", 0.0},
                                                      FrontPoint{"deepest", std::numbers::pi / 2}};
 
-  double depth = 0.0;           ///< a [m]; > 0, < thickness, <= half_length
+  double depth = 0.0;           ///< a [m]; > 0, <= 0.99 thickness, <= half_length
   double half_length = 0.0;     ///< c, at the surface [m]; > 0
   double angle = 0.0;           ///< beta, from the generator (+z) toward -theta [rad]
   double mean_radius = 0.0;     ///< r [m]; > thickness/2
@@ -79,7 +79,8 @@ struct TubeSurfaceInclined {
   }
   template <class Rule>
   void check(Rule&& rule) const {
-    rule(depth < thickness, "depth", depth, "m", "depth < thickness");
+    rule(depth <= 0.99 * thickness, "depth", depth, "m", "depth <= 0.99 thickness");
+    rule(depth >= 0.01 * half_length, "half_length", half_length, "m", "depth >= 0.01 half_length");
     rule(depth <= half_length, "depth", depth, "m", "depth <= half_length");
     rule(thickness < 2 * mean_radius, "thickness", thickness, "m", "thickness < 2 mean_radius");
   }
