@@ -110,7 +110,8 @@ Json strength_json(const CrackStrength& crack) {
   if (!crack.states.empty()) json["governing"] = crack.governing;
   json["states"] = Json::array();
   for (const StrengthState& state : crack.states) json["states"].push_back(state_json(state));
-  json["notes"] = crack.notes;
+  json["notes"] = Json::array();
+  for (const StrengthNote& note : crack.notes) json["notes"].push_back(note.text);
   json["equations"] = crack.equations;
   return json;
 }

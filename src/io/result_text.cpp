@@ -56,8 +56,16 @@ std::string drive_row(std::string_view label, const StiffnessResult& result,
 }
 
 std::string crack_lines(const CrackReport& crack) {
-  const auto mpa = [](const Quantity& K) {
-    return warranted_digits(in_unit(K, units::MPa, "MPa*m^0.5"));
+  // A mode that is nothing but rounding of the others is 0.
+  const auto modes = [](const auto& at) {
+    const double largest =
+        std::max({std::abs(at.K_I.value), std::abs(at.K_II.value), std::abs(at.K_III.value)});
+    const auto mpa = [&](Quantity K) {
+      if (std::abs(K.value) < 1e-12 * largest) K.value = 0.0;
+      return warranted_digits(in_unit(K, units::MPa, "MPa*m^0.5"));
+    };
+    return fmt::format("K_I = {}, K_II = {}, K_III = {} MPa*m^0.5\n", mpa(at.K_I), mpa(at.K_II),
+                       mpa(at.K_III));
   };
   std::string text =
       fmt::format("  {} ({}), opens under {} torque\n", crack.path, crack.kind,
@@ -66,19 +74,12 @@ std::string crack_lines(const CrackReport& crack) {
                                                              : enum_name(crack.opens_under));
   text += row("  adds rad/(N*m)", "", "", warranted_digits(crack.positive.at_output),
               warranted_digits(crack.negative.at_output), accuracy(crack.positive.at_output));
-  if (crack.deepest)
-    text += fmt::format(
-        "    at the given load, deepest point: K_I = {}, K_II = {}, K_III = {} "
-        "MPa*m^0.5\n",
-        mpa(crack.deepest->K_I), mpa(crack.deepest->K_II), mpa(crack.deepest->K_III));
+  if (crack.deepest) text += "    at the given load, deepest point: " + modes(*crack.deepest);
   if (crack.largest && crack.deepest &&
       (crack.largest->K_I.value != crack.deepest->K_I.value ||
        crack.largest->K_II.value != crack.deepest->K_II.value ||
        crack.largest->K_III.value != crack.deepest->K_III.value))
-    text += fmt::format(
-        "    largest along the front:          K_I = {}, K_II = {}, K_III = {} "
-        "MPa*m^0.5\n",
-        mpa(crack.largest->K_I), mpa(crack.largest->K_II), mpa(crack.largest->K_III));
+    text += "    largest along the front:          " + modes(*crack.largest);
   if (crack.utilisation)
     text += fmt::format("    K/K_Ic = {}\n", warranted_digits(*crack.utilisation));
   if (crack.plastic_zone)
@@ -128,11 +129,7 @@ std::string strength_lines(const std::vector<CrackStrength>& strength) {
     }
     text += "    " + wrapped(crack.sentence, kWidth - 4, 4) + '\n';
   }
-  return text;
-}
-
-bool breaks(const CrackStrength& crack) {
-  return crack.verdict == StrengthVerdict::fractures || crack.verdict == StrengthVerdict::collapses;
+  return text + "  " + strength_summary(strength) + '\n';
 }
 
 }  // namespace
@@ -176,9 +173,9 @@ std::string result_text(const StiffnessResult& result, const GearSet& gear,
   if (!result.usable())
     text += wrapped("NOT USABLE: " + result.unusable_because, kWidth, 2) + "\n\n";
   for (const CrackStrength& crack : result.strength)
-    if (breaks(crack))
+    if (crack.breaks())
       text += wrapped("WARNING: " + crack.path + " " + crack.sentence, kWidth, 2) + '\n';
-  if (std::ranges::any_of(result.strength, breaks))
+  if (std::ranges::any_of(result.strength, &CrackStrength::breaks))
     text += "The stiffness below is that of the cracks as they stand.\n\n";
 
   text += row("", "sound", "share", "cracked, T > 0", "cracked, T < 0", "accuracy");

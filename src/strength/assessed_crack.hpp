@@ -34,6 +34,8 @@ struct AssessedCrack {
   bool assembly = false;       ///< the assembly stresses it
   double assembly_peak = 0.0;  ///< largest elastic stress of the assembly in the wall [Pa]
   std::optional<double> relative_uncertainty;  ///< of K under the load [-]
+  /// Why a point inside the line does not show that the crack holds; empty: it does.
+  std::string undecided;
 };
 
 /// Assesses a crack of a material under the given sense of torque, and under the other one where

@@ -18,6 +18,8 @@ namespace {
 
 using std::numbers::pi;
 
+constexpr double kBendingAccuracy = 0.05;  // of K under the assembly: Newman and Raju's fit
+
 /// Modes of the load times a factor with those of the assembly times a factor; pressed faces have
 /// no mode I.
 std::array<double, 3> sum(const FrontModes& modes, double load, double assembly) {
@@ -146,18 +148,27 @@ class InDiagram {
 
 /// The smallest size up to the end of the range at which `beyond` is not negative.
 template <class Beyond>
-CriticalSize first_size(const AssessedCrack& crack, const Beyond& beyond) {
+CriticalSize first_size(const AssessedCrack& crack, const char* at_once, const Beyond& beyond) {
   constexpr int kSteps = 24;
   constexpr double kSmallest = 1e-4;  // of the range
   const double end = crack.range_end;
   double inside = kSmallest * end;
-  if (beyond(inside) >= 0) return {{}, "none: reached without a crack"};
+  if (beyond(inside) >= 0) return {{}, at_once};
   for (int i = 1; i <= kSteps; ++i) {
     const double size = i == kSteps ? end : end * std::pow(kSmallest, 1 - double{1} * i / kSteps);
     if (beyond(size) >= 0) return {bracketed_root(beyond, inside, size), {}};  // (FA-5)
     inside = size;
   }
   return {{}, fmt::format("none up to {:.3g} mm, {}", end / units::mm, crack.range_text)};
+}
+
+/// Of K under load and assembly together [-]; the two parts err independently.
+std::optional<double> uncertainty(const AssessedCrack& crack, const StrengthState& state) {
+  if (!state.with_assembly || !crack.relative_uncertainty || !(state.K > 0))
+    return crack.relative_uncertainty;
+  return std::hypot(*crack.relative_uncertainty * state.K_load,
+                    kBendingAccuracy * state.K_assembly) /
+         state.K;  // (FA-13)
 }
 
 StrengthState state_of(const AssessedCrack& crack, const Material& material, TorqueSense which,
@@ -171,13 +182,14 @@ StrengthState state_of(const AssessedCrack& crack, const Material& material, Tor
   state.K_load = present.K_load();
   state.K_assembly = present.K_assembly();
   state.K = present.K_together();
-  if (!with_assembly) state.relative_uncertainty = crack.relative_uncertainty;
+  state.relative_uncertainty = uncertainty(crack, state);
   if (material.yield_strength) state.plastic_zone = present.plastic_zone(*material.yield_strength);
   const std::optional<double>& K_Ic = material.fracture_toughness;
   if (K_Ic) {
     state.utilisation = state.K / *K_Ic;  // (FR-20)
     state.brittle_size =
-        first_size(crack, [&](double size) { return at_size(size).K_together() / *K_Ic - 1; });
+        first_size(crack, "beyond the toughness even without a crack",
+                   [&](double size) { return at_size(size).K_together() / *K_Ic - 1; });
     if (*state.utilisation >= 1) state.verdict = StrengthVerdict::fractures;  // (FA-13)
   }
   if (!K_Ic)
@@ -194,6 +206,7 @@ StrengthState state_of(const AssessedCrack& crack, const Material& material, Tor
   const InDiagram point(present, steel, K_Ic.value_or(std::numeric_limits<double>::infinity()));
   state.L_r = point.L_r(1.0);
   state.line = point.line(1.0);
+  state.L_r_max = point.collapse_at();
   if (!K_Ic) {
     if (*state.L_r > point.collapse_at()) state.verdict = StrengthVerdict::collapses;
     return state;
@@ -202,13 +215,14 @@ StrengthState state_of(const AssessedCrack& crack, const Material& material, Tor
   state.K_r = point.K_r(1.0);
   state.reserve = point.reserve();
   state.verdict = point.verdict();
-  state.critical_size = first_size(crack, [&](double size) {
+  state.critical_size = first_size(crack, "beyond the line even without a crack", [&](double size) {
     const AtSize crack_at = at_size(size);
     return InDiagram(crack_at, steel, *K_Ic).beyond(1.0);
   });
   if (state.verdict != StrengthVerdict::acceptable) return state;
   if (!in_range) {
     state.verdict = StrengthVerdict::cannot_tell;
+    state.reserve.reset();  // that of the end of the range would be too large
     state.unknown = fmt::format("the crack is larger than {:.3g} mm, {}",
                                 crack.range_end / units::mm, crack.range_text);
   } else if (with_assembly && point.chi() > kMaxInteractionRatio &&
@@ -217,6 +231,13 @@ StrengthState state_of(const AssessedCrack& crack, const Material& material, Tor
     state.unknown =
         "the assembly alone, if elastic, is beyond the yield strength: outside the range of the "
         "plasticity interaction (FA-3)";
+  } else if (!crack.undecided.empty()) {
+    state.verdict = StrengthVerdict::cannot_tell;  // (FA-13)
+    state.unknown = crack.undecided;
+    if (state.reserve)
+      state.unknown +=
+          fmt::format("; by the {}: reserve factor {:.3g}",
+                      with_assembly ? "load and the wall's bending" : "load alone", *state.reserve);
   }
   return state;
 }
@@ -241,6 +262,13 @@ bool worse(const StrengthState& a, const StrengthState& b) {
   return a.K > b.K;
 }
 
+/// Worse by more than rounding: where both end at the same collapse, nothing is.
+bool clearly_worse(const StrengthState& a, const StrengthState& b) {
+  if (badness(a) != badness(b)) return badness(a) > badness(b);
+  if (a.reserve && b.reserve) return clearly_less(*a.reserve, *b.reserve);
+  return clearly_less(b.K, a.K);
+}
+
 std::string mpa(double K) { return fmt::format("{:.3g} MPa*m^0.5", K / units::MPa); }
 
 /// "critical depth 1.23 mm, present 2 mm", or why there is none.
@@ -255,32 +283,58 @@ std::string size_words(const CrackStrength& crack, const StrengthState& state) {
   return fmt::format("; critical {}: {}", name, answer->text);
 }
 
-std::string words(const CrackStrength& crack, const StrengthState& state) {
-  const std::string with = state.with_assembly ? " together with the assembly's bending" : "";
+std::string beyond_the_end(const StrengthState& state) {
+  return fmt::format("L_r = {:.3g} beyond L_r,max = {:.3g}", *state.L_r, *state.L_r_max);
+}
+
+/// "; the line is within the accuracy of K (10 %)" of a point inside it.
+std::string accuracy_words(const StrengthState& state) {
+  if (!state.K_r || !state.relative_uncertainty || *state.K_r >= *state.line ||
+      *state.K_r * (1 + *state.relative_uncertainty) < *state.line)
+    return {};
+  return fmt::format("; the line is within the accuracy of K ({:.0f} %)",
+                     100 * *state.relative_uncertainty);  // (FA-13)
+}
+
+std::string_view word(StrengthVerdict verdict) {
+  return verdict == StrengthVerdict::cannot_tell ? "cannot tell" : enum_name(verdict);
+}
+
+std::string words(const CrackStrength& crack, const StrengthState& state, TorqueSense given) {
+  const std::string sense = state.sense == given
+                                ? ""
+                                : fmt::format(" under torque of the other sense (T {} 0)",
+                                              state.sense == TorqueSense::positive ? '>' : '<');
+  const std::string with =
+      sense + (state.with_assembly ? " together with the assembly's bending" : "");
   switch (state.verdict) {
     case StrengthVerdict::fractures:
       if (!state.K_r)
         return fmt::format("fractures at this load{}: K = {} reaches K_Ic{}", with, mpa(state.K),
+                           size_words(crack, state));
+      if (*state.L_r > *state.L_r_max)
+        return fmt::format("fractures at this load{}: K = {}, K_r = {:.3g}, {}{}", with,
+                           mpa(state.K), *state.K_r, beyond_the_end(state),
                            size_words(crack, state));
       return fmt::format(
           "fractures at this load{}: K = {}, K_r = {:.3g} against {:.3g} at L_r = "
           "{:.3g}{}",
           with, mpa(state.K), *state.K_r, *state.line, *state.L_r, size_words(crack, state));
     case StrengthVerdict::collapses:
-      return fmt::format("collapses at this load: the net section is fully plastic, L_r = {:.3g}{}",
-                         *state.L_r, size_words(crack, state));
+      return fmt::format("collapses at this load{}: the net section is fully plastic, {}{}", sense,
+                         beyond_the_end(state), size_words(crack, state));
     case StrengthVerdict::acceptable:
-      return fmt::format("holds at this load{}{}{}", with,
+      return fmt::format("holds at this load{}{}{}{}", with,
                          state.reserve ? fmt::format(": reserve factor {:.3g}", *state.reserve)
                                        : std::string(": the load does not stress it"),
-                         size_words(crack, state));
+                         accuracy_words(state), size_words(crack, state));
     case StrengthVerdict::cannot_tell:
       break;
   }
-  std::string text = "cannot tell: " + state.unknown;
+  std::string text = fmt::format("cannot tell{}: {}", sense, state.unknown);
   if (state.utilisation) text += fmt::format("; K/K_Ic = {:.3g}", *state.utilisation);
   if (state.L_r) text += fmt::format("; L_r = {:.3g}", *state.L_r);
-  return text + size_words(crack, state);
+  return text + accuracy_words(state) + size_words(crack, state);
 }
 
 /// Whether reversing the torque changes K or the reference stress at the present size.
@@ -309,29 +363,34 @@ CrackStrength assess(const AssessedCrack& crack, const Material& material, Torqu
   };
   result.states = states(given);
   const std::size_t n = result.states.size();
-  for (std::size_t i = 1; i < n; ++i)
-    if (worse(result.states[i], result.states[result.governing])) result.governing = i;
-  result.verdict = result.worst()->verdict;
-  result.sentence = words(result, *result.worst());
-  const StrengthState& load_alone = result.states[0];
-  if (result.governing != 0 && result.verdict != load_alone.verdict && load_alone.reserve)
-    result.sentence += fmt::format("; under the load alone: {}, reserve factor {:.3g}",
-                                   enum_name(load_alone.verdict), *load_alone.reserve);
+  if (senses_differ(crack, false) || (crack.assembly && senses_differ(crack, true)))
+    for (StrengthState& state : states(other)) result.states.push_back(std::move(state));
 
-  if (!senses_differ(crack, false) && !(crack.assembly && senses_differ(crack, true)))
-    return result;
-  std::vector<StrengthState> reversed = states(other);
-  const StrengthState& worst_reversed =
-      *std::ranges::max_element(reversed, [](const auto& a, const auto& b) { return worse(b, a); });
-  // Where both end at the same collapse, nothing is worse.
-  const bool lower = worst_reversed.reserve && result.worst()->reserve &&
-                     *worst_reversed.reserve < 0.995 * *result.worst()->reserve;
-  if (badness(worst_reversed) > badness(*result.worst()) || lower)
-    result.sentence += fmt::format(
-        "; the reversed torque is worse: {}{}", enum_name(worst_reversed.verdict),
-        worst_reversed.reserve ? fmt::format(", reserve factor {:.3g}", *worst_reversed.reserve)
-                               : std::string());
-  for (StrengthState& state : reversed) result.states.push_back(std::move(state));
+  // The drive reverses: the worst state under either sense, the given one where they are equal.
+  const auto worst_from = [&](std::size_t first, std::size_t last) {
+    std::size_t at = first;
+    for (std::size_t i = first + 1; i < last; ++i)
+      if (worse(result.states[i], result.states[at])) at = i;
+    return at;
+  };
+  const std::size_t of_given = worst_from(0, n);
+  result.governing = of_given;
+  if (result.states.size() > n) {
+    const std::size_t of_other = worst_from(n, result.states.size());
+    if (clearly_worse(result.states[of_other], result.states[of_given]))
+      result.governing = of_other;
+  }
+  const StrengthState& worst = *result.worst();
+  result.verdict = worst.verdict;
+  result.sentence = words(result, worst, given);
+  const auto beside = [&](const char* what, const StrengthState& state) {
+    result.sentence += fmt::format("; under the {}: {}", what, word(state.verdict));
+    if (state.reserve) result.sentence += fmt::format(", reserve factor {:.3g}", *state.reserve);
+  };
+  const StrengthState& load_alone = result.states[result.governing < n ? 0 : n];
+  if (worst.with_assembly && result.verdict != load_alone.verdict && load_alone.reserve)
+    beside("load alone", load_alone);
+  if (worst.sense != given) beside("given torque", result.states[of_given]);
   return result;
 }
 

@@ -12,6 +12,7 @@
 
 #include "assessed_crack.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/units.hpp"
 #include "strainwave/fracture/annular_crack.hpp"
 #include "strainwave/fracture/edge_crack.hpp"
 #include "strainwave/fracture/surface_crack.hpp"
@@ -31,26 +32,34 @@ constexpr double kNearlyAll = 1 - 1e-6;  // of a length that a crack must not re
 constexpr double kSurfaceRange = 0.8;    // a/t of Newman and Raju's elements
 constexpr double kLargestShellParameter = 2.0;
 
-const char* const kResidual =
+const StrengthNote kResidual = {
     "residual stress (hardening, peening, press fits) is not known and left out; the line is for "
-    "steels that yield continuously";
-const char* const kLineEnds =
-    "the material gives no ultimate_strength: the line ends at L_r = 1, on the safe side";
-const char* const kAssembly =
-    "the assembly bends the cracked wall as at the lobe, with the full radial displacement: an "
-    "upper bound away from the open end; over a turn each face is in tension once per lobe, so the "
-    "crack may start from either";
-const char* const kThroughBending =
+    "steels that yield continuously",
+    "FA-1"};
+const StrengthNote kLineEnds = {
+    "the material gives no ultimate_strength: the line ends at L_r = 1, on the safe side", "FA-2"};
+const StrengthNote kAssembly = {
+    "the assembly bends the cracked wall by w_0 cos(U theta) in full: an upper bound away from the "
+    "open end of a cup, but not for a flattened cam or on the rim; over a turn each face is in "
+    "tension once per lobe, so the crack may start from either",
+    "FA-12"};
+const StrengthNote kThroughBending = {
     "a through crack takes the bending of the assembly in full at the outer fibre, exact for a "
     "crack short against the wall's thickness and up to 1.6 times too much for a long one; contact "
-    "of its closed half is left out";
-const char* const kFit =
+    "of its closed half is left out",
+    "FA-14"};
+const StrengthNote kFit = {
     "stress of fit and rotation in the ring is not known and left out; the lobe force is taken to "
-    "scale the crack's stress in proportion";
-const char* const kDiaphragm =
-    "bending of the diaphragm by the assembly is not known: the load alone";
-const char* const kGroove =
-    "a groove is taken as a sharp crack all round, of its depth: on the safe side";
+    "scale the crack's stress in proportion",
+    "FA-4"};
+const StrengthNote kGroove = {
+    "a groove is taken as a sharp crack all round, of its depth: on the safe side", "FA-11"};
+const char* const kDiaphragm = "the bending of the diaphragm by the assembly is not known";
+const char* const kRim =
+    "on the rim the wall's bending is no upper bound: membrane stress of the assembly and tooth "
+    "forces are not in it";
+const char* const kOrder =
+    "the driver orthogonal_shear gives an order of magnitude at best (ST-12)";
 
 std::array<double, 3> modes(const UnitStressIntensity<2>& k, double P, double T) {
   return {k.I[kAxial] * P + k.I[kTorsion] * T, k.II[kAxial] * P + k.II[kTorsion] * T,
@@ -123,9 +132,9 @@ class Maker {
         material_of(gear_, made.report.material, made.report.path + ".material");
     steel_ = elastic_constants(material);
     made.moduli = {.opening = steel_.plane_strain_modulus(), .shear = steel_.G};
-    made.report.notes.emplace_back(kResidual);
+    made.report.notes.push_back(kResidual);
     if (material.yield_strength && !material.ultimate_strength)
-      made.report.notes.emplace_back(kLineEnds);
+      made.report.notes.push_back(kLineEnds);
     made.report.equations = {"FA-1", "FA-2", "FA-4", "FA-5", "FA-13"};
     const auto report = std::ranges::find(reports_, made.report.path, &CrackReport::path);
     report_ = report == reports_.end() ? nullptr : &*report;
@@ -191,6 +200,7 @@ class Maker {
                                      .poissons_ratio = steel_.nu,
                                      .shell_correction = crack.shell_correction};
     const AssemblyStress bending = assembly_of(made, wall, crack.angle);
+    if (on_rim(crack.section)) made.undecided = kRim;
     made.moduli.opening = steel_.E;
     made.plane_stress = true;
     const double P = P_;
@@ -217,7 +227,7 @@ class Maker {
     for (const char* const tag : {"FA-6", "FA-8"}) made.report.equations.emplace_back(tag);
     if (made.assembly) {
       made.report.equations.emplace_back("FA-14");
-      made.report.notes.emplace_back(kThroughBending);
+      made.report.notes.push_back(kThroughBending);
     }
   }
 
@@ -236,6 +246,7 @@ class Maker {
     const sif::NewmanRajuPlate plate(rho);
     const KassirSih sheared(rho, steel_.nu);
     const AssemblyStress bending = assembly_of(made, wall, crack.angle);
+    if (on_rim(crack.section)) made.undecided = kRim;
     const double t = wall.thickness;
     const double P = P_;
     const double T = T_;
@@ -263,7 +274,7 @@ class Maker {
     made.report.size_name = "depth";
     made.report.size = crack.depth;
     made.report.ligament = t - crack.depth;
-    made.range_end = std::max(kSurfaceRange * t, crack.depth);
+    made.range_end = kSurfaceRange * t;
     made.range_text = "0.8 of the wall, the range of the stress intensity";
     for (const char* const tag : {"FA-6", "FA-9"}) made.report.equations.emplace_back(tag);
     if (made.assembly) made.report.equations.emplace_back("SP-3");
@@ -290,7 +301,7 @@ class Maker {
     made.report.ligament = pi * r - crack.half_length;
     made.range_end = r / 2;
     made.range_text = "half of the arc's radius";
-    made.report.notes.emplace_back(kDiaphragm);
+    made.undecided = kDiaphragm;
     for (const char* const tag : {"FA-6", "FA-8"}) made.report.equations.emplace_back(tag);
   }
 
@@ -329,8 +340,8 @@ class Maker {
     made.report.ligament = thinnest - groove.depth;
     made.range_end = kNearlyAll * thinnest;
     made.range_text = "the thickness of the diaphragm";
-    made.report.notes.emplace_back(kDiaphragm);
-    made.report.notes.emplace_back(kGroove);
+    made.undecided = kDiaphragm;
+    made.report.notes.push_back(kGroove);
     for (const char* const tag : {"FA-6", "FA-9", "FA-11"}) made.report.equations.emplace_back(tag);
   }
 
@@ -355,10 +366,14 @@ class Maker {
     made.report.size = half_length;
   }
 
+  [[nodiscard]] bool on_rim(WallSection section) const {
+    return gear_.flexspline->crack_free != CrackFree::factor && section == WallSection::rim;
+  }
+
   AssemblyStress assembly_of(AssessedCrack& made, const Wall& wall, double angle) {
     if (gear_.drive.wave_number < 2) return {};  // one lobe shifts the ring, it does not bend it
     made.assembly = true;
-    made.report.notes.emplace_back(kAssembly);
+    made.report.notes.push_back(kAssembly);
     for (const char* const tag : {"ST-17", "FA-12"}) made.report.equations.emplace_back(tag);
     made.assembly_peak = assembly_stress(gear_, wall.mean_radius, wall.thickness, 0.0).normal;
     return assembly_stress(gear_, wall.mean_radius, wall.thickness, angle);
@@ -371,7 +386,7 @@ class Maker {
     const NewmanRaju fit(crack.aspect_ratio);
     const double t = *gear_.wave_generator->inner_ring_thickness;
     race(
-        made, crack.depth, kSurfaceRange * t,
+        made, crack.stress_driver, crack.depth, kSurfaceRange * t,
         [=](double a, double phi) { return fit.factor(a / t, phi); }, kFrontPoints,
         SectionLoading::membrane);
     made.range_text = "0.8 of the ring, the range of the stress intensity";
@@ -382,16 +397,36 @@ class Maker {
     const bool bent = crack.stress_driver == StressDriver::ring_bending;
     const StripLoading loading = bent ? StripLoading::bending : StripLoading::tension;
     race(
-        made, crack.depth, kNearlyAll * t,
+        made, crack.stress_driver, crack.depth, kNearlyAll * t,
         [=](double a, double) { return edge_crack_factor(loading, a / t); }, 1,
         bent ? SectionLoading::bending : SectionLoading::membrane);
     made.range_text = "the thickness of the ring";
   }
 
+  /// What no driver contains, and the driver that decides nothing; empty: all is there.
+  [[nodiscard]] std::string missing(StressDriver driver) const {
+    std::string text = driver == StressDriver::orthogonal_shear ? kOrder : "";
+    const int U = gear_.drive.wave_number;
+    if (U < 2) return text;  // one lobe shifts the ring, it does not bend it
+    const WaveGenerator& wg = *gear_.wave_generator;
+    const double t = *wg.inner_ring_thickness;
+    std::optional<double> R = wg.inner_ring_mean_radius;
+    if (!R && wg.bearing) R = (wg.bearing->inner_raceway_diameter - t) / 2;
+    std::string size;
+    if (R) {
+      const double stress = steel_.plane_strain_modulus() * t / 2 * (U * U - 1) *
+                            gear_.drive.radial_displacement / (*R * *R);  // (SW-9)
+      size = fmt::format(", about {:.3g} MPa at the lobe,", stress / units::MPa);
+    }
+    if (!text.empty()) text += ", and ";
+    return text +
+           fmt::format("the ring's bending by its cam{} is not in the driver's stress", size);
+  }
+
   /// A crack of the inner ring; `factor(a, phi)` is K_I/(sigma sqrt(pi a)).
   template <class Factor>
-  void race(AssessedCrack& made, double depth, double range, const Factor& factor, int points,
-            SectionLoading loading) {
+  void race(AssessedCrack& made, StressDriver driver, double depth, double range,
+            const Factor& factor, int points, SectionLoading loading) {
     const double t = *gear_.wave_generator->inner_ring_thickness;
     // The stress is the driver's: what the stiffness made K of, at the deepest point.
     const double K = report_ != nullptr && report_->deepest ? report_->deepest->K_I.value : 0.0;
@@ -410,9 +445,11 @@ class Maker {
     made.report.size_name = "depth";
     made.report.size = depth;
     made.report.ligament = t - depth;
-    made.range_end = std::max(range, depth);
-    made.report.notes.emplace_back(kFit);
+    made.range_end = range;
+    made.undecided = missing(driver);
+    made.report.notes.push_back(kFit);
     made.report.equations.emplace_back(loading == SectionLoading::membrane ? "FA-9" : "FA-10");
+    if (gear_.drive.wave_number >= 2) made.report.equations.emplace_back("SW-9");
   }
 
   const GearSet& gear_;

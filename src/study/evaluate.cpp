@@ -49,11 +49,14 @@ void add_strength(StiffnessResult& result, const GearSet& gear) {
     return;
   }
   for (const CrackStrength& crack : strength) {
-    for (const std::string& text : crack.notes) {
-      const bool there = std::ranges::any_of(result.notes, [&](const Note& note) {
-        return note.code == "strength.scope" && note.text == text;
+    for (const StrengthNote& scope : crack.notes) {
+      const auto same = std::ranges::find_if(result.notes, [&](const Note& note) {
+        return note.code == "strength.scope" && note.text == scope.text;
       });
-      if (!there) result.notes.push_back({"strength.scope", text, "strength", "FA-13"});
+      if (same == result.notes.end())
+        result.notes.push_back({"strength.scope", scope.text, crack.path, scope.equation});
+      else
+        same->path += ", " + crack.path;
     }
     for (const std::string& tag : crack.equations)
       if (std::ranges::find(result.equations, tag) == result.equations.end())

@@ -57,14 +57,16 @@ PlotPanel failure_assessment_panel(const StiffnessResult& result, const GearSet&
   }
   for (const CrackStrength& crack : result.strength)
     for (const StrengthState& state : crack.states) {
-      if (!state.K_r || !state.L_r || state.sense != crack.worst()->sense) continue;
+      if (!state.K_r || !state.L_r) continue;
       // With the assembly the path begins on the axis, at what the assembly does alone; straight
       // but for the interaction V.
       const double start = state.with_assembly ? state.K_assembly / *crack.toughness : 0.0;
-      panel.series.push_back({.label = crack.path + (state.with_assembly ? " +" : ""),
-                              .x = {0.0, *state.L_r},
-                              .y = {start, *state.K_r},
-                              .discs = Discs::at_end});
+      const bool reversed = state.sense != crack.states.front().sense;
+      panel.series.push_back(
+          {.label = crack.path + (state.with_assembly ? " +" : "") + (reversed ? ", reversed" : ""),
+           .x = {0.0, *state.L_r},
+           .y = {start, *state.K_r},
+           .discs = Discs::at_end});
     }
   panel.legend_title = "+ with the assembly";
   return panel;

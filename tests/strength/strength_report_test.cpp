@@ -39,7 +39,8 @@ TEST(StrengthReport, IdentityACriticalCrackIsAnswered) {
   ASSERT_EQ(result.strength.size(), 4U);
   EXPECT_EQ(result.strength[1].path, "flexspline.crack[0]");
   EXPECT_EQ(result.strength[1].verdict, StrengthVerdict::fractures);
-  for (const std::size_t i : {0U, 2U, 3U})
+  EXPECT_EQ(result.strength[0].verdict, StrengthVerdict::cannot_tell);  // the cam bends the race
+  for (const std::size_t i : {2U, 3U})
     EXPECT_EQ(result.strength[i].verdict, StrengthVerdict::acceptable);
   // The stiffness is that of the crack as it stands.
   EXPECT_EQ(result.positive.stiffness.value, torsional_stiffness(gear).positive.stiffness.value);
@@ -50,6 +51,13 @@ TEST(StrengthReport, IdentityACriticalCrackIsAnswered) {
   EXPECT_EQ(count(text, "WARNING"), 1);
   EXPECT_NE(text.find("Strength at the given load"), std::string::npos);
   EXPECT_NE(text.find("T > 0 + assem."), std::string::npos);
+  EXPECT_NE(text.find("2 of 4 cracks hold, 1 fractures or collapses, 1 cannot be told"),
+            std::string::npos);
+  EXPECT_NE(text.find("about 457 MPa"), std::string::npos);
+  // A note of the strength names its cracks and its own equation.
+  const auto assembly = std::ranges::find(result.notes, "FA-12", &Note::equation);
+  ASSERT_NE(assembly, result.notes.end());
+  EXPECT_EQ(assembly->path, "flexspline.crack[0], flexspline.crack[1]");
 }
 
 TEST(StrengthReport, IdentityTheOldNoteSaysTheSame) {
@@ -128,8 +136,11 @@ TEST(FailureAssessmentPlot, IdentityLinesAndPoints) {
   const GearSet gear = critical();
   const StiffnessResult result = evaluate(gear, Method::corrected);
   const PlotPanel panel = failure_assessment_panel(result, gear);
-  // Three materials; both states of the two wall cracks, one of race and shaft.
-  ASSERT_EQ(panel.series.size(), 9U);
+  // Three materials; both states of the two wall cracks, one of race and shaft; the through crack
+  // under the reversed torque, too.
+  ASSERT_EQ(panel.series.size(), 11U);
+  EXPECT_NE(std::ranges::find(panel.series, "flexspline.crack[0] +, reversed", &PlotSeries::label),
+            panel.series.end());
   EXPECT_EQ(panel.series[0].label, "line, bearing_steel");
   EXPECT_EQ(panel.series[0].y.front(), 1.0);
   EXPECT_EQ(panel.series[0].y.back(), 0.0);
@@ -141,7 +152,7 @@ TEST(FailureAssessmentPlot, IdentityLinesAndPoints) {
   EXPECT_NEAR(with->y.front(), result.strength[1].states[1].K_assembly / 15e6, 1e-12);
   EXPECT_EQ(with->discs, Discs::at_end);
   const std::string svg = failure_assessment_plot(result, gear);
-  EXPECT_EQ(count(svg, "<circle"), 6);
+  EXPECT_EQ(count(svg, "<circle"), 8);
   EXPECT_EQ(svg, failure_assessment_plot(result, gear));
 }
 

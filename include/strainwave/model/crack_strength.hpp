@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,7 +18,7 @@ enum class StrengthVerdict {
   acceptable,   ///< inside the assessment line
   fractures,    ///< outside it
   collapses,    ///< the net section is fully plastic before the crack runs
-  cannot_tell,  ///< a property or a stress is not known
+  cannot_tell,  ///< not beyond the line, but a property or a stress is not known
 };
 template <>
 struct EnumNames<StrengthVerdict> {
@@ -49,15 +51,23 @@ struct StrengthState {
   std::optional<double> utilisation = {};           ///< K/K_Ic [-]
   std::optional<double> L_r = {};                   ///< reference stress over yield strength [-]
   std::optional<double> interaction = {};           ///< V, on the K of the assembly [-]
-  std::optional<double> K_r = {};   ///< K with V on the assembly's part, over K_Ic [-]
-  std::optional<double> line = {};  ///< f(L_r): the largest K_r that is accepted [-]
+  std::optional<double> K_r = {};      ///< K with V on the assembly's part, over K_Ic [-]
+  std::optional<double> line = {};     ///< f(L_r): the largest K_r that is accepted [-]
+  std::optional<double> L_r_max = {};  ///< end of the line [-]
   /// Factor on the given load at which the line is reached [-]; 0: the assembly alone is beyond it.
+  /// Of the stresses that are known; absent for a crack inside the line but beyond the range.
   std::optional<double> reserve = {};
   std::optional<double> plastic_zone = {};         ///< radius [m]
   std::optional<CriticalSize> brittle_size = {};   ///< at which K reaches K_Ic
   std::optional<CriticalSize> critical_size = {};  ///< at which the line is reached
   StrengthVerdict verdict = StrengthVerdict::cannot_tell;
   std::string unknown = {};  ///< what is missing, where the verdict is cannot_tell
+};
+
+/// What a verdict leaves out.
+struct StrengthNote {
+  std::string text;
+  std::string equation;  ///< tag of the theory manual
 };
 
 /// Strength of one crack at the given load, with its evidence.
@@ -72,15 +82,38 @@ struct CrackStrength {
   /// Given sense of torque first, load alone before load and assembly; then the other sense where
   /// it differs.  Empty where the crack's stress is not known.
   std::vector<StrengthState> states = {};
-  std::size_t governing = 0;  ///< the worst state under the given sense of torque
-  StrengthVerdict verdict = StrengthVerdict::cannot_tell;  ///< under the given sense of torque
+  std::size_t governing = 0;  ///< the worst state under either sense of torque
+  StrengthVerdict verdict = StrengthVerdict::cannot_tell;  ///< of that state
   std::string sentence = {};                               ///< the verdict in words
-  std::vector<std::string> notes = {};                     ///< what the verdict leaves out
+  std::vector<StrengthNote> notes = {};                    ///< what the verdict leaves out
   std::vector<std::string> equations = {};                 ///< tags of the theory manual
 
   [[nodiscard]] const StrengthState* worst() const {
     return states.empty() ? nullptr : &states[governing];
   }
+  /// The least reserve of all states [-]; absent where none has one.
+  [[nodiscard]] std::optional<double> least_reserve() const {
+    std::optional<double> least;
+    for (const StrengthState& state : states)
+      if (state.reserve) least = std::min(least.value_or(*state.reserve), *state.reserve);
+    return least;
+  }
+  /// Whether it fractures or collapses under either sense of torque.
+  [[nodiscard]] bool breaks() const {
+    return verdict == StrengthVerdict::fractures || verdict == StrengthVerdict::collapses;
+  }
 };
+
+/// All cracks in a line: "3 of 4 cracks hold, 1 fractures or collapses, 0 cannot be told".
+[[nodiscard]] inline std::string strength_summary(std::span<const CrackStrength> cracks) {
+  const auto held =
+      std::ranges::count(cracks, StrengthVerdict::acceptable, &CrackStrength::verdict);
+  const auto broken = std::ranges::count_if(cracks, &CrackStrength::breaks);
+  const auto all = std::ssize(cracks);
+  return std::to_string(held) + " of " + std::to_string(all) + (all == 1 ? " crack" : " cracks") +
+         (held == 1 ? " holds, " : " hold, ") + std::to_string(broken) +
+         (broken == 1 ? " fractures or collapses, " : " fracture or collapse, ") +
+         std::to_string(all - held - broken) + " cannot be told";
+}
 
 }  // namespace strainwave

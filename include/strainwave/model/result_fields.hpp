@@ -8,7 +8,7 @@
 
 namespace strainwave {
 
-/// Walks the numbers of a crack's strength, of its worst state under the given sense of torque:
+/// Walks the numbers of a crack's strength, of its worst state under either sense of torque:
 /// `f(path, quantity)`, path such as "cracks[0].strength.reserve".
 template <class F>
 void for_each_strength(const CrackStrength& strength, const std::string& path, const F& f) {
@@ -24,7 +24,7 @@ void for_each_strength(const CrackStrength& strength, const std::string& path, c
   quantity(".L_r", worst->L_r, "1");
   quantity(".K_r", worst->K_r, "1");
   quantity(".line", worst->line, "1");
-  quantity(".reserve", worst->reserve, "1");
+  quantity(".reserve", strength.least_reserve(), "1");
   if (worst->brittle_size) quantity(".brittle_size", worst->brittle_size->size, "m");
   if (worst->critical_size) quantity(".critical_size", worst->critical_size->size, "m");
   quantity(".plastic_zone", worst->plastic_zone, "m");

@@ -11,7 +11,8 @@ namespace strainwave {
 
 /// The failure assessment diagram of a result: the line of each material that has a crack, (FA-1)
 /// and (FA-2), and for each crack the path of its points while the load grows from nothing to the
-/// given one, alone and with the assembly, the point at the given load as a disc.
+/// given one, alone and with the assembly, the point at the given load as a disc; then those under
+/// the reversed torque, where it differs.
 ///
 /// A crack without toughness or yield strength has no point.
 /// @param result  of `evaluate` by the corrected method
