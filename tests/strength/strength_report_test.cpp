@@ -54,6 +54,13 @@ TEST(StrengthReport, IdentityACriticalCrackIsAnswered) {
   EXPECT_NE(text.find("2 of 4 cracks hold, 1 fractures or collapses, 1 cannot be told"),
             std::string::npos);
   EXPECT_NE(text.find("about 457 MPa"), std::string::npos);
+  EXPECT_NE(text.find("K_I = 11, K_II = 0, K_III = 0 MPa"), std::string::npos);  // no 6.5e-17
+  // Under the reversed torque it warns as well.
+  GearSet reversed = gear;
+  reversed.load.torque = -600;
+  EXPECT_NE(result_text(evaluate(reversed, Method::corrected), reversed, {})
+                .find("fractures at this load under torque of the other sense (T > 0)"),
+            std::string::npos);
   // A note of the strength names its cracks and its own equation.
   const auto assembly = std::ranges::find(result.notes, "FA-12", &Note::equation);
   ASSERT_NE(assembly, result.notes.end());

@@ -22,7 +22,8 @@ struct AssemblyStress {
 ///     normal = sigma_b (cos^2(beta) + nu sin^2(beta)),
 ///     shear  = -(1 - nu) sigma_b sin(beta) cos(beta).
 ///
-/// Amplitude of w_0 at the crack; in a cup it falls along the axis, so this is an upper bound.
+/// Amplitude of w_0 cos(U theta) at the crack; in a cup it falls along the axis: an upper bound in
+/// the barrel, but not on the rim, nor for a flattened cam.
 ///
 /// @param gear         drive with a flexspline
 /// @param mean_radius  r of the cracked wall [m]; > 0
