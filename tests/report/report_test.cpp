@@ -247,16 +247,16 @@ TEST(Report, ReferenceInputsSayWhoGaveThem) {
 TEST(Report, ReferenceMaterialsOfTheLibraryAreNamedAsSuch) {
   const Report report = report_on(text_of("library_material"));
   const std::string& html = section(report, "inputs").html;
-  const std::size_t row = html.find("data-field=\"material.52100.youngs_modulus\"");
+  const std::size_t row = html.find("data-field=\"material.52100 hardened.youngs_modulus\"");
   ASSERT_NE(row, std::string::npos);
   const std::string cells = html.substr(row, html.find("</tr>", row) - row);
   const double E =
-      read_gear_set(text_of("library_material"), "x").material.at("52100").youngs_modulus;
+      read_gear_set(text_of("library_material"), "x").material.at("52100 hardened").youngs_modulus;
   const std::size_t value = cells.find("<td>") + 4;
   EXPECT_DOUBLE_EQ(std::stod(cells.substr(value)) * 1e9, E) << cells;
   EXPECT_NE(cells.find(" GPa</td>"), std::string::npos) << cells;
   EXPECT_NE(cells.find(">material library<"), std::string::npos) << cells;
-  const auto& number = *require_material("52100").youngs_modulus;
+  const auto& number = *require_material("52100 hardened").youngs_modulus;
   EXPECT_NE(cells.find("<td>" + std::string(enum_name(number.confidence)) + ", source " +
                        number.source + "</td>"),
             std::string::npos)
