@@ -87,6 +87,16 @@ std::vector<std::string_view> range_of(const sif::Row& row) {
   return texts;
 }
 
+/// The rules between fields; what breaks one is refused.
+std::vector<std::string_view> rules_of(const sif::Row& row) { return row.make({})->rules(); }
+
+/// Limits, then rules.
+std::vector<std::string_view> range_and_rules(const sif::Row& row) {
+  std::vector<std::string_view> texts = range_of(row);
+  for (const std::string_view rule : rules_of(row)) texts.push_back(rule);
+  return texts;
+}
+
 Json info_json(const sif::SolutionInfo& info) {
   return {{"name", info.name},
           {"family", info.family},
@@ -116,6 +126,7 @@ Json row_json(const sif::Row& row) {
   for (const sif::FrontPoint& point : row.points)
     json["points"].push_back({{"name", point.name}, {"front_parameter", point.s}});
   json["validity"] = range_of(row);
+  json["rules"] = rules_of(row);
   return json;
 }
 
@@ -173,7 +184,7 @@ std::string sif_list_markdown(std::string_view family) {
     const sif::SolutionInfo& info = row->info;
     text += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} | {}: {} | {} |\n", info.name,
                         table_cell(info.title), info.modes, load_names(*row),
-                        table_cell(fmt::format("{}", fmt::join(range_of(*row), "; "))),
+                        table_cell(fmt::format("{}", fmt::join(range_and_rules(*row), "; "))),
                         accuracy_of(info), table_cell(info.accuracy), enum_name(info.basis),
                         info.source, info.equation);
   }
@@ -201,7 +212,9 @@ std::string sif_solution_text(const sif::Row& row) {
   for (const sif::FrontPoint& point : row.points) text += fmt::format(" {}", point.name);
   text += "\nValidity\n";
   for (const std::string_view limit : range_of(row)) text += fmt::format("  {}\n", limit);
-  if (range_of(row).empty()) text += "  everywhere\n";
+  for (const std::string_view rule : rules_of(row))
+    text += fmt::format("  {}; refused otherwise\n", rule);
+  if (range_and_rules(row).empty()) text += "  everywhere\n";
   return text;
 }
 

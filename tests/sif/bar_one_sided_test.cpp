@@ -50,7 +50,30 @@ Crack hollow(double ratio, double alpha, double aspect) {
   crack.inner_diameter = 2 * ratio;
   crack.depth = alpha * (1 - ratio);
   crack.aspect_ratio = aspect;
+  crack.poissons_ratio = 0.3;
   return crack;
+}
+
+TEST(HollowSurface, IdentityPoissonsRatioOfTheShear) {
+  // (SB-11) is (FR-5) at the material's nu; K_I does not know it.
+  const auto check = [](auto crack) {
+    const auto at = [&](double nu) {
+      crack.poissons_ratio = nu;
+      return crack.stress_intensity(crack.size(), 1.0);
+    };
+    const auto low = at(0.2);
+    const auto high = at(0.45);
+    const KassirSih of_low(0.6, 0.2);
+    const KassirSih of_high(0.6, 0.45);
+    test::expect_relative(high.II[kTorque] / low.II[kTorque],
+                          of_high.factor_II(1.0) / of_low.factor_II(1.0), 1e-12);
+    test::expect_relative(high.III[kTorque] / low.III[kTorque],
+                          of_high.factor_III(1.0) / of_low.factor_III(1.0), 1e-12);
+    EXPECT_GT(std::abs(high.II[kTorque] / low.II[kTorque] - 1), 0.05);
+    EXPECT_EQ(high.I[kForce], low.I[kForce]);
+  };
+  check(hollow<HollowSurfaceOuterCrack>(0.6, 0.4, 0.6));
+  check(hollow<HollowSurfaceInnerCrack>(0.6, 0.4, 0.6));
 }
 
 /// K_I over the largest nominal stress and sqrt(pi a), r = 1, written out.

@@ -568,8 +568,10 @@ TEST(GradientFamily, InputRules) {
   for (const double x : {-0.301, 0.301})
     EXPECT_NE(message("contact-edge", {{"position", x}}).find("|position| <= 1000"),
               std::string::npos);
-  for (const std::string name : {"residual-edge", "residual-surface"})
-    EXPECT_NE(message(name, {{"decay", 0.99e-6}}).find("depth <= 1000 decay"), std::string::npos);
+  EXPECT_NE(message("residual-edge", {{"decay", 0.99e-6}}).find("depth <= 1000 decay"),
+            std::string::npos);
+  EXPECT_NE(message("residual-surface", {{"decay", 0.99e-5}}).find("depth <= 100 decay"),
+            std::string::npos);
   for (const std::string name : {"race-hoop-edge", "race-hoop-surface"}) {
     EXPECT_NE(message(name, {{"lobes", 2.5}}).find("whole number"), std::string::npos);
     EXPECT_NE(message(name, {{"lobes", 1}}), "");
@@ -596,7 +598,7 @@ TEST(GradientFamily, LimitCornersOfTheRules) {
                          {"notch-edge", {{"concentration", 999}}},
                          {"notch-edge", {{"root_radius", 1e-9}}},
                          {"residual-edge", {{"decay", 1.01e-6}}},
-                         {"residual-surface", {{"decay", 1.01e-6}}},
+                         {"residual-surface", {{"decay", 1.01e-5}}},
                          {"contact-edge", {{"position", 0.29}}},
                          {"contact-edge", {{"contact_half_width", 1.01e-6}}},
                          {"plate-surface", {{"depth", 9.8e-3}, {"thickness", 1e-2}}},
