@@ -39,10 +39,6 @@ enum class Severity {
 [[nodiscard]] Severity severity_of(const Note& note);
 [[nodiscard]] std::string_view severity_title(Severity severity);
 
-/// Whether the given load breaks the part at this crack.
-[[nodiscard]] bool breaks(const CrackStrength& crack);
-[[nodiscard]] bool breaks_at(const StrengthState& state);
-
 [[nodiscard]] std::string verdict_html(const Draft& draft);
 
 [[nodiscard]] ReportSection drawing_chapter(const Draft& draft);

@@ -313,11 +313,14 @@ std::string panel_svg(const PlotPanel& panel, double top) {
   for (std::size_t n = 0; n < panel.series.size(); ++n) {
     const PlotSeries& series = panel.series[n];
     const Stroke& stroke = kStrokes[n % kStrokes.size()];
+    // The colours come again after the seventh line, with one more dot between their dashes.
+    std::string dashes(stroke.dashes);
+    for (std::size_t round = n / kStrokes.size(); round > 0; --round)
+      dashes += dashes.empty() ? "16 3 1 3" : " 1 3";
     // The first line is the widest: another that lies on it does not hide it.
-    const std::string style =
-        fmt::format("stroke=\"{}\" stroke-width=\"{}\"{}", stroke.colour, n == 0 ? 4 : 2,
-                    stroke.dashes.empty() ? std::string()
-                                          : fmt::format(" stroke-dasharray=\"{}\"", stroke.dashes));
+    const std::string style = fmt::format(
+        "stroke=\"{}\" stroke-width=\"{}\"{}", stroke.colour, n == 0 ? 4 : 2,
+        dashes.empty() ? std::string() : fmt::format(" stroke-dasharray=\"{}\"", dashes));
     svg += fmt::format("<path d=\"{}\" class=\"series\" {}/>\n", path_data(panel, series, x, y),
                        style);
     const std::size_t n_points = std::min(series.x.size(), series.y.size());

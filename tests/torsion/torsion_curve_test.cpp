@@ -405,6 +405,20 @@ TEST(TorsionCurve, IdentityEvidence) {
   EXPECT_TRUE(test::uses_equation(curve.equations, "TC-14"));
   EXPECT_TRUE(test::uses_equation(curve.equations, "TC-10"));
   EXPECT_FALSE(test::uses_equation(torsion_curve(typical_drive(), torques).equations, "TC-10"));
+  for (const char* const tag : {"TC-21", "TC-22", "TC-23"})
+    EXPECT_FALSE(test::uses_equation(curve.equations, tag)) << tag;
+  const auto tags_of = [&](auto&& crack) {
+    GearSet gear = supported_drive();
+    crack(gear);
+    return torsion_curve(gear, torques).equations;
+  };
+  EXPECT_TRUE(test::uses_equation(tags_of([](GearSet& gear) {
+                                    gear.mesh->crack.emplace_back(
+                                        ToothCrack{.stiffness_loss = 0.5, .position = 0.1});
+                                  }),
+                                  "TC-21"));
+  EXPECT_TRUE(test::uses_equation(tags_of([](GearSet& gear) { test::crack_rim(gear, 0.5, 0.3); }),
+                                  "TC-22"));
   EXPECT_TRUE(curve.notes.empty());
   for (const CurvePoint& point : curve.points) {
     EXPECT_EQ(point.balls.size(), 23U);
