@@ -3,31 +3,11 @@
 #include <cmath>
 #include <cstddef>
 
+#include "strainwave/core/lagrange.hpp"
 #include "strainwave/sif/bar/tables.hpp"
 
 namespace strainwave::sif {
 namespace {
-
-/// Lagrange's polynomials of N nodes at one place, by the barycentric formula.
-template <std::size_t N>
-std::array<double, N> lagrange(const std::array<double, N>& nodes, double x) {
-  std::array<double, N> value{};
-  double sum = 0.0;
-  for (std::size_t i = 0; i < N; ++i) {
-    if (x == nodes[i]) {
-      value.fill(0.0);
-      value[i] = 1.0;
-      return value;
-    }
-    double weight = 1 / (x - nodes[i]);
-    for (std::size_t j = 0; j < N; ++j)
-      if (j != i) weight /= nodes[i] - nodes[j];
-    value[i] = weight;
-    sum += weight;
-  }
-  for (double& v : value) v /= sum;
-  return value;
-}
 
 template <std::size_t N, std::size_t M>
 using Grid = std::array<std::array<double, M>, N>;

@@ -194,6 +194,9 @@ TEST(TubeSurfaceCrack, InputRules) {
   EXPECT_EQ(outside(sound), Texts{});
   EXPECT_EQ(broken(crack_of<TubeSurfaceAxialInner>(1e-3, 1e-3, 0.04)), Texts{"depth"});
   EXPECT_EQ(broken(crack_of<TubeSurfaceAxialInner>(0.4e-3, 1e-3, 0.5e-3)), Texts{"thickness"});
+  for (const double half_length : {0.0401, 3.99e-6})
+    EXPECT_EQ(broken(crack_of<TubeSurfaceAxialInner>(0.4e-3, half_length, 0.04)),
+              Texts{"half_length"});
   EXPECT_EQ(outside(crack_of<TubeSurfaceAxialInner>(0.81e-3, 1e-3, 0.04)), Texts{"a/t <= 0.8"});
   EXPECT_EQ(outside(crack_of<TubeSurfaceAxialInner>(0.19e-3, 1e-3, 0.04)),
             Texts{"0.2 <= a/c <= 2"});

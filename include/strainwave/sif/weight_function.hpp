@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/polynomial.hpp"
 #include "strainwave/core/quadrature.hpp"
 #include "strainwave/sif/newman_raju.hpp"
 
@@ -126,12 +127,7 @@ class EdgeWeight {
   explicit EdgeWeight(double depth_ratio);
 
   /// M [-].  @param v  sqrt(1 - x/a): 0 at the tip, 1 at the mouth [-]
-  [[nodiscard]] double value(double v) const {
-    const double y = v * v;
-    double sum = 0.0;
-    for (std::size_t i = M_.size(); i-- > 0;) sum = sum * y + M_[i];
-    return sum;
-  }
+  [[nodiscard]] double value(double v) const { return polynomial(M_, v * v); }
 
  private:
   std::array<double, 7> M_{};
