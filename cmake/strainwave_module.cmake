@@ -25,6 +25,9 @@ function(strainwave_test folder)
   list(TRANSFORM ARG_DEPENDS PREPEND "strainwave::")
   set(target test_${folder})
   add_executable(${target} ${ARG_SOURCES})
+  if(STRAINWAVE_UNITY_TESTS)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+  endif()
   target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
   target_compile_definitions(${target} PRIVATE
     STRAINWAVE_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
@@ -59,6 +62,7 @@ function(strainwave_version module)
     "-DINPUT=${PROJECT_SOURCE_DIR}/src/${module}/version.cpp.in" "-DOUTPUT=${output}"
     -P "${PROJECT_SOURCE_DIR}/cmake/write_version.cmake")
   target_sources(strainwave_${module} PRIVATE "${output}")
+  set_source_files_properties("${output}" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   add_dependencies(strainwave_${module} strainwave_revision)
 endfunction()
 
