@@ -35,8 +35,12 @@ function(strainwave_test folder)
     STRAINWAVE_CLI="$<TARGET_FILE:strainwave_cli>")
   target_link_libraries(${target} PRIVATE ${ARG_DEPENDS} GTest::gtest_main)
   strainwave_flags(${target})
+  set(seconds 120)
+  if(STRAINWAVE_SANITIZE)
+    set(seconds 480)
+  endif()
   gtest_discover_tests(${target} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS "${folder}" TIMEOUT 120)
+    PROPERTIES LABELS "${folder}" TIMEOUT ${seconds})
 endfunction()
 
 function(strainwave_flags target)
