@@ -15,7 +15,7 @@ import sys
 import tempfile
 
 MODULE = re.compile(r"^strainwave_module\(\s*(\w+)\s+SOURCES\s+([^)]*?)(?:\sDEPENDS\s+([^)]*))?\)", re.M)
-TEST = re.compile(r"^\s*strainwave_test\(\s*(\S+)([^)]*)\)", re.M)
+TEST = re.compile(r"^\s*strainwave_test\(\s*(\w+)\s+SOURCES\s+([^)]*?)\sDEPENDS\s[^)]*\)", re.M)
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 
 
@@ -77,7 +77,8 @@ def check(root):
                           {"/".join(p.relative_to(root / "src").parts)
                            for p in files(root, "src") if p.suffix == ".cpp"})
     lists = root / "tests" / "CMakeLists.txt"
-    faults += list_faults("test", [path for path, _ in TEST.findall(lists.read_text())],
+    faults += list_faults("test", [f"{folder}/{name}" for folder, names in TEST.findall(lists.read_text())
+                                   for name in names.split()],
                           {p.relative_to(root / "tests").as_posix()[:-len("_test.cpp")]
                            for p in files(root, "tests") if p.name.endswith("_test.cpp")})
     return faults + include_faults(root, depends)
@@ -87,7 +88,7 @@ SOUND = {
     "CMakeLists.txt": "strainwave_module(low  SOURCES a.cpp)\n"
                       "strainwave_module(left SOURCES b.cpp DEPENDS low)\n"
                       "strainwave_module(right\n  SOURCES c.cpp\n  DEPENDS low)\n",
-    "tests/CMakeLists.txt": "strainwave_test(low/a low)\n",
+    "tests/CMakeLists.txt": "strainwave_test(low SOURCES a DEPENDS low)\n",
     "include/strainwave/low/a.hpp": "#include <string>\n",
     "src/low/a.cpp": '#include "strainwave/low/a.hpp"\n',
     "src/left/b.cpp": '#include "strainwave/low/a.hpp"\n#include "private.hpp"\n',
@@ -112,6 +113,9 @@ BROKEN = [
     ("a source listed twice", {"CMakeLists.txt": SOUND["CMakeLists.txt"].replace("a.cpp", "a.cpp a.cpp")},
      "low/a.cpp is listed 2 times"),
     ("a test forgotten", {"tests/left/b_test.cpp": ""}, "left/b exists but is not listed"),
+    ("a test that is not there", {"tests/low/a_test.cpp": None}, "low/a is listed but does not exist"),
+    ("a test listed twice", {"tests/CMakeLists.txt": SOUND["tests/CMakeLists.txt"].replace(" a ", " a a ")},
+     "low/a is listed 2 times"),
     ("a graph that cannot be read", {"CMakeLists.txt": ""}, "no strainwave_module(...) found"),
 ]
 

@@ -29,6 +29,9 @@ struct Draft {
   [[nodiscard]] bool corrected() const { return result.method == Method::corrected; }
 };
 
+/// Number of a crack in drawings and tables.
+[[nodiscard]] std::string crack_mark(const Draft& draft, const std::string& path);
+
 /// How much a note weighs for whoever decides.
 enum class Severity {
   critical,    ///< the result describes something that will not stay as it is

@@ -55,11 +55,6 @@ std::string state_text(const StrengthState& state) {
                      state.with_assembly ? ", with the assembly" : ", load alone");
 }
 
-std::string crack_mark(const Draft& draft, const std::string& path) {
-  const auto found = std::ranges::find(draft.cracks, path, &NumberedCrack::path);
-  return found == draft.cracks.end() ? std::string("?") : std::to_string(found->number);
-}
-
 }  // namespace
 
 ReportSection strength_chapter(const Draft& draft) {

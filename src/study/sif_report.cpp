@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <utility>
 
 #include "display_unit.hpp"
+#include "report_cells.hpp"
+#include "report_json.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/nearest.hpp"
 #include "strainwave/core/quantity_text.hpp"
@@ -31,7 +32,6 @@ struct EnumNames<sif::Constraint> {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using std::numbers::pi;
 
 struct Mode {
@@ -59,8 +59,6 @@ std::vector<const sif::Row*> rows_of(std::string_view family) {
   }
   return rows;
 }
-
-std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
 
 /// "K to 5 %", or "K exact".
 std::string accuracy_of(const sif::SolutionInfo& info) {
@@ -128,10 +126,6 @@ Json row_json(const sif::Row& row) {
   json["validity"] = range_of(row);
   json["rules"] = rules_of(row);
   return json;
-}
-
-Json quantity_json(double value, std::string_view unit) {
-  return {{"value", value}, {"unit", unit}};
 }
 
 Json intensity_json(const sif::PointIntensity& K) {

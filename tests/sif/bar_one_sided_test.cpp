@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "sif/solution_support.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
 #include "strainwave/fracture/surface_crack.hpp"
 #include "strainwave/sif/bar/arc_crack.hpp"
@@ -21,6 +22,10 @@
 
 namespace strainwave::sif {
 namespace {
+
+using test::limits_broken;
+using test::rules_broken;
+using test::Texts;
 
 using std::numbers::pi;
 
@@ -333,47 +338,32 @@ TEST(HollowSurface, LimitShallow) {
                         0.5 / inertia, 1e-12);
 }
 
-template <class Crack>
-int outside(const Crack& crack) {
-  int count = 0;
-  crack.validity([&](bool inside, std::string_view) { count += inside ? 0 : 1; });
-  return count;
-}
-template <class Crack>
-std::string broken(const Crack& crack) {
-  std::string fields;
-  crack.check([&](bool ok, std::string_view field, double, std::string_view, std::string_view) {
-    if (!ok) fields += std::string(field) + " ";
-  });
-  return fields;
-}
-
 TEST(BarOneSided, InputRulesAndValidity) {
-  EXPECT_EQ(broken(straight(0.499)), "");
-  EXPECT_EQ(broken(straight(0.5)), "depth ");
-  EXPECT_EQ(outside(straight(0.05)), 0);
-  EXPECT_EQ(outside(straight(0.049)), 1);
-  EXPECT_EQ(broken(ellipse(0.499, 1.0)), "");
-  EXPECT_EQ(broken(ellipse(0.5, 1.01)), "depth aspect_ratio ");
-  EXPECT_EQ(outside(ellipse(0.05, 1.0)), 0);
-  EXPECT_EQ(outside(ellipse(0.049, 1.0)), 1);
-  EXPECT_EQ(broken(arc(0.499)), "");
-  EXPECT_EQ(broken(arc(0.5)), "depth ");
-  EXPECT_EQ(outside(arc(0.45)), 0);
-  EXPECT_EQ(outside(arc(0.46)), 1);
+  EXPECT_EQ(rules_broken(straight(0.499)), Texts{});
+  EXPECT_EQ(rules_broken(straight(0.5)), Texts{"depth"});
+  EXPECT_EQ(limits_broken(straight(0.05)).size(), 0U);
+  EXPECT_EQ(limits_broken(straight(0.049)).size(), 1U);
+  EXPECT_EQ(rules_broken(ellipse(0.499, 1.0)), Texts{});
+  EXPECT_EQ(rules_broken(ellipse(0.5, 1.01)), (Texts{"depth", "aspect_ratio"}));
+  EXPECT_EQ(limits_broken(ellipse(0.05, 1.0)).size(), 0U);
+  EXPECT_EQ(limits_broken(ellipse(0.049, 1.0)).size(), 1U);
+  EXPECT_EQ(rules_broken(arc(0.499)), Texts{});
+  EXPECT_EQ(rules_broken(arc(0.5)), Texts{"depth"});
+  EXPECT_EQ(limits_broken(arc(0.45)).size(), 0U);
+  EXPECT_EQ(limits_broken(arc(0.46)).size(), 1U);
   const auto both = [](auto make) {
-    EXPECT_EQ(broken(make(0.5, 0.99, 1.0)), "");
-    EXPECT_EQ(broken(make(0.5, 1.0, 1.0)), "depth ");
-    EXPECT_EQ(broken(make(0.5, 0.5, 1.1)), "aspect_ratio ");
+    EXPECT_EQ(rules_broken(make(0.5, 0.99, 1.0)), Texts{});
+    EXPECT_EQ(rules_broken(make(0.5, 1.0, 1.0)), Texts{"depth"});
+    EXPECT_EQ(rules_broken(make(0.5, 0.5, 1.1)), Texts{"aspect_ratio"});
     auto inside_out = make(0.5, 0.5, 0.5);
     inside_out.outer_diameter = 0.9;
-    EXPECT_EQ(broken(inside_out), "inner_diameter depth ");
-    EXPECT_EQ(outside(make(0.5, 0.6, 0.4)), 0);
-    EXPECT_EQ(outside(make(0.9, 0.6, 1.0)), 0);
-    EXPECT_EQ(outside(make(0.5, 0.61, 0.4)), 1);
-    EXPECT_EQ(outside(make(0.5, 0.6, 0.39)), 1);
-    EXPECT_EQ(outside(make(0.49, 0.6, 0.4)), 1);
-    EXPECT_EQ(outside(make(0.91, 0.6, 0.4)), 1);
+    EXPECT_EQ(rules_broken(inside_out), (Texts{"inner_diameter", "depth"}));
+    EXPECT_EQ(limits_broken(make(0.5, 0.6, 0.4)).size(), 0U);
+    EXPECT_EQ(limits_broken(make(0.9, 0.6, 1.0)).size(), 0U);
+    EXPECT_EQ(limits_broken(make(0.5, 0.61, 0.4)).size(), 1U);
+    EXPECT_EQ(limits_broken(make(0.5, 0.6, 0.39)).size(), 1U);
+    EXPECT_EQ(limits_broken(make(0.49, 0.6, 0.4)).size(), 1U);
+    EXPECT_EQ(limits_broken(make(0.91, 0.6, 0.4)).size(), 1U);
   };
   both(hollow<HollowSurfaceOuterCrack>);
   both(hollow<HollowSurfaceInnerCrack>);
