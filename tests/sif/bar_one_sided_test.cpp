@@ -338,6 +338,18 @@ TEST(HollowSurface, LimitShallow) {
                         0.5 / inertia, 1e-12);
 }
 
+// (SB-11): the torque's shear is that of mid-depth, here at 0.9 and 0.6 of the outer radius.
+TEST(HollowSurface, IdentityShearOfMidDepth) {
+  const double S = KassirSih(0.6, 0.3).factor_III(0.8);
+  const double J = pi / 2 * (1 - std::pow(0.5, 4));
+  const auto check = [&](const auto& crack, double radius) {
+    const auto k = crack.stress_intensity(crack.depth, 0.8);
+    test::expect_relative(k.III[kTorque], S * std::sqrt(pi * 0.2) * radius / J, 1e-12);
+  };
+  check(hollow<HollowSurfaceOuterCrack>(0.5, 0.4, 0.6), 0.9);
+  check(hollow<HollowSurfaceInnerCrack>(0.5, 0.4, 0.6), 0.6);
+}
+
 TEST(BarOneSided, InputRulesAndValidity) {
   EXPECT_EQ(rules_broken(straight(0.499)), Texts{});
   EXPECT_EQ(rules_broken(straight(0.5)), Texts{"depth"});
