@@ -574,7 +574,7 @@ TEST(GradientFamily, InputRules) {
               std::string::npos);
   EXPECT_NE(message("residual-edge", {{"decay", 0.99e-6}}).find("depth <= 1000 decay"),
             std::string::npos);
-  EXPECT_NE(message("residual-surface", {{"decay", 0.99e-5}}).find("depth <= 100 decay"),
+  EXPECT_NE(message("residual-surface", {{"decay", 4.99e-5}}).find("depth <= 20 decay"),
             std::string::npos);
   for (const std::string name : {"race-hoop-edge", "race-hoop-surface"}) {
     EXPECT_NE(message(name, {{"lobes", 2.5}}).find("whole number"), std::string::npos);
@@ -602,7 +602,7 @@ TEST(GradientFamily, LimitCornersOfTheRules) {
                          {"notch-edge", {{"concentration", 999}}},
                          {"notch-edge", {{"root_radius", 1e-9}}},
                          {"residual-edge", {{"decay", 1.01e-6}}},
-                         {"residual-surface", {{"decay", 1.01e-5}}},
+                         {"residual-surface", {{"decay", 5.01e-5}}},
                          {"contact-edge", {{"position", 0.29}}},
                          {"contact-edge", {{"contact_half_width", 1.01e-6}}},
                          {"plate-surface", {{"depth", 9.8e-3}, {"thickness", 1e-2}}},

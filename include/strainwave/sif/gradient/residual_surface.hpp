@@ -65,7 +65,7 @@ struct ResidualSurfaceCrack {
          "0.01 <= depth/half_length <= 100");
     rule(decay * (1 + hump) <= thickness / 5, "decay", decay, "m",
          "decay (1 + hump) <= thickness/5");
-    rule(depth <= 100 * decay, "depth", depth, "m", "depth <= 100 decay");
+    rule(depth <= 20 * decay, "depth", depth, "m", "depth <= 20 decay");
   }
   template <class Limit>
   void validity(Limit&& limit) const {
