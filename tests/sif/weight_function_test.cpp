@@ -158,6 +158,20 @@ TEST(EdgeWeight, IdentityEvidence) {
   EXPECT_FALSE(noise.converged);
 }
 
+TEST(EdgeWeight, InputStressIsAskedWithinTheCrackOnly) {
+  double least = 1.0;
+  double most = 0.0;
+  const auto stress = [&](double x) {
+    least = std::min(least, x);
+    most = std::max(most, x);
+    return std::exp(-1e3 * x);
+  };
+  EXPECT_TRUE(weighted_intensity(EdgeWeight(0.3), 0.02, stress).converged);
+  EXPECT_TRUE(weighted_intensity(SurfaceWeight(0.7, 0.3), 0.02, 0.4, stress).converged);
+  EXPECT_GE(least, 0.0);
+  EXPECT_LE(most, 0.02);
+}
+
 // --- (SW-3), (SW-4), (SW-5): semi-elliptical surface crack
 // ----------------------------------------------------
 
