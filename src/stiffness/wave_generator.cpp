@@ -148,7 +148,7 @@ MemberCompliance wave_generator_compliance(const GearSet& gear, const StiffnessO
   use_equation(member.equations, "ST-5");
   const Estimate C_0 = lobe_compliance(gear, steel, lobe_force, member);
 
-  const auto [one_lobe, all_lobes] = model.conversion();
+  const auto conversion = model.conversion();
   const bool cam = wg.conversion == Conversion::cam;
   if (cam)
     member.notes.push_back(
@@ -157,7 +157,7 @@ MemberCompliance wave_generator_compliance(const GearSet& gear, const StiffnessO
          "and answers another question: the input is not locked",
          "wave_generator.conversion", "ST-7"});
   use_equation(member.equations, cam ? "ST-7" : "ST-6");
-  member.intact = all_lobes * C_0.value;
+  member.intact = conversion.all_lobes * C_0.value;
   // The conversion by reciprocity has the lobe force squared in it, the article's has none.
   const double conversion_exponent = cam ? 0.0 : 2.0;
   const ModelAccuracy of_force =
@@ -216,14 +216,14 @@ MemberCompliance wave_generator_compliance(const GearSet& gear, const StiffnessO
               for (const char* const tag : {"FR-2", "FR-3", "FR-4", "FR-5", "FR-18"})
                 use_equation(member.equations, tag);
               add_race_crack(member, report, model.race_crack(crack, steel, stress.value), gear,
-                             moduli, lobe_force, one_lobe, race_accuracy(fit), options);
+                             moduli, lobe_force, conversion.one_lobe, race_accuracy(fit), options);
             } else {
               rest_on(member, report.path, accuracy::kEdgeCrack);
               for (const char* const tag : {"FR-2", "FR-11", "FR-18"})
                 use_equation(member.equations, tag);
               add_race_crack(member, report, model.race_crack(crack, steel, stress.value), gear,
-                             moduli, lobe_force, one_lobe, race_accuracy(accuracy::kEdgeCrack),
-                             options);
+                             moduli, lobe_force, conversion.one_lobe,
+                             race_accuracy(accuracy::kEdgeCrack), options);
             }
           }
         },

@@ -93,8 +93,8 @@ struct Dual {
   friend Dual operator/(Dual a, const Dual& b) { return a /= b; }
   friend Dual operator/(Dual a, double b) { return a /= b; }
   friend Dual operator/(double a, const Dual& b) {
-    const double value = a / b.value;
-    return chain(b, value, -value / b.value);
+    const double quotient = a / b.value;
+    return chain(b, quotient, -quotient / b.value);
   }
 
   friend bool operator==(const Dual& a, const Dual& b) { return a.value == b.value; }
