@@ -80,8 +80,7 @@ std::map<double, double> twists(const GearSet& gear, std::vector<double> torques
       if (sense * torque > 0) loads.push_back(sense * torque);
     if (loads.empty()) continue;
     std::ranges::sort(loads);
-    const auto repeated = std::ranges::unique(loads);
-    loads.erase(repeated.begin(), repeated.end());
+    loads.erase(std::unique(loads.begin(), loads.end()), loads.end());
     loads.insert(loads.begin(), loads.front() / 3);
     for (double& load : loads) load *= sense;
     const TorsionCurve curve = torsion_curve(gear, loads, options);

@@ -55,8 +55,7 @@ std::vector<int> catalogue_sizes() {
   std::vector<int> sizes;
   for (const StiffnessRow& row : stiffness_rows()) sizes.push_back(row.size);
   std::ranges::sort(sizes);
-  const auto repeated = std::ranges::unique(sizes);
-  sizes.erase(repeated.begin(), repeated.end());
+  sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
   return sizes;
 }
 

@@ -133,8 +133,7 @@ void predict_left_out(Validation& v, const Drives& drives, std::span<const Stiff
   std::vector<int> sizes;
   for (const StiffnessRow& row : rows) sizes.push_back(row.size);
   std::ranges::sort(sizes);
-  const auto repeated = std::ranges::unique(sizes);
-  sizes.erase(repeated.begin(), repeated.end());
+  sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
   std::vector<ValidationRow> predicted_in_any_order;
   for (const int size : sizes) {
     std::vector<StiffnessRow> others;

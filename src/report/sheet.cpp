@@ -125,7 +125,8 @@ void Sheet::part(std::string_view id, const Polygon& outline, const Hatch& hatch
                        filled ? " thin" : "", axis < outline.size() ? " solid" : "",
                        path_data(on_paper, true));
   if (axis < outline.size()) {
-    std::ranges::rotate(on_paper, on_paper.begin() + static_cast<std::ptrdiff_t>(axis) + 1);
+    std::rotate(on_paper.begin(), on_paper.begin() + static_cast<std::ptrdiff_t>(axis) + 1,
+                on_paper.end());
     body_ += fmt::format("<path class=\"edge\" d=\"{}\"/>\n", path_data(on_paper, false));
   }
   if (!filled && hatch.spacing > 0) hatch_on_paper(on_paper, hatch);

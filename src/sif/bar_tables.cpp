@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "strainwave/core/lagrange.hpp"
+#include "strainwave/core/polynomial.hpp"
 #include "strainwave/sif/bar/tables.hpp"
 
 namespace strainwave::sif {
@@ -93,9 +94,7 @@ constexpr Grid<3, 5> kHole = {{{1.1215, -0.7088, -0.0012, 0.7249, -0.4998},
 constexpr double hole_factor(std::size_t load, double depth_ratio, double radius_ratio) {
   const double a = depth_ratio * (1 - radius_ratio);
   const double xi = a / (radius_ratio + a);
-  double value = 0.0;
-  for (std::size_t n = 5; n-- > 0;) value = value * xi + kHole[load][n];
-  return value;
+  return polynomial(kHole[load], xi);
 }
 
 /// hole_factor/F at the nodes.
@@ -244,11 +243,8 @@ double along_front(const Coefficients& table, const std::array<double, 5>& depth
                    const std::array<double, 5>& aspect, double t) {
   double sum = 0.0;
   for (std::size_t i = 0; i < depth.size(); ++i)
-    for (std::size_t j = 0; j < aspect.size(); ++j) {
-      double value = 0.0;
-      for (std::size_t n = kTerms; n-- > 0;) value = value * t * t + table[i][j][n];
-      sum += depth[i] * aspect[j] * value;
-    }
+    for (std::size_t j = 0; j < aspect.size(); ++j)
+      sum += depth[i] * aspect[j] * polynomial(table[i][j], t * t);
   return sum;
 }
 

@@ -52,8 +52,7 @@ std::vector<const sif::Row*> rows_of(std::string_view family) {
     families.emplace_back(row.info.family);
   }
   if (rows.empty()) {
-    const auto [first, last] = std::ranges::unique(families);
-    families.erase(first, last);
+    families.erase(std::unique(families.begin(), families.end()), families.end());
     throw InputError("family",
                      fmt::format("{} is none of {}", shown(family), fmt::join(families, ", ")));
   }

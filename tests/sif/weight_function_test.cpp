@@ -129,20 +129,21 @@ TEST(EdgeWeight, IdentityEvidence) {
   const auto smooth = weighted_intensity(EdgeWeight(0.3), 1.0, [](double) { return 1.0; });
   EXPECT_TRUE(smooth.converged);
   EXPECT_LE(smooth.error, 1e-11 * smooth.value);
-  // A thin skin at the mouth, exp(-k x/a), is found unnamed: a force 1/k there.
-  for (const double k : {30.0, 300.0, 2e4, 1e6}) {
-    const auto skin =
-        weighted_intensity(EdgeWeight(0.3), 1.0, [=](double x) { return std::exp(-k * x); });
-    EXPECT_TRUE(skin.converged);
-    EXPECT_LE(skin.error, 1e-5 * skin.value) << k;
-    expect_relative(skin.value, std::sqrt(2 / pi) * EdgeWeight(0.3).value(1) / k, 3 / k);
+  // A thin skin at the mouth, exp(-k x/a), is found unnamed: a force a/k there.
+  for (const double a : {1.0, 0.02})
+    for (const double k : {30.0, 300.0, 2e4, 1e6}) {
+      const auto stress = [=](double x) { return std::exp(-k * x / a); };
+      const double force = std::sqrt(2 * a / pi) / k;
+      const auto skin = weighted_intensity(EdgeWeight(0.3), a, stress);
+      EXPECT_TRUE(skin.converged);
+      EXPECT_LE(skin.error, 1e-5 * skin.value) << k;
+      expect_relative(skin.value, force * EdgeWeight(0.3).value(1), 3 / k);
 
-    const SurfaceWeight weight(0.7, 0.3);
-    const auto deepest =
-        weighted_intensity(weight, 1.0, pi / 2, [=](double x) { return std::exp(-k * x); });
-    EXPECT_TRUE(deepest.converged);
-    expect_relative(deepest.value, std::sqrt(2 / pi) * power_sum(weight.deepest(), 1.0) / k, 3 / k);
-  }
+      const SurfaceWeight weight(0.7, 0.3);
+      const auto deepest = weighted_intensity(weight, a, pi / 2, stress);
+      EXPECT_TRUE(deepest.converged);
+      expect_relative(deepest.value, force * power_sum(weight.deepest(), 1.0), 3 / k);
+    }
   // One inside the body is found where it is named: a force k^-1 sqrt(pi) at x/a = 0.37.
   const double k = 2e4;
   const double v = std::sqrt(1 - 0.37);
