@@ -1,7 +1,7 @@
-# strainwave_module(<name> SOURCES ... [DEPENDS <module>...])
+# strainwave_module(<name> SOURCES ... [DEPENDS <module>...] [NOT_INSTALLED])
 # Library target strainwave::<name>, from src/<name>/ and include/strainwave/<name>/.
 function(strainwave_module name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "NOT_INSTALLED" "" "SOURCES;DEPENDS" ${ARGN})
   list(TRANSFORM ARG_SOURCES PREPEND "src/${name}/")
   list(TRANSFORM ARG_DEPENDS PREPEND "strainwave::")
   add_library(strainwave_${name} ${ARG_SOURCES})
@@ -13,7 +13,9 @@ function(strainwave_module name)
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(strainwave_${name} PUBLIC ${ARG_DEPENDS} PRIVATE fmt::fmt)
   strainwave_flags(strainwave_${name})
-  set_property(GLOBAL APPEND PROPERTY STRAINWAVE_MODULES strainwave_${name})
+  if(NOT ARG_NOT_INSTALLED)
+    set_property(GLOBAL APPEND PROPERTY STRAINWAVE_MODULES strainwave_${name})
+  endif()
 endfunction()
 
 # strainwave_test(<path without _test.cpp> <module>...)
@@ -92,7 +94,10 @@ function(strainwave_install)
   set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/strainwave")
   get_property(modules GLOBAL PROPERTY STRAINWAVE_MODULES)
   install(TARGETS ${modules} EXPORT strainwaveTargets)
-  install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+  install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+    PATTERN "strainwave/fem" EXCLUDE
+    PATTERN "strainwave/gear_fem" EXCLUDE
+    PATTERN "strainwave/fe_study" EXCLUDE)
   install(EXPORT strainwaveTargets NAMESPACE strainwave:: DESTINATION "${package_dir}")
   configure_package_config_file(cmake/strainwaveConfig.cmake.in strainwaveConfig.cmake
     INSTALL_DESTINATION "${package_dir}")

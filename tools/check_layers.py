@@ -14,7 +14,8 @@ import re
 import sys
 import tempfile
 
-MODULE = re.compile(r"^strainwave_module\(\s*(\w+)\s+SOURCES\s+([^)]*?)(?:\sDEPENDS\s+([^)]*))?\)", re.M)
+MODULE = re.compile(r"^ *strainwave_module\(\s*(\w+)\s+SOURCES\s+([^)]*?)"
+                    r"(?:\sDEPENDS\s+([^)]*?))?(?:\s+NOT_INSTALLED)?\s*\)", re.M)
 TEST = re.compile(r"^\s*strainwave_test\(\s*(\S+)([^)]*)\)", re.M)
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 
@@ -76,8 +77,9 @@ def check(root):
     faults += list_faults("source", [f"{m}/{s}" for m in sources for s in sources[m]],
                           {"/".join(p.relative_to(root / "src").parts)
                            for p in files(root, "src") if p.suffix == ".cpp"})
-    lists = root / "tests" / "CMakeLists.txt"
-    faults += list_faults("test", [path for path, _ in TEST.findall(lists.read_text())],
+    # Tests of a part that is built on request have a list in their own folder.
+    lists = [root / "tests" / "CMakeLists.txt", *sorted((root / "tests").glob("*/CMakeLists.txt"))]
+    faults += list_faults("test", [path for file in lists for path, _ in TEST.findall(file.read_text())],
                           {p.relative_to(root / "tests").as_posix()[:-len("_test.cpp")]
                            for p in files(root, "tests") if p.name.endswith("_test.cpp")})
     return faults + include_faults(root, depends)
@@ -111,6 +113,13 @@ BROKEN = [
     ("a source that is not there", {"src/right/c.cpp": None}, "right/c.cpp is listed but does not exist"),
     ("a source listed twice", {"CMakeLists.txt": SOUND["CMakeLists.txt"].replace("a.cpp", "a.cpp a.cpp")},
      "low/a.cpp is listed 2 times"),
+    ("an edge not in the graph, of a part built on request",
+     {"CMakeLists.txt": SOUND["CMakeLists.txt"] +
+      "if(MORE)\n  strainwave_module(extra SOURCES d.cpp DEPENDS low NOT_INSTALLED)\nendif()\n",
+      "src/extra/d.cpp": '#include "strainwave/left/b.hpp"\n'}, "extra may include only ['low']"),
+    ("a test of a list in its own folder, forgotten there",
+     {"tests/left/CMakeLists.txt": "strainwave_test(left/b left)\n", "tests/left/c_test.cpp": ""},
+     "left/c exists but is not listed"),
     ("a test forgotten", {"tests/left/b_test.cpp": ""}, "left/b exists but is not listed"),
     ("a graph that cannot be read", {"CMakeLists.txt": ""}, "no strainwave_module(...) found"),
 ]
