@@ -156,6 +156,7 @@ class Solver {
          const SectionOptions& options)
       : mesh_(mesh),
         torsion_(load == SectionLoad::torsion),
+        pressure_(load == SectionLoad::pressure),
         p_(static_cast<unsigned>(options.order)),
         rings_(options.tip_rings),
         tip_cell_(mesh.crack ? std::ldexp(mesh.crack->cell, -options.halvings) : 0.0),
@@ -310,7 +311,7 @@ class Solver {
   }
 
   static inline const auto kUpdate = dealii::update_values | dealii::update_gradients |
-                                  dealii::update_quadrature_points | dealii::update_JxW_values;
+                                     dealii::update_quadrature_points | dealii::update_JxW_values;
 
   void assemble() {
     std::vector<global_dof_index> index(element_.n_dofs_per_cell());
@@ -350,9 +351,9 @@ class Solver {
 
   /// Torque as shear stress r/J, force as stress 1/A, over the loaded edges.  (FE-3)
   void load_vector() {
-    dealii::FEFaceValues<2> values(
-        mapping_, scalar_, dealii::QGauss<1>(p_ + 2),
-        dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values);
+    dealii::FEFaceValues<2> values(mapping_, scalar_, dealii::QGauss<1>(p_ + 2),
+                                   dealii::update_values | dealii::update_quadrature_points |
+                                       dealii::update_JxW_values | dealii::update_normal_vectors);
     load_.reinit(n_skeleton_);
     raw_load_.reinit(dofs_.n_dofs());
     std::vector<global_dof_index> index(element_.n_dofs_per_cell());
@@ -366,12 +367,17 @@ class Solver {
           const double r = values.quadrature_point(q)[0];
           const double weight = 2 * pi * (torsion_ ? r * r * r : r) * values.JxW(q);
           whole += weight;
-          for (unsigned i = 0; i < index.size(); ++i)
-            if (place_[i].first == components_ - 1)
-              raw_load_(index[i]) += weight * values.shape_value(place_[i].second, q);
+          const auto normal = values.normal_vector(q);
+          for (unsigned i = 0; i < index.size(); ++i) {
+            const auto [component, function] = place_[i];
+            const double along = pressure_                      ? -normal[component]
+                                 : component == components_ - 1 ? 1.0
+                                                                : 0.0;
+            raw_load_(index[i]) += along * weight * values.shape_value(function, q);
+          }
         }
       }
-    raw_load_ /= whole;
+    if (!pressure_) raw_load_ /= whole;
     dealii::Vector<double> condensed = raw_load_;
     constraints_.condense(condensed);
     for (unsigned i = 0; i < n_skeleton_; ++i) load_(i) = condensed(i);
@@ -438,7 +444,6 @@ class Solver {
         .worst_jacobian = worst_jacobian_,
         .cells = grid_.n_active_cells(),
         .dofs = dofs_.n_dofs()};
-    result.compliance = raw_load_ * solution_;  // (FE-4)
     dealii::Vector<double> force(dofs_.n_dofs());
     std::vector<double> ring_change(static_cast<std::size_t>(rings_), 0.0);
     std::vector<global_dof_index> index(element_.n_dofs_per_cell());
@@ -454,7 +459,10 @@ class Solver {
     }
     double energy = 0.0;
     for (const double part : result.part_energy) energy += part;
-    result.energy_balance = energy / (result.compliance / 2) - 1;  // (FE-5)
+    const double work = raw_load_ * solution_;
+    // Both are the compliance, but an error of the solution enters this one squared only.
+    result.compliance = 2 * work - 2 * energy;        // (FE-4)
+    result.energy_balance = energy / (work / 2) - 1;  // (FE-5)
     force -= raw_load_;
     constraints_.condense(force);
     constraints_.set_zero(force);
@@ -554,6 +562,7 @@ class Solver {
 
   const SectionMesh& mesh_;
   bool torsion_;
+  bool pressure_;
   unsigned p_;
   int rings_;
   double tip_cell_;

@@ -376,4 +376,16 @@ SectionMesh mesh_section(const SectionShape& shape, const SectionSpacing& spacin
   return Grid(shape, spacing).mesh();
 }
 
+SectionMesh with_longer_crack(SectionMesh mesh, double growth) {
+  if (!mesh.crack) throw InputError("mesh.crack", "there is none");
+  CrackTip& crack = *mesh.crack;
+  require(std::abs(growth) <= 0.4 * crack.cell, "growth", growth, "m",
+          fmt::format("at most 0.4 of a tip cell, {:.3g} m", crack.cell));
+  const auto hat = [&](double x) { return std::clamp(2 - std::abs(x) / crack.cell, 0.0, 1.0); };
+  for (SectionPoint& point : mesh.points)
+    point.r += crack.direction * growth * hat(point.r - crack.tip.r) * hat(point.z - crack.tip.z);
+  crack.tip.r += crack.direction * growth;
+  return mesh;
+}
+
 }  // namespace strainwave::fem

@@ -18,6 +18,9 @@ namespace strainwave::fem {
 enum class SectionLoad {
   torsion,  ///< a torque of 1 N*m, as shear stress r/J
   tension,  ///< an axial force of 1 N, as stress 1/A
+  /// A pressure of 1 Pa, normal to the loaded edges; "compliance" is the volume that it displaces
+  /// [m^3/Pa].  For verification: it strains the hoops, which tension hardly does.
+  pressure,
 };
 
 /// An isotropic material.

@@ -144,4 +144,9 @@ struct SectionSpacing {
 ///                     rectangle, a fillet that is no corner of the union or too large for it
 [[nodiscard]] SectionMesh mesh_section(const SectionShape& shape, const SectionSpacing& spacing);
 
+/// The same mesh, its crack longer by `growth` [m]: only points within two tip cells move, so that
+/// the difference of two solutions is that of the crack.
+/// @throws InputError  without a crack, or if |growth| is more than 0.4 of a tip cell
+[[nodiscard]] SectionMesh with_longer_crack(SectionMesh mesh, double growth);
+
 }  // namespace strainwave::fem
