@@ -241,7 +241,7 @@ class Grid {
   }
 
   [[nodiscard]] bool filled(std::size_t i, std::size_t j) const {
-    return i + 1 < r_.size() && j + 1 < z_.size() && part_[j * (r_.size() - 1) + i] != kVoid;
+    return i < r_.size() - 1 && j < z_.size() - 1 && part_[j * (r_.size() - 1) + i] != kVoid;
   }
 
   /// Node (i, j) as a cell with this centre sees it.
@@ -284,6 +284,9 @@ class Grid {
       const std::size_t ci = fillet.void_r > 0 ? i + 1 : i;
       const std::size_t cj = fillet.void_z > 0 ? j + 1 : j;
       if (same(r_[ci], fillet.corner.r) && same(z_[cj], fillet.corner.z)) {
+        const std::size_t beside = fillet.void_r > 0 ? i + 1 : i - 1;  // wraps to "not filled"
+        const std::size_t above = fillet.void_z > 0 ? j + 1 : j - 1;
+        if (!filled(beside, j) || !filled(i, above) || filled(beside, above)) break;
         add_fillet(fillet, i, j, part);
         return;
       }

@@ -54,6 +54,11 @@ void check(const CupSection& cup) {
           ">= 0, and less than a third of the diaphragm's width and of the barrel's length");
   if (cup.barrel_fillet > 0 && !plate.profile.empty())
     throw InputError("barrel_fillet", "is for a diaphragm of constant thickness");
+  if (cup.rim && cup.barrel_fillet > 0) {
+    const double beyond = inner_radius(cup.barrel) - inner_radius(*cup.rim);
+    require(beyond <= 0 || beyond > cup.barrel_fillet, "barrel_fillet", cup.barrel_fillet, "m",
+            "less than what the rim stands in from the barrel, if it does");
+  }
   if (cup.boss_fillet != 0 && !cup.boss) throw InputError("boss_fillet", "needs a boss");
   if (!cup.boss) return;
   check(*cup.boss, "boss");

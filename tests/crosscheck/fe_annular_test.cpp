@@ -75,7 +75,7 @@ TEST(FeAnnular, CrosscheckHollowShaft) {
 // The added compliance in torsion against dual series, which are exact: tests/data.
 TEST(FeAnnular, CrosscheckDualSeries) {
   int seen = 0;
-  for (const auto& row : test::read_reference_csv("annular_hollow_torsion.csv")) {
+  for (const auto& row : test::read_reference_csv("annular_hollow_torsion")) {
     if (row.quantity != "C_T") continue;
     const double ratio = row("radius_ratio");
     const double alpha = row("depth_ratio");

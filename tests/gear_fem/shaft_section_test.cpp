@@ -60,8 +60,9 @@ TEST(SolveShaft, ReferenceHollowShaft) {
       EXPECT_TRUE(load->usable) << load->reason;
       EXPECT_TRUE(load->reason.empty());
       EXPECT_NEAR(load->growth_check, 0, 1e-5) << row.depth;
-      if (row.depth >= 1e-3)  // two roads to the same: int 2G dA, and subtraction
+      if (row.depth >= 1e-3) {  // two roads to the same: int 2G dA, and subtraction
         EXPECT_NEAR(load->added_by_difference / load->added_compliance, 1, 2e-4) << row.depth;
+      }
       EXPECT_LT(std::abs(load->energy_balance), 1e-7);  // rounding
       EXPECT_LT(load->residual, 1e-7);
       EXPECT_GT(load->dofs, 1000U);
@@ -72,7 +73,7 @@ TEST(SolveShaft, ReferenceHollowShaft) {
 // Cracks from the bore, by a program of Fourier elements.
 TEST(SolveShaft, CrosscheckInnerCrack) {
   int seen = 0;
-  for (const auto& row : test::read_reference_csv("annular_fourier.csv")) {
+  for (const auto& row : test::read_reference_csv("annular_fourier")) {
     if (row.quantity != "inner.torsion" && row.quantity != "inner.tension") continue;
     const double ratio = row("radius_ratio");
     const double depth_ratio = row("depth_ratio");
