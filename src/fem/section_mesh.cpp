@@ -124,7 +124,10 @@ std::vector<double> grid_lines(const LineSpacing& spacing) {
     for (int n = 0; n < kSteps; ++n)
       sum[static_cast<std::size_t>(n) + 1] =
           sum[static_cast<std::size_t>(n)] + step / size(breaks[k] + (n + 0.5) * step);
-    const int count = std::max(1, static_cast<int>(std::ceil(sum.back() - 0.25)));
+    const bool whole = std::ranges::any_of(spacing.whole, [&](const std::array<double, 2>& w) {
+      return breaks[k] >= w[0] - kSame * extent && breaks[k + 1] <= w[1] + kSame * extent;
+    });
+    const int count = whole ? 1 : std::max(1, static_cast<int>(std::ceil(sum.back() - 0.25)));
     std::size_t at = 0;
     for (int c = 1; c < count; ++c) {
       const double share = sum.back() * c / count;
@@ -164,6 +167,12 @@ class Grid {
       const double room = kFilletRoom * fillet.radius;
       r.breaks.push_back(fillet.corner.r + fillet.void_r * room);
       z.breaks.push_back(fillet.corner.z + fillet.void_z * room);
+      const auto keep = [&](double at, double side) {
+        return std::array<double, 2>{std::min(at, at + side * room),
+                                     std::max(at, at + side * room)};
+      };
+      r.whole.push_back(keep(fillet.corner.r, fillet.void_r));
+      z.whole.push_back(keep(fillet.corner.z, fillet.void_z));
       r.focus.push_back({fillet.corner.r, room});
       z.focus.push_back({fillet.corner.z, room});
     }

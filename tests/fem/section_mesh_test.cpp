@@ -113,6 +113,14 @@ TEST(GridLines, IdentityBreaksAreLinesAndSpacingGrows) {
   for (std::size_t k = 1; k < lines.size(); ++k) EXPECT_LT(lines[k] - lines[k - 1], 0.9);
 }
 
+TEST(GridLines, IdentityWholeIntervalsAreKept) {
+  const auto lines = grid_lines(
+      {.breaks = {0, 1, 3}, .focus = {{1, 0.1}}, .coarse = 0.8, .growth = 1, .whole = {{1, 3}}});
+  EXPECT_EQ(lines.back(), 3);
+  EXPECT_EQ(lines[lines.size() - 2], 1);
+  EXPECT_GT(lines.size(), 4U);
+}
+
 TEST(GridLines, InputRules) {
   EXPECT_THROW((void)grid_lines({.breaks = {0, 1}, .focus = {}, .coarse = 0}), InputError);
   EXPECT_THROW((void)grid_lines({.breaks = {0, 1}, .focus = {}, .coarse = 1, .growth = 0}),

@@ -127,6 +127,8 @@ struct LineSpacing {
   std::vector<LineFocus> focus;
   double coarse = 0.0;  ///< [m]; > 0
   double growth = 1.0;  ///< [-]; > 0
+  /// Between two breaks that are both in one of these, no line is put.
+  std::vector<std::array<double, 2>> whole = {};
 };
 /// The lines, rising.
 [[nodiscard]] std::vector<double> grid_lines(const LineSpacing& spacing);
