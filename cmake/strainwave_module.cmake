@@ -18,22 +18,42 @@ function(strainwave_module name)
   endif()
 endfunction()
 
-# strainwave_test(<path without _test.cpp> <module>...)
-# GoogleTest program of tests/<path>_test.cpp, labelled with its folder: `ctest -L fracture`.
-function(strainwave_test path)
-  string(REPLACE "/" "_" target "test_${path}")
-  string(REGEX REPLACE "/.*" "" label "${path}")
-  add_executable(${target} "${PROJECT_SOURCE_DIR}/tests/${path}_test.cpp")
-  list(TRANSFORM ARGN PREPEND "strainwave::")
+# strainwave_test(<folder> SOURCES <name>... DEPENDS <module>... [PARTS <number>])
+# GoogleTest program test_<folder> of tests/<folder>/<name>_test.cpp, labelled with the folder:
+# `ctest -L fracture`.  ctest runs each test by itself, or the tests of a folder in so many parts;
+# under the sanitizers in four.
+function(strainwave_test folder)
+  cmake_parse_arguments(ARG "" "PARTS" "SOURCES;DEPENDS" ${ARGN})
+  list(TRANSFORM ARG_SOURCES REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/tests/${folder}/\\1_test.cpp")
+  list(TRANSFORM ARG_DEPENDS PREPEND "strainwave::")
+  set(target test_${folder})
+  add_executable(${target} ${ARG_SOURCES})
+  if(STRAINWAVE_UNITY_TESTS)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+  endif()
   target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
   target_compile_definitions(${target} PRIVATE
     STRAINWAVE_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
     STRAINWAVE_EXAMPLES="${PROJECT_SOURCE_DIR}/examples"
     STRAINWAVE_CLI="$<TARGET_FILE:strainwave_cli>")
-  target_link_libraries(${target} PRIVATE ${ARGN} GTest::gtest_main)
+  target_link_libraries(${target} PRIVATE ${ARG_DEPENDS} GTest::gtest_main)
   strainwave_flags(${target})
-  gtest_discover_tests(${target} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS "${label}" TIMEOUT 120)
+  if(STRAINWAVE_SANITIZE)
+    set(ARG_PARTS 4)
+  endif()
+  if(ARG_PARTS)
+    # To start a sanitized program, or one with 200 libraries, takes longer than most tests: a few
+    # parts instead of one start for each test.
+    math(EXPR last "${ARG_PARTS} - 1")
+    foreach(part RANGE ${last})
+      add_test(NAME ${folder}.${part} COMMAND ${target} --gtest_brief=1)
+      set_tests_properties(${folder}.${part} PROPERTIES LABELS "${folder}" TIMEOUT 900
+        ENVIRONMENT "GTEST_TOTAL_SHARDS=${ARG_PARTS};GTEST_SHARD_INDEX=${part}")
+    endforeach()
+  else()
+    gtest_discover_tests(${target} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
+      PROPERTIES LABELS "${folder}" TIMEOUT 120)
+  endif()
 endfunction()
 
 function(strainwave_flags target)
@@ -59,6 +79,7 @@ function(strainwave_version module)
     "-DINPUT=${PROJECT_SOURCE_DIR}/src/${module}/version.cpp.in" "-DOUTPUT=${output}"
     -P "${PROJECT_SOURCE_DIR}/cmake/write_version.cmake")
   target_sources(strainwave_${module} PRIVATE "${output}")
+  set_source_files_properties("${output}" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   add_dependencies(strainwave_${module} strainwave_revision)
 endfunction()
 

@@ -16,7 +16,7 @@ import tempfile
 
 MODULE = re.compile(r"^ *strainwave_module\(\s*(\w+)\s+SOURCES\s+([^)]*?)"
                     r"(?:\sDEPENDS\s+([^)]*?))?(?:\s+NOT_INSTALLED)?\s*\)", re.M)
-TEST = re.compile(r"^\s*strainwave_test\(\s*(\S+)([^)]*)\)", re.M)
+TEST = re.compile(r"^\s*strainwave_test\(\s*(\w+)\s+SOURCES\s+([^)]*?)\sDEPENDS\s[^)]*\)", re.M)
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 
 
@@ -77,9 +77,9 @@ def check(root):
     faults += list_faults("source", [f"{m}/{s}" for m in sources for s in sources[m]],
                           {"/".join(p.relative_to(root / "src").parts)
                            for p in files(root, "src") if p.suffix == ".cpp"})
-    # Tests of a part that is built on request have a list in their own folder.
-    lists = [root / "tests" / "CMakeLists.txt", *sorted((root / "tests").glob("*/CMakeLists.txt"))]
-    faults += list_faults("test", [path for file in lists for path, _ in TEST.findall(file.read_text())],
+    lists = root / "tests" / "CMakeLists.txt"
+    faults += list_faults("test", [f"{folder}/{name}" for folder, names in TEST.findall(lists.read_text())
+                                   for name in names.split()],
                           {p.relative_to(root / "tests").as_posix()[:-len("_test.cpp")]
                            for p in files(root, "tests") if p.name.endswith("_test.cpp")})
     return faults + include_faults(root, depends)
@@ -89,7 +89,7 @@ SOUND = {
     "CMakeLists.txt": "strainwave_module(low  SOURCES a.cpp)\n"
                       "strainwave_module(left SOURCES b.cpp DEPENDS low)\n"
                       "strainwave_module(right\n  SOURCES c.cpp\n  DEPENDS low)\n",
-    "tests/CMakeLists.txt": "strainwave_test(low/a low)\n",
+    "tests/CMakeLists.txt": "strainwave_test(low SOURCES a DEPENDS low)\n",
     "include/strainwave/low/a.hpp": "#include <string>\n",
     "src/low/a.cpp": '#include "strainwave/low/a.hpp"\n',
     "src/left/b.cpp": '#include "strainwave/low/a.hpp"\n#include "private.hpp"\n',
@@ -117,10 +117,10 @@ BROKEN = [
      {"CMakeLists.txt": SOUND["CMakeLists.txt"] +
       "if(MORE)\n  strainwave_module(extra SOURCES d.cpp DEPENDS low NOT_INSTALLED)\nendif()\n",
       "src/extra/d.cpp": '#include "strainwave/left/b.hpp"\n'}, "extra may include only ['low']"),
-    ("a test of a list in its own folder, forgotten there",
-     {"tests/left/CMakeLists.txt": "strainwave_test(left/b left)\n", "tests/left/c_test.cpp": ""},
-     "left/c exists but is not listed"),
     ("a test forgotten", {"tests/left/b_test.cpp": ""}, "left/b exists but is not listed"),
+    ("a test that is not there", {"tests/low/a_test.cpp": None}, "low/a is listed but does not exist"),
+    ("a test listed twice", {"tests/CMakeLists.txt": SOUND["tests/CMakeLists.txt"].replace(" a ", " a a ")},
+     "low/a is listed 2 times"),
     ("a graph that cannot be read", {"CMakeLists.txt": ""}, "no strainwave_module(...) found"),
 ]
 

@@ -146,6 +146,7 @@ class CommandLine {
         ->capture_default_str()
         ->needs(scatter);
     sub->add_option("--seed", sensitivity_.seed, "of the draws")
+        ->check(CLI::NonNegativeNumber)
         ->capture_default_str()
         ->needs(scatter);
     sub->add_option("--threads", sensitivity_.threads,

@@ -13,9 +13,9 @@
 namespace strainwave::article {
 namespace {
 
-constexpr std::string_view kCompliance = "rad/(N*m)";
+constexpr std::string_view kComplianceUnit = "rad/(N*m)";
 constexpr std::string_view kStiffness = "N*m/rad";
-constexpr std::string_view kStressIntensity = "Pa*m^0.5";
+constexpr std::string_view kStressIntensityUnit = "Pa*m^0.5";
 constexpr std::string_view kSumEquation = "AP-18";
 
 [[noreturn]] void refuse(std::string_view path, Method method, std::string_view why) {
@@ -146,7 +146,7 @@ Cracks treatable_cracks(const GearSet& gear, Method method) {
 
 CrackReport crack_report(std::string_view path, std::string_view kind, double added_compliance,
                          const StressIntensities& deepest, bool uniform_front) {
-  const AddedCompliance added{.at_output = {added_compliance, kCompliance},
+  const AddedCompliance added{.at_output = {added_compliance, kComplianceUnit},
                               .axial_torsion = std::nullopt};
   CrackReport report;
   report.path = path;
@@ -160,9 +160,9 @@ CrackReport crack_report(std::string_view path, std::string_view kind, double ad
 }
 
 StressIntensities stress_intensities(double K_I, double K_II, double K_III) {
-  return {.K_I = {K_I, kStressIntensity},
-          .K_II = {K_II, kStressIntensity},
-          .K_III = {K_III, kStressIntensity}};
+  return {.K_I = {K_I, kStressIntensityUnit},
+          .K_II = {K_II, kStressIntensityUnit},
+          .K_III = {K_III, kStressIntensityUnit}};
 }
 
 Note not_read(std::string_view path, std::string_view equation, std::string_view what_is_done) {
@@ -183,10 +183,10 @@ StiffnessResult drive_result(const GearSet& gear, Method method, const Member& w
     const double H = wave_generator.*of;
     const double f = flexspline.*of;
     const double so = output_shaft.*of;
-    return Compliances{.wave_generator = {H, kCompliance},
-                       .flexspline = {f, kCompliance},
-                       .output_shaft = {so, kCompliance},
-                       .total = {H + f + so, kCompliance}};
+    return Compliances{.wave_generator = {H, kComplianceUnit},
+                       .flexspline = {f, kComplianceUnit},
+                       .output_shaft = {so, kComplianceUnit},
+                       .total = {H + f + so, kComplianceUnit}};
   };
   const Compliances sound = compliances(&Member::sound);
   result.intact = {.compliance = sound,

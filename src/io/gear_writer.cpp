@@ -15,8 +15,6 @@
 namespace strainwave {
 namespace {
 
-constexpr std::size_t kWidth = 100;
-
 /// A unit that a file shows instead of the SI unit of a field, for values from `least` on.
 struct Alternative {
   std::string_view si;
@@ -155,12 +153,12 @@ class GearWriter {
       return;
     }
     const std::string behind = fmt::format("{:<36}  # {}", content, comment->second);
-    if (behind.size() <= kWidth) {
+    if (behind.size() <= kTextWidth) {
       text_ += behind + '\n';
       return;
     }
     std::string above = "# ";
-    for (const char c : wrapped(comment->second, kWidth - 2, 0)) {
+    for (const char c : wrapped(comment->second, kTextWidth - 2, 0)) {
       above += c;
       if (c == '\n') above += "# ";
     }

@@ -10,8 +10,6 @@
 namespace strainwave {
 namespace {
 
-constexpr std::size_t kWidth = 100;
-
 std::string percent_text(double relative) {
   const double p = 100 * relative;
   return p >= 9.95 ? fmt::format("{:.0f} %", p) : fmt::format("{:.2g} %", p);
@@ -127,7 +125,7 @@ std::string strength_lines(const std::vector<CrackStrength>& strength) {
           three_digits(zone),
           state.verdict == StrengthVerdict::cannot_tell ? "cannot tell" : enum_name(state.verdict));
     }
-    text += "    " + wrapped(crack.sentence, kWidth - 4, 4) + '\n';
+    text += "    " + wrapped(crack.sentence, kTextWidth - 4, 4) + '\n';
   }
   return text + "  " + strength_summary(strength) + '\n';
 }
@@ -171,10 +169,10 @@ std::string result_text(const StiffnessResult& result, const GearSet& gear,
       gear.name.empty() ? "Strain wave gear" : gear.name, provenance.input_file,
       enum_name(result.method), provenance.version, gear.load.torque, gear.load.axial_force);
   if (!result.usable())
-    text += wrapped("NOT USABLE: " + result.unusable_because, kWidth, 2) + "\n\n";
+    text += wrapped("NOT USABLE: " + result.unusable_because, kTextWidth, 2) + "\n\n";
   for (const CrackStrength& crack : result.strength)
     if (crack.breaks())
-      text += wrapped("WARNING: " + crack.path + " " + crack.sentence, kWidth, 2) + '\n';
+      text += wrapped("WARNING: " + crack.path + " " + crack.sentence, kTextWidth, 2) + '\n';
   if (std::ranges::any_of(result.strength, &CrackStrength::breaks))
     text += "The stiffness below is that of the cracks as they stand.\n\n";
 
@@ -225,16 +223,16 @@ std::string result_text(const StiffnessResult& result, const GearSet& gear,
   for (const Note& note : result.notes) {
     std::string line = note.path.empty() ? note.text : note.path + ": " + note.text;
     if (!note.equation.empty()) line += fmt::format(" ({})", note.equation);
-    text += fmt::format("  - {}\n", wrapped(line, kWidth - 4, 4));
+    text += fmt::format("  - {}\n", wrapped(line, kTextWidth - 4, 4));
   }
   if (!result.accuracies.empty()) text += "\nAccuracy of the models, one standard uncertainty\n";
   for (const AccuracyBasis& basis : result.accuracies)
     text += fmt::format("  {:>5}  ", percent_text(basis.relative_uncertainty)) +
-            wrapped(basis.path + ": " + basis.source, kWidth - 9, 9) + '\n';
+            wrapped(basis.path + ": " + basis.source, kTextWidth - 9, 9) + '\n';
   text +=
       "\n" +
       wrapped(fmt::format("Equations of the theory manual: {}", fmt::join(result.equations, ", ")),
-              kWidth, 2) +
+              kTextWidth, 2) +
       "\n";
   return text;
 }

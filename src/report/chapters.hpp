@@ -29,6 +29,9 @@ struct Draft {
   [[nodiscard]] bool corrected() const { return result.method == Method::corrected; }
 };
 
+/// Number of a crack in drawings and tables.
+[[nodiscard]] std::string crack_mark(const Draft& draft, const std::string& path);
+
 /// How much a note weighs for whoever decides.
 enum class Severity {
   critical,    ///< the result describes something that will not stay as it is
@@ -38,10 +41,6 @@ enum class Severity {
 };
 [[nodiscard]] Severity severity_of(const Note& note);
 [[nodiscard]] std::string_view severity_title(Severity severity);
-
-/// Whether the given load breaks the part at this crack.
-[[nodiscard]] bool breaks(const CrackStrength& crack);
-[[nodiscard]] bool breaks_at(const StrengthState& state);
 
 [[nodiscard]] std::string verdict_html(const Draft& draft);
 

@@ -16,8 +16,6 @@ namespace {
 
 using namespace report;
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kPaper = 180;
 constexpr double kRound = 112;      // of the drawing, at most [mm]
 constexpr double kOvality = 0.055;  // of the exaggerated deflection per radius
 
@@ -72,7 +70,8 @@ class Front {
     }
     const double beyond = at_.top + 5e-3 / sheet_.scale();
     for (int lobe = 0; lobe < gear_.drive.wave_number; ++lobe)
-      sheet_.line({0, 0}, at_angle(beyond, 2 * kPi * lobe / gear_.drive.wave_number), "axis");
+      sheet_.line({0, 0}, at_angle(beyond, 2 * std::numbers::pi * lobe / gear_.drive.wave_number),
+                  "axis");
     if (gear_.drive.wave_number == 2) sheet_.line({-beyond, 0}, {beyond, 0}, "axis");
     for_each_crack(gear_, [&](int number, const std::string& path, const auto& crack) {
       if constexpr (has_position<std::decay_t<decltype(crack)>>) add(number, path, crack);
@@ -92,7 +91,7 @@ class Front {
     constexpr int kSteps = 180;
     Polygon points;
     for (int i = 0; i <= kSteps; ++i) {
-      const double angle = 2 * kPi * i / kSteps;
+      const double angle = 2 * std::numbers::pi * i / kSteps;
       points.push_back(at_angle(deflected(radius, angle), angle));
     }
     sheet_.curve(points, style);
@@ -100,11 +99,12 @@ class Front {
 
   void draw_balls() {
     const bool counted = gear_.wave_generator->bearing && gear_.wave_generator->bearing->ball_count;
-    const int count = counted
-                          ? *gear_.wave_generator->bearing->ball_count
-                          : static_cast<int>(0.7 * 2 * kPi * at_.ball_radius / at_.ball_diameter);
+    const int count =
+        counted
+            ? *gear_.wave_generator->bearing->ball_count
+            : static_cast<int>(0.7 * 2 * std::numbers::pi * at_.ball_radius / at_.ball_diameter);
     for (int i = 0; i < count; ++i) {
-      const double angle = 2 * kPi * i / count;
+      const double angle = 2 * std::numbers::pi * i / count;
       sheet_.circle("ball", at_angle(deflected(at_.ball_radius, angle), angle),
                     at_.ball_diameter / 2, counted && at_.ball_given ? "ball" : "sketched");
     }
@@ -150,10 +150,10 @@ class Front {
   /// Marks round the drawing at the angle of their crack, pushed apart where they would overlap.
   void draw_marks() {
     std::vector<double> wanted;
-    for (const Placed& c : cracks_) wanted.push_back(std::remainder(c.angle, 2 * kPi));
+    for (const Placed& c : cracks_) wanted.push_back(std::remainder(c.angle, 2 * std::numbers::pi));
     const double radius = at_.top + 7e-3 / sheet_.scale();
     const double apart = 6e-3 / sheet_.scale() / radius;
-    const std::vector<double> angles = spread(wanted, apart, -kPi, kPi);
+    const std::vector<double> angles = spread(wanted, apart, -std::numbers::pi, std::numbers::pi);
     for (std::size_t i = 0; i < cracks_.size(); ++i) {
       const Point mark = sheet_.paper(at_angle(radius, angles[i]));
       sheet_.paper_line(cracks_[i].target, mark, "crack-leader");
@@ -164,7 +164,7 @@ class Front {
   std::string finish() {
     // The words stand beside the drawing, or below it where there is no room.
     constexpr double kWords = 64;
-    const bool beside = 2 * half_ + 16 + kWords <= kPaper;
+    const bool beside = 2 * half_ + 16 + kWords <= kPaperWidth;
     const double x = beside ? 2 * half_ + 16 : 10;
     double y = beside ? 12 : 2 * half_ + 8;
     const auto say = [&](const std::string& text, const char* style) {
@@ -188,7 +188,7 @@ class Front {
     });
     sheet_.scale_bar(
         beside ? Point{x, std::max(y + 2, 2 * half_ - 8)} : Point{x + kWords + 30, y - 8}, 30);
-    return sheet_.svg("front", {kPaper, std::max(2 * half_, y + 10)},
+    return sheet_.svg("front", {kPaperWidth, std::max(2 * half_, y + 10)},
                       "Front view of the drive with the angles of its cracks",
                       fmt::format("Scale {}; the deflection is drawn {:g} times too large.",
                                   scale_text(sheet_.scale()), factor_));

@@ -13,8 +13,6 @@
 namespace strainwave::report {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // Proportions of what is sketched only: near enough to recognise, of no other meaning.
 constexpr double kSketchedFace = 0.16;        // face width per pitch diameter
 constexpr double kSketchedSpline = 1.34;      // outer diameter of the circular spline, as above
@@ -155,7 +153,7 @@ Polygon semi_ellipse(Point at, double half, double depth, Point into) {
   constexpr int kSteps = 32;
   Polygon points;
   for (int i = 0; i <= kSteps; ++i) {
-    const double t = kPi * i / kSteps;
+    const double t = std::numbers::pi * i / kSteps;
     const double along = half * std::cos(t);
     const double down = depth * std::sin(t);
     // The surface runs across the direction into it.

@@ -9,7 +9,7 @@ namespace {
 
 // No `<` or `&` in it: the page is XML as well.  Plots are black on white by themselves, so they
 // stand on a white card in the dark.
-constexpr std::string_view kStyle = R"css(
+constexpr std::string_view kPageStyle = R"css(
 :root {
   color-scheme: light dark;
   --page: #ffffff; --text: #1b1f24; --muted: #57606a; --rule: #d0d7de; --soft: #f6f8fa;
@@ -149,7 +149,7 @@ std::string report_html(const Report& whole) {
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
       "<title>{0}: strainwave report</title>\n<style>{1}</style>\n</head>\n<body>\n<header>\n"
       "<h1>{0}</h1>\n<p class=\"subtitle\">{2}</p>\n</header>\n<main>\n{3}",
-      escaped(whole.title), kStyle, escaped(whole.subtitle), whole.verdict);
+      escaped(whole.title), kPageStyle, escaped(whole.subtitle), whole.verdict);
   html += "<nav aria-label=\"Contents\">\n<ol>\n";
   for (const ReportSection& section : whole.sections)
     html += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", section.id, escaped(section.title));

@@ -40,56 +40,27 @@ std::string key_number(std::string_view label, const std::string& value, std::st
                      unit, remark);
 }
 
-/// How many cracks hold, break and cannot be told under the given sense of torque.
-struct StrengthCount {
-  std::size_t holding = 0;
-  std::size_t breaking = 0;
-  std::size_t unknown = 0;
-  std::size_t breaking_reversed = 0;  ///< of those that do not break under the given sense
-};
-
-StrengthCount count_of(const std::vector<CrackStrength>& strength) {
-  StrengthCount count;
-  for (const CrackStrength& crack : strength) {
-    if (breaks(crack))
-      ++count.breaking;
-    else if (crack.verdict == StrengthVerdict::cannot_tell)
-      ++count.unknown;
-    else
-      ++count.holding;
-    if (!breaks(crack) && std::ranges::any_of(crack.states, breaks_at)) ++count.breaking_reversed;
-  }
-  return count;
-}
-
 /// What the report answers on strength, and what it does not; plain text, empty without cracks.
-std::string strength_words(const Draft& draft, const StrengthCount& count) {
+std::string strength_words(const Draft& draft) {
   if (draft.cracks.empty()) return {};
-  const std::size_t all = draft.cracks.size();
   if (draft.result.strength.empty())
     return draft.corrected()
                ? "Strength: not assessed, no toughness or yield strength in the file."
                : fmt::format("Strength: not assessed, the method {} has no failure assessment.",
                              enum_name(draft.result.method));
-  const bool positive = draft.gear.load.torque >= 0;
-  std::string text = fmt::format(
-      "Strength at the given load: {} of {} crack{} hold{}, {} fracture{} or collapse{}, {} cannot "
-      "be told.",
-      count.holding, all, all == 1 ? "" : "s", count.holding == 1 ? "s" : "", count.breaking,
-      count.breaking == 1 ? "s" : "", count.breaking == 1 ? "s" : "", count.unknown);
-  if (count.breaking_reversed > 0)
-    text += fmt::format(" Under the reversed torque, T {} 0, {} more would fracture or collapse.",
-                        positive ? '<' : '>', count.breaking_reversed);
-  return text;
+  return "Strength at the given load: " + strength_summary(draft.result.strength) +
+         ", under the worse sense of the torque.";
 }
 
 /// The least reserve of all states of the cracks that are assessed, both senses of torque; else
 /// the largest share of the toughness.
-std::string strength_number(const Draft& draft, const StrengthCount& count) {
+std::string strength_number(const Draft& draft) {
   const CrackStrength* weakest = nullptr;
   const StrengthState* least = nullptr;
+  std::size_t assessed = 0;
   for (const CrackStrength& crack : draft.result.strength) {
     if (crack.verdict == StrengthVerdict::cannot_tell) continue;
+    ++assessed;
     for (const StrengthState& state : crack.states)
       if (state.reserve && state.verdict != StrengthVerdict::cannot_tell &&
           (least == nullptr || *state.reserve < *least->reserve)) {
@@ -100,8 +71,7 @@ std::string strength_number(const Draft& draft, const StrengthCount& count) {
   if (least != nullptr) {
     const bool either = std::ranges::all_of(
         weakest->states, [&](const StrengthState& state) { return state.sense == least->sense; });
-    return key_number(fmt::format("Least reserve on the load, of the {} assessed",
-                                  count.holding + count.breaking),
+    return key_number(fmt::format("Least reserve on the load, of the {} assessed", assessed),
                       number(*least->reserve, 3), "",
                       escaped(weakest->path + ", " +
                               (either                                  ? "either sense"
@@ -124,13 +94,14 @@ std::string strength_number(const Draft& draft, const StrengthCount& count) {
 std::string verdict_html(const Draft& draft) {
   const StiffnessResult& r = draft.result;
   const Note* const worst = worst_note(draft.notes);
-  const bool broken = std::ranges::any_of(r.strength, breaks);
+  const bool broken = std::ranges::any_of(r.strength, &CrackStrength::breaks);
   const bool critical = broken || (worst != nullptr && severity_of(*worst) == Severity::critical);
-  const StrengthCount count = count_of(r.strength);
-  const std::string strength = strength_words(draft, count);
-  // What nobody has assessed, or what breaks under the reversed torque, is not simply usable.
+  const std::string strength = strength_words(draft);
+  // What nobody has assessed, or what cannot be told, is not simply usable.
   const bool open =
-      !strength.empty() && (r.strength.empty() || count.unknown > 0 || count.breaking_reversed > 0);
+      !strength.empty() &&
+      (r.strength.empty() ||
+       std::ranges::count(r.strength, StrengthVerdict::cannot_tell, &CrackStrength::verdict) > 0);
   const bool outside = open || (worst != nullptr && severity_of(*worst) == Severity::outside);
   std::string html = fmt::format("<div class=\"verdict {}\">\n", !r.usable() || critical ? "bad"
                                                                  : outside               ? "care"
@@ -146,7 +117,7 @@ std::string verdict_html(const Draft& draft) {
     html += "<p class=\"word\">Usable, within what is assumed</p>\n";
   if (!strength.empty()) html += paragraph(strength);
   for (const CrackStrength& crack : r.strength)
-    if (breaks(crack))
+    if (crack.breaks())
       html +=
           fmt::format("<p><code>{}</code>: {}</p>\n", escaped(crack.path), escaped(crack.sentence));
   if (broken) html += paragraph("The stiffness below is that of the cracks as they stand.");
@@ -184,7 +155,7 @@ std::string verdict_html(const Draft& draft) {
             quantity("curve.positive.K2", r.curve->positive.K2, 1 / units::arcmin) + " / " +
             quantity("curve.positive.K3", r.curve->positive.K3, 1 / units::arcmin),
         "N·m/arcmin", "torsion curve, accuracy " + accuracy(r.curve->positive.K1));
-  html += strength_number(draft, count);
+  html += strength_number(draft);
   return html + "</dl>\n</div>\n";
 }
 

@@ -70,12 +70,6 @@ std::vector<Row> curve_rows(const StiffnessResult& result) {
   return rows;
 }
 
-/// Number of a crack in drawings and tables.
-std::string crack_mark(const Draft& draft, const std::string& path) {
-  const auto found = std::ranges::find(draft.cracks, path, &NumberedCrack::path);
-  return found == draft.cracks.end() ? std::string("?") : std::to_string(found->number);
-}
-
 std::string opens_text(OpensUnder opens) {
   switch (opens) {
     case OpensUnder::both:
@@ -101,6 +95,11 @@ bool same(const StressIntensities& a, const StressIntensities& b) {
 }
 
 }  // namespace
+
+std::string crack_mark(const Draft& draft, const std::string& path) {
+  const auto found = std::ranges::find(draft.cracks, path, &NumberedCrack::path);
+  return found == draft.cracks.end() ? std::string("?") : std::to_string(found->number);
+}
 
 ReportSection results_chapter(const Draft& draft) {
   const StiffnessResult& r = draft.result;

@@ -18,7 +18,6 @@ namespace {
 using namespace report;
 
 // Millimetres of paper.
-constexpr double kPaper = 180;   // width
 constexpr double kLeft = 20;     // marks of the parts at the open end
 constexpr double kRight = 10;    // behind the output
 constexpr double kHeight = 100;  // of the half section, at most
@@ -43,14 +42,14 @@ class Section {
   explicit Section(const GearSet& gear)
       : gear_(gear),
         at_(layout_of(gear)),
-        sheet_(std::min(drawing_scale(at_.end, kPaper - kLeft - kRight),
+        sheet_(std::min(drawing_scale(at_.end, kPaperWidth - kLeft - kRight),
                         drawing_scale(at_.top, kHeight)),
                {0, 0}) {
     // The row of crack marks above, the drawing, the row of part marks below the axis.
     const double above = numbered_cracks(gear).empty() ? 4 : 12;
     axis_ = above + sheet_.paper(at_.top) + 3;
     const double drawn = sheet_.paper(at_.end);
-    left_ = kLeft + std::max(0.0, (kPaper - kLeft - kRight - drawn) / 3);
+    left_ = kLeft + std::max(0.0, (kPaperWidth - kLeft - kRight - drawn) / 3);
     sheet_ = Sheet(sheet_.scale(), {left_, axis_});
   }
 
@@ -63,14 +62,14 @@ class Section {
     double y = draw_part_marks();
     y = draw_details(y);
     sheet_.scale_bar({4, y + 1}, 40);
-    sheet_.words({kPaper - 2, y + 2.2},
+    sheet_.words({kPaperWidth - 2, y + 2.2},
                  fmt::format("half section at the major axis, before assembly; scale {} at {:g} mm "
                              "width; lengths in mm",
-                             scale_text(sheet_.scale()), kPaper),
+                             scale_text(sheet_.scale()), kPaperWidth),
                  "small end");
-    sheet_.words({kPaper - 2, y + 5.8},
+    sheet_.words({kPaperWidth - 2, y + 5.8},
                  "dashed: not in the file, sketched; output (+z) to the right", "small end");
-    return sheet_.svg("section", {kPaper, y + 8}, "Half section of the drive through its axis",
+    return sheet_.svg("section", {kPaperWidth, y + 8}, "Half section of the drive through its axis",
                       description());
   }
 
@@ -306,7 +305,7 @@ class Section {
         gear_, [&](int number, const std::string& path, const auto& c) { crack(number, path, c); });
     std::vector<double> wanted;
     for (const Balloon& mark : crack_marks_) wanted.push_back(mark.target.x);
-    const std::vector<double> places = spread(wanted, kMarks, 4, kPaper - 4);
+    const std::vector<double> places = spread(wanted, kMarks, 4, kPaperWidth - 4);
     constexpr double kRow = 4;
     for (std::size_t i = 0; i < places.size(); ++i) {
       sheet_.paper_line({places[i], kRow + 2.5}, crack_marks_[i].target, "crack-leader");
@@ -317,7 +316,7 @@ class Section {
   double draw_details(double y) {
     if (details_.empty()) return y;
     constexpr double kGap = 4;
-    const auto per_row = static_cast<std::size_t>((kPaper + kGap) / (kDetailWidth + kGap));
+    const auto per_row = static_cast<std::size_t>((kPaperWidth + kGap) / (kDetailWidth + kGap));
     for (std::size_t i = 0; i < details_.size(); ++i)
       draw_detail(sheet_, details_[i],
                   {static_cast<double>(i % per_row) * (kDetailWidth + kGap) + 2,
@@ -344,7 +343,7 @@ class Section {
     }
     const double below_axis = axis_ + 7;
     const std::vector<double> at_y = spread(rows, kMarks - 0.5, 4, axis_ + 1);
-    const std::vector<double> at_x = spread(columns, kMarks, left_, kPaper - 4);
+    const std::vector<double> at_x = spread(columns, kMarks, left_, kPaperWidth - 4);
     std::size_t row = 0;
     std::size_t column = 0;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -362,7 +361,7 @@ class Section {
     double y = (columns.empty() ? axis_ + 2 : below_axis + 3) + 5;
     const std::size_t half = (parts_.size() + 1) / 2;
     for (std::size_t i = 0; i < parts_.size(); ++i)
-      sheet_.words({i < half ? 4.0 : kPaper / 2 + 2,
+      sheet_.words({i < half ? 4.0 : kPaperWidth / 2 + 2,
                     y + kLine * static_cast<double>(i < half ? i : i - half)},
                    fmt::format("{}: {}", static_cast<char>('A' + i), parts_[i].text), "small");
     return y + kLine * static_cast<double>(half) + 1;

@@ -18,7 +18,7 @@ namespace {
 constexpr std::array<double, 19> kScales = {1000, 500, 200, 100, 50,   20,   10,   5,     2,    1,
                                             0.5,  0.4, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002};
 
-constexpr std::string_view kStyle =
+constexpr std::string_view kSheetStyle =
     ".drawing{font-family:'DejaVu Sans',Arial,sans-serif;stroke-linejoin:round}"
     ".drawing text{font-size:2.9px;fill:var(--ink,#1b1f24);stroke:none}"
     ".drawing .small{font-size:2.5px;fill:var(--muted,#57606a)}"
@@ -202,7 +202,7 @@ std::string Sheet::svg(std::string_view id, Point size, std::string_view title,
       "{0}-desc\" data-scale=\"{3}\">\n<title id=\"{0}-title\">{4}</title>\n<desc "
       "id=\"{0}-desc\">{5}</desc>\n<style>{6}</style>\n{7}</svg>\n",
       id, coordinate(size.x), coordinate(size.y), scale_, escaped(title), escaped(description),
-      kStyle, body_);
+      kSheetStyle, body_);
 }
 
 std::vector<double> spread(std::span<const double> wanted, double spacing, double from, double to) {

@@ -34,6 +34,9 @@ struct Hatch {
   double spacing = 1.6;  ///< on paper [mm]; 0: none
 };
 
+/// Width of every drawing on paper [mm].
+inline constexpr double kPaperWidth = 180;
+
 /// One drawing: SVG whose user unit is a millimetre of paper.
 ///
 /// Colours are CSS variables with fallbacks, so that a page can set them for a dark screen and the

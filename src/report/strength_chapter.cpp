@@ -28,11 +28,7 @@ std::string critical_text(const StrengthState& state) {
   const std::optional<CriticalSize>& answer = critical_of(state);
   if (!answer) return "–";
   if (answer->size) return number(*answer->size / units::mm, 3);
-  constexpr std::string_view kNone = "none up to ";
-  const std::size_t unit = answer->text.find(" mm");
-  return answer->text.starts_with(kNone) && unit != std::string::npos
-             ? "&gt; " + escaped(answer->text.substr(kNone.size(), unit - kNone.size()))
-             : "none";
+  return answer->none_up_to ? "&gt; " + number(*answer->none_up_to / units::mm, 3) : "none";
 }
 
 /// Why cells of the table have no critical size, each reason once for each crack.
@@ -59,20 +55,7 @@ std::string state_text(const StrengthState& state) {
                      state.with_assembly ? ", with the assembly" : ", load alone");
 }
 
-std::string crack_mark(const Draft& draft, const std::string& path) {
-  const auto found = std::ranges::find(draft.cracks, path, &NumberedCrack::path);
-  return found == draft.cracks.end() ? std::string("?") : std::to_string(found->number);
-}
-
 }  // namespace
-
-bool breaks(const CrackStrength& crack) {
-  return crack.verdict == StrengthVerdict::fractures || crack.verdict == StrengthVerdict::collapses;
-}
-
-bool breaks_at(const StrengthState& state) {
-  return state.verdict == StrengthVerdict::fractures || state.verdict == StrengthVerdict::collapses;
-}
 
 ReportSection strength_chapter(const Draft& draft) {
   ReportSection section{"strength", "Strength: failure assessment", {}};
@@ -112,7 +95,7 @@ ReportSection strength_chapter(const Draft& draft) {
             critical_text(state),
             state.plastic_zone ? number(*state.plastic_zone / units::mm, 3) : std::string("–"),
             verdict_text(state.verdict)},
-           breaks_at(state) ? "breaks" : ""});
+           state.breaks() ? "breaks" : ""});
       if (state.utilisation && state.sense == crack.worst()->sense)
         chart.bars.push_back(
             {.label = fmt::format("{}: {}", mark,
@@ -124,7 +107,7 @@ ReportSection strength_chapter(const Draft& draft) {
     if (!group.rows.empty()) groups.push_back(std::move(group));
     sentences +=
         fmt::format("<li{}><span class=\"crack-number\">{}</span> <code>{}</code>: {}</li>\n",
-                    breaks(crack) ? " class=\"breaks\"" : "", mark, escaped(crack.path),
+                    crack.breaks() ? " class=\"breaks\"" : "", mark, escaped(crack.path),
                     escaped(crack.sentence));
     sizes += missing_sizes(crack, mark);
   }

@@ -15,7 +15,6 @@ namespace {
 
 using namespace report;
 
-constexpr double kPaper = 180;
 constexpr double kLength = 120;  // of the wall on paper, at most [mm]
 constexpr double kLeast = 26;    // height of the wall that is drawn, at least [mm]
 
@@ -133,7 +132,7 @@ std::string wall_drawing(const GearSet& gear) {
   const double x = kLeft + width_on_paper + 14;
   double line = kTop + 3;
   const auto say = [&](const std::string& text) {
-    if (x < kPaper - 40) {
+    if (x < kPaperWidth - 40) {
       sheet.words({x, line}, text, "small");
       line += 4.2;
     }
@@ -146,15 +145,15 @@ std::string wall_drawing(const GearSet& gear) {
     enlarged(sheet, *small[i], {2 + static_cast<double>(i) * (kDetailWidth + 4), end});
   if (!small.empty()) end += kDetailHeight + 4;
   sheet.scale_bar({4, end}, 40);
-  sheet.words({kPaper - 2, end + 1.2},
+  sheet.words({kPaperWidth - 2, end + 1.2},
               fmt::format("wall of the flexspline seen from outside, unrolled; scale {}",
                           scale_text(scale)),
               "small end");
-  sheet.words({kPaper - 2, end + 4.8},
+  sheet.words({kPaperWidth - 2, end + 4.8},
               "where on the wall a crack lies is not in the file; length and angle β are to scale",
               "small end");
   return sheet.svg(
-      "wall", {kPaper, end + 8}, "Developed wall of the flexspline with its cracks",
+      "wall", {kPaperWidth, end + 8}, "Developed wall of the flexspline with its cracks",
       fmt::format("Scale {}; the angle beta is counter-clockwise from +z.", scale_text(scale)));
 }
 

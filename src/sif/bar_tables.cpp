@@ -3,31 +3,11 @@
 #include <cmath>
 #include <cstddef>
 
+#include "strainwave/core/lagrange.hpp"
 #include "strainwave/sif/bar/tables.hpp"
 
 namespace strainwave::sif {
 namespace {
-
-/// Lagrange's polynomials of N nodes at one place, by the barycentric formula.
-template <std::size_t N>
-std::array<double, N> lagrange(const std::array<double, N>& nodes, double x) {
-  std::array<double, N> value{};
-  double sum = 0.0;
-  for (std::size_t i = 0; i < N; ++i) {
-    if (x == nodes[i]) {
-      value.fill(0.0);
-      value[i] = 1.0;
-      return value;
-    }
-    double weight = 1 / (x - nodes[i]);
-    for (std::size_t j = 0; j < N; ++j)
-      if (j != i) weight /= nodes[i] - nodes[j];
-    value[i] = weight;
-    sum += weight;
-  }
-  for (double& v : value) v /= sum;
-  return value;
-}
 
 template <std::size_t N, std::size_t M>
 using Grid = std::array<std::array<double, M>, N>;
@@ -133,7 +113,7 @@ constexpr std::array<double, 5> kFrontDepth = {0.1, 0.2, 0.3, 0.4, 0.5};
 constexpr std::array<double, 5> kFrontAspect = {0.0, 0.25, 0.5, 0.75, 1.0};
 constexpr std::size_t kTerms = 4;
 using Coefficients = std::array<Grid<5, kTerms>, 5>;
-constexpr Coefficients kTension = {{
+constexpr Coefficients kFrontTension = {{
   {{
     {1.0593, -0.3175, 0.1604, -0.4974},
     {1.0164, -0.3279, 0.2584, -0.5134},
@@ -164,7 +144,7 @@ constexpr Coefficients kTension = {{
     {2.1509, 0.1596, 0.0004, -0.0049},
     {1.7002, 0.4940, -0.4437, 0.7667},
     {1.2337, 0.6890, -0.7750, 1.2514}}}}};
-constexpr Coefficients kBending = {{
+constexpr Coefficients kFrontBending = {{
   {{
     {0.9228, -0.3050, 0.1193, -0.4045},
     {0.8857, -0.2793, 0.2161, -0.4471},
@@ -195,7 +175,7 @@ constexpr Coefficients kBending = {{
     {0.9994, 0.1362, 0.0034, -0.0435},
     {0.7785, 0.4179, -0.2545, 0.3927},
     {0.5342, 0.6323, -0.4918, 0.7419}}}}};
-constexpr Coefficients kSliding = {{
+constexpr Coefficients kFrontSliding = {{
   {{
     {0.5915, -0.4658, 0.6728, -0.5623},
     {0.6392, -0.2321, 0.1690, -0.2719},
@@ -226,7 +206,7 @@ constexpr Coefficients kSliding = {{
     {1.1764, 0.2485, -0.8244, 0.9147},
     {1.1204, 0.5159, -1.6463, 1.6347},
     {1.0154, 0.3492, -1.2386, 1.3126}}}}};
-constexpr Coefficients kTearing = {{
+constexpr Coefficients kFrontTearing = {{
   {{
     {0.8058, -0.1488, -0.0330, -0.2325},
     {0.7727, -0.2470, 0.1252, -0.2537},
@@ -306,10 +286,10 @@ std::array<double, 3> penny_in_bar(double x) {
 OneSidedFactors one_sided_factors(double depth_ratio, double aspect, double t) {
   const auto d = lagrange(kFrontDepth, depth_ratio);
   const auto k = lagrange(kFrontAspect, aspect);
-  return {.tension = along_front(kTension, d, k, t),
-          .bending = along_front(kBending, d, k, t),
-          .sliding = t * along_front(kSliding, d, k, t),
-          .tearing = along_front(kTearing, d, k, t)};
+  return {.tension = along_front(kFrontTension, d, k, t),
+          .bending = along_front(kFrontBending, d, k, t),
+          .sliding = t * along_front(kFrontSliding, d, k, t),
+          .tearing = along_front(kFrontTearing, d, k, t)};
 }
 
 double one_sided_swept(double depth, double aspect) {

@@ -77,6 +77,13 @@ class CrackOf final : public AnyCrack {
     });
     return limits;
   }
+  [[nodiscard]] std::vector<std::string_view> rules() const override {
+    std::vector<std::string_view> texts;
+    solution_.check([&](bool, std::string_view, double, std::string_view, std::string_view rule) {
+      texts.push_back(rule);
+    });
+    return texts;
+  }
   [[nodiscard]] Compliance compliance(const CrackModuli& moduli) const override {
     const auto result = compliance_of(ErasedCrack<S::kLoads>(solution_), moduli);
     return {.upper = {result.matrix.upper.begin(), result.matrix.upper.end()},

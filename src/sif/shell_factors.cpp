@@ -6,33 +6,13 @@
 #include <numbers>
 
 #include "shell_tables.hpp"
+#include "strainwave/core/lagrange.hpp"
 
 namespace strainwave::sif {
 
 namespace {
 
 using std::numbers::pi;
-
-/// Weights of Lagrange's polynomial through N Chebyshev-Lobatto nodes of [from, to].
-template <std::size_t N>
-std::array<double, N> lobatto_weights(double from, double to, double x) {
-  std::array<double, N> weights{};
-  double sum = 0.0;
-  for (std::size_t i = 0; i < N; ++i) {
-    const double node =
-        from + (to - from) * (1 - std::cos(pi * static_cast<double>(i) / (N - 1))) / 2;
-    if (std::abs(x - node) < 1e-14 * std::abs(to - from)) {
-      weights.fill(0.0);
-      weights[i] = 1.0;
-      return weights;
-    }
-    const double end = i == 0 || i + 1 == N ? 0.5 : 1.0;
-    weights[i] = (i % 2 == 0 ? end : -end) / (x - node);
-    sum += weights[i];
-  }
-  for (double& weight : weights) weight /= sum;
-  return weights;
-}
 
 /// The variable of the tables, lambda/(lambda + 3).
 double mapped(double lambda) { return lambda / (lambda + 3); }
@@ -49,9 +29,10 @@ double shell_parameter(double half_length, double mean_radius, double thickness,
 }
 
 ShellFactors shell_factors(double lambda, double angle) {
-  const auto over_lambda = lobatto_weights<12>(0.0, mapped(kMaxShellParameter), mapped(lambda));
+  const auto over_lambda =
+      lagrange(lobatto_nodes<12>(0.0, mapped(kMaxShellParameter)), mapped(lambda));
   const double cos_2beta = std::cos(2 * angle);
-  const auto over_angle = lobatto_weights<7>(1.0, -1.0, cos_2beta);
+  const auto over_angle = lagrange(lobatto_nodes<7>(1.0, -1.0), cos_2beta);
   const auto value = [&](Column column) {
     double sum = 0.0;
     for (std::size_t j = 0; j < over_angle.size(); ++j)
@@ -75,15 +56,16 @@ ShellFactors shell_factors(double lambda, double angle) {
 CircumferentialFactors circumferential_factors(double half_angle, double radius_ratio,
                                                double lambda) {
   const auto over_lambda =
-      lobatto_weights<16>(0.0, mapped(kMaxCircumferentialShellParameter), mapped(lambda));
+      lagrange(lobatto_nodes<16>(0.0, mapped(kMaxCircumferentialShellParameter)), mapped(lambda));
   const auto shallow = [&](std::size_t column) {
     double sum = 0.0;
     for (std::size_t i = 0; i < over_lambda.size(); ++i)
       sum += over_lambda[i] * kCircumferentialTable[column][i];
     return sum;
   };
-  const auto over_angle = lobatto_weights<6>(0.05 * pi, 0.5 * pi, half_angle);
-  const auto over_ratio = lobatto_weights<4>(std::log(5.0), std::log(60.0), std::log(radius_ratio));
+  const auto over_angle = lagrange(lobatto_nodes<6>(0.05 * pi, 0.5 * pi), half_angle);
+  const auto over_ratio =
+      lagrange(lobatto_nodes<4>(std::log(5.0), std::log(60.0)), std::log(radius_ratio));
   const auto excess = [&](std::size_t column) {
     double sum = 0.0;
     for (std::size_t i = 0; i < over_angle.size(); ++i)

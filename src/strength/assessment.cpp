@@ -153,13 +153,14 @@ CriticalSize first_size(const AssessedCrack& crack, const char* at_once, const B
   constexpr double kSmallest = 1e-4;  // of the range
   const double end = crack.range_end;
   double inside = kSmallest * end;
-  if (beyond(inside) >= 0) return {{}, at_once};
+  if (beyond(inside) >= 0) return {.text = at_once};
   for (int i = 1; i <= kSteps; ++i) {
     const double size = i == kSteps ? end : end * std::pow(kSmallest, 1 - double{1} * i / kSteps);
-    if (beyond(size) >= 0) return {bracketed_root(beyond, inside, size), {}};  // (FA-5)
+    if (beyond(size) >= 0) return {.size = bracketed_root(beyond, inside, size)};  // (FA-5)
     inside = size;
   }
-  return {{}, fmt::format("none up to {:.3g} mm, {}", end / units::mm, crack.range_text)};
+  return {.none_up_to = end,
+          .text = fmt::format("none up to {:.3g} mm, {}", end / units::mm, crack.range_text)};
 }
 
 /// Of K under load and assembly together [-]; the two parts err independently.

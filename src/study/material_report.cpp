@@ -4,19 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <vector>
 
+#include "report_cells.hpp"
+#include "report_json.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/io/result_writer.hpp"
 
 namespace strainwave {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-constexpr std::size_t kWidth = 100;
 
 std::vector<const MaterialRecord*> records_for(std::optional<MaterialUse> use) {
   std::vector<const MaterialRecord*> records;
@@ -36,7 +33,7 @@ std::string ratio_text(const StressRatios& R) {
 }
 
 std::string scatter_text(const Evidence& evidence) {
-  return evidence.scatter ? fmt::format("{:.3g} %", 100 * *evidence.scatter) : "not stated";
+  return evidence.scatter ? percent(*evidence.scatter) : "not stated";
 }
 
 // --- One datum after the other, the same for all forms -----------------------------------------
@@ -105,7 +102,7 @@ std::set<std::string> sources_of(const MaterialRecord& record) {
 // --- Text ---------------------------------------------------------------------------------------
 
 std::string paragraph(const std::string& text, std::size_t indent) {
-  return std::string(indent, ' ') + wrapped(text, kWidth - indent, indent) + '\n';
+  return std::string(indent, ' ') + wrapped(text, kTextWidth - indent, indent) + '\n';
 }
 
 template <class Kind>
@@ -133,7 +130,7 @@ Json table_json(const T& value) {
 template <class T>
 Json plain_json(const T& value, const Field& field) {
   if constexpr (std::is_same_v<T, double>) {
-    return {{"value", value}, {"unit", field.unit}};
+    return quantity_json(value, field.unit);
   } else if constexpr (is_optional<T>) {
     return value ? plain_json(*value, field) : Json();
   } else if constexpr (is_pair_of_numbers<T>) {

@@ -16,7 +16,7 @@ namespace strainwave {
 namespace {
 
 // Lengths in px of the SVG's own coordinates.
-constexpr double kWidth = 860;
+constexpr double kPlotWidth = 860;
 constexpr double kPanelHeight = 400;
 constexpr double kLeft = 98;
 constexpr double kRight = 200;  // room for the labels of the lines
@@ -88,7 +88,7 @@ std::string fixed(double value, int decimals) {
   return value < 0 && !zero ? "−" + digits : digits;
 }
 
-struct Interval {
+struct ValueRange {
   double lower = std::numeric_limits<double>::infinity();
   double upper = -std::numeric_limits<double>::infinity();
 
@@ -108,7 +108,8 @@ struct Tick {
 class Axis {
  public:
   /// @param label  of the axis: angles of about a turn are divided by 60 deg
-  Axis(Interval values, AxisScale scale, double from_px, double to_px, std::string_view label = {})
+  Axis(ValueRange values, AxisScale scale, double from_px, double to_px,
+       std::string_view label = {})
       : scale_(scale), from_px_(from_px), to_px_(to_px), in_degrees_(label.ends_with("[deg]")) {
     if (values.empty()) values = {scale == AxisScale::linear ? 0.0 : 1.0, 1.0};
     if (scale == AxisScale::linear)
@@ -127,7 +128,7 @@ class Axis {
 
  private:
   /// A range that ticks can divide: round a constant, and no narrower than labels can show.
-  static Interval widened(const Interval& values) {
+  static ValueRange widened(const ValueRange& values) {
     const double size = std::max(std::abs(values.lower), std::abs(values.upper));
     const double width = values.upper - values.lower;
     const double lacking = (size == 0 ? 1.0 : width == 0 ? 0.1 * size : 1e-6 * size) - width;
@@ -136,7 +137,7 @@ class Axis {
   }
 
   /// Steps of 1, 2 or 5 times a power of ten, about six of them; the axis ends at ticks.
-  void place_linear_ticks(const Interval& values) {
+  void place_linear_ticks(const ValueRange& values) {
     const double raw = (values.upper - values.lower) / 6;
     const double decade = std::pow(10.0, std::floor(std::log10(raw)));
     double step = 10 * decade;
@@ -169,7 +170,7 @@ class Axis {
   }
 
   /// Decades, with more labels between them where there are few; the axis ends at a whole digit.
-  void place_decades(const Interval& values) {
+  void place_decades(const ValueRange& values) {
     const auto outward = [](double value, auto round) {
       const double decade = std::pow(10.0, std::floor(std::log10(value)));
       return decade * round(value / decade);
@@ -270,8 +271,8 @@ std::string path_data(const PlotPanel& panel, const PlotSeries& series, const Ax
 
 /// Draws one panel with its upper edge at `top`.
 std::string panel_svg(const PlotPanel& panel, double top) {
-  Interval x_values;
-  Interval y_values;
+  ValueRange x_values;
+  ValueRange y_values;
   for (const PlotSeries& series : panel.series)
     for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
       if (!drawable(panel.x_scale, series.x[i]) || !drawable(panel.y_scale, series.y[i])) continue;
@@ -279,7 +280,7 @@ std::string panel_svg(const PlotPanel& panel, double top) {
       y_values.include(series.y[i]);
     }
   const double left = kLeft;
-  const double right = kWidth - kRight;
+  const double right = kPlotWidth - kRight;
   const double upper = top + kTop;
   const double lower = top + kPanelHeight - kBottom;
   const Axis x(x_values, panel.x_scale, left, right, panel.x_label);
@@ -313,11 +314,14 @@ std::string panel_svg(const PlotPanel& panel, double top) {
   for (std::size_t n = 0; n < panel.series.size(); ++n) {
     const PlotSeries& series = panel.series[n];
     const Stroke& stroke = kStrokes[n % kStrokes.size()];
+    // The colours come again after the seventh line, with one more dot between their dashes.
+    std::string dashes(stroke.dashes);
+    for (std::size_t round = n / kStrokes.size(); round > 0; --round)
+      dashes += dashes.empty() ? "16 3 1 3" : " 1 3";
     // The first line is the widest: another that lies on it does not hide it.
-    const std::string style =
-        fmt::format("stroke=\"{}\" stroke-width=\"{}\"{}", stroke.colour, n == 0 ? 4 : 2,
-                    stroke.dashes.empty() ? std::string()
-                                          : fmt::format(" stroke-dasharray=\"{}\"", stroke.dashes));
+    const std::string style = fmt::format(
+        "stroke=\"{}\" stroke-width=\"{}\"{}", stroke.colour, n == 0 ? 4 : 2,
+        dashes.empty() ? std::string() : fmt::format(" stroke-dasharray=\"{}\"", dashes));
     svg += fmt::format("<path d=\"{}\" class=\"series\" {}/>\n", path_data(panel, series, x, y),
                        style);
     const std::size_t n_points = std::min(series.x.size(), series.y.size());
@@ -349,10 +353,10 @@ double tornado_height(const TornadoPanel& panel) {
 std::string tornado_panel_svg(const TornadoPanel& panel, double top) {
   constexpr double kEnds = 64;  // room for the numbers at the ends of the bars
   const double left = kBarLabels;
-  const double right = kWidth - 30;
+  const double right = kPlotWidth - 30;
   const double upper = top + kTop;
   const double lower = top + tornado_height(panel) - kBottom;
-  Interval values{0.0, 0.0};
+  ValueRange values{0.0, 0.0};
   for (const TornadoSeries& series : panel.series)
     for (const double value : series.values)
       if (std::isfinite(value)) values.include(value);
@@ -590,7 +594,7 @@ std::string svg_head(double height) {
       ".series {{ fill: none; stroke-linejoin: round }}\n"
       "</style>\n"
       "<rect width=\"{0:g}\" height=\"{1:g}\" fill=\"white\"/>\n",
-      kWidth, height);
+      kPlotWidth, height);
 }
 
 }  // namespace

@@ -5,18 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <string_view>
 #include <vector>
 
 #include "display_unit.hpp"
+#include "report_cells.hpp"
+#include "report_json.hpp"
 #include "strainwave/io/result_writer.hpp"
 #include "strainwave/study/plot.hpp"
 
 namespace strainwave {
 namespace {
 
-constexpr std::size_t kWidth = 100;
 constexpr std::size_t kPathWidth = 36;
 
 /// Head of a column.
@@ -40,8 +40,6 @@ std::string shown_output(const Quantity& value, std::string_view name) {
   if (is_loss(name)) return fmt::format("{:.4g} %", 100 * value.value);
   return fmt::format("{:.5g}", value.value / display_unit(name, value.unit).in_si);
 }
-
-std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
 
 /// A row of a table; a path that is too long for its column has a line of its own.
 std::string row(std::string_view label, std::string_view value,
@@ -120,7 +118,7 @@ std::string elasticities_text(const Sensitivity& sensitivity) {
   if (!sensitivity.no_influence.empty())
     text += "\n" +
             wrapped(fmt::format("No influence: {}", fmt::join(sensitivity.no_influence, ", ")),
-                    kWidth, 2) +
+                    kTextWidth, 2) +
             '\n';
   text += fmt::format("\nDimensions hold to {:.1g}, at most {:.0g} is accepted (SN-6)\n",
                       sensitivity.homogeneity_residual(), kMaxHomogeneityResidual);
@@ -174,12 +172,10 @@ std::string notes_text(const std::vector<Note>& notes) {
   for (const Note& note : notes) {
     std::string line = note.path.empty() ? note.text : note.path + ": " + note.text;
     if (!note.equation.empty()) line += fmt::format(" ({})", note.equation);
-    text += fmt::format("  - {}\n", wrapped(line, kWidth - 4, 4));
+    text += fmt::format("  - {}\n", wrapped(line, kTextWidth - 4, 4));
   }
   return text;
 }
-
-using Json = nlohmann::ordered_json;
 
 Json notes_json(const std::vector<Note>& notes) {
   Json list = Json::array();
@@ -223,16 +219,6 @@ Json scatter_json(const Scatter& scatter) {
 }
 
 /// A path as a field of a CSV line, quoted where it must be (RFC 4180).
-std::string csv_field(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted += '"';
-}
-
 /// Bars of the outputs of one kind that a panel shows, the largest on top.
 TornadoPanel panel_of(const Sensitivity& sensitivity, const std::vector<std::size_t>& outputs) {
   constexpr std::size_t kMostBars = 14;

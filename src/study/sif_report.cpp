@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <utility>
 
 #include "display_unit.hpp"
+#include "report_cells.hpp"
+#include "report_json.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/nearest.hpp"
 #include "strainwave/core/quantity_text.hpp"
@@ -31,7 +32,6 @@ struct EnumNames<sif::Constraint> {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using std::numbers::pi;
 
 struct Mode {
@@ -60,8 +60,6 @@ std::vector<const sif::Row*> rows_of(std::string_view family) {
   return rows;
 }
 
-std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
-
 /// "K to 5 %", or "K exact".
 std::string accuracy_of(const sif::SolutionInfo& info) {
   return info.relative_uncertainty > 0 ? "K to " + percent(info.relative_uncertainty) : "K exact";
@@ -84,6 +82,16 @@ std::string load_names(const sif::Row& row) {
 std::vector<std::string_view> range_of(const sif::Row& row) {
   std::vector<std::string_view> texts;
   for (const sif::ValidityLimit& limit : row.make({})->validity()) texts.push_back(limit.text);
+  return texts;
+}
+
+/// The rules between fields; what breaks one is refused.
+std::vector<std::string_view> rules_of(const sif::Row& row) { return row.make({})->rules(); }
+
+/// Limits, then rules.
+std::vector<std::string_view> range_and_rules(const sif::Row& row) {
+  std::vector<std::string_view> texts = range_of(row);
+  for (const std::string_view rule : rules_of(row)) texts.push_back(rule);
   return texts;
 }
 
@@ -116,11 +124,8 @@ Json row_json(const sif::Row& row) {
   for (const sif::FrontPoint& point : row.points)
     json["points"].push_back({{"name", point.name}, {"front_parameter", point.s}});
   json["validity"] = range_of(row);
+  json["rules"] = rules_of(row);
   return json;
-}
-
-Json quantity_json(double value, std::string_view unit) {
-  return {{"value", value}, {"unit", unit}};
 }
 
 Json intensity_json(const sif::PointIntensity& K) {
@@ -173,7 +178,7 @@ std::string sif_list_markdown(std::string_view family) {
     const sif::SolutionInfo& info = row->info;
     text += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} | {}: {} | {} |\n", info.name,
                         table_cell(info.title), info.modes, load_names(*row),
-                        table_cell(fmt::format("{}", fmt::join(range_of(*row), "; "))),
+                        table_cell(fmt::format("{}", fmt::join(range_and_rules(*row), "; "))),
                         accuracy_of(info), table_cell(info.accuracy), enum_name(info.basis),
                         info.source, info.equation);
   }
@@ -201,7 +206,9 @@ std::string sif_solution_text(const sif::Row& row) {
   for (const sif::FrontPoint& point : row.points) text += fmt::format(" {}", point.name);
   text += "\nValidity\n";
   for (const std::string_view limit : range_of(row)) text += fmt::format("  {}\n", limit);
-  if (range_of(row).empty()) text += "  everywhere\n";
+  for (const std::string_view rule : rules_of(row))
+    text += fmt::format("  {}; refused otherwise\n", rule);
+  if (range_and_rules(row).empty()) text += "  everywhere\n";
   return text;
 }
 

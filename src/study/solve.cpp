@@ -7,10 +7,10 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "display_unit.hpp"
+#include "report_json.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/nearest.hpp"
 #include "strainwave/core/quantity_text.hpp"
@@ -403,8 +403,6 @@ void describe_range(const Samples& samples, SolveResult& result) {
 
 // --- Writers -----------------------------------------------------------------------------------
 
-constexpr std::size_t kWidth = 100;
-
 Quantity in_display_unit(std::string_view name, const Quantity& q) {
   const DisplayUnit unit = display_unit(name, q.unit);
   return {q.value / unit.in_si, unit.text, q.relative_uncertainty};
@@ -418,17 +416,6 @@ std::string quantity_line(std::string_view name, const Quantity& q) {
     line += fmt::format(" (accuracy {:.2g} %)", 100 * *q.relative_uncertainty);
   return line;
 }
-
-using Json = nlohmann::ordered_json;
-
-Json quantity_json(const Quantity& q) {
-  return {
-      {"value", q.value},
-      {"unit", q.unit},
-      {"relative_uncertainty", q.relative_uncertainty ? Json(*q.relative_uncertainty) : Json()}};
-}
-
-Json plain_json(double value, std::string_view unit) { return {{"value", value}, {"unit", unit}}; }
 
 Json solution_json(const Solution& solution) {
   Json json = {{"value", quantity_json(solution.value)},
@@ -518,7 +505,7 @@ SolveResult solve(const GearSet& gear, Method method, const Unknown& unknown, co
 std::string solve_text(const SolveResult& result) {
   const auto input = [&](double x) { return shown(result.path, x, result.unit); };
   const auto paragraph = [](std::string_view indent, const std::string& text) {
-    return std::string(indent) + wrapped(text, kWidth - indent.size(), 4) + '\n';
+    return std::string(indent) + wrapped(text, kTextWidth - indent.size(), 4) + '\n';
   };
 
   std::string text = fmt::format(
@@ -566,17 +553,17 @@ std::string solve_json(const SolveResult& result) {
   Json json;
   json["method"] = enum_name(result.method);
   json["path"] = result.path;
-  json["present"] = plain_json(result.present, result.unit);
+  json["present"] = quantity_json(result.present, result.unit);
   json["target"] = {
       {"output", result.target.output}, {"value", result.target.value}, {"unit", unit}};
-  json["searched"] = {{"from", plain_json(result.searched.from, result.unit)},
-                      {"to", plain_json(result.searched.to, result.unit)}};
-  json["least"] = result.least ? plain_json(*result.least, unit) : Json();
-  json["greatest"] = result.greatest ? plain_json(*result.greatest, unit) : Json();
+  json["searched"] = {{"from", quantity_json(result.searched.from, result.unit)},
+                      {"to", quantity_json(result.searched.to, result.unit)}};
+  json["least"] = result.least ? quantity_json(*result.least, unit) : Json();
+  json["greatest"] = result.greatest ? quantity_json(*result.greatest, unit) : Json();
   json["excluded"] = Json::array();
   for (const Excluded& part : result.excluded)
-    json["excluded"].push_back({{"from", plain_json(part.from, result.unit)},
-                                {"to", plain_json(part.to, result.unit)},
+    json["excluded"].push_back({{"from", quantity_json(part.from, result.unit)},
+                                {"to", quantity_json(part.to, result.unit)},
                                 {"refused", part.refused},
                                 {"reason", part.reason}});
   json["usable"] = result.usable();

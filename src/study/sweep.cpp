@@ -8,9 +8,10 @@
 #include <cmath>
 #include <exception>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "report_cells.hpp"
+#include "report_json.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/model/result_fields.hpp"
 #include "strainwave/study/evaluate.hpp"
@@ -75,18 +76,6 @@ void gather_notes(std::vector<SweepNote>& gathered, const std::vector<Note>& not
 }
 
 /// A field of a CSV line, quoted where it must be (RFC 4180).
-std::string csv_field(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted += '"';
-}
-
-using Json = nlohmann::ordered_json;
-
 Json columns_json(const SweepResult& result) {
   Json columns = Json::array();
   for (const auto* const group : {&result.inputs, &result.outputs})

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <random>
 
+#include "report_json.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantile.hpp"
 #include "strainwave/core/quantity_text.hpp"
@@ -18,7 +18,6 @@
 namespace strainwave {
 namespace {
 
-constexpr std::size_t kWidth = 100;
 constexpr int kRimPositions = 180;
 constexpr int kCurvePoints = 40;  // on each side, evenly spaced in the root of the torque
 
@@ -110,23 +109,19 @@ std::string comparison_text(const CurveComparison& c) {
                               : c.crack_class == CrackClass::none ? "cannot tell"
                                                                   : "cannot tell, or several",
                               c.evidence),
-                  kWidth - 2, 4) +
+                  kTextWidth - 2, 4) +
           '\n';
   return text;
 }
 
 // --- json ---------------------------------------------------------------------------------------
 
-using Json = nlohmann::ordered_json;
-
-Json quantity(double value, std::string_view unit) { return {{"value", value}, {"unit", unit}}; }
-
 Json lines_json(const MakersLines& lines) {
-  return {{"K1", quantity(lines.K1, "N*m/rad")},
-          {"K2", quantity(lines.K2, "N*m/rad")},
-          {"K3", quantity(lines.K3, "N*m/rad")},
-          {"phi1", quantity(lines.phi1, "rad")},
-          {"phi2", quantity(lines.phi2, "rad")}};
+  return {{"K1", quantity_json(lines.K1, "N*m/rad")},
+          {"K2", quantity_json(lines.K2, "N*m/rad")},
+          {"K3", quantity_json(lines.K3, "N*m/rad")},
+          {"phi1", quantity_json(lines.phi1, "rad")},
+          {"phi2", quantity_json(lines.phi2, "rad")}};
 }
 
 Json changes_json(const LineChanges& c) { return {{"K1", c.K1}, {"K2", c.K2}, {"K3", c.K3}}; }
@@ -354,42 +349,43 @@ std::string torsion_text(const TorsionReport& report, const GearSet& gear) {
   for (const Note& note : report.notes) {
     std::string line = note.path.empty() ? note.text : note.path + ": " + note.text;
     if (!note.equation.empty()) line += fmt::format(" ({})", note.equation);
-    text += fmt::format("  - {}\n", wrapped(line, kWidth - 4, 4));
+    text += fmt::format("  - {}\n", wrapped(line, kTextWidth - 4, 4));
   }
   text +=
       "\n" +
       wrapped(fmt::format("Equations of the theory manual: {}", fmt::join(report.equations, ", ")),
-              kWidth, 2) +
+              kTextWidth, 2) +
       "\n";
   return text;
 }
 
 std::string torsion_json(const TorsionReport& report) {
   const MakersTorques& at = report.torques;
-  Json json = {{"torques",
-                {{"T1", quantity(at.T1, "N*m")},
-                 {"T2", quantity(at.T2, "N*m")},
-                 {"T3", quantity(at.T3, "N*m")},
-                 {"rated", quantity(at.rated, "N*m")},
-                 {"lost_motion", quantity(at.lost_motion, "N*m")},
-                 {"by_convention", at.by_convention}}},
-               {"positive", lines_json(report.positive)},
-               {"negative", lines_json(report.negative)},
-               {"lost_motion", quantity(report.lost_motion, "rad")},
-               {"hysteresis",
-                {{"amplitude", quantity(report.loop.amplitude, "N*m")},
-                 {"width_at_zero", quantity(report.loop.width_at_zero, "rad")},
-                 {"largest_width", quantity(report.loop.largest_width, "rad")},
-                 {"torque_of_largest_width", quantity(report.loop.torque_of_largest_width, "N*m")},
-                 {"lost_energy", quantity(report.loop.lost_energy, "J")},
-                 {"torque", report.loop.torque},
-                 {"twist", report.loop.twist}}},
-               {"cam_amplitude", quantity(report.curve.cam_amplitude, "m")},
-               {"assembly_ball_force", quantity(report.curve.assembly_ball_force, "N")},
-               {"series_compliance", quantity(report.curve.series_compliance, "rad/(N*m)")},
-               {"teeth", report.curve.teeth},
-               {"curve", curve_json(report.curve)},
-               {"curve_negative", curve_json(report.curve_negative)}};
+  Json json = {
+      {"torques",
+       {{"T1", quantity_json(at.T1, "N*m")},
+        {"T2", quantity_json(at.T2, "N*m")},
+        {"T3", quantity_json(at.T3, "N*m")},
+        {"rated", quantity_json(at.rated, "N*m")},
+        {"lost_motion", quantity_json(at.lost_motion, "N*m")},
+        {"by_convention", at.by_convention}}},
+      {"positive", lines_json(report.positive)},
+      {"negative", lines_json(report.negative)},
+      {"lost_motion", quantity_json(report.lost_motion, "rad")},
+      {"hysteresis",
+       {{"amplitude", quantity_json(report.loop.amplitude, "N*m")},
+        {"width_at_zero", quantity_json(report.loop.width_at_zero, "rad")},
+        {"largest_width", quantity_json(report.loop.largest_width, "rad")},
+        {"torque_of_largest_width", quantity_json(report.loop.torque_of_largest_width, "N*m")},
+        {"lost_energy", quantity_json(report.loop.lost_energy, "J")},
+        {"torque", report.loop.torque},
+        {"twist", report.loop.twist}}},
+      {"cam_amplitude", quantity_json(report.curve.cam_amplitude, "m")},
+      {"assembly_ball_force", quantity_json(report.curve.assembly_ball_force, "N")},
+      {"series_compliance", quantity_json(report.curve.series_compliance, "rad/(N*m)")},
+      {"teeth", report.curve.teeth},
+      {"curve", curve_json(report.curve)},
+      {"curve_negative", curve_json(report.curve_negative)}};
   for (const RimState& rim : report.rim)
     json["rim"].push_back({{"position", rim.position},
                            {"radial", rim.radial},
@@ -414,10 +410,10 @@ std::string torsion_json(const TorsionReport& report) {
                           {"angles", c.angles},
                           {"positive", turn_json(c.positive)},
                           {"negative", turn_json(c.negative)},
-                          {"lost_motion_sound", quantity(c.lost_motion_sound, "rad")},
-                          {"lost_motion_cracked", quantity(c.lost_motion_cracked, "rad")},
-                          {"hysteresis_sound", quantity(c.hysteresis_sound, "rad")},
-                          {"hysteresis_cracked", quantity(c.hysteresis_cracked, "rad")},
+                          {"lost_motion_sound", quantity_json(c.lost_motion_sound, "rad")},
+                          {"lost_motion_cracked", quantity_json(c.lost_motion_cracked, "rad")},
+                          {"hysteresis_sound", quantity_json(c.hysteresis_sound, "rad")},
+                          {"hysteresis_cracked", quantity_json(c.hysteresis_cracked, "rad")},
                           {"crack_class", enum_name(c.crack_class)},
                           {"class_ratio", c.class_ratio},
                           {"evidence", c.evidence}};

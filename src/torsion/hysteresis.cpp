@@ -12,34 +12,21 @@
 #include "strainwave/core/error.hpp"
 
 namespace strainwave {
-namespace {
-
-/// A monotonic curve through the origin, over torque in size.
-class Branch {
- public:
-  Branch(std::vector<double> torque, std::vector<double> twist)
-      : curve_(std::move(torque), std::move(twist)) {}
-  [[nodiscard]] double operator()(double torque) const { return curve_(torque); }
-
- private:
-  boost::math::interpolators::pchip<std::vector<double>> curve_;
-};
-
-Branch solved_branch(const GearSet& gear, const std::vector<double>& grid, double sense,
-                     CoupledOptions options, FlankFriction friction) {
-  options.friction = friction;
-  std::vector<double> torques;
-  for (std::size_t i = 1; i < grid.size(); ++i) torques.push_back(sense * grid[i]);
-  const TorsionCurve curve = torsion_curve(gear, torques, options);
-  if (!curve.usable()) throw SolverError(curve.unusable_because);
-  std::vector<double> twist = {0.0};
-  for (const CurvePoint& point : curve.points) twist.push_back(sense * point.twist);
-  return {grid, std::move(twist)};
-}
-
-}  // namespace
-
 struct Hysteresis::Envelopes {
+  /// A monotonic curve through the origin, over torque in size.
+  class Branch {
+   public:
+    Branch(std::vector<double> torque, std::vector<double> twist)
+        : curve_(std::move(torque), std::move(twist)) {}
+    [[nodiscard]] double operator()(double torque) const { return curve_(torque); }
+
+   private:
+    boost::math::interpolators::pchip<std::vector<double>> curve_;
+  };
+
+  static Branch solved_branch(const GearSet& gear, const std::vector<double>& grid, double sense,
+                              CoupledOptions options, FlankFriction friction);
+
   double largest = 0.0;
   double friction_torque = 0.0;
   int elements = 0;
@@ -64,6 +51,21 @@ struct Hysteresis::Envelopes {
   }
 };
 
+Hysteresis::Envelopes::Branch Hysteresis::Envelopes::solved_branch(const GearSet& gear,
+                                                                   const std::vector<double>& grid,
+                                                                   double sense,
+                                                                   CoupledOptions options,
+                                                                   FlankFriction friction) {
+  options.friction = friction;
+  std::vector<double> torques;
+  for (std::size_t i = 1; i < grid.size(); ++i) torques.push_back(sense * grid[i]);
+  const TorsionCurve curve = torsion_curve(gear, torques, options);
+  if (!curve.usable()) throw SolverError(curve.unusable_because);
+  std::vector<double> twist = {0.0};
+  for (const CurvePoint& point : curve.points) twist.push_back(sense * point.twist);
+  return {grid, std::move(twist)};
+}
+
 Hysteresis::Hysteresis(const GearSet& gear, double largest_torque,
                        const HysteresisOptions& options) {
   require(largest_torque > 0 && std::isfinite(largest_torque), "largest_torque", largest_torque,
@@ -79,7 +81,7 @@ Hysteresis::Hysteresis(const GearSet& gear, double largest_torque,
     grid.push_back(largest_torque * share * share);  // the curve is steep at the origin
   }
   const auto branch = [&](double sense, FlankFriction friction) {
-    return solved_branch(gear, grid, sense, options.coupled, friction);
+    return Envelopes::solved_branch(gear, grid, sense, options.coupled, friction);
   };
   envelopes_ = std::make_unique<Envelopes>(Envelopes{
       .largest = largest_torque,

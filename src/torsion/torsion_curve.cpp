@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "coupled_drive.hpp"
@@ -164,11 +165,12 @@ double sound_ball_force(CoupledDrive& sound, double torque, double position) {
 struct Assembly {
   CoupledDrive drive;
   std::string fails_because;
+  std::vector<std::string> equations;  ///< of the cracks that act in the contacts
 };
 
 Assembly assemble(const GearSet& gear, const CoupledGeometry& g, std::vector<Note>& notes,
                   const CoupledOptions& options) {
-  Assembly assembly{CoupledDrive(gear, g, {}, options), {}};
+  Assembly assembly{CoupledDrive(gear, g, {}, options), {}, {}};
   if (!assembly.drive.assemble()) {
     assembly.fails_because =
         assembly.drive.assembled().converged
@@ -187,7 +189,10 @@ Assembly assemble(const GearSet& gear, const CoupledGeometry& g, std::vector<Not
   const ContactCracks cracks = contact_cracks(
       gear, g, [&](double position) { return sound_ball_force(assembly.drive, T2, position); },
       notes);
-  if (cracks.hinges.empty() && cracks.teeth.empty() && cracks.balls.empty()) return assembly;
+  if (!cracks.teeth.empty()) assembly.equations.emplace_back("TC-21");
+  if (!cracks.hinges.empty()) assembly.equations.emplace_back("TC-22");
+  if (!cracks.balls.empty()) assembly.equations.emplace_back("TC-23");
+  if (assembly.equations.empty()) return assembly;
   const double amplitude = assembly.drive.cam_amplitude();
   assembly.drive = CoupledDrive(gear, g, cracks, options);
   if (!assembly.drive.assemble_on(amplitude))
@@ -212,6 +217,7 @@ TorsionCurve torsion_curve(const GearSet& gear, std::span<const double> torques,
   const SeriesMembers series = series_members(gear, curve);
   curve.series_compliance = series.sound();
   Assembly assembly = assemble(gear, geometry, curve.notes, options);
+  std::ranges::move(assembly.equations, std::back_inserter(curve.equations));
   if (!assembly.fails_because.empty()) {
     curve.unusable_because = std::move(assembly.fails_because);
     return curve;

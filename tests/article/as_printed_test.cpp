@@ -12,9 +12,11 @@
 #include <string>
 #include <string_view>
 
+#include "article/article_support.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
 #include "support/article_gear.hpp"
+#include "support/expect.hpp"
 #include "support/reference.hpp"
 #include "support/reference_csv.hpp"
 #include "support/scaling.hpp"
@@ -22,15 +24,16 @@
 namespace strainwave {
 namespace {
 
+using test::has_note;
+using test::kCompliance;
+using test::kStiffness;
+using test::kStressIntensity;
+
 using namespace units;  // NOLINT(google-build-using-namespace): 0.1 * mm reads as it should
 using std::numbers::pi;
 
-constexpr double kCompliance = 1 / (N * mm);  // [rad/(N*mm)]
-constexpr double kStiffness = N * mm;         // [N*mm/rad]
-const double kStressIntensity = MPa * std::sqrt(mm);
-
 /// A number of the article's method, in N and mm, computed with 30 digits and rounded to eight.
-test::Reference eight_digits(double value, std::string_view unit) {
+test::Reference table_AP1(double value, std::string_view unit) {
   return {.value = value,
           .unit = unit,
           .relative_tolerance = 1e-7,
@@ -38,22 +41,11 @@ test::Reference eight_digits(double value, std::string_view unit) {
           .tolerance_is = "eight digits printed: half a unit of the last is at most 5e-8"};
 }
 
-void expect_near(double actual, const test::Reference& reference) {
-  EXPECT_NEAR(actual, reference.value, std::abs(reference.value) * reference.relative_tolerance)
-      << "in " << reference.unit;
-}
-
 GearSet without_printed_coefficients(double crack_size) {
   GearSet gear = test::article_gear(crack_size);
   gear.article->M_p.reset();
   gear.article->M_M.reset();
   return gear;
-}
-
-bool has_note(const StiffnessResult& result, std::string_view code, std::string_view path = "") {
-  return std::ranges::any_of(result.notes, [&](const Note& note) {
-    return note.code == code && (path.empty() || note.path == path);
-  });
 }
 
 bool has_equation(const StiffnessResult& result, std::string_view tag) {
@@ -73,7 +65,7 @@ article::CrackedRace race_of(double a, double t, double a_contact, double b_cont
 // --- The table of the example -------------------------------------------------------------------
 
 /// One column: the printed equations and inputs for one crack size; N, mm, rad.
-struct Column {
+struct PrintedColumn {
   double a;
   double K_I, Delta_u_H, Delta_K_G, K_G, lambda_H;
   double Delta_lambda_f;
@@ -82,12 +74,12 @@ struct Column {
   // with M_p and M_M from the printed polynomials
   double M_p, M_M, polynomial_Delta_lambda_so, polynomial_sum, polynomial_K_HD;
 
-  friend std::ostream& operator<<(std::ostream& out, const Column& column) {
+  friend std::ostream& operator<<(std::ostream& out, const PrintedColumn& column) {
     return out << "a = " << column.a << " mm";
   }
 };
 
-constexpr Column kTable[] = {
+constexpr PrintedColumn kPrintedTable[] = {
     {0.1, 2.7044745, 3.4875000e-5, 1.4336918e7, -1.4216918e7, -1.5105758e-12, 1.0969189e-16,
      1.3701999e-14, 8.2290594e-18, 1.3710228e-14, 2.1232963e-9, 4.7096582e8, -8.4991049, 1.2777642,
      0.99496179, 3.1009503e-14, 2.1233136e-9, 4.7096199e8},
@@ -102,11 +94,11 @@ constexpr Column kTable[] = {
      0.87147560, 1.3045524e-11, 2.3930668e-9, 4.1787383e8},
 };
 
-class AsPrintedTable : public testing::TestWithParam<Column> {};
+class AsPrintedTable : public testing::TestWithParam<PrintedColumn> {};
 
 // (AP-1), (AP-5), (AP-6), (AP-8), (AP-9), (AP-11), (AP-16)
 TEST_P(AsPrintedTable, ReferenceEquations) {
-  const Column& c = GetParam();
+  const PrintedColumn& c = GetParam();
   const article::CrackedRace race{.depth = c.a,
                                   .ring_thickness = 10,
                                   .flaw_parameter = 1.5,
@@ -115,9 +107,10 @@ TEST_P(AsPrintedTable, ReferenceEquations) {
                                   .contact_semi_minor = 2,
                                   .youngs_modulus = 2.1e5};
   const double Delta_K_G = article::race_crack_stiffness(race, 500);
-  expect_near(article::race_crack_displacement(race, 500), eight_digits(c.Delta_u_H, "N*mm"));
-  expect_near(Delta_K_G, eight_digits(c.Delta_K_G, "1/mm"));
-  expect_near(article::radial_stiffness(1.2e5, Delta_K_G), eight_digits(c.K_G, "N/mm"));
+  test::expect_reference(article::race_crack_displacement(race, 500),
+                         table_AP1(c.Delta_u_H, "N*mm"));
+  test::expect_reference(Delta_K_G, table_AP1(c.Delta_K_G, "1/mm"));
+  test::expect_reference(article::radial_stiffness(1.2e5, Delta_K_G), table_AP1(c.K_G, "N/mm"));
 
   const article::CrackedShaft shaft{.depth = c.a,
                                     .diameter = 60,
@@ -126,43 +119,45 @@ TEST_P(AsPrintedTable, ReferenceEquations) {
                                     .youngs_modulus = 2.1e5,
                                     .shear_modulus = 8e4};
   const auto Delta_lambda_so = article::shaft_crack_compliance(shaft);
-  expect_near(Delta_lambda_so.axial_term, eight_digits(c.axial_term, "1/N"));
-  expect_near(Delta_lambda_so.torsion_term, eight_digits(c.torsion_term, "rad/(N*mm)"));
+  test::expect_reference(Delta_lambda_so.axial_term, table_AP1(c.axial_term, "1/N"));
+  test::expect_reference(Delta_lambda_so.torsion_term, table_AP1(c.torsion_term, "rad/(N*mm)"));
 
   const double x = (60 - 2 * c.a) / 60;
-  expect_near(article::axial_coefficient(x), eight_digits(c.M_p, "1"));
-  expect_near(article::torsion_coefficient(x), eight_digits(c.M_M, "1"));
+  test::expect_reference(article::axial_coefficient(x), table_AP1(c.M_p, "1"));
+  test::expect_reference(article::torsion_coefficient(x), table_AP1(c.M_M, "1"));
 }
 
 // (AP-18)
 TEST_P(AsPrintedTable, ReferenceDrive) {
-  const Column& c = GetParam();
+  const PrintedColumn& c = GetParam();
   const StiffnessResult result = torsional_stiffness_as_printed(test::article_gear(c.a * mm));
   ASSERT_EQ(result.cracks.size(), 3U);
-  expect_near(result.cracks[0].deepest->K_I.value / kStressIntensity,
-              eight_digits(c.K_I, "MPa*mm^0.5"));
-  expect_near(result.positive.compliance.wave_generator.value / kCompliance,
-              eight_digits(c.lambda_H, "rad/(N*mm)"));
-  expect_near(result.cracks[1].positive.at_output.value / kCompliance,
-              eight_digits(c.Delta_lambda_f, "rad/(N*mm)"));
-  expect_near(result.cracks[2].positive.at_output.value / kCompliance,
-              eight_digits(c.Delta_lambda_so, "rad/(N*mm)"));
-  expect_near(result.positive.compliance.total.value / kCompliance,
-              eight_digits(c.sum, "rad/(N*mm)"));
-  expect_near(result.positive.stiffness.value / kStiffness, eight_digits(c.K_HD, "N*mm/rad"));
-  expect_near(-100 * result.positive.stiffness_change.value, eight_digits(c.drop_percent, "%"));
+  test::expect_reference(result.cracks[0].deepest->K_I.value / kStressIntensity,
+                         table_AP1(c.K_I, "MPa*mm^0.5"));
+  test::expect_reference(result.positive.compliance.wave_generator.value / kCompliance,
+                         table_AP1(c.lambda_H, "rad/(N*mm)"));
+  test::expect_reference(result.cracks[1].positive.at_output.value / kCompliance,
+                         table_AP1(c.Delta_lambda_f, "rad/(N*mm)"));
+  test::expect_reference(result.cracks[2].positive.at_output.value / kCompliance,
+                         table_AP1(c.Delta_lambda_so, "rad/(N*mm)"));
+  test::expect_reference(result.positive.compliance.total.value / kCompliance,
+                         table_AP1(c.sum, "rad/(N*mm)"));
+  test::expect_reference(result.positive.stiffness.value / kStiffness,
+                         table_AP1(c.K_HD, "N*mm/rad"));
+  test::expect_reference(-100 * result.positive.stiffness_change.value,
+                         table_AP1(c.drop_percent, "%"));
 }
 
 TEST_P(AsPrintedTable, ReferenceDriveWithThePrintedPolynomials) {
-  const Column& c = GetParam();
+  const PrintedColumn& c = GetParam();
   const StiffnessResult result =
       torsional_stiffness_as_printed(without_printed_coefficients(c.a * mm));
-  expect_near(result.cracks[2].positive.at_output.value / kCompliance,
-              eight_digits(c.polynomial_Delta_lambda_so, "rad/(N*mm)"));
-  expect_near(result.positive.compliance.total.value / kCompliance,
-              eight_digits(c.polynomial_sum, "rad/(N*mm)"));
-  expect_near(result.positive.stiffness.value / kStiffness,
-              eight_digits(c.polynomial_K_HD, "N*mm/rad"));
+  test::expect_reference(result.cracks[2].positive.at_output.value / kCompliance,
+                         table_AP1(c.polynomial_Delta_lambda_so, "rad/(N*mm)"));
+  test::expect_reference(result.positive.compliance.total.value / kCompliance,
+                         table_AP1(c.polynomial_sum, "rad/(N*mm)"));
+  test::expect_reference(result.positive.stiffness.value / kStiffness,
+                         table_AP1(c.polynomial_K_HD, "N*mm/rad"));
 }
 
 TEST_P(AsPrintedTable, IdentityCracksAddWhatTheMembersGain) {
@@ -182,23 +177,24 @@ TEST_P(AsPrintedTable, IdentityCracksAddWhatTheMembersGain) {
   EXPECT_NEAR(result.positive.wind_up.value, cracked.total.value * 100, 1e-15);
 }
 
-INSTANTIATE_TEST_SUITE_P(CrackSizes, AsPrintedTable, testing::ValuesIn(kTable));
+INSTANTIATE_TEST_SUITE_P(CrackSizes, AsPrintedTable, testing::ValuesIn(kPrintedTable));
 
 // (AP-2), (AP-3)
 TEST(AsPrinted, ReferenceStressOfTheRace) {
   const double sigma_max = article::contact_pressure(500, 5, 2);
-  expect_near(sigma_max, eight_digits(23.873241, "MPa"));
-  expect_near(article::race_stress(0.45, sigma_max), eight_digits(5.3714793, "MPa"));
+  test::expect_reference(sigma_max, table_AP1(23.873241, "MPa"));
+  test::expect_reference(article::race_stress(0.45, sigma_max), table_AP1(5.3714793, "MPa"));
 }
 
 TEST(AsPrinted, ReferenceSoundDrive) {
   const IntactDrive intact = torsional_stiffness_as_printed(test::article_gear()).intact;
   const auto& [wave_generator, flexspline, output_shaft, total] = intact.compliance;
-  expect_near(wave_generator.value / kCompliance, eight_digits(1.7896443e-10, "rad/(N*mm)"));
-  expect_near(flexspline.value / kCompliance, eight_digits(1.9578073e-10, "rad/(N*mm)"));
-  expect_near(output_shaft.value / kCompliance, eight_digits(1.9290123e-9, "rad/(N*mm)"));
-  expect_near(total.value / kCompliance, eight_digits(2.3037575e-9, "rad/(N*mm)"));
-  expect_near(intact.stiffness.value / kStiffness, eight_digits(4.3407347e8, "N*mm/rad"));
+  test::expect_reference(wave_generator.value / kCompliance,
+                         table_AP1(1.7896443e-10, "rad/(N*mm)"));
+  test::expect_reference(flexspline.value / kCompliance, table_AP1(1.9578073e-10, "rad/(N*mm)"));
+  test::expect_reference(output_shaft.value / kCompliance, table_AP1(1.9290123e-9, "rad/(N*mm)"));
+  test::expect_reference(total.value / kCompliance, table_AP1(2.3037575e-9, "rad/(N*mm)"));
+  test::expect_reference(intact.stiffness.value / kStiffness, table_AP1(4.3407347e8, "N*mm/rad"));
   EXPECT_DOUBLE_EQ(intact.wind_up.value, total.value * 100);
 }
 
@@ -208,16 +204,16 @@ TEST(AsPrinted, ReferenceWithoutOverridesTheInputsAreUsed) {
   gear.article.reset();
   const StiffnessResult result = torsional_stiffness_as_printed(gear);
   const double tau = article::wall_shear(1e5, 78.88, 2.24);
-  expect_near(tau, eight_digits(1.1419269, "MPa"));
+  test::expect_reference(tau, table_AP1(1.1419269, "MPa"));
   EXPECT_NEAR(result.cracks[1].deepest->K_I.value / kStressIntensity, tau * std::sqrt(pi * 0.1),
               1e-14);
   // F_r = 251.5625 N enters K_I in proportion, Q = 1.5 follows from the aspect ratio.
   EXPECT_NEAR(result.cracks[0].deepest->K_I.value / kStressIntensity, 2.7044745 * 251.5625 / 500,
               1e-7);
-  expect_near(result.cracks[1].positive.at_output.value / kCompliance,
-              eight_digits(1.1536103e-16, "rad/(N*mm)"));
-  expect_near(result.intact.compliance.output_shaft.value / kCompliance,
-              eight_digits(1.2556898e-9, "rad/(N*mm)"));
+  test::expect_reference(result.cracks[1].positive.at_output.value / kCompliance,
+                         table_AP1(1.1536103e-16, "rad/(N*mm)"));
+  test::expect_reference(result.intact.compliance.output_shaft.value / kCompliance,
+                         table_AP1(1.2556898e-9, "rad/(N*mm)"));
 }
 
 TEST(AsPrinted, IdentityModesThatTheArticleDoesNotHave) {
@@ -236,19 +232,22 @@ TEST(AsPrinted, ReferenceSoundFlexsplineByNumberOfFactors) {
                         .pitch_diameter = 160,
                         .wall_thickness = 2.24,
                         .shear_modulus = 8e4};
-  expect_near(article::sound_flexspline_compliance(cup), eight_digits(2.8419324e-10, "rad/(N*mm)"));
+  test::expect_reference(article::sound_flexspline_compliance(cup),
+                         table_AP1(2.8419324e-10, "rad/(N*mm)"));
   cup.shape_coefficient = 0.83;
-  expect_near(article::sound_flexspline_compliance(cup), eight_digits(2.3588039e-10, "rad/(N*mm)"));
+  test::expect_reference(article::sound_flexspline_compliance(cup),
+                         table_AP1(2.3588039e-10, "rad/(N*mm)"));
   cup.structure_coefficient = 0.83;
-  expect_near(article::sound_flexspline_compliance(cup), eight_digits(1.9578073e-10, "rad/(N*mm)"));
+  test::expect_reference(article::sound_flexspline_compliance(cup),
+                         table_AP1(1.9578073e-10, "rad/(N*mm)"));
 }
 
 // (AP-17)
 TEST(AsPrinted, ReferenceSoundShaft) {
   const double hollow = std::pow(std::pow(70.0, 4) - std::pow(45.0, 4), 0.25);
-  expect_near(hollow, eight_digits(66.798146, "mm"));
-  expect_near(article::sound_shaft_compliance(110, hollow, 8e4),
-              eight_digits(6.9062941e-10, "rad/(N*mm)"));
+  test::expect_reference(hollow, table_AP1(66.798146, "mm"));
+  test::expect_reference(article::sound_shaft_compliance(110, hollow, 8e4),
+                         table_AP1(6.9062941e-10, "rad/(N*mm)"));
 }
 
 // (AP-13)
@@ -624,26 +623,18 @@ TEST(AsPrinted, IdentitySoundDriveHasNoCrackAndNoChange) {
 
 // --- Refusals -----------------------------------------------------------------------------------
 
-void expect_refused(std::string_view path, const std::function<void(GearSet&)>& change) {
-  GearSet gear = test::article_gear();
-  change(gear);
-  try {
-    (void)torsional_stiffness_as_printed(gear);
-    ADD_FAILURE() << path << " was accepted";
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.field(), path) << error.what();
-    EXPECT_NE(std::string_view(error.what()).find("as-printed"), std::string_view::npos)
-        << error.what();
-  }
+void printed_refuses(std::string_view path, const std::function<void(GearSet&)>& change) {
+  test::expect_refused([](const GearSet& gear) { return torsional_stiffness_as_printed(gear); },
+                       "as-printed", path, change);
 }
 
 TEST(AsPrinted, InputCracksThatTheArticleDoesNotHave) {
-  expect_refused("wave_generator.crack[0]", [](GearSet& gear) {
+  printed_refuses("wave_generator.crack[0]", [](GearSet& gear) {
     gear.wave_generator->inner_ring_width = 20 * mm;
     gear.wave_generator->crack = {
         RaceEdgeCrack{.depth = 0.1 * mm, .contact_factor = {}, .stress = {}}};
   });
-  expect_refused("flexspline.crack[0]", [](GearSet& gear) {
+  printed_refuses("flexspline.crack[0]", [](GearSet& gear) {
     gear.flexspline->crack = {WallSurfaceCrack{.depth = 0.1 * mm, .half_length = 0.2 * mm}};
   });
 }
@@ -684,19 +675,19 @@ TEST(AsPrinted, InputCracksOfTheCoupledDrive) {
 }
 
 TEST(AsPrinted, InputMoreThanOneCrackInAMember) {
-  expect_refused("wave_generator.crack[1]", [](GearSet& gear) {
+  printed_refuses("wave_generator.crack[1]", [](GearSet& gear) {
     gear.wave_generator->crack.push_back(gear.wave_generator->crack[0]);
   });
-  expect_refused("flexspline.crack[1]", [](GearSet& gear) {
+  printed_refuses("flexspline.crack[1]", [](GearSet& gear) {
     gear.flexspline->crack.push_back(gear.flexspline->crack[0]);
   });
-  expect_refused("output_shaft.crack[1]", [](GearSet& gear) {
+  printed_refuses("output_shaft.crack[1]", [](GearSet& gear) {
     gear.output_shaft->crack.push_back(gear.output_shaft->crack[0]);
   });
 }
 
 TEST(AsPrinted, InputModelsThatTheArticleDoesNotHave) {
-  expect_refused("wave_generator.bearing", [](GearSet& gear) {
+  printed_refuses("wave_generator.bearing", [](GearSet& gear) {
     gear.wave_generator->contact_semi_axes.reset();
     gear.wave_generator->radial_stiffness.reset();
     gear.wave_generator->bearing = Bearing{.ball_diameter = 12.7 * mm,
@@ -705,23 +696,23 @@ TEST(AsPrinted, InputModelsThatTheArticleDoesNotHave) {
                                            .ball_count = {},
                                            .outer_ring = {}};
   });
-  expect_refused("flexspline.crack_free", [](GearSet& gear) {
+  printed_refuses("flexspline.crack_free", [](GearSet& gear) {
     gear.flexspline->crack_free = CrackFree::sections;
     gear.flexspline->barrel = TubeSection{160 * mm, 2.24 * mm, 160 * mm};
     gear.flexspline->diaphragm = Diaphragm{157.76 * mm, 80 * mm, 3 * mm, {}};
   });
-  expect_refused("wave_generator.crack[0].stress_driver", [](GearSet& gear) {
+  printed_refuses("wave_generator.crack[0].stress_driver", [](GearSet& gear) {
     auto& crack = std::get<RaceSurfaceCrack>(gear.wave_generator->crack[0]);
     crack.contact_factor.reset();
     crack.stress_driver = StressDriver::contact_edge;
   });
-  expect_refused("wave_generator.crack[0].contact_factor", [](GearSet& gear) {
+  printed_refuses("wave_generator.crack[0].contact_factor", [](GearSet& gear) {
     std::get<RaceSurfaceCrack>(gear.wave_generator->crack[0]).contact_factor.reset();
   });
 }
 
 TEST(AsPrinted, InputCrackDeeperThanTheEquivalentShaft) {
-  expect_refused("output_shaft.crack[0].depth", [](GearSet& gear) {
+  printed_refuses("output_shaft.crack[0].depth", [](GearSet& gear) {
     gear.article->equivalent_shaft_diameter = 5 * mm;
     std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = 3 * mm;
   });

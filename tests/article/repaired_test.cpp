@@ -12,9 +12,11 @@
 #include <string>
 #include <string_view>
 
+#include "article/article_support.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
 #include "support/article_gear.hpp"
+#include "support/expect.hpp"
 #include "support/reference.hpp"
 #include "support/reference_csv.hpp"
 #include "support/scaling.hpp"
@@ -22,15 +24,16 @@
 namespace strainwave {
 namespace {
 
+using test::has_note;
+using test::kCompliance;
+using test::kStiffness;
+using test::kStressIntensity;
+
 using namespace units;  // NOLINT(google-build-using-namespace): 0.1 * mm reads as it should
 using std::numbers::pi;
 
-constexpr double kCompliance = 1 / (N * mm);  // [rad/(N*mm)]
-constexpr double kStiffness = N * mm;         // [N*mm/rad]
-const double kStressIntensity = MPa * std::sqrt(mm);
-
 /// A number of the repaired method, in N and mm, computed with 30 digits and rounded to eight.
-test::Reference eight_digits(double value, std::string_view unit) {
+test::Reference table_AR1(double value, std::string_view unit) {
   return {.value = value,
           .unit = unit,
           .relative_tolerance = 1e-7,
@@ -38,69 +41,61 @@ test::Reference eight_digits(double value, std::string_view unit) {
           .tolerance_is = "eight digits printed, and Q = 1.5 from an aspect ratio of eight digits"};
 }
 
-void expect_near(double actual, const test::Reference& reference) {
-  EXPECT_NEAR(actual, reference.value, std::abs(reference.value) * reference.relative_tolerance)
-      << "in " << reference.unit;
-}
-
-bool has_note(const StiffnessResult& result, std::string_view code, std::string_view path = "") {
-  return std::ranges::any_of(result.notes, [&](const Note& note) {
-    return note.code == code && (path.empty() || note.path == path);
-  });
-}
-
 /// One column of the table: the repaired method for one crack size; N, mm, rad.
-struct Column {
+struct RepairedColumn {
   double a;
   double Delta_K_G, K_G, lambda_H, Delta_lambda_f, Delta_lambda_so, sum, K_HD, drop_percent;
 
-  friend std::ostream& operator<<(std::ostream& out, const Column& column) {
+  friend std::ostream& operator<<(std::ostream& out, const RepairedColumn& column) {
     return out << "a = " << column.a << " mm";
   }
 };
 
-constexpr Column kTable[] = {
+constexpr RepairedColumn kRepairedTable[] = {
     {0.1, 7.1684588e9, 1.1999799e5, 1.7896742e-10, 1.1536103e-16, 1.2069906e-14, 1.6705498e-9,
      5.9860531e8, 9.0875061e-4},
     {1.0, 7.1684588e7, 1.1979946e5, 1.7926401e-10, 1.1536103e-14, 1.2253842e-12, 1.6720712e-9,
      5.9806067e8, 0.091892428},
 };
 
-class RepairedTable : public testing::TestWithParam<Column> {};
+class RepairedTable : public testing::TestWithParam<RepairedColumn> {};
 
 // (AR-3), (AR-4), (AR-5), (AR-8)
 TEST_P(RepairedTable, ReferenceDrive) {
-  const Column& c = GetParam();
+  const RepairedColumn& c = GetParam();
   const StiffnessResult result = torsional_stiffness_repaired(test::article_gear(c.a * mm));
   ASSERT_EQ(result.cracks.size(), 3U);
   // lambda_H = g/K_G with one factor g, so the radial stiffnesses follow from the compliances.
   const double lambda_H0 = result.intact.compliance.wave_generator.value;
   const double lambda_H = result.positive.compliance.wave_generator.value;
-  expect_near(1.2e5 * lambda_H0 / result.cracks[0].positive.at_output.value,
-              eight_digits(c.Delta_K_G, "N/mm"));
-  expect_near(1.2e5 * lambda_H0 / lambda_H, eight_digits(c.K_G, "N/mm"));
-  expect_near(lambda_H / kCompliance, eight_digits(c.lambda_H, "rad/(N*mm)"));
-  expect_near(result.cracks[1].positive.at_output.value / kCompliance,
-              eight_digits(c.Delta_lambda_f, "rad/(N*mm)"));
-  expect_near(result.cracks[2].positive.at_output.value / kCompliance,
-              eight_digits(c.Delta_lambda_so, "rad/(N*mm)"));
-  expect_near(result.positive.compliance.total.value / kCompliance,
-              eight_digits(c.sum, "rad/(N*mm)"));
-  expect_near(result.positive.stiffness.value / kStiffness, eight_digits(c.K_HD, "N*mm/rad"));
-  expect_near(-100 * result.positive.stiffness_change.value, eight_digits(c.drop_percent, "%"));
+  test::expect_reference(1.2e5 * lambda_H0 / result.cracks[0].positive.at_output.value,
+                         table_AR1(c.Delta_K_G, "N/mm"));
+  test::expect_reference(1.2e5 * lambda_H0 / lambda_H, table_AR1(c.K_G, "N/mm"));
+  test::expect_reference(lambda_H / kCompliance, table_AR1(c.lambda_H, "rad/(N*mm)"));
+  test::expect_reference(result.cracks[1].positive.at_output.value / kCompliance,
+                         table_AR1(c.Delta_lambda_f, "rad/(N*mm)"));
+  test::expect_reference(result.cracks[2].positive.at_output.value / kCompliance,
+                         table_AR1(c.Delta_lambda_so, "rad/(N*mm)"));
+  test::expect_reference(result.positive.compliance.total.value / kCompliance,
+                         table_AR1(c.sum, "rad/(N*mm)"));
+  test::expect_reference(result.positive.stiffness.value / kStiffness,
+                         table_AR1(c.K_HD, "N*mm/rad"));
+  test::expect_reference(-100 * result.positive.stiffness_change.value,
+                         table_AR1(c.drop_percent, "%"));
 }
 
-INSTANTIATE_TEST_SUITE_P(CrackSizes, RepairedTable, testing::ValuesIn(kTable));
+INSTANTIATE_TEST_SUITE_P(CrackSizes, RepairedTable, testing::ValuesIn(kRepairedTable));
 
 // (AR-6), (AR-7), (AR-9)
 TEST(Repaired, ReferenceSoundDrive) {
   const IntactDrive intact = torsional_stiffness_repaired(test::article_gear()).intact;
   const auto& [wave_generator, flexspline, output_shaft, total] = intact.compliance;
-  expect_near(wave_generator.value / kCompliance, eight_digits(1.7896443e-10, "rad/(N*mm)"));
-  expect_near(flexspline.value / kCompliance, eight_digits(2.3588039e-10, "rad/(N*mm)"));
-  expect_near(output_shaft.value / kCompliance, eight_digits(1.2556898e-9, "rad/(N*mm)"));
-  expect_near(total.value / kCompliance, eight_digits(1.6705347e-9, "rad/(N*mm)"));
-  expect_near(intact.stiffness.value / kStiffness, eight_digits(5.9861075e8, "N*mm/rad"));
+  test::expect_reference(wave_generator.value / kCompliance,
+                         table_AR1(1.7896443e-10, "rad/(N*mm)"));
+  test::expect_reference(flexspline.value / kCompliance, table_AR1(2.3588039e-10, "rad/(N*mm)"));
+  test::expect_reference(output_shaft.value / kCompliance, table_AR1(1.2556898e-9, "rad/(N*mm)"));
+  test::expect_reference(total.value / kCompliance, table_AR1(1.6705347e-9, "rad/(N*mm)"));
+  test::expect_reference(intact.stiffness.value / kStiffness, table_AR1(5.9861075e8, "N*mm/rad"));
 }
 
 TEST(Repaired, ReferenceTableOfTheScript) {
@@ -145,9 +140,9 @@ TEST(Repaired, ReferenceSolidShaftByTheHandbook) {
   const auto added = [&] {
     return torsional_stiffness_repaired(gear).cracks[2].positive.at_output.value / kCompliance;
   };
-  expect_near(added(), eight_digits(2.0646479e-14, "rad/(N*mm)"));
+  test::expect_reference(added(), table_AR1(2.0646479e-14, "rad/(N*mm)"));
   std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = 1 * mm;
-  expect_near(added(), eight_digits(2.1000955e-12, "rad/(N*mm)"));
+  test::expect_reference(added(), table_AR1(2.1000955e-12, "rad/(N*mm)"));
 }
 
 // (AR-8)
@@ -325,32 +320,24 @@ TEST(Repaired, IdentityAbsentMembersAddNothing) {
   EXPECT_TRUE(has_note(result, "member.absent", "output_shaft"));
 }
 
-void expect_refused(std::string_view path, const std::function<void(GearSet&)>& change) {
-  GearSet gear = test::article_gear();
-  change(gear);
-  try {
-    (void)torsional_stiffness_repaired(gear);
-    ADD_FAILURE() << path << " was accepted";
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.field(), path) << error.what();
-    EXPECT_NE(std::string_view(error.what()).find("repaired"), std::string_view::npos)
-        << error.what();
-  }
+void repaired_refuses(std::string_view path, const std::function<void(GearSet&)>& change) {
+  test::expect_refused([](const GearSet& gear) { return torsional_stiffness_repaired(gear); },
+                       "repaired", path, change);
 }
 
 TEST(Repaired, InputWhatTheArticleDoesNotHave) {
-  expect_refused("wave_generator.crack[0]", [](GearSet& gear) {
+  repaired_refuses("wave_generator.crack[0]", [](GearSet& gear) {
     gear.wave_generator->inner_ring_width = 20 * mm;
     gear.wave_generator->crack = {
         RaceEdgeCrack{.depth = 0.1 * mm, .contact_factor = {}, .stress = {}}};
   });
-  expect_refused("flexspline.crack[0]", [](GearSet& gear) {
+  repaired_refuses("flexspline.crack[0]", [](GearSet& gear) {
     gear.flexspline->crack = {WallSurfaceCrack{.depth = 0.1 * mm, .half_length = 0.2 * mm}};
   });
-  expect_refused("output_shaft.crack[1]", [](GearSet& gear) {
+  repaired_refuses("output_shaft.crack[1]", [](GearSet& gear) {
     gear.output_shaft->crack.push_back(gear.output_shaft->crack[0]);
   });
-  expect_refused("wave_generator.crack[0].contact_factor", [](GearSet& gear) {
+  repaired_refuses("wave_generator.crack[0].contact_factor", [](GearSet& gear) {
     std::get<RaceSurfaceCrack>(gear.wave_generator->crack[0]).contact_factor.reset();
   });
 }

@@ -15,17 +15,9 @@
 namespace strainwave {
 namespace {
 
-constexpr double kArcmin = std::numbers::pi / 10800;  // [rad]
+using test::broken_rule;
 
-template <class F>
-std::string broken_rule(const F& f) {
-  try {
-    (void)f();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
+constexpr double kArcmin = std::numbers::pi / 10800;  // [rad]
 
 /// K1, K2, K3 of a drive as a target: what a maker would state of it.
 CalibrationTarget lines_of(const GearSet& gear) {

@@ -16,17 +16,9 @@
 namespace strainwave {
 namespace {
 
-constexpr double kRpm = 2 * 3.141592653589793 / 60;  // [rad/s]
+using test::broken_rule;
 
-template <class F>
-std::string broken_rule(const F& f) {
-  try {
-    (void)f();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
+constexpr double kRpm = 2 * 3.141592653589793 / 60;  // [rad/s]
 
 // Spot checks, typed from the sources a second time; equality, because both are printed digits.
 TEST(StiffnessTable, ReferenceSpotChecks) {

@@ -14,15 +14,7 @@
 namespace strainwave {
 namespace {
 
-template <class F>
-std::string broken_rule(const F& f) {
-  try {
-    (void)f();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
+using test::broken_rule;
 
 constexpr Factor kAll[] = {Factor::support,         Factor::coning,    Factor::gap_factor,
                            Factor::pair_compliance, Factor::structure, Factor::clearance,

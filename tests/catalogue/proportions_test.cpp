@@ -20,17 +20,9 @@
 namespace strainwave {
 namespace {
 
-constexpr double kMm = 1e-3;
+using test::broken_rule;
 
-template <class F>
-std::string broken_rule(const F& f) {
-  try {
-    (void)f();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
+constexpr double kMm = 1e-3;
 
 /// phi at one torque [rad].
 double twist(const GearSet& gear, double torque) {

@@ -14,15 +14,7 @@
 namespace strainwave {
 namespace {
 
-template <class F>
-std::string broken_rule(const F& f) {
-  try {
-    (void)f();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
+using test::broken_rule;
 
 const ErrorSummary& errors_of(const Validation& validation, const std::string& rows) {
   const auto found = std::ranges::find(validation.errors, rows, &ErrorSummary::of);

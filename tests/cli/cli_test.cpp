@@ -661,6 +661,7 @@ TEST_F(Program, InputSensitivityOptions) {
   EXPECT_EQ(run("sensitivity").exit_code, 2);
   EXPECT_EQ(run("sensitivity " + file + " --samples 100").exit_code, 2);  // of no study
   EXPECT_EQ(run("sensitivity " + file + " --scatter --samples 1").exit_code, 2);
+  EXPECT_EQ(run("sensitivity " + file + " --scatter --seed -1").exit_code, 2);
   const Outcome none = run("sensitivity " + file + " --scatter");
   EXPECT_EQ(none.exit_code, 3);
   EXPECT_NE(none.err.find("[[scatter]]"), std::string::npos);

@@ -8,16 +8,18 @@
 #include <string_view>
 #include <type_traits>
 
+#include "support/not_finite.hpp"
+
 namespace strainwave {
 namespace {
+
+using test::kInfinity;
+using test::kNaN;
 
 static_assert(std::is_base_of_v<std::runtime_error, Error>);
 static_assert(std::is_base_of_v<Error, InputError>);
 static_assert(std::is_base_of_v<Error, SolverError>);
 static_assert(!std::is_base_of_v<InputError, SolverError>);
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(Error, InputBrokenRuleIsOneSentence) {
   const InputError error("output_shaft.crack[0].depth", 0.01, "m", "depth < wall");

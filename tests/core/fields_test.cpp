@@ -16,11 +16,13 @@
 #include <variant>
 #include <vector>
 
+#include "support/not_finite.hpp"
+
 namespace strainwave {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using test::kInfinity;
+using test::kNaN;
 
 enum class Colour { red, dark_blue };
 

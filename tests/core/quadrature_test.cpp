@@ -21,17 +21,19 @@ namespace {
 using std::numbers::pi;
 
 /// An integral whose antiderivative is elementary.
-struct Case {
+struct IntegralCase {
   std::string name;
   std::function<double(double)> f;
   double a;
   double b;
   double exact;
 
-  friend std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
+  friend std::ostream& operator<<(std::ostream& out, const IntegralCase& c) {
+    return out << c.name;
+  }
 };
 
-const std::vector<Case> kCases = {
+const std::vector<IntegralCase> kIntegrals = {
     {"Constant", [](double) { return 7.0; }, -2, 3, 35},
     {"Exponential", [](double x) { return std::exp(x); }, 0, 1, std::numbers::e - 1},
     {"Oscillation", [](double x) { return std::sin(x); }, 0, pi, 2},
@@ -48,10 +50,10 @@ const std::vector<Case> kCases = {
     {"NarrowPeak", [](double x) { return 1e-3 / (1e-6 + x * x); }, -1, 1, 2 * std::atan(1e3)},
 };
 
-class Quadrature : public testing::TestWithParam<Case> {};
+class Quadrature : public testing::TestWithParam<IntegralCase> {};
 
 TEST_P(Quadrature, ReferenceElementaryIntegral) {
-  const Case& c = GetParam();
+  const IntegralCase& c = GetParam();
   const test::Reference reference{.value = c.exact,
                                   .unit = "1",
                                   .relative_tolerance = 1e-10,
@@ -64,7 +66,7 @@ TEST_P(Quadrature, ReferenceElementaryIntegral) {
 }
 
 TEST_P(Quadrature, IdentityErrorEstimateHoldsAndIsUseful) {
-  const Case& c = GetParam();
+  const IntegralCase& c = GetParam();
   const auto integral = integrate(c.f, c.a, c.b, {.relative_tolerance = 1e-8});
   const double rounding = 1e-14 * std::abs(c.exact);
   EXPECT_LE(std::abs(integral.value - c.exact), integral.error + rounding);
@@ -73,12 +75,12 @@ TEST_P(Quadrature, IdentityErrorEstimateHoldsAndIsUseful) {
 }
 
 TEST_P(Quadrature, IdentityThirtyOnePointsAgree) {
-  const Case& c = GetParam();
+  const IntegralCase& c = GetParam();
   EXPECT_NEAR(integrate<31>(c.f, c.a, c.b).value, c.exact, 1e-10 * std::abs(c.exact));
 }
 
 TEST_P(Quadrature, IdentityLimitsReversedAndJoined) {
-  const Case& c = GetParam();
+  const IntegralCase& c = GetParam();
   const double tolerance = 1e-9 * std::abs(c.exact);
   EXPECT_NEAR(integrate(c.f, c.b, c.a).value, -c.exact, tolerance);
   const double middle = 0.6 * c.a + 0.4 * c.b;
@@ -87,7 +89,7 @@ TEST_P(Quadrature, IdentityLimitsReversedAndJoined) {
 }
 
 TEST_P(Quadrature, ScalingWorkDoesNotDependOnTheUnitOfLength) {
-  const Case& c = GetParam();
+  const IntegralCase& c = GetParam();
   const auto points = [&](double scale) {
     long n = 0;
     const auto integral = integrate(
@@ -104,7 +106,7 @@ TEST_P(Quadrature, ScalingWorkDoesNotDependOnTheUnitOfLength) {
   EXPECT_EQ(points(1), points(0x1p10));
 }
 
-INSTANTIATE_TEST_SUITE_P(Integrals, Quadrature, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Integrals, Quadrature, testing::ValuesIn(kIntegrals),
                          [](const auto& test) { return test.param.name; });
 
 TEST(QuadratureRule, ReferencePolynomialsAreExact) {
@@ -130,7 +132,7 @@ TEST(QuadratureRule, ReferencePolynomialsAreExact) {
 }
 
 /// Largest error of the rule without bisection, on n panels.
-double error_on_panels(const Case& c, int n) {
+double error_on_panels(const IntegralCase& c, int n) {
   double sum = 0;
   for (int i = 0; i < n; ++i) {
     const double h = (c.b - c.a) / n;
@@ -143,7 +145,7 @@ double error_on_panels(const Case& c, int n) {
 
 TEST(QuadratureRule, ConvergenceOrderOfARootIsThreeHalves) {
   // sqrt(x) is not smooth at 0: the first panel alone errs, as h^(3/2).
-  const Case root{"", [](double x) { return std::sqrt(x); }, 0, 1, 2.0 / 3};
+  const IntegralCase root{"", [](double x) { return std::sqrt(x); }, 0, 1, 2.0 / 3};
   for (int n = 4; n <= 64; n *= 2)
     EXPECT_NEAR(std::log2(error_on_panels(root, n) / error_on_panels(root, 2 * n)), 1.5, 1e-3) << n;
 }
@@ -152,8 +154,8 @@ TEST(QuadratureRule, ConvergenceOrderOfASmoothIntegrandIs25) {
   // Degree 23 is exact, so one panel errs as h^25; between rounding and the next term (a tenth at
   // this width) there is just room to see it.
   const auto error = [](double half_width) {
-    const Case wave{"", [](double x) { return std::cos(x); }, -half_width, half_width,
-                    2 * std::sin(half_width)};
+    const IntegralCase wave{"", [](double x) { return std::cos(x); }, -half_width, half_width,
+                            2 * std::sin(half_width)};
     return error_on_panels(wave, 1);
   };
   EXPECT_NEAR(std::log(error(6.6) / error(6.0)) / std::log(6.6 / 6.0), 25, 1.5);

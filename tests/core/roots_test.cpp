@@ -10,14 +10,15 @@
 #include <string_view>
 #include <vector>
 
+#include "support/not_finite.hpp"
 #include "support/reference.hpp"
 
 namespace strainwave {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using test::kNaN;
 
-struct Case {
+struct RootCase {
   std::string_view name;
   std::function<double(double)> f;
   double lower;
@@ -26,7 +27,7 @@ struct Case {
   std::string_view source;
 };
 
-const std::vector<Case> kCases = {
+const std::vector<RootCase> kRoots = {
     {"linear", [](double x) { return 3 * x - 1; }, -5, 7, 1.0 / 3, "exact"},
     {"square root", [](double x) { return x * x - 2; }, 0, 2, std::numbers::sqrt2, "exact"},
     {"falling", [](double x) { return 2 - x * x; }, 0, 2, std::numbers::sqrt2, "exact"},
@@ -44,7 +45,7 @@ const std::vector<Case> kCases = {
 };
 
 TEST(BracketedRoot, ReferenceRoots) {
-  for (const Case& c : kCases) {
+  for (const RootCase& c : kRoots) {
     const test::Reference reference{.value = c.root,
                                     .unit = "1",
                                     .relative_tolerance = 1e-14,
@@ -57,7 +58,7 @@ TEST(BracketedRoot, ReferenceRoots) {
 }
 
 TEST(BracketedRoot, IdentityOrderAndSignOfTheFunctionDoNotMatter) {
-  for (const Case& c : kCases) {
+  for (const RootCase& c : kRoots) {
     const double root = bracketed_root(c.f, c.lower, c.upper);
     EXPECT_GE(root, c.lower) << c.name;
     EXPECT_LE(root, c.upper) << c.name;
@@ -73,7 +74,7 @@ TEST(BracketedRoot, LimitARootAtAnEndIsFoundThere) {
 }
 
 TEST(BracketedRoot, ConvergenceTakesFewEvaluations) {
-  for (const Case& c : kCases) {
+  for (const RootCase& c : kRoots) {
     int n = 0;
     (void)bracketed_root(
         [&](double x) {

@@ -16,18 +16,20 @@
 #include "support/reference.hpp"
 #include "support/reference_csv.hpp"
 #include "support/scaling.hpp"
+#include "support/steel.hpp"
 
 namespace strainwave {
 namespace {
+
+using test::kE;
+using test::kG;
+using test::kNu;
 
 using namespace units;  // NOLINT(google-build-using-namespace): 0.1 * mm reads as it should
 using std::numbers::pi;
 using test::Arg;
 
-constexpr double kE = 210 * GPa;
-constexpr double kMu = 80 * GPa;
-constexpr double kNu = 0.3;
-constexpr CrackModuli kSteel{.opening = kE / (1 - kNu * kNu), .shear = kMu};
+constexpr CrackModuli kSteel{.opening = test::kPlaneStrain, .shear = kG};
 constexpr double kComplianceNmm = 1 / (N * mm);  // [rad/(N*mm)]
 
 constexpr AnnularPolynomials kTada = AnnularPolynomials::tada;
@@ -259,7 +261,7 @@ TEST(AnnularCrackSolid, IdentityClosedPolynomials) {
       const SymmetricMatrix<2> m = matrix(solid(depth, p.which));
       const long double x = 1 - 2 * static_cast<long double>(depth) / static_cast<long double>(d);
       const double torsion =
-          static_cast<double>(9 * closed_integral(p.p3, 4, x)) / (kMu * d * d * d);
+          static_cast<double>(9 * closed_integral(p.p3, 4, x)) / (kG * d * d * d);
       const double axial =
           static_cast<double>(2 * closed_integral(p.p1, 2, x)) / (kSteel.opening * d);
       // Extended precision loses 1e-19/(1 - x)^2 by cancellation; the quadrature is to 1e-10.
@@ -286,7 +288,7 @@ TEST(AnnularCrackSolid, IdentityPrintedClosedForm) {
   const double d = 60 * mm;
   for (const double x : {0.95, 0.7, 0.3, 0.05}) {
     const SymmetricMatrix<2> m = matrix(solid(d * (1 - x) / 2, kTada));
-    test::expect_relative(m(kTorsion, kTorsion) * kMu * d * d * d / 9,
+    test::expect_relative(m(kTorsion, kTorsion) * kG * d * d * d / 9,
                           static_cast<double>(I_T(static_cast<long double>(x))), 1e-10);
     test::expect_relative(m(kAxial, kAxial) * kSteel.opening * d / 2,
                           static_cast<double>(I_P(static_cast<long double>(x))), 1e-10);
@@ -300,7 +302,7 @@ TEST(AnnularCrackSolid, LimitDeepIsTwoHalfSpaces) {
     const double d = 60 * mm;
     const double net = 1e-6 * d;
     const SymmetricMatrix<2> m = matrix(solid((d - net) / 2, which));
-    EXPECT_NEAR(m(kTorsion, kTorsion) * kMu * net * net * net / 3, 1.0, 1e-5);
+    EXPECT_NEAR(m(kTorsion, kTorsion) * kG * net * net * net / 3, 1.0, 1e-5);
     EXPECT_NEAR(m(kAxial, kAxial) * kSteel.opening * net / 2, 1.0, 1e-5);
   }
 }
@@ -313,13 +315,13 @@ TEST(AnnularCrackSolid, LimitShallowIsAnEdgeCrack) {
     const double M_M = annular_p3(which, 1) * 3 / 8;
     const double M_p = annular_p1(which, 1) / 2;
     const SymmetricMatrix<2> m = matrix(solid(a, which));
-    test::expect_relative(m(kTorsion, kTorsion), 128 * M_M * M_M * a * a / (kMu * std::pow(d, 5)),
+    test::expect_relative(m(kTorsion, kTorsion), 128 * M_M * M_M * a * a / (kG * std::pow(d, 5)),
                           1e-7);
     test::expect_relative(m(kAxial, kAxial),
                           16 * M_p * M_p * a * a / (kSteel.opening * std::pow(d, 3)), 1e-7);
   }
   test::expect_reference(
-      matrix(solid(a, kTada))(kTorsion, kTorsion) * kMu * std::pow(d, 5) / (a * a) / 128,
+      matrix(solid(a, kTada))(kTorsion, kTorsion) * kG * std::pow(d, 5) / (a * a) / 128,
       {.value = 1.00170385,
        .unit = "1",
        .relative_tolerance = 1e-7,
@@ -604,7 +606,7 @@ TEST(AnnularCrackHollow, LimitShallow) {
     const SymmetricMatrix<2> m =
         matrix(AnnularCrackHollow({.depth = a, .outer_radius = ro, .inner_radius = ri}));
     // Linear in a/t, with a slope of order one.
-    test::expect_relative(m(1, 1), pi * pi * std::pow(ro, 3) * a * a / (kMu * I_p * I_p), 1e-7);
+    test::expect_relative(m(1, 1), pi * pi * std::pow(ro, 3) * a * a / (kG * I_p * I_p), 1e-7);
     test::expect_relative(m(0, 0), 2 / kSteel.opening * std::pow(1.1215 * pi * a / A, 2) * ro,
                           1e-6);
   }

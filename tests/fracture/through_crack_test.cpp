@@ -14,16 +14,18 @@
 #include "support/reference.hpp"
 #include "support/reference_csv.hpp"
 #include "support/scaling.hpp"
+#include "support/steel.hpp"
 
 namespace strainwave {
 namespace {
+
+using test::kE;
 
 using namespace units;  // NOLINT(google-build-using-namespace): 0.1 * mm reads as it should
 using std::numbers::pi;
 using test::Arg;
 
-constexpr double kE = 210 * GPa;
-constexpr CrackModuli kPlaneStress{.opening = kE, .shear = 80 * GPa};
+constexpr CrackModuli kPlaneStress{.opening = kE, .shear = test::kG};
 
 ThroughCrackInTube article_crack(double half_length = 1 * mm, double degrees = 45) {
   return {.half_length = half_length,

@@ -22,16 +22,17 @@
 #include "strainwave/core/units.hpp"
 #include "strainwave/model/gear_set.hpp"
 #include "support/article_gear.hpp"
+#include "support/not_finite.hpp"
 
 namespace strainwave {
 namespace {
 
+using test::kInfinity;
+using test::kNaN;
+
 using namespace units;  // NOLINT(google-build-using-namespace): 3 * mm reads as it should
 using std::numbers::pi;
 using test::article_gear;
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The refusal of a gear; "accepted" if there is none.
 InputError refusal(const GearSet& gear) {

@@ -12,7 +12,7 @@
 #include <string>
 #include <type_traits>
 
-#include "sif/plate_support.hpp"
+#include "sif/solution_support.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/fracture/edge_crack.hpp"
 #include "strainwave/fracture/surface_crack.hpp"

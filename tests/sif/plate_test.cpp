@@ -9,7 +9,7 @@
 #include <string>
 #include <type_traits>
 
-#include "sif/plate_support.hpp"
+#include "sif/solution_support.hpp"
 #include "strainwave/core/quadrature.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/fracture/edge_crack.hpp"
@@ -240,7 +240,7 @@ TEST(Strip, InputRulesAndLimits) {
 // --- (SP-24): inclined edge crack
 // ------------------------------------------------------------------
 
-HalfPlaneEdgeCrack inclined(double angle) {
+HalfPlaneEdgeCrack inclined_edge(double angle) {
   return {.length = 2 * mm, .angle = angle, .thickness = 3 * mm};
 }
 
@@ -249,7 +249,7 @@ TEST(HalfPlaneEdge, ReferenceIntegralEquation) {
   int n = 0;
   const double root = std::sqrt(pi * mm);
   for (const test::CsvRow& row : test::read_reference_csv("inclined_edge_crack")) {
-    const auto k = inclined(row("angle")).stress_intensity(mm, 0);
+    const auto k = inclined_edge(row("angle")).stress_intensity(mm, 0);
     if (row.quantity == "F_I")
       test::expect_row(k.I[0] / root, row, 3.5e-4);
     else
@@ -261,7 +261,7 @@ TEST(HalfPlaneEdge, ReferenceIntegralEquation) {
 
 TEST(HalfPlaneEdge, LimitNormalCrackIsTheShallowStrip) {
   const double root = std::sqrt(pi * mm);
-  const auto k = inclined(0).stress_intensity(mm, 0);
+  const auto k = inclined_edge(0).stress_intensity(mm, 0);
   test::expect_relative(k.I[0], edge_crack_factor(StripLoading::tension, 0) * root, 1e-14);
   EXPECT_EQ(k.II[0], 0.0);
   EXPECT_EQ(k.III[0], 0.0);
@@ -269,22 +269,22 @@ TEST(HalfPlaneEdge, LimitNormalCrackIsTheShallowStrip) {
 
 TEST(HalfPlaneEdge, CrosscheckPublishedAt45Degrees) {
   // 0.705 and 0.364, quoted in many papers (secondary); tolerance: three digits.
-  const auto k = inclined(pi / 4).stress_intensity(mm, 0);
+  const auto k = inclined_edge(pi / 4).stress_intensity(mm, 0);
   EXPECT_NEAR(k.I[0] / std::sqrt(pi * mm), 0.705, 0.0006);
   EXPECT_NEAR(k.II[0] / std::sqrt(pi * mm), 0.364, 0.0009);
 }
 
 TEST(HalfPlaneEdge, IdentityEnergy) {
   // 2 (F_I^2 + F_II^2) pi a^2/2 t.
-  const HalfPlaneEdgeCrack crack = inclined(0.6);
+  const HalfPlaneEdgeCrack crack = inclined_edge(0.6);
   const auto k = crack.stress_intensity(2 * mm, 0);
   test::expect_relative(added_compliance(crack, kUnitModuli).matrix(0, 0),
                         (k.I[0] * k.I[0] + k.II[0] * k.II[0]) * 2 * mm * 3 * mm, 1e-10);
 }
 
 TEST(HalfPlaneEdge, InputLimits) {
-  EXPECT_EQ(limits_broken(inclined(1.14)), Texts{"beta <= 65 deg"});
-  EXPECT_EQ(limits_broken(inclined(1.13)), Texts{});
+  EXPECT_EQ(limits_broken(inclined_edge(1.14)), Texts{"beta <= 65 deg"});
+  EXPECT_EQ(limits_broken(inclined_edge(1.13)), Texts{});
   test::expect_refused("halfplane-edge", {{"angle", 1.6}}, "angle");
   test::expect_refused("halfplane-edge", {{"length", 0.0}}, "length");
 }

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "sif/solution_support.hpp"
+#include "strainwave/core/units.hpp"
 #include "strainwave/fracture/edge_crack.hpp"
 #include "strainwave/fracture/surface_crack.hpp"
 #include "strainwave/fracture/through_crack.hpp"
@@ -21,9 +23,11 @@
 namespace strainwave::sif {
 namespace {
 
-using std::numbers::pi;
+using test::limits_broken;
+using test::rules_broken;
+using test::Texts;
 
-constexpr double kDegree = pi / 180;
+using std::numbers::pi;
 
 /// Wall of 1 mm.
 template <class S>
@@ -31,23 +35,6 @@ S crack_of(double depth, double half_length, double mean_radius) {
   return {
       .depth = depth, .half_length = half_length, .mean_radius = mean_radius, .thickness = 0.001};
 }
-template <class S>
-std::vector<std::string> broken(const S& solution) {
-  std::vector<std::string> fields;
-  solution.check([&](bool ok, std::string_view field, double, std::string_view, std::string_view) {
-    if (!ok) fields.emplace_back(field);
-  });
-  return fields;
-}
-template <class S>
-std::vector<std::string> outside(const S& solution) {
-  std::vector<std::string> limits;
-  solution.validity([&](bool inside, std::string_view text) {
-    if (!inside) limits.emplace_back(text);
-  });
-  return limits;
-}
-using Texts = std::vector<std::string>;
 
 // --- (SU-6), (SU-7): stress of the wall
 // ---------------------------------------------------------------------
@@ -190,17 +177,23 @@ TEST(TubeSurfaceAxial, IdentitySweptArea) {
 
 TEST(TubeSurfaceCrack, InputRules) {
   const auto sound = crack_of<TubeSurfaceAxialInner>(0.4e-3, 1e-3, 0.04);
-  EXPECT_EQ(broken(sound), Texts{});
-  EXPECT_EQ(outside(sound), Texts{});
-  EXPECT_EQ(broken(crack_of<TubeSurfaceAxialInner>(1e-3, 1e-3, 0.04)), Texts{"depth"});
-  EXPECT_EQ(broken(crack_of<TubeSurfaceAxialInner>(0.4e-3, 1e-3, 0.5e-3)), Texts{"thickness"});
-  EXPECT_EQ(outside(crack_of<TubeSurfaceAxialInner>(0.81e-3, 1e-3, 0.04)), Texts{"a/t <= 0.8"});
-  EXPECT_EQ(outside(crack_of<TubeSurfaceAxialInner>(0.19e-3, 1e-3, 0.04)),
+  EXPECT_EQ(rules_broken(sound), Texts{});
+  EXPECT_EQ(limits_broken(sound), Texts{});
+  EXPECT_EQ(rules_broken(crack_of<TubeSurfaceAxialInner>(1e-3, 1e-3, 0.04)), Texts{"depth"});
+  EXPECT_EQ(rules_broken(crack_of<TubeSurfaceAxialInner>(0.4e-3, 1e-3, 0.5e-3)),
+            Texts{"thickness"});
+  for (const double half_length : {0.0401, 3.99e-6})
+    EXPECT_EQ(rules_broken(crack_of<TubeSurfaceAxialInner>(0.4e-3, half_length, 0.04)),
+              Texts{"half_length"});
+  EXPECT_EQ(limits_broken(crack_of<TubeSurfaceAxialInner>(0.81e-3, 1e-3, 0.04)),
+            Texts{"a/t <= 0.8"});
+  EXPECT_EQ(limits_broken(crack_of<TubeSurfaceAxialInner>(0.19e-3, 1e-3, 0.04)),
             Texts{"0.2 <= a/c <= 2"});
-  EXPECT_EQ(outside(crack_of<TubeSurfaceAxialInner>(0.41e-3, 0.2e-3, 0.04)),
+  EXPECT_EQ(limits_broken(crack_of<TubeSurfaceAxialInner>(0.41e-3, 0.2e-3, 0.04)),
             Texts{"0.2 <= a/c <= 2"});
-  EXPECT_EQ(outside(crack_of<TubeSurfaceAxialInner>(0.4e-3, 1e-3, 3.9e-3)), Texts{"r >= 4 t"});
-  EXPECT_EQ(outside(crack_of<TubeSurfaceAxialInner>(0.7e-3, 2.5e-3, 6e-3)),
+  EXPECT_EQ(limits_broken(crack_of<TubeSurfaceAxialInner>(0.4e-3, 1e-3, 3.9e-3)),
+            Texts{"r >= 4 t"});
+  EXPECT_EQ(limits_broken(crack_of<TubeSurfaceAxialInner>(0.7e-3, 2.5e-3, 6e-3)),
             Texts{"c <= sqrt(r t)"});
 }
 
@@ -271,7 +264,7 @@ TEST(TubeOvalisedSurface, IdentityPlateBending) {
 // --- (SU-10): inclined
 // ----------------------------------------------------------------------------------------
 
-TubeSurfaceInclined inclined(double angle) {
+TubeSurfaceInclined inclined_surface(double angle) {
   return {.depth = 0.4e-3,
           .half_length = 1e-3,
           .angle = angle,
@@ -283,7 +276,7 @@ TubeSurfaceInclined inclined(double angle) {
 TEST(TubeSurfaceInclined, LimitCircumferential) {
   const auto crack = crack_of<TubeSurfaceCircumferentialInner>(0.4e-3, 1e-3, 0.04);
   for (const double phi : {0.0, 0.7, pi / 2}) {
-    const auto k = inclined(pi / 2).stress_intensity(0.3e-3, phi);
+    const auto k = inclined_surface(pi / 2).stress_intensity(0.3e-3, phi);
     test::expect_relative(k.I[kAxial], crack.stress_intensity(0.3e-3, phi).I[0], 1e-14);
     EXPECT_EQ(k.II[kAxial], 0.0);
     EXPECT_EQ(k.III[kAxial], 0.0);
@@ -292,13 +285,13 @@ TEST(TubeSurfaceInclined, LimitCircumferential) {
 
 TEST(TubeSurfaceInclined, IdentityModes) {
   // SU-10 at 30 degrees: stresses by Mohr's circle, the three factors of the ellipse.
-  const double beta = 30 * kDegree;
+  const double beta = 30 * units::deg;
   const double sigma = 1 / (2 * pi * 0.04 * 0.001);
   const double tau = sigma / 0.04;
   const NewmanRaju opening(0.4);
   const KassirSih shearing(0.4, 0.3);
   const double root = std::sqrt(pi * 0.3e-3);
-  const TubeSurfaceInclined crack = inclined(beta);
+  const TubeSurfaceInclined crack = inclined_surface(beta);
   for (const double phi : {0.0, 0.7, pi / 2}) {
     const auto k = crack.stress_intensity(0.3e-3, phi);
     const double I = opening.factor(0.3, phi) * root;
@@ -311,7 +304,7 @@ TEST(TubeSurfaceInclined, IdentityModes) {
     EXPECT_NEAR(k.III[kAxial], sigma * std::sqrt(3.0) / 4 * III, 1e-13 * sigma);
     EXPECT_NEAR(k.III[kTorsion], tau * 0.5 * III, 1e-13 * tau);
   }
-  EXPECT_LT(inclined(-beta).stress_intensity(0.3e-3, 0.7).I[kTorsion], 0.0);
+  EXPECT_LT(inclined_surface(-beta).stress_intensity(0.3e-3, 0.7).I[kTorsion], 0.0);
   test::expect_relative(crack.gross_stress(kAxial), sigma, 1e-14);
   test::expect_relative(crack.gross_stress(kTorsion), tau, 1e-14);
   EXPECT_DOUBLE_EQ(crack.swept_area(0.3e-3, 0.0), 2 * 0.75e-3);
@@ -320,24 +313,24 @@ TEST(TubeSurfaceInclined, IdentityModes) {
 
 TEST(TubeSurfaceInclined, InputRules) {
   const auto changed = [](double TubeSurfaceInclined::*field, double value) {
-    TubeSurfaceInclined crack = inclined(0.5);
+    TubeSurfaceInclined crack = inclined_surface(0.5);
     crack.*field = value;
     return crack;
   };
   using T = TubeSurfaceInclined;
-  EXPECT_EQ(broken(inclined(0.5)), Texts{});
-  EXPECT_EQ(outside(inclined(0.5)), Texts{});
-  EXPECT_EQ(broken(changed(&T::depth, 1e-3)), Texts{"depth"});
-  EXPECT_EQ(broken(changed(&T::half_length, 0.39e-3)), Texts{"depth"});
-  EXPECT_EQ(broken(changed(&T::half_length, 41e-3)), Texts{"half_length"});
-  EXPECT_EQ(broken(changed(&T::mean_radius, 0.5e-3)), Texts{"thickness"});
-  EXPECT_EQ(outside(changed(&T::depth, 0.81e-3)), Texts{"a/t <= 0.8"});
-  EXPECT_EQ(outside(changed(&T::depth, 0.19e-3)), Texts{"a/c >= 0.2"});
-  EXPECT_EQ(outside(changed(&T::mean_radius, 9.9e-3)), Texts{"r >= 10 t"});
+  EXPECT_EQ(rules_broken(inclined_surface(0.5)), Texts{});
+  EXPECT_EQ(limits_broken(inclined_surface(0.5)), Texts{});
+  EXPECT_EQ(rules_broken(changed(&T::depth, 1e-3)), Texts{"depth"});
+  EXPECT_EQ(rules_broken(changed(&T::half_length, 0.39e-3)), Texts{"depth"});
+  EXPECT_EQ(rules_broken(changed(&T::half_length, 41e-3)), Texts{"half_length"});
+  EXPECT_EQ(rules_broken(changed(&T::mean_radius, 0.5e-3)), Texts{"thickness"});
+  EXPECT_EQ(limits_broken(changed(&T::depth, 0.81e-3)), Texts{"a/t <= 0.8"});
+  EXPECT_EQ(limits_broken(changed(&T::depth, 0.19e-3)), Texts{"a/c >= 0.2"});
+  EXPECT_EQ(limits_broken(changed(&T::mean_radius, 9.9e-3)), Texts{"r >= 10 t"});
   TubeSurfaceInclined crack = changed(&T::half_length, 3.5e-3);
   crack.depth = 0.75e-3;
   crack.mean_radius = 0.0121;
-  EXPECT_EQ(outside(crack), Texts{"c <= sqrt(r t)"});
+  EXPECT_EQ(limits_broken(crack), Texts{"c <= sqrt(r t)"});
 }
 
 // --- (SU-11): all along the tube
@@ -405,15 +398,15 @@ TEST(TubeEdgeAxial, IdentityGeometry) {
 }
 
 TEST(TubeEdgeAxial, InputRules) {
-  EXPECT_EQ(broken(edge<TubeEdgeAxialInner>(0.4, 8)), Texts{});
-  EXPECT_EQ(outside(edge<TubeEdgeAxialInner>(0.4, 8)), Texts{});
-  EXPECT_EQ(broken(edge<TubeEdgeAxialInner>(1.0, 8)), Texts{"depth"});
-  EXPECT_EQ(broken(edge<TubeEdgeAxialInner>(0.4, 0.5)), Texts{"thickness"});
-  EXPECT_EQ(outside(edge<TubeEdgeAxialInner>(0.71, 8)), Texts{"a/t <= 0.7"});
-  EXPECT_EQ(outside(edge<TubeEdgeAxialInner>(0.4, 4.9)), Texts{"r >= 5 t"});
+  EXPECT_EQ(rules_broken(edge<TubeEdgeAxialInner>(0.4, 8)), Texts{});
+  EXPECT_EQ(limits_broken(edge<TubeEdgeAxialInner>(0.4, 8)), Texts{});
+  EXPECT_EQ(rules_broken(edge<TubeEdgeAxialInner>(1.0, 8)), Texts{"depth"});
+  EXPECT_EQ(rules_broken(edge<TubeEdgeAxialInner>(0.4, 0.5)), Texts{"thickness"});
+  EXPECT_EQ(limits_broken(edge<TubeEdgeAxialInner>(0.71, 8)), Texts{"a/t <= 0.7"});
+  EXPECT_EQ(limits_broken(edge<TubeEdgeAxialInner>(0.4, 4.9)), Texts{"r >= 5 t"});
   auto crack = edge<TubeEdgeAxialInner>(0.4, 8);
   crack.length = 0.049;
-  EXPECT_EQ(outside(crack), Texts{"length >= 5 t, plane strain"});
+  EXPECT_EQ(limits_broken(crack), Texts{"length >= 5 t, plane strain"});
 }
 
 }  // namespace

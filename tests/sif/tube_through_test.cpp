@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "sif/solution_support.hpp"
+#include "strainwave/core/units.hpp"
 #include "strainwave/fracture/through_crack.hpp"
 #include "strainwave/sif/tube/shell_factors.hpp"
 #include "strainwave/sif/tube/through_axial.hpp"
@@ -18,9 +20,11 @@
 namespace strainwave::sif {
 namespace {
 
-using std::numbers::pi;
+using test::limits_broken;
+using test::rules_broken;
+using test::Texts;
 
-constexpr double kDegree = pi / 180;
+using std::numbers::pi;
 
 TubeThroughAxial axial(double half_length) {
   return {
@@ -30,33 +34,13 @@ TubeThroughCircumferential circumferential(double half_length) {
   return {
       .half_length = half_length, .mean_radius = 0.04, .thickness = 0.001, .poissons_ratio = 0.3};
 }
-TubeThroughInclined inclined(double half_length, double angle) {
+TubeThroughInclined inclined_through(double half_length, double angle) {
   return {.half_length = half_length,
           .angle = angle,
           .mean_radius = 0.04,
           .thickness = 0.001,
           .poissons_ratio = 0.3};
 }
-
-/// The fields whose rules an impossible crack breaks.
-template <class S>
-std::vector<std::string> broken(const S& solution) {
-  std::vector<std::string> fields;
-  solution.check([&](bool ok, std::string_view field, double, std::string_view, std::string_view) {
-    if (!ok) fields.emplace_back(field);
-  });
-  return fields;
-}
-/// The limits that a crack is outside of.
-template <class S>
-std::vector<std::string> outside(const S& solution) {
-  std::vector<std::string> limits;
-  solution.validity([&](bool inside, std::string_view text) {
-    if (!inside) limits.emplace_back(text);
-  });
-  return limits;
-}
-using Texts = std::vector<std::string>;
 
 // --- (SU-1), (SU-2): the shallow shell
 // ----------------------------------------------------------------------
@@ -105,8 +89,8 @@ TEST(ShellFactors, LimitShortCrack) {
     ThroughCrackInTube expansion{.half_length = 1.0,
                                  .mean_radius = std::sqrt(12 * 0.91) / (lambda * lambda),
                                  .wall_thickness = 1.0,
-                                 .angle = degrees * kDegree};
-    const double added = shell_factors(lambda, degrees * kDegree).opening_by_normal.mean - 1;
+                                 .angle = degrees * units::deg};
+    const double added = shell_factors(lambda, degrees * units::deg).opening_by_normal.mean - 1;
     EXPECT_NEAR(added / (expansion.shell_factor(1.0) - 1), 1, 0.01) << degrees;
   }
   const ShellFactors flat = shell_factors(0.0, 0.7);
@@ -163,7 +147,7 @@ TEST(ShellFactors, IdentityWallIsTheFront) {
   };
   EXPECT_DOUBLE_EQ(area(axial(0.01)), 0.002);
   EXPECT_DOUBLE_EQ(area(circumferential(0.01)), 0.002);
-  EXPECT_DOUBLE_EQ(area(inclined(0.01, 0.5)), 0.002);
+  EXPECT_DOUBLE_EQ(area(inclined_through(0.01, 0.5)), 0.002);
 }
 
 TEST(ShellFactors, IdentityShellParameter) {
@@ -227,21 +211,21 @@ TEST(TubeThroughAxial, IdentityLinearPartHoldsAThirdOfItsSquare) {
 }
 
 TEST(TubeThroughAxial, InputRules) {
-  EXPECT_EQ(broken(axial(0.01)), Texts{});
-  EXPECT_EQ(outside(axial(0.01)), Texts{});
+  EXPECT_EQ(rules_broken(axial(0.01)), Texts{});
+  EXPECT_EQ(limits_broken(axial(0.01)), Texts{});
   TubeThroughAxial crack = axial(0.01);
   crack.thickness = 0.08;
-  EXPECT_EQ(broken(crack), Texts{"thickness"});
-  EXPECT_EQ(broken(axial(0.028)), Texts{"half_length"});  // lambda = 8.05
-  EXPECT_EQ(broken(axial(0.0278)), Texts{});              // 7.99
-  EXPECT_EQ(outside(axial(0.0019)), Texts{"a >= 2 t, plane stress"});
+  EXPECT_EQ(rules_broken(crack), Texts{"thickness"});
+  EXPECT_EQ(rules_broken(axial(0.028)), Texts{"half_length"});  // lambda = 8.05
+  EXPECT_EQ(rules_broken(axial(0.0278)), Texts{});              // 7.99
+  EXPECT_EQ(limits_broken(axial(0.0019)), Texts{"a >= 2 t, plane stress"});
   crack = axial(0.01);
   crack.thickness = 0.0041;
-  EXPECT_EQ(outside(crack), Texts{"r >= 10 t, thin shell"});
+  EXPECT_EQ(limits_broken(crack), Texts{"r >= 10 t, thin shell"});
   for (const double nu : {0.24, 0.36}) {
     crack = axial(0.01);
     crack.poissons_ratio = nu;
-    EXPECT_EQ(outside(crack), Texts{"0.25 <= nu <= 0.35"});
+    EXPECT_EQ(limits_broken(crack), Texts{"0.25 <= nu <= 0.35"});
   }
 }
 
@@ -341,22 +325,22 @@ TEST(TubeThroughCircumferential, IdentityLoads) {
 }
 
 TEST(TubeThroughCircumferential, InputRules) {
-  EXPECT_EQ(broken(circumferential(0.02)), Texts{});
-  EXPECT_EQ(outside(circumferential(0.02)), Texts{});
-  EXPECT_EQ(broken(circumferential(0.063)), Texts{"half_length"});
-  EXPECT_EQ(broken(circumferential(0.0628)), Texts{});
+  EXPECT_EQ(rules_broken(circumferential(0.02)), Texts{});
+  EXPECT_EQ(limits_broken(circumferential(0.02)), Texts{});
+  EXPECT_EQ(rules_broken(circumferential(0.063)), Texts{"half_length"});
+  EXPECT_EQ(rules_broken(circumferential(0.0628)), Texts{});
   TubeThroughCircumferential crack = circumferential(0.02);
   crack.thickness = 0.0081;
-  EXPECT_EQ(broken(crack), Texts{"mean_radius"});
+  EXPECT_EQ(rules_broken(crack), Texts{"mean_radius"});
   crack.thickness = 0.00066;
-  EXPECT_EQ(broken(crack), Texts{"mean_radius"});
-  EXPECT_EQ(outside(circumferential(0.0019)), Texts{"a >= 2 t, plane stress"});
+  EXPECT_EQ(rules_broken(crack), Texts{"mean_radius"});
+  EXPECT_EQ(limits_broken(circumferential(0.0019)), Texts{"a >= 2 t, plane stress"});
   crack.thickness = 0.0041;
-  EXPECT_EQ(outside(crack), Texts{"r >= 10 t, thin shell"});
+  EXPECT_EQ(limits_broken(crack), Texts{"r >= 10 t, thin shell"});
   for (const double nu : {0.24, 0.36}) {
     crack = circumferential(0.02);
     crack.poissons_ratio = nu;
-    EXPECT_EQ(outside(crack), Texts{"0.25 <= nu <= 0.35"});
+    EXPECT_EQ(limits_broken(crack), Texts{"0.25 <= nu <= 0.35"});
   }
 }
 
@@ -365,7 +349,7 @@ TEST(TubeThroughCircumferential, InputRules) {
 
 TEST(TubeThroughInclined, LimitAxial) {
   const auto a = axial(0.01).stress_intensity(0.01, 0.7);
-  const auto b = inclined(0.01, 0.0).stress_intensity(0.01, 0.7);
+  const auto b = inclined_through(0.01, 0.0).stress_intensity(0.01, 0.7);
   EXPECT_DOUBLE_EQ(b.I[2], a.I[0]);    // pressure
   EXPECT_DOUBLE_EQ(b.II[1], a.II[2]);  // torque
   EXPECT_EQ(b.I[0], 0.0);
@@ -375,7 +359,7 @@ TEST(TubeThroughInclined, LimitAxial) {
 TEST(TubeThroughInclined, LimitCircumferential) {
   // a/r = 0.05: the finite angle adds 0.1 %.
   const auto a = circumferential(0.002).stress_intensity(0.002, 0.0);
-  const auto b = inclined(0.002, pi / 2).stress_intensity(0.002, 0.0);
+  const auto b = inclined_through(0.002, pi / 2).stress_intensity(0.002, 0.0);
   test::expect_relative(b.I[0], a.I[0], 2e-3);
   // Right-handed torque slides a crack at 90 degrees the other way in its own axes.
   test::expect_relative(b.II[1], -a.II[2], 2e-3);
@@ -385,7 +369,7 @@ TEST(TubeThroughInclined, LimitCircumferential) {
 TEST(TubeThroughInclined, IdentityEqualStressesAreTensionAtEveryAngle) {
   // Axial stress = hoop stress = 1: no shear on any plane, so only the answers to the normal.
   for (const double angle : {-1.2, -0.4, 0.3, 0.8, 1.5}) {
-    const TubeThroughInclined crack = inclined(0.009, angle);
+    const TubeThroughInclined crack = inclined_through(0.009, angle);
     const auto k = crack.stress_intensity(0.009, 1.0);
     const ShellFactors f = shell_factors(shell_parameter(0.009, 0.04, 0.001, 0.3), angle);
     const double root = std::sqrt(pi * 0.009);
@@ -399,10 +383,10 @@ TEST(TubeThroughInclined, IdentityEqualStressesAreTensionAtEveryAngle) {
 }
 
 TEST(TubeThroughInclined, IdentityTorqueOpensPlusFortyFive) {
-  const TubeThroughInclined plus = inclined(0.01, 45 * kDegree);
-  const TubeThroughInclined minus = inclined(0.01, -45 * kDegree);
+  const TubeThroughInclined plus = inclined_through(0.01, 45 * units::deg);
+  const TubeThroughInclined minus = inclined_through(0.01, -45 * units::deg);
   const auto k = plus.stress_intensity(0.01, 0.6);
-  const ShellFactors f = shell_factors(shell_parameter(0.01, 0.04, 0.001, 0.3), 45 * kDegree);
+  const ShellFactors f = shell_factors(shell_parameter(0.01, 0.04, 0.001, 0.3), 45 * units::deg);
   const double tau = 1 / (2 * pi * 0.04 * 0.04 * 0.001);
   const double root = std::sqrt(pi * 0.01);
   test::expect_relative(k.I[1], tau * f.opening_by_normal.at(0.6) * root, 1e-12);
@@ -419,35 +403,36 @@ TEST(TubeThroughInclined, IdentityTorqueOpensPlusFortyFive) {
 TEST(TubeThroughInclined, CrosscheckThroughCrackInTube) {
   // FR-7, FR-9 with the same loads while lambda is small; 1 % at lambda = 0.3, the next term.
   const double a = 0.3 / shell_parameter(1.0, 0.04, 0.001, 0.3);
-  for (const double angle : {0.4, 45 * kDegree, 1.2}) {
+  for (const double angle : {0.4, 45 * units::deg, 1.2}) {
     const ThroughCrackInTube plate{
         .half_length = a, .mean_radius = 0.04, .wall_thickness = 0.001, .angle = angle};
     const auto expected = plate.stress_intensity(a, 0.0);
-    const auto k = inclined(a, angle).stress_intensity(a, 0.0);
+    const auto k = inclined_through(a, angle).stress_intensity(a, 0.0);
     for (const std::size_t i : {0, 1}) test::expect_relative(k.I[i], expected.I[i], 0.01);
     EXPECT_NEAR(k.II[0] / expected.II[0], 1, 0.02);
   }
 }
 
 TEST(TubeThroughInclined, InputRules) {
-  EXPECT_EQ(broken(inclined(0.01, 0.8)), Texts{});
-  EXPECT_EQ(outside(inclined(0.01, 0.8)), Texts{});
-  TubeThroughInclined crack = inclined(0.01, 0.0);
+  EXPECT_EQ(rules_broken(inclined_through(0.01, 0.8)), Texts{});
+  EXPECT_EQ(limits_broken(inclined_through(0.01, 0.8)), Texts{});
+  TubeThroughInclined crack = inclined_through(0.01, 0.0);
   crack.thickness = 0.08;
-  EXPECT_EQ(broken(crack), Texts{"thickness"});
-  EXPECT_EQ(broken(inclined(0.028, 0.0)), Texts{"half_length"});
-  EXPECT_EQ(outside(inclined(0.0019, 0.8)), Texts{"a >= 2 t, plane stress"});
-  EXPECT_EQ(outside(inclined(0.0125, 90 * kDegree)), Texts{"a |sin beta| <= 0.3 r, shallow"});
-  EXPECT_EQ(outside(inclined(0.0125, -90 * kDegree + 1e-9)),
+  EXPECT_EQ(rules_broken(crack), Texts{"thickness"});
+  EXPECT_EQ(rules_broken(inclined_through(0.028, 0.0)), Texts{"half_length"});
+  EXPECT_EQ(limits_broken(inclined_through(0.0019, 0.8)), Texts{"a >= 2 t, plane stress"});
+  EXPECT_EQ(limits_broken(inclined_through(0.0125, 90 * units::deg)),
             Texts{"a |sin beta| <= 0.3 r, shallow"});
-  EXPECT_EQ(outside(inclined(0.0125, 0.0)), Texts{});
-  crack = inclined(0.01, 0.0);
+  EXPECT_EQ(limits_broken(inclined_through(0.0125, -90 * units::deg + 1e-9)),
+            Texts{"a |sin beta| <= 0.3 r, shallow"});
+  EXPECT_EQ(limits_broken(inclined_through(0.0125, 0.0)), Texts{});
+  crack = inclined_through(0.01, 0.0);
   crack.thickness = 0.0041;
-  EXPECT_EQ(outside(crack), Texts{"r >= 10 t, thin shell"});
+  EXPECT_EQ(limits_broken(crack), Texts{"r >= 10 t, thin shell"});
   for (const double nu : {0.24, 0.36}) {
-    crack = inclined(0.01, 0.0);
+    crack = inclined_through(0.01, 0.0);
     crack.poissons_ratio = nu;
-    EXPECT_EQ(outside(crack), Texts{"0.25 <= nu <= 0.35"});
+    EXPECT_EQ(limits_broken(crack), Texts{"0.25 <= nu <= 0.35"});
   }
 }
 

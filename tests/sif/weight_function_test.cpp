@@ -129,15 +129,30 @@ TEST(EdgeWeight, IdentityEvidence) {
   const auto smooth = weighted_intensity(EdgeWeight(0.3), 1.0, [](double) { return 1.0; });
   EXPECT_TRUE(smooth.converged);
   EXPECT_LE(smooth.error, 1e-11 * smooth.value);
-  // A boundary layer is found where it is named: exp(-k x/a) in a thin skin, 1/k of the force at
-  // the mouth.
+  // A thin skin at the mouth, exp(-k x/a), is found unnamed: a force 1/k there.
+  for (const double k : {30.0, 300.0, 2e4, 1e6}) {
+    const auto skin =
+        weighted_intensity(EdgeWeight(0.3), 1.0, [=](double x) { return std::exp(-k * x); });
+    EXPECT_TRUE(skin.converged);
+    EXPECT_LE(skin.error, 1e-5 * skin.value) << k;
+    expect_relative(skin.value, std::sqrt(2 / pi) * EdgeWeight(0.3).value(1) / k, 3 / k);
+
+    const SurfaceWeight weight(0.7, 0.3);
+    const auto deepest =
+        weighted_intensity(weight, 1.0, pi / 2, [=](double x) { return std::exp(-k * x); });
+    EXPECT_TRUE(deepest.converged);
+    expect_relative(deepest.value, std::sqrt(2 / pi) * power_sum(weight.deepest(), 1.0) / k, 3 / k);
+  }
+  // One inside the body is found where it is named: a force k^-1 sqrt(pi) at x/a = 0.37.
   const double k = 2e4;
-  const std::array<double, 3> changes = {1 / k, 4 / k, 20 / k};
-  const auto skin = weighted_intensity(
-      EdgeWeight(0.3), 1.0, [=](double x) { return std::exp(-k * x); }, changes);
-  EXPECT_TRUE(skin.converged);
-  EXPECT_LE(skin.error, 1e-5 * skin.value);
-  expect_relative(skin.value, std::sqrt(2 / pi) * EdgeWeight(0.3).value(1) / k, 3 / k);
+  const double v = std::sqrt(1 - 0.37);
+  const std::array<double, 5> changes = {0.37 - 6 / k, 0.37 - 1 / k, 0.37, 0.37 + 1 / k,
+                                         0.37 + 6 / k};
+  const auto layer = weighted_intensity(
+      EdgeWeight(0.3), 1.0,
+      [=](double x) { return std::exp(-(k * (x - 0.37)) * (k * (x - 0.37))); }, changes);
+  EXPECT_TRUE(layer.converged);
+  expect_relative(layer.value, std::sqrt(2.0) * EdgeWeight(0.3).value(v) / v / k, 3 / k);
   const auto noise =
       weighted_intensity(EdgeWeight(0.3), 1.0, [](double x) { return std::fmod(1e7 * x, 1.0); });
   EXPECT_FALSE(noise.converged);

@@ -9,34 +9,28 @@
 #include <numbers>
 #include <string>
 
+#include "stiffness/members_support.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quadrature.hpp"
 #include "strainwave/core/units.hpp"
 #include "support/expect.hpp"
+#include "support/not_finite.hpp"
 #include "support/reference.hpp"
 #include "support/reference_csv.hpp"
 #include "support/scaling.hpp"
+#include "support/steel.hpp"
 
 namespace strainwave {
 namespace {
 
+using test::kComplianceNmm;
+using test::kG;
+
+using test::broken_rule;
+
 using namespace units;  // NOLINT(google-build-using-namespace): 0.1 * mm reads as it should
 using std::numbers::pi;
 using test::Arg;
-
-constexpr double kComplianceNmm = 1 / (N * mm);  // [rad/(N*mm)]
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-/// The message of the InputError that a call throws; "no error" if it throws none.
-template <class F>
-std::string broken_rule(const F& f) {
-  try {
-    (void)f();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 // --- (ST-2): the tube ----------------------------------------------------------------------------
 
@@ -121,14 +115,14 @@ TEST(TubeTorsion, InputRulesBrokenOnce) {
   };
   const std::string bore = " m violates: 0 <= inner_diameter < outer_diameter";
   EXPECT_EQ(broken(0, 0, 1, 1), "outer_diameter = 0 m violates: outer_diameter > 0");
-  EXPECT_EQ(broken(kNan, 0, 1, 1), "outer_diameter = nan m violates: outer_diameter > 0");
+  EXPECT_EQ(broken(test::kNaN, 0, 1, 1), "outer_diameter = nan m violates: outer_diameter > 0");
   EXPECT_EQ(broken(1, 1, 1, 1), "inner_diameter = 1" + bore);
   EXPECT_EQ(broken(1, -0.1, 1, 1), "inner_diameter = -0.1" + bore);
-  EXPECT_EQ(broken(1, kNan, 1, 1), "inner_diameter = nan" + bore);
+  EXPECT_EQ(broken(1, test::kNaN, 1, 1), "inner_diameter = nan" + bore);
   EXPECT_EQ(broken(1, 0.5, 0, 1), "length = 0 m violates: length > 0");
-  EXPECT_EQ(broken(1, 0.5, kNan, 1), "length = nan m violates: length > 0");
+  EXPECT_EQ(broken(1, 0.5, test::kNaN, 1), "length = nan m violates: length > 0");
   EXPECT_EQ(broken(1, 0.5, 1, 0), "shear_modulus = 0 Pa violates: shear_modulus > 0");
-  EXPECT_EQ(broken(1, 0.5, 1, kNan), "shear_modulus = nan Pa violates: shear_modulus > 0");
+  EXPECT_EQ(broken(1, 0.5, 1, test::kNaN), "shear_modulus = nan Pa violates: shear_modulus > 0");
   EXPECT_EQ(broken(1, 0, 1, 1), "no error");
 }
 
@@ -186,14 +180,14 @@ TEST(PlateTorsion, InputRulesBrokenOnce) {
     return broken_rule([=] { return torsional_compliance(AnnularPlate{D, d, h}, G); });
   };
   EXPECT_EQ(broken(2, 0, 1, 1), "inner_diameter = 0 m violates: inner_diameter > 0");
-  EXPECT_EQ(broken(2, kNan, 1, 1), "inner_diameter = nan m violates: inner_diameter > 0");
+  EXPECT_EQ(broken(2, test::kNaN, 1, 1), "inner_diameter = nan m violates: inner_diameter > 0");
   EXPECT_EQ(broken(2, 2, 1, 1), "outer_diameter = 2 m violates: outer_diameter > inner_diameter");
-  EXPECT_EQ(broken(kNan, 2, 1, 1),
+  EXPECT_EQ(broken(test::kNaN, 2, 1, 1),
             "outer_diameter = nan m violates: outer_diameter > inner_diameter");
   EXPECT_EQ(broken(2, 1, 0, 1), "thickness = 0 m violates: thickness > 0");
-  EXPECT_EQ(broken(2, 1, kNan, 1), "thickness = nan m violates: thickness > 0");
+  EXPECT_EQ(broken(2, 1, test::kNaN, 1), "thickness = nan m violates: thickness > 0");
   EXPECT_EQ(broken(2, 1, 1, 0), "shear_modulus = 0 Pa violates: shear_modulus > 0");
-  EXPECT_EQ(broken(2, 1, 1, kNan), "shear_modulus = nan Pa violates: shear_modulus > 0");
+  EXPECT_EQ(broken(2, 1, 1, test::kNaN), "shear_modulus = nan Pa violates: shear_modulus > 0");
   EXPECT_EQ(broken(2, 1, 1, 1), "no error");
 }
 
@@ -269,9 +263,10 @@ TEST(Ring, InputRulesBrokenOnce) {
   };
   EXPECT_EQ(broken(1, 1, 1), "wave_number = 1 violates: wave_number >= 2");
   EXPECT_EQ(broken(2, 0, 1), "mean_radius = 0 m violates: mean_radius > 0");
-  EXPECT_EQ(broken(2, kNan, 1), "mean_radius = nan m violates: mean_radius > 0");
+  EXPECT_EQ(broken(2, test::kNaN, 1), "mean_radius = nan m violates: mean_radius > 0");
   EXPECT_EQ(broken(2, 1, 0), "bending_stiffness = 0 N*m^2 violates: bending_stiffness > 0");
-  EXPECT_EQ(broken(2, 1, kNan), "bending_stiffness = nan N*m^2 violates: bending_stiffness > 0");
+  EXPECT_EQ(broken(2, 1, test::kNaN),
+            "bending_stiffness = nan N*m^2 violates: bending_stiffness > 0");
   EXPECT_EQ(broken(2, 1, 1), "no error");
   EXPECT_EQ(broken_rule([] { return ring_moment_factor(1); }),
             "wave_number = 1 violates: wave_number >= 2");
@@ -280,8 +275,6 @@ TEST(Ring, InputRulesBrokenOnce) {
 
 // --- diaphragm of any thickness (TC-13), groove in it (TC-20)
 // --------------------------------------------------------------------------------
-
-constexpr double kG = 80 * GPa;
 
 Diaphragm tapered_diaphragm() {
   return {.outer_diameter = 150 * mm,

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "stiffness/members_support.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
@@ -25,22 +26,23 @@
 namespace strainwave {
 namespace {
 
+using test::Codes;
+using test::kComplianceNmm;
+
 using namespace units;  // NOLINT(google-build-using-namespace): 0.1 * mm reads as it should
 using std::numbers::pi;
 using test::Arg;
-using Codes = std::vector<std::string>;
 
-constexpr double kComplianceNmm = 1 / (N * mm);  // [rad/(N*mm)]
-constexpr double kStiffnessNmm = N * mm;         // [N*mm/rad]
+constexpr double kStiffnessNmm = N * mm;  // [N*mm/rad]
 
-GearSet article(double crack_size = 0.1 * mm) {
+GearSet article_drive(double crack_size = 0.1 * mm) {
   GearSet gear = test::article_gear(crack_size);
   gear.article.reset();
   return gear;
 }
 
-GearSet sound() {
-  GearSet gear = article();
+GearSet sound_drive() {
+  GearSet gear = article_drive();
   gear.wave_generator->crack.clear();
   gear.flexspline->crack.clear();
   gear.output_shaft->crack.clear();
@@ -104,7 +106,7 @@ std::vector<CrackKind> crack_kinds() {
 }
 
 GearSet with_crack(const CrackKind& kind, double size) {
-  GearSet gear = sound();
+  GearSet gear = sound_drive();
   kind.add(gear, size);
   return gear;
 }
@@ -130,7 +132,7 @@ TEST(TorsionalStiffness, ReferenceArticleExample) {
     };
     const std::string_view digits =
         "eight digits printed; its shaft crack is a fit that differs from the table by 7e-5";
-    const StiffnessResult result = torsional_stiffness(article(c.crack_size * mm));
+    const StiffnessResult result = torsional_stiffness(article_drive(c.crack_size * mm));
     test::expect_reference(result.intact.compliance.total.value / kComplianceNmm,
                            reference(1.6247738e-9, "rad/(N*mm)", 5e-8, "eight digits printed"));
     test::expect_reference(result.intact.stiffness.value / kStiffnessNmm,
@@ -156,7 +158,7 @@ TEST(TorsionalStiffness, ReferenceArticleExampleTable) {
     if (!row.quantity.starts_with("corrected.")) continue;
     const std::string quantity = row.quantity.substr(10);
     const bool without_cracks = row("depth") == 0;
-    const GearSet gear = without_cracks ? sound() : article(row("depth"));
+    const GearSet gear = without_cracks ? sound_drive() : article_drive(row("depth"));
     const StiffnessResult result = torsional_stiffness(gear);
     const double f = lobe_force_per_torque(gear.drive, *gear.wave_generator);
     const auto crack = [&](const GearSet& cracked, std::size_t i) {
@@ -257,7 +259,7 @@ TEST(TorsionalStiffness, ReferenceArticleExampleTable) {
 }
 
 TEST(TorsionalStiffness, ReferenceSharesOfTheMembers) {
-  const Compliances c = torsional_stiffness(sound()).intact.compliance;
+  const Compliances c = torsional_stiffness(sound_drive()).intact.compliance;
   const auto percent = [](double value) {
     return test::Reference{.value = value,
                            .unit = "%",
@@ -273,7 +275,7 @@ TEST(TorsionalStiffness, ReferenceSharesOfTheMembers) {
 TEST(TorsionalStiffness, CrosscheckWithoutTheShaftItIsStifferThanACatalogue) {
   // A catalogue value contains no customer's shaft.  Size 65 of the catalogues: 5.4 to
   // 9.8e5 N*m/rad; the models of wave generator and flexspline leave mesh and bottom out.
-  GearSet gear = sound();
+  GearSet gear = sound_drive();
   gear.output_shaft.reset();
   const double K = torsional_stiffness(gear).intact.stiffness.value;
   EXPECT_NEAR(K, 2.9e6, 0.05e6);
@@ -285,7 +287,7 @@ TEST(TorsionalStiffness, CrosscheckWithoutTheShaftItIsStifferThanACatalogue) {
 // ---------------------------------------------------------------------------
 
 TEST(TorsionalStiffness, IdentityMembersInSeries) {
-  GearSet gear = article(1 * mm);
+  GearSet gear = article_drive(1 * mm);
   gear.load.torque = -70;
   const StiffnessResult result = torsional_stiffness(gear);
   EXPECT_EQ(result.method, Method::corrected);
@@ -318,7 +320,7 @@ TEST(TorsionalStiffness, IdentityMembersInSeries) {
 }
 
 TEST(TorsionalStiffness, IdentityUnits) {
-  const StiffnessResult result = torsional_stiffness(article());
+  const StiffnessResult result = torsional_stiffness(article_drive());
   for (const Compliances& c :
        {result.intact.compliance, result.positive.compliance, result.negative.compliance})
     for (const Quantity& q : {c.wave_generator, c.flexspline, c.output_shaft, c.total})
@@ -331,8 +333,8 @@ TEST(TorsionalStiffness, IdentityUnits) {
 }
 
 TEST(TorsionalStiffness, IdentityAbsentMembersAddNothing) {
-  const double f = torsional_stiffness(sound()).intact.compliance.flexspline.value;
-  GearSet gear = sound();
+  const double f = torsional_stiffness(sound_drive()).intact.compliance.flexspline.value;
+  GearSet gear = sound_drive();
   gear.wave_generator.reset();
   gear.output_shaft.reset();
   const StiffnessResult result = torsional_stiffness(gear);
@@ -346,7 +348,7 @@ TEST(TorsionalStiffness, IdentityAbsentMembersAddNothing) {
 }
 
 TEST(TorsionalStiffness, IdentitySoundDriveLosesNothing) {
-  const StiffnessResult result = torsional_stiffness(sound());
+  const StiffnessResult result = torsional_stiffness(sound_drive());
   for (const CrackedDrive& drive : {result.positive, result.negative}) {
     EXPECT_EQ(drive.stiffness_change.value, 0.0);
     EXPECT_EQ(drive.stiffness.value, result.intact.stiffness.value);
@@ -361,7 +363,7 @@ TEST(TorsionalStiffness, IdentitySoundDriveLosesNothing) {
 TEST(TorsionalStiffness, LimitTinyCracksWithoutCancellation) {
   // a = 1 nm: the change is 1e-15, and still has its digits.
   const double a = 1e-9;
-  const StiffnessResult result = torsional_stiffness(article(a));
+  const StiffnessResult result = torsional_stiffness(article_drive(a));
   const double r = 78.88 * mm;
   const double t = 2.24 * mm;
   const double wall = 1.21 * a * a / (2 * pi * 210 * GPa * std::pow(r, 4) * t);
@@ -454,7 +456,7 @@ TEST(TorsionalStiffness, IdentityLinearMembersDoNotKnowTheTorque) {
 
 TEST(TorsionalStiffness, IdentitySuperpositionAndOrder) {
   const std::vector<CrackKind> kinds = crack_kinds();
-  GearSet all = sound();
+  GearSet all = sound_drive();
   double sum = 0.0;
   for (const std::size_t i : {0U, 1U, 2U, 3U, 4U}) {
     const GearSet one = with_crack(kinds[i], kinds[i].largest / 4);
@@ -487,7 +489,7 @@ TEST(TorsionalStiffness, IdentitySuperpositionAndOrder) {
 // ------------------------------------------------------------------------------------------
 
 TEST(TorsionalStiffness, IdentityUncertaintiesAddInSquares) {
-  const StiffnessResult result = torsional_stiffness(article(2 * mm));
+  const StiffnessResult result = torsional_stiffness(article_drive(2 * mm));
   const auto absolute = [](const Quantity& q) { return q.value * *q.relative_uncertainty; };
   const Compliances& c = result.intact.compliance;
   EXPECT_EQ(*c.wave_generator.relative_uncertainty, 0.30);
@@ -554,7 +556,7 @@ TEST(TorsionalStiffness, IdentityNotesOfEachCase) {
   const auto codes = [](const GearSet& gear) {
     return test::note_codes(torsional_stiffness(gear).notes);
   };
-  GearSet gear = sound();
+  GearSet gear = sound_drive();
   gear.flexspline->shape = FlexsplineShape::cylinder;
   gear.flexspline->dynamic_load = 1;
   gear.material["steel"].shear_modulus.reset();
@@ -570,7 +572,7 @@ TEST(TorsionalStiffness, IdentityNotesOfEachCase) {
 }
 
 TEST(TorsionalStiffness, IdentityOriginOfTheMaterial) {
-  GearSet gear = sound();
+  GearSet gear = sound_drive();
   EXPECT_EQ(test::count_notes(torsional_stiffness(gear).notes, "material.library"), 0);
   gear.material["steel"].origin = "taken from a book";
   const std::vector<Note> notes = torsional_stiffness(gear).notes;
@@ -580,7 +582,7 @@ TEST(TorsionalStiffness, IdentityOriginOfTheMaterial) {
 
 TEST(TorsionalStiffness, IdentityContradictionOfTheMaterial) {
   const auto notes = [](double share_off) {
-    GearSet gear = sound();
+    GearSet gear = sound_drive();
     gear.material["steel"].shear_modulus = 210 * GPa / 2.6 * (1 + share_off);
     return torsional_stiffness(gear).notes;
   };
@@ -593,12 +595,13 @@ TEST(TorsionalStiffness, IdentityContradictionOfTheMaterial) {
     const auto found = std::ranges::find(all, "material.contradiction", &Note::code);
     return found == all.end() ? std::string() : found->text;
   };
-  EXPECT_NE(text(torsional_stiffness(article()).notes).find("G is -0.95 % off"), std::string::npos);
+  EXPECT_NE(text(torsional_stiffness(article_drive()).notes).find("G is -0.95 % off"),
+            std::string::npos);
   EXPECT_NE(text(notes(0.25)).find("G is +25.00 % off"), std::string::npos);
 }
 
 TEST(TorsionalStiffness, IdentityEvidenceOfTheMembersIsKept) {
-  const GearSet gear = article();
+  const GearSet gear = article_drive();
   const StiffnessResult result = torsional_stiffness(gear);
   std::vector<std::string> tags;
   std::vector<AccuracyBasis> accuracies;
@@ -617,7 +620,7 @@ TEST(TorsionalStiffness, IdentityEvidenceOfTheMembersIsKept) {
 }
 
 TEST(TorsionalStiffness, IdentityUnusableSaysWhyFirst) {
-  GearSet gear = article();
+  GearSet gear = article_drive();
   std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = 11 * mm;
   const StiffnessResult shaft = torsional_stiffness(gear);
   EXPECT_FALSE(shaft.usable());
@@ -628,19 +631,19 @@ TEST(TorsionalStiffness, IdentityUnusableSaysWhyFirst) {
   // The numbers are there all the same.
   EXPECT_GT(both.positive.stiffness.value, 0.0);
   EXPECT_LT(both.positive.stiffness.value, both.intact.stiffness.value);
-  EXPECT_TRUE(torsional_stiffness(article()).usable());
+  EXPECT_TRUE(torsional_stiffness(article_drive()).usable());
 }
 
 TEST(TorsionalStiffness, ConvergenceOptionsReachTheCracks) {
   const StiffnessOptions impossible{.quadrature = {.relative_tolerance = 1e-30, .max_pieces = 1}};
-  const StiffnessResult result = torsional_stiffness(article(), impossible);
+  const StiffnessResult result = torsional_stiffness(article_drive(), impossible);
   EXPECT_FALSE(result.usable());
   EXPECT_NE(result.unusable_because.find("did not converge"), std::string::npos);
 }
 
 TEST(TorsionalStiffness, InputIsChecked) {
   const auto broken = [](const auto& change) -> std::string {
-    GearSet gear = article();
+    GearSet gear = article_drive();
     change(gear);
     try {
       (void)torsional_stiffness(gear);
@@ -675,7 +678,7 @@ TEST(TorsionalStiffness, ScalingWholeDrive) {
         unit,
         [&](double a, double d, double wall, double shaft, double K, double E, double G, double T,
             double P) {
-          GearSet gear = article(a);
+          GearSet gear = article_drive(a);
           gear.drive.pitch_diameter = d;
           gear.drive.radial_displacement = d / 200;
           gear.wave_generator->radial_stiffness = K;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "stiffness/members_support.hpp"
 #include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/fracture/edge_crack.hpp"
@@ -19,32 +20,27 @@
 #include "support/expect.hpp"
 #include "support/reference.hpp"
 #include "support/scaling.hpp"
+#include "support/steel.hpp"
 
 namespace strainwave {
 namespace {
 
+using test::Codes;
+using test::kComplianceNmm;
+using test::kE;
+using test::kPlaneStrain;
+
 using namespace units;  // NOLINT(google-build-using-namespace): 0.1 * mm reads as it should
 using std::numbers::pi;
 using test::Arg;
-using Codes = std::vector<std::string>;
 
-constexpr double kComplianceNmm = 1 / (N * mm);  // [rad/(N*mm)]
-constexpr double kE = 210 * GPa;
-constexpr double kPlaneStrain = kE / (1 - 0.3 * 0.3);
-
-/// A number of the corrected method for the article's inputs, in N and mm, printed to eight digits.
-test::Reference eight_digits(double value, std::string_view unit) {
-  return {.value = value,
-          .unit = unit,
-          .relative_tolerance = 1e-7,
-          .source = "corrected theory evaluated with 30 digits for the article's inputs",
-          .tolerance_is = "eight digits printed, and a/c to eight digits"};
+test::Reference race_digits(double value, std::string_view unit) {
+  return test::corrected_reference(value, unit, 1e-7,
+                                   "eight digits printed, and a/c to eight digits");
 }
 
-GearSet article(double crack_size = 0.1 * mm) { return test::article_gear(crack_size); }
-
-GearSet sound() {
-  GearSet gear = article();
+GearSet sound_wave_generator() {
+  GearSet gear = test::article_gear();
   gear.wave_generator->crack.clear();
   return gear;
 }
@@ -55,7 +51,7 @@ RaceSurfaceCrack& surface_crack(GearSet& gear) {
 
 /// The article's drive with another stress driver on its race crack.
 GearSet driven_by(StressDriver driver, double depth = 0.1 * mm) {
-  GearSet gear = article(depth);
+  GearSet gear = test::article_gear(depth);
   surface_crack(gear).stress_driver = driver;
   surface_crack(gear).contact_factor.reset();
   gear.wave_generator->inner_ring_width = 20 * mm;
@@ -77,7 +73,7 @@ GearSet edge_crack_driven_by(StressDriver driver, double depth = 0.1 * mm) {
 
 /// A ball bearing instead of a radial stiffness.
 GearSet with_bearing(double balls = 1.0) {
-  GearSet gear = sound();
+  GearSet gear = sound_wave_generator();
   gear.wave_generator->radial_stiffness.reset();
   gear.wave_generator->contact_semi_axes.reset();
   gear.wave_generator->bearing = Bearing{.ball_diameter = 12.7 * mm,
@@ -125,7 +121,7 @@ double edge_lobe_compliance(const GearSet& gear, double unit_stress, StripLoadin
 // ----------------------------------------------------------------------
 
 TEST(LobeForce, ReferenceArticle) {
-  const GearSet gear = article();
+  const GearSet gear = test::article_gear();
   test::expect_reference(force_per_torque(gear) * 100,
                          {.value = 251.5625,
                           .unit = "N",
@@ -135,7 +131,7 @@ TEST(LobeForce, ReferenceArticle) {
 }
 
 TEST(LobeForce, IdentityProportions) {
-  GearSet gear = article();
+  GearSet gear = test::article_gear();
   const double plain = force_per_torque(gear);
   gear.drive.wave_number = 3;
   test::expect_relative(force_per_torque(gear), plain * 2 / 3, 1e-15);
@@ -149,7 +145,7 @@ TEST(LobeForce, ScalingIsOneOverLength) {
   test::expect_dimensionally_consistent(
       "1/m",
       [](double d, double k_r) {
-        GearSet gear = article();
+        GearSet gear = test::article_gear();
         gear.drive.pitch_diameter = d;
         gear.wave_generator->force_transmission_coefficient = k_r;
         return force_per_torque(gear);
@@ -161,22 +157,22 @@ TEST(LobeForce, ScalingIsOneOverLength) {
 // ------------------------------------------------------------
 
 TEST(WaveGenerator, ReferenceSound) {
-  GearSet gear = sound();
+  GearSet gear = sound_wave_generator();
   const auto intact = [&] { return wave_generator_compliance(gear).intact / kComplianceNmm; };
-  test::expect_reference(intact(), eight_digits(1.0547282e-10, "rad/(N*mm)"));
+  test::expect_reference(intact(), race_digits(1.0547282e-10, "rad/(N*mm)"));
   gear.wave_generator->load_factor = 1.0;
-  test::expect_reference(intact(), eight_digits(7.9752604e-11, "rad/(N*mm)"));
+  test::expect_reference(intact(), race_digits(7.9752604e-11, "rad/(N*mm)"));
   gear.wave_generator->conversion = Conversion::cam;
-  test::expect_reference(intact(), eight_digits(1.7896443e-10, "rad/(N*mm)"));
+  test::expect_reference(intact(), race_digits(1.7896443e-10, "rad/(N*mm)"));
   gear.wave_generator->load_factor = 1.15;  // which the article's conversion does not contain
-  test::expect_reference(intact(), eight_digits(1.7896443e-10, "rad/(N*mm)"));
+  test::expect_reference(intact(), race_digits(1.7896443e-10, "rad/(N*mm)"));
 }
 
 TEST(WaveGenerator, IdentityMaxwellBetti) {
   // Reciprocity would make both conversions equal; they differ by pi/(U^2 c_F^2 k_r) for two lobes
   // where w_0 i = d_1/2 (U^2 stands for 4 whatever U is).
   for (const int U : {2, 3}) {
-    GearSet gear = sound();
+    GearSet gear = sound_wave_generator();
     gear.drive.wave_number = U;
     ASSERT_DOUBLE_EQ(gear.drive.radial_displacement * gear.drive.ratio,
                      gear.drive.pitch_diameter / 2);
@@ -195,7 +191,7 @@ TEST(WaveGenerator, IdentityMaxwellBetti) {
 TEST(WaveGenerator, IdentityEnergyOfTheLobes) {
   // 1/2 lambda T^2 = U 1/2 C F^2, input locked.
   for (const int U : {1, 2, 3, 4}) {
-    GearSet gear = sound();
+    GearSet gear = sound_wave_generator();
     gear.drive.wave_number = U;
     const double F = force_per_torque(gear);
     test::expect_relative(wave_generator_compliance(gear).intact, U * F * F / 1.2e8, 1e-14);
@@ -204,7 +200,7 @@ TEST(WaveGenerator, IdentityEnergyOfTheLobes) {
 
 TEST(WaveGenerator, IdentityCamProportions) {
   // k_r pi/(2 d_1 U w_0 i) per unit of radial compliance; a crack's share by the same factor.
-  GearSet gear = article(1 * mm);
+  GearSet gear = test::article_gear(1 * mm);
   const double lobe = added_lobe_compliance(gear);
   gear.wave_generator->conversion = Conversion::cam;
   gear.drive = {
@@ -217,7 +213,7 @@ TEST(WaveGenerator, IdentityCamProportions) {
 }
 
 TEST(WaveGenerator, IdentityOneCrackLoadsOneLobe) {
-  GearSet gear = article(1 * mm);
+  GearSet gear = test::article_gear(1 * mm);
   for (const int U : {2, 4}) {
     gear.drive.wave_number = U;
     const double f = force_per_torque(gear);
@@ -231,7 +227,7 @@ TEST(WaveGenerator, IdentityOneCrackLoadsOneLobe) {
 // ---------------------------------------------------------------
 
 TEST(WaveGenerator, IdentityDisplacementsOverTheLobeForce) {
-  const GearSet stiff = sound();
+  const GearSet stiff = sound_wave_generator();
   const double F = 251.5625;
   const double total = F / 1.2e8;
   for (const double torque : {100.0, -100.0}) {
@@ -250,7 +246,7 @@ TEST(WaveGenerator, IdentityDisplacementsOverTheLobeForce) {
 }
 
 TEST(WaveGenerator, IdentityShaftBendingNeedsAnUnbalancedForce) {
-  GearSet gear = sound();
+  GearSet gear = sound_wave_generator();
   gear.wave_generator->radial_stiffness.reset();
   gear.wave_generator->displacements =
       LobeDisplacements{.bearing = 1e-6, .cam = 0.0, .shaft = 1e-7};
@@ -334,29 +330,31 @@ TEST(RaceCrack, ReferenceLobeCompliance) {
   for (const Case& c : {Case{0.1, 3.9835790e-12, 6.9683470e-13, 1.1331069e-10},
                         Case{1.0, 4.0167663e-9, 7.0264004e-10, 1.1425469e-7}}) {
     const double mm_per_N = mm / N;
-    test::expect_reference(added_lobe_compliance(article(c.depth * mm)) / mm_per_N,
-                           eight_digits(c.half_beta, "mm/N"));
+    test::expect_reference(added_lobe_compliance(test::article_gear(c.depth * mm)) / mm_per_N,
+                           race_digits(c.half_beta, "mm/N"));
     test::expect_reference(
         added_lobe_compliance(driven_by(StressDriver::contact_edge, c.depth * mm)) / mm_per_N,
-        eight_digits(c.edge, "mm/N"));
+        race_digits(c.edge, "mm/N"));
     test::expect_reference(
         added_lobe_compliance(driven_by(StressDriver::ring_bending, c.depth * mm)) / mm_per_N,
-        eight_digits(c.ring, "mm/N"));
+        race_digits(c.ring, "mm/N"));
   }
 }
 
 TEST(RaceCrack, ReferenceAddedComplianceAtTheOutput) {
   const auto added = [](double depth) {
-    return wave_generator_compliance(article(depth)).cracks.at(0).positive.at_output.value /
+    return wave_generator_compliance(test::article_gear(depth))
+               .cracks.at(0)
+               .positive.at_output.value /
            kComplianceNmm;
   };
-  test::expect_reference(added(0.1 * mm), eight_digits(2.5209559e-17, "rad/(N*mm)"));
-  test::expect_reference(added(1.0 * mm), eight_digits(2.5419580e-14, "rad/(N*mm)"));
+  test::expect_reference(added(0.1 * mm), race_digits(2.5209559e-17, "rad/(N*mm)"));
+  test::expect_reference(added(1.0 * mm), race_digits(2.5419580e-14, "rad/(N*mm)"));
 }
 
 TEST(RaceCrack, IdentityContactFactorFromTheAxes) {
   // Left out, beta comes from b'/a' = 0.4: 0.48255370 instead of the printed 0.45.
-  GearSet gear = article(1 * mm);
+  GearSet gear = test::article_gear(1 * mm);
   const double printed = added_lobe_compliance(gear);
   surface_crack(gear).contact_factor.reset();
   test::expect_relative(added_lobe_compliance(gear) / printed, std::pow(0.48255370 / 0.45, 2),
@@ -371,7 +369,7 @@ TEST(RaceCrack, IdentityContactOfTheBearing) {
   // Without given axes, those of one ball under its share of the lobe force.
   for (const double balls : {1.0, 4.0}) {
     GearSet gear = with_bearing(balls);
-    gear.wave_generator->crack = article(1 * mm).wave_generator->crack;
+    gear.wave_generator->crack = test::article_gear(1 * mm).wave_generator->crack;
     const double D = 12.7 * mm;
     const HertzContact inner =
         hertz_contact({.curvature_sums = {2 / D - 1 / (0.52 * D), 2 / D + 2 / (110 * mm)},
@@ -436,7 +434,9 @@ TEST(RaceCrack, CrosscheckEdgeCrackByTheFractureModule) {
 
 TEST(RaceCrack, LimitPowersOfTheDepth) {
   // Surface crack a^3, edge crack a^2; the next terms are of order (a/t)^2 and a/t.
-  const auto surface = [](double a) { return added_lobe_compliance(article(a)) / std::pow(a, 3); };
+  const auto surface = [](double a) {
+    return added_lobe_compliance(test::article_gear(a)) / std::pow(a, 3);
+  };
   EXPECT_NEAR(surface(1e-9) / surface(1e-5), 1, 1e-4);
   const auto edge = [](double a) {
     return added_lobe_compliance(edge_crack_driven_by(StressDriver::given, a)) / (a * a);
@@ -476,14 +476,15 @@ TEST(RaceCrack, IdentityCompressionClosesIt) {
 
 TEST(RaceCrack, IdentityBothSensesOfTorqueAreTheSame) {
   for (const double torque : {100.0, -100.0}) {
-    GearSet gear = article(1 * mm);
+    GearSet gear = test::article_gear(1 * mm);
     gear.load.torque = torque;
     const CrackReport crack = wave_generator_compliance(gear).cracks.at(0);
     EXPECT_EQ(crack.opens_under, OpensUnder::both);
     EXPECT_EQ(crack.positive.at_output.value, crack.negative.at_output.value);
     test::expect_relative(
         crack.positive.at_output.value,
-        wave_generator_compliance(article(1 * mm)).cracks.at(0).positive.at_output.value, 1e-14);
+        wave_generator_compliance(test::article_gear(1 * mm)).cracks.at(0).positive.at_output.value,
+        1e-14);
     EXPECT_GT(crack.deepest->K_I.value, 0.0);
     EXPECT_FALSE(crack.positive.axial_torsion.has_value());
     EXPECT_FALSE(crack.negative.axial_torsion.has_value());
@@ -493,7 +494,7 @@ TEST(RaceCrack, IdentityBothSensesOfTorqueAreTheSame) {
 TEST(RaceCrack, CrosscheckStressIntensitiesAlongTheFront) {
   // 33 points of half the front, the last of them the deepest.
   for (const double rho : {0.3, 0.52147039, 0.9}) {
-    GearSet gear = article(3 * mm);
+    GearSet gear = test::article_gear(3 * mm);
     surface_crack(gear).aspect_ratio = rho;
     gear.material["steel"].fracture_toughness = 60e6;
     gear.material["steel"].yield_strength = 900 * MPa;
@@ -524,7 +525,7 @@ TEST(RaceCrack, CrosscheckStressIntensitiesAlongTheFront) {
     test::expect_relative(*crack.plastic_zone->relative_uncertainty, uncertainty, 1e-14);
   }
   // Without toughness and yield strength there is nothing to compare with.
-  const CrackReport crack = wave_generator_compliance(article()).cracks.at(0);
+  const CrackReport crack = wave_generator_compliance(test::article_gear()).cracks.at(0);
   EXPECT_FALSE(crack.utilisation.has_value());
   EXPECT_FALSE(crack.plastic_zone.has_value());
 }
@@ -533,7 +534,7 @@ TEST(RaceCrack, LimitPlasticZoneOfATenth) {
   // A tenth of the depth, or of what is left of the ring; the yield strength that makes it so.
   for (const double depth : {1 * mm, 9.5 * mm}) {
     const double limit = 0.1 * std::min(depth, 10 * mm - depth);
-    GearSet gear = article(depth);
+    GearSet gear = test::article_gear(depth);
     gear.material["steel"].yield_strength = 1 * MPa;
     const double zone = wave_generator_compliance(gear).cracks.at(0).plastic_zone->value;
     for (const auto& [share, noted] : {std::pair{0.997, 0}, {1.003, 1}}) {
@@ -547,7 +548,7 @@ TEST(RaceCrack, LimitPlasticZoneOfATenth) {
 }
 
 TEST(RaceCrack, LimitFractureAtTheToughness) {
-  GearSet gear = article(1 * mm);
+  GearSet gear = test::article_gear(1 * mm);
   gear.material["steel"].fracture_toughness = 1.0;
   const double K = wave_generator_compliance(gear).cracks.at(0).utilisation->value;
   for (const auto& [toughness, noted] : {std::pair{K * 1.001, 0}, {K, 1}, {K * 0.999, 1}}) {
@@ -566,8 +567,8 @@ TEST(WaveGenerator, IdentityNotesOfEachCase) {
     return test::note_codes(wave_generator_compliance(gear).notes);
   };
   const std::string under_lobe = "wave_generator.crack_under_lobe";
-  EXPECT_EQ(codes(sound()), Codes{});
-  EXPECT_EQ(codes(article()), (Codes{"crack.orthogonal_shear", under_lobe}));
+  EXPECT_EQ(codes(sound_wave_generator()), Codes{});
+  EXPECT_EQ(codes(test::article_gear()), (Codes{"crack.orthogonal_shear", under_lobe}));
   EXPECT_EQ(codes(driven_by(StressDriver::contact_edge)),
             (Codes{"crack.contact_edge", under_lobe}));
   EXPECT_EQ(codes(driven_by(StressDriver::ring_bending)),
@@ -575,7 +576,7 @@ TEST(WaveGenerator, IdentityNotesOfEachCase) {
   EXPECT_EQ(codes(driven_by(StressDriver::given)), Codes{under_lobe});
   EXPECT_EQ(codes(edge_crack_driven_by(StressDriver::given)), Codes{under_lobe});
 
-  GearSet cam = sound();
+  GearSet cam = sound_wave_generator();
   cam.wave_generator->conversion = Conversion::cam;
   EXPECT_EQ(codes(cam), Codes{"wave_generator.cam_conversion"});
   EXPECT_EQ(wave_generator_compliance(cam).notes.at(0).path, "wave_generator.conversion");
@@ -612,7 +613,7 @@ TEST(WaveGenerator, IdentityAccuraciesOfEachCase) {
     return *wave_generator_compliance(gear).cracks.at(0).positive.at_output.relative_uncertainty;
   };
   // Stress twice, for the compliance goes with its square.
-  test::expect_relative(of_crack(article()), std::hypot(0.10, 2.0, 0.30), 1e-14);
+  test::expect_relative(of_crack(test::article_gear()), std::hypot(0.10, 2.0, 0.30), 1e-14);
   test::expect_relative(of_crack(driven_by(StressDriver::contact_edge)),
                         std::hypot(0.10, 1.0, 0.30), 1e-14);
   test::expect_relative(of_crack(driven_by(StressDriver::ring_bending)),
@@ -621,7 +622,7 @@ TEST(WaveGenerator, IdentityAccuraciesOfEachCase) {
                         std::hypot(0.20, 0.6, 0.30), 1e-14);
   test::expect_relative(of_crack(edge_crack_driven_by(StressDriver::given)), std::hypot(0.20, 0.2),
                         1e-14);
-  GearSet cam = article();
+  GearSet cam = test::article_gear();
   cam.wave_generator->conversion = Conversion::cam;
   test::expect_relative(of_crack(cam), std::hypot(0.10, 2.0, 0.70), 1e-14);
   EXPECT_EQ(wave_generator_compliance(cam).relative_uncertainty, 0.70);
@@ -629,7 +630,7 @@ TEST(WaveGenerator, IdentityAccuraciesOfEachCase) {
   const auto of_K = [](const GearSet& gear) {
     return *wave_generator_compliance(gear).cracks.at(0).deepest->K_I.relative_uncertainty;
   };
-  test::expect_relative(of_K(article()), std::hypot(0.05, 1.0, 0.15), 1e-14);
+  test::expect_relative(of_K(test::article_gear()), std::hypot(0.05, 1.0, 0.15), 1e-14);
   test::expect_relative(of_K(edge_crack_driven_by(StressDriver::given)), std::hypot(0.10, 0.10),
                         1e-14);
 
@@ -644,10 +645,10 @@ TEST(WaveGenerator, IdentityAccuraciesOfEachCase) {
   };
   using Basis = std::vector<std::pair<std::string, double>>;
   const std::string path = "wave_generator.crack[0]";
-  EXPECT_EQ(basis(sound()), (Basis{{"wave_generator", 0.30}}));
+  EXPECT_EQ(basis(sound_wave_generator()), (Basis{{"wave_generator", 0.30}}));
   EXPECT_EQ(basis(with_bearing()),
             (Basis{{"wave_generator", 0.25}, {"wave_generator.bearing", 0.30}}));
-  EXPECT_EQ(basis(article()),
+  EXPECT_EQ(basis(test::article_gear()),
             (Basis{{"wave_generator", 0.30}, {path, 2.0}, {path, 0.30}, {path, 0.10}}));
   EXPECT_EQ(basis(edge_crack_driven_by(StressDriver::given)),
             (Basis{{"wave_generator", 0.30}, {path, 0.20}, {path, 0.20}}));
@@ -662,8 +663,8 @@ TEST(WaveGenerator, IdentityAccuraciesOfEachCase) {
 
 TEST(WaveGenerator, IdentityEquationsOfEachCase) {
   using Tags = std::vector<std::string>;
-  EXPECT_EQ(wave_generator_compliance(sound()).equations, (Tags{"ST-5", "ST-6"}));
-  EXPECT_EQ(wave_generator_compliance(article()).equations,
+  EXPECT_EQ(wave_generator_compliance(sound_wave_generator()).equations, (Tags{"ST-5", "ST-6"}));
+  EXPECT_EQ(wave_generator_compliance(test::article_gear()).equations,
             (Tags{"ST-5", "ST-6", "ST-12", "CO-3", "FR-2", "FR-3", "FR-4", "FR-5", "FR-18"}));
   EXPECT_EQ(wave_generator_compliance(driven_by(StressDriver::contact_edge)).equations,
             (Tags{"ST-5", "ST-6", "CO-7", "CO-3", "FR-2", "FR-3", "FR-4", "FR-5", "FR-18"}));
@@ -673,10 +674,10 @@ TEST(WaveGenerator, IdentityEquationsOfEachCase) {
 
 TEST(WaveGenerator, ConvergenceIsDemanded) {
   const StiffnessOptions impossible{.quadrature = {.relative_tolerance = 1e-30, .max_pieces = 1}};
-  const MemberCompliance member = wave_generator_compliance(article(), impossible);
+  const MemberCompliance member = wave_generator_compliance(test::article_gear(), impossible);
   EXPECT_NE(member.unusable_because.find("wave_generator.crack[0]"), std::string::npos);
   EXPECT_NE(member.unusable_because.find("did not converge"), std::string::npos);
-  EXPECT_TRUE(wave_generator_compliance(article()).unusable_because.empty());
+  EXPECT_TRUE(wave_generator_compliance(test::article_gear()).unusable_because.empty());
 }
 
 TEST(WaveGenerator, ScalingSoundAndCracked) {
@@ -684,7 +685,7 @@ TEST(WaveGenerator, ScalingSoundAndCracked) {
     test::expect_dimensionally_consistent(
         unit,
         [&](double a, double t, double d, double w, double K, double E, double G, double T) {
-          GearSet gear = article(a);
+          GearSet gear = test::article_gear(a);
           gear.drive.pitch_diameter = d;
           gear.drive.radial_displacement = w;
           gear.wave_generator->radial_stiffness = K;

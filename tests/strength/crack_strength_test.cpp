@@ -730,6 +730,8 @@ TEST(StrengthVerdict, LimitShortTube) {
   const auto size = of_wall(gear).states.at(0).brittle_size;
   EXPECT_FALSE(size->size.has_value());
   EXPECT_TRUE(mentions(size->text, "none up to 10 mm, the length of the tube")) << size->text;
+  ASSERT_TRUE(size->none_up_to);
+  EXPECT_NEAR(*size->none_up_to, 10e-3, 1e-6 * 10e-3);  // the search ends just before it
 }
 
 TEST(StrengthVerdict, InputCracksOfTheCoupledDrive) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,21 @@ TEST(Plot, IdentityPanelsSeriesAndLabelsAreDrawn) {
   EXPECT_EQ(svg.find("nan"), std::string::npos);
   EXPECT_EQ(count(svg, "<svg"), 1U);
   EXPECT_EQ(count(svg, "</svg>"), 1U);
+}
+
+TEST(Plot, IdentityNoTwoLinesLookAlike) {
+  PlotPanel panel;
+  for (int n = 0; n < 15; ++n) panel.series.push_back({std::to_string(n), {0, 1}, {1.0 * n, 2}});
+  const std::string svg = svg_plot(std::vector{panel});
+  std::set<std::string> styles;
+  for (std::size_t at = svg.find("class=\"series\" "); at != std::string::npos;
+       at = svg.find("class=\"series\" ", at + 1)) {
+    // Without the width: only the first line has its own.
+    const std::string style = svg.substr(at, svg.find("/>", at) - at);
+    const std::size_t width = style.find(" stroke-width");
+    styles.insert(style.substr(0, width) + style.substr(style.find('"', width + 15) + 1));
+  }
+  EXPECT_EQ(styles.size(), 15U);
 }
 
 TEST(Plot, IdentityWhatCannotBeDrawnIsAGap) {

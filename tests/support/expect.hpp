@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "strainwave/core/error.hpp"
 #include "strainwave/model/stiffness_result.hpp"
 #include "support/reference.hpp"
 
@@ -26,12 +27,28 @@ inline void expect_relative(double actual, double expected, double tolerance) {
   EXPECT_NEAR(actual, expected, std::abs(expected) * tolerance);
 }
 
+/// The message of the InputError that a call throws; "no error" if it throws none.
+template <class F>
+std::string broken_rule(const F& f) {
+  try {
+    (void)f();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
 /// How many notes carry a code; `path` narrows the search.
 inline long count_notes(const std::vector<Note>& notes, std::string_view code,
                         std::string_view path = "") {
   return std::ranges::count_if(notes, [&](const Note& note) {
     return note.code == code && (path.empty() || note.path == path);
   });
+}
+
+inline bool has_note(const StiffnessResult& result, std::string_view code,
+                     std::string_view path = "") {
+  return count_notes(result.notes, code, path) > 0;
 }
 
 /// The codes of all notes, sorted: what a result has to say, as one value.

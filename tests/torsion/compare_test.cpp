@@ -9,17 +9,18 @@
 #include <numbers>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/units.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "support/expect.hpp"
-#include "typical_drive.hpp"
+#include "torsion/typical_drive.hpp"
 
 namespace strainwave {
 namespace {
 
 using std::numbers::pi;
-constexpr double mm = 1e-3;
+using units::mm;
 
-GearSet drive() {
+GearSet rated_drive() {
   GearSet gear = test::typical_drive(25, 100);
   gear.circular_spline->support = 0.0;
   gear.rating = Rating{.T1 = 14, .T2 = 48, .T3 = {}, .rated_torque = 87};
@@ -27,13 +28,13 @@ GearSet drive() {
 }
 
 GearSet with_barrel_crack() {
-  GearSet gear = drive();
+  GearSet gear = rated_drive();
   gear.flexspline->crack.push_back(WallThroughCrack{.half_length = 2 * mm});
   return gear;
 }
 
 GearSet with_tooth(double loss, double position = 0.0) {
-  GearSet gear = drive();
+  GearSet gear = rated_drive();
   gear.mesh->crack.push_back(ToothCrack{.stiffness_loss = loss, .position = position});
   return gear;
 }
@@ -47,7 +48,7 @@ Crack ring_crack(double depth, double position = 0.0) {
 }
 
 TEST(CompareCurves, IdentityNoCracksNoChange) {
-  const CurveComparison c = compare_curves(drive(), 3);
+  const CurveComparison c = compare_curves(rated_drive(), 3);
   EXPECT_EQ(c.crack_class, CrackClass::none);
   for (const ChangesOverTurn& turn : {c.positive, c.negative}) {
     EXPECT_NEAR(turn.worst.K1, 0.0, 1e-11);
@@ -63,7 +64,7 @@ TEST(CompareCurves, IdentitySeriesCrackAddsItsComplianceToEachLine) {
   const GearSet gear = with_barrel_crack();
   const double added = flexspline_compliance(gear).cracks.at(0).positive.at_output.value;
   const CurveComparison c = compare_curves(gear, 2);
-  const MakersLines sound = makers_lines(drive());
+  const MakersLines sound = makers_lines(rated_drive());
   test::expect_relative(c.sound.K1, sound.K1, 1e-14);
   // 1/K is the sound one plus the same addition; its relative change is a difference of 3e-4.
   test::expect_relative(1 / (1 + c.positive.mean.K1) - 1, added * sound.K1, 1e-9);
@@ -82,7 +83,7 @@ TEST(CompareCurves, ReferenceMagnitudesOfRealDrives) {
   EXPECT_NEAR(100 * barrel.positive.mean.K1, -0.029, 0.0015);
   EXPECT_NEAR(100 * barrel.positive.mean.K2, -0.047, 0.0015);
   EXPECT_NEAR(100 * barrel.positive.mean.K3, -0.057, 0.0015);
-  GearSet arc = drive();
+  GearSet arc = rated_drive();
   arc.flexspline->crack.push_back(DiaphragmArcCrack{.half_length = 6 * mm, .radius = {}});
   const CurveComparison diaphragm = compare_curves(arc, 1);
   EXPECT_NEAR(100 * diaphragm.positive.mean.K1, -1.1, 0.06);
@@ -123,23 +124,23 @@ TEST(CompareCurves, IdentityMeanWorstAndBestAreThoseOfTheTurn) {
 
 TEST(CompareCurves, LimitVanishingRingCracks) {
   for (const double share : {1e-4, 1e-3}) {
-    GearSet gear = drive();
+    GearSet gear = rated_drive();
     gear.flexspline->crack.push_back(
         ring_crack<RimAxialCrack>(share * gear.flexspline->rim->wall_thickness));
     gear.wave_generator->crack.push_back(
         ring_crack<OuterRaceCrack>(share * gear.wave_generator->bearing->outer_ring->thickness));
     const MakersLines lines = makers_lines(gear);
-    const MakersLines sound = makers_lines(drive());
+    const MakersLines sound = makers_lines(rated_drive());
     EXPECT_NEAR(lines.K1 / sound.K1, 1.0, 10 * share * share);
   }
 }
 
 TEST(CompareCurves, IdentityRigidSplineHidesItsCrack) {
-  GearSet gear = drive();
+  GearSet gear = rated_drive();
   gear.circular_spline->crack.push_back(ring_crack<CircularSplineRingCrack>(3 * mm));
-  EXPECT_EQ(makers_lines(gear).K2, makers_lines(drive()).K2);
+  EXPECT_EQ(makers_lines(gear).K2, makers_lines(rated_drive()).K2);
   gear.circular_spline->support = 0.5;
-  GearSet sound = drive();
+  GearSet sound = rated_drive();
   sound.circular_spline->support = 0.5;
   EXPECT_LT(makers_lines(gear).K2, 0.999 * makers_lines(sound).K2);
 }
@@ -171,11 +172,11 @@ TEST(WithoutCracks, IdentityNothingElseChanges) {
   EXPECT_TRUE(sound.flexspline->crack.empty());
   ASSERT_EQ(sound.range.size(), 1U);
   EXPECT_EQ(sound.range[0].path, "flexspline.diaphragm.thickness");
-  EXPECT_EQ(makers_lines(sound).K1, makers_lines(drive()).K1);
+  EXPECT_EQ(makers_lines(sound).K1, makers_lines(rated_drive()).K1);
 }
 
 TEST(CompareCurves, InputAngles) {
-  EXPECT_THROW((void)compare_curves(drive(), -1), InputError);
+  EXPECT_THROW((void)compare_curves(rated_drive(), -1), InputError);
   EXPECT_EQ(compare_curves(with_tooth(0.2), 0).angles.size(), 200U);    // every tooth
   EXPECT_EQ(compare_curves(with_barrel_crack(), 0).angles.size(), 1U);  // nothing moves
   EXPECT_EQ(compare_curves(with_tooth(0.2), 1).angles.size(), 1U);

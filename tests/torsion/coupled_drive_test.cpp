@@ -21,21 +21,17 @@
 #include "strainwave/torsion/torsion_curve.hpp"
 #include "support/expect.hpp"
 #include "support/reference_csv.hpp"
+#include "torsion/solved_drive.hpp"
 #include "torsion/typical_drive.hpp"
 
 namespace strainwave {
 namespace {
 
+using test::kMicron;
+using test::largest;
+
 using namespace units;  // NOLINT(google-build-using-namespace): 0.3 * mm reads as it should
 using test::typical_drive;
-
-constexpr double kMicron = 1e-6;
-
-double largest(const std::vector<ContactForce>& contacts) {
-  double force = 0.0;
-  for (const ContactForce& contact : contacts) force = std::max(force, contact.force);
-  return force;
-}
 
 // --- the independent dense solver ----------------------------------------------------------------
 

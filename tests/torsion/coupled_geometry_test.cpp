@@ -20,38 +20,21 @@
 #include "strainwave/torsion/torsion_curve.hpp"
 #include "support/article_gear.hpp"
 #include "support/expect.hpp"
+#include "torsion/solved_drive.hpp"
 #include "torsion/typical_drive.hpp"
 
 namespace strainwave {
 namespace {
 
+using test::point_at;
+using test::share;
+using test::supported_drive;
+using test::Ts;
+using test::twist;
+
 using namespace units;  // NOLINT(google-build-using-namespace): 0.3 * mm reads as it should
 using std::numbers::pi;
 using test::typical_drive;
-
-/// The state at one torque.
-CurvePoint point_at(const GearSet& gear, double torque, const CoupledOptions& options = {}) {
-  const TorsionCurve curve = torsion_curve(gear, {{torque}}, options);
-  EXPECT_TRUE(curve.usable()) << curve.unusable_because;
-  return curve.points.at(0);
-}
-
-double twist(const GearSet& gear, double torque, const CoupledOptions& options = {}) {
-  return point_at(gear, torque, options).twist;
-}
-
-/// The typical drive, its spline half free: with all members that the coupled drive has.
-GearSet supported_drive() {
-  GearSet gear = typical_drive();
-  gear.circular_spline->support = 0.5;
-  return gear;
-}
-
-std::array<double, 3> Ts() { return test::conventional_torques(typical_drive()); }
-
-double share(const CurvePoint& point, CurveMember member) {
-  return point.share[static_cast<std::size_t>(member)];
-}
 
 // --- cracks inside the contact problem (TC-21), (TC-22), (TC-23) --------------------------------
 

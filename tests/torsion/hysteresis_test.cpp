@@ -11,7 +11,7 @@
 
 #include "strainwave/core/error.hpp"
 #include "support/expect.hpp"
-#include "typical_drive.hpp"
+#include "torsion/typical_drive.hpp"
 
 namespace strainwave {
 namespace {
@@ -19,7 +19,7 @@ namespace {
 using std::numbers::pi;
 constexpr double kRated = 87.0;
 
-GearSet drive(double friction = 0.1) {
+GearSet drive_with_friction(double friction = 0.1) {
   GearSet gear = test::typical_drive(25, 100);
   gear.rating = Rating{.T1 = 14, .T2 = 48, .T3 = {}, .rated_torque = kRated};
   gear.mesh->friction_coefficient = friction;
@@ -35,27 +35,27 @@ double twist(const GearSet& gear, double torque, FlankFriction friction) {
 
 /// One solved drive for all tests: the envelopes cost most of their time.
 const Hysteresis& solved() {
-  static const Hysteresis hysteresis(drive(), kRated);
+  static const Hysteresis hysteresis(drive_with_friction(), kRated);
   return hysteresis;
 }
 
 TEST(HysteresisEnvelopes, IdentityTheyAreTheSolvedCurves) {
   // Interpolated between 48 torques a side: 0.1 % is its error, and the nodes are exact.
   for (const double torque : {3.0, 14.0, 48.0, 80.0, -14.0, -60.0}) {
-    test::expect_relative(solved().loading(torque), twist(drive(), torque, FlankFriction::loading),
-                          1e-3);
+    test::expect_relative(solved().loading(torque),
+                          twist(drive_with_friction(), torque, FlankFriction::loading), 1e-3);
     test::expect_relative(solved().unloading(torque),
-                          twist(drive(), torque, FlankFriction::unloading), 1e-3);
+                          twist(drive_with_friction(), torque, FlankFriction::unloading), 1e-3);
   }
   for (const double node : {kRated / 4, kRated})
-    test::expect_relative(solved().loading(node), twist(drive(), node, FlankFriction::loading),
-                          1e-12);
+    test::expect_relative(solved().loading(node),
+                          twist(drive_with_friction(), node, FlankFriction::loading), 1e-12);
 }
 
 TEST(HysteresisEnvelopes, IdentityFrictionTurnsTheForceByItsAngle) {
   // (TC-16): with gaps and coning those of the flank, loading is the drive whose flanks push at
   // alpha - atan(mu).  Without gap and coning nothing else depends on the flank angle.
-  GearSet gear = drive(0.1);
+  GearSet gear = drive_with_friction(0.1);
   gear.mesh->gap_factor = 0;
   gear.mesh->coning = 0;
   GearSet turned = gear;
@@ -69,7 +69,7 @@ TEST(HysteresisEnvelopes, IdentityFrictionTurnsTheForceByItsAngle) {
 
 TEST(HysteresisEnvelopes, IdentityFrictionStiffensLoading) {
   for (const double torque : {1.0, 14.0, 48.0, 87.0}) {
-    const double free = twist(drive(), torque, FlankFriction::none);
+    const double free = twist(drive_with_friction(), torque, FlankFriction::none);
     EXPECT_LT(solved().loading(torque), free);
     EXPECT_GT(solved().unloading(torque), free);
     EXPECT_NEAR(solved().loading(-torque), -solved().loading(torque), 1e-9 * free);
@@ -77,7 +77,7 @@ TEST(HysteresisEnvelopes, IdentityFrictionStiffensLoading) {
 }
 
 TEST(HysteresisPath, LimitWithoutFrictionOneCurve) {
-  const Hysteresis hysteresis(drive(0.0), kRated);
+  const Hysteresis hysteresis(drive_with_friction(0.0), kRated);
   const HysteresisLoop loop = hysteresis_loop(hysteresis, kRated);
   EXPECT_LT(loop.largest_width, 1e-15);
   EXPECT_LT(std::abs(loop.lost_energy), 1e-13);
@@ -124,7 +124,8 @@ TEST(HysteresisPath, IdentityBranchAfterReversalIsSmooth) {
 TEST(HysteresisLoopOf, ReferenceWidthScalesWithFriction) {
   // Width is about proportional to mu; the mesh hardens, so twice the friction makes a little less
   // than twice the width.
-  const double at_5 = hysteresis_loop(Hysteresis(drive(0.05), kRated), kRated).largest_width;
+  const double at_5 =
+      hysteresis_loop(Hysteresis(drive_with_friction(0.05), kRated), kRated).largest_width;
   const double at_10 = hysteresis_loop(solved(), kRated).largest_width;
   EXPECT_GT(at_10 / at_5, 1.8);
   EXPECT_LT(at_10 / at_5, 2.0);
@@ -153,7 +154,7 @@ TEST(HysteresisLoopOf, IdentityWidthAndArea) {
 
 TEST(HysteresisLoopOf, LimitFrictionTorqueAtZeroLoad) {
   // Without flank friction the loop is the curve shifted by +- T_f: at zero 2 phi(T_f) wide.
-  GearSet gear = drive(0.0);
+  GearSet gear = drive_with_friction(0.0);
   gear.rating->friction_torque = 0.5;
   const Hysteresis hysteresis(gear, kRated);
   const HysteresisLoop loop = hysteresis_loop(hysteresis, 80);
@@ -163,32 +164,34 @@ TEST(HysteresisLoopOf, LimitFrictionTorqueAtZeroLoad) {
 TEST(HysteresisLoopOf, ScalingConvergesWithTheElements) {
   HysteresisOptions few{.elements = 16};
   HysteresisOptions many{.elements = 256};
-  const double a = hysteresis_loop(Hysteresis(drive(), kRated, few), kRated).lost_energy;
-  const double b = hysteresis_loop(Hysteresis(drive(), kRated, many), kRated).lost_energy;
+  const double a =
+      hysteresis_loop(Hysteresis(drive_with_friction(), kRated, few), kRated).lost_energy;
+  const double b =
+      hysteresis_loop(Hysteresis(drive_with_friction(), kRated, many), kRated).lost_energy;
   EXPECT_NEAR(a / b, 1.0, 2e-3);
 }
 
 TEST(Hysteresis, InputRefusals) {
-  EXPECT_THROW(Hysteresis(drive(), 0.0), InputError);
-  EXPECT_THROW(Hysteresis(drive(), NAN), InputError);
-  EXPECT_THROW(Hysteresis(drive(), kRated, {.elements = 0}), InputError);
-  EXPECT_THROW(Hysteresis(drive(), kRated, {.grid = 7}), InputError);
+  EXPECT_THROW(Hysteresis(drive_with_friction(), 0.0), InputError);
+  EXPECT_THROW(Hysteresis(drive_with_friction(), NAN), InputError);
+  EXPECT_THROW(Hysteresis(drive_with_friction(), kRated, {.elements = 0}), InputError);
+  EXPECT_THROW(Hysteresis(drive_with_friction(), kRated, {.grid = 7}), InputError);
   EXPECT_THROW((void)solved().twist(std::vector{1.001 * kRated}), InputError);
   EXPECT_THROW((void)hysteresis_loop(solved(), -1.0), InputError);
   EXPECT_THROW((void)hysteresis_loop(solved(), 1.0, 3), InputError);
-  GearSet loose = drive();
+  GearSet loose = drive_with_friction();
   loose.mesh->lobe_gap = 2e-3;  // more than half a pitch of free travel
   EXPECT_THROW(Hysteresis(loose, kRated), SolverError);
 }
 
 TEST(Hysteresis, InputFrictionTorqueBelowTheLoop) {
-  GearSet gear = drive();
+  GearSet gear = drive_with_friction();
   gear.rating->friction_torque = kRated;
   EXPECT_THROW(Hysteresis(gear, kRated), InputError);
 }
 
 TEST(LostMotion, IdentityTwiceTheTwistAtItsTorque) {
-  const GearSet gear = drive();
+  const GearSet gear = drive_with_friction();
   test::expect_relative(lost_motion(gear), 2 * twist(gear, 0.04 * kRated, FlankFriction::none),
                         1e-12);
 }
@@ -196,9 +199,9 @@ TEST(LostMotion, IdentityTwiceTheTwistAtItsTorque) {
 TEST(LostMotion, ReferenceLobeGapDecidesIt) {
   // A normal gap g_0 lets the flanks travel g_0/cos(alpha) each way before they meet: at least
   // 2 g_0/(R_p cos alpha) of lost motion more.
-  const double tight = lost_motion(drive());
+  const double tight = lost_motion(drive_with_friction());
   for (const double gap : {2e-6, 5e-6}) {
-    GearSet gear = drive();
+    GearSet gear = drive_with_friction();
     gear.mesh->lobe_gap = gap;
     const double more = lost_motion(gear) - tight;
     const double rigid = 2 * gap / (0.0635 / 2 * std::cos(gear.mesh->flank_angle));

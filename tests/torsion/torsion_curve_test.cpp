@@ -26,48 +26,29 @@
 #include "support/article_gear.hpp"
 #include "support/expect.hpp"
 #include "support/reference_csv.hpp"
+#include "torsion/solved_drive.hpp"
 #include "torsion/typical_drive.hpp"
 
 namespace strainwave {
 namespace {
+
+using test::kMicron;
+using test::largest;
+using test::point_at;
+using test::share;
+using test::supported_drive;
+using test::Ts;
+using test::twist;
 
 using namespace units;  // NOLINT(google-build-using-namespace): 0.3 * mm reads as it should
 using std::numbers::pi;
 using test::typical_drive;
 using Codes = std::vector<std::string>;
 
-constexpr double kMicron = 1e-6;
-
-/// The state at one torque.
-CurvePoint point_at(const GearSet& gear, double torque, const CoupledOptions& options = {}) {
-  const TorsionCurve curve = torsion_curve(gear, {{torque}}, options);
-  EXPECT_TRUE(curve.usable()) << curve.unusable_because;
-  return curve.points.at(0);
-}
-
-double twist(const GearSet& gear, double torque, const CoupledOptions& options = {}) {
-  return point_at(gear, torque, options).twist;
-}
-
-/// The typical drive, its spline half free: with all members that the coupled drive has.
-GearSet supported_drive() {
-  GearSet gear = typical_drive();
-  gear.circular_spline->support = 0.5;
-  return gear;
-}
-
 double sum(const std::vector<ContactForce>& contacts, const auto& f) {
   return std::accumulate(contacts.begin(), contacts.end(), 0.0,
                          [&](double s, const ContactForce& c) { return s + f(c); });
 }
-
-double largest(const std::vector<ContactForce>& contacts) {
-  double force = 0.0;
-  for (const ContactForce& contact : contacts) force = std::max(force, contact.force);
-  return force;
-}
-
-std::array<double, 3> Ts() { return test::conventional_torques(typical_drive()); }
 
 // --- shares of the compliance (TC-15) ------------------------------------------------------------
 
@@ -91,10 +72,6 @@ GearSet full_drive() {
   shaft.length = 40 * mm;
   gear.output_shaft = shaft;
   return gear;
-}
-
-double share(const CurvePoint& point, CurveMember member) {
-  return point.share[static_cast<std::size_t>(member)];
 }
 
 TEST(CurveShares, IdentitySumIsOne) {
@@ -405,6 +382,20 @@ TEST(TorsionCurve, IdentityEvidence) {
   EXPECT_TRUE(test::uses_equation(curve.equations, "TC-14"));
   EXPECT_TRUE(test::uses_equation(curve.equations, "TC-10"));
   EXPECT_FALSE(test::uses_equation(torsion_curve(typical_drive(), torques).equations, "TC-10"));
+  for (const char* const tag : {"TC-21", "TC-22", "TC-23"})
+    EXPECT_FALSE(test::uses_equation(curve.equations, tag)) << tag;
+  const auto tags_of = [&](auto&& crack) {
+    GearSet gear = supported_drive();
+    crack(gear);
+    return torsion_curve(gear, torques).equations;
+  };
+  EXPECT_TRUE(test::uses_equation(tags_of([](GearSet& gear) {
+                                    gear.mesh->crack.emplace_back(
+                                        ToothCrack{.stiffness_loss = 0.5, .position = 0.1});
+                                  }),
+                                  "TC-21"));
+  EXPECT_TRUE(test::uses_equation(tags_of([](GearSet& gear) { test::crack_rim(gear, 0.5, 0.3); }),
+                                  "TC-22"));
   EXPECT_TRUE(curve.notes.empty());
   for (const CurvePoint& point : curve.points) {
     EXPECT_EQ(point.balls.size(), 23U);

@@ -38,6 +38,9 @@ struct Provenance {
 /// A number with the digits that its relative uncertainty warrants, plus two.
 [[nodiscard]] std::string warranted_digits(const Quantity& quantity);
 
+/// Columns of the text that strainwave writes.
+inline constexpr std::size_t kTextWidth = 100;
+
 /// Text broken at spaces to `width` columns; lines after the first are indented.
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
 

@@ -37,6 +37,8 @@ struct EnumNames<TorqueSense> {
 struct CriticalSize {
   /// Depth or half length, as the crack states its size [m]; absent: not reached in the range.
   std::optional<double> size = {};
+  /// Where there is no size because the range ends first: its end [m].
+  std::optional<double> none_up_to = {};
   std::string text = {};  ///< where there is no size: why
 };
 
@@ -62,6 +64,10 @@ struct StrengthState {
   std::optional<CriticalSize> critical_size = {};  ///< at which the line is reached
   StrengthVerdict verdict = StrengthVerdict::cannot_tell;
   std::string unknown = {};  ///< what is missing, where the verdict is cannot_tell
+
+  [[nodiscard]] bool breaks() const {
+    return verdict == StrengthVerdict::fractures || verdict == StrengthVerdict::collapses;
+  }
 };
 
 /// What a verdict leaves out.

@@ -53,6 +53,8 @@ class AnyCrack {
   [[nodiscard]] virtual double swept_area(double a, double s) const = 0;
   [[nodiscard]] virtual double gross_stress(std::size_t load) const = 0;
   [[nodiscard]] virtual std::vector<ValidityLimit> validity() const = 0;
+  /// Rules between fields; a crack that breaks one is refused.
+  [[nodiscard]] virtual std::vector<std::string_view> rules() const = 0;
   /// Added compliance, upper triangle row by row, and whether its quadrature converged.
   struct Compliance {
     std::vector<double> upper;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/polynomial.hpp"
 #include "strainwave/core/quadrature.hpp"
 #include "strainwave/sif/newman_raju.hpp"
 
@@ -64,15 +65,40 @@ template <class Function>
   return sum;
 }
 
-/// Largest |stress| at 33 depths and where it changes [Pa].
+/// What the quadrature has to know of a stress beforehand.
+struct StressSurvey {
+  double largest = 0.0;      ///< largest |sigma| seen [Pa]
+  std::vector<double> ends;  ///< depths at which to begin anew, in (0, a) [m]
+};
+
+/// Looks at a stress at 33 even depths, at `changes`, and in steps of 16 from a/32 toward the
+/// mouth, down to 1e-9 a: a layer of residual or contact stress far thinner than the crack is deep
+/// would slip through the points of the quadrature.  Where the stress falls by more over a step
+/// than a slope of 5 largest/a would give, the quadrature begins anew at every step out to a/32.  A
+/// layer inside the body can only be found where it is named.
 template <class Stress>
-[[nodiscard]] double largest_stress(const Stress& stress, double a,
-                                    std::span<const double> changes) {
-  double largest = 0.0;
-  for (int i = 0; i <= 32; ++i) largest = std::max(largest, std::abs(stress(a * i / 32)));
-  for (const double x : changes)
-    if (x > 0 && x < a) largest = std::max(largest, std::abs(stress(x)));
-  return largest;
+[[nodiscard]] StressSurvey survey(const Stress& stress, double a, std::span<const double> changes) {
+  StressSurvey seen;
+  const auto look = [&](double x) {
+    const double sigma = stress(x);
+    seen.largest = std::max(seen.largest, std::abs(sigma));
+    return sigma;
+  };
+  for (int i = 0; i <= 32; ++i) look(a * i / 32);
+  for (const double x : changes) {
+    if (!(x > 0 && x < a)) continue;
+    look(x);
+    seen.ends.push_back(x);
+  }
+  double outer = look(a / 32);
+  double layer = a;
+  for (double x = a / 512; x > 1e-9 * a; x /= 16) {
+    const double inner = look(x);
+    if (std::abs(inner - outer) > 5 * seen.largest * (15 * x) / a) layer = x;
+    outer = inner;
+  }
+  for (double x = a / 32; x >= layer; x /= 16) seen.ends.push_back(x);
+  return seen;
 }
 
 /// The value of an integral that converged.
@@ -101,12 +127,7 @@ class EdgeWeight {
   explicit EdgeWeight(double depth_ratio);
 
   /// M [-].  @param v  sqrt(1 - x/a): 0 at the tip, 1 at the mouth [-]
-  [[nodiscard]] double value(double v) const {
-    const double y = v * v;
-    double sum = 0.0;
-    for (std::size_t i = M_.size(); i-- > 0;) sum = sum * y + M_[i];
-    return sum;
-  }
+  [[nodiscard]] double value(double v) const { return polynomial(M_, v * v); }
 
  private:
   std::array<double, 7> M_{};
@@ -126,16 +147,14 @@ template <class Stress>
                                                   const Stress& stress,
                                                   std::span<const double> changes = {}) {
   const double scale = 2 * std::sqrt(2 * a / std::numbers::pi);
-  const double largest = largest_stress(stress, a, changes);
-  std::vector<double> ends;
-  for (const double x : changes)
-    if (x < a) ends.push_back(std::sqrt(1 - x / a));
+  StressSurvey seen = survey(stress, a, changes);
+  for (double& x : seen.ends) x = std::sqrt(1 - x / a);
   return integrate_in_pieces(
       [&](double v) {
         const double m = scale * weight.value(v);
-        return WeightedSum{.K = m * stress(a * (1 - v) * (1 + v)), .uniform = m * largest};
+        return WeightedSum{.K = m * stress(a * (1 - v) * (1 + v)), .uniform = m * seen.largest};
       },  // (SW-1)
-      std::move(ends));
+      std::move(seen.ends));
 }
 
 /// Weight functions of a semi-elliptical surface crack in a wide plate, for a stress that varies
@@ -205,10 +224,11 @@ template <class Stress>
   const double K = std::sqrt(a / std::numbers::pi) * weight.uniform(a, phi);
   const double to_deepest = 2 * std::numbers::sqrt2 * K / weight.uniform(a, std::numbers::pi / 2);
   const double to_surface = 4 * K / weight.uniform(a, 0.0);
-  const double uniform = K * std::sqrt(std::numbers::pi / a) * largest_stress(stress, a, changes);
+  const StressSurvey seen = survey(stress, a, changes);
+  const double uniform = K * std::sqrt(std::numbers::pi / a) * seen.largest;
   std::vector<double> ends;
-  for (const double x : changes) {
-    if (x < a) ends.push_back(std::sqrt(x / a));
+  for (const double x : seen.ends) {
+    ends.push_back(std::sqrt(x / a));
     if (x >= a * depth) continue;
     ends.push_back(std::sqrt(x / (a * depth)));
     ends.push_back(std::sqrt(1 - x / (a * depth)));

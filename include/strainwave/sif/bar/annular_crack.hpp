@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "strainwave/core/polynomial.hpp"
 #include "strainwave/fracture/annular_crack.hpp"
 #include "strainwave/sif/bar/section.hpp"
 
@@ -67,9 +68,7 @@ struct BarAnnularCrack {
 
   /// F_b of eq. (SB-3) [-].  @param x  net/gross diameter [-]; in (0, 1]
   [[nodiscard]] static double bending_factor(double x) {
-    double p = 0.0;
-    for (std::size_t i = kP2.size(); i-- > 0;) p = p * x + kP2[i];
-    return 3.0 / 8 * p / (x * x * std::sqrt(x));  // (SB-3)
+    return 3.0 / 8 * polynomial(kP2, x) / (x * x * std::sqrt(x));  // (SB-3)
   }
 
  private:

@@ -16,20 +16,20 @@ enum class BarSurface { outer, inner };
 /// into tension and bending of the plate, and falls along the arc; the torque's shear is that of
 /// mid-depth.
 ///
-/// @param aspect  a/c [-]; in (0, 1]
-/// @param phi     from the surface; pi/2 is the deepest point [rad]
+/// @param aspect   a/c [-]; in (0, 1]
+/// @param poisson  nu, of the split between K_II and K_III [-]
+/// @param phi      from the surface; pi/2 is the deepest point [rad]
 [[nodiscard]] inline UnitStressIntensity<3> hollow_surface_intensity(const RoundSection& section,
                                                                      BarSurface surface,
-                                                                     double aspect, double a,
-                                                                     double phi) {
-  constexpr double kPoisson = 0.3;
+                                                                     double aspect, double poisson,
+                                                                     double a, double phi) {
   const double alpha = a / section.wall();
   const double root = std::sqrt(std::numbers::pi * a);
   const double middle = (section.outer_radius + section.inner_radius) / 2;
   const double inward = surface == BarSurface::outer ? 1.0 : -1.0;
   const double mouth = middle + inward * section.wall() / 2;
   const NewmanRajuPlate plate(aspect);
-  const KassirSih shear(aspect, kPoisson);
+  const KassirSih shear(aspect, poisson);
   const double tension = plate.tension(alpha, phi) * root;
   const double bending = plate.bending_ratio(alpha, phi) * inward;
   const double along = std::cos(a / aspect * std::cos(phi) / mouth);  // x/r at this point

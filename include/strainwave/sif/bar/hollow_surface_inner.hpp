@@ -32,6 +32,7 @@ struct HollowSurfaceInnerCrack {
   double outer_diameter = 0.0;  ///< 2 r_o [m]
   double inner_diameter = 0.0;  ///< 2 r_i [m]
   double aspect_ratio = 0.0;    ///< a/c [-]; <= 1
+  double poissons_ratio = 0.3;  ///< nu [-]; in (-1, 0.5)
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -39,6 +40,7 @@ struct HollowSurfaceInnerCrack {
     field(kOuterDiameter, &HollowSurfaceInnerCrack::outer_diameter);
     field(kInnerDiameter, &HollowSurfaceInnerCrack::inner_diameter);
     field(kAspectRatio, &HollowSurfaceInnerCrack::aspect_ratio);
+    field(kPoissonsRatioOfBar, &HollowSurfaceInnerCrack::poissons_ratio);
   }
   template <class Rule>
   void check(Rule&& rule) const {
@@ -65,7 +67,8 @@ struct HollowSurfaceInnerCrack {
   /// Both halves, dA = 2 c da dphi; (FR-3).
   [[nodiscard]] double swept_area(double a, double) const { return 2 * a / aspect_ratio; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double phi) const {
-    return hollow_surface_intensity(section(), BarSurface::inner, aspect_ratio, a, phi);
+    return hollow_surface_intensity(section(), BarSurface::inner, aspect_ratio, poissons_ratio, a,
+                                    phi);
   }
 
  private:

@@ -50,6 +50,12 @@ inline constexpr Field kAspectRatio{.name = "aspect_ratio",
                                     .range = kPositive,
                                     .example = "0.8"};
 
+inline constexpr Field kPoissonsRatioOfBar{.name = "poissons_ratio",
+                                           .unit = "1",
+                                           .doc = "nu",
+                                           .range = {.lower = -1.0, .upper = 0.5},
+                                           .example = "0.3"};
+
 /// Round section, solid or hollow.
 ///
 /// Implements theory manual eq. (SB-1), the nominal stress.

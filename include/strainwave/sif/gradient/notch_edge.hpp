@@ -74,7 +74,7 @@ struct NotchEdgeCrack {
     const EdgeWeight weight(a / thickness);
     const NotchProfile notch(root_radius, concentration);
     const auto K = [&](const auto& stress) {
-      return converged_value(weighted_intensity(weight, a, stress, notch.changes()));
+      return converged_value(weighted_intensity(weight, a, stress));
     };
     return {.I = {notch.flank_factor(a) * K(notch), notch.flank_factor(a) * K([&](double x) {
                                                       return notch(x) *

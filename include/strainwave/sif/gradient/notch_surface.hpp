@@ -79,7 +79,7 @@ struct NotchSurfaceCrack {
     const SurfaceWeight weight(depth / half_length, a / thickness);
     const NotchProfile notch(root_radius, concentration);
     const auto K = [&](const auto& stress) {
-      return converged_value(weighted_intensity(weight, a, phi, stress, notch.changes()));
+      return converged_value(weighted_intensity(weight, a, phi, stress));
     };
     return {.I = {K(notch), K([&](double x) { return notch(x) * bending_profile(x, thickness); })},
             .II = {},

@@ -76,7 +76,7 @@ struct ResidualEdgeCrack {
     const EdgeWeight weight(a / thickness);
     const ResidualProfile residual(decay, hump, thickness);
     const auto K = [&](const auto& stress) {
-      return converged_value(weighted_intensity(weight, a, stress, residual.changes()));
+      return converged_value(weighted_intensity(weight, a, stress));
     };
     return {.I = {K([](double) { return 1.0; }),
                   K([&](double x) { return bending_profile(x, thickness); }), K(residual)},

@@ -65,7 +65,7 @@ struct ResidualSurfaceCrack {
          "0.01 <= depth/half_length <= 100");
     rule(decay * (1 + hump) <= thickness / 5, "decay", decay, "m",
          "decay (1 + hump) <= thickness/5");
-    rule(depth <= 1000 * decay, "depth", depth, "m", "depth <= 1000 decay");
+    rule(depth <= 20 * decay, "depth", depth, "m", "depth <= 20 decay");
   }
   template <class Limit>
   void validity(Limit&& limit) const {
@@ -84,7 +84,7 @@ struct ResidualSurfaceCrack {
     const SurfaceWeight weight(depth / half_length, a / thickness);
     const ResidualProfile residual(decay, hump, thickness);
     const auto K = [&](const auto& stress) {
-      return converged_value(weighted_intensity(weight, a, phi, stress, residual.changes()));
+      return converged_value(weighted_intensity(weight, a, phi, stress));
     };
     return {.I = {K([](double) { return 1.0; }),
                   K([&](double x) { return bending_profile(x, thickness); }), K(residual)},

@@ -60,8 +60,6 @@ class ResidualProfile {
     const double g = (1 + hump_ * x / delta_) * std::exp(-x / delta_);
     return (g - A_ - B_ * bending_profile(x, t_)) / (1 - A_ - B_);  // (SW-6)
   }
-  /// Depths between which it is smooth [m].
-  [[nodiscard]] std::array<double, 3> changes() const { return {delta_, 4 * delta_, 20 * delta_}; }
 
  private:
   double delta_, hump_, t_, A_ = 0.0, B_ = 0.0;
@@ -85,10 +83,6 @@ class NotchProfile {
 
   /// D, depth of the equivalent notch [m].
   [[nodiscard]] double depth() const { return depth_; }
-  /// Depths between which it is smooth [m].
-  [[nodiscard]] std::array<double, 4> changes() const {
-    return {radius_, 10 * radius_, 100 * radius_, depth_};
-  }
 
   /// @param x  from the root [m]; >= 0
   [[nodiscard]] double operator()(double x) const {

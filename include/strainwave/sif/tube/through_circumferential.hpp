@@ -29,7 +29,7 @@ struct TubeThroughCircumferential {
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
       LoadInfo{"axial_force", "N", "tension, on the axis of the tube"},
       LoadInfo{"bending_moment", "N*m", "tension in the middle of the crack"},
-      LoadInfo{"torque", "N*m", "right-handed about +z on the output side"}};
+      LoadInfo{"torque", "N*m", "right-handed about +z on the output side; K_II counted positive"}};
   static constexpr auto kPoints = kWallPoints;
 
   double half_length = 0.0;     ///< a, along the middle of the wall [m]; > 0, <= pi r/2

@@ -28,7 +28,8 @@ struct TubeThroughInclined {
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
       LoadInfo{"axial_force", "N", "tension"},
-      LoadInfo{"torque", "N*m", "right-handed about +z on the output side; opens +45 deg"},
+      LoadInfo{"torque", "N*m",
+               "right-handed about +z on the output side; opens +45 deg, K_II as cos 2 beta"},
       LoadInfo{"pressure", "Pa", "inside, ends open; not on the crack's faces"}};
   static constexpr auto kPoints = kWallPoints;
 

@@ -12,7 +12,7 @@
 #include "strainwave/sif/library.hpp"
 #include "strainwave/sif/solution.hpp"
 
-// What the tests of the plate family share.
+// What the tests of the families share.
 
 namespace strainwave::test {
 
