@@ -234,7 +234,7 @@ class Model {
   }
 
   /// Displacement gradients at the points of `values`, which are of the scalar element.
-  void gradients(const Cell& cell, const dealii::FEValues<3>& values,
+  void gradients(const Cell& cell, const dealii::FEValuesBase<3>& values,
                  std::vector<Tensor2>& out) const {
     cell_values(cell);
     out.assign(values.n_quadrature_points, Tensor2());
@@ -699,6 +699,21 @@ CrackFront Model::evaluate_front(std::size_t front) const {
       body_.mapping, scalar_, rule,
       dealii::update_gradients | dealii::update_JxW_values | dealii::update_quadrature_points);
   dealii::FEValues<3> q_values(body_.mapping, velocity, rule, dealii::update_gradients);
+  const dealii::QGauss<2> face_rule(static_cast<unsigned>(problem_.order) + 3);
+  dealii::FEFaceValues<3> face_values(
+      body_.mapping, scalar_, face_rule,
+      dealii::update_gradients | dealii::update_JxW_values | dealii::update_quadrature_points |
+          dealii::update_normal_vectors);
+  dealii::FEFaceValues<3> q_face_values(body_.mapping, velocity, face_rule,
+                                        dealii::update_values);
+  const auto auxiliary = [&](std::size_t mode, const FrontFrame& frame, const Point<3>& place,
+                             const HexCell& cell) {
+    const Tensor<1, 3> from = place - frame.place;
+    const Tensor2 local =
+        crack_tip_gradient(mode, from * frame.axes[0], from * frame.axes[1], cell.front->side,
+                           problem_.material.poissons_ratio, lame_.mu);
+    return transpose(frame.axes) * local * frame.axes;
+  };
   const unsigned n_velocity = velocity.n_dofs_per_cell();
   std::vector<Tensor2> gradient;
   std::vector<Tensor<1, 3>> moment(kFields * n_velocity);
@@ -724,14 +739,9 @@ CrackFront Model::evaluate_front(std::size_t front) const {
       const double density = 0.5 * scalar_product(stress, du);
       for (unsigned k = 0; k < 3; ++k) flux[0][k][k] -= density;  // (FE-23)
       const FrontFrame frame = front_frame(tip, rule.point(q)[2]);
-      const Tensor<1, 3> from = values.quadrature_point(q) - frame.place;
       for (std::size_t mode = 0; mode < 3; ++mode) {
-        const Tensor2 local =
-            crack_tip_gradient(mode, from * frame.axes[0], from * frame.axes[1], origin.front->side,
-                               problem_.material.poissons_ratio, lame_.mu);
-        const Tensor2 dv = transpose(frame.axes) * local * frame.axes;
-        const Tensor2 aux = lame_.stress(dv);
-        flux[mode + 1] = transpose(dv) * stress + transpose(du) * aux;
+        const Tensor2 dv = auxiliary(mode, frame, values.quadrature_point(q), origin);
+        flux[mode + 1] = transpose(dv) * stress + transpose(du) * lame_.stress(dv);
         const double mutual = scalar_product(stress, dv);
         for (unsigned k = 0; k < 3; ++k) flux[mode + 1][k][k] -= mutual;  // (FE-24)
       }
@@ -739,6 +749,29 @@ CrackFront Model::evaluate_front(std::size_t front) const {
         const Tensor<1, 3> slope = values.JxW(q) * q_values.shape_grad(n, q);
         for (std::size_t field = 0; field < kFields; ++field)
           moment[field * n_velocity + n] += flux[field] * slope;
+      }
+    }
+    // The auxiliary fields leave tractions on curved crack faces and on the front's end faces.
+    for (const unsigned f : cell->face_indices()) {
+      if (!cell->face(f)->at_boundary()) continue;
+      face_values.reinit(typename dealii::Triangulation<3>::active_cell_iterator(cell), f);
+      q_face_values.reinit(typename dealii::Triangulation<3>::active_cell_iterator(cell), f);
+      const bool crack = is_crack_face(cell, f);
+      gradients(cell, face_values, gradient);
+      for (unsigned q = 0; q < face_rule.size(); ++q) {
+        const Tensor2& du = gradient[q];
+        const Tensor<1, 3>& normal = face_values.normal_vector(q);
+        const double w =
+            f == 4 ? 0.0 : f == 5 ? 1.0 : f < 2 ? face_rule.point(q)[1] : face_rule.point(q)[0];
+        const FrontFrame frame = front_frame(tip, w);
+        for (std::size_t mode = 0; mode < 3; ++mode) {
+          const Tensor2 dv = auxiliary(mode, frame, face_values.quadrature_point(q), origin);
+          Tensor<1, 3> force = transpose(du) * (lame_.stress(dv) * normal);
+          if (!crack) force += transpose(dv) * (lame_.stress(du) * normal);
+          for (unsigned n = 0; n < n_velocity; ++n)
+            moment[(mode + 1) * n_velocity + n] -=
+                q_face_values.shape_value(n, q) * face_values.JxW(q) * force;  // (FE-24)
+        }
       }
     }
     for (unsigned n = 0; n < n_velocity; ++n) {
