@@ -700,12 +700,11 @@ CrackFront Model::evaluate_front(std::size_t front) const {
       dealii::update_gradients | dealii::update_JxW_values | dealii::update_quadrature_points);
   dealii::FEValues<3> q_values(body_.mapping, velocity, rule, dealii::update_gradients);
   const dealii::QGauss<2> face_rule(static_cast<unsigned>(problem_.order) + 3);
-  dealii::FEFaceValues<3> face_values(
-      body_.mapping, scalar_, face_rule,
-      dealii::update_gradients | dealii::update_JxW_values | dealii::update_quadrature_points |
-          dealii::update_normal_vectors);
-  dealii::FEFaceValues<3> q_face_values(body_.mapping, velocity, face_rule,
-                                        dealii::update_values);
+  dealii::FEFaceValues<3> face_values(body_.mapping, scalar_, face_rule,
+                                      dealii::update_gradients | dealii::update_JxW_values |
+                                          dealii::update_quadrature_points |
+                                          dealii::update_normal_vectors);
+  dealii::FEFaceValues<3> q_face_values(body_.mapping, velocity, face_rule, dealii::update_values);
   const auto auxiliary = [&](std::size_t mode, const FrontFrame& frame, const Point<3>& place,
                              const HexCell& cell) {
     const Tensor<1, 3> from = place - frame.place;
@@ -761,8 +760,10 @@ CrackFront Model::evaluate_front(std::size_t front) const {
       for (unsigned q = 0; q < face_rule.size(); ++q) {
         const Tensor2& du = gradient[q];
         const Tensor<1, 3>& normal = face_values.normal_vector(q);
-        const double w =
-            f == 4 ? 0.0 : f == 5 ? 1.0 : f < 2 ? face_rule.point(q)[1] : face_rule.point(q)[0];
+        const double w = f == 4   ? 0.0
+                         : f == 5 ? 1.0
+                         : f < 2  ? face_rule.point(q)[1]
+                                  : face_rule.point(q)[0];
         const FrontFrame frame = front_frame(tip, w);
         for (std::size_t mode = 0; mode < 3; ++mode) {
           const Tensor2 dv = auxiliary(mode, frame, face_values.quadrature_point(q), origin);

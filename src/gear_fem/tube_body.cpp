@@ -127,7 +127,10 @@ void judge(TubeCrackResult& result, bool derivative, bool overlap) {
   if (solid.energy_balance > 1e-7)
     refuse(fmt::format("work and strain energy differ by {:.2g}", solid.energy_balance));
   if (solid.contact_pressure_error > 1e-6) refuse("the contact of the faces pulls");
+  // Nothing is to be compared where nothing is released.
+  const bool released = std::abs(result.mean_release_rate) > result.closed_release_rate;
   for (const CrackFront& front : solid.fronts) {
+    if (!released) break;
     if (front.ring_spread > 0.01)
       refuse(fmt::format("the energy release rate differs by {:.2g} between rings",
                          front.ring_spread));
@@ -136,7 +139,8 @@ void judge(TubeCrackResult& result, bool derivative, bool overlap) {
   }
   if (!derivative)
     refuse("not compared with neighbouring crack sizes");
-  else if (std::abs(result.derivative_error) > 0.01)
+  else if (released ? std::abs(result.derivative_error) > 0.01
+                    : std::abs(result.derivative_release_rate) > result.closed_release_rate)
     refuse(fmt::format("dC/dA of neighbouring sizes differs from G by {:.2g}",
                        result.derivative_error));
   result.usable = result.reason.empty();

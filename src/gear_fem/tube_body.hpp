@@ -24,11 +24,11 @@ struct TubePlan {
 /// turned by a smooth rotation that keeps areas (FE-29).
 struct TubeBody {
   TubePlan plan;
-  PointMap map;                    ///< template -> space
-  std::array<double, 2> along{};   ///< ends of the template in x [m]
-  std::array<double, 2> across{};  ///< ends of the template in y [m]
-  double longest_along{};          ///< longest cell in x [m]
-  double longest_across{};         ///< longest cell in y [m]
+  PointMap map;                               ///< template -> space
+  std::array<double, 2> along{};              ///< ends of the template in x [m]
+  std::array<double, 2> across{};             ///< ends of the template in y [m]
+  double longest_along{};                     ///< longest cell in x [m]
+  double longest_across{};                    ///< longest cell in y [m]
   std::function<int(const Point3&)> end_tag;  ///< kTubeClamp, kTubeLoad, 0; of a template point
 };
 

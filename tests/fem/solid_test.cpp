@@ -33,11 +33,10 @@ HexMesh grid(const std::array<int, 3>& n, const PointMap& map) {
           return Point3{(i + p[0]) / n[0], (j + p[1]) / n[1], (k + p[2]) / n[2]};
         }});
   return make_hex_mesh(cells, {.map = map,
-                               .face_tag =
-                                   [](const Point3& p) -> int {
-                                     if (p[2] < 1e-9) return kLow;
-                                     return p[2] > 1 - 1e-9 ? kHigh : kSide;
-                                   },
+                               .face_tag = [](const Point3& p) -> int {
+                                 if (p[2] < 1e-9) return kLow;
+                                 return p[2] > 1 - 1e-9 ? kHigh : kSide;
+                               },
                                .length = 1});
 }
 
@@ -57,8 +56,9 @@ SolidResult twisted_tube(int order, int round = 4, CrackFaces faces = CrackFaces
                          return std::vector<Point3>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
                        }}};
   const double J = pi / 2 * (std::pow(10.5, 4) - std::pow(9.5, 4));
-  problem.tractions = {
-      {.tag = kHigh, .value = [J](const Point3& p) { return Point3{-p[1] / J, p[0] / J, 0}; }}};
+  problem.tractions = {{.tag = kHigh, .value = [J](const Point3& p) {
+                          return Point3{-p[1] / J, p[0] / J, 0};
+                        }}};
   return solve_solid(mesh, problem);
 }
 
@@ -77,17 +77,16 @@ TEST(Solid, IdentityPatchTest) {
     SolidProblem problem;
     problem.material = kSteel;
     problem.order = order;
-    problem.supports = {{.tag = kLow,
-                         .directions =
-                             [](const Point3& p) {
-                               std::vector<Point3> held{{0, 0, 1}};
-                               if (p[0] < 1e-9 && p[1] < 1e-9) held = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-                               if (p[0] > 1 - 1e-9 && p[1] < 1e-9) held.push_back({0, 1, 0});
-                               return held;
-                             }}};
+    problem.supports = {{.tag = kLow, .directions = [](const Point3& p) {
+                           std::vector<Point3> held{{0, 0, 1}};
+                           if (p[0] < 1e-9 && p[1] < 1e-9) held = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+                           if (p[0] > 1 - 1e-9 && p[1] < 1e-9) held.push_back({0, 1, 0});
+                           return held;
+                         }}};
     const double sigma = 1e6;
-    problem.tractions = {
-        {.tag = kHigh, .value = [=](const Point3&) { return Point3{0, 0, sigma}; }}};
+    problem.tractions = {{.tag = kHigh, .value = [=](const Point3&) {
+                            return Point3{0, 0, sigma};
+                          }}};
     const SolidResult result = solve_solid(mesh, problem);
     // Rounding of a direct solver; force sigma, displacement sigma/E.
     test::expect_relative(result.work, sigma * sigma / kSteel.youngs_modulus, 1e-11);
@@ -132,8 +131,9 @@ TEST(Solid, InputTangledAndLeftHandedMeshesAreRefused) {
     }
     return std::string();
   };
-  const std::string left =
-      refused(grid({1, 1, 1}, [](const Point3& p) { return Point3{p[0], p[1], -p[2]}; }));
+  const std::string left = refused(grid({1, 1, 1}, [](const Point3& p) {
+    return Point3{p[0], p[1], -p[2]};
+  }));
   EXPECT_NE(left.find("mesh: cell 0 is tangled or left-handed"), std::string::npos) << left;
   const std::string folded = refused(grid({2, 1, 1}, [](const Point3& p) {  // x turns back
     return Point3{p[0] - 1.2 * p[0] * p[0] * p[0], p[1], p[2]};
