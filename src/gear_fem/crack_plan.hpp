@@ -28,7 +28,7 @@ struct PlanTip {
 };
 
 /// Grid lines, tips, and the rings about each: squares of four cells, a circle within, then rings
-/// in geometric progression down to four cells at the tip (FE-22).
+/// in geometric progression down to four cells at the tip.
 struct CrackPlan {
   std::vector<double> x;  ///< lines across the crack's direction, ascending [m]
   std::vector<double> y;  ///< lines along the crack's direction, ascending [m]
