@@ -105,7 +105,10 @@ SolidResult straight_crack_block(const StraightCrackBlock& block) {
                           .length = W + H};
   const HexMesh mesh = make_hex_mesh(extruded(crack_plan(plan), plan, {0, B}), body);
 
-  SolidProblem problem{.material = block.material, .order = block.order, .crack_tag = kCrack};
+  SolidProblem problem;
+  problem.material = block.material;
+  problem.order = block.order;
+  problem.crack_tag = kCrack;
   const auto across = [](const Point3&) { return std::vector<Point3>{{0, 0, 1}}; };
   problem.supports.push_back({.tag = kFront, .directions = across});
   problem.supports.push_back({.tag = kBack, .directions = across});
@@ -163,7 +166,10 @@ SolidResult elliptical_crack_block(const EllipticalCrackBlock& block) {
                           .length = X + H};
   const HexMesh mesh = make_hex_mesh(ellipse_template(slab), body);
 
-  SolidProblem problem{.material = block.material, .order = block.order, .crack_tag = kCrack};
+  SolidProblem problem;
+  problem.material = block.material;
+  problem.order = block.order;
+  problem.crack_tag = kCrack;
   if (embedded)
     problem.supports.push_back({.tag = kFront, .directions = [](const Point3&) {
                                   return std::vector<Point3>{{0, 0, 1}};

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "strainwave/fem/hex_mesh.hpp"
@@ -45,7 +44,6 @@ struct SolidProblem {
   /// Stress that the body without the crack would have at a place of the crack [Pa], rows of the
   /// tensor; for `added_work`.  May be empty.
   std::function<std::array<Point3, 3>(const Point3&)> stress_without_crack;
-  std::string picture;  ///< file name without ending for ParaView (.vtu, .pvtu); empty: none
 };
 
 /// Fracture quantities at one station of a front.
@@ -97,7 +95,7 @@ struct SolidResult {
 /// Continuous polynomials of order p in each unit coordinate, geometry of order max(p, 4) through
 /// points of the analytic maps, Cholesky factorisation by MUMPS.  Every rank calls it with the
 /// same arguments and gets the same result; the number of ranks changes it by rounding only.
-/// Mpi must be initialised (MpiSession).
+/// An MpiSession must be alive.
 ///
 /// Accuracy (theory manual, chapter FE): with the ring templates of gear_fem at p = 3, G is good
 /// to 0.3 %.
