@@ -517,6 +517,8 @@ class Model {
 
   void solve_contact() {
     constexpr int kMost = 40;
+    constexpr double kNothing = 1e-5;  // of the largest pressure or jump: noise of the solution
+    double last_pressure = 0;
     find_pairs();
     if (pairs_.empty()) throw InputError("mesh", "has no crack faces that could touch");
     double area = 0;
@@ -531,7 +533,10 @@ class Model {
       const Vector forces = internal_forces(energy);
       double largest = 0;
       double tension = 0;
-      double deepest = 0;
+      double jump = 0;
+      for (const Pair& pair : pairs_)
+        for (unsigned k = 0; k < 3; ++k)
+          jump = std::max(jump, std::abs(u_[pair.upper[k]] - u_[pair.lower[k]]));
       std::set<std::size_t> next;
       for (std::size_t i = 0; i < pairs_.size(); ++i) {
         const Pair& pair = pairs_[i];
@@ -545,13 +550,13 @@ class Model {
         const double pressure = force / pair.normal.norm();
         if (active.count(i)) {
           largest = std::max(largest, pressure);
-          if (pressure >= 0) next.insert(i);
+          if (pressure >= -kNothing * last_pressure) next.insert(i);
           tension = std::max(tension, -pressure);
-        } else if (gap < 0) {
+        } else if (gap < -kNothing * jump) {
           next.insert(i);
         }
-        deepest = std::min(deepest, gap);
       }
+      last_pressure = largest;
       if (next == active) {
         double touching = 0;
         for (const std::size_t i : active) touching += pairs_[i].normal.norm();
