@@ -759,7 +759,7 @@ CrackFront Model::evaluate_front(std::size_t front) const {
       if (!cell->face(f)->at_boundary()) continue;
       face_values.reinit(typename dealii::Triangulation<3>::active_cell_iterator(cell), f);
       q_face_values.reinit(typename dealii::Triangulation<3>::active_cell_iterator(cell), f);
-      const bool crack = is_crack_face(cell, f);
+      const bool loaded = !is_crack_face(cell, f) || problem_.crack_faces == CrackFaces::contact;
       gradients(cell, face_values, gradient);
       for (unsigned q = 0; q < face_rule.size(); ++q) {
         const Tensor2& du = gradient[q];
@@ -772,7 +772,7 @@ CrackFront Model::evaluate_front(std::size_t front) const {
         for (std::size_t mode = 0; mode < 3; ++mode) {
           const Tensor2 dv = auxiliary(mode, frame, face_values.quadrature_point(q), origin);
           Tensor<1, 3> force = transpose(du) * (lame_.stress(dv) * normal);
-          if (!crack) force += transpose(dv) * (lame_.stress(du) * normal);
+          if (loaded) force += transpose(dv) * (lame_.stress(du) * normal);
           for (unsigned n = 0; n < n_velocity; ++n)
             moment[(mode + 1) * n_velocity + n] -=
                 q_face_values.shape_value(n, q) * face_values.JxW(q) * force;  // (FE-24)

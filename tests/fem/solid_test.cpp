@@ -28,16 +28,21 @@ HexMesh grid(const std::array<int, 3>& n, const PointMap& map) {
   std::vector<TemplateCell> cells;
   for (int i = 0; i < n[0]; ++i)
     for (int j = 0; j < n[1]; ++j)
-      for (int k = 0; k < n[2]; ++k)
-        cells.push_back({.map = [=](const Point3& p) {
+      for (int k = 0; k < n[2]; ++k) {
+        TemplateCell cell;
+        cell.map = [=](const Point3& p) {
           return Point3{(i + p[0]) / n[0], (j + p[1]) / n[1], (k + p[2]) / n[2]};
-        }});
-  return make_hex_mesh(cells, {.map = map,
-                               .face_tag = [](const Point3& p) -> int {
-                                 if (p[2] < 1e-9) return kLow;
-                                 return p[2] > 1 - 1e-9 ? kHigh : kSide;
-                               },
-                               .length = 1});
+        };
+        cells.push_back(cell);
+      }
+  TemplateBody body;
+  body.map = map;
+  body.face_tag = [](const Point3& p) -> int {
+    if (p[2] < 1e-9) return kLow;
+    return p[2] > 1 - 1e-9 ? kHigh : kSide;
+  };
+  body.length = 1;
+  return make_hex_mesh(cells, body);
 }
 
 Point3 same(const Point3& p) { return p; }

@@ -4,11 +4,9 @@
 #include <string>
 
 #include "strainwave/fem/solid.hpp"
+#include "strainwave/model/crack_strength.hpp"
 
 namespace strainwave {
-
-/// Sense of the torque about +z on the end z = length.
-enum class TorqueSense { positive, negative };
 
 /// A tube with a straight through crack in its wall, clamped at z = 0, twisted at z = length.
 ///
@@ -17,14 +15,14 @@ enum class TorqueSense { positive, negative };
 /// 0 < angle < 90 degrees.
 struct TubeWithThroughCrack {
   ElasticSolid material;
-  double mean_radius{};     ///< r [m]; > 0
-  double wall_thickness{};  ///< t [m]; 0 < t <= 0.5 r
-  double length{};          ///< L [m]; > 0
-  double half_length{};     ///< a, on the middle surface [m]; > 0
-  double angle{};           ///< beta [rad]; -pi/2 < angle <= pi/2
-  double place{};           ///< z of the crack's middle [m]; 0: half the length
-  double torque = 1;        ///< > 0 [N*m]; its sense is `sense`
-  TorqueSense sense = TorqueSense::positive;
+  double mean_radius{};                       ///< r [m]; > 0
+  double wall_thickness{};                    ///< t [m]; 0 < t <= 0.5 r
+  double length{};                            ///< L [m]; > 0
+  double half_length{};                       ///< a, on the middle surface [m]; > 0
+  double angle{};                             ///< beta [rad]; -pi/2 < angle <= pi/2
+  double place{};                             ///< z of the crack's middle [m]; 0: half the length
+  double torque = 1;                          ///< > 0 [N*m]; its sense is `sense`
+  TorqueSense sense = TorqueSense::positive;  ///< about +z, on the end z = length
   CrackFaces crack_faces = CrackFaces::contact;  ///< `free` lets them pass through each other
   int order = 3;                                 ///< of the displacements [-]; 2 to 4
   int rings = 0;   ///< about each tip [-]; 3 to 16, 0: down to 4 % of wall or crack
