@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <string>
 
@@ -96,6 +97,16 @@ TEST(StraightCrackBlock, IdentityDerivativeOfTheAddedWork) {
   // The work itself minus that of the sound block says the same.
   const double sound = 4 * 12 * (1 - 0.09) / 210e3;
   test::expect_relative(more.work - sound, more.added_work, 1e-3);
+}
+
+// Run by ranks.py with 1, 2 and 4 ranks, which compares the lines.
+TEST(StraightCrackBlock, IdentityForAnyNumberOfRanks) {
+  test::start_mpi();
+  const SolidResult result = straight_crack_block(strip(true, 2));
+  std::printf("ranks work %.17g\nranks added_work %.17g\nranks release %.17g\nranks K_I %.17g\n",
+              result.work, result.added_work, result.fronts[0].release,
+              middle(result.fronts[0]).K_I);
+  EXPECT_GT(result.work, 0);
 }
 
 TEST(StraightCrackBlock, ConvergenceWithTheOrder) {
