@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/fem/solid.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/fem/hex_mesh.hpp"
+#include "support/expect.hpp"
+#include "support/mpi.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+
+constexpr ElasticSolid kSteel{.youngs_modulus = 210e9, .poissons_ratio = 0.3};
+
+enum Tag { kLow = 1, kHigh = 2, kSide = 3 };
+
+/// n[0] x n[1] x n[2] cells of the unit cube, carried to a body.
+HexMesh grid(const std::array<int, 3>& n, const PointMap& map) {
+  std::vector<TemplateCell> cells;
+  for (int i = 0; i < n[0]; ++i)
+    for (int j = 0; j < n[1]; ++j)
+      for (int k = 0; k < n[2]; ++k) {
+        TemplateCell cell;
+        cell.map = [=](const Point3& p) {
+          return Point3{(i + p[0]) / n[0], (j + p[1]) / n[1], (k + p[2]) / n[2]};
+        };
+        cells.push_back(cell);
+      }
+  TemplateBody body;
+  body.map = map;
+  body.face_tag = [](const Point3& p) -> int {
+    if (p[2] < 1e-9) return kLow;
+    return p[2] > 1 - 1e-9 ? kHigh : kSide;
+  };
+  body.length = 1;
+  return make_hex_mesh(cells, body);
+}
+
+Point3 same(const Point3& p) { return p; }
+
+/// A tube R = 10, t = 1, L = 10, twisted by unit torque.
+SolidResult twisted_tube(int order, int round = 4, CrackFaces faces = CrackFaces::free) {
+  const HexMesh mesh = grid({round, 1, 1}, [](const Point3& p) {
+    const double r = 10.5 - p[1];
+    return Point3{r * std::cos(2 * pi * p[0]), r * std::sin(2 * pi * p[0]), 10 * p[2]};
+  });
+  SolidProblem problem;
+  problem.material = kSteel;
+  problem.order = order;
+  problem.crack_faces = faces;
+  problem.supports = {{.tag = kLow, .directions = [](const Point3&) {
+                         return std::vector<Point3>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+                       }}};
+  const double J = pi / 2 * (std::pow(10.5, 4) - std::pow(9.5, 4));
+  problem.tractions = {{.tag = kHigh, .value = [J](const Point3& p) {
+                          return Point3{-p[1] / J, p[0] / J, 0};
+                        }}};
+  return solve_solid(mesh, problem);
+}
+
+double exact_tube() {
+  return 10 / (kSteel.youngs_modulus / 2.6 * pi / 2 * (std::pow(10.5, 4) - std::pow(9.5, 4)));
+}
+
+// (FE-20): a linear field is exact in any mesh, distorted ones included.
+TEST(Solid, IdentityPatchTest) {
+  test::start_mpi();
+  const HexMesh mesh = grid({2, 2, 2}, [](const Point3& p) {  // the middle vertex is moved
+    const double bump = 2 * p[0] * (1 - p[0]) * p[1] * (1 - p[1]) * p[2] * (1 - p[2]);
+    return Point3{p[0] + bump, p[1] - 2 * bump, p[2] + 3 * bump};
+  });
+  for (const int order : {1, 2, 3}) {
+    SolidProblem problem;
+    problem.material = kSteel;
+    problem.order = order;
+    problem.supports = {{.tag = kLow, .directions = [](const Point3& p) {
+                           std::vector<Point3> held{{0, 0, 1}};
+                           if (p[0] < 1e-9 && p[1] < 1e-9) held = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+                           if (p[0] > 1 - 1e-9 && p[1] < 1e-9) held.push_back({0, 1, 0});
+                           return held;
+                         }}};
+    const double sigma = 1e6;
+    problem.tractions = {{.tag = kHigh, .value = [=](const Point3&) {
+                            return Point3{0, 0, sigma};
+                          }}};
+    const SolidResult result = solve_solid(mesh, problem);
+    // Rounding of a direct solver; force sigma, displacement sigma/E.
+    test::expect_relative(result.work, sigma * sigma / kSteel.youngs_modulus, 1e-11);
+    EXPECT_LT(result.energy_balance, 1e-11);
+    EXPECT_LT(result.equilibrium_residual, 1e-11);  // (FE-21)
+    EXPECT_LT(result.worst_jacobian, 1.0);
+    EXPECT_EQ(result.cells, 8U);
+    EXPECT_EQ(result.dofs, static_cast<std::size_t>(3 * std::pow(2 * order + 1, 3)));
+  }
+}
+
+// Compliance rises with p toward L/(mu J): displacements of a conforming element store too much.
+TEST(Solid, ConvergenceOfTheTwistedTube) {
+  test::start_mpi();
+  double error = 1;
+  for (const int order : {1, 2, 3, 4, 5}) {
+    const SolidResult result = twisted_tube(order, 6);
+    const double now = 1 - result.work / exact_tube();
+    EXPECT_GT(now, order < 4 ? 0 : -1e-6) << order;  // geometry of order 4: 60 degrees to 1e-6
+    EXPECT_LT(now, 0.2 * error) << order;
+    error = std::max(now, 1e-6);
+  }
+}
+
+// Coarse cells of 90 degrees need curved ones: at p = 3 the error falls with the sixth power.
+TEST(Solid, ConvergenceWithTheCells) {
+  test::start_mpi();
+  const double coarse = 1 - twisted_tube(2, 6).work / exact_tube();
+  const double fine = 1 - twisted_tube(2, 12).work / exact_tube();
+  EXPECT_NEAR(std::log2(coarse / fine), 4.0, 0.5);  // energy: 2p
+}
+
+// (FE-22)
+TEST(Solid, InputTangledAndLeftHandedMeshesAreRefused) {
+  test::start_mpi();
+  EXPECT_NEAR(check_jacobians(grid({2, 1, 1}, same)), 1.0, 1e-12);
+  const auto refused = [](const HexMesh& mesh) {
+    try {
+      (void)check_jacobians(mesh);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string left = refused(grid({1, 1, 1}, [](const Point3& p) {
+    return Point3{p[0], p[1], -p[2]};
+  }));
+  EXPECT_NE(left.find("mesh: cell 0 is tangled or left-handed"), std::string::npos) << left;
+  const std::string folded = refused(grid({2, 1, 1}, [](const Point3& p) {  // x turns back
+    return Point3{p[0] - 1.2 * p[0] * p[0] * p[0], p[1], p[2]};
+  }));
+  EXPECT_NE(folded.find("mesh: cell 1"), std::string::npos) << folded;
+}
+
+TEST(Solid, InputValuesOutOfRangeAreRefused) {
+  test::start_mpi();
+  const HexMesh mesh = grid({1, 1, 1}, same);
+  const auto fails = [&](const SolidProblem& problem, const std::string& field) {
+    try {
+      (void)solve_solid(mesh, problem);
+    } catch (const InputError& error) {
+      return error.field() == field;
+    }
+    return false;
+  };
+  SolidProblem problem;
+  problem.material = kSteel;
+  problem.material.youngs_modulus = 0;
+  EXPECT_TRUE(fails(problem, "youngs_modulus"));
+  problem.material = {.youngs_modulus = 1, .poissons_ratio = 0.5};
+  EXPECT_TRUE(fails(problem, "poissons_ratio"));
+  problem.material.poissons_ratio = -0.1;
+  EXPECT_TRUE(fails(problem, "poissons_ratio"));
+  problem.material = kSteel;
+  problem.order = 0;
+  EXPECT_TRUE(fails(problem, "order"));
+  problem.order = 7;
+  EXPECT_TRUE(fails(problem, "order"));
+  EXPECT_THROW((void)make_hex_mesh({}, {}), InputError);
+  EXPECT_THROW((void)twisted_tube(2, 4, CrackFaces::contact), InputError);  // without a crack
+}
+
+}  // namespace
+}  // namespace strainwave
