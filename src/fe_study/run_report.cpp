@@ -20,7 +20,7 @@ Json evidence(const gear_fem::ShaftCrackLoad& load) {
           {"growth_check", load.growth_check},
           {"displacement_check", load.tip.displacement_check},
           {"energy_balance", load.energy_balance},
-          {"equilibrium_residual", load.residual},
+          {"equilibrium_residual", load.equilibrium_residual},
           {"worst_jacobian", load.worst_jacobian},
           {"unknowns", load.dofs}};
 }
@@ -66,7 +66,7 @@ void write(std::string& text, const gear_fem::ShaftCrackLoad& load, std::string_
       "  checks: rings {:.1e}, dC/dA {:.1e}, faces {:.1e}, energy {:.1e}, equilibrium {:.1e},\n"
       "          worst Jacobian {:.2f}; {} unknowns; {}\n",
       load.tip.ring_spread, load.growth_check, load.tip.displacement_check, load.energy_balance,
-      load.residual, load.worst_jacobian, load.dofs, verdict(load.usable, load.reason));
+      load.equilibrium_residual, load.worst_jacobian, load.dofs, verdict(load.usable, load.reason));
 }
 
 }  // namespace
@@ -99,7 +99,7 @@ std::string run_text(const RunResult& result, const GearSet& gear) {
         "  checks: order {} to {} {:.1e}, energy {:.1e}, equilibrium {:.1e}, worst Jacobian "
         "{:.2f};\n          {} unknowns; {}\n",
         result.order - 1, result.order, cup.lower_order, cup.solution.energy_balance,
-        cup.solution.residual, cup.solution.worst_jacobian, cup.solution.dofs,
+        cup.solution.equilibrium_residual, cup.solution.worst_jacobian, cup.solution.dofs,
         verdict(cup.usable, cup.reason));
   }
   if (!result.notes.empty()) text += "\nNotes\n";
@@ -142,7 +142,7 @@ std::string run_json(const RunResult& result, const GearSet& gear) {
                           {"evidence",
                            {{"lower_order", cup.lower_order},
                             {"energy_balance", cup.solution.energy_balance},
-                            {"equilibrium_residual", cup.solution.residual},
+                            {"equilibrium_residual", cup.solution.equilibrium_residual},
                             {"worst_jacobian", cup.solution.worst_jacobian},
                             {"unknowns", cup.solution.dofs}}},
                           {"usable", cup.usable},

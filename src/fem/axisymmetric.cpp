@@ -466,7 +466,7 @@ class Solver {
     force -= raw_load_;
     constraints_.condense(force);
     constraints_.set_zero(force);
-    result.residual = force.linfty_norm() / load_.linfty_norm();
+    result.equilibrium_residual = force.linfty_norm() / load_.linfty_norm();
     if (mesh_.crack) result.tip = tip(ring_change);
     return result;
   }

@@ -9,7 +9,7 @@
 
 #include "strainwave/core/error.hpp"
 
-namespace strainwave {
+namespace strainwave::fem {
 namespace {
 
 /// Vertices by place; the grid of the search is a thousand times coarser than what is merged, so
@@ -97,4 +97,4 @@ HexMesh make_hex_mesh(const std::vector<TemplateCell>& cells, const TemplateBody
   return mesh;
 }
 
-}  // namespace strainwave
+}  // namespace strainwave::fem

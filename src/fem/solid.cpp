@@ -41,7 +41,7 @@
 
 #include "strainwave/core/error.hpp"
 
-namespace strainwave {
+namespace strainwave::fem {
 
 struct MpiSession::Impl {
   dealii::Utilities::MPI::MPI_InitFinalize session;
@@ -143,7 +143,7 @@ struct Lame {
   double lambda;
   double mu;
 
-  explicit Lame(const ElasticSolid& m)
+  explicit Lame(const Elasticity& m)
       : lambda(m.youngs_modulus * m.poissons_ratio /
                ((1 + m.poissons_ratio) * (1 - 2 * m.poissons_ratio))),
         mu(m.youngs_modulus / (2 * (1 + m.poissons_ratio))) {}
@@ -872,18 +872,19 @@ CrackFront Model::front_of_integrals(const std::map<std::size_t, const HexCell*>
       station.position = (static_cast<double>(segment) + 0.5 * static_cast<double>(j)) /
                          static_cast<double>(tips.size());
       station.place = to_array(front_frame(*tip, 0.5 * static_cast<double>(j)).place);
-      station.G = mean(i);
+      station.energy_release_rate = mean(i);
       for (const Eigen::VectorXd& ring : G)
-        station.G_spread = std::max(station.G_spread, std::abs(ring(i) - mean(i)) / scale);
+        station.ring_spread = std::max(station.ring_spread, std::abs(ring(i) - mean(i)) / scale);
       station.G_of_K = (K[0](i) * K[0](i) + K[1](i) * K[1](i)) / plane_strain +
                        K[2](i) * K[2](i) / (2 * lame_.mu);  // (FE-25)
-      const double rescale =
-          station.G > 0 && station.G_of_K > 0 ? std::sqrt(station.G / station.G_of_K) : 1.0;
+      const double rescale = station.energy_release_rate > 0 && station.G_of_K > 0
+                                 ? std::sqrt(station.energy_release_rate / station.G_of_K)
+                                 : 1.0;
       station.K_I = rescale * K[0](i);
       station.K_II = rescale * K[1](i);
       station.K_III = rescale * K[2](i);
       of_K += station.G_of_K * area(i);
-      of_G += station.G * area(i);
+      of_G += station.energy_release_rate * area(i);
       result.stations.push_back(station);
     }
   result.mode_energy_ratio = of_K / of_G;
@@ -893,7 +894,7 @@ CrackFront Model::front_of_integrals(const std::map<std::size_t, const HexCell*>
 }  // namespace
 
 SolidResult solve_solid(const HexMesh& mesh, const SolidProblem& problem) {
-  const ElasticSolid& m = problem.material;
+  const Elasticity& m = problem.material;
   require(m.youngs_modulus > 0 && std::isfinite(m.youngs_modulus), "youngs_modulus",
           m.youngs_modulus, "Pa", "youngs_modulus > 0");
   require(m.poissons_ratio >= 0 && m.poissons_ratio < 0.5, "poissons_ratio", m.poissons_ratio, "1",
@@ -905,4 +906,4 @@ SolidResult solve_solid(const HexMesh& mesh, const SolidProblem& problem) {
 
 double check_jacobians(const HexMesh& mesh) { return worst_jacobian(Body(mesh, 1)); }
 
-}  // namespace strainwave
+}  // namespace strainwave::fem

@@ -8,7 +8,7 @@
 #include "gear_fem/ellipse_template.hpp"
 #include "strainwave/core/error.hpp"
 
-namespace strainwave {
+namespace strainwave::gear_fem {
 namespace {
 
 enum Tag { kTop = 1, kBottom, kFront, kBack, kCrack, kLeft, kRight };
@@ -22,9 +22,9 @@ void check_positive(const char* field, double value) {
 }
 
 /// Loads of both kinds of block, in equilibrium.
-void add_loads(SolidProblem& problem, BlockLoad load, double stress) {
-  const auto add = [&](int tag, const Point3& t) {
-    problem.tractions.push_back({.tag = tag, .value = [t](const Point3&) { return t; }});
+void add_loads(fem::SolidProblem& problem, BlockLoad load, double stress) {
+  const auto add = [&](int tag, const fem::Point3& t) {
+    problem.tractions.push_back({.tag = tag, .value = [t](const fem::Point3&) { return t; }});
   };
   if (load == BlockLoad::tension) {
     add(kTop, {0, stress, 0});
@@ -37,8 +37,8 @@ void add_loads(SolidProblem& problem, BlockLoad load, double stress) {
   }
 }
 
-std::array<Point3, 3> far_stress(BlockLoad load, double stress) {
-  std::array<Point3, 3> s{};
+std::array<fem::Point3, 3> far_stress(BlockLoad load, double stress) {
+  std::array<fem::Point3, 3> s{};
   if (load == BlockLoad::tension) {
     s[1][1] = stress;
   } else {
@@ -50,7 +50,7 @@ std::array<Point3, 3> far_stress(BlockLoad load, double stress) {
 
 }  // namespace
 
-SolidResult straight_crack_block(const StraightCrackBlock& block) {
+fem::SolidResult straight_crack_block(const StraightCrackBlock& block) {
   check_positive("crack_length", block.crack_length);
   check_positive("half_height", block.half_height);
   check_positive("thickness", block.thickness);
@@ -87,46 +87,47 @@ SolidResult straight_crack_block(const StraightCrackBlock& block) {
   const double left = block.centre ? -a : 0.0;
   const double tiny = 1e-9 * (W + H);
   const bool centre = block.centre;
-  const TemplateBody body{.map = [](const Point3& p) { return p; },
-                          .on_crack =
-                              [=](const Point3& p) {
-                                return std::abs(p[1]) < tiny && p[0] < a - tiny &&
-                                       (centre ? p[0] > left + tiny : true);
-                              },
-                          .face_tag = [=](const Point3& p) -> int {
-                            if (std::abs(p[1] - H) < tiny) return kTop;
-                            if (std::abs(p[1] + H) < tiny) return kBottom;
-                            if (p[2] < tiny) return kFront;
-                            if (p[2] > B - tiny) return kBack;
-                            if (std::abs(p[1]) < tiny) return p[0] > left && p[0] < a ? kCrack : 0;
-                            if (std::abs(p[0] - W) < tiny) return kRight;
-                            return p[0] < tiny ? kLeft : 0;
-                          },
-                          .length = W + H};
-  const HexMesh mesh = make_hex_mesh(extruded(crack_plan(plan), plan, {0, B}), body);
+  const fem::TemplateBody body{.map = [](const fem::Point3& p) { return p; },
+                               .on_crack =
+                                   [=](const fem::Point3& p) {
+                                     return std::abs(p[1]) < tiny && p[0] < a - tiny &&
+                                            (centre ? p[0] > left + tiny : true);
+                                   },
+                               .face_tag = [=](const fem::Point3& p) -> int {
+                                 if (std::abs(p[1] - H) < tiny) return kTop;
+                                 if (std::abs(p[1] + H) < tiny) return kBottom;
+                                 if (p[2] < tiny) return kFront;
+                                 if (p[2] > B - tiny) return kBack;
+                                 if (std::abs(p[1]) < tiny)
+                                   return p[0] > left && p[0] < a ? kCrack : 0;
+                                 if (std::abs(p[0] - W) < tiny) return kRight;
+                                 return p[0] < tiny ? kLeft : 0;
+                               },
+                               .length = W + H};
+  const fem::HexMesh mesh = fem::make_hex_mesh(extruded(crack_plan(plan), plan, {0, B}), body);
 
-  SolidProblem problem;
+  fem::SolidProblem problem;
   problem.material = block.material;
   problem.order = block.order;
   problem.crack_tag = kCrack;
-  const auto across = [](const Point3&) { return std::vector<Point3>{{0, 0, 1}}; };
+  const auto across = [](const fem::Point3&) { return std::vector<fem::Point3>{{0, 0, 1}}; };
   problem.supports.push_back({.tag = kFront, .directions = across});
   problem.supports.push_back({.tag = kBack, .directions = across});
   // Rigid motions in the plane: nothing pulls there, the loads are in equilibrium.
-  problem.supports.push_back({.tag = kRight, .directions = [=](const Point3& p) {
-                                std::vector<Point3> held;
+  problem.supports.push_back({.tag = kRight, .directions = [=](const fem::Point3& p) {
+                                std::vector<fem::Point3> held;
                                 if (std::abs(p[1]) < tiny) held = {{1, 0, 0}, {0, 1, 0}};
                                 if (p[1] > H - tiny) held = {{1, 0, 0}};
                                 return held;
                               }});
   add_loads(problem, block.load, block.stress);
-  problem.stress_without_crack = [s = far_stress(block.load, block.stress)](const Point3&) {
+  problem.stress_without_crack = [s = far_stress(block.load, block.stress)](const fem::Point3&) {
     return s;
   };
-  return solve_solid(mesh, problem);
+  return fem::solve_solid(mesh, problem);
 }
 
-SolidResult elliptical_crack_block(const EllipticalCrackBlock& block) {
+fem::SolidResult elliptical_crack_block(const EllipticalCrackBlock& block) {
   check_positive("depth", block.depth);
   check_positive("half_length", block.half_length);
   check_positive("half_height", block.half_height);
@@ -153,29 +154,30 @@ SolidResult elliptical_crack_block(const EllipticalCrackBlock& block) {
                              .longest_y = H,
                              .rings = block.rings,
                              .segments = block.segments};
-  const TemplateBody body{.map = [](const Point3& p) { return p; },
-                          .on_crack = [=](const Point3& p) { return inside_ellipse(slab, p); },
-                          .face_tag = [=](const Point3& p) -> int {
-                            if (std::abs(p[1] - H) < tiny) return kTop;
-                            if (std::abs(p[1] + H) < tiny) return kBottom;
-                            if (std::abs(p[0] - X) < tiny) return kRight;
-                            if (std::abs(p[0] + X) < tiny) return kLeft;
-                            if (p[2] < tiny) return kFront;
-                            return inside_ellipse(slab, p) ? kCrack : 0;
-                          },
-                          .length = X + H};
-  const HexMesh mesh = make_hex_mesh(ellipse_template(slab), body);
+  const fem::TemplateBody body{
+      .map = [](const fem::Point3& p) { return p; },
+      .on_crack = [=](const fem::Point3& p) { return inside_ellipse(slab, p); },
+      .face_tag = [=](const fem::Point3& p) -> int {
+        if (std::abs(p[1] - H) < tiny) return kTop;
+        if (std::abs(p[1] + H) < tiny) return kBottom;
+        if (std::abs(p[0] - X) < tiny) return kRight;
+        if (std::abs(p[0] + X) < tiny) return kLeft;
+        if (p[2] < tiny) return kFront;
+        return inside_ellipse(slab, p) ? kCrack : 0;
+      },
+      .length = X + H};
+  const fem::HexMesh mesh = fem::make_hex_mesh(ellipse_template(slab), body);
 
-  SolidProblem problem;
+  fem::SolidProblem problem;
   problem.material = block.material;
   problem.order = block.order;
   problem.crack_tag = kCrack;
   if (embedded)
-    problem.supports.push_back({.tag = kFront, .directions = [](const Point3&) {
-                                  return std::vector<Point3>{{0, 0, 1}};
+    problem.supports.push_back({.tag = kFront, .directions = [](const fem::Point3&) {
+                                  return std::vector<fem::Point3>{{0, 0, 1}};
                                 }});
-  problem.supports.push_back({.tag = kRight, .directions = [=](const Point3& p) {
-                                std::vector<Point3> held;
+  problem.supports.push_back({.tag = kRight, .directions = [=](const fem::Point3& p) {
+                                std::vector<fem::Point3> held;
                                 const bool middle = std::abs(p[1]) < tiny;
                                 const bool mouth = p[2] < tiny;
                                 if (middle && mouth) held = {{1, 0, 0}, {0, 1, 0}};
@@ -186,10 +188,10 @@ SolidResult elliptical_crack_block(const EllipticalCrackBlock& block) {
                                 return held;
                               }});
   add_loads(problem, block.load, block.stress);
-  problem.stress_without_crack = [s = far_stress(block.load, block.stress)](const Point3&) {
+  problem.stress_without_crack = [s = far_stress(block.load, block.stress)](const fem::Point3&) {
     return s;
   };
-  return solve_solid(mesh, problem);
+  return fem::solve_solid(mesh, problem);
 }
 
-}  // namespace strainwave
+}  // namespace strainwave::gear_fem

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace strainwave {
+namespace strainwave::gear_fem {
 namespace {
 
 using std::numbers::pi;
@@ -135,30 +135,30 @@ std::vector<double> graded_lines(double from, double to, double first, double gr
   return lines;
 }
 
-std::vector<TemplateCell> extruded(const std::vector<PlanCell>& plan, const CrackPlan& lines,
-                                   const std::vector<double>& layers) {
-  std::vector<TemplateCell> cells;
+std::vector<fem::TemplateCell> extruded(const std::vector<PlanCell>& plan, const CrackPlan& lines,
+                                        const std::vector<double>& layers) {
+  std::vector<fem::TemplateCell> cells;
   for (std::size_t k = 0; k + 1 < layers.size(); ++k)
     for (const PlanCell& source : plan) {
-      TemplateCell cell;
-      cell.map = [map = source.map, z0 = layers[k], z1 = layers[k + 1]](const Point3& p) {
+      fem::TemplateCell cell;
+      cell.map = [map = source.map, z0 = layers[k], z1 = layers[k + 1]](const fem::Point3& p) {
         const PlanPoint x = map(p[0], p[1]);
-        return Point3{x[0], x[1], (1 - p[2]) * z0 + p[2] * z1};
+        return fem::Point3{x[0], x[1], (1 - p[2]) * z0 + p[2] * z1};
       };
       const std::size_t crack_line = lines.tips.empty() ? 0 : lines.tips.front().j;
       cell.side = source.map(0.5, 0.5)[1] > lines.y[crack_line] ? 1 : -1;
       if (source.tip >= 0) {
         const auto tip = static_cast<std::size_t>(source.tip);
-        const Point3 growth{static_cast<double>(lines.tips[tip].growth), 0, 0};
-        cell.front = FrontPlace{.front = tip,
-                                .segment = k,
-                                .ring = source.ring,
-                                .side = source.side,
-                                .advance = [growth](const Point3&) { return growth; }};
+        const fem::Point3 growth{static_cast<double>(lines.tips[tip].growth), 0, 0};
+        cell.front = fem::FrontPlace{.front = tip,
+                                     .segment = k,
+                                     .ring = source.ring,
+                                     .side = source.side,
+                                     .advance = [growth](const fem::Point3&) { return growth; }};
       }
       cells.push_back(std::move(cell));
     }
   return cells;
 }
 
-}  // namespace strainwave
+}  // namespace strainwave::gear_fem

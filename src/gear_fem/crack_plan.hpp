@@ -8,7 +8,7 @@
 
 #include "strainwave/fem/hex_mesh.hpp"
 
-namespace strainwave {
+namespace strainwave::gear_fem {
 
 using PlanPoint = std::array<double, 2>;
 
@@ -47,8 +47,8 @@ struct CrackPlan {
 
 /// Plan cells swept straight along the third coordinate between the lines; the crack grows in
 /// the plane, one front per tip.
-[[nodiscard]] std::vector<TemplateCell> extruded(const std::vector<PlanCell>& plan,
-                                                 const CrackPlan& lines,
-                                                 const std::vector<double>& layers);
+[[nodiscard]] std::vector<fem::TemplateCell> extruded(const std::vector<PlanCell>& plan,
+                                                      const CrackPlan& lines,
+                                                      const std::vector<double>& layers);
 
-}  // namespace strainwave
+}  // namespace strainwave::gear_fem

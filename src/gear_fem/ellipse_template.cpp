@@ -8,7 +8,7 @@
 
 #include "gear_fem/crack_plan.hpp"
 
-namespace strainwave {
+namespace strainwave::gear_fem {
 namespace {
 
 using std::numbers::pi;
@@ -64,7 +64,7 @@ class Drawing {
     for (const double line : graded_lines(b, slab.y[1], b, 2, slab.longest_y)) y_.push_back(line);
   }
 
-  std::vector<TemplateCell> cells() {
+  std::vector<fem::TemplateCell> cells() {
     add_section();
     add_core();
     add_shell();
@@ -87,11 +87,11 @@ class Drawing {
   /// right-handed.
   void add_prisms(const FlatMap& flat) {
     for (std::size_t j = 0; j + 1 < y_.size(); ++j) {
-      TemplateCell cell;
+      fem::TemplateCell cell;
       cell.side = j < first_above_ ? -1 : 1;
-      cell.map = [flat, y0 = y_[j], y1 = y_[j + 1]](const Point3& p) {
+      cell.map = [flat, y0 = y_[j], y1 = y_[j + 1]](const fem::Point3& p) {
         const PlanPoint f = flat(p[0], p[2]);
-        return Point3{f[0], (1 - p[1]) * y0 + p[1] * y1, f[1]};
+        return fem::Point3{f[0], (1 - p[1]) * y0 + p[1] * y1, f[1]};
       };
       cells_.push_back(std::move(cell));
     }
@@ -109,25 +109,26 @@ class Drawing {
         const auto angle = [=, this, from = phi(k), to = phi(k + 1)](double w) {
           return (1 - w) * from + w * to;
         };
-        TemplateCell cell;
+        fem::TemplateCell cell;
         cell.side = source.map(0.5, 0.5)[1] > 0 ? 1 : -1;
-        cell.map = [=, map = source.map, confocal = confocal_, scale = scale_y_](const Point3& p) {
+        cell.map = [=, map = source.map, confocal = confocal_,
+                    scale = scale_y_](const fem::Point3& p) {
           const PlanPoint f = map(p[0], p[1]);
           const PlanPoint x = confocal.at(f[0], angle(p[2]));
-          return Point3{x[0], scale * f[1], x[1]};
+          return fem::Point3{x[0], scale * f[1], x[1]};
         };
         if (source.tip >= 0)
-          cell.front =
-              FrontPlace{.front = 0,
-                         .segment = static_cast<std::size_t>(k),
-                         .ring = source.ring,
-                         .side = source.side,
-                         .advance = [=, map = source.map, confocal = confocal_](const Point3& p) {
-                           const double r = map(p[0], p[1])[0];
-                           const double slope = confocal.B / (r * r);
-                           return Point3{(confocal.A - slope) * std::cos(angle(p[2])), 0,
-                                         (confocal.A + slope) * std::sin(angle(p[2]))};
-                         }};
+          cell.front = fem::FrontPlace{
+              .front = 0,
+              .segment = static_cast<std::size_t>(k),
+              .ring = source.ring,
+              .side = source.side,
+              .advance = [=, map = source.map, confocal = confocal_](const fem::Point3& p) {
+                const double r = map(p[0], p[1])[0];
+                const double slope = confocal.B / (r * r);
+                return fem::Point3{(confocal.A - slope) * std::cos(angle(p[2])), 0,
+                                   (confocal.A + slope) * std::sin(angle(p[2]))};
+              }};
         cells_.push_back(std::move(cell));
       }
   }
@@ -195,19 +196,19 @@ class Drawing {
   double scale_y_{};
   std::vector<double> y_;
   std::size_t first_above_{};  ///< index of the line y = 0
-  std::vector<TemplateCell> cells_;
+  std::vector<fem::TemplateCell> cells_;
 };
 
 }  // namespace
 
-std::vector<TemplateCell> ellipse_template(const EllipseTemplate& slab) {
+std::vector<fem::TemplateCell> ellipse_template(const EllipseTemplate& slab) {
   return Drawing(slab).cells();
 }
 
-bool inside_ellipse(const EllipseTemplate& slab, const Point3& p) {
+bool inside_ellipse(const EllipseTemplate& slab, const fem::Point3& p) {
   const double tiny = 1e-9;
   return std::abs(p[1]) < tiny * (slab.depth + slab.half_length) &&
          std::hypot(p[0] / slab.half_length, p[2] / slab.depth) < 1 - tiny;
 }
 
-}  // namespace strainwave
+}  // namespace strainwave::gear_fem

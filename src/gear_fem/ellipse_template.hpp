@@ -5,7 +5,7 @@
 
 #include "strainwave/fem/hex_mesh.hpp"
 
-namespace strainwave {
+namespace strainwave::gear_fem {
 
 /// A slab 0 <= z <= thickness with a semi-elliptical crack in y = 0, its mouth on z = 0.
 ///
@@ -24,9 +24,9 @@ struct EllipseTemplate {
 };
 
 /// The cells of the slab; one front, its start at +c.
-[[nodiscard]] std::vector<TemplateCell> ellipse_template(const EllipseTemplate& slab);
+[[nodiscard]] std::vector<fem::TemplateCell> ellipse_template(const EllipseTemplate& slab);
 
 /// True inside the crack and on its mouth, not on its front.
-[[nodiscard]] bool inside_ellipse(const EllipseTemplate& slab, const Point3& p);
+[[nodiscard]] bool inside_ellipse(const EllipseTemplate& slab, const fem::Point3& p);
 
-}  // namespace strainwave
+}  // namespace strainwave::gear_fem

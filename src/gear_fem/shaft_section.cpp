@@ -65,7 +65,7 @@ void keep_worst(ShaftCrackLoad& result, const SectionSolution& solution) {
     if (!(std::abs(value) <= std::abs(kept))) kept = value;
   };
   worse(result.energy_balance, solution.energy_balance);
-  worse(result.residual, solution.residual);
+  worse(result.equilibrium_residual, solution.equilibrium_residual);
   result.worst_jacobian = std::min(result.worst_jacobian, solution.worst_jacobian);
 }
 
@@ -73,8 +73,8 @@ void keep_worst(ShaftCrackLoad& result, const SectionSolution& solution) {
 std::string fault_of(const ShaftCrackLoad& r) {
   const auto above = [](double value, double most) { return !(std::abs(value) <= most); };
   if (!(r.tip.energy_release_rate > 0)) return "the energy release rate is not positive";
-  if (above(r.residual, kResidualTolerance))
-    return fmt::format("equilibrium is violated by {:.2g} of the load", r.residual);
+  if (above(r.equilibrium_residual, kResidualTolerance))
+    return fmt::format("equilibrium is violated by {:.2g} of the load", r.equilibrium_residual);
   if (above(r.energy_balance, kEnergyTolerance))
     return fmt::format("strain energy and work differ by {:.2g}", r.energy_balance);
   if (above(r.tip.ring_spread, kRingTolerance))

@@ -6,7 +6,7 @@
 #include "strainwave/fem/solid.hpp"
 #include "strainwave/gear_fem/tube_through_crack.hpp"
 
-namespace strainwave {
+namespace strainwave::gear_fem {
 
 enum TubeTag { kTubeFree = 1, kTubeClamp, kTubeLoad, kTubeCrack };
 
@@ -24,20 +24,21 @@ struct TubePlan {
 /// turned by a smooth rotation that keeps areas (FE-29).
 struct TubeBody {
   TubePlan plan;
-  PointMap map;                               ///< template -> space
-  std::array<double, 2> along{};              ///< ends of the template in x [m]
-  std::array<double, 2> across{};             ///< ends of the template in y [m]
-  double longest_along{};                     ///< longest cell in x [m]
-  double longest_across{};                    ///< longest cell in y [m]
-  std::function<int(const Point3&)> end_tag;  ///< kTubeClamp, kTubeLoad, 0; of a template point
+  fem::PointMap map;               ///< template -> space
+  std::array<double, 2> along{};   ///< ends of the template in x [m]
+  std::array<double, 2> across{};  ///< ends of the template in y [m]
+  double longest_along{};          ///< longest cell in x [m]
+  double longest_across{};         ///< longest cell in y [m]
+  std::function<int(const fem::Point3&)>
+      end_tag;  ///< kTubeClamp, kTubeLoad, 0; of a template point
 };
 
 /// @throws InputError  when the crack is too close to an end, or too long
 [[nodiscard]] TubeBody tube_body(const TubePlan& plan);
 
 /// Clamp at z = 0, traction of a torque at z = length.
-[[nodiscard]] SolidProblem tube_torsion(const TubeBody& body, const ElasticSolid& material,
-                                        double torque);
+[[nodiscard]] fem::SolidProblem tube_torsion(const TubeBody& body, const fem::Elasticity& material,
+                                             double torque);
 
 /// J = pi/2 (ro^4 - ri^4) [m^4].
 [[nodiscard]] double tube_polar_moment(double mean_radius, double wall_thickness);
@@ -48,4 +49,4 @@ void check_tube(double mean_radius, double wall_thickness, double length, double
 /// Fills in `usable` and `reason`.
 void judge(TubeCrackResult& result, bool derivative, bool overlap);
 
-}  // namespace strainwave
+}  // namespace strainwave::gear_fem

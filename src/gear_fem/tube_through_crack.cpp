@@ -11,7 +11,7 @@
 #include "gear_fem/tube_body.hpp"
 #include "strainwave/core/error.hpp"
 
-namespace strainwave {
+namespace strainwave::gear_fem {
 namespace {
 
 using std::numbers::pi;
@@ -39,11 +39,11 @@ std::vector<double> wall_lines(double t, double a, int layers) {
 }
 
 struct Solved {
-  SolidResult solid;
+  fem::SolidResult solid;
   double area;  ///< of the crack
 };
 
-Solved solve_size(const TubeWithThroughCrack& tube, double a, CrackFaces faces) {
+Solved solve_size(const TubeWithThroughCrack& tube, double a, fem::CrackFaces faces) {
   const double b = a / 2;
   const double t = tube.wall_thickness;
   TubeBody body = tube_body({.mean_radius = tube.mean_radius,
@@ -70,23 +70,23 @@ Solved solve_size(const TubeWithThroughCrack& tube, double a, CrackFaces faces) 
                 4, 16);
   const double tiny = 1e-9 * a;
   const double half_wall = t / 2;
-  const TemplateBody shape{
+  const fem::TemplateBody shape{
       .map = body.map,
       .on_crack =
-          [=](const Point3& p) { return std::abs(p[1]) < tiny && std::abs(p[0]) < a - tiny; },
-      .face_tag = [=](const Point3& p) -> int {
+          [=](const fem::Point3& p) { return std::abs(p[1]) < tiny && std::abs(p[0]) < a - tiny; },
+      .face_tag = [=](const fem::Point3& p) -> int {
         if (std::abs(std::abs(p[2]) - half_wall) < 1e-9 * half_wall) return kTubeFree;
         if (std::abs(p[1]) < tiny && std::abs(p[0]) < a) return kTubeCrack;
         return body.end_tag(p);
       },
       .length = tube.mean_radius};
-  const HexMesh mesh =
-      make_hex_mesh(extruded(crack_plan(plan), plan, wall_lines(t, a, tube.layers)), shape);
+  const fem::HexMesh mesh =
+      fem::make_hex_mesh(extruded(crack_plan(plan), plan, wall_lines(t, a, tube.layers)), shape);
   const double torque = tube.sense == TorqueSense::positive ? tube.torque : -tube.torque;
-  SolidProblem problem = tube_torsion(body, tube.material, torque);
+  fem::SolidProblem problem = tube_torsion(body, tube.material, torque);
   problem.order = tube.order;
   problem.crack_faces = faces;
-  return {solve_solid(mesh, problem), 2 * a * t};
+  return {fem::solve_solid(mesh, problem), 2 * a * t};
 }
 
 }  // namespace
@@ -110,30 +110,30 @@ TubeCrackResult solve_tube_with_through_crack(const TubeWithThroughCrack& tube_g
 
   const double torque = tube.torque;
   // A crack that stays open needs no contact: free faces first, contact where they overlap.
-  CrackFaces faces = CrackFaces::free;
+  fem::CrackFaces faces = fem::CrackFaces::free;
   Solved now = solve_size(tube, a, faces);
   // Volume of a through crack under its own nominal stress; sliding alone leaves noise.
   const double nominal =
       torque * tube.mean_radius / tube_polar_moment(tube.mean_radius, tube.wall_thickness) /
       tube.material.youngs_modulus * 2 * std::numbers::pi * a * a * tube.wall_thickness;
-  const auto overlaps = [nominal](const SolidResult& solid) {
+  const auto overlaps = [nominal](const fem::SolidResult& solid) {
     double largest = 0;
     double least = 0;
-    for (const CrackFront& front : solid.fronts)
-      for (const FrontStation& s : front.stations) {
+    for (const fem::CrackFront& front : solid.fronts)
+      for (const fem::FrontStation& s : front.stations) {
         largest = std::max(largest, std::sqrt(s.K_I * s.K_I + s.K_II * s.K_II + s.K_III * s.K_III));
         least = std::min(least, s.K_I);
       }
     return solid.crack_volume < -0.01 * nominal || least < -0.01 * largest;
   };
   const bool overlap = overlaps(now.solid);
-  if (tube.crack_faces == CrackFaces::contact && overlap) {
-    faces = CrackFaces::contact;
+  if (tube.crack_faces == fem::CrackFaces::contact && overlap) {
+    faces = fem::CrackFaces::contact;
     now = solve_size(tube, a, faces);
   }
   TubeCrackResult result;
   result.solid = std::move(now.solid);
-  SolidResult& solid = result.solid;
+  fem::SolidResult& solid = result.solid;
   const double mu = tube.material.youngs_modulus / (2 * (1 + tube.material.poissons_ratio));
   const double J = tube_polar_moment(tube.mean_radius, tube.wall_thickness);
   result.nominal_shear = torque * tube.mean_radius / J;
@@ -143,23 +143,23 @@ TubeCrackResult solve_tube_with_through_crack(const TubeWithThroughCrack& tube_g
   result.closed = solid.contact_share > 0.5;
   double length = 0;
   double release = 0;
-  for (const CrackFront& front : solid.fronts) {
+  for (const fem::CrackFront& front : solid.fronts) {
     release += front.release;
     length += front.length;
   }
-  result.mean_release_rate = release / length;
-  if (tube.check_derivative) {
+  result.energy_release_rate = release / length;
+  if (tube.check_growth) {
     constexpr double kStep = 0.01;
     const Solved less = solve_size(tube, a * (1 - kStep), faces);
     const Solved more = solve_size(tube, a * (1 + kStep), faces);
     result.derivative_release_rate =
         (more.solid.added_work - less.solid.added_work) / 2 / (more.area - less.area);  // (FE-28)
-    result.derivative_error = result.derivative_release_rate / result.mean_release_rate - 1;
+    result.growth_check = result.derivative_release_rate / result.energy_release_rate - 1;
   }
   result.closed_release_rate = 1e-3 * std::pow(result.nominal_shear, 2) * std::numbers::pi * a /
                                tube.material.youngs_modulus;
-  judge(result, tube.check_derivative, overlap && faces == CrackFaces::free);
+  judge(result, tube.check_growth, overlap && faces == fem::CrackFaces::free);
   return result;
 }
 
-}  // namespace strainwave
+}  // namespace strainwave::gear_fem

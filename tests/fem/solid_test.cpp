@@ -14,12 +14,12 @@
 #include "support/expect.hpp"
 #include "support/mpi.hpp"
 
-namespace strainwave {
+namespace strainwave::fem {
 namespace {
 
 using std::numbers::pi;
 
-constexpr ElasticSolid kSteel{.youngs_modulus = 210e9, .poissons_ratio = 0.3};
+constexpr Elasticity kSteel{.youngs_modulus = 210e9, .poissons_ratio = 0.3};
 
 enum Tag { kLow = 1, kHigh = 2, kSide = 3 };
 
@@ -175,4 +175,4 @@ TEST(Solid, InputValuesOutOfRangeAreRefused) {
 }
 
 }  // namespace
-}  // namespace strainwave
+}  // namespace strainwave::fem

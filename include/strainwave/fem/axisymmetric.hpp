@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "strainwave/fem/elasticity.hpp"
 #include "strainwave/fem/section_mesh.hpp"
 
 /// @file
@@ -21,15 +22,6 @@ enum class SectionLoad {
   /// A pressure of 1 Pa, normal to the loaded edges; "compliance" is the volume that it displaces
   /// [m^3/Pa].  For verification: it strains the hoops, which tension hardly does.
   pressure,
-};
-
-/// An isotropic material.
-struct Elasticity {
-  double youngs_modulus = 0.0;  ///< E [Pa]; > 0
-  double poissons_ratio = 0.0;  ///< nu [-]; in (-1, 0.5)
-
-  /// mu = E/(2(1+nu)) [Pa]: finite elements know no other.
-  [[nodiscard]] double shear_modulus() const { return youngs_modulus / (2 * (1 + poissons_ratio)); }
 };
 
 /// Order and rings.
@@ -59,9 +51,9 @@ struct SectionSolution {
   double compliance = 0.0;          ///< [rad/(N*m)] or [m/N] (FE-4)
   std::vector<double> part_energy;  ///< strain energy of each part [J per load^2]
   std::optional<TipResult> tip = {};
-  double energy_balance = 0.0;  ///< strain energy/(work/2) - 1 [-]
-  double residual = 0.0;        ///< of equilibrium, largest nodal force over largest load [-]
-  double worst_jacobian = 0.0;  ///< least det J over its mean in the cell [-]; > 0
+  double energy_balance = 0.0;        ///< strain energy/(work/2) - 1 [-]
+  double equilibrium_residual = 0.0;  ///< largest nodal force over largest load [-]
+  double worst_jacobian = 0.0;        ///< least det J over its mean in the cell [-]; > 0
   std::size_t cells = 0;
   std::size_t dofs = 0;
 };

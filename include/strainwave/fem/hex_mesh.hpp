@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace strainwave {
+namespace strainwave::fem {
 
 /// A point or a vector in space, Cartesian components.
 using Point3 = std::array<double, 3>;
@@ -66,4 +66,4 @@ struct TemplateBody {
 [[nodiscard]] HexMesh make_hex_mesh(const std::vector<TemplateCell>& cells,
                                     const TemplateBody& body);
 
-}  // namespace strainwave
+}  // namespace strainwave::fem

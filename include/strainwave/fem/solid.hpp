@@ -5,15 +5,10 @@
 #include <functional>
 #include <vector>
 
+#include "strainwave/fem/elasticity.hpp"
 #include "strainwave/fem/hex_mesh.hpp"
 
-namespace strainwave {
-
-/// Isotropic and linear elastic; the shear modulus is E/2(1+nu).
-struct ElasticSolid {
-  double youngs_modulus{};  ///< E [Pa]; > 0
-  double poissons_ratio{};  ///< nu [-]; 0 <= nu < 0.5
-};
+namespace strainwave::fem {
 
 /// Directions held to zero on the faces with a tag: a clamp has all of them.
 struct Support {
@@ -35,7 +30,7 @@ enum class CrackFaces {
 };
 
 struct SolidProblem {
-  ElasticSolid material;
+  Elasticity material;  ///< nu in [0, 0.5)
   std::vector<Support> supports;
   std::vector<Traction> tractions;
   int order = 3;  ///< p of the displacements; 1 to 6, with cracks 2 to 4 are of use
@@ -52,14 +47,14 @@ struct SolidProblem {
 /// coordinate, x2 = x3 x x1 normal to the crack.  K_I > 0 opens; K_II > 0 moves the side x2 > 0
 /// toward +x1, K_III > 0 toward +x3.
 struct FrontStation {
-  double position{};  ///< along the front, 0 to 1 by segments [-]
-  Point3 place{};     ///< [m]
-  double G{};         ///< energy release rate by domain integral [J/m^2], (FE-23)
-  double G_spread{};  ///< largest difference between rings, relative to the mean G [-]
-  double K_I{};       ///< [Pa*m^0.5], (FE-24); rescaled to G
-  double K_II{};      ///< [Pa*m^0.5]
-  double K_III{};     ///< [Pa*m^0.5]
-  double G_of_K{};    ///< of the K before they were rescaled to G [J/m^2], (FE-25)
+  double position{};             ///< along the front, 0 to 1 by segments [-]
+  Point3 place{};                ///< [m]
+  double energy_release_rate{};  ///< G by domain integral [J/m^2], (FE-23)
+  double ring_spread{};          ///< largest difference between rings, relative to the mean G [-]
+  double K_I{};                  ///< [Pa*m^0.5], (FE-24); rescaled to G
+  double K_II{};                 ///< [Pa*m^0.5]
+  double K_III{};                ///< [Pa*m^0.5]
+  double G_of_K{};               ///< of the K before they were rescaled to G [J/m^2], (FE-25)
 };
 
 struct CrackFront {
@@ -125,4 +120,4 @@ class MpiSession {
   Impl* impl_;
 };
 
-}  // namespace strainwave
+}  // namespace strainwave::fem

@@ -3,7 +3,7 @@
 
 #include "strainwave/fem/solid.hpp"
 
-namespace strainwave {
+namespace strainwave::gear_fem {
 
 /// Stress far away from the crack of a block, applied to its two faces along the crack's plane.
 enum class BlockLoad {
@@ -16,7 +16,7 @@ enum class BlockLoad {
 /// Coordinates: x along the width, y normal to the crack, z through the thickness; the faces
 /// z = const do not move in z.
 struct StraightCrackBlock {
-  ElasticSolid material;
+  fem::Elasticity material;
   double crack_length{};  ///< a of an edge crack, half length of a centre crack [m]; > 0
   double width{};         ///< W of an edge crack's block, half width of a centre crack's [m]; > a
   double half_height{};   ///< of the block [m]; > 0
@@ -32,13 +32,13 @@ struct StraightCrackBlock {
 /// has front 1 at -a.  Accuracy of K at order 3: 0.1 %.
 ///
 /// @throws InputError  a value out of range
-[[nodiscard]] SolidResult straight_crack_block(const StraightCrackBlock& block);
+[[nodiscard]] fem::SolidResult straight_crack_block(const StraightCrackBlock& block);
 
 /// A flat semi-elliptical crack in a block, its plane y = 0, its mouth on z = 0.
 ///
 /// The front is (c cos phi, a sin phi) in (x, z), from phi = 0 to pi; position = phi/pi.
 struct EllipticalCrackBlock {
-  ElasticSolid material;
+  fem::Elasticity material;
   double depth{};         ///< a, along z [m]; > 0
   double half_length{};   ///< c, along x [m]; 0.2 <= a/c <= 5
   double thickness{};     ///< of the block along z [m]; > a
@@ -55,6 +55,6 @@ struct EllipticalCrackBlock {
 /// Displacements and fracture quantities of the block; one front.
 ///
 /// @throws InputError  a value out of range
-[[nodiscard]] SolidResult elliptical_crack_block(const EllipticalCrackBlock& block);
+[[nodiscard]] fem::SolidResult elliptical_crack_block(const EllipticalCrackBlock& block);
 
-}  // namespace strainwave
+}  // namespace strainwave::gear_fem

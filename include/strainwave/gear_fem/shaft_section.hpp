@@ -55,10 +55,10 @@ struct ShaftCrackLoad {
   double added_by_difference = 0.0;
   /// C of neighbouring sizes, their difference over int 2 G dA, - 1 (FE-9) [-].
   double growth_check = 0.0;
-  double energy_balance = 0.0;  ///< the worst of all solutions [-]
-  double residual = 0.0;        ///< the worst [-]
-  double worst_jacobian = 0.0;  ///< the worst [-]
-  std::size_t dofs = 0;         ///< of one solution
+  double energy_balance = 0.0;        ///< the worst of all solutions [-]
+  double equilibrium_residual = 0.0;  ///< the worst [-]
+  double worst_jacobian = 0.0;        ///< the worst [-]
+  std::size_t dofs = 0;               ///< of one solution
   bool usable = false;
   std::string reason;  ///< why it may not be used; empty if it may
 };
