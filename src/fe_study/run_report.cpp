@@ -3,8 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <string_view>
 
 namespace strainwave::fe_study {
 namespace {
@@ -69,11 +73,97 @@ void write(std::string& text, const gear_fem::ShaftCrackLoad& load, std::string_
       load.equilibrium_residual, load.worst_jacobian, load.dofs, verdict(load.usable, load.reason));
 }
 
+/// Whether there is an energy release rate to compare with its derivative.
+bool releases(const gear_fem::TubeCrackResult& result) {
+  return std::abs(result.energy_release_rate) > result.closed_release_rate;
+}
+
+/// K_I of a station [Pa*m^0.5]: 0 where the crack is closed, and what is left there is rounding.
+double opening(const gear_fem::TubeCrackResult& result, const fem::FrontStation& station) {
+  return result.closed ? 0.0 : station.K_I;
+}
+
+/// How the faces are.
+std::string state_of(const gear_fem::TubeCrackResult& result) {
+  if (result.closed) return "closed";
+  return result.solid.contact_share > 0 ? "partly closed" : "open";
+}
+
+double largest_ring_spread(const gear_fem::TubeCrackResult& result) {
+  double spread = 0.0;
+  for (const fem::CrackFront& front : result.solid.fronts)
+    spread = std::max(spread, front.ring_spread);
+  return spread;
+}
+
+/// The tip toward +z (at 90 degrees: toward -theta), the other one.
+constexpr std::array kTips = {"upper", "lower"};
+
+void write(std::string& text, const gear_fem::TubeCrackResult& result) {
+  text += fmt::format("  {}: the faces touch over {:.3g} % of the crack\n", state_of(result),
+                      100 * result.solid.contact_share);
+  text += line("added by the crack", result.added_compliance, "rad/(N*m)");
+  text += line("energy release rate, mean of both fronts", result.energy_release_rate, "J/m^2");
+  text += "  through the wall              K_I          K_II         K_III  MPa*m^0.5\n";
+  for (std::size_t f = 0; f < result.solid.fronts.size(); ++f) {
+    const auto& stations = result.solid.fronts[f].stations;
+    for (const fem::FrontStation& s : stations) {
+      const std::string_view where = &s == &stations.front()  ? "inner face"
+                                     : &s == &stations.back() ? "outer face"
+                                                              : "within";
+      text += fmt::format("    {} tip, {:<12} {:>13.5g} {:>13.5g} {:>13.5g}\n", kTips.at(f), where,
+                          opening(result, s) / kMPaRootMetre, s.K_II / kMPaRootMetre,
+                          s.K_III / kMPaRootMetre);
+    }
+  }
+  const fem::SolidResult& solid = result.solid;
+  text += fmt::format(
+      "  checks: rings {:.1e}, dC/dA {}, energy {:.1e}, equilibrium {:.1e},\n"
+      "          worst Jacobian {:.2f}; {} unknowns; {}\n",
+      largest_ring_spread(result),
+      releases(result) ? fmt::format("{:.1e}", result.growth_check) : "(no energy is released)",
+      solid.energy_balance, solid.equilibrium_residual, solid.worst_jacobian, solid.dofs,
+      verdict(result.usable, result.reason));
+}
+
+Json json_of(const gear_fem::TubeCrackResult& result, const char* sense) {
+  Json fronts = Json::array();
+  for (std::size_t f = 0; f < result.solid.fronts.size(); ++f) {
+    Json stations = Json::array();
+    for (const fem::FrontStation& s : result.solid.fronts[f].stations)
+      stations.push_back({{"place", {{"value", s.place}, {"unit", "m"}}},
+                          {"K_I", quantity(opening(result, s), "Pa*m^0.5")},
+                          {"K_II", quantity(s.K_II, "Pa*m^0.5")},
+                          {"K_III", quantity(s.K_III, "Pa*m^0.5")},
+                          {"energy_release_rate", quantity(s.energy_release_rate, "J/m^2")}});
+    fronts.push_back({{"tip", kTips.at(f)}, {"from_inner_to_outer_face", stations}});
+  }
+  const fem::SolidResult& solid = result.solid;
+  return {{"torque_sense", sense},
+          {"faces", state_of(result)},
+          {"contact_share", quantity(solid.contact_share, "1")},
+          {"added_compliance", quantity(result.added_compliance, "rad/(N*m)")},
+          {"energy_release_rate", quantity(result.energy_release_rate, "J/m^2")},
+          {"fronts", fronts},
+          {"evidence",
+           {{"ring_spread", largest_ring_spread(result)},
+            {"growth_check", releases(result) ? Json(result.growth_check) : Json()},
+            {"energy_balance", solid.energy_balance},
+            {"equilibrium_residual", solid.equilibrium_residual},
+            {"worst_jacobian", solid.worst_jacobian},
+            {"unknowns", solid.dofs}}},
+          {"usable", result.usable},
+          {"reason", result.reason}};
+}
+
 }  // namespace
 
 std::string run_text(const RunResult& result, const GearSet& gear) {
-  std::string text = fmt::format("Finite elements of order {}, axisymmetric: {}\n", result.order,
-                                 gear.name.empty() ? "drive" : gear.name);
+  std::string text = fmt::format("Finite elements: {}\n", gear.name.empty() ? "drive" : gear.name);
+  if (!result.shaft_cracks.empty() || result.cup)
+    text += fmt::format("Bodies of revolution by elements of order {}\n", result.section_order);
+  if (!result.wall_cracks.empty())
+    text += fmt::format("Through cracks by solid elements of order {}\n", result.solid_order);
   for (const ShaftCrackRun& crack : result.shaft_cracks) {
     text += fmt::format("\n{}: annular crack, depth {:.6g} mm\n", crack.path,
                         crack.section.crack->depth * 1e3);
@@ -98,9 +188,23 @@ std::string run_text(const RunResult& result, const GearSet& gear) {
     text += fmt::format(
         "  checks: order {} to {} {:.1e}, energy {:.1e}, equilibrium {:.1e}, worst Jacobian "
         "{:.2f};\n          {} unknowns; {}\n",
-        result.order - 1, result.order, cup.lower_order, cup.solution.energy_balance,
-        cup.solution.equilibrium_residual, cup.solution.worst_jacobian, cup.solution.dofs,
-        verdict(cup.usable, cup.reason));
+        result.section_order - 1, result.section_order, cup.lower_order,
+        cup.solution.energy_balance, cup.solution.equilibrium_residual, cup.solution.worst_jacobian,
+        cup.solution.dofs, verdict(cup.usable, cup.reason));
+  }
+  for (const TubeCrackRun& crack : result.wall_cracks) {
+    const gear_fem::TubeWithThroughCrack& tube = crack.tube;
+    text += fmt::format(
+        "\n{}: through crack, half length {:.6g} mm, {:.4g} deg from the generator,\n"
+        "  in a tube of mean radius {:.6g} mm, wall {:.6g} mm, length {:.6g} mm\n",
+        crack.path, tube.half_length * 1e3, tube.angle * 180 / std::numbers::pi,
+        tube.mean_radius * 1e3, tube.wall_thickness * 1e3, tube.length * 1e3);
+    text += line("compliance of the tube without the crack", crack.positive.compliance_without,
+                 "rad/(N*m)");
+    text += fmt::format(" torque {:+.6g} N*m\n", tube.torque);
+    write(text, crack.positive);
+    text += fmt::format(" torque {:+.6g} N*m\n", -tube.torque);
+    write(text, crack.negative);
   }
   if (!result.notes.empty()) text += "\nNotes\n";
   for (const std::string& note : result.notes) text += fmt::format("  - {}\n", note);
@@ -108,13 +212,10 @@ std::string run_text(const RunResult& result, const GearSet& gear) {
 }
 
 std::string run_json(const RunResult& result, const GearSet& gear) {
-  Json json{{"method", "finite elements, axisymmetric"},
-            {"order", result.order},
-            {"usable", result.usable()},
-            {"reason", result.reason()},
-            {"output_shaft", Json::object()},
-            {"flexspline", Json::object()},
-            {"notes", result.notes}};
+  Json json{{"method", "finite elements"},       {"section_order", result.section_order},
+            {"solid_order", result.solid_order}, {"usable", result.usable()},
+            {"reason", result.reason()},         {"output_shaft", Json::object()},
+            {"flexspline", Json::object()},      {"notes", result.notes}};
   Json cracks = Json::array();
   for (const ShaftCrackRun& crack : result.shaft_cracks) {
     const AtLoad K = at_load(crack.result, gear);
@@ -130,6 +231,7 @@ std::string run_json(const RunResult& result, const GearSet& gear) {
                       {"tension", json_of(crack.result.tension, "m/N", "J/(m^2*N^2)")}});
   }
   json["output_shaft"]["cracks"] = cracks;
+  Json& flexspline = json["flexspline"];
   if (result.cup) {
     const gear_fem::CupResult& cup = *result.cup;
     Json parts = Json::array();
@@ -137,17 +239,27 @@ std::string run_json(const RunResult& result, const GearSet& gear) {
       parts.push_back({{"name", part.name},
                        {"compliance", quantity(part.compliance, "rad/(N*m)")},
                        {"share", quantity(part.share, "1")}});
-    json["flexspline"] = {{"compliance", quantity(cup.compliance, "rad/(N*m)")},
-                          {"parts", parts},
-                          {"evidence",
-                           {{"lower_order", cup.lower_order},
-                            {"energy_balance", cup.solution.energy_balance},
-                            {"equilibrium_residual", cup.solution.equilibrium_residual},
-                            {"worst_jacobian", cup.solution.worst_jacobian},
-                            {"unknowns", cup.solution.dofs}}},
-                          {"usable", cup.usable},
-                          {"reason", cup.reason}};
+    flexspline["sound"] = {{"compliance", quantity(cup.compliance, "rad/(N*m)")},
+                           {"parts", parts},
+                           {"evidence",
+                            {{"lower_order", cup.lower_order},
+                             {"energy_balance", cup.solution.energy_balance},
+                             {"equilibrium_residual", cup.solution.equilibrium_residual},
+                             {"worst_jacobian", cup.solution.worst_jacobian},
+                             {"unknowns", cup.solution.dofs}}},
+                           {"usable", cup.usable},
+                           {"reason", cup.reason}};
   }
+  flexspline["cracks"] = Json::array();
+  for (const TubeCrackRun& crack : result.wall_cracks)
+    flexspline["cracks"].push_back(
+        {{"path", crack.path},
+         {"kind", "through"},
+         {"half_length", quantity(crack.tube.half_length, "m")},
+         {"angle", quantity(crack.tube.angle, "rad")},
+         {"torque", quantity(crack.tube.torque, "N*m")},
+         {"compliance_without", quantity(crack.positive.compliance_without, "rad/(N*m)")},
+         {"senses", {json_of(crack.positive, "positive"), json_of(crack.negative, "negative")}}});
   return json.dump(2) + "\n";
 }
 

@@ -43,7 +43,12 @@ struct Solved {
   double area;  ///< of the crack
 };
 
-Solved solve_size(const TubeWithThroughCrack& tube, double a, fem::CrackFaces faces) {
+struct MeshedTube {
+  TubeBody body;
+  fem::HexMesh mesh;
+};
+
+MeshedTube mesh_size(const TubeWithThroughCrack& tube, double a) {
   const double b = a / 2;
   const double t = tube.wall_thickness;
   TubeBody body = tube_body({.mean_radius = tube.mean_radius,
@@ -80,19 +85,21 @@ Solved solve_size(const TubeWithThroughCrack& tube, double a, fem::CrackFaces fa
         return body.end_tag(p);
       },
       .length = tube.mean_radius};
-  const fem::HexMesh mesh =
-      fem::make_hex_mesh(extruded(crack_plan(plan), plan, wall_lines(t, a, tube.layers)), shape);
-  const double torque = tube.sense == TorqueSense::positive ? tube.torque : -tube.torque;
-  fem::SolidProblem problem = tube_torsion(body, tube.material, torque);
-  problem.order = tube.order;
-  problem.crack_faces = faces;
-  return {fem::solve_solid(mesh, problem), 2 * a * t};
+  return {body, fem::make_hex_mesh(extruded(crack_plan(plan), plan, wall_lines(t, a, tube.layers)),
+                                   shape)};
 }
 
-}  // namespace
+Solved solve_size(const TubeWithThroughCrack& tube, double a, fem::CrackFaces faces) {
+  const MeshedTube meshed = mesh_size(tube, a);
+  const double torque = tube.sense == TorqueSense::positive ? tube.torque : -tube.torque;
+  fem::SolidProblem problem = tube_torsion(meshed.body, tube.material, torque);
+  problem.order = tube.order;
+  problem.crack_faces = faces;
+  return {fem::solve_solid(meshed.mesh, problem), 2 * a * tube.wall_thickness};
+}
 
-TubeCrackResult solve_tube_with_through_crack(const TubeWithThroughCrack& tube_given) {
-  TubeWithThroughCrack tube = tube_given;
+/// Checks the values and fills in those that were left to be chosen.
+TubeWithThroughCrack completed(TubeWithThroughCrack tube) {
   check_tube(tube.mean_radius, tube.wall_thickness, tube.length, tube.angle, tube.place);
   if (tube.place == 0) tube.place = tube.length / 2;
   // The wall bends about a long crack, within sqrt(r t); a short one has only its own stress.
@@ -107,7 +114,18 @@ TubeCrackResult solve_tube_with_through_crack(const TubeWithThroughCrack& tube_g
   require(tube.growth == 0 || (tube.growth >= 1.2 && tube.growth <= 3), "growth", tube.growth, "1",
           "1.2 <= growth <= 3, or 0");
   require(tube.layers >= 0 && tube.layers <= 8, "layers", tube.layers, "1", "0 <= layers <= 8");
+  return tube;
+}
 
+}  // namespace
+
+fem::HexMesh mesh_tube_with_through_crack(const TubeWithThroughCrack& tube) {
+  return mesh_size(completed(tube), tube.half_length).mesh;
+}
+
+TubeCrackResult solve_tube_with_through_crack(const TubeWithThroughCrack& tube_given) {
+  const TubeWithThroughCrack tube = completed(tube_given);
+  const double a = tube.half_length;
   const double torque = tube.torque;
   // A crack that stays open needs no contact: free faces first, contact where they overlap.
   fem::CrackFaces faces = fem::CrackFaces::free;

@@ -51,6 +51,10 @@ struct TubeCrackResult {
   std::string reason;   ///< why not; empty when usable
 };
 
+/// The mesh that is solved for the given crack size.
+/// @throws InputError  a value out of range; a crack that crosses an end of the tube, or itself
+[[nodiscard]] fem::HexMesh mesh_tube_with_through_crack(const TubeWithThroughCrack& tube);
+
 /// Solves the tube.
 ///
 /// Range: the crack with its rings stays clear of both ends and of itself round the tube.
