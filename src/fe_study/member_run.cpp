@@ -147,7 +147,7 @@ Work work_of(const GearSet& gear, const RunOptions& options) {
     require(*options.order >= 2 && *options.order <= 8, "order", *options.order, "1",
             ">= 2 and <= 8");
   const auto asked = [&](Member member) { return !options.member || *options.member == member; };
-  Work work{.notes = {}};
+  Work work;
   if (options.member == Member::output_shaft && !gear.output_shaft)
     throw InputError("output_shaft", "is not given, so there is nothing to calculate");
   if (options.member == Member::flexspline && !gear.flexspline)

@@ -8,7 +8,7 @@
 namespace strainwave {
 namespace {
 
-constexpr fem::Elasticity kSteel{.youngs_modulus = 210e9, .poissons_ratio = 0.3};
+constexpr fem::Elasticity kCupSteel{.youngs_modulus = 210e9, .poissons_ratio = 0.3};
 
 gear_fem::CupSection cup(double thickness) {
   return {.barrel = {.outer_diameter = 0.0805, .wall_thickness = 0.6e-3, .length = 0.04},
@@ -19,7 +19,7 @@ gear_fem::CupSection cup(double thickness) {
 }
 
 double series(const gear_fem::CupSection& c) {
-  const double G = kSteel.shear_modulus();
+  const double G = kCupSteel.shear_modulus();
   const double D = c.barrel.outer_diameter;
   return torsional_compliance(Tube{.outer_diameter = D,
                                    .inner_diameter = D - 2 * c.barrel.wall_thickness,
@@ -32,7 +32,7 @@ double series(const gear_fem::CupSection& c) {
 TEST(FeCup, CrosscheckSeriesOfTubeAndPlate) {
   for (const double thickness : {0.4e-3, 0.8e-3, 1.6e-3}) {
     const auto c = cup(thickness);
-    const auto result = gear_fem::solve_cup(c, kSteel);
+    const auto result = gear_fem::solve_cup(c, kCupSteel);
     EXPECT_TRUE(result.usable) << result.reason;
     EXPECT_NEAR(result.compliance / series(c), 1, 0.015) << thickness;
   }
@@ -41,7 +41,7 @@ TEST(FeCup, CrosscheckSeriesOfTubeAndPlate) {
 TEST(FeCup, CrosscheckProfile) {
   auto c = cup(1.6e-3);
   c.diaphragm->profile = {{0.024, 3.2e-3}, {0.032, 1.2e-3}, {0.038, 1.6e-3}};
-  const auto result = gear_fem::solve_cup(c, kSteel);
+  const auto result = gear_fem::solve_cup(c, kCupSteel);
   EXPECT_TRUE(result.usable) << result.reason;
   EXPECT_NEAR(result.compliance / series(c), 1, 0.03);
 }

@@ -19,7 +19,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr Elasticity kSteel{.youngs_modulus = 210e9, .poissons_ratio = 0.3};
+constexpr Elasticity kSolidSteel{.youngs_modulus = 210e9, .poissons_ratio = 0.3};
 
 enum Tag { kLow = 1, kHigh = 2, kSide = 3 };
 
@@ -54,7 +54,7 @@ SolidResult twisted_tube(int order, int round = 4, CrackFaces faces = CrackFaces
     return Point3{r * std::cos(2 * pi * p[0]), r * std::sin(2 * pi * p[0]), 10 * p[2]};
   });
   SolidProblem problem;
-  problem.material = kSteel;
+  problem.material = kSolidSteel;
   problem.order = order;
   problem.crack_faces = faces;
   problem.supports = {{.tag = kLow, .directions = [](const Point3&) {
@@ -68,7 +68,7 @@ SolidResult twisted_tube(int order, int round = 4, CrackFaces faces = CrackFaces
 }
 
 double exact_tube() {
-  return 10 / (kSteel.youngs_modulus / 2.6 * pi / 2 * (std::pow(10.5, 4) - std::pow(9.5, 4)));
+  return 10 / (kSolidSteel.youngs_modulus / 2.6 * pi / 2 * (std::pow(10.5, 4) - std::pow(9.5, 4)));
 }
 
 // (FE-20): a linear field is exact in any mesh, distorted ones included.
@@ -94,7 +94,7 @@ TEST(Solid, IdentityPatchTest) {
   const HexMesh mesh = make_hex_mesh(cells, body);
   for (const int order : {1, 2, 3}) {
     SolidProblem problem;
-    problem.material = kSteel;
+    problem.material = kSolidSteel;
     problem.order = order;
     problem.supports = {{.tag = kLow, .directions = [](const Point3& p) {
                            std::vector<Point3> held{{0, 0, 1}};
@@ -108,7 +108,7 @@ TEST(Solid, IdentityPatchTest) {
                           }}};
     const SolidResult result = solve_solid(mesh, problem);
     // Rounding of a direct solver; force sigma, displacement sigma/E.
-    test::expect_relative(result.work, sigma * sigma / kSteel.youngs_modulus, 1e-11);
+    test::expect_relative(result.work, sigma * sigma / kSolidSteel.youngs_modulus, 1e-11);
     EXPECT_LT(result.energy_balance, 1e-11);
     EXPECT_LT(result.equilibrium_residual, 1e-11);  // (FE-21)
     EXPECT_LT(result.worst_jacobian, 1.0);
@@ -174,14 +174,14 @@ TEST(Solid, InputValuesOutOfRangeAreRefused) {
     return false;
   };
   SolidProblem problem;
-  problem.material = kSteel;
+  problem.material = kSolidSteel;
   problem.material.youngs_modulus = 0;
   EXPECT_TRUE(fails(problem, "youngs_modulus"));
   problem.material = {.youngs_modulus = 1, .poissons_ratio = 0.5};
   EXPECT_TRUE(fails(problem, "poissons_ratio"));
   problem.material.poissons_ratio = -0.1;
   EXPECT_TRUE(fails(problem, "poissons_ratio"));
-  problem.material = kSteel;
+  problem.material = kSolidSteel;
   problem.order = 0;
   EXPECT_TRUE(fails(problem, "order"));
   problem.order = 7;

@@ -113,7 +113,9 @@ TEST(StraightCrackBlock, ConvergenceWithTheOrder) {
   test::start_mpi();
   double work = 0;
   for (const int order : {2, 3, 4}) {
-    const fem::SolidResult result = straight_crack_block(strip(true, order));
+    StraightCrackBlock block = strip(true, order);
+    block.rings = 3;
+    const fem::SolidResult result = straight_crack_block(block);
     EXPECT_GT(result.work, work);
     work = result.work;
   }

@@ -15,7 +15,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr fem::Elasticity kSteel{.youngs_modulus = 210e9, .poissons_ratio = 0.3};
+constexpr fem::Elasticity kCupSteel{.youngs_modulus = 210e9, .poissons_ratio = 0.3};
 
 /// Barrel of mean radius 78.88 mm and wall 2.24 mm, 160 mm long with its flat diaphragm.
 CupSection flat_cup(double bore_radius) {
@@ -41,14 +41,14 @@ CupSection full_cup() {
 // unknowns), rad/(N*m).
 TEST(SolveCup, ReferenceFlatDiaphragm) {
   for (const auto& [bore, expected] : {std::pair(0.03, 7.0095e-7), std::pair(0.05, 3.8818e-7)}) {
-    const CupResult cup = solve_cup(flat_cup(bore), kSteel);
+    const CupResult cup = solve_cup(flat_cup(bore), kCupSteel);
     EXPECT_NEAR(cup.compliance / expected, 1, 1e-4) << bore;
     EXPECT_TRUE(cup.usable) << cup.reason;
   }
 }
 
 TEST(SolveCup, IdentitySharesAddUp) {
-  const CupResult cup = solve_cup(full_cup(), kSteel);
+  const CupResult cup = solve_cup(full_cup(), kCupSteel);
   ASSERT_EQ(cup.parts.size(), 4U);
   double shares = 0.0;
   for (const CupPart& part : cup.parts) {
@@ -68,17 +68,17 @@ TEST(SolveCup, ReferenceBareTube) {
   const CupSection tube{
       .barrel = {.outer_diameter = 0.16, .wall_thickness = 2.24e-3, .length = 0.1}};
   const double J = pi / 2 * (std::pow(0.08, 4) - std::pow(0.07776, 4));
-  EXPECT_NEAR(solve_cup(tube, kSteel).compliance * kSteel.shear_modulus() * J / 0.1, 1, 1e-9);
+  EXPECT_NEAR(solve_cup(tube, kCupSteel).compliance * kCupSteel.shear_modulus() * J / 0.1, 1, 1e-9);
 }
 
 TEST(SolveCup, IdentityFilletsStiffen) {
   CupSection cup = full_cup();
-  const double sharp = solve_cup(cup, kSteel).compliance;
+  const double sharp = solve_cup(cup, kCupSteel).compliance;
   cup.barrel_fillet = 0.2e-3;
-  const double one = solve_cup(cup, kSteel).compliance;
+  const double one = solve_cup(cup, kCupSteel).compliance;
   EXPECT_LT(one, sharp);
   cup.boss_fillet = 1e-3;
-  const CupResult both = solve_cup(cup, kSteel);
+  const CupResult both = solve_cup(cup, kCupSteel);
   EXPECT_LT(both.compliance, one);
   EXPECT_GT(both.compliance, 0.9 * sharp);
   EXPECT_TRUE(both.usable) << both.reason;
@@ -87,16 +87,16 @@ TEST(SolveCup, IdentityFilletsStiffen) {
 
 TEST(SolveCup, LimitProfileThatIsConstant) {
   CupSection cup = flat_cup(0.03);
-  const double constant = solve_cup(cup, kSteel).compliance;
+  const double constant = solve_cup(cup, kCupSteel).compliance;
   cup.diaphragm->profile = {{0.04, 2.24e-3}, {0.06, 2.24e-3}};
-  EXPECT_NEAR(solve_cup(cup, kSteel).compliance / constant, 1, 1e-6);
+  EXPECT_NEAR(solve_cup(cup, kCupSteel).compliance / constant, 1, 1e-6);
   // Twice as thick inside: less compliant, and not by more than if it were so everywhere.
   cup.diaphragm->profile = {{0.04, 4.48e-3}, {0.06, 2.24e-3}};
-  const double thicker = solve_cup(cup, kSteel).compliance;
+  const double thicker = solve_cup(cup, kCupSteel).compliance;
   EXPECT_LT(thicker, 0.85 * constant);
   cup.diaphragm->profile = {};
   cup.diaphragm->thickness = 4.48e-3;
-  EXPECT_GT(thicker, solve_cup(cup, kSteel).compliance);
+  EXPECT_GT(thicker, solve_cup(cup, kCupSteel).compliance);
 }
 
 TEST(SolveCup, IdentityNotUsableHasAReason) {
@@ -105,7 +105,7 @@ TEST(SolveCup, IdentityNotUsableHasAReason) {
   cup.diaphragm->inner_diameter = 0.01;
   cup.boss->outer_diameter = 0.01;
   cup.boss->wall_thickness = 1e-3;
-  const CupResult result = solve_cup(cup, kSteel, coarse);
+  const CupResult result = solve_cup(cup, kCupSteel, coarse);
   EXPECT_FALSE(result.usable);
   EXPECT_NE(result.reason.find("from order 1 to 2"), std::string::npos) << result.reason;
 }

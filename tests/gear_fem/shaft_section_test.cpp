@@ -19,7 +19,7 @@ namespace {
 using std::numbers::pi;
 using Surface = ShaftCrack::Surface;
 
-constexpr fem::Elasticity kSteel{.youngs_modulus = 210e9, .poissons_ratio = 0.3};
+constexpr fem::Elasticity kShaftSteel{.youngs_modulus = 210e9, .poissons_ratio = 0.3};
 
 /// The article's shaft, 70/45 mm and 200 mm long, cracked halfway.
 ShaftSection article_shaft(double depth, Surface surface = Surface::outer) {
@@ -49,13 +49,13 @@ constexpr double kPrinted = 1e-4;  // five digits printed, and the discretisatio
 // (FE-6, FE-7, FE-8, FE-9)
 TEST(SolveShaft, ReferenceHollowShaft) {
   for (const Row& row : kHollow) {
-    const ShaftCrackResult r = solve_shaft(article_shaft(row.depth), kSteel);
+    const ShaftCrackResult r = solve_shaft(article_shaft(row.depth), kShaftSteel);
     const double root = std::sqrt(pi * row.depth);
     EXPECT_NEAR(r.torsion.added_compliance / row.added, 1, kPrinted) << row.depth;
     EXPECT_NEAR(r.torsion.tip.K_III / (0.035 / polar() * root) / row.III, 1, kPrinted) << row.depth;
     EXPECT_NEAR(r.tension.tip.K_I * area() / root / row.I, 1, kPrinted) << row.depth;
-    EXPECT_NEAR(r.torsion.sound_compliance * kSteel.shear_modulus() * polar() / 0.2, 1, 1e-9);
-    EXPECT_NEAR(r.tension.sound_compliance * kSteel.youngs_modulus * area() / 0.2, 1, 1e-9);
+    EXPECT_NEAR(r.torsion.sound_compliance * kShaftSteel.shear_modulus() * polar() / 0.2, 1, 1e-9);
+    EXPECT_NEAR(r.tension.sound_compliance * kShaftSteel.youngs_modulus * area() / 0.2, 1, 1e-9);
     for (const auto* const load : {&r.torsion, &r.tension}) {
       EXPECT_TRUE(load->usable) << load->reason;
       EXPECT_TRUE(load->reason.empty());
@@ -88,7 +88,8 @@ TEST(SolveShaft, CrosscheckInnerCrack) {
     const bool torsion = row.quantity == "inner.torsion";
     const auto tip =
         *fem::solve_section(mesh_shaft(shaft),
-                            torsion ? fem::SectionLoad::torsion : fem::SectionLoad::tension, kSteel)
+                            torsion ? fem::SectionLoad::torsion : fem::SectionLoad::tension,
+                            kShaftSteel)
              .tip;
     const double J = pi / 2 * (1 - std::pow(ratio, 4));
     // Nominal stress at the front, (SB-5).
@@ -102,7 +103,7 @@ TEST(SolveShaft, CrosscheckInnerCrack) {
 }
 
 TEST(SolveShaft, LimitShallowCrackIsThatOfHalfPlane) {
-  const ShaftCrackResult r = solve_shaft(article_shaft(5e-5), kSteel);
+  const ShaftCrackResult r = solve_shaft(article_shaft(5e-5), kShaftSteel);
   const double root = std::sqrt(pi * 5e-5);
   EXPECT_NEAR(r.torsion.tip.K_III / (0.035 / polar() * root), 1, 2e-3);
   EXPECT_NEAR(r.tension.tip.K_I * area() / root, 1.1215, 1.1215 * 3e-3);
@@ -112,8 +113,8 @@ TEST(SolveShaft, LimitShoulderFarAwayDoesNotMatter) {
   ShaftSection stepped = article_shaft(4e-3);
   stepped.length = 0.3;
   stepped.shoulder = ShaftShoulder{.position = 0.22, .outer_diameter = 0.1, .fillet_radius = 3e-3};
-  const ShaftCrackResult plain = solve_shaft(article_shaft(4e-3), kSteel);
-  const ShaftCrackResult far = solve_shaft(stepped, kSteel);
+  const ShaftCrackResult plain = solve_shaft(article_shaft(4e-3), kShaftSteel);
+  const ShaftCrackResult far = solve_shaft(stepped, kShaftSteel);
   EXPECT_NEAR(far.torsion.tip.K_III / plain.torsion.tip.K_III, 1, 2e-4);
   EXPECT_NEAR(far.tension.tip.K_I / plain.tension.tip.K_I, 1, 2e-3);
   EXPECT_NEAR(far.tension.tip.K_II / far.tension.tip.K_I, 0, 2e-3);
@@ -124,10 +125,10 @@ TEST(SolveShaft, LimitShoulderFarAwayDoesNotMatter) {
 TEST(SolveShaft, LimitCrackAtShoulderHasModeTwo) {
   ShaftSection stepped = article_shaft(2e-3);
   stepped.shoulder = ShaftShoulder{.position = 0.108, .outer_diameter = 0.1, .fillet_radius = 2e-3};
-  const ShaftCrackResult r = solve_shaft(stepped, kSteel);
+  const ShaftCrackResult r = solve_shaft(stepped, kShaftSteel);
   EXPECT_GT(std::abs(r.tension.tip.K_II / r.tension.tip.K_I), 0.005);
   EXPECT_TRUE(r.tension.usable) << r.tension.reason;
-  const ShaftCrackResult plain = solve_shaft(article_shaft(2e-3), kSteel);
+  const ShaftCrackResult plain = solve_shaft(article_shaft(2e-3), kShaftSteel);
   EXPECT_GT(r.tension.tip.K_I, 0.7 * plain.tension.tip.K_I);
   EXPECT_LT(r.tension.tip.K_I, 1.6 * plain.tension.tip.K_I);
 }
@@ -139,7 +140,7 @@ TEST(SolveShaft, IdentityFilletStiffensASharpCorner) {
                        .shoulder = ShaftShoulder{0.1, 0.1, 0}};
   const auto compliance = [&](double radius, int order) {
     stepped.shoulder->fillet_radius = radius;
-    return fem::solve_section(mesh_shaft(stepped), fem::SectionLoad::torsion, kSteel,
+    return fem::solve_section(mesh_shaft(stepped), fem::SectionLoad::torsion, kShaftSteel,
                               {.order = order})
         .compliance;
   };
@@ -149,7 +150,7 @@ TEST(SolveShaft, IdentityFilletStiffensASharpCorner) {
   EXPECT_NEAR(compliance(4e-3, 8) / compliance(4e-3, 6), 1, 3e-6);
   // Between the two diameters each side of the step, and more than their sum: the corner is soft.
   const auto bar = [](double d) {
-    return 0.1 / (kSteel.shear_modulus() * pi / 32 * std::pow(d, 4));
+    return 0.1 / (kShaftSteel.shear_modulus() * pi / 32 * std::pow(d, 4));
   };
   EXPECT_GT(sharp, bar(0.06) + bar(0.1));
   EXPECT_LT(sharp, 1.1 * (bar(0.06) + bar(0.1)));
@@ -158,7 +159,7 @@ TEST(SolveShaft, IdentityFilletStiffensASharpCorner) {
 TEST(SolveShaft, IdentityNotUsableHasAReason) {
   // Order 2 and few rings do not give the faces' displacement to 2 %.
   const ShaftCrackResult r =
-      solve_shaft(article_shaft(11e-3), kSteel, {.order = 2, .tip_rings = 4});
+      solve_shaft(article_shaft(11e-3), kShaftSteel, {.order = 2, .tip_rings = 4});
   EXPECT_FALSE(r.tension.usable);
   EXPECT_FALSE(r.tension.reason.empty());
 }
@@ -216,7 +217,7 @@ TEST(MeshShaft, InputEveryRuleBrokenOnce) {
   }
   ShaftSection sound = article_shaft(4e-3);
   sound.crack.reset();
-  EXPECT_THROW((void)solve_shaft(sound, kSteel), InputError);
+  EXPECT_THROW((void)solve_shaft(sound, kShaftSteel), InputError);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ inline void start_mpi() {
   static char name[] = "test";
   static char* arguments[] = {name, nullptr};
   static char** argv = arguments;
-  static MpiSession session(count, argv);
+  static fem::MpiSession session(count, argv);
 }
 
 }  // namespace strainwave::test
