@@ -10,6 +10,8 @@
 #include <numbers>
 #include <string_view>
 
+#include "strainwave/io/result_writer.hpp"
+
 namespace strainwave::fe_study {
 namespace {
 
@@ -117,11 +119,11 @@ void write(std::string& text, const gear_fem::TubeCrackResult& result) {
     }
   }
   const fem::SolidResult& solid = result.solid;
+  text += releases(result) ? fmt::format("  checks: rings {:.1e}, dC/dA {:.1e}, ",
+                                         largest_ring_spread(result), result.growth_check)
+                           : std::string("  checks: no energy is released; ");
   text += fmt::format(
-      "  checks: rings {:.1e}, dC/dA {}, energy {:.1e}, equilibrium {:.1e},\n"
-      "          worst Jacobian {:.2f}; {} unknowns; {}\n",
-      largest_ring_spread(result),
-      releases(result) ? fmt::format("{:.1e}", result.growth_check) : "(no energy is released)",
+      "energy {:.1e}, equilibrium {:.1e},\n          worst Jacobian {:.2f}; {} unknowns; {}\n",
       solid.energy_balance, solid.equilibrium_residual, solid.worst_jacobian, solid.dofs,
       verdict(result.usable, result.reason));
 }
@@ -146,7 +148,7 @@ Json json_of(const gear_fem::TubeCrackResult& result, const char* sense) {
           {"energy_release_rate", quantity(result.energy_release_rate, "J/m^2")},
           {"fronts", fronts},
           {"evidence",
-           {{"ring_spread", largest_ring_spread(result)},
+           {{"ring_spread", releases(result) ? Json(largest_ring_spread(result)) : Json()},
             {"growth_check", releases(result) ? Json(result.growth_check) : Json()},
             {"energy_balance", solid.energy_balance},
             {"equilibrium_residual", solid.equilibrium_residual},
@@ -207,7 +209,8 @@ std::string run_text(const RunResult& result, const GearSet& gear) {
     write(text, crack.negative);
   }
   if (!result.notes.empty()) text += "\nNotes\n";
-  for (const std::string& note : result.notes) text += fmt::format("  - {}\n", note);
+  for (const std::string& note : result.notes)
+    text += "  " + wrapped("- " + note, kTextWidth - 2, 4) + "\n";
   return text;
 }
 

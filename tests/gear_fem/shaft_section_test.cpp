@@ -37,12 +37,9 @@ struct Row {
 };
 // An independent program of finite elements (p = 8, other meshes; agrees with two more programs to
 // the digits given): rad/(N*m), K_III/(tau_s sqrt(pi a)), K_I/(sigma sqrt(pi a)).
-constexpr std::array<Row, 7> kHollow = {{{0.1e-3, 1.3713e-11, 1.0015, 1.1237},
-                                         {0.5e-3, 3.4335e-10, 1.0087, 1.1350},
+constexpr std::array<Row, 4> kHollow = {{{0.1e-3, 1.3713e-11, 1.0015, 1.1237},
                                          {1e-3, 1.3789e-9, 1.0200, 1.1548},
-                                         {2e-3, 5.5957e-9, 1.0498, 1.2084},
                                          {4e-3, 2.3616e-8, 1.1406, 1.3589},
-                                         {6e-3, 5.8120e-8, 1.2872, 1.5699},
                                          {8e-3, 1.1869e-7, 1.5349, 1.8863}}};
 constexpr double kPrinted = 1e-4;  // five digits printed, and the discretisation of both
 
