@@ -1,7 +1,7 @@
-# strainwave_module(<name> SOURCES ... [DEPENDS <module>...])
+# strainwave_module(<name> SOURCES ... [DEPENDS <module>...] [NOT_INSTALLED])
 # Library target strainwave::<name>, from src/<name>/ and include/strainwave/<name>/.
 function(strainwave_module name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "NOT_INSTALLED" "" "SOURCES;DEPENDS" ${ARGN})
   list(TRANSFORM ARG_SOURCES PREPEND "src/${name}/")
   list(TRANSFORM ARG_DEPENDS PREPEND "strainwave::")
   add_library(strainwave_${name} ${ARG_SOURCES})
@@ -13,14 +13,17 @@ function(strainwave_module name)
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(strainwave_${name} PUBLIC ${ARG_DEPENDS} PRIVATE fmt::fmt)
   strainwave_flags(strainwave_${name})
-  set_property(GLOBAL APPEND PROPERTY STRAINWAVE_MODULES strainwave_${name})
+  if(NOT ARG_NOT_INSTALLED)
+    set_property(GLOBAL APPEND PROPERTY STRAINWAVE_MODULES strainwave_${name})
+  endif()
 endfunction()
 
-# strainwave_test(<folder> SOURCES <name>... DEPENDS <module>...)
+# strainwave_test(<folder> SOURCES <name>... DEPENDS <module>... [PARTS <number>])
 # GoogleTest program test_<folder> of tests/<folder>/<name>_test.cpp, labelled with the folder:
-# `ctest -L fracture`.  Under the sanitizers ctest runs the tests of a folder in four parts.
+# `ctest -L fracture`.  ctest runs each test by itself, or the tests of a folder in so many parts;
+# under the sanitizers in four.
 function(strainwave_test folder)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "PARTS" "SOURCES;DEPENDS" ${ARGN})
   list(TRANSFORM ARG_SOURCES REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/tests/${folder}/\\1_test.cpp")
   list(TRANSFORM ARG_DEPENDS PREPEND "strainwave::")
   set(target test_${folder})
@@ -36,12 +39,16 @@ function(strainwave_test folder)
   target_link_libraries(${target} PRIVATE ${ARG_DEPENDS} GTest::gtest_main)
   strainwave_flags(${target})
   if(STRAINWAVE_SANITIZE)
-    # To start a sanitized program takes longer than most tests: four parts instead of one start
-    # for each test.
-    foreach(part RANGE 3)
+    set(ARG_PARTS 4)
+  endif()
+  if(ARG_PARTS)
+    # To start a sanitized program, or one with 200 libraries, takes longer than most tests: a few
+    # parts instead of one start for each test.
+    math(EXPR last "${ARG_PARTS} - 1")
+    foreach(part RANGE ${last})
       add_test(NAME ${folder}.${part} COMMAND ${target} --gtest_brief=1)
       set_tests_properties(${folder}.${part} PROPERTIES LABELS "${folder}" TIMEOUT 900
-        ENVIRONMENT "GTEST_TOTAL_SHARDS=4;GTEST_SHARD_INDEX=${part}")
+        ENVIRONMENT "GTEST_TOTAL_SHARDS=${ARG_PARTS};GTEST_SHARD_INDEX=${part}")
     endforeach()
   else()
     gtest_discover_tests(${target} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
@@ -108,7 +115,10 @@ function(strainwave_install)
   set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/strainwave")
   get_property(modules GLOBAL PROPERTY STRAINWAVE_MODULES)
   install(TARGETS ${modules} EXPORT strainwaveTargets)
-  install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+  install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+    PATTERN "strainwave/fem" EXCLUDE
+    PATTERN "strainwave/gear_fem" EXCLUDE
+    PATTERN "strainwave/fe_study" EXCLUDE)
   install(EXPORT strainwaveTargets NAMESPACE strainwave:: DESTINATION "${package_dir}")
   configure_package_config_file(cmake/strainwaveConfig.cmake.in strainwaveConfig.cmake
     INSTALL_DESTINATION "${package_dir}")

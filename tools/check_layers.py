@@ -14,7 +14,8 @@ import re
 import sys
 import tempfile
 
-MODULE = re.compile(r"^strainwave_module\(\s*(\w+)\s+SOURCES\s+([^)]*?)(?:\sDEPENDS\s+([^)]*))?\)", re.M)
+MODULE = re.compile(r"^ *strainwave_module\(\s*(\w+)\s+SOURCES\s+([^)]*?)"
+                    r"(?:\sDEPENDS\s+([^)]*?))?(?:\s+NOT_INSTALLED)?\s*\)", re.M)
 TEST = re.compile(r"^\s*strainwave_test\(\s*(\w+)\s+SOURCES\s+([^)]*?)\sDEPENDS\s[^)]*\)", re.M)
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 
@@ -112,6 +113,10 @@ BROKEN = [
     ("a source that is not there", {"src/right/c.cpp": None}, "right/c.cpp is listed but does not exist"),
     ("a source listed twice", {"CMakeLists.txt": SOUND["CMakeLists.txt"].replace("a.cpp", "a.cpp a.cpp")},
      "low/a.cpp is listed 2 times"),
+    ("an edge not in the graph, of a part built on request",
+     {"CMakeLists.txt": SOUND["CMakeLists.txt"] +
+      "if(MORE)\n  strainwave_module(extra SOURCES d.cpp DEPENDS low NOT_INSTALLED)\nendif()\n",
+      "src/extra/d.cpp": '#include "strainwave/left/b.hpp"\n'}, "extra may include only ['low']"),
     ("a test forgotten", {"tests/left/b_test.cpp": ""}, "left/b exists but is not listed"),
     ("a test that is not there", {"tests/low/a_test.cpp": None}, "low/a is listed but does not exist"),
     ("a test listed twice", {"tests/CMakeLists.txt": SOUND["tests/CMakeLists.txt"].replace(" a ", " a a ")},

@@ -41,6 +41,7 @@ class CommandLine {
     add_calibrate();
     add_sif();
     add_report();
+    add_fe();
     add_new();
     add_schema();
     add_man();
@@ -280,6 +281,16 @@ class CommandLine {
     runs(sub, report_);
   }
 
+  void add_fe() {
+    CLI::App* const sub = command("fe");
+    sub->set_help_flag();  // every word belongs to the other program, --help too
+    sub->prefix_command();
+    sub->callback([this, sub] {
+      fe_.arguments = sub->remaining();
+      chosen_ = [this] { return cli::run(fe_); };
+    });
+  }
+
   void add_new() {
     CLI::App* const sub = command("new");
     sub->add_option("--size", new_.size, "of the catalogue; prints its typical drive");
@@ -334,6 +345,7 @@ class CommandLine {
   SifEvalCommand sif_eval_;
   SifPlotCommand sif_plot_;
   ReportCommand report_;
+  FeCommand fe_;
   NewCommand new_;
   SchemaCommand schema_;
   std::string man_page_;

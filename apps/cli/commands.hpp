@@ -119,6 +119,12 @@ struct ReportCommand {
 };
 ExitCode run(const ReportCommand& command);
 
+/// Becomes strainwave-fe, which lies beside this program or on PATH.
+struct FeCommand {
+  std::vector<std::string> arguments;
+};
+ExitCode run(const FeCommand& command);
+
 /// With a size and a ratio, a typical drive; else the template of all fields.
 struct NewCommand {
   std::optional<int> size;

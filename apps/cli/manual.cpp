@@ -14,7 +14,7 @@
 namespace strainwave::cli {
 namespace {
 
-const std::array<CommandManual, 14> kCommands = {{
+const std::array<CommandManual, 15> kCommands = {{
     {"stiffness", "Torsional stiffness of a drive, sound and cracked",
      "Reads a drive and its cracks and prints the compliance of each member at the output with the "
      "input locked, without and with its cracks, the stiffness K_HD for both senses of torque, "
@@ -114,6 +114,12 @@ const std::array<CommandManual, 14> kCommands = {{
      "same input gives the same bytes. A result that may not be used is reported too, with the "
      "reason on top.",
      "strainwave report examples/cracked_size25.toml -o report.html"},
+    {"fe", "Finite elements of shaft and cup, without any closed form",
+     "Starts strainwave-fe, a program of its own that is built on request, and passes everything "
+     "on to it: strainwave fe --help prints its options. It calculates an output shaft with "
+     "annular cracks, through cracks of the flexspline's wall and a sound flexspline by sections, "
+     "with the evidence whether the answer may be used.",
+     "strainwave fe examples/solid_shaft.toml --member output-shaft"},
     {"new", "Print a commented starting file",
      "Prints an input file that is valid as it stands, with every field that there is and its "
      "meaning; those that are not needed are commented out. With --size and --ratio, the typical "

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// strainwave-fe: finite elements of the members of a drive.  A program of its own, because Debian's
+// deal.II brings the GPL with it (docs/adr/0011).
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <iostream>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "exit_code.hpp"
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/version.hpp"
+#include "strainwave/fe_study/member_run.hpp"
+#include "strainwave/fe_study/run_report.hpp"
+#include "strainwave/fem/solid.hpp"
+#include "strainwave/io/gear_reader.hpp"
+#include "strainwave/io/result_writer.hpp"
+
+namespace strainwave {
+namespace {
+
+using cli::ExitCode;
+using fe_study::Member;
+
+struct Arguments {
+  std::string file;
+  std::string member;
+  std::optional<int> order;
+  std::string format = "text";
+  std::string output;
+  bool dry_run = false;
+};
+
+GearSet read_input(const std::string& file) {
+  if (file != "-") return read_gear_set_file(file);
+  const std::string text((std::istreambuf_iterator<char>(std::cin)),
+                         std::istreambuf_iterator<char>());
+  return read_gear_set(text, "standard input");
+}
+
+void deliver(const std::string& text, const std::string& path) {
+  if (!path.empty()) {
+    write_file(path, text);
+    return;
+  }
+  std::cout << text << std::flush;
+  if (!std::cout) throw std::runtime_error("standard output cannot be written");
+}
+
+ExitCode run(const Arguments& arguments, const fem::MpiSession& session) {
+  fe_study::RunOptions options{.member = {}, .order = arguments.order};
+  for (const Member member : {Member::output_shaft, Member::flexspline})
+    if (arguments.member == member_name(member)) options.member = member;
+  const bool first = session.rank() == 0;
+  if (arguments.file == "-" && session.size() > 1)
+    throw InputError("FILE", "standard input reaches the first rank only: name a file");
+  const GearSet gear = read_input(arguments.file);
+  const bool json = arguments.format == "json";
+  if (arguments.dry_run) {
+    const auto sizes = fe_study::plan(gear, options);
+    if (first) deliver(json ? plan_json(sizes) : plan_text(sizes), arguments.output);
+    return cli::kOk;
+  }
+  const fe_study::RunResult result = fe_study::run(gear, options, session);
+  if (!first) return cli::kOk;
+  const Provenance provenance{
+      .version = std::string(version()),
+      .revision = std::string(git_revision()),
+      .input_file = arguments.file == "-" ? "standard input" : arguments.file};
+  deliver(json ? with_provenance(run_json(result, gear), gear, provenance) : run_text(result, gear),
+          arguments.output);
+  if (result.usable()) return cli::kOk;
+  std::cerr << "strainwave-fe: not usable: " << result.reason() << '\n';
+  return cli::kNotUsable;
+}
+
+ExitCode run(int argc, char** argv, const fem::MpiSession& session) {
+  Arguments arguments;
+  CLI::App app{
+      "Finite elements of the members of a strain wave gear: shafts and cups as "
+      "bodies of revolution, through cracks of the wall as solids"};
+  app.name("strainwave-fe");
+  app.set_version_flag("--version", fmt::format("strainwave-fe {} ({})", version(), git_revision()),
+                       "print version and revision, and exit");
+  app.add_option("FILE", arguments.file, "input file, or - for standard input")->required();
+  app.add_option("--member", arguments.member,
+                 "output-shaft or flexspline; every one that the file gives if left out")
+      ->check(CLI::IsMember({"output-shaft", "flexspline"}));
+  app.add_option("--order", arguments.order,
+                 "order p of the elements: 6 if left out, 3 (at most 4) of through cracks")
+      ->check(CLI::Range(2, 8));
+  app.add_option("--format", arguments.format, "text or json")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
+  app.add_option("-o,--output", arguments.output, "write to this file instead of standard output")
+      ->type_name("PATH");
+  app.add_flag("--dry-run", arguments.dry_run, "say size, memory and time, and calculate nothing");
+  app.footer(
+      "Examples:\n  strainwave-fe examples/solid_shaft.toml --member output-shaft\n"
+      "  mpirun -n 2 strainwave-fe examples/through_crack.toml --member flexspline");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    std::ostream nowhere(nullptr);
+    const bool first = session.rank() == 0;
+    return app.exit(error, first ? std::cout : nowhere, first ? std::cerr : nowhere) == 0
+               ? cli::kOk
+               : cli::kUsage;
+  }
+  return run(arguments, session);
+}
+
+}  // namespace
+}  // namespace strainwave
+
+int main(int argc, char** argv) {
+  using namespace strainwave;  // NOLINT(google-build-using-namespace)
+  const fem::MpiSession session(argc, argv);
+  const auto complain = [&session](std::string_view message, cli::ExitCode code) {
+    if (session.rank() == 0) std::cerr << "strainwave-fe: " << message << '\n';
+    return code;
+  };
+  try {
+    return run(argc, argv, session);
+  } catch (const InputError& error) {
+    return complain(error.what(), cli::kInput);
+  } catch (const SolverError& error) {
+    return complain(error.what(), cli::kNotUsable);
+  } catch (const std::exception& error) {
+    return complain(error.what(), cli::kInternal);
+  }
+}

@@ -1,0 +1,909 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/fem/solid.hpp"
+
+// deal.II's own headers do not pass this project's warnings.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wall"
+#pragma GCC diagnostic ignored "-Wextra"
+#pragma GCC diagnostic ignored "-Wpedantic"
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wdouble-promotion"
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/distributed/shared_tria.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q_cache.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/petsc_sparse_matrix.h>
+#include <deal.II/lac/petsc_vector.h>
+#include <deal.II/lac/sparsity_tools.h>
+#include <petscksp.h>
+
+#include <Eigen/Dense>
+#pragma GCC diagnostic pop
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "strainwave/core/error.hpp"
+
+namespace strainwave::fem {
+
+struct MpiSession::Impl {
+  dealii::Utilities::MPI::MPI_InitFinalize session;
+};
+
+MpiSession::MpiSession(int& argc, char**& argv)
+    : impl_(new Impl{dealii::Utilities::MPI::MPI_InitFinalize(argc, argv, 1)}) {}
+MpiSession::~MpiSession() { delete impl_; }
+int MpiSession::rank() const {
+  return static_cast<int>(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
+}
+int MpiSession::size() const {
+  return static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
+}
+
+namespace {
+
+using dealii::Point;
+using dealii::Tensor;
+using Tensor2 = Tensor<2, 3>;
+using Vector = dealii::Vector<double>;
+using Index = dealii::types::global_dof_index;
+using Cell = dealii::DoFHandler<3>::active_cell_iterator;
+
+constexpr int kGeometryOrder = 4;  // at least; 45 degrees of a circle to 1e-6
+
+Point<3> to_point(const Point3& p) { return {p[0], p[1], p[2]}; }
+Point3 to_array(const Point<3>& p) { return {p[0], p[1], p[2]}; }
+Tensor<1, 3> to_tensor(const Point3& p) { return Tensor<1, 3>({p[0], p[1], p[2]}); }
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The mesh as deal.II has it, whole on every rank, with the analytic geometry.
+struct Body {
+  dealii::parallel::shared::Triangulation<3> triangulation;
+  dealii::MappingQCache<3> mapping;
+
+  Body(const HexMesh& mesh, int order)
+      : triangulation(MPI_COMM_WORLD, dealii::Triangulation<3>::none, false,
+                      dealii::parallel::shared::Triangulation<3>::partition_zorder),
+        mapping(static_cast<unsigned>(std::max(order, kGeometryOrder))) {
+    std::vector<Point<3>> vertices(mesh.vertices.size());
+    std::transform(mesh.vertices.begin(), mesh.vertices.end(), vertices.begin(), to_point);
+    std::vector<dealii::CellData<3>> cells(mesh.cells.size());
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      for (std::size_t i = 0; i < 8; ++i)
+        cells[c].vertices[i] = static_cast<unsigned>(mesh.cells[c].vertices[i]);
+    triangulation.create_triangulation(vertices, cells, {});
+    for (const auto& cell : triangulation.active_cell_iterators())
+      for (const unsigned f : cell->face_indices())
+        if (cell->face(f)->at_boundary())
+          cell->face(f)->set_boundary_id(static_cast<unsigned>(
+              mesh.cells[static_cast<std::size_t>(cell->index())].face_tag[f]));
+    const std::vector<Point<3>> unit =
+        dealii::FE_Q<3>(mapping.get_degree()).get_unit_support_points();
+    mapping.initialize(triangulation, [&](const auto& cell) {
+      std::vector<Point<3>> points(unit.size());
+      const PointMap& map = mesh.cells[static_cast<std::size_t>(cell->index())].map;
+      std::transform(unit.begin(), unit.end(), points.begin(),
+                     [&](const Point<3>& p) { return to_point(map(to_array(p))); });
+      return points;
+    });
+  }
+};
+
+double scaled_determinant(const Tensor2& J) {
+  double lengths = 1;
+  for (unsigned k = 0; k < 3; ++k)
+    lengths *= std::sqrt(J[0][k] * J[0][k] + J[1][k] * J[1][k] + J[2][k] * J[2][k]);
+  return lengths > 0 ? dealii::determinant(J) / lengths : 0;
+}
+
+double worst_jacobian(const Body& body) {
+  const dealii::FE_Q<3> element(1);
+  const dealii::QGauss<3> gauss(5);
+  const dealii::QTrapezoid<3> corners;
+  std::vector<Point<3>> points = gauss.get_points();
+  points.insert(points.end(), corners.get_points().begin(), corners.get_points().end());
+  dealii::FEValues<3> values(body.mapping, element, dealii::Quadrature<3>(points),
+                             dealii::update_jacobians);
+  double worst = 1;
+  for (const auto& cell : body.triangulation.active_cell_iterators()) {
+    values.reinit(cell);
+    for (const unsigned q : values.quadrature_point_indices()) {
+      const double scaled = scaled_determinant(Tensor2(values.jacobian(q)));  // (FE-22)
+      if (!(scaled > 0))
+        throw InputError("mesh", fmt::format("cell {} is tangled or left-handed: scaled Jacobian "
+                                             "determinant {:.3g} where it must be positive",
+                                             cell->index(), scaled));
+      worst = std::min(worst, scaled);
+    }
+  }
+  return worst;
+}
+
+struct Lame {
+  double lambda;
+  double mu;
+
+  explicit Lame(const Elasticity& m)
+      : lambda(m.youngs_modulus * m.poissons_ratio /
+               ((1 + m.poissons_ratio) * (1 - 2 * m.poissons_ratio))),
+        mu(m.youngs_modulus / (2 * (1 + m.poissons_ratio))) {}
+
+  /// Stress of a displacement gradient [i][j] = du_i/dx_j.
+  [[nodiscard]] Tensor2 stress(const Tensor2& gradient) const {
+    Tensor2 s = mu * (gradient + transpose(gradient));
+    const double volume = lambda * trace(gradient);
+    for (unsigned i = 0; i < 3; ++i) s[i][i] += volume;
+    return s;
+  }
+};
+
+/// Displacement gradient of one mode with K = 1 at a crack tip, in plane strain; (FE-24).
+/// @param mode  0, 1, 2 for I, II, III
+/// @param side  of the crack, which tells +180 from -180 degrees near its faces
+Tensor2 crack_tip_gradient(std::size_t mode, double x1, double x2, int side, double nu, double mu) {
+  using std::numbers::pi;
+  const double r = std::hypot(x1, x2);
+  double angle = std::atan2(x2, x1);
+  if (std::abs(angle) > pi / 2 && angle * side < 0) angle += 2 * pi * side;
+  const double s = std::sin(angle / 2);
+  const double c = std::cos(angle / 2);
+  const double S = std::sin(angle);
+  const double C = std::cos(angle);
+  const double kappa = 3 - 4 * nu;
+  Tensor<1, 3> f;   // u = sqrt(r) f(angle)
+  Tensor<1, 3> df;  // df/dangle
+  if (mode == 0) {
+    f = Tensor<1, 3>({c * (kappa - C), s * (kappa - C), 0});
+    df = Tensor<1, 3>({-0.5 * s * (kappa - C) + c * S, 0.5 * c * (kappa - C) + s * S, 0});
+  } else if (mode == 1) {
+    f = Tensor<1, 3>({s * (kappa + 2 + C), -c * (kappa - 2 + C), 0});
+    df = Tensor<1, 3>({0.5 * c * (kappa + 2 + C) - s * S, 0.5 * s * (kappa - 2 + C) + c * S, 0});
+  } else {
+    f = Tensor<1, 3>({0, 0, 4 * s});
+    df = Tensor<1, 3>({0, 0, 2 * c});
+  }
+  const double scale = 1 / (2 * mu * std::sqrt(2 * pi * r));
+  Tensor2 gradient;
+  for (unsigned i = 0; i < 3; ++i) {
+    gradient[i][0] = scale * (C * f[i] / 2 - S * df[i]);
+    gradient[i][1] = scale * (S * f[i] / 2 + C * df[i]);
+  }
+  return gradient;
+}
+
+/// Everything between the problem and its displacements.
+class Model {
+ public:
+  Model(const HexMesh& mesh, const SolidProblem& problem)
+      : mesh_(mesh),
+        problem_(problem),
+        lame_(problem.material),
+        body_(mesh, problem.order),
+        scalar_(static_cast<unsigned>(problem.order)),
+        element_(scalar_, 3),
+        dofs_(body_.triangulation) {
+    result_.worst_jacobian = worst_jacobian(body_);
+    dofs_.distribute_dofs(element_);
+    u_.reinit(dofs_.n_dofs());
+    result_.dofs = dofs_.n_dofs();
+    result_.cells = mesh.cells.size();
+    node_of_.resize(3, std::vector<unsigned>(scalar_.n_dofs_per_cell()));
+    for (unsigned i = 0; i < element_.n_dofs_per_cell(); ++i)
+      node_of_[element_.system_to_component_index(i).first]
+              [element_.system_to_component_index(i).second] = i;
+    assemble_loads();
+  }
+
+  SolidResult run() {
+    if (problem_.crack_faces == CrackFaces::contact)
+      solve_contact();
+    else
+      solve({});
+    evaluate();
+    return std::move(result_);
+  }
+
+  [[nodiscard]] const HexMesh& mesh() const { return mesh_; }
+  [[nodiscard]] const Body& body() const { return body_; }
+  [[nodiscard]] const Lame& lame() const { return lame_; }
+  [[nodiscard]] const dealii::FE_Q<3>& scalar() const { return scalar_; }
+  [[nodiscard]] const dealii::DoFHandler<3>& dofs() const { return dofs_; }
+  [[nodiscard]] const HexCell& source(const Cell& cell) const {
+    return mesh_.cells[static_cast<std::size_t>(cell->index())];
+  }
+
+  /// Displacement gradients at the points of `values`, which are of the scalar element.
+  void gradients(const Cell& cell, const dealii::FEValuesBase<3>& values,
+                 std::vector<Tensor2>& out) const {
+    cell_values(cell);
+    out.assign(values.n_quadrature_points, Tensor2());
+    for (unsigned q = 0; q < values.n_quadrature_points; ++q)
+      for (unsigned a = 0; a < scalar_.n_dofs_per_cell(); ++a) {
+        const Tensor<1, 3>& g = values.shape_grad(a, q);
+        for (unsigned i = 0; i < 3; ++i) out[q][i] += local_[node_of_[i][a]] * g;
+      }
+  }
+
+ private:
+  /// Two dofs of the crack's sides at the same place.
+  struct Pair {
+    std::array<Index, 3> upper;
+    std::array<Index, 3> lower;
+    Tensor<1, 3> normal;  ///< from lower to upper, its length the node's share of the area
+  };
+
+  void cell_values(const Cell& cell) const {
+    indices_.resize(element_.n_dofs_per_cell());
+    local_.resize(element_.n_dofs_per_cell());
+    cell->get_dof_indices(indices_);
+    for (std::size_t i = 0; i < indices_.size(); ++i) local_[i] = u_[indices_[i]];
+  }
+
+  static dealii::FEValues<3>& reinit(dealii::FEValues<3>& values, const Cell& cell) {
+    values.reinit(typename dealii::Triangulation<3>::active_cell_iterator(cell));
+    return values;
+  }
+
+  void sum(Vector& v) const {
+    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(v.begin(), v.size()),
+                                MPI_COMM_WORLD, dealii::ArrayView<double>(v.begin(), v.size()));
+  }
+
+  void assemble_loads() {
+    load_.reinit(dofs_.n_dofs());
+    const dealii::QGauss<2> rule(static_cast<unsigned>(problem_.order) + 3);
+    dealii::FEFaceValues<3> values(
+        body_.mapping, scalar_, rule,
+        dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values);
+    indices_.resize(element_.n_dofs_per_cell());
+    for (const Cell& cell : dofs_.active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned f : cell->face_indices())
+          for (const Traction& traction : problem_.tractions)
+            if (cell->face(f)->at_boundary() &&
+                cell->face(f)->boundary_id() == static_cast<unsigned>(traction.tag)) {
+              values.reinit(typename dealii::Triangulation<3>::active_cell_iterator(cell), f);
+              cell->get_dof_indices(indices_);
+              for (const unsigned q : values.quadrature_point_indices()) {
+                const Point3 t = traction.value(to_array(values.quadrature_point(q)));
+                for (unsigned a = 0; a < scalar_.n_dofs_per_cell(); ++a)
+                  for (unsigned i = 0; i < 3; ++i)
+                    load_[indices_[node_of_[i][a]]] +=
+                        t[i] * values.shape_value(a, q) * values.JxW(q);
+              }
+            }
+    sum(load_);
+  }
+
+  /// The three dofs of every node of a cell's face.
+  template <class Visit>
+  void visit_face_nodes(const Cell& cell, unsigned f, const Visit& visit) const {
+    indices_.resize(element_.n_dofs_per_cell());
+    cell->get_dof_indices(indices_);
+    for (unsigned a = 0; a < scalar_.n_dofs_per_cell(); ++a)
+      if (scalar_.has_support_on_face(a, f))
+        visit(a, std::array<Index, 3>{indices_[node_of_[0][a]], indices_[node_of_[1][a]],
+                                      indices_[node_of_[2][a]]});
+  }
+
+  /// u_k of the node = combination of its other components (and of its twin), so that the
+  /// component along n vanishes.
+  static void hold(dealii::AffineConstraints<double>& constraints, const std::array<Index, 3>& node,
+                   const Tensor<1, 3>& n, const std::array<Index, 3>* twin) {
+    unsigned k = 0;
+    for (unsigned i = 1; i < 3; ++i)
+      if (std::abs(n[i]) > std::abs(n[k])) k = i;
+    if (constraints.is_constrained(node[k])) return;
+    constraints.add_line(node[k]);
+    for (unsigned i = 0; i < 3; ++i) {
+      const double factor = n[i] / n[k];
+      if (i != k && std::abs(factor) > 1e-14) constraints.add_entry(node[k], node[i], -factor);
+      if (twin && std::abs(factor) > 1e-14) constraints.add_entry(node[k], (*twin)[i], factor);
+    }
+  }
+
+  void make_constraints(const std::set<std::size_t>& active) {
+    constraints_.clear();
+    for (const Cell& cell : dofs_.active_cell_iterators())
+      for (const unsigned f : cell->face_indices())
+        for (const Support& support : problem_.supports)
+          if (cell->face(f)->at_boundary() &&
+              cell->face(f)->boundary_id() == static_cast<unsigned>(support.tag))
+            visit_face_nodes(cell, f, [&](unsigned a, const std::array<Index, 3>& node) {
+              const Point<3> unit = scalar_.unit_support_point(a);
+              const std::vector<Point3> directions =
+                  support.directions(source(cell).map(to_array(unit)));
+              if (directions.size() == 3) {
+                for (const Index i : node)
+                  if (!constraints_.is_constrained(i)) constraints_.add_line(i);
+              } else {
+                for (const Point3& d : directions) hold(constraints_, node, to_tensor(d), nullptr);
+              }
+            });
+    for (const std::size_t i : active)
+      hold(constraints_, pairs_[i].upper, pairs_[i].normal, &pairs_[i].lower);
+    constraints_.close();
+  }
+
+  void solve(const std::set<std::size_t>& active) {
+    const auto start = std::chrono::steady_clock::now();
+    make_constraints(active);
+    const dealii::IndexSet owned = dofs_.locally_owned_dofs();
+    dealii::DynamicSparsityPattern pattern(dofs_.n_dofs());
+    dealii::DoFTools::make_sparsity_pattern(
+        dofs_, pattern, constraints_, false,
+        dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
+    dealii::SparsityTools::distribute_sparsity_pattern(pattern, owned, MPI_COMM_WORLD,
+                                                       dealii::complete_index_set(dofs_.n_dofs()));
+    dealii::PETScWrappers::MPI::SparseMatrix matrix;
+    matrix.reinit(owned, owned, pattern, MPI_COMM_WORLD);
+    dealii::PETScWrappers::MPI::Vector rhs(owned, MPI_COMM_WORLD);
+    assemble(matrix, rhs);
+    result_.assembly_seconds += seconds_since(start);
+    factor_and_solve(matrix, rhs);
+  }
+
+  void assemble(dealii::PETScWrappers::MPI::SparseMatrix& matrix,
+                dealii::PETScWrappers::MPI::Vector& rhs) {
+    const dealii::QGauss<3> rule(static_cast<unsigned>(problem_.order) + 1);
+    dealii::FEValues<3> values(body_.mapping, scalar_, rule,
+                               dealii::update_gradients | dealii::update_JxW_values);
+    const auto n = static_cast<Eigen::Index>(scalar_.n_dofs_per_cell());
+    const auto m = static_cast<Eigen::Index>(rule.size());
+    std::array<Eigen::MatrixXd, 3> gradient;  // scaled by the root of the weight
+    gradient.fill(Eigen::MatrixXd(n, m));
+    dealii::FullMatrix<double> stiffness(element_.n_dofs_per_cell());
+    Vector none(element_.n_dofs_per_cell());
+    std::array<std::array<Eigen::MatrixXd, 3>, 3> product;
+    for (const Cell& cell : dofs_.active_cell_iterators()) {
+      if (!cell->is_locally_owned()) continue;
+      reinit(values, cell);
+      for (Eigen::Index q = 0; q < m; ++q) {
+        const double root = std::sqrt(values.JxW(static_cast<unsigned>(q)));
+        for (Eigen::Index a = 0; a < n; ++a) {
+          const Tensor<1, 3>& g =
+              values.shape_grad(static_cast<unsigned>(a), static_cast<unsigned>(q));
+          for (unsigned i = 0; i < 3; ++i) gradient[i](a, q) = root * g[i];
+        }
+      }
+      for (unsigned i = 0; i < 3; ++i)
+        for (unsigned j = i; j < 3; ++j) {
+          product[i][j].noalias() = gradient[i] * gradient[j].transpose();
+          if (j > i) product[j][i] = product[i][j].transpose();
+        }
+      const Eigen::MatrixXd laplace = product[0][0] + product[1][1] + product[2][2];
+      for (unsigned i = 0; i < 3; ++i)
+        for (unsigned j = 0; j < 3; ++j)
+          for (Eigen::Index a = 0; a < n; ++a)
+            for (Eigen::Index b = 0; b < n; ++b)
+              stiffness(node_of_[i][static_cast<std::size_t>(a)],
+                        node_of_[j][static_cast<std::size_t>(b)]) =
+                  lame_.lambda * product[i][j](a, b) + lame_.mu * product[j][i](a, b) +
+                  (i == j ? lame_.mu * laplace(a, b) : 0);  // (FE-20)
+      indices_.resize(element_.n_dofs_per_cell());
+      cell->get_dof_indices(indices_);
+      constraints_.distribute_local_to_global(stiffness, none, indices_, matrix, rhs);
+    }
+    matrix.compress(dealii::VectorOperation::add);
+    Vector condensed = load_;
+    constraints_.condense(condensed);
+    for (const Index i : dofs_.locally_owned_dofs()) rhs[i] = condensed[i];
+    rhs.compress(dealii::VectorOperation::insert);
+  }
+
+  static void check(PetscErrorCode code, const char* stage) {
+    if (code) throw SolverError(fmt::format("the direct solver failed ({}, code {})", stage, code));
+  }
+
+  void factor_and_solve(dealii::PETScWrappers::MPI::SparseMatrix& matrix,
+                        const dealii::PETScWrappers::MPI::Vector& rhs) {
+    const auto start = std::chrono::steady_clock::now();
+    Mat a = matrix;
+    KSP solver = nullptr;
+    PC preconditioner = nullptr;
+    check(MatSetOption(a, MAT_SPD, PETSC_TRUE), "options");
+    check(KSPCreate(MPI_COMM_WORLD, &solver), "start");
+    const std::unique_ptr<_p_KSP, void (*)(KSP)> guard(solver, [](KSP k) { KSPDestroy(&k); });
+    check(KSPSetOperators(solver, a, a), "operators");
+    check(KSPSetType(solver, KSPPREONLY), "type");
+    check(KSPGetPC(solver, &preconditioner), "type");
+    check(PCSetType(preconditioner, PCCHOLESKY), "type");
+    check(PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS), "MUMPS");
+    check(KSPSetUp(solver), "factorisation");
+    dealii::PETScWrappers::MPI::Vector x(rhs);
+    Vec b = rhs;
+    check(KSPSolve(solver, b, x), "solution");
+    KSPConvergedReason reason{};
+    check(KSPGetConvergedReason(solver, &reason), "solution");
+    if (reason < 0)
+      throw SolverError(
+          "the direct solver failed: the body can move as a whole, or there is too little memory");
+    Mat factor = nullptr;
+    check(PCFactorGetMatrix(preconditioner, &factor), "factor");
+    PetscInt megabytes = 0;
+    check(MatMumpsGetInfog(factor, 22, &megabytes), "factor");
+    result_.factor_megabytes = static_cast<double>(megabytes);
+    u_ = Vector(x);
+    constraints_.distribute(u_);
+    result_.solver_seconds += seconds_since(start);
+  }
+
+  /// Internal nodal forces, without any constraint.
+  [[nodiscard]] Vector internal_forces(double& energy) const {
+    Vector forces(dofs_.n_dofs());
+    const dealii::QGauss<3> rule(static_cast<unsigned>(problem_.order) + 1);
+    dealii::FEValues<3> values(body_.mapping, scalar_, rule,
+                               dealii::update_gradients | dealii::update_JxW_values);
+    std::vector<Tensor2> gradient;
+    energy = 0;
+    for (const Cell& cell : dofs_.active_cell_iterators()) {
+      if (!cell->is_locally_owned()) continue;
+      reinit(values, cell);
+      gradients(cell, values, gradient);
+      for (unsigned q = 0; q < rule.size(); ++q) {
+        const Tensor2 stress = values.JxW(q) * lame_.stress(gradient[q]);
+        energy += 0.5 * scalar_product(stress, gradient[q]);
+        for (unsigned a = 0; a < scalar_.n_dofs_per_cell(); ++a) {
+          const Tensor<1, 3> force = stress * values.shape_grad(a, q);
+          for (unsigned i = 0; i < 3; ++i) forces[indices_[node_of_[i][a]]] += force[i];
+        }
+      }
+    }
+    sum(forces);
+    energy = dealii::Utilities::MPI::sum(energy, MPI_COMM_WORLD);
+    return forces;
+  }
+
+  // --- contact of the crack faces
+
+  [[nodiscard]] bool is_crack_face(const Cell& cell, unsigned f) const {
+    return problem_.crack_tag != 0 && cell->face(f)->at_boundary() &&
+           cell->face(f)->boundary_id() == static_cast<unsigned>(problem_.crack_tag);
+  }
+
+  void find_pairs() {
+    const dealii::QGauss<2> rule(static_cast<unsigned>(problem_.order) + 2);
+    dealii::FEFaceValues<3> values(
+        body_.mapping, scalar_, rule,
+        dealii::update_values | dealii::update_normal_vectors | dealii::update_JxW_values);
+    std::map<std::array<Index, 3>, std::pair<Point<3>, Tensor<1, 3>>> upper;
+    std::map<std::array<Index, 3>, Point<3>> lower;
+    double size = 0;
+    for (const Cell& cell : dofs_.active_cell_iterators())
+      for (const unsigned f : cell->face_indices()) {
+        if (!is_crack_face(cell, f)) continue;
+        values.reinit(typename dealii::Triangulation<3>::active_cell_iterator(cell), f);
+        size = std::max(size, cell->diameter());
+        visit_face_nodes(cell, f, [&](unsigned a, const std::array<Index, 3>& node) {
+          const Point<3> place =
+              to_point(source(cell).map(to_array(scalar_.unit_support_point(a))));
+          if (source(cell).side < 0) {
+            lower[node] = place;
+            return;
+          }
+          auto& entry = upper[node];
+          entry.first = place;
+          for (const unsigned q : values.quadrature_point_indices())
+            entry.second -= values.shape_value(a, q) * values.JxW(q) * values.normal_vector(q);
+        });
+      }
+    for (const auto& [node, at] : upper) {
+      if (lower.count(node)) continue;  // on the front
+      for (const auto& [twin, place] : lower)
+        if (!upper.count(twin) && place.distance(at.first) < 1e-9 * size)
+          pairs_.push_back({node, twin, at.second});
+    }
+  }
+
+  void solve_contact() {
+    constexpr int kMost = 40;
+    constexpr double kNothing = 1e-5;  // of the largest pressure or jump: noise of the solution
+    double last_pressure = 0;
+    find_pairs();
+    if (pairs_.empty()) throw InputError("mesh", "has no crack faces that could touch");
+    double area = 0;
+    std::set<std::size_t> active;
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      area += pairs_[i].normal.norm();
+      active.insert(i);
+    }
+    for (result_.contact_iterations = 1;; ++result_.contact_iterations) {
+      solve(active);
+      double energy = 0;
+      const Vector forces = internal_forces(energy);
+      double largest = 0;
+      double tension = 0;
+      double jump = 0;
+      for (const Pair& pair : pairs_)
+        for (unsigned k = 0; k < 3; ++k)
+          jump = std::max(jump, std::abs(u_[pair.upper[k]] - u_[pair.lower[k]]));
+      std::set<std::size_t> next;
+      for (std::size_t i = 0; i < pairs_.size(); ++i) {
+        const Pair& pair = pairs_[i];
+        const Tensor<1, 3> n = pair.normal / pair.normal.norm();
+        double force = 0;
+        double gap = 0;
+        for (unsigned k = 0; k < 3; ++k) {
+          force += (forces[pair.upper[k]] - load_[pair.upper[k]]) * n[k];
+          gap += (u_[pair.upper[k]] - u_[pair.lower[k]]) * n[k];
+        }
+        const double pressure = force / pair.normal.norm();
+        if (active.count(i)) {
+          largest = std::max(largest, pressure);
+          if (pressure >= -kNothing * last_pressure) next.insert(i);
+          tension = std::max(tension, -pressure);
+        } else if (gap < -kNothing * jump) {
+          next.insert(i);
+        }
+      }
+      last_pressure = largest;
+      if (next == active) {
+        double touching = 0;
+        for (const std::size_t i : active) touching += pairs_[i].normal.norm();
+        result_.contact_share = touching / area;
+        result_.contact_pressure_error = largest > 0 ? tension / largest : 0;
+        return;
+      }
+      if (result_.contact_iterations == kMost)
+        throw SolverError(
+            fmt::format("contact of the crack faces did not settle in {} steps", kMost));
+      active = std::move(next);
+    }
+  }
+
+  // --- what is made of the displacements
+
+  void evaluate() {
+    double energy = 0;
+    Vector residual = internal_forces(energy);
+    result_.strain_energy = energy;
+    result_.work = load_ * u_;
+    residual -= load_;
+    constraints_.condense(residual);
+    double largest = 0;
+    for (Index i = 0; i < residual.size(); ++i)
+      if (!constraints_.is_constrained(i)) largest = std::max(largest, std::abs(residual[i]));
+    result_.equilibrium_residual = largest / load_.linfty_norm();  // (FE-21)
+    result_.energy_balance = std::abs(result_.work / (2 * energy) - 1);
+    evaluate_crack_faces();
+    for (std::size_t f = 0; f < mesh_.fronts; ++f) result_.fronts.push_back(evaluate_front(f));
+  }
+
+  void evaluate_crack_faces() {
+    const dealii::QGauss<2> rule(static_cast<unsigned>(problem_.order) + 3);
+    dealii::FEFaceValues<3> values(body_.mapping, scalar_, rule,
+                                   dealii::update_values | dealii::update_normal_vectors |
+                                       dealii::update_quadrature_points |
+                                       dealii::update_JxW_values);
+    double work = 0;
+    double volume = 0;
+    for (const Cell& cell : dofs_.active_cell_iterators()) {
+      if (!cell->is_locally_owned()) continue;
+      for (const unsigned f : cell->face_indices()) {
+        if (!is_crack_face(cell, f)) continue;
+        values.reinit(typename dealii::Triangulation<3>::active_cell_iterator(cell), f);
+        cell_values(cell);
+        for (const unsigned q : values.quadrature_point_indices()) {
+          Tensor<1, 3> u;
+          for (unsigned a = 0; a < scalar_.n_dofs_per_cell(); ++a)
+            for (unsigned i = 0; i < 3; ++i)
+              u[i] += local_[node_of_[i][a]] * values.shape_value(a, q);
+          const Tensor<1, 3>& n = values.normal_vector(q);
+          volume -= u * n * values.JxW(q);
+          if (!problem_.stress_without_crack) continue;
+          const auto s = problem_.stress_without_crack(to_array(values.quadrature_point(q)));
+          for (unsigned i = 0; i < 3; ++i)
+            work -= (s[i][0] * n[0] + s[i][1] * n[1] + s[i][2] * n[2]) * u[i] *
+                    values.JxW(q);  // (FE-26)
+        }
+      }
+    }
+    result_.added_work = dealii::Utilities::MPI::sum(work, MPI_COMM_WORLD);
+    result_.crack_volume = dealii::Utilities::MPI::sum(volume, MPI_COMM_WORLD);
+  }
+
+  [[nodiscard]] CrackFront evaluate_front(std::size_t front) const;
+  [[nodiscard]] CrackFront front_of_integrals(const std::map<std::size_t, const HexCell*>& tips,
+                                              const std::vector<double>& integral,
+                                              const std::vector<double>& radius) const;
+
+  const HexMesh& mesh_;
+  const SolidProblem& problem_;
+  Lame lame_;
+  Body body_;
+  dealii::FE_Q<3> scalar_;
+  dealii::FESystem<3> element_;
+  dealii::DoFHandler<3> dofs_;
+  std::vector<std::vector<unsigned>> node_of_;  ///< [component][node of the scalar element]
+  dealii::AffineConstraints<double> constraints_;
+  Vector load_;
+  Vector u_;
+  std::vector<Pair> pairs_;
+  SolidResult result_;
+  mutable std::vector<Index> indices_;
+  mutable std::vector<double> local_;
+};
+
+// --- fracture quantities
+
+/// The front's frame and place at one point.
+struct FrontFrame {
+  Point<3> place;
+  Tensor2 axes;    ///< rows x1, x2, x3
+  double rate;     ///< area swept per length of front and unit of `advance`
+  double stretch;  ///< length of front per unit of w
+};
+
+FrontFrame front_frame(const HexCell& tip, double w) {
+  constexpr double kStep = 1e-4;
+  FrontFrame frame;
+  frame.place = to_point(tip.map({0, 0, w}));
+  const Tensor<1, 3> along =
+      (to_point(tip.map({0, 0, w + kStep})) - to_point(tip.map({0, 0, w - kStep}))) / (2 * kStep);
+  frame.stretch = along.norm();
+  const Tensor<1, 3> x3 = along / frame.stretch;
+  const Tensor<1, 3> d = to_tensor(tip.front->advance({0, 0, w}));
+  Tensor<1, 3> x1 = d - (d * x3) * x3;
+  frame.rate = x1.norm();
+  x1 /= frame.rate;
+  frame.axes[0] = x1;
+  frame.axes[1] = cross_product_3d(x3, x1);
+  frame.axes[2] = x3;
+  return frame;
+}
+
+/// Quadratic shape functions on [0,1], nodes 0, 1/2, 1.
+std::array<double, 3> quadratic(double w) {
+  return {(1 - w) * (1 - 2 * w), 4 * w * (1 - w), w * (2 * w - 1)};
+}
+
+CrackFront Model::evaluate_front(std::size_t front) const {
+  constexpr std::size_t kFields = 4;           // G and the interaction with modes I, II, III
+  std::map<std::size_t, const HexCell*> tips;  // one cell at the front of each segment
+  int rings = 0;
+  for (const HexCell& cell : mesh_.cells)
+    if (cell.front && cell.front->front == front) {
+      if (cell.front->ring < 0) tips[cell.front->segment] = &cell;
+      rings = std::max(rings, cell.front->ring + 1);
+    }
+  const std::size_t segments = tips.size();
+  const std::size_t nodes = 2 * segments + 1;
+  const auto columns = static_cast<std::size_t>(rings);
+
+  // Domain integrals [field][node of the front][ring].
+  std::vector<double> integral(kFields * nodes * columns, 0.0);
+  const auto at = [&](std::size_t field, std::size_t node, std::size_t ring) -> double& {
+    return integral[(field * nodes + node) * columns + ring];
+  };
+  std::vector<double> radius(columns, 0.0);
+
+  const dealii::FE_Q<3> velocity(4);  // of the virtual crack advance within a cell
+  const dealii::QGauss<3> rule(static_cast<unsigned>(problem_.order) + 3);
+  dealii::FEValues<3> values(
+      body_.mapping, scalar_, rule,
+      dealii::update_gradients | dealii::update_JxW_values | dealii::update_quadrature_points);
+  dealii::FEValues<3> q_values(body_.mapping, velocity, rule, dealii::update_gradients);
+  const dealii::QGauss<2> face_rule(static_cast<unsigned>(problem_.order) + 3);
+  dealii::FEFaceValues<3> face_values(body_.mapping, scalar_, face_rule,
+                                      dealii::update_gradients | dealii::update_JxW_values |
+                                          dealii::update_quadrature_points |
+                                          dealii::update_normal_vectors);
+  dealii::FEFaceValues<3> q_face_values(body_.mapping, velocity, face_rule, dealii::update_values);
+  const auto auxiliary = [&](std::size_t mode, const FrontFrame& frame, const Point<3>& place,
+                             const HexCell& cell) {
+    const Tensor<1, 3> from = place - frame.place;
+    const Tensor2 local =
+        crack_tip_gradient(mode, from * frame.axes[0], from * frame.axes[1], cell.front->side,
+                           problem_.material.poissons_ratio, lame_.mu);
+    return transpose(frame.axes) * local * frame.axes;
+  };
+  const unsigned n_velocity = velocity.n_dofs_per_cell();
+  std::vector<Tensor2> gradient;
+  std::vector<Tensor<1, 3>> moment(kFields * n_velocity);
+  for (const Cell& cell : dofs_.active_cell_iterators()) {
+    const HexCell& origin = source(cell);
+    if (!origin.front || origin.front->front != front) continue;
+    const std::size_t segment = origin.front->segment;
+    const HexCell& tip = *tips.at(segment);
+    const int ring = origin.front->ring;
+    if (ring >= 0 && 2 * segment + 1 >= segments && 2 * segment <= segments)
+      radius[static_cast<std::size_t>(ring)] =
+          to_point(origin.map({1, 0.5, 0.5})).distance(front_frame(tip, 0.5).place);
+    if (!cell->is_locally_owned()) continue;
+    reinit(values, cell);
+    reinit(q_values, cell);
+    gradients(cell, values, gradient);
+    std::fill(moment.begin(), moment.end(), Tensor<1, 3>());
+    for (unsigned q = 0; q < rule.size(); ++q) {
+      const Tensor2& du = gradient[q];
+      const Tensor2 stress = lame_.stress(du);
+      std::array<Tensor2, kFields> flux;  // [k][j]: contracted with dq_k/dx_j
+      flux[0] = transpose(du) * stress;
+      const double density = 0.5 * scalar_product(stress, du);
+      for (unsigned k = 0; k < 3; ++k) flux[0][k][k] -= density;  // (FE-23)
+      const FrontFrame frame = front_frame(tip, rule.point(q)[2]);
+      for (std::size_t mode = 0; mode < 3; ++mode) {
+        const Tensor2 dv = auxiliary(mode, frame, values.quadrature_point(q), origin);
+        flux[mode + 1] = transpose(dv) * stress + transpose(du) * lame_.stress(dv);
+        const double mutual = scalar_product(stress, dv);
+        for (unsigned k = 0; k < 3; ++k) flux[mode + 1][k][k] -= mutual;  // (FE-24)
+      }
+      for (unsigned n = 0; n < n_velocity; ++n) {
+        const Tensor<1, 3> slope = values.JxW(q) * q_values.shape_grad(n, q);
+        for (std::size_t field = 0; field < kFields; ++field)
+          moment[field * n_velocity + n] += flux[field] * slope;
+      }
+    }
+    // The auxiliary fields leave tractions on curved crack faces and on the front's end faces.
+    for (const unsigned f : cell->face_indices()) {
+      if (!cell->face(f)->at_boundary()) continue;
+      face_values.reinit(typename dealii::Triangulation<3>::active_cell_iterator(cell), f);
+      q_face_values.reinit(typename dealii::Triangulation<3>::active_cell_iterator(cell), f);
+      const bool loaded = !is_crack_face(cell, f) || problem_.crack_faces == CrackFaces::contact;
+      gradients(cell, face_values, gradient);
+      for (unsigned q = 0; q < face_rule.size(); ++q) {
+        const Tensor2& du = gradient[q];
+        const Tensor<1, 3>& normal = face_values.normal_vector(q);
+        const double w = f == 4   ? 0.0
+                         : f == 5 ? 1.0
+                         : f < 2  ? face_rule.point(q)[1]
+                                  : face_rule.point(q)[0];
+        const FrontFrame frame = front_frame(tip, w);
+        for (std::size_t mode = 0; mode < 3; ++mode) {
+          const Tensor2 dv = auxiliary(mode, frame, face_values.quadrature_point(q), origin);
+          Tensor<1, 3> force = transpose(du) * (lame_.stress(dv) * normal);
+          if (loaded) force += transpose(dv) * (lame_.stress(du) * normal);
+          for (unsigned n = 0; n < n_velocity; ++n)
+            moment[(mode + 1) * n_velocity + n] -=
+                q_face_values.shape_value(n, q) * face_values.JxW(q) * force;  // (FE-24)
+        }
+      }
+    }
+    for (unsigned n = 0; n < n_velocity; ++n) {
+      const Point3 unit = to_array(velocity.unit_support_point(n));
+      const Tensor<1, 3> d = to_tensor(origin.front->advance(unit));
+      const std::array<double, 3> shape = quadratic(unit[2]);
+      for (std::size_t k = 0; k < columns; ++k) {
+        const int domain = static_cast<int>(k);
+        const double weight = ring < domain ? 1.0 : ring == domain ? 1 - unit[0] : 0.0;
+        if (weight == 0) continue;
+        for (std::size_t field = 0; field < kFields; ++field)
+          for (std::size_t i = 0; i < 3; ++i)
+            at(field, 2 * segment + i, k) +=
+                weight * shape[i] * (d * moment[field * n_velocity + n]);
+      }
+    }
+  }
+  dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(integral.data(), integral.size()),
+                              MPI_COMM_WORLD,
+                              dealii::ArrayView<double>(integral.data(), integral.size()));
+  return front_of_integrals(tips, integral, radius);
+}
+
+CrackFront Model::front_of_integrals(const std::map<std::size_t, const HexCell*>& tips,
+                                     const std::vector<double>& integral,
+                                     const std::vector<double>& radius) const {
+  const std::size_t nodes = 2 * tips.size() + 1;
+  const std::size_t columns = radius.size();
+  if (columns < 3) throw InputError("mesh", "needs three rings about a crack front");
+  const auto at = [&](std::size_t field, std::size_t node, std::size_t ring) {
+    return integral[(field * nodes + node) * columns + ring];
+  };
+  // The rate of area is given to G by its own shape functions: consistent, not lumped.
+  const auto n = static_cast<Eigen::Index>(nodes);
+  Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(n, n);
+  CrackFront result;
+  const dealii::QGauss<1> rule(6);
+  for (const auto& [segment, tip] : tips)
+    for (unsigned q = 0; q < rule.size(); ++q) {
+      const double w = rule.point(q)[0];
+      const FrontFrame frame = front_frame(*tip, w);
+      const double ds = rule.weight(q) * frame.stretch;
+      result.length += ds;
+      const std::array<double, 3> shape = quadratic(w);
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+          mass(static_cast<Eigen::Index>(2 * segment + i),
+               static_cast<Eigen::Index>(2 * segment + j)) += shape[i] * shape[j] * frame.rate * ds;
+    }
+  const Eigen::LDLT<Eigen::MatrixXd> solver(mass);
+  const auto pointwise = [&](std::size_t field, std::size_t ring) {
+    Eigen::VectorXd b(n);
+    for (std::size_t i = 0; i < nodes; ++i) b(static_cast<Eigen::Index>(i)) = at(field, i, ring);
+    return Eigen::VectorXd(solver.solve(b));
+  };
+
+  // G: mean over the rings but the innermost, whose field is the least accurate.
+  std::vector<Eigen::VectorXd> G;
+  std::vector<double> release;
+  for (std::size_t k = 1; k < columns; ++k) {
+    G.push_back(pointwise(0, k));
+    release.push_back(0);
+    for (std::size_t i = 0; i < nodes; ++i) release.back() += at(0, i, k);
+  }
+  const double count = static_cast<double>(G.size());
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(n);
+  for (std::size_t k = 0; k < G.size(); ++k) {
+    mean += G[k] / count;
+    result.release += release[k] / count;
+  }
+  const auto [least, most] = std::minmax_element(release.begin(), release.end());
+  result.ring_spread = (*most - *least) / std::abs(result.release);
+
+  // The interaction integral is exact in the limit of a small ring: a line through two rings.
+  const double E = problem_.material.youngs_modulus;
+  const double nu = problem_.material.poissons_ratio;
+  const double plane_strain = E / (1 - nu * nu);
+  const std::array<double, 3> factor{plane_strain / 2, plane_strain / 2, lame_.mu};
+  std::array<Eigen::VectorXd, 3> K;
+  for (std::size_t mode = 0; mode < 3; ++mode) {
+    const Eigen::VectorXd near = pointwise(mode + 1, 1);
+    const Eigen::VectorXd far = pointwise(mode + 1, 2);
+    K[mode] = factor[mode] * (near - (far - near) * (radius[1] / (radius[2] - radius[1])));
+  }
+  double of_K = 0;
+  double of_G = 0;
+  const double scale = std::abs(mean.sum() / static_cast<double>(nodes));
+  const Eigen::VectorXd area = mass.rowwise().sum();
+  for (const auto& [segment, tip] : tips)
+    for (std::size_t j = segment == 0 ? 0 : 1; j < 3; ++j) {
+      const auto i = static_cast<Eigen::Index>(2 * segment + j);
+      FrontStation station;
+      station.position = (static_cast<double>(segment) + 0.5 * static_cast<double>(j)) /
+                         static_cast<double>(tips.size());
+      station.place = to_array(front_frame(*tip, 0.5 * static_cast<double>(j)).place);
+      station.energy_release_rate = mean(i);
+      for (const Eigen::VectorXd& ring : G)
+        station.ring_spread = std::max(station.ring_spread, std::abs(ring(i) - mean(i)) / scale);
+      station.G_of_K = (K[0](i) * K[0](i) + K[1](i) * K[1](i)) / plane_strain +
+                       K[2](i) * K[2](i) / (2 * lame_.mu);  // (FE-25)
+      const double rescale = station.energy_release_rate > 0 && station.G_of_K > 0
+                                 ? std::sqrt(station.energy_release_rate / station.G_of_K)
+                                 : 1.0;
+      station.K_I = rescale * K[0](i);
+      station.K_II = rescale * K[1](i);
+      station.K_III = rescale * K[2](i);
+      of_K += station.G_of_K * area(i);
+      of_G += station.energy_release_rate * area(i);
+      result.stations.push_back(station);
+    }
+  result.mode_energy_ratio = of_K / of_G;
+  return result;
+}
+
+}  // namespace
+
+SolidResult solve_solid(const HexMesh& mesh, const SolidProblem& problem) {
+  const Elasticity& m = problem.material;
+  require(m.youngs_modulus > 0 && std::isfinite(m.youngs_modulus), "youngs_modulus",
+          m.youngs_modulus, "Pa", "youngs_modulus > 0");
+  require(m.poissons_ratio >= 0 && m.poissons_ratio < 0.5, "poissons_ratio", m.poissons_ratio, "1",
+          "0 <= poissons_ratio < 0.5");
+  require(problem.order >= 1 && problem.order <= 6, "order", problem.order, "1", "1 <= order <= 6");
+  if (mesh.cells.empty()) throw InputError("mesh", "has no cells");
+  return Model(mesh, problem).run();
+}
+
+double check_jacobians(const HexMesh& mesh) { return worst_jacobian(Body(mesh, 1)); }
+
+}  // namespace strainwave::fem

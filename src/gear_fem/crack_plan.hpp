@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "strainwave/fem/hex_mesh.hpp"
+
+namespace strainwave::gear_fem {
+
+using PlanPoint = std::array<double, 2>;
+
+/// A quadrilateral of a plane mesh about crack tips, with its analytic map of the unit square.
+struct PlanCell {
+  std::function<PlanPoint(double u, double v)> map;
+  int tip = -1;   ///< index of the tip whose rings it belongs to, -1: none
+  int ring = -1;  ///< -1: at the tip (FrontPlace::ring)
+  int side = 0;   ///< side of the tip's frame (FrontPlace::side)
+};
+
+/// A tip at a node of the grid; its rings replace the four cells about the node.
+struct PlanTip {
+  std::size_t i{};  ///< index of the line across
+  std::size_t j{};  ///< index of the line along
+  int growth = 1;   ///< +1: grows toward larger first coordinate, -1: smaller
+};
+
+/// Grid lines, tips, and the rings about each: squares of four cells, a circle within, then rings
+/// in geometric progression down to four cells at the tip.
+struct CrackPlan {
+  std::vector<double> x;  ///< lines across the crack's direction, ascending [m]
+  std::vector<double> y;  ///< lines along the crack's direction, ascending [m]
+  std::vector<PlanTip> tips;
+  int rings = 6;         ///< circular ones; one more leads to the square
+  double ratio = 0.5;    ///< of a ring's radii
+  double circle = 0.65;  ///< radius of the outermost circle over half the square's smallest side
+};
+
+[[nodiscard]] std::vector<PlanCell> crack_plan(const CrackPlan& plan);
+
+/// Lines from `from` to `to` (either may be the larger), the first gap `first`, each next one at
+/// most `growth` times longer and none longer than `most`; `from` is left out, `to` is the last.
+[[nodiscard]] std::vector<double> graded_lines(double from, double to, double first, double growth,
+                                               double most);
+
+/// Plan cells swept straight along the third coordinate between the lines; the crack grows in
+/// the plane, one front per tip.
+[[nodiscard]] std::vector<fem::TemplateCell> extruded(const std::vector<PlanCell>& plan,
+                                                      const CrackPlan& lines,
+                                                      const std::vector<double>& layers);
+
+}  // namespace strainwave::gear_fem

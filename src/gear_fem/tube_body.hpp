@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "strainwave/fem/solid.hpp"
+#include "strainwave/gear_fem/tube_through_crack.hpp"
+
+namespace strainwave::gear_fem {
+
+enum TubeTag { kTubeFree = 1, kTubeClamp, kTubeLoad, kTubeCrack };
+
+struct TubePlan {
+  double mean_radius{};     ///< [m]
+  double wall_thickness{};  ///< [m]
+  double length{};          ///< [m]
+  double place{};           ///< z of the template's origin [m]
+  double angle{};           ///< beta of its first axis [rad]
+  double rigid_radius{};    ///< the plan is turned without strain inside of it [m]
+};
+
+/// A plane plan (x along the crack, y normal to it, radial place from the middle surface) rolled
+/// onto the tube.  Grid lines run along the generators at the ends; near the crack they are
+/// turned by a smooth rotation that keeps areas (FE-29).
+struct TubeBody {
+  TubePlan plan;
+  fem::PointMap map;               ///< template -> space
+  std::array<double, 2> along{};   ///< ends of the template in x [m]
+  std::array<double, 2> across{};  ///< ends of the template in y [m]
+  double longest_along{};          ///< longest cell in x [m]
+  double longest_across{};         ///< longest cell in y [m]
+  std::function<int(const fem::Point3&)>
+      end_tag;  ///< kTubeClamp, kTubeLoad, 0; of a template point
+};
+
+/// @throws InputError  when the crack is too close to an end, or too long
+[[nodiscard]] TubeBody tube_body(const TubePlan& plan);
+
+/// Clamp at z = 0, traction of a torque at z = length.
+[[nodiscard]] fem::SolidProblem tube_torsion(const TubeBody& body, const fem::Elasticity& material,
+                                             double torque);
+
+/// J = pi/2 (ro^4 - ri^4) [m^4].
+[[nodiscard]] double tube_polar_moment(double mean_radius, double wall_thickness);
+
+void check_tube(double mean_radius, double wall_thickness, double length, double angle,
+                double place);
+
+/// Fills in `usable` and `reason`.
+void judge(TubeCrackResult& result, bool derivative, bool overlap);
+
+}  // namespace strainwave::gear_fem

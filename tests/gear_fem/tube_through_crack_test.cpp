@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/gear_fem/tube_through_crack.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "strainwave/core/error.hpp"
+#include "support/expect.hpp"
+#include "support/mpi.hpp"
+
+namespace strainwave::gear_fem {
+namespace {
+
+using std::numbers::pi;
+
+TubeWithThroughCrack flexspline(double half_length = 10e-3, double degrees = 45, int order = 3) {
+  test::start_mpi();
+  return {.material = {.youngs_modulus = 210e9, .poissons_ratio = 0.3},
+          .mean_radius = 78.88e-3,
+          .wall_thickness = 2.24e-3,
+          .length = 160e-3,
+          .half_length = half_length,
+          .angle = degrees * pi / 180,
+          .order = order,
+          .check_growth = false};
+}
+
+/// G/(K0^2/E), K0 = tau sqrt(pi a).
+double relative_release(const TubeWithThroughCrack& tube, const TubeCrackResult& result) {
+  return result.energy_release_rate * tube.material.youngs_modulus /
+         (std::pow(result.nominal_shear, 2) * pi * tube.half_length);
+}
+
+// (FE-23), (FE-26), (FE-28), (FE-29)
+TEST(TubeThroughCrack, ReferenceAt45Degrees) {
+  TubeWithThroughCrack tube = flexspline();
+  tube.check_growth = true;
+  const TubeCrackResult result = solve_tube_with_through_crack(tube);
+  test::expect_reference(relative_release(tube, result),
+                         {.value = 1.5069,
+                          .unit = "1",
+                          .relative_tolerance = 3e-3,
+                          .source = "another program, 20-node elements, 668 k unknowns",
+                          .tolerance_is = "order 3"});
+  test::expect_reference(result.added_compliance / result.compliance_without,
+                         {.value = 3.8357e-3,
+                          .unit = "1",
+                          .relative_tolerance = 5e-3,
+                          .source = "another program, 20-node elements, 668 k unknowns",
+                          .tolerance_is = "order 3"});
+  EXPECT_NEAR(result.growth_check, 0, 5e-3);
+  EXPECT_TRUE(result.usable) << result.reason;
+  EXPECT_FALSE(result.closed);
+  test::expect_relative(result.compliance_without, 2.867199393e-7, 1e-9);
+  ASSERT_EQ(result.solid.fronts.size(), 2U);
+  // Half a turn about the radius through the middle of the crack maps one tip on the other but
+  // for the ends of the tube, which are far.
+  const auto& one = result.solid.fronts[0].stations;
+  const auto& two = result.solid.fronts[1].stations;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    test::expect_relative(one[i].K_I, two[i].K_I, 3e-3);
+    EXPECT_GT(one[i].K_I, 0);
+    EXPECT_NEAR(one[i].K_II, two[i].K_II, 3e-3 * one[i].K_I);
+    EXPECT_NEAR(one[i].K_III, two[i].K_III, 3e-3 * one[i].K_I);
+  }
+  EXPECT_GT(one.back().K_I, one.front().K_I);  // the wall bulges outward
+  EXPECT_GT(one.front().place[2], 80e-3);      // front 0 is toward +z
+  EXPECT_LT(one.front().place[1], 0);          // and, with +45 degrees, toward -theta
+}
+
+// The other torque closes it: without friction nothing is left of the crack at 45 degrees.
+TEST(TubeThroughCrack, LimitClosedAt45Degrees) {
+  TubeWithThroughCrack tube = flexspline(10e-3, 45, 2);
+  tube.check_growth = true;
+  tube.sense = TorqueSense::negative;
+  const TubeCrackResult closed = solve_tube_with_through_crack(tube);
+  EXPECT_TRUE(closed.closed);
+  EXPECT_TRUE(closed.usable) << closed.reason;
+  EXPECT_EQ(closed.solid.contact_share, 1.0);
+  EXPECT_LT(std::abs(relative_release(tube, closed)), 1e-3);
+  EXPECT_LT(closed.added_compliance, 1e-4 * closed.compliance_without);
+  // With faces that pass through each other the answer is refused, and is that of the other sense.
+  tube.crack_faces = fem::CrackFaces::free;
+  tube.check_growth = false;
+  const TubeCrackResult overlap = solve_tube_with_through_crack(tube);
+  EXPECT_FALSE(overlap.usable);
+  EXPECT_EQ(overlap.reason.rfind("closed:", 0), 0U) << overlap.reason;
+  EXPECT_LT(overlap.solid.fronts[0].stations[1].K_I, 0);
+}
+
+// -45 degrees and the other torque: the mirror image.
+TEST(TubeThroughCrack, IdentityMirrorImage) {
+  TubeWithThroughCrack tube = flexspline(10e-3, 30, 2);
+  const TubeCrackResult one = solve_tube_with_through_crack(tube);
+  tube.angle = -tube.angle;
+  tube.sense = TorqueSense::negative;
+  const TubeCrackResult two = solve_tube_with_through_crack(tube);
+  test::expect_relative(two.energy_release_rate, one.energy_release_rate, 1e-6);
+  test::expect_relative(two.added_compliance, one.added_compliance, 1e-6);
+  const fem::FrontStation& a = one.solid.fronts[0].stations[1];
+  const fem::FrontStation& b = two.solid.fronts[0].stations[1];
+  test::expect_relative(b.K_I, a.K_I, 1e-6);
+  test::expect_relative(b.K_II, -a.K_II, 1e-5);
+  EXPECT_GT(std::abs(a.K_II), 0.2 * a.K_I);
+}
+
+// An axial crack under torsion slides: closed and open at once, K_II = tau sqrt(pi a) f.
+TEST(TubeThroughCrack, LimitShortAxialCrackSlides) {
+  const TubeWithThroughCrack tube = flexspline(2.5e-3, 0, 2);
+  const TubeCrackResult result = solve_tube_with_through_crack(tube);
+  const fem::FrontStation& s = result.solid.fronts[0].stations[1];
+  const double K0 = result.nominal_shear * std::sqrt(pi * tube.half_length);
+  EXPECT_NEAR(s.K_I, 0, 2e-2 * K0);
+  EXPECT_NEAR(std::abs(s.K_II), K0, 0.06 * K0);
+}
+
+TEST(TubeThroughCrack, InputValuesOutOfRangeAreRefused) {
+  const auto refuses = [](const TubeWithThroughCrack& tube) {
+    try {
+      (void)solve_tube_with_through_crack(tube);
+    } catch (const InputError& error) {
+      return error.field();
+    }
+    return std::string();
+  };
+  const TubeWithThroughCrack good = flexspline();
+  TubeWithThroughCrack tube = good;
+  tube.half_length = 0;
+  EXPECT_EQ(refuses(tube), "half_length");
+  tube = good;
+  tube.half_length = 60e-3;  // longer than the tube
+  EXPECT_EQ(refuses(tube), "half_length");
+  tube = good;
+  tube.place = 12e-3;  // crosses the clamp's neighbourhood
+  EXPECT_EQ(refuses(tube), "half_length");
+  tube = good;
+  tube.place = 160e-3;
+  EXPECT_EQ(refuses(tube), "place");
+  tube = good;
+  tube.mean_radius = -1;
+  EXPECT_EQ(refuses(tube), "mean_radius");
+  tube = good;
+  tube.wall_thickness = 50e-3;
+  EXPECT_EQ(refuses(tube), "wall_thickness");
+  tube = good;
+  tube.length = 0;
+  EXPECT_EQ(refuses(tube), "length");
+  tube = good;
+  tube.angle = -pi / 2;
+  EXPECT_EQ(refuses(tube), "angle");
+  tube = good;
+  tube.angle = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(refuses(tube), "angle");
+  tube = good;
+  tube.torque = 0;
+  EXPECT_EQ(refuses(tube), "torque");
+  tube = good;
+  tube.order = 5;
+  EXPECT_EQ(refuses(tube), "order");
+  tube = good;
+  tube.rings = 2;
+  EXPECT_EQ(refuses(tube), "rings");
+  tube = good;
+  tube.layers = 9;
+  EXPECT_EQ(refuses(tube), "layers");
+  tube = good;
+  tube.growth = 1.1;
+  EXPECT_EQ(refuses(tube), "growth");
+}
+
+}  // namespace
+}  // namespace strainwave::gear_fem
