@@ -10,15 +10,18 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "exit_code.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/version.hpp"
 #include "strainwave/fe_study/member_run.hpp"
+#include "strainwave/fe_study/memory.hpp"
 #include "strainwave/fe_study/run_report.hpp"
 #include "strainwave/fem/solid.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/io/result_writer.hpp"
+#include "tabulate.hpp"
 
 namespace strainwave {
 namespace {
@@ -32,7 +35,9 @@ struct Arguments {
   std::optional<int> order;
   std::string format = "text";
   std::string output;
+  std::optional<std::string> crack;
   bool dry_run = false;
+  bool progress = false;
 };
 
 GearSet read_input(const std::string& file) {
@@ -52,7 +57,11 @@ void deliver(const std::string& text, const std::string& path) {
 }
 
 ExitCode run(const Arguments& arguments, const fem::MpiSession& session) {
-  fe_study::RunOptions options{.member = {}, .order = arguments.order};
+  fe_study::RunOptions options{.member = {}, .order = arguments.order, .crack = arguments.crack};
+  if (tells_progress(arguments.progress, session))
+    options.progress = [](const std::string& line) {
+      std::cerr << "strainwave-fe: " << line << std::endl;
+    };
   for (const Member member : {Member::output_shaft, Member::flexspline})
     if (arguments.member == member_name(member)) options.member = member;
   const bool first = session.rank() == 0;
@@ -63,6 +72,7 @@ ExitCode run(const Arguments& arguments, const fem::MpiSession& session) {
   if (arguments.dry_run) {
     const auto sizes = fe_study::plan(gear, options);
     if (first) deliver(json ? plan_json(sizes) : plan_text(sizes), arguments.output);
+    fe_study::require_memory(sizes, session);
     return cli::kOk;
   }
   const fe_study::RunResult result = fe_study::run(gear, options, session);
@@ -79,6 +89,8 @@ ExitCode run(const Arguments& arguments, const fem::MpiSession& session) {
 }
 
 ExitCode run(int argc, char** argv, const fem::MpiSession& session) {
+  if (argc > 1 && std::string_view(argv[1]) == "tabulate")
+    return run_tabulate(argc - 1, argv + 1, session);
   Arguments arguments;
   CLI::App app{
       "Finite elements of the members of a strain wave gear: shafts and cups as "
@@ -98,10 +110,15 @@ ExitCode run(int argc, char** argv, const fem::MpiSession& session) {
       ->capture_default_str();
   app.add_option("-o,--output", arguments.output, "write to this file instead of standard output")
       ->type_name("PATH");
+  app.add_option("--crack", arguments.crack, "only this crack: flexspline.crack[0], ...")
+      ->type_name("PATH");
   app.add_flag("--dry-run", arguments.dry_run, "say size, memory and time, and calculate nothing");
+  app.add_flag("--progress", arguments.progress,
+               "a line for each solution on standard error, even if that is no terminal");
   app.footer(
       "Examples:\n  strainwave-fe examples/solid_shaft.toml --member output-shaft\n"
-      "  mpirun -n 2 strainwave-fe examples/through_crack.toml --member flexspline");
+      "  mpirun -n 2 strainwave-fe examples/through_crack.toml --member flexspline\n\n"
+      "strainwave-fe tabulate makes a table of many runs: see strainwave-fe tabulate --help");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -9,6 +9,7 @@
 
 #include "strainwave/article/as_printed.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/model/crack_parameters.hpp"
 
 namespace strainwave::article {
 namespace {
@@ -102,6 +103,12 @@ std::vector<Note> general_notes(const GearSet& gear, Method method) {
     notes.push_back({"article.ignored",
                      "the printed intermediate values are read by the method as-printed only",
                      "article", ""});
+  for_each_tabulated_kind(gear, [&](const std::string& path, const auto& crack) {
+    if (crack.compliance_table)
+      notes.push_back({"article.compliance_table",
+                       "the article has its own formula: the table is not read",
+                       path + ".compliance_table", ""});
+  });
   if (gear.load.axial_force != 0)
     notes.push_back({"article.axial_force",
                      "the axial force enters K_I of the shaft's crack and nothing else",

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <variant>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/fe_study/memory.hpp"
 #include "strainwave/fem/mesh_size.hpp"
 
 namespace strainwave::fe_study {
@@ -40,9 +42,19 @@ RunSize size_of(std::string path, const fem::SectionMesh& mesh, std::size_t comp
 
 /// The same for solids, order 3; a solid of order p costs about (p/3)^2 of that per unknown.
 constexpr double kSolidSecondsPerDof = 1e-4;
-constexpr double kSolidBytesPerDof = 1.5e4;
+/// Memory of a solid: measured were 0.31, 0.86 and 2.56 GB at 15, 46 and 101 thousand unknowns.
+constexpr double kProgramBytes = 1.2e8;
+constexpr double kSolidBytesPerDof = 1.63e4;  ///< at kMeasuredDofs
+constexpr double kMeasuredDofs = 45816;
+constexpr double kSolidMemoryExponent = 1.45;
 /// Three crack sizes opened, and the same closed with the two rounds that contact takes.
 constexpr std::size_t kTubeSolutions = 8;
+
+/// (FE-44): memory of the factorisation of a solid [byte].
+double solid_memory(double dofs) {
+  return kProgramBytes + kSolidBytesPerDof * kMeasuredDofs *
+                             std::pow(dofs / kMeasuredDofs, kSolidMemoryExponent);  // (FE-44)
+}
 
 /// The wall that carries a crack, alone: a tube.
 TubeSection wall_of(const GearSet& gear, WallSection section) {
@@ -68,6 +80,7 @@ gear_fem::TubeWithThroughCrack tube_of(const GearSet& gear, const WallThroughCra
           .order = order};
 }
 
+std::string crack_path(std::size_t n) { return fmt::format("output_shaft.crack[{}]", n); }
 std::string wall_crack_path(std::size_t n) { return fmt::format("flexspline.crack[{}]", n); }
 
 /// One crack of the work list.
@@ -92,7 +105,7 @@ WallCrack wall_crack(const GearSet& gear, std::size_t n, const WallThroughCrack&
 
 /// What is asked for, and may be.
 struct Work {
-  bool shaft = false;
+  std::vector<std::size_t> shaft;  ///< its cracks
   bool cup = false;
   std::vector<WallCrack> wall_cracks;
   std::vector<std::string> notes;
@@ -102,6 +115,7 @@ void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) 
   const Flexspline& flexspline = *gear.flexspline;
   const int order = options.order.value_or(kSolidOrder);
   for (std::size_t n = 0; n < flexspline.crack.size(); ++n) {
+    if (options.crack && options.crack != wall_crack_path(n)) continue;
     const auto* const through = std::get_if<WallThroughCrack>(&flexspline.crack[n]);
     if (through == nullptr) {
       const std::string_view kind =
@@ -110,6 +124,7 @@ void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) 
           "a crack of kind \"{}\" is not calculated by finite elements, only through cracks of the "
           "wall are",
           kind);
+      if (options.crack) throw InputError(wall_crack_path(n), problem);
       if (options.member) throw InputError(wall_crack_path(n), problem + ": take it out");
       work.notes.push_back(fmt::format("{} is left out: {}", wall_crack_path(n), problem));
       continue;
@@ -127,6 +142,7 @@ void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) 
       work.notes.push_back(
           "flexspline.stress_nonuniformity is not applied: finite elements find their own stress");
   }
+  if (options.crack) return;
   work.cup = flexspline.crack_free == CrackFree::sections;
   if (work.cup) {
     (void)gear_fem::cup_section(flexspline);
@@ -153,13 +169,18 @@ Work work_of(const GearSet& gear, const RunOptions& options) {
   if (options.member == Member::flexspline && !gear.flexspline)
     throw InputError("flexspline", "is not given, so there is nothing to calculate");
   if (gear.output_shaft && asked(Member::output_shaft)) {
-    work.shaft = !gear.output_shaft->crack.empty();
-    if (!work.shaft && options.member)
+    for (std::size_t n = 0; n < gear.output_shaft->crack.size(); ++n)
+      if (!options.crack || options.crack == crack_path(n)) work.shaft.push_back(n);
+    if (gear.output_shaft->crack.empty() && options.member)
       throw InputError("output_shaft.crack",
                        "there is none, and a sound shaft of one diameter needs no finite elements");
   }
   if (gear.flexspline && asked(Member::flexspline)) add_flexspline(work, gear, options);
-  if (!work.shaft && !work.cup && work.wall_cracks.empty())
+  const bool nothing = work.shaft.empty() && !work.cup && work.wall_cracks.empty();
+  if (nothing && options.crack)
+    throw InputError("--crack", fmt::format("\"{}\" is no crack of the members asked for",
+                                            shown(*options.crack)));
+  if (nothing)
     throw InputError("drive",
                      "gives nothing that finite elements can calculate: an output shaft "
                      "with an annular crack, a through crack of the flexspline's wall, or a "
@@ -171,15 +192,36 @@ Work work_of(const GearSet& gear, const RunOptions& options) {
           fmt::format("{}: the shear modulus is E/(2(1+nu)), {:.5g} GPa, and not the given one",
                       field, elasticity_of(gear, material, field).shear_modulus() / 1e9));
   };
-  if (work.shaft) contradiction(gear.output_shaft->material, "output_shaft.material");
+  if (!work.shaft.empty()) contradiction(gear.output_shaft->material, "output_shaft.material");
   if (work.cup || !work.wall_cracks.empty())
     contradiction(gear.flexspline->material, "flexspline.material");
-  if (work.shaft && gear.output_shaft->crack.size() > 1)
+  if (work.shaft.size() > 1)
     work.notes.push_back("each crack of the output shaft is calculated alone, halfway along it");
   return work;
 }
 
-std::string crack_path(std::size_t n) { return fmt::format("output_shaft.crack[{}]", n); }
+/// Sizes of all parts of the work.
+std::vector<RunSize> sizes_of(const Work& work, const GearSet& gear, const RunOptions& options) {
+  const fem::SectionOptions section{.order = options.order.value_or(kSectionOrder)};
+  std::vector<RunSize> sizes;
+  for (const std::size_t n : work.shaft)
+    sizes.push_back(size_of(crack_path(n),
+                            gear_fem::mesh_shaft(gear_fem::shaft_section(*gear.output_shaft, n)), 2,
+                            section, 14));
+  if (work.cup)
+    sizes.push_back(size_of(
+        "flexspline", gear_fem::mesh_cup(gear_fem::cup_section(*gear.flexspline)), 1, section, 2));
+  for (const WallCrack& crack : work.wall_cracks) {
+    const auto dofs = static_cast<double>(crack.dofs);
+    const double p = crack.tube.order / 3.0;
+    sizes.push_back({.path = crack.path,
+                     .dofs = crack.dofs,
+                     .memory = solid_memory(dofs),
+                     .seconds = kSolidSecondsPerDof * dofs * p * p * kTubeSolutions,
+                     .solutions = kTubeSolutions});
+  }
+  return sizes;
+}
 
 }  // namespace
 
@@ -203,31 +245,15 @@ std::string RunResult::reason() const {
 }
 
 std::vector<RunSize> plan(const GearSet& gear, const RunOptions& options) {
-  const Work work = work_of(gear, options);
-  const fem::SectionOptions section{.order = options.order.value_or(kSectionOrder)};
-  std::vector<RunSize> sizes;
-  if (work.shaft)
-    for (std::size_t n = 0; n < gear.output_shaft->crack.size(); ++n)
-      sizes.push_back(size_of(crack_path(n),
-                              gear_fem::mesh_shaft(gear_fem::shaft_section(*gear.output_shaft, n)),
-                              2, section, 14));
-  if (work.cup)
-    sizes.push_back(size_of(
-        "flexspline", gear_fem::mesh_cup(gear_fem::cup_section(*gear.flexspline)), 1, section, 2));
-  for (const WallCrack& crack : work.wall_cracks) {
-    const auto dofs = static_cast<double>(crack.dofs);
-    const double p = crack.tube.order / 3.0;
-    sizes.push_back({.path = crack.path,
-                     .dofs = crack.dofs,
-                     .memory = 2e8 + kSolidBytesPerDof * dofs,
-                     .seconds = kSolidSecondsPerDof * dofs * p * p * kTubeSolutions,
-                     .solutions = kTubeSolutions});
-  }
-  return sizes;
+  return sizes_of(work_of(gear, options), gear, options);
 }
 
 RunResult run(const GearSet& gear, const RunOptions& options, const fem::MpiSession& session) {
   const Work work = work_of(gear, options);
+  require_memory(sizes_of(work, gear, options), session);
+  const auto say = [&](const std::string& line) {
+    if (options.progress) options.progress(line);
+  };
   RunResult result{.section_order = options.order.value_or(kSectionOrder),
                    .solid_order = options.order.value_or(kSolidOrder),
                    .shaft_cracks = {},
@@ -238,6 +264,14 @@ RunResult run(const GearSet& gear, const RunOptions& options, const fem::MpiSess
   for (const WallCrack& crack : work.wall_cracks) {
     gear_fem::TubeWithThroughCrack tube = crack.tube;
     TubeCrackRun done{.path = crack.path, .tube = tube, .positive = {}, .negative = {}};
+    std::size_t solution = 0;
+    tube.solved = [&](const fem::SolidResult& solid, double seconds) {
+      say(
+          fmt::format("{}, torque {:+.6g} N*m: solution {} of at most {}, {:.0f} k unknowns, "
+                      "{:.1f} s",
+                      crack.path, tube.sense == TorqueSense::positive ? tube.torque : -tube.torque,
+                      ++solution, kTubeSolutions, static_cast<double>(solid.dofs) / 1e3, seconds));
+    };
     done.positive = gear_fem::solve_tube_with_through_crack(tube);
     tube.sense = TorqueSense::negative;
     done.negative = gear_fem::solve_tube_with_through_crack(tube);
@@ -245,13 +279,17 @@ RunResult run(const GearSet& gear, const RunOptions& options, const fem::MpiSess
   }
   if (session.rank() != 0) return result;
   const fem::SectionOptions section{.order = options.order.value_or(kSectionOrder)};
-  if (work.shaft) {
+  if (!work.shaft.empty()) {
     const OutputShaft& shaft = *gear.output_shaft;
     const auto steel = elasticity_of(gear, shaft.material, "output_shaft.material");
-    for (std::size_t n = 0; n < shaft.crack.size(); ++n) {
+    for (const std::size_t n : work.shaft) {
       const auto geometry = gear_fem::shaft_section(shaft, n);
+      const auto start = std::chrono::steady_clock::now();
       result.shaft_cracks.push_back(
           {crack_path(n), geometry, gear_fem::solve_shaft(geometry, steel, section)});
+      const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+      say(fmt::format("{}: torsion and tension, 14 solutions, {:.1f} s", crack_path(n),
+                      taken.count()));
     }
   }
   if (work.cup)

@@ -56,6 +56,22 @@ int MpiSession::rank() const {
 int MpiSession::size() const {
   return static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
 }
+int MpiSession::on_this_machine() const {
+  MPI_Comm machine = MPI_COMM_NULL;
+  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+  int ranks = 1;
+  MPI_Comm_size(machine, &ranks);
+  MPI_Comm_free(&machine);
+  return ranks;
+}
+std::string MpiSession::from_first(const std::string& text) const {
+  return dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, text, 0);
+}
+std::string MpiSession::from_any(const std::string& text) const {
+  for (const std::string& one : dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, text))
+    if (!one.empty()) return one;
+  return {};
+}
 
 namespace {
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -90,12 +91,16 @@ MeshedTube mesh_size(const TubeWithThroughCrack& tube, double a) {
 }
 
 Solved solve_size(const TubeWithThroughCrack& tube, double a, fem::CrackFaces faces) {
+  const auto start = std::chrono::steady_clock::now();
   const MeshedTube meshed = mesh_size(tube, a);
   const double torque = tube.sense == TorqueSense::positive ? tube.torque : -tube.torque;
   fem::SolidProblem problem = tube_torsion(meshed.body, tube.material, torque);
   problem.order = tube.order;
   problem.crack_faces = faces;
-  return {fem::solve_solid(meshed.mesh, problem), 2 * a * tube.wall_thickness};
+  Solved done{fem::solve_solid(meshed.mesh, problem), 2 * a * tube.wall_thickness};
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  if (tube.solved) tube.solved(done.solid, taken.count());
+  return done;
 }
 
 /// Checks the values and fills in those that were left to be chosen.

@@ -10,6 +10,7 @@
 #include "core/toml_reader.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/nearest.hpp"
+#include "strainwave/io/compliance_table_file.hpp"
 #include "strainwave/materials/material_library.hpp"
 
 namespace strainwave {
@@ -59,6 +60,7 @@ GearSet read_gear_set(std::string_view text, std::string_view file_name) {
     add_from_library(gear, gear.flexspline, "flexspline");
     add_from_library(gear, gear.output_shaft, "output_shaft");
     add_from_library(gear, gear.circular_spline, "circular_spline");
+    read_compliance_tables(gear, std::filesystem::path(file_name).parent_path());
     check(gear);
   } catch (const InputError& error) {
     throw reader.located(error);

@@ -407,6 +407,7 @@ void check(const GearSet& gear) {
   if (gear.output_shaft) check_output_shaft(gear);
   if (gear.circular_spline) check_circular_spline(gear);
   if (gear.rating) check_rating(*gear.rating);
+  check_compliance_tables(gear);
   for (std::size_t i = 0; i < gear.range.size(); ++i)
     check_range(gear, FieldPath("range")[i], gear.range[i]);
   for (std::size_t i = 0; i < gear.scatter.size(); ++i) check_scatter(gear, i);

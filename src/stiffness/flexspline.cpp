@@ -165,6 +165,42 @@ void add_through_crack(MemberCompliance& member, CrackReport report, const WallT
   add_wall_crack(member, std::move(report), make, series.faces_of(crack), gear, model, options);
 }
 
+/// A through crack whose compliance a table of finite elements gives: the closed form is left with
+/// the stress intensity, where it has one.
+void add_tabulated_through_crack(MemberCompliance& member, CrackReport report,
+                                 const WallThroughCrack& crack, const GearSet& gear,
+                                 const ElasticConstants& steel) {
+  const SeriesModel<double> series(gear);
+  const BothSenses state = series.faces_of(crack);
+  report.opens_under = opens_under(state.positive, state.negative);
+  const Faces given = gear.load.torque > 0 ? state.positive : state.negative;
+  const ThroughCrackInTube closed_form = series.wall_crack(crack, steel, given != Faces::pressed);
+  const double lambda = std::sqrt(closed_form.shell_parameter_squared(crack.half_length));
+  if (lambda <= kMaxShellParameter) {
+    for (const char* const tag : {"FR-6", "FR-7", "FR-8", "FR-9", "ST-11"})
+      use_equation(member.equations, tag);
+    const double accuracy = lambda > 1 ? accuracy::kThroughCrackLong : accuracy::kThroughCrack;
+    report_intensities(report, member, closed_form, {gear.load.axial_force, gear.load.torque},
+                       SeriesModel<double>::wall_moduli(crack, steel), all_modes(accuracy / 2),
+                       gear.material.at(gear.flexspline->material), Constraint::plane_stress,
+                       std::numeric_limits<double>::infinity());
+  } else {
+    member.notes.push_back(
+        {"crack.shell_range",
+         fmt::format("no stress intensity: shell parameter {:.3g} is far outside "
+                     "the range of the shell correction",
+                     lambda),
+         report.path, "FR-9"});
+  }
+  if (gear.flexspline->stress_nonuniformity != 1)
+    member.notes.push_back({"crack.stress_nonuniformity",
+                            "the compliance table has the stress of its own finite elements: "
+                            "stress_nonuniformity is not applied to it",
+                            report.path, "FE-41"});
+  take_from_table(report, member, gear, crack);
+  member.cracks.push_back(std::move(report));
+}
+
 void add_surface_crack(MemberCompliance& member, CrackReport report, const WallSurfaceCrack& crack,
                        const GearSet& gear, const ElasticConstants& steel,
                        const StiffnessOptions& options) {
@@ -272,6 +308,11 @@ MemberCompliance flexspline_compliance(const GearSet& gear, const StiffnessOptio
         [&](const auto& crack) {
           using Crack = std::decay_t<decltype(crack)>;
           report.kind = Crack::kKind;
+          if constexpr (requires { crack.compliance_table; })
+            if (crack.compliance_table) {
+              add_tabulated_through_crack(member, std::move(report), crack, gear, steel);
+              return;
+            }
           if constexpr (std::is_same_v<Crack, WallThroughCrack>)
             add_through_crack(member, std::move(report), crack, gear, steel, options);
           else if constexpr (std::is_same_v<Crack, WallSurfaceCrack>)

@@ -13,6 +13,7 @@
 
 #include "series_model.hpp"
 #include "strainwave/core/compare.hpp"
+#include "strainwave/core/error.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
 #include "strainwave/fracture/through_crack.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
@@ -157,6 +158,46 @@ inline std::array<Quantity, 3> axial_torsion(const SymmetricMatrix<2>& matrix, d
   return {Quantity{matrix(kAxial, kAxial), "m/N", axial},
           Quantity{matrix(kAxial, kTorsion), "1/N", std::max(axial, torsion)},
           Quantity{matrix(kTorsion, kTorsion), kComplianceUnit, torsion}};
+}
+
+/// What a crack adds by its table of finite elements: compliances under both senses of torque with
+/// their errors, and the note that names the table.
+template <class Crack>
+void take_from_table(CrackReport& report, MemberCompliance& member, const GearSet& gear,
+                     const Crack& crack) {
+  const ComplianceTable& table = gear.compliance_tables.at(*crack.compliance_table);
+  const TabulatedCompliance<double> added = SeriesModel<double>(gear).tabulated(crack);
+  const auto quantity = [&](const TabulatedValue<double>& value, std::string_view unit) {
+    // (FE-42): the table's points and what lies between them.
+    return Quantity{value.value, unit,
+                    accuracy::combined(table.point_error, value.relative_error)};  // (FE-42)
+  };
+  report.positive.at_output = quantity(added.positive, kComplianceUnit);
+  report.negative.at_output = quantity(added.negative, kComplianceUnit);
+  if (!table.axial.values.empty()) {
+    const std::array<Quantity, 3> matrix = {quantity(added.axial, "m/N"), Quantity{0.0, "1/N", 0.0},
+                                            report.positive.at_output};
+    report.positive.axial_torsion = matrix;
+    report.negative.axial_torsion = matrix;
+  }
+  for (const char* const tag : {"FE-41", "FE-42", "FE-43"}) use_equation(member.equations, tag);
+  const double between = std::max(added.positive.relative_error, added.negative.relative_error);
+  const double error = accuracy::combined(table.point_error, between);
+  member.accuracies.push_back(
+      {report.path, error,
+       fmt::format("{}: points {:.2g} %, between them {:.2g} %", shown(*crack.compliance_table),
+                   100 * table.point_error, 100 * between)});
+  member.notes.push_back(
+      {"crack.compliance_table",
+       fmt::format("compliance by finite elements, interpolated from {} ({}), within {:.2g} %{}; "
+                   "stress intensity and strength remain those of the closed form",
+                   shown(*crack.compliance_table), shown(table.made_by), 100 * error,
+                   table.negative.scale == TableValues::Scale::nothing
+                       ? "; under negative torque it adds nothing"
+                   : table.positive.scale == TableValues::Scale::nothing
+                       ? "; under positive torque it adds nothing"
+                       : ""),
+       report.path, "FE-41"});
 }
 
 /// Note that a crack acts on contacts, which the series model has not.

@@ -21,18 +21,23 @@ struct AnnularAccuracy {
 
 /// Adds one annular crack; it is open unless the axial force presses it together.
 template <SweptCrack Crack>
-void add_annular_crack(MemberCompliance& member, CrackReport report, const Crack& crack,
-                       const GearSet& gear, const ElasticConstants& steel,
+void add_annular_crack(MemberCompliance& member, CrackReport report, const AnnularCrack& given,
+                       const Crack& crack, const GearSet& gear, const ElasticConstants& steel,
                        const AnnularAccuracy& accuracy, const StiffnessOptions& options) {
-  const OutputShaft& shaft = *gear.output_shaft;
   const CrackModuli moduli{.opening = steel.plane_strain_modulus(), .shear = steel.G};
-  const auto added = added_compliance(crack, moduli, options.quadrature);
-  demand_convergence(member, report, added.relative_error, added.converged);
-  rest_on(member, report.path, accuracy.torsion);
-  if (gear.load.axial_force != 0) rest_on(member, report.path, accuracy.tension);
-  report.positive.at_output = {added.matrix(kTorsion, kTorsion), kComplianceUnit, accuracy.torsion};
-  report.positive.axial_torsion = axial_torsion(added.matrix, accuracy.tension, accuracy.torsion);
-  report.negative = report.positive;
+  if (given.compliance_table) {
+    take_from_table(report, member, gear, given);
+  } else {
+    const auto added = added_compliance(crack, moduli, options.quadrature);
+    demand_convergence(member, report, added.relative_error, added.converged);
+    rest_on(member, report.path, accuracy.torsion);
+    if (gear.load.axial_force != 0) rest_on(member, report.path, accuracy.tension);
+    report.positive.at_output = {added.matrix(kTorsion, kTorsion), kComplianceUnit,
+                                 accuracy.torsion};
+    report.positive.axial_torsion = axial_torsion(added.matrix, accuracy.tension, accuracy.torsion);
+    report.negative = report.positive;
+  }
+  const OutputShaft& shaft = *gear.output_shaft;
   const double wall = (shaft.outer_diameter - shaft.inner_diameter) / 2;
   report_intensities(report, member, crack, {gear.load.axial_force, gear.load.torque}, moduli,
                      {accuracy.K_I, 0.0, accuracy.torsion / 2}, gear.material.at(shaft.material),
@@ -69,7 +74,7 @@ void add_crack(MemberCompliance& member, CrackReport report, const AnnularCrack&
   if (shaft.solid()) {
     const bool tada = crack.solution == AnnularSolution::tada;
     for (const char* const tag : {"FR-12", "FR-13"}) use_equation(member.equations, tag);
-    add_annular_crack(member, std::move(report), model.solid_shaft_crack(crack), gear, steel,
+    add_annular_crack(member, std::move(report), crack, model.solid_shaft_crack(crack), gear, steel,
                       tada ? AnnularAccuracy{accuracy::kAnnularTada, accuracy::kAnnularTada,
                                              accuracy::kAnnularTada / 2}
                            : AnnularAccuracy{},
@@ -91,11 +96,22 @@ void add_crack(MemberCompliance& member, CrackReport report, const AnnularCrack&
            "axial entries are extrapolated",
            report.path, "FR-15"});
   }
-  if (clearly_less(AnnularCrackHollow::kMaxDepthRatio, depth_ratio))
+  const bool beyond = clearly_less(AnnularCrackHollow::kMaxDepthRatio, depth_ratio);
+  if (beyond && crack.compliance_table) {
+    take_from_table(report, member, gear, crack);
+    member.notes.push_back({"crack.depth_range",
+                            fmt::format("no stress intensity: a/t = {:.4g} is outside the table of "
+                                        "the hollow shaft",
+                                        depth_ratio),
+                            report.path, "FR-14"});
+    member.cracks.push_back(std::move(report));
+    return;
+  }
+  if (beyond)
     member.unusable_because =
         fmt::format("{}: a/t = {:.4g} is outside the table of the hollow shaft, a/t <= {}",
                     report.path, depth_ratio, AnnularCrackHollow::kMaxDepthRatio);
-  add_annular_crack(member, std::move(report), model.hollow_shaft_crack(crack), gear, steel,
+  add_annular_crack(member, std::move(report), crack, model.hollow_shaft_crack(crack), gear, steel,
                     accuracy, options);
 }
 

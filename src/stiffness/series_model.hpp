@@ -13,6 +13,7 @@
 #include "strainwave/fracture/edge_crack.hpp"
 #include "strainwave/fracture/surface_crack.hpp"
 #include "strainwave/fracture/through_crack.hpp"
+#include "strainwave/model/crack_parameters.hpp"
 #include "strainwave/model/gear_set.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
 
@@ -112,6 +113,13 @@ class SeriesModel {
   }
   static Moduli plane_stress(const Elastic& steel) {
     return {.opening = steel.E, .shear = steel.G};
+  }
+
+  /// What a crack adds by the table that it names, (FE-41).
+  template <class Crack>
+  [[nodiscard]] TabulatedCompliance<Real> tabulated(const Crack& crack) const {
+    return tabulated_compliance(gear_.compliance_tables.at(*crack.compliance_table),
+                                crack_parameters(lift_, gear_, crack));
   }
 
   // --- Wave generator ---------------------------------------------------------------------------

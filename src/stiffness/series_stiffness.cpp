@@ -81,6 +81,12 @@ Member<Real> flexspline(const GearSet& gear, const Lift<Real>& lift,
             const Real added = model.groove(crack, steel);
             member.add(added, added);
           } else if constexpr (!std::is_same_v<Crack, RimAxialCrack>) {
+            if constexpr (requires { crack.compliance_table; })
+              if (crack.compliance_table) {
+                const TabulatedCompliance<Real> added = model.tabulated(crack);
+                member.add(added.positive.value, added.negative.value);
+                return;
+              }
             add_wall_crack(crack);
             if constexpr (std::is_same_v<Crack, WallThroughCrack>) {
               const auto open = model.wall_crack(crack, steel, true);
@@ -110,7 +116,10 @@ Member<Real> output_shaft(const GearSet& gear, const Lift<Real>& lift,
   };
   for (const OutputShaftCrack& any : shaft.crack) {
     const auto& crack = std::get<AnnularCrack>(any);
-    if (shaft.solid()) {
+    if (crack.compliance_table) {
+      const TabulatedCompliance<Real> added = model.tabulated(crack);
+      member.add(added.positive.value, added.negative.value);
+    } else if (shaft.solid()) {
       add(model.solid_shaft_crack(crack));
     } else {
       add(model.hollow_shaft_crack(crack));

@@ -11,6 +11,7 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
+#include "strainwave/model/crack_parameters.hpp"
 #include "strainwave/stiffness/series_stiffness.hpp"
 
 namespace strainwave {
@@ -72,6 +73,16 @@ Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options)
   const StiffnessResult result = torsional_stiffness(gear, options);
   Sensitivity sensitivity;
   sensitivity.unusable_because = result.unusable_because;
+  for_each_tabulated_kind(gear, [&](const std::string& path, const auto& crack) {
+    if (!crack.compliance_table || !sensitivity.usable()) return;
+    std::string fixed;
+    for (const TableParameter& number : gear.compliance_tables.at(*crack.compliance_table).fixed)
+      fixed += (fixed.empty() ? "" : ", ") + number.name;
+    if (!fixed.empty())
+      sensitivity.unusable_because = fmt::format(
+          "{}.compliance_table: \"{}\" holds {} fixed, so the derivatives to them are not known",
+          path, shown(*crack.compliance_table), fixed);
+  });
   sensitivity.notes = smoothness_notes(gear);
 
   const std::array<SensitivityOutput, 5> all = {{

@@ -15,8 +15,8 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/nearest.hpp"
 #include "strainwave/core/quantity_text.hpp"
+#include "strainwave/model/vary_option.hpp"
 #include "strainwave/study/plot.hpp"
-#include "vary_option.hpp"
 
 namespace strainwave {
 

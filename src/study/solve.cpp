@@ -18,8 +18,8 @@
 #include "strainwave/io/result_writer.hpp"
 #include "strainwave/model/result_fields.hpp"
 #include "strainwave/study/evaluate.hpp"
+#include "strainwave/model/vary_option.hpp"
 #include "strainwave/study/sweep.hpp"
-#include "vary_option.hpp"
 
 namespace strainwave {
 namespace {

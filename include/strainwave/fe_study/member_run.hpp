@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,13 +31,18 @@ struct RunOptions {
   std::optional<Member> member = {};  ///< nothing: every member that the file gives
   /// p; in 2..8, of solids in 2..4; nothing: kSectionOrder and kSolidOrder
   std::optional<int> order = {};
+  /// Path of the only crack that is calculated, "flexspline.crack[0]", and nothing else; nothing:
+  /// all of the members asked for
+  std::optional<std::string> crack = {};
+  /// Called with one line after each solution, on every rank; may be empty.
+  std::function<void(const std::string&)> progress = {};
 };
 
 /// Size of one calculation, before it is done.
 struct RunSize {
   std::string path;           ///< "output_shaft.crack[0]" or "flexspline"
   std::size_t dofs = 0;       ///< of its largest solution; of solids exact, else within 10 %
-  double memory = 0.0;        ///< estimate [byte]
+  double memory = 0.0;        ///< estimate, of all ranks together [byte]; (FE-44)
   double seconds = 0.0;       ///< estimate for one core [s]
   std::size_t solutions = 0;  ///< how many are solved
 };
@@ -74,7 +80,7 @@ struct RunResult {
 /// @throws InputError  for what finite elements cannot do, by name: a member that the file does not
 ///                     give, a crack of the flexspline that is not a through crack of the wall or
 ///                     does not fit into it, a sound flexspline without sections, an order out of
-///                     range, a shaft without cracks
+///                     range, a shaft without cracks, a crack that is asked for and not there
 [[nodiscard]] std::vector<RunSize> plan(const GearSet& gear, const RunOptions& options);
 
 /// Runs.  Of shafts and cups torque and force are 1 N*m and 1 N, and the given load is applied in
@@ -82,7 +88,8 @@ struct RunResult {
 ///
 /// Every rank of MPI calls it.  All have the wall cracks; shaft and cup are calculated by the first
 /// rank only, and are empty in the others.
-/// @throws InputError, SolverError  as plan, fem::solve_section and fem::solve_solid
+/// @throws InputError, SolverError  as plan, fem::solve_section and fem::solve_solid; InputError,
+///                                  before the first solution, for what will not fit into memory
 [[nodiscard]] RunResult run(const GearSet& gear, const RunOptions& options,
                             const fem::MpiSession& session);
 

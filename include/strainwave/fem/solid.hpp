@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "strainwave/fem/elasticity.hpp"
@@ -114,6 +115,12 @@ class MpiSession {
 
   [[nodiscard]] int rank() const;
   [[nodiscard]] int size() const;
+  /// Ranks on this machine; they share its memory.
+  [[nodiscard]] int on_this_machine() const;
+  /// The first rank's text on every rank; all must call it.
+  [[nodiscard]] std::string from_first(const std::string& text) const;
+  /// The text of the first rank that has one on every rank; all must call it.
+  [[nodiscard]] std::string from_any(const std::string& text) const;
 
  private:
   struct Impl;

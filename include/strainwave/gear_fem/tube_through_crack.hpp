@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "strainwave/fem/solid.hpp"
@@ -32,6 +33,8 @@ struct TubeWithThroughCrack {
       0;  ///< of the cells away from the crack, each to the next [-]; 1.2 to 3, 0: by a/t
   /// Also solves sizes 1 % smaller and larger, and compares G with dC/dA.
   bool check_growth = true;
+  /// Called after each solution with it and its time [s], mesh included; may be empty.
+  std::function<void(const fem::SolidResult&, double)> solved = {};
 };
 
 /// The tube's answer with its evidence; front 0 is the tip toward +z (at 90 degrees: toward

@@ -104,6 +104,14 @@ struct RaceEdgeCrack {
   }
 };
 
+/// A table of finite elements (`strainwave fe tabulate`) that says what the crack adds.
+inline constexpr Field kComplianceTableField{
+    .name = "compliance_table",
+    .unit = "",
+    .doc = "CSV of `strainwave fe tabulate` beside this file, in place of the closed form",
+    .example = R"("tables/through_45.csv")",
+    .in_template = InTemplate::commented};
+
 /// The part of a flexspline's wall that carries a crack, where sections are given.
 enum class WallSection { barrel, rim };
 template <>
@@ -118,6 +126,7 @@ struct WallThroughCrack {
   double angle = std::numbers::pi / 4;  ///< beta, from +z toward -theta [rad]; in (-pi/2, pi/2]
   bool shell_correction = true;         ///< A_I of the curved shell (FR-9); flat plate if false
   WallSection section = WallSection::barrel;
+  std::optional<std::string> compliance_table;  ///< file (FE-41), in place of the closed form
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -135,6 +144,7 @@ struct WallThroughCrack {
                 .fallback = "true",
                 .in_template = InTemplate::commented},
           &WallThroughCrack::shell_correction);
+    field(kComplianceTableField, &WallThroughCrack::compliance_table);
   }
 
   template <class Crack, class Visitor>
@@ -199,6 +209,7 @@ struct AnnularCrack {
   static constexpr std::string_view kKind = "annular";
   double depth = 0.0;  ///< a, radial [m]; > 0, < wall of a hollow shaft, < radius of a solid one
   AnnularSolution solution = AnnularSolution::improved;  ///< solid shafts only
+  std::optional<std::string> compliance_table;           ///< as in WallThroughCrack
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -215,6 +226,7 @@ struct AnnularCrack {
                 .fallback = R"("improved")",
                 .in_template = InTemplate::commented},
           &AnnularCrack::solution);
+    field(kComplianceTableField, &AnnularCrack::compliance_table);
   }
 };
 

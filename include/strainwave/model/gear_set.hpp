@@ -9,6 +9,7 @@
 
 #include "strainwave/core/fields.hpp"
 #include "strainwave/model/circular_spline.hpp"
+#include "strainwave/model/compliance_table.hpp"
 #include "strainwave/model/flexspline.hpp"
 #include "strainwave/model/material.hpp"
 #include "strainwave/model/output_shaft.hpp"
@@ -130,6 +131,8 @@ struct GearSet {
   std::vector<InputRange> range;                  ///< of inputs that are known only so far
   std::vector<InputScatter> scatter;              ///< of inputs, for combined uncertainty
   std::optional<ArticleOverrides> article;
+  /// The tables that cracks name, by that name; read with the file (io/compliance_table_file.hpp).
+  std::map<std::string, ComplianceTable> compliance_tables;
 
   template <class Visitor>
   static void describe(Visitor&& field) {

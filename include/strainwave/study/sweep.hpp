@@ -9,44 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "strainwave/core/fields.hpp"
 #include "strainwave/model/gear_set.hpp"
 #include "strainwave/model/stiffness_result.hpp"
+#include "strainwave/model/variation.hpp"
 
 namespace strainwave {
-
-enum class Spacing {
-  linear,       ///< equal differences
-  logarithmic,  ///< equal ratios; both ends have one sign
-};
-template <>
-struct EnumNames<Spacing> {
-  static constexpr std::array<std::string_view, 2> names = {"linear", "logarithmic"};
-};
-
-/// The values that one number of the gear takes, one after the other.
-struct Variation {
-  std::string path;   ///< of the number: "output_shaft.crack[0].depth"
-  double from = 0.0;  ///< first value [unit of the field]
-  double to = 0.0;    ///< last value [unit of the field]; may be the smaller one
-  int n_points = 0;   ///< >= 2
-  Spacing spacing = Spacing::linear;
-
-  /// Value i of 0 .. n_points - 1; the first is exactly `from`, the last exactly `to`.
-  [[nodiscard]] double value(int i) const;
-};
-
-/// Most points that one sweep computes.
-inline constexpr int kMaxSweepPoints = 100'000;
-
-/// Reads "PATH=FROM..TO:N" or "PATH=FROM..TO:N:log", such as
-/// "output_shaft.crack[0].depth=0.05 mm..8 mm:60:log".
-///
-/// FROM and TO have their units; pure numbers are bare.  They need not lie in the range of the
-/// field: a sweep reports the points that are refused.
-///
-/// @throws InputError  if the path is no number of `gear`, or the text is anything else
-[[nodiscard]] Variation parse_variation(const GearSet& gear, std::string_view text);
 
 /// A column of a table of results.
 struct SweepColumn {

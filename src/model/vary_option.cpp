@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "vary_option.hpp"
+#include "strainwave/model/vary_option.hpp"
 
 #include <fmt/format.h>
 
@@ -22,18 +22,21 @@ Assignment assignment(std::string_view text) {
           .has_value = true};
 }
 
-std::string vary_option(std::string_view path) { return fmt::format("--vary {}", path); }
+std::string vary_option(std::string_view path, std::string_view option) {
+  return fmt::format("{} {}", option, path);
+}
 
-NumberAt varied_number(const GearSet& gear, std::string_view path) {
+NumberAt varied_number(const GearSet& gear, std::string_view path, std::string_view option) {
   try {
     return number_at(gear, path);
   } catch (const InputError& error) {
-    throw InputError("--vary", error.what());
+    throw InputError(option, error.what());
   }
 }
 
-Interval parse_interval(const NumberAt& number, std::string_view text) {
-  const std::string option = vary_option(number.path);
+Interval parse_interval(const NumberAt& number, std::string_view text,
+                        std::string_view option_name) {
+  const std::string option = vary_option(number.path, option_name);
   const std::size_t dots = text.find("..");
   // "1...2" could be 1. to 2 or 1 to .2.
   if (dots == std::string_view::npos || text.find("..", dots + 1) != std::string_view::npos)

@@ -6,7 +6,8 @@
 
 #include "strainwave/model/gear_set.hpp"
 
-// What the options of sweep and solve have in common.  A fault names the option and the value.
+// What the options of sweep, solve and `fe tabulate` have in common.  A fault names the option,
+// "--vary" or "--over", and the value.
 
 namespace strainwave {
 
@@ -23,12 +24,15 @@ struct Assignment {
 /// Text without blanks at its ends.
 [[nodiscard]] std::string_view without_blanks(std::string_view text);
 
-/// The number of the gear that `--vary` names.
+inline constexpr std::string_view kVaryOption = "--vary";
+
+/// The number of the gear that the option names.
 /// @throws InputError  if there is none
-[[nodiscard]] NumberAt varied_number(const GearSet& gear, std::string_view path);
+[[nodiscard]] NumberAt varied_number(const GearSet& gear, std::string_view path,
+                                     std::string_view option = kVaryOption);
 
 /// "--vary PATH", to begin an error message with.
-[[nodiscard]] std::string vary_option(std::string_view path);
+[[nodiscard]] std::string vary_option(std::string_view path, std::string_view option = kVaryOption);
 
 struct Interval {
   double from = 0.0;
@@ -37,6 +41,7 @@ struct Interval {
 
 /// Reads "FROM..TO" in the unit of a number.
 /// @throws InputError  if it is anything else, or both ends are the same
-[[nodiscard]] Interval parse_interval(const NumberAt& number, std::string_view text);
+[[nodiscard]] Interval parse_interval(const NumberAt& number, std::string_view text,
+                                      std::string_view option = kVaryOption);
 
 }  // namespace strainwave

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "strainwave/core/lift.hpp"
+#include "strainwave/model/gear_set.hpp"
+
+/// @file
+/// The numbers that the finite elements of one crack depend on: the columns and the fixed numbers
+/// of a compliance table.  Another kind of crack is one more overload.
+
+namespace strainwave {
+
+/// Of a through crack: halfway along a tube, clamped at one end and twisted at the other.
+template <class Real>
+[[nodiscard]] std::vector<BasicCrackParameter<Real>> crack_parameters(
+    const Lift<Real>& lift, const GearSet& gear, const WallThroughCrack& crack) {
+  const Flexspline& fs = *gear.flexspline;
+  const auto steel = elastic_constants(lift, material_of(gear, fs.material, "flexspline.material"));
+  std::vector<BasicCrackParameter<Real>> numbers = {{"half_length", "m", lift(crack.half_length)},
+                                                    {"angle", "rad", lift(crack.angle)}};
+  if (fs.crack_free == CrackFree::factor) {
+    numbers.push_back({"outer_diameter", "m", lift(gear.drive.pitch_diameter)});
+    numbers.push_back({"wall_thickness", "m", lift(fs.wall_thickness)});
+    numbers.push_back({"length", "m", lift(fs.length)});
+  } else {
+    const TubeSection& wall = crack.section == WallSection::rim ? *fs.rim : *fs.barrel;
+    numbers.push_back({"outer_diameter", "m", lift(wall.outer_diameter)});
+    numbers.push_back({"wall_thickness", "m", lift(wall.wall_thickness)});
+    numbers.push_back({"length", "m", lift(wall.length)});
+  }
+  numbers.push_back({"youngs_modulus", "Pa", steel.E});
+  numbers.push_back({"poissons_ratio", "1", steel.nu});
+  return numbers;
+}
+
+/// Of an annular crack: halfway along the shaft.
+template <class Real>
+[[nodiscard]] std::vector<BasicCrackParameter<Real>> crack_parameters(const Lift<Real>& lift,
+                                                                      const GearSet& gear,
+                                                                      const AnnularCrack& crack) {
+  const OutputShaft& shaft = *gear.output_shaft;
+  const auto steel =
+      elastic_constants(lift, material_of(gear, shaft.material, "output_shaft.material"));
+  return {{"depth", "m", lift(crack.depth)},
+          {"outer_diameter", "m", lift(shaft.outer_diameter)},
+          {"inner_diameter", "m", lift(shaft.inner_diameter)},
+          {"length", "m", lift(shaft.length)},
+          {"youngs_modulus", "Pa", steel.E},
+          {"poissons_ratio", "1", steel.nu}};
+}
+
+/// Calls `f(path, crack)` for each crack that can have a table.
+template <class F>
+void for_each_tabulated_kind(const GearSet& gear, const F& f) {
+  const auto visit = [&f](const char* member, const auto& cracks) {
+    for (std::size_t i = 0; i < cracks.size(); ++i)
+      std::visit(
+          [&](const auto& crack) {
+            if constexpr (requires { crack.compliance_table; })
+              f(std::string(member) + ".crack[" + std::to_string(i) + "]", crack);
+          },
+          cracks[i]);
+  };
+  if (gear.flexspline) visit("flexspline", gear.flexspline->crack);
+  if (gear.output_shaft) visit("output_shaft", gear.output_shaft->crack);
+}
+
+}  // namespace strainwave

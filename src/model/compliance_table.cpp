@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/model/compliance_table.hpp"
+
+#include <fmt/format.h>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/quantity_text.hpp"
+#include "strainwave/model/crack_parameters.hpp"
+#include "strainwave/model/gear_set.hpp"
+
+namespace strainwave {
+namespace {
+
+double largest_of(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double v : values) largest = std::max(largest, std::abs(v));
+  return largest;
+}
+
+/// Difference at the nodes that a table without every second node of one axis has lost (FE-43).
+double error_along(const std::vector<std::vector<double>>& nodes,
+                   const std::vector<double>& ordinates, std::size_t axis) {
+  std::size_t stride = 1;
+  for (std::size_t a = axis + 1; a < nodes.size(); ++a) stride *= nodes[a].size();
+  const std::vector<double>& x = nodes[axis];
+  const std::size_t n = x.size();
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < n; i += 2) kept.push_back(i);
+  if (kept.back() != n - 1) kept.push_back(n - 1);
+  std::vector<double> coarse;
+  for (const std::size_t i : kept) coarse.push_back(x[i]);
+  double largest = 0.0;
+  // A line of the grid along the axis starts wherever its own index is 0.
+  for (std::size_t start = 0; start < ordinates.size(); ++start) {
+    if (start / stride % n != 0) continue;
+    std::vector<double> y;
+    for (const std::size_t i : kept) y.push_back(ordinates[start + i * stride]);
+    for (std::size_t i = 1; i + 1 < n; i += 2)
+      largest = std::max(largest, std::abs(hermite_interpolation<double, double>(coarse, y, x[i]) -
+                                           ordinates[start + i * stride]));
+  }
+  return largest;
+}
+
+void fill_error(const std::vector<TableAxis>& axes, TableValues& column) {
+  if (column.values.empty() || column.scale == TableValues::Scale::nothing) return;
+  const bool positive = std::ranges::all_of(column.values, [](double v) { return v > 0; });
+  column.scale = positive ? TableValues::Scale::logarithmic : TableValues::Scale::linear;
+  const double largest = largest_of(column.values);
+  std::vector<double> ordinates;
+  for (const double v : column.values) ordinates.push_back(positive ? std::log(v) : v / largest);
+  std::vector<std::vector<double>> nodes;
+  for (const TableAxis& axis : axes) {
+    std::vector<double>& x = nodes.emplace_back();
+    for (const double node : axis.nodes) x.push_back(axis.coordinate(node));
+  }
+  double squares = 0.0;
+  for (std::size_t a = 0; a < axes.size(); ++a)
+    squares += std::pow(error_along(nodes, ordinates, a), 2);
+  column.interpolation_error = std::sqrt(squares);  // (FE-43)
+}
+
+bool adds_nothing(const std::vector<double>& values, const std::vector<double>& other) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!(std::abs(values[i]) <= kNothingAdded * std::abs(other[i]))) return false;
+  return true;
+}
+
+bool agree(double a, double b) {
+  return std::abs(a - b) <= kFixedTolerance * std::max(std::abs(a), std::abs(b));
+}
+
+/// What one crack and its table have to have in common.
+template <class Crack>
+void check_one(const GearSet& gear, const std::string& path, const Crack& crack) {
+  const std::string at = path + ".compliance_table";
+  const std::string& file = *crack.compliance_table;
+  const auto found = gear.compliance_tables.find(file);
+  if (found == gear.compliance_tables.end())
+    throw InputError(at, fmt::format("\"{}\" has not been read", shown(file)));
+  const ComplianceTable& table = found->second;
+  const auto refuse = [&](const std::string& problem) {
+    throw InputError(at, fmt::format("\"{}\" {}", shown(file), problem));
+  };
+  if (table.kind != Crack::kKind)
+    refuse(fmt::format("is of cracks of kind \"{}\", not \"{}\"", shown(table.kind), Crack::kKind));
+  const auto numbers = crack_parameters(Lift<double>(), gear, crack);
+  for (const auto& number : numbers) {
+    const auto axis = std::ranges::find(table.axes, number.name, &TableAxis::name);
+    if (axis != table.axes.end()) {
+      if (!(number.value >= axis->nodes.front() && number.value <= axis->nodes.back()))
+        refuse(fmt::format("reaches from {} to {} in {}, and the drive has {}",
+                           quantity_text(axis->nodes.front(), number.unit),
+                           quantity_text(axis->nodes.back(), number.unit), number.name,
+                           quantity_text(number.value, number.unit)));
+      continue;
+    }
+    const auto fixed = std::ranges::find(table.fixed, number.name, &TableParameter::name);
+    if (fixed == table.fixed.end())
+      refuse(fmt::format("does not say what {} it was made with", number.name));
+    if (!agree(fixed->value, number.value))
+      refuse(fmt::format("was made with {} = {}, and the drive has {}", number.name,
+                         quantity_text(fixed->value, number.unit),
+                         quantity_text(number.value, number.unit)));
+  }
+  if constexpr (requires { crack.angle; })
+    if (gear.load.axial_force != 0)
+      refuse("is of torque alone: load.axial_force must be 0 beside it");
+}
+
+}  // namespace
+
+ComplianceTable completed(ComplianceTable table) {
+  using Scale = TableValues::Scale;
+  if (adds_nothing(table.negative.values, table.positive.values))
+    table.negative.scale = Scale::nothing;
+  else if (adds_nothing(table.positive.values, table.negative.values))
+    table.positive.scale = Scale::nothing;
+  for (TableValues* const column : {&table.positive, &table.negative, &table.axial})
+    fill_error(table.axes, *column);
+  return table;
+}
+
+void check_compliance_tables(const GearSet& gear) {
+  for_each_tabulated_kind(gear, [&](const std::string& path, const auto& crack) {
+    if (crack.compliance_table) check_one(gear, path, crack);
+  });
+}
+
+}  // namespace strainwave
