@@ -28,7 +28,7 @@ struct TubeWithSurfaceCrack {
       fem::CrackFaces::contact;  ///< `free` lets them pass through each other
   int order = 3;                 ///< of the displacements [-]; 2 to 4
   int rings = 3;                 ///< circular ones about the front [-]; 3 to 12
-  int segments = 8;              ///< along the front [-]; a multiple of 4, 4 to 32
+  int segments = 4;              ///< along the front [-]; a multiple of 4, 4 to 32
   double growth = 3;  ///< of the cells away from the crack, each to the next [-]; 1.5 to 4
   /// Also solves sizes 1 % smaller and larger, and compares G with dC/dA.
   bool check_growth = true;
