@@ -153,8 +153,12 @@ double front_angle(const fem::FrontStation& station) { return station.position *
 void write(std::string& text, const gear_fem::TubeSurfaceCrackResult& result) {
   write_state(text, result);
   text += line("energy release rate, grown in proportion", result.energy_release_rate, "J/m^2");
-  text += "  along the front               K_I          K_II         K_III  MPa*m^0.5\n";
+  if (releases(result))
+    text += "  along the front               K_I          K_II         K_III  MPa*m^0.5\n";
+  else
+    text += "  along the front all K are zero but for rounding and mesh\n";
   for (const fem::FrontStation& s : inner_stations(result)) {
+    if (!releases(result)) break;
     const double degrees = front_angle(s) * 180 / std::numbers::pi;
     write_intensities(text,
                       fmt::format("{:.4g} deg{}", degrees, s.position == 0.5 ? ", deepest" : ""),

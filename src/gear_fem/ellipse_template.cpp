@@ -170,7 +170,7 @@ class Drawing {
     for (int j = 1; j <= quarter_; ++j) z.push_back(on_box(j, box_x_, box_z_)[1]);
     const std::size_t box_top = z.size() - 1;
     if (box_z_ < s_.thickness)
-      for (const double line : graded_lines(box_z_, s_.thickness, box_z_, 2, s_.thickness))
+      for (const double line : graded_lines(box_z_, s_.thickness, box_z_, s_.growth, s_.thickness))
         z.push_back(line);
     std::vector<double> x;
     const double first = 1.5 * std::min(s_.depth, s_.half_length);

@@ -29,7 +29,8 @@ struct TubeWithSurfaceCrack {
   int order = 3;                 ///< of the displacements [-]; 2 to 4
   int rings = 3;                 ///< circular ones about the front [-]; 3 to 12
   int segments = 4;              ///< along the front [-]; a multiple of 4, 4 to 32
-  double growth = 3;  ///< of the cells away from the crack, each to the next [-]; 1.5 to 4
+  double growth =
+      0;  ///< of the cells away from the crack, each to the next [-]; 1.5 to 4, 0: by a/t
   /// Also solves sizes 1 % smaller and larger, and compares G with dC/dA.
   bool check_growth = true;
   /// Also solves three smaller cracks of the same shape, and integrates G over their growth.
