@@ -94,7 +94,7 @@ ExitCode run(int argc, char** argv, const fem::MpiSession& session) {
   Arguments arguments;
   CLI::App app{
       "Finite elements of the members of a strain wave gear: shafts and cups as "
-      "bodies of revolution, through cracks of the wall as solids"};
+      "bodies of revolution, cracks of the wall as solids"};
   app.name("strainwave-fe");
   app.set_version_flag("--version", fmt::format("strainwave-fe {} ({})", version(), git_revision()),
                        "print version and revision, and exit");
@@ -103,7 +103,7 @@ ExitCode run(int argc, char** argv, const fem::MpiSession& session) {
                  "output-shaft or flexspline; every one that the file gives if left out")
       ->check(CLI::IsMember({"output-shaft", "flexspline"}));
   app.add_option("--order", arguments.order,
-                 "order p of the elements: 6 if left out, 3 (at most 4) of through cracks")
+                 "order p of the elements: 6 if left out, 3 (at most 4) of cracks of the wall")
       ->check(CLI::Range(2, 8));
   app.add_option("--format", arguments.format, "text or json")
       ->check(CLI::IsMember({"text", "json"}))

@@ -49,6 +49,8 @@ constexpr double kMeasuredDofs = 45816;
 constexpr double kSolidMemoryExponent = 1.45;
 /// Three crack sizes opened, and the same closed with the two rounds that contact takes.
 constexpr std::size_t kTubeSolutions = 8;
+/// The same, but a surface crack that is closed all over is not compared with its neighbours.
+constexpr std::size_t kSurfaceSolutions = 6;
 
 /// (FE-44): memory of the factorisation of a solid [byte].
 double solid_memory(double dofs) {
@@ -81,34 +83,75 @@ gear_fem::TubeWithThroughCrack tube_of(const GearSet& gear, const WallThroughCra
 }
 
 std::string crack_path(std::size_t n) { return fmt::format("output_shaft.crack[{}]", n); }
+
+gear_fem::TubeWithSurfaceCrack tube_of(const GearSet& gear, const WallSurfaceCrack& crack,
+                                       int order) {
+  const TubeSection wall = wall_of(gear, crack.section);
+  return {.material = elasticity_of(gear, gear.flexspline->material, "flexspline.material"),
+          .mean_radius = (wall.outer_diameter - wall.wall_thickness) / 2,
+          .wall_thickness = wall.wall_thickness,
+          .length = wall.length,
+          .depth = crack.depth,
+          .half_length = crack.half_length,
+          .angle = crack.angle,
+          .torque = std::abs(gear.load.torque),
+          .sense = TorqueSense::positive,
+          .order = order};
+}
+
+fem::HexMesh mesh_of(const gear_fem::TubeWithThroughCrack& tube) {
+  return gear_fem::mesh_tube_with_through_crack(tube);
+}
+fem::HexMesh mesh_of(const gear_fem::TubeWithSurfaceCrack& tube) {
+  return gear_fem::mesh_tube_with_surface_crack(tube);
+}
+
 std::string wall_crack_path(std::size_t n) { return fmt::format("flexspline.crack[{}]", n); }
 
 /// One crack of the work list.
+template <class Tube>
 struct WallCrack {
   std::string path;
-  gear_fem::TubeWithThroughCrack tube;
+  Tube tube;
   std::size_t dofs = 0;
 };
 
 /// Meshes it, so that one that does not fit is refused before anything is solved.
-WallCrack wall_crack(const GearSet& gear, std::size_t n, const WallThroughCrack& crack, int order) {
-  WallCrack result{.path = wall_crack_path(n), .tube = tube_of(gear, crack, order)};
+template <class Tube>
+WallCrack<Tube> wall_crack(std::size_t n, const Tube& tube) {
+  WallCrack<Tube> result{.path = wall_crack_path(n), .tube = tube};
   try {
-    const fem::HexMesh mesh = gear_fem::mesh_tube_with_through_crack(result.tube);
+    const fem::HexMesh mesh = mesh_of(tube);
     (void)fem::check_jacobians(mesh);
-    result.dofs = fem::count_unknowns(mesh, order);
+    result.dofs = fem::count_unknowns(mesh, tube.order);
   } catch (const InputError& error) {
     throw InputError(result.path, error.what());
   }
   return result;
 }
 
+template <class Tube>
+RunSize size_of(const WallCrack<Tube>& crack, std::size_t solutions) {
+  const auto dofs = static_cast<double>(crack.dofs);
+  const double p = crack.tube.order / 3.0;
+  return {.path = crack.path,
+          .dofs = crack.dofs,
+          .memory = solid_memory(dofs),
+          .seconds = kSolidSecondsPerDof * dofs * p * p * static_cast<double>(solutions),
+          .solutions = solutions};
+}
+
 /// What is asked for, and may be.
 struct Work {
   std::vector<std::size_t> shaft;  ///< its cracks
   bool cup = false;
-  std::vector<WallCrack> wall_cracks;
+  std::vector<WallCrack<gear_fem::TubeWithThroughCrack>> wall_cracks;
+  std::vector<WallCrack<gear_fem::TubeWithSurfaceCrack>> surface_cracks;
   std::vector<std::string> notes;
+
+  [[nodiscard]] bool has_wall_cracks() const {
+    return !wall_cracks.empty() || !surface_cracks.empty();
+  }
 };
 
 void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) {
@@ -116,26 +159,34 @@ void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) 
   const int order = options.order.value_or(kSolidOrder);
   for (std::size_t n = 0; n < flexspline.crack.size(); ++n) {
     if (options.crack && options.crack != wall_crack_path(n)) continue;
-    const auto* const through = std::get_if<WallThroughCrack>(&flexspline.crack[n]);
-    if (through == nullptr) {
+    const FlexsplineCrack& crack = flexspline.crack[n];
+    const auto* const through = std::get_if<WallThroughCrack>(&crack);
+    const auto* const surface = std::get_if<WallSurfaceCrack>(&crack);
+    if (through == nullptr && surface == nullptr) {
       const std::string_view kind =
-          std::visit([](const auto& crack) { return crack.kKind; }, flexspline.crack[n]);
+          std::visit([](const auto& one) -> std::string_view { return one.kKind; }, crack);
       const std::string problem = fmt::format(
-          "a crack of kind \"{}\" is not calculated by finite elements, only through cracks of the "
-          "wall are",
+          "a crack of kind \"{}\" is not calculated by finite elements, only through and surface "
+          "cracks of the wall are",
           kind);
       if (options.crack) throw InputError(wall_crack_path(n), problem);
       if (options.member) throw InputError(wall_crack_path(n), problem + ": take it out");
       work.notes.push_back(fmt::format("{} is left out: {}", wall_crack_path(n), problem));
       continue;
     }
-    require(order <= 4, "order", order, "1", "<= 4 for a through crack of the flexspline");
-    work.wall_cracks.push_back(wall_crack(gear, n, *through, order));
+    require(order <= 4, "order", order, "1", "<= 4 for a crack of the flexspline's wall");
+    if (through != nullptr)
+      work.wall_cracks.push_back(wall_crack(n, tube_of(gear, *through, order)));
+    else
+      work.surface_cracks.push_back(wall_crack(n, tube_of(gear, *surface, order)));
   }
-  if (!work.wall_cracks.empty()) {
+  if (work.has_wall_cracks()) {
     work.notes.push_back(
-        "each through crack is calculated alone, halfway along its section of the wall, a tube "
-        "that is clamped at one end and twisted at the other");
+        "each crack of the wall is calculated alone, halfway along its section, a tube that is "
+        "clamped at one end and twisted at the other");
+    if (!work.surface_cracks.empty())
+      work.notes.push_back(
+          "a surface crack has its mouth on the outer surface: the file does not say");
     if (gear.load.axial_force != 0)
       work.notes.push_back("the axial force is not applied to the flexspline");
     if (flexspline.stress_nonuniformity != 1)
@@ -149,7 +200,7 @@ void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) 
     if (!flexspline.crack.empty())
       work.notes.push_back(
           "the cup of rim, barrel, diaphragm and boss is calculated without cracks");
-  } else if (options.member && work.wall_cracks.empty()) {
+  } else if (options.member && !work.has_wall_cracks()) {
     (void)gear_fem::cup_section(flexspline);  // says what is missing
   } else {
     work.notes.push_back(
@@ -176,15 +227,16 @@ Work work_of(const GearSet& gear, const RunOptions& options) {
                        "there is none, and a sound shaft of one diameter needs no finite elements");
   }
   if (gear.flexspline && asked(Member::flexspline)) add_flexspline(work, gear, options);
-  const bool nothing = work.shaft.empty() && !work.cup && work.wall_cracks.empty();
+  const bool nothing = work.shaft.empty() && !work.cup && !work.has_wall_cracks();
   if (nothing && options.crack)
     throw InputError("--crack", fmt::format("\"{}\" is no crack of the members asked for",
                                             shown(*options.crack)));
   if (nothing)
-    throw InputError("drive",
-                     "gives nothing that finite elements can calculate: an output shaft "
-                     "with an annular crack, a through crack of the flexspline's wall, or a "
-                     "flexspline by sections");
+    throw InputError(
+        "drive",
+        "gives nothing that finite elements can calculate: an output shaft "
+        "with an annular crack, a through or surface crack of the flexspline's wall, or "
+        "a flexspline by sections");
   const auto contradiction = [&](const std::string& material, std::string_view field) {
     const Material& steel = material_of(gear, material, field);
     if (std::abs(elastic_contradiction(steel)) > 1e-6)
@@ -193,7 +245,7 @@ Work work_of(const GearSet& gear, const RunOptions& options) {
                       field, elasticity_of(gear, material, field).shear_modulus() / 1e9));
   };
   if (!work.shaft.empty()) contradiction(gear.output_shaft->material, "output_shaft.material");
-  if (work.cup || !work.wall_cracks.empty())
+  if (work.cup || work.has_wall_cracks())
     contradiction(gear.flexspline->material, "flexspline.material");
   if (work.shaft.size() > 1)
     work.notes.push_back("each crack of the output shaft is calculated alone, halfway along it");
@@ -211,15 +263,8 @@ std::vector<RunSize> sizes_of(const Work& work, const GearSet& gear, const RunOp
   if (work.cup)
     sizes.push_back(size_of(
         "flexspline", gear_fem::mesh_cup(gear_fem::cup_section(*gear.flexspline)), 1, section, 2));
-  for (const WallCrack& crack : work.wall_cracks) {
-    const auto dofs = static_cast<double>(crack.dofs);
-    const double p = crack.tube.order / 3.0;
-    sizes.push_back({.path = crack.path,
-                     .dofs = crack.dofs,
-                     .memory = solid_memory(dofs),
-                     .seconds = kSolidSecondsPerDof * dofs * p * p * kTubeSolutions,
-                     .solutions = kTubeSolutions});
-  }
+  for (const auto& crack : work.wall_cracks) sizes.push_back(size_of(crack, kTubeSolutions));
+  for (const auto& crack : work.surface_cracks) sizes.push_back(size_of(crack, kSurfaceSolutions));
   return sizes;
 }
 
@@ -236,11 +281,17 @@ std::string RunResult::reason() const {
     for (const auto* const load : {&crack.result.torsion, &crack.result.tension})
       if (!load->usable) return fmt::format("{}: {}", crack.path, load->reason);
   if (cup && !cup->usable) return fmt::format("flexspline: {}", cup->reason);
-  for (const TubeCrackRun& crack : wall_cracks)
+  const auto sense = [](const auto& crack) -> std::string {
     for (const auto* const one : {&crack.positive, &crack.negative})
       if (!one->usable)
         return fmt::format("{}, {} torque: {}", crack.path,
                            one == &crack.positive ? "positive" : "negative", one->reason);
+    return {};
+  };
+  for (const TubeCrackRun& crack : wall_cracks)
+    if (std::string why = sense(crack); !why.empty()) return why;
+  for (const SurfaceCrackRun& crack : surface_cracks)
+    if (std::string why = sense(crack); !why.empty()) return why;
   return {};
 }
 
@@ -259,9 +310,10 @@ RunResult run(const GearSet& gear, const RunOptions& options, const fem::MpiSess
                    .shaft_cracks = {},
                    .cup = {},
                    .wall_cracks = {},
+                   .surface_cracks = {},
                    .notes = work.notes};
   // First what all ranks do together: an error of the first rank alone must not leave them waiting.
-  for (const WallCrack& crack : work.wall_cracks) {
+  for (const auto& crack : work.wall_cracks) {
     gear_fem::TubeWithThroughCrack tube = crack.tube;
     TubeCrackRun done{.path = crack.path, .tube = tube, .positive = {}, .negative = {}};
     std::size_t solution = 0;
@@ -276,6 +328,14 @@ RunResult run(const GearSet& gear, const RunOptions& options, const fem::MpiSess
     tube.sense = TorqueSense::negative;
     done.negative = gear_fem::solve_tube_with_through_crack(tube);
     result.wall_cracks.push_back(std::move(done));
+  }
+  for (const auto& crack : work.surface_cracks) {
+    gear_fem::TubeWithSurfaceCrack tube = crack.tube;
+    SurfaceCrackRun done{.path = crack.path, .tube = tube, .positive = {}, .negative = {}};
+    done.positive = gear_fem::solve_tube_with_surface_crack(tube);
+    tube.sense = TorqueSense::negative;
+    done.negative = gear_fem::solve_tube_with_surface_crack(tube);
+    result.surface_cracks.push_back(std::move(done));
   }
   if (session.rank() != 0) return result;
   const fem::SectionOptions section{.order = options.order.value_or(kSectionOrder)};

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string_view>
+#include <vector>
 
 #include "strainwave/io/result_writer.hpp"
 
@@ -101,23 +102,7 @@ double largest_ring_spread(const gear_fem::TubeCrackResult& result) {
 /// The tip toward +z (at 90 degrees: toward -theta), the other one.
 constexpr std::array kTips = {"upper", "lower"};
 
-void write(std::string& text, const gear_fem::TubeCrackResult& result) {
-  text += fmt::format("  {}: the faces touch over {:.3g} % of the crack\n", state_of(result),
-                      100 * result.solid.contact_share);
-  text += line("added by the crack", result.added_compliance, "rad/(N*m)");
-  text += line("energy release rate, mean of both fronts", result.energy_release_rate, "J/m^2");
-  text += "  through the wall              K_I          K_II         K_III  MPa*m^0.5\n";
-  for (std::size_t f = 0; f < result.solid.fronts.size(); ++f) {
-    const auto& stations = result.solid.fronts[f].stations;
-    for (const fem::FrontStation& s : stations) {
-      const std::string_view where = &s == &stations.front()  ? "inner face"
-                                     : &s == &stations.back() ? "outer face"
-                                                              : "within";
-      text += fmt::format("    {} tip, {:<12} {:>13.5g} {:>13.5g} {:>13.5g}\n", kTips.at(f), where,
-                          opening(result, s) / kMPaRootMetre, s.K_II / kMPaRootMetre,
-                          s.K_III / kMPaRootMetre);
-    }
-  }
+void write_checks(std::string& text, const gear_fem::TubeCrackResult& result) {
   const fem::SolidResult& solid = result.solid;
   text += releases(result) ? fmt::format("  checks: rings {:.1e}, dC/dA {:.1e}, ",
                                          largest_ring_spread(result), result.growth_check)
@@ -128,18 +113,70 @@ void write(std::string& text, const gear_fem::TubeCrackResult& result) {
       verdict(result.usable, result.reason));
 }
 
-Json json_of(const gear_fem::TubeCrackResult& result, const char* sense) {
-  Json fronts = Json::array();
+void write_intensities(std::string& text, const std::string& where,
+                       const gear_fem::TubeCrackResult& result, const fem::FrontStation& s) {
+  text += fmt::format("    {:<22} {:>13.5g} {:>13.5g} {:>13.5g}\n", where,
+                      opening(result, s) / kMPaRootMetre, s.K_II / kMPaRootMetre,
+                      s.K_III / kMPaRootMetre);
+}
+
+void write_state(std::string& text, const gear_fem::TubeCrackResult& result) {
+  text += fmt::format("  {}: the faces touch over {:.3g} % of the crack\n", state_of(result),
+                      100 * result.solid.contact_share);
+  text += line("added by the crack", result.added_compliance, "rad/(N*m)");
+}
+
+void write(std::string& text, const gear_fem::TubeCrackResult& result) {
+  write_state(text, result);
+  text += line("energy release rate, mean of both fronts", result.energy_release_rate, "J/m^2");
+  text += "  through the wall              K_I          K_II         K_III  MPa*m^0.5\n";
   for (std::size_t f = 0; f < result.solid.fronts.size(); ++f) {
-    Json stations = Json::array();
-    for (const fem::FrontStation& s : result.solid.fronts[f].stations)
-      stations.push_back({{"place", {{"value", s.place}, {"unit", "m"}}},
-                          {"K_I", quantity(opening(result, s), "Pa*m^0.5")},
-                          {"K_II", quantity(s.K_II, "Pa*m^0.5")},
-                          {"K_III", quantity(s.K_III, "Pa*m^0.5")},
-                          {"energy_release_rate", quantity(s.energy_release_rate, "J/m^2")}});
-    fronts.push_back({{"tip", kTips.at(f)}, {"from_inner_to_outer_face", stations}});
+    const auto& stations = result.solid.fronts[f].stations;
+    for (const fem::FrontStation& s : stations) {
+      const std::string_view where = &s == &stations.front()  ? "inner face"
+                                     : &s == &stations.back() ? "outer face"
+                                                              : "within";
+      write_intensities(text, fmt::format("{} tip, {}", kTips.at(f), where), result, s);
+    }
   }
+  write_checks(text, result);
+}
+
+/// Stations of a surface crack's front without its two ends, where K is not defined.
+std::vector<fem::FrontStation> inner_stations(const gear_fem::TubeSurfaceCrackResult& result) {
+  const auto& all = result.solid.fronts.at(0).stations;
+  return {all.begin() + 1, all.end() - 1};
+}
+
+double front_angle(const fem::FrontStation& station) { return station.position * std::numbers::pi; }
+
+void write(std::string& text, const gear_fem::TubeSurfaceCrackResult& result) {
+  write_state(text, result);
+  text += line("energy release rate, grown in proportion", result.energy_release_rate, "J/m^2");
+  if (releases(result))
+    text += "  along the front               K_I          K_II         K_III  MPa*m^0.5\n";
+  else
+    text += "  along the front all K are zero but for rounding and mesh\n";
+  for (const fem::FrontStation& s : inner_stations(result)) {
+    if (!releases(result)) break;
+    const double degrees = front_angle(s) * 180 / std::numbers::pi;
+    write_intensities(text,
+                      fmt::format("{:.4g} deg{}", degrees, s.position == 0.5 ? ", deepest" : ""),
+                      result, s);
+  }
+  write_checks(text, result);
+}
+
+Json intensities(const gear_fem::TubeCrackResult& result, const fem::FrontStation& s) {
+  return {{"place", {{"value", s.place}, {"unit", "m"}}},
+          {"K_I", quantity(opening(result, s), "Pa*m^0.5")},
+          {"K_II", quantity(s.K_II, "Pa*m^0.5")},
+          {"K_III", quantity(s.K_III, "Pa*m^0.5")},
+          {"energy_release_rate", quantity(s.energy_release_rate, "J/m^2")}};
+}
+
+/// @param fronts  the crack's fronts as the kind of crack has them
+Json json_of(const gear_fem::TubeCrackResult& result, const char* sense, const Json& fronts) {
   const fem::SolidResult& solid = result.solid;
   return {{"torque_sense", sense},
           {"faces", state_of(result)},
@@ -158,14 +195,35 @@ Json json_of(const gear_fem::TubeCrackResult& result, const char* sense) {
           {"reason", result.reason}};
 }
 
+Json json_of(const gear_fem::TubeCrackResult& result, const char* sense) {
+  Json fronts = Json::array();
+  for (std::size_t f = 0; f < result.solid.fronts.size(); ++f) {
+    Json stations = Json::array();
+    for (const fem::FrontStation& s : result.solid.fronts[f].stations)
+      stations.push_back(intensities(result, s));
+    fronts.push_back({{"tip", kTips.at(f)}, {"from_inner_to_outer_face", stations}});
+  }
+  return json_of(result, sense, fronts);
+}
+
+Json json_of(const gear_fem::TubeSurfaceCrackResult& result, const char* sense) {
+  Json stations = Json::array();
+  for (const fem::FrontStation& s : inner_stations(result)) {
+    Json station = intensities(result, s);
+    station["front_angle"] = quantity(front_angle(s), "rad");
+    stations.push_back(std::move(station));
+  }
+  return json_of(result, sense, Json::array({{{"from_upper_to_lower_end", stations}}}));
+}
+
 }  // namespace
 
 std::string run_text(const RunResult& result, const GearSet& gear) {
   std::string text = fmt::format("Finite elements: {}\n", gear.name.empty() ? "drive" : gear.name);
   if (!result.shaft_cracks.empty() || result.cup)
     text += fmt::format("Bodies of revolution by elements of order {}\n", result.section_order);
-  if (!result.wall_cracks.empty())
-    text += fmt::format("Through cracks by solid elements of order {}\n", result.solid_order);
+  if (!result.wall_cracks.empty() || !result.surface_cracks.empty())
+    text += fmt::format("Cracks of the wall by solid elements of order {}\n", result.solid_order);
   for (const ShaftCrackRun& crack : result.shaft_cracks) {
     text += fmt::format("\n{}: annular crack, depth {:.6g} mm\n", crack.path,
                         crack.section.crack->depth * 1e3);
@@ -200,6 +258,21 @@ std::string run_text(const RunResult& result, const GearSet& gear) {
         "\n{}: through crack, half length {:.6g} mm, {:.4g} deg from the generator,\n"
         "  in a tube of mean radius {:.6g} mm, wall {:.6g} mm, length {:.6g} mm\n",
         crack.path, tube.half_length * 1e3, tube.angle * 180 / std::numbers::pi,
+        tube.mean_radius * 1e3, tube.wall_thickness * 1e3, tube.length * 1e3);
+    text += line("compliance of the tube without the crack", crack.positive.compliance_without,
+                 "rad/(N*m)");
+    text += fmt::format(" torque {:+.6g} N*m\n", tube.torque);
+    write(text, crack.positive);
+    text += fmt::format(" torque {:+.6g} N*m\n", -tube.torque);
+    write(text, crack.negative);
+  }
+  for (const SurfaceCrackRun& crack : result.surface_cracks) {
+    const gear_fem::TubeWithSurfaceCrack& tube = crack.tube;
+    text += fmt::format(
+        "\n{}: surface crack, depth {:.6g} mm, half length {:.6g} mm,\n"
+        "  {:.4g} deg from the generator, mouth on the outer surface,\n"
+        "  in a tube of mean radius {:.6g} mm, wall {:.6g} mm, length {:.6g} mm\n",
+        crack.path, tube.depth * 1e3, tube.half_length * 1e3, tube.angle * 180 / std::numbers::pi,
         tube.mean_radius * 1e3, tube.wall_thickness * 1e3, tube.length * 1e3);
     text += line("compliance of the tube without the crack", crack.positive.compliance_without,
                  "rad/(N*m)");
@@ -258,6 +331,17 @@ std::string run_json(const RunResult& result, const GearSet& gear) {
     flexspline["cracks"].push_back(
         {{"path", crack.path},
          {"kind", "through"},
+         {"half_length", quantity(crack.tube.half_length, "m")},
+         {"angle", quantity(crack.tube.angle, "rad")},
+         {"torque", quantity(crack.tube.torque, "N*m")},
+         {"compliance_without", quantity(crack.positive.compliance_without, "rad/(N*m)")},
+         {"senses", {json_of(crack.positive, "positive"), json_of(crack.negative, "negative")}}});
+  for (const SurfaceCrackRun& crack : result.surface_cracks)
+    flexspline["cracks"].push_back(
+        {{"path", crack.path},
+         {"kind", "surface"},
+         {"mouth", "outer"},
+         {"depth", quantity(crack.tube.depth, "m")},
          {"half_length", quantity(crack.tube.half_length, "m")},
          {"angle", quantity(crack.tube.angle, "rad")},
          {"torque", quantity(crack.tube.torque, "N*m")},

@@ -57,12 +57,15 @@ class Drawing {
     while (too_wide()) half_square_ *= 0.95;
     scale_y_ = std::sqrt(a * c);
     const double b = half_square_ * scale_y_;
-    y_ = graded_lines(-b, slab.y[0], b, 2, slab.longest_y);
+    y_ = graded_lines(-b, slab.y[0], b, slab.growth, slab.longest_y);
     std::reverse(y_.begin(), y_.end());
     first_above_ = y_.size() + 1;
     for (const double line : {-b, 0.0, b}) y_.push_back(line);
-    for (const double line : graded_lines(b, slab.y[1], b, 2, slab.longest_y)) y_.push_back(line);
+    for (const double line : graded_lines(b, slab.y[1], b, slab.growth, slab.longest_y))
+      y_.push_back(line);
   }
+
+  [[nodiscard]] double rings_half_length() const { return confocal_.axes(1 + half_square_)[0]; }
 
   std::vector<fem::TemplateCell> cells() {
     add_section();
@@ -167,19 +170,19 @@ class Drawing {
     for (int j = 1; j <= quarter_; ++j) z.push_back(on_box(j, box_x_, box_z_)[1]);
     const std::size_t box_top = z.size() - 1;
     if (box_z_ < s_.thickness)
-      for (const double line : graded_lines(box_z_, s_.thickness, box_z_, 2, s_.thickness))
+      for (const double line : graded_lines(box_z_, s_.thickness, box_z_, s_.growth, s_.thickness))
         z.push_back(line);
     std::vector<double> x;
     const double first = 1.5 * std::min(s_.depth, s_.half_length);
     if (-s_.x[0] > box_x_ * (1 + 1e-12)) {
-      x = graded_lines(-box_x_, s_.x[0], first, 2, s_.longest_x);
+      x = graded_lines(-box_x_, s_.x[0], first, s_.growth, s_.longest_x);
       std::reverse(x.begin(), x.end());
     }
     const std::size_t box_left = x.size();
     for (int i = 3 * quarter_; i >= quarter_; --i) x.push_back(on_box(i, box_x_, box_z_)[0]);
     const std::size_t box_right = x.size() - 1;
     if (s_.x[1] > box_x_ * (1 + 1e-12))
-      for (const double line : graded_lines(box_x_, s_.x[1], first, 2, s_.longest_x))
+      for (const double line : graded_lines(box_x_, s_.x[1], first, s_.growth, s_.longest_x))
         x.push_back(line);
     for (std::size_t i = 0; i + 1 < x.size(); ++i)
       for (std::size_t j = 0; j + 1 < z.size(); ++j)
@@ -204,6 +207,8 @@ class Drawing {
 std::vector<fem::TemplateCell> ellipse_template(const EllipseTemplate& slab) {
   return Drawing(slab).cells();
 }
+
+double rings_half_length(const EllipseTemplate& slab) { return Drawing(slab).rings_half_length(); }
 
 bool inside_ellipse(const EllipseTemplate& slab, const fem::Point3& p) {
   const double tiny = 1e-9;

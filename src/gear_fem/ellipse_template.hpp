@@ -21,7 +21,11 @@ struct EllipseTemplate {
   double longest_y{};         ///< longest cell along y [m]
   int rings = 3;              ///< circular ones
   int segments = 8;           ///< along the front, a multiple of 4
+  double growth = 2;          ///< of the cells away from the crack, each to the next
 };
+
+/// Half axis along x of the ellipse that encloses all rings [m].
+[[nodiscard]] double rings_half_length(const EllipseTemplate& slab);
 
 /// The cells of the slab; one front, its start at +c.
 [[nodiscard]] std::vector<fem::TemplateCell> ellipse_template(const EllipseTemplate& slab);

@@ -37,7 +37,8 @@ void check_tube(double mean_radius, double wall_thickness, double length, double
 }
 
 TubeBody tube_body(const TubePlan& plan) {
-  const double R = plan.mean_radius;
+  const double middle = plan.mean_radius;
+  const double R = middle + plan.surface;
   // From +z toward -theta; in (R theta, z) that is 90 degrees + beta from the first axis.
   const double direction = pi / 2 + plan.angle;
   const double quarter = std::floor(direction / (pi / 2) + 0.5 - 1e-9);
@@ -46,7 +47,7 @@ TubeBody tube_body(const TubePlan& plan) {
   const double above = plan.length - plan.place;
   const double room = 0.97 * std::min({below, above, pi * R});
   const double r1 = plan.rigid_radius;
-  const double r2 = std::min(room, 6 * r1);
+  const double r2 = std::min(room, plan.turn_reach * r1);
   const double least = 1 + 1.2 * std::abs(turn);
   if (!(r2 > least * r1))
     throw InputError("half_length",
@@ -61,7 +62,7 @@ TubeBody tube_body(const TubePlan& plan) {
     const double x = std::cos(rotation) * p[0] - std::sin(rotation) * p[1];
     const double y = std::sin(rotation) * p[0] + std::cos(rotation) * p[1];
     const double theta = x / R;
-    const double r = R + p[2];
+    const double r = middle + p[2];
     return fem::Point3{r * std::cos(theta), r * std::sin(theta), plan.place + y};
   };
   const double round = pi * R;

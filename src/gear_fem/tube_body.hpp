@@ -17,11 +17,15 @@ struct TubePlan {
   double place{};           ///< z of the template's origin [m]
   double angle{};           ///< beta of its first axis [rad]
   double rigid_radius{};    ///< the plan is turned without strain inside of it [m]
+  /// Radial place, from the middle surface, of the surface that the plan is: lengths and angles
+  /// are true there [m].
+  double surface = 0;
+  double turn_reach = 6;  ///< the turn ends at so many rigid radii, or where the tube ends [-]
 };
 
 /// A plane plan (x along the crack, y normal to it, radial place from the middle surface) rolled
-/// onto the tube.  Grid lines run along the generators at the ends; near the crack they are
-/// turned by a smooth rotation that keeps areas (FE-29).
+/// onto the tube, without strain on `TubePlan::surface`.  Grid lines run along the generators at
+/// the ends; near the crack they are turned by a smooth rotation that keeps areas (FE-29).
 struct TubeBody {
   TubePlan plan;
   fem::PointMap map;               ///< template -> space

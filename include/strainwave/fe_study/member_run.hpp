@@ -11,6 +11,7 @@
 #include "strainwave/fem/solid.hpp"
 #include "strainwave/gear_fem/cup_section.hpp"
 #include "strainwave/gear_fem/shaft_section.hpp"
+#include "strainwave/gear_fem/tube_surface_crack.hpp"
 #include "strainwave/gear_fem/tube_through_crack.hpp"
 #include "strainwave/model/gear_set.hpp"
 
@@ -62,13 +63,23 @@ struct TubeCrackRun {
   gear_fem::TubeCrackResult negative;  ///< torque < 0
 };
 
+/// One part-through crack of the flexspline's wall, its mouth on the outer surface, at the size of
+/// the given torque and both senses.
+struct SurfaceCrackRun {
+  std::string path;
+  gear_fem::TubeWithSurfaceCrack tube;
+  gear_fem::TubeSurfaceCrackResult positive;  ///< torque > 0
+  gear_fem::TubeSurfaceCrackResult negative;  ///< torque < 0
+};
+
 /// Everything that was run.
 struct RunResult {
   int section_order = 0;  ///< of shaft and sound cup
-  int solid_order = 0;    ///< of through cracks
+  int solid_order = 0;    ///< of cracks of the wall
   std::vector<ShaftCrackRun> shaft_cracks;
   std::optional<gear_fem::CupResult> cup;
-  std::vector<TubeCrackRun> wall_cracks;
+  std::vector<TubeCrackRun> wall_cracks;        ///< through the wall
+  std::vector<SurfaceCrackRun> surface_cracks;  ///< part of the way
   std::vector<std::string> notes;  ///< what finite elements leave out, or see otherwise
   /// True if every part may be used.
   [[nodiscard]] bool usable() const;
@@ -78,13 +89,13 @@ struct RunResult {
 
 /// Plans a run.
 /// @throws InputError  for what finite elements cannot do, by name: a member that the file does not
-///                     give, a crack of the flexspline that is not a through crack of the wall or
-///                     does not fit into it, a sound flexspline without sections, an order out of
+///                     give, a crack of the flexspline that is not one of the wall or does not
+///                     fit into it, a sound flexspline without sections, an order out of
 ///                     range, a shaft without cracks, a crack that is asked for and not there
 [[nodiscard]] std::vector<RunSize> plan(const GearSet& gear, const RunOptions& options);
 
 /// Runs.  Of shafts and cups torque and force are 1 N*m and 1 N, and the given load is applied in
-/// the report; through cracks have the given torque, for the contact of their faces.
+/// the report; cracks of the wall have the given torque, for the contact of their faces.
 ///
 /// Every rank of MPI calls it.  All have the wall cracks; shaft and cup are calculated by the first
 /// rank only, and are empty in the others.

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/gear_fem/tube_surface_crack.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "gear_fem/ellipse_template.hpp"
+#include "gear_fem/tube_body.hpp"
+#include "strainwave/core/error.hpp"
+
+namespace strainwave::gear_fem {
+namespace {
+
+using std::numbers::pi;
+
+fem::Point3 difference(const fem::Point3& a, const fem::Point3& b, double step) {
+  return {(a[0] - b[0]) / step, (a[1] - b[1]) / step, (a[2] - b[2]) / step};
+}
+
+double cross_norm(const fem::Point3& a, const fem::Point3& b) {
+  return std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                    a[0] * b[1] - a[1] * b[0]);
+}
+
+/// The tube's mesh for a crack of `size` times the given one, and its template's map.
+struct MeshedSurfaceCrack {
+  TubeBody body;
+  fem::PointMap map;  ///< template -> space
+  fem::HexMesh mesh;
+};
+
+MeshedSurfaceCrack mesh_surface_crack(const TubeWithSurfaceCrack& tube, double size) {
+  const double a = size * tube.depth;
+  const double c = size * tube.half_length;
+  const double t = tube.wall_thickness;
+  const bool outer = tube.surface == TubeWithSurfaceCrack::Surface::outer;
+  EllipseTemplate slab{.depth = a,
+                       .half_length = c,
+                       .thickness = t,
+                       .rings = tube.rings,
+                       .segments = tube.segments,
+                       .growth = tube.growth};
+  // The rings' size does not depend on the ends while these are clear of them.
+  slab.x = {-1e3 * c, 1e3 * c};
+  slab.y = {-1e3 * c, 1e3 * c};
+  slab.longest_x = slab.longest_y = 1e3 * c;
+  MeshedSurfaceCrack meshed;
+  meshed.body = tube_body({.mean_radius = tube.mean_radius,
+                           .wall_thickness = t,
+                           .length = tube.length,
+                           .place = tube.place,
+                           .angle = tube.angle,
+                           .rigid_radius = 1.1 * rings_half_length(slab),
+                           .surface = outer ? t / 2 : -t / 2,
+                           .turn_reach = 12});
+  const TubeBody& body = meshed.body;
+  // The template's depth runs outward from an inner mouth; from an outer one it is turned over
+  // about the crack's line, so that it stays right-handed.
+  const auto to_plan = [outer, t](const fem::Point3& p) {
+    return outer ? fem::Point3{p[0], -p[1], t / 2 - p[2]} : fem::Point3{p[0], p[1], p[2] - t / 2};
+  };
+  meshed.map = [to_plan, map = body.map](const fem::Point3& p) { return map(to_plan(p)); };
+  slab.x = body.along;
+  slab.y = outer ? std::array{-body.across[1], -body.across[0]} : body.across;
+  slab.longest_x = body.longest_along;
+  slab.longest_y = body.longest_across;
+  const double tiny = 1e-9 * t;
+  const fem::TemplateBody shape{
+      .map = meshed.map,
+      .on_crack = [slab](const fem::Point3& p) { return inside_ellipse(slab, p); },
+      .face_tag = [slab, to_plan, t, tiny, end = body.end_tag](const fem::Point3& p) -> int {
+        if (p[2] < tiny || p[2] > t - tiny) return kTubeFree;
+        if (inside_ellipse(slab, p)) return kTubeCrack;
+        return end(to_plan(p));
+      },
+      .length = tube.mean_radius};
+  meshed.mesh = fem::make_hex_mesh(ellipse_template(slab), shape);
+  return meshed;
+}
+
+/// Area that a crack of `size` sweeps per unit of size between phi and phi + dphi, over dphi [m^2].
+double swept(const TubeWithSurfaceCrack& tube, const fem::PointMap& map, double size, double phi) {
+  constexpr double kStep = 1e-4;
+  const auto place = [&](double s, double angle) {
+    return map({s * tube.half_length * std::cos(angle), 0, s * tube.depth * std::sin(angle)});
+  };
+  const fem::Point3 growth =
+      difference(place(size * (1 + kStep), phi), place(size * (1 - kStep), phi), 2 * kStep * size);
+  const fem::Point3 along =
+      difference(place(size, phi + kStep), place(size, phi - kStep), 2 * kStep);
+  return cross_norm(growth, along);
+}
+
+/// What one size of the crack gives.
+struct SolvedSurfaceCrack {
+  fem::SolidResult solid;
+  double sweep{};    ///< dA/ds [m^2]
+  double release{};  ///< int G v_n dl per unit of size [J]
+};
+
+SolvedSurfaceCrack solve_surface_crack(const TubeWithSurfaceCrack& tube, double size,
+                                       fem::CrackFaces faces) {
+  const MeshedSurfaceCrack meshed = mesh_surface_crack(tube, size);
+  const double torque = tube.sense == TorqueSense::positive ? tube.torque : -tube.torque;
+  fem::SolidProblem problem = tube_torsion(meshed.body, tube.material, torque);
+  problem.order = tube.order;
+  problem.crack_faces = faces;
+  SolvedSurfaceCrack result{.solid = fem::solve_solid(meshed.mesh, problem)};
+  // G is quadratic over each segment: Simpson's rule with dA of the analytic map.
+  const auto& stations = result.solid.fronts.at(0).stations;
+  const double step = pi / static_cast<double>(stations.size() - 1);
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    const bool end = i == 0 || i + 1 == stations.size();
+    const double weight = step / 3 * (end ? 1 : i % 2 == 1 ? 4 : 2);
+    const double sweep = weight * swept(tube, meshed.map, size, step * static_cast<double>(i));
+    result.sweep += sweep;
+    result.release += sweep * stations[i].energy_release_rate;  // (FE-34)
+  }
+  return result;
+}
+
+/// Checks the values and fills in those that were left to be chosen.
+TubeWithSurfaceCrack completed(TubeWithSurfaceCrack tube) {
+  check_tube(tube.mean_radius, tube.wall_thickness, tube.length, tube.angle, tube.place);
+  if (tube.place == 0) tube.place = tube.length / 2;
+  require(tube.depth > 0 && tube.depth <= 0.9 * tube.wall_thickness, "depth", tube.depth, "m",
+          "0 < depth <= 0.9 wall_thickness");
+  require(tube.depth >= 0.2 * tube.half_length && tube.depth <= 5 * tube.half_length, "half_length",
+          tube.half_length, "m", "0.2 <= depth/half_length <= 5");
+  require(tube.torque > 0 && std::isfinite(tube.torque), "torque", tube.torque, "N*m",
+          "torque > 0; its sense is given apart");
+  require(tube.order >= 2 && tube.order <= 4, "order", tube.order, "1", "2 <= order <= 4");
+  require(tube.rings >= 3 && tube.rings <= 12, "rings", tube.rings, "1", "3 <= rings <= 12");
+  require(tube.segments >= 4 && tube.segments <= 32 && tube.segments % 4 == 0, "segments",
+          tube.segments, "1", "4 <= segments <= 32, a multiple of 4");
+  require(tube.growth == 0 || (tube.growth >= 1.5 && tube.growth <= 4), "growth", tube.growth, "1",
+          "1.5 <= growth <= 4, or 0");
+  // Far from a shallow crack there is nothing but the stress of the torque.
+  if (tube.growth == 0) tube.growth = tube.depth >= 0.25 * tube.wall_thickness ? 2.5 : 3.5;
+  return tube;
+}
+
+/// Whether free faces pass through each other anywhere but in the noise of the ends.
+bool surface_faces_overlap(const fem::SolidResult& solid, double nominal_volume) {
+  const auto& stations = solid.fronts.at(0).stations;
+  double largest = 0;
+  double least = 0;
+  for (std::size_t i = 1; i + 1 < stations.size(); ++i) {
+    largest = std::max(largest, std::hypot(stations[i].K_I, stations[i].K_II, stations[i].K_III));
+    least = std::min(least, stations[i].K_I);
+  }
+  return solid.crack_volume < -0.01 * nominal_volume || least < -0.01 * largest;
+}
+
+}  // namespace
+
+fem::HexMesh mesh_tube_with_surface_crack(const TubeWithSurfaceCrack& tube) {
+  return mesh_surface_crack(completed(tube), 1).mesh;
+}
+
+TubeSurfaceCrackResult solve_tube_with_surface_crack(const TubeWithSurfaceCrack& tube_given) {
+  const TubeWithSurfaceCrack tube = completed(tube_given);
+  const double a = tube.depth;
+  const double c = tube.half_length;
+  const double E = tube.material.youngs_modulus;
+  const double J = tube_polar_moment(tube.mean_radius, tube.wall_thickness);
+  const double T2 = tube.torque * tube.torque;
+  TubeSurfaceCrackResult result;
+  result.nominal_shear = tube.torque * tube.mean_radius / J;
+  result.compliance_without = tube.length / (tube.material.shear_modulus() * J);
+  result.closed_release_rate = 1e-3 * result.nominal_shear * result.nominal_shear * pi * a / E;
+  result.area = pi / 2 * a * c;
+
+  // A crack that stays open needs no contact: free faces first, contact where they overlap.
+  const double volume = result.nominal_shear / E * 2 * a * a * c;
+  fem::CrackFaces faces = fem::CrackFaces::free;
+  SolvedSurfaceCrack now = solve_surface_crack(tube, 1, faces);
+  const bool overlap = surface_faces_overlap(now.solid, volume);
+  if (tube.crack_faces == fem::CrackFaces::contact && overlap) {
+    faces = fem::CrackFaces::contact;
+    now = solve_surface_crack(tube, 1, faces);
+  }
+  result.solid = std::move(now.solid);
+  result.added_compliance = result.solid.added_work / T2;
+  result.compliance = result.compliance_without + result.added_compliance;
+  result.energy_release_rate = now.release / now.sweep;
+  result.closed = result.solid.contact_share > 0.5;
+  result.deepest = result.solid.fronts[0].stations[result.solid.fronts[0].stations.size() / 2];
+
+  // Faces that touch everywhere and release nothing leave nothing to compare.
+  const bool nothing =
+      std::abs(result.energy_release_rate) < result.closed_release_rate &&
+      std::abs(result.solid.added_work) < 2 * result.closed_release_rate * result.area;
+  if (tube.check_growth && !nothing) {
+    constexpr double kStep = 0.01;
+    const SolvedSurfaceCrack less = solve_surface_crack(tube, 1 - kStep, faces);
+    const SolvedSurfaceCrack more = solve_surface_crack(tube, 1 + kStep, faces);
+    result.derivative_release_rate = (more.solid.added_work - less.solid.added_work) /
+                                     (2 * 2 * kStep * now.sweep);  // (FE-28), (FE-34)
+    result.growth_check = result.derivative_release_rate / result.energy_release_rate - 1;
+  }
+  if (tube.check_sizes && !nothing) {
+    // Gauss points of the weight s^2, which is how the release starts.
+    constexpr std::array<double, 3> kSize{0.2949977901115016, 0.6529962339616481,
+                                          0.9270059759268503};
+    constexpr std::array<double, 3> kWeight{0.0299507030085807, 0.1462462692598660,
+                                            0.1571363610648866};
+    for (std::size_t i = 0; i < kSize.size(); ++i)
+      result.compliance_by_sizes += 2 / T2 * kWeight[i] / (kSize[i] * kSize[i]) *
+                                    solve_surface_crack(tube, kSize[i], faces).release;  // (FE-35)
+    result.sizes_check = result.compliance_by_sizes / result.added_compliance - 1;
+  }
+  judge(result, tube.check_growth, overlap && faces == fem::CrackFaces::free);
+  return result;
+}
+
+}  // namespace strainwave::gear_fem
