@@ -207,6 +207,53 @@ Tensor2 crack_tip_gradient(std::size_t mode, double x1, double x2, int side, dou
   return gradient;
 }
 
+struct Complementarity {
+  Eigen::VectorXd x;
+  int steps;
+};
+
+/// x >= 0 with M x + b >= 0 and one of both zero everywhere; M symmetric, positive definite.
+///
+/// Principal pivoting: all wrong signs are changed at once as long as they become fewer, else
+/// only the last one (Murty), which ends after a finite number of steps.
+Complementarity solve_complementarity(const Eigen::MatrixXd& M, const Eigen::VectorXd& b) {
+  constexpr int kPatience = 5;
+  const Eigen::Index n = b.size();
+  const int most = 200 + 20 * static_cast<int>(n);
+  std::vector<bool> active(static_cast<std::size_t>(n), true);
+  Eigen::Index fewest = n + 1;
+  int patience = kPatience;
+  for (int steps = 1; steps <= most; ++steps) {
+    std::vector<Eigen::Index> set;
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (active[static_cast<std::size_t>(i)]) set.push_back(i);
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
+    const Eigen::MatrixXd part = M(set, set);
+    const Eigen::VectorXd load = -b(set);
+    const Eigen::VectorXd found = part.llt().solve(load);
+    x(set) = found;
+    const Eigen::VectorXd slack = M * x + b;
+    const double nothing_x = 1e-9 * x.cwiseAbs().maxCoeff();
+    const double nothing_slack = 1e-9 * b.cwiseAbs().maxCoeff();
+    std::vector<Eigen::Index> wrong;
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (active[static_cast<std::size_t>(i)] ? x[i] < -nothing_x : slack[i] < -nothing_slack)
+        wrong.push_back(i);
+    const auto count = static_cast<Eigen::Index>(wrong.size());
+    if (count == 0) return {x.cwiseMax(0.0), steps};
+    if (count < fewest) {
+      fewest = count;
+      patience = kPatience;
+    } else {
+      --patience;
+    }
+    if (patience < 0) wrong = {wrong.back()};
+    for (const Eigen::Index i : wrong)
+      active[static_cast<std::size_t>(i)] = !active[static_cast<std::size_t>(i)];
+  }
+  throw SolverError(fmt::format("contact of the crack faces did not settle in {} steps", most));
+}
+
 /// Everything between the problem and its displacements.
 class Model {
  public:
@@ -231,10 +278,9 @@ class Model {
   }
 
   SolidResult run() {
-    if (problem_.crack_faces == CrackFaces::contact)
-      solve_contact();
-    else
-      solve({});
+    solve();
+    if (problem_.crack_faces == CrackFaces::contact) close_crack();
+    solver_.reset();
     evaluate();
     return std::move(result_);
   }
@@ -261,12 +307,16 @@ class Model {
   }
 
  private:
-  /// Two dofs of the crack's sides at the same place.
+  /// The dofs of the crack's two sides at one place.
   struct Pair {
     std::array<Index, 3> upper;
     std::array<Index, 3> lower;
-    Tensor<1, 3> normal;  ///< from lower to upper, its length the node's share of the area
+    Tensor<1, 3> normal;                        ///< from lower to upper
+    double area;                                ///< the node's share of the crack [m^2]
+    std::vector<std::pair<Index, double>> row;  ///< its gap as a sum over unconstrained dofs
   };
+
+  using Solver = std::unique_ptr<_p_KSP, void (*)(KSP)>;
 
   void cell_values(const Cell& cell) const {
     indices_.resize(element_.n_dofs_per_cell());
@@ -322,10 +372,9 @@ class Model {
                                       indices_[node_of_[2][a]]});
   }
 
-  /// u_k of the node = combination of its other components (and of its twin), so that the
-  /// component along n vanishes.
+  /// u_k of the node = combination of its other components, so that the one along n vanishes.
   static void hold(dealii::AffineConstraints<double>& constraints, const std::array<Index, 3>& node,
-                   const Tensor<1, 3>& n, const std::array<Index, 3>* twin) {
+                   const Tensor<1, 3>& n) {
     unsigned k = 0;
     for (unsigned i = 1; i < 3; ++i)
       if (std::abs(n[i]) > std::abs(n[k])) k = i;
@@ -334,11 +383,10 @@ class Model {
     for (unsigned i = 0; i < 3; ++i) {
       const double factor = n[i] / n[k];
       if (i != k && std::abs(factor) > 1e-14) constraints.add_entry(node[k], node[i], -factor);
-      if (twin && std::abs(factor) > 1e-14) constraints.add_entry(node[k], (*twin)[i], factor);
     }
   }
 
-  void make_constraints(const std::set<std::size_t>& active) {
+  void make_constraints() {
     constraints_.clear();
     for (const Cell& cell : dofs_.active_cell_iterators())
       for (const unsigned f : cell->face_indices())
@@ -353,17 +401,15 @@ class Model {
                 for (const Index i : node)
                   if (!constraints_.is_constrained(i)) constraints_.add_line(i);
               } else {
-                for (const Point3& d : directions) hold(constraints_, node, to_tensor(d), nullptr);
+                for (const Point3& d : directions) hold(constraints_, node, to_tensor(d));
               }
             });
-    for (const std::size_t i : active)
-      hold(constraints_, pairs_[i].upper, pairs_[i].normal, &pairs_[i].lower);
     constraints_.close();
   }
 
-  void solve(const std::set<std::size_t>& active) {
-    const auto start = std::chrono::steady_clock::now();
-    make_constraints(active);
+  void solve() {
+    auto start = std::chrono::steady_clock::now();
+    make_constraints();
     const dealii::IndexSet owned = dofs_.locally_owned_dofs();
     dealii::DynamicSparsityPattern pattern(dofs_.n_dofs());
     dealii::DoFTools::make_sparsity_pattern(
@@ -373,14 +419,15 @@ class Model {
                                                        dealii::complete_index_set(dofs_.n_dofs()));
     dealii::PETScWrappers::MPI::SparseMatrix matrix;
     matrix.reinit(owned, owned, pattern, MPI_COMM_WORLD);
-    dealii::PETScWrappers::MPI::Vector rhs(owned, MPI_COMM_WORLD);
-    assemble(matrix, rhs);
+    assemble(matrix);
     result_.assembly_seconds += seconds_since(start);
-    factor_and_solve(matrix, rhs);
+    start = std::chrono::steady_clock::now();
+    factorise(matrix);
+    displace(load_);
+    result_.solver_seconds += seconds_since(start);
   }
 
-  void assemble(dealii::PETScWrappers::MPI::SparseMatrix& matrix,
-                dealii::PETScWrappers::MPI::Vector& rhs) {
+  void assemble(dealii::PETScWrappers::MPI::SparseMatrix& matrix) {
     const dealii::QGauss<3> rule(static_cast<unsigned>(problem_.order) + 1);
     dealii::FEValues<3> values(body_.mapping, scalar_, rule,
                                dealii::update_gradients | dealii::update_JxW_values);
@@ -389,7 +436,6 @@ class Model {
     std::array<Eigen::MatrixXd, 3> gradient;  // scaled by the root of the weight
     gradient.fill(Eigen::MatrixXd(n, m));
     dealii::FullMatrix<double> stiffness(element_.n_dofs_per_cell());
-    Vector none(element_.n_dofs_per_cell());
     std::array<std::array<Eigen::MatrixXd, 3>, 3> product;
     for (const Cell& cell : dofs_.active_cell_iterators()) {
       if (!cell->is_locally_owned()) continue;
@@ -418,50 +464,58 @@ class Model {
                   (i == j ? lame_.mu * laplace(a, b) : 0);  // (FE-20)
       indices_.resize(element_.n_dofs_per_cell());
       cell->get_dof_indices(indices_);
-      constraints_.distribute_local_to_global(stiffness, none, indices_, matrix, rhs);
+      constraints_.distribute_local_to_global(stiffness, indices_, matrix);
     }
     matrix.compress(dealii::VectorOperation::add);
-    Vector condensed = load_;
-    constraints_.condense(condensed);
-    for (const Index i : dofs_.locally_owned_dofs()) rhs[i] = condensed[i];
-    rhs.compress(dealii::VectorOperation::insert);
   }
 
   static void check(PetscErrorCode code, const char* stage) {
     if (code) throw SolverError(fmt::format("the direct solver failed ({}, code {})", stage, code));
   }
 
-  void factor_and_solve(dealii::PETScWrappers::MPI::SparseMatrix& matrix,
-                        const dealii::PETScWrappers::MPI::Vector& rhs) {
-    const auto start = std::chrono::steady_clock::now();
+  void factorise(const dealii::PETScWrappers::MPI::SparseMatrix& matrix) {
     Mat a = matrix;
     KSP solver = nullptr;
     PC preconditioner = nullptr;
     check(MatSetOption(a, MAT_SPD, PETSC_TRUE), "options");
     check(KSPCreate(MPI_COMM_WORLD, &solver), "start");
-    const std::unique_ptr<_p_KSP, void (*)(KSP)> guard(solver, [](KSP k) { KSPDestroy(&k); });
+    solver_.reset(solver);
     check(KSPSetOperators(solver, a, a), "operators");
     check(KSPSetType(solver, KSPPREONLY), "type");
     check(KSPGetPC(solver, &preconditioner), "type");
     check(PCSetType(preconditioner, PCCHOLESKY), "type");
     check(PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS), "MUMPS");
     check(KSPSetUp(solver), "factorisation");
+    PetscInt megabytes = 0;
+    check(MatMumpsGetInfog(factor(), 22, &megabytes), "factor");
+    result_.factor_megabytes = static_cast<double>(megabytes);
+  }
+
+  [[nodiscard]] Mat factor() const {
+    PC preconditioner = nullptr;
+    Mat factor = nullptr;
+    check(KSPGetPC(solver_.get(), &preconditioner), "factor");
+    check(PCFactorGetMatrix(preconditioner, &factor), "factor");
+    return factor;
+  }
+
+  /// The displacements u_ under nodal forces.
+  void displace(Vector forces) {
+    constraints_.condense(forces);
+    const dealii::IndexSet owned = dofs_.locally_owned_dofs();
+    dealii::PETScWrappers::MPI::Vector rhs(owned, MPI_COMM_WORLD);
+    for (const Index i : owned) rhs[i] = forces[i];
+    rhs.compress(dealii::VectorOperation::insert);
     dealii::PETScWrappers::MPI::Vector x(rhs);
     Vec b = rhs;
-    check(KSPSolve(solver, b, x), "solution");
+    check(KSPSolve(solver_.get(), b, x), "solution");
     KSPConvergedReason reason{};
-    check(KSPGetConvergedReason(solver, &reason), "solution");
+    check(KSPGetConvergedReason(solver_.get(), &reason), "solution");
     if (reason < 0)
       throw SolverError(
           "the direct solver failed: the body can move as a whole, or there is too little memory");
-    Mat factor = nullptr;
-    check(PCFactorGetMatrix(preconditioner, &factor), "factor");
-    PetscInt megabytes = 0;
-    check(MatMumpsGetInfog(factor, 22, &megabytes), "factor");
-    result_.factor_megabytes = static_cast<double>(megabytes);
     u_ = Vector(x);
     constraints_.distribute(u_);
-    result_.solver_seconds += seconds_since(start);
   }
 
   /// Internal nodal forces, without any constraint.
@@ -524,67 +578,139 @@ class Model {
         });
       }
     for (const auto& [node, at] : upper) {
-      if (lower.count(node)) continue;  // on the front
+      if (lower.count(node)) {
+        on_front_.insert(node[0]);
+        continue;
+      }
       for (const auto& [twin, place] : lower)
         if (!upper.count(twin) && place.distance(at.first) < 1e-9 * size)
-          pairs_.push_back({node, twin, at.second});
+          pairs_.push_back({node, twin, at.second / at.second.norm(), at.second.norm(), {}});
+    }
+    for (Pair& pair : pairs_) {
+      std::map<Index, double> row;
+      const auto add = [&](Index i, double value) {
+        if (!constraints_.is_constrained(i)) {
+          row[i] += value;
+          return;
+        }
+        for (const auto& [j, factor] : *constraints_.get_constraint_entries(i))
+          row[j] += factor * value;
+      };
+      for (unsigned k = 0; k < 3; ++k) {
+        add(pair.upper[k], pair.normal[k]);
+        add(pair.lower[k], -pair.normal[k]);
+      }
+      pair.row.assign(row.begin(), row.end());
     }
   }
 
-  void solve_contact() {
-    constexpr int kMost = 40;
-    constexpr double kNothing = 1e-5;  // of the largest pressure or jump: noise of the solution
-    double last_pressure = 0;
+  /// Normal distance of the two sides at each pair; < 0: they pass through each other.
+  [[nodiscard]] Eigen::VectorXd gaps() const {
+    Eigen::VectorXd gap = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(pairs_.size()));
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+      for (unsigned k = 0; k < 3; ++k)
+        gap[static_cast<Eigen::Index>(i)] +=
+            (u_[pairs_[i].upper[k]] - u_[pairs_[i].lower[k]]) * pairs_[i].normal[k];
+    return gap;
+  }
+
+  [[nodiscard]] double largest_jump() const {
+    double jump = 0;
+    for (const Pair& pair : pairs_) {
+      double square = 0;
+      for (unsigned k = 0; k < 3; ++k) square += std::pow(u_[pair.upper[k]] - u_[pair.lower[k]], 2);
+      jump = std::max(jump, std::sqrt(square));
+    }
+    return jump;
+  }
+
+  /// Gap of pair i under a unit pressure at pair j, that is under a pair of forces of its area.
+  [[nodiscard]] Eigen::MatrixXd contact_flexibility() const {
+    constexpr std::size_t kBlock = 64;
+    const dealii::IndexSet owned = dofs_.locally_owned_dofs();
+    const auto rows = static_cast<PetscInt>(owned.n_elements());
+    const auto n = static_cast<Eigen::Index>(pairs_.size());
+    Eigen::MatrixXd flexibility = Eigen::MatrixXd::Zero(n, n);
+    using Dense = std::unique_ptr<_p_Mat, void (*)(Mat)>;
+    const auto dense = [&](PetscInt columns) {
+      Mat m = nullptr;
+      check(MatCreateDense(MPI_COMM_WORLD, rows, PETSC_DECIDE,
+                           static_cast<PetscInt>(dofs_.n_dofs()), columns, nullptr, &m),
+            "contact");
+      return Dense(m, [](Mat x) { MatDestroy(&x); });
+    };
+    for (std::size_t first = 0; first < pairs_.size(); first += kBlock) {
+      const std::size_t count = std::min(kBlock, pairs_.size() - first);
+      const Dense forces = dense(static_cast<PetscInt>(count));
+      const Dense moves = dense(static_cast<PetscInt>(count));
+      for (std::size_t j = 0; j < count; ++j)
+        for (const auto& [dof, value] : pairs_[first + j].row)
+          if (owned.is_element(dof))
+            check(MatSetValue(forces.get(), static_cast<PetscInt>(dof), static_cast<PetscInt>(j),
+                              value * pairs_[first + j].area, INSERT_VALUES),
+                  "contact");
+      for (Mat m : {forces.get(), moves.get()}) {
+        check(MatAssemblyBegin(m, MAT_FINAL_ASSEMBLY), "contact");
+        check(MatAssemblyEnd(m, MAT_FINAL_ASSEMBLY), "contact");
+      }
+      check(MatMatSolve(factor(), forces.get(), moves.get()), "contact");
+      const PetscScalar* values = nullptr;
+      PetscInt leading = 0;
+      check(MatDenseGetLDA(moves.get(), &leading), "contact");
+      check(MatDenseGetArrayRead(moves.get(), &values), "contact");
+      for (std::size_t j = 0; j < count; ++j)
+        for (Eigen::Index i = 0; i < n; ++i)
+          for (const auto& [dof, value] : pairs_[static_cast<std::size_t>(i)].row)
+            if (owned.is_element(dof))
+              flexibility(i, static_cast<Eigen::Index>(first + j)) +=
+                  value *
+                  values[owned.index_within_set(dof) + j * static_cast<std::size_t>(leading)];
+      check(MatDenseRestoreArrayRead(moves.get(), &values), "contact");
+    }
+    dealii::Utilities::MPI::sum(
+        dealii::ArrayView<const double>(flexibility.data(),
+                                        static_cast<std::size_t>(flexibility.size())),
+        MPI_COMM_WORLD,
+        dealii::ArrayView<double>(flexibility.data(),
+                                  static_cast<std::size_t>(flexibility.size())));
+    return flexibility;
+  }
+
+  /// Pressure between the faces where they would pass through each other; (FE-30).
+  void close_crack() {
+    constexpr double kNothing = 1e-5;  // of the largest jump
+    const auto start = std::chrono::steady_clock::now();
     find_pairs();
     if (pairs_.empty()) throw InputError("mesh", "has no crack faces that could touch");
-    double area = 0;
-    std::set<std::size_t> active;
+    const double jump = largest_jump();
+    const Eigen::VectorXd free_gap = gaps();
+    if (free_gap.minCoeff() >= -kNothing * jump) return;
+    Eigen::VectorXd area(free_gap.size());
+    for (Eigen::Index i = 0; i < area.size(); ++i)
+      area[i] = pairs_[static_cast<std::size_t>(i)].area;
+    const Complementarity answer = solve_complementarity(area.asDiagonal() * contact_flexibility(),
+                                                         area.asDiagonal() * free_gap);
+    result_.contact_iterations = answer.steps;
+    contact_forces_.reinit(dofs_.n_dofs());
+    pressure_.assign(dofs_.n_dofs(), 0.0);
+    double touching = 0;
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      area += pairs_[i].normal.norm();
-      active.insert(i);
-    }
-    for (result_.contact_iterations = 1;; ++result_.contact_iterations) {
-      solve(active);
-      double energy = 0;
-      const Vector forces = internal_forces(energy);
-      double largest = 0;
-      double tension = 0;
-      double jump = 0;
-      for (const Pair& pair : pairs_)
-        for (unsigned k = 0; k < 3; ++k)
-          jump = std::max(jump, std::abs(u_[pair.upper[k]] - u_[pair.lower[k]]));
-      std::set<std::size_t> next;
-      for (std::size_t i = 0; i < pairs_.size(); ++i) {
-        const Pair& pair = pairs_[i];
-        const Tensor<1, 3> n = pair.normal / pair.normal.norm();
-        double force = 0;
-        double gap = 0;
-        for (unsigned k = 0; k < 3; ++k) {
-          force += (forces[pair.upper[k]] - load_[pair.upper[k]]) * n[k];
-          gap += (u_[pair.upper[k]] - u_[pair.lower[k]]) * n[k];
-        }
-        const double pressure = force / pair.normal.norm();
-        if (active.count(i)) {
-          largest = std::max(largest, pressure);
-          if (pressure >= -kNothing * last_pressure) next.insert(i);
-          tension = std::max(tension, -pressure);
-        } else if (gap < -kNothing * jump) {
-          next.insert(i);
-        }
+      const Pair& pair = pairs_[i];
+      const double p = answer.x[static_cast<Eigen::Index>(i)];
+      if (!(p > 0)) continue;
+      touching += pair.area;
+      pressure_[pair.upper[0]] = pressure_[pair.lower[0]] = p;
+      for (unsigned k = 0; k < 3; ++k) {
+        contact_forces_[pair.upper[k]] += p * pair.area * pair.normal[k];
+        contact_forces_[pair.lower[k]] -= p * pair.area * pair.normal[k];
       }
-      last_pressure = largest;
-      if (next == active) {
-        double touching = 0;
-        for (const std::size_t i : active) touching += pairs_[i].normal.norm();
-        result_.contact_share = touching / area;
-        result_.contact_pressure_error = largest > 0 ? tension / largest : 0;
-        return;
-      }
-      if (result_.contact_iterations == kMost)
-        throw SolverError(
-            fmt::format("contact of the crack faces did not settle in {} steps", kMost));
-      active = std::move(next);
     }
+    result_.contact_share = touching / area.sum();
+    Vector forces = load_;
+    forces += contact_forces_;
+    displace(forces);
+    result_.contact_overlap = std::max(0.0, -gaps().minCoeff()) / largest_jump();
+    result_.solver_seconds += seconds_since(start);
   }
 
   // --- what is made of the displacements
@@ -595,6 +721,7 @@ class Model {
     result_.strain_energy = energy;
     result_.work = load_ * u_;
     residual -= load_;
+    if (!pressure_.empty()) residual -= contact_forces_;
     constraints_.condense(residual);
     double largest = 0;
     for (Index i = 0; i < residual.size(); ++i)
@@ -669,10 +796,23 @@ class Model {
     }
     return spin;
   }
+  /// Pressure of contact at a point of a crack face; 0 without contact.
+  [[nodiscard]] double pressure_at(const Cell& cell, const dealii::FEValuesBase<3>& values,
+                                   unsigned q) const {
+    if (pressure_.empty()) return 0;
+    cell->get_dof_indices(indices_);
+    double pressure = 0;
+    for (unsigned a = 0; a < scalar_.n_dofs_per_cell(); ++a)
+      pressure += pressure_[indices_[node_of_[0][a]]] * values.shape_value(a, q);
+    return pressure;
+  }
+
   [[nodiscard]] CrackFront evaluate_front(std::size_t front) const;
   [[nodiscard]] CrackFront front_of_integrals(const std::map<std::size_t, const HexCell*>& tips,
                                               const std::vector<double>& integral,
-                                              const std::vector<double>& radius) const;
+                                              const std::vector<double>& radius,
+                                              const std::vector<bool>& touching) const;
+  [[nodiscard]] std::vector<bool> touching_stations(std::size_t front, std::size_t nodes) const;
 
   const HexMesh& mesh_;
   const SolidProblem& problem_;
@@ -685,7 +825,11 @@ class Model {
   dealii::AffineConstraints<double> constraints_;
   Vector load_;
   Vector u_;
+  Solver solver_{nullptr, [](KSP k) { KSPDestroy(&k); }};
   std::vector<Pair> pairs_;
+  std::set<Index> on_front_;  ///< first dofs of the nodes that both sides share
+  Vector contact_forces_;
+  std::vector<double> pressure_;  ///< of contact, at a node's first dof [Pa]; empty without contact
   SolidResult result_;
   mutable std::vector<Index> indices_;
   mutable std::vector<double> local_;
@@ -751,10 +895,10 @@ CrackFront Model::evaluate_front(std::size_t front) const {
       dealii::update_gradients | dealii::update_JxW_values | dealii::update_quadrature_points);
   dealii::FEValues<3> q_values(body_.mapping, velocity, rule, dealii::update_gradients);
   const dealii::QGauss<2> face_rule(static_cast<unsigned>(problem_.order) + 3);
-  dealii::FEFaceValues<3> face_values(body_.mapping, scalar_, face_rule,
-                                      dealii::update_gradients | dealii::update_JxW_values |
-                                          dealii::update_quadrature_points |
-                                          dealii::update_normal_vectors);
+  dealii::FEFaceValues<3> face_values(
+      body_.mapping, scalar_, face_rule,
+      dealii::update_values | dealii::update_gradients | dealii::update_JxW_values |
+          dealii::update_quadrature_points | dealii::update_normal_vectors);
   dealii::FEFaceValues<3> q_face_values(body_.mapping, velocity, face_rule, dealii::update_values);
   const auto auxiliary = [&](std::size_t mode, const FrontFrame& frame, const Point<3>& place,
                              const HexCell& cell) {
@@ -809,7 +953,7 @@ CrackFront Model::evaluate_front(std::size_t front) const {
       if (!cell->face(f)->at_boundary()) continue;
       face_values.reinit(typename dealii::Triangulation<3>::active_cell_iterator(cell), f);
       q_face_values.reinit(typename dealii::Triangulation<3>::active_cell_iterator(cell), f);
-      const bool loaded = !is_crack_face(cell, f) || problem_.crack_faces == CrackFaces::contact;
+      const bool crack = is_crack_face(cell, f);
       gradients(cell, face_values, gradient);
       for (unsigned q = 0; q < face_rule.size(); ++q) {
         const Tensor2& du = gradient[q];
@@ -819,14 +963,19 @@ CrackFront Model::evaluate_front(std::size_t front) const {
                          : f < 2  ? face_rule.point(q)[1]
                                   : face_rule.point(q)[0];
         const FrontFrame frame = front_frame(tip, w);
+        const Tensor<1, 3> traction =
+            crack ? -pressure_at(cell, face_values, q) * normal : lame_.stress(du) * normal;
+        std::array<Tensor<1, 3>, kFields> force;
+        if (crack) force[0] = transpose(du) * traction;  // (FE-31)
         for (std::size_t mode = 0; mode < 3; ++mode) {
           const Tensor2 dv = auxiliary(mode, frame, face_values.quadrature_point(q), origin);
-          Tensor<1, 3> force = transpose(du - spin) * (lame_.stress(dv) * normal);
-          if (loaded) force += transpose(dv) * (lame_.stress(du) * normal);
-          for (unsigned n = 0; n < n_velocity; ++n)
-            moment[(mode + 1) * n_velocity + n] -=
-                q_face_values.shape_value(n, q) * face_values.JxW(q) * force;  // (FE-24)
+          force[mode + 1] =
+              transpose(du - spin) * (lame_.stress(dv) * normal) + transpose(dv) * traction;
         }
+        for (unsigned n = 0; n < n_velocity; ++n)
+          for (std::size_t field = 0; field < kFields; ++field)
+            moment[field * n_velocity + n] -=
+                q_face_values.shape_value(n, q) * face_values.JxW(q) * force[field];  // (FE-24)
       }
     }
     for (unsigned n = 0; n < n_velocity; ++n) {
@@ -847,12 +996,35 @@ CrackFront Model::evaluate_front(std::size_t front) const {
   dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(integral.data(), integral.size()),
                               MPI_COMM_WORLD,
                               dealii::ArrayView<double>(integral.data(), integral.size()));
-  return front_of_integrals(tips, integral, radius);
+  return front_of_integrals(tips, integral, radius, touching_stations(front, nodes));
+}
+
+/// Whether the faces touch next to the nodes of a front: at most of the places of the cells at the
+/// front and of the innermost ring that are closest to it.
+std::vector<bool> Model::touching_stations(std::size_t front, std::size_t nodes) const {
+  std::vector<int> balance(nodes, 0);
+  if (!pressure_.empty())
+    for (const Cell& cell : dofs_.active_cell_iterators()) {
+      const HexCell& origin = source(cell);
+      if (!origin.front || origin.front->front != front || origin.front->ring > 0) continue;
+      for (const unsigned f : cell->face_indices())
+        if (is_crack_face(cell, f))
+          visit_face_nodes(cell, f, [&](unsigned a, const std::array<Index, 3>& node) {
+            const auto nearest =
+                static_cast<std::size_t>(std::lround(2 * scalar_.unit_support_point(a)[2]));
+            if (on_front_.count(node[0]) == 0)
+              balance[2 * origin.front->segment + nearest] += pressure_[node[0]] > 0 ? 1 : -1;
+          });
+    }
+  std::vector<bool> touching(nodes);
+  std::transform(balance.begin(), balance.end(), touching.begin(), [](int b) { return b > 0; });
+  return touching;
 }
 
 CrackFront Model::front_of_integrals(const std::map<std::size_t, const HexCell*>& tips,
                                      const std::vector<double>& integral,
-                                     const std::vector<double>& radius) const {
+                                     const std::vector<double>& radius,
+                                     const std::vector<bool>& touching) const {
   const std::size_t nodes = 2 * tips.size() + 1;
   const std::size_t columns = radius.size();
   if (columns < 3) throw InputError("mesh", "needs three rings about a crack front");
@@ -913,6 +1085,8 @@ CrackFront Model::front_of_integrals(const std::map<std::size_t, const HexCell*>
   }
   double of_K = 0;
   double of_G = 0;
+  double closed_K_I = 0;
+  double largest_K = 0;
   const double scale = std::abs(mean.sum() / static_cast<double>(nodes));
   const Eigen::VectorXd area = mass.rowwise().sum();
   for (const auto& [segment, tip] : tips)
@@ -925,6 +1099,13 @@ CrackFront Model::front_of_integrals(const std::map<std::size_t, const HexCell*>
       station.energy_release_rate = mean(i);
       for (const Eigen::VectorXd& ring : G)
         station.ring_spread = std::max(station.ring_spread, std::abs(ring(i) - mean(i)) / scale);
+      if (problem_.crack_faces == CrackFaces::contact &&
+          (touching[static_cast<std::size_t>(i)] || K[0](i) < 0)) {
+        closed_K_I = std::max(closed_K_I, std::abs(K[0](i)));
+        station.closed = true;
+        K[0](i) = 0;
+      }
+      largest_K = std::max({largest_K, std::abs(K[0](i)), std::abs(K[1](i)), std::abs(K[2](i))});
       station.G_of_K = (K[0](i) * K[0](i) + K[1](i) * K[1](i)) / plane_strain +
                        K[2](i) * K[2](i) / (2 * lame_.mu);  // (FE-25)
       const double rescale = station.energy_release_rate > 0 && station.G_of_K > 0
@@ -938,6 +1119,7 @@ CrackFront Model::front_of_integrals(const std::map<std::size_t, const HexCell*>
       result.stations.push_back(station);
     }
   result.mode_energy_ratio = of_K / of_G;
+  result.closed_K_I = closed_K_I > 0 ? closed_K_I / std::max(closed_K_I, largest_K) : 0;
   return result;
 }
 

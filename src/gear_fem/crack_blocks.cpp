@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "gear_fem/crack_plan.hpp"
 #include "gear_fem/ellipse_template.hpp"
@@ -22,13 +24,18 @@ void check_positive(const char* field, double value) {
 }
 
 /// Loads of both kinds of block, in equilibrium.
-void add_loads(fem::SolidProblem& problem, BlockLoad load, double stress) {
+void add_loads(fem::SolidProblem& problem, BlockLoad load, double stress, double width) {
   const auto add = [&](int tag, const fem::Point3& t) {
     problem.tractions.push_back({.tag = tag, .value = [t](const fem::Point3&) { return t; }});
   };
   if (load == BlockLoad::tension) {
     add(kTop, {0, stress, 0});
     add(kBottom, {0, -stress, 0});
+  } else if (load == BlockLoad::bending) {
+    for (const auto& [tag, sign] : {std::pair{kTop, 1.0}, std::pair{kBottom, -1.0}})
+      problem.tractions.push_back({.tag = tag, .value = [=](const fem::Point3& p) {
+                                     return fem::Point3{0, sign * stress * p[0] / width, 0};
+                                   }});
   } else {
     add(kTop, {stress, 0, 0});
     add(kBottom, {-stress, 0, 0});
@@ -37,15 +44,18 @@ void add_loads(fem::SolidProblem& problem, BlockLoad load, double stress) {
   }
 }
 
-std::array<fem::Point3, 3> far_stress(BlockLoad load, double stress) {
-  std::array<fem::Point3, 3> s{};
-  if (load == BlockLoad::tension) {
-    s[1][1] = stress;
-  } else {
-    s[0][1] = stress;
-    s[1][0] = stress;
-  }
-  return s;
+/// Stress of the block without its crack.
+std::function<std::array<fem::Point3, 3>(const fem::Point3&)> far_stress(BlockLoad load,
+                                                                         double stress,
+                                                                         double width) {
+  return [=](const fem::Point3& p) {
+    std::array<fem::Point3, 3> s{};
+    if (load == BlockLoad::shear)
+      s[0][1] = s[1][0] = stress;
+    else
+      s[1][1] = load == BlockLoad::bending ? stress * p[0] / width : stress;
+    return s;
+  };
 }
 
 }  // namespace
@@ -110,6 +120,7 @@ fem::SolidResult straight_crack_block(const StraightCrackBlock& block) {
   problem.material = block.material;
   problem.order = block.order;
   problem.crack_tag = kCrack;
+  problem.crack_faces = block.crack_faces;
   const auto across = [](const fem::Point3&) { return std::vector<fem::Point3>{{0, 0, 1}}; };
   problem.supports.push_back({.tag = kFront, .directions = across});
   problem.supports.push_back({.tag = kBack, .directions = across});
@@ -120,10 +131,8 @@ fem::SolidResult straight_crack_block(const StraightCrackBlock& block) {
                                 if (p[1] > H - tiny) held = {{1, 0, 0}};
                                 return held;
                               }});
-  add_loads(problem, block.load, block.stress);
-  problem.stress_without_crack = [s = far_stress(block.load, block.stress)](const fem::Point3&) {
-    return s;
-  };
+  add_loads(problem, block.load, block.stress, W);
+  problem.stress_without_crack = far_stress(block.load, block.stress, W);
   return fem::solve_solid(mesh, problem);
 }
 
@@ -187,10 +196,8 @@ fem::SolidResult elliptical_crack_block(const EllipticalCrackBlock& block) {
                                   held.push_back({0, 0, 1});
                                 return held;
                               }});
-  add_loads(problem, block.load, block.stress);
-  problem.stress_without_crack = [s = far_stress(block.load, block.stress)](const fem::Point3&) {
-    return s;
-  };
+  add_loads(problem, block.load, block.stress, X);
+  problem.stress_without_crack = far_stress(block.load, block.stress, X);
   return fem::solve_solid(mesh, problem);
 }
 

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "gear_fem/crack_plan.hpp"
 #include "gear_fem/tube_body.hpp"
@@ -90,13 +91,13 @@ MeshedTube mesh_size(const TubeWithThroughCrack& tube, double a) {
                                    shape)};
 }
 
-Solved solve_size(const TubeWithThroughCrack& tube, double a, fem::CrackFaces faces) {
+Solved solve_size(const TubeWithThroughCrack& tube, double a) {
   const auto start = std::chrono::steady_clock::now();
   const MeshedTube meshed = mesh_size(tube, a);
   const double torque = tube.sense == TorqueSense::positive ? tube.torque : -tube.torque;
   fem::SolidProblem problem = tube_torsion(meshed.body, tube.material, torque);
   problem.order = tube.order;
-  problem.crack_faces = faces;
+  problem.crack_faces = tube.crack_faces;
   Solved done{fem::solve_solid(meshed.mesh, problem), 2 * a * tube.wall_thickness};
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   if (tube.solved) tube.solved(done.solid, taken.count());
@@ -132,28 +133,7 @@ TubeCrackResult solve_tube_with_through_crack(const TubeWithThroughCrack& tube_g
   const TubeWithThroughCrack tube = completed(tube_given);
   const double a = tube.half_length;
   const double torque = tube.torque;
-  // A crack that stays open needs no contact: free faces first, contact where they overlap.
-  fem::CrackFaces faces = fem::CrackFaces::free;
-  Solved now = solve_size(tube, a, faces);
-  // Volume of a through crack under its own nominal stress; sliding alone leaves noise.
-  const double nominal =
-      torque * tube.mean_radius / tube_polar_moment(tube.mean_radius, tube.wall_thickness) /
-      tube.material.youngs_modulus * 2 * std::numbers::pi * a * a * tube.wall_thickness;
-  const auto overlaps = [nominal](const fem::SolidResult& solid) {
-    double largest = 0;
-    double least = 0;
-    for (const fem::CrackFront& front : solid.fronts)
-      for (const fem::FrontStation& s : front.stations) {
-        largest = std::max(largest, std::sqrt(s.K_I * s.K_I + s.K_II * s.K_II + s.K_III * s.K_III));
-        least = std::min(least, s.K_I);
-      }
-    return solid.crack_volume < -0.01 * nominal || least < -0.01 * largest;
-  };
-  const bool overlap = overlaps(now.solid);
-  if (tube.crack_faces == fem::CrackFaces::contact && overlap) {
-    faces = fem::CrackFaces::contact;
-    now = solve_size(tube, a, faces);
-  }
+  Solved now = solve_size(tube, a);
   TubeCrackResult result;
   result.solid = std::move(now.solid);
   fem::SolidResult& solid = result.solid;
@@ -163,25 +143,32 @@ TubeCrackResult solve_tube_with_through_crack(const TubeWithThroughCrack& tube_g
   result.compliance_without = tube.length / (mu * J);
   result.added_compliance = solid.added_work / (torque * torque);
   result.compliance = result.compliance_without + result.added_compliance;
-  result.closed = solid.contact_share > 0.5;
   double length = 0;
   double release = 0;
+  double largest_K = 0;
+  double least_K_I = 0;
+  result.closed = true;
   for (const fem::CrackFront& front : solid.fronts) {
     release += front.release;
     length += front.length;
+    for (const fem::FrontStation& s : front.stations) {
+      result.closed = result.closed && s.closed;
+      largest_K = std::max(largest_K, std::hypot(s.K_I, s.K_II, s.K_III));
+      least_K_I = std::min(least_K_I, s.K_I);
+    }
   }
   result.energy_release_rate = release / length;
   if (tube.check_growth) {
     constexpr double kStep = 0.01;
-    const Solved less = solve_size(tube, a * (1 - kStep), faces);
-    const Solved more = solve_size(tube, a * (1 + kStep), faces);
+    const Solved less = solve_size(tube, a * (1 - kStep));
+    const Solved more = solve_size(tube, a * (1 + kStep));
     result.derivative_release_rate =
         (more.solid.added_work - less.solid.added_work) / 2 / (more.area - less.area);  // (FE-28)
     result.growth_check = result.derivative_release_rate / result.energy_release_rate - 1;
   }
   result.closed_release_rate = 1e-3 * std::pow(result.nominal_shear, 2) * std::numbers::pi * a /
                                tube.material.youngs_modulus;
-  judge(result, tube.check_growth, overlap && faces == fem::CrackFaces::free);
+  judge(result, tube.check_growth, least_K_I < -0.01 * largest_K);
   return result;
 }
 

@@ -52,6 +52,7 @@ struct FrontStation {
   Point3 place{};                ///< [m]
   double energy_release_rate{};  ///< G by domain integral [J/m^2], (FE-23)
   double ring_spread{};          ///< largest difference between rings, relative to the mean G [-]
+  bool closed = false;           ///< the faces touch here (contact only): K_I is exactly 0
   double K_I{};                  ///< [Pa*m^0.5], (FE-24); rescaled to G
   double K_II{};                 ///< [Pa*m^0.5]
   double K_III{};                ///< [Pa*m^0.5]
@@ -64,6 +65,8 @@ struct CrackFront {
   double length{};             ///< of the front [m]
   double ring_spread{};        ///< of `release` between rings (innermost left out), relative [-]
   double mode_energy_ratio{};  ///< integral of G_of_K over that of G [-]; 1 in plane strain
+  double closed_K_I{};         ///< largest |K_I| found at closed stations, there set to 0, over the
+                        ///< largest K of the front [-]; 0 without closed stations
 };
 
 /// Displacements and what follows from them, with its evidence.
@@ -73,8 +76,8 @@ struct SolidResult {
   double added_work{};       ///< work more than without the crack, by reciprocity [J], (FE-26)
   double crack_volume{};     ///< integral of the opening over the crack [m^3]
   double contact_share{};    ///< share of the crack's area that touches [-]
-  int contact_iterations{};  ///< of the active set; 0 without contact
-  double contact_pressure_error{};  ///< largest tension over largest pressure left in contact [-]
+  int contact_iterations{};  ///< steps of the contact problem; 0 when the faces do not touch
+  double contact_overlap{};  ///< deepest overlap left at a node, over the largest jump [-]
   std::vector<CrackFront> fronts;
   double worst_jacobian{};        ///< smallest scaled Jacobian determinant, 1 for a cuboid [-]
   double equilibrium_residual{};  ///< largest free nodal force over largest nodal load [-]

@@ -9,6 +9,7 @@ namespace strainwave::gear_fem {
 enum class BlockLoad {
   tension,  ///< normal to the crack
   shear,    ///< along the block's width (the direction in which a straight crack grows)
+  bending,  ///< normal to the crack, in proportion to x: the given stress at x = width (half_width)
 };
 
 /// A crack through the whole thickness of a block in plane strain.
@@ -24,6 +25,7 @@ struct StraightCrackBlock {
   double stress = 1;      ///< on the faces y = +-half_height [Pa]
   bool centre = true;     ///< false: the crack starts at the edge x = 0
   BlockLoad load = BlockLoad::tension;
+  fem::CrackFaces crack_faces = fem::CrackFaces::free;
   int order = 3;  ///< of the displacements [-]; 2 to 4
   int rings = 6;  ///< about each tip [-]; 3 to 12
 };

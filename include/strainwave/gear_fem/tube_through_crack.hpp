@@ -49,7 +49,7 @@ struct TubeCrackResult {
   double derivative_release_rate{};  ///< T^2/2 dC/dA of neighbouring sizes [J/m^2]; 0: not done
   double growth_check{};             ///< derivative_release_rate/energy_release_rate - 1 [-]
   double closed_release_rate{};      ///< 1e-3 K0^2/E: a smaller G counts as none [J/m^2]
-  bool closed = false;  ///< the faces touch over more than half of the crack: K_I = 0 is exact
+  bool closed = false;  ///< the faces touch along both fronts: K_I = 0 all through the wall
   bool usable = false;  ///< the checks agree
   std::string reason;   ///< why not; empty when usable
 };
