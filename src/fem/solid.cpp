@@ -19,11 +19,6 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q_cache.h>
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/petsc_sparse_matrix.h>
-#include <deal.II/lac/petsc_vector.h>
-#include <deal.II/lac/sparsity_tools.h>
-#include <petscksp.h>
 
 #include <Eigen/Dense>
 #pragma GCC diagnostic pop
@@ -39,6 +34,7 @@
 #include <set>
 #include <utility>
 
+#include "fem/direct_solver.hpp"
 #include "strainwave/core/error.hpp"
 
 namespace strainwave::fem {
@@ -348,104 +344,195 @@ class Model {
   void solve(const std::set<std::size_t>& active) {
     const auto start = std::chrono::steady_clock::now();
     make_constraints(active);
-    const dealii::IndexSet owned = dofs_.locally_owned_dofs();
-    dealii::DynamicSparsityPattern pattern(dofs_.n_dofs());
-    dealii::DoFTools::make_sparsity_pattern(
-        dofs_, pattern, constraints_, false,
-        dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
-    dealii::SparsityTools::distribute_sparsity_pattern(pattern, owned, MPI_COMM_WORLD,
-                                                       dealii::complete_index_set(dofs_.n_dofs()));
-    dealii::PETScWrappers::MPI::SparseMatrix matrix;
-    matrix.reinit(owned, owned, pattern, MPI_COMM_WORLD);
-    dealii::PETScWrappers::MPI::Vector rhs(owned, MPI_COMM_WORLD);
-    assemble(matrix, rhs);
+    number_unknowns();
+    std::vector<double> rhs = condensed_loads();
+    std::vector<CondensedCell> cells;
+    SymmetricEntries entries = assemble(rhs, cells);
     result_.assembly_seconds += seconds_since(start);
-    factor_and_solve(matrix, rhs);
+    const auto middle = std::chrono::steady_clock::now();
+    DirectSolution solution = solve_directly(std::move(entries), std::move(rhs));
+    result_.factor_megabytes = solution.megabytes;
+    result_.factor_operations = solution.operations;
+    expand(solution.x, cells);
+    result_.solver_seconds += seconds_since(middle);
   }
 
-  void assemble(dealii::PETScWrappers::MPI::SparseMatrix& matrix,
-                dealii::PETScWrappers::MPI::Vector& rhs) {
+  /// A cell after the elimination of the dofs that no other cell has.
+  struct CondensedCell {
+    std::vector<Index> inner;     ///< dofs that were eliminated
+    std::vector<int> outer;       ///< numbers of the unknowns that were not
+    CondensedMatrix matrix;       ///< its `outer` is given away
+    Eigen::VectorXd inner_loads;  ///< L^-1 f_i
+  };
+
+  static constexpr int kConstrained = -1;
+  static constexpr int kInner = -2;
+
+  /// Which unknowns the solver gets: neither constrained ones, nor those of one cell alone.
+  void number_unknowns() {
+    number_.assign(dofs_.n_dofs(), kInner);
+    std::vector<char> seen(dofs_.n_dofs(), 0);
+    indices_.resize(element_.n_dofs_per_cell());
+    for (const Cell& cell : dofs_.active_cell_iterators()) {
+      cell->get_dof_indices(indices_);
+      for (const Index i : indices_) {
+        if (seen[i]) number_[i] = 0;
+        seen[i] = 1;
+      }
+    }
+    for (const auto& line : constraints_.get_lines())
+      for (const auto& entry : line.entries) number_[entry.first] = 0;
+    for (const auto& line : constraints_.get_lines()) number_[line.index] = kConstrained;
+    unknowns_ = 0;
+    for (int& number : number_)
+      if (number >= 0) number = unknowns_++;
+  }
+
+  [[nodiscard]] std::vector<double> condensed_loads() const {
+    Vector condensed = load_;
+    constraints_.condense(condensed);
+    std::vector<double> rhs(static_cast<std::size_t>(unknowns_));
+    for (Index i = 0; i < number_.size(); ++i)
+      if (number_[i] >= 0) rhs[static_cast<std::size_t>(number_[i])] = condensed[i];
+    return rhs;
+  }
+
+  /// Lower triangle of the stiffness of one cell; component i of node a is row i * nodes + a.
+  [[nodiscard]] Eigen::MatrixXd stiffness(const dealii::FEValues<3>& values) const {
+    const auto n = static_cast<Eigen::Index>(scalar_.n_dofs_per_cell());
+    const auto points = static_cast<Eigen::Index>(values.n_quadrature_points);
+    Eigen::MatrixXd gradient(3 * n, points);  // scaled by the root of the weight
+    for (Eigen::Index q = 0; q < points; ++q) {
+      const double root = std::sqrt(values.JxW(static_cast<unsigned>(q)));
+      for (Eigen::Index a = 0; a < n; ++a) {
+        const Tensor<1, 3>& g =
+            values.shape_grad(static_cast<unsigned>(a), static_cast<unsigned>(q));
+        for (unsigned i = 0; i < 3; ++i) gradient(i * n + a, q) = root * g[i];
+      }
+    }
+    const Eigen::MatrixXd product = lower_square(gradient);
+    Eigen::MatrixXd matrix(3 * n, 3 * n);
+    for (Eigen::Index j = 0; j < 3; ++j) {
+      for (Eigen::Index b = 0; b < n; ++b)
+        for (Eigen::Index a = b; a < n; ++a) {
+          const double laplace =
+              product(a, b) + product(n + a, n + b) + product(2 * n + a, 2 * n + b);
+          matrix(j * n + a, j * n + b) =
+              (lame_.lambda + lame_.mu) * product(j * n + a, j * n + b) + lame_.mu * laplace;
+        }
+      for (Eigen::Index i = j + 1; i < 3; ++i) {
+        const auto block = product.block(i * n, j * n, n, n);
+        matrix.block(i * n, j * n, n, n) =
+            lame_.lambda * block + lame_.mu * block.transpose();  // (FE-20)
+      }
+    }
+    return matrix;
+  }
+
+  /// Stiffness of this rank's cells; adds to `rhs` what the inner unknowns leave there, and keeps
+  /// in `cells` what is needed to find them.
+  SymmetricEntries assemble(std::vector<double>& rhs, std::vector<CondensedCell>& cells) {
     const dealii::QGauss<3> rule(static_cast<unsigned>(problem_.order) + 1);
     dealii::FEValues<3> values(body_.mapping, scalar_, rule,
                                dealii::update_gradients | dealii::update_JxW_values);
-    const auto n = static_cast<Eigen::Index>(scalar_.n_dofs_per_cell());
-    const auto m = static_cast<Eigen::Index>(rule.size());
-    std::array<Eigen::MatrixXd, 3> gradient;  // scaled by the root of the weight
-    gradient.fill(Eigen::MatrixXd(n, m));
-    dealii::FullMatrix<double> stiffness(element_.n_dofs_per_cell());
-    Vector none(element_.n_dofs_per_cell());
-    std::array<std::array<Eigen::MatrixXd, 3>, 3> product;
+    const std::size_t size = element_.n_dofs_per_cell();
+    const std::size_t nodes = scalar_.n_dofs_per_cell();
+    SymmetricEntries entries;
+    std::vector<double> more(rhs.size(), 0.0);
+    indices_.resize(size);
     for (const Cell& cell : dofs_.active_cell_iterators()) {
       if (!cell->is_locally_owned()) continue;
       reinit(values, cell);
-      for (Eigen::Index q = 0; q < m; ++q) {
-        const double root = std::sqrt(values.JxW(static_cast<unsigned>(q)));
-        for (Eigen::Index a = 0; a < n; ++a) {
-          const Tensor<1, 3>& g =
-              values.shape_grad(static_cast<unsigned>(a), static_cast<unsigned>(q));
-          for (unsigned i = 0; i < 3; ++i) gradient[i](a, q) = root * g[i];
+      cell->get_dof_indices(indices_);
+      // Rows of the cell's stiffness by their kind, and the unknowns that a row turns into.
+      std::vector<Eigen::Index> inner;
+      std::vector<Eigen::Index> rest;
+      CondensedCell& mine = cells.emplace_back();
+      std::map<int, Eigen::Index> column;
+      bool plain = true;
+      const auto dof = [&](Eigen::Index row) {
+        const auto r = static_cast<std::size_t>(row);
+        return indices_[node_of_[r / nodes][r % nodes]];
+      };
+      const auto include = [&](int number) {
+        if (column.emplace(number, static_cast<Eigen::Index>(mine.outer.size())).second)
+          mine.outer.push_back(number);
+      };
+      for (Eigen::Index row = 0; row < static_cast<Eigen::Index>(size); ++row) {
+        const Index i = dof(row);
+        if (number_[i] == kInner) {
+          inner.push_back(row);
+          mine.inner.push_back(i);
+        } else if (number_[i] >= 0) {
+          rest.push_back(row);
+          include(number_[i]);
+        } else if (!constraints_.get_constraint_entries(i)->empty()) {
+          plain = false;
+          rest.push_back(row);
+          for (const auto& entry : *constraints_.get_constraint_entries(i))
+            include(number_[entry.first]);
         }
       }
-      for (unsigned i = 0; i < 3; ++i)
-        for (unsigned j = i; j < 3; ++j) {
-          product[i][j].noalias() = gradient[i] * gradient[j].transpose();
-          if (j > i) product[j][i] = product[i][j].transpose();
+      const auto n_inner = static_cast<Eigen::Index>(inner.size());
+      std::vector<Eigen::Index> order = inner;
+      order.insert(order.end(), rest.begin(), rest.end());
+      const Eigen::MatrixXd all = stiffness(values);
+      const auto n = static_cast<Eigen::Index>(order.size());
+      Eigen::MatrixXd matrix(n, n);
+      for (Eigen::Index j = 0; j < n; ++j)
+        for (Eigen::Index i = j; i < n; ++i)
+          matrix(i, j) = all(std::max(order[i], order[j]), std::min(order[i], order[j]));
+      if (!plain) {
+        const auto kept = static_cast<Eigen::Index>(mine.outer.size());
+        Eigen::MatrixXd turn = Eigen::MatrixXd::Zero(n, n_inner + kept);
+        turn.topLeftCorner(n_inner, n_inner).setIdentity();
+        for (Eigen::Index row = n_inner; row < n; ++row) {
+          const Index i = dof(order[row]);
+          if (number_[i] >= 0)
+            turn(row, n_inner + column.at(number_[i])) = 1;
+          else
+            for (const auto& entry : *constraints_.get_constraint_entries(i))
+              turn(row, n_inner + column.at(number_[entry.first])) += entry.second;
         }
-      const Eigen::MatrixXd laplace = product[0][0] + product[1][1] + product[2][2];
-      for (unsigned i = 0; i < 3; ++i)
-        for (unsigned j = 0; j < 3; ++j)
-          for (Eigen::Index a = 0; a < n; ++a)
-            for (Eigen::Index b = 0; b < n; ++b)
-              stiffness(node_of_[i][static_cast<std::size_t>(a)],
-                        node_of_[j][static_cast<std::size_t>(b)]) =
-                  lame_.lambda * product[i][j](a, b) + lame_.mu * product[j][i](a, b) +
-                  (i == j ? lame_.mu * laplace(a, b) : 0);  // (FE-20)
-      indices_.resize(element_.n_dofs_per_cell());
-      cell->get_dof_indices(indices_);
-      constraints_.distribute_local_to_global(stiffness, none, indices_, matrix, rhs);
+        matrix = turn.transpose() * (matrix.selfadjointView<Eigen::Lower>() * turn);
+      }
+      mine.matrix = condense(matrix, n_inner);
+      mine.inner_loads.resize(n_inner);
+      for (Eigen::Index i = 0; i < n_inner; ++i) mine.inner_loads(i) = load_[mine.inner[i]];
+      mine.matrix.factor.triangularView<Eigen::Lower>().solveInPlace(mine.inner_loads);
+      const auto n_outer = static_cast<Eigen::Index>(mine.outer.size());
+      if (mine.inner_loads.any()) {
+        const Eigen::VectorXd left = mine.matrix.coupling.transpose() * mine.inner_loads;
+        for (Eigen::Index i = 0; i < n_outer; ++i) more[mine.outer[i]] -= left(i);
+      }
+      if (entries.value.empty())
+        entries.reserve(body_.triangulation.n_locally_owned_active_cells() *
+                        static_cast<std::size_t>(n_outer * (n_outer + 1) / 2));
+      for (Eigen::Index j = 0; j < n_outer; ++j)
+        for (Eigen::Index i = j; i < n_outer; ++i)
+          entries.add(mine.outer[i] + 1, mine.outer[j] + 1, mine.matrix.outer(i, j));
+      mine.matrix.outer.resize(0, 0);
     }
-    matrix.compress(dealii::VectorOperation::add);
-    Vector condensed = load_;
-    constraints_.condense(condensed);
-    for (const Index i : dofs_.locally_owned_dofs()) rhs[i] = condensed[i];
-    rhs.compress(dealii::VectorOperation::insert);
+    dealii::Utilities::MPI::sum(more, MPI_COMM_WORLD, more);
+    for (std::size_t i = 0; i < rhs.size(); ++i) rhs[i] += more[i];
+    return entries;
   }
 
-  static void check(PetscErrorCode code, const char* stage) {
-    if (code) throw SolverError(fmt::format("the direct solver failed ({}, code {})", stage, code));
-  }
-
-  void factor_and_solve(dealii::PETScWrappers::MPI::SparseMatrix& matrix,
-                        const dealii::PETScWrappers::MPI::Vector& rhs) {
-    const auto start = std::chrono::steady_clock::now();
-    Mat a = matrix;
-    KSP solver = nullptr;
-    PC preconditioner = nullptr;
-    check(MatSetOption(a, MAT_SPD, PETSC_TRUE), "options");
-    check(KSPCreate(MPI_COMM_WORLD, &solver), "start");
-    const std::unique_ptr<_p_KSP, void (*)(KSP)> guard(solver, [](KSP k) { KSPDestroy(&k); });
-    check(KSPSetOperators(solver, a, a), "operators");
-    check(KSPSetType(solver, KSPPREONLY), "type");
-    check(KSPGetPC(solver, &preconditioner), "type");
-    check(PCSetType(preconditioner, PCCHOLESKY), "type");
-    check(PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS), "MUMPS");
-    check(KSPSetUp(solver), "factorisation");
-    dealii::PETScWrappers::MPI::Vector x(rhs);
-    Vec b = rhs;
-    check(KSPSolve(solver, b, x), "solution");
-    KSPConvergedReason reason{};
-    check(KSPGetConvergedReason(solver, &reason), "solution");
-    if (reason < 0)
-      throw SolverError(
-          "the direct solver failed: the body can move as a whole, or there is too little memory");
-    Mat factor = nullptr;
-    check(PCFactorGetMatrix(preconditioner, &factor), "factor");
-    PetscInt megabytes = 0;
-    check(MatMumpsGetInfog(factor, 22, &megabytes), "factor");
-    result_.factor_megabytes = static_cast<double>(megabytes);
-    u_ = Vector(x);
+  /// All displacements of those that were solved for.
+  void expand(const std::vector<double>& x, const std::vector<CondensedCell>& cells) {
+    Vector inner(dofs_.n_dofs());
+    for (const CondensedCell& cell : cells) {
+      Eigen::VectorXd outer(static_cast<Eigen::Index>(cell.outer.size()));
+      for (Eigen::Index i = 0; i < outer.size(); ++i) outer(i) = x[cell.outer[i]];
+      Eigen::VectorXd u = cell.inner_loads - cell.matrix.coupling * outer;
+      cell.matrix.factor.triangularView<Eigen::Lower>().transpose().solveInPlace(u);
+      for (Eigen::Index i = 0; i < u.size(); ++i) inner[cell.inner[i]] = u(i);
+    }
+    sum(inner);
+    u_ = inner;
+    for (Index i = 0; i < number_.size(); ++i)
+      if (number_[i] >= 0) u_[i] = x[static_cast<std::size_t>(number_[i])];
     constraints_.distribute(u_);
-    result_.solver_seconds += seconds_since(start);
   }
 
   /// Internal nodal forces, without any constraint.
@@ -639,6 +726,8 @@ class Model {
   Vector load_;
   Vector u_;
   std::vector<Pair> pairs_;
+  std::vector<int> number_;  ///< of each dof in the linear equations, or why it has none
+  int unknowns_ = 0;         ///< of the linear equations
   SolidResult result_;
   mutable std::vector<Index> indices_;
   mutable std::vector<double> local_;

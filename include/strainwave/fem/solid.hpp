@@ -82,7 +82,8 @@ struct SolidResult {
   std::size_t dofs{};
   double assembly_seconds{};
   double solver_seconds{};
-  double factor_megabytes{};  ///< memory of the factorisation over all ranks [MB]
+  double factor_megabytes{};   ///< memory of the factorisation over all ranks [MB]
+  double factor_operations{};  ///< floating-point operations of the last elimination
 };
 
 /// Solves a problem of linear elasticity on mapped hexahedra and evaluates its crack fronts.

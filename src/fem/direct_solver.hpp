@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+namespace strainwave::fem {
+
+/// What one rank has of a symmetric positive definite matrix: entries of one triangle in any
+/// order; an entry that is given more than once, by whichever rank, counts as the sum.
+struct SymmetricEntries {
+  std::vector<int> row;     ///< from 1
+  std::vector<int> column;  ///< from 1
+  std::vector<double> value;
+
+  void reserve(std::size_t size);
+  void add(int i, int j, double v) {
+    row.push_back(i);
+    column.push_back(j);
+    value.push_back(v);
+  }
+};
+
+struct DirectSolution {
+  std::vector<double> x;  ///< the same on every rank
+  double megabytes{};     ///< memory of the factorisation, over all ranks [MB]
+  double operations{};    ///< floating-point operations of the elimination
+};
+
+/// Cholesky factorisation by MUMPS.  Every rank calls it, with its own entries and the same right
+/// hand side.
+/// @throws SolverError  a matrix that is singular, or too little memory
+[[nodiscard]] DirectSolution solve_directly(SymmetricEntries entries, std::vector<double> rhs);
+
+// Dense matrices by BLAS and LAPACK, which unlike our own code are compiled for the processor.
+
+/// Lower triangle of A A^T.
+[[nodiscard]] Eigen::MatrixXd lower_square(const Eigen::MatrixXd& a);
+
+/// A cell whose first unknowns occur nowhere else, after these were eliminated.
+struct CondensedMatrix {
+  Eigen::MatrixXd factor;    ///< L of the block of the inner unknowns
+  Eigen::MatrixXd coupling;  ///< L^-1 K_io
+  Eigen::MatrixXd outer;     ///< K_oo - K_oi K_ii^-1 K_io, lower triangle
+};
+
+/// @param stiffness  lower triangle, the inner unknowns first
+/// @param inner      how many of them, may be 0
+/// @throws SolverError  if their block is not positive definite
+[[nodiscard]] CondensedMatrix condense(const Eigen::MatrixXd& stiffness, Eigen::Index inner);
+
+}  // namespace strainwave::fem
