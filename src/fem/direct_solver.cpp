@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fem/direct_solver.hpp"
 
+#include <dlfcn.h>
 #include <dmumps_c.h>
 #include <fmt/format.h>
 #include <mpi.h>
+
+#include <cstdlib>
+#include <string_view>
 
 #include "strainwave/core/error.hpp"
 
@@ -86,6 +90,25 @@ DirectSolution solve_directly(SymmetricEntries entries, std::vector<double> rhs)
   return {.x = std::move(rhs),
           .megabytes = static_cast<double>(data.infog[21]),
           .operations = data.rinfog[2]};
+}
+
+void choose_blas_kernels() {
+#ifdef __x86_64__
+  const auto named = reinterpret_cast<const char* (*)()>(dlsym(RTLD_DEFAULT, "gotoblas_corename"));
+  const auto forget = reinterpret_cast<void (*)()>(dlsym(RTLD_DEFAULT, "gotoblas_dynamic_quit"));
+  const auto choose = reinterpret_cast<void (*)()>(dlsym(RTLD_DEFAULT, "gotoblas_dynamic_init"));
+  if (!named || !forget || !choose || std::getenv("OPENBLAS_CORETYPE")) return;
+  if (named() != std::string_view("Prescott")) return;
+  const bool haswell = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  const bool skylake = haswell && __builtin_cpu_supports("avx512f") &&
+                       __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+                       __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512cd");
+  if (!haswell) return;
+  setenv("OPENBLAS_CORETYPE", skylake ? "SkylakeX" : "Haswell", 0);
+  forget();
+  choose();
+  unsetenv("OPENBLAS_CORETYPE");
+#endif
 }
 
 Eigen::MatrixXd lower_square(const Eigen::MatrixXd& a) {

@@ -32,6 +32,13 @@ struct DirectSolution {
 /// @throws SolverError  a matrix that is singular, or too little memory
 [[nodiscard]] DirectSolution solve_directly(SymmetricEntries entries, std::vector<double> rhs);
 
+/// Gives OpenBLAS the kernels of this processor where it does not know it.
+///
+/// OpenBLAS 0.3.21 of Debian 12 falls back to those of a Pentium 4 ("Prescott") on processors that
+/// are newer than itself: a fifth of the speed.  Does nothing with another BLAS, or where
+/// OPENBLAS_CORETYPE is set.  Before the first use of BLAS.
+void choose_blas_kernels();
+
 // Dense matrices by BLAS and LAPACK, which unlike our own code are compiled for the processor.
 
 /// Lower triangle of A A^T.

@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -43,8 +44,12 @@ struct MpiSession::Impl {
   dealii::Utilities::MPI::MPI_InitFinalize session;
 };
 
-MpiSession::MpiSession(int& argc, char**& argv)
-    : impl_(new Impl{dealii::Utilities::MPI::MPI_InitFinalize(argc, argv, 1)}) {}
+MpiSession::MpiSession(int& argc, char**& argv) {
+  choose_blas_kernels();
+  // Open MPI, started without mpirun: no daemon, for we start no further processes.
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  impl_ = new Impl{dealii::Utilities::MPI::MPI_InitFinalize(argc, argv, 1)};
+}
 MpiSession::~MpiSession() { delete impl_; }
 int MpiSession::rank() const {
   return static_cast<int>(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));

@@ -105,7 +105,7 @@ struct SolidResult {
 /// @throws InputError  naming the first cell with a determinant <= 0
 double check_jacobians(const HexMesh& mesh);
 
-/// Initialises MPI and PETSc for as long as it lives; one per program.
+/// Initialises MPI, PETSc and the kernels of BLAS for as long as it lives; one per program.
 class MpiSession {
  public:
   MpiSession(int& argc, char**& argv);
@@ -118,7 +118,7 @@ class MpiSession {
 
  private:
   struct Impl;
-  Impl* impl_;
+  Impl* impl_ = nullptr;
 };
 
 }  // namespace strainwave::fem
