@@ -19,11 +19,6 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q_cache.h>
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/petsc_sparse_matrix.h>
-#include <deal.II/lac/petsc_vector.h>
-#include <deal.II/lac/sparsity_tools.h>
-#include <petscksp.h>
 
 #include <Eigen/Dense>
 #pragma GCC diagnostic pop
@@ -33,12 +28,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <memory>
 #include <numbers>
 #include <set>
 #include <utility>
 
+#include "fem/direct_solver.hpp"
 #include "strainwave/core/error.hpp"
 
 namespace strainwave::fem {
@@ -47,8 +44,12 @@ struct MpiSession::Impl {
   dealii::Utilities::MPI::MPI_InitFinalize session;
 };
 
-MpiSession::MpiSession(int& argc, char**& argv)
-    : impl_(new Impl{dealii::Utilities::MPI::MPI_InitFinalize(argc, argv, 1)}) {}
+MpiSession::MpiSession(int& argc, char**& argv) {
+  choose_blas_kernels();
+  // Open MPI, started without mpirun: no daemon, for we start no further processes.
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  impl_ = new Impl{dealii::Utilities::MPI::MPI_InitFinalize(argc, argv, 1)};
+}
 MpiSession::~MpiSession() { delete impl_; }
 int MpiSession::rank() const {
   return static_cast<int>(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
@@ -316,7 +317,6 @@ class Model {
     std::vector<std::pair<Index, double>> row;  ///< its gap as a sum over unconstrained dofs
   };
 
-  using Solver = std::unique_ptr<_p_KSP, void (*)(KSP)>;
 
   void cell_values(const Cell& cell) const {
     indices_.resize(element_.n_dofs_per_cell());
@@ -410,111 +410,195 @@ class Model {
   void solve() {
     auto start = std::chrono::steady_clock::now();
     make_constraints();
-    const dealii::IndexSet owned = dofs_.locally_owned_dofs();
-    dealii::DynamicSparsityPattern pattern(dofs_.n_dofs());
-    dealii::DoFTools::make_sparsity_pattern(
-        dofs_, pattern, constraints_, false,
-        dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
-    dealii::SparsityTools::distribute_sparsity_pattern(pattern, owned, MPI_COMM_WORLD,
-                                                       dealii::complete_index_set(dofs_.n_dofs()));
-    dealii::PETScWrappers::MPI::SparseMatrix matrix;
-    matrix.reinit(owned, owned, pattern, MPI_COMM_WORLD);
-    assemble(matrix);
+    number_unknowns();
+    SymmetricEntries entries = assemble();
     result_.assembly_seconds += seconds_since(start);
     start = std::chrono::steady_clock::now();
-    factorise(matrix);
+    solver_ = std::make_unique<DirectSolver>(std::move(entries), unknowns_);
+    result_.factor_megabytes = solver_->megabytes();
+    result_.factor_operations = solver_->operations();
     displace(load_);
     result_.solver_seconds += seconds_since(start);
   }
 
-  void assemble(dealii::PETScWrappers::MPI::SparseMatrix& matrix) {
+  /// A cell after the elimination of the dofs that no other cell has.
+  struct CondensedCell {
+    std::vector<Index> inner;  ///< dofs that were eliminated
+    std::vector<int> outer;    ///< numbers of the unknowns that were not
+    CondensedMatrix matrix;    ///< its `outer` is given away
+  };
+
+  static constexpr int kConstrained = -1;
+  static constexpr int kInner = -2;
+
+  /// Which unknowns the solver gets: neither constrained ones, nor those of one cell alone.
+  void number_unknowns() {
+    number_.assign(dofs_.n_dofs(), kInner);
+    std::vector<char> seen(dofs_.n_dofs(), 0);
+    indices_.resize(element_.n_dofs_per_cell());
+    for (const Cell& cell : dofs_.active_cell_iterators()) {
+      cell->get_dof_indices(indices_);
+      for (const Index i : indices_) {
+        if (seen[i]) number_[i] = 0;
+        seen[i] = 1;
+      }
+    }
+    if (problem_.crack_faces == CrackFaces::contact)  // these will be pushed apart
+      for (const Cell& cell : dofs_.active_cell_iterators())
+        for (const unsigned f : cell->face_indices())
+          if (is_crack_face(cell, f))
+            visit_face_nodes(cell, f, [&](unsigned, const std::array<Index, 3>& node) {
+              for (const Index i : node) number_[i] = 0;
+            });
+    for (const auto& line : constraints_.get_lines())
+      for (const auto& entry : line.entries) number_[entry.first] = 0;
+    for (const auto& line : constraints_.get_lines()) number_[line.index] = kConstrained;
+    unknowns_ = 0;
+    for (int& number : number_)
+      if (number >= 0) number = unknowns_++;
+  }
+
+  /// Lower triangle of the stiffness of one cell; component i of node a is row i * nodes + a.
+  [[nodiscard]] Eigen::MatrixXd stiffness(const dealii::FEValues<3>& values) const {
+    const auto n = static_cast<Eigen::Index>(scalar_.n_dofs_per_cell());
+    const auto points = static_cast<Eigen::Index>(values.n_quadrature_points);
+    Eigen::MatrixXd gradient(3 * n, points);  // scaled by the root of the weight
+    for (Eigen::Index q = 0; q < points; ++q) {
+      const double root = std::sqrt(values.JxW(static_cast<unsigned>(q)));
+      for (Eigen::Index a = 0; a < n; ++a) {
+        const Tensor<1, 3>& g =
+            values.shape_grad(static_cast<unsigned>(a), static_cast<unsigned>(q));
+        for (unsigned i = 0; i < 3; ++i) gradient(i * n + a, q) = root * g[i];
+      }
+    }
+    const Eigen::MatrixXd product = lower_square(gradient);
+    Eigen::MatrixXd matrix(3 * n, 3 * n);
+    for (Eigen::Index j = 0; j < 3; ++j) {
+      for (Eigen::Index b = 0; b < n; ++b)
+        for (Eigen::Index a = b; a < n; ++a) {
+          const double laplace =
+              product(a, b) + product(n + a, n + b) + product(2 * n + a, 2 * n + b);
+          matrix(j * n + a, j * n + b) =
+              (lame_.lambda + lame_.mu) * product(j * n + a, j * n + b) + lame_.mu * laplace;
+        }
+      for (Eigen::Index i = j + 1; i < 3; ++i) {
+        const auto block = product.block(i * n, j * n, n, n);
+        matrix.block(i * n, j * n, n, n) =
+            lame_.lambda * block + lame_.mu * block.transpose();  // (FE-20)
+      }
+    }
+    return matrix;
+  }
+
+  /// Stiffness of this rank's cells; keeps in `cells_` what the inner unknowns need.
+  SymmetricEntries assemble() {
     const dealii::QGauss<3> rule(static_cast<unsigned>(problem_.order) + 1);
     dealii::FEValues<3> values(body_.mapping, scalar_, rule,
                                dealii::update_gradients | dealii::update_JxW_values);
-    const auto n = static_cast<Eigen::Index>(scalar_.n_dofs_per_cell());
-    const auto m = static_cast<Eigen::Index>(rule.size());
-    std::array<Eigen::MatrixXd, 3> gradient;  // scaled by the root of the weight
-    gradient.fill(Eigen::MatrixXd(n, m));
-    dealii::FullMatrix<double> stiffness(element_.n_dofs_per_cell());
-    std::array<std::array<Eigen::MatrixXd, 3>, 3> product;
+    const std::size_t size = element_.n_dofs_per_cell();
+    const std::size_t nodes = scalar_.n_dofs_per_cell();
+    SymmetricEntries entries;
+    indices_.resize(size);
     for (const Cell& cell : dofs_.active_cell_iterators()) {
       if (!cell->is_locally_owned()) continue;
       reinit(values, cell);
-      for (Eigen::Index q = 0; q < m; ++q) {
-        const double root = std::sqrt(values.JxW(static_cast<unsigned>(q)));
-        for (Eigen::Index a = 0; a < n; ++a) {
-          const Tensor<1, 3>& g =
-              values.shape_grad(static_cast<unsigned>(a), static_cast<unsigned>(q));
-          for (unsigned i = 0; i < 3; ++i) gradient[i](a, q) = root * g[i];
+      cell->get_dof_indices(indices_);
+      // Rows of the cell's stiffness by their kind, and the unknowns that a row turns into.
+      std::vector<Eigen::Index> inner;
+      std::vector<Eigen::Index> rest;
+      CondensedCell& mine = cells_.emplace_back();
+      std::map<int, Eigen::Index> column;
+      bool plain = true;
+      const auto dof = [&](Eigen::Index row) {
+        const auto r = static_cast<std::size_t>(row);
+        return indices_[node_of_[r / nodes][r % nodes]];
+      };
+      const auto include = [&](int number) {
+        if (column.emplace(number, static_cast<Eigen::Index>(mine.outer.size())).second)
+          mine.outer.push_back(number);
+      };
+      for (Eigen::Index row = 0; row < static_cast<Eigen::Index>(size); ++row) {
+        const Index i = dof(row);
+        if (number_[i] == kInner) {
+          inner.push_back(row);
+          mine.inner.push_back(i);
+        } else if (number_[i] >= 0) {
+          rest.push_back(row);
+          include(number_[i]);
+        } else if (!constraints_.get_constraint_entries(i)->empty()) {
+          plain = false;
+          rest.push_back(row);
+          for (const auto& entry : *constraints_.get_constraint_entries(i))
+            include(number_[entry.first]);
         }
       }
-      for (unsigned i = 0; i < 3; ++i)
-        for (unsigned j = i; j < 3; ++j) {
-          product[i][j].noalias() = gradient[i] * gradient[j].transpose();
-          if (j > i) product[j][i] = product[i][j].transpose();
+      const auto n_inner = static_cast<Eigen::Index>(inner.size());
+      std::vector<Eigen::Index> order = inner;
+      order.insert(order.end(), rest.begin(), rest.end());
+      const Eigen::MatrixXd all = stiffness(values);
+      const auto n = static_cast<Eigen::Index>(order.size());
+      Eigen::MatrixXd matrix(n, n);
+      for (Eigen::Index j = 0; j < n; ++j)
+        for (Eigen::Index i = j; i < n; ++i)
+          matrix(i, j) = all(std::max(order[i], order[j]), std::min(order[i], order[j]));
+      if (!plain) {
+        const auto kept = static_cast<Eigen::Index>(mine.outer.size());
+        Eigen::MatrixXd turn = Eigen::MatrixXd::Zero(n, n_inner + kept);
+        turn.topLeftCorner(n_inner, n_inner).setIdentity();
+        for (Eigen::Index row = n_inner; row < n; ++row) {
+          const Index i = dof(order[row]);
+          if (number_[i] >= 0)
+            turn(row, n_inner + column.at(number_[i])) = 1;
+          else
+            for (const auto& entry : *constraints_.get_constraint_entries(i))
+              turn(row, n_inner + column.at(number_[entry.first])) += entry.second;
         }
-      const Eigen::MatrixXd laplace = product[0][0] + product[1][1] + product[2][2];
-      for (unsigned i = 0; i < 3; ++i)
-        for (unsigned j = 0; j < 3; ++j)
-          for (Eigen::Index a = 0; a < n; ++a)
-            for (Eigen::Index b = 0; b < n; ++b)
-              stiffness(node_of_[i][static_cast<std::size_t>(a)],
-                        node_of_[j][static_cast<std::size_t>(b)]) =
-                  lame_.lambda * product[i][j](a, b) + lame_.mu * product[j][i](a, b) +
-                  (i == j ? lame_.mu * laplace(a, b) : 0);  // (FE-20)
-      indices_.resize(element_.n_dofs_per_cell());
-      cell->get_dof_indices(indices_);
-      constraints_.distribute_local_to_global(stiffness, indices_, matrix);
+        matrix = turn.transpose() * (matrix.selfadjointView<Eigen::Lower>() * turn);
+      }
+      mine.matrix = condense(matrix, n_inner);
+      const auto n_outer = static_cast<Eigen::Index>(mine.outer.size());
+      if (entries.value.empty())
+        entries.reserve(body_.triangulation.n_locally_owned_active_cells() *
+                        static_cast<std::size_t>(n_outer * (n_outer + 1) / 2));
+      for (Eigen::Index j = 0; j < n_outer; ++j)
+        for (Eigen::Index i = j; i < n_outer; ++i)
+          entries.add(mine.outer[i] + 1, mine.outer[j] + 1, mine.matrix.outer(i, j));
+      mine.matrix.outer.resize(0, 0);
     }
-    matrix.compress(dealii::VectorOperation::add);
-  }
-
-  static void check(PetscErrorCode code, const char* stage) {
-    if (code) throw SolverError(fmt::format("the direct solver failed ({}, code {})", stage, code));
-  }
-
-  void factorise(const dealii::PETScWrappers::MPI::SparseMatrix& matrix) {
-    Mat a = matrix;
-    KSP solver = nullptr;
-    PC preconditioner = nullptr;
-    check(MatSetOption(a, MAT_SPD, PETSC_TRUE), "options");
-    check(KSPCreate(MPI_COMM_WORLD, &solver), "start");
-    solver_.reset(solver);
-    check(KSPSetOperators(solver, a, a), "operators");
-    check(KSPSetType(solver, KSPPREONLY), "type");
-    check(KSPGetPC(solver, &preconditioner), "type");
-    check(PCSetType(preconditioner, PCCHOLESKY), "type");
-    check(PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS), "MUMPS");
-    check(KSPSetUp(solver), "factorisation");
-    PetscInt megabytes = 0;
-    check(MatMumpsGetInfog(factor(), 22, &megabytes), "factor");
-    result_.factor_megabytes = static_cast<double>(megabytes);
-  }
-
-  [[nodiscard]] Mat factor() const {
-    PC preconditioner = nullptr;
-    Mat factor = nullptr;
-    check(KSPGetPC(solver_.get(), &preconditioner), "factor");
-    check(PCFactorGetMatrix(preconditioner, &factor), "factor");
-    return factor;
+    return entries;
   }
 
   /// The displacements u_ under nodal forces.
   void displace(Vector forces) {
     constraints_.condense(forces);
-    const dealii::IndexSet owned = dofs_.locally_owned_dofs();
-    dealii::PETScWrappers::MPI::Vector rhs(owned, MPI_COMM_WORLD);
-    for (const Index i : owned) rhs[i] = forces[i];
-    rhs.compress(dealii::VectorOperation::insert);
-    dealii::PETScWrappers::MPI::Vector x(rhs);
-    Vec b = rhs;
-    check(KSPSolve(solver_.get(), b, x), "solution");
-    KSPConvergedReason reason{};
-    check(KSPGetConvergedReason(solver_.get(), &reason), "solution");
-    if (reason < 0)
-      throw SolverError(
-          "the direct solver failed: the body can move as a whole, or there is too little memory");
-    u_ = Vector(x);
+    std::vector<double> rhs(static_cast<std::size_t>(unknowns_));
+    std::vector<double> inner_rhs(rhs.size(), 0.0);
+    std::vector<Eigen::VectorXd> inner_forces;  // L^-1 f_i, cell by cell
+    for (const CondensedCell& cell : cells_) {
+      Eigen::VectorXd& f = inner_forces.emplace_back(static_cast<Eigen::Index>(cell.inner.size()));
+      for (Eigen::Index i = 0; i < f.size(); ++i) f(i) = forces[cell.inner[i]];
+      if (!f.any()) continue;
+      cell.matrix.factor.triangularView<Eigen::Lower>().solveInPlace(f);
+      const Eigen::VectorXd left = cell.matrix.coupling.transpose() * f;
+      for (Eigen::Index i = 0; i < left.size(); ++i) inner_rhs[cell.outer[i]] -= left(i);
+    }
+    dealii::Utilities::MPI::sum(inner_rhs, MPI_COMM_WORLD, inner_rhs);
+    for (Index i = 0; i < number_.size(); ++i)
+      if (number_[i] >= 0) rhs[static_cast<std::size_t>(number_[i])] = forces[i];
+    for (std::size_t i = 0; i < rhs.size(); ++i) rhs[i] += inner_rhs[i];
+    const std::vector<double> x = solver_->solve(std::move(rhs));
+    u_.reinit(dofs_.n_dofs());
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+      const CondensedCell& cell = cells_[c];
+      Eigen::VectorXd outer(static_cast<Eigen::Index>(cell.outer.size()));
+      for (Eigen::Index i = 0; i < outer.size(); ++i) outer(i) = x[cell.outer[i]];
+      Eigen::VectorXd u = inner_forces[c] - cell.matrix.coupling * outer;
+      cell.matrix.factor.triangularView<Eigen::Lower>().transpose().solveInPlace(u);
+      for (Eigen::Index i = 0; i < u.size(); ++i) u_[cell.inner[i]] = u(i);
+    }
+    sum(u_);
+    for (Index i = 0; i < number_.size(); ++i)
+      if (number_[i] >= 0) u_[i] = x[static_cast<std::size_t>(number_[i])];
     constraints_.distribute(u_);
   }
 
@@ -627,52 +711,23 @@ class Model {
   /// Gap of pair i under a unit pressure at pair j, that is under a pair of forces of its area.
   [[nodiscard]] Eigen::MatrixXd contact_flexibility() const {
     constexpr std::size_t kBlock = 64;
-    const dealii::IndexSet owned = dofs_.locally_owned_dofs();
-    const auto rows = static_cast<PetscInt>(owned.n_elements());
     const auto n = static_cast<Eigen::Index>(pairs_.size());
+    const auto unknowns = static_cast<std::size_t>(unknowns_);
     Eigen::MatrixXd flexibility = Eigen::MatrixXd::Zero(n, n);
-    using Dense = std::unique_ptr<_p_Mat, void (*)(Mat)>;
-    const auto dense = [&](PetscInt columns) {
-      Mat m = nullptr;
-      check(MatCreateDense(MPI_COMM_WORLD, rows, PETSC_DECIDE,
-                           static_cast<PetscInt>(dofs_.n_dofs()), columns, nullptr, &m),
-            "contact");
-      return Dense(m, [](Mat x) { MatDestroy(&x); });
-    };
     for (std::size_t first = 0; first < pairs_.size(); first += kBlock) {
       const std::size_t count = std::min(kBlock, pairs_.size() - first);
-      const Dense forces = dense(static_cast<PetscInt>(count));
-      const Dense moves = dense(static_cast<PetscInt>(count));
+      std::vector<double> columns(count * unknowns, 0.0);
       for (std::size_t j = 0; j < count; ++j)
         for (const auto& [dof, value] : pairs_[first + j].row)
-          if (owned.is_element(dof))
-            check(MatSetValue(forces.get(), static_cast<PetscInt>(dof), static_cast<PetscInt>(j),
-                              value * pairs_[first + j].area, INSERT_VALUES),
-                  "contact");
-      for (Mat m : {forces.get(), moves.get()}) {
-        check(MatAssemblyBegin(m, MAT_FINAL_ASSEMBLY), "contact");
-        check(MatAssemblyEnd(m, MAT_FINAL_ASSEMBLY), "contact");
-      }
-      check(MatMatSolve(factor(), forces.get(), moves.get()), "contact");
-      const PetscScalar* values = nullptr;
-      PetscInt leading = 0;
-      check(MatDenseGetLDA(moves.get(), &leading), "contact");
-      check(MatDenseGetArrayRead(moves.get(), &values), "contact");
+          columns[j * unknowns + static_cast<std::size_t>(number_[dof])] +=
+              value * pairs_[first + j].area;
+      columns = solver_->solve(std::move(columns), static_cast<int>(count));
       for (std::size_t j = 0; j < count; ++j)
         for (Eigen::Index i = 0; i < n; ++i)
           for (const auto& [dof, value] : pairs_[static_cast<std::size_t>(i)].row)
-            if (owned.is_element(dof))
-              flexibility(i, static_cast<Eigen::Index>(first + j)) +=
-                  value *
-                  values[owned.index_within_set(dof) + j * static_cast<std::size_t>(leading)];
-      check(MatDenseRestoreArrayRead(moves.get(), &values), "contact");
+            flexibility(i, static_cast<Eigen::Index>(first + j)) +=
+                value * columns[j * unknowns + static_cast<std::size_t>(number_[dof])];
     }
-    dealii::Utilities::MPI::sum(
-        dealii::ArrayView<const double>(flexibility.data(),
-                                        static_cast<std::size_t>(flexibility.size())),
-        MPI_COMM_WORLD,
-        dealii::ArrayView<double>(flexibility.data(),
-                                  static_cast<std::size_t>(flexibility.size())));
     return flexibility;
   }
 
@@ -825,11 +880,14 @@ class Model {
   dealii::AffineConstraints<double> constraints_;
   Vector load_;
   Vector u_;
-  Solver solver_{nullptr, [](KSP k) { KSPDestroy(&k); }};
+  std::unique_ptr<DirectSolver> solver_;
+  std::vector<CondensedCell> cells_;  ///< of this rank
   std::vector<Pair> pairs_;
   std::set<Index> on_front_;  ///< first dofs of the nodes that both sides share
   Vector contact_forces_;
   std::vector<double> pressure_;  ///< of contact, at a node's first dof [Pa]; empty without contact
+  std::vector<int> number_;       ///< of each dof in the linear equations, or why it has none
+  int unknowns_ = 0;              ///< of the linear equations
   SolidResult result_;
   mutable std::vector<Index> indices_;
   mutable std::vector<double> local_;

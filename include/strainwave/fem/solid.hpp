@@ -86,7 +86,8 @@ struct SolidResult {
   std::size_t dofs{};
   double assembly_seconds{};
   double solver_seconds{};
-  double factor_megabytes{};  ///< memory of the factorisation over all ranks [MB]
+  double factor_megabytes{};   ///< memory of the factorisation over all ranks [MB]
+  double factor_operations{};  ///< floating-point operations of the last elimination
 };
 
 /// Solves a problem of linear elasticity on mapped hexahedra and evaluates its crack fronts.
@@ -108,7 +109,7 @@ struct SolidResult {
 /// @throws InputError  naming the first cell with a determinant <= 0
 double check_jacobians(const HexMesh& mesh);
 
-/// Initialises MPI and PETSc for as long as it lives; one per program.
+/// Initialises MPI, PETSc and the kernels of BLAS for as long as it lives; one per program.
 class MpiSession {
  public:
   MpiSession(int& argc, char**& argv);
@@ -127,7 +128,7 @@ class MpiSession {
 
  private:
   struct Impl;
-  Impl* impl_;
+  Impl* impl_ = nullptr;
 };
 
 }  // namespace strainwave::fem

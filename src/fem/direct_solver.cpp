@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fem/direct_solver.hpp"
+
+#include <dlfcn.h>
+#include <dmumps_c.h>
+#include <fmt/format.h>
+#include <mpi.h>
+
+#include <cstdlib>
+#include <string_view>
+
+#include "strainwave/core/error.hpp"
+
+extern "C" {
+void dsyrk_(const char*, const char*, const int*, const int*, const double*, const double*,
+            const int*, const double*, double*, const int*);
+void dtrsm_(const char*, const char*, const char*, const char*, const int*, const int*,
+            const double*, const double*, const int*, double*, const int*);
+void dpotrf_(const char*, const int*, double*, const int*, int*);
+}
+
+namespace strainwave::fem {
+/// MUMPS's data, which it must be asked to give back.
+struct DirectSolver::Mumps {
+  Mumps() {
+    id_.par = 1;  // the first rank works too
+    id_.sym = 1;  // positive definite
+    id_.comm_fortran = MPI_Comm_c2f(MPI_COMM_WORLD);
+    run(kStart);
+    for (const int silent : {1, 2, 3, 4}) control(silent) = silent == 4 ? 0 : -1;
+    control(18) = 3;  // every rank gives its entries
+    control(28) = 1;  // the order is chosen by one rank: the same for any number of them
+    control(7) = 5;   // by METIS
+  }
+  ~Mumps() {
+    id_.job = kEnd;
+    dmumps_c(&id_);
+  }
+  Mumps(const Mumps&) = delete;
+  Mumps& operator=(const Mumps&) = delete;
+
+  static constexpr int kStart = -1;
+  static constexpr int kEnd = -2;
+  static constexpr int kAnalyseAndFactor = 4;
+  static constexpr int kSolve = 3;
+
+  /// With the numbering of its manual.
+  int& control(int i) { return id_.icntl[i - 1]; }
+
+  void run(int job) {
+    id_.job = job;
+    dmumps_c(&id_);
+    const int code = id_.infog[0];
+    if (code == -10) throw SolverError("the direct solver failed: the body can move as a whole");
+    if (code == -13 || code == -7 || code == -5)
+      throw SolverError("the direct solver failed: there is too little memory");
+    if (code < 0)
+      throw SolverError(fmt::format("the direct solver failed (code {}, {})", code, id_.infog[1]));
+  }
+
+  DMUMPS_STRUC_C id_{};
+};
+
+void SymmetricEntries::reserve(std::size_t size) {
+  row.reserve(size);
+  column.reserve(size);
+  value.reserve(size);
+}
+
+DirectSolver::DirectSolver(SymmetricEntries entries, int unknowns)
+    : mumps_(std::make_unique<Mumps>()) {
+  DMUMPS_STRUC_C& data = mumps_->id_;
+  data.n = unknowns;
+  data.nnz_loc = static_cast<MUMPS_INT8>(entries.value.size());
+  data.irn_loc = entries.row.data();
+  data.jcn_loc = entries.column.data();
+  data.a_loc = entries.value.data();
+  mumps_->run(Mumps::kAnalyseAndFactor);
+  // The entries end here: MUMPS has its factor and does not look at them again.
+  data.irn_loc = nullptr;
+  data.jcn_loc = nullptr;
+  data.a_loc = nullptr;
+}
+
+DirectSolver::~DirectSolver() = default;
+
+std::vector<double> DirectSolver::solve(std::vector<double> rhs, int count) {
+  DMUMPS_STRUC_C& data = mumps_->id_;
+  data.rhs = rhs.data();
+  data.nrhs = count;
+  data.lrhs = data.n;
+  mumps_->run(Mumps::kSolve);
+  MPI_Bcast(rhs.data(), static_cast<int>(rhs.size()), MPI_DOUBLE, 0, MPI_COMM_WORLD);
+  return rhs;
+}
+
+double DirectSolver::megabytes() const { return static_cast<double>(mumps_->id_.infog[21]); }
+
+double DirectSolver::operations() const { return mumps_->id_.rinfog[2]; }
+
+void choose_blas_kernels() {
+#ifdef __x86_64__
+  const auto named = reinterpret_cast<const char* (*)()>(dlsym(RTLD_DEFAULT, "gotoblas_corename"));
+  const auto forget = reinterpret_cast<void (*)()>(dlsym(RTLD_DEFAULT, "gotoblas_dynamic_quit"));
+  const auto choose = reinterpret_cast<void (*)()>(dlsym(RTLD_DEFAULT, "gotoblas_dynamic_init"));
+  if (!named || !forget || !choose || std::getenv("OPENBLAS_CORETYPE")) return;
+  if (named() != std::string_view("Prescott")) return;
+  const bool haswell = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  const bool skylake = haswell && __builtin_cpu_supports("avx512f") &&
+                       __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+                       __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512cd");
+  if (!haswell) return;
+  setenv("OPENBLAS_CORETYPE", skylake ? "SkylakeX" : "Haswell", 0);
+  forget();
+  choose();
+  unsetenv("OPENBLAS_CORETYPE");
+#endif
+}
+
+Eigen::MatrixXd lower_square(const Eigen::MatrixXd& a) {
+  const int n = static_cast<int>(a.rows());
+  const int k = static_cast<int>(a.cols());
+  const double one = 1;
+  const double zero = 0;
+  Eigen::MatrixXd square(n, n);
+  dsyrk_("L", "N", &n, &k, &one, a.data(), &n, &zero, square.data(), &n);
+  return square;
+}
+
+CondensedMatrix condense(const Eigen::MatrixXd& stiffness, Eigen::Index inner) {
+  const Eigen::Index outer = stiffness.rows() - inner;
+  CondensedMatrix result{.factor = stiffness.topLeftCorner(inner, inner),
+                         .coupling = stiffness.bottomLeftCorner(outer, inner).transpose(),
+                         .outer = stiffness.bottomRightCorner(outer, outer)};
+  if (inner == 0 || outer == 0) return result;
+  const int i = static_cast<int>(inner);
+  const int o = static_cast<int>(outer);
+  int info = 0;
+  dpotrf_("L", &i, result.factor.data(), &i, &info);
+  if (info != 0)
+    throw SolverError("a cell's stiffness is not positive definite: the mesh is tangled");
+  const double one = 1;
+  const double minus_one = -1;
+  dtrsm_("L", "L", "N", "N", &i, &o, &one, result.factor.data(), &i, result.coupling.data(), &i);
+  dsyrk_("L", "T", &o, &i, &minus_one, result.coupling.data(), &i, &one, result.outer.data(), &o);
+  return result;
+}
+
+}  // namespace strainwave::fem

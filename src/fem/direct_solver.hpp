@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Dense>
+#include <memory>
+#include <vector>
+
+namespace strainwave::fem {
+
+/// What one rank has of a symmetric positive definite matrix: entries of one triangle in any
+/// order; an entry that is given more than once, by whichever rank, counts as the sum.
+struct SymmetricEntries {
+  std::vector<int> row;     ///< from 1
+  std::vector<int> column;  ///< from 1
+  std::vector<double> value;
+
+  void reserve(std::size_t size);
+  void add(int i, int j, double v) {
+    row.push_back(i);
+    column.push_back(j);
+    value.push_back(v);
+  }
+};
+
+/// A Cholesky factorisation by MUMPS.  Every rank makes it, with its own entries, and calls
+/// `solve` with the same right-hand sides.
+class DirectSolver {
+ public:
+  /// @param unknowns  number of rows
+  /// @throws SolverError  a matrix that is singular, or too little memory
+  DirectSolver(SymmetricEntries entries, int unknowns);
+  ~DirectSolver();
+  DirectSolver(const DirectSolver&) = delete;
+  DirectSolver& operator=(const DirectSolver&) = delete;
+
+  /// Solutions for right-hand sides that stand one after the other; the same on every rank.
+  [[nodiscard]] std::vector<double> solve(std::vector<double> rhs, int count = 1);
+
+  [[nodiscard]] double megabytes() const;   ///< memory of the factorisation, over all ranks [MB]
+  [[nodiscard]] double operations() const;  ///< floating-point operations of the elimination
+
+ private:
+  struct Mumps;
+  std::unique_ptr<Mumps> mumps_;
+};
+
+/// Gives OpenBLAS the kernels of this processor where it does not know it.
+///
+/// OpenBLAS 0.3.21 of Debian 12 falls back to those of a Pentium 4 ("Prescott") on processors that
+/// are newer than itself: a fifth of the speed.  Does nothing with another BLAS, or where
+/// OPENBLAS_CORETYPE is set.  Before the first use of BLAS.
+void choose_blas_kernels();
+
+// Dense matrices by BLAS and LAPACK, which unlike our own code are compiled for the processor.
+
+/// Lower triangle of A A^T.
+[[nodiscard]] Eigen::MatrixXd lower_square(const Eigen::MatrixXd& a);
+
+/// A cell whose first unknowns occur nowhere else, after these were eliminated.
+struct CondensedMatrix {
+  Eigen::MatrixXd factor;    ///< L of the block of the inner unknowns
+  Eigen::MatrixXd coupling;  ///< L^-1 K_io
+  Eigen::MatrixXd outer;     ///< K_oo - K_oi K_ii^-1 K_io, lower triangle
+};
+
+/// @param stiffness  lower triangle, the inner unknowns first
+/// @param inner      how many of them, may be 0
+/// @throws SolverError  if their block is not positive definite
+[[nodiscard]] CondensedMatrix condense(const Eigen::MatrixXd& stiffness, Eigen::Index inner);
+
+}  // namespace strainwave::fem
