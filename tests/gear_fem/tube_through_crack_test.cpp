@@ -80,7 +80,7 @@ TEST(TubeThroughCrack, LimitClosedAt45Degrees) {
   const TubeCrackResult closed = solve_tube_with_through_crack(tube);
   EXPECT_TRUE(closed.closed);
   EXPECT_TRUE(closed.usable) << closed.reason;
-  EXPECT_EQ(closed.solid.contact_share, 1.0);
+  EXPECT_DOUBLE_EQ(closed.solid.contact_share, 1.0);
   EXPECT_LT(std::abs(relative_release(tube, closed)), 1e-3);
   EXPECT_LT(closed.added_compliance, 1e-4 * closed.compliance_without);
   // With faces that pass through each other the answer is refused, and is that of the other sense.
