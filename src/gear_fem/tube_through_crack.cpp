@@ -95,6 +95,7 @@ Solved solve_size(const TubeWithThroughCrack& tube, double a, fem::CrackFaces fa
   fem::SolidProblem problem = tube_torsion(meshed.body, tube.material, torque);
   problem.order = tube.order;
   problem.crack_faces = faces;
+  if (a == tube.half_length) problem.fields = tube.fields;
   return {fem::solve_solid(meshed.mesh, problem), 2 * a * tube.wall_thickness};
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "strainwave/fem/elasticity.hpp"
+#include "strainwave/fem/fields.hpp"
 #include "strainwave/fem/hex_mesh.hpp"
 
 namespace strainwave::fem {
@@ -37,8 +38,9 @@ struct SolidProblem {
   CrackFaces crack_faces = CrackFaces::free;
   int crack_tag = 0;  ///< tag of the crack faces; 0: no crack
   /// Stress that the body without the crack would have at a place of the crack [Pa], rows of the
-  /// tensor; for `added_work`.  May be empty.
+  /// tensor; for `added_work`.  With `fields`, at any place.  May be empty.
   std::function<std::array<Point3, 3>(const Point3&)> stress_without_crack;
+  FieldRequest fields;  ///< what to fill SolidResult::fields with; nothing if left out
 };
 
 /// Fracture quantities at one station of a front.
@@ -83,6 +85,7 @@ struct SolidResult {
   double assembly_seconds{};
   double solver_seconds{};
   double factor_megabytes{};  ///< memory of the factorisation over all ranks [MB]
+  SampledFields fields;       ///< as SolidProblem::fields asks: of this rank's cells, or of all
 };
 
 /// Solves a problem of linear elasticity on mapped hexahedra and evaluates its crack fronts.
