@@ -226,6 +226,15 @@ std::vector<RunSize> plan(const GearSet& gear, const RunOptions& options) {
   return sizes;
 }
 
+namespace {
+
+fem::FieldRequest fields_of(RunFields fields, int divisions) {
+  if (fields == RunFields::none) return {};
+  return {.divisions = divisions, .every_cell = fields == RunFields::everywhere};
+}
+
+}  // namespace
+
 RunResult run(const GearSet& gear, const RunOptions& options, const fem::MpiSession& session) {
   const Work work = work_of(gear, options);
   RunResult result{.section_order = options.order.value_or(kSectionOrder),
@@ -237,6 +246,7 @@ RunResult run(const GearSet& gear, const RunOptions& options, const fem::MpiSess
   // First what all ranks do together: an error of the first rank alone must not leave them waiting.
   for (const WallCrack& crack : work.wall_cracks) {
     gear_fem::TubeWithThroughCrack tube = crack.tube;
+    tube.fields = fields_of(options.fields, tube.order + 1);
     TubeCrackRun done{.path = crack.path, .tube = tube, .positive = {}, .negative = {}};
     done.positive = gear_fem::solve_tube_with_through_crack(tube);
     tube.sense = TorqueSense::negative;
@@ -244,14 +254,15 @@ RunResult run(const GearSet& gear, const RunOptions& options, const fem::MpiSess
     result.wall_cracks.push_back(std::move(done));
   }
   if (session.rank() != 0) return result;
-  const fem::SectionOptions section{.order = options.order.value_or(kSectionOrder)};
+  const int order = options.order.value_or(kSectionOrder);
+  const fem::SectionOptions section{.order = order, .fields = fields_of(options.fields, order)};
   if (work.shaft) {
     const OutputShaft& shaft = *gear.output_shaft;
     const auto steel = elasticity_of(gear, shaft.material, "output_shaft.material");
     for (std::size_t n = 0; n < shaft.crack.size(); ++n) {
       const auto geometry = gear_fem::shaft_section(shaft, n);
       result.shaft_cracks.push_back(
-          {crack_path(n), geometry, gear_fem::solve_shaft(geometry, steel, section)});
+          {crack_path(n), geometry, gear_fem::solve_shaft(geometry, steel, section), steel});
     }
   }
   if (work.cup)

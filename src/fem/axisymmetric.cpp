@@ -570,8 +570,7 @@ class Solver {
     std::vector<dealii::Point<2>> unit;
     for (int j = 0; j <= divisions_; ++j)
       for (int i = 0; i <= divisions_; ++i)
-        unit.emplace_back(static_cast<double>(i) / divisions_,
-                          static_cast<double>(j) / divisions_);
+        unit.emplace_back(static_cast<double>(i) / divisions_, static_cast<double>(j) / divisions_);
     dealii::FEValues<2> values(
         mapping_, scalar_, dealii::Quadrature<2>(unit),
         dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points);
@@ -603,8 +602,12 @@ class Solver {
           const double hoop = r > tiny ? value[0] / r : slope[0][0];  // its limit on the axis
           const double volume = lambda_ * (slope[0][0] + hoop + slope[1][1]);
           const double shear = mu_ * (slope[0][1] + slope[1][0]);
-          p.stress = {volume + 2 * mu_ * slope[0][0], volume + 2 * mu_ * hoop,
-                      volume + 2 * mu_ * slope[1][1], 0, shear, 0};
+          p.stress = {volume + 2 * mu_ * slope[0][0],
+                      volume + 2 * mu_ * hoop,
+                      volume + 2 * mu_ * slope[1][1],
+                      0,
+                      shear,
+                      0};
           p.energy_density = (p.stress[0] * slope[0][0] + p.stress[1] * hoop +
                               p.stress[2] * slope[1][1] + shear * shear / mu_) /
                              2;  // (FE-38)

@@ -56,6 +56,9 @@ int MpiSession::rank() const {
 int MpiSession::size() const {
   return static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
 }
+bool MpiSession::all(bool here) const {
+  return dealii::Utilities::MPI::min(here ? 1 : 0, MPI_COMM_WORLD) == 1;
+}
 
 namespace {
 
@@ -975,9 +978,9 @@ void Model::sample_crack_faces(SampledFields& fields) const {
           .push_back({cell, f, to_point(source(cell).map(unit))});
     }
   const dealii::Quadrature<2> points = sample_points<2>(fields.divisions);
-  dealii::FEFaceValues<3> values(body_.mapping, scalar_, points,
-                                 dealii::update_values | dealii::update_quadrature_points |
-                                     dealii::update_normal_vectors);
+  dealii::FEFaceValues<3> values(
+      body_.mapping, scalar_, points,
+      dealii::update_values | dealii::update_quadrature_points | dealii::update_normal_vectors);
   const auto displacements = [&](const Face& face) {
     values.reinit(typename dealii::Triangulation<3>::active_cell_iterator(face.cell), face.number);
     cell_values(face.cell);
@@ -1002,11 +1005,10 @@ void Model::sample_crack_faces(SampledFields& fields) const {
     for (unsigned q = 0; q < points.size(); ++q) {
       const Point<3>& place = values.quadrature_point(q);
       // The other face may count its points in another direction.
-      const auto same = std::min_element(
-          place_below.begin(), place_below.end(),
-          [&](const Point<3>& a, const Point<3>& b) {
-            return a.distance(place) < b.distance(place);
-          });
+      const auto same = std::min_element(place_below.begin(), place_below.end(),
+                                         [&](const Point<3>& a, const Point<3>& b) {
+                                           return a.distance(place) < b.distance(place);
+                                         });
       const Tensor<1, 3>& u = below[static_cast<std::size_t>(same - place_below.begin())];
       patch.points.push_back({.place = to_array(place),
                               .upper = {above[q][0], above[q][1], above[q][2]},

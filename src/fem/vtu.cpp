@@ -26,8 +26,7 @@ namespace {
 namespace component = dealii::DataComponentInterpretation;
 
 /// A field of one, three or nine rows.
-using Range = std::tuple<unsigned, unsigned, std::string,
-                         component::DataComponentInterpretation>;
+using Range = std::tuple<unsigned, unsigned, std::string, component::DataComponentInterpretation>;
 
 struct Layout {
   std::vector<std::string> names;  ///< one for each row
@@ -127,11 +126,20 @@ std::string body_text(const SampledFields& fields) {
     patches.begin();
     for (const FieldPoint& p : cell.points) {
       const auto& s = p.stress;
-      std::vector<double> values = {p.displacement[0], p.displacement[1], p.displacement[2],
-                                    s[0], s[5], s[4], s[5], s[1], s[3], s[4], s[3], s[2],
+      std::vector<double> values = {p.displacement[0],
+                                    p.displacement[1],
+                                    p.displacement[2],
+                                    s[0],
+                                    s[5],
+                                    s[4],
+                                    s[5],
+                                    s[1],
+                                    s[3],
+                                    s[4],
+                                    s[3],
+                                    s[2],
                                     p.energy_density};
-      if (fields.without_crack)
-        values.push_back(p.energy_density - p.energy_density_without_crack);
+      if (fields.without_crack) values.push_back(p.energy_density - p.energy_density_without_crack);
       patches.point(values, p.place);
     }
   }
@@ -140,8 +148,7 @@ std::string body_text(const SampledFields& fields) {
 
 std::string record(const std::vector<std::string>& pieces, const Layout& layout) {
   std::ostringstream text;
-  dealii::DataOutBase::write_pvtu_record(text, pieces, layout.names, layout.ranges,
-                                         layout.flags());
+  dealii::DataOutBase::write_pvtu_record(text, pieces, layout.names, layout.ranges, layout.flags());
   return text.str();
 }
 

@@ -40,10 +40,11 @@ struct FieldCell {
 
 /// Both faces of a crack at one place.
 struct CrackFacePoint {
-  Point3 place{};    ///< of the undeformed body [m]
-  Point3 upper{};    ///< displacement of the face whose cells have side = +1 [m]
-  Point3 lower{};    ///< of the other one [m]
-  double opening{};  ///< (upper - lower) . normal from lower to upper [m]; < 0: they overlap (FE-39)
+  Point3 place{};  ///< of the undeformed body [m]
+  Point3 upper{};  ///< displacement of the face whose cells have side = +1 [m]
+  Point3 lower{};  ///< of the other one [m]
+  double
+      opening{};  ///< (upper - lower) . normal from lower to upper [m]; < 0: they overlap (FE-39)
 };
 
 /// (n+1)^2 points of a crack's face in one cell, the first coordinate fastest.
@@ -52,8 +53,8 @@ struct CrackFacePatch {
 };
 
 struct SampledFields {
-  int dimension = 3;  ///< of the cells: 2 of a section, 3 of a solid
-  int divisions = 0;  ///< n; 0: nothing was asked for
+  int dimension = 3;           ///< of the cells: 2 of a section, 3 of a solid
+  int divisions = 0;           ///< n; 0: nothing was asked for
   bool without_crack = false;  ///< energy_density_without_crack is known
   std::vector<FieldCell> cells;
   std::vector<CrackFacePatch> crack_faces;  ///< of solids

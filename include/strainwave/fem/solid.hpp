@@ -117,6 +117,8 @@ class MpiSession {
 
   [[nodiscard]] int rank() const;
   [[nodiscard]] int size() const;
+  /// True if it is so on every rank; all of them must ask.
+  [[nodiscard]] bool all(bool here) const;
 
  private:
   struct Impl;

@@ -67,7 +67,7 @@ struct ShaftCrackLoad {
   double worst_jacobian = 0.0;        ///< the worst [-]
   std::size_t dofs = 0;               ///< of one solution
   bool usable = false;
-  std::string reason;  ///< why it may not be used; empty if it may
+  std::string reason;                      ///< why it may not be used; empty if it may
   std::vector<ShaftCrackSize> sizes = {};  ///< that (FE-8) has solved, the given depth last
   fem::SampledFields fields = {};          ///< at the given depth, as the options ask
 };
