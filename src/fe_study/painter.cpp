@@ -76,6 +76,14 @@ double round_up(double value) {
   return 10 * decade;
 }
 
+double round_down(double value) {
+  if (!(value > 0)) return 1.0;
+  const double decade = std::pow(10.0, std::floor(std::log10(value) + 1e-9));
+  for (const double digit : {5.0, 2.0})
+    if (digit * decade <= value * (1 + 1e-9)) return digit * decade;
+  return decade;
+}
+
 std::vector<PaperPoint> PaperPatch::outline() const {
   const std::size_t n = divisions;
   std::vector<PaperPoint> result;
@@ -183,7 +191,11 @@ std::string BandPainter::svg() const {
 
 void DepthPainter::polygon(double depth, std::vector<PaperPoint> points, std::string fill,
                            std::string_view edge) {
-  faces_.push_back({depth, std::move(points), std::move(fill), std::string(edge)});
+  faces_.push_back({depth, std::move(points), std::move(fill), std::string(edge), {}});
+}
+
+void DepthPainter::finished(double depth, std::string svg) {
+  faces_.push_back({depth, {}, {}, {}, std::move(svg)});
 }
 
 std::string DepthPainter::svg() const {
@@ -192,14 +204,19 @@ std::string DepthPainter::svg() const {
   std::ranges::stable_sort(order, {}, [](const Face* face) { return face->depth; });
   std::string svg;
   for (std::size_t i = 0; i < order.size();) {
+    if (!order[i]->svg.empty()) {
+      svg += order[i++]->svg;
+      continue;
+    }
     // Neighbours in the order that look alike share an element.
     std::string path;
     std::size_t j = i;
-    for (; j < order.size() && order[j]->fill == order[i]->fill && order[j]->edge == order[i]->edge;
+    for (; j < order.size() && order[j]->svg.empty() && order[j]->fill == order[i]->fill &&
+           order[j]->edge == order[i]->edge;
          ++j)
       path += path_of(order[j]->points, true);
     svg += order[i]->edge.empty()
-               ? fmt::format("<path class=\"band\" fill=\"{0}\" stroke=\"{0}\" d=\"{1}\"/>\n",
+               ? fmt::format("<path class=\"solid\" fill=\"{0}\" stroke=\"{0}\" d=\"{1}\"/>\n",
                              order[i]->fill, path)
                : fmt::format("<path class=\"{}\" fill=\"{}\" d=\"{}\"/>\n", order[i]->edge,
                              order[i]->fill, path);
@@ -214,8 +231,13 @@ std::string shown_number(double value) {
   if (value == 0) return "0";
   const double size = std::abs(value);
   const std::string sign = value < 0 ? "−" : "";
-  if (size >= 1e-3 && size < 1e5)
-    return sign + fmt::format("{:.3g}", size < 1000 ? size : std::round(size));
+  if (size >= 1e-3 && size < 999.5) return sign + fmt::format("{:.3g}", size);
+  if (size >= 1 && size < 1e6) {
+    const double unit = std::pow(10.0, std::floor(std::log10(size)) - 2);
+    std::string digits = fmt::format("{:.0f}", std::round(size / unit) * unit);
+    if (digits.size() > 4) digits.insert(digits.size() - 3, " ");
+    return sign + digits;
+  }
   const int exponent = static_cast<int>(std::floor(std::log10(size) + 1e-9));
   return sign + fmt::format("{:.3g}·{}", size / std::pow(10.0, exponent), power_of_ten(exponent));
 }
@@ -316,6 +338,7 @@ std::string PictureSheet::svg(std::string_view description) const {
       ".middle {{ text-anchor: middle }}\n"
       ".end {{ text-anchor: end }}\n"
       ".band {{ stroke-width: 0.4; stroke-linejoin: round }}\n"
+      ".solid {{ stroke-width: 0.8; stroke-linejoin: round }}\n"
       ".thin {{ fill: none; stroke: #222; stroke-width: 1 }}\n"
       ".mesh {{ stroke: #222; stroke-width: 0.35; stroke-opacity: 0.45; stroke-linejoin: round }}\n"
       ".face {{ stroke: #5b1a0a; stroke-width: 0.5; stroke-linejoin: round }}\n"

@@ -38,6 +38,9 @@ struct ValueScale {
 /// The least of 1, 1.5, 2, 3, 4, 5, 6 or 8 times a power of ten that is not below the value.
 [[nodiscard]] double round_up(double value);
 
+/// The largest of 1, 2 or 5 times a power of ten that is not above the value.
+[[nodiscard]] double round_down(double value);
+
 /// A field on a grid of (n+1)^2 points that have places on paper, the first index fastest.
 struct PaperPatch {
   std::size_t divisions = 0;
@@ -72,6 +75,8 @@ class DepthPainter {
   /// @param edge   a class of the sheet, or nothing: none
   void polygon(double depth, std::vector<PaperPoint> points, std::string fill,
                std::string_view edge = {});
+  /// What is painted already.
+  void finished(double depth, std::string svg);
   [[nodiscard]] std::string svg() const;
 
  private:
@@ -80,6 +85,7 @@ class DepthPainter {
     std::vector<PaperPoint> points;
     std::string fill;
     std::string edge;
+    std::string svg;  ///< instead of all that
   };
   std::vector<Face> faces_;
 };
@@ -87,7 +93,7 @@ class DepthPainter {
 /// "M1.0 2.0L3.0 4.0Z"
 [[nodiscard]] std::string path_of(std::span<const PaperPoint> points, bool closed);
 
-/// A number for people with about three digits: "0.0123", "1.20e-05" as "1.20·10⁻⁵".
+/// A number for people with three digits: "0.0123", "9 470", "1.20·10⁻⁵".
 [[nodiscard]] std::string shown_number(double value);
 
 /// One picture.

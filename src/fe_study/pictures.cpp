@@ -22,7 +22,7 @@ using std::numbers::pi;
 std::string in_mm(double metres) { return fmt::format("{:.4g} mm", metres * 1e3); }
 
 std::string signed_text(double value) {
-  return fmt::format("{}{:.4g}", value < 0 ? "−" : "+", std::abs(value));
+  return fmt::format("{}{}", value < 0 ? "" : "+", shown_number(value));
 }
 
 // --- sections
@@ -42,12 +42,12 @@ struct SectionView {
   }
 };
 
-/// The view of a range, as large as a place on paper allows and in its middle.
+/// The view of a range, as large as a place on paper allows, at its upper edge.
 SectionView fitted(double z0, double z1, double r0, double r1, PaperPoint corner, double width,
                    double height) {
   SectionView view{.z0 = z0, .z1 = z1, .r0 = r0, .r1 = r1};
   view.scale = std::min(width / (z1 - z0), height / (r1 - r0));
-  view.corner = {corner.x + (width - view.width()) / 2, corner.y + (height - view.height()) / 2};
+  view.corner = {corner.x + (width - view.width()) / 2, corner.y};
   return view;
 }
 
@@ -138,6 +138,10 @@ std::string shaft_picture(const ShaftPicture& picture, const ValueScale& scale,
     sheet.line(line, "crack");
   };
   sheet.raw(painted(picture.fields, whole, scale, value));
+  const PaperPoint top = whole.paper(outer, 0);
+  sheet.raw(fmt::format(
+      "<rect class=\"frame\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n",
+      top.x, top.y, whole.width(), whole.scale * (outer - inner)));
   crack_line(whole, false);
   const std::array axis = {PaperPoint{whole.corner.x - 10, whole.paper(0, 0).y},
                            PaperPoint{whole.corner.x + whole.width() + 10, whole.paper(0, 0).y}};
@@ -178,7 +182,8 @@ std::string over_depth(const ShaftCrackRun& run, const GearSet& gear,
                        double fem::TipResult::*K, double load) {
     PlotSeries series{.label = name, .discs = Discs::at_end};
     for (int i = 0; i <= kPoints; ++i) {
-      const double a = depth * i / kPoints;
+      const double share = static_cast<double>(i) / kPoints;
+      const double a = depth * share * share;
       double Y = 0.0;
       for (const gear_fem::ShaftCrackSize& one : sizes) {
         double weight = one.tip.*K / std::sqrt(pi * one.depth);
@@ -205,7 +210,7 @@ void add_shaft(std::vector<OutputFile>& files, const ShaftCrackRun& run, const G
     for (const FieldPoint& p : cell.points) sound = std::max(sound, p.energy_density_without_crack);
   std::string load = fmt::format("T = {} N·m", signed_text(gear.load.torque));
   if (gear.load.axial_force != 0)
-    load += fmt::format(", P = {} N{}", signed_text(gear.load.axial_force),
+    load += fmt::format(", P = {} kN{}", signed_text(gear.load.axial_force / 1e3),
                         gear.load.axial_force < 0 ? ", which closes the crack" : "");
   std::vector<std::string> captions = {
       fmt::format("annular crack {} deep in a shaft ∅{}{}; {}", in_mm(shaft.crack->depth),
@@ -218,7 +223,8 @@ void add_shaft(std::vector<OutputFile>& files, const ShaftCrackRun& run, const G
   const std::string stem = file_stem(run.path);
   files.push_back(
       {stem + "_energy.svg",
-       shaft_picture(picture, {.map = ColourMap::rising, .lower = 0, .upper = round_up(2 * sound)},
+       shaft_picture(picture,
+                     {.map = ColourMap::rising, .lower = 0, .upper = round_up(2.4 * sound)},
                      "strain energy density", "w [J/m³]",
                      [](const FieldPoint& p) { return p.energy_density; })});
   const double most = round_up(sound);

@@ -97,7 +97,7 @@ View view_from(Point3 toward, const Point3& up) {
 std::string in_mm(double metres) { return fmt::format("{:.4g} mm", metres * 1e3); }
 
 std::string torque_text(double torque) {
-  return fmt::format("T = {}{:.4g} N·m", torque < 0 ? "−" : "+", std::abs(torque));
+  return fmt::format("T = {}{} N·m", torque < 0 ? "" : "+", shown_number(torque));
 }
 
 class WallPictures {
@@ -116,8 +116,8 @@ class WallPictures {
   }
 
   [[nodiscard]] std::string energy() const {
-    return surface({.map = ColourMap::rising, .lower = 0, .upper = round_up(2 * sound_)},
-                   "Strain energy density", "w [J/m³]",
+    return surface({.map = ColourMap::rising, .lower = 0, .upper = round_up(2.4 * sound_)},
+                   "strain energy density", "w [J/m³]",
                    [](const FieldPoint& p) { return p.energy_density; });
   }
 
@@ -125,7 +125,7 @@ class WallPictures {
     const double most = round_up(sound_);
     return surface(
         {.map = ColourMap::diverging, .lower = -most, .upper = most, .bands = 21},
-        "Strain energy density, cracked minus sound", "w − w₀ [J/m³]",
+        "strain energy density, cracked minus sound", "w − w₀ [J/m³]",
         [](const FieldPoint& p) { return p.energy_density - p.energy_density_without_crack; });
   }
 
@@ -136,9 +136,9 @@ class WallPictures {
   using Value = std::function<double(const FieldPoint&)>;
 
   [[nodiscard]] std::vector<std::string> captions(const std::string& more) const {
-    std::vector<std::string> lines = {wall_.description,
-                                      fmt::format("{}, the crack's faces are {}. {}",
-                                                  torque_text(wall_.torque), wall_.state, more)};
+    std::vector<std::string> lines = {
+        wall_.description,
+        fmt::format("{}; the crack is {}. {}", torque_text(wall_.torque), wall_.state, more)};
     if (!wall_.fault.empty()) lines.push_back("NOT usable: " + wall_.fault);
     return lines;
   }
@@ -157,6 +157,7 @@ class WallPictures {
                                     const std::string& quantity, const Value& value) const;
   void whole_tube(PictureSheet& sheet, PaperPoint corner, double width, double height,
                   const ValueScale& scale, const Value& value) const;
+  void outline_tube(PictureSheet& sheet, const View& view) const;
   void axes(PictureSheet& sheet, PaperPoint corner) const;
 
   const CrackedWall& wall_;
@@ -233,8 +234,8 @@ std::string WallPictures::surface(const ValueScale& scale, const std::string& wh
               fmt::format("{} face of the wall about the crack (black line), unrolled, seen from "
                           "outside",
                           wall_.inside ? "Inner" : "Outer"));
-  axes(sheet, {kCorner.x + kSize - 66, kCorner.y + kSize + 50});
-  sheet.colour_bar({500, 166}, 316, scale, quantity, least, largest);
+  axes(sheet, {kCorner.x + kSize + 40, kCorner.y + kSize + 44});
+  sheet.colour_bar({500, 150}, 316, scale, quantity, least, largest);
   whole_tube(sheet, {610, 120}, 270, 360, scale, value);
   sheet.words({610, 508}, "small",
               fmt::format("the tube: radius {}, length {},", in_mm(wall_.mean_radius),
@@ -283,6 +284,7 @@ void WallPictures::whole_tube(PictureSheet& sheet, PaperPoint corner, double wid
       }
   }
   sheet.raw(painter.svg());
+  outline_tube(sheet, view);
   // The square that is drawn large.
   std::vector<PaperPoint> square;
   constexpr int kSteps = 12;
@@ -301,6 +303,33 @@ void WallPictures::whole_tube(PictureSheet& sheet, PaperPoint corner, double wid
   side(-w, w, -w, -w);
   sheet.line(square, "halo");
   sheet.line(square, "thin");
+}
+
+/// The edges that are seen: of both ends, and where the wall turns away from the eye.
+void WallPictures::outline_tube(PictureSheet& sheet, const View& view) const {
+  constexpr int kSteps = 180;
+  const double inner = wall_.mean_radius - wall_.wall_thickness / 2;
+  const double outer = wall_.mean_radius + wall_.wall_thickness / 2;
+  const auto at = [&](double r, double theta, double z) {
+    return view.paper({r * std::cos(theta), r * std::sin(theta), z});
+  };
+  const bool upper_end = view.toward[2] > 0;
+  for (const double r : {inner, outer})
+    for (const double z : {0.0, wall_.length}) {
+      const bool hidden_half = (z > 0) != upper_end;
+      if (hidden_half && r == inner) continue;
+      std::vector<PaperPoint> line;
+      for (int i = 0; i <= kSteps; ++i) {
+        const double theta = std::atan2(view.toward[1], view.toward[0]) +
+                             (hidden_half ? pi / 2 : pi) * (2.0 * i / kSteps - 1);
+        line.push_back(at(r, theta, z));
+      }
+      sheet.line(line, "thin");
+    }
+  for (const double turn : {-pi / 2, pi / 2}) {
+    const double theta = std::atan2(view.toward[1], view.toward[0]) + turn;
+    sheet.line(std::array{at(outer, theta, 0), at(outer, theta, wall_.length)}, "thin");
+  }
 }
 
 /// A displacement of a body that does not strain it: turn and shift about a centre.
@@ -346,7 +375,7 @@ RigidMotion rigid_motion(const std::vector<Sample>& samples) {
 }
 
 std::string WallPictures::opened() const {
-  constexpr double kWidth = 560;
+  constexpr double kWidth = 640;
   constexpr double kHeight = 440;
   constexpr PaperPoint kCorner{24, 104};
   const double a = wall_.half_length;
@@ -370,22 +399,20 @@ std::string WallPictures::opened() const {
       jump = std::max(jump, norm(p.upper - p.lower));
       opening = std::max(opening, p.opening);
     }
-  double magnification = 0.32 * a / std::max(jump, 1e-30);
-  magnification = round_up(magnification) > 1.3 * magnification ? round_up(magnification / 2.1)
-                                                                : round_up(magnification);
+  const double magnification = round_down(0.45 * a / std::max(jump, 1e-30));
   const auto moved = [&](const Point3& place, const Point3& u) {
     return place + magnification * (u - rigid.at(place));
   };
   const double side = wall_.inside ? -1.0 : 1.0;
-  View view = view_from(Point3{side, 0, 0} + 0.6 * across() + 0.1 * along(), {0, -1, 0});
+  View view = view_from(Point3{side, 0, 0} + 0.5 * across() + 0.1 * along(), {0, -1, 0});
   view.centre = {radius_, 0, wall_.place};
   view.origin = {kCorner.x + kWidth / 2, kCorner.y + kHeight / 2};
   view.scale = std::min(kWidth, kHeight) / (2 * half);
-  const ValueScale scale{.map = ColourMap::rising, .lower = 0, .upper = round_up(2 * sound_)};
+  const ValueScale scale{.map = ColourMap::rising, .lower = 0, .upper = round_up(2.4 * sound_)};
   DepthPainter painter;
   double largest = 0.0;
   const auto grid = [&](const std::vector<Point3>& points, const std::vector<double>& values,
-                        const std::string& fixed, std::string_view edge) {
+                        std::string_view edge) {
     PaperPatch patch{.divisions = n, .points = {}, .values = values};
     double depth = 0.0;
     for (const Point3& p : points) {
@@ -394,21 +421,15 @@ std::string WallPictures::opened() const {
     }
     const PaperPoint p0 = patch.points.front();
     const PaperPoint p1 = patch.points.back();
-    const std::size_t step = std::hypot(p0.x - p1.x, p0.y - p1.y) < 5 ? n : 1;
-    for (std::size_t j = 0; j < n; j += step)
-      for (std::size_t i = 0; i < n; i += step) {
-        const std::array corner = {j * (n + 1) + i, j * (n + 1) + i + step,
-                                   (j + step) * (n + 1) + i + step, (j + step) * (n + 1) + i};
-        std::vector<PaperPoint> outline;
-        double mean = 0.0;
-        for (const std::size_t c : corner) {
-          outline.push_back(patch.points[c]);
-          if (!values.empty()) mean += values[c] / 4;
-        }
-        painter.polygon(depth, std::move(outline),
-                        fixed.empty() ? scale.colour(scale.band(mean)) : fixed);
-      }
-    if (step == 1) painter.polygon(depth, patch.outline(), "none", edge);
+    const bool small = std::hypot(p0.x - p1.x, p0.y - p1.y) < 5;
+    if (values.empty()) {
+      painter.polygon(depth, patch.outline(), "#d9875f");
+    } else {
+      BandPainter bands(scale);
+      bands.patch(patch);
+      painter.finished(depth, bands.svg());
+    }
+    if (!small) painter.polygon(depth, patch.outline(), "none", edge);
   };
   for (const BoundaryFace& face : face_) {
     const Point3& middle = face.points[(n / 2) * (n + 2)]->place;
@@ -422,18 +443,18 @@ std::string WallPictures::opened() const {
       values.push_back(p->energy_density);
       largest = std::max(largest, p->energy_density);
     }
-    grid(points, values, {}, "mesh");
+    grid(points, values, "mesh");
   }
   for (const fem::CrackFacePatch& patch : fields_.crack_faces)
     for (const auto which : {&fem::CrackFacePoint::upper, &fem::CrackFacePoint::lower}) {
       std::vector<Point3> points;
       for (const fem::CrackFacePoint& p : patch.points) points.push_back(moved(p.place, p.*which));
-      grid(points, {}, "#d9875f", "face");
+      grid(points, {}, "face");
     }
   PictureSheet sheet(900, 606);
   sheet.title(titled("the crack under load, magnified"),
-              captions(fmt::format("Largest opening {} µm, displacements magnified {:g} times.",
-                                   shown_number(opening * 1e6), magnification)));
+              captions(fmt::format("Largest opening {} µm, displacements magnified {} times.",
+                                   shown_number(opening * 1e6), shown_number(magnification))));
   sheet.begin_clip("window", kCorner, kWidth, kHeight);
   sheet.raw(fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"#d8d8d8\"/>\n",
                         kCorner.x, kCorner.y, kWidth, kHeight));
@@ -446,7 +467,8 @@ std::string WallPictures::opened() const {
               fmt::format("Seen obliquely from {}; copper: faces of the crack; thin lines: "
                           "elements; the mean motion of the part is taken off",
                           wall_.inside ? "inside" : "outside"));
-  sheet.colour_bar({640, 166}, 316, scale, "w [J/m³]", 0, largest);
+  sheet.colour_bar({720, 150}, 316, scale, "w [J/m³]", 0, largest);
+  axes(sheet, {720, kCorner.y + kHeight + 44});
   return sheet.svg("Deformed wall about a crack, displacements magnified");
 }
 

@@ -40,7 +40,7 @@ struct SolidProblem {
   /// Stress that the body without the crack would have at a place of the crack [Pa], rows of the
   /// tensor; for `added_work`.  With `fields`, at any place.  May be empty.
   std::function<std::array<Point3, 3>(const Point3&)> stress_without_crack;
-  FieldRequest fields;  ///< what to fill SolidResult::fields with; nothing if left out
+  FieldRequest fields = {};  ///< what to fill SolidResult::fields with; nothing if left out
 };
 
 /// Fracture quantities at one station of a front.

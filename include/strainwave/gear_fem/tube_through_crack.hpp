@@ -32,7 +32,7 @@ struct TubeWithThroughCrack {
       0;  ///< of the cells away from the crack, each to the next [-]; 1.2 to 3, 0: by a/t
   /// Also solves sizes 1 % smaller and larger, and compares G with dC/dA.
   bool check_growth = true;
-  fem::FieldRequest fields;  ///< of the given size; nothing if left out
+  fem::FieldRequest fields = {};  ///< of the given size; nothing if left out
 };
 
 /// The tube's answer with its evidence; front 0 is the tip toward +z (at 90 degrees: toward
