@@ -5,7 +5,6 @@
 
 #include <cctype>
 #include <fstream>
-#include <stdexcept>
 #include <system_error>
 
 #include "strainwave/core/error.hpp"
@@ -58,8 +57,7 @@ void write_files(const fs::path& folder, const std::vector<OutputFile>& files,
   for (const OutputFile& file : files) fs::remove(part(file), fault);
   (void)session.all(true);  // the others have taken theirs back
   if (made) fs::remove(folder, fault);
-  throw std::runtime_error(problem.empty() ? folder.string() + ": another rank cannot write there"
-                                           : problem);
+  throw Error(problem.empty() ? folder.string() + ": another rank cannot write there" : problem);
 }
 
 }  // namespace strainwave::fe_study

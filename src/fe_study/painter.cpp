@@ -234,9 +234,11 @@ std::string shown_number(double value) {
   if (size >= 1e-3 && size < 999.5) return sign + fmt::format("{:.3g}", size);
   if (size >= 1 && size < 1e6) {
     const double unit = std::pow(10.0, std::floor(std::log10(size)) - 2);
-    std::string digits = fmt::format("{:.0f}", std::round(size / unit) * unit);
-    if (digits.size() > 4) digits.insert(digits.size() - 3, " ");
-    return sign + digits;
+    const std::string digits = fmt::format("{:.0f}", std::round(size / unit) * unit);
+    const std::size_t last = digits.size() - 3;
+    return digits.size() == 4
+               ? sign + digits
+               : fmt::format("{}{} {}", sign, digits.substr(0, last), digits.substr(last));
   }
   const int exponent = static_cast<int>(std::floor(std::log10(size) + 1e-9));
   return sign + fmt::format("{:.3g}·{}", size / std::pow(10.0, exponent), power_of_ten(exponent));
@@ -273,7 +275,7 @@ void PictureSheet::arrow(PaperPoint from, PaperPoint to) {
 }
 
 void PictureSheet::colour_bar(PaperPoint corner, double height, const ValueScale& scale,
-                              std::string_view quantity, double least, double largest) {
+                              std::string_view quantity, std::string_view beyond) {
   constexpr double kWidth = 18;
   const double step = height / static_cast<double>(scale.bands);
   for (std::size_t band = 0; band < scale.bands; ++band)
@@ -296,11 +298,7 @@ void PictureSheet::colour_bar(PaperPoint corner, double height, const ValueScale
           shown_number(std::abs(value) < 1e-9 * (scale.upper - scale.lower) ? 0.0 : value));
   }
   words({corner.x, corner.y - 26}, "label", quantity);
-  if (largest > scale.upper)
-    words({corner.x, corner.y - 9}, "small", fmt::format("largest {}", shown_number(largest)));
-  if (least < scale.lower)
-    words({corner.x, corner.y + height + 18}, "small",
-          fmt::format("least {}", shown_number(least)));
+  words({corner.x, corner.y - 9}, "small", beyond);
 }
 
 void PictureSheet::scale_bar(PaperPoint at, double px_per_metre, double longest) {

@@ -106,9 +106,10 @@ class PictureSheet {
   void line(std::span<const PaperPoint> points, std::string_view style);
   void arrow(PaperPoint from, PaperPoint to);
   void raw(std::string_view svg) { body_ += svg; }
-  /// Vertical, with its unit; the ends say what lies beyond.
+  /// Vertical, with its unit.
+  /// @param beyond  what has more than the scale shows
   void colour_bar(PaperPoint corner, double height, const ValueScale& scale,
-                  std::string_view quantity, double least, double largest);
+                  std::string_view quantity, std::string_view beyond);
   /// A length to scale, at most `longest` px.
   void scale_bar(PaperPoint at, double px_per_metre, double longest);
   /// What is drawn until `end_clip` is cut off at a rectangle.

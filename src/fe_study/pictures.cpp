@@ -79,21 +79,6 @@ std::string frame(const SectionView& view) {
       view.corner.x, view.corner.y, view.width(), view.height());
 }
 
-struct Range {
-  double least = 0.0;
-  double largest = 0.0;
-};
-
-Range range_of(const fem::SampledFields& fields, const Value& value) {
-  Range range;
-  for (const fem::FieldCell& cell : fields.cells)
-    for (const FieldPoint& p : cell.points) {
-      range.least = std::min(range.least, value(p));
-      range.largest = std::max(range.largest, value(p));
-    }
-  return range;
-}
-
 /// z to the right, r upward.
 void axes(PictureSheet& sheet, PaperPoint corner) {
   sheet.arrow(corner, {corner.x + 46, corner.y});
@@ -163,8 +148,7 @@ std::string shaft_picture(const ShaftPicture& picture, const ValueScale& scale,
   sheet.words({part.corner.x, below + 44}, "small",
               "Meridian section above the axis, and enlarged about the crack (black line)");
   axes(sheet, {part.corner.x + part.width() - 66, below + 52});
-  const Range range = range_of(picture.fields, value);
-  sheet.colour_bar({770, 166}, 316, scale, quantity, range.least, range.largest);
+  sheet.colour_bar({770, 166}, 316, scale, quantity, "more at the tip: singular");
   return sheet.svg(what + " in the meridian section of a shaft, in colours");
 }
 
@@ -215,7 +199,8 @@ void add_shaft(std::vector<OutputFile>& files, const ShaftCrackRun& run, const G
   std::vector<std::string> captions = {
       fmt::format("annular crack {} deep in a shaft ∅{}{}; {}", in_mm(shaft.crack->depth),
                   in_mm(shaft.outer_diameter),
-                  shaft.inner_diameter > 0 ? "/" + in_mm(shaft.inner_diameter) : "", load),
+                  shaft.inner_diameter > 0 ? fmt::format("/{}", in_mm(shaft.inner_diameter)) : "",
+                  load),
       fmt::format("Sound shaft, at its surface: {} J/m³", shown_number(sound))};
   for (const auto* const one : {&run.result.torsion, &run.result.tension})
     if (!one->usable) captions.push_back("NOT usable: " + one->reason);
@@ -274,8 +259,7 @@ void add_cup(std::vector<OutputFile>& files, const gear_fem::CupResult& cup, con
   sheet.scale_bar({view.corner.x, axis + 14}, view.scale, 150);
   sheet.words({view.corner.x, axis + 44}, "small", "Meridian section above the axis");
   axes(sheet, {view.corner.x + view.width() - 66, axis + 52});
-  const Range range = range_of(fields, value);
-  sheet.colour_bar({770, 150}, 316, scale, "w [J/m³]", range.least, range.largest);
+  sheet.colour_bar({770, 150}, 316, scale, "w [J/m³]", "more at sharp corners");
   files.push_back(
       {"flexspline_energy.svg",
        sheet.svg("Strain energy density in the meridian section of a cup, in colours")});
@@ -287,9 +271,9 @@ void add_wall(std::vector<OutputFile>& files, const TubeCrackRun& run) {
   const gear_fem::TubeCrackResult& shown = positive ? run.positive : run.negative;
   const std::vector<OutputFile> pictures = wall_pictures(
       {.path = run.path,
-       .description = fmt::format("through crack 2a = {} at {:.4g}° from the generator, wall {}",
-                                  in_mm(2 * tube.half_length), tube.angle * 180 / pi,
-                                  in_mm(tube.wall_thickness)),
+       .description = fmt::format(
+           "through crack 2a = {} at {}° from the generator, wall {}", in_mm(2 * tube.half_length),
+           shown_number(std::round(1e6 * tube.angle * 180 / pi) / 1e6), in_mm(tube.wall_thickness)),
        .mean_radius = tube.mean_radius,
        .wall_thickness = tube.wall_thickness,
        .length = tube.length,

@@ -187,8 +187,6 @@ std::string WallPictures::surface(const ValueScale& scale, const std::string& wh
   const double px = kSize / (2 * window_);
   const PaperPoint middle{kCorner.x + kSize / 2, kCorner.y + kSize / 2};
   BandPainter painter(scale);
-  double least = 0.0;
-  double largest = 0.0;
   for (const BoundaryFace& face : face_) {
     PaperPatch patch{
         .divisions = static_cast<std::size_t>(fields_.divisions), .points = {}, .values = {}};
@@ -204,8 +202,6 @@ std::string WallPictures::surface(const ValueScale& scale, const std::string& wh
       seen = seen || (std::abs(z) <= window_ && std::abs(s) <= window_);
       patch.points.push_back({middle.x + px * z, middle.y - px * s});
       patch.values.push_back(value(*p));
-      least = std::min(least, patch.values.back());
-      largest = std::max(largest, patch.values.back());
     }
     // A large cell may be seen without any of its points: its corners lie round the window.
     PaperPoint low = patch.points.front();
@@ -235,7 +231,7 @@ std::string WallPictures::surface(const ValueScale& scale, const std::string& wh
                           "outside",
                           wall_.inside ? "Inner" : "Outer"));
   axes(sheet, {kCorner.x + kSize + 40, kCorner.y + kSize + 44});
-  sheet.colour_bar({500, 150}, 316, scale, quantity, least, largest);
+  sheet.colour_bar({500, 150}, 316, scale, quantity, "more at the tips: singular");
   whole_tube(sheet, {610, 120}, 270, 360, scale, value);
   sheet.words({610, 508}, "small",
               fmt::format("the tube: radius {}, length {},", in_mm(wall_.mean_radius),
@@ -410,7 +406,6 @@ std::string WallPictures::opened() const {
   view.scale = std::min(kWidth, kHeight) / (2 * half);
   const ValueScale scale{.map = ColourMap::rising, .lower = 0, .upper = round_up(2.4 * sound_)};
   DepthPainter painter;
-  double largest = 0.0;
   const auto grid = [&](const std::vector<Point3>& points, const std::vector<double>& values,
                         std::string_view edge) {
     PaperPatch patch{.divisions = n, .points = {}, .values = values};
@@ -441,7 +436,6 @@ std::string WallPictures::opened() const {
     for (const FieldPoint* const p : face.points) {
       points.push_back(moved(p->place, p->displacement));
       values.push_back(p->energy_density);
-      largest = std::max(largest, p->energy_density);
     }
     grid(points, values, "mesh");
   }
@@ -467,7 +461,7 @@ std::string WallPictures::opened() const {
               fmt::format("Seen obliquely from {}; copper: faces of the crack; thin lines: "
                           "elements; the mean motion of the part is taken off",
                           wall_.inside ? "inside" : "outside"));
-  sheet.colour_bar({720, 150}, 316, scale, "w [J/m³]", 0, largest);
+  sheet.colour_bar({720, 150}, 316, scale, "w [J/m³]", "more at the tips: singular");
   axes(sheet, {720, kCorner.y + kHeight + 44});
   return sheet.svg("Deformed wall about a crack, displacements magnified");
 }

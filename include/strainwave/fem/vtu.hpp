@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "strainwave/fem/fields.hpp"
@@ -13,9 +14,10 @@
 
 namespace strainwave::fem {
 
-/// The cells of this rank as a .vtu document: Lagrange cells of degree n, so that curved bodies
-/// stay curved.  Fields: displacement [m], stress (3x3) [Pa], strain_energy_density [J/m^3], and
-/// strain_energy_density_added (cracked minus sound) where the sound one is known.
+/// The cells of this rank as a .vtu document, each divided into n^3 hexahedra (n^2 quadrilaterals)
+/// with plane faces.  Fields: displacement [m], stress (3x3) [Pa], strain_energy_density [J/m^3],
+/// and strain_energy_density_added (cracked minus sound) where the sound one is known; single
+/// precision.
 [[nodiscard]] std::string vtu_text(const SampledFields& fields);
 
 /// The crack faces of this rank, each of the two as surfaces of their own: displacement [m] and
