@@ -5,18 +5,22 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <exception>
+#include <filesystem>
 #include <iostream>
 #include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "exit_code.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/version.hpp"
 #include "strainwave/fe_study/member_run.hpp"
 #include "strainwave/fe_study/memory.hpp"
+#include "strainwave/fe_study/output_files.hpp"
 #include "strainwave/fe_study/run_report.hpp"
 #include "strainwave/fem/solid.hpp"
 #include "strainwave/io/gear_reader.hpp"
@@ -56,7 +60,14 @@ void deliver(const std::string& text, const std::string& path) {
   if (!std::cout) throw std::runtime_error("standard output cannot be written");
 }
 
-ExitCode run(const Arguments& arguments, const fem::MpiSession& session) {
+/// Checks what was asked for, and reads the file.
+GearSet input_of(const Arguments& arguments, const fem::MpiSession& session) {
+  if (arguments.file == "-" && session.size() > 1)
+    throw InputError("FILE", "standard input reaches the first rank only: name a file");
+  return read_input(arguments.file);
+}
+
+fe_study::RunOptions options_of(const Arguments& arguments, const fem::MpiSession& session) {
   fe_study::RunOptions options{.member = {}, .order = arguments.order, .crack = arguments.crack};
   if (tells_progress(arguments.progress, session))
     options.progress = [](const std::string& line) {
@@ -64,10 +75,61 @@ ExitCode run(const Arguments& arguments, const fem::MpiSession& session) {
     };
   for (const Member member : {Member::output_shaft, Member::flexspline})
     if (arguments.member == member_name(member)) options.member = member;
+  return options;
+}
+
+std::string json_of(const fe_study::RunResult& result, const GearSet& gear,
+                    const Arguments& arguments) {
+  const Provenance provenance{
+      .version = std::string(version()),
+      .revision = std::string(git_revision()),
+      .input_file = arguments.file == "-" ? "standard input" : arguments.file};
+  return with_provenance(run_json(result, gear), gear, provenance);
+}
+
+ExitCode verdict(const fe_study::RunResult& result) {
+  if (result.usable()) return cli::kOk;
+  std::cerr << "strainwave-fe: not usable: " << result.reason() << '\n';
+  return cli::kNotUsable;
+}
+
+enum class Folder { vtu, pictures };
+
+/// Answers that are a folder of files.
+ExitCode run_into_folder(const Arguments& arguments, Folder kind, const fem::MpiSession& session) {
+  const GearSet gear = input_of(arguments, session);
+  fe_study::RunOptions options = options_of(arguments, session);
+  options.fields =
+      kind == Folder::vtu ? fe_study::RunFields::of_rank : fe_study::RunFields::everywhere;
   const bool first = session.rank() == 0;
-  if (arguments.file == "-" && session.size() > 1)
-    throw InputError("FILE", "standard input reaches the first rank only: name a file");
-  const GearSet gear = read_input(arguments.file);
+  // The first rank alone can fail here; the others must not wait for it to write.
+  fe_study::RunResult result;
+  std::vector<fe_study::OutputFile> files;
+  std::exception_ptr fault;
+  try {
+    result = fe_study::run(gear, options, session);
+    if (kind == Folder::vtu)
+      files = vtu_files(result, gear, session);
+    else if (first)
+      files = pictures(result, gear);
+    if (first && kind == Folder::vtu)
+      files.push_back({"result.json", json_of(result, gear, arguments)});
+  } catch (...) {
+    fault = std::current_exception();
+  }
+  const bool all_well = session.all(!fault);
+  if (fault) std::rethrow_exception(fault);
+  if (!all_well) return cli::kNotUsable;
+  write_files(arguments.output, files, session);
+  return first ? verdict(result) : cli::kOk;
+}
+
+ExitCode run(const Arguments& arguments, const fem::MpiSession& session) {
+  if (arguments.format == "vtu" && !arguments.dry_run)
+    return run_into_folder(arguments, Folder::vtu, session);
+  const fe_study::RunOptions options = options_of(arguments, session);
+  const bool first = session.rank() == 0;
+  const GearSet gear = input_of(arguments, session);
   const bool json = arguments.format == "json";
   if (arguments.dry_run) {
     const auto sizes = fe_study::plan(gear, options);
@@ -77,18 +139,58 @@ ExitCode run(const Arguments& arguments, const fem::MpiSession& session) {
   }
   const fe_study::RunResult result = fe_study::run(gear, options, session);
   if (!first) return cli::kOk;
-  const Provenance provenance{
-      .version = std::string(version()),
-      .revision = std::string(git_revision()),
-      .input_file = arguments.file == "-" ? "standard input" : arguments.file};
-  deliver(json ? with_provenance(run_json(result, gear), gear, provenance) : run_text(result, gear),
-          arguments.output);
-  if (result.usable()) return cli::kOk;
-  std::cerr << "strainwave-fe: not usable: " << result.reason() << '\n';
-  return cli::kNotUsable;
+  deliver(json ? json_of(result, gear, arguments) : run_text(result, gear), arguments.output);
+  return verdict(result);
+}
+
+/// What both commands have in common.
+void add_input(CLI::App& app, Arguments& arguments) {
+  app.add_option("FILE", arguments.file, "input file, or - for standard input")->required();
+  app.add_option("--member", arguments.member,
+                 "output-shaft or flexspline; every one that the file gives if left out")
+      ->check(CLI::IsMember({"output-shaft", "flexspline"}));
+  app.add_option("--order", arguments.order,
+                 "order p of the elements: 6 if left out, 3 (at most 4) of cracks of the wall")
+      ->check(CLI::Range(2, 8));
+  app.add_option("--crack", arguments.crack, "only this crack: flexspline.crack[0], ...")
+      ->type_name("PATH");
+  app.add_flag("--progress", arguments.progress,
+               "a line for each solution on standard error, even if that is no terminal");
+}
+
+/// Parses; an exit code if there is nothing to do.
+std::optional<ExitCode> parsed(CLI::App& app, int argc, char** argv,
+                               const fem::MpiSession& session) {
+  try {
+    app.parse(argc, argv);
+    return {};
+  } catch (const CLI::ParseError& error) {
+    std::ostream nowhere(nullptr);
+    const bool first = session.rank() == 0;
+    return app.exit(error, first ? std::cout : nowhere, first ? std::cerr : nowhere) == 0
+               ? cli::kOk
+               : cli::kUsage;
+  }
+}
+
+ExitCode run_render(int argc, char** argv, const fem::MpiSession& session) {
+  Arguments arguments;
+  CLI::App app{
+      "Pictures of the members of a strain wave gear by finite elements, as SVG: strain energy "
+      "density, what the cracks change in it, the crack opened, and stress intensity"};
+  app.name("strainwave-fe render");
+  add_input(app, arguments);
+  app.add_option("-o,--output", arguments.output, "folder for the pictures, made if need be")
+      ->type_name("FOLDER")
+      ->required();
+  app.footer("Example:\n  strainwave-fe render examples/through_crack.toml -o pictures");
+  if (const auto code = parsed(app, argc, argv, session)) return *code;
+  return run_into_folder(arguments, Folder::pictures, session);
 }
 
 ExitCode run(int argc, char** argv, const fem::MpiSession& session) {
+  if (argc > 1 && std::string_view(argv[1]) == "render")
+    return run_render(argc - 1, argv + 1, session);
   if (argc > 1 && std::string_view(argv[1]) == "tabulate")
     return run_tabulate(argc - 1, argv + 1, session);
   Arguments arguments;
@@ -98,35 +200,24 @@ ExitCode run(int argc, char** argv, const fem::MpiSession& session) {
   app.name("strainwave-fe");
   app.set_version_flag("--version", fmt::format("strainwave-fe {} ({})", version(), git_revision()),
                        "print version and revision, and exit");
-  app.add_option("FILE", arguments.file, "input file, or - for standard input")->required();
-  app.add_option("--member", arguments.member,
-                 "output-shaft or flexspline; every one that the file gives if left out")
-      ->check(CLI::IsMember({"output-shaft", "flexspline"}));
-  app.add_option("--order", arguments.order,
-                 "order p of the elements: 6 if left out, 3 (at most 4) of cracks of the wall")
-      ->check(CLI::Range(2, 8));
-  app.add_option("--format", arguments.format, "text or json")
-      ->check(CLI::IsMember({"text", "json"}))
+  add_input(app, arguments);
+  app.add_option("--format", arguments.format, "text, json, or vtu: files for ParaView")
+      ->check(CLI::IsMember({"text", "json", "vtu"}))
       ->capture_default_str();
-  app.add_option("-o,--output", arguments.output, "write to this file instead of standard output")
-      ->type_name("PATH");
-  app.add_option("--crack", arguments.crack, "only this crack: flexspline.crack[0], ...")
+  app.add_option("-o,--output", arguments.output,
+                 "write to this file instead of standard output; of --format vtu a folder")
       ->type_name("PATH");
   app.add_flag("--dry-run", arguments.dry_run, "say size, memory and time, and calculate nothing");
-  app.add_flag("--progress", arguments.progress,
-               "a line for each solution on standard error, even if that is no terminal");
   app.footer(
       "Examples:\n  strainwave-fe examples/solid_shaft.toml --member output-shaft\n"
-      "  mpirun -n 2 strainwave-fe examples/through_crack.toml --member flexspline\n\n"
-      "strainwave-fe tabulate makes a table of many runs: see strainwave-fe tabulate --help");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    std::ostream nowhere(nullptr);
-    const bool first = session.rank() == 0;
-    return app.exit(error, first ? std::cout : nowhere, first ? std::cerr : nowhere) == 0
-               ? cli::kOk
-               : cli::kUsage;
+      "  mpirun -n 2 strainwave-fe examples/through_crack.toml --member flexspline\n"
+      "  strainwave-fe examples/through_crack.toml --format vtu -o fields\n"
+      "Pictures: strainwave-fe render --help; a table of many runs: strainwave-fe tabulate --help");
+  if (const auto code = parsed(app, argc, argv, session)) return *code;
+  if (arguments.format == "vtu" && arguments.output.empty() && !arguments.dry_run) {
+    if (session.rank() == 0)
+      std::cerr << "strainwave-fe: --format vtu writes several files: name a folder with -o\n";
+    return cli::kUsage;
   }
   return run(arguments, session);
 }

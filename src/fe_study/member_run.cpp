@@ -299,6 +299,15 @@ std::vector<RunSize> plan(const GearSet& gear, const RunOptions& options) {
   return sizes_of(work_of(gear, options), gear, options);
 }
 
+namespace {
+
+fem::FieldRequest fields_of(RunFields fields, int divisions) {
+  if (fields == RunFields::none) return {};
+  return {.divisions = divisions, .every_cell = fields == RunFields::everywhere};
+}
+
+}  // namespace
+
 RunResult run(const GearSet& gear, const RunOptions& options, const fem::MpiSession& session) {
   const Work work = work_of(gear, options);
   require_memory(sizes_of(work, gear, options), session);
@@ -315,6 +324,7 @@ RunResult run(const GearSet& gear, const RunOptions& options, const fem::MpiSess
   // First what all ranks do together: an error of the first rank alone must not leave them waiting.
   for (const auto& crack : work.wall_cracks) {
     gear_fem::TubeWithThroughCrack tube = crack.tube;
+    tube.fields = fields_of(options.fields, tube.order + 1);
     TubeCrackRun done{.path = crack.path, .tube = tube, .positive = {}, .negative = {}};
     std::size_t solution = 0;
     tube.solved = [&](const fem::SolidResult& solid, double seconds) {
@@ -338,7 +348,8 @@ RunResult run(const GearSet& gear, const RunOptions& options, const fem::MpiSess
     result.surface_cracks.push_back(std::move(done));
   }
   if (session.rank() != 0) return result;
-  const fem::SectionOptions section{.order = options.order.value_or(kSectionOrder)};
+  const int order = options.order.value_or(kSectionOrder);
+  const fem::SectionOptions section{.order = order, .fields = fields_of(options.fields, order)};
   if (!work.shaft.empty()) {
     const OutputShaft& shaft = *gear.output_shaft;
     const auto steel = elasticity_of(gear, shaft.material, "output_shaft.material");
@@ -346,7 +357,7 @@ RunResult run(const GearSet& gear, const RunOptions& options, const fem::MpiSess
       const auto geometry = gear_fem::shaft_section(shaft, n);
       const auto start = std::chrono::steady_clock::now();
       result.shaft_cracks.push_back(
-          {crack_path(n), geometry, gear_fem::solve_shaft(geometry, steel, section)});
+          {crack_path(n), geometry, gear_fem::solve_shaft(geometry, steel, section), steel});
       const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
       say(fmt::format("{}: torsion and tension, 14 solutions, {:.1f} s", crack_path(n),
                       taken.count()));

@@ -68,6 +68,8 @@ void check_input(const SectionMesh& mesh, SectionLoad load, const Elasticity& el
           options.corner_rings, "1", ">= 0 and <= 16");
   require(options.halvings >= 0 && options.halvings <= 5, "halvings", options.halvings, "1",
           ">= 0 and <= 5");
+  require(options.fields.divisions >= 0 && options.fields.divisions <= 8, "divisions",
+          options.fields.divisions, "1", ">= 0 and <= 8");
   check_mesh(mesh);
   for (const EdgeRole role : {EdgeRole::held, EdgeRole::loaded})
     if (std::ranges::find(mesh.roles, role, &RoleEdge::role) == mesh.roles.end())
@@ -159,6 +161,7 @@ class Solver {
         pressure_(load == SectionLoad::pressure),
         p_(static_cast<unsigned>(options.order)),
         rings_(options.tip_rings),
+        divisions_(options.fields.divisions),
         tip_cell_(mesh.crack ? std::ldexp(mesh.crack->cell, -options.halvings) : 0.0),
         mu_(elasticity.shear_modulus()),
         lambda_(2 * mu_ * elasticity.poissons_ratio / (1 - 2 * elasticity.poissons_ratio)),
@@ -468,6 +471,7 @@ class Solver {
     constraints_.set_zero(force);
     result.equilibrium_residual = force.linfty_norm() / load_.linfty_norm();
     if (mesh_.crack) result.tip = tip(ring_change);
+    if (divisions_ > 0) result.fields = sample();
     return result;
   }
 
@@ -560,11 +564,66 @@ class Solver {
     return result;
   }
 
+  /// The solution in the half plane y = 0, whose x is r and whose y goes round.
+  [[nodiscard]] SampledFields sample() const {
+    SampledFields fields{.dimension = 2, .divisions = divisions_, .cells = {}, .crack_faces = {}};
+    std::vector<dealii::Point<2>> unit;
+    for (int j = 0; j <= divisions_; ++j)
+      for (int i = 0; i <= divisions_; ++i)
+        unit.emplace_back(static_cast<double>(i) / divisions_, static_cast<double>(j) / divisions_);
+    dealii::FEValues<2> values(
+        mapping_, scalar_, dealii::Quadrature<2>(unit),
+        dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points);
+    const double tiny = 1e-12 * extent_of(mesh_);
+    std::vector<global_dof_index> index(element_.n_dofs_per_cell());
+    for (const auto& cell : dofs_.active_cell_iterators()) {
+      values.reinit(static_cast<Triangulation<2>::active_cell_iterator>(cell));
+      cell->get_dof_indices(index);
+      const std::array<Column, 2> u = nodal(index);
+      FieldCell& sampled = fields.cells.emplace_back();
+      for (unsigned q = 0; q < unit.size(); ++q) {
+        std::array<double, 2> value{};
+        std::array<dealii::Tensor<1, 2>, 2> slope;  // d/dr, d/dz
+        for (unsigned i = 0; i < scalar_.n_dofs_per_cell(); ++i)
+          for (unsigned c = 0; c < components_; ++c) {
+            value[c] += u[c](i) * values.shape_value(i, q);
+            slope[c] += u[c](i) * values.shape_grad(i, q);
+          }
+        const double r = values.quadrature_point(q)[0];
+        FieldPoint p{.place = {r, 0, values.quadrature_point(q)[1]}};
+        if (torsion_) {
+          p.displacement = {0, r * value[0], 0};
+          const double shear_r = mu_ * r * slope[0][0];
+          const double shear_z = mu_ * r * slope[0][1];
+          p.stress = {0, 0, 0, shear_z, 0, shear_r};
+          p.energy_density = (shear_r * shear_r + shear_z * shear_z) / (2 * mu_);  // (FE-38)
+        } else {
+          p.displacement = {value[0], 0, value[1]};
+          const double hoop = r > tiny ? value[0] / r : slope[0][0];  // its limit on the axis
+          const double volume = lambda_ * (slope[0][0] + hoop + slope[1][1]);
+          const double shear = mu_ * (slope[0][1] + slope[1][0]);
+          p.stress = {volume + 2 * mu_ * slope[0][0],
+                      volume + 2 * mu_ * hoop,
+                      volume + 2 * mu_ * slope[1][1],
+                      0,
+                      shear,
+                      0};
+          p.energy_density = (p.stress[0] * slope[0][0] + p.stress[1] * hoop +
+                              p.stress[2] * slope[1][1] + shear * shear / mu_) /
+                             2;  // (FE-38)
+        }
+        sampled.points.push_back(p);
+      }
+    }
+    return fields;
+  }
+
   const SectionMesh& mesh_;
   bool torsion_;
   bool pressure_;
   unsigned p_;
   int rings_;
+  int divisions_;
   double tip_cell_;
   double mu_;
   double lambda_;

@@ -73,6 +73,9 @@ std::string MpiSession::from_any(const std::string& text) const {
     if (!one.empty()) return one;
   return {};
 }
+bool MpiSession::all(bool here) const {
+  return dealii::Utilities::MPI::min(here ? 1 : 0, MPI_COMM_WORLD) == 1;
+}
 
 namespace {
 
@@ -283,6 +286,7 @@ class Model {
     if (problem_.crack_faces == CrackFaces::contact) close_crack();
     solver_.reset();
     evaluate();
+    if (problem_.fields.divisions > 0) result_.fields = sample();
     return std::move(result_);
   }
 
@@ -316,7 +320,6 @@ class Model {
     double area;                                ///< the node's share of the crack [m^2]
     std::vector<std::pair<Index, double>> row;  ///< its gap as a sum over unconstrained dofs
   };
-
 
   void cell_values(const Cell& cell) const {
     indices_.resize(element_.n_dofs_per_cell());
@@ -862,6 +865,8 @@ class Model {
     return pressure;
   }
 
+  [[nodiscard]] SampledFields sample() const;
+  void sample_crack_faces(SampledFields& fields) const;
   [[nodiscard]] CrackFront evaluate_front(std::size_t front) const;
   [[nodiscard]] CrackFront front_of_integrals(const std::map<std::size_t, const HexCell*>& tips,
                                               const std::vector<double>& integral,
@@ -1181,6 +1186,127 @@ CrackFront Model::front_of_integrals(const std::map<std::size_t, const HexCell*>
   return result;
 }
 
+// --- sampled fields
+
+/// Points i/n of each unit coordinate, the first one fastest.
+template <int dim>
+dealii::Quadrature<dim> sample_points(int n) {
+  std::vector<Point<dim>> points;
+  const auto count = static_cast<unsigned>(std::lround(std::pow(n + 1, dim)));
+  for (unsigned k = 0; k < count; ++k) {
+    Point<dim> point;
+    unsigned rest = k;
+    for (unsigned d = 0; d < dim; ++d, rest /= static_cast<unsigned>(n) + 1)
+      point[d] = static_cast<double>(rest % (static_cast<unsigned>(n) + 1)) / n;
+    points.push_back(point);
+  }
+  return dealii::Quadrature<dim>(points);
+}
+
+/// sigma:epsilon/2 of a stress [J/m^3].
+double energy_of_stress(const Tensor2& s, const Elasticity& m) {
+  const double nu = m.poissons_ratio;
+  const double pressure = trace(s);
+  return ((1 + nu) * scalar_product(s, s) - nu * pressure * pressure) /
+         (2 * m.youngs_modulus);  // (FE-38)
+}
+
+SampledFields Model::sample() const {
+  const FieldRequest& request = problem_.fields;
+  SampledFields fields{.dimension = 3,
+                       .divisions = request.divisions,
+                       .without_crack = static_cast<bool>(problem_.stress_without_crack),
+                       .cells = {},
+                       .crack_faces = {}};
+  const dealii::Quadrature<3> points = sample_points<3>(request.divisions);
+  dealii::FEValues<3> values(
+      body_.mapping, scalar_, points,
+      dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points);
+  std::vector<Tensor2> gradient;
+  for (const Cell& cell : dofs_.active_cell_iterators()) {
+    if (!request.every_cell && !cell->is_locally_owned()) continue;
+    reinit(values, cell);
+    gradients(cell, values, gradient);
+    FieldCell& sampled = fields.cells.emplace_back();
+    sampled.face_tag = source(cell).face_tag;
+    for (unsigned q = 0; q < points.size(); ++q) {
+      FieldPoint p{.place = to_array(values.quadrature_point(q))};
+      for (unsigned a = 0; a < scalar_.n_dofs_per_cell(); ++a)
+        for (unsigned i = 0; i < 3; ++i)
+          p.displacement[i] += local_[node_of_[i][a]] * values.shape_value(a, q);
+      const Tensor2 s = lame_.stress(gradient[q]);
+      p.stress = {s[0][0], s[1][1], s[2][2], s[1][2], s[0][2], s[0][1]};
+      p.energy_density = energy_of_stress(s, problem_.material);
+      if (fields.without_crack) {
+        const auto sound = problem_.stress_without_crack(p.place);
+        Tensor2 s0;
+        for (unsigned i = 0; i < 3; ++i) s0[i] = to_tensor(sound[i]);
+        p.energy_density_without_crack = energy_of_stress(s0, problem_.material);
+      }
+      sampled.points.push_back(p);
+    }
+  }
+  sample_crack_faces(fields);
+  return fields;
+}
+
+void Model::sample_crack_faces(SampledFields& fields) const {
+  struct Face {
+    Cell cell;
+    unsigned number;
+    Point<3> middle;
+  };
+  std::vector<Face> upper;
+  std::vector<Face> lower;
+  for (const Cell& cell : dofs_.active_cell_iterators())
+    for (const unsigned f : cell->face_indices()) {
+      if (!is_crack_face(cell, f)) continue;
+      Point3 unit{0.5, 0.5, 0.5};
+      unit[f / 2] = f % 2;
+      (source(cell).side > 0 ? upper : lower)
+          .push_back({cell, f, to_point(source(cell).map(unit))});
+    }
+  const dealii::Quadrature<2> points = sample_points<2>(fields.divisions);
+  dealii::FEFaceValues<3> values(
+      body_.mapping, scalar_, points,
+      dealii::update_values | dealii::update_quadrature_points | dealii::update_normal_vectors);
+  const auto displacements = [&](const Face& face) {
+    values.reinit(typename dealii::Triangulation<3>::active_cell_iterator(face.cell), face.number);
+    cell_values(face.cell);
+    std::vector<Tensor<1, 3>> u(points.size());
+    for (unsigned q = 0; q < points.size(); ++q)
+      for (unsigned a = 0; a < scalar_.n_dofs_per_cell(); ++a)
+        for (unsigned i = 0; i < 3; ++i)
+          u[q][i] += local_[node_of_[i][a]] * values.shape_value(a, q);
+    return u;
+  };
+  for (const Face& face : upper) {
+    if (!problem_.fields.every_cell && !face.cell->is_locally_owned()) continue;
+    const double near = 1e-6 * face.cell->diameter();
+    const auto twin = std::find_if(lower.begin(), lower.end(), [&](const Face& other) {
+      return other.middle.distance(face.middle) < near;
+    });
+    if (twin == lower.end()) throw InputError("mesh", "has a crack face without its other side");
+    const std::vector<Tensor<1, 3>> below = displacements(*twin);
+    const std::vector<Point<3>> place_below = values.get_quadrature_points();
+    const std::vector<Tensor<1, 3>> above = displacements(face);
+    CrackFacePatch& patch = fields.crack_faces.emplace_back();
+    for (unsigned q = 0; q < points.size(); ++q) {
+      const Point<3>& place = values.quadrature_point(q);
+      // The other face may count its points in another direction.
+      const auto same = std::min_element(place_below.begin(), place_below.end(),
+                                         [&](const Point<3>& a, const Point<3>& b) {
+                                           return a.distance(place) < b.distance(place);
+                                         });
+      const Tensor<1, 3>& u = below[static_cast<std::size_t>(same - place_below.begin())];
+      patch.points.push_back({.place = to_array(place),
+                              .upper = {above[q][0], above[q][1], above[q][2]},
+                              .lower = {u[0], u[1], u[2]},
+                              .opening = (u - above[q]) * values.normal_vector(q)});  // (FE-39)
+    }
+  }
+}
+
 }  // namespace
 
 SolidResult solve_solid(const HexMesh& mesh, const SolidProblem& problem) {
@@ -1190,6 +1316,8 @@ SolidResult solve_solid(const HexMesh& mesh, const SolidProblem& problem) {
   require(m.poissons_ratio >= 0 && m.poissons_ratio < 0.5, "poissons_ratio", m.poissons_ratio, "1",
           "0 <= poissons_ratio < 0.5");
   require(problem.order >= 1 && problem.order <= 6, "order", problem.order, "1", "1 <= order <= 6");
+  require(problem.fields.divisions >= 0 && problem.fields.divisions <= 8, "divisions",
+          problem.fields.divisions, "1", "0 <= divisions <= 8");
   if (mesh.cells.empty()) throw InputError("mesh", "has no cells");
   return Model(mesh, problem).run();
 }

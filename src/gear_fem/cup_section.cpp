@@ -158,6 +158,7 @@ CupResult solve_cup(const CupSection& cup, const fem::Elasticity& elasticity,
   const auto solve = [&](int order) {
     fem::SectionOptions with = options;
     with.order = order;
+    if (order != options.order) with.fields = {};
     return fem::solve_section(mesh, fem::SectionLoad::torsion, elasticity, with);
   };
   CupResult result{.parts = {}, .solution = solve(options.order), .reason = {}};

@@ -91,15 +91,19 @@ std::string fault_of(const ShaftCrackLoad& r) {
 ShaftCrackLoad solve_load(const ShaftSection& shaft, SectionLoad load,
                           const fem::Elasticity& elasticity, const fem::SectionOptions& options) {
   ShaftCrackLoad result{.tip = {}, .worst_jacobian = 1.0, .reason = {}};
+  fem::SectionOptions without_fields = options;
+  without_fields.fields = {};
   const auto solve = [&](const fem::SectionMesh& mesh) {
-    SectionSolution solution = fem::solve_section(mesh, load, elasticity, options);
+    SectionSolution solution = fem::solve_section(mesh, load, elasticity, without_fields);
     keep_worst(result, solution);
     return solution;
   };
   const fem::SectionMesh mesh = mesh_shaft(shaft);
   const double tip = tip_radius(shaft);
   const double direction = mesh.crack->direction;
-  const SectionSolution here = solve(mesh);
+  SectionSolution here = fem::solve_section(mesh, load, elasticity, options);
+  keep_worst(result, here);
+  result.fields = std::move(here.fields);
   result.tip = *here.tip;
   result.dofs = here.dofs;
 
@@ -121,12 +125,17 @@ ShaftCrackLoad solve_load(const ShaftSection& shaft, SectionLoad load,
   const auto at_share = [&](double share) {
     ShaftSection smaller = shaft;
     smaller.crack->depth = share * depth;
-    return release(solve(mesh_shaft(smaller)), tip_radius(smaller));
+    const SectionSolution solution = solve(mesh_shaft(smaller));
+    result.sizes.push_back({smaller.crack->depth, *solution.tip});
+    return release(solution, tip_radius(smaller));
   };
   const double aside = std::sqrt(3.0 / 7) / 2;
-  result.added_compliance = depth * (release(here, tip) / 20 +
-                                     49.0 / 180 * (at_share(0.5 - aside) + at_share(0.5 + aside)) +
-                                     16.0 / 45 * at_share(0.5));
+  const double near_nothing = at_share(0.5 - aside);
+  const double half = at_share(0.5);
+  const double near_all = at_share(0.5 + aside);
+  result.added_compliance =
+      depth * (release(here, tip) / 20 + 49.0 / 180 * (near_nothing + near_all) + 16.0 / 45 * half);
+  result.sizes.push_back({depth, *here.tip});
 
   ShaftSection sound = shaft;
   sound.crack.reset();

@@ -98,6 +98,7 @@ Solved solve_size(const TubeWithThroughCrack& tube, double a) {
   fem::SolidProblem problem = tube_torsion(meshed.body, tube.material, torque);
   problem.order = tube.order;
   problem.crack_faces = tube.crack_faces;
+  if (a == tube.half_length) problem.fields = tube.fields;
   Solved done{fem::solve_solid(meshed.mesh, problem), 2 * a * tube.wall_thickness};
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   if (tube.solved) tube.solved(done.solid, taken.count());

@@ -28,6 +28,13 @@ enum class Member { output_shaft, flexspline };
 inline constexpr int kSectionOrder = 6;  ///< p of bodies of revolution
 inline constexpr int kSolidOrder = 3;    ///< p of solids
 
+/// Whether a run samples its solutions: elements of order p by p points each way, of solids p+1.
+enum class RunFields {
+  none,
+  of_rank,     ///< each rank its own cells, for files
+  everywhere,  ///< each rank all cells, for pictures
+};
+
 struct RunOptions {
   std::optional<Member> member = {};  ///< nothing: every member that the file gives
   /// p; in 2..8, of solids in 2..4; nothing: kSectionOrder and kSolidOrder
@@ -37,6 +44,7 @@ struct RunOptions {
   std::optional<std::string> crack = {};
   /// Called with one line after each solution, on every rank; may be empty.
   std::function<void(const std::string&)> progress = {};
+  RunFields fields = RunFields::none;
 };
 
 /// Size of one calculation, before it is done.
@@ -53,6 +61,7 @@ struct ShaftCrackRun {
   std::string path;
   gear_fem::ShaftSection section;
   gear_fem::ShaftCrackResult result;
+  fem::Elasticity elasticity;
 };
 
 /// One through crack of the flexspline's wall, at the size of the given torque and both senses.

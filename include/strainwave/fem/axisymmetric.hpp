@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "strainwave/fem/elasticity.hpp"
+#include "strainwave/fem/fields.hpp"
 #include "strainwave/fem/section_mesh.hpp"
 
 /// @file
@@ -31,6 +32,8 @@ struct SectionOptions {
   int tip_rings = 8;
   int corner_rings = 6;  ///< of cells round a sharp re-entrant corner [-]; in 0..16
   int halvings = 0;      ///< of all cells, before the rings [-]; in 0..5
+  /// What to fill SectionSolution::fields with; nothing if left out.
+  FieldRequest fields = {};
 };
 
 /// What a crack tip says, per unit of load.
@@ -56,6 +59,7 @@ struct SectionSolution {
   double worst_jacobian = 0.0;        ///< least det J over its mean in the cell [-]; > 0
   std::size_t cells = 0;
   std::size_t dofs = 0;
+  SampledFields fields = {};  ///< per unit of load, in the half plane y = 0
 };
 
 /// Solves one load.

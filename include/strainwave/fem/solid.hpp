@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "strainwave/fem/elasticity.hpp"
+#include "strainwave/fem/fields.hpp"
 #include "strainwave/fem/hex_mesh.hpp"
 
 namespace strainwave::fem {
@@ -38,8 +39,9 @@ struct SolidProblem {
   CrackFaces crack_faces = CrackFaces::free;
   int crack_tag = 0;  ///< tag of the crack faces; 0: no crack
   /// Stress that the body without the crack would have at a place of the crack [Pa], rows of the
-  /// tensor; for `added_work`.  May be empty.
+  /// tensor; for `added_work`.  With `fields`, at any place.  May be empty.
   std::function<std::array<Point3, 3>(const Point3&)> stress_without_crack;
+  FieldRequest fields = {};  ///< what to fill SolidResult::fields with; nothing if left out
 };
 
 /// Fracture quantities at one station of a front.
@@ -66,7 +68,7 @@ struct CrackFront {
   double ring_spread{};        ///< of `release` between rings (innermost left out), relative [-]
   double mode_energy_ratio{};  ///< integral of G_of_K over that of G [-]; 1 in plane strain
   double closed_K_I{};         ///< largest |K_I| found at closed stations, there set to 0, over the
-                        ///< largest K of the front [-]; 0 without closed stations
+                               ///< largest K of the front [-]; 0 without closed stations
 };
 
 /// Displacements and what follows from them, with its evidence.
@@ -88,6 +90,7 @@ struct SolidResult {
   double solver_seconds{};
   double factor_megabytes{};   ///< memory of the factorisation over all ranks [MB]
   double factor_operations{};  ///< floating-point operations of the last elimination
+  SampledFields fields;        ///< as SolidProblem::fields asks: of this rank's cells, or of all
 };
 
 /// Solves a problem of linear elasticity on mapped hexahedra and evaluates its crack fronts.
@@ -125,6 +128,8 @@ class MpiSession {
   [[nodiscard]] std::string from_first(const std::string& text) const;
   /// The text of the first rank that has one on every rank; all must call it.
   [[nodiscard]] std::string from_any(const std::string& text) const;
+  /// True if it is so on every rank; all of them must ask.
+  [[nodiscard]] bool all(bool here) const;
 
  private:
   struct Impl;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "strainwave/fem/axisymmetric.hpp"
 #include "strainwave/model/output_shaft.hpp"
@@ -45,6 +46,12 @@ struct ShaftSection {
 /// @throws InputError  for lengths out of range
 [[nodiscard]] fem::SectionMesh mesh_shaft(const ShaftSection& shaft);
 
+/// A crack smaller than the given one, or the given one, per unit of load.
+struct ShaftCrackSize {
+  double depth = 0.0;  ///< a [m]
+  fem::TipResult tip;
+};
+
 /// One load on a cracked shaft, per unit of load.
 struct ShaftCrackLoad {
   double sound_compliance = 0.0;  ///< without the crack [rad/(N*m)] or [m/N]
@@ -60,7 +67,9 @@ struct ShaftCrackLoad {
   double worst_jacobian = 0.0;        ///< the worst [-]
   std::size_t dofs = 0;               ///< of one solution
   bool usable = false;
-  std::string reason;  ///< why it may not be used; empty if it may
+  std::string reason;                      ///< why it may not be used; empty if it may
+  std::vector<ShaftCrackSize> sizes = {};  ///< that (FE-8) has solved, the given depth last
+  fem::SampledFields fields = {};          ///< at the given depth, as the options ask
 };
 
 /// A cracked shaft under torque and axial force.

@@ -35,6 +35,7 @@ struct TubeWithThroughCrack {
   bool check_growth = true;
   /// Called after each solution with it and its time [s], mesh included; may be empty.
   std::function<void(const fem::SolidResult&, double)> solved = {};
+  fem::FieldRequest fields = {};  ///< of the given size; nothing if left out
 };
 
 /// The tube's answer with its evidence; front 0 is the tip toward +z (at 90 degrees: toward

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+/// @file
+/// Charts as SVG documents, of whatever numbers.
+
+namespace strainwave {
+
+/// Lines of one chart that differ by colour and dashes; after that they come again.
+inline constexpr std::size_t kDistinctLines = 7;
+
+/// Where a series has discs besides its line.
+enum class Discs { none, at_end };
+
+/// One line of a plot; a point that is not finite, or not positive on a log axis, is a gap.
+struct PlotSeries {
+  std::string label;
+  std::vector<double> x = {};
+  std::vector<double> y = {};
+  Discs discs = Discs::none;
+};
+
+enum class AxisScale { linear, logarithmic };
+
+/// One pair of axes.
+struct PlotPanel {
+  std::string title;
+  std::string subtitle = {};  ///< smaller, below the title
+  std::string x_label;
+  std::string y_label;
+  std::string legend_title = {};
+  AxisScale x_scale = AxisScale::linear;
+  AxisScale y_scale = AxisScale::linear;
+  std::vector<PlotSeries> series = {};
+};
+
+/// Panels below each other as one SVG document; colours that colour-blind readers can tell apart,
+/// and dashes for those who print in black.  The same input gives the same bytes.
+[[nodiscard]] std::string svg_plot(std::span<const PlotPanel> panels);
+
+/// Bars of one colour.
+struct TornadoSeries {
+  std::string label;
+  std::vector<double> values;  ///< shape (n labels)
+};
+
+/// Horizontal bars from zero, one row for each label, a bar for each series.
+struct TornadoPanel {
+  std::string title = {};
+  std::string subtitle = {};
+  std::string x_label = {};
+  std::vector<std::string> labels = {};
+  std::vector<TornadoSeries> series = {};  ///< one or two
+};
+
+/// Panels of bars below each other as one SVG document; the number stands at the end of each bar.
+[[nodiscard]] std::string tornado_svg(std::span<const TornadoPanel> panels);
+
+}  // namespace strainwave

@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/chart/chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "strainwave/chart/svg_text.hpp"
+
+namespace strainwave {
+namespace {
+
+// Lengths in px of the SVG's own coordinates.
+constexpr double kPlotWidth = 860;
+constexpr double kPanelHeight = 400;
+constexpr double kLeft = 98;
+constexpr double kRight = 200;  // room for the labels of the lines
+constexpr double kTop = 60;
+constexpr double kBottom = 58;
+constexpr double kLabelHeight = 18;
+
+// Okabe and Ito's palette, without its yellow, which is too pale for lines on white.
+struct Stroke {
+  std::string_view colour;
+  std::string_view dashes;
+};
+constexpr std::array<Stroke, kDistinctLines> kStrokes = {{{"#000000", ""},
+                                                          {"#D55E00", ""},
+                                                          {"#0072B2", "7 4"},
+                                                          {"#009E73", "2 3"},
+                                                          {"#CC79A7", "9 3 2 3"},
+                                                          {"#E69F00", "12 4"},
+                                                          {"#56B4E9", "4 2"}}};
+
+/// The first `most` characters of a UTF-8 text, with an ellipsis if there are more.
+std::string shortened(std::string_view text, std::size_t most) {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool begins_character = (static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U;
+    if (begins_character && n++ == most) return std::string(text.substr(0, i)) + "…";
+  }
+  return std::string(text);
+}
+
+/// A tick with a fixed number of decimals and a true minus.
+std::string fixed(double value, int decimals) {
+  const std::string digits = fmt::format("{:.{}f}", std::abs(value), decimals);
+  const bool zero = digits.find_first_not_of("0.") == std::string::npos;
+  return value < 0 && !zero ? "−" + digits : digits;
+}
+
+struct ValueRange {
+  double lower = std::numeric_limits<double>::infinity();
+  double upper = -std::numeric_limits<double>::infinity();
+
+  void include(double value) {
+    lower = std::min(lower, value);
+    upper = std::max(upper, value);
+  }
+  [[nodiscard]] bool empty() const { return !(lower <= upper); }
+};
+
+struct Tick {
+  double value = 0.0;
+  std::string label;  ///< empty: a minor tick
+};
+
+/// One axis: which values it shows, where it puts them, and its ticks.
+class Axis {
+ public:
+  /// @param label  of the axis: angles of about a turn are divided by 60 deg
+  Axis(ValueRange values, AxisScale scale, double from_px, double to_px,
+       std::string_view label = {})
+      : scale_(scale), from_px_(from_px), to_px_(to_px), in_degrees_(label.ends_with("[deg]")) {
+    if (values.empty()) values = {scale == AxisScale::linear ? 0.0 : 1.0, 1.0};
+    if (scale == AxisScale::linear)
+      place_linear_ticks(widened(values));
+    else
+      place_decades(values);
+  }
+
+  [[nodiscard]] double px(double value) const {
+    const double at = scale_ == AxisScale::linear ? value : std::log10(value);
+    return from_px_ + (to_px_ - from_px_) * (at - lower_) / (upper_ - lower_);
+  }
+  [[nodiscard]] const std::vector<Tick>& ticks() const { return ticks_; }
+  /// Factor that the labels leave out, such as "×10⁻⁶"; mostly empty.
+  [[nodiscard]] const std::string& factor() const { return factor_; }
+
+ private:
+  /// A range that ticks can divide: round a constant, and no narrower than labels can show.
+  static ValueRange widened(const ValueRange& values) {
+    const double size = std::max(std::abs(values.lower), std::abs(values.upper));
+    const double width = values.upper - values.lower;
+    const double lacking = (size == 0 ? 1.0 : width == 0 ? 0.1 * size : 1e-6 * size) - width;
+    if (lacking <= 0) return values;
+    return {values.lower - lacking / 2, values.upper + lacking / 2};
+  }
+
+  /// Steps of 1, 2 or 5 times a power of ten, about six of them; the axis ends at ticks.
+  void place_linear_ticks(const ValueRange& values) {
+    const double raw = (values.upper - values.lower) / 6;
+    const double decade = std::pow(10.0, std::floor(std::log10(raw)));
+    double step = 10 * decade;
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      if (factor * decade >= raw * (1 - 1e-9)) {
+        step = factor * decade;
+        break;
+      }
+    }
+    const double width = values.upper - values.lower;
+    if (in_degrees_ && width > 240 && width <= 360) step = 60;
+    const double first = std::floor(values.lower / step + 1e-9);
+    const double last = std::ceil(values.upper / step - 1e-9);
+    lower_ = first * step;
+    upper_ = last * step;
+    // Very large or small labels share one power of ten, written once.
+    const double size = std::max(std::abs(lower_), std::abs(upper_));
+    int exponent = 0;
+    if (size >= 1e6 || size < 1e-3) {
+      exponent = static_cast<int>(std::floor(std::log10(size)));
+      factor_ = "×" + power_of_ten(exponent);
+    }
+    const int step_exponent = static_cast<int>(std::floor(std::log10(step) + 1e-9));
+    const int decimals = std::max(0, exponent - step_exponent);
+    const int n_steps = static_cast<int>(last - first);
+    for (int i = 0; i <= n_steps; ++i) {
+      const double value = (first + i) * step;
+      ticks_.push_back({value, fixed(value * std::pow(10.0, -exponent), decimals)});
+    }
+  }
+
+  /// Decades, with more labels between them where there are few; the axis ends at a whole digit.
+  void place_decades(const ValueRange& values) {
+    const auto outward = [](double value, auto round) {
+      const double decade = std::pow(10.0, std::floor(std::log10(value)));
+      return decade * round(value / decade);
+    };
+    double lower = outward(values.lower, [](double digit) { return std::floor(digit + 1e-9); });
+    double upper = outward(values.upper, [](double digit) { return std::ceil(digit - 1e-9); });
+    if (!(upper > lower)) {
+      lower /= 2;
+      upper *= 2;
+    }
+    lower_ = std::log10(lower);
+    upper_ = std::log10(upper);
+    const double decades = upper_ - lower_;
+    const int every = std::max(1, static_cast<int>(std::ceil(decades / 8)));
+    const bool plain = lower >= 9.9e-4 && upper <= 1.01e5;
+    const auto labelled = [&](int digit, int decade) {
+      if (digit == 1) return decade % every == 0;
+      return decades <= 1 || (decades <= 2.5 && (digit == 2 || digit == 5));
+    };
+    for (int decade = static_cast<int>(std::floor(lower_)); decade <= std::ceil(upper_); ++decade)
+      for (int digit = 1; digit < 10; ++digit) {
+        const double value = digit * std::pow(10.0, decade);
+        if (value < lower * (1 - 1e-9) || value > upper * (1 + 1e-9)) continue;
+        if (!labelled(digit, decade)) {
+          if (decades <= 5) ticks_.push_back({value, {}});
+        } else if (plain) {
+          ticks_.push_back({value, fixed(value, std::max(0, -decade))});
+        } else {
+          ticks_.push_back({value, digit == 1 ? power_of_ten(decade)
+                                              : fmt::format("{}·{}", digit, power_of_ten(decade))});
+        }
+      }
+  }
+
+  AxisScale scale_;
+  double from_px_, to_px_;
+  bool in_degrees_ = false;
+  double lower_ = 0.0, upper_ = 1.0;  ///< of the values, or of their logarithms
+  std::vector<Tick> ticks_;
+  std::string factor_;
+};
+
+bool drawable(AxisScale scale, double value) {
+  return std::isfinite(value) && (scale == AxisScale::linear || value > 0);
+}
+
+std::string line(double x1, double y1, double x2, double y2, std::string_view style) {
+  return fmt::format(
+      "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" class=\"{}\"/>\n", x1, y1, x2,
+      y2, style);
+}
+
+std::string words(double x, double y, std::string_view style, std::string_view text,
+                  std::string_view more = {}) {
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"{}\"{}>{}</text>\n", x, y, style,
+                     more, svg_text(text));
+}
+
+/// A label in two lines where it is too long for the margin, broken at its last dot.
+std::string margin_words(double x, double& y, std::string_view text) {
+  constexpr std::size_t kMost = 27;
+  std::string svg;
+  const std::size_t dot = text.rfind('.');
+  if (text.size() > kMost && dot != std::string_view::npos) {
+    svg += words(x, y, "small", text.substr(0, dot + 1));
+    text.remove_prefix(dot + 1);
+    y += kLabelHeight - 4;
+  }
+  svg += words(x, y, "small", text);
+  y += kLabelHeight;
+  return svg;
+}
+
+/// The points of a series as strokes of a path; what cannot be drawn is a gap, and a point between
+/// two gaps a short stroke.
+std::string path_data(const PlotPanel& panel, const PlotSeries& series, const Axis& x,
+                      const Axis& y) {
+  const std::size_t n = std::min(series.x.size(), series.y.size());
+  const auto visible = [&](std::size_t i) {
+    return i < n && drawable(panel.x_scale, series.x[i]) && drawable(panel.y_scale, series.y[i]);
+  };
+  constexpr double kDot = 3;
+  std::string path;
+  bool drawing = false;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (visible(i)) {
+      const double at_x = x.px(series.x[i]);
+      const double at_y = y.px(series.y[i]);
+      if (drawing || visible(i + 1))
+        path += fmt::format("{}{:.2f},{:.2f} ", drawing ? "L" : "M", at_x, at_y);
+      else
+        path += fmt::format("M{:.2f},{:.2f} h{} ", at_x - kDot / 2, at_y, kDot);
+    }
+    drawing = visible(i);
+  }
+  return path;
+}
+
+/// Draws one panel with its upper edge at `top`.
+std::string panel_svg(const PlotPanel& panel, double top) {
+  ValueRange x_values;
+  ValueRange y_values;
+  for (const PlotSeries& series : panel.series)
+    for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+      if (!drawable(panel.x_scale, series.x[i]) || !drawable(panel.y_scale, series.y[i])) continue;
+      x_values.include(series.x[i]);
+      y_values.include(series.y[i]);
+    }
+  const double left = kLeft;
+  const double right = kPlotWidth - kRight;
+  const double upper = top + kTop;
+  const double lower = top + kPanelHeight - kBottom;
+  const Axis x(x_values, panel.x_scale, left, right, panel.x_label);
+  const Axis y(y_values, panel.y_scale, lower, upper);
+
+  constexpr std::size_t kTitleLength = 76;
+  constexpr std::size_t kSubtitleLength = 110;
+  std::string svg = words(left, top + 28, "title", shortened(panel.title, kTitleLength));
+  if (!panel.subtitle.empty())
+    svg += words(left, top + 46, "small", shortened(panel.subtitle, kSubtitleLength));
+  for (const Tick& tick : x.ticks()) {
+    const double at = x.px(tick.value);
+    svg += line(at, upper, at, lower, tick.label.empty() ? "minor" : "grid");
+    if (!tick.label.empty()) svg += words(at, lower + 18, "tick middle", tick.label);
+  }
+  for (const Tick& tick : y.ticks()) {
+    const double at = y.px(tick.value);
+    svg += line(left, at, right, at, tick.label.empty() ? "minor" : "grid");
+    if (!tick.label.empty()) svg += words(left - 8, at + 4, "tick end", tick.label);
+  }
+  svg += line(left, lower, right, lower, "axis") + line(left, upper, left, lower, "axis");
+  if (!x.factor().empty()) svg += words(right, lower + 42, "tick end", x.factor());
+  if (!y.factor().empty()) svg += words(left - 8, upper - 10, "tick end", y.factor());
+  svg += words((left + right) / 2, lower + 42, "label middle", panel.x_label);
+  const double middle = (upper + lower) / 2;
+  svg += words(16, middle, "label middle", panel.y_label,
+               fmt::format(" transform=\"rotate(-90 16 {:.1f})\"", middle));
+
+  double label_y = upper + 12;
+  if (!panel.legend_title.empty()) svg += margin_words(right + 14, label_y, panel.legend_title);
+  for (std::size_t n = 0; n < panel.series.size(); ++n) {
+    const PlotSeries& series = panel.series[n];
+    const Stroke& stroke = kStrokes[n % kStrokes.size()];
+    // The colours come again after the seventh line, with one more dot between their dashes.
+    std::string dashes(stroke.dashes);
+    for (std::size_t round = n / kStrokes.size(); round > 0; --round)
+      dashes += dashes.empty() ? "16 3 1 3" : " 1 3";
+    // The first line is the widest: another that lies on it does not hide it.
+    const std::string style = fmt::format(
+        "stroke=\"{}\" stroke-width=\"{}\"{}", stroke.colour, n == 0 ? 4 : 2,
+        dashes.empty() ? std::string() : fmt::format(" stroke-dasharray=\"{}\"", dashes));
+    svg += fmt::format("<path d=\"{}\" class=\"series\" {}/>\n", path_data(panel, series, x, y),
+                       style);
+    const std::size_t n_points = std::min(series.x.size(), series.y.size());
+    if (series.discs == Discs::at_end && n_points > 0 &&
+        drawable(panel.x_scale, series.x[n_points - 1]) &&
+        drawable(panel.y_scale, series.y[n_points - 1]))
+      svg += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"5\" fill=\"{}\"/>\n",
+                         x.px(series.x[n_points - 1]), y.px(series.y[n_points - 1]), stroke.colour);
+    svg += fmt::format("<path d=\"M{:.1f},{:.1f} h26\" class=\"series\" {}/>\n", right + 14,
+                       label_y - 4, style);
+    svg += words(right + 46, label_y, "tick", series.label);
+    label_y += kLabelHeight;
+  }
+  return svg;
+}
+
+constexpr double kBarHeight = 12;
+constexpr double kBarLabels = 330;  // room for the paths
+
+double row_height(const TornadoPanel& panel) {
+  return kBarHeight * static_cast<double>(panel.series.size()) + 8;
+}
+
+double tornado_height(const TornadoPanel& panel) {
+  return kTop + row_height(panel) * static_cast<double>(panel.labels.size()) + kBottom;
+}
+
+/// Draws one panel of bars with its upper edge at `top`.
+std::string tornado_panel_svg(const TornadoPanel& panel, double top) {
+  constexpr double kEnds = 64;  // room for the numbers at the ends of the bars
+  const double left = kBarLabels;
+  const double right = kPlotWidth - 30;
+  const double upper = top + kTop;
+  const double lower = top + tornado_height(panel) - kBottom;
+  ValueRange values{0.0, 0.0};
+  for (const TornadoSeries& series : panel.series)
+    for (const double value : series.values)
+      if (std::isfinite(value)) values.include(value);
+  const Axis x(values, AxisScale::linear, left + kEnds, right - kEnds);
+
+  constexpr std::size_t kTitleLength = 88;
+  std::string svg = words(16, top + 28, "title", shortened(panel.title, kTitleLength));
+  double legend = 16;
+  if (!panel.subtitle.empty()) {
+    svg += words(legend, top + 46, "small", panel.subtitle);
+    legend += 160;
+  }
+  for (std::size_t n = 0; n < panel.series.size(); ++n) {
+    svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"14\" height=\"9\" fill=\"{}\"/>\n",
+                       legend, top + 38, kStrokes[n == 0 ? 2 : 1].colour);
+    svg += words(legend + 20, top + 46, "small", panel.series[n].label);
+    legend += 120;
+  }
+  for (const Tick& tick : x.ticks()) {
+    svg += line(x.px(tick.value), upper, x.px(tick.value), lower, "grid");
+    svg += words(x.px(tick.value), lower + 18, "tick middle", tick.label);
+  }
+  for (std::size_t i = 0; i < panel.labels.size(); ++i) {
+    const double row_top = upper + row_height(panel) * static_cast<double>(i) + 4;
+    svg += words(left - 8, row_top + (row_height(panel) - 8) / 2 + 4, "small end",
+                 shortened(panel.labels[i], 50));
+    for (std::size_t n = 0; n < panel.series.size(); ++n) {
+      const double value = panel.series[n].values[i];
+      if (!std::isfinite(value)) continue;
+      const double bar_top = row_top + kBarHeight * static_cast<double>(n);
+      const double from = std::min(x.px(0.0), x.px(value));
+      const double to = std::max(x.px(0.0), x.px(value));
+      svg += fmt::format(
+          "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" "
+          "fill=\"{}\"/>\n",
+          from, bar_top + 0.5, to - from, kBarHeight - 1, kStrokes[n == 0 ? 2 : 1].colour);
+      svg += words(value < 0 ? from - 5 : to + 5, bar_top + kBarHeight / 2 + 4,
+                   value < 0 ? "small end" : "small",
+                   (value < 0 ? "−" : "+") + fmt::format("{:.3g}", std::abs(value)));
+    }
+  }
+  svg += line(left, lower, right, lower, "axis") + line(x.px(0.0), upper, x.px(0.0), lower, "axis");
+  if (!x.factor().empty()) svg += words(right, lower + 18, "tick end", x.factor());
+  return svg + words((left + right) / 2, lower + 42, "label middle", panel.x_label);
+}
+
+/// A document of one height, to which panels are added.
+std::string svg_head(double height) {
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" "
+      "height=\"{1:g}\" role=\"img\">\n"
+      "<style>\n"
+      "text {{ font-family: 'DejaVu Sans', Arial, sans-serif; fill: #222 }}\n"
+      ".title {{ font-size: 15px; font-weight: bold }}\n"
+      ".label {{ font-size: 13px }}\n"
+      ".tick {{ font-size: 12px }}\n"
+      ".small {{ font-size: 11px; fill: #555 }}\n"
+      ".middle {{ text-anchor: middle }}\n"
+      ".end {{ text-anchor: end }}\n"
+      ".grid {{ stroke: #ddd }}\n"
+      ".minor {{ stroke: #eee }}\n"
+      ".axis {{ stroke: #222 }}\n"
+      ".series {{ fill: none; stroke-linejoin: round }}\n"
+      "</style>\n"
+      "<rect width=\"{0:g}\" height=\"{1:g}\" fill=\"white\"/>\n",
+      kPlotWidth, height);
+}
+
+}  // namespace
+
+std::string svg_plot(std::span<const PlotPanel> panels) {
+  std::string svg = svg_head(kPanelHeight * static_cast<double>(panels.size()));
+  double top = 0.0;
+  for (const PlotPanel& panel : panels) {
+    svg += panel_svg(panel, top);
+    top += kPanelHeight;
+  }
+  return svg + "</svg>\n";
+}
+
+std::string tornado_svg(std::span<const TornadoPanel> panels) {
+  double height = 0.0;
+  for (const TornadoPanel& panel : panels) height += tornado_height(panel);
+  std::string svg = svg_head(height);
+  double top = 0.0;
+  for (const TornadoPanel& panel : panels) {
+    svg += tornado_panel_svg(panel, top);
+    top += tornado_height(panel);
+  }
+  return svg + "</svg>\n";
+}
+
+}  // namespace strainwave

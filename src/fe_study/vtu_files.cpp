@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <array>
+
+#include "fields_at_load.hpp"
+#include "strainwave/fe_study/output_files.hpp"
+#include "strainwave/fem/vtu.hpp"
+
+namespace strainwave::fe_study {
+namespace {
+
+/// One field of all ranks: a file of each, and of the first one the file that names them.
+class FieldWriter {
+ public:
+  FieldWriter(std::vector<OutputFile>& files, const fem::MpiSession& session)
+      : files_(files), rank_(session.rank()), size_(session.size()) {}
+
+  template <class Text, class Record>
+  void add(const std::string& stem, const Text& text, const Record& record) {
+    if (size_ == 1) {
+      files_.push_back({stem + ".vtu", text()});
+      return;
+    }
+    const auto piece = [&](int rank) { return fmt::format("{}.{}.vtu", stem, rank); };
+    files_.push_back({piece(rank_), text()});
+    if (rank_ != 0) return;
+    std::vector<std::string> pieces;
+    for (int rank = 0; rank < size_; ++rank) pieces.push_back(piece(rank));
+    files_.push_back({stem + ".pvtu", record(pieces)});
+  }
+
+ private:
+  std::vector<OutputFile>& files_;
+  int rank_;
+  int size_;
+};
+
+}  // namespace
+
+std::vector<OutputFile> vtu_files(const RunResult& result, const GearSet& gear,
+                                  const fem::MpiSession& session) {
+  std::vector<OutputFile> files;
+  FieldWriter writer(files, session);
+  for (const TubeCrackRun& crack : result.wall_cracks)
+    for (const auto* const one : {&crack.positive, &crack.negative}) {
+      const std::string stem =
+          file_stem(crack.path) + (one == &crack.positive ? "_positive" : "_negative");
+      const fem::SampledFields& fields = one->solid.fields;
+      using Pieces = std::vector<std::string>;
+      writer.add(
+          stem, [&] { return fem::vtu_text(fields); },
+          [&](const Pieces& pieces) { return fem::pvtu_text(pieces, fields); });
+      writer.add(
+          stem + "_faces", [&] { return fem::crack_faces_vtu_text(fields); },
+          [&](const Pieces& pieces) { return fem::crack_faces_pvtu_text(pieces); });
+      if (session.rank() != 0) continue;
+      std::vector<fem::CrackFront> fronts = one->solid.fronts;
+      if (one->closed)  // what is left is rounding
+        for (fem::CrackFront& front : fronts)
+          for (fem::FrontStation& station : front.stations) station.K_I = 0;
+      files.push_back({stem + "_fronts.vtu", fem::fronts_vtu_text(fronts)});
+    }
+  // Shaft and cup are of the first rank, and empty in the others.
+  for (const ShaftCrackRun& crack : result.shaft_cracks) {
+    const std::string stem = file_stem(crack.path);
+    files.push_back({stem + ".vtu", fem::vtu_text(fields_at_load(crack, gear))});
+    files.push_back(
+        {stem + "_fronts.vtu", fem::fronts_vtu_text(std::array{front_at_load(crack, gear)})});
+  }
+  if (result.cup)
+    files.push_back({"flexspline.vtu", fem::vtu_text(fields_at_load(*result.cup, gear))});
+  return files;
+}
+
+}  // namespace strainwave::fe_study

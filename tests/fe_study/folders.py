@@ -1,0 +1,216 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Reads what strainwave-fe writes into folders by programs that are not ours.
+
+    tests/fe_study/folders.py STRAINWAVE_FE EXAMPLES
+
+The VTU files are read by meshio and integrated here; the pictures are parsed as XML.  Kinds of test:
+Crosscheck of energies, Identity of the ranks, Input of folders that cannot be written.
+"""
+
+import json
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as xml
+
+import meshio
+import numpy as np
+
+SVG = "{http://www.w3.org/2000/svg}"
+POINTS = [(a, b, c) for a in (-1, 1) for b in (-1, 1) for c in (-1, 1)]
+CORNERS = np.array([(-1, -1, -1), (1, -1, -1), (1, 1, -1), (-1, 1, -1),
+                    (-1, -1, 1), (1, -1, 1), (1, 1, 1), (-1, 1, 1)])
+
+
+def run(program, *arguments, ranks=0, codes=(0,)):
+    before = ["mpirun", "--oversubscribe", "-n", str(ranks)] if ranks else []
+    environment = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
+                       OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    done = subprocess.run(before + [program, *map(str, arguments)], env=environment,
+                          capture_output=True, text=True, timeout=280)
+    assert done.returncode in codes, (done.returncode, done.stderr)
+    return done
+
+
+def integral(meshes, name, weight=lambda place: 1.0):
+    """Of a point field over hexahedra or quadrilaterals, by Gauss's two points each way."""
+    total = 0.0
+    for mesh, block in ((mesh, block) for mesh in meshes for block in mesh.cells):
+        corners = block.data.shape[1]
+        dimension = {4: 2, 8: 3}[corners]
+        unit = CORNERS[:corners, :dimension]
+        x = mesh.points[block.data]
+        f = mesh.point_data[name][block.data] if name else np.ones(block.data.shape)
+        for point in {p[:dimension] for p in POINTS}:
+            at = np.array(point) / math.sqrt(3)
+            shape = np.prod(1 + unit * at, axis=1) / 2**dimension
+            slope = np.array([[unit[i, d] * np.prod([1 + unit[i, e] * at[e]
+                                                     for e in range(dimension) if e != d])
+                               for d in range(dimension)] for i in range(corners)]) / 2**dimension
+            jacobian = np.einsum("nix,id->nxd", x, slope)
+            if dimension == 3:
+                volume = np.linalg.det(jacobian)
+                assert (volume > 0).all(), "a cell is left-handed"
+            else:
+                volume = np.linalg.norm(np.cross(jacobian[:, :, 0], jacobian[:, :, 1]), axis=1)
+            place = np.einsum("nix,i->nx", x, shape)
+            total += np.sum(np.einsum("ni,i->n", f, shape) * volume * weight(place))
+    return total
+
+
+def near(here, there, tolerance, what):
+    assert abs(here / there - 1) < tolerance, (what, here, there)
+
+
+def nearest(meshes, name, place):
+    """A point field there."""
+    points = np.concatenate([mesh.points for mesh in meshes])
+    values = np.concatenate([mesh.point_data[name] for mesh in meshes])
+    return values[np.argmin(np.linalg.norm(points - place, axis=1))]
+
+
+def pieces(folder, stem):
+    """What the ranks wrote, as their record names it."""
+    names = [piece.get("Source") for piece in xml.parse(folder / f"{stem}.pvtu").iter("Piece")]
+    assert names == [f"{stem}.0.vtu", f"{stem}.1.vtu"], names
+    return [meshio.read(folder / name) for name in names]
+
+
+def wall(program, examples, folder):
+    """Through crack on two ranks, at order 2: too low to be usable, enough to be read."""
+    out = folder / "new" / "wall"
+    run(program, examples / "through_crack.toml", "--order", 2, "--format", "vtu", "-o", out,
+        ranks=2, codes=(4,))
+    crack = json.loads((out / "result.json").read_text())["flexspline"]["cracks"][0]
+    sense = crack["senses"][0]
+    stem = "flexspline_crack_0_positive"
+    names = {f"flexspline_crack_0_{s}{kind}.{end}" for s in ("positive", "negative")
+             for kind in ("", "_faces") for end in ("pvtu", "0.vtu", "1.vtu")}
+    names |= {f"flexspline_crack_0_{s}_fronts.vtu" for s in ("positive", "negative")}
+    assert {p.name for p in out.iterdir()} == names | {"result.json"}, list(out.iterdir())
+
+    body = pieces(out, stem)
+    assert all(len(part.points) > 0 for part in body)
+    # The walls of the little hexahedra are plane: chords of 12 degrees have 0.7 % less of a ring.
+    t, r, length = 2.24e-3, 78.88e-3, 0.16
+    volume = integral(body, None)
+    assert -0.008 < volume / (2 * math.pi * r * t * length) - 1 < 0, volume
+    torque = crack["torque"]["value"]
+    added = sense["added_compliance"]["value"]
+    energy = torque**2 / 2 * (crack["compliance_without"]["value"] + added)
+    near(integral(body, "strain_energy_density"), energy, 0.009, "strain energy")
+    # What the crack adds is concentrated at tips that the little hexahedra do not resolve.
+    near(integral(body, "strain_energy_density_added"), torque**2 / 2 * added, 0.15, "added energy")
+    # The loaded end turns by T times the compliance; more points are on the side of the crack, which
+    # moves aside besides.
+    points = np.concatenate([part.points for part in body])
+    end = np.abs(points[:, 2] - length) < 1e-9
+    u = np.concatenate([part.point_data["displacement"] for part in body])[end]
+    x = points[end]
+    turn = np.mean((x[:, 0] * u[:, 1] - x[:, 1] * u[:, 0]) / (x[:, 0]**2 + x[:, 1]**2))
+    near(turn, torque * (crack["compliance_without"]["value"] + added), 0.01, "twist")
+    # Stress far from the crack: shear of the torque, in the plane of z and the circumference.
+    polar = math.pi / 2 * ((r + t / 2)**4 - (r - t / 2)**4)
+    stress = nearest(body, "stress", [-r, 0, length / 2]).reshape(3, 3)
+    near(stress[1, 2], -torque * r / polar, 0.02, "shear")
+
+    faces = pieces(out, stem + "_faces")
+    area = integral(faces, None) / 2
+    near(area, 2 * crack["half_length"]["value"] * t, 5e-3, "area of the crack")
+    opening = np.concatenate([part.point_data["opening"] for part in faces])
+    assert opening.min() > -0.01 * opening.max() and 1e-7 < opening.max() < 1e-6, opening.max()
+    for part in pieces(out, "flexspline_crack_0_negative_faces"):
+        assert np.abs(part.point_data["opening"]).max() < 0.01 * opening.max()
+
+    fronts = meshio.read(out / f"{stem}_fronts.vtu")
+    for station in sense["fronts"][0]["from_inner_to_outer_face"]:
+        for mode in ("K_I", "K_II", "K_III"):
+            near(nearest([fronts], mode, station["place"]["value"]), station[mode]["value"], 1e-5,
+                 mode)
+
+
+def shaft(program, examples, folder):
+    out = folder / "shaft"
+    run(program, examples / "solid_shaft.toml", "--format", "vtu", "-o", out)
+    json_file = json.loads((out / "result.json").read_text())
+    crack = json_file["output_shaft"]["cracks"][0]
+    section = [meshio.read(out / "output_shaft_crack_0.vtu")]
+    torque, force = 1500.0, 10e3
+
+    def energy(key):
+        return sum(load**2 / 2 * crack[kind][key]["value"]
+                   for kind, load in (("torsion", torque), ("tension", force)))
+
+    def ring(place):
+        return 2 * math.pi * place[:, 0]
+
+    added = energy("added_compliance")
+    near(integral(section, "strain_energy_density", ring), energy("sound_compliance") + added,
+         3e-3, "strain energy")
+    near(integral(section, "strain_energy_density_added", ring), added, 0.03, "added energy")
+    fronts = meshio.read(out / "output_shaft_crack_0_fronts.vtu")
+    near(fronts.point_data["K_III"].max(), crack["stress_intensity"]["K_III"]["value"], 1e-6, "K")
+    near(np.hypot(fronts.points[:, 0], fronts.points[:, 1]).max(), 0.021, 1e-9, "radius")
+
+
+def pictures(program, examples, folder):
+    names = []
+    for example, order in (("through_crack", 2), ("solid_shaft", 4)):
+        out = folder / "pictures"
+        run(program, "render", examples / f"{example}.toml", "--order", order, "-o", out,
+            codes=(0, 4))
+    for file in sorted(out.iterdir()):
+        names.append(file.name)
+        assert file.stat().st_size < 2e6, file
+        root = xml.parse(file).getroot()
+        assert root.tag == SVG + "svg"
+        text = " | ".join("".join(t.itertext()) for t in root.iter(SVG + "text"))
+        assert "crack[0]" in text, text
+        assert "J/m³" in text or "MPa·√m" in text or "magnified" in text, text
+        assert "nan" not in file.read_text() and "inf" not in text, file
+        if "intensity" not in file.name:
+            assert len({p.get("fill") for p in root.iter(SVG + "path")}) > 10, file
+            assert " mm" in text
+    wall_names = [f"flexspline_crack_0_{kind}.svg"
+                  for kind in ("added_energy", "energy", "opened", "stress_intensity")]
+    shaft_names = [f"output_shaft_crack_0_{kind}.svg"
+                   for kind in ("added_energy", "energy", "stress_intensity")]
+    assert names == wall_names + shaft_names, names
+    opened = (out / wall_names[2]).read_text()
+    assert "magnified 10 000 times" in opened and "T = +100 N·m; the crack is open" in opened
+    assert "NOT usable: dC/dA" in opened  # order 2
+
+
+def refusals(program, examples, folder):
+    gear = examples / "solid_shaft.toml"
+    wanted = ("--order", 2)
+    done = run(program, gear, *wanted, "--format", "vtu", codes=(2,))
+    assert "name a folder with -o" in done.stderr, done.stderr
+    run(program, "render", gear, codes=(2,))
+    # A file of that name, and a folder in place of one of the files: nothing is left behind.
+    blocked = folder / "blocked"
+    blocked.write_text("mine")
+    done = run(program, "render", gear, *wanted, "-o", blocked, codes=(1, 70))
+    assert "no folder of this name" in done.stderr, done.stderr
+    assert blocked.read_text() == "mine"
+    taken = folder / "taken"
+    (taken / "output_shaft_crack_0_energy.svg.part").mkdir(parents=True)
+    done = run(program, "render", gear, *wanted, "-o", taken, codes=(1, 70))
+    assert "cannot be written" in done.stderr, done.stderr
+    assert not [p for p in taken.iterdir() if p.is_file()], list(taken.iterdir())
+
+
+def main():
+    program, examples = sys.argv[1], pathlib.Path(sys.argv[2])
+    with tempfile.TemporaryDirectory(prefix="strainwave fe ") as name:
+        for test in (wall, shaft, pictures, refusals):
+            test(program, examples, pathlib.Path(name))
+            print(test.__name__, "passed")
+
+
+if __name__ == "__main__":
+    main()
