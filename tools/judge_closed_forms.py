@@ -8,7 +8,7 @@
 
 `run` writes an input file for every point of a family, runs `strainwave fe` on it and keeps its answer
 in the work directory (build/judgement unless given): what is there is not done again, so that a kill
-loses one point.  Families: annular, through, inclined, cup; `all`.  Minutes to an hour on one core.
+loses one point.  Families: annular, through, inclined, surface, cup; `all`.  Minutes to an hour on one core.
 `write` takes every point that is there and whose finite elements pass their own checks; the others it
 names.  `table` runs `strainwave stiffness` and `strainwave sif eval` at the points of the tables.  Both
 sides use the same numbers, the shear modulus E/(2(1+nu)) among them.
@@ -212,6 +212,64 @@ class Inclined(Through):
         return [(35, a, degrees, 0.3) for degrees in (0, 15, 30, 60, 75, 90) for a in (1.5, 4.5, 9)]
 
 
+class Surface:
+    """Semi-elliptical crack from outside in a tube, torque that opens it, r/t = 35."""
+    name = "surface"
+    table = "judgement_surface"
+    inputs = ("radius_ratio [1]", "depth_ratio [1]", "aspect_ratio [1]", "angle [rad]")
+    solves = ["--member", "flexspline"]
+
+    @staticmethod
+    def points():
+        points = [(35, depth, aspect, 45) for depth in (0.2, 0.5, 0.8) for aspect in (0.4, 1)]
+        return points + [(35, 0.5, aspect, degrees) for aspect in (0.4, 1) for degrees in (20, 70)]
+
+    @staticmethod
+    def file(point):
+        ratio, depth, aspect, degrees = point
+        t = RADIUS / ratio
+        return head(0.3, 2 * RADIUS + t) + f"""
+[flexspline]
+material = "steel"
+shape = "cylinder"
+wall_thickness = "{t!r} m"
+length = "{2 * RADIUS!r} m"
+[[flexspline.crack]]
+kind = "surface"
+depth = "{depth * t!r} m"
+half_length = "{depth / aspect * t!r} m"
+angle = "{float(degrees)!r} deg"
+"""
+
+    @staticmethod
+    def normalised(point, added, K):
+        """Over 2 pi tau^2 a^2 c/(E T^2) and tau sqrt(pi a) with Bredt's tau; K at the deepest point."""
+        ratio, depth, aspect, _ = point
+        t = RADIUS / ratio
+        a = depth * t
+        tau = TORQUE / (2 * math.pi * RADIUS ** 2 * t)
+        return {"C": added * TORQUE ** 2 * E / (2 * math.pi * tau ** 2 * a ** 3 / aspect),
+                **{mode: abs(value(K[mode])) / (tau * math.sqrt(math.pi * a)) for mode in ("K_I", "K_III")}}
+
+    @classmethod
+    def elements(cls, point, answer):
+        sense = answer["flexspline"]["cracks"][0]["senses"][0]
+        if not sense["usable"] or sense["faces"] != "open":
+            return None, sense["reason"] or f"the faces are {sense['faces']}"
+        stations = sense["fronts"][0]["from_upper_to_lower_end"]
+        deepest = min(stations, key=lambda s: abs(value(s["front_angle"]) - math.pi / 2))
+        evidence = sense["evidence"]
+        return (cls.normalised(point, value(sense["added_compliance"]), deepest),
+                f"finite elements of order 3; {evidence['unknowns']} unknowns; growth check "
+                f"{abs(evidence['growth_check']):.0e}")
+
+    @classmethod
+    def closed(cls, point, program):
+        crack = stiffness(program, cls.file(point))["cracks"][0]
+        return cls.normalised(point, value(crack["added_compliance"]["positive"]["torsion_torsion"]),
+                              crack["stress_intensity"]["deepest"])
+
+
 class Cup:
     """Sound cup, barrel 80.5 x 0.6 x 40 mm, over the diaphragm's bore and thickness."""
     name = "cup"
@@ -272,7 +330,7 @@ thickness = "{h * cls.WALL!r} m"
                     stiffness(program, cls.file(point, "factor"))["intact"]["compliance"]["flexspline"]))}
 
 
-FAMILIES = {family.name: family for family in (Annular, Through, Inclined, Cup)}
+FAMILIES = {family.name: family for family in (Annular, Through, Inclined, Surface, Cup)}
 
 
 def output(program, arguments, text=None):
@@ -333,7 +391,7 @@ def write(work):
                                                      "source"]])
             cells = [repr(math.radians(x) if name.startswith("angle") else float(x))
                      for name, x in zip(family.inputs, point)]
-            digits = "3" if family.table == "judgement_through" else "4"
+            digits = "4" if family in (Annular, Cup) else "3"
             for case, x in result.items():
                 rows.append([case, *cells, f"{x:.6g}", "1", digits, source.replace(",", ";")])
     for name, rows in tables.items():
@@ -352,14 +410,17 @@ def read(table):
 
 
 def table(program):
-    for family in (Annular, Through, Cup):
+    for family in (Annular, Through, Surface, Cup):
+        if not (DATA / f"{family.table}.csv").exists():
+            continue
         points = read(family.table)
         print(f"\n{family.table}: closed form over finite elements, - 1 in per cent\n")
         header = None
         for point, elements in points.items():
             own = list(point)
-            if family is Through:
-                own[2] = round(math.degrees(own[2]), 9)
+            for i, name in enumerate(family.inputs):
+                if name.startswith("angle"):
+                    own[i] = round(math.degrees(own[i]), 9)
             closed = family.closed(tuple(own), program)
             if family is Cup:
                 elements["factor"] = elements["compliance"]

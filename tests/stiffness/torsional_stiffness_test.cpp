@@ -119,8 +119,9 @@ TEST(TorsionalStiffness, ReferenceArticleExample) {
   struct Case {
     double crack_size, positive, negative, K_positive, K_negative, drop_percent;
   };
-  for (const Case& c : {Case{0.1, 1.6247878e-9, 1.6247877e-9, 6.1546500e8, 6.1546504e8, DROP_01},
-                        Case{1.0, 1.6262016e-9, 1.6261912e-9, 6.1492991e8, 6.1493384e8, DROP_10}}) {
+  for (const Case& c :
+       {Case{0.1, 1.6247878e-9, 1.6247877e-9, 6.1546500e8, 6.1546504e8, 8.5970416e-4},
+        Case{1.0, 1.6262016e-9, 1.6261912e-9, 6.1492991e8, 6.1493384e8, 0.087799475}}) {
     const auto reference = [](double value, std::string_view unit, double tolerance,
                               std::string_view is) {
       return test::Reference{
@@ -508,7 +509,7 @@ TEST(TorsionalStiffness, IdentityUncertaintiesAddInSquares) {
   const auto absolute = [](const Quantity& q) { return q.value * *q.relative_uncertainty; };
   const Compliances& c = result.intact.compliance;
   EXPECT_EQ(*c.wave_generator.relative_uncertainty, 0.30);
-  EXPECT_EQ(*c.flexspline.relative_uncertainty, 0.20);
+  EXPECT_EQ(*c.flexspline.relative_uncertainty, 1.0);
   EXPECT_EQ(*c.output_shaft.relative_uncertainty, 0.01);
   const double intact =
       std::hypot(absolute(c.wave_generator), absolute(c.flexspline), absolute(c.output_shaft));
