@@ -94,13 +94,15 @@ TEST(Judgement, CrosscheckThroughCracks) {
             ? crack.shell_release(a) * crack.wall_factor(a)
             : added_compliance(crack, {.opening = kJudgedE, .shear = kJudgedE}).matrix(1, 1) *
                   (2 * pi * kJudgedE * t) / (a * a);
-    EXPECT_NEAR(ours / row.value, 1,
-                lambda > 2 ? accuracy::kThroughCrackLong : accuracy::kThroughCrack)
+    // What was measured, as the docstring says, and no more than the library states.
+    const double measured = row.quantity == "G" ? 0.018 : 0.012;
+    EXPECT_LT(measured, lambda > 2 ? accuracy::kThroughCrackLong : accuracy::kThroughCrack);
+    EXPECT_NEAR(ours / row.value, 1, measured)
         << row.place << ": " << row.quantity << ", r/t " << 1 / t << ", a/t " << a / t << ", "
         << row("angle") * 180 / pi << " deg, nu " << row("poissons_ratio");
     ++seen[row.quantity];
   }
-  EXPECT_GE(seen["C"], 30);
+  EXPECT_GE(seen["C"], 50);
   EXPECT_EQ(seen["C"], seen["G"]);
 }
 

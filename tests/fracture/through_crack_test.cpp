@@ -380,6 +380,23 @@ TEST(ThroughCrack, LimitPlaneStrainAndPlaneStress) {
   }
 }
 
+TEST(ThroughCrack, IdentityThicknessCountsWhereTheWallBulges) {
+  // Without Poisson's ratio there is no constraint: (0.05 + 0.54 sin^2 beta) lambda t/r is left.
+  for (const double degrees : {0.0, 45.0, 90.0}) {
+    ThroughCrackInTube crack = article_crack(10 * mm, degrees);
+    crack.thin_sheet = false;
+    crack.poissons_ratio = 0.0;
+    const double lambda = std::sqrt(std::sqrt(12.0) * 100 / (78.88 * 2.24));
+    EXPECT_EQ(crack.wall_factor(10 * mm), 1.0);  // flat
+    crack.shell_correction = true;
+    const double sine = std::sin(degrees * deg);
+    test::expect_relative(crack.wall_factor(10 * mm),
+                          1 + (0.05 + 0.54 * sine * sine) * lambda * 2.24 / 78.88, 1e-12);
+    crack.open = false;
+    EXPECT_EQ(crack.wall_factor(10 * mm), 1.0);  // pressed faces do not bulge
+  }
+}
+
 TEST(ThroughCrack, IdentityConstraintIsPartOfTheCompliance) {
   // d(lambda)/dA = 2 G with E' of the size reached.
   ThroughCrackInTube crack = article_crack(1 * mm, 30);

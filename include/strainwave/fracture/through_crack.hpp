@@ -37,8 +37,11 @@ using CrackPlaneStress = BasicCrackPlaneStress<double>;
 /// Straight through crack in the wall of a thin tube, loads [axial force, torque].
 ///
 /// Stress intensity (FR-7) of the curved sheet (FR-8), (FR-9), linear through the wall: s from -1
-/// (inner face) to +1 (outer face).  The thickness of the wall changes the
-/// energy release rate by (FR-21) unless it is taken as a thin sheet.  TODO_ACCURACY
+/// (inner face) to +1 (outer face).  The thickness of the wall changes the energy release rate by
+/// (FR-21), unless it is taken as a thin sheet.  Range: shell parameter <= 4.  Accuracy with
+/// (FR-21), open faces under torque, nu = 0.3, r/t 20 to 60, any angle: added compliance 1.1 %, G
+/// 1.4 % (1.2 % up to a shell parameter of 3); at nu = 0 and 0.45 1.1 and 1.7 % up to 1.4 (finite
+/// elements).  As a thin sheet: added compliance 9 % too large at a = 0.05 t, 3 % too small at 4.
 template <class Real>
 struct BasicThroughCrackInTube {
   static constexpr std::size_t kLoads = 2;
