@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "strainwave/fracture/shell_factors.hpp"
+
 namespace strainwave {
 
 using std::numbers::pi;
@@ -16,6 +18,30 @@ template <std::size_t N>
 Dual<N> without_rounding_noise(Dual<N> x) {  // its derivatives are no noise
   x.value = without_rounding_noise(x.value);
   return x;
+}
+
+/// Fitted to finite elements, tests/data/judgement_through.csv.
+constexpr double kRelief = 10.5;
+constexpr double kReliefPower = 1.35;
+constexpr double kThickAxial = 0.05;
+constexpr double kThickRound = 0.54;
+
+/// No bulging: each stress makes its own mode, evenly through the wall.
+template <class Real>
+BasicShellFactors<Real> flat_sheet() {
+  return {.opening_by_normal = {.mean = 1.0, .linear = 0.0},
+          .sliding_by_normal = {},
+          .opening_by_shear = {},
+          .sliding_by_shear = {.mean = 1.0, .linear = 0.0}};
+}
+
+/// Beyond the end of the table its last value.
+template <class Real>
+BasicShellFactors<Real> shell_of(const BasicThroughCrackInTube<Real>& crack, const Real& a) {
+  using std::sqrt;
+  const Real lambda = sqrt(crack.shell_parameter_squared(a));
+  return shell_factors(value_of(lambda) < kShellTableEnd ? lambda : Real(kShellTableEnd),
+                       crack.angle);
 }
 
 template <class Real>
@@ -53,27 +79,53 @@ Real BasicThroughCrackInTube<Real>::shell_parameter_squared(const Real& a) const
 }
 
 template <class Real>
-Real BasicThroughCrackInTube<Real>::shell_factor(const Real& a) const {
-  using std::cos, std::sin;
-  const Real c = cos(angle);
-  const Real s = sin(angle);
-  return 1 + pi / 64 * (5 * c * c + s * s) * shell_parameter_squared(a);  // (FR-9)
+Real BasicThroughCrackInTube<Real>::wall_factor(const Real& a) const {
+  if (thin_sheet) return 1.0;
+  using std::pow, std::sin, std::sqrt;
+  const Real& nu = poissons_ratio;
+  const Real constraint =
+      1 - nu * nu / (1 + kRelief * pow(a / wall_thickness, kReliefPower));  // (FR-21)
+  if (!shell_correction || !open) return constraint;                        // nothing bulges
+  const Real sine = sin(angle);
+  const Real thickness = sqrt(shell_parameter_squared(a)) * wall_thickness / mean_radius;
+  return constraint * (1 + (kThickAxial + kThickRound * sine * sine) * thickness);  // (FR-21)
 }
 
 template <class Real>
 UnitStressIntensity<2, Real> BasicThroughCrackInTube<Real>::stress_intensity(const Real& a,
-                                                                             double) const {
+                                                                             double s) const {
   using std::sqrt;
   const BasicCrackPlaneStress<Real> stress =
       crack_plane_stress(mean_radius, wall_thickness, angle, stress_nonuniformity);
-  const Real A_I = open ? (shell_correction ? shell_factor(a) : Real(1.0)) : Real(0.0);
+  const BasicShellFactors<Real> f = shell_correction ? shell_of(*this, a) : flat_sheet<Real>();
   const Real root = sqrt(pi * a);
   UnitStressIntensity<2, Real> k;
   for (const std::size_t i : {kAxial, kTorsion}) {
-    k.I[i] = A_I * stress.normal[i] * root;  // (FR-7)
-    k.II[i] = stress.shear[i] * root;        // (FR-7)
+    const Real& normal = stress.normal[i];
+    const Real& shear = stress.shear[i];
+    k.II[i] = f.sliding_by_shear.at(s) * shear * root;  // (FR-7)
+    if (!open) continue;                                // what presses the faces, they carry
+    k.I[i] = (f.opening_by_normal.at(s) * normal + f.opening_by_shear.at(s) * shear) *
+             root;                                         // (FR-7, FR-9)
+    k.II[i] += f.sliding_by_normal.at(s) * normal * root;  // (FR-9)
   }
   return k;
+}
+
+template <class Real>
+Real BasicThroughCrackInTube<Real>::shell_release(const Real& a) const {
+  BasicThroughCrackInTube crack = *this;
+  crack.open = true;
+  const auto release = [&](bool shell) {
+    crack.shell_correction = shell;
+    Real sum = 0.0;
+    for (const double s : kLinearGauss) {
+      const UnitStressIntensity<2, Real> k = crack.stress_intensity(a, s);
+      sum += k.I[kTorsion] * k.I[kTorsion] + k.II[kTorsion] * k.II[kTorsion];
+    }
+    return sum;
+  };
+  return release(true) / release(false);  // (FR-9)
 }
 
 template struct BasicThroughCrackInTube<double>;

@@ -29,10 +29,8 @@ std::vector<double> grid_lines(const std::vector<double>& inner, double from, do
   return lines;
 }
 
-/// Lines through the wall: one cell where the crack is longer than the wall is thick, else
-/// cells that grow from both faces to the middle.
-std::vector<double> wall_lines(double t, double a, int layers) {
-  if (layers == 0) layers = a >= t ? 1 : 2;
+/// Lines through the wall, more than two layers grow from both faces to the middle.
+std::vector<double> wall_lines(double t, int layers) {
   std::vector<double> lines;
   for (int i = 0; i <= layers; ++i)  // points of a half circle
     lines.push_back(layers <= 2 ? t * (static_cast<double>(i) / layers - 0.5)
@@ -87,8 +85,8 @@ MeshedTube mesh_size(const TubeWithThroughCrack& tube, double a) {
         return body.end_tag(p);
       },
       .length = tube.mean_radius};
-  return {body, fem::make_hex_mesh(extruded(crack_plan(plan), plan, wall_lines(t, a, tube.layers)),
-                                   shape)};
+  return {body,
+          fem::make_hex_mesh(extruded(crack_plan(plan), plan, wall_lines(t, tube.layers)), shape)};
 }
 
 Solved solve_size(const TubeWithThroughCrack& tube, double a) {
@@ -111,6 +109,8 @@ TubeWithThroughCrack completed(TubeWithThroughCrack tube) {
   if (tube.place == 0) tube.place = tube.length / 2;
   // The wall bends about a long crack, within sqrt(r t); a short one has only its own stress.
   if (tube.growth == 0) tube.growth = tube.half_length >= tube.wall_thickness ? 1.4 : 2.5;
+  // Chosen once: the neighbouring sizes of the growth check must have the same layers.
+  if (tube.layers == 0) tube.layers = tube.half_length >= tube.wall_thickness ? 1 : 2;
   const double a = tube.half_length;
   require(a > 0 && std::isfinite(a), "half_length", a, "m", "half_length > 0");
   require(tube.torque > 0 && std::isfinite(tube.torque), "torque", tube.torque, "N*m",

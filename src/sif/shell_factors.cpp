@@ -17,8 +17,6 @@ using std::numbers::pi;
 /// The variable of the tables, lambda/(lambda + 3).
 double mapped(double lambda) { return lambda / (lambda + 3); }
 
-enum Column : std::size_t { kNN, kTN, kBN, kCN, kNT, kTT, kBT, kCT };
-
 }  // namespace
 
 double shell_parameter(double half_length, double mean_radius, double thickness,
@@ -26,31 +24,6 @@ double shell_parameter(double half_length, double mean_radius, double thickness,
   const double nu = poissons_ratio;
   return std::sqrt(std::sqrt(12 * (1 - nu * nu))) * half_length /
          std::sqrt(mean_radius * thickness);  // (SU-1)
-}
-
-ShellFactors shell_factors(double lambda, double angle) {
-  const auto over_lambda =
-      lagrange(lobatto_nodes<12>(0.0, mapped(kMaxShellParameter)), mapped(lambda));
-  const double cos_2beta = std::cos(2 * angle);
-  const auto over_angle = lagrange(lobatto_nodes<7>(1.0, -1.0), cos_2beta);
-  const auto value = [&](Column column) {
-    double sum = 0.0;
-    for (std::size_t j = 0; j < over_angle.size(); ++j)
-      for (std::size_t i = 0; i < over_lambda.size(); ++i)
-        sum += over_angle[j] * over_lambda[i] * kShellTable[column][j][i];
-    return sum;
-  };
-  const double l2 = lambda * lambda;
-  // 90 degrees have no exact value in radians; what rounding leaves of the zero is a zero.
-  const double sine = std::sin(2 * angle);
-  const double sin_2beta = std::abs(sine) < 1e-15 ? 0.0 : sine;
-  // The table's bending is positive where the inner face opens more.
-  return {
-      .opening_by_normal = {.mean = 1 + l2 * value(kNN), .linear = -value(kBN)},  // (SU-2)
-      .sliding_by_normal = {.mean = sin_2beta * l2 * value(kTN),
-                            .linear = sin_2beta * l2 * value(kCN)},
-      .opening_by_shear = {.mean = sin_2beta * l2 * value(kNT), .linear = -sin_2beta * value(kBT)},
-      .sliding_by_shear = {.mean = 1 + l2 * value(kTT), .linear = l2 * value(kCT)}};
 }
 
 CircumferentialFactors circumferential_factors(double half_angle, double radius_ratio,

@@ -21,16 +21,19 @@ void add_sound_flexspline(const GearSet& gear, const ElasticConstants& steel,
   member.intact = model.sound_flexspline(steel);
   if (fs.crack_free == CrackFree::factor) {
     const bool plain_tube = fs.shape == FlexsplineShape::cylinder && !fs.shape_factor;
-    const ModelAccuracy& accuracy = plain_tube ? accuracy::kTube : accuracy::kShapeFactor;
+    const bool below_one = fs.shape == FlexsplineShape::cup && model.shape_factor() < 1;
+    const ModelAccuracy& accuracy = plain_tube  ? accuracy::kTube
+                                    : below_one ? accuracy::kShapeFactorBelowOne
+                                                : accuracy::kShapeFactor;
     member.relative_uncertainty = accuracy;
     rest_on(member, "flexspline", accuracy);
     use_equation(member.equations, "ST-4");
-    if (fs.shape == FlexsplineShape::cup && model.shape_factor() < 1)
-      member.notes.push_back(
-          {"flexspline.shape_factor",
-           "a factor below 1 for a cup has the wrong direction: its bottom adds compliance; give "
-           "the sections where the geometry is known",
-           "flexspline.crack_free", "ST-4"});
+    if (below_one)
+      member.notes.push_back({"flexspline.shape_factor",
+                              "a factor below 1 for a cup has the wrong direction: its bottom adds "
+                              "compliance, 6 % to ten "
+                              "times the barrel's; give the sections where the geometry is known",
+                              "flexspline.crack_free", "ST-4"});
     return;
   }
   member.relative_uncertainty = accuracy::kSections;
@@ -51,9 +54,11 @@ void note_thick_wall(MemberCompliance& member, const Wall<double>& wall, const s
 struct WallCrackModel {
   CrackModuli moduli;
   Constraint constraint = Constraint::plane_strain;
-  double axial_uncertainty = 0.0;    ///< of the added compliance, entries with the force [-]
-  double torsion_uncertainty = 0.0;  ///< of the added compliance in torsion [-]
-  double ligament = 0.0;             ///< left of the section [m]
+  double axial_uncertainty = 0.0;      ///< of the added compliance, entries with the force [-]
+  double torsion_uncertainty = 0.0;    ///< of the added compliance in torsion [-]
+  double pressed_uncertainty = 0.0;    ///< in addition where the faces are pressed together [-]
+  double intensity_uncertainty = 0.0;  ///< of K, if more than half of that of the compliance [-]
+  double ligament = 0.0;               ///< left of the section [m]
 };
 
 /// Adds one wall crack; `crack_with(open)` makes it with its faces apart or not.
@@ -65,11 +70,12 @@ void add_wall_crack(MemberCompliance& member, CrackReport report, const MakeCrac
     const auto added =
         added_compliance(crack_with(sense != Faces::pressed), model.moduli, options.quadrature);
     demand_convergence(member, report, added.relative_error, added.converged);
+    const double pressed = sense == Faces::pressed ? model.pressed_uncertainty : 0.0;
+    const double torsion = accuracy::combined(model.torsion_uncertainty, pressed);
     AddedCompliance result;
-    result.at_output = {added.matrix(kTorsion, kTorsion), kComplianceUnit,
-                        model.torsion_uncertainty};
+    result.at_output = {added.matrix(kTorsion, kTorsion), kComplianceUnit, torsion};
     result.axial_torsion =
-        axial_torsion(added.matrix, model.axial_uncertainty, model.torsion_uncertainty);
+        axial_torsion(added.matrix, accuracy::combined(model.axial_uncertainty, pressed), torsion);
     return result;
   };
   report.opens_under = opens_under(state.positive, state.negative);
@@ -83,8 +89,8 @@ void add_wall_crack(MemberCompliance& member, CrackReport report, const MakeCrac
                                    : model.torsion_uncertainty;
   report_intensities(report, member, crack_with(given != Faces::pressed),
                      {gear.load.axial_force, gear.load.torque}, model.moduli,
-                     all_modes(of_compliance / 2), gear.material.at(gear.flexspline->material),
-                     model.constraint, model.ligament);
+                     all_modes(std::max(of_compliance / 2, model.intensity_uncertainty)),
+                     gear.material.at(gear.flexspline->material), model.constraint, model.ligament);
   if (state.positive == Faces::pressed || state.negative == Faces::pressed) {
     use_equation(member.equations, "FR-17");
     member.notes.push_back(
@@ -115,40 +121,33 @@ void add_through_crack(MemberCompliance& member, CrackReport report, const WallT
   const SeriesModel<double> series(gear);
   const Wall<double> wall = series.wall_of(crack.section);
   const auto make = [&](bool open) { return series.wall_crack(crack, steel, open); };
-  for (const char* const tag : {"FR-2", "FR-6", "FR-7", "FR-18", "ST-11"})
+  for (const char* const tag : {"FR-2", "FR-6", "FR-7", "FR-18", "FR-21", "ST-11"})
     use_equation(member.equations, tag);
   // The tips run along the tube, which is long: there is no ligament to speak of.
   WallCrackModel model{.moduli = SeriesModel<double>::wall_moduli(crack, steel),
                        .constraint = Constraint::plane_stress,
                        .ligament = std::numeric_limits<double>::infinity()};
   ModelAccuracy accuracy = accuracy::kThroughCrack;
-  member.notes.push_back(
-      {"crack.plane_stress",
-       fmt::format("plane stress, E' = E, is an upper bound: a crack much shorter than the wall is "
-                   "thick is in plane strain, {:.0f} % less compliant",
-                   100 * steel.nu * steel.nu),
-       report.path, "FR-18"});
   const ThroughCrackInTube open_crack = make(true);
   const double lambda = std::sqrt(open_crack.shell_parameter_squared(crack.half_length));
-  if (lambda > 1 && lambda <= kMaxShellParameter) {
-    accuracy = accuracy::kThroughCrackLong;
-    member.notes.push_back({"crack.shell_range",
-                            fmt::format("shell parameter {:.3g} is outside the range of the shell "
-                                        "correction, <= 1: 8 % too compliant at 1.4",
-                                        lambda),
-                            report.path, "FR-9"});
-  } else if (lambda > kMaxShellParameter) {
-    accuracy = accuracy::kThroughCrackLong;
+  if (lambda > kCloseShellParameter) accuracy = accuracy::kThroughCrackLong;
+  if (lambda > kMaxShellParameter) {
     member.unusable_because = fmt::format(
-        "{}: shell parameter {:.3g} is far outside the range of the shell correction (<= 1, usable "
-        "with care to 2): such a long crack needs finite elements",
-        report.path, lambda);
+        "{}: shell parameter {:.3g} is outside the range that finite elements confirm, <= {:g}: "
+        "such a long crack needs finite elements of its own",
+        report.path, lambda, kMaxShellParameter);
+  } else if (lambda > kCloseShellParameter) {
+    member.notes.push_back(
+        {"crack.shell_range",
+         fmt::format("shell parameter {:.3g}: for so long a crack finite elements are up to "
+                     "2 % away",
+                     lambda),
+         report.path, "FR-9"});
   }
   rest_on(member, report.path, accuracy);
   model.torsion_uncertainty = accuracy;
   if (!crack.shell_correction) {
-    // What the correction would have added, (FR-9).
-    const double missing = std::pow(open_crack.shell_factor(crack.half_length), 2) - 1;
+    const double missing = open_crack.shell_release(crack.half_length) - 1;  // (FR-9)
     const ModelAccuracy flat{missing, "flat plate instead of the curved shell: too stiff"};
     model.torsion_uncertainty = accuracy::combined(accuracy, flat);
     rest_on(member, report.path, flat);
@@ -158,10 +157,13 @@ void add_through_crack(MemberCompliance& member, CrackReport report, const WallT
                                         100 * missing),
                             report.path, "FR-9"});
   }
-  model.axial_uncertainty = model.torsion_uncertainty;
+  model.axial_uncertainty =
+      accuracy::combined(model.torsion_uncertainty, accuracy::kThroughCrackAxial);
+  model.pressed_uncertainty = accuracy::kThroughCrackPressed;
+  model.intensity_uncertainty = accuracy::kThroughCrackIntensity;
   note_thick_wall(member, wall, report.path);
   if (crack.shell_correction)
-    for (const char* const tag : {"FR-8", "FR-9"}) use_equation(member.equations, tag);
+    for (const char* const tag : {"FR-8", "FR-9", "SU-2"}) use_equation(member.equations, tag);
   add_wall_crack(member, std::move(report), make, series.faces_of(crack), gear, model, options);
 }
 

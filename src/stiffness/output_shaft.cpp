@@ -17,7 +17,17 @@ struct AnnularAccuracy {
   ModelAccuracy torsion = accuracy::kAnnularTorsion;
   ModelAccuracy tension = accuracy::kAnnularTension;
   double K_I = accuracy::kAnnularTension / 2;  ///< of the stress intensity
+  double K_III = accuracy::kAnnularTorsion / 2;
 };
+
+/// Mode I was computed for Poisson's ratio 0.3.
+bool other_poissons_ratio(const ElasticConstants& steel) { return std::abs(steel.nu - 0.3) > 0.02; }
+
+AnnularAccuracy annular_accuracy(const ElasticConstants& steel) {
+  if (!other_poissons_ratio(steel)) return {};
+  return {.tension = accuracy::kAnnularTensionOtherRatio,
+          .K_I = accuracy::kAnnularTensionOtherRatio / 2};
+}
 
 /// Adds one annular crack; it is open unless the axial force presses it together.
 template <SweptCrack Crack>
@@ -40,7 +50,7 @@ void add_annular_crack(MemberCompliance& member, CrackReport report, const Annul
   const OutputShaft& shaft = *gear.output_shaft;
   const double wall = (shaft.outer_diameter - shaft.inner_diameter) / 2;
   report_intensities(report, member, crack, {gear.load.axial_force, gear.load.torque}, moduli,
-                     {accuracy.K_I, 0.0, accuracy.torsion / 2}, gear.material.at(shaft.material),
+                     {accuracy.K_I, 0.0, accuracy.K_III}, gear.material.at(shaft.material),
                      Constraint::plane_strain, wall - crack.size());
   member.cracks.push_back(std::move(report));
 }
@@ -66,7 +76,7 @@ void add_crack(MemberCompliance& member, CrackReport report, const AnnularCrack&
                             "less than one diameter of shaft on each side of a crack even in the "
                             "middle: the ends disturb its field",
                             report.path, "FR-12"});
-  if (std::abs(steel.nu - 0.3) > 0.02 && gear.load.axial_force != 0)
+  if (other_poissons_ratio(steel) && gear.load.axial_force != 0)
     member.notes.push_back({"crack.poissons_ratio",
                             "the mode I solution was computed for Poisson's ratio 0.3; torsion "
                             "does not depend on it",
@@ -76,8 +86,8 @@ void add_crack(MemberCompliance& member, CrackReport report, const AnnularCrack&
     for (const char* const tag : {"FR-12", "FR-13"}) use_equation(member.equations, tag);
     add_annular_crack(member, std::move(report), crack, model.solid_shaft_crack(crack), gear, steel,
                       tada ? AnnularAccuracy{accuracy::kAnnularTada, accuracy::kAnnularTada,
-                                             accuracy::kAnnularTada / 2}
-                           : AnnularAccuracy{},
+                                             accuracy::kAnnularTada / 2, accuracy::kAnnularTada / 2}
+                           : annular_accuracy(steel),
                       options);
     return;
   }
@@ -85,7 +95,10 @@ void add_crack(MemberCompliance& member, CrackReport report, const AnnularCrack&
   const double ro = shaft.outer_diameter / 2;
   const double ri = shaft.inner_diameter / 2;
   const double depth_ratio = model.depth_ratio(crack);
-  AnnularAccuracy accuracy{.K_I = accuracy::kHollowTensionIntensity};
+  AnnularAccuracy accuracy = annular_accuracy(steel);
+  accuracy.K_I = other_poissons_ratio(steel) ? double{accuracy::kAnnularTensionOtherRatio}
+                                             : accuracy::kHollowTensionIntensity;
+  accuracy.K_III = accuracy::kHollowTorsionIntensity;
   if (clearly_less(AnnularCrackHollow::kMaxTensionRadiusRatio, ri / ro)) {
     accuracy.tension = accuracy::kAnnularExtrapolated;
     accuracy.K_I = accuracy.tension / 2;

@@ -307,6 +307,7 @@ class SeriesModel {
             .stress_nonuniformity = lift_(gear_.flexspline->stress_nonuniformity),
             .poissons_ratio = steel.nu,
             .shell_correction = crack.shell_correction,
+            .thin_sheet = false,
             .open = open};
   }
   [[nodiscard]] SurfaceCrack<2, Real> wall_crack(const WallSurfaceCrack& crack,
@@ -413,6 +414,8 @@ class SeriesModel {
 };
 
 /// Shell parameter of a through crack beyond which its stiffness is not used.
-inline constexpr double kMaxShellParameter = 2.0;
+inline constexpr double kMaxShellParameter = ThroughCrackInTube::kMaxShellParameter;
+/// Up to here finite elements agree closely; see accuracy::kThroughCrack.
+inline constexpr double kCloseShellParameter = 2.0;
 
 }  // namespace strainwave

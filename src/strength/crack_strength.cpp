@@ -30,7 +30,6 @@ using std::numbers::pi;
 constexpr int kFrontPoints = 33;         // as the stiffness takes them: of half a front
 constexpr double kNearlyAll = 1 - 1e-6;  // of a length that a crack must not reach
 constexpr double kSurfaceRange = 0.8;    // a/t of Newman and Raju's elements
-constexpr double kLargestShellParameter = 2.0;
 
 const StrengthNote kResidual = {
     "residual stress (hardening, peening, press fits) is not known and left out; the line is for "
@@ -207,9 +206,12 @@ class Maker {
     const double T = T_;
     made.front = [=](double a, double sense) {
       const double root = std::sqrt(pi * a);
-      // (FA-14): the whole of the outer fibre's stress.
-      return std::vector<FrontModes>{{modes(through.stress_intensity(a, 0), P, sense * T),
-                                      {bending.normal * root, bending.shear * root, 0.0}}};
+      std::vector<FrontModes> front;
+      for (const double s : {-1.0, 0.0, 1.0})
+        // (FA-14): the whole of the outer fibre's stress.
+        front.push_back({modes(through.stress_intensity(a, s), P, sense * T),
+                         {bending.normal * root, bending.shear * root, 0.0}});
+      return front;
     };
     const double round = 2 * pi * wall.mean_radius;
     const double sine = std::abs(std::sin(crack.angle));
@@ -217,12 +219,13 @@ class Maker {
     through_section(made, crack.half_length, crack.angle, wall, K_u);
     made.report.ligament = std::min(round / 2 - crack.half_length * sine,
                                     wall.length / 2 - crack.half_length * cosine);
-    const double shell = kLargestShellParameter / std::sqrt(through.shell_parameter_squared(1.0));
+    const double shell =
+        ThroughCrackInTube::kMaxShellParameter / std::sqrt(through.shell_parameter_squared(1.0));
     const double half_round = kNearlyAll * pi * wall.mean_radius / (2 * sine);
     const double length = kNearlyAll * wall.length / (2 * cosine);
     made.range_end = std::min({shell, half_round, length});
     made.range_text = made.range_end == shell
-                          ? "a shell parameter of 2"
+                          ? "a shell parameter of 4"
                           : "the length of the tube, or half of its circumference";
     for (const char* const tag : {"FA-6", "FA-8"}) made.report.equations.emplace_back(tag);
     if (made.assembly) {

@@ -520,7 +520,7 @@ void add_flexspline(Rows& rows) {
                   .verdict = Verdict::physics,
                   .sentence =
                       "K_u multiplies a stress and enters squared; a load factor K_d has no "
-                      "place in a compliance"});
+                      "place in a compliance; so short a crack is in plane strain"});
   rows.push_back(
       {.id = "C5",
        .quantity = "factor 0.1 of l_f0 for pi/32",

@@ -97,5 +97,29 @@ TEST(FeAnnular, CrosscheckDualSeries) {
   EXPECT_EQ(seen, 4);
 }
 
+// A deep crack, whose energy release rate runs away: two points of tests/data/judgement_annular.csv
+// calculated anew, and the closed form (FR-12).
+TEST(FeAnnular, CrosscheckDeepCrackAndCommittedRow) {
+  const double a = 0.8;
+  const auto r = gear_fem::solve_shaft(unit_shaft(0, a), kSteel).torsion;
+  EXPECT_TRUE(r.usable) << r.reason;
+  const double mu = kSteel.shear_modulus();
+  const AnnularCrackSolid crack{.depth = a, .diameter = 2};
+  const double closed =
+      added_compliance(crack, {.opening = kSteel.youngs_modulus, .shear = mu}).matrix(1, 1);
+  EXPECT_NEAR(r.added_compliance / closed, 1, 1e-3);
+  const double shallow = pi * pi * a * a / (mu * std::pow(pi / 2, 2));
+  int seen = 0;
+  for (const auto& row : test::read_reference_csv("judgement_annular")) {
+    if (row("radius_ratio") != 0 || row("depth_ratio") != a || row("poissons_ratio") != 0.3)
+      continue;
+    if (row.quantity == "C_T") EXPECT_NEAR(r.added_compliance / shallow / row.value, 1, 1e-4);
+    if (row.quantity == "K_III")
+      EXPECT_NEAR(r.tip.K_III / (std::sqrt(pi * a) / (pi / 2)) / row.value, 1, 1e-4);
+    ++seen;
+  }
+  EXPECT_EQ(seen, 4);
+}
+
 }  // namespace
 }  // namespace strainwave

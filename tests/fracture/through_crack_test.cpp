@@ -10,6 +10,7 @@
 #include <string>
 
 #include "strainwave/core/units.hpp"
+#include "strainwave/fracture/shell_factors.hpp"
 #include "support/expect.hpp"
 #include "support/reference.hpp"
 #include "support/reference_csv.hpp"
@@ -25,6 +26,7 @@ using namespace units;  // NOLINT(google-build-using-namespace): 0.1 * mm reads 
 using std::numbers::pi;
 using test::Arg;
 
+constexpr double kWall = 2.24 * mm;
 constexpr CrackModuli kPlaneStress{.opening = kE, .shear = test::kG};
 
 ThroughCrackInTube article_crack(double half_length = 1 * mm, double degrees = 45) {
@@ -175,20 +177,21 @@ TEST(ThroughCrack, ReferenceTable) {
   for (const test::CsvRow& row : test::read_reference_csv("through_crack")) {
     const std::size_t dot = row.quantity.find('.');
     const std::string entry = row.quantity.substr(dot + 1);
+    ASSERT_EQ(row.quantity.substr(0, dot), "flat");
     const double E = row("youngs_modulus");
     const ThroughCrackInTube crack{.half_length = row("half_length"),
                                    .mean_radius = row("mean_radius"),
                                    .wall_thickness = row("wall_thickness"),
                                    .angle = row("angle"),
                                    .poissons_ratio = row("poissons_ratio"),
-                                   .shell_correction = row.quantity.substr(0, dot) == "shell"};
+                                   .shell_correction = false};
     const auto matrix = added_compliance(crack, {.opening = E, .shear = 80 * GPa}).matrix;
     const std::size_t i = entry == "torsion" ? kTorsion : kAxial;
     const std::size_t j = entry == "axial" ? kAxial : kTorsion;
     test::expect_row(matrix(i, j), row, 1e-13);  // rounding; the integrand is a polynomial
     ++seen[row.quantity];
   }
-  EXPECT_EQ(seen.size(), 6U);
+  EXPECT_EQ(seen.size(), 3U);
   for (const auto& [quantity, n] : seen) EXPECT_GE(n, 24) << quantity;
 }
 
@@ -215,8 +218,10 @@ TEST(ThroughCrack, IdentityStressIntensityIsStressTimesRoot) {
     }
   }
   EXPECT_EQ(crack.size(), 2 * mm);
-  EXPECT_EQ(crack.front().begin, crack.front().end);
-  EXPECT_EQ(crack.swept_area(0.1, 0.2), 2 * crack.wall_thickness);
+  // Two tips: dA = 2 t da, spread over the front from -1 to 1.
+  EXPECT_EQ(crack.front().begin, -1);
+  EXPECT_EQ(crack.front().end, 1);
+  EXPECT_EQ(crack.swept_area(0.1, 0.2), crack.wall_thickness);
 }
 
 TEST(ThroughCrack, IdentityAt45DegreesThereIsNoSlidingUnderTorque) {
@@ -227,18 +232,28 @@ TEST(ThroughCrack, IdentityAt45DegreesThereIsNoSlidingUnderTorque) {
 TEST(ThroughCrack, IdentityClosedFacesOnlySlide) {  // (FR-17)
   ThroughCrackInTube crack = article_crack();
   crack.open = false;
-  crack.shell_correction = true;
-  EXPECT_EQ(torsion_entry(crack), 0.0);  // 45 degrees: nothing slides
-  crack.angle = 20 * deg;
-  const UnitStressIntensity<2> closed = crack.stress_intensity(1 * mm, 0);
-  EXPECT_EQ(closed.I[kAxial], 0.0);
-  EXPECT_EQ(closed.I[kTorsion], 0.0);
-  crack.open = true;
-  EXPECT_EQ(crack.stress_intensity(1 * mm, 0).II, closed.II);
-  EXPECT_NE(closed.II[kTorsion], 0.0);
+  for (const bool shell : {false, true}) {
+    crack.shell_correction = shell;
+    crack.angle = 45 * deg;
+    EXPECT_EQ(torsion_entry(crack), 0.0);  // nothing slides
+    crack.angle = 20 * deg;
+    const UnitStressIntensity<2> closed = crack.stress_intensity(1 * mm, 0.5);
+    EXPECT_EQ(closed.I[kAxial], 0.0);
+    EXPECT_EQ(closed.I[kTorsion], 0.0);
+    // What shears the faces, and not what presses them.
+    const CrackPlaneStress stress =
+        crack_plane_stress(crack.mean_radius, crack.wall_thickness, crack.angle, 1.0);
+    const double f =
+        shell ? shell_factors(std::sqrt(crack.shell_parameter_squared(1 * mm)), crack.angle)
+                    .sliding_by_shear.at(0.5)
+              : 1.0;
+    for (const std::size_t load : {kAxial, kTorsion})
+      test::expect_relative(closed.II[load], f * stress.shear[load] * std::sqrt(pi * 1 * mm),
+                            1e-14);
+  }
 }
 
-// --- (FR-8), (FR-9): shell correction
+// --- (FR-8), (FR-9), (SU-2): shell correction
 // ------------------------------------------------------------------
 
 TEST(ThroughCrack, ReferenceShellParameter) {
@@ -263,45 +278,139 @@ TEST(ThroughCrack, IdentityShellParameterUsesItsPoissonsRatio) {
 }
 
 TEST(ThroughCrack, LimitFoliasAxialCircumferentialSphere) {
-  // K_I(shell)/K_I(flat) - 1 per lambda^2: 5 pi/64 (axial), pi/64 (circumferential), and at 45
-  // degrees their mean 3 pi/64, half of the sphere's 3 pi/32.
+  // K_I(shell)/K_I(flat) - 1 per lambda^2 at mid-wall: 5 pi/64 (axial), pi/64 (circumferential),
+  // and at 45 degrees their mean 3 pi/64, half of the sphere's 3 pi/32.  At 30 degrees the torque
+  // shears the crack too: -(pi/64) sin(2 beta) of that shear.
   const auto slope = [](double degrees) {
-    ThroughCrackInTube crack = article_crack(2 * mm, degrees);
+    ThroughCrackInTube crack = article_crack(0.15 * mm, degrees);  // lambda = 0.02
     const std::size_t load = std::abs(degrees) == 90 ? kAxial : kTorsion;
     const double a = crack.half_length;
     const double flat = crack.stress_intensity(a, 0).I[load];
     crack.shell_correction = true;
     return (crack.stress_intensity(a, 0).I[load] / flat - 1) / crack.shell_parameter_squared(a);
   };
-  test::expect_relative(slope(1e-7), 5 * pi / 64, 1e-12);
-  test::expect_relative(slope(90), pi / 64, 1e-12);
-  test::expect_relative(slope(45), 3 * pi / 64, 1e-12);
-  test::expect_relative(slope(-45), 3 * pi / 64, 1e-12);
-  test::expect_relative(slope(30), (5 * 0.75 + 0.25) * pi / 64, 1e-12);
+  // 1e-3: the next term, lambda^2 ln(lambda).
+  test::expect_relative(slope(90), pi / 64, 1e-3);
+  test::expect_relative(slope(45), 3 * pi / 64, 1e-3);
+  test::expect_relative(slope(-45), 3 * pi / 64, 1e-3);
+  test::expect_relative(slope(30), (5 * 0.75 + 0.25) * pi / 64 - pi / 64 * std::cos(60 * deg),
+                        1e-3);
+  // A crack along the generator is sheared alone; what little it is turned opens it.
+  ThroughCrackInTube axial = article_crack(0.15 * mm, 1e-3);
+  axial.shell_correction = true;
+  const double l2 = axial.shell_parameter_squared(axial.half_length);
+  const double opened =
+      axial.stress_intensity(axial.half_length, 0).I[kTorsion] /
+      crack_plane_stress(axial.mean_radius, axial.wall_thickness, axial.angle, 1).normal[kTorsion] /
+      std::sqrt(pi * axial.half_length);
+  test::expect_relative((opened - 1) / l2, 5 * pi / 64 - pi / 64, 2e-3);
 }
 
-TEST(ThroughCrack, IdentityShellIntegralIsAPolynomial) {
-  // 2/a^2 int_0^a x (1 + kappa x^2)^2 dx = 1 + kappa a^2 + kappa^2 a^4/3 at 45 degrees.
-  for (const double a : {0.1 * mm, 1 * mm, 7 * mm}) {
-    ThroughCrackInTube crack = article_crack(a);
-    const double flat = torsion_entry(crack);
+TEST(ThroughCrack, ReferenceShellIntegralEquations) {
+  // Galerkin's solution of the shell (tools/reference/shell_crack.py), whose factors make K of both
+  // stresses; the crack is chosen to have the shell parameter of each row.  The table's accuracy.
+  std::map<std::string, int> seen;
+  for (const test::CsvRow& row : test::read_reference_csv("shell_crack")) {
+    const std::string& q = row.quantity;
+    if (q.size() != 2) continue;
+    const double lambda = row("shell_parameter");
+    ThroughCrackInTube crack = article_crack(1 * mm, row("angle") / deg);
     crack.shell_correction = true;
-    const double kappa_a2 = 3 * pi / 64 * crack.shell_parameter_squared(a);
-    test::expect_relative(torsion_entry(crack) / flat, 1 + kappa_a2 + kappa_a2 * kappa_a2 / 3,
-                          1e-12);
+    crack.half_length = lambda / std::sqrt(crack.shell_parameter_squared(1.0));
+    const double a = crack.half_length;
+    const CrackPlaneStress stress =
+        crack_plane_stress(crack.mean_radius, crack.wall_thickness, crack.angle, 1.0);
+    // Two loads give two equations for the factors of normal and shear stress.
+    const double det = stress.normal[0] * stress.shear[1] - stress.normal[1] * stress.shear[0];
+    const auto factor = [&](double s, bool opening, bool by_normal) {
+      const UnitStressIntensity<2> k = crack.stress_intensity(a, s);
+      const auto& K = opening ? k.I : k.II;
+      const double root = std::sqrt(pi * a);
+      return by_normal ? (K[0] * stress.shear[1] - K[1] * stress.shear[0]) / det / root
+                       : (K[1] * stress.normal[0] - K[0] * stress.normal[1]) / det / root;
+    };
+    if (std::abs(det) < 1e-6 * stress.shear[1] * stress.shear[1]) continue;  // along the generator
+    const bool opening = q[0] == 'n' || q[0] == 'b';
+    const bool linear = q[0] == 'b' || q[0] == 'c';
+    const bool by_normal = q[1] == 'n';
+    const double inner = factor(-1, opening, by_normal);
+    const double outer = factor(1, opening, by_normal);
+    const double ours =
+        linear ? (q[0] == 'b' ? inner - outer : outer - inner) / 2 : (inner + outer) / 2;
+    EXPECT_NEAR(ours, row.value, lambda < 4 ? 1e-4 : 1e-3) << row.place << ' ' << q;
+    ++seen[q];
   }
-  // 1.1 % at a = 2 mm.
-  ThroughCrackInTube crack = article_crack(2 * mm);
-  const double flat = torsion_entry(crack);
-  crack.shell_correction = true;
-  EXPECT_NEAR(torsion_entry(crack) / flat - 1, 0.011, 0.0005);
+  EXPECT_EQ(seen.size(), 8U);
 }
 
-TEST(ThroughCrack, IdentityShellLeavesSlidingAlone) {
-  ThroughCrackInTube crack = article_crack(5 * mm, 25);
-  const auto flat = crack.stress_intensity(5 * mm, 0);
+TEST(ThroughCrack, IdentityReleaseOfTheShell) {
+  // (FR-9): G of the torque, mean over the wall, over that of the flat sheet; and closed faces do
+  // not count.
+  ThroughCrackInTube crack = article_crack(8 * mm, 30);
+  crack.open = false;
+  const double shell = crack.shell_release(8 * mm);
+  crack.open = true;
   crack.shell_correction = true;
-  EXPECT_EQ(crack.stress_intensity(5 * mm, 0).II, flat.II);
+  const auto at = [&](double s) {
+    const UnitStressIntensity<2> k = crack.stress_intensity(8 * mm, s);
+    return k.I[kTorsion] * k.I[kTorsion] + k.II[kTorsion] * k.II[kTorsion];
+  };
+  // Simpson's rule is exact for the square of a straight line.
+  const double mean = (at(-1) + 4 * at(0) + at(1)) / 6;
+  const double tau = 1 / (2 * pi * crack.mean_radius * crack.mean_radius * crack.wall_thickness);
+  test::expect_relative(shell, mean / (tau * tau * pi * 8 * mm), 1e-12);
+}
+
+// --- (FR-21): constraint through the wall
+// ------------------------------------------------------------------------------------
+
+TEST(ThroughCrack, LimitPlaneStrainAndPlaneStress) {
+  ThroughCrackInTube crack = article_crack();
+  EXPECT_EQ(crack.wall_factor(1e-9), 1.0);  // not asked for
+  crack.thin_sheet = false;
+  for (const double nu : {0.0, 0.3, 0.45}) {
+    crack.poissons_ratio = nu;
+    EXPECT_NEAR(crack.wall_factor(1e-6 * kWall), 1 - nu * nu, 1e-6);
+    EXPECT_NEAR(crack.wall_factor(1e4 * kWall), 1.0, 1e-5);
+    double before = 1 - nu * nu;
+    for (double a = 0.01 * kWall; a < 20 * kWall; a *= 1.5) {
+      EXPECT_GE(crack.wall_factor(a), before);
+      before = crack.wall_factor(a);
+    }
+  }
+}
+
+TEST(ThroughCrack, IdentityThicknessCountsWhereTheWallBulges) {
+  // Without Poisson's ratio there is no constraint: (0.05 + 0.54 sin^2 beta) lambda t/r is left.
+  for (const double degrees : {0.0, 45.0, 90.0}) {
+    ThroughCrackInTube crack = article_crack(10 * mm, degrees);
+    crack.thin_sheet = false;
+    crack.poissons_ratio = 0.0;
+    const double lambda = std::sqrt(std::sqrt(12.0) * 100 / (78.88 * 2.24));
+    EXPECT_EQ(crack.wall_factor(10 * mm), 1.0);  // flat
+    crack.shell_correction = true;
+    const double sine = std::sin(degrees * deg);
+    test::expect_relative(crack.wall_factor(10 * mm),
+                          1 + (0.05 + 0.54 * sine * sine) * lambda * 2.24 / 78.88, 1e-12);
+    crack.open = false;
+    EXPECT_EQ(crack.wall_factor(10 * mm), 1.0);  // pressed faces do not bulge
+  }
+}
+
+TEST(ThroughCrack, IdentityConstraintIsPartOfTheCompliance) {
+  // d(lambda)/dA = 2 G with E' of the size reached.
+  ThroughCrackInTube crack = article_crack(1 * mm, 30);
+  crack.thin_sheet = false;
+  const auto added = [&](double a) {
+    crack.half_length = a;
+    return torsion_entry(crack);
+  };
+  const double a = 1 * mm;
+  const double h = 1e-3 * a;
+  const double slope = (added(a + h) - added(a - h)) / (2 * h);
+  const UnitStressIntensity<2> k = crack.stress_intensity(a, 0);
+  const double G = energy_release_rate(k.I[1], k.II[1], 0, kPlaneStress) * crack.wall_factor(a);
+  test::expect_relative(slope / (2 * crack.wall_thickness), 2 * G, 1e-6);
 }
 
 // --- finite elements
@@ -315,19 +424,13 @@ TEST(ThroughCrack, CrosscheckFiniteElementsShellParameter) {
     double lambda_squared, G_over_flat;
     double tolerance;
   };
-  // The tolerance is model form: membrane theory of a shallow shell, first term in lambda^2, and
-  // an interpolation between axial and circumferential cracks.
+  // The tolerance is model form: a shallow shell.
   for (const Case& c :
-       {Case{0.052, 1.0127, 0.005}, Case{0.207, 1.0582, 0.005}, Case{1.8702359, 1.5069, 0.085}}) {
+       {Case{0.052, 1.0127, 0.003}, Case{0.207, 1.0582, 0.002}, Case{1.8702359, 1.5069, 0.017}}) {
     ThroughCrackInTube crack = article_crack();
     crack.shell_correction = true;
     const double a = std::sqrt(c.lambda_squared / crack.shell_parameter_squared(1.0));
-    const double A_I = crack.stress_intensity(a, 0).I[kTorsion];
-    crack.shell_correction = false;
-    const double flat = crack.stress_intensity(a, 0).I[kTorsion];
-    const double G_over_flat = A_I * A_I / (flat * flat);
-    EXPECT_NEAR(G_over_flat / c.G_over_flat, 1.0, c.tolerance) << c.lambda_squared;
-    EXPECT_GT(G_over_flat, c.G_over_flat);  // on the compliant side
+    EXPECT_NEAR(crack.shell_release(a) / c.G_over_flat, 1.0, c.tolerance) << c.lambda_squared;
   }
 }
 
@@ -335,23 +438,21 @@ TEST(ThroughCrack, CrosscheckFiniteElementsLongCrack) {
   // a = 10 mm: C/C0 - 1 = 3.8357e-3 with C0 = 2.867199393e-10 rad/(N*mm).
   ThroughCrackInTube crack = article_crack(10 * mm);
   crack.shell_correction = true;
+  crack.thin_sheet = false;
   const double finite_elements = 3.8357e-3 * 2.867199393e-10 / (N * mm);
-  // Model form: 8 % in G at the final size, less in its integral.
-  EXPECT_NEAR(torsion_entry(crack) / finite_elements, 1.034, 0.005);
+  EXPECT_NEAR(torsion_entry(crack) / finite_elements, 1, 0.01);
   crack.shell_correction = false;
+  crack.thin_sheet = true;
   EXPECT_NEAR(torsion_entry(crack) / finite_elements, 0.795, 0.005);
 }
 
 TEST(ThroughCrack, CrosscheckFiniteElementsShortCrackIsInPlaneStrain) {
-  // a/t = 0.045: 8.01e-17 rad/(N*mm).  Model form: such a crack is in plane strain; E' = E is an
-  // upper bound, 9 % too compliant.
-  const ThroughCrackInTube crack = article_crack(0.1 * mm);
+  // a/t = 0.045: 8.01e-17 rad/(N*mm), 9 % less than in plane stress.
+  ThroughCrackInTube crack = article_crack(0.1 * mm);
   const double finite_elements = 8.01e-17 / (N * mm);
   EXPECT_NEAR(torsion_entry(crack) / finite_elements, 1.091, 0.002);
-  const double plane_strain =
-      added_compliance(crack, {.opening = kE / (1 - 0.3 * 0.3), .shear = 80 * GPa})
-          .matrix(kTorsion, kTorsion);
-  EXPECT_NEAR(plane_strain / finite_elements, 1.0, 0.01);  // curvature and faces of the wall
+  crack.thin_sheet = false;
+  EXPECT_NEAR(torsion_entry(crack) / finite_elements, 1.0, 0.01);
 }
 
 // --- (FR-1), (FR-2)
@@ -371,9 +472,11 @@ TEST(ThroughCrack, IdentityIrwin) {
   const double a = 3 * mm;
   const double h = 1e-3 * a;
   const double slope = (twice_energy(a + h) - twice_energy(a - h)) / (2 * h);
-  const UnitStressIntensity<2> k = crack.stress_intensity(a, 0);
-  const double G =
-      energy_release_rate(k.I[0] * P + k.I[1] * T, k.II[0] * P + k.II[1] * T, 0, kPlaneStress);
+  const auto release = [&](double s) {
+    const UnitStressIntensity<2> k = crack.stress_intensity(a, s);
+    return energy_release_rate(k.I[0] * P + k.I[1] * T, k.II[0] * P + k.II[1] * T, 0, kPlaneStress);
+  };
+  const double G = (release(-1) + 4 * release(0) + release(1)) / 6;  // Simpson's rule is exact
   // Central difference: h^2 lambda'''/6, 1e-6 of lambda' times the shell correction.
   test::expect_relative(slope / (2 * crack.wall_thickness), 2 * G, 1e-6);
 }
@@ -386,10 +489,12 @@ TEST(ThroughCrack, IdentityReciprocity) {
   crack.stress_nonuniformity = 1.2;
   const auto energy = [&](double P, double T) {
     const auto release = [&](double a) {
-      const UnitStressIntensity<2> k = crack.stress_intensity(a, 0);
-      return energy_release_rate(k.I[kAxial] * P + k.I[kTorsion] * T,
-                                 k.II[kAxial] * P + k.II[kTorsion] * T, 0, kPlaneStress) *
-             crack.swept_area(a, 0);
+      const auto at = [&](double s) {
+        const UnitStressIntensity<2> k = crack.stress_intensity(a, s);
+        return energy_release_rate(k.I[kAxial] * P + k.I[kTorsion] * T,
+                                   k.II[kAxial] * P + k.II[kTorsion] * T, 0, kPlaneStress);
+      };
+      return (at(-1) + 4 * at(0) + at(1)) / 6 * 2 * crack.wall_thickness;
     };
     return integrate(release, 0.0, crack.half_length).value;
   };
@@ -435,6 +540,7 @@ TEST(ThroughCrack, InputDefaults) {
   EXPECT_EQ(crack.stress_nonuniformity, 1.0);
   EXPECT_EQ(crack.poissons_ratio, 0.3);
   EXPECT_TRUE(crack.shell_correction);
+  EXPECT_TRUE(crack.thin_sheet);
   EXPECT_TRUE(crack.open);
   EXPECT_EQ(kAxial, 0U);
   EXPECT_EQ(kTorsion, 1U);

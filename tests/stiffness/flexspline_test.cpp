@@ -12,6 +12,7 @@
 
 #include "stiffness/members_support.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/fracture/shell_factors.hpp"
 #include "strainwave/fracture/surface_crack.hpp"
 #include "strainwave/fracture/through_crack.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
@@ -84,6 +85,7 @@ SymmetricMatrix<2> fracture_matrix(const GearSet& gear, bool open, double r = kR
                                    .angle = crack->angle,
                                    .stress_nonuniformity = K_u,
                                    .shell_correction = crack->shell_correction,
+                                   .thin_sheet = false,
                                    .open = open};
     return added_compliance(model, {.opening = kE, .shear = kG}).matrix;
   }
@@ -166,7 +168,10 @@ TEST(Flexspline, IdentityAccuraciesOfTheSoundPart) {
     EXPECT_FALSE(member.accuracies.at(0).source.empty());
     return member.relative_uncertainty;
   };
+  EXPECT_EQ(uncertainty(), 1.0);  // 0.83 for a cup, which no cup has
+  gear.flexspline->shape_factor = 1.0;
   EXPECT_EQ(uncertainty(), 0.20);
+  gear.flexspline->shape_factor.reset();
   gear.flexspline->shape = FlexsplineShape::cylinder;
   EXPECT_EQ(uncertainty(), 0.01);
   gear = cup_of_sections();
@@ -181,9 +186,10 @@ TEST(WallThroughCrack, ReferenceArticle) {
     double half_length, shell, flat;  // [mm], [rad/(N*mm)]
   };
   for (const Case& c :
-       {Case{0.1, 1.0575053e-16, 1.0574761e-16}, Case{1.0, 1.0603913e-14, 1.0574761e-14}}) {
-    test::expect_reference(positive(with_through_crack(c.half_length * mm)) / kComplianceNmm,
-                           wall_digits(c.shell, "rad/(N*mm)"));
+       {Case{0.1, 9.7048193e-17, 9.7037466e-17}, Case{1.0, 1.0267026e-14, 1.0230157e-14}}) {
+    // tools/reference/article_example.py; the table of the shell has five digits.
+    test::expect_relative(positive(with_through_crack(c.half_length * mm)) / kComplianceNmm,
+                          c.shell, 2e-5);
     test::expect_reference(
         positive(with_through_crack(c.half_length * mm, 45, false)) / kComplianceNmm,
         wall_digits(c.flat, "rad/(N*mm)"));
@@ -263,7 +269,8 @@ TEST(WallSurfaceCrack, LimitCubeOfTheDepth) {
 
 TEST(WallThroughCrack, LimitSquareOfTheHalfLength) {
   const auto coefficient = [](double a) { return positive(with_through_crack(a)) / (a * a); };
-  EXPECT_NEAR(coefficient(1e-9) / coefficient(1e-6), 1, 1e-7);  // next term a^2/(r t)
+  // Next term: what the wall relieves of the plane strain, nu^2 k (a/t)^m of (FR-21).
+  EXPECT_NEAR(coefficient(1e-9) / coefficient(1e-6), 1, 1e-4);
 }
 
 // --- where the crack is (ST-11)
@@ -327,7 +334,8 @@ TEST(FlexsplineClosure, IdentityTheGivenSenseDoesNotDecide) {
   // The stress intensity is that of the given load: closed, it only slides.
   EXPECT_GT(forward.deepest->K_I.value, 0.0);
   EXPECT_EQ(backward.deepest->K_I.value, 0.0);
-  EXPECT_EQ(backward.deepest->K_II.value, -forward.deepest->K_II.value);
+  // Closed, it slides by the shear alone; open, the opening adds a little.
+  EXPECT_NEAR(backward.deepest->K_II.value / forward.deepest->K_II.value, -1, 0.01);
 }
 
 TEST(FlexsplineClosure, IdentityAlongAndAcrossTheAxisTorqueDoesNotOpen) {
@@ -446,12 +454,14 @@ TEST(FlexsplineIntensities, IdentityOfBothLoads) {
   gear.material["steel"].yield_strength = 700 * MPa;
   const CrackPlaneStress stress = crack_plane_stress(kRadius, kWall, 25 * deg, 1.1);
   const double root = std::sqrt(pi * 2 * mm);
-  const double c = std::cos(25 * deg);
-  const double s = std::sin(25 * deg);
-  const double A_I =
-      1 + pi / 64 * (5 * c * c + s * s) * std::sqrt(12 * 0.91) * 4 * mm * mm / (kRadius * kWall);
-  const double K_I = A_I * (stress.normal[0] * 3000 + stress.normal[1] * 80) * root;
-  const double K_II = (stress.shear[0] * 3000 + stress.shear[1] * 80) * root;
+  const double lambda = std::sqrt(std::sqrt(12 * 0.91) * 4 * mm * mm / (kRadius * kWall));
+  const ShellFactors f = shell_factors(lambda, 25 * deg);
+  const double normal = stress.normal[0] * 3000 + stress.normal[1] * 80;
+  const double shear = stress.shear[0] * 3000 + stress.shear[1] * 80;
+  // At the outer face, the last point of the front.
+  const double K_I = (f.opening_by_normal.at(1) * normal + f.opening_by_shear.at(1) * shear) * root;
+  const double K_II =
+      (f.sliding_by_normal.at(1) * normal + f.sliding_by_shear.at(1) * shear) * root;
   const CrackReport crack = first_wall_crack(gear);
   test::expect_relative(crack.deepest->K_I.value, K_I, 1e-13);
   test::expect_relative(crack.deepest->K_II.value, K_II, 1e-13);
@@ -550,8 +560,8 @@ TEST(Flexspline, IdentityNotesOfEachCase) {
   EXPECT_EQ(codes(cup_of_sections()), Codes{});
   gear.flexspline->dynamic_load = 1.2;
   EXPECT_EQ(codes(gear), Codes{"flexspline.dynamic_load"});
-  EXPECT_EQ(codes(with_through_crack()), (Codes{"crack.closed", "crack.plane_stress", oval, cup}));
-  EXPECT_EQ(codes(with_through_crack(1 * mm, 0)), (Codes{"crack.plane_stress", oval, cup}));
+  EXPECT_EQ(codes(with_through_crack()), (Codes{"crack.closed", oval, cup}));
+  EXPECT_EQ(codes(with_through_crack(1 * mm, 0)), (Codes{oval, cup}));
   EXPECT_EQ(codes(with_surface_crack()), (Codes{"crack.closed", oval, cup}));
   EXPECT_EQ(codes(with_surface_crack(1 * mm, 44)),
             (Codes{"crack.closed", "crack.surface_shear", oval, cup}));
@@ -580,16 +590,6 @@ TEST(Flexspline, LimitFactorOfOne) {
   }
 }
 
-TEST(WallThroughCrack, IdentityPlaneStressNoteNamesTheDifference) {
-  // E' of plane strain is E/(1 - nu^2).
-  GearSet gear = with_through_crack();
-  EXPECT_NE(note_text(gear, "crack.plane_stress").find("plane strain, 9 % less compliant"),
-            std::string::npos);
-  gear.material["steel"].poissons_ratio = 0.45;
-  EXPECT_NE(note_text(gear, "crack.plane_stress").find("plane strain, 20 % less compliant"),
-            std::string::npos);
-}
-
 TEST(WallThroughCrack, IdentityAxialCouplingAtTheGivenTorque) {
   // The axial force turns the output by lambda_PT P, of the sense of torque that is given: open
   // under one, sliding only under the other.
@@ -610,15 +610,20 @@ TEST(WallThroughCrack, IdentityAxialCouplingAtTheGivenTorque) {
 }
 
 TEST(WallThroughCrack, IdentityFlatPlateNoteNamesWhatIsMissing) {
+  // What the shell adds to the energy release rate at 45 degrees, mean over the wall (FR-9).
   const GearSet gear = with_through_crack(5 * mm, 45, false);
-  const double lambda_squared = std::sqrt(12 * 0.91) * 25 * mm * mm / (kRadius * kWall);
-  const double missing = std::pow(1 + 3 * pi / 64 * lambda_squared, 2) - 1;
+  const double lambda = std::sqrt(std::sqrt(12 * 0.91) * 25 * mm * mm / (kRadius * kWall));
+  const ShellFactors f = shell_factors(lambda, pi / 4);
+  const auto energy = [](const WallIntensity& k) {
+    return k.mean * k.mean + k.linear * k.linear / 3;
+  };
+  const double missing = energy(f.opening_by_normal) + energy(f.sliding_by_normal) - 1;
   char text[64];
   std::snprintf(text, sizeof text, "is up to %.2g %% too stiff", 100 * missing);
   EXPECT_NE(note_text(gear, "crack.flat_plate").find(text), std::string::npos)
       << note_text(gear, "crack.flat_plate");
   test::expect_relative(*first_wall_crack(gear).positive.at_output.relative_uncertainty,
-                        std::hypot(0.10, missing), 1e-12);
+                        std::hypot(0.02, missing), 1e-12);
   EXPECT_EQ(note_text(with_through_crack(5 * mm), "crack.flat_plate"), "");
 }
 
@@ -640,8 +645,7 @@ TEST(WallSurfaceCrack, IdentityUncertaintyOfTheLoadsThatAct) {
 }
 
 TEST(WallThroughCrack, LimitRangeOfTheShellCorrection) {
-  // The shell parameter: up to 1 no note, up to 2 a note and twice the uncertainty, beyond
-  // unusable.
+  // The shell parameter: up to 2 no note, up to 4 a note and more uncertainty, beyond unusable.
   const auto half_length_at = [](double lambda, double direction) {
     // The largest (direction > 0) half length whose parameter is `lambda` to the last bit, or the
     // first one beyond.
@@ -657,8 +661,8 @@ TEST(WallThroughCrack, LimitRangeOfTheShellCorrection) {
     bool usable;
   };
   for (const Case& c :
-       {Case{0.5, -1, 0, 0.10, true}, Case{1, -1, 0, 0.10, true}, Case{1, 1, 1, 0.20, true},
-        Case{1.4, 1, 1, 0.20, true}, Case{2, -1, 1, 0.20, true}, Case{2, 1, 0, 0.20, false}}) {
+       {Case{0.5, -1, 0, 0.02, true}, Case{2, -1, 0, 0.02, true}, Case{2, 1, 1, 0.03, true},
+        Case{3, 1, 1, 0.03, true}, Case{4, -1, 1, 0.03, true}, Case{4, 1, 0, 0.03, false}}) {
     SCOPED_TRACE(testing::Message() << c.lambda << (c.direction > 0 ? "+" : "-"));
     const MemberCompliance member =
         flexspline_compliance(with_through_crack(half_length_at(c.lambda, c.direction)));
@@ -666,8 +670,8 @@ TEST(WallThroughCrack, LimitRangeOfTheShellCorrection) {
     EXPECT_EQ(*member.cracks.at(0).positive.at_output.relative_uncertainty, c.uncertainty);
     EXPECT_EQ(member.unusable_because.empty(), c.usable) << member.unusable_because;
   }
-  const MemberCompliance member = flexspline_compliance(with_through_crack(20 * mm));
-  EXPECT_NE(member.unusable_because.find("flexspline.crack[0]: shell parameter 2.74"),
+  const MemberCompliance member = flexspline_compliance(with_through_crack(30 * mm));
+  EXPECT_NE(member.unusable_because.find("flexspline.crack[0]: shell parameter 4.1"),
             std::string::npos)
       << member.unusable_because;
 }
@@ -718,7 +722,7 @@ TEST(WallSurfaceCrack, IdentityAxialForceShearsAt45DegreesAndIsNoted) {
 }
 
 TEST(Flexspline, IdentityAccuracyAndNoteOfAGivenFactor) {
-  for (const auto& [shape, k, accuracy, noted] : {std::tuple{FlexsplineShape::cup, 0.83, 0.20, 1},
+  for (const auto& [shape, k, accuracy, noted] : {std::tuple{FlexsplineShape::cup, 0.83, 1.0, 1},
                                                   {FlexsplineShape::cup, 1.6, 0.20, 0},
                                                   {FlexsplineShape::cylinder, 0.4, 0.20, 0}}) {
     GearSet gear = sound_flexspline();
@@ -728,17 +732,6 @@ TEST(Flexspline, IdentityAccuracyAndNoteOfAGivenFactor) {
     EXPECT_EQ(member.relative_uncertainty, accuracy);
     EXPECT_EQ(test::count_notes(member.notes, "flexspline.shape_factor"), noted);
   }
-}
-
-TEST(WallThroughCrack, IdentityFlatPlateIsNotedWithWhatItMisses) {
-  const GearSet flat = with_through_crack(5 * mm, 45, false);
-  const MemberCompliance member = flexspline_compliance(flat);
-  EXPECT_EQ(test::count_notes(member.notes, "crack.flat_plate", "flexspline.crack[0]"), 1);
-  // A_I^2 - 1 of (FR-9) at 45 degrees.
-  const double lambda2 = std::sqrt(12 * (1 - 0.09)) * 25e-6 / (kRadius * kWall);
-  const double missing = std::pow(1 + 3 * pi / 64 * lambda2, 2) - 1;
-  test::expect_relative(*member.cracks.at(0).positive.at_output.relative_uncertainty,
-                        std::hypot(0.10, missing), 1e-13);
 }
 
 TEST(WallSurfaceCrack, LimitThickWall) {
@@ -759,11 +752,11 @@ TEST(Flexspline, IdentityEquationsOfEachCase) {
   using Tags = std::vector<std::string>;
   EXPECT_EQ(flexspline_compliance(sound_flexspline()).equations, Tags{"ST-4"});
   EXPECT_EQ(flexspline_compliance(cup_of_sections()).equations, (Tags{"ST-2", "ST-3"}));
-  EXPECT_EQ(
-      flexspline_compliance(with_through_crack()).equations,
-      (Tags{"ST-4", "FR-2", "FR-6", "FR-7", "FR-18", "ST-11", "FR-8", "FR-9", "FR-17", "ST-17"}));
+  EXPECT_EQ(flexspline_compliance(with_through_crack()).equations,
+            (Tags{"ST-4", "FR-2", "FR-6", "FR-7", "FR-18", "FR-21", "ST-11", "FR-8", "FR-9", "SU-2",
+                  "FR-17", "ST-17"}));
   EXPECT_EQ(flexspline_compliance(with_through_crack(1 * mm, 45, false)).equations,
-            (Tags{"ST-4", "FR-2", "FR-6", "FR-7", "FR-18", "ST-11", "FR-17", "ST-17"}));
+            (Tags{"ST-4", "FR-2", "FR-6", "FR-7", "FR-18", "FR-21", "ST-11", "FR-17", "ST-17"}));
   EXPECT_EQ(flexspline_compliance(with_surface_crack()).equations,
             (Tags{"ST-4", "FR-2", "FR-3", "FR-4", "FR-5", "FR-6", "FR-18", "ST-11", "FR-10",
                   "FR-17", "ST-17"}));

@@ -352,7 +352,7 @@ TEST(OutputShaftCrack, IdentityAccuraciesOfEachCase) {
   EXPECT_EQ(*first_shaft_crack(hollow()).positive.at_output.relative_uncertainty, 0.002);
   // Half for K, for the compliance goes with its square; more for the slope of the table in
   // tension.
-  EXPECT_EQ(*first_shaft_crack(hollow()).deepest->K_III.relative_uncertainty, 0.001);
+  EXPECT_EQ(*first_shaft_crack(hollow()).deepest->K_III.relative_uncertainty, 0.0015);
   EXPECT_EQ(*first_shaft_crack(hollow()).deepest->K_I.relative_uncertainty, 0.015);
   EXPECT_EQ(*first_shaft_crack(solid()).deepest->K_I.relative_uncertainty, 0.0025);
   EXPECT_EQ(

@@ -16,6 +16,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
+#include "strainwave/fracture/through_crack.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
 #include "support/article_gear.hpp"
 #include "support/expect.hpp"
@@ -119,8 +120,8 @@ TEST(TorsionalStiffness, ReferenceArticleExample) {
     double crack_size, positive, negative, K_positive, K_negative, drop_percent;
   };
   for (const Case& c :
-       {Case{0.1, 1.6247878e-9, 1.6247877e-9, 6.1546500e8, 6.1546504e8, 8.6025597e-4},
-        Case{1.0, 1.6262018e-9, 1.6261912e-9, 6.1492983e8, 6.1493384e8, 0.087813724}}) {
+       {Case{0.1, 1.6247878e-9, 1.6247877e-9, 6.1546500e8, 6.1546504e8, 8.5970416e-4},
+        Case{1.0, 1.6262016e-9, 1.6261912e-9, 6.1492991e8, 6.1493384e8, 0.087799475}}) {
     const auto reference = [](double value, std::string_view unit, double tolerance,
                               std::string_view is) {
       return test::Reference{
@@ -213,6 +214,7 @@ TEST(TorsionalStiffness, ReferenceArticleExampleTable) {
       actual = result.cracks.at(0).positive.at_output.value;
     } else if (quantity == "flexspline_added_compliance.through") {
       actual = result.cracks.at(1).positive.at_output.value;
+      tolerance = 2e-5;  // interpolation of the shell's table
     } else if (quantity == "flexspline_added_compliance.through_flat") {
       actual = wall(WallThroughCrack{.half_length = row("depth"), .shell_correction = false});
     } else if (quantity == "flexspline_added_compliance.surface") {
@@ -366,7 +368,8 @@ TEST(TorsionalStiffness, LimitTinyCracksWithoutCancellation) {
   const StiffnessResult result = torsional_stiffness(article_drive(a));
   const double r = 78.88 * mm;
   const double t = 2.24 * mm;
-  const double wall = 1.21 * a * a / (2 * pi * 210 * GPa * std::pow(r, 4) * t);
+  // In plane strain: nothing is so short against the wall.
+  const double wall = (1 - 0.09) * 1.21 * a * a / (2 * pi * 210 * GPa * std::pow(r, 4) * t);
   const double ro = 35 * mm;
   const double I_p = pi / 2 * (std::pow(ro, 4) - std::pow(22.5 * mm, 4));
   const double shaft = pi * pi * std::pow(ro, 3) * a * a / (80 * GPa * I_p * I_p);
@@ -420,20 +423,33 @@ TEST(TorsionalStiffness, IdentityEnergyReleasedWhileTheCrackGrows) {
   const std::vector<CrackKind> kinds = crack_kinds();
   for (const Case& c :
        {Case{1, [](double) { return 20 * mm; }, {plane_strain, 80 * GPa}},
-        Case{2, [](double) { return 2 * 2.24 * mm; }, {210 * GPa, 80 * GPa}},
+        Case{2,
+             [](double size) {
+               const ThroughCrackInTube crack{
+                   .wall_thickness = 2.24 * mm, .shell_correction = false, .thin_sheet = false};
+               return 2 * 2.24 * mm * crack.wall_factor(size);  // (FR-21)
+             },
+             {210 * GPa, 80 * GPa}},
         Case{4, [](double a) { return 2 * pi * (35 * mm - a); }, {plane_strain, 80 * GPa}},
         Case{5, [](double a) { return 2 * pi * (35 * mm - a); }, {plane_strain, 80 * GPa}}}) {
     const CrackKind& kind = kinds[c.kind];
     const double a = kind.largest / 2;
-    const auto release = [&](double size) {
+    const auto drive = [&](double size) {
       GearSet gear = with_crack(kind, size);
       gear.flexspline->stress_nonuniformity = 1.3;
+      for (FlexsplineCrack& any :
+           gear.flexspline->crack)  // flat: K is the same all through the wall
+        if (auto* const through = std::get_if<WallThroughCrack>(&any))
+          through->shell_correction = false;
+      return gear;
+    };
+    const auto release = [&](double size) {
+      const GearSet gear = drive(size);
       const StressIntensities K = torsional_stiffness(gear).cracks.at(0).deepest.value();
       return energy_release_rate(K.K_I.value, K.K_II.value, K.K_III.value, c.moduli) *
              c.front(size);
     };
-    GearSet gear = with_crack(kind, a);
-    gear.flexspline->stress_nonuniformity = 1.3;
+    const GearSet gear = drive(a);
     const double T = gear.load.torque;
     const double added = torsional_stiffness(gear).cracks.at(0).positive.at_output.value;
     test::expect_relative(integrate(release, 0.0, a, {.relative_tolerance = 1e-8}).value,
@@ -493,7 +509,7 @@ TEST(TorsionalStiffness, IdentityUncertaintiesAddInSquares) {
   const auto absolute = [](const Quantity& q) { return q.value * *q.relative_uncertainty; };
   const Compliances& c = result.intact.compliance;
   EXPECT_EQ(*c.wave_generator.relative_uncertainty, 0.30);
-  EXPECT_EQ(*c.flexspline.relative_uncertainty, 0.20);
+  EXPECT_EQ(*c.flexspline.relative_uncertainty, 1.0);
   EXPECT_EQ(*c.output_shaft.relative_uncertainty, 0.01);
   const double intact =
       std::hypot(absolute(c.wave_generator), absolute(c.flexspline), absolute(c.output_shaft));
@@ -536,14 +552,31 @@ TEST(Accuracy, IdentityCombined) {
 TEST(Accuracy, RegressionTable) {
   // One standard relative uncertainty of each model, each with what it rests on.
   using namespace accuracy;  // NOLINT(google-build-using-namespace)
-  for (const auto& [model, value] :
-       {std::pair{kTube, 0.01},   {kShapeFactor, 0.20},       {kSections, 0.05},
-        {kLobeForce, 0.15},       {kCamConversion, 0.70},     {kLoadSharing, 0.30},
-        {kSurfaceCrack, 0.10},    {kSurfaceCrackShear, 0.20}, {kSurfaceCrackExtrapolated, 0.20},
-        {kEdgeCrack, 0.20},       {kThroughCrack, 0.10},      {kThroughCrackLong, 0.20},
-        {kAnnularTorsion, 0.002}, {kAnnularTension, 0.005},   {kAnnularExtrapolated, 1.0},
-        {kAnnularTada, 0.055},    {kOrthogonalShear, 1.0},    {kContactEdge, 0.50},
-        {kRingBending, 0.30},     {kGivenStress, 0.10}}) {
+  for (const auto& [model, value] : {std::pair{kTube, 0.01},
+                                     {kShapeFactor, 0.20},
+                                     {kShapeFactorBelowOne, 1.0},
+                                     {kSections, 0.05},
+                                     {kLobeForce, 0.15},
+                                     {kCamConversion, 0.70},
+                                     {kLoadSharing, 0.30},
+                                     {kSurfaceCrack, 0.10},
+                                     {kSurfaceCrackShear, 0.20},
+                                     {kSurfaceCrackExtrapolated, 0.20},
+                                     {kEdgeCrack, 0.20},
+                                     {kThroughCrack, 0.02},
+                                     {kThroughCrackLong, 0.03},
+                                     {kThroughCrackAxial, 0.05},
+                                     {kThroughCrackPressed, 0.10},
+                                     {kThroughCrackIntensity, 0.05},
+                                     {kAnnularTensionOtherRatio, 0.03},
+                                     {kAnnularTorsion, 0.002},
+                                     {kAnnularTension, 0.005},
+                                     {kAnnularExtrapolated, 1.0},
+                                     {kAnnularTada, 0.055},
+                                     {kOrthogonalShear, 1.0},
+                                     {kContactEdge, 0.50},
+                                     {kRingBending, 0.30},
+                                     {kGivenStress, 0.10}}) {
     EXPECT_EQ(model.relative_uncertainty, value);
     EXPECT_GT(model.source.size(), 20U);
   }
@@ -564,11 +597,10 @@ TEST(TorsionalStiffness, IdentityNotesOfEachCase) {
   gear.article = ArticleOverrides{};
   EXPECT_EQ(codes(gear), Codes{"article.ignored"});
   EXPECT_EQ(torsional_stiffness(gear).notes.at(0).path, "article");
-  EXPECT_EQ(
-      codes(test::article_gear()),
-      (Codes{"article.ignored", "crack.closed", "crack.orthogonal_shear", "crack.plane_stress",
-             "flexspline.dynamic_load", "flexspline.ovalisation", "flexspline.shape_factor",
-             "material.contradiction", "wave_generator.crack_under_lobe"}));
+  EXPECT_EQ(codes(test::article_gear()),
+            (Codes{"article.ignored", "crack.closed", "crack.orthogonal_shear",
+                   "flexspline.dynamic_load", "flexspline.ovalisation", "flexspline.shape_factor",
+                   "material.contradiction", "wave_generator.crack_under_lobe"}));
 }
 
 TEST(TorsionalStiffness, IdentityOriginOfTheMaterial) {
@@ -625,7 +657,7 @@ TEST(TorsionalStiffness, IdentityUnusableSaysWhyFirst) {
   const StiffnessResult shaft = torsional_stiffness(gear);
   EXPECT_FALSE(shaft.usable());
   EXPECT_TRUE(shaft.unusable_because.starts_with("output_shaft.crack[0]: a/t = 0.88"));
-  std::get<WallThroughCrack>(gear.flexspline->crack[0]).half_length = 20 * mm;
+  std::get<WallThroughCrack>(gear.flexspline->crack[0]).half_length = 30 * mm;
   const StiffnessResult both = torsional_stiffness(gear);
   EXPECT_TRUE(both.unusable_because.starts_with("flexspline.crack[0]: shell parameter"));
   // The numbers are there all the same.

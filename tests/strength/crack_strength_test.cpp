@@ -242,7 +242,7 @@ TEST(CriticalSize, IdentityGrowsWithTheToughness) {
   }
   const auto none = of_wall(article(1 * mm, 100 * MPa)).states.at(1).critical_size;
   EXPECT_FALSE(none->size.has_value());
-  EXPECT_TRUE(mentions(none->text, "a shell parameter of 2")) << none->text;
+  EXPECT_TRUE(mentions(none->text, "a shell parameter of 4")) << none->text;
 }
 
 TEST(CriticalSize, LimitCollapseWithoutACrack) {
@@ -690,12 +690,12 @@ TEST(StrengthVerdict, LimitCollapseBeforeFracture) {
 }
 
 TEST(StrengthVerdict, LimitOutOfRangeIsNotAccepted) {
-  GearSet gear = article(16 * mm, kTough);  // shell parameter 2.2
+  GearSet gear = article(32 * mm, kTough);  // shell parameter 4.4
   gear.output_shaft->crack.clear();
   gear.wave_generator->crack.clear();
   CrackStrength strength = of_wall(gear);
   EXPECT_EQ(strength.verdict, Verdict::cannot_tell);
-  EXPECT_TRUE(mentions(strength.sentence, "a shell parameter of 2")) << strength.sentence;
+  EXPECT_TRUE(mentions(strength.sentence, "a shell parameter of 4")) << strength.sentence;
   // One that fractures at the end of the range fractures.
   strength = of_wall([&] {
     gear.material["steel"].fracture_toughness = 5 * MPa;

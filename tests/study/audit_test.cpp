@@ -76,8 +76,8 @@ INSTANTIATE_TEST_SUITE_P(
         Expected{"B9", 1.4336918e7, std::nullopt}, Expected{"B11a", 1.185e5, 1.2e5},
         Expected{"B11b", -1.4216918e7, std::nullopt}, Expected{"B12", 1.7896443e-10, 1.0547282e-10},
         Expected{"B13b", 1.8122980e-10, std::nullopt}, Expected{"C3", 1.1419269, 1.1419269},
-        Expected{"C4", 1.1536103e-16, 1.0575053e-16}, Expected{"C6", 1.9578073e-10, 2.4026580e-10},
-        Expected{"C7", 78.88, 78.88}, Expected{"C8", 1.0969189e-16, 1.0575053e-16},
+        Expected{"C4", 1.1536103e-16, 9.7048193e-17}, Expected{"C6", 1.9578073e-10, 2.4026580e-10},
+        Expected{"C7", 78.88, 78.88}, Expected{"C8", 1.0969189e-16, 9.7048193e-17},
         Expected{"D2", 1.286, 1.1215}, Expected{"D3", 1.002, 1.00085156},
         Expected{"D4", 1.3701999e-14, std::nullopt}, Expected{"D7", 8.2290594e-18, 2.0580757e-14},
         Expected{"D9", 1.9290123e-9, 1.9648758e-9}, Expected{"D10", 66.798146, 66.798146},
@@ -85,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(
         Expected{"D14", 1.2777642, 1.1145165}, Expected{"D15", 0.99496179, 0.99381042},
         Expected{"T2", 80769.230769, 80769.230769}, Expected{"T4", 0.1073831933, 0.1073831933},
         Expected{"T8", 7.8914141e8, 6.1547029e8}, Expected{"T9", 7.7984871e8, 6.15465e8},
-        Expected{"T10", 1.1775716, 8.602398e-4}, Expected{"T11", 53.856354, 78.72},
+        Expected{"T10", 1.1775716, 8.5970416e-4}, Expected{"T11", 53.856354, 78.72},
         Expected{"T12", 27.747017, 6.4915}, Expected{"T13", 18.396631, 14.7875}),
     [](const auto& instance) { return std::string(instance.param.id); });
 

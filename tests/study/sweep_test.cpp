@@ -170,10 +170,10 @@ TEST(Sweep, InputAllRefusedNoneOrTooMany) {
 
 TEST(Sweep, IdentityNotesAreGatheredWithTheirRows) {
   const std::vector<Variation> one{
-      parse_variation(gear(), "flexspline.crack[0].half_length=6 mm..13 mm:8")};
+      parse_variation(gear(), "flexspline.crack[0].half_length=13 mm..20 mm:8")};
   const SweepResult result = sweep(gear(), Method::corrected, one);
   const auto note = std::ranges::find_if(result.notes, [](const SweepNote& n) {
-    return n.note.code == "crack.shell_range";  // shell parameter > 1, so beyond 7.3 mm
+    return n.note.code == "crack.shell_range";  // shell parameter > 2, so beyond 14.6 mm
   });
   ASSERT_NE(note, result.notes.end());
   EXPECT_EQ(note->first_row, 2U);

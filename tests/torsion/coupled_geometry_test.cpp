@@ -295,7 +295,7 @@ TEST(SeriesCracks, IdentityTheirAddedCompliance) {
 TEST(SeriesCracks, InputTooLongCrackIsPassedOn) {
   GearSet gear = typical_drive();
   WallThroughCrack wall;
-  wall.half_length = 8 * mm;  // shell parameter beyond 2
+  wall.half_length = 16 * mm;  // shell parameter beyond 4
   wall.angle = 80 * deg;
   gear.flexspline->crack = {wall};
   const TorsionCurve curve = torsion_curve(gear, {{10.0}});

@@ -1,4 +1,4 @@
-"""Writes src/sif/shell_tables.hpp, the tables that the library interpolates.
+"""Writes src/fracture/shell_table.hpp and src/sif/shell_tables.hpp, which the library interpolates.
 
 Nodes are Chebyshev-Lobatto in u = lambda/(lambda + 3), in cos(2 beta), in alpha and in ln(r/t).
 Tabulated are (nn - 1)/lambda^2, (tt - 1)/lambda^2, bn, bt, tn, nt, cn, ct over lambda^2, those odd in
@@ -75,24 +75,29 @@ def main():
             pairs = (("t", "nn"), ("tb", "bn"), ("b", "nn"), ("bb", "bn"), ("s", "tt"), ("sc", "ct"))
             for k, (f, g) in enumerate(pairs):
                 excess[k, i, j] = (r[f] - s[g]) / a ** (1 if k % 2 else 2)
-    text = """// SPDX-License-Identifier: Apache-2.0
+    source = Path(__file__).resolve().parents[2] / "src"
+    write(source / "fracture" / "shell_table.hpp", "strainwave", [
+        array("kShellTable", (8, 7, 12), shell,
+              "Shallow shell: nn, tn, bn, cn, nt, tt, bt, ct over cos(2 beta) and lambda <= 8.")])
+    write(source / "sif" / "shell_tables.hpp", "strainwave::sif", [
+        array("kCircumferentialTable", (4, 16), circumferential,
+              "Shallow shell, beta = 90 degrees: nn, bn, tt, ct over lambda <= 24."),
+        array("kFiniteAngleTable", (6, 6, 4), excess,
+              "What a finite angle adds: t, tb, b, bb, s, sc over alpha and ln(r/t).")])
+
+
+def write(path, namespace, arrays):
+    text = f"""// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Written by tools/reference/shell_tables.py, which says what the columns are; nu = 0.3.
 
-namespace strainwave::sif {
+namespace {namespace} {{
 
 // clang-format off
 """
-    text += array("kShellTable", (8, 7, 12), shell,
-                  "Shallow shell: nn, tn, bn, cn, nt, tt, bt, ct over cos(2 beta) and lambda <= 8.")
-    text += "\n" + array("kCircumferentialTable", (4, 16), circumferential,
-                         "Shallow shell, beta = 90 degrees: nn, bn, tt, ct over lambda <= 24.")
-    text += "\n" + array("kFiniteAngleTable", (6, 6, 4), excess,
-                         "What a finite angle adds: t, tb, b, bb, s, sc over alpha and ln(r/t).")
-    text += "// clang-format on\n\n}  // namespace strainwave::sif\n"
-    path = Path(__file__).resolve().parents[2] / "src" / "sif" / "shell_tables.hpp"
-    path.write_text(text, encoding="ascii")
+    text += "\n".join(arrays)
+    path.write_text(text + f"// clang-format on\n\n}}  // namespace {namespace}\n", encoding="ascii")
 
 
 if __name__ == "__main__":

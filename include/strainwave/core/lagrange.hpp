@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <numbers>
 
+#include "strainwave/core/dual.hpp"
+
 namespace strainwave {
 
 /// Chebyshev-Lobatto nodes of [from, to], from the one end to the other.
@@ -38,6 +40,26 @@ template <std::size_t N>
   }
   for (double& v : value) v /= sum;
   return value;
+}
+
+/// The same with the derivatives that x carries; by products, which hold at the nodes too.
+template <std::size_t N, std::size_t Partials>
+[[nodiscard]] std::array<Dual<Partials>, N> lagrange(const std::array<double, N>& nodes,
+                                                     const Dual<Partials>& x) {
+  const std::array<double, N> value = lagrange(nodes, x.value);
+  std::array<Dual<Partials>, N> result{};
+  for (std::size_t i = 0; i < N; ++i) {
+    double slope = 0.0;
+    for (std::size_t k = 0; k < N; ++k) {
+      if (k == i) continue;
+      double product = 1 / (nodes[i] - nodes[k]);
+      for (std::size_t j = 0; j < N; ++j)
+        if (j != i && j != k) product *= (x.value - nodes[j]) / (nodes[i] - nodes[j]);
+      slope += product;
+    }
+    result[i] = chain(x, value[i], slope);
+  }
+  return result;
 }
 
 }  // namespace strainwave

@@ -56,7 +56,8 @@ struct ShaftCrackSize {
 struct ShaftCrackLoad {
   double sound_compliance = 0.0;  ///< without the crack [rad/(N*m)] or [m/N]
   fem::TipResult tip;             ///< at the given depth
-  /// int 2 G dA over the crack's growth from nothing (FE-8) [as the compliance].
+  /// int 2 G dA over the crack's growth from nothing, or, where that is more than kDifferenceShare
+  /// of the sound compliance, the difference of two compliances (FE-8) [as the compliance].
   double added_compliance = 0.0;
   /// The same by subtracting two compliances: for small cracks it has no digits.
   double added_by_difference = 0.0;
@@ -77,6 +78,10 @@ struct ShaftCrackResult {
   ShaftCrackLoad torsion;  ///< per N*m
   ShaftCrackLoad tension;  ///< per N; its K_I is negative under compression: closed
 };
+
+/// A crack that adds more than this share of the sound compliance is measured by subtraction [-]:
+/// the difference keeps six digits, and the integral's five depths miss up to half of a deep crack.
+inline constexpr double kDifferenceShare = 1e-3;
 
 /// How far the checks of a usable result may be off [-].
 inline constexpr double kGrowthTolerance = 2e-3;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 
+#include "strainwave/fracture/shell_factors.hpp"
 #include "strainwave/sif/solution.hpp"
 
 /// @file
@@ -15,32 +17,14 @@ namespace strainwave::sif {
 [[nodiscard]] double shell_parameter(double half_length, double mean_radius, double thickness,
                                      double poissons_ratio);
 
-/// Stress intensity through the wall over sigma sqrt(pi a) [-].
-struct WallIntensity {
-  double mean = 0.0;    ///< of the wall: membrane
-  double linear = 0.0;  ///< what the outer face has more; its energy is that of shell bending
-  [[nodiscard]] double at(double s) const { return mean + s * linear; }
-};
-
-/// Answer of a crack in a shallow cylindrical shell to a unit stress far away.
-struct ShellFactors {
-  WallIntensity opening_by_normal;  ///< K_I from the normal stress; flat plate: mean 1
-  WallIntensity sliding_by_normal;  ///< K_II from the normal stress; flat plate: 0
-  WallIntensity opening_by_shear;   ///< K_I from the shear stress; flat plate: 0
-  WallIntensity sliding_by_shear;   ///< K_II from the shear stress; flat plate: mean 1
-};
+using strainwave::shell_factors;
+using strainwave::ShellFactors;
+using strainwave::WallIntensity;
 
 /// Largest lambda of the table for any angle.
-inline constexpr double kMaxShellParameter = 8.0;
+inline constexpr double kMaxShellParameter = kShellTableEnd;
 /// Largest lambda of the table for a circumferential crack.
 inline constexpr double kMaxCircumferentialShellParameter = 24.0;
-
-/// Implements theory manual eq. (SU-2): Donnell's shallow shell with Kirchhoff bending, nu = 0.3,
-/// interpolated to 0.06 %; nu between 0.25 and 0.35 changes K by up to 0.7 %.
-///
-/// @param lambda  shell parameter [-]; in [0, 8]
-/// @param angle   beta, from the generator toward -theta [rad]
-[[nodiscard]] ShellFactors shell_factors(double lambda, double angle);
 
 /// Circumferential through crack of finite angle, K over nominal stress sqrt(pi a) [-].
 struct CircumferentialFactors {
