@@ -2,8 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <variant>
 
 #include "strainwave/core/compare.hpp"
 #include "strainwave/core/error.hpp"
@@ -227,6 +230,40 @@ void check_wall_crack(const FieldPath& at, const GearSet& gear, const Crack& cra
   }
 }
 
+/// Cracks of the diaphragm and the rim that the file puts into the same place are none.
+void check_overlaps(const FieldPath& path, const Flexspline& fs) {
+  const auto refuse = [&](std::size_t i, std::string_view field, std::size_t other) {
+    throw InputError((path[i] / field).text(),
+                     fmt::format("overlaps {}: cracks are added up as if alone, give one of both",
+                                 path[other].text()));
+  };
+  for (std::size_t i = 0; i < fs.crack.size(); ++i)
+    for (std::size_t other = 0; other < i; ++other) {
+      // From one radius to another that a groove or an arc takes.
+      const auto taken = [&](std::size_t n) -> std::optional<std::array<double, 2>> {
+        if (const auto* const groove = std::get_if<DiaphragmGroove>(&fs.crack[n]))
+          return {{groove->radius - groove->width / 2, groove->radius + groove->width / 2}};
+        if (const auto* const arc = std::get_if<DiaphragmArcCrack>(&fs.crack[n])) {
+          const double radius = arc->radius.value_or(fs.diaphragm->inner_diameter / 2);
+          return {{radius, radius}};
+        }
+        return std::nullopt;
+      };
+      const auto here = taken(i);
+      const auto there = taken(other);
+      // Two arcs may lie one behind the other on one circle; a groove goes all round.
+      const bool groove = std::holds_alternative<DiaphragmGroove>(fs.crack[i]) ||
+                          std::holds_alternative<DiaphragmGroove>(fs.crack[other]);
+      if (here && there && groove && clearly_less((*here)[0], (*there)[1]) &&
+          clearly_less((*there)[0], (*here)[1]))
+        refuse(i, "radius", other);
+      const auto* const rim = std::get_if<RimAxialCrack>(&fs.crack[i]);
+      const auto* const rim_other = std::get_if<RimAxialCrack>(&fs.crack[other]);
+      if (rim != nullptr && rim_other != nullptr && rim->position == rim_other->position)
+        refuse(i, "position", other);
+    }
+}
+
 void check_flexspline(const GearSet& gear) {
   const Flexspline& fs = *gear.flexspline;
   const FieldPath path("flexspline");
@@ -282,6 +319,7 @@ void check_flexspline(const GearSet& gear) {
         },
         fs.crack[i]);
   }
+  check_overlaps(path / "crack", fs);
 }
 
 void check_circular_spline(const GearSet& gear) {

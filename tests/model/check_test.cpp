@@ -510,7 +510,19 @@ const std::vector<Broken> kBroken = {
      [](GearSet& g) { rim_axial_crack(g).depth = 3 * mm; }, "flexspline.crack[0].depth",
      "depth < flexspline.rim.wall_thickness", ""},
 
+    {"RimAxialCracksInOnePlace", coupled_gear,
+     [](GearSet& g) { flexspline(g).crack.emplace_back(rim_axial_crack(g)); },
+     "flexspline.crack[3].position", "", "overlaps flexspline.crack[0]"},
+
     // coupled drive: diaphragm
+    {"GroovesOverlap", coupled_gear,
+     [](GearSet& g) {
+       flexspline(g).crack.emplace_back(groove(g));
+       groove(g).radius = 60.9 * mm;
+     },
+     "flexspline.crack[3].radius", "", "overlaps flexspline.crack[2]"},
+    {"GrooveOverAnArc", coupled_gear, [](GearSet& g) { groove(g).radius = 45.4 * mm; },
+     "flexspline.crack[2].radius", "", "overlaps flexspline.crack[1]"},
     {"StationsNotRising", coupled_gear,
      [](GearSet& g) { diaphragm(g).profile[1].radius = 41 * mm; },
      "flexspline.diaphragm.profile[1].radius", "radius > that of the station before", ""},
@@ -843,6 +855,18 @@ const std::vector<Accepted> kAccepted = {
     {"ThreeBalls", coupled_gear, [](GearSet& g) { wave_generator(g).bearing->ball_count = 3; }},
     {"TwoHundredBalls", coupled_gear,
      [](GearSet& g) { wave_generator(g).bearing->ball_count = 200; }},
+    {"GroovesSideBySide", coupled_gear,
+     [](GearSet& g) {
+       flexspline(g).crack.emplace_back(groove(g));
+       groove(g).radius = 61 * mm;
+     }},
+    {"ArcsOnOneCircle", coupled_gear,
+     [](GearSet& g) { flexspline(g).crack.emplace_back(arc_crack(g)); }},
+    {"RimAxialCracksApart", coupled_gear,
+     [](GearSet& g) {
+       flexspline(g).crack.emplace_back(rim_axial_crack(g));
+       rim_axial_crack(g).position = 0.1;
+     }},
     {"RimAxialCrackJustInTheRim", coupled_gear,
      [](GearSet& g) { rim_axial_crack(g).depth = just_below(3 * mm); }},
     {"OuterRaceCrackJustInTheRing", coupled_gear,

@@ -76,7 +76,10 @@ struct TableFile {
 /// @throws InputError  with the line, where it is no table
 [[nodiscard]] TableFile parse_table_file(std::string_view text, std::string_view name);
 
-/// A finished table for the stiffness model, with its errors filled in.
+/// A table for the stiffness model, with its errors filled in.
+///
+/// Over one axis a family that is not finished is a table of a shorter range; over several, its
+/// grid must be full.
 ///
 /// @param name  as the drive has it
 /// @throws InputError  not a table of this format; a point missing, twice, or not usable; fewer

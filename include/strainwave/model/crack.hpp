@@ -126,7 +126,7 @@ struct WallThroughCrack {
   double angle = std::numbers::pi / 4;  ///< beta, from +z toward -theta [rad]; in (-pi/2, pi/2]
   bool shell_correction = true;         ///< A_I of the curved shell (FR-9); flat plate if false
   WallSection section = WallSection::barrel;
-  std::optional<std::string> compliance_table;  ///< file (FE-41), in place of the closed form
+  std::optional<std::string> compliance_table = {};  ///< file (FE-41), in place of the closed form
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -209,7 +209,7 @@ struct AnnularCrack {
   static constexpr std::string_view kKind = "annular";
   double depth = 0.0;  ///< a, radial [m]; > 0, < wall of a hollow shaft, < radius of a solid one
   AnnularSolution solution = AnnularSolution::improved;  ///< solid shafts only
-  std::optional<std::string> compliance_table;           ///< as in WallThroughCrack
+  std::optional<std::string> compliance_table = {};      ///< as in WallThroughCrack
 
   template <class Visitor>
   static void describe(Visitor&& field) {

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: Apache-2.0
+// `strainwave fe tabulate` from outside, and what it refuses for want of memory.
+#include "strainwave/fe_study/tabulate.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/fe_study/memory.hpp"
+
+namespace strainwave {
+namespace {
+
+class FeTable : public testing::Test {
+ protected:
+  struct Ended {
+    int exit_code = -1;
+    std::string out;
+    std::string err;
+  };
+
+  void SetUp() override {
+    folder_ =
+        std::filesystem::temp_directory_path() / ("strainwave table " + std::to_string(getpid()));
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  static std::string text_of(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  [[nodiscard]] std::string path(const std::string& name) const {
+    return (folder_ / name).string();
+  }
+
+  [[nodiscard]] Ended shell(const std::string& command) const {
+    const std::string all = "(" + command + ") >'" + path("out") + "' 2>'" + path("err") + "'";
+    const int status = std::system(all.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(path("out")),
+            text_of(path("err"))};
+  }
+  /// `strainwave-fe tabulate` of an example, the table in the folder.
+  [[nodiscard]] Ended tabulate(const std::string& example, const std::string& options,
+                               const std::string& before = "") const {
+    return shell(before + "'" STRAINWAVE_FE "' tabulate '" + example + "' " + options);
+  }
+  [[nodiscard]] Ended shaft(const std::string& options) const {
+    return tabulate(STRAINWAVE_EXAMPLES "/solid_shaft.toml", kDepth + options);
+  }
+  [[nodiscard]] std::string to(const std::string& name) const {
+    return " -o '" + path(name) + "' ";
+  }
+
+  /// An example with texts put in place of others.
+  std::string changed(const std::string& example,
+                      const std::vector<std::array<std::string, 2>>& changes) {
+    std::string text = text_of(std::filesystem::path(STRAINWAVE_EXAMPLES) / example);
+    for (const auto& [from, by] : changes) {
+      const std::size_t at = text.find(from);
+      EXPECT_NE(at, std::string::npos) << from;
+      text.replace(at, from.size(), by);
+    }
+    std::ofstream(folder_ / "changed.toml") << text;
+    return path("changed.toml");
+  }
+
+  // Order 4 is enough for the checks of a shaft, and takes a third of a second for each depth.
+  static inline const std::string kDepth =
+      "--order 4 --over 'output_shaft.crack[0].depth=6 mm..12 mm:4:log' ";
+  std::filesystem::path folder_;
+};
+
+/// Table lines without their times.
+std::vector<std::string> rows_without_seconds(const std::string& table) {
+  std::vector<std::string> rows;
+  for (const TableRow& row : parse_table_file(table, "t").rows) {
+    TableRow timeless = row;
+    timeless.seconds = 0;
+    rows.push_back(table_row_text(timeless));
+  }
+  return rows;
+}
+
+// The whole way: a family of runs, a drive that names it, the stiffness; against the closed form.
+// And a run that was killed within a line, which goes on.
+TEST_F(FeTable, CrosscheckShaftTableFeedsTheStiffness) {
+  const Ended made = shaft(to("depth.csv"));
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_NE(made.out.find("4 points, 0 of them not usable"), std::string::npos) << made.out;
+  EXPECT_EQ(made.err.find("solutions"), std::string::npos) << "progress only where asked for";
+  const std::string table = text_of(path("depth.csv"));
+  for (const char* const line :
+       {"# kind: annular\n", "# input: solid_shaft.toml\n", "# order: 4\n",
+        "# fixed: outer_diameter = 0.06 m\n", "# fixed: inner_diameter = 0 m\n",
+        "# fixed: length = 0.3 m\n", "# fixed: youngs_modulus = 210000000000 Pa\n",
+        "# fixed: poissons_ratio = 0.3\n", "# equations: FE-3 "})
+    EXPECT_NE(table.find(line), std::string::npos) << line << table;
+
+  const auto stiffness = [&](const std::string& more) {
+    const Ended ended =
+        shell("'" STRAINWAVE_CLI "' stiffness '" +
+              changed("solid_shaft.toml", {{"\"9 mm\"", "\"9 mm\"" + more}}) + "' --format json");
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    return nlohmann::json::parse(ended.out);
+  };
+  const auto tabulated = stiffness("\ncompliance_table = \"depth.csv\"");
+  const auto closed_form = stiffness("");
+  const auto at = [](const nlohmann::json& result, const std::string& pointer) {
+    return result.at(nlohmann::json::json_pointer(pointer));
+  };
+  const std::string torsion = "/cracks/0/added_compliance/positive/at_output";
+  const double here = at(tabulated, torsion + "/value");
+  const double there = at(closed_form, torsion + "/value");
+  const double error = at(tabulated, torsion + "/relative_uncertainty");
+  EXPECT_LT(error, 0.03);                       // four depths
+  EXPECT_NEAR(here / there, 1, error + 0.002);  // (FE-42), and the closed form's own
+  const std::string axial = "/cracks/0/added_compliance/positive/axial_axial/value";
+  EXPECT_NEAR(at(tabulated, axial).get<double>() / at(closed_form, axial).get<double>(), 1,
+              error + 0.005);
+  EXPECT_NE(tabulated.dump().find("interpolated from depth.csv (strainwave-fe "),
+            std::string::npos);
+
+  // Killed within the last line: the piece is dropped, the point is calculated again.
+  std::ofstream(folder_ / "depth.csv", std::ios::binary) << table.substr(0, table.size() - 20);
+  const Ended again = shaft(to("depth.csv") + "--progress");
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_NE(again.err.find("dropped a piece of a line"), std::string::npos) << again.err;
+  EXPECT_NE(again.err.find("3 of 4 points are there"), std::string::npos) << again.err;
+  EXPECT_NE(again.err.find("output_shaft.crack[0]: torsion and tension, 14 solutions"),
+            std::string::npos)
+      << again.err;
+  EXPECT_EQ(rows_without_seconds(text_of(path("depth.csv"))), rows_without_seconds(table));
+
+  // Another table is refused by the line that differs, and left alone.
+  const std::string now = text_of(path("depth.csv"));
+  const auto refused = [&](const Ended& ended, const std::string& words) {
+    EXPECT_EQ(ended.exit_code, 3) << words;
+    EXPECT_NE(ended.err.find(words), std::string::npos) << ended.err;
+    EXPECT_EQ(text_of(path("depth.csv")), now);
+  };
+  refused(tabulate(
+              STRAINWAVE_EXAMPLES "/solid_shaft.toml",
+              "--order 5 --over 'output_shaft.crack[0].depth=6 mm..12 mm:4:log'" + to("depth.csv")),
+          "it has \"# order: 4\", this run \"# order: 5\"");
+  refused(tabulate(
+              STRAINWAVE_EXAMPLES "/solid_shaft.toml",
+              "--order 4 --over 'output_shaft.crack[0].depth=6 mm..12 mm:5:log'" + to("depth.csv")),
+          "4 points");
+  refused(
+      tabulate(changed("solid_shaft.toml", {{"\"60 mm\"", "\"61 mm\""}}), kDepth + to("depth.csv")),
+      "# input: ");
+  std::filesystem::create_directories(folder_ / "other");
+  std::filesystem::copy_file(path("changed.toml"), folder_ / "other/solid_shaft.toml");
+  refused(tabulate(path("other/solid_shaft.toml"), kDepth + to("depth.csv")), "# drive sha256: ");
+  std::ofstream(folder_ / "depth.csv", std::ios::binary) << "something else\n";
+  EXPECT_EQ(shaft(to("depth.csv")).exit_code, 3);
+}
+
+// A point that is refused is a line that says why; exit code 4, now and when it is asked for again.
+TEST_F(FeTable, IdentityPointsThatCannotBeUsedAreKept) {
+  const std::string over = "--order 4 --over 'output_shaft.crack[0].depth=20 mm..32 mm:2'";
+  const std::string example = STRAINWAVE_EXAMPLES "/solid_shaft.toml";
+  const Ended ended = tabulate(example, over + to("deep.csv"));
+  EXPECT_EQ(ended.exit_code, 4) << ended.err;
+  EXPECT_NE(ended.err.find("not usable: point 2: output_shaft.crack[0].depth"), std::string::npos)
+      << ended.err;
+  const TableFile file = parse_table_file(text_of(path("deep.csv")), "deep.csv");
+  ASSERT_EQ(file.rows.size(), 2U);
+  EXPECT_TRUE(file.rows[0].usable);
+  EXPECT_FALSE(file.rows[1].usable);
+  EXPECT_FALSE(file.rows[1].values[0]);
+  EXPECT_NE(file.rows[1].reason.find("depth < outer_diameter/2"), std::string::npos);
+  EXPECT_EQ(tabulate(example, over + to("deep.csv")).exit_code, 4);
+  // Two ranks write the same table, once.
+  const Ended two = tabulate(example, over + to("two.csv"),
+                             "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+                             "OMP_NUM_THREADS=1 mpirun --oversubscribe -n 2 ");
+  EXPECT_NE(two.err.find("not usable: point 2"), std::string::npos) << two.err;
+  EXPECT_EQ(rows_without_seconds(text_of(path("two.csv"))),
+            rows_without_seconds(text_of(path("deep.csv"))));
+  // The plan of the family says so before.
+  const Ended plan = tabulate(example, over + to("plan.csv") + "--dry-run");
+  EXPECT_EQ(plan.exit_code, 0) << plan.err;
+  EXPECT_NE(plan.out.find("1 points of "), std::string::npos) << plan.out;
+  EXPECT_NE(plan.out.find("refused: point 2: output_shaft.crack[0].depth"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(path("plan.csv")));
+}
+
+TEST_F(FeTable, InputFaultsByCodeAndName) {
+  const std::string wall = STRAINWAVE_EXAMPLES "/through_crack.toml";
+  const std::string cup = STRAINWAVE_EXAMPLES "/cup_sections.toml";
+  const std::string length = "--over 'flexspline.crack[0].half_length=";
+  EXPECT_EQ(tabulate(wall, to("t.csv")).exit_code, 2);
+  EXPECT_EQ(tabulate(wall, length + "4 mm..8 mm:3'").exit_code, 2);
+  const auto refused = [&](const std::string& example, const std::string& options, int code,
+                           const std::string& words) {
+    const Ended ended = tabulate(example, options + to("t.csv") + "--dry-run");
+    EXPECT_EQ(ended.exit_code, code) << words;
+    EXPECT_NE(ended.err.find(words), std::string::npos) << ended.err;
+  };
+  refused(wall, length + "4..8:3'", 2, "--over flexspline.crack[0].half_length: \"4\" has no unit");
+  refused(wall, "--over 'flexspline.size=4 mm..8 mm:3'", 2,
+          "--over: flexspline.size: is not a number");
+  refused(wall, "--over 'load.torque=1 N*m..2 N*m:3'", 3,
+          "changes nothing that the finite elements");
+  refused(wall, length + "4 mm..8 mm:3' " + length + "5 mm..6 mm:3'", 3,
+          "varies half_length a second time");
+  refused(wall, length + "4 mm..8 mm:1000' --over 'flexspline.length=150 mm..160 mm:1000'", 3,
+          "more than 100000 points");
+  refused(changed("through_crack.toml", {{"poissons_ratio = 0.3", "shear_modulus = \"80 GPa\""}}),
+          "--over 'material.steel.youngs_modulus=200 GPa..220 GPa:3'", 3,
+          "changes youngs_modulus and poissons_ratio at once");
+  refused(wall, length + "4 mm..8 mm:3' --crack 'flexspline.crack[1]'", 3,
+          "\"flexspline.crack[1]\" is no crack that a table can be made of: flexspline.crack[0]");
+  refused(changed("through_crack.toml", {{"[[flexspline.crack]]",
+                                          "[[flexspline.crack]]\nkind = \"through\"\n"
+                                          "half_length = \"1 mm\"\n\n[[flexspline.crack]]"}}),
+          length + "4 mm..8 mm:3'", 3, "--crack: must name one crack");
+  refused(changed("solid_shaft.toml",
+                  {{"[[output_shaft.crack]]\nkind = \"annular\"\ndepth = \"9 mm\"", ""}}),
+          "--over 'output_shaft.length=300 mm..310 mm:3'", 3, "can be made of: none");
+  // A family of which nothing fits is refused as a whole.
+  const Ended nothing = tabulate(wall, length + "70 mm..75 mm:3'" + to("t.csv"));
+  EXPECT_EQ(nothing.exit_code, 3);
+  EXPECT_NE(
+      nothing.err.find("no point can be calculated; point 1: flexspline.crack[0]: half_length"),
+      std::string::npos)
+      << nothing.err;
+  EXPECT_FALSE(std::filesystem::exists(path("t.csv")));
+  // One crack of a run, by its path.
+  const Ended one =
+      shell("'" STRAINWAVE_FE "' '" + cup + "' --dry-run --crack 'flexspline.crack[1]'");
+  EXPECT_EQ(one.exit_code, one.err.empty() ? 0 : 3) << one.err;
+  const Ended none =
+      shell("'" STRAINWAVE_FE "' '" + wall + "' --dry-run --crack 'flexspline.crack[7]'");
+  EXPECT_EQ(none.exit_code, 3);
+  EXPECT_NE(none.err.find("is no crack of the members asked for"), std::string::npos) << none.err;
+}
+
+// (FE-44): what will not fit is refused, by name and with both numbers, before anything is solved.
+TEST_F(FeTable, InputMoreMemoryThanThereIs) {
+  const std::string small =
+      changed("through_crack.toml", {{"\"10 mm\"", "\"0.1 mm\""}});  // many cells, 300 k unknowns
+  const Ended plan =
+      shell("ulimit -v 4000000; '" STRAINWAVE_FE "' '" + small + "' --order 4 --dry-run");
+  EXPECT_EQ(plan.exit_code, 3) << plan.err;
+  EXPECT_NE(plan.out.find("unknowns, 8 solutions"), std::string::npos)
+      << "says the size all the same";
+  for (const char* const words : {"flexspline.crack[0]: ", " GB of memory, and ", "ulimit -v"})
+    EXPECT_NE(plan.err.find(words), std::string::npos) << plan.err;
+  const Ended run = shell("ulimit -v 4000000; '" STRAINWAVE_FE "' '" + small + "' --order 4");
+  EXPECT_EQ(run.exit_code, 3) << run.err;
+  EXPECT_NE(run.err.find(" GB of memory, and "), std::string::npos) << run.err;
+  const Ended family = tabulate(
+      small, "--order 4 --over 'flexspline.crack[0].half_length=0.1 mm..0.11 mm:2'" + to("t.csv"),
+      "ulimit -v 4000000; ");
+  EXPECT_EQ(family.exit_code, 3) << family.err;
+  EXPECT_FALSE(std::filesystem::exists(path("t.csv")));
+}
+
+TEST(FeMemory, InputRuleAtItsBoundary) {
+  using fe_study::RunSize;
+  const fe_study::AvailableMemory here{.bytes = 2e9, .from = "a test"};
+  const RunSize fits{.path = "flexspline.crack[0]", .dofs = 50'000, .memory = 2e9};
+  RunSize large = fits;
+  large.memory = 2.1e9;
+  EXPECT_NO_THROW(fe_study::require_memory({fits}, here, 1, 1));
+  try {
+    fe_study::require_memory({fits, large}, here, 1, 1);
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "flexspline.crack[0]: 50000 unknowns need about 2.1 GB of memory, and 2 GB are "
+                 "available (a test)");
+  }
+  // Two machines with two ranks each carry half of it; four ranks of one machine carry all.
+  EXPECT_NO_THROW(fe_study::require_memory({large}, here, 2, 4));
+  EXPECT_THROW(fe_study::require_memory({large}, here, 4, 4), InputError);
+  const fe_study::AvailableMemory now = fe_study::available_memory();
+  EXPECT_GT(now.bytes, 1e8);
+  EXPECT_LT(now.bytes, 1e14);
+}
+
+// (FE-42) takes the worst of the evidence, and never less than what is known to remain.
+TEST(FeTableError, IdentityWorstOfTheEvidence) {
+  fe_study::TubeCrackRun run;
+  run.tube.order = 3;
+  run.positive.energy_release_rate = 1;
+  run.positive.closed_release_rate = 1e-3;
+  run.positive.growth_check = -1e-3;
+  run.positive.solid.fronts.resize(2);
+  run.negative.closed_release_rate = 1e-3;
+  run.negative.growth_check = 0.7;  // of a sense that releases nothing
+  EXPECT_EQ(fe_study::table_error(run), 2e-3);
+  run.positive.growth_check = -4e-3;
+  EXPECT_EQ(fe_study::table_error(run), 4e-3);
+  run.positive.solid.fronts[1].ring_spread = 5e-3;
+  EXPECT_EQ(fe_study::table_error(run), 5e-3);
+  run.tube.order = 2;
+  EXPECT_EQ(fe_study::table_error(run), 1.5e-2);
+  fe_study::ShaftCrackRun shaft;
+  shaft.result.torsion.growth_check = 1e-6;
+  EXPECT_EQ(fe_study::table_error(shaft), 2e-4);
+  shaft.result.tension.growth_check = -3e-4;
+  EXPECT_EQ(fe_study::table_error(shaft), 3e-4);
+  shaft.result.torsion.tip.ring_spread = 1e-3;
+  EXPECT_EQ(fe_study::table_error(shaft), 1e-3);
+}
+
+}  // namespace
+}  // namespace strainwave
