@@ -117,7 +117,7 @@ const std::array<CommandManual, 15> kCommands = {{
     {"fe", "Finite elements of shaft and cup, without any closed form",
      "Starts strainwave-fe, a program of its own that is built on request, and passes everything "
      "on to it: strainwave fe --help prints its options. It calculates an output shaft with "
-     "annular cracks, through cracks of the flexspline's wall and a sound flexspline by sections, "
+     "annular cracks, cracks of the flexspline's wall and a sound flexspline by sections, "
      "with the evidence whether the answer may be used. strainwave fe tabulate makes a table of "
      "many runs, which a crack can name as its compliance_table.",
      "strainwave fe examples/solid_shaft.toml --member output-shaft"},

@@ -61,9 +61,13 @@ class FeProgram : public testing::Test {
 const std::string kShaft = "'" STRAINWAVE_EXAMPLES "/solid_shaft.toml'";
 const std::string kCup = "'" STRAINWAVE_EXAMPLES "/cup_sections.toml'";
 const std::string kThrough = "'" STRAINWAVE_EXAMPLES "/through_crack.toml'";
+const std::string kPart = "'" STRAINWAVE_EXAMPLES "/part_through_crack.toml'";
 const std::string kThroughCrack =
     "[[flexspline.crack]]\nkind = \"through\"\nsection = \"barrel\"\nhalf_length = \"1.5 mm\"\n"
     "angle = \"-45 deg\"\n";
+const std::string kSurfaceCrack =
+    "[[flexspline.crack]]\nkind = \"surface\"\nsection = \"rim\"\ndepth = \"0.4 mm\"\n"
+    "half_length = \"0.8 mm\"\nangle = \"45 deg\"\n\n";
 const std::string kMain = "'" STRAINWAVE_CLI "' fe";
 
 TEST_F(FeProgram, CrosscheckShaftExampleByBothPrograms) {
@@ -90,8 +94,10 @@ TEST_F(FeProgram, CrosscheckShaftExampleByBothPrograms) {
 
 TEST_F(FeProgram, IdentityCupSharesAndFileOutput) {
   const fs::path file = folder_ / "cup.json";
-  // Without its through crack, which would be a solid.
-  const std::string sound = changed("cup_sections.toml", kThroughCrack, "");
+  // Cracks of the wall would be solids; one of the diaphragm is left out.
+  const std::string sound = changed("cup_sections.toml", kSurfaceCrack + kThroughCrack,
+                                    "[[flexspline.crack]]\nkind = \"diaphragm_arc\"\n"
+                                    "half_length = \"1 mm\"\n");
   const Outcome cup = run(sound + " --format json --order 4 -o '" + file.string() + "'");
   ASSERT_EQ(cup.exit_code, 0) << cup.err;
   EXPECT_TRUE(cup.out.empty());
@@ -139,6 +145,33 @@ TEST_F(FeProgram, ReferenceThroughCrackInBothSenses) {
   EXPECT_EQ(Json::parse(plan.out)["plan"][0]["unknowns"], open["evidence"]["unknowns"]);
 }
 
+// The other worked example at a small size.
+TEST_F(FeProgram, CrosscheckSurfaceCrackInBothSenses) {
+  const Outcome outcome = run(kPart + " --order 2 --format json");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json crack = Json::parse(outcome.out)["flexspline"]["cracks"][0];
+  EXPECT_EQ(crack["kind"], "surface");
+  const Json& open = crack["senses"][0];
+  const Json& closed = crack["senses"][1];
+  EXPECT_EQ(open["faces"], "open");
+  EXPECT_EQ(closed["faces"], "closed");
+  const Json& front = open["fronts"][0]["from_upper_to_lower_end"];
+  ASSERT_EQ(front.size(), 7U);  // without the ends, where no K is
+  // The same crack in a wide block under tension, K E(k)/(sigma sqrt(pi a)) = 1.195 at order 3 at
+  // the deepest point; order 2 has 1.5 % less.
+  const double J = kPi / 2 * (std::pow(0.08, 4) - std::pow(0.07776, 4));
+  const double K0 = 100 * 0.08 / J * std::sqrt(kPi * 1e-3) / 1.2110560;
+  EXPECT_NEAR(front[3]["front_angle"]["value"].get<double>(), kPi / 2, 1e-12);
+  EXPECT_NEAR(front[3]["K_I"]["value"].get<double>() / K0, 1.195, 0.03);
+  // A tenth of a percent of what the open crack adds.
+  const double added = open["added_compliance"]["value"];
+  EXPECT_LT(std::abs(closed["added_compliance"]["value"].get<double>()), 1e-3 * added);
+  EXPECT_EQ(closed["fronts"][0]["from_upper_to_lower_end"][3]["K_I"]["value"], 0.0);
+  const Outcome plan = run(kPart + " --order 2 --format json --dry-run");
+  ASSERT_EQ(plan.exit_code, 0) << plan.err;
+  EXPECT_EQ(Json::parse(plan.out)["plan"][0]["unknowns"], open["evidence"]["unknowns"]);
+}
+
 // Two ranks: one printout, the same numbers; standard input reaches one of them only.
 TEST_F(FeProgram, IdentityTwoRanks) {
   const std::string two =
@@ -174,7 +207,16 @@ TEST_F(FeProgram, InputErrorsByCodeAndName) {
     EXPECT_NE(outcome.err.find(sentence), std::string::npos) << outcome.err;
     EXPECT_TRUE(outcome.out.empty());
   };
-  refused(kCup + " --member flexspline", "flexspline.crack[0]: a crack of kind \"surface\"");
+  refused(changed("cup_sections.toml", kSurfaceCrack,
+                  "[[flexspline.crack]]\nkind = \"diaphragm_arc\"\nhalf_length = \"1 mm\"\n\n") +
+              " --member flexspline",
+          "flexspline.crack[0]: a crack of kind \"diaphragm_arc\"");
+  refused(changed("part_through_crack.toml", "\"1 mm\"\nhalf_length = \"2 mm\"",
+                  "\"2.1 mm\"\nhalf_length = \"3 mm\"") +
+              " --dry-run",
+          "flexspline.crack[0]: depth");
+  refused(changed("part_through_crack.toml", "length = \"160 mm\"", "length = \"5 mm\""),
+          "flexspline.crack[0]: half_length: the crack needs");
   refused(kCup + " --member output-shaft", "output_shaft: is not given");
   refused(kShaft + " --member flexspline", "flexspline: is not given");
   refused("/nowhere.toml", "/nowhere.toml");

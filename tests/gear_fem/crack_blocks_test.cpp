@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -171,6 +172,32 @@ TEST(EllipticalCrackBlock, ReferencePennyInTension) {
     test::expect_relative(station.K_I, 2 / std::sqrt(pi), 4e-3);
     EXPECT_NEAR(std::hypot(station.place[0], station.place[2]), 1, 1e-9);
     EXPECT_NEAR(station.place[0], std::cos(pi * station.position), 1e-9);
+  }
+}
+
+// The other program has hexahedra of degree 2 with a crack in one quarter of the block.
+TEST(EllipticalCrackBlock, CrosscheckSurfaceCrack) {
+  test::start_mpi();
+  EllipticalCrackBlock block = penny();
+  block.half_length = 2;
+  block.thickness = 2;
+  block.half_height = 15;
+  block.embedded = false;
+  block.segments = 4;
+  const fem::CrackFront front = elliptical_crack_block(block).fronts.at(0);
+  // surface.tension at 0.5, 0.5: K/(sigma sqrt(pi a)) at phi of 22.5, 45, 67.5 and 90 degrees.
+  const std::array<double, 4> there{0.849713, 0.927567, 0.989795, 1.01066};
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    const fem::FrontStation& station = front.stations[i + 1];
+    test::expect_reference(station.K_I / std::sqrt(pi),
+                           {.value = there[i],
+                            .unit = "1",
+                            .relative_tolerance = 1.5e-2,
+                            .source = "tests/data/cracked_block.csv",
+                            .tolerance_is = "order 2 of both programs"});
+    // Half a rotation of the block in its supports is no K_II.
+    EXPECT_NEAR(station.K_II, 0, 3e-4 * station.K_I);
+    EXPECT_NEAR(station.K_III, 0, 1e-3 * station.K_I);
   }
 }
 

@@ -54,10 +54,10 @@ struct EllipticalCrackBlock {
   int segments = 8;  ///< along the front [-]; a multiple of 4, 4 to 32
 };
 
-/// Displacements and fracture quantities of the block; one front.  Accuracy, at order 2: a penny in
-/// tension 0.3 %, in shear 1.5 % of the largest K.  The crack at a free surface is not confirmed:
-/// it lies 1.6 % above another program at the deepest point, and stations next to the surface
-/// scatter by several per cent.
+/// Displacements and fracture quantities of the block; one front.  Accuracy: a penny at order 2 in
+/// tension 0.3 %, in shear 1.5 % of the largest K; a surface crack at order 3 0.3 % at the deepest
+/// point, 0.7 % along the front.  Where the front meets the free surface K is not defined: the
+/// first and the last station are the values of a projection, and no result.
 ///
 /// @throws InputError  a value out of range
 [[nodiscard]] fem::SolidResult elliptical_crack_block(const EllipticalCrackBlock& block);
