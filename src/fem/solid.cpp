@@ -32,6 +32,7 @@
 #include <map>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -752,9 +753,11 @@ class Model {
     contact_forces_.reinit(dofs_.n_dofs());
     pressure_.assign(dofs_.n_dofs(), 0.0);
     double touching = 0;
+    double whole = 0;
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const Pair& pair = pairs_[i];
       const double p = answer.x[static_cast<Eigen::Index>(i)];
+      whole += pair.area;
       if (!(p > 0)) continue;
       touching += pair.area;
       pressure_[pair.upper[0]] = pressure_[pair.lower[0]] = p;
@@ -763,12 +766,36 @@ class Model {
         contact_forces_[pair.lower[k]] -= p * pair.area * pair.normal[k];
       }
     }
-    result_.contact_share = touching / area.sum();
+    result_.contact_share = touching / whole;
     Vector forces = load_;
     forces += contact_forces_;
     displace(forces);
-    result_.contact_overlap = std::max(0.0, -gaps().minCoeff()) / largest_jump();
+    result_.contact_overlap = std::max(0.0, -gaps().minCoeff()) / jump;
     result_.solver_seconds += seconds_since(start);
+    extend_pressure_to_fronts();
+  }
+
+  /// At a front both sides share their nodes and bear no pressure as a pair: it is that of the
+  /// neighbour on the face.
+  void extend_pressure_to_fronts() {
+    for (const Cell& cell : dofs_.active_cell_iterators())
+      for (const unsigned f : cell->face_indices()) {
+        if (!is_crack_face(cell, f)) continue;
+        std::vector<std::pair<Point<3>, Index>> shared;
+        std::vector<std::pair<Point<3>, Index>> paired;
+        visit_face_nodes(cell, f, [&](unsigned a, const std::array<Index, 3>& node) {
+          (on_front_.count(node[0]) ? shared : paired)
+              .push_back({scalar_.unit_support_point(a), node[0]});
+        });
+        for (const auto& [place, dof] : shared) {
+          double nearest = 2;
+          for (const auto& [other, twin] : paired)
+            if (std::abs(other[2] - place[2]) < 1e-9 && other.distance(place) < nearest) {
+              nearest = other.distance(place);
+              pressure_[dof] = pressure_[twin];
+            }
+        }
+      }
   }
 
   // --- what is made of the displacements
@@ -931,6 +958,35 @@ std::array<double, 3> quadratic(double w) {
   return {(1 - w) * (1 - 2 * w), 4 * w * (1 - w), w * (2 * w - 1)};
 }
 
+/// Gauss points on a face; `toward`: the coordinate (0 or 1) that starts at a crack front, about
+/// which the points crowd so that its inverse root is integrated too.
+dealii::Quadrature<2> face_points(unsigned n, std::optional<unsigned> toward) {
+  dealii::Quadrature<2> rule = dealii::QGauss<2>(n);
+  if (!toward) return rule;
+  std::vector<Point<2>> points = rule.get_points();
+  std::vector<double> weights = rule.get_weights();
+  for (std::size_t q = 0; q < points.size(); ++q) {
+    const double s = points[q][*toward];
+    points[q][*toward] = s * s;
+    weights[q] *= 2 * s;
+  }
+  return {points, weights};
+}
+
+struct FaceRule {
+  dealii::Quadrature<2> points;
+  dealii::FEFaceValues<3> values;    ///< of the displacements
+  dealii::FEFaceValues<3> velocity;  ///< of the virtual crack advance
+
+  FaceRule(const dealii::Mapping<3>& mapping, const dealii::FE_Q<3>& displacements,
+           const dealii::FE_Q<3>& advance, const dealii::Quadrature<2>& at)
+      : points(at),
+        values(mapping, displacements, at,
+               dealii::update_values | dealii::update_gradients | dealii::update_JxW_values |
+                   dealii::update_quadrature_points | dealii::update_normal_vectors),
+        velocity(mapping, advance, at, dealii::update_values) {}
+};
+
 CrackFront Model::evaluate_front(std::size_t front) const {
   constexpr std::size_t kFields = 4;           // G and the interaction with modes I, II, III
   std::map<std::size_t, const HexCell*> tips;  // one cell at the front of each segment
@@ -957,12 +1013,14 @@ CrackFront Model::evaluate_front(std::size_t front) const {
       body_.mapping, scalar_, rule,
       dealii::update_gradients | dealii::update_JxW_values | dealii::update_quadrature_points);
   dealii::FEValues<3> q_values(body_.mapping, velocity, rule, dealii::update_gradients);
-  const dealii::QGauss<2> face_rule(static_cast<unsigned>(problem_.order) + 3);
-  dealii::FEFaceValues<3> face_values(
-      body_.mapping, scalar_, face_rule,
-      dealii::update_values | dealii::update_gradients | dealii::update_JxW_values |
-          dealii::update_quadrature_points | dealii::update_normal_vectors);
-  dealii::FEFaceValues<3> q_face_values(body_.mapping, velocity, face_rule, dealii::update_values);
+  const auto face_rule = [&](std::optional<unsigned> toward) {
+    return std::make_unique<FaceRule>(
+        body_.mapping, scalar_, velocity,
+        face_points(static_cast<unsigned>(problem_.order) + 3, toward));
+  };
+  // The crack's faces at its front: u = 0 has the coordinates (v, w), v = 0 has (w, u).
+  const std::array<std::unique_ptr<FaceRule>, 3> face_rules{face_rule({}), face_rule(0U),
+                                                            face_rule(1U)};
   const auto auxiliary = [&](std::size_t mode, const FrontFrame& frame, const Point<3>& place,
                              const HexCell& cell) {
     const Tensor<1, 3> from = place - frame.place;
@@ -1014,17 +1072,19 @@ CrackFront Model::evaluate_front(std::size_t front) const {
     // The auxiliary fields leave tractions on curved crack faces and on the front's end faces.
     for (const unsigned f : cell->face_indices()) {
       if (!cell->face(f)->at_boundary()) continue;
-      face_values.reinit(typename dealii::Triangulation<3>::active_cell_iterator(cell), f);
-      q_face_values.reinit(typename dealii::Triangulation<3>::active_cell_iterator(cell), f);
       const bool crack = is_crack_face(cell, f);
+      FaceRule& on_face = *face_rules[crack && ring < 0 ? (f < 2 ? 1 : 2) : 0];
+      dealii::FEFaceValues<3>& face_values = on_face.values;
+      face_values.reinit(typename dealii::Triangulation<3>::active_cell_iterator(cell), f);
+      on_face.velocity.reinit(typename dealii::Triangulation<3>::active_cell_iterator(cell), f);
       gradients(cell, face_values, gradient);
-      for (unsigned q = 0; q < face_rule.size(); ++q) {
+      for (unsigned q = 0; q < on_face.points.size(); ++q) {
         const Tensor2& du = gradient[q];
         const Tensor<1, 3>& normal = face_values.normal_vector(q);
         const double w = f == 4   ? 0.0
                          : f == 5 ? 1.0
-                         : f < 2  ? face_rule.point(q)[1]
-                                  : face_rule.point(q)[0];
+                         : f < 2  ? on_face.points.point(q)[1]
+                                  : on_face.points.point(q)[0];
         const FrontFrame frame = front_frame(tip, w);
         const Tensor<1, 3> traction =
             crack ? -pressure_at(cell, face_values, q) * normal : lame_.stress(du) * normal;
@@ -1038,7 +1098,7 @@ CrackFront Model::evaluate_front(std::size_t front) const {
         for (unsigned n = 0; n < n_velocity; ++n)
           for (std::size_t field = 0; field < kFields; ++field)
             moment[field * n_velocity + n] -=
-                q_face_values.shape_value(n, q) * face_values.JxW(q) * force[field];  // (FE-24)
+                on_face.velocity.shape_value(n, q) * face_values.JxW(q) * force[field];  // (FE-24)
       }
     }
     for (unsigned n = 0; n < n_velocity; ++n) {
@@ -1149,7 +1209,6 @@ CrackFront Model::front_of_integrals(const std::map<std::size_t, const HexCell*>
   double of_K = 0;
   double of_G = 0;
   double closed_K_I = 0;
-  double largest_K = 0;
   const double scale = std::abs(mean.sum() / static_cast<double>(nodes));
   const Eigen::VectorXd area = mass.rowwise().sum();
   for (const auto& [segment, tip] : tips)
@@ -1168,7 +1227,6 @@ CrackFront Model::front_of_integrals(const std::map<std::size_t, const HexCell*>
         station.closed = true;
         K[0](i) = 0;
       }
-      largest_K = std::max({largest_K, std::abs(K[0](i)), std::abs(K[1](i)), std::abs(K[2](i))});
       station.G_of_K = (K[0](i) * K[0](i) + K[1](i) * K[1](i)) / plane_strain +
                        K[2](i) * K[2](i) / (2 * lame_.mu);  // (FE-25)
       const double rescale = station.energy_release_rate > 0 && station.G_of_K > 0
@@ -1182,7 +1240,7 @@ CrackFront Model::front_of_integrals(const std::map<std::size_t, const HexCell*>
       result.stations.push_back(station);
     }
   result.mode_energy_ratio = of_K / of_G;
-  result.closed_K_I = closed_K_I > 0 ? closed_K_I / std::max(closed_K_I, largest_K) : 0;
+  result.closed_K_I = closed_K_I;
   return result;
 }
 

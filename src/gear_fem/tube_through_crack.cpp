@@ -38,6 +38,9 @@ std::vector<double> wall_lines(double t, int layers) {
   return lines;
 }
 
+/// K_I that the integrals may leave on a closed front, of K0 = tau sqrt(pi a).
+constexpr double kClosedShare = 0.02;
+
 struct Solved {
   fem::SolidResult solid;
   double area;  ///< of the crack
@@ -148,10 +151,12 @@ TubeCrackResult solve_tube_with_through_crack(const TubeWithThroughCrack& tube_g
   double release = 0;
   double largest_K = 0;
   double least_K_I = 0;
+  double closed_K_I = 0;
   result.closed = true;
   for (const fem::CrackFront& front : solid.fronts) {
     release += front.release;
     length += front.length;
+    closed_K_I = std::max(closed_K_I, front.closed_K_I);
     for (const fem::FrontStation& s : front.stations) {
       result.closed = result.closed && s.closed;
       largest_K = std::max(largest_K, std::hypot(s.K_I, s.K_II, s.K_III));
@@ -169,6 +174,9 @@ TubeCrackResult solve_tube_with_through_crack(const TubeWithThroughCrack& tube_g
   }
   result.closed_release_rate = 1e-3 * std::pow(result.nominal_shear, 2) * std::numbers::pi * a /
                                tube.material.youngs_modulus;
+  const double share = closed_K_I / (result.nominal_shear * std::sqrt(pi * a));
+  if (share > kClosedShare)
+    result.reason = fmt::format("where the faces touch {:.2g} of K0 is left as K_I", share);
   judge(result, tube.check_growth, least_K_I < -0.01 * largest_K);
   return result;
 }

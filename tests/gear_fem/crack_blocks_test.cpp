@@ -84,6 +84,55 @@ TEST(StraightCrackBlock, LimitWideBlockInShear) {
   }
 }
 
+/// Bent so that one half of the crack is pressed together.
+StraightCrackBlock bent(double stress) {
+  StraightCrackBlock block = strip(true, 2);
+  block.width = 20;
+  block.half_height = 20;
+  block.stress = 20 * stress;  // at x = 20: `stress` at x = a
+  block.rings = 3;
+  block.load = BlockLoad::bending;
+  block.crack_faces = fem::CrackFaces::contact;
+  return block;
+}
+
+// (FE-30): stress sigma x/a in a wide plate.  The closed part ends where K of what is still open
+// vanishes: an open crack of half length b about x = m has K = sigma sqrt(pi b) (m -+ b/2)/a, so
+// m = b/2, b = 2a/3, the crack is open from -a/3 to a, and K at a is sigma (2/3) sqrt(2 pi a/3).
+TEST(StraightCrackBlock, ReferencePartlyClosedByBending) {
+  test::start_mpi();
+  const double K = 2.0 / 3 * std::sqrt(2 * pi / 3);
+  const double plane_strain = (1 - 0.09) / kSteelMPa.youngs_modulus;
+  for (const double sign : {1.0, -1.0}) {
+    const fem::SolidResult result = straight_crack_block(bent(sign));
+    const fem::CrackFront& open = result.fronts[sign > 0 ? 0 : 1];
+    const fem::CrackFront& shut = result.fronts[sign > 0 ? 1 : 0];
+    EXPECT_NEAR(result.contact_share, 1.0 / 3, 0.06);  // the cell in the middle is a long
+    // Order 2, three rings; faces that overlap have 8 % less.
+    test::expect_relative(middle(open).K_I, K, 8e-3);
+    test::expect_relative(open.release, K * K * plane_strain, 1.5e-2);
+    EXPECT_FALSE(middle(open).closed);
+    EXPECT_EQ(open.closed_K_I, 0.0);
+    EXPECT_LT(shut.closed_K_I, 5e-3 * K);  // what the integral finds where it is set to 0
+    EXPECT_LT(std::abs(shut.release), 1e-3 * open.release);  // nothing slides
+    for (const fem::FrontStation& station : shut.stations) {
+      EXPECT_TRUE(station.closed);
+      EXPECT_EQ(station.K_I, 0.0);
+    }
+    EXPECT_GT(result.contact_iterations, 1);
+    EXPECT_LT(result.contact_overlap, 1e-9);
+    EXPECT_LT(result.energy_balance, 1e-9);  // contact without friction does no work
+    EXPECT_LT(result.equilibrium_residual, 1e-9);
+  }
+  StraightCrackBlock through = bent(1);
+  through.crack_faces = fem::CrackFaces::free;
+  const fem::SolidResult overlap = straight_crack_block(through);
+  test::expect_relative(middle(overlap.fronts[0]).K_I, 0.5 * std::sqrt(pi), 5e-3);
+  test::expect_relative(middle(overlap.fronts[1]).K_I, -0.5 * std::sqrt(pi), 5e-3);
+  EXPECT_FALSE(middle(overlap.fronts[1]).closed);
+  EXPECT_EQ(overlap.contact_share, 0.0);
+}
+
 // (FE-26), (FE-28): added work by reciprocity, its derivative is G.
 TEST(StraightCrackBlock, IdentityDerivativeOfTheAddedWork) {
   test::start_mpi();
@@ -109,6 +158,10 @@ TEST(StraightCrackBlock, IdentityForAnyNumberOfRanks) {
               result.work, result.added_work, result.fronts[0].release,
               middle(result.fronts[0]).K_I);
   EXPECT_GT(result.work, 0);
+  const fem::SolidResult closed = straight_crack_block(bent(1));
+  std::printf("ranks contact_share %.17g\nranks contact_K_I %.17g\n", closed.contact_share,
+              middle(closed.fronts[0]).K_I);
+  EXPECT_GT(closed.contact_share, 0.2);
 }
 
 TEST(StraightCrackBlock, ConvergenceWithTheOrder) {

@@ -92,6 +92,48 @@ TEST(TubeThroughCrack, LimitClosedAt45Degrees) {
   EXPECT_LT(overlap.solid.fronts[0].stations[1].K_I, 0);
 }
 
+// (FE-30), (FE-31): away from 45 degrees closed faces slide.  A crack much shorter than sqrt(r t) =
+// 13 mm is one in a flat sheet: K_I = max(0, tau sin 2 beta) sqrt(pi a) and K_II = -+ tau cos 2
+// beta sqrt(pi a) in the middle of the wall, where the sheet is nearly in plane strain.
+TEST(TubeThroughCrack, LimitShortCrackSlidesWhenClosed) {
+  TubeWithThroughCrack tube = flexspline(1e-3, 30, 2);
+  tube.layers = 1;
+  tube.rings = 4;
+  const auto solve = [&](TorqueSense sense) {
+    tube.sense = sense;
+    return solve_tube_with_through_crack(tube);
+  };
+  const TubeCrackResult open = solve(TorqueSense::positive);
+  tube.check_growth = true;
+  const TubeCrackResult shut = solve(TorqueSense::negative);
+  const double K0 = shut.nominal_shear * std::sqrt(pi * tube.half_length);
+  EXPECT_TRUE(shut.closed);
+  EXPECT_EQ(shut.solid.contact_share, 1.0);
+  EXPECT_FALSE(open.closed);
+  EXPECT_EQ(open.solid.contact_share, 0.0);
+  for (std::size_t front = 0; front < 2; ++front) {
+    const fem::CrackFront& slides = shut.solid.fronts[front];
+    for (const fem::FrontStation& s : slides.stations) {
+      EXPECT_TRUE(s.closed);
+      EXPECT_EQ(s.K_I, 0.0);
+    }
+    EXPECT_LT(slides.closed_K_I, 0.02 * K0);  // found by the integrals, not set
+    EXPECT_NEAR(slides.stations[1].K_II, 0.5 * K0, 0.03 * K0);
+    EXPECT_NEAR(slides.stations[1].K_III, 0, 0.03 * K0);
+    const fem::FrontStation& opens = open.solid.fronts[front].stations[1];
+    EXPECT_NEAR(opens.K_I, std::sin(pi / 3) * K0, 0.04 * K0);
+    EXPECT_NEAR(opens.K_II, -0.5 * K0, 0.03 * K0);
+  }
+  EXPECT_NEAR(shut.growth_check, 0, 0.01);
+  EXPECT_TRUE(shut.usable) << shut.reason;
+  // Added compliance of a flat sheet in plane strain; the wall is between that and plane stress.
+  const double E = tube.material.youngs_modulus;
+  const double flat = 2 * pi * std::pow(0.5 * tube.half_length * shut.nominal_shear, 2) *
+                      tube.wall_thickness * (1 - 0.09) / E;
+  EXPECT_GT(shut.added_compliance, 0.97 * flat);
+  EXPECT_LT(shut.added_compliance, 1.03 * flat / (1 - 0.09));
+}
+
 // -45 degrees and the other torque: the mirror image.
 TEST(TubeThroughCrack, IdentityMirrorImage) {
   TubeWithThroughCrack tube = flexspline(10e-3, 30, 2);

@@ -67,8 +67,7 @@ struct CrackFront {
   double length{};             ///< of the front [m]
   double ring_spread{};        ///< of `release` between rings (innermost left out), relative [-]
   double mode_energy_ratio{};  ///< integral of G_of_K over that of G [-]; 1 in plane strain
-  double closed_K_I{};         ///< largest |K_I| found at closed stations, there set to 0, over the
-                               ///< largest K of the front [-]; 0 without closed stations
+  double closed_K_I{};         ///< largest |K_I| that (FE-24) left at closed stations [Pa*m^0.5]
 };
 
 /// Displacements and what follows from them, with its evidence.
@@ -79,7 +78,8 @@ struct SolidResult {
   double crack_volume{};     ///< integral of the opening over the crack [m^3]
   double contact_share{};    ///< share of the crack's area that touches [-]
   int contact_iterations{};  ///< steps of the contact problem; 0 when the faces do not touch
-  double contact_overlap{};  ///< deepest overlap left at a node, over the largest jump [-]
+  double contact_overlap{};  ///< deepest overlap left at a node, over the largest jump without
+                             ///< contact [-]
   std::vector<CrackFront> fronts;
   double worst_jacobian{};        ///< smallest scaled Jacobian determinant, 1 for a cuboid [-]
   double equilibrium_residual{};  ///< largest free nodal force over largest nodal load [-]
