@@ -204,10 +204,26 @@ def refusals(program, examples, folder):
     assert not [p for p in taken.iterdir() if p.is_file()], list(taken.iterdir())
 
 
+def batch_script(program, examples, folder):
+    """The example for Slurm, on one process, as Slurm would start it."""
+    script = examples / "slurm" / "through_crack.sbatch"
+    tools = folder / "bin"
+    tools.mkdir()
+    (tools / "strainwave-fe").symlink_to(pathlib.Path(program).resolve())
+    environment = dict(os.environ, SLURM_NTASKS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
+                       OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                       PATH=f"{tools}:{os.environ['PATH']}")
+    done = subprocess.run(["bash", script, examples / "solid_shaft.toml", folder / "batch"],
+                          env=environment, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr
+    assert "unknowns" in done.stdout, done.stdout
+    assert json.loads((folder / "batch" / "result.json").read_text())["usable"]
+
+
 def main():
     program, examples = sys.argv[1], pathlib.Path(sys.argv[2])
     with tempfile.TemporaryDirectory(prefix="strainwave fe ") as name:
-        for test in (wall, shaft, pictures, refusals):
+        for test in (wall, shaft, pictures, refusals, batch_script):
             test(program, examples, pathlib.Path(name))
             print(test.__name__, "passed")
 
