@@ -119,7 +119,8 @@ const std::array<CommandManual, 15> kCommands = {{
      "on to it: strainwave fe --help prints its options. It calculates an output shaft with "
      "annular cracks, cracks of the flexspline's wall and a sound flexspline by sections, "
      "with the evidence whether the answer may be used. strainwave fe tabulate makes a table of "
-     "many runs, which a crack can name as its compliance_table.",
+     "many runs, which a crack can name as its compliance_table; strainwave fe "
+     "render draws pictures of the strain energy and of the opened crack.",
      "strainwave fe examples/solid_shaft.toml --member output-shaft"},
     {"new", "Print a commented starting file",
      "Prints an input file that is valid as it stands, with every field that there is and its "

@@ -98,6 +98,9 @@ enum class Folder { vtu, pictures };
 /// Answers that are a folder of files.
 ExitCode run_into_folder(const Arguments& arguments, Folder kind, const fem::MpiSession& session) {
   const GearSet gear = input_of(arguments, session);
+  // Before the calculation, which may take long; write_files sees the rest.
+  if (std::filesystem::exists(arguments.output) && !std::filesystem::is_directory(arguments.output))
+    throw Error(arguments.output + ": is a file, and the results need a folder");
   fe_study::RunOptions options = options_of(arguments, session);
   options.fields =
       kind == Folder::vtu ? fe_study::RunFields::of_rank : fe_study::RunFields::everywhere;

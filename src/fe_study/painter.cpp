@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 
 #include "strainwave/chart/svg_text.hpp"
 
@@ -42,6 +43,15 @@ struct Extent {
     y1 = std::max(y1, p.y);
   }
 };
+
+/// A number of tenths, in as few characters as can be.
+std::string tenths(long value) {
+  const long size = std::abs(value);
+  std::string text = value < 0 ? "-" : "";
+  if (size >= 10 || size == 0) text += std::to_string(size / 10);
+  if (size % 10 != 0) text += fmt::format(".{}", size % 10);
+  return text;
+}
 
 }  // namespace
 
@@ -96,9 +106,22 @@ std::vector<PaperPoint> PaperPatch::outline() const {
 
 std::string path_of(std::span<const PaperPoint> points, bool closed) {
   std::string path;
-  for (const PaperPoint& p : points)
-    path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", p.x, p.y);
-  return path + (closed ? "Z" : "");
+  long x = 0;
+  long y = 0;
+  std::size_t corners = 0;
+  for (const PaperPoint& p : points) {
+    const long to_x = std::lround(10 * p.x);
+    const long to_y = std::lround(10 * p.y);
+    if (corners > 0 && to_x == x && to_y == y) continue;
+    // Steps from the last point, which was rounded too, are shorter than places.
+    path += corners == 0 ? "M" : corners == 1 ? "l" : " ";
+    path += tenths(to_x - x) + " " + tenths(to_y - y);
+    x = to_x;
+    y = to_y;
+    ++corners;
+  }
+  if (!closed) return path;
+  return corners < 3 ? std::string() : path + "z";
 }
 
 // --- bands

@@ -90,7 +90,7 @@ class DepthPainter {
   std::vector<Face> faces_;
 };
 
-/// "M1.0 2.0L3.0 4.0Z"
+/// "M1 2l.5 -3 4 0z": to a tenth of a px; nothing of a closed one that is smaller than that.
 [[nodiscard]] std::string path_of(std::span<const PaperPoint> points, bool closed);
 
 /// A number for people with three digits: "0.0123", "9 470", "1.20·10⁻⁵".

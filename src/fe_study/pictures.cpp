@@ -148,7 +148,7 @@ std::string shaft_picture(const ShaftPicture& picture, const ValueScale& scale,
   sheet.words({part.corner.x, below + 44}, "small",
               "Meridian section above the axis, and enlarged about the crack (black line)");
   axes(sheet, {part.corner.x + part.width() - 66, below + 52});
-  sheet.colour_bar({770, 166}, 316, scale, quantity, "more at the tip: singular");
+  sheet.colour_bar({770, 166}, 316, scale, quantity, "singular at the tip");
   return sheet.svg(what + " in the meridian section of a shaft, in colours");
 }
 

@@ -231,7 +231,7 @@ std::string WallPictures::surface(const ValueScale& scale, const std::string& wh
                           "outside",
                           wall_.inside ? "Inner" : "Outer"));
   axes(sheet, {kCorner.x + kSize + 40, kCorner.y + kSize + 44});
-  sheet.colour_bar({500, 150}, 316, scale, quantity, "more at the tips: singular");
+  sheet.colour_bar({500, 150}, 316, scale, quantity, "singular at the tips");
   whole_tube(sheet, {610, 120}, 270, 360, scale, value);
   sheet.words({610, 508}, "small",
               fmt::format("the tube: radius {}, length {},", in_mm(wall_.mean_radius),
@@ -461,7 +461,7 @@ std::string WallPictures::opened() const {
               fmt::format("Seen obliquely from {}; copper: faces of the crack; thin lines: "
                           "elements; the mean motion of the part is taken off",
                           wall_.inside ? "inside" : "outside"));
-  sheet.colour_bar({720, 150}, 316, scale, "w [J/m³]", "more at the tips: singular");
+  sheet.colour_bar({720, 150}, 316, scale, "w [J/m³]", "singular at the tips");
   axes(sheet, {720, kCorner.y + kHeight + 44});
   return sheet.svg("Deformed wall about a crack, displacements magnified");
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program from outside: what it prints, what it writes, how it ends.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -19,62 +17,27 @@
 #include <string>
 #include <vector>
 
+#include "support/program.hpp"
+
 namespace strainwave {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-struct Outcome {
-  int exit_code = -1;
-  std::string out;
-  std::string err;
-};
+using test::contents;
+using test::Outcome;
+using test::quoted;
 
-std::string contents(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-std::string quoted(const std::string& text) { return "'" + text + "'"; }
-
-/// A folder of its own for each test, with a blank in its name.
-class Program : public testing::Test {
+class Program : public test::ProgramTest {
  protected:
-  void SetUp() override {
-    folder_ =
-        fs::temp_directory_path() / ("strainwave cli " + std::to_string(::getpid()) + " " +
-                                     testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] fs::path in_folder(const std::string& name) const { return folder_ / name; }
-
-  Outcome run(const std::string& arguments, const std::string& before = {}) const {
-    const fs::path out = folder_ / "stdout.txt";
-    const fs::path err = folder_ / "stderr.txt";
-    const std::string command = before + quoted(STRAINWAVE_CLI) + " " + arguments + " >" +
-                                quoted(out.string()) + " 2>" + quoted(err.string());
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(out), contents(err)};
+  [[nodiscard]] Outcome run(const std::string& arguments, const std::string& before = {}) const {
+    return execute(before + quoted(STRAINWAVE_CLI) + " " + arguments);
   }
 
-  std::string write(const std::string& name, const std::string& text) const {
-    const fs::path file = folder_ / name;
-    std::ofstream(file, std::ios::binary) << text;
-    return quoted(file.string());
+  [[nodiscard]] std::string changed_article(const std::string& from, const std::string& to) const {
+    return changed("article.toml", from, to);
   }
-
-  /// The article's example with one text replaced by another.
-  std::string changed_article(const std::string& from, const std::string& to) const {
-    std::string text = contents(fs::path(STRAINWAVE_EXAMPLES) / "article.toml");
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return write("changed.toml", text.replace(at, from.size(), to));
-  }
-
-  fs::path folder_;
 };
 
 const std::string kArticle = quoted(STRAINWAVE_EXAMPLES "/article.toml");

@@ -159,7 +159,7 @@ def shaft(program, examples, folder):
 
 def pictures(program, examples, folder):
     names = []
-    for example, order in (("through_crack", 2), ("solid_shaft", 4)):
+    for example, order in (("through_crack", 2), ("solid_shaft", 3)):
         out = folder / "pictures"
         run(program, "render", examples / f"{example}.toml", "--order", order, "-o", out,
             codes=(0, 4))
@@ -194,20 +194,36 @@ def refusals(program, examples, folder):
     # A file of that name, and a folder in place of one of the files: nothing is left behind.
     blocked = folder / "blocked"
     blocked.write_text("mine")
-    done = run(program, "render", gear, *wanted, "-o", blocked, codes=(1, 70))
-    assert "no folder of this name" in done.stderr, done.stderr
+    done = run(program, "render", gear, *wanted, "-o", blocked, codes=(70,))
+    assert "blocked: is a file, and the results need a folder" in done.stderr, done.stderr
     assert blocked.read_text() == "mine"
     taken = folder / "taken"
     (taken / "output_shaft_crack_0_energy.svg.part").mkdir(parents=True)
-    done = run(program, "render", gear, *wanted, "-o", taken, codes=(1, 70))
+    done = run(program, "render", gear, *wanted, "-o", taken, codes=(70,))
     assert "cannot be written" in done.stderr, done.stderr
     assert not [p for p in taken.iterdir() if p.is_file()], list(taken.iterdir())
+
+
+def batch_script(program, examples, folder):
+    """The example for Slurm, on one process, as Slurm would start it."""
+    script = examples / "slurm" / "through_crack.sbatch"
+    tools = folder / "bin"
+    tools.mkdir()
+    (tools / "strainwave-fe").symlink_to(pathlib.Path(program).resolve())
+    environment = dict(os.environ, SLURM_NTASKS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
+                       OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                       PATH=f"{tools}:{os.environ['PATH']}")
+    done = subprocess.run(["bash", script, examples / "solid_shaft.toml", folder / "batch"],
+                          env=environment, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr
+    assert "unknowns" in done.stdout, done.stdout
+    assert json.loads((folder / "batch" / "result.json").read_text())["usable"]
 
 
 def main():
     program, examples = sys.argv[1], pathlib.Path(sys.argv[2])
     with tempfile.TemporaryDirectory(prefix="strainwave fe ") as name:
-        for test in (wall, shaft, pictures, refusals):
+        for test in (wall, shaft, pictures, refusals, batch_script):
             test(program, examples, pathlib.Path(name))
             print(test.__name__, "passed")
 

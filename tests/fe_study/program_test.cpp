@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // strainwave-fe from outside, by its own name and as `strainwave fe`.
+#include "support/program.hpp"
+
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -19,43 +19,15 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 constexpr double kPi = 3.14159265358979323846;
 
-struct Outcome {
-  int exit_code = -1;
-  std::string out;
-  std::string err;
-};
+using test::contents;
+using test::Outcome;
 
-std::string contents(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-class FeProgram : public testing::Test {
+class FeProgram : public test::ProgramTest {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("strainwave fe " + std::to_string(::getpid()));
-    fs::create_directories(folder_);
+  [[nodiscard]] Outcome run(const std::string& arguments,
+                            const std::string& program = "'" STRAINWAVE_FE "'") const {
+    return execute(program + " " + arguments);
   }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  Outcome run(const std::string& arguments, const std::string& program = "'" STRAINWAVE_FE "'") {
-    const std::string command = program + " " + arguments + " >'" + (folder_ / "out").string() +
-                                "' 2>'" + (folder_ / "err").string() + "'";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder_ / "out"),
-            contents(folder_ / "err")};
-  }
-
-  /// An example with one text replaced by another.
-  std::string changed(const std::string& example, const std::string& from, const std::string& to) {
-    std::string text = contents(fs::path(STRAINWAVE_EXAMPLES) / example);
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    std::ofstream(folder_ / "changed.toml") << text.replace(at, from.size(), to);
-    return "'" + (folder_ / "changed.toml").string() + "'";
-  }
-
-  fs::path folder_;
 };
 
 const std::string kShaft = "'" STRAINWAVE_EXAMPLES "/solid_shaft.toml'";

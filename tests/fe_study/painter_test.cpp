@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fe_study/painter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+
+#include "strainwave/fe_study/output_files.hpp"
+
+namespace strainwave::fe_study {
+namespace {
+
+TEST(Painter, ReferenceNumbersForPeople) {
+  EXPECT_EQ(shown_number(0), "0");
+  EXPECT_EQ(shown_number(0.31274), "0.313");
+  EXPECT_EQ(shown_number(-7.5), "−7.5");
+  EXPECT_EQ(shown_number(999.7), "1000");
+  EXPECT_EQ(shown_number(9473), "9470");
+  EXPECT_EQ(shown_number(20500), "20 500");
+  EXPECT_EQ(shown_number(6.2877e8), "6.29·10⁸");
+  EXPECT_EQ(shown_number(1.2e-5), "1.2·10⁻⁵");
+}
+
+TEST(Painter, IdentityRoundNumbersEncloseTheValue) {
+  EXPECT_EQ(round_up(8.3), 10);
+  EXPECT_EQ(round_up(1.2), 1.5);
+  EXPECT_EQ(round_up(3), 3);
+  EXPECT_EQ(round_down(14374), 10000);
+  EXPECT_EQ(round_down(5), 5);
+  EXPECT_EQ(round_down(4.9), 2);
+  for (double value = 1e-7; value < 1e7; value *= 1.37) {
+    EXPECT_GE(round_up(value), value);
+    EXPECT_LE(round_up(value), 1.55 * value);
+    EXPECT_LE(round_down(value), value * (1 + 1e-9));
+    EXPECT_GE(round_down(value), 0.39 * value);
+  }
+}
+
+TEST(Painter, ReferenceBandsAndColours) {
+  const ValueScale scale{.map = ColourMap::rising, .lower = -1, .upper = 3, .bands = 8};
+  EXPECT_EQ(scale.band(-5), 0U);
+  EXPECT_EQ(scale.band(-0.51), 0U);
+  EXPECT_EQ(scale.band(-0.49), 1U);
+  EXPECT_EQ(scale.band(7), 7U);
+  EXPECT_EQ(scale.level(1), -0.5);
+  EXPECT_EQ(scale.colour(0), "#440154");  // the ends of viridis
+  EXPECT_EQ(scale.colour(7), "#fde725");
+  const ValueScale both{.map = ColourMap::diverging, .lower = -2, .upper = 2, .bands = 21};
+  EXPECT_EQ(both.colour(both.band(0)), "#f7f7f7");
+}
+
+TEST(Painter, IdentityPathsAreShortAndDropWhatIsTooSmall) {
+  EXPECT_EQ(path_of(std::array{PaperPoint{1, 2}, PaperPoint{1.5, -1}, PaperPoint{5.5, -1}}, true),
+            "M1 2l.5 -3 4 0z");
+  EXPECT_EQ(path_of(std::array{PaperPoint{1, 2}, PaperPoint{1.01, 2}, PaperPoint{5, 2}}, true), "");
+  EXPECT_EQ(path_of(std::array{PaperPoint{1, 2}, PaperPoint{2, 2}}, false), "M1 2l1 0");
+}
+
+// A square of 100 px whose value rises from 0 to 4 in x: each band begins where its value does.
+TEST(Painter, ReferenceBandsOfARamp) {
+  BandPainter painter({.map = ColourMap::rising, .lower = 0, .upper = 4, .bands = 4});
+  painter.patch(
+      {.divisions = 1, .points = {{0, 0}, {100, 0}, {0, 100}, {100, 100}}, .values = {0, 4, 0, 4}});
+  const std::string svg = painter.svg();
+  const std::size_t at = svg.find("#fde725");
+  ASSERT_NE(at, std::string::npos) << svg;
+  // The last band is what has 3 and more: a triangle at the right edge, from x = 75 on.
+  const std::string last = svg.substr(at);
+  EXPECT_NE(last.find("M75 25l25 -25"), std::string::npos) << last;
+  EXPECT_EQ(last.find("M50"), std::string::npos) << last;
+}
+
+TEST(OutputFiles, IdentityStemOfAPath) {
+  EXPECT_EQ(file_stem("flexspline.crack[10]"), "flexspline_crack_10");
+  EXPECT_EQ(file_stem("output_shaft.crack[0]"), "output_shaft_crack_0");
+}
+
+}  // namespace
+}  // namespace strainwave::fe_study
