@@ -41,7 +41,7 @@ OTHER = {
                   for n, m, k in ((32, 14, 1), (40, 18, 1), (48, 20, 1), (40, 18, 2), (48, 20, 2))],
     "ordinary": [tube.Fineness(round_crack=n, away=m, through_wall=k, towards_tip=0.3,
                                square_root=False)
-                 for n, m, k in ((64, 28, 1), (64, 28, 2), (80, 36, 2))],
+                 for n, m, k in ((64, 28, 1), (64, 28, 2), (68, 30, 2), (80, 36, 2))],
 }
 
 
