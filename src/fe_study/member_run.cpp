@@ -39,7 +39,7 @@ RunSize size_of(std::string path, const fem::SectionMesh& mesh, std::size_t comp
 }
 
 /// One solution of a solid, measured at order 3 from 27 to 125 thousand unknowns, one and two cells
-/// through the wall, and at order 2: time -10 to +50 %, memory +-20 %.
+/// through the wall, and at order 2 and 4: time -5 to +50 %, memory -10 to +20 %.
 constexpr double kSolidUnknowns = 1e5;
 constexpr double kSolidSeconds = 6.1;  ///< at kSolidUnknowns [s]
 constexpr double kSolidSecondsExponent = 1.36;

@@ -55,7 +55,9 @@ class Mumps {
     id_.job = job;
     dmumps_c(&id_);
     const int code = id_.infog[0];
-    if (code == -10) throw SolverError("the direct solver failed: the body can move as a whole");
+    const bool indefinite = job == kAnalyseAndFactor && id_.infog[11] > 0;  // a negative pivot
+    if (code == -10 || indefinite)
+      throw SolverError("the direct solver failed: the body can move as a whole");
     if (code == -13 || code == -7 || code == -5)
       throw SolverError("the direct solver failed: there is too little memory");
     if (code < 0)
