@@ -51,7 +51,9 @@ struct DirectSolver::Mumps {
     id_.job = job;
     dmumps_c(&id_);
     const int code = id_.infog[0];
-    if (code == -10) throw SolverError("the direct solver failed: the body can move as a whole");
+    const bool indefinite = job == kAnalyseAndFactor && id_.infog[11] > 0;  // a negative pivot
+    if (code == -10 || indefinite)
+      throw SolverError("the direct solver failed: the body can move as a whole");
     if (code == -13 || code == -7 || code == -5)
       throw SolverError("the direct solver failed: there is too little memory");
     if (code < 0)
@@ -132,17 +134,19 @@ CondensedMatrix condense(const Eigen::MatrixXd& stiffness, Eigen::Index inner) {
   CondensedMatrix result{.factor = stiffness.topLeftCorner(inner, inner),
                          .coupling = stiffness.bottomLeftCorner(outer, inner).transpose(),
                          .outer = stiffness.bottomRightCorner(outer, outer)};
-  if (inner == 0 || outer == 0) return result;
+  if (inner == 0) return result;
   const int i = static_cast<int>(inner);
   const int o = static_cast<int>(outer);
   int info = 0;
   dpotrf_("L", &i, result.factor.data(), &i, &info);
   if (info != 0)
     throw SolverError("a cell's stiffness is not positive definite: the mesh is tangled");
+  if (outer == 0) return result;
   const double one = 1;
   const double minus_one = -1;
   dtrsm_("L", "L", "N", "N", &i, &o, &one, result.factor.data(), &i, result.coupling.data(), &i);
-  dsyrk_("L", "T", &o, &i, &minus_one, result.coupling.data(), &i, &one, result.outer.data(), &o);
+  dsyrk_("L", "T", &o, &i, &minus_one, result.coupling.data(), &i, &one, result.outer.data(),
+         &o);  // (FE-45)
   return result;
 }
 

@@ -6,7 +6,6 @@ run strainwave-fe, which a reference never does.
 """
 import os
 import pathlib
-import resource
 import subprocess
 import tempfile
 import time

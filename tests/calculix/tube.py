@@ -31,6 +31,7 @@ class Fineness:
     round_tube: int = 12    # cells of the rest of the circumference
     through_wall: int = 1
     towards_tip: float = 0.0  # 0: nu even; < 1: closer at the tips
+    square_root: bool = True  # False: middle nodes halfway in the plane, not in (mu, nu)
 
 
 def mesh(a, fine, cracked=True):
@@ -53,6 +54,12 @@ def mesh(a, fine, cracked=True):
     s = np.clip((mu_ - 0.8) / (last - 0.8), 0, 1)
     share = s ** 3 * (10 - 15 * s + 6 * s * s)
     plane = (1 - share) * ellipse + share * square  # [mu, nu], real: round the tube, imaginary: along
+    if not fine.square_root:  # straight edges within the grid of ellipses
+        closed = np.concatenate([plane, plane[:, :1]], axis=1)
+        inside = slice(0, 2 * (m // 2) + 1)
+        closed[inside, 1::2] = (closed[inside, 0:-1:2] + closed[inside, 2::2]) / 2
+        closed[1:inside.stop:2] = (closed[0:inside.stop - 1:2] + closed[2:inside.stop:2]) / 2
+        plane = closed[:, :-1]
     # The rest of the circumference: from the square's right side to its left one.
     edge = plane[-1]
     corner = 2 * n // 4  # nodes of a side; nu = 0 is the upper right corner
@@ -131,7 +138,8 @@ def release_rate(a, fine, step=0.03):
     """G/(K0^2/E) by central difference of the compliance, K0 = tau sqrt(pi a), tau = T R/J."""
     less, more = solve(a * (1 - step), fine), solve(a * (1 + step), fine)
     G = TORQUE ** 2 / 2 * COMPLIANCE_WITHOUT * (more["compliance"] - less["compliance"]) / (4 * step * a * T)
-    return {**more, "G": G / ((TORQUE * R / J) ** 2 * np.pi * a / E)}
+    return {**more, "cpu_s": min(less["cpu_s"], more["cpu_s"]),
+            "G": G / ((TORQUE * R / J) ** 2 * np.pi * a / E)}
 
 
 if __name__ == "__main__":

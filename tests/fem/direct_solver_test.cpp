@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// The private equation solver, against dense matrices of Eigen.
+#include "fem/direct_solver.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "strainwave/core/error.hpp"
+#include "support/mpi.hpp"
+
+namespace strainwave::fem {
+namespace {
+
+/// Symmetric positive definite, full.
+Eigen::MatrixXd definite(Eigen::Index n) {
+  Eigen::MatrixXd a(n, n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j) a(i, j) = std::sin(static_cast<double>(1 + 3 * i + 7 * j));
+  return a * a.transpose() + Eigen::MatrixXd::Identity(n, n);
+}
+
+SymmetricEntries lower_entries(const Eigen::MatrixXd& a) {
+  SymmetricEntries entries;
+  for (int i = 0; i < a.rows(); ++i)
+    for (int j = 0; j <= i; ++j) {  // in two parts, and the second in the other triangle
+      entries.add(i + 1, j + 1, 0.25 * a(i, j));
+      entries.add(j + 1, i + 1, 0.75 * a(i, j));
+    }
+  return entries;
+}
+
+// Rounding.
+TEST(DirectSolver, CrosscheckDenseMatrix) {
+  test::start_mpi();
+  const Eigen::MatrixXd a = definite(12);
+  std::vector<double> rhs(12);
+  for (std::size_t i = 0; i < rhs.size(); ++i) rhs[i] = static_cast<double>(i) - 4;
+  const Eigen::VectorXd expected = a.llt().solve(Eigen::Map<Eigen::VectorXd>(rhs.data(), 12));
+  DirectSolver solver(lower_entries(a), 12);
+  EXPECT_GT(solver.operations(), 0);
+  std::vector<double> both = rhs;  // and another one behind it, twice as large
+  for (const double f : rhs) both.push_back(2 * f);
+  for (const std::vector<double>& found : {solver.solve(rhs), solver.solve(both, 2)})
+    for (std::size_t i = 0; i < found.size(); ++i)
+      EXPECT_NEAR(found[i], (i < 12 ? 1 : 2) * expected(static_cast<Eigen::Index>(i % 12)),
+                  1e-11 * expected.norm())
+          << i;
+}
+
+// FE-45: what is left after the inner unknowns is the inverse of the outer block of the inverse.
+TEST(DirectSolver, IdentityCondensedMatrix) {
+  const Eigen::MatrixXd a = definite(9);
+  const Eigen::MatrixXd inverse = a.inverse();
+  for (const Eigen::Index inner : {0, 1, 5}) {
+    const Eigen::Index outer = 9 - inner;
+    const CondensedMatrix found = condense(a.triangularView<Eigen::Lower>(), inner);
+    const Eigen::MatrixXd all = found.outer.selfadjointView<Eigen::Lower>();
+    const Eigen::MatrixXd expected = inverse.bottomRightCorner(outer, outer).inverse();
+    EXPECT_LT((all - expected).norm(), 1e-11 * a.norm()) << inner;
+    const Eigen::MatrixXd factor = found.factor.triangularView<Eigen::Lower>();
+    EXPECT_LT((factor * found.coupling - a.topRightCorner(inner, outer)).norm(), 1e-12 * a.norm());
+  }
+}
+
+TEST(DirectSolver, IdentityLowerSquare) {
+  const Eigen::MatrixXd a = definite(7).leftCols(4);
+  const Eigen::MatrixXd found = lower_square(a).selfadjointView<Eigen::Lower>();
+  EXPECT_LT((found - a * a.transpose()).norm(), 1e-13 * found.norm());
+}
+
+TEST(DirectSolver, InputNotDefinite) {
+  test::start_mpi();
+  Eigen::MatrixXd a = definite(4);
+  a.row(3) = a.row(2);
+  a.col(3) = a.col(2);
+  a(3, 3) = a(2, 2) - 1;  // indefinite
+  EXPECT_THROW(DirectSolver(lower_entries(a), 4), SolverError);
+  EXPECT_THROW((void)condense(a, 4), SolverError);
+  Eigen::MatrixXd spring(2, 2);  // that nothing holds
+  spring << 1, -1, -1, 1;
+  EXPECT_THROW(DirectSolver(lower_entries(spring), 2), SolverError);
+}
+
+}  // namespace
+}  // namespace strainwave::fem
