@@ -174,7 +174,8 @@ angle = "{float(degrees)!r} deg"
         for name, k in (("inner", 0), ("middle", len(stations[0]) // 2), ("outer", -1)):
             for mode in ("K_I", "K_II"):
                 mean = sum(value(front[k][mode]) for front in stations) / len(stations)
-                result[f"{mode}_{name}"] = mean / unit
+                # The elements count sliding in the other sense.
+                result[f"{mode}_{name}"] = (mean if mode == "K_I" else -mean) / unit
         evidence = sense["evidence"]
         growth = evidence["growth_check"]
         growth = "not run" if growth is None else f"{abs(growth):.0e}"
@@ -430,7 +431,7 @@ def table(program):
                 print("| " + " | ".join(header) + " |\n|" + "---:|" * len(header))
             cells = [f"{x:g}" for x in own]
             for case in cases:
-                if case.startswith("K_II_"):  # about zero at 45 degrees: the difference itself
+                if case.startswith(("K_I_", "K_II_")):  # of tau sqrt(pi a): some are about zero
                     cells.append(f"{100 * (closed[case] - elements[case]):+.1f}")
                 else:
                     cells.append(f"{100 * (closed[case] / elements[case] - 1):+.2f}"

@@ -53,8 +53,7 @@ inline constexpr ModelAccuracy kThroughCrackAxial{
 inline constexpr ModelAccuracy kThroughCrackPressed{
     0.10, "faces that touch slide without friction: not compared with finite elements"};
 inline constexpr ModelAccuracy kThroughCrackIntensity{
-    0.05,
-    "K of a thin sheet: up to 5 % too large for a short crack, up to 3 % too small for a long one"};
+    0.08, "K of a sheet: finite elements have up to 8 % more in the middle of the wall"};
 inline constexpr ModelAccuracy kAnnularTensionOtherRatio{
     0.03, "fits and table are those of Poisson's ratio 0.3: 2.5 % at 0 and 0.45"};
 inline constexpr ModelAccuracy kDiaphragmArc{
