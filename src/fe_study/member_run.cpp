@@ -41,7 +41,7 @@ RunSize size_of(std::string path, const fem::SectionMesh& mesh, std::size_t comp
 /// The same for solids, order 3; a solid of order p costs about (p/3)^2 of that per unknown.
 constexpr double kSolidSecondsPerDof = 1e-4;
 constexpr double kSolidBytesPerDof = 1.5e4;
-/// Three crack sizes opened, and the same closed with the two rounds that contact takes.
+/// Three crack sizes opened, and the same closed; the contact of all three costs two more.
 constexpr std::size_t kTubeSolutions = 8;
 
 /// The wall that carries a crack, alone: a tube.
