@@ -5,7 +5,7 @@
     third_road.py shaft STRAINWAVE_FE
     third_road.py tube THROUGH_CRACK_BENCHMARK
 
-Runs our own on the example (of the tube one solution, opened: the program solves eight), and ccx on
+Runs our own on the example (of the tube one solution, opened: the program solves six), and ccx on
 two finenesses of its mesh, and demands that they agree within the discretisation errors of both:
 that of ccx from its two finenesses, our own as the theory manual states it.
 """

@@ -134,6 +134,22 @@ TEST(TubeThroughCrack, LimitShortCrackSlidesWhenClosed) {
   EXPECT_LT(shut.added_compliance, 1.03 * flat / (1 - 0.09));
 }
 
+// (FE-31): the faces of a crack of 20 mm are so curved that without the work of the pressure the
+// energy release rate differs by 2.2 % between rings (order 3), with it by 5e-5.
+TEST(TubeThroughCrack, IdentityPathIndependenceOfALongSlidingCrack) {
+  TubeWithThroughCrack tube = flexspline(20e-3, 30, 2);
+  tube.layers = 1;
+  tube.rings = 4;
+  tube.growth = 3;
+  tube.sense = TorqueSense::negative;
+  const TubeCrackResult shut = solve_tube_with_through_crack(tube);
+  EXPECT_TRUE(shut.closed);
+  for (const fem::CrackFront& front : shut.solid.fronts) {
+    EXPECT_LT(front.ring_spread, 8e-3);  // order 2
+    EXPECT_GT(front.stations[1].K_II, 0);
+  }
+}
+
 // -45 degrees and the other torque: the mirror image.
 TEST(TubeThroughCrack, IdentityMirrorImage) {
   TubeWithThroughCrack tube = flexspline(10e-3, 30, 2);
@@ -150,14 +166,26 @@ TEST(TubeThroughCrack, IdentityMirrorImage) {
   EXPECT_GT(std::abs(a.K_II), 0.2 * a.K_I);
 }
 
-// An axial crack under torsion slides: closed and open at once, K_II = tau sqrt(pi a) f.
+// An axial crack under torsion slides, by symmetry without opening: K_II = -+ tau sqrt(pi a), the
+// same in both senses.
 TEST(TubeThroughCrack, LimitShortAxialCrackSlides) {
-  const TubeWithThroughCrack tube = flexspline(2.5e-3, 0, 2);
+  TubeWithThroughCrack tube = flexspline(2.5e-3, 0, 2);
+  tube.layers = 1;
+  tube.rings = 4;
   const TubeCrackResult result = solve_tube_with_through_crack(tube);
-  const fem::FrontStation& s = result.solid.fronts[0].stations[1];
+  tube.sense = TorqueSense::negative;
+  const TubeCrackResult other = solve_tube_with_through_crack(tube);
   const double K0 = result.nominal_shear * std::sqrt(pi * tube.half_length);
-  EXPECT_NEAR(s.K_I, 0, 2e-2 * K0);
-  EXPECT_NEAR(std::abs(s.K_II), K0, 0.06 * K0);
+  for (std::size_t front = 0; front < 2; ++front) {
+    const fem::FrontStation& s = result.solid.fronts[front].stations[1];
+    const fem::FrontStation& o = other.solid.fronts[front].stations[1];
+    EXPECT_NEAR(s.K_I, 0, 1e-3 * K0);
+    EXPECT_GE(s.K_I, 0);
+    EXPECT_NEAR(s.K_II, -K0, 0.06 * K0);
+    EXPECT_NEAR(o.K_II, -s.K_II, 1e-3 * K0);
+    EXPECT_NEAR(o.K_I, 0, 1e-3 * K0);
+  }
+  test::expect_relative(other.energy_release_rate, result.energy_release_rate, 1e-3);
 }
 
 TEST(TubeThroughCrack, InputValuesOutOfRangeAreRefused) {

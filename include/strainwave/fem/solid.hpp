@@ -54,11 +54,13 @@ struct FrontStation {
   Point3 place{};                ///< [m]
   double energy_release_rate{};  ///< G by domain integral [J/m^2], (FE-23)
   double ring_spread{};          ///< largest difference between rings, relative to the mean G [-]
-  bool closed = false;           ///< the faces touch here (contact only): K_I is exactly 0
-  double K_I{};                  ///< [Pa*m^0.5], (FE-24); rescaled to G
-  double K_II{};                 ///< [Pa*m^0.5]
-  double K_III{};                ///< [Pa*m^0.5]
-  double G_of_K{};               ///< of the K before they were rescaled to G [J/m^2], (FE-25)
+  /// Contact only: most places next to the station touch, or (FE-24) gave less than 0 (how much:
+  /// CrackFront::closed_K_I).  K_I is exactly 0.
+  bool closed = false;
+  double K_I{};     ///< [Pa*m^0.5], (FE-24); rescaled to G
+  double K_II{};    ///< [Pa*m^0.5]
+  double K_III{};   ///< [Pa*m^0.5]
+  double G_of_K{};  ///< of the K before they were rescaled to G [J/m^2], (FE-25)
 };
 
 struct CrackFront {

@@ -31,7 +31,8 @@ struct StraightCrackBlock {
 };
 
 /// Displacements and fracture quantities of the block; front 0 is the tip at +a, a centre crack
-/// has front 1 at -a.  Accuracy of K_I at order 3: 0.1 % (centre and edge crack, a/W = 0.5).
+/// has front 1 at -a.  Accuracy of K_I at order 3: 0.1 % (centre and edge crack, a/W = 0.5),
+/// 0.3 % of a centre crack that bending closes by a third.
 ///
 /// @throws InputError  a value out of range
 [[nodiscard]] fem::SolidResult straight_crack_block(const StraightCrackBlock& block);
