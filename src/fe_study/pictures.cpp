@@ -158,7 +158,8 @@ std::string over_depth(const ShaftCrackRun& run, const GearSet& gear,
   constexpr int kPoints = 60;
   constexpr double kMPa = 1e6;
   const double depth = run.section.crack->depth;
-  PlotPanel panel{.title = run.path + ": stress intensity over the depth of the crack",
+  PlotPanel panel{.title = fmt::format("{}: stress intensity over depth{}", run.path,
+                                       captions.size() > 2 ? "; NOT usable" : ""),
                   .subtitle = captions.front(),
                   .x_label = "depth a [mm]",
                   .y_label = "stress intensity factor K [MPa·√m]"};

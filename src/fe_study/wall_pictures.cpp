@@ -472,11 +472,13 @@ std::string WallPictures::stress_intensity() const {
   const std::array names = {"K_I", "K_II", "K_III"};
   const std::array modes = {&fem::FrontStation::K_I, &fem::FrontStation::K_II,
                             &fem::FrontStation::K_III};
-  PlotPanel panel{.title = titled("stress intensity along the crack front"),
-                  .subtitle = fmt::format("{}; {}, faces {}", wall_.description,
-                                          torque_text(wall_.torque), wall_.state),
-                  .x_label = wall_.along + " [mm]",
-                  .y_label = "stress intensity factor K [MPa·√m]"};
+  PlotPanel panel{
+      .title = titled(wall_.fault.empty() ? "stress intensity along the crack front"
+                                          : "stress intensity along the crack front; NOT usable"),
+      .subtitle = fmt::format("{}; {}, faces {}", wall_.description, torque_text(wall_.torque),
+                              wall_.state),
+      .x_label = wall_.along + " [mm]",
+      .y_label = "stress intensity factor K [MPa·√m]"};
   for (std::size_t f = 0; f < wall_.solid->fronts.size(); ++f) {
     const std::vector<fem::FrontStation>& stations = wall_.solid->fronts[f].stations;
     for (std::size_t mode = 0; mode < 3; ++mode) {
