@@ -100,21 +100,24 @@ double DirectSolver::megabytes() const { return static_cast<double>(mumps_->id_.
 
 double DirectSolver::operations() const { return mumps_->id_.rinfog[2]; }
 
-void choose_blas_kernels() {
+void prepare_blas() {
+  const auto function = [](const char* name) { return dlsym(RTLD_DEFAULT, name); };
+  if (!std::getenv("OMP_NUM_THREADS") && !std::getenv("OPENBLAS_NUM_THREADS"))
+    if (void* const threads = function("openblas_set_num_threads"))
+      reinterpret_cast<void (*)(int)>(threads)(1);
 #ifdef __x86_64__
-  const auto named = reinterpret_cast<const char* (*)()>(dlsym(RTLD_DEFAULT, "gotoblas_corename"));
-  const auto forget = reinterpret_cast<void (*)()>(dlsym(RTLD_DEFAULT, "gotoblas_dynamic_quit"));
-  const auto choose = reinterpret_cast<void (*)()>(dlsym(RTLD_DEFAULT, "gotoblas_dynamic_init"));
+  void* const named = function("gotoblas_corename");
+  void* const forget = function("gotoblas_dynamic_quit");
+  void* const choose = function("gotoblas_dynamic_init");
   if (!named || !forget || !choose || std::getenv("OPENBLAS_CORETYPE")) return;
-  if (named() != std::string_view("Prescott")) return;
-  const bool haswell = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  const bool skylake = haswell && __builtin_cpu_supports("avx512f") &&
-                       __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
-                       __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512cd");
-  if (!haswell) return;
+  if (reinterpret_cast<const char* (*)()>(named)() != std::string_view("Prescott")) return;
+  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) return;
+  const bool skylake = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+                       __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl") &&
+                       __builtin_cpu_supports("avx512cd");
   setenv("OPENBLAS_CORETYPE", skylake ? "SkylakeX" : "Haswell", 0);
-  forget();
-  choose();
+  reinterpret_cast<void (*)()>(forget)();
+  reinterpret_cast<void (*)()>(choose)();
   unsetenv("OPENBLAS_CORETYPE");
 #endif
 }

@@ -44,12 +44,13 @@ class DirectSolver {
   std::unique_ptr<Mumps> mumps_;
 };
 
-/// Gives OpenBLAS the kernels of this processor where it does not know it.
+/// Sets up OpenBLAS, if it is that: before the first use of BLAS.
 ///
-/// OpenBLAS 0.3.21 of Debian 12 falls back to those of a Pentium 4 ("Prescott") on processors that
-/// are newer than itself: a fifth of the speed.  Does nothing with another BLAS, or where
-/// OPENBLAS_CORETYPE is set.  Before the first use of BLAS.
-void choose_blas_kernels();
+/// One thread, unless OMP_NUM_THREADS or OPENBLAS_NUM_THREADS say otherwise: more only wait for
+/// each other in matrices as small as ours.  And the kernels of this processor where OpenBLAS does
+/// not know it: 0.3.21 of Debian 12 falls back to those of a Pentium 4 ("Prescott"), a fifth of the
+/// speed, on processors newer than itself; unless OPENBLAS_CORETYPE says which.
+void prepare_blas();
 
 // Dense matrices by BLAS and LAPACK, which unlike our own code are compiled for the processor.
 

@@ -46,7 +46,7 @@ struct MpiSession::Impl {
 };
 
 MpiSession::MpiSession(int& argc, char**& argv) {
-  choose_blas_kernels();
+  prepare_blas();
   // Open MPI, started without mpirun: no daemon, for we start no further processes.
   setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   impl_ = new Impl{dealii::Utilities::MPI::MPI_InitFinalize(argc, argv, 1)};
