@@ -250,7 +250,8 @@ angle = "{float(degrees)!r} deg"
         a = depth * t
         tau = TORQUE / (2 * math.pi * RADIUS ** 2 * t)
         return {"C": added * TORQUE ** 2 * E / (2 * math.pi * tau ** 2 * a ** 3 / aspect),
-                **{mode: abs(value(K[mode])) / (tau * math.sqrt(math.pi * a)) for mode in ("K_I", "K_III")}}
+                **{mode: abs(value(K[mode])) / (tau * math.sqrt(math.pi * a))
+                   for mode in (("K_I",) if point[3] == 45 else ("K_I", "K_III"))}}
 
     @classmethod
     def elements(cls, point, answer):

@@ -198,6 +198,8 @@ class Maker {
                                      .stress_nonuniformity = K_u,
                                      .poissons_ratio = steel_.nu,
                                      .shell_correction = crack.shell_correction};
+    const CrackPlaneStress plane =
+        crack_plane_stress(wall.mean_radius, wall.thickness, crack.angle, K_u);
     const AssemblyStress bending = assembly_of(made, wall, crack.angle);
     if (on_rim(crack.section)) made.undecided = kRim;
     made.moduli.opening = steel_.E;
@@ -206,11 +208,19 @@ class Maker {
     const double T = T_;
     made.front = [=](double a, double sense) {
       const double root = std::sqrt(pi * a);
+      ThroughCrackInTube pressed = through;
+      pressed.open = false;
+      const bool faces_pressed = plane.normal[kAxial] * P + plane.normal[kTorsion] * sense * T < 0;
       std::vector<FrontModes> front;
-      for (const double s : {-1.0, 0.0, 1.0})
+      for (const double s : {-1.0, 0.0, 1.0}) {
+        std::array<double, 3> load = modes(through.stress_intensity(a, s), P, sense * T);
+        if (faces_pressed) {  // (FR-17): they carry what presses them, and slide by the shear alone
+          load[0] = std::min(load[0], 0.0);
+          load[1] = modes(pressed.stress_intensity(a, s), P, sense * T)[1];
+        }
         // (FA-14): the whole of the outer fibre's stress.
-        front.push_back({modes(through.stress_intensity(a, s), P, sense * T),
-                         {bending.normal * root, bending.shear * root, 0.0}});
+        front.push_back({load, {bending.normal * root, bending.shear * root, 0.0}});
+      }
       return front;
     };
     const double round = 2 * pi * wall.mean_radius;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "strainwave/fracture/annular_crack.hpp"
+#include "strainwave/fracture/surface_crack.hpp"
 #include "strainwave/fracture/through_crack.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
@@ -104,6 +105,40 @@ TEST(Judgement, CrosscheckThroughCracks) {
   }
   EXPECT_GE(seen["C"], 50);
   EXPECT_EQ(seen["C"], seen["G"]);
+}
+
+TEST(Judgement, CrosscheckSurfaceCracks) {
+  int seen = 0;
+  for (const test::CsvRow& row : test::read_reference_csv("judgement_surface")) {
+    constexpr double kRatio = 0.3;  // Poisson's
+    const double t = 1 / row("radius_ratio");
+    const double a = row("depth_ratio") * t;
+    const CrackPlaneStress stress = crack_plane_stress(1, t, row("angle"), 1);
+    const SurfaceCrack<2> crack({.depth = a,
+                                 .aspect_ratio = row("aspect_ratio"),
+                                 .thickness = t,
+                                 .poissons_ratio = kRatio,
+                                 .normal_stress = stress.normal,
+                                 .shear_stress = stress.shear});
+    const double tau = 1 / (2 * pi * t);
+    const UnitStressIntensity<2> k = crack.stress_intensity(a, pi / 2);
+    const double E_prime = kJudgedE / (1 - kRatio * kRatio);
+    const CrackModuli moduli{.opening = E_prime, .shear = kJudgedE / (2 * (1 + kRatio))};
+    const double root = tau * std::sqrt(pi * a);
+    const double ours = row.quantity == "K_I" ? k.I[kTorsion] / root
+                        : row.quantity == "K_III"
+                            ? std::abs(k.III[kTorsion]) / root
+                            : added_compliance(crack, moduli).matrix(1, 1) * kJudgedE *
+                                  row("aspect_ratio") / (2 * pi * tau * tau * a * a * a);
+    const double of_compliance =
+        std::abs(row("angle") - pi / 4) < 1e-9
+            ? double{accuracy::kSurfaceCrack}
+            : accuracy::combined(accuracy::kSurfaceCrack, accuracy::kSurfaceCrackShear);
+    EXPECT_NEAR(ours / row.value, 1, row.quantity == "C" ? of_compliance : of_compliance / 2)
+        << row.place << ": " << row.quantity;
+    ++seen;
+  }
+  EXPECT_GE(seen, 2);
 }
 
 TEST(Judgement, CrosscheckSoundCups) {

@@ -205,8 +205,19 @@ template <SweptCrack Crack>
     for (std::size_t n = 0; n < scale.upper.size(); ++n) matrix.upper[n] /= scale.upper[n];
     return matrix;
   };
-  const auto integral =
-      integrate([&](const Real& a) { return scaled(along_front(a)); }, 0.0, crack.size(), options);
+  const auto integral = [&] {
+    if constexpr (WallCrack<Crack>) {
+      // A power of a that is no integer is smoother in the square root of a.
+      const auto over_root = [&](double u) {
+        const Real a = crack.size() * (u * u);
+        return scaled(along_front(a)) * (2 * u * crack.size());
+      };
+      return integrate(over_root, 0.0, 1.0, options);
+    } else {
+      return integrate([&](const Real& a) { return scaled(along_front(a)); }, 0.0, crack.size(),
+                       options);
+    }
+  }();
 
   result.matrix = integral.value;
   for (std::size_t n = 0; n < scale.upper.size(); ++n) result.matrix.upper[n] *= scale.upper[n];
