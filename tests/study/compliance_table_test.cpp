@@ -28,9 +28,9 @@ TEST(ShippedTable, ReferenceBetweenItsPoints) {
   const Quantity added = added_at(example(), 10e-3);
   const double fresh = 1.0988936940e-9;
   EXPECT_NEAR(added.value / fresh, 1, *added.relative_uncertainty);
-  EXPECT_LT(*added.relative_uncertainty, 0.02);
+  EXPECT_LT(*added.relative_uncertainty, 0.005);
   // The interpolation alone is far better than the stated error.
-  EXPECT_NEAR(added.value / fresh, 1, 0.003);
+  EXPECT_NEAR(added.value / fresh, 1, 5e-4);
 }
 
 // A shorter crack is in the range of the closed form, which is 10 % accurate.
