@@ -41,6 +41,7 @@ constexpr double kShaftErrorAtBest = 2e-4;  // five depths of (FE-8)
 
 /// A kind of crack as a table has it.  Another kind is one more of these.
 struct Family {
+  int order = 0;  ///< p where none is given
   std::string_view equations;
   std::string_view held;
   std::vector<TableColumn> columns;
@@ -97,7 +98,8 @@ TableRow tube_row(const RunResult& result) {
 }
 
 Family tube_family() {
-  Family family{.equations = "FE-23 FE-24 FE-26 FE-28 FE-42",
+  Family family{.order = kSolidOrder,
+                .equations = "FE-23 FE-24 FE-26 FE-28 FE-42",
                 .held =
                     "alone, halfway along a tube that is clamped at one end and twisted at the "
                     "other; K of the tip toward +z, from the inner face to the outer",
@@ -137,7 +139,8 @@ TableRow shaft_row(const RunResult& result) {
 }
 
 Family shaft_family() {
-  return {.equations = "FE-3 FE-6 FE-7 FE-8 FE-9 FE-42",
+  return {.order = kSectionOrder,
+          .equations = "FE-3 FE-6 FE-7 FE-8 FE-9 FE-42",
           .held = "alone, halfway along the shaft; K is the same all round",
           .columns = {{"added_compliance_torsion", std::string(kComplianceUnit)},
                       {"added_compliance_tension", "m/N"},
@@ -150,7 +153,9 @@ Family shaft_family() {
 }
 
 Family family_of(std::string_view kind) {
-  return kind == WallThroughCrack::kKind ? tube_family() : shaft_family();
+  if (kind == WallThroughCrack::kKind) return tube_family();
+  if (kind == AnnularCrack::kKind) return shaft_family();
+  throw InputError("--crack", fmt::format("no table is made of cracks of kind \"{}\"", kind));
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -369,8 +374,7 @@ TableStudy table_study(const GearSet& gear, const std::string& input, const RunO
   head.program = fmt::format("strainwave-fe {} ({})", version(), git_revision());
   head.input = input;
   head.digest = sha256_hex(gear_text(at_point(study, 0)));
-  const bool solid = base.kind == WallThroughCrack::kKind;
-  head.order = run.order.value_or(solid ? kSolidOrder : kSectionOrder);
+  head.order = run.order.value_or(family.order);
   head.equations = family.equations;
   head.held = family.held;
   head.columns = family.columns;

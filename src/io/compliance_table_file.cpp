@@ -251,8 +251,7 @@ ComplianceTable parse_compliance_table(std::string_view text, std::string_view n
                    .nodes = {}};
     for (const TableRow& row : file.rows) axis.nodes.push_back(row.at[a]);
     std::ranges::sort(axis.nodes);
-    const auto repeated = std::ranges::unique(axis.nodes);
-    axis.nodes.erase(repeated.begin(), repeated.end());
+    axis.nodes.erase(std::unique(axis.nodes.begin(), axis.nodes.end()), axis.nodes.end());
     if (axis.nodes.size() < kMinTableNodes)
       throw InputError(name, fmt::format("has {} values of {}; interpolation needs {}",
                                          axis.nodes.size(), axis.name, kMinTableNodes));
@@ -296,10 +295,12 @@ ComplianceTable parse_compliance_table(std::string_view text, std::string_view n
   if (fill(table.positive, kAddedTorsion, kUnit)) {
     table.negative = table.positive;
     (void)fill(table.axial, kAddedTension, "m/N");
-  } else if (!fill(table.positive, kAddedPositive, kUnit) || !fill(table.negative, kAddedNegative, kUnit)) {
-    throw InputError(name, fmt::format("has no column \"{}\", or \"{}\" and \"{}\"",
-                                       column_text(kAddedTorsion, kUnit), column_text(kAddedPositive, kUnit),
-                                       column_text(kAddedNegative, kUnit)));
+  } else if (!fill(table.positive, kAddedPositive, kUnit) ||
+             !fill(table.negative, kAddedNegative, kUnit)) {
+    throw InputError(
+        name,
+        fmt::format("has no column \"{}\", or \"{}\" and \"{}\"", column_text(kAddedTorsion, kUnit),
+                    column_text(kAddedPositive, kUnit), column_text(kAddedNegative, kUnit)));
   }
   return completed(std::move(table));
 }

@@ -85,9 +85,15 @@ void check_one(const GearSet& gear, const std::string& path, const Crack& crack)
   if (table.kind != Crack::kKind)
     refuse(fmt::format("is of cracks of kind \"{}\", not \"{}\"", shown(table.kind), Crack::kKind));
   const auto numbers = crack_parameters(Lift<double>(), gear, crack);
+  const auto same_unit = [&](const auto& given, const auto& number) {
+    if (given.unit != number.unit)
+      refuse(fmt::format("has {} in \"{}\", not in \"{}\"", number.name, shown(given.unit),
+                         number.unit));
+  };
   for (const auto& number : numbers) {
     const auto axis = std::ranges::find(table.axes, number.name, &TableAxis::name);
     if (axis != table.axes.end()) {
+      same_unit(*axis, number);
       if (!(number.value >= axis->nodes.front() && number.value <= axis->nodes.back()))
         refuse(fmt::format("reaches from {} to {} in {}, and the drive has {}",
                            quantity_text(axis->nodes.front(), number.unit),
@@ -98,6 +104,7 @@ void check_one(const GearSet& gear, const std::string& path, const Crack& crack)
     const auto fixed = std::ranges::find(table.fixed, number.name, &TableParameter::name);
     if (fixed == table.fixed.end())
       refuse(fmt::format("does not say what {} it was made with", number.name));
+    same_unit(*fixed, number);
     if (!agree(fixed->value, number.value))
       refuse(fmt::format("was made with {} = {}, and the drive has {}", number.name,
                          quantity_text(fixed->value, number.unit),

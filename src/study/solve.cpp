@@ -17,8 +17,8 @@
 #include "strainwave/core/roots.hpp"
 #include "strainwave/io/result_writer.hpp"
 #include "strainwave/model/result_fields.hpp"
-#include "strainwave/study/evaluate.hpp"
 #include "strainwave/model/vary_option.hpp"
+#include "strainwave/study/evaluate.hpp"
 #include "strainwave/study/sweep.hpp"
 
 namespace strainwave {

@@ -512,7 +512,7 @@ const std::vector<Broken> kBroken = {
 
     {"RimAxialCracksInOnePlace", coupled_gear,
      [](GearSet& g) { flexspline(g).crack.emplace_back(rim_axial_crack(g)); },
-     "flexspline.crack[3].position", "", "overlaps flexspline.crack[0]"},
+     "flexspline.crack[3].position", "", "overlaps flexspline.crack[0]: cracks are added up as if alone, give one of both"},
 
     // coupled drive: diaphragm
     {"GroovesOverlap", coupled_gear,
@@ -520,9 +520,9 @@ const std::vector<Broken> kBroken = {
        flexspline(g).crack.emplace_back(groove(g));
        groove(g).radius = 60.9 * mm;
      },
-     "flexspline.crack[3].radius", "", "overlaps flexspline.crack[2]"},
+     "flexspline.crack[3].radius", "", "overlaps flexspline.crack[2]: cracks are added up as if alone, give one of both"},
     {"GrooveOverAnArc", coupled_gear, [](GearSet& g) { groove(g).radius = 45.4 * mm; },
-     "flexspline.crack[2].radius", "", "overlaps flexspline.crack[1]"},
+     "flexspline.crack[2].radius", "", "overlaps flexspline.crack[1]: cracks are added up as if alone, give one of both"},
     {"StationsNotRising", coupled_gear,
      [](GearSet& g) { diaphragm(g).profile[1].radius = 41 * mm; },
      "flexspline.diaphragm.profile[1].radius", "radius > that of the station before", ""},

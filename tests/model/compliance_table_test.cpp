@@ -116,6 +116,12 @@ TEST(ComplianceTable, InputRulesBrokenOnce) {
   gear = tabulated_gear();
   gear.compliance_tables["made_up.csv"].fixed.pop_back();
   refused(gear, "does not say what poissons_ratio it was made with");
+  gear = tabulated_gear();
+  gear.compliance_tables["made_up.csv"].fixed[3].unit = "N";
+  refused(gear, "has length in \"N\", not in \"m\"");
+  gear = tabulated_gear();
+  gear.compliance_tables["made_up.csv"].axes[0].unit = "rad";
+  refused(gear, "has half_length in \"rad\", not in \"m\"");
   for (const auto& [name, unit, value] : made_up_table().fixed) {
     gear = tabulated_gear();
     for (TableParameter& fixed : gear.compliance_tables["made_up.csv"].fixed)
