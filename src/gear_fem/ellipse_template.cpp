@@ -50,11 +50,14 @@ class Drawing {
     box_z_ = 2.5 * a;
     if (box_z_ > 0.7 * slab.thickness) box_z_ = slab.thickness;
     half_square_ = std::min(0.35, 0.6 * (1 - std::sqrt(std::abs(confocal_.B) / confocal_.A)));
-    const auto too_wide = [&] {
-      const PlanPoint e = confocal_.axes(1 + half_square_);
-      return e[1] > a + 0.55 * (box_z_ - a) || e[0] > c + 0.55 * (box_x_ - c);
+    // Not beyond 0.55 of the way to the box.  A closed form and no search in steps: sizes next to
+    // each other, which are subtracted from each other, must have like cells.
+    const double AB = confocal_.A * confocal_.B;
+    const auto widest = [&](double reach, double sign) {
+      return (reach + std::sqrt(reach * reach - sign * 4 * AB)) / (2 * confocal_.A) - 1;
     };
-    while (too_wide()) half_square_ *= 0.95;
+    half_square_ = std::min(
+        {half_square_, widest(c + 0.55 * (box_x_ - c), 1), widest(a + 0.55 * (box_z_ - a), -1)});
     scale_y_ = std::sqrt(a * c);
     const double b = half_square_ * scale_y_;
     y_ = graded_lines(-b, slab.y[0], b, slab.growth, slab.longest_y);
