@@ -309,6 +309,28 @@ fem::FieldRequest fields_of(RunFields fields, int divisions) {
   return {.divisions = divisions, .every_cell = fields == RunFields::everywhere};
 }
 
+/// A crack of the wall under both senses of torque.
+template <class Run, class Tube, class Solve>
+Run both_senses(const WallCrack<Tube>& crack, const RunOptions& options, std::size_t solutions,
+                const Solve& solve) {
+  Run done{.path = crack.path, .tube = crack.tube, .positive = {}, .negative = {}};
+  Tube tube = crack.tube;
+  tube.fields = fields_of(options.fields, tube.order + 1);
+  std::size_t solution = 0;
+  tube.solved = [&](const fem::SolidResult& solid, double seconds) {
+    ++solution;
+    if (!options.progress) return;
+    options.progress(fmt::format(
+        "{}, torque {:+.6g} N*m: solution {} of at most {}, {:.0f} k unknowns, {:.1f} s",
+        crack.path, tube.sense == TorqueSense::positive ? tube.torque : -tube.torque, solution,
+        solutions, static_cast<double>(solid.dofs) / 1e3, seconds));
+  };
+  done.positive = solve(tube);
+  tube.sense = TorqueSense::negative;
+  done.negative = solve(tube);
+  return done;
+}
+
 }  // namespace
 
 RunResult run(const GearSet& gear, const RunOptions& options, const fem::MpiSession& session) {
@@ -325,31 +347,12 @@ RunResult run(const GearSet& gear, const RunOptions& options, const fem::MpiSess
                    .surface_cracks = {},
                    .notes = work.notes};
   // First what all ranks do together: an error of the first rank alone must not leave them waiting.
-  for (const auto& crack : work.wall_cracks) {
-    gear_fem::TubeWithThroughCrack tube = crack.tube;
-    tube.fields = fields_of(options.fields, tube.order + 1);
-    TubeCrackRun done{.path = crack.path, .tube = tube, .positive = {}, .negative = {}};
-    std::size_t solution = 0;
-    tube.solved = [&](const fem::SolidResult& solid, double seconds) {
-      say(
-          fmt::format("{}, torque {:+.6g} N*m: solution {} of {}, {:.0f} k unknowns, "
-                      "{:.1f} s",
-                      crack.path, tube.sense == TorqueSense::positive ? tube.torque : -tube.torque,
-                      ++solution, kTubeSolutions, static_cast<double>(solid.dofs) / 1e3, seconds));
-    };
-    done.positive = gear_fem::solve_tube_with_through_crack(tube);
-    tube.sense = TorqueSense::negative;
-    done.negative = gear_fem::solve_tube_with_through_crack(tube);
-    result.wall_cracks.push_back(std::move(done));
-  }
-  for (const auto& crack : work.surface_cracks) {
-    gear_fem::TubeWithSurfaceCrack tube = crack.tube;
-    SurfaceCrackRun done{.path = crack.path, .tube = tube, .positive = {}, .negative = {}};
-    done.positive = gear_fem::solve_tube_with_surface_crack(tube);
-    tube.sense = TorqueSense::negative;
-    done.negative = gear_fem::solve_tube_with_surface_crack(tube);
-    result.surface_cracks.push_back(std::move(done));
-  }
+  for (const auto& crack : work.wall_cracks)
+    result.wall_cracks.push_back(both_senses<TubeCrackRun>(
+        crack, options, kTubeSolutions, gear_fem::solve_tube_with_through_crack));
+  for (const auto& crack : work.surface_cracks)
+    result.surface_cracks.push_back(both_senses<SurfaceCrackRun>(
+        crack, options, kSurfaceSolutions, gear_fem::solve_tube_with_surface_crack));
   if (session.rank() != 0) return result;
   const int order = options.order.value_or(kSectionOrder);
   const fem::SectionOptions section{.order = order, .fields = fields_of(options.fields, order)};

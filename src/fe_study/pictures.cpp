@@ -266,30 +266,52 @@ void add_cup(std::vector<OutputFile>& files, const gear_fem::CupResult& cup, con
        sheet.svg("Strain energy density in the meridian section of a cup, in colours")});
 }
 
-void add_wall(std::vector<OutputFile>& files, const TubeCrackRun& run) {
-  const gear_fem::TubeWithThroughCrack& tube = run.tube;
+double in_degrees(double angle) { return std::round(1e6 * angle * 180 / pi) / 1e6; }
+
+void describe(CrackedWall& wall, const gear_fem::TubeWithThroughCrack& tube) {
+  wall.description = fmt::format("through crack 2a = {} at {}° from the generator, wall {}",
+                                 in_mm(2 * tube.half_length), shown_number(in_degrees(tube.angle)),
+                                 in_mm(tube.wall_thickness));
+  wall.front_names = {"upper tip", "lower tip"};
+  wall.along = "through the wall, from the inner face";
+}
+
+void describe(CrackedWall& wall, const gear_fem::TubeWithSurfaceCrack& tube) {
+  wall.inside = tube.surface == gear_fem::TubeWithSurfaceCrack::Surface::inner;
+  wall.description = fmt::format(
+      "surface crack a = {}, 2c = {} at {}° from the generator, {} face, wall {}",
+      in_mm(tube.depth), in_mm(2 * tube.half_length), shown_number(in_degrees(tube.angle)),
+      wall.inside ? "inner" : "outer", in_mm(tube.wall_thickness));
+  wall.front_names = {"front"};
+  wall.along = "along the front, from its upper end";
+  wall.corners = true;
+}
+
+/// Of the sense of torque that releases more energy.
+template <class Run>
+void add_wall(std::vector<OutputFile>& files, const Run& run) {
+  const auto& tube = run.tube;
   const bool positive = run.positive.energy_release_rate >= run.negative.energy_release_rate;
-  const gear_fem::TubeCrackResult& shown = positive ? run.positive : run.negative;
-  const std::vector<OutputFile> pictures = wall_pictures(
-      {.path = run.path,
-       .description = fmt::format(
-           "through crack 2a = {} at {}° from the generator, wall {}", in_mm(2 * tube.half_length),
-           shown_number(std::round(1e6 * tube.angle * 180 / pi) / 1e6), in_mm(tube.wall_thickness)),
-       .mean_radius = tube.mean_radius,
-       .wall_thickness = tube.wall_thickness,
-       .length = tube.length,
-       .place = tube.place == 0 ? tube.length / 2 : tube.place,
-       .half_length = tube.half_length,
-       .angle = tube.angle,
-       .torque = positive ? tube.torque : -tube.torque,
-       .state = shown.closed                    ? "closed"
-                : shown.solid.contact_share > 0 ? "partly closed"
-                                                : "open",
-       .closed = shown.closed,
-       .fault = shown.reason,
-       .solid = &shown.solid,
-       .front_names = {"upper tip", "lower tip"},
-       .along = "through the wall, from the inner face"});
+  const auto& shown = positive ? run.positive : run.negative;
+  CrackedWall wall{.path = run.path,
+                   .description = {},
+                   .mean_radius = tube.mean_radius,
+                   .wall_thickness = tube.wall_thickness,
+                   .length = tube.length,
+                   .place = tube.place == 0 ? tube.length / 2 : tube.place,
+                   .half_length = tube.half_length,
+                   .angle = tube.angle,
+                   .torque = positive ? tube.torque : -tube.torque,
+                   .state = shown.closed                    ? "closed"
+                            : shown.solid.contact_share > 0 ? "partly closed"
+                                                            : "open",
+                   .closed = shown.closed,
+                   .fault = shown.reason,
+                   .solid = &shown.solid,
+                   .front_names = {},
+                   .along = {}};
+  describe(wall, tube);
+  const std::vector<OutputFile> pictures = wall_pictures(wall);
   files.insert(files.end(), pictures.begin(), pictures.end());
 }
 
@@ -300,6 +322,7 @@ std::vector<OutputFile> pictures(const RunResult& result, const GearSet& gear) {
   for (const ShaftCrackRun& crack : result.shaft_cracks) add_shaft(files, crack, gear);
   if (result.cup) add_cup(files, *result.cup, gear);
   for (const TubeCrackRun& crack : result.wall_cracks) add_wall(files, crack);
+  for (const SurfaceCrackRun& crack : result.surface_cracks) add_wall(files, crack);
   return files;
 }
 

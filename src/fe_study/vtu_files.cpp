@@ -42,7 +42,7 @@ std::vector<OutputFile> vtu_files(const RunResult& result, const GearSet& gear,
                                   const fem::MpiSession& session) {
   std::vector<OutputFile> files;
   FieldWriter writer(files, session);
-  for (const TubeCrackRun& crack : result.wall_cracks)
+  const auto add_wall = [&](const auto& crack) {
     for (const auto* const one : {&crack.positive, &crack.negative}) {
       const std::string stem =
           file_stem(crack.path) + (one == &crack.positive ? "_positive" : "_negative");
@@ -61,6 +61,9 @@ std::vector<OutputFile> vtu_files(const RunResult& result, const GearSet& gear,
           for (fem::FrontStation& station : front.stations) station.K_I = 0;
       files.push_back({stem + "_fronts.vtu", fem::fronts_vtu_text(fronts)});
     }
+  };
+  for (const TubeCrackRun& crack : result.wall_cracks) add_wall(crack);
+  for (const SurfaceCrackRun& crack : result.surface_cracks) add_wall(crack);
   // Shaft and cup are of the first rank, and empty in the others.
   for (const ShaftCrackRun& crack : result.shaft_cracks) {
     const std::string stem = file_stem(crack.path);

@@ -484,8 +484,14 @@ std::string WallPictures::stress_intensity() const {
     for (std::size_t mode = 0; mode < 3; ++mode) {
       PlotSeries series{.label = fmt::format("{}, {}", names[mode], wall_.front_names.at(f))};
       double before = 0.0;
+      // The value of a corner is in the quadratic of its segment: stations alone.
+      for (std::size_t k = 1; wall_.corners && k + 1 < stations.size(); ++k) {
+        before += norm(stations[k].place - stations[k - 1].place);
+        series.x.push_back(before * 1e3);
+        series.y.push_back(stations[k].*modes[mode] / kMPa);
+      }
       // Quadratic along each segment, as it was found (FE-23).
-      for (std::size_t k = 0; k + 2 < stations.size(); k += 2) {
+      for (std::size_t k = 0; !wall_.corners && k + 2 < stations.size(); k += 2) {
         const double first = norm(stations[k + 1].place - stations[k].place);
         const double second = norm(stations[k + 2].place - stations[k + 1].place);
         for (int i = 0; i <= kPoints; ++i) {

@@ -27,6 +27,7 @@ struct CrackedWall {
   const fem::SolidResult* solid = nullptr;
   std::vector<std::string> front_names;  ///< of each front: "upper tip"
   std::string along;                     ///< what runs along a front: "from the inner face"
+  bool corners = false;                  ///< K is not defined at a front's two ends
 };
 
 /// Energy on the face, the same less that of the sound wall, the crack opened, and the stress

@@ -13,23 +13,49 @@ namespace {
 
 enum Column : std::size_t { kNN, kTN, kBN, kCN, kNT, kTT, kBT, kCT };
 
+/// The variable of the table instead of lambda.
+double mapped(double lambda) { return lambda / (lambda + 3); }
+
+/// All columns of the table, and their derivatives to lambda and to the angle.
+struct Columns {
+  std::array<double, 8> value{};
+  std::array<double, 8> by_lambda{};
+  std::array<double, 8> by_angle{};
+
+  [[nodiscard]] double at(Column c, double, double) const { return value[c]; }
+  [[nodiscard]] DualReal at(Column c, const DualReal& lambda, const DualReal& angle) const {
+    return chain(lambda, value[c], by_lambda[c]) + chain(angle, 0.0, by_angle[c]);
+  }
+};
+
+Columns columns(double lambda, double angle) {
+  static const LagrangeBasis<12> lambda_basis(lobatto_nodes<12>(0.0, mapped(kShellTableEnd)));
+  static const LagrangeBasis<7> angle_basis(lobatto_nodes<7>(1.0, -1.0));
+  const auto over_lambda = lambda_basis.at(mapped(lambda));
+  const auto over_angle = angle_basis.at(std::cos(2 * angle));
+  const double mapped_slope = 3 / ((lambda + 3) * (lambda + 3));
+  const double cosine_slope = -2 * std::sin(2 * angle);
+  Columns result;
+  for (std::size_t c = 0; c < 8; ++c)
+    for (std::size_t j = 0; j < 7; ++j) {
+      double value = 0.0;
+      double slope = 0.0;
+      for (std::size_t i = 0; i < 12; ++i) {
+        value += over_lambda.value[i] * kShellTable[c][j][i];
+        slope += over_lambda.slope[i] * kShellTable[c][j][i];
+      }
+      result.value[c] += over_angle.value[j] * value;
+      result.by_lambda[c] += over_angle.value[j] * slope * mapped_slope;
+      result.by_angle[c] += over_angle.slope[j] * value * cosine_slope;
+    }
+  return result;
+}
+
 template <class Real>
 BasicShellFactors<Real> interpolated(const Real& lambda, const Real& angle) {
-  using std::cos, std::sin;
-  const auto mapped = [](const auto& x) { return x / (x + 3); };  // the variable of the table
-  const auto over_lambda =
-      lagrange(lobatto_nodes<12>(0.0, mapped(kShellTableEnd)), Real(mapped(lambda)));
-  const auto over_angle = lagrange(lobatto_nodes<7>(1.0, -1.0), Real(cos(2 * angle)));
-  const auto value = [&](Column column) {
-    Real sum = 0.0;
-    for (std::size_t i = 0; i < over_lambda.size(); ++i) {
-      Real at_angle = 0.0;
-      for (std::size_t j = 0; j < over_angle.size(); ++j)
-        at_angle += over_angle[j] * kShellTable[column][j][i];
-      sum += over_lambda[i] * at_angle;
-    }
-    return sum;
-  };
+  using std::sin;
+  const Columns table = columns(value_of(lambda), value_of(angle));
+  const auto value = [&](Column column) { return table.at(column, lambda, angle); };
   const Real l2 = lambda * lambda;
   // 90 degrees have no exact value in radians; what rounding leaves of the zero is a zero.
   Real sin_2beta = sin(2 * angle);

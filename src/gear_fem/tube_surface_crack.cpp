@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -106,12 +107,16 @@ struct SolvedSurfaceCrack {
 };
 
 SolvedSurfaceCrack solve_surface_crack(const TubeWithSurfaceCrack& tube, double size) {
+  const auto start = std::chrono::steady_clock::now();
   const MeshedSurfaceCrack meshed = mesh_surface_crack(tube, size);
   const double torque = tube.sense == TorqueSense::positive ? tube.torque : -tube.torque;
   fem::SolidProblem problem = tube_torsion(meshed.body, tube.material, torque);
   problem.order = tube.order;
   problem.crack_faces = tube.crack_faces;
+  if (size == 1) problem.fields = tube.fields;
   SolvedSurfaceCrack result{.solid = fem::solve_solid(meshed.mesh, problem)};
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  if (tube.solved) tube.solved(result.solid, taken.count());
   // G is quadratic over each segment: Simpson's rule with dA of the analytic map.
   const auto& stations = result.solid.fronts.at(0).stations;
   const double step = pi / static_cast<double>(stations.size() - 1);

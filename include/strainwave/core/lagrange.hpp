@@ -6,8 +6,6 @@
 #include <cstddef>
 #include <numbers>
 
-#include "strainwave/core/dual.hpp"
-
 namespace strainwave {
 
 /// Chebyshev-Lobatto nodes of [from, to], from the one end to the other.
@@ -42,24 +40,42 @@ template <std::size_t N>
   return value;
 }
 
-/// The same with the derivatives that x carries; by products, which hold at the nodes too.
-template <std::size_t N, std::size_t Partials>
-[[nodiscard]] std::array<Dual<Partials>, N> lagrange(const std::array<double, N>& nodes,
-                                                     const Dual<Partials>& x) {
-  const std::array<double, N> value = lagrange(nodes, x.value);
-  std::array<Dual<Partials>, N> result{};
-  for (std::size_t i = 0; i < N; ++i) {
-    double slope = 0.0;
-    for (std::size_t k = 0; k < N; ++k) {
-      if (k == i) continue;
-      double product = 1 / (nodes[i] - nodes[k]);
+/// Lagrange's polynomials with all that does not depend on x prepared, for many x.
+template <std::size_t N>
+class LagrangeBasis {
+ public:
+  explicit LagrangeBasis(const std::array<double, N>& nodes) : nodes_(nodes) {
+    for (std::size_t i = 0; i < N; ++i) {
+      weights_[i] = 1.0;
       for (std::size_t j = 0; j < N; ++j)
-        if (j != i && j != k) product *= (x.value - nodes[j]) / (nodes[i] - nodes[j]);
-      slope += product;
+        if (j != i) weights_[i] /= nodes_[i] - nodes_[j];
     }
-    result[i] = chain(x, value[i], slope);
   }
-  return result;
-}
+
+  struct AtPoint {
+    std::array<double, N> value{};
+    std::array<double, N> slope{};
+  };
+  /// Values and derivatives at x; by products, which hold at the nodes too.
+  [[nodiscard]] AtPoint at(double x) const {
+    AtPoint result;
+    for (std::size_t i = 0; i < N; ++i) {
+      double product = weights_[i];
+      double slope = 0.0;
+      for (std::size_t j = 0; j < N; ++j) {
+        if (j == i) continue;
+        slope = slope * (x - nodes_[j]) + product;
+        product *= x - nodes_[j];
+      }
+      result.value[i] = product;
+      result.slope[i] = slope;
+    }
+    return result;
+  }
+
+ private:
+  std::array<double, N> nodes_;
+  std::array<double, N> weights_{};
+};
 
 }  // namespace strainwave

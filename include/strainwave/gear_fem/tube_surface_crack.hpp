@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+
 #include "strainwave/gear_fem/tube_through_crack.hpp"
 
 namespace strainwave::gear_fem {
@@ -35,6 +37,9 @@ struct TubeWithSurfaceCrack {
   bool check_growth = true;
   /// Also solves three smaller cracks of the same shape, and integrates G over their growth.
   bool check_sizes = false;
+  fem::FieldRequest fields = {};  ///< of the given size; nothing if left out
+  /// Called after each solution with it and its time [s], mesh included; may be empty.
+  std::function<void(const fem::SolidResult&, double)> solved = {};
 };
 
 /// The tube's answer with its evidence.
