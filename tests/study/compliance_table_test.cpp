@@ -13,7 +13,7 @@
 namespace strainwave {
 namespace {
 
-GearSet example() { return read_gear_set_file(STRAINWAVE_EXAMPLES "/tabulated_crack.toml"); }
+GearSet tabulated() { return read_gear_set_file(STRAINWAVE_EXAMPLES "/tabulated_crack.toml"); }
 
 Quantity added_at(GearSet gear, double half_length) {
   std::get<WallThroughCrack>(gear.flexspline->crack.at(0)).half_length = half_length;
@@ -25,7 +25,7 @@ Quantity added_at(GearSet gear, double half_length) {
 // 10 mm lies between two points of the table: `strainwave fe examples/through_crack.toml`, order 3,
 // 45816 unknowns, calculated for itself, has 1.09889e-9 rad/(N*m).
 TEST(ShippedTable, ReferenceBetweenItsPoints) {
-  const Quantity added = added_at(example(), 10e-3);
+  const Quantity added = added_at(tabulated(), 10e-3);
   const double fresh = 1.0988936940e-9;
   EXPECT_NEAR(added.value / fresh, 1, *added.relative_uncertainty);
   EXPECT_LT(*added.relative_uncertainty, 0.005);
@@ -35,7 +35,7 @@ TEST(ShippedTable, ReferenceBetweenItsPoints) {
 
 // A shorter crack is in the range of the closed form, which is 10 % accurate.
 TEST(ShippedTable, CrosscheckClosedForm) {
-  GearSet gear = example();
+  GearSet gear = tabulated();
   const Quantity tabulated = added_at(gear, 6e-3);
   std::get<WallThroughCrack>(gear.flexspline->crack.at(0)).compliance_table.reset();
   const Quantity closed_form = added_at(gear, 6e-3);
@@ -43,7 +43,7 @@ TEST(ShippedTable, CrosscheckClosedForm) {
 }
 
 TEST(ShippedTable, InputArticleMethodsSayThatTheyDoNotReadIt) {
-  GearSet gear = example();
+  GearSet gear = tabulated();
   EXPECT_EQ(test::count_notes(evaluate(gear, Method::corrected).notes, "crack.compliance_table"),
             1);
   EXPECT_EQ(test::count_notes(evaluate(gear, Method::repaired).notes, "article.compliance_table",
