@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 #include "shell_table.hpp"
 #include "strainwave/core/lagrange.hpp"
@@ -28,6 +29,8 @@ struct Columns {
   }
 };
 
+/// @tparam slopes  false: without derivatives
+template <bool slopes>
 Columns columns(double lambda, double angle) {
   static const LagrangeBasis<12> lambda_basis(lobatto_nodes<12>(0.0, mapped(kShellTableEnd)));
   static const LagrangeBasis<7> angle_basis(lobatto_nodes<7>(1.0, -1.0));
@@ -42,9 +45,10 @@ Columns columns(double lambda, double angle) {
       double slope = 0.0;
       for (std::size_t i = 0; i < 12; ++i) {
         value += over_lambda.value[i] * kShellTable[c][j][i];
-        slope += over_lambda.slope[i] * kShellTable[c][j][i];
+        if constexpr (slopes) slope += over_lambda.slope[i] * kShellTable[c][j][i];
       }
       result.value[c] += over_angle.value[j] * value;
+      if constexpr (!slopes) continue;
       result.by_lambda[c] += over_angle.value[j] * slope * mapped_slope;
       result.by_angle[c] += over_angle.slope[j] * value * cosine_slope;
     }
@@ -54,7 +58,7 @@ Columns columns(double lambda, double angle) {
 template <class Real>
 BasicShellFactors<Real> interpolated(const Real& lambda, const Real& angle) {
   using std::sin;
-  const Columns table = columns(value_of(lambda), value_of(angle));
+  const Columns table = columns<!std::is_same_v<Real, double>>(value_of(lambda), value_of(angle));
   const auto value = [&](Column column) { return table.at(column, lambda, angle); };
   const Real l2 = lambda * lambda;
   // 90 degrees have no exact value in radians; what rounding leaves of the zero is a zero.

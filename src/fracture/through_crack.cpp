@@ -92,23 +92,27 @@ Real BasicThroughCrackInTube<Real>::wall_factor(const Real& a) const {
 }
 
 template <class Real>
-UnitStressIntensity<2, Real> BasicThroughCrackInTube<Real>::stress_intensity(const Real& a,
-                                                                             double s) const {
+LinearStressIntensity<2, Real> BasicThroughCrackInTube<Real>::linear_stress_intensity(
+    const Real& a) const {
   using std::sqrt;
   const BasicCrackPlaneStress<Real> stress =
       crack_plane_stress(mean_radius, wall_thickness, angle, stress_nonuniformity);
   const BasicShellFactors<Real> f = shell_correction ? shell_of(*this, a) : flat_sheet<Real>();
   const Real root = sqrt(pi * a);
-  UnitStressIntensity<2, Real> k;
-  for (const std::size_t i : {kAxial, kTorsion}) {
-    const Real& normal = stress.normal[i];
-    const Real& shear = stress.shear[i];
-    k.II[i] = f.sliding_by_shear.at(s) * shear * root;  // (FR-7)
-    if (!open) continue;                                // what presses the faces, they carry
-    k.I[i] = (f.opening_by_normal.at(s) * normal + f.opening_by_shear.at(s) * shear) *
-             root;                                         // (FR-7, FR-9)
-    k.II[i] += f.sliding_by_normal.at(s) * normal * root;  // (FR-9)
-  }
+  LinearStressIntensity<2, Real> k;
+  const auto fill = [&](UnitStressIntensity<2, Real>& part, Real BasicWallIntensity<Real>::*which) {
+    for (const std::size_t i : {kAxial, kTorsion}) {
+      const Real& normal = stress.normal[i];
+      const Real& shear = stress.shear[i];
+      part.II[i] = f.sliding_by_shear.*which * shear * root;  // (FR-7)
+      if (!open) continue;                                    // what presses the faces, they carry
+      part.I[i] = (f.opening_by_normal.*which * normal + f.opening_by_shear.*which * shear) *
+                  root;                                          // (FR-7, FR-9)
+      part.II[i] += f.sliding_by_normal.*which * normal * root;  // (FR-9)
+    }
+  };
+  fill(k.mean, &BasicWallIntensity<Real>::mean);
+  fill(k.slope, &BasicWallIntensity<Real>::linear);
   return k;
 }
 
@@ -118,12 +122,11 @@ Real BasicThroughCrackInTube<Real>::shell_release(const Real& a) const {
   crack.open = true;
   const auto release = [&](bool shell) {
     crack.shell_correction = shell;
-    Real sum = 0.0;
-    for (const double s : kLinearGauss) {
-      const UnitStressIntensity<2, Real> k = crack.stress_intensity(a, s);
-      sum += k.I[kTorsion] * k.I[kTorsion] + k.II[kTorsion] * k.II[kTorsion];
-    }
-    return sum;
+    const auto [mean, slope] = crack.linear_stress_intensity(a);
+    const auto square = [](const UnitStressIntensity<2, Real>& k) {
+      return k.I[kTorsion] * k.I[kTorsion] + k.II[kTorsion] * k.II[kTorsion];
+    };
+    return Real(square(mean) + square(slope) / 3);
   };
   return release(true) / release(false);  // (FR-9)
 }

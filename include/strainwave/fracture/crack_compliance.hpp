@@ -115,12 +115,30 @@ concept SweptCrack = requires(const C& crack, const ScalarOf<C>& a, double s) {
   { crack.swept_area(a, s) } -> std::convertible_to<ScalarOf<C>>;
 };
 
-/// A crack that says so has K linear in s on a front from -1 to 1: its square is integrated exactly
-/// by Gauss's two points.
+/// Stress intensity that is linear along a front, k = mean + s slope for s from -1 to 1.
+template <std::size_t N, class Real = double>
+struct LinearStressIntensity {
+  UnitStressIntensity<N, Real> mean;
+  UnitStressIntensity<N, Real> slope;
+
+  [[nodiscard]] UnitStressIntensity<N, Real> at(double s) const {
+    UnitStressIntensity<N, Real> k = mean;
+    for (std::size_t i = 0; i < N; ++i) {
+      k.I[i] += s * slope.I[i];
+      k.II[i] += s * slope.II[i];
+      k.III[i] += s * slope.III[i];
+    }
+    return k;
+  }
+};
+
+/// A crack with such a front, whose swept area is the same at every s: it needs no quadrature.
 template <class C>
-concept LinearFront = SweptCrack<C> && C::kLinearFront;
-/// Gauss's two points of [-1, 1], each of weight 1.
-inline constexpr std::array<double, 2> kLinearGauss{-0.57735026918962576, 0.57735026918962576};
+concept LinearFront = SweptCrack<C> && requires(const C& crack, const ScalarOf<C>& a) {
+  {
+    crack.linear_stress_intensity(a)
+    } -> std::same_as<LinearStressIntensity<C::kLoads, ScalarOf<C>>>;
+};
 
 /// A crack in a wall that is no sheet: G is wall_factor(a) times that of K and the moduli.
 template <class C>
@@ -180,9 +198,12 @@ template <SweptCrack Crack>
   const auto along_front = [&](const Real& a) {
     if (point) return density(a, front.begin);
     if constexpr (LinearFront<Crack>) {
-      SymmetricMatrix<N, Real> sum = density(a, kLinearGauss[0]) + density(a, kLinearGauss[1]);
-      if constexpr (WallCrack<Crack>) sum *= crack.wall_factor(a);
-      return sum;
+      const auto k = crack.linear_stress_intensity(a);
+      const SymmetricMatrix<N, Real> density =
+          compliance_density(k.mean, moduli) + compliance_density(k.slope, moduli) * Real(1.0 / 3);
+      Real length = 2 * crack.swept_area(a, 0.0);
+      if constexpr (WallCrack<Crack>) length *= crack.wall_factor(a);
+      return density * length;
     }
     // 31 points: a slender front bends sharply at the surface.
     const auto integral =

@@ -45,7 +45,6 @@ using CrackPlaneStress = BasicCrackPlaneStress<double>;
 template <class Real>
 struct BasicThroughCrackInTube {
   static constexpr std::size_t kLoads = 2;
-  static constexpr bool kLinearFront = true;
   /// Shell parameter up to which finite elements confirm it [-].
   static constexpr double kMaxShellParameter = 4.0;
 
@@ -61,8 +60,12 @@ struct BasicThroughCrackInTube {
 
   [[nodiscard]] Real size() const { return half_length; }
   [[nodiscard]] FrontRange front() const { return {-1.0, 1.0}; }
-  /// K of the sheet [Pa*m^0.5 per unit of load], s in [-1, 1] through the wall.
-  [[nodiscard]] UnitStressIntensity<2, Real> stress_intensity(const Real& a, double s) const;
+  /// K of the sheet through the wall [Pa*m^0.5 per unit of load].
+  [[nodiscard]] LinearStressIntensity<2, Real> linear_stress_intensity(const Real& a) const;
+  /// The same at one place, s in [-1, 1].
+  [[nodiscard]] UnitStressIntensity<2, Real> stress_intensity(const Real& a, double s) const {
+    return linear_stress_intensity(a).at(s);
+  }
   /// Two tips: the integral over s is 2 t [m].
   [[nodiscard]] Real swept_area(const Real&, double) const { return wall_thickness; }
   /// What the wall's thickness multiplies the energy release rate of the sheet by [-]; eq. (FR-21).
