@@ -18,7 +18,7 @@ enum Column : std::size_t { kNN, kTN, kBN, kCN, kNT, kTT, kBT, kCT };
 double mapped(double lambda) { return lambda / (lambda + 3); }
 
 /// All columns of the table, and their derivatives to lambda and to the angle.
-struct Columns {
+struct TableColumns {
   std::array<double, 8> value{};
   std::array<double, 8> by_lambda{};
   std::array<double, 8> by_angle{};
@@ -31,14 +31,14 @@ struct Columns {
 
 /// @tparam slopes  false: without derivatives
 template <bool slopes>
-Columns columns(double lambda, double angle) {
+TableColumns table_columns(double lambda, double angle) {
   static const LagrangeBasis<12> lambda_basis(lobatto_nodes<12>(0.0, mapped(kShellTableEnd)));
   static const LagrangeBasis<7> angle_basis(lobatto_nodes<7>(1.0, -1.0));
   const auto over_lambda = lambda_basis.at(mapped(lambda));
   const auto over_angle = angle_basis.at(std::cos(2 * angle));
   const double mapped_slope = 3 / ((lambda + 3) * (lambda + 3));
   const double cosine_slope = -2 * std::sin(2 * angle);
-  Columns result;
+  TableColumns result;
   for (std::size_t c = 0; c < 8; ++c)
     for (std::size_t j = 0; j < 7; ++j) {
       double value = 0.0;
@@ -58,7 +58,8 @@ Columns columns(double lambda, double angle) {
 template <class Real>
 BasicShellFactors<Real> interpolated(const Real& lambda, const Real& angle) {
   using std::sin;
-  const Columns table = columns<!std::is_same_v<Real, double>>(value_of(lambda), value_of(angle));
+  const TableColumns table =
+      table_columns<!std::is_same_v<Real, double>>(value_of(lambda), value_of(angle));
   const auto value = [&](Column column) { return table.at(column, lambda, angle); };
   const Real l2 = lambda * lambda;
   // 90 degrees have no exact value in radians; what rounding leaves of the zero is a zero.

@@ -199,11 +199,11 @@ template <SweptCrack Crack>
     if (point) return density(a, front.begin);
     if constexpr (LinearFront<Crack>) {
       const auto k = crack.linear_stress_intensity(a);
-      const SymmetricMatrix<N, Real> density =
+      const SymmetricMatrix<N, Real> sum =
           compliance_density(k.mean, moduli) + compliance_density(k.slope, moduli) * Real(1.0 / 3);
       Real length = 2 * crack.swept_area(a, 0.0);
       if constexpr (WallCrack<Crack>) length *= crack.wall_factor(a);
-      return density * length;
+      return sum * length;
     }
     // 31 points: a slender front bends sharply at the surface.
     const auto integral =
