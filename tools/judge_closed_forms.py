@@ -8,7 +8,7 @@
 
 `run` writes an input file for every point of a family, runs `strainwave fe` on it and keeps its answer
 in the work directory (build/judgement unless given): what is there is not done again, so that a kill
-loses one point.  Families: annular, through, inclined, surface, cup; `all`.  Minutes to an hour on one core.
+loses one point.  Families: annular, through, inclined, closed, surface, cup; `all`.  Minutes to an hour on one core.
 `write` takes every point that is there and whose finite elements pass their own checks; the others it
 names.  `table` runs `strainwave stiffness` and `strainwave sif eval` at the points of the tables.  Both
 sides use the same numbers, the shear modulus E/(2(1+nu)) among them.
@@ -213,6 +213,33 @@ class Inclined(Through):
         return [(35, a, degrees, 0.3) for degrees in (0, 15, 30, 60, 75, 90) for a in (1.5, 4.5, 9)]
 
 
+class Closed(Inclined):
+    """The same, torque that closes it: the faces slide without friction."""
+    name = "closed"
+    table = "judgement_closed"
+
+    @staticmethod
+    def points():
+        return [(35, a, degrees, 0.3) for degrees in (15, 30, 60, 75) for a in (4.5, 9)]
+
+    @classmethod
+    def elements(cls, point, answer):
+        sense = answer["flexspline"]["cracks"][0]["senses"][1]
+        if not sense["usable"] or sense["faces"] != "closed":
+            return None, sense["reason"] or f"the faces are {sense['faces']}"
+        evidence = sense["evidence"]
+        return (cls.normalised(point, value(sense["added_compliance"]),
+                               value(sense["energy_release_rate"])),
+                f"finite elements of order 3; {evidence['unknowns']} unknowns; growth check "
+                f"{abs(evidence['growth_check']):.0e}")
+
+    @classmethod
+    def closed(cls, point, program):
+        crack = stiffness(program, cls.file(point))["cracks"][0]
+        added = crack["added_compliance"]["negative"]["torsion_torsion"]
+        return {"C": cls.normalised(point, value(added), 0.0)["C"]}
+
+
 class Surface:
     """Semi-elliptical crack from outside in a tube, torque that opens it, r/t = 35."""
     name = "surface"
@@ -332,7 +359,7 @@ thickness = "{h * cls.WALL!r} m"
                     stiffness(program, cls.file(point, "factor"))["intact"]["compliance"]["flexspline"]))}
 
 
-FAMILIES = {family.name: family for family in (Annular, Through, Inclined, Surface, Cup)}
+FAMILIES = {family.name: family for family in (Annular, Through, Inclined, Closed, Surface, Cup)}
 
 
 def output(program, arguments, text=None):
@@ -412,7 +439,7 @@ def read(table):
 
 
 def table(program):
-    for family in (Annular, Through, Surface, Cup):
+    for family in (Annular, Through, Closed, Surface, Cup):
         if not (DATA / f"{family.table}.csv").exists():
             continue
         points = read(family.table)

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "member_support.hpp"
 #include "strainwave/core/units.hpp"
@@ -61,6 +63,19 @@ struct WallCrackModel {
   double ligament = 0.0;               ///< left of the section [m]
 };
 
+void note_closed(MemberCompliance& member, const std::string& path, const BothSenses& state) {
+  if (state.positive != Faces::pressed && state.negative != Faces::pressed) return;
+  use_equation(member.equations, "FR-17");
+  member.notes.push_back(
+      {"crack.closed",
+       fmt::format("closed under {} torque: mode I adds nothing there, and the faces slide "
+                   "without friction, an upper bound",
+                   state.positive != Faces::pressed   ? "negative"
+                   : state.negative != Faces::pressed ? "positive"
+                                                      : "either sense of"),
+       path, "FR-17"});
+}
+
 /// Adds one wall crack; `crack_with(open)` makes it with its faces apart or not.
 template <class MakeCrack>
 void add_wall_crack(MemberCompliance& member, CrackReport report, const MakeCrack& crack_with,
@@ -91,17 +106,7 @@ void add_wall_crack(MemberCompliance& member, CrackReport report, const MakeCrac
                      {gear.load.axial_force, gear.load.torque}, model.moduli,
                      all_modes(std::max(of_compliance / 2, model.intensity_uncertainty)),
                      gear.material.at(gear.flexspline->material), model.constraint, model.ligament);
-  if (state.positive == Faces::pressed || state.negative == Faces::pressed) {
-    use_equation(member.equations, "FR-17");
-    member.notes.push_back(
-        {"crack.closed",
-         fmt::format("closed under {} torque: mode I adds nothing there, and the faces slide "
-                     "without friction, an upper bound",
-                     state.positive != Faces::pressed   ? "negative"
-                     : state.negative != Faces::pressed ? "positive"
-                                                        : "either sense of"),
-         report.path, "FR-17"});
-  }
+  note_closed(member, report.path, state);
   const AddedCompliance& at_given = gear.load.torque > 0 ? report.positive : report.negative;
   const double turned_by_axial_force = (*at_given.axial_torsion)[1].value * gear.load.axial_force;
   if (turned_by_axial_force != 0)
@@ -115,56 +120,98 @@ void add_wall_crack(MemberCompliance& member, CrackReport report, const MakeCrac
   member.cracks.push_back(std::move(report));
 }
 
-void add_through_crack(MemberCompliance& member, CrackReport report, const WallThroughCrack& crack,
-                       const GearSet& gear, const ElasticConstants& steel,
-                       const StiffnessOptions& options) {
+double shell_parameter(const WallThroughCrack& crack, const GearSet& gear,
+                       const ElasticConstants& steel) {
+  return std::sqrt(SeriesModel<double>(gear)
+                       .wall_crack(crack, steel, true)
+                       .shell_parameter_squared(crack.half_length));
+}
+
+/// What the closed form of a through crack is worth, with its equations and notes.
+struct ThroughCrackModel {
+  WallCrackModel wall;
+  std::vector<ModelAccuracy> compliance_rests_on;
+};
+
+ThroughCrackModel through_crack_model(MemberCompliance& member, const std::string& path,
+                                      const WallThroughCrack& crack, const GearSet& gear,
+                                      const ElasticConstants& steel) {
   const SeriesModel<double> series(gear);
-  const Wall<double> wall = series.wall_of(crack.section);
-  const auto make = [&](bool open) { return series.wall_crack(crack, steel, open); };
-  for (const char* const tag : {"FR-2", "FR-6", "FR-7", "FR-18", "FR-21", "ST-11"})
-    use_equation(member.equations, tag);
-  // The tips run along the tube, which is long: there is no ligament to speak of.
-  WallCrackModel model{.moduli = SeriesModel<double>::wall_moduli(crack, steel),
-                       .constraint = Constraint::plane_stress,
-                       .ligament = std::numeric_limits<double>::infinity()};
-  ModelAccuracy accuracy = accuracy::kThroughCrack;
-  const ThroughCrackInTube open_crack = make(true);
-  const double lambda = std::sqrt(open_crack.shell_parameter_squared(crack.half_length));
-  if (lambda > kCloseShellParameter) accuracy = accuracy::kThroughCrackLong;
-  if (lambda > kMaxShellParameter) {
-    member.unusable_because = fmt::format(
-        "{}: shell parameter {:.3g} is outside the range that finite elements confirm, <= {:g}: "
-        "such a long crack needs finite elements of its own",
-        report.path, lambda, kMaxShellParameter);
-  } else if (lambda > kCloseShellParameter) {
+  const double lambda = shell_parameter(crack, gear, steel);
+  const ModelAccuracy accuracy =
+      lambda > kCloseShellParameter ? accuracy::kThroughCrackLong : accuracy::kThroughCrack;
+  if (lambda > kCloseShellParameter && lambda <= kMaxShellParameter)
     member.notes.push_back(
         {"crack.shell_range",
          fmt::format("shell parameter {:.3g}: for so long a crack finite elements are up to "
                      "2 % away",
                      lambda),
-         report.path, "FR-9"});
-  }
-  rest_on(member, report.path, accuracy);
-  model.torsion_uncertainty = accuracy;
-  if (!crack.shell_correction) {
-    const double missing = open_crack.shell_release(crack.half_length) - 1;  // (FR-9)
+         path, "FR-9"});
+  // The tips run along the tube, which is long: there is no ligament to speak of.
+  ThroughCrackModel model{
+      .wall = {.moduli = SeriesModel<double>::wall_moduli(crack, steel),
+               .constraint = Constraint::plane_stress,
+               .torsion_uncertainty = accuracy,
+               .pressed_uncertainty = accuracy::kThroughCrackPressed,
+               .intensity_uncertainty = clearly_less(0.3, steel.nu)
+                                            ? accuracy::kThroughCrackIntensityOtherRatio
+                                            : accuracy::kThroughCrackIntensity,
+               .ligament = std::numeric_limits<double>::infinity()},
+      .compliance_rests_on = {accuracy}};
+  for (const char* const tag : {"FR-6", "FR-7", "ST-11"}) use_equation(member.equations, tag);
+  if (crack.shell_correction) {
+    for (const char* const tag : {"FR-8", "FR-9", "SU-2"}) use_equation(member.equations, tag);
+  } else {
+    const double missing =
+        series.wall_crack(crack, steel, true).shell_release(crack.half_length) - 1;  // (FR-9)
     const ModelAccuracy flat{missing, "flat plate instead of the curved shell: too stiff"};
-    model.torsion_uncertainty = accuracy::combined(accuracy, flat);
-    rest_on(member, report.path, flat);
+    model.wall.torsion_uncertainty = accuracy::combined(accuracy, flat);
+    model.wall.intensity_uncertainty =
+        accuracy::combined(model.wall.intensity_uncertainty, missing / 2);
+    model.compliance_rests_on.push_back(flat);
     member.notes.push_back({"crack.flat_plate",
                             fmt::format("without the shell correction the crack is up to {:.2g} % "
                                         "too stiff",
                                         100 * missing),
-                            report.path, "FR-9"});
+                            path, "FR-9"});
   }
-  model.axial_uncertainty =
-      accuracy::combined(model.torsion_uncertainty, accuracy::kThroughCrackAxial);
-  model.pressed_uncertainty = accuracy::kThroughCrackPressed;
-  model.intensity_uncertainty = accuracy::kThroughCrackIntensity;
-  note_thick_wall(member, wall, report.path);
-  if (crack.shell_correction)
-    for (const char* const tag : {"FR-8", "FR-9", "SU-2"}) use_equation(member.equations, tag);
-  add_wall_crack(member, std::move(report), make, series.faces_of(crack), gear, model, options);
+  model.wall.axial_uncertainty =
+      accuracy::combined(model.wall.torsion_uncertainty, accuracy::kThroughCrackAxial);
+  note_thick_wall(member, series.wall_of(crack.section), path);
+  return model;
+}
+
+/// The uncertainty of a sheet's K is a part of the whole of K: of the smaller mode it is more.
+void share_between_modes(CrackReport& report) {
+  for (std::optional<StressIntensities>* const at : {&report.deepest, &report.largest}) {
+    if (!*at) continue;
+    StressIntensities& K = **at;
+    const double whole = std::hypot(K.K_I.value, K.K_II.value);
+    for (Quantity* const mode : {&K.K_I, &K.K_II})
+      if (mode->value != 0)
+        *mode->relative_uncertainty =
+            std::min(1.0, *mode->relative_uncertainty * whole / std::abs(mode->value));
+  }
+}
+
+void add_through_crack(MemberCompliance& member, CrackReport report, const WallThroughCrack& crack,
+                       const GearSet& gear, const ElasticConstants& steel,
+                       const StiffnessOptions& options) {
+  const SeriesModel<double> series(gear);
+  const auto make = [&](bool open) { return series.wall_crack(crack, steel, open); };
+  for (const char* const tag : {"FR-2", "FR-6", "FR-7", "FR-18", "FR-21"})
+    use_equation(member.equations, tag);
+  const double lambda = shell_parameter(crack, gear, steel);
+  if (lambda > kMaxShellParameter)
+    member.unusable_because = fmt::format(
+        "{}: shell parameter {:.3g} is outside the range that finite elements confirm, <= {:g}: "
+        "such a long crack needs finite elements of its own",
+        report.path, lambda, kMaxShellParameter);
+  const ThroughCrackModel model = through_crack_model(member, report.path, crack, gear, steel);
+  for (const ModelAccuracy& basis : model.compliance_rests_on) rest_on(member, report.path, basis);
+  add_wall_crack(member, std::move(report), make, series.faces_of(crack), gear, model.wall,
+                 options);
+  share_between_modes(member.cracks.back());
 }
 
 /// A through crack whose compliance a table of finite elements gives: the closed form is left with
@@ -176,22 +223,22 @@ void add_tabulated_through_crack(MemberCompliance& member, CrackReport report,
   const BothSenses state = series.faces_of(crack);
   report.opens_under = opens_under(state.positive, state.negative);
   const Faces given = gear.load.torque > 0 ? state.positive : state.negative;
-  const ThroughCrackInTube closed_form = series.wall_crack(crack, steel, given != Faces::pressed);
-  const double lambda = std::sqrt(closed_form.shell_parameter_squared(crack.half_length));
+  const double lambda = shell_parameter(crack, gear, steel);
   if (lambda <= kMaxShellParameter) {
-    for (const char* const tag : {"FR-6", "FR-7", "FR-8", "FR-9", "ST-11"})
-      use_equation(member.equations, tag);
-    const double accuracy = lambda > 1 ? accuracy::kThroughCrackLong : accuracy::kThroughCrack;
-    report_intensities(report, member, closed_form, {gear.load.axial_force, gear.load.torque},
-                       SeriesModel<double>::wall_moduli(crack, steel), all_modes(accuracy / 2),
-                       gear.material.at(gear.flexspline->material), Constraint::plane_stress,
-                       std::numeric_limits<double>::infinity());
+    const WallCrackModel model = through_crack_model(member, report.path, crack, gear, steel).wall;
+    report_intensities(report, member, series.wall_crack(crack, steel, given != Faces::pressed),
+                       {gear.load.axial_force, gear.load.torque}, model.moduli,
+                       all_modes(model.intensity_uncertainty),
+                       gear.material.at(gear.flexspline->material), model.constraint,
+                       model.ligament);
+    share_between_modes(report);
+    note_closed(member, report.path, state);
   } else {
     member.notes.push_back(
         {"crack.shell_range",
-         fmt::format("no stress intensity: shell parameter {:.3g} is far outside "
-                     "the range of the shell correction",
-                     lambda),
+         fmt::format("no stress intensity: shell parameter {:.3g} is outside the range that finite "
+                     "elements confirm, <= {:g}",
+                     lambda, kMaxShellParameter),
          report.path, "FR-9"});
   }
   if (gear.flexspline->stress_nonuniformity != 1)

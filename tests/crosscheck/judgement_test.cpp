@@ -4,6 +4,8 @@
 // the accuracy that the library states for it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -75,35 +77,133 @@ TEST(Judgement, CrosscheckAnnularCracks) {
   for (const auto& [name, n] : seen) EXPECT_GE(n, 70) << name;
 }
 
+/// The crack of a row, of a wall with the mean radius 1.
+ThroughCrackInTube through_crack(const test::CsvRow& row) {
+  const double t = 1 / row("radius_ratio");
+  return {.half_length = row("length_ratio") * t,
+          .mean_radius = 1,
+          .wall_thickness = t,
+          .angle = row("angle"),
+          .poissons_ratio = row("poissons_ratio"),
+          .thin_sheet = false};
+}
+
+double shell_parameter(const ThroughCrackInTube& crack) {
+  return std::sqrt(crack.shell_parameter_squared(crack.half_length));
+}
+
+/// Added compliance over that of the flat sheet, a^2/(2 pi E r^4 t).
+double relative_compliance(const ThroughCrackInTube& crack) {
+  const double t = crack.wall_thickness;
+  const double a = crack.half_length;
+  return added_compliance(crack, {.opening = kJudgedE, .shear = kJudgedE}).matrix(1, 1) *
+         (2 * pi * kJudgedE * t) / (a * a);
+}
+
+/// K under unit torque over tau sqrt(pi a).
+std::array<double, 2> relative_intensity(const ThroughCrackInTube& crack, double s) {
+  const UnitStressIntensity<2> k = crack.stress_intensity(crack.half_length, s);
+  const double unit = std::sqrt(pi * crack.half_length) / (2 * pi * crack.wall_thickness);
+  return {k.I[kTorsion] / unit, k.II[kTorsion] / unit};
+}
+
+/// Energy release rate over that of the flat sheet.
+double relative_release(const ThroughCrackInTube& crack) {
+  double sum = 0;
+  for (const double s : kLinearGauss) {
+    const auto [K_I, K_II] = relative_intensity(crack, s);
+    sum += (K_I * K_I + K_II * K_II) / 2;
+  }
+  return sum * crack.wall_factor(crack.half_length);
+}
+
+struct Measured {
+  double compliance, release;
+};
+
+/// Largest differences by the table of (FR-21), whose last digit is 0.1 %.
+Measured measured_of_through_cracks(const test::CsvRow& row, double lambda) {
+  const double degrees = row("angle") * 180 / pi;
+  if (row("poissons_ratio") == 0) return {.compliance = 0.011, .release = 0.017};
+  if (row("poissons_ratio") == 0.45) return {.compliance = 0.006, .release = 0.012};
+  if (degrees < 20) return {.compliance = 0.007, .release = 0.005};
+  if (degrees > 70) return {.compliance = 0.011, .release = 0.012};
+  if (std::abs(degrees - 45) > 10) return {.compliance = 0.004, .release = 0.008};
+  if (lambda > 3.9) return {.compliance = 0.003, .release = 0.014};
+  return {.compliance = 0.008, .release = 0.004};
+}
+
 TEST(Judgement, CrosscheckThroughCracks) {
   Seen seen;
   for (const test::CsvRow& row : test::read_reference_csv("judgement_through")) {
-    if (row.quantity != "C" && row.quantity != "G") continue;  // K of a point is no sheet's
-    const double t = 1 / row("radius_ratio");
-    const double a = row("length_ratio") * t;
-    const ThroughCrackInTube crack{.half_length = a,
-                                   .mean_radius = 1,
-                                   .wall_thickness = t,
-                                   .angle = row("angle"),
-                                   .poissons_ratio = row("poissons_ratio"),
-                                   .thin_sheet = false};
-    const double lambda = std::sqrt(crack.shell_parameter_squared(a));
+    if (row.quantity != "C" && row.quantity != "G") continue;
+    const ThroughCrackInTube crack = through_crack(row);
+    const double lambda = shell_parameter(crack);
     if (lambda > ThroughCrackInTube::kMaxShellParameter) continue;  // marked unusable
-    // Of the flat sheet: a^2/(2 pi E r^4 t).
-    const double ours =
-        row.quantity == "G"
-            ? crack.shell_release(a) * crack.wall_factor(a)
-            : added_compliance(crack, {.opening = kJudgedE, .shear = kJudgedE}).matrix(1, 1) *
-                  (2 * pi * kJudgedE * t) / (a * a);
-    // What was measured, as the docstring says, and no more than the library states.
-    const double measured = row.quantity == "G" ? 0.018 : 0.012;
-    EXPECT_LT(measured, lambda > 2 ? accuracy::kThroughCrackLong : accuracy::kThroughCrack);
-    EXPECT_NEAR(ours / row.value, 1, measured)
-        << row.place << ": " << row.quantity << ", r/t " << 1 / t << ", a/t " << a / t << ", "
-        << row("angle") * 180 / pi << " deg, nu " << row("poissons_ratio");
+    const bool compliance = row.quantity == "C";
+    const double ours = compliance ? relative_compliance(crack) : relative_release(crack);
+    const Measured measured = measured_of_through_cracks(row, lambda);
+    constexpr double kLastDigit = 0.0005;
+    const double stated = lambda > 2 ? accuracy::kThroughCrackLong : accuracy::kThroughCrack;
+    EXPECT_NEAR(
+        ours / row.value, 1,
+        std::min(stated, kLastDigit + (compliance ? measured.compliance : measured.release)))
+        << row.place << ": " << row.quantity << ", r/t " << row("radius_ratio") << ", a/t "
+        << row("length_ratio") << ", " << row("angle") * 180 / pi << " deg, nu "
+        << row("poissons_ratio");
     ++seen[row.quantity];
   }
   EXPECT_GE(seen["C"], 50);
+  EXPECT_EQ(seen["C"], seen["G"]);
+}
+
+// K of a sheet against local K: of the whole of K at the middle and the outer face, as stated; at
+// the inner face, where a sheet has too little K_II near 0 and 90 degrees, of the largest in the
+// wall, as the docstring says.
+TEST(Judgement, CrosscheckThroughCrackIntensities) {
+  Seen seen;
+  for (const test::CsvRow& row : test::read_reference_csv("judgement_through")) {
+    if (!row.quantity.starts_with("K_")) continue;
+    const ThroughCrackInTube crack = through_crack(row);
+    if (shell_parameter(crack) > ThroughCrackInTube::kMaxShellParameter) continue;
+    const bool inner = row.quantity.ends_with("inner");
+    const double s = inner ? -1.0 : row.quantity.ends_with("outer") ? 1.0 : 0.0;
+    const auto [K_I, K_II] = relative_intensity(crack, s);
+    double whole = std::hypot(K_I, K_II);
+    if (inner)
+      for (const double at : {0.0, 1.0}) {
+        const auto [one, two] = relative_intensity(crack, at);
+        whole = std::max(whole, std::hypot(one, two));
+      }
+    const double stated = inner ? 0.28
+                          : crack.poissons_ratio > 0.3 + 1e-12
+                              ? accuracy::kThroughCrackIntensityOtherRatio
+                              : accuracy::kThroughCrackIntensity;
+    EXPECT_NEAR(row.quantity.starts_with("K_II") ? K_II : K_I, row.value, stated * whole)
+        << row.place << ": " << row.quantity;
+    ++seen[row.quantity];
+  }
+  EXPECT_EQ(seen.size(), 6U);
+  for (const auto& [name, n] : seen) EXPECT_GE(n, 50) << name;
+}
+
+// Torque that closes the crack: the faces slide without friction, in both.
+TEST(Judgement, CrosscheckClosedThroughCracks) {
+  Seen seen;
+  for (const test::CsvRow& row : test::read_reference_csv("judgement_closed")) {
+    ThroughCrackInTube crack = through_crack(row);
+    crack.open = false;
+    const double ours = row.quantity == "C" ? relative_compliance(crack) : relative_release(crack);
+    const double measured = row.quantity == "C" ? 0.0085 : 0.0205;  // table of the theory manual
+    const double stated = accuracy::combined(
+        shell_parameter(crack) > 2 ? accuracy::kThroughCrackLong : accuracy::kThroughCrack,
+        accuracy::kThroughCrackPressed);
+    EXPECT_NEAR(ours / row.value, 1, std::min(measured, stated))
+        << row.place << ": " << row.quantity << ", a/t " << row("length_ratio") << ", "
+        << row("angle") * 180 / pi << " deg: " << 100 * (ours / row.value - 1) << " %";
+    ++seen[row.quantity];
+  }
+  EXPECT_EQ(seen["C"], 8);
   EXPECT_EQ(seen["C"], seen["G"]);
 }
 
@@ -139,6 +239,29 @@ TEST(Judgement, CrosscheckSurfaceCracks) {
     ++seen;
   }
   EXPECT_GE(seen, 2);
+}
+
+// Nine shapes from outside in a tube, 45 degrees, with the shear stress at the mouth: Newman and
+// Raju's plate at the deepest point.  5 % as stated; at 0.8 of the wall, the end of the fit, 8 %
+// (FR-4).
+TEST(Judgement, CrosscheckSurfaceCracksDeepestPoint) {
+  int seen = 0;
+  for (const test::CsvRow& row : test::read_reference_csv("judgement_surface_mouth")) {
+    const double a = row("depth_ratio");
+    const double rho = row("aspect_ratio");
+    const SurfaceCrack<1> crack({.depth = a,
+                                 .aspect_ratio = rho,
+                                 .thickness = 1,
+                                 .poissons_ratio = 0.3,
+                                 .normal_stress = {1.0},
+                                 .shear_stress = {0.0}});
+    const double ours = crack.stress_intensity(a, pi / 2).I[0] / std::sqrt(pi * a) *
+                        std::comp_ellint_2(std::sqrt(1 - rho * rho));
+    const double tolerance = a > 0.7 ? 0.08 : accuracy::kSurfaceCrack / 2;
+    EXPECT_NEAR(ours / row.value, 1, tolerance) << row.place << ": a/t " << a << ", a/c " << rho;
+    ++seen;
+  }
+  EXPECT_EQ(seen, 9);
 }
 
 TEST(Judgement, CrosscheckSoundCups) {

@@ -392,8 +392,38 @@ TEST(ThroughCrack, IdentityThicknessCountsWhereTheWallBulges) {
     const double sine = std::sin(degrees * deg);
     test::expect_relative(crack.wall_factor(10 * mm),
                           1 + (0.05 + 0.54 * sine * sine) * lambda * 2.24 / 78.88, 1e-12);
+  }
+}
+
+// Pressed faces, (FR-21): less by 0.75 sin^2(2 beta) lambda t/r; what only slides knows no faces.
+TEST(ThroughCrack, LimitPureSlidingDoesNotDependOnTheFaces) {
+  const auto factor = [](double degrees, bool open) {
+    ThroughCrackInTube crack = article_crack(10 * mm, degrees);
+    crack.thin_sheet = false;
+    crack.shell_correction = true;
+    crack.poissons_ratio = 0.0;
+    crack.open = open;
+    return crack.wall_factor(10 * mm);
+  };
+  for (const double degrees : {0.0, 90.0, -90.0, 180.0})
+    test::expect_relative(factor(degrees, false), factor(degrees, true), 1e-15);
+  EXPECT_GT(factor(90, false), 1.01);
+  // No step next to it, and no slope.
+  EXPECT_NEAR(factor(89.9, false), factor(90, true), 1e-6);
+  const double lambda = std::sqrt(std::sqrt(12.0) * 100 / (78.88 * 2.24));
+  for (const double degrees : {15.0, 30.0, 60.0, 75.0, -75.0}) {
+    const double sine = std::sin(2 * degrees * deg);
+    test::expect_relative(factor(degrees, true) - factor(degrees, false),
+                          0.75 * sine * sine * lambda * 2.24 / 78.88, 1e-12);
+  }
+  // The whole compliance in torsion, constraint and factors included.
+  for (const double degrees : {0.0, 90.0}) {
+    ThroughCrackInTube crack = article_crack(10 * mm, degrees);
+    crack.thin_sheet = false;
+    crack.shell_correction = true;
+    const double open = torsion_entry(crack);
     crack.open = false;
-    EXPECT_EQ(crack.wall_factor(10 * mm), 1.0);  // pressed faces do not bulge
+    test::expect_relative(torsion_entry(crack), open, 1e-9);
   }
 }
 

@@ -62,12 +62,37 @@ TEST(TabulatedCrack, IdentityStressIntensityOfTheClosedForm) {
   crack.compliance_table.reset();
   const StiffnessResult closed_form = torsional_stiffness(gear);
   EXPECT_EQ(wall_crack(tabulated).deepest->K_I, wall_crack(closed_form).deepest->K_I);
-  const StiffnessResult far = torsional_stiffness(tabulated_gear(18 * mm));
+  EXPECT_EQ(wall_crack(tabulated).deepest->K_II, wall_crack(closed_form).deepest->K_II);
+  const StiffnessResult far = torsional_stiffness(tabulated_gear(32 * mm));
   EXPECT_TRUE(far.usable()) << far.unusable_because;  // the closed form would not be
   EXPECT_FALSE(wall_crack(far).deepest);
   EXPECT_EQ(test::count_notes(far.notes, "crack.shell_range", "flexspline.crack[0]"), 1);
-  crack.half_length = 18 * mm;
+  crack.half_length = 32 * mm;
   EXPECT_FALSE(torsional_stiffness(gear).usable());
+}
+
+// What is said of the closed form's stress intensity does not depend on where the compliance comes
+// from: notes and equations, each case.
+TEST(TabulatedCrack, IdentityNotesOfTheClosedForm) {
+  const auto expect_same = [](GearSet gear, std::initializer_list<const char*> notes) {
+    const StiffnessResult tabulated = torsional_stiffness(gear);
+    std::get<WallThroughCrack>(gear.flexspline->crack.at(0)).compliance_table.reset();
+    const StiffnessResult closed_form = torsional_stiffness(gear);
+    for (const char* const code : notes) {
+      EXPECT_EQ(test::count_notes(tabulated.notes, code, "flexspline.crack[0]"), 1) << code;
+      EXPECT_EQ(test::count_notes(closed_form.notes, code, "flexspline.crack[0]"), 1) << code;
+    }
+    EXPECT_EQ(wall_crack(tabulated).deepest->K_I, wall_crack(closed_form).deepest->K_I);
+    EXPECT_EQ(wall_crack(tabulated).largest->K_II, wall_crack(closed_form).largest->K_II);
+    for (const char* const tag : {"FR-6", "FR-7", "FR-17", "ST-11"})
+      EXPECT_TRUE(std::ranges::count(tabulated.equations, tag) == 1) << tag;
+    return std::ranges::count(tabulated.equations, "SU-2");
+  };
+  EXPECT_EQ(expect_same(tabulated_gear(7 * mm), {"crack.closed"}), 1);
+  EXPECT_EQ(expect_same(tabulated_gear(18 * mm), {"crack.closed", "crack.shell_range"}), 1);
+  GearSet flat = tabulated_gear(7 * mm);
+  std::get<WallThroughCrack>(flat.flexspline->crack.at(0)).shell_correction = false;
+  EXPECT_EQ(expect_same(flat, {"crack.closed", "crack.flat_plate"}), 0);
 }
 
 // The short way of the same model, and its derivative to the varied number by both roads.

@@ -473,8 +473,12 @@ TEST(FlexsplineIntensities, IdentityOfBothLoads) {
   test::expect_relative(crack.utilisation->value, std::hypot(K_I, K_II) / 50e6, 1e-13);
   test::expect_relative(crack.plastic_zone->value,
                         (K_I * K_I + 3 * K_II * K_II) / (2 * pi * std::pow(700 * MPa, 2)), 1e-13);
-  EXPECT_EQ(*crack.deepest->K_I.relative_uncertainty, 0.08);
-  EXPECT_EQ(*crack.plastic_zone->relative_uncertainty, 0.16);
+  // 12 % of the whole of K: of each mode as much more as it is less than the whole.
+  for (const Quantity& mode : {crack.deepest->K_I, crack.deepest->K_II})
+    test::expect_relative(*mode.relative_uncertainty,
+                          std::min(1.0, 0.12 * std::hypot(K_I, K_II) / std::abs(mode.value)),
+                          1e-13);
+  EXPECT_EQ(*crack.plastic_zone->relative_uncertainty, 0.24);
 }
 
 TEST(FlexsplineIntensities, CrosscheckSurfaceCrackAlongItsFront) {

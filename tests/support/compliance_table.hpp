@@ -16,14 +16,14 @@ inline double made_up_compliance(double a) {
   return 2e-10 * x * x * (1 + 0.3 * x);
 }
 
-/// A made-up table over the half length, 0.1 to 20 mm by equal ratios, of the article's drive.
+/// A made-up table over the half length, 0.1 to 40 mm by equal ratios, of the article's drive.
 inline ComplianceTable made_up_table(int nodes = 12) {
   ComplianceTable table;
   table.file = "made_up.csv";
   table.kind = "through";
   TableAxis axis{.name = "half_length", .unit = "m", .logarithmic = true, .nodes = {}};
   for (int i = 0; i < nodes; ++i) {
-    const double a = 0.1 * units::mm * std::pow(200.0, static_cast<double>(i) / (nodes - 1));
+    const double a = 0.1 * units::mm * std::pow(400.0, static_cast<double>(i) / (nodes - 1));
     axis.nodes.push_back(a);
     table.positive.values.push_back(made_up_compliance(a));
     table.negative.values.push_back(1e-6 * made_up_compliance(a));
