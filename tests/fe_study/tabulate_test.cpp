@@ -314,9 +314,9 @@ TEST(FeMemory, InputRuleAtItsBoundary) {
   RunSize large = fits;
   large.memory = 2.1e9;
   EXPECT_NO_THROW(fe_study::require_memory({fits}, here, 1, 1));
-  const auto words = [](const RunSize& size, const AvailableMemory& memory, int here, int all) {
+  const auto words = [](const RunSize& size, const AvailableMemory& memory, int some, int all) {
     try {
-      fe_study::require_memory({size}, memory, here, all);
+      fe_study::require_memory({size}, memory, some, all);
     } catch (const fe_study::MemoryRefusal& error) {
       return std::string(error.what());
     }

@@ -141,7 +141,7 @@ TEST(TubeThroughCrack, IdentityForAnyNumberOfRanks) {
   TubeWithThroughCrack tube = flexspline(5e-3, 30, 2);
   tube.length = 40e-3;
   tube.layers = 1;
-  tube.rings = 2;
+  tube.rings = 3;
   tube.sense = TorqueSense::negative;
   const TubeCrackResult shut = solve_tube_with_through_crack(tube);
   EXPECT_GT(shut.solid.contact_share, 0.5);
