@@ -64,7 +64,9 @@ void deliver(const std::string& text, const std::string& path) {
 GearSet input_of(const Arguments& arguments, const fem::MpiSession& session) {
   if (arguments.file == "-" && session.size() > 1)
     throw InputError("FILE", "standard input reaches the first rank only: name a file");
-  return read_input(arguments.file);
+  GearSet gear;
+  session.together([&] { gear = read_input(arguments.file); });
+  return gear;
 }
 
 fe_study::RunOptions options_of(const Arguments& arguments, const fem::MpiSession& session) {
@@ -99,8 +101,12 @@ enum class Folder { vtu, pictures };
 ExitCode run_into_folder(const Arguments& arguments, Folder kind, const fem::MpiSession& session) {
   const GearSet gear = input_of(arguments, session);
   // Before the calculation, which may take long; write_files sees the rest.
-  if (std::filesystem::exists(arguments.output) && !std::filesystem::is_directory(arguments.output))
-    throw Error(arguments.output + ": is a file, and the results need a folder");
+  session.together([&] {
+    std::error_code unseen;
+    if (std::filesystem::exists(arguments.output, unseen) &&
+        !std::filesystem::is_directory(arguments.output, unseen))
+      throw Error(arguments.output + ": is a file, and the results need a folder");
+  });
   fe_study::RunOptions options = options_of(arguments, session);
   options.fields =
       kind == Folder::vtu ? fe_study::RunFields::of_rank : fe_study::RunFields::everywhere;
@@ -108,8 +114,7 @@ ExitCode run_into_folder(const Arguments& arguments, Folder kind, const fem::Mpi
   // The first rank alone can fail here; the others must not wait for it to write.
   fe_study::RunResult result;
   std::vector<fe_study::OutputFile> files;
-  std::exception_ptr fault;
-  try {
+  session.together([&] {
     result = fe_study::run(gear, options, session);
     if (kind == Folder::vtu)
       files = vtu_files(result, gear, session);
@@ -117,12 +122,7 @@ ExitCode run_into_folder(const Arguments& arguments, Folder kind, const fem::Mpi
       files = pictures(result, gear);
     if (first && kind == Folder::vtu)
       files.push_back({"result.json", json_of(result, gear, arguments)});
-  } catch (...) {
-    fault = std::current_exception();
-  }
-  const bool all_well = session.all(!fault);
-  if (fault) std::rethrow_exception(fault);
-  if (!all_well) return cli::kNotUsable;
+  });
   write_files(arguments.output, files, session);
   return first ? verdict(result) : cli::kOk;
 }
@@ -136,7 +136,9 @@ ExitCode run(const Arguments& arguments, const fem::MpiSession& session) {
   const bool json = arguments.format == "json";
   if (arguments.dry_run) {
     const auto sizes = fe_study::plan(gear, options);
-    if (first) deliver(json ? plan_json(sizes) : plan_text(sizes), arguments.output);
+    session.together([&] {
+      if (first) deliver(json ? plan_json(sizes) : plan_text(sizes), arguments.output);
+    });
     fe_study::require_memory(sizes, session);
     return cli::kOk;
   }
@@ -231,12 +233,17 @@ ExitCode run(int argc, char** argv, const fem::MpiSession& session) {
 int main(int argc, char** argv) {
   using namespace strainwave;  // NOLINT(google-build-using-namespace)
   const fem::MpiSession session(argc, argv);
+  // All ranks end with one word, of the first that has something to complain about.
   const auto complain = [&session](std::string_view message, cli::ExitCode code) {
-    if (session.rank() == 0) std::cerr << "strainwave-fe: " << message << '\n';
-    return code;
+    return session.last_code(code, [&] {
+      const std::string rank = session.rank() == 0 ? "" : fmt::format("rank {}: ", session.rank());
+      std::cerr << fmt::format("strainwave-fe: {}{}\n", rank, message) << std::flush;
+    });
   };
   try {
-    return run(argc, argv, session);
+    return session.last_code(run(argc, argv, session), nullptr);
+  } catch (const fem::OtherRankError&) {
+    return session.last_code(cli::kInternal, nullptr);
   } catch (const InputError& error) {
     return complain(error.what(), cli::kInput);
   } catch (const SolverError& error) {

@@ -30,7 +30,8 @@ struct Arguments {
 };
 
 cli::ExitCode run(const Arguments& arguments, const fem::MpiSession& session) {
-  const GearSet gear = read_gear_set_file(arguments.file);
+  GearSet gear;
+  session.together([&] { gear = read_gear_set_file(arguments.file); });
   const bool first = session.rank() == 0;
   const auto say = [&](const std::string& line) {
     if (first) std::cerr << "strainwave-fe: " << line << std::endl;

@@ -21,7 +21,7 @@ fem::Elasticity elasticity_of(const GearSet& gear, std::string_view material,
   return {.youngs_modulus = steel.E, .poissons_ratio = steel.nu};
 }
 
-/// Measured on one core: seconds = kSeconds * dofs * p^2 for one solution.
+/// Measured on one core: seconds = kSecondsPerDof * dofs * p^2 for one solution.
 constexpr double kSecondsPerDof = 4e-7;
 constexpr double kBytesPerDof = 4e3;
 
@@ -141,7 +141,8 @@ RunSize size_of(const WallCrack<Tube>& crack, std::size_t solutions) {
           .dofs = crack.dofs,
           .memory = solid_memory(dofs),
           .seconds = solid_seconds(dofs) * static_cast<double>(solutions),
-          .solutions = solutions};
+          .solutions = solutions,
+          .divided = true};
 }
 
 /// What is asked for, and may be.

@@ -6,68 +6,132 @@
 
 #include <algorithm>
 #include <fstream>
-#include <limits>
-#include <optional>
+#include <iterator>
 #include <sstream>
-
-#include "strainwave/core/error.hpp"
 
 namespace strainwave::fe_study {
 namespace {
 
-/// The kilobytes that a line "Key:  123 kB" of a file of /proc gives, in bytes.
-std::optional<double> proc_bytes(const char* file, const std::string& key) {
-  std::ifstream stream(file);
-  for (std::string line; std::getline(stream, line);) {
-    if (!line.starts_with(key + ":")) continue;
-    std::istringstream rest(line.substr(key.size() + 1));
-    double kilobytes = 0.0;
-    if (rest >> kilobytes) return kilobytes * 1024;
+std::optional<std::string> contents(const std::string& path) {
+  std::ifstream stream(path);
+  if (!stream) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+/// The number behind a key at the beginning of a line.
+std::optional<double> number_of(const std::optional<std::string>& text, std::string_view key) {
+  if (!text) return std::nullopt;
+  std::istringstream lines(*text);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with(key)) continue;
+    std::istringstream rest(line.substr(key.size()));
+    double number = 0.0;
+    if (rest >> number) return number;
   }
   return std::nullopt;
 }
 
+/// The kilobytes that a line "Key:  123 kB" of a file of /proc gives, in bytes.
+std::optional<double> proc_bytes(const std::string& file, const std::string& key) {
+  const auto kilobytes = number_of(contents(file), key + ":");
+  return kilobytes ? std::optional(*kilobytes * 1024) : std::nullopt;
+}
+
+/// Files of one version of control groups.
+struct GroupFiles {
+  std::string root;
+  std::string_view limit;
+  std::string_view used;
+  std::string_view cache;  ///< line of memory.stat
+};
+
+/// The least that a group and those that it is in leave.
+MemoryLimit left_of_group(std::string group, const GroupFiles& files, const FileReader& read) {
+  MemoryLimit least;
+  for (;;) {
+    while (!group.empty() && group.back() == '/') group.pop_back();
+    const std::string folder = files.root + group + '/';
+    // The limit "max" is no number, and none.
+    const auto limit = number_of(read(folder + std::string(files.limit)), "");
+    const auto used = number_of(read(folder + std::string(files.used)), "");
+    if (limit && used) {
+      const double cache = number_of(read(folder + "memory.stat"), files.cache).value_or(0.0);
+      const double left = std::max(0.0, *limit - std::max(0.0, *used - cache));
+      if (left < least.bytes) least = {left, fmt::format("{} of the control group", files.limit)};
+    }
+    if (group.empty()) return least;
+    group.erase(group.rfind('/') == std::string::npos ? 0 : group.rfind('/'));
+  }
+}
+
+void require_memory(const RunSize& size, double needed, const MemoryLimit& limit,
+                    std::string_view where) {
+  if (needed <= limit.bytes) return;
+  throw MemoryRefusal(size.path,
+                      fmt::format("{} unknowns need about {:.2g} GB of memory{}, and {:.2g} GB are "
+                                  "available ({})",
+                                  size.dofs, needed / 1e9, where, limit.bytes / 1e9, limit.from));
+}
+
 }  // namespace
 
+MemoryLimit control_group_memory(const FileReader& read) {
+  MemoryLimit least;
+  std::istringstream lines(read("/proc/self/cgroup").value_or(""));
+  for (std::string line;
+       std::getline(lines, line);) {  // "4:memory:/group", of version 2 "0::/group"
+    const std::size_t first = line.find(':');
+    const std::size_t second = first == std::string::npos ? first : line.find(':', first + 1);
+    if (second == std::string::npos) continue;
+    const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
+    const std::string group = line.substr(second + 1);
+    MemoryLimit limit;
+    if (controllers == ",,")
+      limit = left_of_group(
+          group, {"/sys/fs/cgroup", "memory.max", "memory.current", "inactive_file "}, read);
+    else if (controllers.find(",memory,") != std::string::npos)
+      limit = left_of_group(group,
+                            {"/sys/fs/cgroup/memory", "memory.limit_in_bytes",
+                             "memory.usage_in_bytes", "total_inactive_file "},
+                            read);
+    if (limit.bytes < least.bytes) least = limit;
+  }
+  return least;
+}
+
 AvailableMemory available_memory() {
-  AvailableMemory memory{std::numeric_limits<double>::infinity(), "nothing"};
+  AvailableMemory memory;
   if (const auto system = proc_bytes("/proc/meminfo", "MemAvailable"))
-    memory = {*system, "MemAvailable of /proc/meminfo"};
+    memory.machine = {*system, "MemAvailable of /proc/meminfo"};
+  if (const MemoryLimit group = control_group_memory(contents); group.bytes < memory.machine.bytes)
+    memory.machine = group;
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
     const double taken = proc_bytes("/proc/self/status", "VmSize").value_or(0.0);
-    const double left = std::max(0.0, static_cast<double>(limit.rlim_cur) - taken);
-    if (left < memory.bytes) memory = {left, "the limit of the process, ulimit -v"};
+    memory.process = {std::max(0.0, static_cast<double>(limit.rlim_cur) - taken),
+                      "the limit of the process, ulimit -v"};
   }
   return memory;
+}
+
+double memory_of_rank(const RunSize& size, int ranks) {
+  return size.divided ? size.memory * (1 + 1.0 / ranks) / 2 : size.memory;  // (FE-44)
 }
 
 void require_memory(const std::vector<RunSize>& sizes, const AvailableMemory& here, int ranks_here,
                     int ranks) {
   for (const RunSize& size : sizes) {
-    const double needed = size.memory * ranks_here / ranks;
-    if (needed <= here.bytes) continue;
-    throw InputError(
-        size.path,
-        fmt::format("{} unknowns need about {:.2g} GB of memory{}, and {:.2g} GB are "
-                    "available ({})",
-                    size.dofs, needed / 1e9, ranks > ranks_here ? " on each machine" : "",
-                    here.bytes / 1e9, here.from));
+    const double of_rank = memory_of_rank(size, ranks);
+    require_memory(size, size.divided ? of_rank * ranks_here : of_rank, here.machine,
+                   ranks > ranks_here ? " on each machine" : "");
+    require_memory(size, of_rank, here.process, ranks > 1 ? " in each process" : "");
   }
 }
 
 void require_memory(const std::vector<RunSize>& sizes, const fem::MpiSession& session) {
   const int ranks_here = session.on_this_machine();
-  std::string fault;
-  try {
-    require_memory(sizes, available_memory(), ranks_here, session.size());
-  } catch (const InputError& error) {
-    if (session.size() == 1) throw;
-    fault = error.what();
-  }
-  // One machine alone may be too small: the first that says so stops all.
-  fault = session.from_any(fault);
-  if (!fault.empty()) throw InputError("memory", fault);
+  // One machine alone may be too small: that stops all.
+  session.together([&] { require_memory(sizes, available_memory(), ranks_here, session.size()); });
 }
 
 }  // namespace strainwave::fe_study

@@ -30,7 +30,8 @@ void write_files(const fs::path& folder, const std::vector<OutputFile>& files,
   std::string problem;
   if (session.rank() == 0) {
     made = fs::create_directories(folder, fault);
-    if (!fs::is_directory(folder))
+    std::error_code unseen;
+    if (!fs::is_directory(folder, unseen))
       problem = fmt::format("{}: no folder of this name can be made", folder.string());
   }
   const auto part = [&](const OutputFile& file) { return folder / (file.name + ".part"); };

@@ -21,6 +21,7 @@
 #include "strainwave/core/sha256.hpp"
 #include "strainwave/core/version.hpp"
 #include "strainwave/fe_study/memory.hpp"
+#include "strainwave/fem/memory_error.hpp"
 #include "strainwave/io/gear_writer.hpp"
 #include "strainwave/io/result_writer.hpp"
 #include "strainwave/model/crack_parameters.hpp"
@@ -289,7 +290,10 @@ void refuse_other_head(const std::string& there, const std::string& here, const 
 std::vector<TableRow> rows_of(const TableStudy& study, const std::filesystem::path& file,
                               const std::function<void(const std::string&)>& say) {
   const std::string head = table_head_text(study.head);
-  if (!std::filesystem::exists(file)) {
+  std::error_code fault;
+  const bool there = std::filesystem::exists(file, fault);
+  if (fault) throw InputError(file.string(), fault.message());
+  if (!there) {
     write_file(file, head);
     return {};
   }
@@ -303,7 +307,8 @@ std::vector<TableRow> rows_of(const TableStudy& study, const std::filesystem::pa
       throw InputError(file.string(),
                        fmt::format("point {} is another one than this family's", i + 1));
   if (found.torn) {
-    std::filesystem::resize_file(file, found.whole);
+    std::filesystem::resize_file(file, found.whole, fault);
+    if (fault) throw Error(fmt::format("{}: {}", file.string(), fault.message()));
     say(fmt::format("{}: dropped a piece of a line that an interrupted run left at its end",
                     file.string()));
   }
@@ -412,6 +417,10 @@ std::string table_size_text(const TableSize& size) {
 TableRow table_point(const TableStudy& study, std::size_t point, const fem::MpiSession& session) {
   const auto start = std::chrono::steady_clock::now();
   TableRow row;
+  const auto refuse = [&](const Error& error) {
+    row.values.resize(study.head.columns.size());
+    row.reason = error.what();
+  };
   try {
     const RunResult result = run(at_point(study, point), study.run, session);
     if (session.rank() == 0) {
@@ -419,9 +428,14 @@ TableRow table_point(const TableStudy& study, std::size_t point, const fem::MpiS
       row.usable = result.usable();
       row.reason = result.reason();
     }
-  } catch (const Error& error) {
-    row.values.resize(study.head.columns.size());
-    row.reason = error.what();
+  } catch (const MemoryRefusal&) {
+    throw;
+  } catch (const fem::MemoryError&) {
+    throw;
+  } catch (const InputError& error) {  // a geometry that is none, or cannot be meshed
+    refuse(error);
+  } catch (const SolverError& error) {
+    refuse(error);
   }
   row.at = study.points[point];
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
@@ -439,17 +453,9 @@ TableOutcome run_table(const TableStudy& study, const std::filesystem::path& fil
   require_memory({size.largest}, session);
   // What the first rank finds in the file, all go by.  A fault of it ends all.
   std::vector<TableRow> rows;
-  std::string fault;
-  if (first) {
-    try {
-      rows = rows_of(study, file, say);
-    } catch (const Error& error) {
-      if (session.size() == 1) throw;
-      fault = error.what();
-    }
-  }
-  fault = session.from_first(fault);
-  if (!fault.empty()) throw InputError("-o", fault);
+  session.together([&] {
+    if (first) rows = rows_of(study, file, say);
+  });
   const auto found =
       static_cast<std::size_t>(std::stoul(session.from_first(fmt::format("{}", rows.size()))));
   if (first && found < study.points.size())
@@ -458,20 +464,15 @@ TableOutcome run_table(const TableStudy& study, const std::filesystem::path& fil
                     size.seconds * static_cast<double>(study.points.size() - found) /
                         static_cast<double>(study.points.size())));
   for (std::size_t i = found; i < study.points.size(); ++i) {
-    const TableRow row = table_point(study, i, session);
-    if (first) {
-      try {
-        append(file, table_row_text(row));
-        rows.push_back(row);
-        say(fmt::format("point {} of {}: {:.1f} s{}{}", i + 1, study.points.size(), row.seconds,
-                        row.usable ? "" : ", NOT usable: ", row.reason));
-      } catch (const Error& error) {
-        if (session.size() == 1) throw;
-        fault = error.what();
-      }
-    }
-    fault = session.from_first(fault);
-    if (!fault.empty()) throw Error(fault);
+    // Of bodies of revolution the first rank alone has the fault.
+    session.together([&] {
+      const TableRow row = table_point(study, i, session);
+      if (!first) return;
+      append(file, table_row_text(row));
+      rows.push_back(row);
+      say(fmt::format("point {} of {}: {:.1f} s{}{}", i + 1, study.points.size(), row.seconds,
+                      row.usable ? "" : ", NOT usable: ", row.reason));
+    });
   }
   TableOutcome outcome{.found = found, .unusable = 0, .first_reason = {}};
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -6,10 +6,12 @@
 #include <fmt/format.h>
 #include <mpi.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <string_view>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/fem/memory_error.hpp"
 
 extern "C" {
 void dsyrk_(const char*, const char*, const int*, const int*, const double*, const double*,
@@ -20,6 +22,10 @@ void dpotrf_(const char*, const int*, double*, const int*, int*);
 }
 
 namespace strainwave::fem {
+namespace {
+constexpr int kSingular = -10;  // of MUMPS
+}
+
 /// MUMPS's data, which it must be asked to give back.
 struct DirectSolver::Mumps {
   Mumps() {
@@ -41,7 +47,8 @@ struct DirectSolver::Mumps {
 
   static constexpr int kStart = -1;
   static constexpr int kEnd = -2;
-  static constexpr int kAnalyseAndFactor = 4;
+  static constexpr int kAnalyse = 1;
+  static constexpr int kFactor = 2;
   static constexpr int kSolve = 3;
 
   /// With the numbering of its manual.
@@ -50,18 +57,37 @@ struct DirectSolver::Mumps {
   void run(int job) {
     id_.job = job;
     dmumps_c(&id_);
-    const int code = id_.infog[0];
-    const bool indefinite = job == kAnalyseAndFactor && id_.infog[11] > 0;  // a negative pivot
-    if (code == -10 || indefinite)
-      throw SolverError("the direct solver failed: the body can move as a whole");
-    if (code == -13 || code == -7 || code == -5)
-      throw SolverError("the direct solver failed: there is too little memory");
-    if (code < 0)
-      throw SolverError(fmt::format("the direct solver failed (code {}, {})", code, id_.infog[1]));
+    check_mumps(id_.infog[0], id_.infog[1]);
+  }
+
+  /// Factors; where the analysis promised too little workspace, again with more.
+  void factor() {
+    constexpr int kMostPercent = 1000;
+    for (int more = std::max(100, 2 * control(14));; more *= 2) {
+      id_.job = kFactor;
+      dmumps_c(&id_);
+      const int code = id_.infog[0];
+      const bool short_of_space = code == -8 || code == -9 || code == -17 || code == -20;
+      if (!short_of_space || more > kMostPercent) break;
+      ++repeats_;
+      control(14) = more;  // per cent above the estimate
+    }
+    const bool indefinite = id_.infog[0] >= 0 && id_.infog[11] > 0;  // a negative pivot
+    check_mumps(indefinite ? kSingular : id_.infog[0], id_.infog[1]);
   }
 
   DMUMPS_STRUC_C id_{};
+  int repeats_ = 0;
 };
+
+void check_mumps(int code, int detail) {
+  if (code >= 0) return;
+  if (code == kSingular)
+    throw SolverError("the direct solver failed: the body can move as a whole");
+  if (code == -13 || code == -7 || code == -5 || code == -19)
+    throw MemoryError("the direct solver failed: there is too little memory");
+  throw Error(fmt::format("the direct solver failed (code {}, {})", code, detail));
+}
 
 void SymmetricEntries::reserve(std::size_t size) {
   row.reserve(size);
@@ -69,15 +95,19 @@ void SymmetricEntries::reserve(std::size_t size) {
   value.reserve(size);
 }
 
-DirectSolver::DirectSolver(SymmetricEntries entries, int unknowns)
-    : mumps_(std::make_unique<Mumps>()) {
+DirectSolver::DirectSolver(SymmetricEntries entries, int unknowns,
+                           std::optional<int> workspace_percent) {
+  if (unknowns == 0) return;  // all were eliminated in the cells
+  mumps_ = std::make_unique<Mumps>();
+  if (workspace_percent) mumps_->control(14) = *workspace_percent;
   DMUMPS_STRUC_C& data = mumps_->id_;
   data.n = unknowns;
   data.nnz_loc = static_cast<MUMPS_INT8>(entries.value.size());
   data.irn_loc = entries.row.data();
   data.jcn_loc = entries.column.data();
   data.a_loc = entries.value.data();
-  mumps_->run(Mumps::kAnalyseAndFactor);
+  mumps_->run(Mumps::kAnalyse);
+  mumps_->factor();
   // The entries end here: MUMPS has its factor and does not look at them again.
   data.irn_loc = nullptr;
   data.jcn_loc = nullptr;
@@ -87,6 +117,7 @@ DirectSolver::DirectSolver(SymmetricEntries entries, int unknowns)
 DirectSolver::~DirectSolver() = default;
 
 std::vector<double> DirectSolver::solve(std::vector<double> rhs, int count) {
+  if (!mumps_) return rhs;
   DMUMPS_STRUC_C& data = mumps_->id_;
   data.rhs = rhs.data();
   data.nrhs = count;
@@ -96,9 +127,13 @@ std::vector<double> DirectSolver::solve(std::vector<double> rhs, int count) {
   return rhs;
 }
 
-double DirectSolver::megabytes() const { return static_cast<double>(mumps_->id_.infog[21]); }
+double DirectSolver::megabytes() const {
+  return mumps_ ? static_cast<double>(mumps_->id_.infog[21]) : 0.0;
+}
 
-double DirectSolver::operations() const { return mumps_->id_.rinfog[2]; }
+double DirectSolver::operations() const { return mumps_ ? mumps_->id_.rinfog[2] : 0.0; }
+
+int DirectSolver::repeats() const { return mumps_ ? mumps_->repeats_ : 0; }
 
 void prepare_blas() {
   const auto function = [](const char* name) { return dlsym(RTLD_DEFAULT, name); };

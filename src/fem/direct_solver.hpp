@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace strainwave::fem {
@@ -26,9 +27,14 @@ struct SymmetricEntries {
 /// `solve` with the same right-hand sides.
 class DirectSolver {
  public:
-  /// @param unknowns  number of rows
-  /// @throws SolverError  a matrix that is singular, or too little memory
-  DirectSolver(SymmetricEntries entries, int unknowns);
+  /// @param unknowns  number of rows; may be 0
+  /// @param workspace_percent  above the estimate of the analysis, to begin with: where it is too
+  ///                  little the factorisation is repeated with more; MUMPS's own if left out
+  /// @throws SolverError  a matrix that is singular
+  /// @throws MemoryError  too little memory
+  /// @throws Error        any other fault of MUMPS
+  DirectSolver(SymmetricEntries entries, int unknowns,
+               std::optional<int> workspace_percent = std::nullopt);
   ~DirectSolver();
   DirectSolver(const DirectSolver&) = delete;
   DirectSolver& operator=(const DirectSolver&) = delete;
@@ -38,11 +44,15 @@ class DirectSolver {
 
   [[nodiscard]] double megabytes() const;   ///< memory of the factorisation, over all ranks [MB]
   [[nodiscard]] double operations() const;  ///< floating-point operations of the elimination
+  [[nodiscard]] int repeats() const;        ///< of the factorisation, for want of workspace
 
  private:
   struct Mumps;
   std::unique_ptr<Mumps> mumps_;
 };
+
+/// Throws what a code of MUMPS, INFOG(1) and INFOG(2), stands for; nothing if there is no fault.
+void check_mumps(int code, int detail);
 
 /// Sets up OpenBLAS, if it is that: before the first use of BLAS.
 ///

@@ -29,20 +29,45 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <iostream>
+#include <limits>
 #include <map>
 #include <memory>
+#include <new>
 #include <numbers>
 #include <optional>
 #include <set>
+#include <thread>
 #include <utility>
 
 #include "fem/direct_solver.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/fem/memory_error.hpp"
 
 namespace strainwave::fem {
 
 struct MpiSession::Impl {
   dealii::Utilities::MPI::MPI_InitFinalize session;
+  MPI_Comm ends = MPI_COMM_NULL;  ///< for faults alone: other ranks may be at any other message
+
+  static constexpr int kNobody = std::numeric_limits<int>::max();
+  /// The least number of all ranks.  One that has a complaint does not wait for the others for
+  /// ever, which may wait for it elsewhere.
+  [[nodiscard]] int least(int mine, const std::function<void()>& complain) const {
+    constexpr std::chrono::seconds kPatience(10);
+    int result = kNobody;
+    MPI_Request request = MPI_REQUEST_NULL;
+    MPI_Iallreduce(&mine, &result, 1, MPI_INT, MPI_MIN, ends, &request);
+    const auto start = std::chrono::steady_clock::now();
+    for (int done = 0; MPI_Test(&request, &done, MPI_STATUS_IGNORE), done == 0;) {
+      if (complain && std::chrono::steady_clock::now() - start > kPatience) {
+        complain();
+        MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);
+      }
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+    return result;
+  }
 };
 
 MpiSession::MpiSession(int& argc, char**& argv) {
@@ -50,8 +75,12 @@ MpiSession::MpiSession(int& argc, char**& argv) {
   // Open MPI, started without mpirun: no daemon, for we start no further processes.
   setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   impl_ = new Impl{dealii::Utilities::MPI::MPI_InitFinalize(argc, argv, 1)};
+  MPI_Comm_dup(MPI_COMM_WORLD, &impl_->ends);
 }
-MpiSession::~MpiSession() { delete impl_; }
+MpiSession::~MpiSession() {
+  MPI_Comm_free(&impl_->ends);
+  delete impl_;
+}
 int MpiSession::rank() const {
   return static_cast<int>(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
 }
@@ -76,6 +105,25 @@ std::string MpiSession::from_any(const std::string& text) const {
 }
 bool MpiSession::all(bool here) const {
   return dealii::Utilities::MPI::min(here ? 1 : 0, MPI_COMM_WORLD) == 1;
+}
+int MpiSession::last_code(int code, const std::function<void()>& complain) const {
+  constexpr int kCodes = 1000;  // more than there are
+  const int mine = complain ? rank() * kCodes + code : Impl::kNobody;
+  const int first = impl_->least(mine, complain);
+  if (first == Impl::kNobody) return code;
+  if (first == mine) complain();
+  return first % kCodes;
+}
+void MpiSession::agree(const std::exception_ptr& fault, const std::string& words) const {
+  const int here = rank();
+  std::function<void()> complain;
+  if (fault) complain = [&] { std::cerr << "rank " << here << ": " << words << std::endl; };
+  const int first = impl_->least(fault ? here : Impl::kNobody, complain);
+  if (first == Impl::kNobody) return;
+  const std::string others =
+      dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, words, static_cast<unsigned>(first));
+  if (fault) std::rethrow_exception(fault);
+  throw OtherRankError(others);
 }
 
 namespace {
@@ -415,7 +463,7 @@ class Model {
     auto start = std::chrono::steady_clock::now();
     make_constraints();
     number_unknowns();
-    SymmetricEntries entries = assemble();
+    SymmetricEntries entries = assemble_together();
     result_.assembly_seconds += seconds_since(start);
     start = std::chrono::steady_clock::now();
     solver_ = std::make_unique<DirectSolver>(std::move(entries), unknowns_);
@@ -604,6 +652,23 @@ class Model {
     for (Index i = 0; i < number_.size(); ++i)
       if (number_[i] >= 0) u_[i] = x[static_cast<std::size_t>(number_[i])];
     constraints_.distribute(u_);
+  }
+
+  /// `assemble`; a fault of one rank's cells ends all, for MUMPS would wait for it.
+  SymmetricEntries assemble_together() {
+    SymmetricEntries entries;
+    std::exception_ptr fault;
+    try {
+      entries = assemble();
+    } catch (const std::bad_alloc&) {
+      fault = std::make_exception_ptr(MemoryError("there is too little memory for the matrix"));
+    } catch (...) {
+      fault = std::current_exception();
+    }
+    const bool all_well = dealii::Utilities::MPI::min(fault ? 0 : 1, MPI_COMM_WORLD) == 1;
+    if (fault) std::rethrow_exception(fault);
+    if (!all_well) throw OtherRankError("another rank could not assemble its cells");
+    return entries;
   }
 
   /// Internal nodal forces, without any constraint.

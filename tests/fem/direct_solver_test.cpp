@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/fem/memory_error.hpp"
 #include "support/mpi.hpp"
 
 namespace strainwave::fem {
@@ -47,6 +48,52 @@ TEST(DirectSolver, CrosscheckDenseMatrix) {
       EXPECT_NEAR(found[i], (i < 12 ? 1 : 2) * expected(static_cast<Eigen::Index>(i % 12)),
                   1e-11 * expected.norm())
           << i;
+}
+
+// Cells that stand alone leave no unknowns to the solver.
+TEST(DirectSolver, LimitNoUnknowns) {
+  test::start_mpi();
+  DirectSolver solver({}, 0);
+  EXPECT_TRUE(solver.solve({}).empty());
+  EXPECT_EQ(solver.megabytes(), 0.0);
+  EXPECT_EQ(solver.operations(), 0.0);
+}
+
+// A workspace that is too small costs a repetition, and nothing else.
+TEST(DirectSolver, IdentityWorkspaceThatWasTooSmall) {
+  test::start_mpi();
+  const Eigen::MatrixXd a = definite(300);
+  const std::vector<double> rhs(300, 1.0);
+  DirectSolver ample(lower_entries(a), 300);
+  DirectSolver scant(lower_entries(a), 300, -90);
+  EXPECT_EQ(ample.repeats(), 0);
+  EXPECT_GT(scant.repeats(), 0);
+  EXPECT_EQ(scant.solve(rhs), ample.solve(rhs));
+}
+
+// Faults of the machine, of the problem and of the program are told apart.
+TEST(DirectSolver, InputFaultsByCode) {
+  EXPECT_NO_THROW(check_mumps(0, 0));
+  EXPECT_NO_THROW(check_mumps(1, 0));  // a warning
+  for (const int code : {-5, -7, -13, -19}) EXPECT_THROW(check_mumps(code, 1), MemoryError);
+  const auto is_memory = [](int code) {
+    try {
+      check_mumps(code, 1);
+    } catch (const MemoryError&) {
+      return true;
+    } catch (const SolverError&) {
+    }
+    return false;
+  };
+  EXPECT_FALSE(is_memory(-10));
+  try {
+    check_mumps(-3, 7);
+    ADD_FAILURE();
+  } catch (const SolverError&) {
+    ADD_FAILURE() << "not of the problem";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "the direct solver failed (code -3, 7)");
+  }
 }
 
 // FE-45: what is left after the inner unknowns is the inverse of the outer block of the inverse.

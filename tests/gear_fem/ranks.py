@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs one test program under mpirun with 1, 2 and 4 ranks and compares what it prints.
 
-    ranks.py TEST_PROGRAM TEST_NAME
+    ranks.py TEST_PROGRAM TEST_NAMES
 
-The test prints lines `ranks NAME VALUE`; rounding of a direct solver leaves 1e-9.
+The tests, a filter of gtest, print lines `ranks NAME VALUE`; rounding of a direct solver leaves 1e-9.
 """
 
 import os

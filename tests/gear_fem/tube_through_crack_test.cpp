@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -82,7 +83,6 @@ TEST(TubeThroughCrack, LimitClosedAt45Degrees) {
   EXPECT_TRUE(closed.usable) << closed.reason;
   EXPECT_DOUBLE_EQ(closed.solid.contact_share, 1.0);
   EXPECT_LT(std::abs(relative_release(tube, closed)), 1e-3);
-  EXPECT_LT(closed.added_compliance, 1e-4 * closed.compliance_without);
   // With faces that pass through each other the answer is refused, and is that of the other sense.
   tube.crack_faces = fem::CrackFaces::free;
   tube.check_growth = false;
@@ -90,6 +90,8 @@ TEST(TubeThroughCrack, LimitClosedAt45Degrees) {
   EXPECT_FALSE(overlap.usable);
   EXPECT_EQ(overlap.reason.rfind("closed:", 0), 0U) << overlap.reason;
   EXPECT_LT(overlap.solid.fronts[0].stations[1].K_I, 0);
+  // What closed faces leave, of what the open crack adds: 1e-6, measured; the active set's rest.
+  EXPECT_LT(std::abs(closed.added_compliance), 1e-4 * overlap.added_compliance);
 }
 
 // (FE-30), (FE-31): away from 45 degrees closed faces slide.  A crack much shorter than sqrt(r t) =
@@ -132,6 +134,21 @@ TEST(TubeThroughCrack, LimitShortCrackSlidesWhenClosed) {
                       tube.wall_thickness * (1 - 0.09) / E;
   EXPECT_GT(shut.added_compliance, 0.97 * flat);
   EXPECT_LT(shut.added_compliance, 1.03 * flat / (1 - 0.09));
+}
+
+// Run by ranks.py with 1, 2 and 4 ranks, which compares the lines: faces that touch, and slide.
+TEST(TubeThroughCrack, IdentityForAnyNumberOfRanks) {
+  TubeWithThroughCrack tube = flexspline(5e-3, 30, 2);
+  tube.length = 40e-3;
+  tube.layers = 1;
+  tube.rings = 3;
+  tube.sense = TorqueSense::negative;
+  const TubeCrackResult shut = solve_tube_with_through_crack(tube);
+  EXPECT_GT(shut.solid.contact_share, 0.5);
+  std::printf("ranks tube_contact_share %.17g\nranks tube_release %.17g\nranks tube_K_II %.17g\n",
+              shut.solid.contact_share, shut.energy_release_rate,
+              shut.solid.fronts[1].stations[1].K_II);
+  std::printf("ranks tube_added %.17g\n", shut.added_compliance);
 }
 
 // (FE-31): the faces of a crack of 20 mm are so curved that without the work of the pressure the

@@ -6,12 +6,14 @@
 namespace strainwave::test {
 
 /// MPI for the rest of the test program; started without mpirun it has one rank.
-inline void start_mpi() {
+inline const fem::MpiSession& mpi() {
   static int count = 1;
   static char name[] = "test";
   static char* arguments[] = {name, nullptr};
   static char** argv = arguments;
-  static fem::MpiSession session(count, argv);
+  static const fem::MpiSession session(count, argv);
+  return session;
 }
+inline void start_mpi() { (void)mpi(); }
 
 }  // namespace strainwave::test

@@ -51,9 +51,10 @@ struct RunOptions {
 struct RunSize {
   std::string path;           ///< "output_shaft.crack[0]" or "flexspline"
   std::size_t dofs = 0;       ///< of its largest solution; of solids exact, else within 10 %
-  double memory = 0.0;        ///< estimate, of all ranks together [byte]; (FE-44)
+  double memory = 0.0;        ///< estimate, of one rank alone [byte]; (FE-44)
   double seconds = 0.0;       ///< estimate for one core [s]
   std::size_t solutions = 0;  ///< how many are solved
+  bool divided = false;       ///< among the ranks of MPI; else the first does it all
 };
 
 /// One crack of the output shaft.

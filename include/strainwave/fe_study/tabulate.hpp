@@ -50,9 +50,12 @@ struct TableSize {
 [[nodiscard]] TableSize table_size(const TableStudy& study);
 [[nodiscard]] std::string table_size_text(const TableSize& size);
 
-/// One point of the family.  A point that is refused or not usable is a row that says why.
+/// One point of the family.  A point whose geometry is refused, that was not solved or is not
+/// usable is a row that says why.
 ///
 /// Every rank of MPI calls it; the first has the row.
+/// @throws MemoryRefusal, fem::MemoryError  too little memory, which the next run may have: no row
+/// @throws Error  any other fault that is not of the point
 [[nodiscard]] TableRow table_point(const TableStudy& study, std::size_t point,
                                    const fem::MpiSession& session);
 
