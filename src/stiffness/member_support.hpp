@@ -146,6 +146,8 @@ inline ModelAccuracy surface_crack_fit(MemberCompliance& member, const std::stri
                             "outside a/t <= 0.8 and a/c >= 0.2, where the stress intensity was "
                             "fitted: extrapolated",
                             path, "FR-4"});
+  } else if (clearly_less(0.7 * thickness, depth)) {
+    fit = accuracy::kSurfaceCrackDeep;
   }
   rest_on(member, path, fit);
   return fit;

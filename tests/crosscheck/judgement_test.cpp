@@ -257,7 +257,7 @@ TEST(Judgement, CrosscheckSurfaceCracksDeepestPoint) {
                                  .shear_stress = {0.0}});
     const double ours = crack.stress_intensity(a, pi / 2).I[0] / std::sqrt(pi * a) *
                         std::comp_ellint_2(std::sqrt(1 - rho * rho));
-    const double tolerance = a > 0.7 ? 0.08 : accuracy::kSurfaceCrack / 2;
+    const double tolerance = (a > 0.7 ? accuracy::kSurfaceCrackDeep : accuracy::kSurfaceCrack) / 2;
     EXPECT_NEAR(ours / row.value, 1, tolerance) << row.place << ": a/t " << a << ", a/c " << rho;
     ++seen;
   }

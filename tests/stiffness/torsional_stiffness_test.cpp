@@ -560,6 +560,7 @@ TEST(Accuracy, RegressionTable) {
                                      {kCamConversion, 0.70},
                                      {kLoadSharing, 0.30},
                                      {kSurfaceCrack, 0.10},
+                                     {kSurfaceCrackDeep, 0.16},
                                      {kSurfaceCrackShear, 0.20},
                                      {kSurfaceCrackExtrapolated, 0.20},
                                      {kEdgeCrack, 0.20},

@@ -39,6 +39,8 @@ inline constexpr ModelAccuracy kCamConversion{
 inline constexpr ModelAccuracy kLoadSharing{0.30, "balls taken to share the lobe force equally"};
 inline constexpr ModelAccuracy kSurfaceCrack{
     0.10, "Newman and Raju: 5 % of K against finite elements, 10 % of the compliance"};
+inline constexpr ModelAccuracy kSurfaceCrackDeep{
+    0.16, "Newman and Raju beyond a/t = 0.7: 8 % of K against finite elements in a tube"};
 inline constexpr ModelAccuracy kSurfaceCrackShear{
     0.20, "K_II and K_III of an embedded ellipse, without the free surface"};
 inline constexpr ModelAccuracy kSurfaceCrackExtrapolated{
