@@ -107,7 +107,7 @@ struct SolidResult {
 /// Accuracy (theory manual, chapter FE): with the ring templates of gear_fem at p = 3, G is good
 /// to 0.3 %.
 /// @throws InputError   a bad value, or a mesh with a Jacobian determinant <= 0
-/// @throws SolverError  factorisation or active set failed
+/// @throws SolverError  factorisation or contact failed
 [[nodiscard]] SolidResult solve_solid(const HexMesh& mesh, const SolidProblem& problem);
 
 /// The smallest scaled Jacobian determinant over corners and Gauss points [-]; refuses a mesh
