@@ -52,7 +52,9 @@ struct MeshedTube {
 };
 
 MeshedTube mesh_size(const TubeWithThroughCrack& tube, double a) {
-  const double b = a / 2;
+  // Bending of the wall decays within sqrt(r t), which a long crack's cells must not exceed.
+  const double decay = std::sqrt(tube.mean_radius * tube.wall_thickness);
+  const double b = std::min(a / 2, 0.6 * decay);
   const double t = tube.wall_thickness;
   TubeBody body = tube_body({.mean_radius = tube.mean_radius,
                              .wall_thickness = t,
@@ -61,8 +63,11 @@ MeshedTube mesh_size(const TubeWithThroughCrack& tube, double a) {
                              .angle = tube.angle,
                              .rigid_radius = 1.02 * std::hypot(a + b, b)});
   CrackPlan plan;
-  plan.x = grid_lines({-a - b, -a, -a + b, a - b, a, a + b}, body.along[0], body.along[1], b,
-                      tube.growth, body.longest_along);
+  std::vector<double> inner = {-a - b, -a, -a + b};
+  const int between = std::max(1, static_cast<int>(std::ceil((a - b) / (0.6 * decay) - 1e-9)));
+  for (int i = 1; i <= between; ++i) inner.push_back((a - b) * (2.0 * i / between - 1));
+  inner.insert(inner.end(), {a, a + b});
+  plan.x = grid_lines(inner, body.along[0], body.along[1], b, tube.growth, body.longest_along);
   plan.y =
       grid_lines({-b, 0, b}, body.across[0], body.across[1], b, tube.growth, body.longest_across);
   const auto at = [](const std::vector<double>& lines, double x) {
