@@ -40,12 +40,12 @@ using CrackPlaneStress = BasicCrackPlaneStress<double>;
 /// (inner face) to +1 (outer face).  The thickness of the wall changes the energy release rate by
 /// (FR-21), unless it is taken as a thin sheet.  Range: shell parameter <= 4.  Accuracy with
 /// (FR-21), open faces under torque, nu = 0.3, r/t 20 to 60, any angle: added compliance 1.1 %, G
-/// 1.2 % up to a shell parameter of 3, 1.3 and 2.7 % up to 4; at nu = 0 and 0.45 1.1 and 1.7 % up to 1.4 (finite
-/// elements).  Pressed faces, without friction, nu = 0.3, up to a shell parameter of 2.8: added
-/// compliance 1 %, G 2 %.  K of the sheet is within 12 % of the whole of local K in
-/// the middle and at the outer face (nu = 0.45: 19 %); near 0 and 90 degrees it has too little K_II
-/// at the inner face, by up to 28 % of the largest K in the wall.  As a thin sheet: added
-/// compliance 9 % too large at a = 0.05 t, 3 % too small at 4.
+/// 1.2 % up to a shell parameter of 3, 1.3 and 2.7 % up to 4; at nu = 0 and 0.45 1.1 and 1.7 % up
+/// to 1.4 (finite elements).  Pressed faces, without friction, nu = 0.3, up to a shell parameter of
+/// 2.8: added compliance 1 %, G 2 %.  K of the sheet is within 12 % of the whole of local K in the
+/// middle and at the outer face (nu = 0.45: 19 %); near 0 and 90 degrees it has too little K_II at
+/// the inner face, by up to 28 % of the largest K in the wall.  As a thin sheet: added compliance
+/// 9 % too large at a = 0.05 t, 5 % too small at a shell parameter of 4.
 template <class Real>
 struct BasicThroughCrackInTube {
   static constexpr std::size_t kLoads = 2;
