@@ -122,11 +122,16 @@ TEST(ComplianceTable, InputRulesBrokenOnce) {
   gear = tabulated_gear();
   gear.compliance_tables["made_up.csv"].axes[0].unit = "rad";
   refused(gear, "has half_length in \"rad\", not in \"m\"");
+  for (const double end :
+       {made_up_table().axes[0].nodes.front(), made_up_table().axes[0].nodes.back()})
+    EXPECT_NO_THROW(check(tabulated_gear(end))) << end;
   for (const auto& [name, unit, value] : made_up_table().fixed) {
     gear = tabulated_gear();
-    for (TableParameter& fixed : gear.compliance_tables["made_up.csv"].fixed)
-      if (fixed.name == name) fixed.value *= 1 + 2e-6;
-    refused(gear, "was made with " + name);
+    for (const double factor : {1 + 2e-6, 1 - 2e-6}) {  // larger, smaller
+      for (TableParameter& fixed : gear.compliance_tables["made_up.csv"].fixed)
+        if (fixed.name == name) fixed.value = value * factor;
+      refused(gear, "was made with " + name);
+    }
     for (TableParameter& fixed : gear.compliance_tables["made_up.csv"].fixed)
       if (fixed.name == name) fixed.value = value * (1 + 5e-7);
     EXPECT_NO_THROW(check(gear)) << name;
