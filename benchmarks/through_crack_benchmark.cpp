@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "strainwave/fem/mpi_session.hpp"
 #include "strainwave/fem/solid.hpp"
 #include "strainwave/gear_fem/tube_through_crack.hpp"
 

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "command_line.hpp"
 #include "exit_code.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/version.hpp"
@@ -22,7 +23,7 @@
 #include "strainwave/fe_study/memory.hpp"
 #include "strainwave/fe_study/output_files.hpp"
 #include "strainwave/fe_study/run_report.hpp"
-#include "strainwave/fem/solid.hpp"
+#include "strainwave/fem/mpi_session.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/io/result_writer.hpp"
 #include "tabulate.hpp"
@@ -161,21 +162,6 @@ void add_input(CLI::App& app, Arguments& arguments) {
       ->type_name("PATH");
   app.add_flag("--progress", arguments.progress,
                "a line for each solution on standard error, even if that is no terminal");
-}
-
-/// Parses; an exit code if there is nothing to do.
-std::optional<ExitCode> parsed(CLI::App& app, int argc, char** argv,
-                               const fem::MpiSession& session) {
-  try {
-    app.parse(argc, argv);
-    return {};
-  } catch (const CLI::ParseError& error) {
-    std::ostream nowhere(nullptr);
-    const bool first = session.rank() == 0;
-    return app.exit(error, first ? std::cout : nowhere, first ? std::cerr : nowhere) == 0
-               ? cli::kOk
-               : cli::kUsage;
-  }
 }
 
 ExitCode run_render(int argc, char** argv, const fem::MpiSession& session) {

@@ -2,7 +2,6 @@
 #include "tabulate.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -11,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "command_line.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/fe_study/memory.hpp"
 #include "strainwave/fe_study/tabulate.hpp"
@@ -66,10 +66,6 @@ cli::ExitCode run(const Arguments& arguments, const fem::MpiSession& session) {
 
 }  // namespace
 
-bool tells_progress(bool asked, const fem::MpiSession& session) {
-  return session.rank() == 0 && (asked || ::isatty(STDERR_FILENO) == 1);
-}
-
 cli::ExitCode run_tabulate(int argc, char** argv, const fem::MpiSession& session) {
   Arguments arguments;
   CLI::App app{
@@ -98,16 +94,8 @@ cli::ExitCode run_tabulate(int argc, char** argv, const fem::MpiSession& session
                "a line for each solution on standard error, even if that is no terminal");
   app.footer(
       "Example:\n  strainwave-fe tabulate examples/through_crack.toml -o through_45.csv \\\n"
-      "    --over 'flexspline.crack[0].half_length=0.1 mm..20 mm:12:log'");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    std::ostream nowhere(nullptr);
-    const bool first = session.rank() == 0;
-    return app.exit(error, first ? std::cout : nowhere, first ? std::cerr : nowhere) == 0
-               ? cli::kOk
-               : cli::kUsage;
-  }
+      "    --over 'flexspline.crack[0].half_length=3 mm..14 mm:7:log'");
+  if (const auto code = parsed(app, argc, argv, session)) return *code;
   return run(arguments, session);
 }
 

@@ -72,35 +72,32 @@ TubeSection wall_of(const GearSet& gear, WallSection section) {
   return section == WallSection::rim ? *fs.rim : *fs.barrel;
 }
 
-gear_fem::TubeWithThroughCrack tube_of(const GearSet& gear, const WallThroughCrack& crack,
-                                       int order) {
+/// The tube of a crack of the wall, of either kind, without its depth.
+template <class Tube, class Crack>
+Tube tube_about(const GearSet& gear, const Crack& crack, int order) {
   const TubeSection wall = wall_of(gear, crack.section);
-  return {.material = elasticity_of(gear, gear.flexspline->material, "flexspline.material"),
-          .mean_radius = (wall.outer_diameter - wall.wall_thickness) / 2,
-          .wall_thickness = wall.wall_thickness,
-          .length = wall.length,
-          .half_length = crack.half_length,
-          .angle = crack.angle,
-          .torque = std::abs(gear.load.torque),
-          .sense = TorqueSense::positive,
-          .order = order};
+  Tube tube;
+  tube.material = elasticity_of(gear, gear.flexspline->material, "flexspline.material");
+  tube.mean_radius = (wall.outer_diameter - wall.wall_thickness) / 2;
+  tube.wall_thickness = wall.wall_thickness;
+  tube.length = wall.length;
+  tube.half_length = crack.half_length;
+  tube.angle = crack.angle;
+  tube.torque = std::abs(gear.load.torque);
+  tube.order = order;
+  return tube;
 }
 
-std::string crack_path(std::size_t n) { return fmt::format("output_shaft.crack[{}]", n); }
+gear_fem::TubeWithThroughCrack tube_of(const GearSet& gear, const WallThroughCrack& crack,
+                                       int order) {
+  return tube_about<gear_fem::TubeWithThroughCrack>(gear, crack, order);
+}
 
 gear_fem::TubeWithSurfaceCrack tube_of(const GearSet& gear, const WallSurfaceCrack& crack,
                                        int order) {
-  const TubeSection wall = wall_of(gear, crack.section);
-  return {.material = elasticity_of(gear, gear.flexspline->material, "flexspline.material"),
-          .mean_radius = (wall.outer_diameter - wall.wall_thickness) / 2,
-          .wall_thickness = wall.wall_thickness,
-          .length = wall.length,
-          .depth = crack.depth,
-          .half_length = crack.half_length,
-          .angle = crack.angle,
-          .torque = std::abs(gear.load.torque),
-          .sense = TorqueSense::positive,
-          .order = order};
+  auto tube = tube_about<gear_fem::TubeWithSurfaceCrack>(gear, crack, order);
+  tube.depth = crack.depth;
+  return tube;
 }
 
 fem::HexMesh mesh_of(const gear_fem::TubeWithThroughCrack& tube) {
@@ -109,6 +106,8 @@ fem::HexMesh mesh_of(const gear_fem::TubeWithThroughCrack& tube) {
 fem::HexMesh mesh_of(const gear_fem::TubeWithSurfaceCrack& tube) {
   return gear_fem::mesh_tube_with_surface_crack(tube);
 }
+
+std::string crack_path(std::size_t n) { return fmt::format("output_shaft.crack[{}]", n); }
 
 std::string wall_crack_path(std::size_t n) { return fmt::format("flexspline.crack[{}]", n); }
 

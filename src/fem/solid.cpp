@@ -28,103 +28,20 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
-#include <iostream>
-#include <limits>
 #include <map>
 #include <memory>
 #include <new>
 #include <numbers>
 #include <optional>
 #include <set>
-#include <thread>
 #include <utility>
 
 #include "fem/direct_solver.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/fem/memory_error.hpp"
+#include "strainwave/fem/mpi_session.hpp"
 
 namespace strainwave::fem {
-
-struct MpiSession::Impl {
-  dealii::Utilities::MPI::MPI_InitFinalize session;
-  MPI_Comm ends = MPI_COMM_NULL;  ///< for faults alone: other ranks may be at any other message
-
-  static constexpr int kNobody = std::numeric_limits<int>::max();
-  /// The least number of all ranks.  One that has a complaint does not wait for the others for
-  /// ever, which may wait for it elsewhere.
-  [[nodiscard]] int least(int mine, const std::function<void()>& complain) const {
-    constexpr std::chrono::seconds kPatience(10);
-    int result = kNobody;
-    MPI_Request request = MPI_REQUEST_NULL;
-    MPI_Iallreduce(&mine, &result, 1, MPI_INT, MPI_MIN, ends, &request);
-    const auto start = std::chrono::steady_clock::now();
-    for (int done = 0; MPI_Test(&request, &done, MPI_STATUS_IGNORE), done == 0;) {
-      if (complain && std::chrono::steady_clock::now() - start > kPatience) {
-        complain();
-        MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);
-      }
-      std::this_thread::sleep_for(std::chrono::microseconds(200));
-    }
-    return result;
-  }
-};
-
-MpiSession::MpiSession(int& argc, char**& argv) {
-  prepare_blas();
-  // Open MPI, started without mpirun: no daemon, for we start no further processes.
-  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-  impl_ = new Impl{dealii::Utilities::MPI::MPI_InitFinalize(argc, argv, 1)};
-  MPI_Comm_dup(MPI_COMM_WORLD, &impl_->ends);
-}
-MpiSession::~MpiSession() {
-  MPI_Comm_free(&impl_->ends);
-  delete impl_;
-}
-int MpiSession::rank() const {
-  return static_cast<int>(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
-}
-int MpiSession::size() const {
-  return static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
-}
-int MpiSession::on_this_machine() const {
-  MPI_Comm machine = MPI_COMM_NULL;
-  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
-  int ranks = 1;
-  MPI_Comm_size(machine, &ranks);
-  MPI_Comm_free(&machine);
-  return ranks;
-}
-std::string MpiSession::from_first(const std::string& text) const {
-  return dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, text, 0);
-}
-std::string MpiSession::from_any(const std::string& text) const {
-  for (const std::string& one : dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, text))
-    if (!one.empty()) return one;
-  return {};
-}
-bool MpiSession::all(bool here) const {
-  return dealii::Utilities::MPI::min(here ? 1 : 0, MPI_COMM_WORLD) == 1;
-}
-int MpiSession::last_code(int code, const std::function<void()>& complain) const {
-  constexpr int kCodes = 1000;  // more than there are
-  const int mine = complain ? rank() * kCodes + code : Impl::kNobody;
-  const int first = impl_->least(mine, complain);
-  if (first == Impl::kNobody) return code;
-  if (first == mine) complain();
-  return first % kCodes;
-}
-void MpiSession::agree(const std::exception_ptr& fault, const std::string& words) const {
-  const int here = rank();
-  std::function<void()> complain;
-  if (fault) complain = [&] { std::cerr << "rank " << here << ": " << words << std::endl; };
-  const int first = impl_->least(fault ? here : Impl::kNobody, complain);
-  if (first == Impl::kNobody) return;
-  const std::string others =
-      dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, words, static_cast<unsigned>(first));
-  if (fault) std::rethrow_exception(fault);
-  throw OtherRankError(others);
-}
 
 namespace {
 

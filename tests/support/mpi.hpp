@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "strainwave/fem/solid.hpp"
+#include "strainwave/fem/mpi_session.hpp"
 
 namespace strainwave::test {
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "strainwave/fem/mpi_session.hpp"
 #include "strainwave/fem/solid.hpp"
 #include "strainwave/gear_fem/cup_section.hpp"
 #include "strainwave/gear_fem/shaft_section.hpp"

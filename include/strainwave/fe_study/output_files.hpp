@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "strainwave/fe_study/member_run.hpp"
-#include "strainwave/fem/solid.hpp"
+#include "strainwave/fem/mpi_session.hpp"
 #include "strainwave/model/gear_set.hpp"
 
 /// @file
