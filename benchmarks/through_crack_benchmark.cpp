@@ -52,7 +52,7 @@ void solve(std::map<std::string, double> given, const fem::MpiSession& session) 
   tube.order = static_cast<int>(value("order", 3));
   tube.rings = static_cast<int>(value("rings", 0));
   tube.layers = static_cast<int>(value("layers", 0));
-  tube.growth = value("growth", 0);
+  tube.sectors = static_cast<int>(value("sectors", 0));
   if (!given.empty()) throw std::runtime_error("unknown setting: " + given.begin()->first);
   const gear_fem::TubeCrackResult result = gear_fem::solve_tube_with_through_crack(tube);
   if (session.rank() != 0) return;

@@ -102,7 +102,12 @@ double scaled_determinant(const Tensor2& J) {
   return lengths > 0 ? dealii::determinant(J) / lengths : 0;
 }
 
-double worst_jacobian(const Body& body) {
+/// Whether the map of the cell has no inverse on its edge u = v = 0, by design (FE-46).
+bool is_singular(const HexCell& cell) {
+  return cell.front && cell.front->square_root && cell.front->ring < 0;
+}
+
+double worst_jacobian(const HexMesh& mesh, const Body& body) {
   const dealii::FE_Q<3> element(1);
   const dealii::QGauss<3> gauss(5);
   const dealii::QTrapezoid<3> corners;
@@ -113,7 +118,9 @@ double worst_jacobian(const Body& body) {
   double worst = 1;
   for (const auto& cell : body.triangulation.active_cell_iterators()) {
     values.reinit(cell);
+    const HexCell& source = mesh.cells[static_cast<std::size_t>(cell->index())];
     for (const unsigned q : values.quadrature_point_indices()) {
+      if (is_singular(source) && points[q][0] == 0 && points[q][1] == 0) continue;
       const double scaled = scaled_determinant(Tensor2(values.jacobian(q)));  // (FE-22)
       if (!(scaled > 0))
         throw InputError("mesh", fmt::format("cell {} is tangled or left-handed: scaled Jacobian "
@@ -235,7 +242,7 @@ class Model {
         scalar_(static_cast<unsigned>(problem.order)),
         element_(scalar_, 3),
         dofs_(body_.triangulation) {
-    result_.worst_jacobian = worst_jacobian(body_);
+    result_.worst_jacobian = worst_jacobian(mesh_, body_);
     dofs_.distribute_dofs(element_);
     u_.reinit(dofs_.n_dofs());
     result_.dofs = dofs_.n_dofs();
@@ -1259,14 +1266,21 @@ SampledFields Model::sample() const {
                        .cells = {},
                        .crack_faces = {}};
   const dealii::Quadrature<3> points = sample_points<3>(request.divisions);
-  dealii::FEValues<3> values(
-      body_.mapping, scalar_, points,
-      dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points);
+  // At a front with a singular map the gradient is infinite: it is taken next to it.
+  std::vector<Point<3>> inner = points.get_points();
+  for (Point<3>& point : inner)
+    if (point[0] == 0 && point[1] == 0)
+      point[0] = point[1] = 0.25 / static_cast<double>(request.divisions);
+  dealii::FEValues<3> values(body_.mapping, scalar_, points,
+                             dealii::update_values | dealii::update_quadrature_points);
+  dealii::FEValues<3> slopes(body_.mapping, scalar_, points, dealii::update_gradients);
+  dealii::FEValues<3> inner_slopes(body_.mapping, scalar_, dealii::Quadrature<3>(inner),
+                                   dealii::update_gradients);
   std::vector<Tensor2> gradient;
   for (const Cell& cell : dofs_.active_cell_iterators()) {
     if (!request.every_cell && !cell->is_locally_owned()) continue;
     reinit(values, cell);
-    gradients(cell, values, gradient);
+    gradients(cell, reinit(is_singular(source(cell)) ? inner_slopes : slopes, cell), gradient);
     FieldCell& sampled = fields.cells.emplace_back();
     sampled.face_tag = source(cell).face_tag;
     for (unsigned q = 0; q < points.size(); ++q) {
@@ -1307,9 +1321,13 @@ void Model::sample_crack_faces(SampledFields& fields) const {
           .push_back({cell, f, to_point(source(cell).map(unit))});
     }
   const dealii::Quadrature<2> points = sample_points<2>(fields.divisions);
-  dealii::FEFaceValues<3> values(
-      body_.mapping, scalar_, points,
-      dealii::update_values | dealii::update_quadrature_points | dealii::update_normal_vectors);
+  // There is no normal at a front with a singular map: it is taken next to it.
+  std::vector<Point<2>> inner = points.get_points();
+  for (Point<2>& point : inner) point += 1e-6 * (Point<2>(0.5, 0.5) - point);
+  dealii::FEFaceValues<3> values(body_.mapping, scalar_, points,
+                                 dealii::update_values | dealii::update_quadrature_points);
+  dealii::FEFaceValues<3> normals(body_.mapping, scalar_, dealii::Quadrature<2>(inner),
+                                  dealii::update_normal_vectors);
   const auto displacements = [&](const Face& face) {
     values.reinit(typename dealii::Triangulation<3>::active_cell_iterator(face.cell), face.number);
     cell_values(face.cell);
@@ -1330,6 +1348,7 @@ void Model::sample_crack_faces(SampledFields& fields) const {
     const std::vector<Tensor<1, 3>> below = displacements(*twin);
     const std::vector<Point<3>> place_below = values.get_quadrature_points();
     const std::vector<Tensor<1, 3>> above = displacements(face);
+    normals.reinit(typename dealii::Triangulation<3>::active_cell_iterator(face.cell), face.number);
     CrackFacePatch& patch = fields.crack_faces.emplace_back();
     for (unsigned q = 0; q < points.size(); ++q) {
       const Point<3>& place = values.quadrature_point(q);
@@ -1342,7 +1361,7 @@ void Model::sample_crack_faces(SampledFields& fields) const {
       patch.points.push_back({.place = to_array(place),
                               .upper = {above[q][0], above[q][1], above[q][2]},
                               .lower = {u[0], u[1], u[2]},
-                              .opening = (u - above[q]) * values.normal_vector(q)});  // (FE-39)
+                              .opening = (u - above[q]) * normals.normal_vector(q)});  // (FE-39)
     }
   }
 }
@@ -1362,6 +1381,6 @@ SolidResult solve_solid(const HexMesh& mesh, const SolidProblem& problem) {
   return Model(mesh, problem).run();
 }
 
-double check_jacobians(const HexMesh& mesh) { return worst_jacobian(Body(mesh, 1)); }
+double check_jacobians(const HexMesh& mesh) { return worst_jacobian(mesh, Body(mesh, 1)); }
 
 }  // namespace strainwave::fem

@@ -114,7 +114,7 @@ fem::SolidResult straight_crack_block(const StraightCrackBlock& block) {
                                  return p[0] < tiny ? kLeft : 0;
                                },
                                .length = W + H};
-  const fem::HexMesh mesh = fem::make_hex_mesh(extruded(crack_plan(plan), plan, {0, B}), body);
+  const fem::HexMesh mesh = fem::make_hex_mesh(extruded(crack_plan(plan), {0, B}), body);
 
   fem::SolidProblem problem;
   problem.material = block.material;

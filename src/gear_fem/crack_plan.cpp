@@ -34,17 +34,25 @@ class TipTemplate {
       const PlanPoint c = on_circle(core, 2 * k + 2);
       cells.push_back(
           {.map = [=](double u, double v) { return blend(blend(o, a, u), blend(c, b, u), v); },
-           .tip = index_,
-           .ring = -1,
-           .side = k < 2 ? 1 : -1});
+           .half = half(k < 2 ? 1 : -1),
+           .tip = place(-1, k < 2 ? 1 : -1)});
     }
     for (int ring = 0; ring <= plan_.rings; ++ring)
       for (int k = 0; k < 8; ++k)
-        cells.push_back(
-            {.map = ring_map(ring, k), .tip = index_, .ring = ring, .side = k < 4 ? 1 : -1});
+        cells.push_back({.map = ring_map(ring, k),
+                         .half = half(k < 4 ? 1 : -1),
+                         .tip = place(ring, k < 4 ? 1 : -1)});
   }
 
  private:
+  [[nodiscard]] int half(int side) const { return side * tip_.growth; }
+  [[nodiscard]] PlanTipPlace place(int ring, int side) const {
+    return {.tip = static_cast<std::size_t>(index_),
+            .ring = ring,
+            .side = side,
+            .growth = {static_cast<double>(tip_.growth), 0}};
+  }
+
   /// Inner radius of a circular ring; `rings` gives the outermost circle.
   [[nodiscard]] double radius(int ring) const {
     return outer_ * std::pow(plan_.ratio, plan_.rings - ring);
@@ -102,10 +110,12 @@ std::vector<PlanCell> crack_plan(const CrackPlan& plan) {
   for (std::size_t i = 0; i + 1 < plan.x.size(); ++i)
     for (std::size_t j = 0; j + 1 < plan.y.size(); ++j)
       if (!in_a_square(i, j))
-        cells.push_back({.map = [x0 = plan.x[i], x1 = plan.x[i + 1], y0 = plan.y[j],
-                                 y1 = plan.y[j + 1]](double u, double v) {
-          return PlanPoint{(1 - u) * x0 + u * x1, (1 - v) * y0 + v * y1};
-        }});
+        cells.push_back({.map =
+                             [x0 = plan.x[i], x1 = plan.x[i + 1], y0 = plan.y[j],
+                              y1 = plan.y[j + 1]](double u, double v) {
+                               return PlanPoint{(1 - u) * x0 + u * x1, (1 - v) * y0 + v * y1};
+                             },
+                         .half = plan.tips.empty() || j >= plan.tips.front().j ? 1 : -1});
   for (std::size_t t = 0; t < plan.tips.size(); ++t)
     TipTemplate(plan, static_cast<int>(t)).add(cells);
   return cells;
@@ -135,7 +145,7 @@ std::vector<double> graded_lines(double from, double to, double first, double gr
   return lines;
 }
 
-std::vector<fem::TemplateCell> extruded(const std::vector<PlanCell>& plan, const CrackPlan& lines,
+std::vector<fem::TemplateCell> extruded(const std::vector<PlanCell>& plan,
                                         const std::vector<double>& layers) {
   std::vector<fem::TemplateCell> cells;
   for (std::size_t k = 0; k + 1 < layers.size(); ++k)
@@ -145,16 +155,15 @@ std::vector<fem::TemplateCell> extruded(const std::vector<PlanCell>& plan, const
         const PlanPoint x = map(p[0], p[1]);
         return fem::Point3{x[0], x[1], (1 - p[2]) * z0 + p[2] * z1};
       };
-      const std::size_t crack_line = lines.tips.empty() ? 0 : lines.tips.front().j;
-      cell.side = source.map(0.5, 0.5)[1] > lines.y[crack_line] ? 1 : -1;
-      if (source.tip >= 0) {
-        const auto tip = static_cast<std::size_t>(source.tip);
-        const fem::Point3 growth{static_cast<double>(lines.tips[tip].growth), 0, 0};
-        cell.front = fem::FrontPlace{.front = tip,
+      cell.side = source.half;
+      if (source.tip) {
+        const fem::Point3 growth{source.tip->growth[0], source.tip->growth[1], 0};
+        cell.front = fem::FrontPlace{.front = source.tip->tip,
                                      .segment = k,
-                                     .ring = source.ring,
-                                     .side = source.side,
-                                     .advance = [growth](const fem::Point3&) { return growth; }};
+                                     .ring = source.tip->ring,
+                                     .side = source.tip->side,
+                                     .advance = [growth](const fem::Point3&) { return growth; },
+                                     .square_root = source.tip->square_root};
       }
       cells.push_back(std::move(cell));
     }

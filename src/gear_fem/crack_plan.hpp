@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "strainwave/fem/hex_mesh.hpp"
@@ -12,12 +13,20 @@ namespace strainwave::gear_fem {
 
 using PlanPoint = std::array<double, 2>;
 
+/// Where a quadrilateral lies in the rings about a tip.
+struct PlanTipPlace {
+  std::size_t tip{};         ///< index of the tip
+  int ring = -1;             ///< -1: at the tip (FrontPlace::ring)
+  int side = 0;              ///< side of the tip's frame (FrontPlace::side)
+  PlanPoint growth{};        ///< unit vector of the tip's growth
+  bool square_root = false;  ///< FrontPlace::square_root
+};
+
 /// A quadrilateral of a plane mesh about crack tips, with its analytic map of the unit square.
 struct PlanCell {
   std::function<PlanPoint(double u, double v)> map;
-  int tip = -1;   ///< index of the tip whose rings it belongs to, -1: none
-  int ring = -1;  ///< -1: at the tip (FrontPlace::ring)
-  int side = 0;   ///< side of the tip's frame (FrontPlace::side)
+  int half = 1;  ///< side of the crack's line it lies on, +1 or -1
+  std::optional<PlanTipPlace> tip = {};
 };
 
 /// A tip at a node of the grid; its rings replace the four cells about the node.
@@ -48,7 +57,6 @@ struct CrackPlan {
 /// Plan cells swept straight along the third coordinate between the lines; the crack grows in
 /// the plane, one front per tip.
 [[nodiscard]] std::vector<fem::TemplateCell> extruded(const std::vector<PlanCell>& plan,
-                                                      const CrackPlan& lines,
                                                       const std::vector<double>& layers);
 
 }  // namespace strainwave::gear_fem

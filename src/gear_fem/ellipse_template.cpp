@@ -116,19 +116,19 @@ class Drawing {
           return (1 - w) * from + w * to;
         };
         fem::TemplateCell cell;
-        cell.side = source.map(0.5, 0.5)[1] > 0 ? 1 : -1;
+        cell.side = source.half;
         cell.map = [=, map = source.map, confocal = confocal_,
                     scale = scale_y_](const fem::Point3& p) {
           const PlanPoint f = map(p[0], p[1]);
           const PlanPoint x = confocal.at(f[0], angle(p[2]));
           return fem::Point3{x[0], scale * f[1], x[1]};
         };
-        if (source.tip >= 0)
+        if (source.tip)
           cell.front = fem::FrontPlace{
               .front = 0,
               .segment = static_cast<std::size_t>(k),
-              .ring = source.ring,
-              .side = source.side,
+              .ring = source.tip->ring,
+              .side = source.tip->side,
               .advance = [=, map = source.map, confocal = confocal_](const fem::Point3& p) {
                 const double r = map(p[0], p[1])[0];
                 const double slope = confocal.B / (r * r);

@@ -95,8 +95,8 @@ double tube_polar_moment(double mean_radius, double wall_thickness) {
   return pi / 2 * (std::pow(outer, 4) - std::pow(inner, 4));
 }
 
-fem::SolidProblem tube_torsion(const TubeBody& body, const fem::Elasticity& material,
-                               double torque) {
+fem::SolidProblem tube_torsion(double mean_radius, double wall_thickness,
+                               const fem::Elasticity& material, double torque) {
   fem::SolidProblem problem;
   problem.material = material;
   problem.crack_tag = kTubeCrack;
@@ -104,7 +104,7 @@ fem::SolidProblem tube_torsion(const TubeBody& body, const fem::Elasticity& mate
                                 return std::vector<fem::Point3>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
                               }});
   // tau_ztheta = T r/J: tractions (-y, x) T/J.
-  const double rate = torque / tube_polar_moment(body.plan.mean_radius, body.plan.wall_thickness);
+  const double rate = torque / tube_polar_moment(mean_radius, wall_thickness);
   problem.tractions.push_back({.tag = kTubeLoad, .value = [rate](const fem::Point3& p) {
                                  return fem::Point3{-rate * p[1], rate * p[0], 0};
                                }});

@@ -41,8 +41,8 @@ struct TubeBody {
 [[nodiscard]] TubeBody tube_body(const TubePlan& plan);
 
 /// Clamp at z = 0, traction of a torque at z = length.
-[[nodiscard]] fem::SolidProblem tube_torsion(const TubeBody& body, const fem::Elasticity& material,
-                                             double torque);
+[[nodiscard]] fem::SolidProblem tube_torsion(double mean_radius, double wall_thickness,
+                                             const fem::Elasticity& material, double torque);
 
 /// J = pi/2 (ro^4 - ri^4) [m^4].
 [[nodiscard]] double tube_polar_moment(double mean_radius, double wall_thickness);

@@ -110,7 +110,8 @@ SolvedSurfaceCrack solve_surface_crack(const TubeWithSurfaceCrack& tube, double 
   const auto start = std::chrono::steady_clock::now();
   const MeshedSurfaceCrack meshed = mesh_surface_crack(tube, size);
   const double torque = tube.sense == TorqueSense::positive ? tube.torque : -tube.torque;
-  fem::SolidProblem problem = tube_torsion(meshed.body, tube.material, torque);
+  fem::SolidProblem problem =
+      tube_torsion(tube.mean_radius, tube.wall_thickness, tube.material, torque);
   problem.order = tube.order;
   problem.crack_faces = tube.crack_faces;
   if (size == 1) problem.fields = tube.fields;

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "gear_fem/confocal_plan.hpp"
 #include "gear_fem/crack_plan.hpp"
 #include "gear_fem/tube_body.hpp"
 #include "strainwave/core/error.hpp"
@@ -17,17 +18,6 @@ namespace strainwave::gear_fem {
 namespace {
 
 using std::numbers::pi;
-
-/// Lines of one direction of the grid: through the tips' squares, then graded to both ends.
-std::vector<double> grid_lines(const std::vector<double>& inner, double from, double to, double gap,
-                               double growth, double longest) {
-  std::vector<double> lines = graded_lines(inner.front(), from, gap, growth, longest);
-  std::reverse(lines.begin(), lines.end());
-  lines.insert(lines.end(), inner.begin(), inner.end());
-  const std::vector<double> after = graded_lines(inner.back(), to, gap, growth, longest);
-  lines.insert(lines.end(), after.begin(), after.end());
-  return lines;
-}
 
 /// Lines through the wall, more than two layers grow from both faces to the middle.
 std::vector<double> wall_lines(double t, int layers) {
@@ -46,66 +36,63 @@ struct Solved {
   double area;  ///< of the crack
 };
 
-struct MeshedTube {
-  TubeBody body;
-  fem::HexMesh mesh;
-};
-
-MeshedTube mesh_size(const TubeWithThroughCrack& tube, double a) {
-  // Bending of the wall decays within sqrt(r t), which a long crack's cells must not exceed.
-  const double decay = std::sqrt(tube.mean_radius * tube.wall_thickness);
-  const double b = std::min(a / 2, 0.6 * decay);
+fem::HexMesh mesh_size(const TubeWithThroughCrack& tube, double a) {
+  const double R = tube.mean_radius;
   const double t = tube.wall_thickness;
-  TubeBody body = tube_body({.mean_radius = tube.mean_radius,
-                             .wall_thickness = t,
-                             .length = tube.length,
-                             .place = tube.place,
-                             .angle = tube.angle,
-                             .rigid_radius = 1.02 * std::hypot(a + b, b)});
-  CrackPlan plan;
-  std::vector<double> inner = {-a - b, -a, -a + b};
-  const int between = std::max(1, static_cast<int>(std::ceil((a - b) / (0.6 * decay) - 1e-9)));
-  for (int i = 1; i <= between; ++i) inner.push_back((a - b) * (2.0 * i / between - 1));
-  inner.insert(inner.end(), {a, a + b});
-  plan.x = grid_lines(inner, body.along[0], body.along[1], b, tube.growth, body.longest_along);
-  plan.y =
-      grid_lines({-b, 0, b}, body.across[0], body.across[1], b, tube.growth, body.longest_across);
-  const auto at = [](const std::vector<double>& lines, double x) {
-    return static_cast<std::size_t>(std::find(lines.begin(), lines.end(), x) - lines.begin());
-  };
-  plan.tips = {{.i = at(plan.x, a), .j = at(plan.y, 0), .growth = 1},
-               {.i = at(plan.x, -a), .j = at(plan.y, 0), .growth = -1}};
-  plan.rings =
-      tube.rings > 0
-          ? tube.rings
-          : std::clamp(
-                static_cast<int>(std::ceil(std::log2(plan.circle * b / (0.04 * std::min(t, a))))),
-                4, 16);
+  // From the generator (+y) toward -theta (-s).
+  const ConfocalPlan plan{
+      .half_length = a,
+      .sized_for = tube.half_length,
+      .direction = pi / 2 + tube.angle,
+      .half_round = pi * R,
+      .below = tube.place,
+      .above = tube.length - tube.place,
+      .longest_round = pi * R / 5,
+      .longest_along = std::max(tube.length / 4, R / 4),
+      .sectors = tube.sectors,
+      .rings = tube.rings,
+      // Away from a crack shorter than the wall is thick there is little to resolve.
+      .stretch = tube.half_length < t ? 1.3 : 1};
   const double tiny = 1e-9 * a;
   const double half_wall = t / 2;
-  const fem::TemplateBody shape{
-      .map = body.map,
-      .on_crack =
-          [=](const fem::Point3& p) { return std::abs(p[1]) < tiny && std::abs(p[0]) < a - tiny; },
-      .face_tag = [=](const fem::Point3& p) -> int {
-        if (std::abs(std::abs(p[2]) - half_wall) < 1e-9 * half_wall) return kTubeFree;
-        if (std::abs(p[1]) < tiny && std::abs(p[0]) < a) return kTubeCrack;
-        return body.end_tag(p);
-      },
-      .length = tube.mean_radius};
-  return {body,
-          fem::make_hex_mesh(extruded(crack_plan(plan), plan, wall_lines(t, tube.layers)), shape)};
+  const auto distances = [=](const fem::Point3& p) {
+    const PlanPoint x = on_crack_axes(plan, {p[0], p[1]});
+    return PlanPoint{std::abs(x[0]), std::abs(x[1])};
+  };
+  const fem::TemplateBody shape{.map =
+                                    [=](const fem::Point3& p) {
+                                      const double theta = p[0] / R;
+                                      return fem::Point3{(R + p[2]) * std::cos(theta),
+                                                         (R + p[2]) * std::sin(theta),
+                                                         plan.below + p[1]};
+                                    },
+                                .on_crack =
+                                    [=](const fem::Point3& p) {
+                                      const PlanPoint x = distances(p);
+                                      return x[1] < tiny && x[0] < a - tiny;
+                                    },
+                                .face_tag = [=](const fem::Point3& p) -> int {
+                                  if (std::abs(std::abs(p[2]) - half_wall) < 1e-9 * half_wall)
+                                    return kTubeFree;
+                                  const PlanPoint x = distances(p);
+                                  if (x[1] < tiny && x[0] < a) return kTubeCrack;
+                                  if (std::abs(p[1] + plan.below) < tiny) return kTubeClamp;
+                                  return std::abs(p[1] - plan.above) < tiny ? kTubeLoad : 0;
+                                },
+                                .length = R};
+  return fem::make_hex_mesh(extruded(confocal_plan(plan).cells, wall_lines(t, tube.layers)), shape);
 }
 
 Solved solve_size(const TubeWithThroughCrack& tube, double a) {
   const auto start = std::chrono::steady_clock::now();
-  const MeshedTube meshed = mesh_size(tube, a);
+  const fem::HexMesh mesh = mesh_size(tube, a);
   const double torque = tube.sense == TorqueSense::positive ? tube.torque : -tube.torque;
-  fem::SolidProblem problem = tube_torsion(meshed.body, tube.material, torque);
+  fem::SolidProblem problem =
+      tube_torsion(tube.mean_radius, tube.wall_thickness, tube.material, torque);
   problem.order = tube.order;
   problem.crack_faces = tube.crack_faces;
   if (a == tube.half_length) problem.fields = tube.fields;
-  Solved done{fem::solve_solid(meshed.mesh, problem), 2 * a * tube.wall_thickness};
+  Solved done{fem::solve_solid(mesh, problem), 2 * a * tube.wall_thickness};
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   if (tube.solved) tube.solved(done.solid, taken.count());
   return done;
@@ -115,27 +102,35 @@ Solved solve_size(const TubeWithThroughCrack& tube, double a) {
 TubeWithThroughCrack completed(TubeWithThroughCrack tube) {
   check_tube(tube.mean_radius, tube.wall_thickness, tube.length, tube.angle, tube.place);
   if (tube.place == 0) tube.place = tube.length / 2;
-  // The wall bends about a long crack, within sqrt(r t); a short one has only its own stress.
-  if (tube.growth == 0) tube.growth = tube.half_length >= tube.wall_thickness ? 1.4 : 2.5;
-  // Chosen once: the neighbouring sizes of the growth check must have the same layers.
-  if (tube.layers == 0) tube.layers = tube.half_length >= tube.wall_thickness ? 1 : 2;
   const double a = tube.half_length;
   require(a > 0 && std::isfinite(a), "half_length", a, "m", "half_length > 0");
   require(tube.torque > 0 && std::isfinite(tube.torque), "torque", tube.torque, "N*m",
           "torque > 0; its sense is given apart");
   require(tube.order >= 2 && tube.order <= 4, "order", tube.order, "1", "2 <= order <= 4");
-  require(tube.rings == 0 || (tube.rings >= 3 && tube.rings <= 16), "rings", tube.rings, "1",
-          "3 <= rings <= 16, or 0");
-  require(tube.growth == 0 || (tube.growth >= 1.2 && tube.growth <= 3), "growth", tube.growth, "1",
-          "1.2 <= growth <= 3, or 0");
+  require(tube.sectors == 0 || (tube.sectors >= 8 && tube.sectors <= 64 && tube.sectors % 8 == 0),
+          "sectors", tube.sectors, "1", "a multiple of 8 from 8 to 64, or 0");
+  require(tube.rings == 0 || (tube.rings >= 2 && tube.rings <= 16), "rings", tube.rings, "1",
+          "2 <= rings <= 16, or 0");
   require(tube.layers >= 0 && tube.layers <= 8, "layers", tube.layers, "1", "0 <= layers <= 8");
+  const double t = tube.wall_thickness;
+  if (tube.layers == 0) tube.layers = a >= t ? 1 : 2;
+  if (tube.sectors == 0) {
+    // Bending of the wall reaches sqrt(r t), which the cells beside a long crack must not exceed.
+    const double reach = std::sqrt(tube.mean_radius * t);
+    tube.sectors = 8 * std::clamp(static_cast<int>(std::ceil(a / reach / 0.7)), 2, 8);
+  }
+  if (tube.rings == 0) {
+    // The innermost cells reach to 4 % of wall or crack.
+    const double halvings = std::log2(outermost_ring(a, tube.sectors) / (0.04 * std::min(t, a)));
+    tube.rings = std::clamp(static_cast<int>(std::ceil(halvings)), 2, 16);
+  }
   return tube;
 }
 
 }  // namespace
 
 fem::HexMesh mesh_tube_with_through_crack(const TubeWithThroughCrack& tube) {
-  return mesh_size(completed(tube), tube.half_length).mesh;
+  return mesh_size(completed(tube), tube.half_length);
 }
 
 TubeCrackResult solve_tube_with_through_crack(const TubeWithThroughCrack& tube_given) {

@@ -25,6 +25,9 @@ struct FrontPlace {
   int ring{};             ///< -1: at the front; 0: innermost ring; ...
   int side{};             ///< +1: turned by 0 to 180 degrees from the growth, -1: by 180 to 360
   PointMap advance;       ///< unit cube -> unit vector of growth, tangent to crack and free faces
+  /// The map grows with the square of the distance from the front, where its determinant is 0: the
+  /// root of the distance, which the displacements have, is a polynomial in the cell (FE-46).
+  bool square_root = false;
 };
 
 /// A hexahedron with an analytic map of the unit cube [0,1]^3; corner i has the unit coordinates

@@ -27,10 +27,10 @@ struct TubeWithThroughCrack {
   fem::CrackFaces crack_faces =
       fem::CrackFaces::contact;  ///< `free` lets them pass through each other
   int order = 3;                 ///< of the displacements [-]; 2 to 4
-  int rings = 0;                 ///< about each tip [-]; 3 to 16, 0: down to 4 % of wall or crack
-  int layers = 0;                ///< of cells through the wall [-]; 1 to 8, 0: by a/t
-  double growth =
-      0;  ///< of the cells away from the crack, each to the next [-]; 1.2 to 3, 0: by a/t
+  int sectors =
+      0;           ///< of cells round the crack [-]; a multiple of 8 from 8 to 64, 0: by its length
+  int rings = 0;   ///< about each tip [-]; 2 to 16, 0: down to 4 % of wall or crack
+  int layers = 0;  ///< of cells through the wall [-]; 1 to 8, 0: by a/t
   /// Also solves sizes 1 % smaller and larger, and compares G with dC/dA.
   bool check_growth = true;
   /// Called after each solution with it and its time [s], mesh included; may be empty.
