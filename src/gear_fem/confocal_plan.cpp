@@ -21,6 +21,8 @@ PlanPoint blend(const PlanPoint& a, const PlanPoint& b, double u) {
 
 /// Largest semi-axis of the ellipses, over the distance of the nearest side of the patch.
 constexpr double kRoundShare = 0.6;
+/// The longest crack that a plan for a given length is drawn for, over that length.
+constexpr double kNeighbour = 1.01;
 /// Longest step between ellipses, over that between hyperbolas.
 constexpr double kLongestStep = 2;
 /// Sectors on either side of a tip that its rings replace.
@@ -90,7 +92,8 @@ class Patch {
  private:
   static double nearest_side(const ConfocalPlan& plan) {
     const double room = std::min({plan.below, plan.above, plan.half_round});
-    const double needed = plan.half_length * std::cosh(kTipSectors * 2 * pi / plan.sectors) / 0.9;
+    const double needed =
+        kNeighbour * plan.sized_for * std::cosh(kTipSectors * 2 * pi / plan.sectors) / 0.9;
     if (!(room > needed))
       throw InputError("half_length",
                        fmt::format("the crack needs a clear distance of {:.4g} m from its middle "

@@ -16,7 +16,7 @@ namespace strainwave::gear_fem {
 /// (xi, eta), and the cells grow with the distance.  Outside of them is a grid along the tube.
 struct ConfocalPlan {
   double half_length{};    ///< a [m]
-  double sized_for{};      ///< a that the numbers of cells are chosen for [m]
+  double sized_for{};      ///< a that the numbers of cells are chosen for, within 1 % [m]
   double direction{};      ///< of tip 0, from s toward y [rad]
   double half_round{};     ///< the wall reaches from s = -half_round to half_round [m]
   double below{};          ///< it reaches from y = -below [m]
