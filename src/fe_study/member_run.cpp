@@ -315,7 +315,7 @@ Run both_senses(const WallCrack<Tube>& crack, const RunOptions& options, std::si
                 const Solve& solve) {
   Run done{.path = crack.path, .tube = crack.tube, .positive = {}, .negative = {}};
   Tube tube = crack.tube;
-  tube.fields = fields_of(options.fields, tube.order + 1);
+  tube.fields = fields_of(options.fields, 2 * tube.order);
   std::size_t solution = 0;
   tube.solved = [&](const fem::SolidResult& solid, double seconds) {
     ++solution;

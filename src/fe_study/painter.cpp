@@ -214,6 +214,15 @@ std::string BandPainter::svg() const {
 
 void DepthPainter::polygon(double depth, std::vector<PaperPoint> points, std::string fill,
                            std::string_view edge) {
+  // All the same way round: where two that are drawn as one path overlap, opposite ones would
+  // leave a hole.
+  double twice_area = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const PaperPoint& a = points[i];
+    const PaperPoint& b = points[(i + 1) % points.size()];
+    twice_area += a.x * b.y - b.x * a.y;
+  }
+  if (twice_area < 0) std::ranges::reverse(points);
   faces_.push_back({depth, std::move(points), std::move(fill), std::string(edge), {}});
 }
 

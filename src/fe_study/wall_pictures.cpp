@@ -259,7 +259,7 @@ void WallPictures::whole_tube(PictureSheet& sheet, PaperPoint corner, double wid
   const auto n = static_cast<std::size_t>(fields_.divisions);
   for (const BoundaryFace& face : all_) {
     // Turned away from the eye: hidden by the wall itself.
-    if (dot(face.outward, view.toward) < -0.2 * norm(face.outward)) continue;
+    if (dot(face.outward, view.toward) < -0.5 * norm(face.outward)) continue;
     const auto at = [&](std::size_t i, std::size_t j) { return face.points[j * (n + 1) + i]; };
     const PaperPoint a = view.paper(at(0, 0)->place);
     const PaperPoint b = view.paper(at(n, n)->place);

@@ -96,6 +96,15 @@ TEST(Painter, ReferenceBandsOfARamp) {
   EXPECT_NEAR(least, 75, 1e-9);
 }
 
+// One colour is one path, filled where the turns do not add up to none.
+TEST(Painter, IdentityOverlappingPolygonsLeaveNoHole) {
+  DepthPainter painter;
+  painter.polygon(0, {{0, 0}, {10, 0}, {10, 10}, {0, 10}}, "#102030");
+  painter.polygon(1, {{0, 0}, {0, 10}, {10, 10}, {10, 0}}, "#102030");
+  EXPECT_NE(painter.svg().find("M0 0l10 0 0 10 -10 0zM10 0l0 10 -10 0 0 -10z"), std::string::npos)
+      << painter.svg();
+}
+
 TEST(OutputFiles, IdentityStemOfAPath) {
   EXPECT_EQ(file_stem("flexspline.crack[10]"), "flexspline_crack_10");
   EXPECT_EQ(file_stem("output_shaft.crack[0]"), "output_shaft_crack_0");
