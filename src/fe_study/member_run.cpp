@@ -36,7 +36,7 @@ RunSize size_of(std::string path, const fem::SectionMesh& mesh, std::size_t comp
   const double dofs = cells * p * p * static_cast<double>(components);
   return {.path = std::move(path),
           .dofs = static_cast<std::size_t>(dofs),
-          .memory = 2e8 + kBytesPerDof * dofs,
+          .memory = kProgramBytes + kBytesPerDof * dofs,
           .seconds = kSecondsPerDof * dofs * p * static_cast<double>(solutions),
           .solutions = solutions};
 }
@@ -55,7 +55,7 @@ constexpr std::size_t kSurfaceSolutions = 6;
 
 /// (FE-44): memory of one solution of a solid [byte].
 double solid_memory(double dofs) {
-  return 2e8 + kSolidBytes * std::pow(dofs / kSolidUnknowns, kSolidBytesExponent);  // (FE-44)
+  return kProgramBytes + kSolidBytes * std::pow(dofs / kSolidUnknowns, kSolidBytesExponent);  // (FE-44)
 }
 
 /// Time of one solution of a solid [s].
