@@ -1,7 +1,7 @@
 # The finite-element road (docs/adr/0011): deal.II is found here and nowhere else, and linked into
 # the modules that call strainwave_finite_elements(<module>) and what is made of them.
 find_package(deal.II 9.4 REQUIRED HINTS /usr)
-foreach(feature IN ITEMS MPI PETSC P4EST UMFPACK)
+foreach(feature IN ITEMS MPI PETSC P4EST)
   if(NOT DEAL_II_WITH_${feature})
     message(FATAL_ERROR "deal.II was built without ${feature}, which the finite elements need")
   endif()

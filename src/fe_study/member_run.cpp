@@ -21,8 +21,9 @@ fem::Elasticity elasticity_of(const GearSet& gear, std::string_view material,
   return {.youngs_modulus = steel.E, .poissons_ratio = steel.nu};
 }
 
-/// Measured on one core: seconds = kSecondsPerDof * dofs * p^2 for one solution.
-constexpr double kSecondsPerDof = 4e-7;
+/// Measured on one core at p = 4..8, -20 to +80 %: seconds = kSecondsPerDof * dofs * p for one
+/// solution.
+constexpr double kSecondsPerDof = 3e-7;
 constexpr double kBytesPerDof = 4e3;
 
 RunSize size_of(std::string path, const fem::SectionMesh& mesh, std::size_t components,
@@ -35,8 +36,8 @@ RunSize size_of(std::string path, const fem::SectionMesh& mesh, std::size_t comp
   const double dofs = cells * p * p * static_cast<double>(components);
   return {.path = std::move(path),
           .dofs = static_cast<std::size_t>(dofs),
-          .memory = 2e8 + kBytesPerDof * dofs,
-          .seconds = kSecondsPerDof * dofs * p * p * static_cast<double>(solutions),
+          .memory = kProgramBytes + kBytesPerDof * dofs,
+          .seconds = kSecondsPerDof * dofs * p * static_cast<double>(solutions),
           .solutions = solutions};
 }
 
@@ -54,7 +55,7 @@ constexpr std::size_t kSurfaceSolutions = 6;
 
 /// (FE-44): memory of one solution of a solid [byte].
 double solid_memory(double dofs) {
-  return 2e8 + kSolidBytes * std::pow(dofs / kSolidUnknowns, kSolidBytesExponent);  // (FE-44)
+  return kProgramBytes + kSolidBytes * std::pow(dofs / kSolidUnknowns, kSolidBytesExponent);  // (FE-44)
 }
 
 /// Time of one solution of a solid [s].

@@ -115,7 +115,8 @@ AvailableMemory available_memory() {
 }
 
 double memory_of_rank(const RunSize& size, int ranks) {
-  return size.divided ? size.memory * (1 + 1.0 / ranks) / 2 : size.memory;  // (FE-44)
+  if (!size.divided || size.memory <= kProgramBytes) return size.memory;
+  return kProgramBytes + (size.memory - kProgramBytes) * (0.2 + 0.8 / ranks);  // (FE-44)
 }
 
 void require_memory(const std::vector<RunSize>& sizes, const AvailableMemory& here, int ranks_here,

@@ -6,29 +6,28 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/fe_tools.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 #include <deal.II/grid/tria.h>
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/sparse_direct.h>
-#include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/vector.h>
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <numbers>
+#include <optional>
 #include <utility>
 
+#include "fem/frontal_solver.hpp"
 #include "strainwave/core/error.hpp"
 
 namespace strainwave::fem {
@@ -138,10 +137,53 @@ void make_grid(Triangulation<2>& grid, const SectionMesh& mesh, const SectionOpt
   if (mesh.crack) refine_towards(grid, mesh.crack->tip, options.tip_rings, extent);
 }
 
-/// Shape functions of one cell at its quadrature points: rows are points, columns functions.
+/// Shape functions at quadrature points: rows are points, columns functions.
+struct Shape {
+  Matrix N, Nr, Nz;  ///< value, and derivatives by r and z
+};
+
+/// One cell at its quadrature points.
 struct CellShape {
-  Matrix N, Nr, Nz;  ///< value, d/dr, d/dz
-  Array r, z, w;     ///< place [m], and 2 pi det J times weight [m^2]
+  std::shared_ptr<const Shape> shape;  ///< of this cell, or the unit square's for all rectangles
+  double per_r = 1.0;                  ///< d/dr is this times Nr: of a rectangle 1/width [1/m]
+  double per_z = 1.0;                  ///< the same along z
+  Array r, z, w;                       ///< place [m], and 2 pi det J times weight [m^2]
+};
+
+/// A cell with sides along r and z.
+struct Rectangle {
+  double r = 0.0, z = 0.0;           ///< its corner of least r and z [m]
+  double width = 0.0, height = 0.0;  ///< [m]
+};
+
+/// Shape functions of one variable in (0, 1) at the quadrature points there, in rising order.
+struct LineShape {
+  Matrix N, Nx;
+  Array x, w;
+};
+
+/// Stiffness of a cell by components; torsion has `radial` only.
+struct Blocks {
+  Matrix radial, mixed, axial;  ///< u_r with u_r, u_r with u_z, u_z with u_z
+};
+
+/// Which free unknowns those of a cell hang on.
+struct CellUnknowns {
+  struct Share {
+    unsigned own;         ///< of the cell's unknowns
+    Eigen::Index column;  ///< of `free`
+    double factor;
+  };
+  std::vector<Eigen::Index> free;
+  std::vector<Share> shares;  ///< none of a held unknown; not filled if all are free
+  bool all_free = false;
+
+  /// Columns of the cell's unknowns to columns of the free ones.
+  [[nodiscard]] Matrix gathered(const Matrix& columns) const {
+    Matrix result = Matrix::Zero(columns.rows(), static_cast<Eigen::Index>(free.size()));
+    for (const Share& s : shares) result.col(s.column) += s.factor * columns.col(s.own);
+    return result;
+  }
 };
 
 /// What a solution is at the quadrature points of one cell.
@@ -162,6 +204,7 @@ class Solver {
         p_(static_cast<unsigned>(options.order)),
         rings_(options.tip_rings),
         divisions_(options.fields.divisions),
+        extent_(extent_of(mesh)),
         tip_cell_(mesh.crack ? std::ldexp(mesh.crack->cell, -options.halvings) : 0.0),
         mu_(elasticity.shear_modulus()),
         lambda_(2 * mu_ * elasticity.poissons_ratio / (1 - 2 * elasticity.poissons_ratio)),
@@ -176,54 +219,41 @@ class Solver {
         dofs_(grid_) {
     make_grid(grid_, mesh, options);
     dofs_.distribute_dofs(element_);
-    outer_ = element_.get_first_quad_index();
     for (unsigned i = 0; i < element_.n_dofs_per_cell(); ++i)
       place_.push_back(element_.system_to_component_index(i));
-    number_skeleton_first();
+    line_shape();
     constrain();
   }
 
   SectionSolution solve() {
-    assemble();
+    shape_cells();
     load_vector();
-    dealii::SparseDirectUMFPACK direct;
-    dealii::Vector<double> x(n_skeleton_);
-    dealii::Vector<double> f = load_;
-    try {
-      direct.initialize(matrix_);
-      direct.vmult(x, f);
-    } catch (const dealii::ExceptionBase& error) {
-      throw SolverError(
-          fmt::format("finite elements: the equations of {} unknowns could not be "
-                      "factored; usual cause: nothing holds the section",
-                      n_skeleton_));
+    std::vector<CellUnknowns> unknowns;
+    std::vector<std::vector<Eigen::Index>> elements;
+    for (const auto& cell : dofs_.active_cell_iterators()) {
+      unknowns.push_back(unknowns_of(cell));
+      elements.push_back(unknowns.back().free);
     }
+    const auto matrix = [&](std::size_t c) -> Matrix {
+      const Matrix k = stiffness(c);
+      if (unknowns[c].all_free) return k;
+      const Matrix whole = k.selfadjointView<Eigen::Lower>();
+      return unknowns[c].gathered(unknowns[c].gathered(whole).transpose());
+    };
+    const auto x = solve_by_fronts(elements, matrix, load_);
+    if (!x)
+      throw SolverError(
+          fmt::format("finite elements: the equations of {} unknowns could not be factored; usual "
+                      "cause: nothing holds the section",
+                      dofs_.n_dofs()));
     solution_.reinit(dofs_.n_dofs());
-    for (unsigned i = 0; i < n_skeleton_; ++i) solution_(i) = x(i);
+    std::ranges::copy(*x, solution_.begin());
     constraints_.distribute(solution_);
-    recover_inner();
     return evaluate();
   }
 
  private:
   using Cell = dealii::DoFHandler<2>::active_cell_iterator;
-
-  /// Unknowns inside a cell are numbered last, so that the global matrix can do without them.
-  void number_skeleton_first() {
-    std::vector<char> inner(dofs_.n_dofs(), 0);
-    std::vector<global_dof_index> index(element_.n_dofs_per_cell());
-    for (const auto& cell : dofs_.active_cell_iterators()) {
-      cell->get_dof_indices(index);
-      for (unsigned i = outer_; i < index.size(); ++i) inner[index[i]] = 1;
-    }
-    n_skeleton_ = static_cast<unsigned>(std::ranges::count(inner, 0));
-    std::vector<global_dof_index> number(dofs_.n_dofs());
-    global_dof_index next_outer = 0;
-    global_dof_index next_inner = n_skeleton_;
-    for (std::size_t i = 0; i < number.size(); ++i)
-      number[i] = inner[i] != 0 ? next_inner++ : next_outer++;
-    dofs_.renumber_dofs(number);
-  }
 
   void constrain() {
     std::vector<global_dof_index> index(element_.n_dofs_per_face());
@@ -243,17 +273,80 @@ class Solver {
     constraints_.close();
   }
 
-  /// Shape functions and weights of a cell; refuses a cell whose mapping folds.
-  CellShape shape(dealii::FEValues<2>& values, const Cell& cell) {
+  /// Shape functions of the unit square and of its sides.  Those of the square are products, and so
+  /// are its quadrature points: what is integrated over a rectangle is a product of two sums.
+  void line_shape() {
+    const dealii::QGauss<1> points(p_ + 2);
+    const auto n = static_cast<Eigen::Index>(points.size());
+    const dealii::FE_Q<1> line(p_);
+    const auto rising = dealii::FETools::hierarchic_to_lexicographic_numbering<1>(p_);
+    line_ = {.N = Matrix(n, p_ + 1), .Nx = Matrix(n, p_ + 1), .x = Array(n), .w = Array(n)};
+    for (unsigned q = 0; q < n; ++q) {
+      line_.x(q) = points.point(q)[0];
+      line_.w(q) = points.weight(q);
+      for (unsigned i = 0; i <= p_; ++i) {
+        line_.N(q, rising[i]) = line.shape_value(i, points.point(q));
+        line_.Nx(q, rising[i]) = line.shape_grad(i, points.point(q))[0];
+      }
+    }
+    const unsigned functions = scalar_.n_dofs_per_cell();
+    Shape square{.N = Matrix(n * n, functions),
+                 .Nr = Matrix(n * n, functions),
+                 .Nz = Matrix(n * n, functions)};
+    const auto lexicographic = dealii::FETools::hierarchic_to_lexicographic_numbering<2>(p_);
+    for (unsigned i = 0; i < functions; ++i) {
+      as_is_.push_back(i);
+      product_.push_back(lexicographic[i]);
+      const Eigen::Index a = lexicographic[i] % (p_ + 1);
+      const Eigen::Index b = lexicographic[i] / (p_ + 1);
+      for (Eigen::Index q = 0; q < n * n; ++q) {
+        square.N(q, i) = line_.N(q % n, a) * line_.N(q / n, b);
+        square.Nr(q, i) = line_.Nx(q % n, a) * line_.N(q / n, b);
+        square.Nz(q, i) = line_.N(q % n, a) * line_.Nx(q / n, b);
+      }
+    }
+    square_ = std::make_shared<const Shape>(std::move(square));
+  }
+
+  /// The cell, if its sides are straight, lie along r and z, and are numbered that way round.
+  [[nodiscard]] std::optional<Rectangle> rectangle(const Cell& cell) const {
+    for (const unsigned f : cell->face_indices())
+      if (cell->face(f)->manifold_id() != dealii::numbers::flat_manifold_id) return {};
+    const auto low = cell->vertex(0);
+    const auto high = cell->vertex(3);
+    const double rounding = 4 * std::numeric_limits<double>::epsilon() * extent_;
+    const auto same = [&](double a, double b) { return std::abs(a - b) <= rounding; };
+    const bool straight = same(cell->vertex(1)[0], high[0]) && same(cell->vertex(1)[1], low[1]) &&
+                          same(cell->vertex(2)[0], low[0]) && same(cell->vertex(2)[1], high[1]);
+    if (!straight || !(high[0] > low[0]) || !(high[1] > low[1])) return {};
+    return Rectangle{
+        .r = low[0], .z = low[1], .width = high[0] - low[0], .height = high[1] - low[1]};
+  }
+
+  [[nodiscard]] CellShape shape(const Rectangle& box) const {
+    const Eigen::Index n = line_.x.size();
+    CellShape s{.shape = square_,
+                .per_r = 1 / box.width,
+                .per_z = 1 / box.height,
+                .r = (box.r + box.width * line_.x).replicate(n, 1),
+                .z = Array(n * n),
+                .w = Array(n * n)};
+    for (Eigen::Index b = 0; b < n; ++b) {
+      s.z.segment(b * n, n).setConstant(box.z + box.height * line_.x(b));
+      s.w.segment(b * n, n) = 2 * pi * box.width * box.height * line_.w(b) * line_.w;
+    }
+    return s;
+  }
+
+  /// Shape functions and weights of any cell; refuses one whose mapping folds.
+  [[nodiscard]] CellShape shape(dealii::FEValues<2>& values, const Cell& cell) {
     values.reinit(static_cast<Triangulation<2>::active_cell_iterator>(cell));
     const unsigned points = values.n_quadrature_points;
     const unsigned functions = scalar_.n_dofs_per_cell();
-    CellShape s{.N = Matrix(points, functions),
-                .Nr = Matrix(points, functions),
-                .Nz = Matrix(points, functions),
-                .r = Array(points),
-                .z = Array(points),
-                .w = Array(points)};
+    Shape own{.N = Matrix(points, functions),
+              .Nr = Matrix(points, functions),
+              .Nz = Matrix(points, functions)};
+    CellShape s{.shape = nullptr, .r = Array(points), .z = Array(points), .w = Array(points)};
     double least = std::numeric_limits<double>::infinity();
     double sum = 0.0;
     for (unsigned q = 0; q < points; ++q) {
@@ -264,10 +357,10 @@ class Solver {
       s.z(q) = values.quadrature_point(q)[1];
       s.w(q) = 2 * pi * values.JxW(q);
       for (unsigned i = 0; i < functions; ++i) {
-        s.N(q, i) = values.shape_value(i, q);
+        own.N(q, i) = values.shape_value(i, q);
         const auto gradient = values.shape_grad(i, q);
-        s.Nr(q, i) = gradient[0];
-        s.Nz(q, i) = gradient[1];
+        own.Nr(q, i) = gradient[0];
+        own.Nz(q, i) = gradient[1];
       }
     }
     const double worst = least * points / sum;
@@ -277,79 +370,136 @@ class Solver {
                                    "falls to {:.3g} of its mean, and must be > 0",
                                    cell->center()[0], cell->center()[1], worst));
     worst_jacobian_ = std::min(worst_jacobian_, worst);
+    s.shape = std::make_shared<const Shape>(std::move(own));
     return s;
   }
 
-  /// Stiffness of a cell, in the order of its unknowns.
-  [[nodiscard]] Matrix stiffness(const CellShape& s) const {
+  /// Stiffness of any cell, in the order of its scalar shape functions.
+  [[nodiscard]] Blocks stiffness(const CellShape& s) const {
     const auto form = [&](const Matrix& a, const Matrix& b, const Array& weight) -> Matrix {
       return a.transpose() * weight.matrix().asDiagonal() * b;
     };
+    const Shape& at = *s.shape;
     if (torsion_) {
       const Array weight = mu_ * s.r.cube() * s.w;  // (FE-1)
-      return form(s.Nr, s.Nr, weight) + form(s.Nz, s.Nz, weight);
+      return {.radial = form(at.Nr, at.Nr, weight) + form(at.Nz, at.Nz, weight),
+              .mixed = {},
+              .axial = {}};
     }
     const Array weight = s.r * s.w;
-    const Matrix hoop = s.r.inverse().matrix().asDiagonal() * s.N;
+    const Matrix hoop = s.r.inverse().matrix().asDiagonal() * at.N;
     const double direct = lambda_ + 2 * mu_;
-    const Matrix rr = form(s.Nr, s.Nr, weight);
-    const Matrix zz = form(s.Nz, s.Nz, weight);
-    const Matrix rz = form(s.Nr, s.Nz, weight);
-    const Matrix rh = form(s.Nr, hoop, weight);
+    const Matrix rr = form(at.Nr, at.Nr, weight);
+    const Matrix zz = form(at.Nz, at.Nz, weight);
+    const Matrix rz = form(at.Nr, at.Nz, weight);
+    const Matrix rh = form(at.Nr, hoop, weight);
     const Matrix hh = form(hoop, hoop, weight);
-    const Matrix hz = form(hoop, s.Nz, weight);
-    const Matrix radial =  // (FE-2)
-        direct * (rr + hh) + lambda_ * (rh + rh.transpose()) + mu_ * zz;
-    const Matrix mixed = lambda_ * (rz + hz) + mu_ * rz.transpose();
-    const Matrix axial = direct * zz + mu_ * rr;
+    const Matrix hz = form(hoop, at.Nz, weight);
+    return {.radial =  // (FE-2)
+            direct * (rr + hh) + lambda_ * (rh + rh.transpose()) + mu_ * zz,
+            .mixed = lambda_ * (rz + hz) + mu_ * rz.transpose(),
+            .axial = direct * zz + mu_ * rr};
+  }
+
+  /// The same of a rectangle: each integral is that along r times that along z.
+  [[nodiscard]] Blocks stiffness(const Rectangle& box) const {
+    const Array r = box.r + box.width * line_.x;
+    const auto sum = [&](const Matrix& a, const Matrix& b, const Array& weight) -> Matrix {
+      return a.transpose() * (line_.w * weight).matrix().asDiagonal() * b;
+    };
+    const Array one = Array::Ones(r.size());
+    const double across = 2 * pi * box.width;
+    // Along z: value with value, slope with slope, value with slope.
+    const Matrix z00 = box.height * sum(line_.N, line_.N, one);
+    const Matrix z11 = sum(line_.Nx, line_.Nx, one) / box.height;
+    const Matrix z01 = sum(line_.N, line_.Nx, one);
+    const Matrix slope = line_.Nx / box.width;
+    if (torsion_) {
+      const Array weight = mu_ * across * r.cube();  // (FE-1)
+      return {
+          .radial = products(sum(slope, slope, weight), z00, sum(line_.N, line_.N, weight), z11),
+          .mixed = {},
+          .axial = {}};
+    }
+    const double direct = lambda_ + 2 * mu_;
+    const Matrix rr = sum(slope, slope, across * r);
+    const Matrix hh = sum(line_.N, line_.N, across / r);
+    const Matrix rh = sum(slope, line_.N, across * one);
+    const Matrix vv = sum(line_.N, line_.N, across * r);
+    const Matrix rv = sum(slope, line_.N, across * r);
+    const Matrix hv = sum(line_.N, line_.N, across * one);
+    return {.radial = products(  // (FE-2)
+                direct * (rr + hh) + lambda_ * (rh + rh.transpose()), z00, mu_ * vv, z11),
+            .mixed = products(lambda_ * (rv + hv), z01, mu_ * rv.transpose(), z01.transpose()),
+            .axial = products(direct * vv, z11, mu_ * rr, z00)};
+  }
+
+  /// r(a,c) z(b,d) + R(a,c) Z(b,d), function (a,b) standing at a + (p+1) b.
+  [[nodiscard]] static Matrix products(const Matrix& r, const Matrix& z, const Matrix& R,
+                                       const Matrix& Z) {
+    const Eigen::Index n = r.rows();
+    Matrix k(n * n, n * n);
+    for (Eigen::Index d = 0; d < n; ++d)
+      for (Eigen::Index b = 0; b < n; ++b) k.block(b * n, d * n, n, n) = z(b, d) * r + Z(b, d) * R;
+    return k;
+  }
+
+  /// Lower half of the stiffness in the order of the cell's unknowns; `order`: where a scalar
+  /// shape function stands in the blocks.
+  [[nodiscard]] Matrix join(const Blocks& blocks, const std::vector<unsigned>& order) const {
     Matrix k(element_.n_dofs_per_cell(), element_.n_dofs_per_cell());
-    for (unsigned i = 0; i < k.rows(); ++i)
-      for (unsigned j = 0; j < k.cols(); ++j) {
-        const auto [ci, ni] = place_[i];
-        const auto [cj, nj] = place_[j];
-        k(i, j) = ci == 0 ? (cj == 0 ? radial(ni, nj) : mixed(ni, nj))
-                          : (cj == 0 ? mixed(nj, ni) : axial(ni, nj));
+    for (unsigned j = 0; j < k.cols(); ++j) {
+      const auto [cj, fj] = place_[j];
+      const unsigned nj = order[fj];
+      for (unsigned i = j; i < k.rows(); ++i) {
+        const auto [ci, fi] = place_[i];
+        const unsigned ni = order[fi];
+        k(i, j) = ci == 0 ? (cj == 0 ? blocks.radial(ni, nj) : blocks.mixed(ni, nj))
+                          : (cj == 0 ? blocks.mixed(nj, ni) : blocks.axial(ni, nj));
       }
+    }
     return k;
   }
 
   static inline const auto kUpdate = dealii::update_values | dealii::update_gradients |
                                      dealii::update_quadrature_points | dealii::update_JxW_values;
 
-  void assemble() {
-    std::vector<global_dof_index> index(element_.n_dofs_per_cell());
-    std::vector<global_dof_index> skeleton(outer_);
-    dealii::DynamicSparsityPattern entries(n_skeleton_);
-    for (const auto& cell : dofs_.active_cell_iterators()) {
-      cell->get_dof_indices(index);
-      std::copy_n(index.begin(), outer_, skeleton.begin());
-      constraints_.add_entries_local_to_global(skeleton, entries, false);
-    }
-    // Constrained unknowns keep a diagonal entry.
-    for (unsigned i = 0; i < n_skeleton_; ++i) entries.add(i, i);
-    pattern_.copy_from(entries);
-    matrix_.reinit(pattern_);
-
+  void shape_cells() {
     dealii::FEValues<2> values(mapping_, scalar_, quadrature_, kUpdate);
-    dealii::FullMatrix<double> local(outer_);
     for (const auto& cell : dofs_.active_cell_iterators()) {
-      shapes_.push_back(shape(values, cell));
-      const Matrix k = stiffness(shapes_.back());
-      const Eigen::Index n = outer_;
-      const Eigen::Index m = k.rows() - n;
-      Matrix condensed = k.topLeftCorner(n, n);
-      Matrix inner;
-      if (m > 0) {
-        inner = k.bottomRightCorner(m, m).llt().solve(k.bottomLeftCorner(m, n));
-        condensed -= k.topRightCorner(n, m) * inner;
-      }
-      for (unsigned i = 0; i < outer_; ++i)
-        for (unsigned j = 0; j < outer_; ++j) local(i, j) = (condensed(i, j) + condensed(j, i)) / 2;
-      inner_.push_back(std::move(inner));
-      cell->get_dof_indices(index);
-      std::copy_n(index.begin(), outer_, skeleton.begin());
-      constraints_.distribute_local_to_global(local, skeleton, matrix_);
+      boxes_.push_back(rectangle(cell));
+      shapes_.push_back(boxes_.back() ? shape(*boxes_.back()) : shape(values, cell));
     }
+  }
+
+  /// Lower half of the stiffness of a cell, in the order of its unknowns.
+  [[nodiscard]] Matrix stiffness(std::size_t c) const {
+    return boxes_[c] ? join(stiffness(*boxes_[c]), product_) : join(stiffness(shapes_[c]), as_is_);
+  }
+
+  [[nodiscard]] CellUnknowns unknowns_of(const Cell& cell) const {
+    std::vector<global_dof_index> index(element_.n_dofs_per_cell());
+    cell->get_dof_indices(index);
+    CellUnknowns result;
+    result.all_free =
+        std::ranges::none_of(index, [&](auto i) { return constraints_.is_constrained(i); });
+    if (result.all_free) {
+      result.free.assign(index.begin(), index.end());
+      return result;
+    }
+    const auto share = [&](unsigned own, global_dof_index dof, double factor) {
+      const auto known = static_cast<Eigen::Index>(dof);
+      const auto at = std::ranges::find(result.free, known);
+      result.shares.push_back({own, at - result.free.begin(), factor});
+      if (at == result.free.end()) result.free.push_back(known);
+    };
+    for (unsigned i = 0; i < index.size(); ++i)
+      if (!constraints_.is_constrained(index[i]))
+        share(i, index[i], 1.0);
+      else
+        for (const auto& [other, factor] : *constraints_.get_constraint_entries(index[i]))
+          share(i, other, factor);
+    return result;
   }
 
   /// Torque as shear stress r/J, force as stress 1/A, over the loaded edges.  (FE-3)
@@ -357,7 +507,6 @@ class Solver {
     dealii::FEFaceValues<2> values(mapping_, scalar_, dealii::QGauss<1>(p_ + 2),
                                    dealii::update_values | dealii::update_quadrature_points |
                                        dealii::update_JxW_values | dealii::update_normal_vectors);
-    load_.reinit(n_skeleton_);
     raw_load_.reinit(dofs_.n_dofs());
     std::vector<global_dof_index> index(element_.n_dofs_per_cell());
     double whole = 0.0;
@@ -383,21 +532,8 @@ class Solver {
     if (!pressure_) raw_load_ /= whole;
     dealii::Vector<double> condensed = raw_load_;
     constraints_.condense(condensed);
-    for (unsigned i = 0; i < n_skeleton_; ++i) load_(i) = condensed(i);
-  }
-
-  void recover_inner() {
-    std::vector<global_dof_index> index(element_.n_dofs_per_cell());
-    std::size_t c = 0;
-    for (const auto& cell : dofs_.active_cell_iterators()) {
-      const Matrix& inner = inner_[c++];
-      if (inner.rows() == 0) continue;
-      cell->get_dof_indices(index);
-      Column outer(outer_);
-      for (unsigned i = 0; i < outer_; ++i) outer(i) = solution_(index[i]);
-      const Column found = -inner * outer;
-      for (unsigned i = 0; i < found.size(); ++i) solution_(index[outer_ + i]) = found(i);
-    }
+    constraints_.set_zero(condensed);
+    load_ = Eigen::Map<const Column>(condensed.begin(), condensed.size());
   }
 
   /// The solution of a cell by component, in the order of its scalar shape functions.
@@ -413,32 +549,37 @@ class Solver {
     const auto back = [&](const Matrix& n, const Array& a) -> Column {
       return n.transpose() * (s.w * a).matrix();
     };
-    const Array a_r = (s.Nr * u[0]).array();
-    const Array a_z = (s.Nz * u[0]).array();
+    const Matrix& N = s.shape->N;
+    const Matrix& Nr = s.shape->Nr;
+    const Matrix& Nz = s.shape->Nz;
+    const Array a_r = s.per_r * (Nr * u[0]).array();
+    const Array a_z = s.per_z * (Nz * u[0]).array();
     if (torsion_) {
       const Array weight = mu_ * s.r.cube();
       const Array square = a_r.square() + a_z.square();
-      return {.energy = weight * square / 2,
-              .explicit_r = 1.5 * mu_ * s.r.square() * square,
-              .pull_r = weight * a_r * a_r,
-              .pull_z = weight * a_z * a_r,
-              .force = {back(s.Nr, weight * a_r) + back(s.Nz, weight * a_z), Column()}};
+      return {
+          .energy = weight * square / 2,
+          .explicit_r = 1.5 * mu_ * s.r.square() * square,
+          .pull_r = weight * a_r * a_r,
+          .pull_z = weight * a_z * a_r,
+          .force = {back(Nr, s.per_r * weight * a_r) + back(Nz, s.per_z * weight * a_z), Column()}};
     }
-    const Array b_r = (s.Nr * u[1]).array();
-    const Array b_z = (s.Nz * u[1]).array();
-    const Array hoop = (s.N * u[0]).array() / s.r;
+    const Array b_r = s.per_r * (Nr * u[1]).array();
+    const Array b_z = s.per_z * (Nz * u[1]).array();
+    const Array hoop = (N * u[0]).array() / s.r;
     const Array volume = lambda_ * (a_r + hoop + b_z);
     const Array s_rr = volume + 2 * mu_ * a_r;
     const Array s_hh = volume + 2 * mu_ * hoop;
     const Array s_zz = volume + 2 * mu_ * b_z;
     const Array s_rz = mu_ * (a_z + b_r);
     const Array density = (s_rr * a_r + s_hh * hoop + s_zz * b_z + s_rz * (a_z + b_r)) / 2;
-    return {.energy = s.r * density,
-            .explicit_r = density - s_hh * hoop,
-            .pull_r = s.r * (s_rr * a_r + s_rz * b_r),
-            .pull_z = s.r * (s_rz * a_r + s_zz * b_r),
-            .force = {back(s.Nr, s.r * s_rr) + back(s.N, s_hh) + back(s.Nz, s.r * s_rz),
-                      back(s.Nz, s.r * s_zz) + back(s.Nr, s.r * s_rz)}};
+    return {
+        .energy = s.r * density,
+        .explicit_r = density - s_hh * hoop,
+        .pull_r = s.r * (s_rr * a_r + s_rz * b_r),
+        .pull_z = s.r * (s_rz * a_r + s_zz * b_r),
+        .force = {back(Nr, s.per_r * s.r * s_rr) + back(N, s_hh) + back(Nz, s.per_z * s.r * s_rz),
+                  back(Nz, s.per_z * s.r * s_zz) + back(Nr, s.per_r * s.r * s_rz)}};
   }
 
   SectionSolution evaluate() {
@@ -469,7 +610,7 @@ class Solver {
     force -= raw_load_;
     constraints_.condense(force);
     constraints_.set_zero(force);
-    result.equilibrium_residual = force.linfty_norm() / load_.linfty_norm();
+    result.equilibrium_residual = force.linfty_norm() / load_.lpNorm<Eigen::Infinity>();
     if (mesh_.crack) result.tip = tip(ring_change);
     if (divisions_ > 0) result.fields = sample();
     return result;
@@ -574,7 +715,7 @@ class Solver {
     dealii::FEValues<2> values(
         mapping_, scalar_, dealii::Quadrature<2>(unit),
         dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points);
-    const double tiny = 1e-12 * extent_of(mesh_);
+    const double tiny = 1e-12 * extent_;
     std::vector<global_dof_index> index(element_.n_dofs_per_cell());
     for (const auto& cell : dofs_.active_cell_iterators()) {
       values.reinit(static_cast<Triangulation<2>::active_cell_iterator>(cell));
@@ -624,6 +765,7 @@ class Solver {
   unsigned p_;
   int rings_;
   int divisions_;
+  double extent_;
   double tip_cell_;
   double mu_;
   double lambda_;
@@ -636,16 +778,16 @@ class Solver {
   dealii::QGauss<2> quadrature_;
   dealii::DoFHandler<2> dofs_;
   dealii::AffineConstraints<double> constraints_;
-  dealii::SparsityPattern pattern_;
-  dealii::SparseMatrix<double> matrix_;
-  dealii::Vector<double> load_;      ///< on the skeleton, constraints applied
+  Column load_;                      ///< constraints applied
   dealii::Vector<double> raw_load_;  ///< on all unknowns
   dealii::Vector<double> solution_;
   std::vector<std::pair<unsigned, unsigned>> place_;  ///< component and function of an unknown
-  unsigned outer_ = 0;                                ///< unknowns of a cell on its boundary
-  unsigned n_skeleton_ = 0;
-  std::vector<CellShape> shapes_;  ///< of each cell
-  std::vector<Matrix> inner_;      ///< of each cell: inner unknowns = - inner * outer ones
+  LineShape line_;
+  std::shared_ptr<const Shape> square_;          ///< shape functions of the unit square
+  std::vector<unsigned> product_;                ///< where they stand in products()
+  std::vector<unsigned> as_is_;                  ///< 0, 1, ...
+  std::vector<CellShape> shapes_;                ///< of each cell
+  std::vector<std::optional<Rectangle>> boxes_;  ///< of each cell that is one
   double worst_jacobian_ = 1.0;
 };
 

@@ -24,19 +24,19 @@ namespace strainwave::fem {
 
 struct MpiSession::Impl {
   dealii::Utilities::MPI::MPI_InitFinalize session;
+  std::chrono::duration<double> patience;
   MPI_Comm ends = MPI_COMM_NULL;  ///< for faults alone: other ranks may be at any other message
 
   static constexpr int kNobody = std::numeric_limits<int>::max();
   /// The least number of all ranks.  One that has a complaint does not wait for the others for
   /// ever, which may wait for it elsewhere.
   [[nodiscard]] int least(int mine, const std::function<void()>& complain) const {
-    constexpr std::chrono::seconds kPatience(10);
     int result = kNobody;
     MPI_Request request = MPI_REQUEST_NULL;
     MPI_Iallreduce(&mine, &result, 1, MPI_INT, MPI_MIN, ends, &request);
     const auto start = std::chrono::steady_clock::now();
     for (int done = 0; MPI_Test(&request, &done, MPI_STATUS_IGNORE), done == 0;) {
-      if (complain && std::chrono::steady_clock::now() - start > kPatience) {
+      if (complain && std::chrono::steady_clock::now() - start > patience) {
         complain();
         MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);
       }
@@ -46,11 +46,11 @@ struct MpiSession::Impl {
   }
 };
 
-MpiSession::MpiSession(int& argc, char**& argv) {
+MpiSession::MpiSession(int& argc, char**& argv, std::chrono::duration<double> patience) {
   prepare_blas();
   // Open MPI, started without mpirun: no daemon, for we start no further processes.
   setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-  impl_ = new Impl{dealii::Utilities::MPI::MPI_InitFinalize(argc, argv, 1)};
+  impl_ = new Impl{dealii::Utilities::MPI::MPI_InitFinalize(argc, argv, 1), patience};
   MPI_Comm_dup(MPI_COMM_WORLD, &impl_->ends);
 }
 MpiSession::~MpiSession() {

@@ -325,20 +325,24 @@ TEST(FeMemory, InputRuleAtItsBoundary) {
   EXPECT_EQ(words(large, here, 1, 1),
             "flexspline.crack[0]: 50000 unknowns need about 2.1 GB of memory, and 2 GB are "
             "available (a test)");
-  // Half is divided: two ranks have 3/4 each, 1.5 in all; four 5/8, of which two machines have two.
+  // (FE-44): of 1.8 GB above the program's 0.2 two ranks have 0.6 each, four 0.4, of which two
+  // machines have two.
   EXPECT_DOUBLE_EQ(fe_study::memory_of_rank(fits, 1), 2e9);
-  EXPECT_DOUBLE_EQ(fe_study::memory_of_rank(fits, 2), 1.5e9);
-  EXPECT_DOUBLE_EQ(fe_study::memory_of_rank(fits, 4), 1.25e9);
-  EXPECT_EQ(words(fits, {.machine = {3e9, "a test"}, .process = {}}, 2, 2), "");
-  EXPECT_NE(words(fits, {.machine = {2.99e9, "a test"}, .process = {}}, 2, 2), "");
-  EXPECT_EQ(words(fits, {.machine = {2.5e9, "a test"}, .process = {}}, 2, 4), "");
-  EXPECT_NE(words(fits, {.machine = {2.4e9, "a test"}, .process = {}}, 2, 4)
-                .find("2.5 GB of memory on each machine, and 2.4 GB"),
+  EXPECT_DOUBLE_EQ(fe_study::memory_of_rank(fits, 2), 1.28e9);
+  EXPECT_DOUBLE_EQ(fe_study::memory_of_rank(fits, 4), 0.92e9);
+  RunSize small = fits;
+  small.memory = 1e8;
+  EXPECT_EQ(fe_study::memory_of_rank(small, 4), 1e8);
+  EXPECT_EQ(words(fits, {.machine = {2.57e9, "a test"}, .process = {}}, 2, 2), "");
+  EXPECT_NE(words(fits, {.machine = {2.55e9, "a test"}, .process = {}}, 2, 2), "");
+  EXPECT_EQ(words(fits, {.machine = {1.85e9, "a test"}, .process = {}}, 2, 4), "");
+  EXPECT_NE(words(fits, {.machine = {1.7e9, "a test"}, .process = {}}, 2, 4)
+                .find("1.8 GB of memory on each machine, and 1.7 GB"),
             std::string::npos);
   // The limit of a process is compared with one process.
-  EXPECT_EQ(words(fits, {.machine = {9e9, "a test"}, .process = {1.5e9, "ulimit"}}, 4, 2), "");
-  EXPECT_NE(words(fits, {.machine = {9e9, "a test"}, .process = {1.4e9, "ulimit"}}, 2, 2)
-                .find("1.5 GB of memory in each process, and 1.4 GB are available (ulimit)"),
+  EXPECT_EQ(words(fits, {.machine = {9e9, "a test"}, .process = {1.3e9, "ulimit"}}, 4, 2), "");
+  EXPECT_NE(words(fits, {.machine = {9e9, "a test"}, .process = {1.2e9, "ulimit"}}, 2, 2)
+                .find("1.3 GB of memory in each process, and 1.2 GB are available (ulimit)"),
             std::string::npos);
   // A body of revolution is the first rank's.
   const RunSize shaft{.path = "output_shaft.crack[0]", .dofs = 9, .memory = 2e9};

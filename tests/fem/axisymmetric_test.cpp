@@ -202,6 +202,26 @@ TEST(SectionMeshes, IdentityOrderOfVerticesDoesNotMatter) {
   }
 }
 
+// Rectangles are integrated as products, any other cell point by point: points moved by 1e-11 of
+// the section make every cell such another.
+TEST(SectionMeshes, CrosscheckRectanglesAndAnyCell) {
+  const SectionMesh mesh = mesh_of(cracked_shaft(), 0.035);
+  SectionMesh moved = mesh;
+  for (SectionPoint& p : moved.points)
+    if (p.z > 0 && p.z != 0.1 && p.z < 0.2) p.z += 2e-12 * std::sin(1e3 * p.r + 700 * p.z);
+  for (const SectionLoad load : {SectionLoad::torsion, SectionLoad::tension, SectionLoad::pressure})
+    for (const int p : {2, 5}) {
+      const auto a = solve_section(mesh, load, kSteel, {.order = p, .tip_rings = 4});
+      const auto b = solve_section(moved, load, kSteel, {.order = p, .tip_rings = 4});
+      EXPECT_EQ(a.worst_jacobian, 1);
+      EXPECT_LT(b.worst_jacobian, 1);
+      EXPECT_NEAR(b.compliance / a.compliance, 1, 1e-9);
+      EXPECT_NEAR(b.tip->energy_release_rate / a.tip->energy_release_rate, 1, 1e-8);
+      EXPECT_NEAR(b.tip->displacement_check, a.tip->displacement_check, 1e-8);
+      EXPECT_LT(b.equilibrium_residual, 1e-8);
+    }
+}
+
 TEST(SectionMeshes, InputTangledAndFoldedAreRefused) {
   SectionMesh tangled = mesh_of(tube(1, 2, 1), 0.3);
   for (SectionPoint& p : tangled.points)
@@ -251,6 +271,28 @@ TEST(SolveSection, InputEveryRuleBrokenOnce) {
     refused([&](auto& m, auto&,
                 auto&) { std::erase_if(m.roles, [&](auto& e) { return e.role == role; }); },
             torsion);
+}
+
+// At order 1 a cell between two held sides has no unknown of its own.
+TEST(SectionTorsion, IdentityCellHeldAllRound) {
+  SectionShape shape = tube(1, 2, 3);
+  shape.sides.push_back({false, 1, 0, 1, EdgeRole::held});
+  shape.sides.push_back({false, 2, 0, 1, EdgeRole::held});
+  const SectionMesh mesh = mesh_of(shape, 1);
+  const auto s = solve_section(mesh, SectionLoad::torsion, {2.6, 0.3}, {.order = 1});
+  EXPECT_NEAR(s.compliance * polar(1, 2) / 2, 1, kRounding);  // what is beyond z = 1
+}
+
+TEST(SolveSection, InputPartThatNothingHolds) {
+  SectionShape two = tube(1, 2, 1);
+  two.rectangles.push_back({1, 2, 2, 3, 0});
+  two.sides[1].level = 3;
+  try {
+    (void)solve_section(mesh_of(two, 0.5), SectionLoad::torsion, kSteel, {.order = 3});
+    ADD_FAILURE();
+  } catch (const SolverError& error) {
+    EXPECT_NE(std::string(error.what()).find("nothing holds the section"), std::string::npos);
+  }
 }
 
 // --- cracks

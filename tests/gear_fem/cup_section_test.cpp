@@ -7,6 +7,8 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <string>
+#include <utility>
 
 #include "strainwave/core/error.hpp"
 
@@ -61,6 +63,7 @@ TEST(SolveCup, IdentitySharesAddUp) {
   EXPECT_EQ(cup.parts[2].name, "diaphragm");
   EXPECT_EQ(cup.parts[3].name, "boss");
   EXPECT_LT(std::abs(cup.lower_order), 1e-4);
+  EXPECT_LT(cup.lower_order, 0);  // the lower order is the stiffer one
   EXPECT_GT(cup.parts[2].share, cup.parts[3].share);
 }
 
@@ -137,6 +140,14 @@ TEST(MeshCup, InputEveryRuleBrokenOnce) {
     CupSection cup = full_cup();
     change(cup);
     EXPECT_THROW((void)mesh_cup(cup), InputError);
+  }
+  CupSection room = full_cup();
+  room.barrel_fillet = 0.31e-3;
+  try {
+    (void)mesh_cup(room);
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("what the rim stands in"), std::string::npos);
   }
   CupSection both = full_cup();
   both.barrel_fillet = 1e-4;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <chrono>
 #include <exception>
 #include <functional>
 #include <string>
@@ -18,7 +19,9 @@ class OtherRankError : public Error {
 /// Initialises MPI, PETSc and the kernels of BLAS for as long as it lives; one per program.
 class MpiSession {
  public:
-  MpiSession(int& argc, char**& argv);
+  /// @param patience  how long a rank that has a fault waits for the others, which may wait for it
+  MpiSession(int& argc, char**& argv,
+             std::chrono::duration<double> patience = std::chrono::seconds(10));
   ~MpiSession();
   MpiSession(const MpiSession&) = delete;
   MpiSession& operator=(const MpiSession&) = delete;
@@ -36,8 +39,8 @@ class MpiSession {
 
   /// Does a part of the work; where it fails on any rank, it ends on all.
   ///
-  /// All must call it.  A rank that fails while others wait for it within `part` says so after some
-  /// seconds on standard error, and ends them all.
+  /// All must call it.  A rank that fails while others wait for it within `part` loses patience,
+  /// says so on standard error, and ends them all.
   /// @throws  what `part` threw here, else OtherRankError if it threw elsewhere
   template <class Part>
   void together(const Part& part) const {
@@ -54,8 +57,8 @@ class MpiSession {
 
   /// The last call of a program, by every rank.  The first rank that has a fault speaks, for all.
   ///
-  /// Where a rank has a fault alone, while others still calculate or wait for it, it speaks after
-  /// some seconds and ends them all.
+  /// Where a rank has a fault alone, while others still calculate or wait for it, it loses
+  /// patience, speaks, and ends them all.
   /// @param code      exit code of this rank
   /// @param complain  says what its fault is; none if it has none of its own
   /// @return the code of the first rank that has a fault, else `code`

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/fem/mpi_session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+namespace strainwave::fem {
+namespace {
+
+constexpr std::chrono::duration<double> kTestPatience{0.5};
+
+/// These run as processes of two ranks, by lone_fault.py, each in a session of its own.
+#define NEEDS_TWO_RANKS()                             \
+  if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) \
+    GTEST_SKIP() << "needs two ranks: tests/fem/lone_fault.py";
+
+class TwoRanks {
+ public:
+  const MpiSession& session() { return session_; }
+  [[nodiscard]] bool faulty() const { return session_.rank() == 1; }
+  void wait_for_the_other() const { (void)session_.all(true); }
+
+ private:
+  int count_ = 1;
+  char name_[5] = "test";
+  char* arguments_[2] = {name_, nullptr};
+  char** argv_ = arguments_;
+  MpiSession session_{count_, argv_, kTestPatience};
+};
+
+// Rank 0 waits for rank 1 in the middle of the work, which has thrown: rank 1 ends both.
+TEST(MpiSession, IdentityLoneFaultTogether) {
+  NEEDS_TWO_RANKS();
+  TwoRanks two;
+  two.session().together([&] {
+    if (two.faulty()) throw std::runtime_error("a fault in the work");
+    two.wait_for_the_other();
+  });
+  std::cerr << "not ended\n";
+}
+
+TEST(MpiSession, IdentityLoneFaultLastCode) {
+  NEEDS_TWO_RANKS();
+  TwoRanks two;
+  if (!two.faulty()) two.wait_for_the_other();
+  (void)two.session().last_code(4, [] { std::cerr << "a fault at last\n"; });
+  std::cerr << "not ended\n";
+}
+
+// Rank 0 comes late, but before the patience is over: both go on, and know of the fault.
+TEST(MpiSession, IdentityLateRankIsWaitedFor) {
+  NEEDS_TWO_RANKS();
+  TwoRanks two;
+  std::string heard;
+  try {
+    two.session().together([&] {
+      if (two.faulty()) throw std::runtime_error("a fault in the work");
+      std::this_thread::sleep_for(0.3 * kTestPatience);
+    });
+  } catch (const OtherRankError& error) {
+    heard = std::string("of the other: ") + error.what();
+  } catch (const std::runtime_error& error) {
+    heard = error.what();
+  }
+  EXPECT_EQ(heard, two.faulty() ? "a fault in the work" : "of the other: a fault in the work");
+  if (!two.faulty()) std::this_thread::sleep_for(0.3 * kTestPatience);
+  std::function<void()> complain;
+  if (two.faulty()) complain = [] { std::cerr << "a fault at last\n"; };
+  EXPECT_EQ(two.session().last_code(two.faulty() ? 4 : 0, complain), 4);
+}
+
+}  // namespace
+}  // namespace strainwave::fem
