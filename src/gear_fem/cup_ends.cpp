@@ -12,7 +12,9 @@
 namespace strainwave::gear_fem {
 namespace {
 
-constexpr double kDiaphragmCells = 3;  ///< from the boss to the barrel
+/// Largest step of the logarithm of the radius from cell to cell of the diaphragm: there the twist
+/// goes with its inverse square.
+constexpr double kDiaphragmStep = 0.3;
 
 /// A rectangle cut along lines of one direction.
 template <double fem::SectionRectangle::*from, double fem::SectionRectangle::*to>
@@ -34,26 +36,23 @@ std::vector<fem::SectionRectangle> cut(const std::vector<fem::SectionRectangle>&
 
 }  // namespace
 
-CupEnds mesh_cup_ends(const CupSection& cup, const std::vector<double>& radii) {
+MeshedEnds mesh_cup_ends(const CupSection& cup, const std::vector<double>& radii) {
   if (cup.barrel_fillet != 0 || cup.boss_fillet != 0)
     throw InputError("fillet", "must be 0 in a cup that is meshed as a solid");
   CupShape drawn = cup_shape(cup);
   const double outer = cup.barrel.outer_diameter / 2;
   const double wall = cup.barrel.wall_thickness;
   const double inner = outer - wall;
-  if (cup.rim) {
-    const double rim_outer = cup.rim->outer_diameter / 2;
-    const double tiny = 1e-9 * outer;
-    require(rim_outer >= outer - tiny && rim_outer - cup.rim->wall_thickness <= inner + tiny,
-            "rim.wall_thickness", cup.rim->wall_thickness, "m",
-            "a wall that covers the barrel's, inside and outside");
-  }
+  if (cup.rim && !rim_covers(*cup.rim, cup.barrel))
+    throw InputError("rim",
+                     "must have a wall that covers the barrel's, inside and outside, where "
+                     "the cup is meshed as a solid");
   const double start = cup.diaphragm ? cup.diaphragm->thickness : 0.0;
   const double end = start + cup.barrel.length;
   const double collar = std::min(wall, cup.barrel.length / 4);
-  CupEnds ends{.section = {},
-               .barrel_from = cup.diaphragm ? collar : 0.0,
-               .barrel_to = cup.barrel.length - (cup.rim ? collar : 0.0)};
+  MeshedEnds ends{.section = {},
+                  .barrel_from = cup.diaphragm ? collar : 0.0,
+                  .barrel_to = cup.barrel.length - (cup.rim ? collar : 0.0)};
   // Rectangles without the barrel, but for its collars.
   std::vector<fem::SectionRectangle> boxes;
   for (const fem::SectionRectangle& box : drawn.shape.rectangles)
@@ -72,13 +71,17 @@ CupEnds mesh_cup_ends(const CupSection& cup, const std::vector<double>& radii) {
     const double bore = cup.diaphragm->inner_diameter / 2;
     boxes.push_back({inner, outer, start, start + collar, kBarrel});
     const bool roomy = inner - bore > 3 * h;
-    if (roomy) columns.push_back(inner - h);
+    const double from = roomy && cup.boss ? bore + h : bore;
+    const double to = roomy ? inner - h : inner;
+    const int steps =
+        std::max(2, static_cast<int>(std::ceil(std::log(to / from) / kDiaphragmStep)));
+    for (int i = 0; i <= steps; ++i)
+      columns.push_back(from * std::pow(to / from, static_cast<double>(i) / steps));
     if (cup.boss) {
-      if (roomy) columns.push_back(bore + h);
       if (cup.boss->wall_thickness > 2 * h) columns.push_back(bore - h);
       if (cup.boss->length > 2 * h) rows.push_back(-h);
     }
-    drawn.spacing.coarse_r = std::max(wall, (inner - bore) / kDiaphragmCells);
+    drawn.spacing.coarse_r = std::max(wall, to - from);
   }
   std::ranges::sort(columns);
   std::ranges::sort(rows);

@@ -11,7 +11,7 @@ namespace strainwave::gear_fem {
 
 /// What a cup has besides the barrel between two collars: below diaphragm, boss and a collar of the
 /// barrel, above a collar and the rim.  z = 0 is the barrel's lower end, not that of CupSection.
-struct CupEnds {
+struct MeshedEnds {
   fem::SectionMesh section;
   double barrel_from{};  ///< upper end of the lower collar, 0 without a diaphragm [m]
   double barrel_to{};    ///< lower end of the upper collar, the barrel's end without a rim [m]
@@ -20,7 +20,7 @@ struct CupEnds {
 /// Meshes them, coarse but towards the corners, so that the collars end on `radii`.
 /// @param radii  lines through the barrel's wall from its inner radius to its outer one, rising [m]
 /// @throws InputError  as mesh_cup; for fillets; for a rim whose wall does not cover the barrel's
-[[nodiscard]] CupEnds mesh_cup_ends(const CupSection& cup, const std::vector<double>& radii);
+[[nodiscard]] MeshedEnds mesh_cup_ends(const CupSection& cup, const std::vector<double>& radii);
 
 /// The section swept in the coordinates of a wall: s = mean_radius theta, y = z - place,
 /// w = r - mean_radius.
