@@ -89,9 +89,25 @@ Tube tube_about(const GearSet& gear, const Crack& crack, int order) {
   return tube;
 }
 
+/// Whether there is a rim that a solid cannot have.
+bool has_other_rim(const Flexspline& flexspline) {
+  return flexspline.crack_free == CrackFree::sections && flexspline.rim &&
+         !gear_fem::rim_covers(*flexspline.rim, *flexspline.barrel);
+}
+
+/// What is at the ends of the section that has the crack, as far as a solid can have it.
+gear_fem::BarrelEnds ends_of(const Flexspline& flexspline, const WallThroughCrack& crack) {
+  if (flexspline.crack_free != CrackFree::sections || crack.section != WallSection::barrel ||
+      has_other_rim(flexspline))
+    return {};
+  return {.rim = flexspline.rim, .diaphragm = flexspline.diaphragm, .boss = flexspline.boss};
+}
+
 gear_fem::TubeWithThroughCrack tube_of(const GearSet& gear, const WallThroughCrack& crack,
-                                       int order) {
-  return tube_about<gear_fem::TubeWithThroughCrack>(gear, crack, order);
+                                       int order, Surroundings surroundings) {
+  auto tube = tube_about<gear_fem::TubeWithThroughCrack>(gear, crack, order);
+  if (surroundings == Surroundings::as_given) tube.ends = ends_of(*gear.flexspline, crack);
+  return tube;
 }
 
 gear_fem::TubeWithSurfaceCrack tube_of(const GearSet& gear, const WallSurfaceCrack& crack,
@@ -180,14 +196,26 @@ void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) 
     }
     require(order <= 4, "order", order, "1", "<= 4 for a crack of the flexspline's wall");
     if (through != nullptr)
-      work.wall_cracks.push_back(wall_crack(n, tube_of(gear, *through, order)));
+      work.wall_cracks.push_back(
+          wall_crack(n, tube_of(gear, *through, order, options.surroundings)));
     else
       work.surface_cracks.push_back(wall_crack(n, tube_of(gear, *surface, order)));
   }
   if (work.has_wall_cracks()) {
-    work.notes.push_back(
-        "each crack of the wall is calculated alone, halfway along its section, a tube that is "
-        "clamped at one end and twisted at the other");
+    const auto in_cups = std::ranges::count_if(
+        work.wall_cracks, [](const auto& crack) { return crack.tube.ends.any(); });
+    if (in_cups > 0)
+      work.notes.push_back(
+          "each through crack of the barrel is calculated alone, halfway along it, in the cup that "
+          "the sections give, held at its boss or bore and twisted at the open end");
+    if (static_cast<std::size_t>(in_cups) < work.wall_cracks.size() || !work.surface_cracks.empty())
+      work.notes.push_back(fmt::format(
+          "each {} is calculated alone, halfway along its section, a tube that is clamped at one "
+          "end and twisted at the other",
+          in_cups > 0 ? "other crack of the wall" : "crack of the wall"));
+    if (has_other_rim(flexspline) && !work.wall_cracks.empty())
+      work.notes.push_back(
+          "the rim's wall does not cover the barrel's: no crack is calculated in the cup");
     if (!work.surface_cracks.empty())
       work.notes.push_back(
           "a surface crack has its mouth on the outer surface: the file does not say");
@@ -203,7 +231,7 @@ void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) 
     (void)gear_fem::cup_section(flexspline);
     if (!flexspline.crack.empty())
       work.notes.push_back(
-          "the cup of rim, barrel, diaphragm and boss is calculated without cracks");
+          "the sound flexspline is calculated as a body of revolution, without cracks");
   } else if (options.member && !work.has_wall_cracks()) {
     (void)gear_fem::cup_section(flexspline);  // says what is missing
   } else {

@@ -268,7 +268,19 @@ void add_cup(std::vector<OutputFile>& files, const gear_fem::CupResult& cup, con
 
 double in_degrees(double angle) { return std::round(1e6 * angle * 180 / pi) / 1e6; }
 
+DrawnTube drawn(const TubeSection& tube, double from) {
+  const double outer = tube.outer_diameter / 2;
+  return {.inner_radius = outer - tube.wall_thickness,
+          .outer_radius = outer,
+          .from = from,
+          .to = from + tube.length};
+}
+
 void describe(CrackedWall& wall, const gear_fem::TubeWithThroughCrack& tube) {
+  const gear_fem::BarrelEnds& ends = tube.ends;
+  if (ends.any()) wall.body = "cup's barrel";
+  if (ends.diaphragm) wall.outline.front().from = -ends.diaphragm->thickness;
+  if (ends.rim) wall.outline.push_back(drawn(*ends.rim, tube.length));
   wall.description = fmt::format("through crack 2a = {} at {}° from the generator, wall {}",
                                  in_mm(2 * tube.half_length), shown_number(in_degrees(tube.angle)),
                                  in_mm(tube.wall_thickness));
@@ -298,6 +310,11 @@ void add_wall(std::vector<OutputFile>& files, const Run& run) {
                    .mean_radius = tube.mean_radius,
                    .wall_thickness = tube.wall_thickness,
                    .length = tube.length,
+                   .body = "tube",
+                   .outline = {{.inner_radius = tube.mean_radius - tube.wall_thickness / 2,
+                                .outer_radius = tube.mean_radius + tube.wall_thickness / 2,
+                                .from = 0,
+                                .to = tube.length}},
                    .place = tube.place == 0 ? tube.length / 2 : tube.place,
                    .half_length = tube.half_length,
                    .angle = tube.angle,

@@ -99,6 +99,20 @@ double largest_ring_spread(const gear_fem::TubeCrackResult& result) {
   return spread;
 }
 
+/// What has the crack, in words.
+std::string_view body_of(const gear_fem::TubeWithThroughCrack& tube) {
+  return tube.ends.any() ? "cup" : "tube";
+}
+
+/// Its parts besides the barrel.
+std::string ends_of(const gear_fem::TubeWithThroughCrack& tube) {
+  std::vector<std::string> parts;
+  if (tube.ends.rim) parts.emplace_back("rim");
+  if (tube.ends.diaphragm) parts.emplace_back("diaphragm");
+  if (tube.ends.boss) parts.emplace_back("boss");
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 /// The tip toward +z (at 90 degrees: toward -theta), the other one.
 constexpr std::array kTips = {"upper", "lower"};
 
@@ -108,9 +122,12 @@ void write_checks(std::string& text, const gear_fem::TubeCrackResult& result) {
                                          largest_ring_spread(result), result.growth_check)
                            : std::string("  checks: no energy is released; ");
   text += fmt::format(
-      "energy {:.1e}, equilibrium {:.1e},\n          worst Jacobian {:.2f}; {} unknowns; {}\n",
-      solid.energy_balance, solid.equilibrium_residual, solid.worst_jacobian, solid.dofs,
-      verdict(result.usable, result.reason));
+      "energy {:.1e}, equilibrium {:.1e},\n          {}worst Jacobian {:.2f}; {} "
+      "unknowns; {}\n",
+      solid.energy_balance, solid.equilibrium_residual,
+      result.sound_check != 0 ? fmt::format("sound cup {:.1e}, ", result.sound_check)
+                              : std::string(),
+      solid.worst_jacobian, solid.dofs, verdict(result.usable, result.reason));
 }
 
 void write_intensities(std::string& text, const std::string& where,
@@ -187,6 +204,7 @@ Json json_of(const gear_fem::TubeCrackResult& result, const char* sense, const J
           {"evidence",
            {{"ring_spread", releases(result) ? Json(largest_ring_spread(result)) : Json()},
             {"growth_check", releases(result) ? Json(result.growth_check) : Json()},
+            {"sound_check", result.sound_check != 0 ? Json(result.sound_check) : Json()},
             {"energy_balance", solid.energy_balance},
             {"equilibrium_residual", solid.equilibrium_residual},
             {"worst_jacobian", solid.worst_jacobian},
@@ -256,11 +274,13 @@ std::string run_text(const RunResult& result, const GearSet& gear) {
     const gear_fem::TubeWithThroughCrack& tube = crack.tube;
     text += fmt::format(
         "\n{}: through crack, half length {:.6g} mm, {:.4g} deg from the generator,\n"
-        "  in a tube of mean radius {:.6g} mm, wall {:.6g} mm, length {:.6g} mm\n",
+        "  in {} of mean radius {:.6g} mm, wall {:.6g} mm, length {:.6g} mm\n",
         crack.path, tube.half_length * 1e3, tube.angle * 180 / std::numbers::pi,
-        tube.mean_radius * 1e3, tube.wall_thickness * 1e3, tube.length * 1e3);
-    text += line("compliance of the tube without the crack", crack.positive.compliance_without,
-                 "rad/(N*m)");
+        tube.ends.any() ? "the barrel of a cup" : "a tube", tube.mean_radius * 1e3,
+        tube.wall_thickness * 1e3, tube.length * 1e3);
+    if (tube.ends.any()) text += fmt::format("  besides the barrel: {}\n", ends_of(tube));
+    text += line(fmt::format("compliance of the {} without the crack", body_of(tube)),
+                 crack.positive.compliance_without, "rad/(N*m)");
     text += fmt::format(" torque {:+.6g} N*m\n", tube.torque);
     write(text, crack.positive);
     text += fmt::format(" torque {:+.6g} N*m\n", -tube.torque);
@@ -331,6 +351,7 @@ std::string run_json(const RunResult& result, const GearSet& gear) {
     flexspline["cracks"].push_back(
         {{"path", crack.path},
          {"kind", "through"},
+         {"body", body_of(crack.tube)},
          {"half_length", quantity(crack.tube.half_length, "m")},
          {"angle", quantity(crack.tube.angle, "rad")},
          {"torque", quantity(crack.tube.torque, "N*m")},

@@ -342,6 +342,7 @@ TableStudy table_study(const GearSet& gear, const std::string& input, const RunO
   TableStudy study{.gear = plain(gear), .run = run, .head = {}, .points = {}};
   const std::string crack = chosen_crack(study.gear, run);
   study.run.crack = crack;
+  study.run.surroundings = Surroundings::none;  // what the table's head holds fixed
   if (over.empty()) throw InputError(kOver, "must be given, for each number that varies");
   const Tabulated base = tabulated(study.gear, crack);
   const Family family = family_of(base.kind);

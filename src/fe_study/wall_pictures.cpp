@@ -111,8 +111,9 @@ class WallPictures {
         window_(
             std::min({2.4 * wall.half_length, 0.5 * wall.length, 0.9 * pi * wall.mean_radius})) {
     for (const BoundaryFace& face : face_)
-      for (const FieldPoint* const p : face.points)
-        sound_ = std::max(sound_, p->energy_density_without_crack);
+      for (const FieldPoint* const p : face.points)  // not at the joints of a cup
+        if (std::abs(p->place[2] - wall_.place) <= window_)
+          sound_ = std::max(sound_, p->energy_density_without_crack);
   }
 
   [[nodiscard]] std::string energy() const {
@@ -234,7 +235,7 @@ std::string WallPictures::surface(const ValueScale& scale, const std::string& wh
   sheet.colour_bar({500, 150}, 316, scale, quantity, "singular at the tips");
   whole_tube(sheet, {610, 120}, 270, 360, scale, value);
   sheet.words({610, 508}, "small",
-              fmt::format("the tube: radius {}, length {},", in_mm(wall_.mean_radius),
+              fmt::format("the {}: radius {}, length {},", wall_.body, in_mm(wall_.mean_radius),
                           in_mm(wall_.length)));
   sheet.words({610, 523}, "small",
               fmt::format("wall {}; to another scale", in_mm(wall_.wall_thickness)));
@@ -244,7 +245,7 @@ std::string WallPictures::surface(const ValueScale& scale, const std::string& wh
 void WallPictures::whole_tube(PictureSheet& sheet, PaperPoint corner, double width, double height,
                               const ValueScale& scale, const Value& value) const {
   View view = view_from({1, -0.42, 0.5}, {0, -1, 0});
-  view.centre = {0, 0, wall_.length / 2};
+  view.centre = {0, 0, (wall_.outline.front().from + wall_.outline.back().to) / 2};
   view.origin = {corner.x + width / 2, corner.y + height / 2};
   double half_width = 0.0;
   double half_height = 0.0;
@@ -301,30 +302,28 @@ void WallPictures::whole_tube(PictureSheet& sheet, PaperPoint corner, double wid
   sheet.line(square, "thin");
 }
 
-/// The edges that are seen: of both ends, and where the wall turns away from the eye.
+/// The edges that are seen: of both ends of each tube, and where its wall turns away from the eye.
 void WallPictures::outline_tube(PictureSheet& sheet, const View& view) const {
   constexpr int kSteps = 180;
-  const double inner = wall_.mean_radius - wall_.wall_thickness / 2;
-  const double outer = wall_.mean_radius + wall_.wall_thickness / 2;
   const auto at = [&](double r, double theta, double z) {
     return view.paper({r * std::cos(theta), r * std::sin(theta), z});
   };
-  const bool upper_end = view.toward[2] > 0;
-  for (const double r : {inner, outer})
-    for (const double z : {0.0, wall_.length}) {
-      const bool hidden_half = (z > 0) != upper_end;
-      if (hidden_half && r == inner) continue;
-      std::vector<PaperPoint> line;
-      for (int i = 0; i <= kSteps; ++i) {
-        const double theta = std::atan2(view.toward[1], view.toward[0]) +
-                             (hidden_half ? pi / 2 : pi) * (2.0 * i / kSteps - 1);
-        line.push_back(at(r, theta, z));
-      }
-      sheet.line(line, "thin");
-    }
-  for (const double turn : {-pi / 2, pi / 2}) {
-    const double theta = std::atan2(view.toward[1], view.toward[0]) + turn;
-    sheet.line(std::array{at(outer, theta, 0), at(outer, theta, wall_.length)}, "thin");
+  const double facing = std::atan2(view.toward[1], view.toward[0]);
+  const auto circle = [&](double r, double z, double half) {
+    std::vector<PaperPoint> line;
+    for (int i = 0; i <= kSteps; ++i)
+      line.push_back(at(r, facing + half * (2.0 * i / kSteps - 1), z));
+    sheet.line(line, "thin");
+  };
+  for (const DrawnTube& tube : wall_.outline) {
+    circle(tube.outer_radius, tube.from, pi / 2);
+    const bool open_end = &tube == &wall_.outline.back();
+    circle(tube.outer_radius, tube.to, open_end ? pi : pi / 2);
+    if (open_end) circle(tube.inner_radius, tube.to, pi);
+    for (const double turn : {-pi / 2, pi / 2})
+      sheet.line(std::array{at(tube.outer_radius, facing + turn, tube.from),
+                            at(tube.outer_radius, facing + turn, tube.to)},
+                 "thin");
   }
 }
 

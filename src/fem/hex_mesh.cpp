@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/fem/hex_mesh.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -94,6 +96,28 @@ HexMesh make_hex_mesh(const std::vector<TemplateCell>& cells, const TemplateBody
     }
     mesh.cells.push_back(std::move(cell));
   }
+  return mesh;
+}
+
+HexMesh with_boundary_tags(HexMesh mesh, int tag) {
+  const auto corners = [](const HexCell& cell, std::size_t face) {
+    std::array<std::size_t, 4> key{};
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < 8; ++i)
+      if ((i >> (face / 2) & 1U) == face % 2) key[n++] = cell.vertices[i];
+    std::sort(key.begin(), key.end());
+    return key;
+  };
+  std::map<std::array<std::size_t, 4>, int> count;
+  for (const HexCell& cell : mesh.cells)
+    for (std::size_t f = 0; f < 6; ++f) ++count[corners(cell, f)];
+  for (HexCell& cell : mesh.cells)
+    for (std::size_t f = 0; f < 6; ++f) {
+      if (count[corners(cell, f)] > 1)
+        cell.face_tag[f] = 0;
+      else if (cell.face_tag[f] == 0)
+        cell.face_tag[f] = tag;
+    }
   return mesh;
 }
 

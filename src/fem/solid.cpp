@@ -1283,6 +1283,7 @@ SampledFields Model::sample() const {
     gradients(cell, reinit(is_singular(source(cell)) ? inner_slopes : slopes, cell), gradient);
     FieldCell& sampled = fields.cells.emplace_back();
     sampled.face_tag = source(cell).face_tag;
+    sampled.cell = static_cast<std::size_t>(cell->index());
     for (unsigned q = 0; q < points.size(); ++q) {
       FieldPoint p{.place = to_array(values.quadrature_point(q))};
       for (unsigned a = 0; a < scalar_.n_dofs_per_cell(); ++a)

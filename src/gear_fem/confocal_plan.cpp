@@ -97,9 +97,8 @@ class Patch {
     if (!(room > needed))
       throw InputError("half_length",
                        fmt::format("the crack needs a clear distance of {:.4g} m from its middle "
-                                   "to either end of the tube and half-way round, {:.4g} m is "
-                                   "there",
-                                   needed, room));
+                                   "to either {} and half-way round, {:.4g} m is there",
+                                   needed, plan.end, room));
     // A patch larger than a few cells of the grid would have larger cells than it.
     return std::min(room, std::max(kPatchCells * plan.longest_round, 2.5 * plan.sized_for));
   }

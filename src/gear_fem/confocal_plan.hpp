@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 #include <vector>
 
 #include "gear_fem/crack_plan.hpp"
@@ -23,9 +24,10 @@ struct ConfocalPlan {
   double above{};          ///< to y = above [m]
   double longest_round{};  ///< longest cell of the grid round the tube [m]
   double longest_along{};  ///< longest cell of the grid along the tube [m]
-  int sectors = 16;        ///< between hyperbolas; a multiple of 8
-  int rings = 3;           ///< circular ones about each tip; one more leads to the grid
-  double stretch = 1;      ///< of the ellipses' steps in xi, each to the next one
+  std::string_view end = "end of the tube";  ///< what bounds it there, for messages
+  int sectors = 16;                          ///< between hyperbolas; a multiple of 8
+  int rings = 3;       ///< circular ones about each tip; one more leads to the grid
+  double stretch = 1;  ///< of the ellipses' steps in xi, each to the next one
 };
 
 struct ConfocalCells {

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "gear_fem/cup_shape.hpp"
 #include "strainwave/core/error.hpp"
 
 namespace strainwave::gear_fem {
@@ -14,7 +16,6 @@ namespace {
 
 using fem::EdgeRole;
 
-enum Part : std::size_t { kRim, kBarrel, kDiaphragm, kBoss };
 constexpr std::array<std::string_view, 4> kPartName = {"rim", "barrel", "diaphragm", "boss"};
 
 void check(const TubeSection& tube, std::string_view name) {
@@ -69,8 +70,10 @@ void check(const CupSection& cup) {
           ">= 0, and less than a third of the diaphragm's width and of the boss's length");
 }
 
-/// Rows of the diaphragm are drawn to its thickness at each radius.
+}  // namespace
+
 void draw_profile(fem::SectionMesh& mesh, const CupSection& cup) {
+  if (!cup.diaphragm || cup.diaphragm->profile.empty()) return;
   const Diaphragm& plate = *cup.diaphragm;
   for (fem::SectionPoint& point : mesh.points)
     if (point.z > 0 && point.z <= plate.thickness * (1 + 1e-9) &&
@@ -78,9 +81,8 @@ void draw_profile(fem::SectionMesh& mesh, const CupSection& cup) {
       point.z *= diaphragm_thickness(plate, point.r) / plate.thickness;
   // A sharp corner at the boss or the barrel lies where the thickness is the nominal one, or at
   // z = 0; both stay.
+  fem::check_mesh(mesh);
 }
-
-}  // namespace
 
 CupSection cup_section(const Flexspline& flexspline) {
   if (flexspline.crack_free != CrackFree::sections || !flexspline.barrel)
@@ -92,7 +94,13 @@ CupSection cup_section(const Flexspline& flexspline) {
           .boss = flexspline.boss};
 }
 
-fem::SectionMesh mesh_cup(const CupSection& cup) {
+bool rim_covers(const TubeSection& rim, const TubeSection& barrel) {
+  const double tiny = 1e-9 * outer_radius(barrel);
+  return outer_radius(rim) >= outer_radius(barrel) - tiny &&
+         inner_radius(rim) <= inner_radius(barrel) + tiny;
+}
+
+CupShape cup_shape(const CupSection& cup) {
   check(cup);
   const double barrel_in = inner_radius(cup.barrel);
   const double barrel_out = outer_radius(cup.barrel);
@@ -143,12 +151,15 @@ fem::SectionMesh mesh_cup(const CupSection& cup) {
     loaded.level = z;
   }
   shape.sides = {held, loaded};
-  fem::SectionMesh mesh = fem::mesh_section(
-      shape, {.coarse_r = largest_diaphragm_cell, .coarse_z = barrel_out / 4, .growth = 1.0});
-  if (cup.diaphragm && !cup.diaphragm->profile.empty()) {
-    draw_profile(mesh, cup);
-    fem::check_mesh(mesh);
-  }
+  return {
+      .shape = std::move(shape),
+      .spacing = {.coarse_r = largest_diaphragm_cell, .coarse_z = barrel_out / 4, .growth = 1.0}};
+}
+
+fem::SectionMesh mesh_cup(const CupSection& cup) {
+  const CupShape drawn = cup_shape(cup);
+  fem::SectionMesh mesh = fem::mesh_section(drawn.shape, drawn.spacing);
+  draw_profile(mesh, cup);
   return mesh;
 }
 

@@ -95,6 +95,13 @@ double tube_polar_moment(double mean_radius, double wall_thickness) {
   return pi / 2 * (std::pow(outer, 4) - std::pow(inner, 4));
 }
 
+fem::Traction end_torque(double mean_radius, double wall_thickness, double torque) {
+  const double rate = torque / tube_polar_moment(mean_radius, wall_thickness);
+  return {.tag = kTubeLoad, .value = [rate](const fem::Point3& p) {
+            return fem::Point3{-rate * p[1], rate * p[0], 0};
+          }};
+}
+
 fem::SolidProblem tube_torsion(double mean_radius, double wall_thickness,
                                const fem::Elasticity& material, double torque) {
   fem::SolidProblem problem;
@@ -103,11 +110,8 @@ fem::SolidProblem tube_torsion(double mean_radius, double wall_thickness,
   problem.supports.push_back({.tag = kTubeClamp, .directions = [](const fem::Point3&) {
                                 return std::vector<fem::Point3>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
                               }});
-  // tau_ztheta = T r/J: tractions (-y, x) T/J.
+  problem.tractions.push_back(end_torque(mean_radius, wall_thickness, torque));
   const double rate = torque / tube_polar_moment(mean_radius, wall_thickness);
-  problem.tractions.push_back({.tag = kTubeLoad, .value = [rate](const fem::Point3& p) {
-                                 return fem::Point3{-rate * p[1], rate * p[0], 0};
-                               }});
   problem.stress_without_crack = [rate](const fem::Point3& p) {
     std::array<fem::Point3, 3> s{};
     s[0][2] = s[2][0] = -rate * p[1];

@@ -40,6 +40,9 @@ struct TubeBody {
 /// @throws InputError  when the crack is too close to an end, or too long
 [[nodiscard]] TubeBody tube_body(const TubePlan& plan);
 
+/// Traction of a torque on the end of a tube with this wall, tau = T r/J.
+[[nodiscard]] fem::Traction end_torque(double mean_radius, double wall_thickness, double torque);
+
 /// Clamp at z = 0, traction of a torque at z = length.
 [[nodiscard]] fem::SolidProblem tube_torsion(double mean_radius, double wall_thickness,
                                              const fem::Elasticity& material, double torque);

@@ -7,12 +7,16 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "gear_fem/confocal_plan.hpp"
 #include "gear_fem/crack_plan.hpp"
+#include "gear_fem/cup_ends.hpp"
 #include "gear_fem/tube_body.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/fem/swept_section.hpp"
+#include "strainwave/gear_fem/cup_section.hpp"
 
 namespace strainwave::gear_fem {
 namespace {
@@ -31,24 +35,50 @@ std::vector<double> wall_lines(double t, int layers) {
 /// K_I that the integrals may leave on a closed front, of K0 = tau sqrt(pi a).
 constexpr double kClosedShare = 0.02;
 
+/// What the sound cup may have by solids more or less than by its section, relative [-].
+constexpr double kSoundTolerance = 0.005;
+
 struct Solved {
   fem::SolidResult solid;
   double area;  ///< of the crack
 };
 
-fem::HexMesh mesh_size(const TubeWithThroughCrack& tube, double a) {
+CupSection cup_of(const TubeWithThroughCrack& tube) {
+  return {.barrel = {.outer_diameter = 2 * tube.mean_radius + tube.wall_thickness,
+                     .wall_thickness = tube.wall_thickness,
+                     .length = tube.length},
+          .rim = tube.ends.rim,
+          .diaphragm = tube.ends.diaphragm,
+          .boss = tube.ends.boss};
+}
+
+/// What of the crack a mesh has.
+enum class Wall {
+  cracked,
+  sound,  ///< the same cells, not parted along the crack
+};
+
+fem::HexMesh mesh_size(const TubeWithThroughCrack& tube, double a, Wall wall = Wall::cracked) {
   const double R = tube.mean_radius;
   const double t = tube.wall_thickness;
+  const std::vector<double> layers = wall_lines(t, tube.layers);
+  MeshedEnds ends{.section = {}, .barrel_from = 0, .barrel_to = tube.length};
+  if (tube.ends.any()) {
+    std::vector<double> radii = layers;
+    for (double& radius : radii) radius += R;
+    ends = mesh_cup_ends(cup_of(tube), radii);
+  }
   // From the generator (+y) toward -theta (-s).
   const ConfocalPlan plan{
       .half_length = a,
       .sized_for = tube.half_length,
       .direction = pi / 2 + tube.angle,
       .half_round = pi * R,
-      .below = tube.place,
-      .above = tube.length - tube.place,
+      .below = tube.place - ends.barrel_from,
+      .above = ends.barrel_to - tube.place,
       .longest_round = pi * R / 5,
       .longest_along = std::max(tube.length / 4, R / 4),
+      .end = tube.ends.any() ? "end of the barrel between its collars" : "end of the tube",
       .sectors = tube.sectors,
       .rings = tube.rings,
       // Away from a crack shorter than the wall is thick there is little to resolve.
@@ -59,28 +89,54 @@ fem::HexMesh mesh_size(const TubeWithThroughCrack& tube, double a) {
     const PlanPoint x = on_crack_axes(plan, {p[0], p[1]});
     return PlanPoint{std::abs(x[0]), std::abs(x[1])};
   };
+  const auto end_tag = [&](const fem::Point3& p) -> int {
+    const double z = tube.place + p[1];
+    if (!tube.ends.diaphragm && std::abs(z) < tiny) return kTubeClamp;
+    if (!tube.ends.rim && std::abs(z - tube.length) < tiny) return kTubeLoad;
+    const auto role = fem::role_at(ends.section, {R + p[2], z});
+    return !role ? 0 : *role == fem::EdgeRole::held ? kTubeClamp : kTubeLoad;
+  };
   const fem::TemplateBody shape{.map =
-                                    [=](const fem::Point3& p) {
-                                      const double theta = p[0] / R;
-                                      return fem::Point3{(R + p[2]) * std::cos(theta),
-                                                         (R + p[2]) * std::sin(theta),
-                                                         plan.below + p[1]};
+                                    [=, place = tube.place](const fem::Point3& p) {
+                                      return fem::revolved({p[0] / R, place + p[1], R + p[2]});
                                     },
                                 .on_crack =
                                     [=](const fem::Point3& p) {
                                       const PlanPoint x = distances(p);
-                                      return x[1] < tiny && x[0] < a - tiny;
+                                      return wall == Wall::cracked && x[1] < tiny &&
+                                             x[0] < a - tiny;
                                     },
-                                .face_tag = [=](const fem::Point3& p) -> int {
+                                .face_tag = [&](const fem::Point3& p) -> int {
+                                  if (const int tag = end_tag(p); tag != 0) return tag;
                                   if (std::abs(std::abs(p[2]) - half_wall) < 1e-9 * half_wall)
                                     return kTubeFree;
                                   const PlanPoint x = distances(p);
-                                  if (x[1] < tiny && x[0] < a) return kTubeCrack;
-                                  if (std::abs(p[1] + plan.below) < tiny) return kTubeClamp;
-                                  return std::abs(p[1] - plan.above) < tiny ? kTubeLoad : 0;
+                                  return x[1] < tiny && x[0] < a ? kTubeCrack : 0;
                                 },
                                 .length = R};
-  return fem::make_hex_mesh(extruded(confocal_plan(plan).cells, wall_lines(t, tube.layers)), shape);
+  const ConfocalCells flat = confocal_plan(plan);
+  std::vector<fem::TemplateCell> cells = extruded(flat.cells, layers);
+  if (!tube.ends.any()) return fem::make_hex_mesh(cells, shape);
+  const std::vector<fem::TemplateCell> more = wall_cells(ends.section, R, tube.place, flat.round);
+  cells.insert(cells.end(), more.begin(), more.end());
+  fem::HexMesh mesh = fem::with_boundary_tags(fem::make_hex_mesh(cells, shape), kTubeFree);
+  if (wall == Wall::sound) mesh.fronts = 0;
+  return mesh;
+}
+
+/// Gives each point of a cup's fields the energy density that it has without the crack, by the same
+/// cells.
+void add_sound_energy(fem::SampledFields& fields, const TubeWithThroughCrack& tube,
+                      fem::SolidProblem problem) {
+  problem.crack_tag = 0;
+  problem.crack_faces = fem::CrackFaces::free;
+  problem.fields.every_cell = true;  // the ranks may share these cells in another way
+  const fem::SampledFields sound =
+      fem::solve_solid(mesh_size(tube, tube.half_length, Wall::sound), problem).fields;
+  for (fem::FieldCell& cell : fields.cells)
+    for (std::size_t i = 0; i < cell.points.size(); ++i)
+      cell.points[i].energy_density_without_crack =
+          sound.cells.at(cell.cell).points.at(i).energy_density;
 }
 
 Solved solve_size(const TubeWithThroughCrack& tube, double a) {
@@ -89,13 +145,39 @@ Solved solve_size(const TubeWithThroughCrack& tube, double a) {
   const double torque = tube.sense == TorqueSense::positive ? tube.torque : -tube.torque;
   fem::SolidProblem problem =
       tube_torsion(tube.mean_radius, tube.wall_thickness, tube.material, torque);
+  if (const auto& rim = tube.ends.rim)
+    problem.tractions = {
+        end_torque((rim->outer_diameter - rim->wall_thickness) / 2, rim->wall_thickness, torque)};
   problem.order = tube.order;
   problem.crack_faces = tube.crack_faces;
   if (a == tube.half_length) problem.fields = tube.fields;
   Solved done{fem::solve_solid(mesh, problem), 2 * a * tube.wall_thickness};
+  if (tube.ends.any() && problem.fields.divisions > 0)
+    add_sound_energy(done.solid.fields, tube, problem);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   if (tube.solved) tube.solved(done.solid, taken.count());
   return done;
+}
+
+/// The crack of a cup stays in the barrel, and clear of what joins it.
+void check_joints(const TubeWithThroughCrack& tube) {
+  const double reach = tube.half_length * std::abs(std::cos(tube.angle));
+  const auto check = [&](bool there, const char* joint, double distance) {
+    if (!there) return;
+    const double clear = distance - reach;
+    const double needed = kClearOfJoint * tube.wall_thickness;
+    if (clear >= needed) return;
+    throw InputError(
+        "half_length",
+        clear < 0 ? fmt::format("the crack crosses the {}: it reaches {:.4g} m toward it, which is "
+                                "{:.4g} m from its middle",
+                                joint, reach, distance)
+                  : fmt::format("the crack ends {:.4g} m from the {}, where {} wall thicknesses, "
+                                "{:.4g} m, are needed",
+                                clear, joint, kClearOfJoint, needed));
+  };
+  check(tube.ends.diaphragm.has_value(), "diaphragm", tube.place);
+  check(tube.ends.rim.has_value(), "rim", tube.length - tube.place);
 }
 
 /// Checks the values and fills in those that were left to be chosen.
@@ -112,6 +194,7 @@ TubeWithThroughCrack completed(TubeWithThroughCrack tube) {
   require(tube.rings == 0 || (tube.rings >= 2 && tube.rings <= 16), "rings", tube.rings, "1",
           "2 <= rings <= 16, or 0");
   require(tube.layers >= 0 && tube.layers <= 8, "layers", tube.layers, "1", "0 <= layers <= 8");
+  check_joints(tube);
   const double t = tube.wall_thickness;
   if (tube.layers == 0) tube.layers = a >= t ? 1 : 2;
   if (tube.sectors == 0) {
@@ -146,6 +229,18 @@ TubeCrackResult solve_tube_with_through_crack(const TubeWithThroughCrack& tube_g
   result.nominal_shear = torque * tube.mean_radius / J;
   result.compliance_without = tube.length / (mu * J);
   result.added_compliance = solid.added_work / (torque * torque);
+  if (tube.ends.any()) {
+    const CupResult cup = solve_cup(cup_of(tube), tube.material);
+    if (!cup.usable) result.reason = "the sound cup: " + cup.reason;
+    result.compliance_without = cup.compliance;
+    result.sound_check =
+        (solid.work / (torque * torque) - result.added_compliance) / cup.compliance - 1;  // (FE-50)
+    if (result.reason.empty() && std::abs(result.sound_check) > kSoundTolerance)
+      result.reason = fmt::format(
+          "without the crack the solid's compliance differs by {:.2g} from that of the body of "
+          "revolution",
+          result.sound_check);
+  }
   result.compliance = result.compliance_without + result.added_compliance;
   double length = 0;
   double release = 0;
@@ -175,7 +270,7 @@ TubeCrackResult solve_tube_with_through_crack(const TubeWithThroughCrack& tube_g
   result.closed_release_rate = 1e-3 * std::pow(result.nominal_shear, 2) * std::numbers::pi * a /
                                tube.material.youngs_modulus;
   const double share = closed_K_I / (result.nominal_shear * std::sqrt(pi * a));
-  if (share > kClosedShare)
+  if (result.reason.empty() && share > kClosedShare)
     result.reason = fmt::format("where the faces touch {:.2g} of K0 is left as K_I", share);
   judge(result, tube.check_growth, least_K_I < -0.01 * largest_K);
   return result;

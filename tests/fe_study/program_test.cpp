@@ -152,6 +152,10 @@ TEST_F(FeProgram, InputErrorsByCodeAndName) {
           "flexspline.crack[0]: depth");
   refused(changed("part_through_crack.toml", "length = \"160 mm\"", "length = \"5 mm\""),
           "flexspline.crack[0]: half_length: the crack needs");
+  refused(changed("cracked_size25.toml", "\"2 mm\"\n\n[[flexspline.crack]]\nkind = \"diaphragm_arc",
+                  "\"11 mm\"\n\n[[flexspline.crack]]\nkind = \"diaphragm_arc") +
+              " --crack 'flexspline.crack[0]' --dry-run",
+          "flexspline.crack[0]: half_length: the crack ends 0.0008218 m from the diaphragm");
   refused(kCup + " --member output-shaft", "output_shaft: is not given");
   refused(kShaft + " --member flexspline", "flexspline: is not given");
   refused("/nowhere.toml", "/nowhere.toml");

@@ -397,6 +397,21 @@ TEST(FeMemory, InputControlGroups) {
   EXPECT_EQ(one.from, "memory.limit_in_bytes of the control group");
 }
 
+// Points of a table are of a tube, which its head describes, where the same crack alone is in a
+// cup.
+TEST(FeTableRun, IdentityOfATubeInAnyDrive) {
+  test::start_mpi();
+  const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/cracked_size25.toml");
+  const std::vector<Variation> over{
+      parse_variation(gear, "flexspline.crack[0].half_length=1.9 mm..2 mm:2", "--over")};
+  const fe_study::RunOptions options{.crack = "flexspline.crack[0]"};
+  const std::size_t cup = fe_study::plan(gear, options).at(0).dofs;
+  const auto size =
+      fe_study::table_size(fe_study::table_study(gear, "cracked_size25.toml", options, over));
+  EXPECT_EQ(size.points, 2U);
+  EXPECT_LT(size.largest.dofs, cup * 2 / 3);
+}
+
 // Want of memory may be over by the next run: it ends this one, and no row remembers it.
 TEST(FeMemory, InputEndsATableAndIsNoRow) {
   const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/solid_shaft.toml");

@@ -36,6 +36,12 @@ enum class RunFields {
   everywhere,  ///< each rank all cells, for pictures
 };
 
+/// What a through crack of the barrel is calculated in.
+enum class Surroundings {
+  as_given,  ///< the cup, where the file has rim, diaphragm or boss
+  none,      ///< a tube
+};
+
 struct RunOptions {
   std::optional<Member> member = {};  ///< nothing: every member that the file gives
   /// p; in 2..8, of solids in 2..4; nothing: kSectionOrder and kSolidOrder
@@ -46,6 +52,7 @@ struct RunOptions {
   /// Called with one line after each solution, on every rank; may be empty.
   std::function<void(const std::string&)> progress = {};
   RunFields fields = RunFields::none;
+  Surroundings surroundings = Surroundings::as_given;
 };
 
 /// Size of one calculation, before it is done.
@@ -66,7 +73,8 @@ struct ShaftCrackRun {
   fem::Elasticity elasticity;
 };
 
-/// One through crack of the flexspline's wall, at the size of the given torque and both senses.
+/// One through crack of the flexspline's wall, in a tube or, with `tube.ends`, in the cup, at the
+/// size of the given torque and both senses.
 struct TubeCrackRun {
   std::string path;
   gear_fem::TubeWithThroughCrack tube;

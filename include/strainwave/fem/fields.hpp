@@ -36,6 +36,7 @@ struct FieldCell {
   std::vector<FieldPoint> points;
   /// Of a solid: tags of the faces u=0, u=1, v=0, v=1, w=0, w=1 as in HexCell.
   std::array<int, 6> face_tag{};
+  std::size_t cell{};  ///< of a solid: index into HexMesh::cells
 };
 
 /// Both faces of a crack at one place.

@@ -69,4 +69,8 @@ struct TemplateBody {
 [[nodiscard]] HexMesh make_hex_mesh(const std::vector<TemplateCell>& cells,
                                     const TemplateBody& body);
 
+/// The mesh, its faces between two cells without tags, and those of one cell that had none with
+/// this one.
+[[nodiscard]] HexMesh with_boundary_tags(HexMesh mesh, int tag);
+
 }  // namespace strainwave::fem

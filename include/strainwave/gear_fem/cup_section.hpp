@@ -31,6 +31,9 @@ struct CupSection {
 /// @throws InputError  if the flexspline has no barrel: crack_free is not "sections"
 [[nodiscard]] CupSection cup_section(const Flexspline& flexspline);
 
+/// Whether the rim's wall covers the barrel's, inside and outside: a solid can have no other.
+[[nodiscard]] bool rim_covers(const TubeSection& rim, const TubeSection& barrel);
+
 /// Grid of a cup.
 /// @throws InputError  for sections that do not meet: a diaphragm whose outer diameter is not
 ///                     inside the barrel's wall, a boss that is not as wide as its bore, ...
