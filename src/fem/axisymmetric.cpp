@@ -27,7 +27,7 @@
 #include <optional>
 #include <utility>
 
-#include "fem/frontal_solver.hpp"
+#include "fem/condensed_solver.hpp"
 #include "strainwave/core/error.hpp"
 
 namespace strainwave::fem {
@@ -240,7 +240,7 @@ class Solver {
       const Matrix whole = k.selfadjointView<Eigen::Lower>();
       return unknowns[c].gathered(unknowns[c].gathered(whole).transpose());
     };
-    const auto x = solve_by_fronts(elements, matrix, load_);
+    const auto x = solve_condensed(elements, matrix, load_);
     if (!x)
       throw SolverError(
           fmt::format("finite elements: the equations of {} unknowns could not be factored; usual "

@@ -9,24 +9,22 @@
 
 /// @file
 /// Symmetric positive definite equations that are a sum over elements, for a few thousand unknowns
-/// of high order: each element couples many unknowns, and each unknown is in few elements.
+/// of high order.
 
 namespace strainwave::fem {
 
 /// An equation is not solved if elimination leaves less than this share of its diagonal [-].
 inline constexpr double kLeastPivot = 1e-14;
 
-/// Solves sum K_e x = load by Cholesky's method, front by front (multifrontal).
-///
-/// Elements are merged, the unknown with the least coupled one first; what only the merged element
-/// has is eliminated from its dense matrix, what it shares stays.  No sparse matrix is built.
+/// Solves sum K_e x = load: what one element alone has is eliminated from its dense matrix
+/// (FE-45), the rest by Eigen's sparse Cholesky factorisation, ordered by minimum degree.
 ///
 /// @param elements  the unknowns of each element, each once; < load.size()
 /// @param matrix    K_e of element e, in the order of its unknowns; only the lower half is read;
 ///                  called once for each element, in their order
 /// @param load      right hand side
 /// @return x, 0 for an unknown that no element has; nothing if the sum is not positive definite
-[[nodiscard]] std::optional<Eigen::VectorXd> solve_by_fronts(
+[[nodiscard]] std::optional<Eigen::VectorXd> solve_condensed(
     const std::vector<std::vector<Eigen::Index>>& elements,
     const std::function<Eigen::MatrixXd(std::size_t)>& matrix, const Eigen::VectorXd& load);
 

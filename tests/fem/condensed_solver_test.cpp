@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fem/frontal_solver.hpp"
+#include "fem/condensed_solver.hpp"
 
 #include <gtest/gtest.h>
 
@@ -64,13 +64,13 @@ Eigen::MatrixXd sum_of(const std::vector<std::vector<Index>>& elements) {
 
 std::optional<Eigen::VectorXd> solved(const std::vector<std::vector<Index>>& elements,
                                       const Eigen::VectorXd& load) {
-  return solve_by_fronts(
+  return solve_condensed(
       elements, [&](std::size_t e) { return matrix_of(e, static_cast<Index>(elements[e].size())); },
       load);
 }
 
 // Against the dense sum: one element, a strip, a block, two separate blocks, odd elements.
-TEST(SolveByFronts, CrosscheckDenseSum) {
+TEST(SolveCondensed, CrosscheckDenseSum) {
   auto two = grid(2, 3);
   const Index first = unknowns_of(two);
   for (auto element : grid(3, 1)) {
@@ -89,7 +89,7 @@ TEST(SolveByFronts, CrosscheckDenseSum) {
   }
 }
 
-TEST(SolveByFronts, IdentityUnknownOfNoElementIsZero) {
+TEST(SolveCondensed, IdentityUnknownOfNoElementIsZero) {
   auto elements = grid(2, 2);
   const Index n = unknowns_of(elements);
   for (auto& element : elements)
@@ -102,14 +102,14 @@ TEST(SolveByFronts, IdentityUnknownOfNoElementIsZero) {
   EXPECT_NE((*x)(2), 0);
 }
 
-TEST(SolveByFronts, InputNotPositiveDefiniteGivesNothing) {
+TEST(SolveCondensed, InputNotPositiveDefiniteGivesNothing) {
   const std::vector<std::vector<Index>> chain = {{0, 1}, {1, 2}};
   const auto spring = [](double k) { return Eigen::MatrixXd{{k, -k}, {-k, k}}; };
   const Eigen::VectorXd load = Eigen::VectorXd::Ones(3);
   // Nothing holds the chain; with the springs of 0.1 and 0.3, rounding leaves a pivot near 1e-17.
-  EXPECT_FALSE(solve_by_fronts(
+  EXPECT_FALSE(solve_condensed(
       chain, [&](auto) { return spring(1); }, load));
-  EXPECT_FALSE(solve_by_fronts(
+  EXPECT_FALSE(solve_condensed(
       chain, [&](auto e) { return spring(e == 0 ? 0.1 : 0.3); }, load));
   const auto held = [&](double by) {
     return [=](std::size_t e) {
@@ -118,8 +118,8 @@ TEST(SolveByFronts, InputNotPositiveDefiniteGivesNothing) {
       return k;
     };
   };
-  EXPECT_FALSE(solve_by_fronts(chain, held(-0.5), load));
-  const auto x = solve_by_fronts(chain, held(1e-10), load);  // weakly
+  EXPECT_FALSE(solve_condensed(chain, held(-0.5), load));
+  const auto x = solve_condensed(chain, held(1e-10), load);  // weakly
   ASSERT_TRUE(x);
   EXPECT_NEAR((*x)(0) * 1e-10 / 3, 1, 1e-5);  // the sum of the load; 1e-16/1e-10
 }
