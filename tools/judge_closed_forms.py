@@ -169,7 +169,9 @@ angle = "{float(degrees)!r} deg"
     @classmethod
     def elements(cls, point, answer):
         sense = answer["flexspline"]["cracks"][0]["senses"][0]
-        if not sense["usable"] or sense["faces"] != "open":
+        # Round the tube nothing opens or closes the crack but the tube's ends, by 1e-3 of K_II.
+        faces = ("open", "partly closed") if point[2] == 90 else ("open",)
+        if not sense["usable"] or sense["faces"] not in faces:
             return None, sense["reason"] or f"the faces are {sense['faces']}"
         result = cls.normalised(point, value(sense["added_compliance"]),
                                 value(sense["energy_release_rate"]))
