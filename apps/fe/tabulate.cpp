@@ -94,7 +94,7 @@ cli::ExitCode run_tabulate(int argc, char** argv, const fem::MpiSession& session
                "a line for each solution on standard error, even if that is no terminal");
   app.footer(
       "Example:\n  strainwave-fe tabulate examples/through_crack.toml -o through_45.csv \\\n"
-      "    --over 'flexspline.crack[0].half_length=3 mm..14 mm:7:log'");
+      "    --over 'flexspline.crack[0].half_length=0.5 mm..40 mm:13:log'");
   if (const auto code = parsed(app, argc, argv, session)) return *code;
   return run(arguments, session);
 }

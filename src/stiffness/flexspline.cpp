@@ -127,6 +127,18 @@ double shell_parameter(const WallThroughCrack& crack, const GearSet& gear,
                        .shell_parameter_squared(crack.half_length));
 }
 
+/// What the ends of the section do to a crack half-way along it, which the closed form leaves out.
+ModelAccuracy ends_of_section(const Flexspline& fs, const WallThroughCrack& crack) {
+  const bool sections = fs.crack_free == CrackFree::sections;
+  const bool rim = crack.section == WallSection::rim;
+  const double length = !sections ? fs.length : rim ? fs.rim->length : fs.barrel->length;
+  ModelAccuracy ends = sections && fs.rim && fs.diaphragm && !rim
+                           ? accuracy::kThroughCrackBetweenJoints
+                           : accuracy::kThroughCrackNearFreeEnd;
+  ends.relative_uncertainty *= std::pow(2 * crack.half_length / length, 2);
+  return ends;
+}
+
 /// What the closed form of a through crack is worth, with its equations and notes.
 struct ThroughCrackModel {
   WallCrackModel wall;
@@ -147,17 +159,20 @@ ThroughCrackModel through_crack_model(MemberCompliance& member, const std::strin
                      "more added compliance, and 2.7 % more energy release rate",
                      lambda),
          path, "FR-9"});
+  constexpr double kWorthNaming = 0.005;
+  const ModelAccuracy ends = ends_of_section(*gear.flexspline, crack);
   // The tips run along the tube, which is long: there is no ligament to speak of.
   ThroughCrackModel model{
       .wall = {.moduli = SeriesModel<double>::wall_moduli(crack, steel),
                .constraint = Constraint::plane_stress,
-               .torsion_uncertainty = accuracy,
+               .torsion_uncertainty = accuracy::combined(accuracy, ends),
                .pressed_uncertainty = accuracy::kThroughCrackPressed,
                .intensity_uncertainty = clearly_less(0.3, steel.nu)
                                             ? accuracy::kThroughCrackIntensityOtherRatio
                                             : accuracy::kThroughCrackIntensity,
                .ligament = std::numeric_limits<double>::infinity()},
       .compliance_rests_on = {accuracy}};
+  if (ends > kWorthNaming) model.compliance_rests_on.push_back(ends);
   for (const char* const tag : {"FR-6", "FR-7", "ST-11"}) use_equation(member.equations, tag);
   if (crack.shell_correction) {
     for (const char* const tag : {"FR-8", "FR-9", "SU-2"}) use_equation(member.equations, tag);
@@ -165,7 +180,7 @@ ThroughCrackModel through_crack_model(MemberCompliance& member, const std::strin
     const double missing =
         series.wall_crack(crack, steel, true).shell_release(crack.half_length) - 1;  // (FR-9)
     const ModelAccuracy flat{missing, "flat plate instead of the curved shell: too stiff"};
-    model.wall.torsion_uncertainty = accuracy::combined(accuracy, flat);
+    model.wall.torsion_uncertainty = accuracy::combined(model.wall.torsion_uncertainty, flat);
     model.wall.intensity_uncertainty =
         accuracy::combined(model.wall.intensity_uncertainty, missing / 2);
     model.compliance_rests_on.push_back(flat);

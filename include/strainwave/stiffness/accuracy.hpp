@@ -50,6 +50,11 @@ inline constexpr ModelAccuracy kThroughCrack{
     0.02, "curved wall, open: within 1.1 % of finite elements, r/t 20 to 60"};
 inline constexpr ModelAccuracy kThroughCrackLong{
     0.03, "curved wall at a shell parameter of 2 to 4, open: within 1.3 % of finite elements"};
+/// Times (2a/L)^2.
+inline constexpr ModelAccuracy kThroughCrackBetweenJoints{
+    0.16, "no ends: half-way between rim and diaphragm finite elements have more, by (2a/L)^2"};
+inline constexpr ModelAccuracy kThroughCrackNearFreeEnd{
+    0.50, "no ends: half-way to a free end finite elements have more, by (2a/L)^2"};
 inline constexpr ModelAccuracy kThroughCrackAxial{
     0.05, "curved wall under axial force: by the same shell, not compared with finite elements"};
 inline constexpr ModelAccuracy kThroughCrackPressed{
