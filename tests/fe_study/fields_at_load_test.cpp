@@ -77,6 +77,12 @@ TEST(FieldsAtLoad, IdentityFieldsOfAShaftAdd) {
   EXPECT_NEAR(point.energy_density_without_crack / sound, 1, 1e-12);
 }
 
+// However small it is, a pull opens the crack.
+TEST(FieldsAtLoad, LimitSmallPull) {
+  const auto fields = fields_at_load(made_up(), loaded(0, 0.5));
+  expect_same(fields.cells.at(0).points.at(0), {5e-13, 0, 1.5e-12}, {5, 10, 200, 0, 15, 0});
+}
+
 // A pressing force passes through the closed crack as through the sound shaft.
 TEST(FieldsAtLoad, IdentityPressedShaftIsSoundInTension) {
   const auto fields = fields_at_load(made_up(), loaded(kTorque, -kForce));

@@ -128,6 +128,28 @@ TEST_F(FeProgram, IdentityDryRunCalculatesNothing) {
   EXPECT_EQ(json["path"], "output_shaft.crack[0]");
   EXPECT_NEAR(json["unknowns"].get<double>(), 12306, 2500);
   EXPECT_NE(run(kCup + " --dry-run").out.find("unknowns"), std::string::npos);
+  // Three sizes under both senses of torque.
+  const Outcome surface = run("'" STRAINWAVE_EXAMPLES "/part_through_crack.toml' --dry-run");
+  EXPECT_NE(surface.out.find("unknowns, 6 solutions"), std::string::npos) << surface.out;
+}
+
+// 210 GPa/2.6; a given one is told, and not used.
+TEST_F(FeProgram, IdentityShearModulusFollowsFromTheOthers) {
+  const auto with = [&](const std::string& modulus) {
+    return run(changed("solid_shaft.toml", "poissons_ratio = 0.3",
+                       "poissons_ratio = 0.3\nshear_modulus = \"" + modulus + "\"") +
+               " --order 3 --format json");
+  };
+  const Outcome other = with("70 GPa");
+  ASSERT_EQ(other.exit_code, 0) << other.err;
+  const Json json = Json::parse(other.out);
+  EXPECT_NE(json["notes"].dump().find("output_shaft.material: the shear modulus is E/(2(1+nu)), "
+                                      "80.769 GPa, and not the given one"),
+            std::string::npos)
+      << json["notes"];
+  const Outcome same = with("80.7692307692 GPa");
+  EXPECT_EQ(same.out.find("the given one"), std::string::npos);
+  EXPECT_EQ(Json::parse(same.out)["output_shaft"]["cracks"], json["output_shaft"]["cracks"]);
 }
 
 TEST_F(FeProgram, InputErrorsByCodeAndName) {

@@ -435,6 +435,20 @@ TEST(FeMemory, InputEndsATableAndIsNoRow) {
 }
 
 // (FE-42) takes the worst of the evidence, and never less than what is known to remain.
+TEST(FeTableSize, IdentityText) {
+  fe_study::TableSize size;
+  size.points = 7;
+  size.misfits = {"point 3: too long"};
+  size.least_unknowns = 4000;
+  size.largest.dofs = 51000;
+  size.largest.memory = 5.26e9;
+  size.seconds = 120;
+  EXPECT_EQ(fe_study::table_size_text(size),
+            "Would calculate, estimated:\n"
+            "  6 points of 4000 to 51000 unknowns, at most 5.3 GB, 1.2e+02 s in all\n"
+            "  refused: point 3: too long\n");
+}
+
 TEST(FeTableError, IdentityWorstOfTheEvidence) {
   fe_study::TubeCrackRun run;
   run.tube.order = 3;
@@ -451,6 +465,10 @@ TEST(FeTableError, IdentityWorstOfTheEvidence) {
   EXPECT_EQ(fe_study::table_error(run), 5e-3);
   run.tube.order = 2;
   EXPECT_EQ(fe_study::table_error(run), 1.5e-2);
+  run.negative.energy_release_rate = 1e-3;  // counts as none
+  EXPECT_EQ(fe_study::table_error(run), 1.5e-2);
+  run.negative.energy_release_rate = -1;
+  EXPECT_EQ(fe_study::table_error(run), 0.7);
   fe_study::ShaftCrackRun shaft;
   shaft.result.torsion.growth_check = 1e-6;
   EXPECT_EQ(fe_study::table_error(shaft), 2e-4);

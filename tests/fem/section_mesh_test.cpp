@@ -217,6 +217,22 @@ TEST(MeshSection, InputEveryRuleBrokenOnce) {
          s.crack = SectionCrack{5, 2, 1.5};
        },
        "inside one rectangle"},
+      {[](SectionShape& s) {
+         s.crack = SectionCrack{2, 2, 1};  // through the whole wall
+       },
+       "inside one rectangle"},
+      {[](SectionShape& s) {
+         s.crack = SectionCrack{2, 1, 2};
+       },
+       "inside one rectangle"},
+      {[](SectionShape& s) {
+         s.crack = SectionCrack{1, 2, 1.5};  // in the line between two rectangles
+       },
+       "inside one rectangle"},
+      {[](SectionShape& s) {
+         s.crack = SectionCrack{3, 2, 1.5};  // in the end
+       },
+       "inside one rectangle"},
   };
   for (const auto& [change, sentence] : broken) {
     SectionShape shape = angle_section();
