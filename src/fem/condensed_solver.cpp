@@ -21,9 +21,9 @@ struct Inner {
   Matrix coupling;  ///< rows: alone, columns: shared
 };
 
-/// True if no pivot of a factor is lost in rounding.
-bool is_safe(const Column& factor_diagonal, const Column& diagonal) {
-  return (factor_diagonal.array().square() > kLeastPivot * diagonal.array()).all();
+/// True if no pivot is lost in rounding.
+bool is_safe(const Column& pivots, const Column& diagonal) {
+  return (pivots.array() > kLeastPivot * diagonal.array()).all();
 }
 
 }  // namespace
@@ -41,6 +41,9 @@ std::optional<Column> solve_condensed(const std::vector<std::vector<Index>>& ele
 
   std::vector<Inner> inner;
   std::vector<Eigen::Triplet<double>> entries;
+  std::size_t count = 0;
+  for (const auto& element : elements) count += element.size() * (element.size() + 1) / 2;
+  entries.reserve(count);
   Column forces = Column::Zero(shared);
   Column diagonal = forces;
   for (std::size_t i = 0; i < holders.size(); ++i)
@@ -63,7 +66,7 @@ std::optional<Column> solve_condensed(const std::vector<std::vector<Index>>& ele
     if (!inside.empty()) {
       cell.factor.compute(k(inside, inside));
       if (cell.factor.info() != Eigen::Success ||
-          !is_safe(cell.factor.matrixLLT().diagonal(), k.diagonal()(inside)))
+          !is_safe(cell.factor.matrixLLT().diagonal().cwiseAbs2(), k.diagonal()(inside)))
         return std::nullopt;
       cell.coupling = k(inside, outside);
       const Matrix half = cell.factor.matrixL().solve(cell.coupling);
@@ -83,10 +86,9 @@ std::optional<Column> solve_condensed(const std::vector<std::vector<Index>>& ele
   if (shared > 0) {
     Eigen::SparseMatrix<double> sum(shared, shared);
     sum.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> solver(sum);
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(sum);
     if (solver.info() != Eigen::Success) return std::nullopt;
-    const Eigen::SparseMatrix<double> root = solver.matrixL();
-    if (!is_safe(root.diagonal(), solver.permutationP() * diagonal)) return std::nullopt;
+    if (!is_safe(solver.vectorD(), solver.permutationP() * diagonal)) return std::nullopt;
     const Column found = solver.solve(forces);
     for (std::size_t i = 0; i < number.size(); ++i)
       if (number[i] >= 0) x(static_cast<Index>(i)) = found(number[i]);
