@@ -100,7 +100,8 @@ class Patch {
                                    "to either {} and half-way round, {:.4g} m is there",
                                    needed, plan.end, room));
     // A patch larger than a few cells of the grid would have larger cells than it.
-    return std::min(room, std::max(kPatchCells * plan.longest_round, 2.5 * plan.sized_for));
+    return std::min(room,
+                    std::max({kPatchCells * plan.longest_round, 2.5 * plan.sized_for, needed}));
   }
 
   [[nodiscard]] bool beside_tip(int sector) const {

@@ -11,16 +11,15 @@ namespace strainwave::gear_fem {
 enum TubeTag { kTubeFree = 1, kTubeClamp, kTubeLoad, kTubeCrack };
 
 struct TubePlan {
-  double mean_radius{};     ///< [m]
-  double wall_thickness{};  ///< [m]
-  double length{};          ///< [m]
-  double place{};           ///< z of the template's origin [m]
-  double angle{};           ///< beta of its first axis [rad]
-  double rigid_radius{};    ///< the plan is turned without strain inside of it [m]
+  double mean_radius{};   ///< [m]
+  double length{};        ///< [m]
+  double place{};         ///< z of the template's origin [m]
+  double angle{};         ///< beta of its first axis [rad]
+  double rigid_radius{};  ///< the plan is turned without strain inside of it [m]
   /// Radial place, from the middle surface, of the surface that the plan is: lengths and angles
   /// are true there [m].
   double surface = 0;
-  double turn_reach = 6;  ///< the turn ends at so many rigid radii, or where the tube ends [-]
+  double turn_reach{};  ///< the turn ends at so many rigid radii, or where the tube ends [-]
 };
 
 /// A plane plan (x along the crack, y normal to it, radial place from the middle surface) rolled

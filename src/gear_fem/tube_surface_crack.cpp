@@ -54,7 +54,6 @@ MeshedSurfaceCrack mesh_surface_crack(const TubeWithSurfaceCrack& tube, double s
   slab.longest_x = slab.longest_y = 1e3 * c;
   MeshedSurfaceCrack meshed;
   meshed.body = tube_body({.mean_radius = tube.mean_radius,
-                           .wall_thickness = t,
                            .length = tube.length,
                            .place = tube.place,
                            .angle = tube.angle,

@@ -92,12 +92,17 @@ double shell_parameter(const ThroughCrackInTube& crack) {
   return std::sqrt(crack.shell_parameter_squared(crack.half_length));
 }
 
+/// Stress at the middle of the wall, T r/J, over Bredt's T/(2 pi r^2 t), mean radius 1.
+double of_middle(const ThroughCrackInTube& crack) {
+  return 1 / (1 + std::pow(crack.wall_thickness / 2, 2));
+}
+
 /// Added compliance over that of the flat sheet, a^2/(2 pi E r^4 t).
 double relative_compliance(const ThroughCrackInTube& crack) {
   const double t = crack.wall_thickness;
   const double a = crack.half_length;
   return added_compliance(crack, {.opening = kJudgedE, .shear = kJudgedE}).matrix(1, 1) *
-         (2 * pi * kJudgedE * t) / (a * a);
+         (2 * pi * kJudgedE * t) / (a * a) / std::pow(of_middle(crack), 2);
 }
 
 /// K under unit torque over tau sqrt(pi a).
@@ -114,7 +119,7 @@ double relative_release(const ThroughCrackInTube& crack) {
     const auto [K_I, K_II] = relative_intensity(crack, s);
     sum += (K_I * K_I + K_II * K_II) * (s == 0 ? 4 : 1) / 6;
   }
-  return sum * crack.wall_factor(crack.half_length);
+  return sum * crack.wall_factor(crack.half_length) / std::pow(of_middle(crack), 2);
 }
 
 struct Measured {
@@ -124,13 +129,13 @@ struct Measured {
 /// Largest differences by the table of (FR-21), whose last digit is 0.1 %.
 Measured measured_of_through_cracks(const test::CsvRow& row, double lambda) {
   const double degrees = row("angle") * 180 / pi;
-  if (row("poissons_ratio") == 0) return {.compliance = 0.011, .release = 0.017};
+  if (row("poissons_ratio") == 0) return {.compliance = 0.010, .release = 0.017};
   if (row("poissons_ratio") == 0.45) return {.compliance = 0.007, .release = 0.012};
-  if (degrees < 20) return {.compliance = 0.007, .release = 0.006};
+  if (degrees < 20) return {.compliance = 0.004, .release = 0.005};
   if (degrees > 70) return {.compliance = 0.011, .release = 0.012};
-  if (std::abs(degrees - 45) > 10) return {.compliance = 0.004, .release = 0.009};
+  if (std::abs(degrees - 45) > 10) return {.compliance = 0.003, .release = 0.008};
   if (lambda > 3.1) return {.compliance = 0.013, .release = 0.027};
-  return {.compliance = 0.008, .release = 0.009};
+  return {.compliance = 0.006, .release = 0.008};
 }
 
 TEST(Judgement, CrosscheckThroughCracks) {
@@ -263,6 +268,26 @@ TEST(Judgement, CrosscheckSurfaceCracksDeepestPoint) {
     ++seen;
   }
   EXPECT_EQ(seen, 9);
+}
+
+// Half-way along the barrel of a cup: solid elements over the long tube that the closed form stands
+// for.  What the ends add is within the uncertainty that `strainwave stiffness` gives them, C and,
+// as K, half of what G has.  A tube (no diaphragm) is clamped at one end and free at the other.
+TEST(Judgement, CrosscheckThroughCrackInABarrel) {
+  int seen = 0;
+  for (const test::CsvRow& row : test::read_reference_csv("judgement_barrel")) {
+    const double length = row("barrel_length");
+    if (std::abs(row("place") - length / 2) > 1e-9) continue;  // elsewhere the ends do more
+    const double share = 2 * row("half_length") / length;
+    const double ends = (row("rim") == 1 ? accuracy::kThroughCrackBetweenJoints
+                                         : accuracy::kThroughCrackNearFreeEnd) *
+                        share * share;
+    const double more = row.quantity == "C" ? row.value - 1 : std::sqrt(row.value) - 1;
+    EXPECT_LT(std::abs(more), ends) << row.place << ": " << row.quantity;
+    EXPECT_GT(std::abs(more), 0.2 * ends) << row.place << ": " << row.quantity;
+    ++seen;
+  }
+  EXPECT_EQ(seen, 14);
 }
 
 TEST(Judgement, CrosscheckSoundCups) {

@@ -13,6 +13,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -92,14 +93,14 @@ def opened_and_closed(crack):
 
 
 def through_reference(crack):
-    """G/(K0^2/E) = 1.5069 by another program (20-node elements, 668 k unknowns); order 2 has 2.0 %
-    less, measured, and 1.5 % less compliance."""
+    """G/(K0^2/E) = 1.5069 by another program (20-node elements, 668 k unknowns); order 2 has 1.3 %
+    less, measured, and 0.8 % less compliance."""
     sense, closed = opened_and_closed(crack)
     assert closed["fronts"][0]["from_inner_to_outer_face"][0]["K_I"]["value"] == 0
     assert closed["evidence"]["growth_check"] is None
     tau = 100 * 0.07888 / (math.pi / 2 * (0.08**4 - 0.07776**4))
-    near(sense["energy_release_rate"]["value"], 1.5069 * tau**2 * math.pi * 0.01 / 210e9, 0.03, "G")
-    near(sense["added_compliance"]["value"], 3.8357e-3 * crack["compliance_without"]["value"], 0.02,
+    near(sense["energy_release_rate"]["value"], 1.5069 * tau**2 * math.pi * 0.01 / 210e9, 0.02, "G")
+    near(sense["added_compliance"]["value"], 3.8357e-3 * crack["compliance_without"]["value"], 0.012,
          "added compliance")
     return sense
 
@@ -111,12 +112,9 @@ def plan(program, gear, sense):
 
 
 def wall(program, examples, folder):
-    """Through crack on two ranks, at order 2: too low to be usable, enough to be read."""
+    """Through crack on two ranks, at order 2."""
     out = folder / "new" / "wall"
-    done = run(program, examples / "through_crack.toml", "--order", 2, "--format", "vtu", "-o", out,
-               ranks=2, codes=(4,))
-    # Order 2 is too low, which the answer itself notices.
-    assert "flexspline.crack[0], positive torque: dC/dA" in done.stderr, done.stderr
+    run(program, examples / "through_crack.toml", "--order", 2, "--format", "vtu", "-o", out, ranks=2)
     crack = json.loads((out / "result.json").read_text())["flexspline"]["cracks"][0]
     sense = through_reference(crack)
     plan(program, examples / "through_crack.toml", sense)
@@ -322,12 +320,21 @@ def pressed_shaft(program, examples, folder):
     assert (fronts.point_data["K_I"] == 0).all()
 
 
+def long_through(examples, folder):
+    """A through crack of 100 mm in the tube of 160 mm, for which order 2 is too low."""
+    gear = folder / "long.toml"
+    text = (examples / "through_crack.toml").read_text()
+    assert text.count('"10 mm"') == 1
+    gear.write_text(text.replace('"10 mm"', '"50 mm"'))
+    return gear
+
+
 def pictures(program, examples, folder):
     names = []
     out = folder / "pictures"
-    for example, order in (("through_crack", 2), ("solid_shaft", 3)):
-        run(program, "render", examples / f"{example}.toml", "--order", order, "-o", out,
-            codes=(0, 4))
+    for gear, order, code in ((long_through(examples, folder), 2, 4),
+                              (examples / "solid_shaft.toml", 3, 0)):
+        run(program, "render", gear, "--order", order, "-o", out, codes=(code,))
     surface_out = folder / "surface pictures"
     run(program, "render", short_surface(examples, folder), "--order", 2, "-o", surface_out)
     for file in sorted(out.iterdir()) + sorted(surface_out.iterdir()):
@@ -340,7 +347,7 @@ def pictures(program, examples, folder):
         assert "J/m³" in text or "MPa·√m" in text or "magnified" in text, text
         assert "nan" not in file.read_text() and "inf" not in text, file
         through = file.parent == out and file.name.startswith("flexspline")
-        assert ("NOT usable" in text) == through, file  # order 2
+        assert ("NOT usable" in text) == through, file
         if "intensity" not in file.name:
             assert len({p.get("fill") for p in root.iter(SVG + "path")}) > 10, file
             assert " mm" in text
@@ -350,7 +357,8 @@ def pictures(program, examples, folder):
                    for kind in ("added_energy", "energy", "stress_intensity")]
     assert names == wall_names + shaft_names + wall_names, names
     opened = (out / wall_names[2]).read_text()
-    assert "magnified 10 000 times" in opened and "T = +100 N·m; the crack is open" in opened
+    assert re.search(r"magnified (10+|[25]0*) times", opened), opened[:2000]
+    assert "T = +100 N·m; the crack is open" in opened
     assert "NOT usable: dC/dA" in opened
 
 

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <string>
 
+#include "gear_fem/tube_body.hpp"
 #include "strainwave/core/error.hpp"
 #include "support/expect.hpp"
 #include "support/mpi.hpp"
@@ -177,6 +178,11 @@ TEST(TubeThroughCrack, InputEveryMeshIsSound) {
         EXPECT_GT(fem::check_jacobians(mesh_tube_with_through_crack(tube)), 0.37)
             << half_length << " m, " << degrees << " degrees, at " << place << " m";
       }
+  // Few sectors: the ellipses need more of the patch than the crack's length alone says.
+  TubeWithThroughCrack coarse = flexspline(27e-3, 0);
+  coarse.length = 1;
+  coarse.sectors = 8;
+  EXPECT_GT(fem::check_jacobians(mesh_tube_with_through_crack(coarse)), 0.3);
   // A short tube, and one with a wall that is long round: the patch fills it, or ends early.
   for (const double length : {30e-3, 1.0}) {
     TubeWithThroughCrack tube = flexspline(10e-3, 20);
@@ -221,6 +227,37 @@ TEST(TubeThroughCrack, LimitShortAxialCrackSlides) {
     EXPECT_NEAR(o.K_I, 0, 1e-3 * K0);
   }
   test::expect_relative(other.energy_release_rate, result.energy_release_rate, 1e-3);
+}
+
+// Not a number passes no check.
+TEST(TubeThroughCrack, InputAnswersThatAreNoNumbersAreNotUsable) {
+  TubeCrackResult good;
+  good.solid.fronts.resize(1);
+  good.solid.fronts[0].mode_energy_ratio = 1;
+  good.energy_release_rate = good.derivative_release_rate = 1;
+  good.closed_release_rate = 1e-3;
+  const auto reason = [&](const auto& spoil) {
+    TubeCrackResult result = good;
+    spoil(result);
+    judge(result, true, false);
+    EXPECT_EQ(result.usable, result.reason.empty());
+    return result.reason;
+  };
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(reason([](TubeCrackResult&) {}), "");
+  EXPECT_NE(reason([](TubeCrackResult& r) { r.energy_release_rate = kNone; }), "");
+  EXPECT_NE(reason([](TubeCrackResult& r) { r.added_compliance = kNone; }), "");
+  EXPECT_NE(reason([](TubeCrackResult& r) { r.growth_check = kNone; }), "");
+  EXPECT_NE(reason([](TubeCrackResult& r) { r.solid.equilibrium_residual = kNone; }), "");
+  EXPECT_NE(reason([](TubeCrackResult& r) { r.solid.energy_balance = kNone; }), "");
+  EXPECT_NE(reason([](TubeCrackResult& r) { r.solid.contact_overlap = kNone; }), "");
+  EXPECT_NE(reason([](TubeCrackResult& r) { r.solid.fronts[0].ring_spread = kNone; }), "");
+  EXPECT_NE(reason([](TubeCrackResult& r) { r.solid.fronts[0].mode_energy_ratio = kNone; }), "");
+  const auto closed = [](TubeCrackResult& r) {
+    r.energy_release_rate = 0;
+    r.derivative_release_rate = kNone;
+  };
+  EXPECT_NE(reason(closed), "");
 }
 
 TEST(TubeThroughCrack, InputValuesOutOfRangeAreRefused) {

@@ -66,8 +66,8 @@ struct SectionSolution {
 ///
 /// Torsion: the twist angle psi(r, z), weak form int mu r^3 grad psi . grad phi dr dz (FE-1).
 /// Tension: u_r and u_z with hoop strain u_r/r (FE-2).  Lagrange elements of order p, curved where
-/// the mesh has arcs; hanging nodes at the rings; solved directly, cells merged one after
-/// another.
+/// the mesh has arcs; hanging nodes at the rings; what one cell alone has is eliminated in
+/// it (FE-45), the rest is factored by Eigen's sparse Cholesky.
 ///
 /// @throws InputError   for a mesh that check_mesh refuses, no edge held or loaded, a cell whose
 ///                      Jacobian is not positive at every quadrature point, numbers out of range
