@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -189,6 +190,32 @@ TEST(TubeThroughCrack, InputEveryMeshIsSound) {
     tube.length = length;
     EXPECT_GT(fem::check_jacobians(mesh_tube_with_through_crack(tube)), 0.37) << length;
   }
+}
+
+// The innermost cells reach to 2 to 4 % of wall or crack, whichever is less; layers crowd at both
+// faces of the wall.
+TEST(TubeThroughCrack, IdentitySizesOfCells) {
+  for (const double half_length : {0.3e-3, 1e-3, 10e-3, 30e-3}) {
+    const TubeWithThroughCrack tube = flexspline(half_length);
+    const fem::HexMesh mesh = mesh_tube_with_through_crack(tube);
+    const auto tip = std::find_if(mesh.cells.begin(), mesh.cells.end(), [](const auto& cell) {
+      return cell.front && cell.front->ring < 0;
+    });
+    ASSERT_NE(tip, mesh.cells.end());
+    const fem::Point3 at = tip->map({0, 0, 0.5});
+    const fem::Point3 end = tip->map({1, 0, 0.5});
+    const double reach = std::hypot(end[0] - at[0], end[1] - at[1], end[2] - at[2]) /
+                         std::min(tube.wall_thickness, half_length);
+    EXPECT_GT(reach, 0.018) << half_length;  // cosh is more than its square
+    EXPECT_LT(reach, 0.042) << half_length;
+  }
+  TubeWithThroughCrack tube = flexspline();
+  tube.layers = 1;
+  const std::size_t one = mesh_tube_with_through_crack(tube).cells.size();
+  tube.layers = 4;
+  const fem::HexMesh mesh = mesh_tube_with_through_crack(tube);
+  EXPECT_EQ(mesh.cells.size(), 4 * one);
+  EXPECT_GT(fem::check_jacobians(mesh), 0.37);
 }
 
 // -45 degrees and the other torque: the mirror image.
