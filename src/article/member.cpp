@@ -9,7 +9,7 @@
 
 #include "strainwave/article/as_printed.hpp"
 #include "strainwave/core/error.hpp"
-#include "strainwave/model/crack_parameters.hpp"
+#include "strainwave/model/input/crack_parameters.hpp"
 
 namespace strainwave::article {
 namespace {

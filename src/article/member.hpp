@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "strainwave/model/gear_set.hpp"
-#include "strainwave/model/stiffness_result.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/result/stiffness_result.hpp"
 
 // What the article's two methods have in common: which drives they take, and how the members'
 // compliances become a result.

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "strainwave/catalogue/catalogue.hpp"
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
 namespace strainwave {

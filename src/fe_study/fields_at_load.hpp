@@ -3,7 +3,7 @@
 
 #include "strainwave/fe_study/member_run.hpp"
 #include "strainwave/fem/fields.hpp"
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 
 namespace strainwave::fe_study {
 

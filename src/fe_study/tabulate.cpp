@@ -24,8 +24,8 @@
 #include "strainwave/fem/memory_error.hpp"
 #include "strainwave/io/gear_writer.hpp"
 #include "strainwave/io/result_writer.hpp"
-#include "strainwave/model/crack_parameters.hpp"
-#include "strainwave/model/vary_option.hpp"
+#include "strainwave/model/input/crack_parameters.hpp"
+#include "strainwave/model/input/vary_option.hpp"
 
 namespace strainwave::fe_study {
 namespace {

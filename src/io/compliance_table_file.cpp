@@ -11,7 +11,7 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
-#include "strainwave/model/crack_parameters.hpp"
+#include "strainwave/model/input/crack_parameters.hpp"
 
 namespace strainwave {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <type_traits>
 
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 
 namespace strainwave {
 namespace {

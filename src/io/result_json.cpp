@@ -7,7 +7,7 @@
 
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/io/result_writer.hpp"
-#include "strainwave/model/result_fields.hpp"
+#include "strainwave/model/result/result_fields.hpp"
 
 namespace strainwave {
 namespace {

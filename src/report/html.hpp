@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "strainwave/model/stiffness_result.hpp"
+#include "strainwave/model/result/stiffness_result.hpp"
 
 // Tables and charts of a report.  Cells are HTML already; labels of charts are plain text.
 

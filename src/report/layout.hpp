@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sheet.hpp"
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/report/section_drawing.hpp"
 
 // Where the parts of a drive lie: z from the open end of the flexspline toward the output, radii

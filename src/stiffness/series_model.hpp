@@ -13,8 +13,8 @@
 #include "strainwave/fracture/edge_crack.hpp"
 #include "strainwave/fracture/surface_crack.hpp"
 #include "strainwave/fracture/through_crack.hpp"
-#include "strainwave/model/crack_parameters.hpp"
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/crack_parameters.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
 
 // The numbers of the series model, each once, for double and for dual numbers.  What is said about

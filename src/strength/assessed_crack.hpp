@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "strainwave/fracture/crack_compliance.hpp"
-#include "strainwave/model/crack_strength.hpp"
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/result/crack_strength.hpp"
 
 // What the assessment asks of a crack, whatever its kind: crack_strength.cpp makes it from the
 // drive, assessment.cpp answers.

@@ -205,7 +205,7 @@ void add_fracture_mechanics(Rows& rows) {
                   .unit = "mm^2/N",
                   .own = article::energy_release_rate(0, 0, 1, p.E, p.nu),
                   .corrected = energy_release_rate(0, 0, 1, {.opening = p.E, .shear = isotropic}),
-                  .verdict = Verdict::physics,
+                  .verdict = AuditVerdict::physics,
                   .sentence = "mode III has no plane stress or strain: K_III^2/(E'(1-nu)) is right "
                               "with E' of plane strain only"});
   // A through crack of the flexspline gives both integrals something to work on.
@@ -226,7 +226,7 @@ void add_fracture_mechanics(Rows& rows) {
                   .unit = "mm",
                   .own = article::added_displacement(G, area, 1),
                   .corrected = engine,
-                  .verdict = Verdict::physics,
+                  .verdict = AuditVerdict::physics,
                   .sentence =
                       "Castigliano at constant load gives int 2G/P dA: half is missing, and "
                       "the article itself uses the 2 further on"});
@@ -235,7 +235,7 @@ void add_fracture_mechanics(Rows& rows) {
                   .unit = "mm/N",
                   .own = article::added_compliance(G, area, 1),
                   .corrected = engine,
-                  .verdict = Verdict::reproduced,
+                  .verdict = AuditVerdict::reproduced,
                   .sentence = "right, and in contradiction to the displacement above it"});
   const PointContact ball{.curvature_sums = {0.01, 0.1}, .contact_modulus = p.E};
   rows.push_back({.id = "A4",
@@ -244,7 +244,7 @@ void add_fracture_mechanics(Rows& rows) {
                   .own = 1.0,
                   .corrected = std::log2(hertz_contact(ball, 2 * p.F_r).peak_pressure /
                                          hertz_contact(ball, p.F_r).peak_pressure),
-                  .verdict = Verdict::ambiguous,
+                  .verdict = AuditVerdict::ambiguous,
                   .sentence =
                       "K = alpha P holds where the stress is proportional to the load, which "
                       "a contact pressure is not"});
@@ -253,13 +253,13 @@ void add_fracture_mechanics(Rows& rows) {
                   .unit = "1",
                   .own = article::drive_stiffness(3.0, 2.0, 7.0) * (3.0 + 2.0 + 7.0),
                   .corrected = 1.0,
-                  .verdict = Verdict::reproduced,
+                  .verdict = AuditVerdict::reproduced,
                   .sentence = "compliances in series add; tooth mesh, circular spline, bearing and "
                               "diaphragm are missing in the sum"});
   rows.push_back({.id = "A6",
                   .quantity = "references to Eq. (4) and Eq. (18)",
                   .unit = "1",
-                  .verdict = Verdict::misprint,
+                  .verdict = AuditVerdict::misprint,
                   .sentence = "no equation of the article is numbered, and K_II/T lacks a brace"});
   const double in_series = 1 / (1 / p.K_G0 + 1 / p.dK_G);
   rows.push_back({.id = "A7",
@@ -267,7 +267,7 @@ void add_fracture_mechanics(Rows& rows) {
                   .unit = "N/mm",
                   .printed = 1.185e5,
                   .own = in_series,
-                  .verdict = Verdict::physics,
+                  .verdict = AuditVerdict::physics,
                   .sentence = fmt::format(
                       "the list of steps adds compliances, the derivation subtracts stiffnesses; "
                       "with the printed numbers they differ by a factor of {:.0f}",
@@ -312,7 +312,7 @@ void add_wave_generator(Rows& rows) {
                   .printed = 1.95,
                   .own = article::race_stress_intensity(1, 1, 1),
                   .corrected = 1.1 * std::sqrt(pi),
-                  .verdict = Verdict::reproduced,
+                  .verdict = AuditVerdict::reproduced,
                   .sentence =
                       "1.1 sqrt(pi), Irwin's deepest point of a shallow crack; Q depends on "
                       "the material in its old form only"});
@@ -321,7 +321,7 @@ void add_wave_generator(Rows& rows) {
                   .unit = "MPa",
                   .own = stress,
                   .corrected = edge_tension(axis_ratio, p.nu).minor_end * pressure,
-                  .verdict = Verdict::physics,
+                  .verdict = AuditVerdict::physics,
                   .sentence =
                       "beta/2 sigma_max is the subsurface orthogonal shear, no hoop tension; "
                       "the only Hertz tension is at the edge of the contact"});
@@ -331,7 +331,7 @@ void add_wave_generator(Rows& rows) {
                   .printed = p.beta,
                   .own = orthogonal_shear_factor(axis_ratio),
                   .corrected = orthogonal_shear_factor(axis_ratio),
-                  .verdict = Verdict::not_reproducible,
+                  .verdict = AuditVerdict::not_reproducible,
                   .sentence = fmt::format("beta follows from b'/a' and is {:.4f} here",
                                           orthogonal_shear_factor(axis_ratio)),
                   .reproduce = reproducing("b'/a'", "1", p.beta, 0.1, 1.0,
@@ -341,7 +341,7 @@ void add_wave_generator(Rows& rows) {
                   .unit = "MPa",
                   .own = pressure,
                   .corrected = peak_pressure(p.F_r, p.a_contact, p.b_contact),
-                  .verdict = Verdict::ambiguous,
+                  .verdict = AuditVerdict::ambiguous,
                   .sentence = "right if a', b' are semi-axes, which the text does not say; four "
                               "times as much if they are axes"});
   // 12.7 mm ball in a groove of conformity 0.52 on a race of 55 mm radius.
@@ -355,7 +355,7 @@ void add_wave_generator(Rows& rows) {
                   .printed = p.a_contact,
                   .own = ball.major_semi_axis,
                   .corrected = ball.major_semi_axis,
-                  .verdict = Verdict::physics,
+                  .verdict = AuditVerdict::physics,
                   .sentence = "contact axes follow from load and curvature; 5 x 2 mm needs bodies "
                               "of metres of radius",
                   .reproduce = ReproducingInput{"sum of curvatures",
@@ -367,7 +367,7 @@ void add_wave_generator(Rows& rows) {
                   .printed = p.F_r,
                   .own = load(p.T),
                   .corrected = f * p.T,
-                  .verdict = Verdict::not_reproducible,
+                  .verdict = AuditVerdict::not_reproducible,
                   .sentence = "half of it; twice comes out if d_1 is read as a radius",
                   .reproduce = reproducing("T", "N*mm", p.F_r, 1e4, 1e6, load)});
   const double per_force = article::race_crack_displacement(p.race(), 1);
@@ -376,7 +376,7 @@ void add_wave_generator(Rows& rows) {
                   .unit = "mm/N",
                   .own = per_force,
                   .corrected = newman_raju,
-                  .verdict = Verdict::physics,
+                  .verdict = AuditVerdict::physics,
                   .sentence = "t_i is the direction in which the crack grows, not its width: a "
                               "semi-ellipse sweeps c da dphi"});
   const auto displacement = [](const Printed& q) {
@@ -387,7 +387,7 @@ void add_wave_generator(Rows& rows) {
                   .unit = "1",
                   .printed = 0.217,
                   .own = std::pow(1.95 * 3 / (4 * pi), 2),
-                  .verdict = Verdict::reproduced,
+                  .verdict = AuditVerdict::reproduced,
                   .sentence = "(1.95)^2 (3/(4 pi))^2; the 2 in front of G cancels the 1/2 of the "
                               "integral"});
   rows.push_back({.id = "B8b",
@@ -395,7 +395,7 @@ void add_wave_generator(Rows& rows) {
                   .unit = "mm",
                   .own = displacement(p),
                   .corrected = newman_raju * p.F_r,
-                  .verdict = Verdict::dimension,
+                  .verdict = AuditVerdict::dimension,
                   .sentence = fmt::format("F_r is squared and must not be: as printed it has the "
                                           "dimension {}",
                                           dimension_text(exponents_of(displacement)))});
@@ -409,7 +409,7 @@ void add_wave_generator(Rows& rows) {
                   .printed = p.dK_G,
                   .own = crack_stiffness(p),
                   .corrected = 1 / newman_raju,
-                  .verdict = Verdict::not_reproducible,
+                  .verdict = AuditVerdict::not_reproducible,
                   .sentence = fmt::format("no input of the article gives it, and F_r in the "
                                           "denominator leaves the dimension {}",
                                           dimension_text(exponents_of(crack_stiffness))),
@@ -419,7 +419,7 @@ void add_wave_generator(Rows& rows) {
                   .unit = "N/mm",
                   .printed = p.K_G0,
                   .own = article::sound_radial_stiffness(p.F_r, p.F_r / p.K_G0, 0, 0),
-                  .verdict = Verdict::reproduced,
+                  .verdict = AuditVerdict::reproduced,
                   .sentence = "an input; displacements add, and the shaft's is zero for two "
                               "symmetric lobes"});
   const auto by_subtraction = [&](double a) {
@@ -431,14 +431,14 @@ void add_wave_generator(Rows& rows) {
                   .printed = 1.185e5,
                   .own = article::radial_stiffness(p.K_G0, p.dK_G),
                   .corrected = 1 / (1 / p.K_G0 + newman_raju),
-                  .verdict = Verdict::physics,
+                  .verdict = AuditVerdict::physics,
                   .sentence = "the arithmetic holds, the subtraction does not: compliances add"});
   rows.push_back({.id = "B11b",
                   .quantity = "K_G = K_G0 - Delta K_G, its own Delta K_G",
                   .unit = "N/mm",
                   .own = by_subtraction(p.a),
                   .corrected = 1 / (1 / p.K_G0 + newman_raju),
-                  .verdict = Verdict::physics,
+                  .verdict = AuditVerdict::physics,
                   .sentence = "negative, and minus infinity without a crack; the input is where it "
                               "changes sign",
                   .reproduce = reproducing("a of K_G = 0", "mm", 0, 0.1, 100, by_subtraction)});
@@ -449,7 +449,7 @@ void add_wave_generator(Rows& rows) {
                   .unit = kCompliance,
                   .own = own_lambda,
                   .corrected = true_lambda,
-                  .verdict = Verdict::physics,
+                  .verdict = AuditVerdict::physics,
                   .sentence = "the cam turned back over its mean slope violates reciprocity with "
                               "the lobe force, where w_0 i = d_1/2 by pi/(4 c_F^2 k_r)"});
   const auto lambda_of = [&](double K_G) {
@@ -461,7 +461,7 @@ void add_wave_generator(Rows& rows) {
                   .printed = 3.407e-10,
                   .own = own_lambda,
                   .corrected = true_lambda,
-                  .verdict = Verdict::not_reproducible,
+                  .verdict = AuditVerdict::not_reproducible,
                   .sentence = "half of it follows from the printed K_G0",
                   .reproduce = reproducing("K_G", "N/mm", 3.407e-10, 1e3, 1e7, lambda_of)});
   rows.push_back({.id = "B13b",
@@ -470,7 +470,7 @@ void add_wave_generator(Rows& rows) {
                   .printed = 3.558e-10,
                   .own = lambda_of(1.185e5),
                   .corrected = compliance_in_mm(result.positive.compliance.wave_generator),
-                  .verdict = Verdict::not_reproducible,
+                  .verdict = AuditVerdict::not_reproducible,
                   .sentence = "nor does its ratio to the sound value agree with the printed K_G",
                   .reproduce = reproducing("K_G", "N/mm", 3.558e-10, 1e3, 1e7, lambda_of)});
 }
@@ -492,7 +492,7 @@ void add_flexspline(Rows& rows) {
                   .unit = "MPa*mm^0.5",
                   .own = K.K_I,
                   .corrected = k.I[kTorsion] * p.T,
-                  .verdict = Verdict::reproduced,
+                  .verdict = AuditVerdict::reproduced,
                   .sentence = "right for a through crack of half length a; the text calls a its "
                               "depth, and a surface crack needs other factors"});
   rows.push_back({.id = "C2",
@@ -500,14 +500,14 @@ void add_flexspline(Rows& rows) {
                   .unit = "1",
                   .own = K.K_II / K.K_I,
                   .corrected = k.II[kTorsion] / k.I[kTorsion],
-                  .verdict = Verdict::physics,
+                  .verdict = AuditVerdict::physics,
                   .sentence = "at 45 deg to the axis torsion is pure mode I: K_II vanishes"});
   rows.push_back({.id = "C3",
                   .quantity = "tau = T/(2 pi r_m^2 delta), r_m = 78.88",
                   .unit = "MPa",
                   .own = tau,
                   .corrected = crack_plane_stress(mean_radius, p.delta, 0, 1).shear[kTorsion] * p.T,
-                  .verdict = Verdict::reproduced,
+                  .verdict = AuditVerdict::reproduced,
                   .sentence = "Bredt's formula"});
   const double corrected_crack = compliance_in_mm(result.cracks[1].positive.at_output);
   Printed own_radius = p;
@@ -517,7 +517,7 @@ void add_flexspline(Rows& rows) {
                   .unit = kCompliance,
                   .own = article::wall_crack_compliance(own_radius.wall()),
                   .corrected = corrected_crack,
-                  .verdict = Verdict::physics,
+                  .verdict = AuditVerdict::physics,
                   .sentence =
                       "K_u multiplies a stress and enters squared; a load factor K_d has no "
                       "place in a compliance; so short a crack is in plane strain"});
@@ -528,7 +528,7 @@ void add_flexspline(Rows& rows) {
        .printed = 0.1,
        .own = pi / 32,
        .corrected = pi / 32,
-       .verdict = Verdict::reproduced,
+       .verdict = AuditVerdict::reproduced,
        .sentence = fmt::format("rounded, {:.1f} % too stiff", 100 * (0.1 / (pi / 32) - 1))});
   const auto with_factor = [&](double factor) {
     return article::sound_flexspline_compliance(p.cup(factor, 1));
@@ -540,7 +540,7 @@ void add_flexspline(Rows& rows) {
                   .printed = 2.359e-10,
                   .own = article::sound_flexspline_compliance(p.cup(0.83, 0.83)),
                   .corrected = true_sound,
-                  .verdict = Verdict::misprint,
+                  .verdict = AuditVerdict::misprint,
                   .sentence = "k_f and k_G are the same 0.83: the formula has it twice, the number "
                               "once",
                   .reproduce = reproducing("k_f k_G", "1", 2.359e-10, 0.1, 2, with_factor)});
@@ -550,7 +550,7 @@ void add_flexspline(Rows& rows) {
                   .printed = p.r_m,
                   .own = mean_radius,
                   .corrected = mean_radius,
-                  .verdict = Verdict::misprint,
+                  .verdict = AuditVerdict::misprint,
                   .sentence = "(160 - 2.24)/2; one digit is wrong"});
   rows.push_back({.id = "C8",
                   .quantity = "Delta l_f",
@@ -558,7 +558,7 @@ void add_flexspline(Rows& rows) {
                   .printed = 1.0e-15,
                   .own = article::wall_crack_compliance(p.wall()),
                   .corrected = corrected_crack,
-                  .verdict = Verdict::not_reproducible,
+                  .verdict = AuditVerdict::not_reproducible,
                   .sentence = "a power of ten too large",
                   .reproduce = reproducing("a", "mm", 1.0e-15, 0.01, 10, [&](double a) {
                     return article::wall_crack_compliance(with(&Printed::a, a).wall());
@@ -569,14 +569,14 @@ void add_flexspline(Rows& rows) {
                   .printed = 2.359e-10,
                   .own = 2.359e-10 + 1.0e-15,
                   .corrected = compliance_in_mm(result.positive.compliance.flexspline),
-                  .verdict = Verdict::reproduced,
+                  .verdict = AuditVerdict::reproduced,
                   .sentence = "the sum of the printed parts"});
   rows.push_back({.id = "C10",
                   .quantity = "Delta l_f under reversed torque",
                   .unit = kCompliance,
                   .own = article::wall_crack_compliance(p.wall()),
                   .corrected = compliance_in_mm(result.cracks[1].negative.at_output),
-                  .verdict = Verdict::physics,
+                  .verdict = AuditVerdict::physics,
                   .sentence = fmt::format(
                       "a 45 deg crack that one sense of torque opens is closed by the other; and "
                       "assembly bends the wall by {:.1f} MPa, far above the shear",
@@ -611,7 +611,7 @@ void add_output_shaft(Rows& rows) {
                   .unit = "MPa*mm^0.5",
                   .own = article::shaft_stress_intensity(with_polynomials, 0, p.T).K_III,
                   .corrected = improved.stress_intensity(p.a, 0).III[kTorsion] * p.T,
-                  .verdict = Verdict::reproduced,
+                  .verdict = AuditVerdict::reproduced,
                   .sentence = "the handbook's form on the net section"});
   rows.push_back(
       {.id = "D2",
@@ -619,14 +619,14 @@ void add_output_shaft(Rows& rows) {
        .unit = "1",
        .own = article::axial_coefficient(1),
        .corrected = tada_M_p(1),
-       .verdict = Verdict::misprint,
+       .verdict = AuditVerdict::misprint,
        .sentence = "-0.182 and 0.366 in the handbook; the shallow crack is then 1.1215"});
   rows.push_back({.id = "D3",
                   .quantity = "M_M(1), printed 0.376",
                   .unit = "1",
                   .own = article::torsion_coefficient(1),
                   .corrected = tada_M_M(1),
-                  .verdict = Verdict::misprint,
+                  .verdict = AuditVerdict::misprint,
                   .sentence = "0.375 in the handbook"});
   const article::ShaftCrackCompliance terms = article::shaft_crack_compliance(p.shaft());
   rows.push_back({.id = "D4",
@@ -634,7 +634,7 @@ void add_output_shaft(Rows& rows) {
                   .unit = kCompliance,
                   .own = terms.axial_term,
                   .corrected = 0.0,
-                  .verdict = Verdict::physics,
+                  .verdict = AuditVerdict::physics,
                   .sentence =
                       "K_I belongs to the axial force: the torsional compliance has none of "
                       "it, and the two loads are not coupled"});
@@ -645,7 +645,7 @@ void add_output_shaft(Rows& rows) {
        .unit = kCompliance,
        .own = article::shaft_crack_compliance(with_polynomials).torsion_term,
        .corrected = solid,
-       .verdict = Verdict::physics,
+       .verdict = AuditVerdict::physics,
        .sentence = "the area of a penny crack; an annulus sweeps pi d_e da, some 3 d_e/(4a) more"});
   const auto first_term = [](const Printed& q) {
     return article::shaft_crack_compliance(q.shaft()).axial_term;
@@ -655,7 +655,7 @@ void add_output_shaft(Rows& rows) {
                   .unit = "1",
                   .own = std::round(exponents_of(first_term).length) + 0.0,
                   .corrected = -1.0,
-                  .verdict = Verdict::dimension,
+                  .verdict = AuditVerdict::dimension,
                   .sentence = fmt::format("it has the dimension {}; a torsional compliance has "
                                           "force^-1 length^-1",
                                           dimension_text(exponents_of(first_term)))});
@@ -664,7 +664,7 @@ void add_output_shaft(Rows& rows) {
                   .unit = kCompliance,
                   .own = terms.torsion_term,
                   .corrected = solid,
-                  .verdict = Verdict::physics,
+                  .verdict = AuditVerdict::physics,
                   .sentence = "right algebra for the wrong area and coefficient; M_M and d_e vary "
                               "while the crack grows"});
   rows.push_back({.id = "D8",
@@ -672,7 +672,7 @@ void add_output_shaft(Rows& rows) {
                   .unit = "1",
                   .own = 1.0,
                   .corrected = 1 - p.nu * p.nu,
-                  .verdict = Verdict::physics,
+                  .verdict = AuditVerdict::physics,
                   .sentence = "an annular crack is in plane strain"});
   const double sound = article::sound_shaft_compliance(p.L_s, p.d_s, p.mu);
   rows.push_back(
@@ -681,7 +681,7 @@ void add_output_shaft(Rows& rows) {
        .unit = kCompliance,
        .own = sound,
        .corrected = torsional_compliance(Tube{.outer_diameter = p.d_s, .length = p.L_s}, p.mu),
-       .verdict = Verdict::reproduced,
+       .verdict = AuditVerdict::reproduced,
        .sentence = "0.1 for pi/32"});
   const double hollow_fourth = std::pow(p.D_s, 4) - std::pow(p.d_s_bore, 4);
   rows.push_back({.id = "D10",
@@ -690,7 +690,7 @@ void add_output_shaft(Rows& rows) {
                   .printed = p.d_s,
                   .own = std::pow(hollow_fourth, 0.25),
                   .corrected = std::pow(hollow_fourth, 0.25),
-                  .verdict = Verdict::not_reproducible,
+                  .verdict = AuditVerdict::not_reproducible,
                   .sentence = fmt::format(
                       "equal polar moment gives {:.1f}, equal section modulus {:.1f}, equal area "
                       "{:.1f}; and a crack knows no equivalent solid shaft",
@@ -706,7 +706,7 @@ void add_output_shaft(Rows& rows) {
        .printed = 6.906e-10,
        .own = sound,
        .corrected = compliance_in_mm(result.intact.compliance.output_shaft),
-       .verdict = Verdict::not_reproducible,
+       .verdict = AuditVerdict::not_reproducible,
        .sentence = "it is the hollow shaft with another length",
        .reproduce = reproducing("L_s (hollow)", "mm", 6.906e-10, 10, 1000, [&](double L) {
          return article::sound_shaft_compliance(L, std::pow(hollow_fourth, 0.25), p.mu);
@@ -717,7 +717,7 @@ void add_output_shaft(Rows& rows) {
                   .printed = 3.9e-14,
                   .own = terms.total(),
                   .corrected = compliance_in_mm(result.cracks[2].positive.at_output),
-                  .verdict = Verdict::not_reproducible,
+                  .verdict = AuditVerdict::not_reproducible,
                   .sentence = "printed formula and inputs give a third of it; that they come close "
                               "to the corrected value is chance",
                   .reproduce = reproducing("a", "mm", 3.9e-14, 0.01, 10, [&](double a) {
@@ -729,7 +729,7 @@ void add_output_shaft(Rows& rows) {
        .quantity = "exponent n in Delta l_so ~ d_s^n",
        .unit = "1",
        .corrected = std::log2(doubled / solid),
-       .verdict = Verdict::physics,
+       .verdict = AuditVerdict::physics,
        .sentence = "\"more compliance with larger diameters\" is the reverse of the truth"});
   rows.push_back({.id = "D14",
                   .quantity = "M_p at d_e/d_s = 0.9967",
@@ -737,7 +737,7 @@ void add_output_shaft(Rows& rows) {
                   .printed = p.M_p,
                   .own = article::axial_coefficient(x),
                   .corrected = tada_M_p(x),
-                  .verdict = Verdict::not_reproducible,
+                  .verdict = AuditVerdict::not_reproducible,
                   .sentence = "it belongs to a crack 46 times as deep",
                   .reproduce = reproducing("d_e/d_s (handbook)", "1", p.M_p, 0.1, 1, tada_M_p)});
   rows.push_back({.id = "D15",
@@ -746,7 +746,7 @@ void add_output_shaft(Rows& rows) {
                   .printed = p.M_M,
                   .own = article::torsion_coefficient(x),
                   .corrected = tada_M_M(x),
-                  .verdict = Verdict::not_reproducible,
+                  .verdict = AuditVerdict::not_reproducible,
                   .sentence = "it belongs to yet another crack than M_p",
                   .reproduce = reproducing("d_e/d_s (handbook)", "1", p.M_M, 0.1, 1, tada_M_M)});
 }
@@ -761,7 +761,7 @@ void add_table_and_text(Rows& rows) {
                   .unit = "mm",
                   .own = p.w_0 * p.i_h,
                   .corrected = p.d_1 / 2,
-                  .verdict = Verdict::reproduced,
+                  .verdict = AuditVerdict::reproduced,
                   .sentence = "deflection, ratio and diameter agree"});
   const double isotropic = p.E / (2 * (1 + p.nu));
   rows.push_back({.id = "T2",
@@ -770,7 +770,7 @@ void add_table_and_text(Rows& rows) {
                   .printed = p.mu,
                   .own = isotropic,
                   .corrected = isotropic,
-                  .verdict = Verdict::ambiguous,
+                  .verdict = AuditVerdict::ambiguous,
                   .sentence = fmt::format("E, mu and nu contradict each other by {:.0f} %",
                                           100 * (isotropic / p.mu - 1)),
                   .reproduce = reproducing("nu", "1", p.mu, 0.1, 0.49,
@@ -779,7 +779,7 @@ void add_table_and_text(Rows& rows) {
                   .quantity = "crack parameter Q",
                   .unit = "1",
                   .printed = p.Q,
-                  .verdict = Verdict::reproduced,
+                  .verdict = AuditVerdict::reproduced,
                   .sentence = "that of a semi-ellipse of this aspect ratio",
                   .reproduce = reproducing("a/c", "1", p.Q, 0.1, 1, [](double rho) {
                     return NewmanRaju(rho).shape_parameter();
@@ -791,7 +791,7 @@ void add_table_and_text(Rows& rows) {
        .unit = "1",
        .own = 1 - std::pow(1 - 2 * p.delta / p.d_1, 4),
        .corrected = 32 * p.L / (pi * p.mu * torsional_compliance(tube, p.mu) * std::pow(p.d_1, 4)),
-       .verdict = Verdict::reproduced,
+       .verdict = AuditVerdict::reproduced,
        .sentence = "wall thickness and diameter agree"});
   rows.push_back({.id = "T5",
                   .quantity = "d_e = d_s - 2a",
@@ -799,7 +799,7 @@ void add_table_and_text(Rows& rows) {
                   .printed = 59.8,
                   .own = p.d_s - 2 * p.a,
                   .corrected = p.d_s - 2 * p.a,
-                  .verdict = Verdict::reproduced,
+                  .verdict = AuditVerdict::reproduced,
                   .sentence = "follows from the printed d_s"});
   rows.push_back({.id = "T6",
                   .quantity = "total compliance, no cracks",
@@ -807,7 +807,7 @@ void add_table_and_text(Rows& rows) {
                   .printed = 12.672e-10,
                   .own = sound_sum,
                   .corrected = compliance_in_mm(result.intact.compliance.total),
-                  .verdict = Verdict::reproduced,
+                  .verdict = AuditVerdict::reproduced,
                   .sentence = "the sum of the printed members"});
   rows.push_back({.id = "T7",
                   .quantity = "total compliance, with cracks",
@@ -815,7 +815,7 @@ void add_table_and_text(Rows& rows) {
                   .printed = 12.823e-10,
                   .own = cracked_sum,
                   .corrected = compliance_in_mm(result.positive.compliance.total),
-                  .verdict = Verdict::reproduced,
+                  .verdict = AuditVerdict::reproduced,
                   .sentence = "the sum of the printed members"});
   rows.push_back({.id = "T8",
                   .quantity = "K_HD, no cracks",
@@ -823,7 +823,7 @@ void add_table_and_text(Rows& rows) {
                   .printed = 7.890e10,
                   .own = article::drive_stiffness(3.407e-10, 2.359e-10, 6.906e-10),
                   .corrected = stiffness_in_mm(result.intact.stiffness),
-                  .verdict = Verdict::misprint,
+                  .verdict = AuditVerdict::misprint,
                   .sentence = "the exponent is 8, and the last digit rounds to 7.891"});
   rows.push_back({.id = "T9",
                   .quantity = "K_HD, with cracks",
@@ -831,7 +831,7 @@ void add_table_and_text(Rows& rows) {
                   .printed = 7.798e10,
                   .own = article::drive_stiffness(3.558e-10, 2.359e-10, 6.906e-10),
                   .corrected = stiffness_in_mm(result.positive.stiffness),
-                  .verdict = Verdict::misprint,
+                  .verdict = AuditVerdict::misprint,
                   .sentence = "the exponent is 8"});
   const auto loss_percent = [](const StiffnessResult& r) {
     return -100 * r.positive.stiffness_change.value;
@@ -843,7 +843,7 @@ void add_table_and_text(Rows& rows) {
        .printed = 1.2,
        .own = 100 * (1 - sound_sum / cracked_sum),
        .corrected = loss_percent(result),
-       .verdict = Verdict::physics,
+       .verdict = AuditVerdict::physics,
        .sentence = "the arithmetic of the printed sums; the input is the depth of an annular shaft "
                    "crack that would do it",
        .reproduce = reproducing("shaft crack depth", "mm", 1.2, 0.1, 9, [&](double depth) {
@@ -858,7 +858,7 @@ void add_table_and_text(Rows& rows) {
                     .own = 100 * part / cracked_sum,
                     .corrected = 100 * (result.positive.compliance.*of).value /
                                  result.positive.compliance.total.value,
-                    .verdict = Verdict::reproduced,
+                    .verdict = AuditVerdict::reproduced,
                     .sentence = "follows from the printed members, which do not follow from the "
                                 "printed inputs"});
   };
@@ -869,7 +869,7 @@ void add_table_and_text(Rows& rows) {
                   .quantity = "loss of stiffness by cracks of 2 mm",
                   .unit = "%",
                   .corrected = loss_percent(corrected_example(2)),
-                  .verdict = Verdict::physics,
+                  .verdict = AuditVerdict::physics,
                   .sentence =
                       "\"even small cracks measurably affect the stiffness\" does not hold: "
                       "this is what cracks twenty times larger do"});
@@ -927,11 +927,12 @@ std::string audit_text(std::span<const AuditRow> rows) {
     if (row.reproduce) remark += fmt::format("; reproduced by {}", reproduce_text(row));
     text += fmt::format("     {}\n", wrapped(remark, kWidth - 5, 5));
   }
-  std::array<int, EnumNames<Verdict>::names.size()> counts{};
+  std::array<int, EnumNames<AuditVerdict>::names.size()> counts{};
   for (const AuditRow& row : rows) ++counts[static_cast<std::size_t>(row.verdict)];
   text += fmt::format("\n{} rows:", rows.size());
   for (std::size_t i = 0; i < counts.size(); ++i)
-    text += fmt::format("{} {} {}", i == 0 ? "" : ",", counts[i], EnumNames<Verdict>::names[i]);
+    text +=
+        fmt::format("{} {} {}", i == 0 ? "" : ",", counts[i], EnumNames<AuditVerdict>::names[i]);
   return text + "\n";
 }
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "strainwave/model/stiffness_result.hpp"
+#include "strainwave/model/result/stiffness_result.hpp"
 
 // What the JSON forms of the reports have in common.
 

@@ -15,7 +15,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/nearest.hpp"
 #include "strainwave/core/quantity_text.hpp"
-#include "strainwave/model/vary_option.hpp"
+#include "strainwave/model/input/vary_option.hpp"
 #include "strainwave/study/plot.hpp"
 
 namespace strainwave {

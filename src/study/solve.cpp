@@ -16,8 +16,8 @@
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/core/roots.hpp"
 #include "strainwave/io/result_writer.hpp"
-#include "strainwave/model/result_fields.hpp"
-#include "strainwave/model/vary_option.hpp"
+#include "strainwave/model/input/vary_option.hpp"
+#include "strainwave/model/result/result_fields.hpp"
 #include "strainwave/study/evaluate.hpp"
 #include "strainwave/study/sweep.hpp"
 

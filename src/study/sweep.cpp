@@ -11,8 +11,8 @@
 #include "report_cells.hpp"
 #include "report_json.hpp"
 #include "strainwave/core/error.hpp"
-#include "strainwave/model/result_fields.hpp"
-#include "strainwave/model/vary_option.hpp"
+#include "strainwave/model/input/vary_option.hpp"
+#include "strainwave/model/result/result_fields.hpp"
 #include "strainwave/study/evaluate.hpp"
 
 namespace strainwave {

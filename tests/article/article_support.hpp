@@ -9,8 +9,8 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
-#include "strainwave/model/gear_set.hpp"
-#include "strainwave/model/stiffness_result.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/result/stiffness_result.hpp"
 #include "support/article_gear.hpp"
 
 // What the tests of the printed and of the repaired method share.

@@ -14,8 +14,8 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
-#include "strainwave/model/gear_set.hpp"
-#include "strainwave/model/result_fields.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/result/result_fields.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "support/random_drive.hpp"
 

@@ -25,7 +25,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/io/gear_reader.hpp"
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 
 namespace strainwave {
 namespace {

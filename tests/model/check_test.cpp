@@ -20,7 +20,7 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 #include "support/article_gear.hpp"
 #include "support/not_finite.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/model/compliance_table.hpp"
+#include "strainwave/model/input/compliance_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 
 #include "strainwave/core/error.hpp"
-#include "strainwave/model/crack_parameters.hpp"
+#include "strainwave/model/input/crack_parameters.hpp"
 #include "support/compliance_table.hpp"
 
 namespace strainwave {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 
 #include <gtest/gtest.h>
 

@@ -19,7 +19,7 @@
 #include "strainwave/core/units.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/materials/material_library.hpp"
-#include "strainwave/model/result_fields.hpp"
+#include "strainwave/model/result/result_fields.hpp"
 #include "strainwave/report/section_drawing.hpp"
 #include "strainwave/study/evaluate.hpp"
 #include "strainwave/study/sensitivity.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cracks whose compliance is read from a table, in the stiffness of the drive.
-#include "strainwave/model/compliance_table.hpp"
+#include "strainwave/model/input/compliance_table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "strainwave/core/units.hpp"
-#include "strainwave/model/stiffness_result.hpp"
+#include "strainwave/model/result/stiffness_result.hpp"
 #include "support/reference.hpp"
 
 // What the tests of the members share.

@@ -11,7 +11,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/io/result_writer.hpp"
-#include "strainwave/model/result_fields.hpp"
+#include "strainwave/model/result/result_fields.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/strength/failure_assessment.hpp"
 #include "strainwave/study/evaluate.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of finite elements that is shipped, in the stiffness of its example.
-#include "strainwave/model/compliance_table.hpp"
+#include "strainwave/model/input/compliance_table.hpp"
 
 #include <gtest/gtest.h>
 

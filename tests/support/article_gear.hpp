@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "strainwave/core/units.hpp"
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 
 namespace strainwave::test {
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "strainwave/core/units.hpp"
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 #include "support/article_gear.hpp"
 
 namespace strainwave::test {

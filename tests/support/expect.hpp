@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "strainwave/core/error.hpp"
-#include "strainwave/model/stiffness_result.hpp"
+#include "strainwave/model/result/stiffness_result.hpp"
 #include "support/reference.hpp"
 
 namespace strainwave::test {

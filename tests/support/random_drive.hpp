@@ -10,7 +10,7 @@
 #include <variant>
 
 #include "strainwave/core/units.hpp"
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 
 namespace strainwave::test {
 

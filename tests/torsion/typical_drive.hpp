@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"

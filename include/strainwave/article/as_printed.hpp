@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "strainwave/model/gear_set.hpp"
-#include "strainwave/model/stiffness_result.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/result/stiffness_result.hpp"
 
 /// @file
 /// The article's method exactly as printed, every misprint included.  Nothing here is meant to be

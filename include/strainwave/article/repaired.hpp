@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "strainwave/model/gear_set.hpp"
-#include "strainwave/model/stiffness_result.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/result/stiffness_result.hpp"
 
 namespace strainwave {
 

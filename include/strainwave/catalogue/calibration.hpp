@@ -8,7 +8,7 @@
 
 #include "strainwave/catalogue/catalogue.hpp"
 #include "strainwave/catalogue/factors.hpp"
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
 /// @file

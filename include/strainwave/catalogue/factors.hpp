@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "strainwave/core/fields.hpp"
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 
 /// @file
 /// Named unknowns of a drive that a calibration may change.  Each acts by changing fields of the

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "strainwave/core/fields.hpp"
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 
 /// @file
 /// Proportions of cup-type drives, with what is known about each, and the drive that they make.

@@ -14,7 +14,7 @@
 #include "strainwave/gear_fem/shaft_section.hpp"
 #include "strainwave/gear_fem/tube_surface_crack.hpp"
 #include "strainwave/gear_fem/tube_through_crack.hpp"
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 
 /// @file
 /// Finite elements of the members of a drive, from its input file: what strainwave-fe does.

@@ -7,7 +7,7 @@
 
 #include "strainwave/fe_study/member_run.hpp"
 #include "strainwave/fem/mpi_session.hpp"
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 
 /// @file
 /// Results that are a folder of files: VTU for ParaView, pictures as SVG.

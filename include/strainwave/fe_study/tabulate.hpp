@@ -10,7 +10,7 @@
 
 #include "strainwave/fe_study/member_run.hpp"
 #include "strainwave/io/compliance_table_file.hpp"
-#include "strainwave/model/variation.hpp"
+#include "strainwave/model/input/variation.hpp"
 
 /// @file
 /// A family of finite element runs for one crack, written point by point into a table that the

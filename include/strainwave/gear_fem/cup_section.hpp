@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "strainwave/fem/axisymmetric.hpp"
-#include "strainwave/model/flexspline.hpp"
+#include "strainwave/model/input/flexspline.hpp"
 
 namespace strainwave::gear_fem {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "strainwave/fem/axisymmetric.hpp"
-#include "strainwave/model/output_shaft.hpp"
+#include "strainwave/model/input/output_shaft.hpp"
 
 namespace strainwave::gear_fem {
 

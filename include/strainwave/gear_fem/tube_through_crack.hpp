@@ -6,8 +6,8 @@
 #include <string>
 
 #include "strainwave/fem/solid.hpp"
-#include "strainwave/model/crack_strength.hpp"
-#include "strainwave/model/flexspline.hpp"
+#include "strainwave/model/input/flexspline.hpp"
+#include "strainwave/model/result/crack_strength.hpp"
 
 namespace strainwave::gear_fem {
 

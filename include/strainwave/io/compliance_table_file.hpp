@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "strainwave/model/gear_set.hpp"
-#include "strainwave/model/variation.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/input/variation.hpp"
 
 /// @file
 /// The file of a compliance table: comments that say what it is, one line of column names with

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 
 namespace strainwave {
 

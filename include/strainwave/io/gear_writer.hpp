@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 
 namespace strainwave {
 

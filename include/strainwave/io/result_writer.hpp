@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "strainwave/model/gear_set.hpp"
-#include "strainwave/model/stiffness_result.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/result/stiffness_result.hpp"
 
 namespace strainwave {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "strainwave/materials/material_record.hpp"
-#include "strainwave/model/material.hpp"
+#include "strainwave/model/input/material.hpp"
 
 /// @file
 /// The steels of strain wave gears.  The data are in data/materials.toml, and nowhere else; they

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "strainwave/io/result_writer.hpp"
-#include "strainwave/model/gear_set.hpp"
-#include "strainwave/model/method.hpp"
-#include "strainwave/model/stiffness_result.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/input/method.hpp"
+#include "strainwave/model/result/stiffness_result.hpp"
 
 /// @file
 /// A report on one drive as one HTML file: what an engineer attaches to a decision.

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 
 /// @file
 /// The drive and its cracks, drawn to scale from what an input file says.

@@ -3,7 +3,7 @@
 
 #include "strainwave/core/dual.hpp"
 #include "strainwave/core/lift.hpp"
-#include "strainwave/model/flexspline.hpp"
+#include "strainwave/model/input/flexspline.hpp"
 
 namespace strainwave {
 

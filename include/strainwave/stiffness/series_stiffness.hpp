@@ -6,7 +6,7 @@
 
 #include "strainwave/core/dual.hpp"
 #include "strainwave/core/lift.hpp"
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 
 namespace strainwave {

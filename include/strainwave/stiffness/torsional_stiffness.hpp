@@ -6,8 +6,8 @@
 
 #include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/quadrature.hpp"
-#include "strainwave/model/gear_set.hpp"
-#include "strainwave/model/stiffness_result.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/result/stiffness_result.hpp"
 
 namespace strainwave {
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "strainwave/model/crack_strength.hpp"
-#include "strainwave/model/gear_set.hpp"
-#include "strainwave/model/stiffness_result.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/result/crack_strength.hpp"
+#include "strainwave/model/result/stiffness_result.hpp"
 
 namespace strainwave {
 

@@ -13,7 +13,7 @@
 namespace strainwave {
 
 /// What became of one number or equation of the article.
-enum class Verdict {
+enum class AuditVerdict {
   reproduced,        ///< follows from the printed inputs by the printed equation
   misprint,          ///< a slip of a digit, sign or exponent that can be named
   dimension,         ///< the equation does not have the dimension of what it gives
@@ -22,7 +22,7 @@ enum class Verdict {
   ambiguous,         ///< the text leaves open what is meant
 };
 template <>
-struct EnumNames<Verdict> {
+struct EnumNames<AuditVerdict> {
   static constexpr std::array<std::string_view, 6> names = {
       "reproduced", "misprint", "dimension", "physics", "not reproducible", "ambiguous"};
 };
@@ -43,7 +43,7 @@ struct AuditRow {
   std::optional<double> printed = {};  ///< the printed number
   std::optional<double> own = {};      ///< what its own printed equation gives with printed inputs
   std::optional<double> corrected = {};  ///< what the corrected theory gives
-  Verdict verdict = Verdict::reproduced;
+  AuditVerdict verdict = AuditVerdict::reproduced;
   std::string sentence = {};                       ///< why, in one sentence
   std::optional<ReproducingInput> reproduce = {};  ///< found by root finding
 

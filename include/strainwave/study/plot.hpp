@@ -4,7 +4,7 @@
 #include <string>
 
 #include "strainwave/chart/chart.hpp"
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/study/sweep.hpp"
 
 namespace strainwave {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/study/sensitivity.hpp"
 
 /// @file

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/study/scatter.hpp"
 #include "strainwave/study/sensitivity.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "strainwave/model/gear_set.hpp"
-#include "strainwave/model/stiffness_result.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/result/stiffness_result.hpp"
 #include "strainwave/study/plot.hpp"
 
 namespace strainwave {

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "strainwave/model/gear_set.hpp"
-#include "strainwave/model/stiffness_result.hpp"
-#include "strainwave/model/variation.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/input/variation.hpp"
+#include "strainwave/model/result/stiffness_result.hpp"
 
 namespace strainwave {
 

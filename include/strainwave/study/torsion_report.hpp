@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/study/plot.hpp"
 #include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/hysteresis.hpp"

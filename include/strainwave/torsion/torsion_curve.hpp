@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "strainwave/core/fields.hpp"
-#include "strainwave/model/gear_set.hpp"
-#include "strainwave/model/stiffness_result.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/result/stiffness_result.hpp"
 
 /// @file
 /// The torsion curve phi(T) of a drive as one system: elastic ring on one-sided balls and flanks.

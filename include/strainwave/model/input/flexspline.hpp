@@ -8,7 +8,7 @@
 
 #include "strainwave/core/fields.hpp"
 #include "strainwave/core/lift.hpp"
-#include "strainwave/model/crack.hpp"
+#include "strainwave/model/input/crack.hpp"
 
 namespace strainwave {
 

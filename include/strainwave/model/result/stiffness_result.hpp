@@ -7,39 +7,12 @@
 #include <string_view>
 #include <vector>
 
-#include "strainwave/model/crack_strength.hpp"
-#include "strainwave/model/method.hpp"
+#include "strainwave/model/input/method.hpp"
+#include "strainwave/model/result/crack_strength.hpp"
+#include "strainwave/model/result/evidence.hpp"
+#include "strainwave/model/result/quantity.hpp"
 
 namespace strainwave {
-
-/// A number with its unit and its accuracy.
-struct Quantity {
-  double value = 0.0;
-  std::string_view unit = "1";
-  /// One standard relative uncertainty of the model's form; absent where nobody can state it.
-  std::optional<double> relative_uncertainty = std::nullopt;
-
-  friend bool operator==(const Quantity&, const Quantity&) = default;
-};
-
-/// A remark on validity: machine-readable code, sentence, field, equation of the theory manual.
-struct Note {
-  std::string code;
-  std::string text;
-  std::string path;      ///< of the field concerned; empty: the whole drive
-  std::string equation;  ///< tag, such as "FR-4"; empty: none
-
-  friend bool operator==(const Note&, const Note&) = default;
-};
-
-/// A model-form uncertainty that entered a result, and what it rests on.
-struct AccuracyBasis {
-  std::string path;                   ///< of the member or crack
-  double relative_uncertainty = 0.0;  ///< one standard, as it enters the compliance [-]
-  std::string source;
-
-  friend bool operator==(const AccuracyBasis&, const AccuracyBasis&) = default;
-};
 
 /// Compliances of the members at the output [rad/(N*m)].
 struct Compliances {

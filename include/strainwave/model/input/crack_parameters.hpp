@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "strainwave/core/lift.hpp"
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 
 /// @file
 /// The numbers that the finite elements of one crack depend on: the columns and the fixed numbers

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/model/vary_option.hpp"
+#include "strainwave/model/input/vary_option.hpp"
 
 #include <fmt/format.h>
 

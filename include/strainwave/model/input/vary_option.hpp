@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 
 // What the options of sweep, solve and `fe tabulate` have in common.  A fault names the option,
 // "--vary" or "--over", and the value.

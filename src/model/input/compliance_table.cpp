@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/model/compliance_table.hpp"
+#include "strainwave/model/input/compliance_table.hpp"
 
 #include <fmt/format.h>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
-#include "strainwave/model/crack_parameters.hpp"
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/crack_parameters.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 
 namespace strainwave {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "strainwave/core/fields.hpp"
-#include "strainwave/model/crack.hpp"
+#include "strainwave/model/input/crack.hpp"
 
 namespace strainwave {
 

@@ -8,15 +8,15 @@
 #include <vector>
 
 #include "strainwave/core/fields.hpp"
-#include "strainwave/model/circular_spline.hpp"
-#include "strainwave/model/compliance_table.hpp"
-#include "strainwave/model/flexspline.hpp"
-#include "strainwave/model/material.hpp"
-#include "strainwave/model/output_shaft.hpp"
-#include "strainwave/model/rating.hpp"
-#include "strainwave/model/scatter.hpp"
-#include "strainwave/model/tooth_mesh.hpp"
-#include "strainwave/model/wave_generator.hpp"
+#include "strainwave/model/input/circular_spline.hpp"
+#include "strainwave/model/input/compliance_table.hpp"
+#include "strainwave/model/input/flexspline.hpp"
+#include "strainwave/model/input/material.hpp"
+#include "strainwave/model/input/output_shaft.hpp"
+#include "strainwave/model/input/rating.hpp"
+#include "strainwave/model/input/scatter.hpp"
+#include "strainwave/model/input/tooth_mesh.hpp"
+#include "strainwave/model/input/wave_generator.hpp"
 
 namespace strainwave {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/model/variation.hpp"
+#include "strainwave/model/input/variation.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "strainwave/core/error.hpp"
-#include "strainwave/model/vary_option.hpp"
+#include "strainwave/model/input/vary_option.hpp"
 
 namespace strainwave {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "strainwave/core/fields.hpp"
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 
 namespace strainwave {
 

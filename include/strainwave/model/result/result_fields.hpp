@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "strainwave/model/stiffness_result.hpp"
+#include "strainwave/model/result/stiffness_result.hpp"
 
 namespace strainwave {
 

@@ -11,7 +11,7 @@
 #include "strainwave/core/compare.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
-#include "strainwave/model/gear_set.hpp"
+#include "strainwave/model/input/gear_set.hpp"
 
 // Rules between fields.  Rules of one field alone are its Range.
 

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace strainwave {
+
+/// A number with its unit and its accuracy.
+struct Quantity {
+  double value = 0.0;
+  std::string_view unit = "1";
+  /// One standard relative uncertainty of the model's form; absent where nobody can state it.
+  std::optional<double> relative_uncertainty = std::nullopt;
+
+  friend bool operator==(const Quantity&, const Quantity&) = default;
+};
+
+}  // namespace strainwave
