@@ -12,8 +12,10 @@
 #include "manual.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/version.hpp"
+#include "strainwave/door/door.hpp"
 #include "strainwave/materials/material_record.hpp"
 #include "strainwave/study/scatter.hpp"
+#include "table_commands.hpp"
 
 namespace strainwave::cli {
 namespace {
@@ -29,7 +31,8 @@ class CommandLine {
                           "print version and revision, and exit");
     app_.require_subcommand(1);
     app_.get_formatter()->column_width(34);
-    add_stiffness();
+    add_commands(app_, strainwave::commands(), {}, strainwave::read_drive,
+                 [this](std::function<ExitCode()> work) { chosen_ = std::move(work); });
     add_audit();
     add_sweep();
     add_solve();
@@ -86,19 +89,6 @@ class CommandLine {
   static void add_path(CLI::App* sub, std::string& path) {
     sub->add_option("-o,--output", path, "write to this file instead of standard output")
         ->type_name("PATH");
-  }
-
-  void add_stiffness() {
-    CLI::App* const sub = command("stiffness");
-    sub->add_option("FILE", stiffness_.file, kFile)->required();
-    add_method(sub, stiffness_.method);
-    add_output(sub, stiffness_.output, {"text", "json", "csv"});
-    sub->add_option("--plot", stiffness_.plot,
-                    "draw the failure assessment diagram of the cracks as an SVG file")
-        ->type_name("PATH");
-    sub->add_option("--fad", stiffness_.fad, "write the failure assessment diagram as a CSV table")
-        ->type_name("PATH");
-    runs(sub, stiffness_);
   }
 
   void add_audit() {
@@ -329,7 +319,6 @@ class CommandLine {
 
   CLI::App app_{"Torsional stiffness of strain wave gears with cracks"};
   std::function<ExitCode()> chosen_;
-  StiffnessCommand stiffness_;
   AuditCommand audit_;
   SweepCommand sweep_;
   SolveCommand solve_;
@@ -351,25 +340,10 @@ class CommandLine {
   std::string man_page_;
 };
 
-ExitCode complain(std::string_view message, ExitCode code) {
-  std::cerr << "strainwave: " << message << '\n';
-  return code;
-}
-
 }  // namespace
 
 int run_command_line(int argc, const char* const* argv) {
-  try {
-    return CommandLine().run(argc, argv);
-  } catch (const UsageError& error) {
-    return complain(error.message, kUsage);
-  } catch (const InputError& error) {
-    return complain(error.what(), kInput);
-  } catch (const SolverError& error) {
-    return complain(error.what(), kNotUsable);
-  } catch (const std::exception& error) {
-    return complain(error.what(), kInternal);
-  }
+  return guarded("strainwave", [&] { return CommandLine().run(argc, argv); });
 }
 
 }  // namespace strainwave::cli

@@ -11,6 +11,7 @@
 #include <iostream>
 #include <iterator>
 
+#include "files.hpp"
 #include "strainwave/catalogue/calibration.hpp"
 #include "strainwave/catalogue/catalogue.hpp"
 #include "strainwave/catalogue/proportions.hpp"
@@ -25,7 +26,6 @@
 #include "strainwave/materials/material_library.hpp"
 #include "strainwave/report/report.hpp"
 #include "strainwave/study/audit.hpp"
-#include "strainwave/study/evaluate.hpp"
 #include "strainwave/study/material_report.hpp"
 #include "strainwave/study/plot.hpp"
 #include "strainwave/study/scatter.hpp"
@@ -33,7 +33,6 @@
 #include "strainwave/study/sensitivity_report.hpp"
 #include "strainwave/study/sif_report.hpp"
 #include "strainwave/study/solve.hpp"
-#include "strainwave/study/strength_report.hpp"
 #include "strainwave/study/sweep.hpp"
 #include "strainwave/study/torsion_report.hpp"
 #include "strainwave/study/validation_plot.hpp"
@@ -59,23 +58,6 @@ Provenance provenance_of(const std::string& file) {
 }
 
 void warn(std::string_view message) { std::cerr << "strainwave: " << message << '\n'; }
-
-/// A text file of at most 1 MiB, or standard input.
-std::string read_text(const std::string& file) {
-  constexpr std::size_t kMaxSize = 1 << 20;
-  std::ifstream stream;
-  if (file != "-") {
-    stream.open(file, std::ios::binary);
-    if (!stream) throw InputError(file, "cannot be opened for reading");
-  }
-  std::istream& source = file == "-" ? std::cin : stream;
-  std::string text(kMaxSize + 1, '\0');
-  source.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (source.bad()) throw InputError(file, "cannot be read");
-  text.resize(static_cast<std::size_t>(source.gcount()));
-  if (text.size() > kMaxSize) throw InputError(file, "is larger than 1 MiB");
-  return text;
-}
 
 /// The day of SOURCE_DATE_EPOCH, which makes builds repeatable; empty if it is not set.
 std::string build_date() {
@@ -127,35 +109,6 @@ sif::CrackMaterial crack_material(const std::string& name) {
 }
 
 }  // namespace
-
-void deliver(const std::string& text, const std::string& path) {
-  if (!path.empty()) {
-    write_file(path, text);
-    return;
-  }
-  std::cout << text << std::flush;
-  if (!std::cout) throw Error("standard output cannot be written");
-}
-
-ExitCode run(const StiffnessCommand& command) {
-  const GearSet gear = read_input(command.file);
-  const StiffnessResult result = evaluate(gear, method_named(command.method));
-  const Provenance provenance = provenance_of(command.file);
-  // All texts are made before any file is written: a failure leaves nothing behind.
-  const std::string text = command.output.format == "json"  ? result_json(result, gear, provenance)
-                           : command.output.format == "csv" ? result_csv(result)
-                                                            : result_text(result, gear, provenance);
-  const std::string plot =
-      command.plot.empty() ? std::string() : failure_assessment_plot(result, gear);
-  const std::string table =
-      command.fad.empty() ? std::string() : failure_assessment_csv(result, gear);
-  if (!plot.empty()) write_file(command.plot, plot);
-  if (!table.empty()) write_file(command.fad, table);
-  deliver(text, command.output.path);
-  if (result.usable()) return kOk;
-  warn(result.unusable_because);
-  return kNotUsable;
-}
 
 ExitCode run(const AuditCommand& command) {
   const std::vector<AuditRow> rows = audit();

@@ -19,15 +19,6 @@ struct Output {
   std::string path;
 };
 
-struct StiffnessCommand {
-  std::string file;
-  std::string method = "corrected";
-  std::string plot;
-  std::string fad;
-  Output output{.format = "text", .path = {}};
-};
-ExitCode run(const StiffnessCommand& command);
-
 struct AuditCommand {
   Output output{.format = "text", .path = {}};
 };
@@ -165,13 +156,5 @@ struct SifPlotCommand {
   std::string path;
 };
 ExitCode run(const SifPlotCommand& command);
-
-/// Writes to a file, whole or not at all, or to standard output.
-void deliver(const std::string& text, const std::string& path);
-
-/// The command line itself cannot be understood.
-struct UsageError {
-  std::string message;
-};
 
 }  // namespace strainwave::cli

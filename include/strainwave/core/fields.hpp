@@ -13,9 +13,10 @@
 #include <vector>
 
 /// @file
-/// Every struct of the input describes its fields once, by a static member `describe`.  The file
-/// reader, the JSON Schema, the template of `strainwave new`, the field reference in the docs, the
-/// range checks and the field paths of `sweep` and `solve` are all visitors of that description,
+/// Every struct of the input, of a result and of the options of a command describes its fields
+/// once, by a static member `describe`.  The file reader, the schemas, the template of
+/// `strainwave new`, the field reference in the docs, the range checks, the field paths of `sweep`
+/// and `solve`, the command line and every document of a result are visitors of that description,
 /// so they cannot drift apart.
 
 namespace strainwave {
@@ -46,16 +47,30 @@ enum class InTemplate {
   commented,  ///< as a comment that can be switched on
 };
 
-/// What there is to know about one field.
+/// Whether a value of a struct has a field.
+enum class Presence { always, sometimes };
+
+/// The unit of a number that stands in the field `unit` beside it.
+inline constexpr std::string_view kUnitBeside = "*";
+
+/// What there is to know about one field of an input, of a result or of the options of a command.
 struct Field {
   std::string_view name;  ///< key in the file
-  std::string_view unit;  ///< SI unit of a number, "1" if pure; empty for text, flags, tables
+  std::string_view unit;  ///< SI unit of a number, "1" if pure; empty for text, flags, tables and
+                          ///< whole numbers
   std::string_view doc;   ///< meaning and symbol, one line
   Range range = kFinite;  ///< of a number
   std::string_view example = {};   ///< right-hand side in the template, TOML
   std::string_view fallback = {};  ///< TOML value of a field that may be left out; empty: required,
                                    ///< or optional without a fallback (std::optional)
   InTemplate in_template = InTemplate::yes;
+  /// Of a result: evidence that only documents with everything carry; no output of a table.
+  bool detail = false;
+  /// Of an option: given by its place on the command line instead of by `--name`.
+  bool positional = false;
+  /// Of an option: what its text names, such as "field path" or "material"; empty: nothing that
+  /// can be listed.  "attachment": a file, whose text the command reads.
+  std::string_view names = {};
 };
 
 /// A struct that describes itself.

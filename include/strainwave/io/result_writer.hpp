@@ -6,29 +6,14 @@
 #include <string_view>
 
 #include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/result/provenance.hpp"
 #include "strainwave/model/result/stiffness_result.hpp"
 
 namespace strainwave {
 
-/// Where a result comes from.  The same input and version give the same bytes: no times, no hosts.
-struct Provenance {
-  std::string version;                ///< of strainwave
-  std::string revision;               ///< of its sources
-  std::string input_file;             ///< as the user named it
-  double quadrature_tolerance = 0.0;  ///< relative, of the crack integrals [-]
-};
-
-/// The result as a JSON document: all digits, SI, each quantity with unit and uncertainty, notes,
-/// equations, provenance and the input echoed with units.
-[[nodiscard]] std::string result_json(const StiffnessResult& result, const GearSet& gear,
-                                      const Provenance& provenance);
-
 /// Another JSON object of ours with `provenance` and the input added to it.
 [[nodiscard]] std::string with_provenance(const std::string& json_object, const GearSet& gear,
                                           const Provenance& provenance);
-
-/// The result as CSV: path, value, unit, relative_uncertainty.
-[[nodiscard]] std::string result_csv(const StiffnessResult& result);
 
 /// The result as a table for a report, at most 100 columns wide; no more digits than the accuracy
 /// warrants plus two.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "strainwave/core/fields.hpp"
+#include "strainwave/core/quantity.hpp"
 
 namespace strainwave {
 
@@ -40,6 +42,15 @@ struct CriticalSize {
   /// Where there is no size because the range ends first: its end [m].
   std::optional<double> none_up_to = {};
   std::string text = {};  ///< where there is no size: why
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"size", "m", "depth or half length; absent: not reached in the range"},
+          &CriticalSize::size);
+    field({"none_up_to", "m", "end of the range, where the criterion is not reached in it"},
+          &CriticalSize::none_up_to);
+    field({"text", "", "why there is no size; empty where there is one"}, &CriticalSize::text);
+  }
 };
 
 /// One crack under one sense of torque, with or without the stress of the assembly.
@@ -65,6 +76,38 @@ struct StrengthState {
   StrengthVerdict verdict = StrengthVerdict::cannot_tell;
   std::string unknown = {};  ///< what is missing, where the verdict is cannot_tell
 
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using S = StrengthState;
+    field({"torque", "", "sense of the torque"}, &S::sense);
+    field({"with_assembly", "", "with the wall's bending by the wave generator"},
+          &S::with_assembly);
+    field({"verdict", "", "answer of the failure assessment"}, &S::verdict);
+    field({"unknown", "", "what is missing, where the verdict is cannot_tell"}, &S::unknown);
+    field({"K_load", "Pa*m^0.5", "equivalent K of the load alone, worst point"}, [](const S& s) {
+      return Quantity{s.K_load, "Pa*m^0.5", s.relative_uncertainty};
+    });
+    field({"K_assembly", "Pa*m^0.5", "equivalent K of the assembly alone, worst point"},
+          &S::K_assembly);
+    field({"K", "Pa*m^0.5", "equivalent K of both together, worst point"}, &S::intensity);
+    field({"utilisation", "1", "K/K_Ic"}, &S::toughness_used);
+    field({"L_r", "1", "reference stress over yield strength"}, &S::L_r);
+    field({"interaction", "1", "V, on the K of the assembly"}, &S::interaction);
+    field({"K_r", "1", "K with V on the assembly's part, over K_Ic"}, &S::K_r);
+    field({"line", "1", "f(L_r), the largest K_r that is accepted"}, &S::line);
+    field({"reserve", "1", "factor on the given load at which the line is reached"}, &S::reserve);
+    field({"plastic_zone", "m", "radius of the plastic zone"}, &S::plastic_zone);
+    field({"brittle_size", "", "size at which K reaches K_Ic"}, &S::brittle_size);
+    field({"critical_size", "", "size at which the line is reached"}, &S::critical_size);
+  }
+  /// K with its uncertainty [Pa*m^0.5].
+  [[nodiscard]] Quantity intensity() const { return {K, "Pa*m^0.5", relative_uncertainty}; }
+  /// K/K_Ic with its uncertainty [-].
+  [[nodiscard]] std::optional<Quantity> toughness_used() const {
+    if (!utilisation) return std::nullopt;
+    return Quantity{*utilisation, "1", relative_uncertainty};
+  }
+
   [[nodiscard]] bool breaks() const {
     return verdict == StrengthVerdict::fractures || verdict == StrengthVerdict::collapses;
   }
@@ -74,6 +117,12 @@ struct StrengthState {
 struct StrengthNote {
   std::string text;
   std::string equation;  ///< tag of the theory manual
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"text", "", "what the verdict leaves out"}, &StrengthNote::text);
+    field({"equation", "", "tag of the theory manual"}, &StrengthNote::equation);
+  }
 };
 
 /// Strength of one crack at the given load, with its evidence.
@@ -93,6 +142,56 @@ struct CrackStrength {
   std::string sentence = {};                               ///< the verdict in words
   std::vector<StrengthNote> notes = {};                    ///< what the verdict leaves out
   std::vector<std::string> equations = {};                 ///< tags of the theory manual
+
+  /// The numbers of the worst state first, which are outputs; then all states.
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using C = CrackStrength;
+    const auto worst = [&](const Field& what, auto member) {
+      field(what, [member](const C& c) {
+        using Value = std::decay_t<std::invoke_result_t<decltype(member), const StrengthState&>>;
+        using Optional = std::conditional_t<is_optional<Value>, Value, std::optional<Value>>;
+        const StrengthState* const state = c.worst();
+        return state == nullptr ? Optional() : Optional(std::invoke(member, *state));
+      });
+    };
+    const auto size = [](std::optional<CriticalSize> StrengthState::*member) {
+      return [member](const StrengthState& state) {
+        return state.*member ? (state.*member)->size : std::optional<double>();
+      };
+    };
+    worst({"K", "Pa*m^0.5", "equivalent K at the worst point, worst state"},
+          &StrengthState::intensity);
+    worst({"utilisation", "1", "K/K_Ic"}, &StrengthState::toughness_used);
+    worst({"L_r", "1", "reference stress over yield strength"}, &StrengthState::L_r);
+    worst({"K_r", "1", "K over K_Ic, with the interaction of the assembly"}, &StrengthState::K_r);
+    worst({"line", "1", "the largest K_r that is accepted"}, &StrengthState::line);
+    field({"reserve", "1", "least factor on the load at which the line is reached"},
+          &C::least_reserve);
+    worst({"brittle_size", "m", "size at which K reaches K_Ic"},
+          size(&StrengthState::brittle_size));
+    worst({"critical_size", "m", "size at which the line is reached"},
+          size(&StrengthState::critical_size));
+    worst({"plastic_zone", "m", "radius of the plastic zone"}, &StrengthState::plastic_zone);
+    field({"ligament", "m", "what is left of the section"}, &C::ligament);
+    field({"verdict", "", "answer of the failure assessment"}, &C::verdict);
+    field({"sentence", "", "the verdict in words"}, &C::sentence);
+    field({"size_name", "", "depth or half_length"}, &C::size_name);
+    field({.name = "size", .unit = "m", .doc = "present size", .detail = true}, &C::size);
+    field({"material", "", "name of the material"}, &C::material);
+    field({.name = "toughness", .unit = "Pa*m^0.5", .doc = "K_Ic", .detail = true}, &C::toughness);
+    field({.name = "governing", .unit = "", .doc = "index of the worst state", .detail = true},
+          &C::governing);
+    field({.name = "states",
+           .unit = "",
+           .doc = "each sense of torque, load alone and with the assembly",
+           .detail = true},
+          &C::states);
+    field({.name = "notes", .unit = "", .doc = "what the verdict leaves out", .detail = true},
+          &C::notes);
+    field({.name = "equations", .unit = "", .doc = "tags of the theory manual", .detail = true},
+          &C::equations);
+  }
 
   [[nodiscard]] const StrengthState* worst() const {
     return states.empty() ? nullptr : &states[governing];

@@ -98,4 +98,27 @@ struct Verdict {
 ///          reason; good where no note raises a doubt
 [[nodiscard]] Verdict verdict_of(std::string_view unusable_because, std::span<const Note> notes);
 
+/// Everything that a result says about itself.
+struct ResultEvidence {
+  std::string unusable_because;  ///< empty if the answer may be used
+  Verdict verdict;
+  std::vector<Note> notes;
+  std::vector<std::string> equations;  ///< tags of the theory manual
+  std::vector<AccuracyBasis> accuracies;
+};
+
+/// The evidence of a result, from those of its members that hold one: `unusable_because`, `notes`,
+/// `equations`, `accuracies`.  A result whose evidence lies deeper has an overload of its own.
+template <class Result>
+[[nodiscard]] ResultEvidence evidence_of(const Result& result) {
+  ResultEvidence evidence;
+  if constexpr (requires { result.unusable_because; })
+    evidence.unusable_because = result.unusable_because;
+  if constexpr (requires { result.notes; }) evidence.notes = result.notes;
+  if constexpr (requires { result.equations; }) evidence.equations = result.equations;
+  if constexpr (requires { result.accuracies; }) evidence.accuracies = result.accuracies;
+  evidence.verdict = verdict_of(evidence.unusable_because, evidence.notes);
+  return evidence;
+}
+
 }  // namespace strainwave

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "strainwave/core/quantity.hpp"
 #include "strainwave/model/input/method.hpp"
 #include "strainwave/model/result/crack_strength.hpp"
 #include "strainwave/model/result/evidence.hpp"
-#include "strainwave/model/result/quantity.hpp"
 
 namespace strainwave {
 
@@ -20,6 +20,15 @@ struct Compliances {
   Quantity flexspline;
   Quantity output_shaft;
   Quantity total;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    constexpr std::string_view kUnit = "rad/(N*m)";
+    field({"wave_generator", kUnit, "share of the wave generator"}, &Compliances::wave_generator);
+    field({"flexspline", kUnit, "share of the flexspline"}, &Compliances::flexspline);
+    field({"output_shaft", kUnit, "share of the output shaft"}, &Compliances::output_shaft);
+    field({"total", kUnit, "sum of the members"}, &Compliances::total);
+  }
 };
 
 /// The sound drive.
@@ -27,6 +36,13 @@ struct IntactDrive {
   Compliances compliance;
   Quantity stiffness;  ///< K_HD at the output, input locked [N*m/rad]
   Quantity wind_up;    ///< at the given torque [rad]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"compliance", "", "compliances at the output"}, &IntactDrive::compliance);
+    field({"stiffness", "N*m/rad", "K_HD at the output, input locked"}, &IntactDrive::stiffness);
+    field({"wind_up", "rad", "twist at the given torque"}, &IntactDrive::wind_up);
+  }
 };
 
 /// The cracked drive under one sense of torque.
@@ -35,6 +51,15 @@ struct CrackedDrive {
   Quantity stiffness;         ///< [N*m/rad]
   Quantity stiffness_change;  ///< K/K_intact - 1 [-]; negative means softer
   Quantity wind_up;           ///< at the given torque [rad]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"compliance", "", "compliances at the output"}, &CrackedDrive::compliance);
+    field({"stiffness", "N*m/rad", "K_HD at the output, input locked"}, &CrackedDrive::stiffness);
+    field({"stiffness_change", "1", "K/K_intact - 1; negative means softer"},
+          &CrackedDrive::stiffness_change);
+    field({"wind_up", "rad", "twist at the given torque"}, &CrackedDrive::wind_up);
+  }
 };
 
 /// Which sense of torque, with the given axial force, pulls the faces of a crack apart.
@@ -51,6 +76,13 @@ struct StressIntensities {
   Quantity K_I;    ///< [Pa*m^0.5]
   Quantity K_II;   ///< [Pa*m^0.5]
   Quantity K_III;  ///< [Pa*m^0.5]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"K_I", "Pa*m^0.5", "opening"}, &StressIntensities::K_I);
+    field({"K_II", "Pa*m^0.5", "sliding"}, &StressIntensities::K_II);
+    field({"K_III", "Pa*m^0.5", "tearing"}, &StressIntensities::K_III);
+  }
 };
 
 /// What one crack adds under one sense of torque.
@@ -60,6 +92,20 @@ struct AddedCompliance {
   /// Symmetric matrix over [axial, torsion] of cracks in flexspline and shaft:
   /// axial-axial [m/N], axial-torsion [1/N], torsion-torsion [rad/(N*m)].
   std::optional<std::array<Quantity, 3>> axial_torsion;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    const auto entry = [](std::size_t index) {
+      return [index](const AddedCompliance& a) {
+        return a.axial_torsion ? std::optional((*a.axial_torsion)[index]) : std::nullopt;
+      };
+    };
+    field({"at_output", "rad/(N*m)", "share of the drive's compliance"},
+          &AddedCompliance::at_output);
+    field({"axial_axial", "m/N", "extension per axial force"}, entry(0));
+    field({"axial_torsion", "1/N", "twist per axial force, or extension per torque"}, entry(1));
+    field({"torsion_torsion", "rad/(N*m)", "twist per torque"}, entry(2));
+  }
 };
 
 /// One crack and its evidence.
@@ -82,6 +128,13 @@ struct CurveStiffness {
   Quantity K1;
   Quantity K2;
   Quantity K3;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"K1", "N*m/rad", "up to T1"}, &CurveStiffness::K1);
+    field({"K2", "N*m/rad", "from T1 to T2"}, &CurveStiffness::K2);
+    field({"K3", "N*m/rad", "from T2"}, &CurveStiffness::K3);
+  }
 };
 
 /// The coupled drive beside the series model, where the file gives enough for it.
@@ -89,6 +142,71 @@ struct CurveResult {
   CurveStiffness intact;
   CurveStiffness positive;  ///< cracked, torque about +z
   CurveStiffness negative;  ///< cracked, torque about -z
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"intact", "", "without the cracks"}, &CurveResult::intact);
+    field({"positive", "", "cracked, torque about +z"}, &CurveResult::positive);
+    field({"negative", "", "cracked, torque about -z"}, &CurveResult::negative);
+  }
+};
+
+/// A value for each sense of torque.
+template <class T>
+struct BySense {
+  T positive;  ///< torque about +z
+  T negative;  ///< torque about -z
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"positive", "", "torque about +z"}, &BySense::positive);
+    field({"negative", "", "torque about -z"}, &BySense::negative);
+  }
+};
+
+/// Stress intensities along a front.
+struct FrontIntensities {
+  std::optional<StressIntensities> deepest;
+  std::optional<StressIntensities> largest;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"deepest", "", "at the deepest point, or the tip"}, &FrontIntensities::deepest);
+    field({"largest", "", "largest magnitude of each mode along the front"},
+          &FrontIntensities::largest);
+  }
+};
+
+/// All that is told of one crack: its report by the stiffness model, its strength, or both.
+struct CrackOutputs {
+  const CrackReport* report = nullptr;
+  const CrackStrength* strength = nullptr;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using C = CrackOutputs;
+    field({"path", "", "field of the input"},
+          [](const C& c) { return c.report != nullptr ? c.report->path : c.strength->path; });
+    field({"kind", "", "kind of the crack"},
+          [](const C& c) { return c.report != nullptr ? c.report->kind : c.strength->kind; });
+    const auto of_report = [&](const Field& what, auto value) {
+      field(what, [value](const C& c) {
+        using Value = std::invoke_result_t<decltype(value), const CrackReport&>;
+        return c.report != nullptr ? std::optional<Value>(value(*c.report)) : std::nullopt;
+      });
+    };
+    of_report({"opens_under", "", "sense of torque that pulls the faces apart"},
+              [](const CrackReport& r) { return r.opens_under; });
+    of_report({"added_compliance", "", "what the crack adds"}, [](const CrackReport& r) {
+      return BySense<AddedCompliance>{r.positive, r.negative};
+    });
+    of_report({"stress_intensity", "", "at the given load"}, [](const CrackReport& r) {
+      return FrontIntensities{r.deepest, r.largest};
+    });
+    field({"strength", "", "strength at the given load"}, [](const C& c) {
+      return c.strength != nullptr ? std::optional(*c.strength) : std::nullopt;
+    });
+  }
 };
 
 /// Torsional stiffness of a drive, sound and cracked, by one method, with its evidence.
@@ -108,6 +226,20 @@ struct StiffnessResult {
   std::string unusable_because;
 
   [[nodiscard]] bool usable() const { return unusable_because.empty(); }
+  /// The cracks in the order of their reports; then those that only have a strength.
+  [[nodiscard]] std::vector<CrackOutputs> crack_outputs() const;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using R = StiffnessResult;
+    field({"method", "", "as-printed, repaired or corrected"}, &R::method);
+    field({"intact", "", "the sound drive"}, &R::intact);
+    field({"cracked", "", "the drive with its cracks"}, [](const R& r) {
+      return BySense<CrackedDrive>{r.positive, r.negative};
+    });
+    field({"curve", "", "the maker's stiffnesses of the coupled drive"}, &R::curve);
+    field({"cracks", "", "each crack"}, &R::crack_outputs);
+  }
 };
 
 }  // namespace strainwave

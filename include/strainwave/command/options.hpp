@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "strainwave/core/described.hpp"
+#include "strainwave/core/error.hpp"
+
+/// @file
+/// The options of a command are a described struct.  The command line, JSON and the C interface
+/// set them by name and text; this header makes any such struct settable without its type.
+
+namespace strainwave {
+
+/// An option, or what it names, cannot be understood.
+class OptionError : public InputError {
+ public:
+  using InputError::InputError;
+  explicit OptionError(const InputError& error) : InputError(error) {}
+};
+
+/// Runs `parse`; a fault in what it reads is one of an option, not of the input file.
+template <class Parse>
+auto from_option(const Parse& parse) {
+  try {
+    return parse();
+  } catch (const InputError& error) {
+    throw OptionError(error);
+  }
+}
+
+/// What kind of text an option takes.
+enum class OptionKind { flag, whole, number, text, choice };
+
+/// One option of a command.
+struct Option {
+  Field field;
+  OptionKind kind = OptionKind::text;
+  bool repeatable = false;
+  bool required = false;
+  std::vector<std::string_view> choices = {};
+
+  /// The name as a command line has it: "all-sets".
+  [[nodiscard]] std::string spelled() const;
+};
+
+namespace detail {
+
+/// @throws OptionError  the text is no number, or outside of the range
+[[nodiscard]] double number_option(const Field& field, std::string_view text);
+[[nodiscard]] std::int64_t whole_option(const Field& field, std::string_view text);
+[[nodiscard]] bool flag_option(const Field& field, std::string_view text);
+[[noreturn]] void refuse_choice(const Field& field, std::string_view text,
+                                std::span<const std::string_view> choices);
+[[noreturn]] void refuse_unknown_option(std::string_view name, std::span<const Option> known);
+
+template <class Value>
+[[nodiscard]] Option option_of(const Field& field) {
+  if constexpr (is_optional<Value>) {
+    Option option = option_of<typename Value::value_type>(field);
+    option.required = false;
+    return option;
+  } else if constexpr (is_vector<Value>) {
+    Option option = option_of<typename Value::value_type>(field);
+    option.required = false;
+    option.repeatable = true;
+    return option;
+  } else {
+    Option option{.field = field, .required = field.fallback.empty()};
+    if constexpr (std::is_same_v<Value, bool>) {
+      option.kind = OptionKind::flag;
+      option.required = false;
+    } else if constexpr (std::is_enum_v<Value>) {
+      option.kind = OptionKind::choice;
+      option.choices.assign(EnumNames<Value>::names.begin(), EnumNames<Value>::names.end());
+    } else if constexpr (std::is_integral_v<Value>) {
+      option.kind = OptionKind::whole;
+    } else if constexpr (std::is_same_v<Value, double>) {
+      option.kind = OptionKind::number;
+    } else {
+      static_assert(std::is_same_v<Value, std::string>);
+    }
+    return option;
+  }
+}
+
+template <class Value>
+void assign_option(Value& value, const Field& field, std::string_view text) {
+  if constexpr (is_optional<Value>) {
+    assign_option(value.emplace(), field, text);
+  } else if constexpr (is_vector<Value>) {
+    assign_option(value.emplace_back(), field, text);
+  } else if constexpr (std::is_same_v<Value, bool>) {
+    value = flag_option(field, text);
+  } else if constexpr (std::is_enum_v<Value>) {
+    const auto named = enum_value<Value>(text);
+    if (!named) refuse_choice(field, text, EnumNames<Value>::names);
+    value = *named;
+  } else if constexpr (std::is_integral_v<Value>) {
+    value = static_cast<Value>(whole_option(field, text));
+  } else if constexpr (std::is_same_v<Value, double>) {
+    value = number_option(field, text);
+  } else {
+    value = text;
+  }
+}
+
+}  // namespace detail
+
+/// The type of the options of a command, erased.
+struct OptionsType {
+  std::vector<Option> options;
+  std::shared_ptr<void> (*make)();
+  void (*set)(void* options, std::string_view name, std::string_view text);
+  void (*visit)(const void* options, ValueVisitor& to);
+  void (*walk)(const Field& field, TypeVisitor& to);
+};
+
+template <Described Options>
+[[nodiscard]] OptionsType options_type() {
+  OptionsType type{
+      .options = {},
+      .make = []() -> std::shared_ptr<void> { return std::make_shared<Options>(); },
+      .set =
+          [](void* options, std::string_view name, std::string_view text) {
+            Options::describe([&](const Field& field, auto member) {
+              if (field.name == name)
+                detail::assign_option(static_cast<Options*>(options)->*member, field, text);
+            });
+          },
+      .visit = [](const void* options,
+                  ValueVisitor& to) { visit_value(*static_cast<const Options*>(options), {}, to); },
+      .walk = visit_type<Options>};
+  Options::describe([&](const Field& field, auto member) {
+    type.options.push_back(detail::option_of<MemberValue<Options, decltype(member)>>(field));
+  });
+  return type;
+}
+
+/// Options of some command while they are being set.
+class OptionValues {
+ public:
+  explicit OptionValues(const OptionsType& type) : type_(&type), values_(type.make()) {}
+
+  /// Sets an option from text, as the command line has it; "true" for a flag.  An option that may
+  /// be repeated takes one text a call.
+  /// @param name  as its struct has it: "all_sets"
+  /// @throws OptionError  there is no such option, or it does not take this text
+  void set(std::string_view name, std::string_view text);
+  /// Sets the options that a JSON object names; a list sets a repeatable option.
+  /// @throws OptionError  the text is no such object, or as `set`
+  void set_from_json(std::string_view json);
+  /// @throws OptionError  a required option was not set
+  void require_complete() const;
+
+  [[nodiscard]] const void* get() const { return values_.get(); }
+
+ private:
+  const OptionsType* type_;
+  std::shared_ptr<void> values_;
+  std::vector<std::string> given_;
+};
+
+}  // namespace strainwave

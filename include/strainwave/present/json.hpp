@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "strainwave/core/described.hpp"
+
+namespace strainwave {
+
+/// How the numbers of a JSON document stand.
+enum class JsonNumbers {
+  with_unit,  ///< {"value": 0.003, "unit": "m"}; a column tells its unit once
+  as_input,   ///< "0.003 m", in the form that the reader of drives accepts
+};
+
+/// Writes described values as JSON, two spaces deeper at each level; a quantity, and a column with
+/// its values, stands on one line.  Text may be any bytes; the document is UTF-8.
+class JsonWriter : public ValueVisitor {
+ public:
+  explicit JsonWriter(JsonNumbers numbers = JsonNumbers::with_unit) : numbers_(numbers) {}
+
+  /// The document, ended by a line feed.
+  [[nodiscard]] std::string document() const { return text_ + '\n'; }
+  /// Other numbers from here on.
+  void write_numbers(JsonNumbers numbers) { numbers_ = numbers; }
+  /// A field and its text, flag or null.
+  void member(std::string_view name, std::string_view value);
+  void member(std::string_view name, const char* value) { member(name, std::string_view(value)); }
+  void member(std::string_view name, bool value);
+
+  void begin_record() override;
+  void end_record() override;
+  bool field(const Field& field) override;
+  void begin_list() override;
+  void end_list() override;
+  void begin_column(const Field& field) override;
+  void end_column() override;
+  void number(double value, const Field& field) override;
+  void quantity(const Quantity& value) override;
+  void whole(std::int64_t value) override;
+  void flag(bool value) override;
+  void text(std::string_view value) override;
+  void nothing() override;
+
+ private:
+  void open(char bracket);
+  void close(char bracket);
+  void separate();
+  void line();
+
+  JsonNumbers numbers_;
+  std::string text_;
+  std::vector<bool> empty_;  // of each open bracket
+  int columns_ = 0;          // open columns: what is inside stays on the line
+  bool keyed_ = false;       // a key was written, and its value comes next
+};
+
+/// A described value as a JSON document.
+template <class T>
+[[nodiscard]] std::string json_of(const T& value, JsonNumbers numbers = JsonNumbers::with_unit) {
+  JsonWriter writer(numbers);
+  visit_value(value, {}, writer);
+  return writer.document();
+}
+
+}  // namespace strainwave

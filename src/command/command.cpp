@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/command/command.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "strainwave/core/nearest.hpp"
+#include "strainwave/core/quadrature.hpp"
+#include "strainwave/core/version.hpp"
+#include "strainwave/present/json.hpp"
+#include "strainwave/present/schema.hpp"
+
+namespace strainwave {
+namespace {
+
+constexpr std::string_view kEnvelope = "strainwave-result/1";
+
+Field named(std::string_view name) { return {.name = name, .unit = {}, .doc = {}}; }
+
+}  // namespace
+
+Answer::Answer(const Command& command, std::shared_ptr<const Drive> drive,
+               const OptionValues& options, const Progress& progress)
+    : command_(&command), drive_(std::move(drive)), options_(options) {
+  options_.require_complete();
+  result_ = command.run(command, {.drive = *drive_, .progress = progress}, options_.get());
+  evidence_ = command.evidence(result_.get());
+  provenance_ = {.version = std::string(version()),
+                 .revision = std::string(git_revision()),
+                 .input_file = drive_->name,
+                 .quadrature_tolerance = QuadratureOptions{}.relative_tolerance};
+}
+
+std::string Answer::json() const {
+  JsonWriter to;
+  const auto part = [&](std::string_view name, const auto& value) {
+    if (to.field(named(name))) visit_value(value, {}, to);
+  };
+  to.begin_record();
+  to.member("format", kEnvelope);
+  to.member("command", command_->name);
+  to.member("usable", usable());
+  to.member("unusable_because", evidence_.unusable_because);
+  part("verdict", evidence_.verdict);
+  part("notes", evidence_.notes);
+  part("equations", evidence_.equations);
+  part("accuracies", evidence_.accuracies);
+  if (to.field(named("result"))) visit(to);
+  if (to.field(named("provenance"))) {
+    to.begin_record();
+    to.member("program", "strainwave");
+    to.member("version", provenance_.version);
+    to.member("revision", provenance_.revision);
+    to.write_numbers(JsonNumbers::as_input);
+    if (to.field(named("options"))) command_->options.visit(options_.get(), to);
+    if (command_->takes == Takes::drive) {
+      to.member("input_file", provenance_.input_file);
+      part("input", drive_->gear);
+    }
+    to.end_record();
+  }
+  to.end_record();
+  return to.document();
+}
+
+std::string Answer::document(std::string_view name) const {
+  if (name == "json") return json();
+  const auto found = std::ranges::find(command_->documents, name, &Document::name);
+  if (found == command_->documents.end()) {
+    std::vector<std::string_view> names = {"json"};
+    for (const Document& document : command_->documents) names.push_back(document.name);
+    throw OptionError("document", fmt::format("{} makes no {}; it makes {}", command_->name,
+                                              shown(name), fmt::join(names, ", ")));
+  }
+  return command_->write(*command_, static_cast<std::size_t>(found - command_->documents.begin()),
+                         result_.get(), {.drive = *drive_, .provenance = provenance_});
+}
+
+std::string result_schema(const Command& command) {
+  using Json = nlohmann::ordered_json;
+  const auto of = [](TypeWalk walk) { return Json::parse(schema_of(walk, SchemaOf::result)); };
+  const Json text = {{"type", "string"}};
+  Json provenance = {{"type", "object"},
+                     {"properties",
+                      {{"program", {{"const", "strainwave"}}},
+                       {"version", text},
+                       {"revision", text},
+                       {"options", {{"type", "object"}}},
+                       {"input_file", text},
+                       {"input", {{"type", "object"}}}}},
+                     {"required", {"program", "version", "revision", "options"}},
+                     {"additionalProperties", false}};
+  Json properties = {{"format", {{"const", kEnvelope}}},
+                     {"command", {{"const", command.name}}},
+                     {"usable", {{"type", "boolean"}}},
+                     {"unusable_because", text},
+                     {"verdict", of(visit_type<Verdict>)},
+                     {"notes", of(visit_type<std::vector<Note>>)},
+                     {"equations", of(visit_type<std::vector<std::string>>)},
+                     {"accuracies", of(visit_type<std::vector<AccuracyBasis>>)},
+                     {"result", of(command.walk)},
+                     {"provenance", std::move(provenance)}};
+  Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                 {"title", fmt::format("strainwave {}: {}", command.name, command.summary)},
+                 {"type", "object"}};
+  Json required = Json::array();
+  for (const auto& [name, value] : properties.items()) required.push_back(name);
+  schema["properties"] = std::move(properties);
+  schema["required"] = std::move(required);
+  schema["additionalProperties"] = false;
+  return schema.dump(2) + '\n';
+}
+
+std::string options_schema(const Command& command) {
+  using Json = nlohmann::ordered_json;
+  Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                 {"title", fmt::format("Options of strainwave {}", command.name)}};
+  schema.update(Json::parse(schema_of(command.options.walk, SchemaOf::options)));
+  return schema.dump(2) + '\n';
+}
+
+const Command& command_named(std::span<const Command> table, std::string_view name) {
+  const auto found = std::ranges::find(table, name, &Command::name);
+  if (found != table.end()) return *found;
+  std::vector<std::string> names;
+  for (const Command& command : table) names.emplace_back(command.name);
+  const std::string near = nearest_word(name, names);
+  throw OptionError("command", near.empty() ? fmt::format("{} is no command; known are {}",
+                                                          shown(name), fmt::join(names, ", "))
+                                            : fmt::format("{} is no command; did you mean {}?",
+                                                          shown(name), near));
+}
+
+}  // namespace strainwave

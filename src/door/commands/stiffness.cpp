@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/door/door.hpp"
+#include "strainwave/io/result_writer.hpp"
+#include "strainwave/study/evaluate.hpp"
+#include "strainwave/study/strength_report.hpp"
+
+namespace strainwave {
+namespace {
+
+struct StiffnessOptions {
+  Method method = Method::corrected;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({.name = "method",
+           .unit = "",
+           .doc = "as-printed, repaired or corrected",
+           .fallback = "corrected"},
+          &StiffnessOptions::method);
+  }
+};
+
+StiffnessResult stiffness(const Request& request, const StiffnessOptions& options) {
+  return evaluate(request.drive.gear, options.method);
+}
+
+}  // namespace
+
+Command stiffness_command() {
+  using Result = StiffnessResult;
+  return command<StiffnessOptions, Result>({
+      .name = "stiffness",
+      .summary = "Torsional stiffness of a drive, sound and cracked",
+      .description =
+          "Reads a drive and its cracks and prints the compliance of each member at the output "
+          "with the input locked, without and with its cracks, the stiffness K_HD for both senses "
+          "of torque, what the cracks changed, the accuracy of each number, the validity notes "
+          "and the equations of the theory manual. Where a material gives toughness and yield "
+          "strength, also the strength of each crack at the given load: stress intensity against "
+          "toughness, net section against yield, reserve and critical size by a failure "
+          "assessment diagram (option 1 of BS 7910), which --plot draws and --fad tabulates; a "
+          "crack that fractures is answered, with a warning. Three methods: as-printed evaluates "
+          "every equation of the article, misprints included; repaired mends its outright errors; "
+          "corrected is the one to use. The json format carries all digits, units, uncertainties "
+          "and the input as it was understood.",
+      .example = "strainwave stiffness examples/article.toml --format json --output article.json",
+      .function = stiffness,
+      .documents = {{{.name = "text"},
+                     [](const Result& result, const Rendering& to) {
+                       return result_text(result, to.drive.gear, to.provenance);
+                     }},
+                    {{.name = "csv", .format = Format::csv},
+                     [](const Result& result, const Rendering&) { return outputs_csv(result); }},
+                    {{.name = "plot",
+                      .format = Format::svg,
+                      .option = "plot",
+                      .doc = "draw the failure assessment diagram of the cracks as an SVG file"},
+                     [](const Result& result, const Rendering& to) {
+                       return failure_assessment_plot(result, to.drive.gear);
+                     }},
+                    {{.name = "fad",
+                      .format = Format::csv,
+                      .option = "fad",
+                      .doc = "write the failure assessment diagram as a CSV table"},
+                     [](const Result& result, const Rendering& to) {
+                       return failure_assessment_csv(result, to.drive.gear);
+                     }}},
+  });
+}
+
+}  // namespace strainwave

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/door/door.hpp"
+
+#include <utility>
+
+#include "strainwave/io/gear_reader.hpp"
+
+namespace strainwave {
+
+std::shared_ptr<const Drive> read_drive(std::string text, std::string name) {
+  auto drive = std::make_shared<Drive>();
+  drive->gear = read_gear_set(text, name);
+  drive->text = std::move(text);
+  drive->name = std::move(name);
+  return drive;
+}
+
+Answer run(const Command& command, std::shared_ptr<const Drive> drive, const OptionValues& options,
+           const Progress& progress) {
+  static const auto no_drive = std::make_shared<const Drive>();
+  return {command, drive ? std::move(drive) : no_drive, options, progress};
+}
+
+}  // namespace strainwave

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/model/result/result_fields.hpp"
+
+namespace strainwave {
+
+/// A value begins: in a list its index ends the path.
+void OutputWalk::element() {
+  if (levels_.empty() || !levels_.back().list) return;
+  Level& list = levels_.back();
+  path_.resize(list.length);
+  path_ += '[' + std::to_string(list.next++) + ']';
+}
+
+void OutputWalk::begin_record() {
+  element();
+  levels_.push_back({.length = path_.size()});
+}
+
+void OutputWalk::end_record() {
+  path_.resize(levels_.back().length);
+  levels_.pop_back();
+}
+
+bool OutputWalk::field(const Field& field) {
+  if (field.detail) return false;
+  path_.resize(levels_.back().length);
+  if (!path_.empty()) path_ += '.';
+  path_ += field.name;
+  return true;
+}
+
+void OutputWalk::begin_list() {
+  element();
+  levels_.push_back({.length = path_.size(), .list = true});
+}
+
+void OutputWalk::end_list() { end_record(); }
+
+void OutputWalk::begin_column(const Field&) { ++columns_; }
+
+void OutputWalk::end_column() { --columns_; }
+
+void OutputWalk::number(double value, const Field& field) {
+  quantity({.value = value, .unit = field.unit});
+}
+
+void OutputWalk::quantity(const Quantity& value) {
+  if (columns_ > 0) return;
+  element();
+  read_(path_, value);
+}
+
+void OutputWalk::whole(std::int64_t) {}
+void OutputWalk::flag(bool) {}
+void OutputWalk::text(std::string_view) {
+  if (columns_ == 0) element();
+}
+void OutputWalk::nothing() {}
+
+}  // namespace strainwave
