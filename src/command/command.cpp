@@ -22,16 +22,20 @@ Field named(std::string_view name) { return {.name = name, .unit = {}, .doc = {}
 
 }  // namespace
 
+Provenance provenance_of(const Drive& drive) {
+  return {.version = std::string(version()),
+          .revision = std::string(git_revision()),
+          .input_file = drive.name,
+          .quadrature_tolerance = QuadratureOptions{}.relative_tolerance};
+}
+
 Answer::Answer(const Command& command, std::shared_ptr<const Drive> drive,
                const OptionValues& options, const Progress& progress)
     : command_(&command), drive_(std::move(drive)), options_(options) {
   options_.require_complete();
   result_ = command.run(command, {.drive = *drive_, .progress = progress}, options_.get());
   evidence_ = command.evidence(result_.get());
-  provenance_ = {.version = std::string(version()),
-                 .revision = std::string(git_revision()),
-                 .input_file = drive_->name,
-                 .quadrature_tolerance = QuadratureOptions{}.relative_tolerance};
+  provenance_ = provenance_of(*drive_);
 }
 
 std::string Answer::json() const {

@@ -4,23 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <vector>
 
 #include "report_cells.hpp"
-#include "report_json.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/io/result_writer.hpp"
 
 namespace strainwave {
 namespace {
-
-std::vector<const MaterialRecord*> records_for(std::optional<MaterialUse> use) {
-  std::vector<const MaterialRecord*> records;
-  for (const MaterialRecord& record : material_library())
-    if (!use || std::ranges::find(record.use, *use) != record.use.end()) records.push_back(&record);
-  return records;
-}
 
 std::string use_text(const MaterialRecord& record) {
   std::vector<std::string_view> names;
@@ -93,10 +84,10 @@ std::vector<Datum> data_of(const MaterialRecord& record) {
   return data;
 }
 
-std::set<std::string> sources_of(const MaterialRecord& record) {
-  std::set<std::string> keys;
-  for (const Datum& datum : data_of(record)) keys.insert(datum.evidence->source);
-  return keys;
+void add(MaterialData& data, const MaterialRecord& record) {
+  data.material.push_back(record);
+  for (const Datum& datum : data_of(record))
+    data.source[datum.evidence->source] = material_source(datum.evidence->source);
 }
 
 // --- Text ---------------------------------------------------------------------------------------
@@ -112,96 +103,45 @@ std::string cell(const std::optional<Sourced<Kind>>& number, double unit) {
                      number->confidence == Confidence::unverified ? "*" : "");
 }
 
-// --- JSON ---------------------------------------------------------------------------------------
-
-/// Any described value of a record; numbers with their units.
-template <class T>
-Json plain_json(const T& value, const Field& field);
-
-template <Described T>
-Json table_json(const T& value) {
-  Json json = Json::object();
-  T::describe([&](const Field& field, auto member) {
-    json[std::string(field.name)] = plain_json(value.*member, field);
-  });
-  return json;
-}
-
-template <class T>
-Json plain_json(const T& value, const Field& field) {
-  if constexpr (std::is_same_v<T, double>) {
-    return quantity_json(value, field.unit);
-  } else if constexpr (is_optional<T>) {
-    return value ? plain_json(*value, field) : Json();
-  } else if constexpr (is_pair_of_numbers<T>) {
-    return Json::array({value[0], value[1]});
-  } else if constexpr (std::is_enum_v<T>) {
-    return enum_name(value);
-  } else if constexpr (std::is_same_v<T, std::string>) {
-    return value;
-  } else if constexpr (is_variant<T>) {
-    return std::visit(
-        [](const auto& one) {
-          Json json = {{"kind", one.kKind}};
-          json.update(table_json(one));
-          return json;
-        },
-        value);
-  } else if constexpr (is_vector<T>) {
-    Json json = Json::array();
-    for (const auto& element : value) json.push_back(plain_json(element, field));
-    return json;
-  } else {
-    return table_json(value);
-  }
-}
-
-std::string dumped(const Json& json) { return json.dump(2) + "\n"; }
-
-Json sources_json(const std::set<std::string>& keys) {
-  Json json = Json::object();
-  for (const std::string& key : keys) json[key] = material_source(key);
-  return json;
-}
-
 }  // namespace
 
-std::string material_list_text(std::optional<MaterialUse> use) {
+MaterialData material_list(std::optional<MaterialUse> use) {
+  MaterialData data;
+  for (const MaterialRecord& record : material_library())
+    if (!use || std::ranges::find(record.use, *use) != record.use.end()) add(data, record);
+  return data;
+}
+
+MaterialData material_show(std::string_view name) {
+  MaterialData data;
+  add(data, require_material(name));
+  return data;
+}
+
+std::string material_list_text(const MaterialData& data) {
   std::string text =
       "Steels of the material library; * unverified, - not known\n"
       "E in GPa, strengths in MPa, K_Ic in MPa*m^0.5\n\n";
   text += fmt::format("{:<22}{:>7}{:>8}{:>8}{:>9}{:>8}  {:<15}{}\n", "name", "E", "nu", "yield",
                       "tensile", "K_Ic", "growth", "use");
-  for (const MaterialRecord* const record : records_for(use)) {
+  for (const MaterialRecord& record : data.material) {
     std::vector<std::string_view> laws;
-    for (const GrowthLaw& law : record->growth) {
+    for (const GrowthLaw& law : record.growth) {
       const std::string_view kind = std::visit([](const auto& one) { return one.kKind; }, law);
       if (std::ranges::find(laws, kind) == laws.end()) laws.push_back(kind);
     }
-    text += fmt::format("{:<22}{:>7}{:>8}{:>8}{:>9}{:>8}  {:<15}{}\n", record->name,
-                        cell(record->youngs_modulus, units::GPa), cell(record->poissons_ratio, 1),
-                        cell(record->yield_strength, units::MPa),
-                        cell(record->ultimate_strength, units::MPa),
-                        cell(record->fracture_toughness, units::MPa),
+    text += fmt::format("{:<22}{:>7}{:>8}{:>8}{:>9}{:>8}  {:<15}{}\n", record.name,
+                        cell(record.youngs_modulus, units::GPa), cell(record.poissons_ratio, 1),
+                        cell(record.yield_strength, units::MPa),
+                        cell(record.ultimate_strength, units::MPa),
+                        cell(record.fracture_toughness, units::MPa),
                         laws.empty() ? std::string("-") : fmt::format("{}", fmt::join(laws, ", ")),
-                        use_text(*record));
+                        use_text(record));
   }
   return text + "\nstrainwave material show NAME gives sources, scatter and remarks.\n";
 }
 
-std::string material_list_json(std::optional<MaterialUse> use) {
-  Json json = {
-      {"format", kMaterialFormat}, {"source", Json::object()}, {"material", Json::array()}};
-  std::set<std::string> keys;
-  for (const MaterialRecord* const record : records_for(use)) {
-    keys.merge(sources_of(*record));
-    json["material"].push_back(table_json(*record));
-  }
-  json["source"] = sources_json(keys);
-  return dumped(json);
-}
-
-std::string material_list_markdown(std::optional<MaterialUse> use) {
+std::string material_list_markdown(const MaterialData& data) {
   std::string text =
       "# Material library\n\nMade by `strainwave material list --format markdown` from "
       "`data/materials.toml`.\n\n"
@@ -212,29 +152,26 @@ std::string material_list_markdown(std::optional<MaterialUse> use) {
       "the\nlibrary, and which of it is unverified.\n\n"
       "What the confidences mean, and how numbers were converted, is in chapter MA of the theory\n"
       "manual. Scatter is one standard deviation over the value.\n";
-  std::set<std::string> keys;
-  for (const MaterialRecord* const record : records_for(use)) {
-    keys.merge(sources_of(*record));
-    text += fmt::format("\n## {}\n\nFor: {}. Treatment: {}.", record->name, use_text(*record),
-                        record->treatment);
-    if (!record->aliases.empty())
-      text += fmt::format(" Also: {}.", fmt::join(record->aliases, ", "));
-    if (!record->remark.empty()) text += fmt::format(" Remark: {}.", record->remark);
+  for (const MaterialRecord& record : data.material) {
+    text += fmt::format("\n## {}\n\nFor: {}. Treatment: {}.", record.name, use_text(record),
+                        record.treatment);
+    if (!record.aliases.empty()) text += fmt::format(" Also: {}.", fmt::join(record.aliases, ", "));
+    if (!record.remark.empty()) text += fmt::format(" Remark: {}.", record.remark);
     text +=
         "\n\n| what | value | confidence | scatter | source | remark "
         "|\n|---|---|---|---|---|---|\n";
-    for (const Datum& datum : data_of(*record))
+    for (const Datum& datum : data_of(record))
       text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", datum.what, datum.value,
                           enum_name(datum.evidence->confidence), scatter_text(*datum.evidence),
                           datum.evidence->source, datum.evidence->remark);
   }
   text += "\n## Sources\n\n| key | source |\n|---|---|\n";
-  for (const std::string& key : keys)
-    text += fmt::format("| {} | {} |\n", key, material_source(key));
+  for (const auto& [key, work] : data.source) text += fmt::format("| {} | {} |\n", key, work);
   return text;
 }
 
-std::string material_text(const MaterialRecord& record) {
+std::string material_text(const MaterialData& data) {
+  const MaterialRecord& record = data.material.front();
   std::string text = record.name + '\n';
   const auto line = [&](std::string_view label, const std::string& content) {
     if (!content.empty()) text += paragraph(fmt::format("{}: {}", label, content), 2);
@@ -252,15 +189,9 @@ std::string material_text(const MaterialRecord& record) {
     if (!datum.evidence->remark.empty()) text += paragraph(datum.evidence->remark, 4);
   }
   text += "\nSources\n";
-  for (const std::string& key : sources_of(record))
-    text += paragraph(fmt::format("{}: {}", key, material_source(key)), 2);
+  for (const auto& [key, work] : data.source)
+    text += paragraph(fmt::format("{}: {}", key, work), 2);
   return text;
-}
-
-std::string material_json(const MaterialRecord& record) {
-  Json json = table_json(record);
-  json["sources"] = sources_json(sources_of(record));
-  return dumped(json);
 }
 
 }  // namespace strainwave

@@ -10,7 +10,6 @@
 
 #include "display_unit.hpp"
 #include "report_cells.hpp"
-#include "report_json.hpp"
 #include "strainwave/io/result_writer.hpp"
 #include "strainwave/study/plot.hpp"
 
@@ -177,47 +176,6 @@ std::string notes_text(const std::vector<Note>& notes) {
   return text;
 }
 
-Json notes_json(const std::vector<Note>& notes) {
-  Json list = Json::array();
-  for (const Note& note : notes)
-    list.push_back({{"code", note.code},
-                    {"text", note.text},
-                    {"path", note.path},
-                    {"equation", note.equation}});
-  return list;
-}
-
-Json number_or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
-
-Json scatter_json(const Scatter& scatter) {
-  Json json = {{"samples", scatter.samples}, {"evaluated", scatter.evaluated},
-               {"refused", scatter.refused}, {"unusable", scatter.unusable},
-               {"seed", scatter.seed},       {"inputs", Json::array()},
-               {"outputs", Json::array()}};
-  for (const InputScatter& input : scatter.inputs)
-    json["inputs"].push_back({{"path", input.path},
-                              {"relative_standard_deviation", input.relative_standard_deviation},
-                              {"distribution", enum_name(input.distribution)},
-                              {"source", input.source}});
-  for (const ScatterOutput& output : scatter.outputs)
-    json["outputs"].push_back(
-        {{"name", output.name},
-         {"unit", output.unit},
-         {"value", output.value},
-         {"first_order", {{"relative_deviation", output.first_order}, {"share", output.share}}},
-         {"monte_carlo",
-          {{"mean", output.mean},
-           {"mean_relative_error", output.mean_error},
-           {"relative_deviation", output.relative_deviation},
-           {"relative_deviation_error", output.relative_deviation_error},
-           {"low", output.low},
-           {"median", output.median},
-           {"high", output.high}}},
-         {"model_relative_uncertainty", number_or_null(output.model_uncertainty)}});
-  json["notes"] = notes_json(scatter.notes);
-  return json;
-}
-
 /// A path as a field of a CSV line, quoted where it must be (RFC 4180).
 /// Bars of the outputs of one kind that a panel shows, the largest on top.
 TornadoPanel panel_of(const Sensitivity& sensitivity, const std::vector<std::size_t>& outputs) {
@@ -270,38 +228,13 @@ std::string sensitivity_text(const SensitivityReport& report, const GearSet& gea
   return text;
 }
 
-std::string sensitivity_json(const SensitivityReport& report) {
-  const Sensitivity& sensitivity = report.sensitivity;
-  Json json;
-  json["method"] = "corrected";
-  json["usable"] = sensitivity.usable();
-  if (!sensitivity.usable()) json["unusable_because"] = sensitivity.unusable_because;
-  json["homogeneity_residual"] = sensitivity.homogeneity_residual();
-  json["outputs"] = Json::array();
-  for (const SensitivityOutput& output : sensitivity.outputs)
-    json["outputs"].push_back(
-        {{"name", output.name},
-         {"value", output.value.value},
-         {"unit", output.value.unit},
-         {"relative_uncertainty", number_or_null(output.value.relative_uncertainty)},
-         {"length_residual", output.length_residual},
-         {"force_residual", output.force_residual}});
-  json["inputs"] = Json::array();
-  for (const SensitivityInput& input : sensitivity.inputs) {
-    Json influence = Json::object();
-    for (std::size_t y = 0; y < sensitivity.outputs.size(); ++y)
-      influence[sensitivity.outputs[y].name] = {{"derivative", input.influence[y].derivative},
-                                                {"elasticity", input.influence[y].elasticity}};
-    json["inputs"].push_back({{"path", input.path},
-                              {"value", input.value},
-                              {"unit", input.unit},
-                              {"influence", std::move(influence)}});
-  }
-  json["no_influence"] = sensitivity.no_influence;
-  if (report.scatter) json["scatter"] = scatter_json(*report.scatter);
-  json["notes"] = notes_json(sensitivity.notes);
-  // Names in a file may be any bytes; JSON must be UTF-8.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+ResultEvidence evidence_of(const SensitivityReport& report) {
+  ResultEvidence evidence = evidence_of(report.sensitivity);
+  if (report.scatter)
+    evidence.notes.insert(evidence.notes.end(), report.scatter->notes.begin(),
+                          report.scatter->notes.end());
+  evidence.verdict = verdict_of(evidence.unusable_because, evidence.notes);
+  return evidence;
 }
 
 std::string sensitivity_csv(const SensitivityReport& report) {

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "display_unit.hpp"
-#include "report_json.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/nearest.hpp"
 #include "strainwave/core/quantity_text.hpp"
@@ -417,22 +416,6 @@ std::string quantity_line(std::string_view name, const Quantity& q) {
   return line;
 }
 
-Json solution_json(const Solution& solution) {
-  Json json = {{"value", quantity_json(solution.value)},
-               {"output", quantity_json(solution.output)}};
-  json["outputs"] = Json::object();
-  for_each_quantity(solution.result, [&](const std::string& path, const Quantity& q) {
-    json["outputs"][path] = quantity_json(q);
-  });
-  json["notes"] = Json::array();
-  for (const Note& note : solution.result.notes)
-    json["notes"].push_back({{"code", note.code},
-                             {"text", note.text},
-                             {"path", note.path},
-                             {"equation", note.equation}});
-  return json;
-}
-
 }  // namespace
 
 Unknown parse_unknown(const GearSet& gear, std::string_view text) {
@@ -548,31 +531,19 @@ std::string solve_text(const SolveResult& result) {
   return text;
 }
 
-std::string solve_json(const SolveResult& result) {
-  const std::string_view unit = result.target.unit;
-  Json json;
-  json["method"] = enum_name(result.method);
-  json["path"] = result.path;
-  json["present"] = quantity_json(result.present, result.unit);
-  json["target"] = {
-      {"output", result.target.output}, {"value", result.target.value}, {"unit", unit}};
-  json["searched"] = {{"from", quantity_json(result.searched.from, result.unit)},
-                      {"to", quantity_json(result.searched.to, result.unit)}};
-  json["least"] = result.least ? quantity_json(*result.least, unit) : Json();
-  json["greatest"] = result.greatest ? quantity_json(*result.greatest, unit) : Json();
-  json["excluded"] = Json::array();
-  for (const Excluded& part : result.excluded)
-    json["excluded"].push_back({{"from", quantity_json(part.from, result.unit)},
-                                {"to", quantity_json(part.to, result.unit)},
-                                {"refused", part.refused},
-                                {"reason", part.reason}});
-  json["usable"] = result.usable();
-  json["reason"] = result.reason;
-  json["solutions"] = Json::array();
-  for (const Solution& solution : result.solutions)
-    json["solutions"].push_back(solution_json(solution));
-  // Names in a file may be any bytes; JSON must be UTF-8.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+ResultEvidence evidence_of(const SolveResult& result) {
+  ResultEvidence evidence;
+  if (!result.solutions.empty()) evidence = evidence_of(result.solutions.front().result);
+  if (!result.usable())
+    evidence.unusable_because = result.reason;
+  else if (!result.reason.empty())
+    evidence.notes.push_back({.code = "solve.remark",
+                              .text = result.reason,
+                              .path = result.path,
+                              .equation = {},
+                              .severity = Severity::care});
+  evidence.verdict = verdict_of(evidence.unusable_because, evidence.notes);
+  return evidence;
 }
 
 }  // namespace strainwave

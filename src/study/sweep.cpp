@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "report_cells.hpp"
-#include "report_json.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/model/input/vary_option.hpp"
 #include "strainwave/model/result/result_fields.hpp"
@@ -59,28 +58,6 @@ void gather_notes(std::vector<SweepNote>& gathered, const std::vector<Note>& not
 }
 
 /// A field of a CSV line, quoted where it must be (RFC 4180).
-Json columns_json(const SweepResult& result) {
-  Json columns = Json::array();
-  for (const auto* const group : {&result.inputs, &result.outputs})
-    for (const auto& [name, unit] : *group) columns.push_back({{"name", name}, {"unit", unit}});
-  return columns;
-}
-
-Json row_json(const SweepRow& row, std::size_t n_outputs) {
-  Json values = row.inputs;
-  Json uncertainties(row.inputs.size(), Json());
-  for (std::size_t i = 0; i < n_outputs; ++i) {
-    const bool given = i < row.outputs.size() && row.outputs[i];
-    values.push_back(given ? Json(row.outputs[i]->value) : Json());
-    uncertainties.push_back(given && row.outputs[i]->relative_uncertainty
-                                ? Json(*row.outputs[i]->relative_uncertainty)
-                                : Json());
-  }
-  return {{"values", std::move(values)},
-          {"relative_uncertainties", std::move(uncertainties)},
-          {"usable", row.usable()},
-          {"reason", row.reason}};
-}
 
 }  // namespace
 
@@ -156,33 +133,43 @@ std::string sweep_csv(const SweepResult& result) {
   return csv;
 }
 
-std::string sweep_json(const SweepResult& result) {
-  Json json;
-  json["method"] = enum_name(result.method);
-  json["variations"] = Json::array();
-  for (std::size_t i = 0; i < result.variations.size(); ++i) {
-    const Variation& variation = result.variations[i];
-    json["variations"].push_back({{"path", variation.path},
-                                  {"unit", result.inputs[i].unit},
-                                  {"from", variation.from},
-                                  {"to", variation.to},
-                                  {"points", variation.n_points},
-                                  {"spacing", enum_name(variation.spacing)}});
+std::vector<SweepValues> SweepResult::columns() const {
+  std::vector<SweepValues> columns;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    SweepValues column{inputs[i].name, inputs[i].unit, true, {}, {}};
+    for (const SweepRow& row : rows) column.values.emplace_back(row.inputs[i]);
+    columns.push_back(std::move(column));
   }
-  json["columns"] = columns_json(result);
-  json["rows"] = Json::array();
-  for (const SweepRow& row : result.rows)
-    json["rows"].push_back(row_json(row, result.outputs.size()));
-  json["notes"] = Json::array();
-  for (const auto& [note, first_row, n_rows] : result.notes)
-    json["notes"].push_back({{"code", note.code},
-                             {"text", note.text},
-                             {"path", note.path},
-                             {"equation", note.equation},
-                             {"first_row", first_row},
-                             {"rows", n_rows}});
-  // Names in a file may be any bytes; JSON must be UTF-8.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    SweepValues column{outputs[i].name, outputs[i].unit, false, {}, {}};
+    for (const SweepRow& row : rows) {
+      const bool there = i < row.outputs.size() && row.outputs[i];
+      column.values.push_back(there ? std::optional(row.outputs[i]->value) : std::nullopt);
+      column.relative_uncertainties.push_back(there ? row.outputs[i]->relative_uncertainty
+                                                    : std::nullopt);
+    }
+    columns.push_back(std::move(column));
+  }
+  return columns;
+}
+
+ResultEvidence evidence_of(const SweepResult& result) {
+  ResultEvidence evidence;
+  for (const SweepNote& note : result.notes) evidence.notes.push_back(note.note);
+  const auto n_unusable = std::ranges::count(result.rows, false, &SweepRow::usable);
+  const std::string sentence =
+      fmt::format("{} of {} points are not usable; the column `reason` says why", n_unusable,
+                  result.rows.size());
+  if (n_unusable == std::ssize(result.rows))
+    evidence.unusable_because = sentence;
+  else if (n_unusable > 0)
+    evidence.notes.push_back({.code = "sweep.unusable_points",
+                              .text = sentence,
+                              .path = {},
+                              .equation = {},
+                              .severity = Severity::care});
+  evidence.verdict = verdict_of(evidence.unusable_because, evidence.notes);
+  return evidence;
 }
 
 }  // namespace strainwave

@@ -29,6 +29,9 @@ struct Drive {
   std::string name;  ///< of the text, for messages: "drive.toml"
 };
 
+/// Where what is computed from a drive comes from.
+[[nodiscard]] Provenance provenance_of(const Drive& drive);
+
 /// What a command gets besides its options.
 struct Request {
   const Drive& drive;  ///< empty for a command that takes none

@@ -37,6 +37,8 @@ template <class T>
 inline constexpr bool is_array_of_numbers = false;
 template <>
 inline constexpr bool is_array_of_numbers<std::vector<double>> = true;
+template <>
+inline constexpr bool is_array_of_numbers<std::vector<std::optional<double>>> = true;
 template <std::size_t N>
 inline constexpr bool is_array_of_numbers<std::array<double, N>> = true;
 
@@ -143,7 +145,7 @@ void visit_value(const T& value, const Field& field, ValueVisitor& to) {
       to.nothing();
   } else if constexpr (is_array_of_numbers<T>) {
     to.begin_column(field);
-    for (const double element : value) to.number(element, field);
+    for (const auto& element : value) visit_value(element, field, to);
     to.end_column();
   } else if constexpr (is_vector<T>) {
     using Element = typename T::value_type;

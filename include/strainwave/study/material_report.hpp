@@ -1,27 +1,42 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "strainwave/materials/material_library.hpp"
 
 namespace strainwave {
 
-/// The built-in records as a table, at most 100 columns; only those for one use, if it is given.
-[[nodiscard]] std::string material_list_text(std::optional<MaterialUse> use = std::nullopt);
+/// Records of the material library with the sources that they cite.
+struct MaterialData {
+  std::vector<MaterialRecord> material;
+  std::map<std::string, std::string> source;  ///< by key
 
-/// The built-in records and their sources as a JSON document: SI, every number with its unit,
-/// source, confidence and scatter.
-[[nodiscard]] std::string material_list_json(std::optional<MaterialUse> use = std::nullopt);
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"material", "", "the records"}, &MaterialData::material);
+    field({"source", "", "the works that the records cite, by key"}, &MaterialData::source);
+  }
+};
 
-/// The built-in records as a Markdown page, with their sources: docs/guide/materials.md.
-[[nodiscard]] std::string material_list_markdown(std::optional<MaterialUse> use = std::nullopt);
+/// The built-in records; only those for one use, if it is given.
+[[nodiscard]] MaterialData material_list(std::optional<MaterialUse> use = std::nullopt);
 
-/// All that is known of one steel, at most 100 columns.
-[[nodiscard]] std::string material_text(const MaterialRecord& record);
+/// One steel.
+/// @throws InputError  there is none of that name
+[[nodiscard]] MaterialData material_show(std::string_view name);
 
-/// The same as a JSON object.
-[[nodiscard]] std::string material_json(const MaterialRecord& record);
+/// The records as a table, at most 100 columns.
+[[nodiscard]] std::string material_list_text(const MaterialData& data);
+
+/// The records as a Markdown page, with their sources: docs/guide/materials.md.
+[[nodiscard]] std::string material_list_markdown(const MaterialData& data);
+
+/// All that is known of the first record, at most 100 columns.
+[[nodiscard]] std::string material_text(const MaterialData& data);
 
 }  // namespace strainwave

@@ -41,7 +41,28 @@ struct ScatterOutput {
   double median = 0.0;
   double high = 0.0;  ///< 95 % of the draws are below
   /// One standard relative uncertainty of the model's form, which the scatter is not part of.
-  std::optional<double> model_uncertainty;
+  /// std::optional<double> model_uncertainty;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using O = ScatterOutput;
+    field({"name", "", "the output"}, &O::name);
+    field({"unit", "", "SI unit of the output"}, &O::unit);
+    field({"value", kUnitBeside, "at the values of the file"}, &O::value);
+    field({"first_order", "1", "relative standard deviation, first order"}, &O::first_order);
+    field({"share", "1", "of its square, by input of the file's scatter"}, &O::share);
+    field({"mean", kUnitBeside, "of the draws"}, &O::mean);
+    field({"relative_deviation", "1", "standard deviation over mean of the draws"},
+          &O::relative_deviation);
+    field({"relative_deviation_error", "1", "one standard error of the relative deviation"},
+          &O::relative_deviation_error);
+    field({"mean_error", "1", "one standard error of the mean, over the mean"}, &O::mean_error);
+    field({"low", kUnitBeside, "5 % of the draws are below"}, &O::low);
+    field({"median", kUnitBeside, "half of the draws are below"}, &O::median);
+    field({"high", kUnitBeside, "95 % of the draws are below"}, &O::high);
+    field({"model_uncertainty", "1", "of the model's form, relative; not part of the scatter"},
+          &O::model_uncertainty);
+  }
 };
 
 /// Combined uncertainty of stiffness and loss by the scatter of the inputs.
@@ -51,9 +72,19 @@ struct Scatter {
   int samples = 0;    ///< asked for
   int evaluated = 0;  ///< of them
   int refused = 0;    ///< broke a rule of the input, such as a crack deeper than its wall
-  int unusable = 0;   ///< beyond the validity of the model
-  std::uint64_t seed = 0;
+  int unusable = 0;   ///< beyond the validity of the model  std::uint64_t seed = 0;
   std::vector<Note> notes;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"inputs", "", "scatter that the file gives"}, &Scatter::inputs);
+    field({"outputs", "", "combined uncertainty of each output"}, &Scatter::outputs);
+    field({"samples", "", "draws asked for"}, &Scatter::samples);
+    field({"evaluated", "", "draws with a result"}, &Scatter::evaluated);
+    field({"refused", "", "draws that broke a rule of the input"}, &Scatter::refused);
+    field({"unusable", "", "draws beyond the validity of the model"}, &Scatter::unusable);
+    field({"seed", "", "of the draws"}, &Scatter::seed);
+  }
 };
 
 /// Propagates the scatter that the file gives.

@@ -20,15 +20,32 @@ struct SensitivityOutput {
   std::string name;  ///< "cracked.positive.stiffness"
   Quantity value;    ///< with the uncertainty of the model's form, which is not of the inputs
   /// What the elasticities leave of the dimensions of the output, (SN-6), powers of length and of
-  /// force; 0 but for rounding unless a number was read without its derivative.
-  double length_residual = 0.0;
+  /// force; 0 but for rounding unless a number was read without its derivative.  double
+  /// length_residual = 0.0;
   double force_residual = 0.0;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"name", "", "the output"}, &SensitivityOutput::name);
+    field({"value", kUnitBeside, "its value"}, &SensitivityOutput::value);
+    field({"length_residual", "1", "what the elasticities leave of the power of length"},
+          &SensitivityOutput::length_residual);
+    field({"force_residual", "1", "what the elasticities leave of the power of force"},
+          &SensitivityOutput::force_residual);
+  }
 };
 
 /// How one output depends on one input.
 struct Influence {
-  double derivative = 0.0;  ///< dy/dx [unit of the output per unit of the input]
-  double elasticity = 0.0;  ///< d ln y/d ln x [-]; 0 where the input is 0; eq. (SN-1)
+  double derivative = 0.0;  ///< dy/dx [unit of the output per unit of the input]  double elasticity
+                            ///< = 0.0;  ///< d ln y/d ln x [-]; 0 where the input is 0; eq. (SN-1)
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"derivative", kUnitBeside, "dy/dx, unit of the output over that of the input"},
+          &Influence::derivative);
+    field({"elasticity", "1", "d ln y/d ln x"}, &Influence::elasticity);
+  }
 };
 
 /// One number of the file.
@@ -38,8 +55,17 @@ struct SensitivityInput {
   double value = 0.0;
   std::vector<Influence> influence;  ///< shape (n outputs)
 
-  /// Largest magnitude of an elasticity over the outputs.
-  [[nodiscard]] double largest_elasticity() const;
+  /// Largest magnitude of an elasticity over the outputs.  [[nodiscard]] double
+  /// largest_elasticity() const;
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"path", "", "field of the input"}, &SensitivityInput::path);
+    field({"unit", "", "SI unit of the field"}, &SensitivityInput::unit);
+    field({"value", kUnitBeside, "value in the file"}, &SensitivityInput::value);
+    field({"influence", "", "on each output, in their order"}, &SensitivityInput::influence);
+  }
 };
 
 /// Exact first derivatives of the series model at one drive.
@@ -53,8 +79,18 @@ struct Sensitivity {
   std::string unusable_because;  ///< empty if usable
 
   [[nodiscard]] bool usable() const { return unusable_because.empty(); }
-  /// Largest magnitude of the residuals of all outputs (SN-6).
-  [[nodiscard]] double homogeneity_residual() const;
+  /// Largest magnitude of the residuals of all outputs (SN-6).  [[nodiscard]] double
+  /// homogeneity_residual() const;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"outputs", "", "what is differentiated"}, &Sensitivity::outputs);
+    field({"inputs", "", "fields with an influence, the largest elasticity first"},
+          &Sensitivity::inputs);
+    field({"no_influence", "", "all other numbers of the file"}, &Sensitivity::no_influence);
+    field({"homogeneity_residual", "1", "largest residual of the dimensions"},
+          &Sensitivity::homogeneity_residual);
+  }
 };
 
 /// A residual beyond this makes a sensitivity not usable; rounding leaves less than 1e-12.

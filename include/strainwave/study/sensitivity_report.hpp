@@ -16,15 +16,24 @@ namespace strainwave {
 struct SensitivityReport {
   Sensitivity sensitivity;
   std::optional<Scatter> scatter;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    Sensitivity::describe([&](const Field& what, auto member) {
+      field(what,
+            [member](const SensitivityReport& r) { return std::invoke(member, r.sensitivity); });
+    });
+    field({"scatter", "", "combined uncertainty by the scatter of the inputs"},
+          &SensitivityReport::scatter);
+  }
 };
+
+/// The notes of both studies.
+[[nodiscard]] ResultEvidence evidence_of(const SensitivityReport& report);
 
 /// Tables at most 100 columns wide: elasticities, the largest first; with scatter, the combined
 /// uncertainty and the share of each input.
 [[nodiscard]] std::string sensitivity_text(const SensitivityReport& report, const GearSet& gear);
-
-/// A JSON object with all digits, SI: `outputs`, `inputs` with `derivative` and `elasticity` by
-/// output, `no_influence`, `homogeneity_residual`, `scatter`, `notes`.
-[[nodiscard]] std::string sensitivity_json(const SensitivityReport& report);
 
 /// A row for each output and input: output, path, unit, value, derivative, elasticity, and with
 /// scatter relative_standard_deviation and share, empty for inputs that do not scatter.

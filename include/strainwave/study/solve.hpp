@@ -15,6 +15,12 @@ namespace strainwave {
 struct SearchRange {
   double from = 0.0;
   double to = 0.0;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"from", kUnitBeside, "in the SI unit of the field"}, &SearchRange::from);
+    field({"to", kUnitBeside, "in the SI unit of the field"}, &SearchRange::to);
+  }
 };
 
 /// The number of the gear to be found.
@@ -29,8 +35,14 @@ struct Unknown {
 /// The value that an output is to take.
 struct Target {
   std::string output;           ///< as for_each_quantity names it: "cracked.positive.stiffness"
-  std::string_view unit = "1";  ///< SI
-  double value = 0.0;           ///< [unit]
+  std::string_view unit = "1";  ///< SI  double value = 0.0;           ///< [unit]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"output", "", "name of the output"}, &Target::output);
+    field({"value", kUnitBeside, "the wanted value"}, &Target::value);
+    field({"unit", "", "SI unit of the output"}, &Target::unit);
+  }
 };
 
 /// Reads "PATH" or "PATH=FROM..TO", such as "output_shaft.crack[0].depth=0.1 mm..8 mm".
@@ -56,16 +68,30 @@ struct Solution {
   /// The sought number [unit of the field].  Its uncertainty is that of the output, carried over
   /// to first order: u_x = u_y |y/(x dy/dx)|; absent where it cannot be stated.
   Quantity value;
-  Quantity output;         ///< the output there
-  StiffnessResult result;  ///< everything else there
+  Quantity output;  ///< the output there  StiffnessResult result;  ///< everything else there
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"value", kUnitBeside, "the value of the field"}, &Solution::value);
+    field({"output", kUnitBeside, "the output there"}, &Solution::output);
+    field({"result", "", "everything else there"}, &Solution::result);
+  }
 };
 
 /// A part of the range where the method gives no result that may be used.
 struct Excluded {
   double from = 0.0;  ///< [unit of the field]
   double to = 0.0;
-  bool refused = false;  ///< no result at all; else one that may not be used
-  std::string reason;    ///< of the first point
+  bool refused = false;  ///< no result at all; else one that may not be used  std::string reason;
+                         ///< ///< of the first point
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"from", kUnitBeside, "in the SI unit of the field"}, &Excluded::from);
+    field({"to", kUnitBeside, "in the SI unit of the field"}, &Excluded::to);
+    field({"refused", "", "no result at all; else one that may not be used"}, &Excluded::refused);
+    field({"reason", "", "of the first point"}, &Excluded::reason);
+  }
 };
 
 /// All values of a number that give an output its wanted value.
@@ -84,9 +110,32 @@ struct SolveResult {
   /// Empty if there is one solution and nothing to remark; else sentences: none, several, jumps
   /// over the target, solutions that may not be used.
   std::string reason;
-
   [[nodiscard]] bool usable() const { return !solutions.empty(); }
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using R = SolveResult;
+    const auto output = [](std::optional<double> R::*member) {
+      return [member](const R& r) {
+        return r.*member ? std::optional(Quantity{*(r.*member), r.target.unit}) : std::nullopt;
+      };
+    };
+    field({"method", "", "as-printed, repaired or corrected"}, &R::method);
+    field({"path", "", "the sought field"}, &R::path);
+    field({"unit", "", "SI unit of the sought field"}, &R::unit);
+    field({"present", kUnitBeside, "value of the field in the file"}, &R::present);
+    field({"target", "", "what the output is to be"}, &R::target);
+    field({"searched", "", "range that was searched"}, &R::searched);
+    field({"least", kUnitBeside, "of the output over the range"}, output(&R::least));
+    field({"greatest", kUnitBeside, "of the output over the range"}, output(&R::greatest));
+    field({"excluded", "", "parts of the range without a usable result"}, &R::excluded);
+    field({"reason", "", "what there is to remark; empty for one plain solution"}, &R::reason);
+    field({"solutions", "", "ascending"}, &R::solutions);
+  }
 };
+
+/// The notes and accuracies of the first solution; not usable without one.
+[[nodiscard]] ResultEvidence evidence_of(const SolveResult& result);
 
 /// Finds all values of one number of the gear for which an output takes a wanted value.
 ///
@@ -102,8 +151,5 @@ struct SolveResult {
 
 /// The result as a report, at most 100 columns wide.
 [[nodiscard]] std::string solve_text(const SolveResult& result);
-
-/// The result as a JSON object; quantities in SI.  A solution carries all outputs, by their names.
-[[nodiscard]] std::string solve_json(const SolveResult& result);
 
 }  // namespace strainwave

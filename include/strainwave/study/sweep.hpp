@@ -27,6 +27,27 @@ struct SweepValue {
   std::optional<double> relative_uncertainty;
 };
 
+/// A column with all its values, as documents have it.
+struct SweepValues {
+  std::string name;
+  std::string_view unit;                      ///< SI
+  bool varied = false;                        ///< an input; else an output
+  std::vector<std::optional<double>> values;  ///< shape (n rows)
+  std::vector<std::optional<double>>
+      relative_uncertainties;  ///< shape (n rows); empty: of an input
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"name", "", "path of the field or the output"}, &SweepValues::name);
+    field({"unit", "", "SI unit of the values"}, &SweepValues::unit);
+    field({"varied", "", "a varied field; else an output"}, &SweepValues::varied);
+    field({"values", kUnitBeside, "a value for each point; null where there is none"},
+          &SweepValues::values);
+    field({"relative_uncertainties", "1", "one standard uncertainty of each value, over the value"},
+          &SweepValues::relative_uncertainties);
+  }
+};
+
 /// One point of a sweep.
 struct SweepRow {
   std::vector<double> inputs;  ///< the varied numbers
@@ -36,6 +57,13 @@ struct SweepRow {
   std::string reason;  ///< why the point was refused, or why its outputs may not be used
 
   [[nodiscard]] bool usable() const { return reason.empty(); }
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"usable", "", "whether the outputs may be used"}, &SweepRow::usable);
+    field({"reason", "", "why the point was refused, or may not be used"}, &SweepRow::reason);
+  }
 };
 
 /// A note and the rows it was given for; `note.text` is that of the first of them.
@@ -43,6 +71,16 @@ struct SweepNote {
   Note note;
   std::size_t first_row = 0;
   std::size_t n_rows = 0;
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"code", "", "code of the note"}, [](const SweepNote& n) { return n.note.code; });
+    field({"path", "", "field that the note concerns"},
+          [](const SweepNote& n) { return n.note.path; });
+    field({"first_row", "", "first point that the note was given for"}, &SweepNote::first_row);
+    field({"rows", "", "number of points that the note was given for"}, &SweepNote::n_rows);
+  }
 };
 
 /// A table of results over one or two varied numbers.
@@ -54,7 +92,23 @@ struct SweepResult {
   std::vector<SweepRow> rows;            ///< the first variation varies slowest
   std::vector<SweepNote> notes;          ///< of all rows, each once
   std::vector<std::string> crack_paths;  ///< of cracks[0], cracks[1], ... in the outputs
+
+  /// The table by columns: varied numbers, then outputs.
+  [[nodiscard]] std::vector<SweepValues> columns() const;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"method", "", "as-printed, repaired or corrected"}, &SweepResult::method);
+    field({"columns", "", "varied fields, then outputs; one value for each point"},
+          &SweepResult::columns);
+    field({"rows", "", "the points; the first varied field varies slowest"}, &SweepResult::rows);
+    field({"note_rows", "", "which points each note was given for"}, &SweepResult::notes);
+    field({"crack_paths", "", "fields of cracks[0], cracks[1], ..."}, &SweepResult::crack_paths);
+  }
 };
+
+/// The notes of all points; not usable if no point is.
+[[nodiscard]] ResultEvidence evidence_of(const SweepResult& result);
 
 /// Computes the stiffness for all values of one number, or all pairs of values of two.
 ///
@@ -73,9 +127,5 @@ struct SweepResult {
 /// Numbers have all their digits; what is absent is empty.  Uncertainties and notes are in the JSON
 /// form only.
 [[nodiscard]] std::string sweep_csv(const SweepResult& result);
-
-/// The table as a JSON object: `method`, `variations`, `columns` (varied numbers, then outputs),
-/// `rows` with `values` and `relative_uncertainties` in the order of the columns, `notes`.
-[[nodiscard]] std::string sweep_json(const SweepResult& result);
 
 }  // namespace strainwave

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "commands/method_option.hpp"
 #include "strainwave/door/door.hpp"
 #include "strainwave/io/result_writer.hpp"
 #include "strainwave/study/evaluate.hpp"
@@ -12,11 +13,7 @@ struct StiffnessOptions {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({.name = "method",
-           .unit = "",
-           .doc = "as-printed, repaired or corrected",
-           .fallback = "corrected"},
-          &StiffnessOptions::method);
+    field(kMethodOption, &StiffnessOptions::method);
   }
 };
 

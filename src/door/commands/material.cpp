@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/door/door.hpp"
+#include "strainwave/study/material_report.hpp"
+
+namespace strainwave {
+namespace {
+
+struct ListOptions {
+  std::optional<MaterialUse> use;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"use", "", "only steels for flexspline, bearing, shaft or generic"}, &ListOptions::use);
+  }
+};
+
+struct ShowOptions {
+  std::string name;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({.name = "name",
+           .unit = "",
+           .doc = "name or alias; case and blanks do not matter",
+           .positional = true,
+           .names = "material"},
+          &ShowOptions::name);
+  }
+};
+
+constexpr std::string_view kDescription =
+    "The steels that come with strainwave, each number with its source, its confidence and its "
+    "scatter. A member of a drive may name any of them in place of a table of the input file. "
+    "list prints them, show prints all that is known of one: elastic constants, strength, "
+    "toughness, fatigue limits, thresholds and growth laws.";
+
+}  // namespace
+
+Command material_list_command() {
+  return command<ListOptions, MaterialData>({
+      .name = "material list",
+      .summary = "Print all steels, one line each",
+      .description = kDescription,
+      .example = "strainwave material list --use flexspline",
+      .takes = Takes::nothing,
+      .function = [](const Request&, const ListOptions& o) { return material_list(o.use); },
+      .documents = {{{.name = "text"},
+                     [](const MaterialData& data, const Rendering&) {
+                       return material_list_text(data);
+                     }},
+                    {{.name = "markdown", .format = Format::markdown},
+                     [](const MaterialData& data, const Rendering&) {
+                       return material_list_markdown(data);
+                     }}},
+  });
+}
+
+Command material_show_command() {
+  return command<ShowOptions, MaterialData>({
+      .name = "material show",
+      .summary = "Print all that is known of one steel",
+      .description = kDescription,
+      .example = "strainwave material show '17-4PH H900'",
+      .takes = Takes::nothing,
+      .function = [](const Request&, const ShowOptions& o) { return material_show(o.name); },
+      .documents = {{{.name = "text"},
+                     [](const MaterialData& data, const Rendering&) {
+                       return material_text(data);
+                     }}},
+  });
+}
+
+}  // namespace strainwave

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/catalogue/proportions.hpp"
+#include "strainwave/door/door.hpp"
+#include "strainwave/io/gear_writer.hpp"
+#include "strainwave/io/input_format.hpp"
+
+namespace strainwave {
+namespace {
+
+struct NewOptions {
+  std::optional<int> size;
+  std::optional<double> ratio;
+  Cup cup = Cup::short_cup;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"size", "", "of the catalogue; prints its typical drive"}, &NewOptions::size);
+    field({"ratio", "1", "of the typical drive, 30 to 320"}, &NewOptions::ratio);
+    field({.name = "cup",
+           .unit = "",
+           .doc = "of the typical drive, short or standard",
+           .fallback = "short"},
+          &NewOptions::cup);
+  }
+};
+
+struct NewDrive {
+  std::string text;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"text", "", "the input file"}, &NewDrive::text);
+  }
+};
+
+NewDrive drive_of(const Request&, const NewOptions& options) {
+  if (options.size.has_value() != options.ratio.has_value())
+    throw OptionError(options.size ? "ratio" : "size",
+                      "must be given: size and ratio go together, or leave both out");
+  if (!options.size) return {input_template()};
+  const CommentedDrive drive =
+      from_option([&] { return starting_drive(*options.size, *options.ratio, options.cup); });
+  return {
+      "# A typical drive of this size and ratio: no maker publishes the geometry of one.\n"
+      "# Behind each number: how it is known, its limits, and where they come from.\n" +
+      gear_text(drive.gear, drive.comments)};
+}
+
+}  // namespace
+
+Command new_command() {
+  return command<NewOptions, NewDrive>({
+      .name = "new",
+      .summary = "Print a commented starting file",
+      .description =
+          "Prints an input file that is valid as it stands, with every field that there is and "
+          "its meaning; those that are not needed are commented out. With --size and --ratio, the "
+          "typical drive of that size of the makers' catalogues instead: every number with what "
+          "is known of it, its limits and where they come from, and ranges for the torsion "
+          "curve.",
+      .example = "strainwave new --size 25 --ratio 100 --output drive.toml",
+      .takes = Takes::nothing,
+      .function = drive_of,
+      .documents = {{{.name = "toml", .format = Format::toml},
+                     [](const NewDrive& drive, const Rendering&) { return drive.text; }}},
+  });
+}
+
+}  // namespace strainwave

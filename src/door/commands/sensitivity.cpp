@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/door/door.hpp"
+#include "strainwave/study/scatter.hpp"
+#include "strainwave/study/sensitivity_report.hpp"
+
+namespace strainwave {
+namespace {
+
+struct SensitivityOptions {
+  bool scatter = false;
+  std::optional<int> samples;
+  std::optional<std::uint64_t> seed;
+  std::optional<int> threads;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"scatter", "", "combined uncertainty by the scatter that the file gives"},
+          &SensitivityOptions::scatter);
+    field({.name = "samples",
+           .unit = "",
+           .doc = "draws of the Monte Carlo study",
+           .range = {.lower = 2, .lower_open = false, .upper = kMaxSamples, .upper_open = false},
+           .fallback = "100000"},
+          &SensitivityOptions::samples);
+    field(
+        {.name = "seed", .unit = "", .doc = "of the draws", .range = kNonNegative, .fallback = "1"},
+        &SensitivityOptions::seed);
+    field({.name = "threads",
+           .unit = "",
+           .doc = "0 for all that there are; the answer is the same for any number",
+           .range = {.lower = 0, .lower_open = false, .upper = 256, .upper_open = false},
+           .fallback = "0"},
+          &SensitivityOptions::threads);
+  }
+};
+
+SensitivityReport report_of(const Request& request, const SensitivityOptions& options) {
+  if (!options.scatter && (options.samples || options.seed || options.threads))
+    throw OptionError("scatter", "samples, seed and threads need it; give --scatter too");
+  const GearSet& gear = request.drive.gear;
+  SensitivityReport report{.sensitivity = sensitivity_of(gear), .scatter = {}};
+  if (options.scatter) {
+    ScatterOptions scatter;
+    scatter.samples = options.samples.value_or(scatter.samples);
+    scatter.seed = options.seed.value_or(scatter.seed);
+    scatter.threads = options.threads.value_or(scatter.threads);
+    report.scatter = scatter_of(gear, report.sensitivity, scatter, request.progress);
+  }
+  return report;
+}
+
+}  // namespace
+
+Command sensitivity_command() {
+  using Result = SensitivityReport;
+  return command<SensitivityOptions, Result>({
+      .name = "sensitivity",
+      .summary = "What stiffness and its loss depend on, and how much",
+      .description =
+          "Prints the elasticities of the stiffness K_HD, sound and cracked under both senses of "
+          "torque, and of its loss by cracks, to every number of the file: per cent of output per "
+          "per cent of input, exact by automatic differentiation of the corrected method, the "
+          "largest first. Their sums must reproduce the dimensions of the outputs; if not, the "
+          "answer is refused. With --scatter, the relative standard deviations that the file "
+          "gives under [[scatter]] are propagated by first order and by Monte Carlo, with the "
+          "share of each input; draws that break a rule of the input are counted.",
+      .example = "strainwave sensitivity examples/article_scatter.toml --scatter --plot "
+                 "tornado.svg",
+      .function = report_of,
+      .documents = {{{.name = "text"},
+                     [](const Result& result, const Rendering& to) {
+                       return sensitivity_text(result, to.drive.gear);
+                     }},
+                    {{.name = "csv", .format = Format::csv},
+                     [](const Result& result, const Rendering&) {
+                       return sensitivity_csv(result);
+                     }},
+                    {{.name = "plot",
+                      .format = Format::svg,
+                      .option = "plot",
+                      .doc = "draw the elasticities as an SVG file"},
+                     [](const Result& result, const Rendering& to) {
+                       return tornado_plot(result, to.drive.gear);
+                     }}},
+  });
+}
+
+}  // namespace strainwave

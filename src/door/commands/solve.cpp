@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/study/solve.hpp"
+
+#include "commands/method_option.hpp"
+#include "strainwave/door/door.hpp"
+
+namespace strainwave {
+namespace {
+
+struct SolveOptionTexts {
+  std::string vary;
+  std::string target;
+  Method method = Method::corrected;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({.name = "vary",
+           .unit = "",
+           .doc = "PATH[=FROM..TO], the field to find, and where",
+           .names = "field path"},
+          &SolveOptionTexts::vary);
+    field({.name = "target", .unit = "", .doc = "OUTPUT=VALUE, with a unit", .names = "output"},
+          &SolveOptionTexts::target);
+    field(kMethodOption, &SolveOptionTexts::method);
+  }
+};
+
+SolveResult solved(const Request& request, const SolveOptionTexts& options) {
+  const GearSet& gear = request.drive.gear;
+  const Unknown unknown = from_option([&] { return parse_unknown(gear, options.vary); });
+  const Target target =
+      from_option([&] { return parse_target(gear, options.method, options.target); });
+  return solve(gear, options.method, unknown, target, {}, request.progress);
+}
+
+}  // namespace
+
+Command solve_command() {
+  return command<SolveOptionTexts, SolveResult>({
+      .name = "solve",
+      .summary = "The value of a field that gives a wanted output",
+      .description =
+          "Inverts the stiffness: the crack size that lowers it by one per cent, the wall that "
+          "gives a wanted value. All solutions in the range are found by scanning it and refining "
+          "each change of sign; without a range, three decades on either side of the present "
+          "value are searched. It says so when there is none, and lists them when there are "
+          "several.",
+      .example = "strainwave solve examples/article.toml --vary 'output_shaft.crack[0].depth' "
+                 "--target 'cracked.positive.stiffness_change=-1 %'",
+      .function = solved,
+      .documents = {{{.name = "text"},
+                     [](const SolveResult& result, const Rendering&) {
+                       return solve_text(result);
+                     }}},
+  });
+}
+
+}  // namespace strainwave
