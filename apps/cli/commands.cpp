@@ -7,9 +7,7 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 
 #include "strainwave/catalogue/calibration.hpp"
 #include "strainwave/catalogue/catalogue.hpp"
@@ -43,9 +41,8 @@ namespace {
 
 GearSet read_input(const std::string& file) {
   if (file != "-") return read_gear_set_file(file);
-  const std::string text((std::istreambuf_iterator<char>(std::cin)),
-                         std::istreambuf_iterator<char>());
-  return read_gear_set(text, "standard input");
+  constexpr std::string_view kName = "standard input";
+  return read_gear_set(read_text(std::cin, kName), kName, attachments_beside(file));
 }
 
 /// The command line has checked the name.
@@ -61,19 +58,9 @@ Provenance provenance_of(const std::string& file) {
 void warn(std::string_view message) { std::cerr << "strainwave: " << message << '\n'; }
 
 /// A text file of at most 1 MiB, or standard input.
-std::string read_text(const std::string& file) {
-  constexpr std::size_t kMaxSize = 1 << 20;
-  std::ifstream stream;
-  if (file != "-") {
-    stream.open(file, std::ios::binary);
-    if (!stream) throw InputError(file, "cannot be opened for reading");
-  }
-  std::istream& source = file == "-" ? std::cin : stream;
-  std::string text(kMaxSize + 1, '\0');
-  source.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (source.bad()) throw InputError(file, "cannot be read");
-  text.resize(static_cast<std::size_t>(source.gcount()));
-  if (text.size() > kMaxSize) throw InputError(file, "is larger than 1 MiB");
+std::string text_of(const std::string& file) {
+  const std::string text = file == "-" ? read_text(std::cin, file) : read_text_file(file);
+  if (text.size() > kMaxTextSize) throw InputError(file, "is larger than 1 MiB");
   return text;
 }
 
@@ -300,7 +287,7 @@ ExitCode run(const CalibrateCommand& command) {
       gear,
       command.catalogue
           ? catalogue_target(gear)
-          : measured_target(parse_measured_curve(read_text(command.measured), command.measured),
+          : measured_target(parse_measured_curve(text_of(command.measured), command.measured),
                             command.measured),
       factors);
   const std::string text =
@@ -315,9 +302,9 @@ ExitCode run(const CalibrateCommand& command) {
 }
 
 ExitCode run(const ReportCommand& command) {
-  const std::string text = read_text(command.file);
+  const std::string text = text_of(command.file);
   const Provenance provenance = provenance_of(command.file);
-  const GearSet gear = read_gear_set(text, provenance.input_file);
+  const GearSet gear = read_gear_set(text, provenance.input_file, attachments_beside(command.file));
   const Report report = make_report(gear, provenance,
                                     {.method = method_named(command.method),
                                      .input_text = text,
