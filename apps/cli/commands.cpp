@@ -7,9 +7,7 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 
 #include "files.hpp"
 #include "strainwave/catalogue/calibration.hpp"
@@ -42,9 +40,8 @@ namespace {
 
 GearSet read_input(const std::string& file) {
   if (file != "-") return read_gear_set_file(file);
-  const std::string text((std::istreambuf_iterator<char>(std::cin)),
-                         std::istreambuf_iterator<char>());
-  return read_gear_set(text, "standard input");
+  constexpr std::string_view kName = "standard input";
+  return read_gear_set(read_text(std::cin, kName), kName, attachments_beside(file));
 }
 
 /// The command line has checked the name.
@@ -253,7 +250,7 @@ ExitCode run(const CalibrateCommand& command) {
       gear,
       command.catalogue
           ? catalogue_target(gear)
-          : measured_target(parse_measured_curve(read_text(command.measured), command.measured),
+          : measured_target(parse_measured_curve(text_of(command.measured), command.measured),
                             command.measured),
       factors);
   const std::string text =
@@ -268,9 +265,9 @@ ExitCode run(const CalibrateCommand& command) {
 }
 
 ExitCode run(const ReportCommand& command) {
-  const std::string text = read_text(command.file);
+  const std::string text = text_of(command.file);
   const Provenance provenance = provenance_of(command.file);
-  const GearSet gear = read_gear_set(text, provenance.input_file);
+  const GearSet gear = read_gear_set(text, provenance.input_file, attachments_beside(command.file));
   const Report report = make_report(gear, provenance,
                                     {.method = method_named(command.method),
                                      .input_text = text,

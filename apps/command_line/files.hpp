@@ -8,8 +8,8 @@
 namespace strainwave::cli {
 
 /// The text of a file of at most 1 MiB, or of standard input, whose name is "-".
-/// @throws InputError  if it cannot be read
-[[nodiscard]] std::string read_text(const std::string& file);
+/// @throws InputError  if it cannot be read, or is larger
+[[nodiscard]] std::string text_of(const std::string& file);
 
 /// The name of an input in messages: "standard input" for "-".
 [[nodiscard]] std::string shown_name(const std::string& file);

@@ -82,10 +82,14 @@ ExitCode run_command(const Command& command, const Given& given, ReadDrive read_
     for (const std::string& text : texts) options.set(name, text);
   for (const auto& [name, flag] : given.flags)
     if (flag) options.set(name, "true");
-  const auto drive = command.takes == Takes::drive
-                         ? read_drive(read_text(given.file), shown_name(given.file))
+  const auto drive = command.takes == Takes::drive                         ? read_drive(text_of(given.file), shown_name(given.file),
+                                      attachments_beside(given.file))
                          : std::make_shared<const Drive>();
-  const Answer answer(command, drive, options, {});
+  OptionTexts texts;
+  for (const Option& option : command.options.options)
+    if (option.field.names == "attachment")
+      for (const std::string& file : given.texts.at(option.field.name)) texts[file] = text_of(file);
+  const Answer answer(command, drive, options, texts, {});
   // All documents are made before any file is written: a failure leaves nothing behind.
   const std::string main = answer.document(given.format);
   std::vector<std::pair<std::string, std::string>> beside;

@@ -8,6 +8,7 @@
 
 #include "exit_code.hpp"
 #include "strainwave/command/command.hpp"
+#include "strainwave/io/attachments.hpp"
 
 namespace strainwave::cli {
 
@@ -15,7 +16,8 @@ namespace strainwave::cli {
 using Choose = std::function<void(std::function<ExitCode()> work)>;
 
 /// Reads a drive from text; `name` is that of the text in messages.
-using ReadDrive = std::shared_ptr<const Drive> (*)(std::string text, std::string name);
+using ReadDrive = std::shared_ptr<const Drive> (*)(std::string text, std::string name,
+                                                   Attachments attachments);
 
 /// What the help says of commands whose names begin with the same word.
 struct Group {

@@ -8,7 +8,6 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
-#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -47,9 +46,8 @@ struct Arguments {
 
 GearSet read_input(const std::string& file) {
   if (file != "-") return read_gear_set_file(file);
-  const std::string text((std::istreambuf_iterator<char>(std::cin)),
-                         std::istreambuf_iterator<char>());
-  return read_gear_set(text, "standard input");
+  constexpr std::string_view kName = "standard input";
+  return read_gear_set(read_text(std::cin, kName), kName, attachments_beside(file));
 }
 
 void deliver(const std::string& text, const std::string& path) {

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/number_text.hpp"
 #include "strainwave/core/units.hpp"
 
 namespace strainwave {
@@ -109,13 +109,13 @@ class UnitParser {
   Unit power(int depth) {
     Unit base = factor(depth);
     if (!take('^')) return base;
-    double exponent = 0.0;
-    const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), exponent);
-    if (error != std::errc{} || !(std::abs(exponent) <= 12.0))
+    const std::size_t length = number_length(rest_);
+    const std::optional<double> exponent = parse_number(rest_.substr(0, length));
+    if (!exponent || std::abs(*exponent) > 12.0)
       refuse("needs a number between -12 and 12 after ^");
-    rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
+    rest_.remove_prefix(length);
     Unit result;
-    multiply(result, base, exponent);
+    multiply(result, base, *exponent);
     return result;
   }
 
@@ -172,16 +172,12 @@ double parse_quantity(std::string_view field, std::string_view text, std::string
     throw InputError(field, fmt::format("\"{}\" {}", shown(text), why));
   };
   std::string_view rest = trimmed(text);
-  // from_chars knows no sign +.
   if (rest.starts_with('+') && !rest.starts_with("+-")) rest.remove_prefix(1);
-  double number = 0.0;
-  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
-  if (error == std::errc::result_out_of_range)
-    refuse("has a number that is too large or too small");
-  // from_chars reads "nan" and "inf" as numbers; a measured quantity is neither.
-  if (error != std::errc{} || !std::isfinite(number))
-    refuse("must start with a finite number, such as 2.24 or 1.2e5");
-  rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+  const std::size_t length = number_length(rest);
+  if (length == 0) refuse("must start with a finite number, such as 2.24 or 1.2e5");
+  const std::optional<double> number = parse_number(rest.substr(0, length));
+  if (!number) refuse("has a number that is too large or too small");
+  rest.remove_prefix(length);
   if (rest.starts_with(',')) refuse("has a comma; write a decimal point");
   rest = trimmed(rest);
   if (rest.empty() && unit != "1")
@@ -189,7 +185,7 @@ double parse_quantity(std::string_view field, std::string_view text, std::string
   const Unit given = rest.empty() ? Unit{} : UnitParser(field, text, rest).parse();
   if (!same_dimension(given.dimension, parse_unit(unit).dimension))
     refuse(fmt::format("is not convertible to {}", unit));
-  const double value = number * given.factor;
+  const double value = *number * given.factor;
   if (!std::isfinite(value)) refuse("is too large");
   return value;
 }

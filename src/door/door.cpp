@@ -7,18 +7,19 @@
 
 namespace strainwave {
 
-std::shared_ptr<const Drive> read_drive(std::string text, std::string name) {
+std::shared_ptr<const Drive> read_drive(std::string text, std::string name,
+                                        Attachments attachments) {
   auto drive = std::make_shared<Drive>();
-  drive->gear = read_gear_set(text, name);
+  drive->gear = read_gear_set(text, name, attachments);
   drive->text = std::move(text);
   drive->name = std::move(name);
   return drive;
 }
 
 Answer run(const Command& command, std::shared_ptr<const Drive> drive, const OptionValues& options,
-           const Progress& progress) {
+           const OptionTexts& texts, const Progress& progress) {
   static const auto no_drive = std::make_shared<const Drive>();
-  return {command, drive ? std::move(drive) : no_drive, options, progress};
+  return {command, drive ? std::move(drive) : no_drive, options, texts, progress};
 }
 
 }  // namespace strainwave

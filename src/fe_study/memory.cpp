@@ -8,6 +8,9 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <string_view>
+
+#include "strainwave/core/number_text.hpp"
 
 namespace strainwave::fe_study {
 namespace {
@@ -24,9 +27,9 @@ std::optional<double> number_of(const std::optional<std::string>& text, std::str
   std::istringstream lines(*text);
   for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with(key)) continue;
-    std::istringstream rest(line.substr(key.size()));
-    double number = 0.0;
-    if (rest >> number) return number;
+    std::string_view rest = line;
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t", key.size()), rest.size()));
+    if (const auto number = parse_number(rest.substr(0, number_length(rest)))) return number;
   }
   return std::nullopt;
 }

@@ -4,12 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <map>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/number_text.hpp"
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/model/input/crack_parameters.hpp"
 
@@ -55,18 +54,10 @@ std::vector<std::string> places_of(std::string_view line) {
   return places;
 }
 
-std::optional<double> number_of(std::string_view text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-    return std::nullopt;
-  return value;
-}
-
 TableRow row_of(const std::vector<std::string>& places, std::size_t n_at, std::string_view name,
                 std::size_t line) {
   const auto number = [&](const std::string& text) {
-    const std::optional<double> value = number_of(text);
+    const std::optional<double> value = parse_number(text);
     if (!value) refuse(name, line, fmt::format("\"{}\" is not a number", shown(text)));
     return *value;
   };
@@ -305,25 +296,13 @@ ComplianceTable parse_compliance_table(std::string_view text, std::string_view n
   return completed(std::move(table));
 }
 
-void read_compliance_tables(GearSet& gear, const std::filesystem::path& folder) {
-  constexpr std::size_t kMaxSize = 4 << 20;
+void read_compliance_tables(GearSet& gear, const Attachments& attachments) {
   std::map<std::string, ComplianceTable> tables;
   for_each_tabulated_kind(gear, [&](const std::string& path, const auto& crack) {
     if (!crack.compliance_table || tables.contains(*crack.compliance_table)) return;
     const std::string& name = *crack.compliance_table;
     const std::string at = path + ".compliance_table";
-    const std::filesystem::path file = folder / name;
-    std::error_code none;
-    if (!std::filesystem::is_regular_file(file, none))
-      throw InputError(at, fmt::format("\"{}\" is not a file beside the input", shown(name)));
-    std::ifstream stream(file, std::ios::binary);
-    std::string text(kMaxSize + 1, '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (!stream.is_open() || stream.bad())
-      throw InputError(at, fmt::format("\"{}\" cannot be read", shown(name)));
-    text.resize(static_cast<std::size_t>(stream.gcount()));
-    if (text.size() > kMaxSize)
-      throw InputError(at, fmt::format("\"{}\" is larger than 4 MiB", shown(name)));
+    const std::string text = attachments.text(name, at);
     try {
       tables.emplace(name, parse_compliance_table(text, name));
     } catch (const InputError& error) {

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -15,8 +14,6 @@
 
 namespace strainwave {
 namespace {
-
-constexpr std::size_t kMaxSize = 1 << 20;  // 1 MiB
 
 /// Takes the material that a member names from the library, unless the file has one of that name.
 template <class Member>
@@ -48,8 +45,9 @@ void add_from_library(GearSet& gear, const std::optional<Member>& member, std::s
 
 }  // namespace
 
-GearSet read_gear_set(std::string_view text, std::string_view file_name) {
-  if (text.size() > kMaxSize)
+GearSet read_gear_set(std::string_view text, std::string_view file_name,
+                      const Attachments& attachments) {
+  if (text.size() > kMaxTextSize)
     throw InputError(file_name, "is larger than 1 MiB; a drive takes a few kilobytes");
   const toml::table table = parse_toml(text, file_name);
   TomlReader reader(file_name);
@@ -60,7 +58,7 @@ GearSet read_gear_set(std::string_view text, std::string_view file_name) {
     add_from_library(gear, gear.flexspline, "flexspline");
     add_from_library(gear, gear.output_shaft, "output_shaft");
     add_from_library(gear, gear.circular_spline, "circular_spline");
-    read_compliance_tables(gear, std::filesystem::path(file_name).parent_path());
+    read_compliance_tables(gear, attachments);
     check(gear);
   } catch (const InputError& error) {
     throw reader.located(error);
@@ -69,17 +67,7 @@ GearSet read_gear_set(std::string_view text, std::string_view file_name) {
 }
 
 GearSet read_gear_set_file(const std::filesystem::path& file) {
-  const std::string name = file.string();
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error)) throw InputError(name, "is a directory");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(name, "cannot be opened for reading");
-  // One byte more than is allowed: enough to refuse it, and a device without end ends here.
-  std::string text(kMaxSize + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad()) throw InputError(name, "cannot be read");
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return read_gear_set(text, name);
+  return read_gear_set(read_text_file(file), file.string(), attachments_beside(file));
 }
 
 }  // namespace strainwave

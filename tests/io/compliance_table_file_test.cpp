@@ -189,19 +189,20 @@ class TableFolder : public testing::Test {
         "[output_shaft]\nmaterial = \"steel\"\nouter_diameter = \"60 mm\"\nlength = \"240 mm\"\n"
         "[[output_shaft.crack]]\nkind = \"annular\"\ndepth = \"3 mm\"\ncompliance_table = \"" +
             table + "\"\n",
-        (folder_ / "shaft.toml").string());
+        (folder_ / "shaft.toml").string(), attachments_beside(folder_ / "shaft.toml"));
   }
 
   std::filesystem::path folder_;
 };
 
-TEST_F(TableFolder, IdentityReadBesideTheDriveAndWrittenBack) {
+TEST_F(TableFolder, IdentityReadBesideTheDriveOrAttached) {
   const GearSet gear = read("tables/shaft.csv");
   ASSERT_EQ(gear.compliance_tables.size(), 1U);
   EXPECT_EQ(gear.compliance_tables.begin()->first, "tables/shaft.csv");
   const std::string text = gear_text(gear);
   EXPECT_NE(text.find("compliance_table = \"tables/shaft.csv\"\n"), std::string::npos) << text;
-  const GearSet again = read_gear_set(text, (folder_ / "again.toml").string());
+  const GearSet again =
+      read_gear_set(text, "again", Attachments({{"tables/shaft.csv", shaft_table()}}));
   EXPECT_EQ(gear_text(again), text);
   EXPECT_EQ(again.compliance_tables.at("tables/shaft.csv").positive.values,
             gear.compliance_tables.at("tables/shaft.csv").positive.values);
@@ -223,8 +224,8 @@ TEST_F(TableFolder, InputFaultsNameTheCrack) {
   refused("tables", "\"tables\" is not a file beside the input");
   std::ofstream(folder_ / "half.csv") << shaft_table().substr(0, shaft_table().size() - 9);
   refused("half.csv", "half.csv: ends within a line");
-  std::ofstream(folder_ / "large.csv") << std::string((4 << 20) + 1, '#');
-  refused("large.csv", "is larger than 4 MiB");
+  std::ofstream(folder_ / "large.csv") << std::string(kMaxTextSize + 1, '#');
+  refused("large.csv", "is larger than 1 MiB");
   std::ofstream(folder_ / "other.csv") << replaced(shaft_table(), "0.06 m", "0.07 m");
   refused("other.csv", "was made with outer_diameter = 0.07 m, and the drive has 0.06 m");
 }

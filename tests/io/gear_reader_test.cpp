@@ -497,7 +497,8 @@ TEST(GearReader, IdentityExamplesAreRead) {
     ++n;
     EXPECT_NO_THROW((void)read_gear_set_file(entry.path())) << entry.path();
     EXPECT_EQ(dump(read_gear_set_file(entry.path())),
-              dump(read_gear_set(file_text(entry.path()), (folder / "other name").string())));
+              dump(read_gear_set(file_text(entry.path()), "other name",
+                                 attachments_beside(entry.path()))));
   }
   EXPECT_GT(n, 0);
 }

@@ -28,7 +28,7 @@ TEST(GearWriter, IdentityReadsBackEveryExample) {
     ++n;
     const GearSet gear = read_gear_set_file(file.path());
     const std::string text = gear_text(gear);
-    const GearSet again = read_gear_set(text, file.path().string() + " written");
+    const GearSet again = read_gear_set(text, "written", attachments_beside(file.path()));
     EXPECT_EQ(numbers(again), numbers(gear)) << file.path();
     EXPECT_EQ(gear_text(again), text) << file.path();
     EXPECT_EQ(again.name, gear.name);

@@ -82,7 +82,7 @@ TEST(InputRemarks, CrosscheckWithTheReader) {
     const std::string text((std::istreambuf_iterator<char>(stream)),
                            std::istreambuf_iterator<char>());
     const Remarks remarks = input_remarks(text);
-    const GearSet gear = read_gear_set(text, file.path().string());
+    const GearSet gear = read_gear_set(text, "drive.toml", attachments_beside(file.path()));
     std::size_t known = 0;
     for_each_number(gear, [&](const FieldPath& path, const Field& field, double value) {
       const auto found = remarks.find(path.text());

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "strainwave/io/attachments.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/input/variation.hpp"
 
@@ -88,9 +88,7 @@ struct TableFile {
 
 /// Reads the tables that the cracks of a drive name.
 ///
-/// @param gear    the drive
-/// @param folder  that the names are relative to; empty: the current one
-/// @throws InputError  naming the crack; also if a file cannot be read or is larger than 4 MiB
-void read_compliance_tables(GearSet& gear, const std::filesystem::path& folder);
+/// @throws InputError  naming the crack; as Attachments::text, and as parse_compliance_table
+void read_compliance_tables(GearSet& gear, const Attachments& attachments);
 
 }  // namespace strainwave

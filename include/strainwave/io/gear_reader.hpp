@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "strainwave/io/attachments.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 
 namespace strainwave {
@@ -14,14 +15,16 @@ namespace strainwave {
 /// refused with one sentence: file, line, column, field, value, rule.  A material that a member
 /// names and the file does not give is taken from the material library, if it is there; a table of
 /// the file always wins, and must be complete.  A table of compliances that a crack names is read
-/// with it.  The result has passed `check`.
+/// with it; no file is opened.  The result has passed `check`.
 ///
-/// @param text       at most 1 MiB
-/// @param file_name  for messages; tables that a crack names are read from its folder
+/// @param text         at most kMaxTextSize
+/// @param file_name    for messages
+/// @param attachments  the tables that cracks name
 /// @throws InputError
-[[nodiscard]] GearSet read_gear_set(std::string_view text, std::string_view file_name);
+[[nodiscard]] GearSet read_gear_set(std::string_view text, std::string_view file_name,
+                                    const Attachments& attachments = {});
 
-/// Reads a drive from a file.
+/// Reads a drive from a file, with what it names from the folder of the file.
 /// @throws InputError  also if the file cannot be read
 [[nodiscard]] GearSet read_gear_set_file(const std::filesystem::path& file);
 

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Where everything stands in TOML text, byte by byte: what a parser does not keep.  A private
+// header of io/edit.cpp.
+
+namespace strainwave {
+
+/// A piece of the text: [begin, end).
+struct Span {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// One step of a path: a key, or the index of an element.
+struct Step {
+  std::string key;
+  std::size_t index = 0;
+  bool is_index = false;
+
+  auto operator<=>(const Step&) const = default;
+};
+using Steps = std::vector<Step>;
+
+[[nodiscard]] inline Step key_step(std::string key) { return {.key = std::move(key)}; }
+[[nodiscard]] inline Step index_step(std::size_t index) {
+  return {.key = {}, .index = index, .is_index = true};
+}
+
+struct TomlItem;
+
+/// The right-hand side of an entry, or an element of a list.
+struct TomlValue {
+  enum class Kind { scalar, list, table };
+  Kind kind = Kind::scalar;
+  Span span;
+  std::vector<TomlItem> items;
+};
+
+/// An element of a list, or an entry of an inline table.
+struct TomlItem {
+  std::vector<std::string> keys;  ///< empty in a list
+  Span span;                      ///< with its key
+  TomlValue value;
+};
+
+/// `key = value` on a line of its own.
+struct TomlEntry {
+  Steps path;           ///< from the top of the document
+  std::size_t section;  ///< index of the section that it stands in
+  Span line;            ///< with indentation, comment and line end
+  TomlItem item;
+};
+
+/// `[a.b]` or `[[a.b]]`; the first section is the top of the document, without a header.
+struct TomlSection {
+  Steps path;
+  Span line;           ///< the header's
+  std::size_t header;  ///< behind its brackets
+  std::size_t end;     ///< behind its last entry and the comments that belong to it
+};
+
+struct TomlScan {
+  std::vector<TomlSection> sections;
+  std::vector<TomlEntry> entries;
+};
+
+/// @param text  that toml++ has accepted
+/// @throws InputError  this scanner cannot read it all the same
+[[nodiscard]] TomlScan scan_toml(std::string_view text);
+
+/// One right-hand side, without what surrounds it.
+/// @throws InputError  as scan_toml
+[[nodiscard]] TomlValue scan_toml_value(std::string_view text);
+
+/// The line that a byte stands in, with its end.
+[[nodiscard]] Span line_at(std::string_view text, std::size_t at);
+
+/// Only blanks up to the end.
+[[nodiscard]] bool is_blank(std::string_view line);
+/// A line that is nothing but a comment.
+[[nodiscard]] bool is_comment(std::string_view line);
+
+}  // namespace strainwave
