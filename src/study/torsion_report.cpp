@@ -34,9 +34,9 @@ std::vector<double> curve_torques(const MakersTorques& at) {
   return torques;
 }
 
-TorsionCurve usable_curve(const GearSet& gear, std::vector<double> torques, double sense) {
+TorsionCurve usable_curve(const AssembledDrive& drive, std::vector<double> torques, double sense) {
   for (double& torque : torques) torque *= sense;
-  TorsionCurve curve = torsion_curve(gear, torques);
+  TorsionCurve curve = torsion_curve(drive, torques);
   if (!curve.usable()) throw SolverError(curve.unusable_because);
   return curve;
 }
@@ -222,25 +222,27 @@ LineBands line_bands(const GearSet& gear, int draws) {
 
 TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& options) {
   TorsionReport report;
+  const AssembledDrive drive(gear);
+  const SlidingDrive sliding(gear);
   report.torques = makers_torques(gear);
   const std::vector<double> torques = curve_torques(report.torques);
-  report.curve = usable_curve(gear, torques, +1);
-  report.curve_negative = usable_curve(gear, torques, -1);
+  report.curve = usable_curve(drive, torques, +1);
+  report.curve_negative = usable_curve(drive, torques, -1);
   for (const double at : {report.torques.T1, report.torques.T2, report.torques.rated}) {
     const auto point = std::ranges::min_element(
         report.curve.points, {}, [&](const CurvePoint& p) { return std::abs(p.torque - at); });
     const auto index = static_cast<std::size_t>(point - report.curve.points.begin());
     if (std::ranges::find(report.shown, index) == report.shown.end()) report.shown.push_back(index);
   }
-  report.positive = makers_lines(gear, +1);
-  report.negative = makers_lines(gear, -1);
-  report.loop = hysteresis_loop(Hysteresis(gear, report.torques.rated), report.torques.rated);
-  report.lost_motion = lost_motion(gear);
-  report.rim = rim_states(gear, report.torques.rated, kRimPositions);
+  report.positive = makers_lines(drive, +1);
+  report.negative = makers_lines(drive, -1);
+  report.loop = hysteresis_loop(Hysteresis(sliding, report.torques.rated), report.torques.rated);
+  report.lost_motion = lost_motion(drive);
+  report.rim = rim_states(drive, report.torques.rated, kRimPositions);
   if (!gear.range.empty() && options.draws > 0) report.bands = line_bands(gear, options.draws);
   if (options.compare) {
-    report.comparison = compare_curves(gear, options.angles);
-    report.sound = usable_curve(without_cracks(gear), torques, +1);
+    report.comparison = compare_curves(drive, sliding, options.angles);
+    report.sound = usable_curve(drive.without_cracks(), torques, +1);
   }
   if (report.torques.by_convention)
     report.notes.push_back({"rating.convention",

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "coupled_geometry.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "coupled_drive.hpp"
 #include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/fracture/edge_crack.hpp"

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "strainwave/core/progress.hpp"
+#include "strainwave/torsion/assembled_drive.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
 /// @file
@@ -65,6 +67,10 @@ struct CurveComparison {
 /// Whether a crack moves against the wave: of rim, teeth, outer ring or circular spline.
 [[nodiscard]] bool has_moving_cracks(const GearSet& gear);
 
+/// Where a point of flexspline, circular spline or outer ring is after the wave generator has
+/// turned by an angle, from the major axis [rad].
+[[nodiscard]] double turned_position(double position, double angle);
+
 /// The drive after the wave generator has turned by an angle: cracks of flexspline, circular spline
 /// and outer ring move against the wave, those of the inner race stay [rad].
 [[nodiscard]] GearSet after_turn(const GearSet& gear, double angle);
@@ -73,8 +79,18 @@ struct CurveComparison {
 ///
 /// @param angles  positions of the wave generator over a turn [-]; 0 for every tooth, which alone
 ///                finds the worst one; taken to whole teeth.  One where no crack moves
+/// @throws InputError   if `angles` is negative
 /// @throws SolverError  if a curve is not usable
-[[nodiscard]] CurveComparison compare_curves(const GearSet& gear, int angles = 0,
-                                             const CoupledOptions& options = {});
+/// @throws Stopped      on request
+[[nodiscard]] CurveComparison compare_curves(const AssembledDrive& drive,
+                                             const SlidingDrive& sliding, int angles = 0,
+                                             const Progress& progress = {});
+/// The same for a drive that is assembled first.
+[[nodiscard]] inline CurveComparison compare_curves(const GearSet& gear, int angles = 0,
+                                                    const CoupledOptions& options = {},
+                                                    const Progress& progress = {}) {
+  return compare_curves(AssembledDrive(gear, options), SlidingDrive(gear, options), angles,
+                        progress);
+}
 
 }  // namespace strainwave

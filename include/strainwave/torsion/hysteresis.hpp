@@ -15,7 +15,6 @@ namespace strainwave {
 struct HysteresisOptions {
   int elements = 64;  ///< play elements, [-]; >= 1; the loop's area converges like 1/elements^2
   int grid = 48;      ///< torques at which the envelopes are solved, for each sense [-]; >= 8
-  CoupledOptions coupled = {};
 };
 
 /// Twist of the drive along a path of the torque, friction on the flanks.
@@ -30,8 +29,14 @@ struct HysteresisOptions {
 class Hysteresis {
  public:
   /// Solves the envelopes up to `largest_torque` [N*m]; > 0.
+  /// @throws InputError   if a number is out of range
   /// @throws SolverError  if a curve is not usable
-  Hysteresis(const GearSet& gear, double largest_torque, const HysteresisOptions& options = {});
+  /// @throws Stopped      on request
+  Hysteresis(const SlidingDrive& drive, double largest_torque,
+             const HysteresisOptions& options = {}, const Progress& progress = {});
+  /// The same for a drive that is assembled first.
+  Hysteresis(const GearSet& gear, double largest_torque, const HysteresisOptions& options = {})
+      : Hysteresis(SlidingDrive(gear), largest_torque, options) {}
   ~Hysteresis();
   Hysteresis(Hysteresis&&) noexcept;
   Hysteresis& operator=(Hysteresis&&) noexcept;
@@ -70,6 +75,11 @@ struct HysteresisLoop {
 
 /// Twist between +T and -T at the middle of the loop, T the share of rated torque of the maker
 /// [rad]; eq. (TC-18).
-[[nodiscard]] double lost_motion(const GearSet& gear, const CoupledOptions& options = {});
+/// @throws SolverError  if the curve is not usable
+[[nodiscard]] double lost_motion(const AssembledDrive& drive);
+/// The same for a drive that is assembled first.
+[[nodiscard]] inline double lost_motion(const GearSet& gear, const CoupledOptions& options = {}) {
+  return lost_motion(AssembledDrive(gear, options));
+}
 
 }  // namespace strainwave

@@ -8,24 +8,15 @@
 #include <vector>
 
 #include "strainwave/core/fields.hpp"
+#include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
-#include "strainwave/model/result/stiffness_result.hpp"
+#include "strainwave/model/result/evidence.hpp"
+#include "strainwave/torsion/assembled_drive.hpp"
 
 /// @file
 /// The torsion curve phi(T) of a drive as one system: elastic ring on one-sided balls and flanks.
 
 namespace strainwave {
-
-/// Way of the flanks' friction: it turns the force by atan(mu) (TC-16).
-enum class FlankFriction { none, loading, unloading };
-
-struct CoupledOptions {
-  int harmonics = 32;             ///< N of the ring [-]; 8 to 128; 0.1 % at 32
-  bool diaphragm_warping = true;  ///< the diaphragm's resistance to warping of the barrel (TC-2)
-  FlankFriction friction = FlankFriction::none;
-  double tolerance = 1e-11;  ///< of the contact forces, relative to the largest [-]
-  int max_iterations = 200;  ///< Newton steps per load
-};
 
 /// Members that share the tangent compliance, in the order of `CurvePoint::share`.
 enum class CurveMember {
@@ -109,12 +100,27 @@ struct TorsionCurve {
 /// Two lobes, a cup.  Geometry alone predicts catalogue stiffness within about 20 % for ratios of
 /// 50 and more; at ratio 30 it is too stiff by a factor of up to 2.2 (theory manual, chapter CV).
 ///
-/// @param gear     with bearing, sections and mesh
 /// @param torques  T at the output [N*m], finite; each solved from the state before it, the first
 ///                 from the assembly
-/// @throws InputError   if a rule is broken or something is missing for this model
-[[nodiscard]] TorsionCurve torsion_curve(const GearSet& gear, std::span<const double> torques,
-                                         const CoupledOptions& options = {});
+/// @throws InputError  if a torque is not finite
+/// @throws Stopped     on request
+[[nodiscard]] TorsionCurve torsion_curve(const AssembledDrive& drive,
+                                         std::span<const double> torques,
+                                         const Progress& progress = {});
+/// The same for a drive that is assembled first.
+/// @throws InputError  also if a rule is broken or something is missing for this model
+[[nodiscard]] inline TorsionCurve torsion_curve(const GearSet& gear,
+                                                std::span<const double> torques,
+                                                const CoupledOptions& options = {},
+                                                const Progress& progress = {}) {
+  return torsion_curve(AssembledDrive(gear, options), torques, progress);
+}
+
+/// The twists alone of `torsion_curve` [rad], at a third of its cost.
+/// @throws SolverError  if the curve is not usable; the message says why
+[[nodiscard]] std::vector<double> twists(const AssembledDrive& drive,
+                                         std::span<const double> torques,
+                                         const Progress& progress = {});
 
 /// Displacements of the rim and its stresses at the line of the tooth roots, at one torque.
 struct RimState {
@@ -133,9 +139,17 @@ struct RimState {
 /// Implements theory manual eq. (TC-24).  Ring theory: no stress concentration of tooth root or
 /// fillet.
 ///
+/// @param torque     T at the output [N*m], finite
 /// @param positions  how many, evenly over a turn; > 0
-[[nodiscard]] std::vector<RimState> rim_states(const GearSet& gear, double torque, int positions,
-                                               const CoupledOptions& options = {});
+/// @throws SolverError  if there is no equilibrium
+[[nodiscard]] std::vector<RimState> rim_states(const AssembledDrive& drive, double torque,
+                                               int positions);
+/// The same for a drive that is assembled first.
+[[nodiscard]] inline std::vector<RimState> rim_states(const GearSet& gear, double torque,
+                                                      int positions,
+                                                      const CoupledOptions& options = {}) {
+  return rim_states(AssembledDrive(gear, options), torque, positions);
+}
 
 /// The maker's three straight lines, under one sense of torque.
 struct MakersLines {
@@ -163,7 +177,11 @@ struct MakersTorques {
 
 /// K1, K2, K3 by eq. (TC-14), for torque of the given sense (+1 or -1).
 /// @throws SolverError  if the curve is not usable; the message says why
-[[nodiscard]] MakersLines makers_lines(const GearSet& gear, int sense = +1,
-                                       const CoupledOptions& options = {});
+[[nodiscard]] MakersLines makers_lines(const AssembledDrive& drive, int sense = +1);
+/// The same for a drive that is assembled first.
+[[nodiscard]] inline MakersLines makers_lines(const GearSet& gear, int sense = +1,
+                                              const CoupledOptions& options = {}) {
+  return makers_lines(AssembledDrive(gear, options), sense);
+}
 
 }  // namespace strainwave
