@@ -56,34 +56,45 @@ void add_series_members(AssembledDrive::Contents& into) {
   }
 }
 
+// The gap law is for teeth whose path is about one module high (TC-7).
+constexpr double kLeastKappa = 0.6;
+constexpr double kMostKappa = 1.3;
+/// Pitch diameter of size 17, 43.18 mm, rounded down so that this size is not small [m].
+constexpr double kSize17 = 0.043;
+
 void note_geometry(const GearSet& gear, const CoupledGeometry& g, std::vector<Note>& notes) {
   const double kappa = g.radial_displacement / g.module;
-  if (kappa < 0.6 || kappa > 1.3)
+  if (kappa < kLeastKappa || kappa > kMostKappa)
     notes.push_back({"torsion.deflection",
                      fmt::format("w_0 is {:.3g} modules; the gap law is for about one", kappa),
-                     "drive.radial_displacement", "TC-7"});
+                     "drive.radial_displacement", "TC-7", Severity::care,
+                     "Check drive.radial_displacement."});
   if (const double least = least_flank_angle(kappa); g.flank_angle < least)
     notes.push_back(
         {"torsion.flank_angle",
          fmt::format("w_0 of {:.3g} modules needs flanks of {:.3g} degrees or more, else the "
                      "tooth path crosses the flank",
                      kappa, least * 180 / pi),
-         "mesh.flank_angle", "TC-25"});
+         "mesh.flank_angle", "TC-25", Severity::care,
+         "Check mesh.flank_angle and drive.radial_displacement."});
   if (gear.drive.ratio < 50)
     notes.push_back({"torsion.low_ratio",
                      "against catalogues the model is too stiff below ratio 50, by a factor "
                      "of up to 2.2 at 30: take it as empirical there",
-                     "drive.ratio", "TC-14"});
-  if (gear.drive.pitch_diameter < 0.043)
+                     "drive.ratio", "TC-14", Severity::care,
+                     "Calibrate the drive with a measured curve."});
+  if (gear.drive.pitch_diameter < kSize17)
     notes.push_back({"torsion.small_size",
                      "makers' drives below size 17 are not similar to the larger ones, and "
                      "typical proportions miss their stiffness by 20 to 60 %",
-                     "drive.pitch_diameter", "TC-14"});
+                     "drive.pitch_diameter", "TC-14", Severity::care,
+                     "Calibrate the drive with a measured curve or a catalogue."});
   if (gear.circular_spline == std::nullopt)
     notes.push_back({"torsion.rigid_spline",
                      "no circular spline given: it is taken as rigid, which is 13 to 36 % "
                      "too stiff",
-                     "circular_spline", "TC-10"});
+                     "circular_spline", "TC-10", Severity::care,
+                     "Give the table circular_spline."});
 }
 
 /// The larger force of the ball nearest to a position, of both senses of torque at T2, in the

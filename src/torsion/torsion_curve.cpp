@@ -118,7 +118,7 @@ void note_interference(const CoupledDrive& drive, std::vector<Note>& notes) {
                        ? fmt::format("the lobe gap of {:.4g} um is an interference", 1e6 * lobe_gap)
                        : std::string("the assembled ring bulges beside the lobes; see clearance, "
                                      "cam_flattening, ball_count, flank_angle")),
-       "mesh.lobe_gap", "TC-6"});
+       "mesh.lobe_gap", "TC-6", Severity::care, "Check mesh.lobe_gap and the fields named here."});
 }
 
 void require_finite(std::span<const double> torques) {

@@ -19,6 +19,14 @@ struct LineChanges {
   double K1 = 0.0;
   double K2 = 0.0;
   double K3 = 0.0;
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"K1", "1", "cracked/sound - 1 of K1"}, &LineChanges::K1);
+    field({"K2", "1", "cracked/sound - 1 of K2"}, &LineChanges::K2);
+    field({"K3", "1", "cracked/sound - 1 of K3"}, &LineChanges::K3);
+  }
 };
 
 /// Changes over a turn of the wave generator, under one sense of torque.
@@ -30,6 +38,18 @@ struct ChangesOverTurn {
   LineChanges ripple;    ///< best less worst
   int ripple_order = 0;  ///< of K1, per turn of the wave generator; 0: no ripple
   std::vector<LineChanges> at_angle;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"as_given", "", "at the positions of the file"}, &ChangesOverTurn::as_given);
+    field({"mean", "", "over a turn"}, &ChangesOverTurn::mean);
+    field({"worst", "", "most negative of each"}, &ChangesOverTurn::worst);
+    field({"best", "", "least negative of each"}, &ChangesOverTurn::best);
+    field({"ripple", "", "best less worst"}, &ChangesOverTurn::ripple);
+    field({"ripple_order", "1", "of K1, per turn of the wave generator; 0: no ripple"},
+          &ChangesOverTurn::ripple_order);
+    field({"at_angle", "", "at each position of the wave generator"}, &ChangesOverTurn::at_angle);
+  }
 };
 
 /// What kind of member the cracks are in, told from the change of the curve.
@@ -59,6 +79,27 @@ struct CurveComparison {
   CrackClass crack_class = CrackClass::none;
   double class_ratio = 0.0;  ///< mean dK1/dK3 of the sense that changes more [-]
   std::string evidence;      ///< one sentence
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"torques", "", "the maker's torques"}, &CurveComparison::torques);
+    field({"sound", "", "the maker's lines without cracks"}, &CurveComparison::sound);
+    field({"angles", "rad", "turned by the wave generator"}, &CurveComparison::angles);
+    field({"positive", "", "changes under torque about +z"}, &CurveComparison::positive);
+    field({"negative", "", "changes under torque about -z"}, &CurveComparison::negative);
+    field({"lost_motion_sound", "rad", "lost motion without cracks"},
+          &CurveComparison::lost_motion_sound);
+    field({"lost_motion_cracked", "rad", "lost motion with cracks, at the positions of the file"},
+          &CurveComparison::lost_motion_cracked);
+    field({"hysteresis_sound", "rad", "largest width of the loop without cracks"},
+          &CurveComparison::hysteresis_sound);
+    field({"hysteresis_cracked", "rad", "largest width of the loop with cracks"},
+          &CurveComparison::hysteresis_cracked);
+    field({"crack_class", "", "kind of member that the cracks are in"},
+          &CurveComparison::crack_class);
+    field({"class_ratio", "1", "mean change of K1 over that of K3"}, &CurveComparison::class_ratio);
+    field({"evidence", "", "what the class rests on"}, &CurveComparison::evidence);
+  }
 };
 
 /// Drive without its cracks.

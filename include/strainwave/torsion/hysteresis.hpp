@@ -66,6 +66,19 @@ struct HysteresisLoop {
   double largest_width = 0.0;            ///< [rad]
   double torque_of_largest_width = 0.0;  ///< in size [N*m]
   double lost_energy = 0.0;              ///< area of the loop [J]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"amplitude", "N*m", "T, amplitude of the torque"}, &HysteresisLoop::amplitude);
+    field({"width_at_zero", "rad", "width without torque, maker's hysteresis loss"},
+          &HysteresisLoop::width_at_zero);
+    field({"largest_width", "rad", "largest width of the loop"}, &HysteresisLoop::largest_width);
+    field({"torque_of_largest_width", "N*m", "where it is, in size"},
+          &HysteresisLoop::torque_of_largest_width);
+    field({"lost_energy", "J", "area of the loop"}, &HysteresisLoop::lost_energy);
+    field({"torque", "N*m", "down from +T to -T and up again"}, &HysteresisLoop::torque);
+    field({"twist", "rad", "at each torque"}, &HysteresisLoop::twist);
+  }
 };
 
 /// Loop at the amplitude of the given torque [N*m]; eq. (TC-17).
