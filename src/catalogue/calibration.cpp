@@ -188,7 +188,8 @@ CalibrationTarget measured_target(const std::vector<MeasuredPoint>& points, std:
 }
 
 Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
-                      const std::vector<Factor>& factors, const CoupledOptions& options) {
+                      const std::vector<Factor>& factors, const CoupledOptions& options,
+                      const Progress& progress) {
   check(gear);
   if (factors.empty()) throw InputError("factors", "at least one must be named");
   if (factors.size() > target.values.size())
@@ -215,7 +216,7 @@ Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
     return residuals;
   };
   const std::vector<double> before = stiffnesses(compared, target, options);
-  const FactorFit fit = fit_factors(problem);
+  const FactorFit fit = fit_factors(problem, progress);
 
   Calibration result;
   result.source = target.source;

@@ -8,6 +8,7 @@
 
 #include "strainwave/catalogue/catalogue.hpp"
 #include "strainwave/catalogue/factors.hpp"
+#include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
@@ -162,9 +163,11 @@ struct Calibration {
 /// @param factors  at least one, at most as many as there are targets
 /// @throws InputError   if a factor or a torque does not fit the drive
 /// @throws SolverError  if the drive as given has no equilibrium
+/// @throws Stopped      on request
 [[nodiscard]] Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
                                     const std::vector<Factor>& factors,
-                                    const CoupledOptions& options = {});
+                                    const CoupledOptions& options = {},
+                                    const Progress& progress = {});
 
 [[nodiscard]] std::string calibration_text(const Calibration& calibration);
 [[nodiscard]] std::string calibration_json(const Calibration& calibration);

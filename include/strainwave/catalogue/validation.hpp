@@ -12,6 +12,7 @@
 #include "strainwave/catalogue/factors.hpp"
 #include "strainwave/catalogue/proportions.hpp"
 #include "strainwave/core/fields.hpp"
+#include "strainwave/core/progress.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
 /// @file
@@ -195,7 +196,9 @@ struct Validation {
 ///
 /// @throws InputError   if an option is out of range or a size not known
 /// @throws SolverError  if a drive has no equilibrium
-[[nodiscard]] Validation validate(const ValidationOptions& options = {});
+/// @throws Stopped      on request
+[[nodiscard]] Validation validate(const ValidationOptions& options = {},
+                                  const Progress& progress = {});
 
 /// The report for people, at most 100 columns.
 [[nodiscard]] std::string validation_text(const Validation& validation);
