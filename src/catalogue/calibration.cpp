@@ -71,8 +71,8 @@ Columns parse_header(std::string_view line, const std::string& place) {
 }
 
 /// phi at each torque, which may have both senses.
-std::map<double, double> twists(const GearSet& gear, std::vector<double> torques,
-                                const CoupledOptions& options) {
+std::map<double, double> twists_at(const AssembledDrive& drive,
+                                   const std::vector<double>& torques) {
   std::map<double, double> twist = {{0.0, 0.0}};
   for (const double sense : {1.0, -1.0}) {
     std::vector<double> loads;
@@ -83,9 +83,8 @@ std::map<double, double> twists(const GearSet& gear, std::vector<double> torques
     loads.erase(std::unique(loads.begin(), loads.end()), loads.end());
     loads.insert(loads.begin(), loads.front() / 3);
     for (double& load : loads) load *= sense;
-    const TorsionCurve curve = torsion_curve(gear, loads, options);
-    if (!curve.usable()) throw SolverError(curve.unusable_because);
-    for (const CurvePoint& point : curve.points) twist[point.torque] = point.twist;
+    const std::vector<double> solved = twists(drive, loads);
+    for (std::size_t i = 0; i < loads.size(); ++i) twist[loads[i]] = solved[i];
   }
   return twist;
 }
@@ -97,7 +96,7 @@ std::vector<double> stiffnesses(const GearSet& gear, const CalibrationTarget& ta
     torques.push_back(value.from_torque);
     torques.push_back(value.to_torque);
   }
-  const auto twist = twists(gear, std::move(torques), options);
+  const auto twist = twists_at(AssembledDrive(gear, options), torques);
   std::vector<double> K;
   for (const StiffnessTarget& value : target.values)
     K.push_back((value.to_torque - value.from_torque) /
@@ -189,7 +188,8 @@ CalibrationTarget measured_target(const std::vector<MeasuredPoint>& points, std:
 }
 
 Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
-                      const std::vector<Factor>& factors, const CoupledOptions& options) {
+                      const std::vector<Factor>& factors, const CoupledOptions& options,
+                      const Progress& progress) {
   check(gear);
   if (factors.empty()) throw InputError("factors", "at least one must be named");
   if (factors.size() > target.values.size())
@@ -216,7 +216,7 @@ Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
     return residuals;
   };
   const std::vector<double> before = stiffnesses(compared, target, options);
-  const FactorFit fit = fit_factors(problem);
+  const FactorFit fit = fit_factors(problem, progress);
 
   Calibration result;
   result.source = target.source;

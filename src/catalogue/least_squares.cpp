@@ -25,7 +25,7 @@ double scale_of(Factor factor) {
   return info.logarithmic ? 1.0 : info.upper - info.lower;
 }
 
-FactorFit fit_factors(const FactorProblem& problem) {
+FactorFit fit_factors(const FactorProblem& problem, const Progress& progress) {
   constexpr double kDifference = 2e-3;  // of a forward difference: K is smooth to about 1e-8
   constexpr double kSmallStep = 1e-5;
   constexpr int kMostSteps = 40;
@@ -49,9 +49,11 @@ FactorFit fit_factors(const FactorProblem& problem) {
       values.push_back(from_scale(problem.factors[static_cast<std::size_t>(i)], at(i)));
     return values;
   };
+  double done = 0.0;  // share of the steps, of which most fits need far fewer
   const auto jacobian_at = [&](const Eigen::VectorXd& at, const Eigen::VectorXd& residuals) {
     Eigen::MatrixXd J(residuals.size(), n);
     for (Eigen::Index i = 0; i < n; ++i) {
+      progress.at(done);
       Eigen::VectorXd moved = at;
       const double h = at(i) + kDifference > upper(i) ? -kDifference : kDifference;
       moved(i) += h;
@@ -66,6 +68,8 @@ FactorFit fit_factors(const FactorProblem& problem) {
   double damping = 1e-3;
   while (!fit.converged && fit.iterations < kMostSteps) {
     ++fit.iterations;
+    done = static_cast<double>(fit.iterations) / (kMostSteps + 1);
+    progress.at(done);
     const Eigen::VectorXd gradient = fit.jacobian.transpose() * fit.residuals;
     // A factor at its limit that wants to go beyond stays out of this step.
     std::vector<Eigen::Index> free;
@@ -106,6 +110,7 @@ FactorFit fit_factors(const FactorProblem& problem) {
       damping *= 6;
     }
   }
+  progress.at(1.0);
   fit.values = values_at(u);
   for (Eigen::Index i = 0; i < n; ++i) fit.at_limit.push_back(u(i) <= lower(i) || u(i) >= upper(i));
   return fit;

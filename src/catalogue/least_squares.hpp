@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "strainwave/catalogue/factors.hpp"
+#include "strainwave/core/progress.hpp"
 
 namespace strainwave {
 
@@ -30,7 +31,8 @@ struct FactorFit {
 
 /// The damped Gauss-Newton method of Levenberg and Marquardt with limits.
 /// @throws SolverError  if the residuals cannot be computed at the start
-[[nodiscard]] FactorFit fit_factors(const FactorProblem& problem);
+/// @throws Stopped      on request
+[[nodiscard]] FactorFit fit_factors(const FactorProblem& problem, const Progress& progress = {});
 
 /// Length of one unit of the scale in which a factor is fitted: relative if logarithmic.
 [[nodiscard]] double scale_of(Factor factor);

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "strainwave/core/error.hpp"
-
 namespace strainwave {
 
 std::vector<ThreeK> predicted_rows(std::span<const StiffnessRow> rows, double pitch_diameter,
@@ -31,11 +29,11 @@ std::vector<ThreeK> predicted_rows(std::span<const StiffnessRow> rows, double pi
     // The first step from the assembled state is the hardest: a smaller one comes before it.
     std::vector<double> torques = {loads.front().torque / 3};
     for (const RowLoad& load : loads) torques.push_back(load.torque);
-    const TorsionCurve curve = torsion_curve(drive_of(ratio_class), torques, options);
-    if (!curve.usable()) throw SolverError(curve.unusable_because);
+    const std::vector<double> solved =
+        twists(AssembledDrive(drive_of(ratio_class), options), torques);
     std::vector<ThreeK> twist(rows.size());
     for (std::size_t n = 0; n < loads.size(); ++n)
-      twist[loads[n].row][loads[n].which] = curve.points[n + 1].twist;
+      twist[loads[n].row][loads[n].which] = solved[n + 1];
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (rows[i].ratio_class != ratio_class) continue;
       const auto& [phi1, phi2, phi3] = twist[i];

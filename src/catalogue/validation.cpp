@@ -64,13 +64,15 @@ Eigen::VectorXd log_ratios(std::span<const StiffnessRow> rows,
 
 FactorFit fit_rows(const Drives& drives, std::span<const StiffnessRow> rows,
                    const std::vector<Factor>& factors, const std::vector<double>& start,
-                   const CoupledOptions& options, bool plausible_only) {
+                   const CoupledOptions& options, bool plausible_only, const Progress& progress) {
   return fit_factors({.factors = factors,
                       .start = start,
                       .plausible_only = plausible_only,
-                      .residuals = [&](const std::vector<double>& values) {
-                        return log_ratios(rows, drives.predict(rows, options, factors, values));
-                      }});
+                      .residuals =
+                          [&](const std::vector<double>& values) {
+                            return log_ratios(rows, drives.predict(rows, options, factors, values));
+                          }},
+                     progress);
 }
 
 double median(std::vector<double> values) {
@@ -94,11 +96,16 @@ FactorTrial trial_of(const std::vector<Factor>& factors, const FactorFit& fit) {
           .worst = largest(errors)};
 }
 
-void add_trials(Validation& v, const Drives& drives, std::span<const StiffnessRow> regular) {
+void add_trials(Validation& v, const Drives& drives, std::span<const StiffnessRow> regular,
+                const Progress& progress) {
+  constexpr double kSets = 7 + 21 + 35;  // of one, two, three of the seven
+  double tried = 0.0;
   const auto try_set = [&](const std::vector<Factor>& factors) {
     if (factors == v.options.factors) return;
-    v.trials.push_back(trial_of(factors, fit_rows(drives, regular, factors, drives.start(factors),
-                                                  v.options.coupled, true)));
+    v.trials.push_back(trial_of(
+        factors, fit_rows(drives, regular, factors, drives.start(factors), v.options.coupled, true,
+                          progress.part(tried / kSets, (tried + 1) / kSets))));
+    ++tried;
   };
   const auto factor = [](std::size_t i) { return static_cast<Factor>(i); };
   for (std::size_t a = 0; a < kFactors; ++a) try_set({factor(a)});
@@ -119,22 +126,27 @@ void predict_geometry(Validation& v, const Drives& drives, std::span<const Stiff
                       .band = {}});
 }
 
-void predict_left_out(Validation& v, const Drives& drives, std::span<const StiffnessRow> rows) {
+void predict_left_out(Validation& v, const Drives& drives, std::span<const StiffnessRow> rows,
+                      const Progress& progress) {
   const std::vector<Factor>& factors = v.options.factors;
   const CoupledOptions& coupled = v.options.coupled;
+  constexpr double kTrialsEnd = 0.8;  // share of the time, if all sets are tried
   std::vector<StiffnessRow> regular;
   std::ranges::copy_if(rows, std::back_inserter(regular), is_regular);
   if (regular.empty())
     throw InputError("sizes", "leave no row of size 17 and more, ratio 50 and more, to fit to");
-  const FactorFit all = fit_rows(drives, regular, factors, drives.start(factors), coupled, true);
+  const FactorFit all = fit_rows(drives, regular, factors, drives.start(factors), coupled, true,
+                                 progress.part(0.0, 0.1));
   v.trials.push_back(trial_of(factors, all));
-  if (v.options.all_sets) add_trials(v, drives, regular);
+  if (v.options.all_sets) add_trials(v, drives, regular, progress.part(0.1, kTrialsEnd));
 
   std::vector<int> sizes;
   for (const StiffnessRow& row : rows) sizes.push_back(row.size);
   std::ranges::sort(sizes);
   sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
   std::vector<ValidationRow> predicted_in_any_order;
+  double size_begins = v.options.all_sets ? kTrialsEnd : 0.1;
+  const double share = (1 - size_begins) / static_cast<double>(sizes.size());
   for (const int size : sizes) {
     std::vector<StiffnessRow> others;
     std::ranges::copy_if(regular, std::back_inserter(others),
@@ -142,7 +154,9 @@ void predict_left_out(Validation& v, const Drives& drives, std::span<const Stiff
     if (others.empty()) throw InputError("sizes", "need two of size 17 and more");
     const FactorFit fit = others.size() == regular.size()
                               ? all
-                              : fit_rows(drives, others, factors, all.values, coupled, true);
+                              : fit_rows(drives, others, factors, all.values, coupled, true,
+                                         progress.part(size_begins, size_begins + share));
+    size_begins += share;
     std::vector<StiffnessRow> left_out;
     std::ranges::copy_if(rows, std::back_inserter(left_out),
                          [&](const StiffnessRow& row) { return row.size == size; });
@@ -160,12 +174,16 @@ void predict_left_out(Validation& v, const Drives& drives, std::span<const Stiff
     }));
 }
 
-void predict_per_row(Validation& v, const Drives& drives, std::span<const StiffnessRow> rows) {
+void predict_per_row(Validation& v, const Drives& drives, std::span<const StiffnessRow> rows,
+                     const Progress& progress) {
   const std::vector<Factor>& factors = v.options.factors;
+  double row_begins = 0.0;
   for (const StiffnessRow& row : rows) {
     const std::span<const StiffnessRow> one(&row, 1);
     const FactorFit fit =
-        fit_rows(drives, one, factors, drives.start(factors), v.options.coupled, false);
+        fit_rows(drives, one, factors, drives.start(factors), v.options.coupled, false,
+                 progress.part(row_begins, row_begins + 1.0 / static_cast<double>(rows.size())));
+    row_begins += 1.0 / static_cast<double>(rows.size());
     v.rows.push_back({.catalogue = row,
                       .predicted = drives.predict(one, v.options.coupled, factors, fit.values)[0],
                       .factors = fit.values,
@@ -174,10 +192,11 @@ void predict_per_row(Validation& v, const Drives& drives, std::span<const Stiffn
   }
 }
 
-void add_bands(Validation& v, std::span<const StiffnessRow> rows) {
+void add_bands(Validation& v, std::span<const StiffnessRow> rows, const Progress& progress) {
   std::mt19937_64 generator(v.options.seed);
   std::vector<std::array<std::vector<double>, 3>> drawn(rows.size());
   for (int n = 0; n < v.options.draws; ++n) {
+    progress.at(static_cast<double>(n) / v.options.draws);
     const Drives drives(v.options.cup, draw_proportions(generator));
     std::vector<ThreeK> predicted;
     try {
@@ -239,7 +258,7 @@ bool is_regular(const StiffnessRow& row) {
   return row.size >= 17 && row.ratio_class != RatioClass::thirty;
 }
 
-Validation validate(const ValidationOptions& options) {
+Validation validate(const ValidationOptions& options, const Progress& progress) {
   Validation v{.options = options, .rows = {}, .errors = {}, .trials = {}, .failed_draws = 0};
   require(options.draws >= 0 && options.draws <= 100000, "draws", options.draws, "1",
           ">= 0 and <= 100000");
@@ -260,18 +279,21 @@ Validation validate(const ValidationOptions& options) {
       rows.push_back(row);
 
   const Drives drives(options.cup);
+  const Progress fits = progress.part(0.0, options.draws > 0 ? 0.5 : 1.0);
   switch (options.mode) {
     case ValidationMode::geometry:
       predict_geometry(v, drives, rows);
       break;
     case ValidationMode::leave_one_size_out:
-      predict_left_out(v, drives, rows);
+      predict_left_out(v, drives, rows, fits);
       break;
     case ValidationMode::per_row:
-      predict_per_row(v, drives, rows);
+      predict_per_row(v, drives, rows, fits);
       break;
   }
-  if (options.draws > 0) add_bands(v, rows);
+  if (options.draws > 0)
+    add_bands(v, rows, progress.part(options.mode == ValidationMode::geometry ? 0.0 : 0.5, 1.0));
+  progress.at(1.0);
 
   const auto of_class = [](RatioClass wanted) {
     return [wanted](const StiffnessRow& row) { return row.ratio_class == wanted; };

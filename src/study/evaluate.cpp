@@ -9,23 +9,26 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/strength/crack_strength.hpp"
-#include "strainwave/torsion/compare.hpp"
+#include "strainwave/torsion/torsion_curve.hpp"
 
 namespace strainwave {
 namespace {
 
-CurveStiffness lines_of(const GearSet& gear, int sense) {
-  const MakersLines lines = makers_lines(gear, sense);
-  const auto quantity = [&](double K) { return Quantity{K, "N*m/rad", curve_uncertainty(gear)}; };
+CurveStiffness lines_of(const AssembledDrive& drive, int sense) {
+  const MakersLines lines = makers_lines(drive, sense);
+  const auto quantity = [&](double K) {
+    return Quantity{K, "N*m/rad", curve_uncertainty(drive.gear())};
+  };
   return {quantity(lines.K1), quantity(lines.K2), quantity(lines.K3)};
 }
 
 /// The maker's stiffnesses beside the series model; a note says why where there are none.
 void add_curve(StiffnessResult& result, const GearSet& gear) {
   try {
-    result.curve = {.intact = lines_of(without_cracks(gear), +1),
-                    .positive = lines_of(gear, +1),
-                    .negative = lines_of(gear, -1)};
+    const AssembledDrive drive(gear);
+    result.curve = {.intact = lines_of(drive.without_cracks(), +1),
+                    .positive = lines_of(drive, +1),
+                    .negative = lines_of(drive, -1)};
     result.equations.emplace_back("TC-14");
   } catch (const Error& error) {
     result.notes.push_back({"curve.none",

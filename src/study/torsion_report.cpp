@@ -34,9 +34,10 @@ std::vector<double> curve_torques(const MakersTorques& at) {
   return torques;
 }
 
-TorsionCurve usable_curve(const GearSet& gear, std::vector<double> torques, double sense) {
+TorsionCurve usable_curve(const AssembledDrive& drive, std::vector<double> torques, double sense,
+                          const Progress& progress) {
   for (double& torque : torques) torque *= sense;
-  TorsionCurve curve = torsion_curve(gear, torques);
+  TorsionCurve curve = torsion_curve(drive, torques, progress);
   if (!curve.usable()) throw SolverError(curve.unusable_because);
   return curve;
 }
@@ -176,7 +177,7 @@ double largest_force(const std::vector<ContactForce>& forces) {
 
 }  // namespace
 
-LineBands line_bands(const GearSet& gear, int draws) {
+LineBands line_bands(const GearSet& gear, int draws, const Progress& progress) {
   struct Limits {
     std::string path;
     double lower;
@@ -210,6 +211,7 @@ LineBands line_bands(const GearSet& gear, int draws) {
     } catch (const Error&) {  // this combination cannot be built
       ++bands.rejected;
     }
+    progress.at((n + 1.0) / draws);
   }
   bands.draws = static_cast<int>(K1.size());
   if (bands.draws == 0)
@@ -220,48 +222,61 @@ LineBands line_bands(const GearSet& gear, int draws) {
   return bands;
 }
 
-TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& options) {
+TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& options,
+                             const Progress& progress) {
+  // Shares of the time: a drive without ranges and cracks takes it all for its curve.
+  const bool draws = !gear.range.empty() && options.draws > 0;
+  const double curve_ends = draws || options.compare ? 0.2 : 1.0;
+  const double draws_end = !draws ? curve_ends : options.compare ? 0.5 : 1.0;
+  const Progress curve = progress.part(0.0, curve_ends);
   TorsionReport report;
+  const AssembledDrive drive(gear);
+  const SlidingDrive sliding(gear);
   report.torques = makers_torques(gear);
   const std::vector<double> torques = curve_torques(report.torques);
-  report.curve = usable_curve(gear, torques, +1);
-  report.curve_negative = usable_curve(gear, torques, -1);
+  report.curve = usable_curve(drive, torques, +1, curve.part(0.1, 0.4));
+  report.curve_negative = usable_curve(drive, torques, -1, curve.part(0.4, 0.7));
   for (const double at : {report.torques.T1, report.torques.T2, report.torques.rated}) {
     const auto point = std::ranges::min_element(
         report.curve.points, {}, [&](const CurvePoint& p) { return std::abs(p.torque - at); });
     const auto index = static_cast<std::size_t>(point - report.curve.points.begin());
     if (std::ranges::find(report.shown, index) == report.shown.end()) report.shown.push_back(index);
   }
-  report.positive = makers_lines(gear, +1);
-  report.negative = makers_lines(gear, -1);
-  report.loop = hysteresis_loop(Hysteresis(gear, report.torques.rated), report.torques.rated);
-  report.lost_motion = lost_motion(gear);
-  report.rim = rim_states(gear, report.torques.rated, kRimPositions);
-  if (!gear.range.empty() && options.draws > 0) report.bands = line_bands(gear, options.draws);
+  report.positive = makers_lines(drive, +1);
+  report.negative = makers_lines(drive, -1);
+  report.loop = hysteresis_loop(Hysteresis(sliding, report.torques.rated, {}, curve.part(0.7, 1.0)),
+                                report.torques.rated);
+  report.lost_motion = lost_motion(drive);
+  report.rim = rim_states(drive, report.torques.rated, kRimPositions);
+  if (draws) report.bands = line_bands(gear, options.draws, progress.part(curve_ends, draws_end));
   if (options.compare) {
-    report.comparison = compare_curves(gear, options.angles);
-    report.sound = usable_curve(without_cracks(gear), torques, +1);
+    report.comparison =
+        compare_curves(drive, sliding, options.angles, progress.part(draws_end, 1.0));
+    report.sound = usable_curve(drive.without_cracks(), torques, +1, {});
   }
   if (report.torques.by_convention)
     report.notes.push_back({"rating.convention",
                             "not given: T1 and T2 are taken as 0.0517 and 0.187 N/mm^2 times the "
                             "cube of the pitch diameter, as catalogues choose them",
-                            "rating", "TC-14"});
+                            "rating", "TC-14", Severity::information,
+                            "Give rating.T1 and rating.T2 to use the maker's torques."});
   add_once(report.notes, report.curve.notes);
   if (gear.mesh->friction_coefficient > 0 && (!gear.rating || gear.rating->friction_torque == 0))
     report.notes.push_back({"hysteresis.no_load",
                             "flank friction vanishes with the load, so the loop closes at zero "
                             "torque; a maker's hysteresis loss there is of seal, grease and "
                             "bearings: give friction_torque",
-                            "rating.friction_torque", "TC-17"});
+                            "rating.friction_torque", "TC-17", Severity::care,
+                            "Give rating.friction_torque."});
   if (has_cracks(gear) && !options.compare)
     report.notes.push_back({"torsion.compare",
                             "the drive has cracks; --compare shows what they change, and over a "
                             "turn of the wave generator",
-                            "", "TC-26"});
+                            "", "TC-26", Severity::information, "Run the command with --compare."});
   if (options.compare && !has_cracks(gear))
-    report.notes.push_back(
-        {"torsion.no_cracks", "the file has no cracks: there is nothing to compare", "", "TC-26"});
+    report.notes.push_back({"torsion.no_cracks",
+                            "the file has no cracks: there is nothing to compare", "", "TC-26",
+                            Severity::information});
   report.equations = report.curve.equations;
   for (const char* const tag : {"TC-16", "TC-17", "TC-18", "TC-24"})
     report.equations.emplace_back(tag);

@@ -40,22 +40,30 @@ int dominant_order(const std::vector<LineChanges>& at_angle) {
   return order;
 }
 
-ChangesOverTurn over_turn(const std::vector<GearSet>& turned, const MakersLines& sound, int sense,
-                          const CoupledOptions& options) {
+/// @param at_angle  changes at the positions, the first as in the file
+ChangesOverTurn over_turn(std::vector<LineChanges> at_angle) {
   ChangesOverTurn result;
-  for (const GearSet& gear : turned)
-    result.at_angle.push_back(changes(makers_lines(gear, sense, options), sound));
-  result.as_given = result.at_angle.front();
-  result.worst = result.best = result.as_given;
-  for (const LineChanges& at : result.at_angle)
+  result.as_given = result.worst = result.best = at_angle.front();
+  for (const LineChanges& at : at_angle)
     for (const auto line : kLines) {
-      result.mean.*line += at.*line / static_cast<double>(result.at_angle.size());
+      result.mean.*line += at.*line / static_cast<double>(at_angle.size());
       result.worst.*line = std::min(result.worst.*line, at.*line);
       result.best.*line = std::max(result.best.*line, at.*line);
     }
   for (const auto line : kLines) result.ripple.*line = result.best.*line - result.worst.*line;
-  result.ripple_order = dominant_order(result.at_angle);
+  result.ripple_order = dominant_order(at_angle);
+  result.at_angle = std::move(at_angle);
   return result;
+}
+
+/// Positions over a turn, of whole teeth: a crack then meets the same teeth and gaps at each.
+std::vector<double> positions_over_turn(const GearSet& gear, int angles) {
+  const int teeth = static_cast<int>(std::lround(gear.drive.wave_number * gear.drive.ratio));
+  const int count = !has_moving_cracks(gear) ? 1 : angles == 0 ? teeth : std::min(angles, teeth);
+  std::vector<double> positions;
+  for (int i = 0; i < count; ++i)
+    positions.push_back(2 * pi / teeth * std::round(static_cast<double>(i) * teeth / count));
+  return positions;
 }
 
 double size(const LineChanges& c) {
@@ -128,9 +136,13 @@ bool has_moving_cracks(const GearSet& gear) {
          (gear.circular_spline && !gear.circular_spline->crack.empty());
 }
 
+double turned_position(double position, double angle) {
+  return std::remainder(position - angle, 2 * pi);
+}
+
 GearSet after_turn(const GearSet& gear, double angle) {
   GearSet turned = gear;
-  const auto shift = [&](double& position) { position = std::remainder(position - angle, 2 * pi); };
+  const auto shift = [&](double& position) { position = turned_position(position, angle); };
   if (turned.mesh)
     for (ToothMeshCrack& crack : turned.mesh->crack) shift(std::get<ToothCrack>(crack).position);
   if (turned.flexspline)
@@ -148,32 +160,35 @@ GearSet after_turn(const GearSet& gear, double angle) {
   return turned;
 }
 
-CurveComparison compare_curves(const GearSet& gear, int angles, const CoupledOptions& options) {
+CurveComparison compare_curves(const AssembledDrive& drive, const SlidingDrive& sliding, int angles,
+                               const Progress& progress) {
   require(angles >= 0, "angles", angles, "1", ">= 0");
+  // Shares of the time: most of it goes to the positions, the loops come last.
+  const Progress turn = progress.part(0.0, 0.9);
+  const AssembledDrive sound = drive.without_cracks();
   CurveComparison comparison;
-  comparison.torques = makers_torques(gear);
-  const GearSet sound = without_cracks(gear);
-  comparison.sound = makers_lines(sound, +1, options);
-  const MakersLines sound_negative = makers_lines(sound, -1, options);
-  // Whole teeth: a crack then meets the same teeth and gaps at each angle.
-  const int teeth = static_cast<int>(std::lround(gear.drive.wave_number * gear.drive.ratio));
-  std::vector<GearSet> turned;
-  const int count = !has_moving_cracks(gear) ? 1 : angles == 0 ? teeth : std::min(angles, teeth);
-  for (int i = 0; i < count; ++i) {
-    const double angle = 2 * pi / teeth * std::round(static_cast<double>(i) * teeth / count);
-    comparison.angles.push_back(angle);
-    turned.push_back(after_turn(gear, angle));
+  comparison.torques = makers_torques(drive.gear());
+  comparison.sound = makers_lines(sound, +1);
+  comparison.angles = positions_over_turn(drive.gear(), angles);
+  const MakersLines sound_negative = makers_lines(sound, -1);
+  std::vector<LineChanges> positive;
+  std::vector<LineChanges> negative;
+  for (const double angle : comparison.angles) {
+    const AssembledDrive turned = drive.turned(angle);
+    positive.push_back(changes(makers_lines(turned, +1), comparison.sound));
+    negative.push_back(changes(makers_lines(turned, -1), sound_negative));
+    turn.at(static_cast<double>(positive.size()) / static_cast<double>(comparison.angles.size()));
   }
-  comparison.positive = over_turn(turned, comparison.sound, +1, options);
-  comparison.negative = over_turn(turned, sound_negative, -1, options);
-  comparison.lost_motion_sound = lost_motion(sound, options);
-  comparison.lost_motion_cracked = lost_motion(gear, options);
-  const double rated = comparison.torques.rated;
-  const HysteresisOptions loops{.coupled = options};
-  comparison.hysteresis_sound =
-      hysteresis_loop(Hysteresis(sound, rated, loops), rated).largest_width;
-  comparison.hysteresis_cracked =
-      hysteresis_loop(Hysteresis(gear, rated, loops), rated).largest_width;
+  comparison.positive = over_turn(std::move(positive));
+  comparison.negative = over_turn(std::move(negative));
+  comparison.lost_motion_sound = lost_motion(sound);
+  comparison.lost_motion_cracked = lost_motion(drive);
+  const auto largest_width = [&](const SlidingDrive& slides, const Progress& part) {
+    const double rated = comparison.torques.rated;
+    return hysteresis_loop(Hysteresis(slides, rated, {}, part), rated).largest_width;
+  };
+  comparison.hysteresis_sound = largest_width(sliding.without_cracks(), progress.part(0.9, 0.95));
+  comparison.hysteresis_cracked = largest_width(sliding, progress.part(0.95, 1.0));
   diagnose(comparison);
   return comparison;
 }

@@ -6,8 +6,6 @@
 #include <limits>
 #include <numbers>
 
-#include "strainwave/torsion/plate_edge.hpp"
-
 namespace strainwave {
 namespace {
 
@@ -17,206 +15,84 @@ constexpr double kToothSpan = pi / 4;  // teeth farther from a lobe never touch
 
 double angle_from_lobe(double theta) { return std::remainder(theta, pi); }
 
-double sinc(double x) { return std::sin(x) / x; }
+std::vector<double> teeth_near_lobes(int teeth) {
+  std::vector<double> near;
+  for (int j = 0; j < teeth; ++j) {
+    const double theta = (j + 0.5) * 2 * pi / teeth;
+    if (std::abs(angle_from_lobe(theta)) <= kToothSpan + 1e-12) near.push_back(theta);
+  }
+  return near;
+}
 
 }  // namespace
 
 CoupledDrive::CoupledDrive(const GearSet& gear, const CoupledGeometry& geometry,
-                           const ContactCracks& cracks, const CoupledOptions& options)
-    : g_(geometry),
-      N_(options.harmonics),
-      tolerance_(options.tolerance),
-      max_iterations_(options.max_iterations) {
-  make_modes(gear, options);
-  soften(cracks.hinges);
-  make_contacts();
-  soften_contacts(cracks);
-}
-
-void CoupledDrive::make_modes(const GearSet& gear, const CoupledOptions& options) {
-  const Flexspline& fs = *gear.flexspline;
-  const double R = g_.ring_radius;
-  const double L = g_.barrel_length;
-  const auto& [E, G, nu] = g_.rim_steel;
-  const double plate = E * std::pow(g_.barrel_thickness, 3) / (12 * (1 - nu * nu));
-  // The plate's own thickness law matters little here; its mean over the radius is taken.
-  double h = fs.diaphragm->thickness;
-  if (!fs.diaphragm->profile.empty()) {
-    constexpr int kPoints = 64;
-    h = 0.0;
-    for (int i = 0; i < kPoints; ++i)
-      h += diaphragm_thickness(*fs.diaphragm,
-                               (fs.diaphragm->inner_diameter +
-                                (fs.diaphragm->outer_diameter - fs.diaphragm->inner_diameter) *
-                                    (i + 0.5) / kPoints) /
-                                   2) /
-           kPoints;
-  }
-  const ClampedPlate bottom{.outer_radius = fs.diaphragm->outer_diameter / 2,
-                            .inner_radius = fs.diaphragm->inner_diameter / 2,
-                            .thickness = h,
-                            .youngs_modulus = E,
-                            .poissons_ratio = nu};
-  modes_.assign(static_cast<std::size_t>(N_) + 1, {});
-  modes_[0].extension = 2 * pi * g_.extension / R;  // (TC-1)
-  modes_[0].rim_bending = 2 * pi * g_.rim_bending / (R * R * R);
-  modes_[0].outer_bending = 2 * pi * g_.outer_bending / (R * R * R);
-  for (int n = 1; n <= N_; ++n) {
-    Mode& mode = modes_[static_cast<std::size_t>(n)];
-    const double n2 = n * n;
-    const double bent = (n2 - 1) * (n2 - 1);
-    mode.rim_bending = pi * g_.rim_bending / (R * R * R) * bent;      // (TC-1)
-    mode.outer_bending = pi * g_.outer_bending / (R * R * R) * bent;  // (TC-1)
-    mode.extension = pi * g_.extension / R;                           // (TC-1)
-    if (n == 1) {
-      mode.lateral = 0.5 * pi * G * R * g_.barrel_thickness / L;  // (TC-2)
-      continue;
-    }
-    const double twist = (n - 1.0 / n) * (n - 1.0 / n);
-    mode.barrel = plate * pi * R * (L / 3) *
-                  (bent / std::pow(R, 4) + 6 * (1 - nu) * twist / (R * R * L * L)) *
-                  std::min(1.0, 2.5 / n);  // (TC-2)
-    if (options.diaphragm_warping)
-      mode.diaphragm = plate_edge_stiffness(bottom, n) * std::pow(R / (n2 * L), 2);  // (TC-2)
-    if (g_.support > 0)
-      mode.spline =
-          pi * g_.spline_bending / std::pow(g_.spline_radius, 3) * bent / g_.support;  // (TC-10)
-  }
-}
-
-void CoupledDrive::make_contacts() {
-  const int z = g_.teeth;
-  std::vector<double> teeth;
-  for (int j = 0; j < z; ++j) {
-    const double theta = (j + 0.5) * 2 * pi / z;
-    if (std::abs(angle_from_lobe(theta)) <= kToothSpan + 1e-12) teeth.push_back(theta);
-  }
+                           const CoupledOptions& options)
+    : g_(geometry), tolerance_(options.tolerance), max_iterations_(options.max_iterations) {
+  const std::vector<double> teeth = teeth_near_lobes(g_.teeth);
   tooth_count_ = static_cast<int>(teeth.size());
   const int count = g_.balls + 2 * tooth_count_;
-  row_.setZero(count, coefficients());
-  compliant_row_.setZero(count, coefficients());
   free_.setZero(count);
   cam_.setZero(count);
   rotation_.setZero(count);
   multiplier_.setOnes(count);
   own_.setZero(count);
   theta_.assign(static_cast<std::size_t>(count), 0.0);
-  flexibility_.setConstant(count, count, std::numeric_limits<double>::quiet_NaN());
+  auto rings = std::make_shared<ElasticRings>(gear, g_, options, count);
+  place_balls(*rings);
+  place_flanks(*rings, teeth);
+  rings_ = std::move(rings);
+}
 
+CoupledDrive CoupledDrive::cracked(const ContactCracks& cracks) const {
+  CoupledDrive drive = *this;
+  if (!cracks.hinges.empty())
+    drive.rings_ = std::make_shared<const ElasticRings>(rings_->softened(cracks.hinges));
+  drive.soften_contacts(cracks);
+  return drive;
+}
+
+void CoupledDrive::place_balls(ElasticRings& rings) {
   for (int k = 0; k < g_.balls; ++k) {
     const double psi = 2 * pi * k / g_.balls;
     const double s2 = std::sin(2 * psi);
     theta_[static_cast<std::size_t>(k)] = psi;
-    fill_row(k, psi, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    rings.set_contacts(psi, {{k, {.radial = -1.0}}});
     cam_[k] = std::cos(2 * psi);  // (TC-5)
     free_[k] = -g_.clearance - g_.cam_flattening * g_.radial_displacement * g_.radial_displacement /
                                    g_.ring_radius * s2 * s2;  // (TC-5)
   }
+}
+
+void CoupledDrive::place_flanks(ElasticRings& rings, const std::vector<double>& teeth) {
   const double reach = (g_.pitch_radius - g_.ring_radius) / g_.ring_radius;
   const double spline_reach =
       g_.support > 0 ? (g_.pitch_radius - g_.spline_radius) / g_.spline_radius : 0.0;
   const double w0 = g_.radial_displacement;
-  for (int j = 0; j < tooth_count_; ++j)
-    for (const int side : {+1, -1}) {
-      const int i = g_.balls + j + (side > 0 ? 0 : tooth_count_);
-      const double theta = teeth[static_cast<std::size_t>(j)];
-      const double t = angle_from_lobe(theta);
-      const double across = side * std::cos(g_.force_angle);
-      const double up = std::sin(g_.force_angle);
+  const double up = std::sin(g_.force_angle);
+  // (TC-6): the circular spline's tooth moves away under the same force.
+  const auto direction = [&](double across) {
+    return ContactDirection{.radial = up,
+                            .tangential = across * (1 + reach),
+                            .slope = -across * reach,
+                            .spline_radial = -up,
+                            .spline_tangential = -across * (1 + spline_reach),
+                            .spline_slope = across * spline_reach};
+  };
+  for (int j = 0; j < tooth_count_; ++j) {
+    const double theta = teeth[static_cast<std::size_t>(j)];
+    const double across = std::cos(g_.force_angle);
+    const int drive = g_.balls + j;
+    const int coast = drive + tooth_count_;
+    rings.set_contacts(theta, {{drive, direction(across)}, {coast, direction(-across)}});
+    for (const int i : {drive, coast}) {
+      const int side = i == drive ? +1 : -1;
       theta_[static_cast<std::size_t>(i)] = theta;
-      // (TC-6): the circular spline's tooth moves away under the same force.
-      fill_row(i, theta, up, across * (1 + reach), -across * reach, -up,
-               -across * (1 + spline_reach), across * spline_reach);
-      rotation_[i] = across * (1 + reach);
-      Eigen::VectorXd nominal = Eigen::VectorXd::Zero(row_.cols());
-      nominal[at(2)] = w0;
-      nominal[at(2) + 3] = -w0 / 2;
-      free_[i] = -row_.row(i).dot(nominal) -
-                 flank_gap(side * t, w0, g_.flank_angle, g_.gap_factor) - g_.lobe_gap;  // (TC-6)
+      rotation_[i] = side * across * (1 + reach);
+      free_[i] = -rings.of_nominal_wave(i, w0) -
+                 flank_gap(side * angle_from_lobe(theta), w0, g_.flank_angle, g_.gap_factor) -
+                 g_.lobe_gap;  // (TC-6)
     }
-  lobe_.setZero(row_.cols());  // mean of w at 0 and pi: the even cosines
-  lobe_[0] = 1.0;
-  for (int n = 2; n <= N_; n += 2) lobe_[at(n)] = 1.0;
-}
-
-void CoupledDrive::fill_row(int contact, double theta, double radial, double tangential,
-                            double slope, double spline_radial, double spline_tangential,
-                            double spline_slope) {
-  auto row = row_.row(contact);
-  row[0] = radial;
-  for (int n = 1; n <= N_; ++n) {
-    const double c = std::cos(n * theta);
-    const double s = std::sin(n * theta);
-    row[at(n)] = radial * c - slope * n * s;
-    row[at(n) + 1] = radial * s + slope * n * c;
-    row[at(n) + 2] = tangential * c;
-    row[at(n) + 3] = tangential * s;
-    if (g_.support > 0 && n >= 2) {  // inextensional: v = -(a/n) sin + (b/n) cos
-      row[spline_at(n)] = spline_radial * c - spline_slope * n * s - spline_tangential / n * s;
-      row[spline_at(n) + 1] = spline_radial * s + spline_slope * n * c + spline_tangential / n * c;
-    }
-  }
-  Eigen::VectorXd out(row_.cols());
-  apply_compliance(row.transpose(), out);
-  compliant_row_.row(contact) = out.transpose();
-}
-
-void CoupledDrive::apply_compliance(const Eigen::VectorXd& load,
-                                    Eigen::Ref<Eigen::VectorXd> out) const {
-  const Mode& breathing = modes_[0];
-  out[0] = load[0] / (breathing.extension + breathing.rim_bending + breathing.outer_bending);
-  for (int n = 1; n <= N_; ++n) {
-    const Mode& mode = modes_[static_cast<std::size_t>(n)];
-    const double bend = mode.rim_bending + mode.outer_bending + mode.barrel + mode.diaphragm;
-    double ww;  // (TC-4): inverse of [[bend + ke, n ke], [n ke, n^2 ke]]
-    double wv;
-    double vv;
-    if (n == 1) {
-      const double ke = mode.extension;
-      const double kl = mode.lateral;
-      const double det = kl * (kl + 2 * ke);
-      ww = (ke + kl) / det;
-      wv = -ke / det;
-      vv = ww;
-    } else {
-      ww = 1 / bend;
-      wv = -1 / (n * bend);
-      vv = (1 / mode.extension + 1 / bend) / (n * n);
-    }
-    const int i = at(n);
-    out[i] = ww * load[i] + wv * load[i + 3];
-    out[i + 3] = wv * load[i] + vv * load[i + 3];
-    out[i + 1] = ww * load[i + 1] - wv * load[i + 2];
-    out[i + 2] = -wv * load[i + 1] + vv * load[i + 2];
-    if (mode.spline > 0) {
-      out[spline_at(n)] = load[spline_at(n)] / mode.spline;
-      out[spline_at(n) + 1] = load[spline_at(n) + 1] / mode.spline;
-    }
-  }
-  for (const Softening& soft : softenings_)
-    out += soft.factor * soft.response.dot(load) * soft.response;  // (TC-22)
-}
-
-void CoupledDrive::soften(const std::vector<RingHinge>& hinges) {
-  for (const RingHinge& hinge : hinges) {
-    const bool spline = hinge.ring == RingHinge::Ring::spline;
-    if (spline && g_.support <= 0) continue;  // a rigid ring does not bend
-    const double R = spline ? g_.spline_radius : g_.ring_radius;
-    Softening soft{.ring = hinge.ring,
-                   .softening = hinge.softening,
-                   .curvature = Eigen::VectorXd::Zero(coefficients()),
-                   .response = Eigen::VectorXd::Zero(coefficients())};
-    for (int n = 2; n <= N_; ++n) {
-      const double amplitude =
-          (1.0 - n * n) / (R * R) * sinc(n * hinge.length / (2 * R));  // (TC-22)
-      const int i = spline ? spline_at(n) : at(n);
-      soft.curvature[i] = amplitude * std::cos(n * hinge.position);
-      soft.curvature[i + 1] = amplitude * std::sin(n * hinge.position);
-    }
-    apply_compliance(soft.curvature, soft.response);
-    // Below 1: the energy of the mean curvature is never more than that of the curvature itself.
-    soft.factor = soft.softening / (1 - soft.softening * soft.curvature.dot(soft.response));
-    softenings_.push_back(std::move(soft));
   }
 }
 
@@ -241,17 +117,7 @@ void CoupledDrive::soften_contacts(const ContactCracks& cracks) {
   }
 }
 
-double CoupledDrive::flexibility(int i, int j) {
-  double& entry = flexibility_(i, j);
-  if (std::isnan(entry)) {
-    entry = row_.row(i).dot(compliant_row_.row(j)) + (i == j ? own_[i] : 0.0);  // (TC-4)
-    flexibility_(j, i) = entry;
-  }
-  return entry;
-}
-
-CoupledDrive::Law CoupledDrive::law(int contact, double closing) const {
-  if (closing <= 0) return {};
+CoupledDrive::Law CoupledDrive::pressed_law(int contact, double closing) const {
   if (contact < g_.balls) {
     const double root = std::sqrt(closing);
     const double force = g_.ball_stiffness * closing * root;  // (TC-5)
@@ -262,14 +128,15 @@ CoupledDrive::Law CoupledDrive::law(int contact, double closing) const {
           m * g_.flank.energy(closing)};
 }
 
-Eigen::VectorXd CoupledDrive::closing(const Eigen::VectorXd& force, double rotation) const {
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(coefficients());
-  for (int i = 0; i < contacts(); ++i)
-    if (force[i] != 0) x -= force[i] * compliant_row_.row(i).transpose();
-  Eigen::VectorXd u = free_ + amplitude_ * cam_ + rotation * rotation_;
-  u.noalias() += row_ * x;
-  u -= own_.cwiseProduct(force);
-  return u;
+void CoupledDrive::close_rigidly(Equilibrium& state) const {
+  state.closing = free_ + amplitude_ * cam_ + state.rotation * rotation_;
+  state.closing += state.elastic;
+  state.closing -= own_.cwiseProduct(state.force);
+}
+
+void CoupledDrive::close(Equilibrium& state) const {
+  state.elastic.noalias() = rings_->rows() * rings_->sum_of(state.force);
+  close_rigidly(state);
 }
 
 double CoupledDrive::free_travel(const Eigen::VectorXd& closing, double load) const {
@@ -281,170 +148,201 @@ double CoupledDrive::free_travel(const Eigen::VectorXd& closing, double load) co
   return std::copysign(travel + 1e-3 * g_.radial_displacement, load);
 }
 
-Equilibrium CoupledDrive::solve(double torque, const Equilibrium& start) {
+double CoupledDrive::energy(const Equilibrium& state, double load) const {
+  double sum = -load * state.rotation;
+  for (int i = 0; i < contacts(); ++i) {
+    sum += law(i, state.closing[i]).energy;
+    if (state.force[i] != 0)
+      sum += 0.5 * state.force[i] * (rigid_closing(i, state.rotation) - state.closing[i]);
+  }
+  return sum;
+}
+
+Eigen::VectorXd CoupledDrive::Touching::force(double rotation, int contacts) const {
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(contacts);
+  for (Eigen::Index p = 0; p < root.size(); ++p)
+    force[contact[static_cast<std::size_t>(p)]] = root[p] * (base[p] + turned[p] * rotation);
+  return force;
+}
+
+template <class Right>
+CoupledDrive::Touching CoupledDrive::touching(const Eigen::VectorXd& closing,
+                                              const Right& right) const {
+  Touching t;
+  std::vector<Law> laws;
+  for (int i = 0; i < contacts(); ++i)
+    if (closing[i] > 0)
+      if (const Law at = law(i, closing[i]); at.stiffness > 0) {
+        t.contact.push_back(i);
+        laws.push_back(at);
+      }
+  const auto m = static_cast<Eigen::Index>(t.contact.size());
+  // With forces lambda = root y the matrix 1 + root C root is well conditioned, however soft a
+  // contact that only just touches.
+  Eigen::MatrixXd matrix(m, m);
+  Eigen::VectorXd wanted(m);
+  t.border.resize(m);
+  t.root.resize(m);
+  for (Eigen::Index p = 0; p < m; ++p) {
+    const int i = t.contact[static_cast<std::size_t>(p)];
+    const Law& at = laws[static_cast<std::size_t>(p)];
+    t.root[p] = std::sqrt(at.stiffness);
+    wanted[p] = right(i, at, t.root[p]);
+    t.border[p] = t.root[p] * rotation_[i];
+    for (Eigen::Index q = 0; q <= p; ++q) {
+      const int j = t.contact[static_cast<std::size_t>(q)];
+      matrix(p, q) = t.root[p] * t.root[q] * (rings_->flexibility(i, j) + (i == j ? own_[i] : 0.0));
+    }
+    matrix(p, p) += 1.0;
+  }
+  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>, Eigen::Lower> factor(matrix);
+  t.base = factor.solve(wanted);
+  t.turned = factor.solve(t.border);
+  t.resistance = t.border.dot(t.turned);
+  return t;
+}
+
+Equilibrium CoupledDrive::newton_step(const Equilibrium& state, double load) const {
+  const Touching t = touching(state.closing, [&](int i, const Law& at, double root) {
+    return at.force / root + root * (free_[i] + amplitude_ * cam_[i] - state.closing[i]);
+  });
+  Equilibrium full;
+  full.torque = state.torque;
+  full.rotation = state.rotation;
+  // Without a flank in contact nothing resists the rotation: the ring turns until one touches.
+  if (t.resistance > 0)
+    full.rotation = t.rotation(load);
+  else if (load != 0)
+    full.rotation += free_travel(state.closing, load);
+  full.force = t.force(full.rotation, contacts());
+  close(full);
+  return full;
+}
+
+void CoupledDrive::judge(Equilibrium& state, double load) const {
+  double largest = 0.0;
+  double error = 0.0;
+  double carried = 0.0;
+  for (int i = 0; i < contacts(); ++i) {
+    const double is = law(i, state.closing[i]).force;
+    largest = std::max(largest, is);
+    error = std::max(error, std::abs(is - state.force[i]));
+    carried += is * rotation_[i];
+  }
+  error = std::max(error, std::abs(carried - load));
+  state.residual = largest > 0 ? error / largest : std::abs(load);
+  state.converged = error <= tolerance_ * largest || (largest == 0 && load == 0);
+}
+
+void CoupledDrive::move_toward(const Equilibrium& full, Equilibrium& state, double load) const {
+  constexpr double kShortest = 1e-10;  // of a step; shorter ones change nothing
+  constexpr double kDescent = 1e-4;    // share of the linear decrease that is asked for (Armijo)
+  constexpr double kRounding = 1e-14;  // of the sum of energies
+  const Eigen::VectorXd d_force = full.force - state.force;
+  const Eigen::VectorXd d_closing = full.closing - state.closing;
+  const double d_rotation = full.rotation - state.rotation;
+  const double before = energy(state, load);
+  double slope = -load * d_rotation;
+  for (int i = 0; i < contacts(); ++i) {
+    slope += law(i, state.closing[i]).force * d_closing[i];
+    if (d_force[i] != 0)
+      slope += d_force[i] * (rigid_closing(i, state.rotation) - state.closing[i]);
+  }
+  const double noise = kRounding * std::abs(before);
+  Equilibrium moved = state;
+  const auto move = [&](double step) {
+    moved.force = state.force + step * d_force;
+    moved.closing = state.closing + step * d_closing;
+    moved.rotation = state.rotation + step * d_rotation;
+  };
+  double step = 1.0;
+  for (move(step);
+       step > kShortest && energy(moved, load) > before + kDescent * step * slope + noise;
+       move(step))
+    step /= 2;
+  state = std::move(moved);
+}
+
+Equilibrium CoupledDrive::solve(double torque, const Equilibrium& start) const {
   // (TC-11): Newton's method on the contact forces; the energy along a step decides its length.
   const double load = torque / g_.ring_radius;
   Equilibrium state = start;
   state.torque = torque;
   state.converged = false;
-  state.closing = closing(state.force, state.rotation);
-  std::vector<int> active;
-  Eigen::VectorXd root;  // of the stiffness of the active contacts
-  const auto energy = [&](const Eigen::VectorXd& force, const Eigen::VectorXd& u, double rotation) {
-    double sum = -load * rotation;
-    for (int i = 0; i < contacts(); ++i) {
-      sum += law(i, u[i]).energy;
-      if (force[i] != 0)
-        sum += 0.5 * force[i] * (free_[i] + amplitude_ * cam_[i] + rotation * rotation_[i] - u[i]);
-    }
-    return sum;
-  };
   for (state.iterations = 0; state.iterations < max_iterations_; ++state.iterations) {
-    active.clear();
-    for (int i = 0; i < contacts(); ++i)
-      if (state.closing[i] > 0 && law(i, state.closing[i]).stiffness > 0) active.push_back(i);
-    const auto m = static_cast<Eigen::Index>(active.size());
-    // With forces lambda = root y the matrix 1 + root C root is well conditioned, however soft a
-    // contact that only just touches.
-    Eigen::MatrixXd matrix(m, m);
-    Eigen::VectorXd right(m);
-    Eigen::VectorXd border(m);
-    root.resize(m);
-    for (Eigen::Index p = 0; p < m; ++p) {
-      const int i = active[static_cast<std::size_t>(p)];
-      const Law at = law(i, state.closing[i]);
-      root[p] = std::sqrt(at.stiffness);
-      right[p] =
-          at.force / root[p] + root[p] * (free_[i] + amplitude_ * cam_[i] - state.closing[i]);
-      border[p] = root[p] * rotation_[i];
-      for (Eigen::Index q = 0; q <= p; ++q)
-        matrix(p, q) = root[p] * root[q] * flexibility(i, active[static_cast<std::size_t>(q)]);
-      matrix(p, p) += 1.0;
+    Equilibrium full = newton_step(state, load);
+    judge(full, load);
+    state.residual = full.residual;
+    if (full.converged) {  // it lands on the laws of the contacts
+      full.iterations = state.iterations + 1;
+      return full;
     }
-    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>, Eigen::Lower> factor(matrix);
-    const Eigen::VectorXd base = factor.solve(right);
-    const Eigen::VectorXd turned = factor.solve(border);
-    // Without a flank in contact nothing resists the rotation: the ring turns until one touches.
-    const double resistance = border.dot(turned);
-    double rotation = state.rotation;
-    if (resistance > 0)
-      rotation = (load - border.dot(base)) / resistance;
-    else if (load != 0)
-      rotation += free_travel(state.closing, load);
-    Eigen::VectorXd force = Eigen::VectorXd::Zero(contacts());
-    for (Eigen::Index p = 0; p < m; ++p)
-      force[active[static_cast<std::size_t>(p)]] = root[p] * (base[p] + turned[p] * rotation);
-    const Eigen::VectorXd u = closing(force, rotation);
-
-    // Full step if it lands on the laws of the contacts.
-    double largest = 0.0;
-    double error = 0.0;
-    double carried = 0.0;
-    for (int i = 0; i < contacts(); ++i) {
-      const double is = law(i, u[i]).force;
-      largest = std::max(largest, is);
-      error = std::max(error, std::abs(is - force[i]));
-      carried += is * rotation_[i];
-    }
-    error = std::max(error, std::abs(carried - load));
-    state.residual = largest > 0 ? error / largest : std::abs(load);
-    if (error <= tolerance_ * largest || (largest == 0 && load == 0)) {
-      state.force = force;
-      state.closing = u;
-      state.rotation = rotation;
-      state.converged = true;
-      ++state.iterations;
-      break;
-    }
-    const Eigen::VectorXd d_force = force - state.force;
-    const Eigen::VectorXd d_closing = u - state.closing;
-    const double d_rotation = rotation - state.rotation;
-    const double before = energy(state.force, state.closing, state.rotation);
-    double slope = -load * d_rotation;
-    for (int i = 0; i < contacts(); ++i) {
-      slope += law(i, state.closing[i]).force * d_closing[i];
-      if (d_force[i] != 0)
-        slope += d_force[i] * (free_[i] + amplitude_ * cam_[i] + state.rotation * rotation_[i] -
-                               state.closing[i]);
-    }
-    double step = 1.0;
-    const double noise = 1e-14 * std::abs(before);
-    while (step > 1e-10 &&
-           energy(state.force + step * d_force, state.closing + step * d_closing,
-                  state.rotation + step * d_rotation) > before + 1e-4 * step * slope + noise)
-      step /= 2;
-    state.force += step * d_force;
-    state.closing += step * d_closing;
-    state.rotation += step * d_rotation;
+    move_toward(full, state, load);
   }
   return state;
 }
 
 CoupledDrive::Tangent CoupledDrive::linear_response(const Equilibrium& state,
-                                                    const Eigen::VectorXd& moved, double load) {
-  std::vector<int> active;
-  for (int i = 0; i < contacts(); ++i)
-    if (state.closing[i] > 0 && law(i, state.closing[i]).stiffness > 0) active.push_back(i);
-  const auto m = static_cast<Eigen::Index>(active.size());
-  Eigen::MatrixXd matrix(m, m);
-  Eigen::VectorXd root(m);
-  Eigen::VectorXd border(m);
-  Eigen::VectorXd right(m);
-  for (Eigen::Index p = 0; p < m; ++p) {
-    const int i = active[static_cast<std::size_t>(p)];
-    root[p] = std::sqrt(law(i, state.closing[i]).stiffness);
-    border[p] = root[p] * rotation_[i];
-    right[p] = root[p] * moved[i];
-    for (Eigen::Index q = 0; q <= p; ++q)
-      matrix(p, q) = root[p] * root[q] * flexibility(i, active[static_cast<std::size_t>(q)]);
-    matrix(p, p) += 1.0;
-  }
-  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>, Eigen::Lower> factor(matrix);
-  const Eigen::VectorXd base = factor.solve(right);
-  const Eigen::VectorXd turned = factor.solve(border);
-  const double resistance = border.dot(turned);
-  Tangent result{.force = Eigen::VectorXd::Zero(contacts())};
-  if (resistance > 0)
-    result.rotation = (load - border.dot(base)) / resistance;
+                                                    const Eigen::VectorXd& moved,
+                                                    double load) const {
+  const Touching t =
+      touching(state.closing, [&](int i, const Law&, double root) { return root * moved[i]; });
+  Tangent result;
+  if (t.resistance > 0)
+    result.rotation = t.rotation(load);
   else if (load != 0)  // no flank touches: the ring turns freely
     result.rotation = std::numeric_limits<double>::infinity();
-  const double turn = std::isfinite(result.rotation) ? result.rotation : 0.0;
-  for (Eigen::Index p = 0; p < m; ++p)
-    result.force[active[static_cast<std::size_t>(p)]] = root[p] * (base[p] + turned[p] * turn);
+  result.force = t.force(std::isfinite(result.rotation) ? result.rotation : 0.0, contacts());
   return result;
 }
 
-CoupledDrive::Tangent CoupledDrive::tangent(const Equilibrium& state) {
+CoupledDrive::Tangent CoupledDrive::tangent(const Equilibrium& state) const {
   return linear_response(state, Eigen::VectorXd::Zero(contacts()), 1 / g_.ring_radius);  // (TC-15)
+}
+
+Equilibrium CoupledDrive::unloaded() const {
+  Equilibrium state;
+  state.force = state.elastic = Eigen::VectorXd::Zero(contacts());
+  return state;
 }
 
 bool CoupledDrive::assemble() {
   // (TC-12)
+  constexpr int kMostSteps = 50;
+  constexpr double kStart = 1.02;     // first amplitude over w_0: balls and rings give a little
+  constexpr double kExact = 1e-12;    // of w_0, where the steps end
+  constexpr double kAccepted = 1e-9;  // of w_0, after the last step
   const double w0 = g_.radial_displacement;
-  amplitude_ = 1.02 * w0 + g_.clearance;
-  assembled_ = {};
-  assembled_.force = Eigen::VectorXd::Zero(contacts());
-  for (int step = 0; step < 50; ++step) {
+  const auto lobe = [&](const Eigen::VectorXd& force) {
+    return rings_->lobe(coefficients_of(force));
+  };
+  amplitude_ = kStart * w0 + g_.clearance;
+  assembled_ = unloaded();
+  double missing = w0;
+  for (int step = 0; step < kMostSteps; ++step) {
+    close_rigidly(assembled_);
     assembled_ = solve(0.0, assembled_);
     if (!assembled_.converged) return false;
-    const double lobe = lobe_.dot(coefficients_of(assembled_.force));
-    const double missing = w0 - lobe;
-    if (std::abs(missing) <= 1e-12 * w0) {
-      rest_nearest_to_zero();
-      return true;
-    }
+    missing = w0 - lobe(assembled_.force);
+    if (std::abs(missing) <= kExact * w0) break;
     const Tangent response = linear_response(assembled_, cam_, 0.0);
-    const double rise = lobe_.dot(coefficients_of(response.force));
-    if (!(rise > 0)) {
-      amplitude_ += missing;  // no ball touches yet
-      continue;
-    }
-    amplitude_ += std::clamp(missing / rise, -w0, w0);
+    const double rise = lobe(response.force);
+    // Where no ball touches yet, the cam grows by all that is missing.
+    amplitude_ += rise > 0 ? std::clamp(missing / rise, -w0, w0) : missing;
     if (!std::isfinite(amplitude_)) return false;
   }
-  if (!(std::abs(w0 - lobe_.dot(coefficients_of(assembled_.force))) <= 1e-9 * w0)) return false;
+  if (!(std::abs(missing) <= kAccepted * w0)) return false;
   rest_nearest_to_zero();
   return true;
+}
+
+bool CoupledDrive::assemble_on(double cam_amplitude) {
+  amplitude_ = cam_amplitude;
+  assembled_ = unloaded();
+  close_rigidly(assembled_);
+  assembled_ = solve(0.0, assembled_);
+  if (assembled_.converged) rest_nearest_to_zero();
+  return assembled_.converged;
 }
 
 void CoupledDrive::rest_nearest_to_zero() {
@@ -461,20 +359,7 @@ void CoupledDrive::rest_nearest_to_zero() {
   const double at = assembled_.rotation;
   assembled_.rotation = std::min(std::max(0.0, at + coast / rate), at - drive / rate);
   assembled_.force.tail(contacts() - g_.balls).setZero();
-  assembled_.closing = closing(assembled_.force, assembled_.rotation);
-}
-
-bool CoupledDrive::assemble_on(double cam_amplitude) {
-  amplitude_ = cam_amplitude;
-  assembled_ = {};
-  assembled_.force = Eigen::VectorXd::Zero(contacts());
-  assembled_ = solve(0.0, assembled_);
-  if (assembled_.converged) rest_nearest_to_zero();
-  return assembled_.converged;
-}
-
-Eigen::VectorXd CoupledDrive::coefficients_of(const Eigen::VectorXd& force) const {
-  return -(compliant_row_.transpose() * force);
+  close(assembled_);
 }
 
 void CoupledDrive::add_shares(const Equilibrium& state, const Tangent& tangent,
@@ -486,61 +371,7 @@ void CoupledDrive::add_shares(const Equilibrium& state, const Tangent& tangent,
     if (tangent.force[i] != 0)
       add(i < g_.balls ? CurveMember::balls : CurveMember::teeth,
           tangent.force[i] * tangent.force[i] * (1 / law(i, state.closing[i]).stiffness + own_[i]));
-  const Eigen::VectorXd x = coefficients_of(tangent.force);
-  const auto square = [&](int i) { return x[i] * x[i] + x[i + 1] * x[i + 1]; };
-  add(CurveMember::rim_extension, modes_[0].extension * x[0] * x[0]);
-  add(CurveMember::rim_bending, modes_[0].rim_bending * x[0] * x[0]);
-  add(CurveMember::outer_ring_bending, modes_[0].outer_bending * x[0] * x[0]);
-  for (int n = 1; n <= N_; ++n) {
-    const Mode& mode = modes_[static_cast<std::size_t>(n)];
-    const int i = at(n);
-    const double bent = square(i);
-    add(CurveMember::rim_bending, mode.rim_bending * bent);
-    add(CurveMember::outer_ring_bending, mode.outer_bending * bent);
-    add(CurveMember::barrel_warping, mode.barrel * bent + mode.lateral * (bent + square(i + 2)));
-    add(CurveMember::diaphragm_warping, mode.diaphragm * bent);
-    add(CurveMember::rim_extension,
-        mode.extension * (std::pow(x[i] + n * x[i + 3], 2) + std::pow(x[i + 1] - n * x[i + 2], 2)));
-    if (mode.spline > 0) add(CurveMember::circular_spline, mode.spline * square(spline_at(n)));
-  }
-  for (const Softening& soft : softenings_) {
-    const double lost = soft.softening * std::pow(soft.curvature.dot(x), 2);
-    add(soft.ring == RingHinge::Ring::rim     ? CurveMember::rim_bending
-        : soft.ring == RingHinge::Ring::outer ? CurveMember::outer_ring_bending
-                                              : CurveMember::circular_spline,
-        -lost);
-  }
-}
-
-double CoupledDrive::radial(const Eigen::VectorXd& x, double theta) const {
-  double w = x[0];
-  for (int n = 1; n <= N_; ++n)
-    w += x[at(n)] * std::cos(n * theta) + x[at(n) + 1] * std::sin(n * theta);
-  return w;
-}
-
-double CoupledDrive::tangential(const Eigen::VectorXd& x, double theta) const {
-  double v = 0.0;
-  for (int n = 1; n <= N_; ++n)
-    v += x[at(n) + 2] * std::cos(n * theta) + x[at(n) + 3] * std::sin(n * theta);
-  return v;
-}
-
-double CoupledDrive::curvature(const Eigen::VectorXd& x, double theta) const {
-  const double R2 = g_.ring_radius * g_.ring_radius;
-  double kappa = 0.0;  // -(w'' + w)/R^2, positive where the ring bends more
-  for (int n = 2; n <= N_; ++n)
-    kappa +=
-        (n * n - 1.0) / R2 * (x[at(n)] * std::cos(n * theta) + x[at(n) + 1] * std::sin(n * theta));
-  return kappa - x[0] / R2;
-}
-
-double CoupledDrive::hoop_strain(const Eigen::VectorXd& x, double theta) const {
-  double strain = x[0];
-  for (int n = 1; n <= N_; ++n)
-    strain += (x[at(n)] + n * x[at(n) + 3]) * std::cos(n * theta) +
-              (x[at(n) + 1] - n * x[at(n) + 2]) * std::sin(n * theta);
-  return strain / g_.ring_radius;
+  rings_->add_shares(coefficients_of(tangent.force), share);
 }
 
 }  // namespace strainwave

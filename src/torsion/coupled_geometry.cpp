@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "coupled_geometry.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "coupled_drive.hpp"
 #include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/fracture/edge_crack.hpp"
@@ -220,7 +221,8 @@ ContactCracks contact_cracks(const GearSet& gear, const CoupledGeometry& g,
     notes.push_back({"crack.rigid_ring",
                      "the circular spline is held rigidly (support = 0): a crack in it has no "
                      "effect",
-                     "circular_spline.support", "TC-10"});
+                     "circular_spline.support", "TC-10", Severity::care,
+                     "Give a support above 0."});
   }
 
   const WaveGenerator& wg = *gear.wave_generator;
@@ -234,10 +236,12 @@ ContactCracks contact_cracks(const GearSet& gear, const CoupledGeometry& g,
                   1.0, g.ball_steel);
           } else if (crack.stress_driver != StressDriver::orthogonal_shear &&
                      crack.stress_driver != StressDriver::contact_edge) {
-            notes.push_back({"crack.not_of_a_ball",
-                             "its stress does not follow from the force of the ball over it: it is "
-                             "left out of the torsion curve",
-                             path, "TC-23"});
+            notes.push_back(
+                {"crack.not_of_a_ball",
+                 "its stress does not follow from the force of the ball over it: it is "
+                 "left out of the torsion curve",
+                 path, "TC-23", Severity::care,
+                 "Choose a stress_driver of the ball, orthogonal_shear or contact_edge."});
           } else if (const double force = ball_force(crack.position); force > 0) {
             cracks.balls.push_back({crack.position, race_crack_compliance(gear, i, force, notes)});
             notes.push_back(
@@ -246,10 +250,10 @@ ContactCracks contact_cracks(const GearSet& gear, const CoupledGeometry& g,
                              "place, linear at {:.3g} N; the balls roll over it, so its "
                              "effect comes and goes at ball-pass frequency",
                              force),
-                 path, "TC-23"});
+                 path, "TC-23", Severity::care});
           } else {
             notes.push_back({"crack.unloaded_ball", "no ball that carries is near it: no effect",
-                             path, "TC-23"});
+                             path, "TC-23", Severity::information});
           }
         },
         wg.crack[i]);

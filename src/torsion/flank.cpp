@@ -17,9 +17,11 @@ double least_flank_angle(double kappa) {
 }
 
 double tooth_pair_stiffness(double youngs_modulus, double module, double rim_thickness) {
+  // Compliances per face width, times E.  The line is fitted to plane-strain finite elements.
   const double flexspline_tooth = 3.296 + 3.090 * module / rim_thickness;
-  const double circular_spline_tooth = 3.605;
-  const double line_contact = 2.472;
+  // Estimates, which no computation or measurement supports.
+  constexpr double circular_spline_tooth = 3.605;
+  constexpr double line_contact = 2.472;
   return youngs_modulus / (flexspline_tooth + circular_spline_tooth + line_contact);  // (TC-9)
 }
 

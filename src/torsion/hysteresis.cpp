@@ -24,9 +24,6 @@ struct Hysteresis::Envelopes {
     boost::math::interpolators::pchip<std::vector<double>> curve_;
   };
 
-  static Branch solved_branch(const GearSet& gear, const std::vector<double>& grid, double sense,
-                              CoupledOptions options, FlankFriction friction);
-
   double largest = 0.0;
   double friction_torque = 0.0;
   int elements = 0;
@@ -51,46 +48,39 @@ struct Hysteresis::Envelopes {
   }
 };
 
-Hysteresis::Envelopes::Branch Hysteresis::Envelopes::solved_branch(const GearSet& gear,
-                                                                   const std::vector<double>& grid,
-                                                                   double sense,
-                                                                   CoupledOptions options,
-                                                                   FlankFriction friction) {
-  options.friction = friction;
-  std::vector<double> torques;
-  for (std::size_t i = 1; i < grid.size(); ++i) torques.push_back(sense * grid[i]);
-  const TorsionCurve curve = torsion_curve(gear, torques, options);
-  if (!curve.usable()) throw SolverError(curve.unusable_because);
-  std::vector<double> twist = {0.0};
-  for (const CurvePoint& point : curve.points) twist.push_back(sense * point.twist);
-  return {grid, std::move(twist)};
-}
-
-Hysteresis::Hysteresis(const GearSet& gear, double largest_torque,
-                       const HysteresisOptions& options) {
+Hysteresis::Hysteresis(const SlidingDrive& drive, double largest_torque,
+                       const HysteresisOptions& options, const Progress& progress) {
   require(largest_torque > 0 && std::isfinite(largest_torque), "largest_torque", largest_torque,
           "N*m", "> 0");
   require(options.elements >= 1, "elements", options.elements, "1", ">= 1");
   require(options.grid >= 8, "grid", options.grid, "1", ">= 8");
-  if (gear.rating)
-    require(gear.rating->friction_torque < largest_torque, "rating.friction_torque",
-            gear.rating->friction_torque, "N*m", "less than the torque of the loop");
+  const Rating rating = drive.loading.gear().rating.value_or(Rating{});
+  require(rating.friction_torque < largest_torque, "rating.friction_torque", rating.friction_torque,
+          "N*m", "less than the torque of the loop");
   std::vector<double> grid = {0.0};
   for (int i = 1; i <= options.grid; ++i) {
     const double share = static_cast<double>(i) / options.grid;
     grid.push_back(largest_torque * share * share);  // the curve is steep at the origin
   }
-  const auto branch = [&](double sense, FlankFriction friction) {
-    return Envelopes::solved_branch(gear, grid, sense, options.coupled, friction);
+  int solved = 0;
+  const auto branch = [&](double sense, const AssembledDrive& sliding) {
+    std::vector<double> torques;
+    for (std::size_t i = 1; i < grid.size(); ++i) torques.push_back(sense * grid[i]);
+    std::vector<double> twist = {0.0};
+    for (const double solution :
+         twists(sliding, torques, progress.part(0.25 * solved, 0.25 * (solved + 1))))
+      twist.push_back(sense * solution);
+    ++solved;
+    return Envelopes::Branch(grid, std::move(twist));
   };
   envelopes_ = std::make_unique<Envelopes>(Envelopes{
       .largest = largest_torque,
-      .friction_torque = gear.rating ? gear.rating->friction_torque : 0.0,
+      .friction_torque = rating.friction_torque,
       .elements = options.elements,
-      .loading_positive = branch(+1, FlankFriction::loading),
-      .unloading_positive = branch(+1, FlankFriction::unloading),
-      .loading_negative = branch(-1, FlankFriction::loading),
-      .unloading_negative = branch(-1, FlankFriction::unloading),
+      .loading_positive = branch(+1, drive.loading),
+      .unloading_positive = branch(+1, drive.unloading),
+      .loading_negative = branch(-1, drive.loading),
+      .unloading_negative = branch(-1, drive.unloading),
   });
 }
 
@@ -153,15 +143,11 @@ HysteresisLoop hysteresis_loop(const Hysteresis& hysteresis, double amplitude,
   return loop;
 }
 
-double lost_motion(const GearSet& gear, const CoupledOptions& options) {
-  const double torque = makers_torques(gear).lost_motion;
+double lost_motion(const AssembledDrive& drive) {
+  const double torque = makers_torques(drive.gear()).lost_motion;
   double sum = 0.0;
-  for (const double sense : {+1.0, -1.0}) {
-    const std::array<double, 1> at = {sense * torque};
-    const TorsionCurve curve = torsion_curve(gear, at, options);
-    if (!curve.usable()) throw SolverError(curve.unusable_because);
-    sum += std::abs(curve.points[0].twist);  // (TC-18)
-  }
+  for (const double sense : {+1.0, -1.0})
+    sum += std::abs(twists(drive, std::array{sense * torque})[0]);  // (TC-18)
   return sum;
 }
 

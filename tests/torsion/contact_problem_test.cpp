@@ -25,7 +25,7 @@ CoupledDrive assembled(bool cracked) {
     cracks.teeth = {{0.05, 0.5}};
     cracks.balls = {{0.3, 2e-8}};
   }
-  CoupledDrive drive(gear, g, cracks, {});
+  CoupledDrive drive = CoupledDrive(gear, g, {}).cracked(cracks);
   EXPECT_TRUE(drive.assemble());
   return drive;
 }

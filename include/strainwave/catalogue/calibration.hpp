@@ -8,6 +8,7 @@
 
 #include "strainwave/catalogue/catalogue.hpp"
 #include "strainwave/catalogue/factors.hpp"
+#include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
@@ -20,6 +21,13 @@ namespace strainwave {
 struct MeasuredPoint {
   double torque = 0.0;  ///< [N*m]; not 0
   double twist = 0.0;   ///< from the unloaded state, of the sign of the torque [rad]
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"torque", "N*m", "torque at the output"}, &MeasuredPoint::torque);
+    field({"twist", "rad", "from the unloaded state"}, &MeasuredPoint::twist);
+  }
 };
 
 /// Reads a curve: a header "torque [N*m],twist [arcmin]" in either order and any units of torque
@@ -62,6 +70,23 @@ struct CalibratedFactor {
   bool at_limit = false;     ///< of what a fit may take: then its uncertainty means nothing
   bool plausible = true;     ///< between lower and upper of factor_info
   bool identified = false;   ///< uncertainty of at most 50 % of the value, and not at a limit
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"name", "", "which factor"}, &CalibratedFactor::factor);
+    field({"meaning", "", "what the factor is"},
+          [](const CalibratedFactor& f) { return factor_info(f.factor).meaning; });
+    field({"before", "1", "as given"}, &CalibratedFactor::before);
+    field({"value", "1", "as calibrated"}, &CalibratedFactor::value);
+    field({"uncertainty", "1", "one standard uncertainty, of the value"},
+          &CalibratedFactor::uncertainty);
+    field({"at_limit", "", "whether it is at the limit of what a fit may take"},
+          &CalibratedFactor::at_limit);
+    field({"plausible", "", "whether it is within what is plausible"},
+          &CalibratedFactor::plausible);
+    field({"identified", "", "whether the targets know it"}, &CalibratedFactor::identified);
+  }
 };
 
 /// A direction in the space of factors, in the order of the singular values of the Jacobian.
@@ -70,12 +95,39 @@ struct FactorCombination {
   double singular_value = 0.0;  ///< change of the ln K per unit along it [-]
   double uncertainty = 0.0;     ///< one standard uncertainty along it [-]
   bool identified = false;      ///< uncertainty of at most 0.5
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"weights", "1", "of the logarithms of the factors, or of factors over their range"},
+          &FactorCombination::weights);
+    field({"singular_value", "1", "change of the logarithms of the stiffnesses per unit along it"},
+          &FactorCombination::singular_value);
+    field({"uncertainty", "1", "one standard uncertainty along it"},
+          &FactorCombination::uncertainty);
+    field({"identified", "", "whether the targets know it"}, &FactorCombination::identified);
+  }
 };
 
 struct CalibratedStiffness {
   StiffnessTarget target;
   double before = 0.0;  ///< predicted with the file's values [N*m/rad]
   double after = 0.0;   ///< with the fitted factors [N*m/rad]
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"name", "", "which stiffness"},
+          [](const CalibratedStiffness& s) { return s.target.name; });
+    field({"from_torque", "N*m", "where it begins"},
+          [](const CalibratedStiffness& s) { return s.target.from_torque; });
+    field({"to_torque", "N*m", "where it ends"},
+          [](const CalibratedStiffness& s) { return s.target.to_torque; });
+    field({"wanted", "N*m/rad", "stiffness to be met"},
+          [](const CalibratedStiffness& s) { return s.target.stiffness; });
+    field({"before", "N*m/rad", "predicted with the file's values"}, &CalibratedStiffness::before);
+    field({"after", "N*m/rad", "predicted with the fitted factors"}, &CalibratedStiffness::after);
+  }
 };
 
 struct Calibration {
@@ -88,6 +140,19 @@ struct Calibration {
   double relative_uncertainty = 0.0;  ///< of one value, that the uncertainties rest on [-]
   bool converged = false;
   int iterations = 0;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"source", "", "what it was calibrated with"}, &Calibration::source);
+    field({"converged", "", "whether the fit has converged"}, &Calibration::converged);
+    field({"iterations", "1", "steps of the fit"}, &Calibration::iterations);
+    field({"residual", "1", "root mean square of ln(after/wanted)"}, &Calibration::residual);
+    field({"relative_uncertainty_of_a_value", "1", "that the uncertainties rest on"},
+          &Calibration::relative_uncertainty);
+    field({"factors", "", "each factor, and how well it is known"}, &Calibration::factors);
+    field({"combinations", "", "directions in the space of factors"}, &Calibration::combinations);
+    field({"stiffness", "", "each stiffness before and after"}, &Calibration::stiffnesses);
+  }
 };
 
 /// Least squares of ln K over the factors, between the limits `least` and `most` of factor_info.
@@ -98,9 +163,11 @@ struct Calibration {
 /// @param factors  at least one, at most as many as there are targets
 /// @throws InputError   if a factor or a torque does not fit the drive
 /// @throws SolverError  if the drive as given has no equilibrium
+/// @throws Stopped      on request
 [[nodiscard]] Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
                                     const std::vector<Factor>& factors,
-                                    const CoupledOptions& options = {});
+                                    const CoupledOptions& options = {},
+                                    const Progress& progress = {});
 
 [[nodiscard]] std::string calibration_text(const Calibration& calibration);
 [[nodiscard]] std::string calibration_json(const Calibration& calibration);

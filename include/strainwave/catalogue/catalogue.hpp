@@ -45,6 +45,19 @@ struct StiffnessRow {
   [[nodiscard]] std::array<std::optional<double>, 3> K() const { return {K1, K2, K3}; }
   /// Up to which K3 is compared: 1.6 T2 [N*m], the project's convention; makers state no end.
   [[nodiscard]] double T3() const { return 1.6 * T2; }
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"size", "1", "maker's size, tenths of an inch"}, &StiffnessRow::size);
+    field({"ratio_class", "", "30, 50, or 80 and more"}, &StiffnessRow::ratio_class);
+    field({"T1", "N*m", "up to which K1 holds"}, &StiffnessRow::T1);
+    field({"T2", "N*m", "up to which K2 holds"}, &StiffnessRow::T2);
+    field({"K1", "N*m/rad", "stiffness up to T1"}, &StiffnessRow::K1);
+    field({"K2", "N*m/rad", "stiffness from T1 to T2"}, &StiffnessRow::K2);
+    field({"K3", "N*m/rad", "stiffness beyond T2"}, &StiffnessRow::K3);
+    field({"sources", "", "tables that state it"}, &StiffnessRow::sources);
+  }
 };
 
 /// One row of the rating tables.
@@ -59,6 +72,23 @@ struct RatingRow {
   double max_input_speed = 0.0;      ///< with grease [rad/s]
   double average_input_speed = 0.0;  ///< with grease [rad/s]
   double input_inertia = 0.0;        ///< [kg*m^2]
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"series", "", "maker's series"}, &RatingRow::series);
+    field({"size", "1", "maker's size, tenths of an inch"}, &RatingRow::size);
+    field({"ratio", "1", "reduction ratio"}, &RatingRow::ratio);
+    field({"rated", "N*m", "T_N, at an input of 2000 rpm"}, &RatingRow::rated);
+    field({"average", "N*m", "largest average torque"}, &RatingRow::average);
+    field({"repeated_peak", "N*m", "largest repeated torque"}, &RatingRow::repeated_peak);
+    field({"momentary_peak", "N*m", "largest momentary torque"}, &RatingRow::momentary_peak);
+    field({"max_input_speed", "rad/s", "largest speed of the input, with grease"},
+          &RatingRow::max_input_speed);
+    field({"average_input_speed", "rad/s", "largest average speed of the input, with grease"},
+          &RatingRow::average_input_speed);
+    field({"input_inertia", "kg*m^2", "moment of inertia of the input"}, &RatingRow::input_inertia);
+  }
 };
 
 [[nodiscard]] std::span<const StiffnessRow> stiffness_rows();

@@ -12,6 +12,7 @@
 #include "strainwave/catalogue/factors.hpp"
 #include "strainwave/catalogue/proportions.hpp"
 #include "strainwave/core/fields.hpp"
+#include "strainwave/core/progress.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
 /// @file
@@ -62,6 +63,47 @@ struct ValidationRow {
 
   /// predicted/catalogue of K1, K2, K3 [-]; nothing where the catalogue has no value
   [[nodiscard]] std::array<std::optional<double>, 3> ratio() const;
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using Row = ValidationRow;
+    field({"size", "1", "maker's size"}, [](const Row& row) { return row.catalogue.size; });
+    field({"ratio_class", "", "30, 50, or 80 and more"},
+          [](const Row& row) { return row.catalogue.ratio_class; });
+    field({"T1", "N*m", "up to which K1 holds"}, [](const Row& row) { return row.catalogue.T1; });
+    field({"T2", "N*m", "up to which K2 holds"}, [](const Row& row) { return row.catalogue.T2; });
+    field({"T3", "N*m", "up to which K3 is compared"},
+          [](const Row& row) { return row.catalogue.T3(); });
+    describe_line<0>(
+        field, {"catalogue_K1", "predicted_K1", "ratio_K1", "low_K1", "middle_K1", "high_K1"});
+    describe_line<1>(
+        field, {"catalogue_K2", "predicted_K2", "ratio_K2", "low_K2", "middle_K2", "high_K2"});
+    describe_line<2>(
+        field, {"catalogue_K3", "predicted_K3", "ratio_K3", "low_K3", "middle_K3", "high_K3"});
+    field({"factors", "1", "values with which it was predicted"}, &Row::factors);
+    field({"at_limit", "", "whether each factor is at a limit"}, &Row::at_limit);
+  }
+
+ private:
+  /// One of the three lines; the band is absent where nothing was drawn.
+  template <std::size_t k, class Visitor>
+  static void describe_line(Visitor&& field, const std::array<std::string_view, 6>& names) {
+    using Row = ValidationRow;
+    field({names[0], "N*m/rad", "of the catalogue"},
+          [](const Row& row) { return row.catalogue.K()[k]; });
+    field({names[1], "N*m/rad", "predicted"}, [](const Row& row) { return row.predicted[k]; });
+    field({names[2], "1", "predicted/catalogue"}, [](const Row& row) { return row.ratio()[k]; });
+    field({names[3], "N*m/rad", "5 % of the drawn predictions"},
+          [](const Row& row) { return row.of_band(k, &PredictionBand::low); });
+    field({names[4], "N*m/rad", "50 % of the drawn predictions"},
+          [](const Row& row) { return row.of_band(k, &PredictionBand::middle); });
+    field({names[5], "N*m/rad", "95 % of the drawn predictions"},
+          [](const Row& row) { return row.of_band(k, &PredictionBand::high); });
+  }
+  [[nodiscard]] std::optional<double> of_band(std::size_t k, double PredictionBand::*limit) const {
+    return band[k] ? std::optional((*band[k]).*limit) : std::nullopt;
+  }
 };
 
 /// |predicted/catalogue - 1| over some rows.
@@ -74,6 +116,29 @@ struct ErrorSummary {
   std::array<double, 3> median_of{};  ///< K1, K2, K3
   std::array<double, 3> worst_of{};
   int in_band = 0;  ///< values between `low` and `high`, of `values`
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"of", "", "which rows"}, &ErrorSummary::of);
+    field({"rows", "1", "how many rows"}, &ErrorSummary::rows);
+    field({"values", "1", "how many values"}, &ErrorSummary::values);
+    field({"median", "1", "median of |predicted/catalogue - 1|"}, &ErrorSummary::median);
+    field({"worst", "1", "largest of |predicted/catalogue - 1|"}, &ErrorSummary::worst);
+    field({"median_K1", "1", "the same of K1 alone"},
+          [](const ErrorSummary& s) { return s.median_of[0]; });
+    field({"median_K2", "1", "the same of K2 alone"},
+          [](const ErrorSummary& s) { return s.median_of[1]; });
+    field({"median_K3", "1", "the same of K3 alone"},
+          [](const ErrorSummary& s) { return s.median_of[2]; });
+    field({"worst_K1", "1", "the same of K1 alone"},
+          [](const ErrorSummary& s) { return s.worst_of[0]; });
+    field({"worst_K2", "1", "the same of K2 alone"},
+          [](const ErrorSummary& s) { return s.worst_of[1]; });
+    field({"worst_K3", "1", "the same of K3 alone"},
+          [](const ErrorSummary& s) { return s.worst_of[2]; });
+    field({"in_band", "1", "values within the band, of all"}, &ErrorSummary::in_band);
+  }
 };
 
 /// A set of factors fitted to all sizes at once.
@@ -83,6 +148,16 @@ struct FactorTrial {
   std::vector<bool> at_limit;
   double median = 0.0;  ///< |error| over the rows fitted
   double worst = 0.0;
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"factors", "", "the set"}, &FactorTrial::factors);
+    field({"values", "1", "fitted values of the factors"}, &FactorTrial::values);
+    field({"at_limit", "", "whether each factor is at a limit"}, &FactorTrial::at_limit);
+    field({"median", "1", "median of |error| over the rows fitted"}, &FactorTrial::median);
+    field({"worst", "1", "largest of |error| over the rows fitted"}, &FactorTrial::worst);
+  }
 };
 
 struct Validation {
@@ -91,6 +166,22 @@ struct Validation {
   std::vector<ErrorSummary> errors;
   std::vector<FactorTrial> trials;  ///< the set used first; the others if asked for
   int failed_draws = 0;             ///< draws without an equilibrium, left out
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"mode", "", "what was fitted"}, [](const Validation& v) { return v.options.mode; });
+    field({"cup", "", "short or standard"}, [](const Validation& v) { return v.options.cup; });
+    field({"factors", "", "that were fitted"},
+          [](const Validation& v) { return v.options.factors; });
+    field({"draws", "1", "drives drawn for the bands"},
+          [](const Validation& v) { return v.options.draws; });
+    field({"failed_draws", "1", "draws without an equilibrium, left out"},
+          &Validation::failed_draws);
+    field({"seed", "1", "of the draws"}, [](const Validation& v) { return v.options.seed; });
+    field({"errors", "", "over groups of rows"}, &Validation::errors);
+    field({"rows", "", "each row of the catalogue and its prediction"}, &Validation::rows);
+    field({"sets_tried", "", "sets of factors fitted to all sizes at once"}, &Validation::trials);
+  }
 };
 
 /// Rows that a fit sees: size 17 and more, ratio 50 and more.  The smaller sizes break the
@@ -105,7 +196,9 @@ struct Validation {
 ///
 /// @throws InputError   if an option is out of range or a size not known
 /// @throws SolverError  if a drive has no equilibrium
-[[nodiscard]] Validation validate(const ValidationOptions& options = {});
+/// @throws Stopped      on request
+[[nodiscard]] Validation validate(const ValidationOptions& options = {},
+                                  const Progress& progress = {});
 
 /// The report for people, at most 100 columns.
 [[nodiscard]] std::string validation_text(const Validation& validation);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/study/plot.hpp"
 #include "strainwave/torsion/compare.hpp"
@@ -27,6 +28,13 @@ struct Band {
   double low = 0.0;     ///< 5 %
   double median = 0.0;  ///< 50 %
   double high = 0.0;    ///< 95 %
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"low", "N*m/rad", "5 %"}, &Band::low);
+    field({"median", "N*m/rad", "50 %"}, &Band::median);
+    field({"high", "N*m/rad", "95 %"}, &Band::high);
+  }
 };
 
 /// K1, K2, K3 under the ranges of the file.
@@ -36,6 +44,16 @@ struct LineBands {
   Band K3;
   int draws = 0;     ///< that gave a curve
   int rejected = 0;  ///< that broke a rule or did not assemble
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"K1", "", "band of K1"}, &LineBands::K1);
+    field({"K2", "", "band of K2"}, &LineBands::K2);
+    field({"K3", "", "band of K3"}, &LineBands::K3);
+    field({"draws", "1", "drawn drives that gave a curve"}, &LineBands::draws);
+    field({"rejected", "1", "drawn drives that broke a rule or did not assemble"},
+          &LineBands::rejected);
+  }
 };
 
 struct TorsionReport {
@@ -53,15 +71,36 @@ struct TorsionReport {
   TorsionCurve sound;  ///< for the plot of a comparison; empty without
   std::vector<Note> notes;
   std::vector<std::string> equations;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"torques", "", "the maker's torques"}, &TorsionReport::torques);
+    field({"positive", "", "the maker's lines under torque about +z"}, &TorsionReport::positive);
+    field({"negative", "", "the maker's lines under torque about -z"}, &TorsionReport::negative);
+    field({"lost_motion", "rad", "between both senses of torque"}, &TorsionReport::lost_motion);
+    field({"hysteresis", "", "loop at rated torque"}, &TorsionReport::loop);
+    field({"curve", "", "under torque about +z"}, &TorsionReport::curve);
+    field({"curve_negative", "", "under torque about -z"}, &TorsionReport::curve_negative);
+    field({"rim", "", "rim and barrel over a turn of the wave generator, at rated torque"},
+          &TorsionReport::rim);
+    field({"bands", "", "of the lines, under the ranges of the file"}, &TorsionReport::bands);
+    field({"comparison", "", "with cracks against without"}, &TorsionReport::comparison);
+    field({"notes", "", "remarks on validity"}, &TorsionReport::notes);
+    field({"equations", "", "tags of the theory manual"}, &TorsionReport::equations);
+  }
 };
 
 /// @throws InputError   if the file says too little for a torsion curve, or breaks a rule
 /// @throws SolverError  if the curve is not usable
+/// @throws Stopped      on request
 [[nodiscard]] TorsionReport torsion_report(const GearSet& gear,
-                                           const TorsionReportOptions& options = {});
+                                           const TorsionReportOptions& options = {},
+                                           const Progress& progress = {});
 
 /// K1, K2, K3 with the inputs drawn uniformly from the ranges of the file; fixed seed.
-[[nodiscard]] LineBands line_bands(const GearSet& gear, int draws);
+/// @throws SolverError  if no drive can be built
+/// @throws Stopped      on request
+[[nodiscard]] LineBands line_bands(const GearSet& gear, int draws, const Progress& progress = {});
 
 [[nodiscard]] std::string torsion_text(const TorsionReport& report, const GearSet& gear);
 [[nodiscard]] std::string torsion_json(const TorsionReport& report);

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "strainwave/core/progress.hpp"
+#include "strainwave/torsion/assembled_drive.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
 /// @file
@@ -17,6 +19,14 @@ struct LineChanges {
   double K1 = 0.0;
   double K2 = 0.0;
   double K3 = 0.0;
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"K1", "1", "cracked/sound - 1 of K1"}, &LineChanges::K1);
+    field({"K2", "1", "cracked/sound - 1 of K2"}, &LineChanges::K2);
+    field({"K3", "1", "cracked/sound - 1 of K3"}, &LineChanges::K3);
+  }
 };
 
 /// Changes over a turn of the wave generator, under one sense of torque.
@@ -28,6 +38,18 @@ struct ChangesOverTurn {
   LineChanges ripple;    ///< best less worst
   int ripple_order = 0;  ///< of K1, per turn of the wave generator; 0: no ripple
   std::vector<LineChanges> at_angle;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"as_given", "", "at the positions of the file"}, &ChangesOverTurn::as_given);
+    field({"mean", "", "over a turn"}, &ChangesOverTurn::mean);
+    field({"worst", "", "most negative of each"}, &ChangesOverTurn::worst);
+    field({"best", "", "least negative of each"}, &ChangesOverTurn::best);
+    field({"ripple", "", "best less worst"}, &ChangesOverTurn::ripple);
+    field({"ripple_order", "1", "of K1, per turn of the wave generator; 0: no ripple"},
+          &ChangesOverTurn::ripple_order);
+    field({"at_angle", "", "at each position of the wave generator"}, &ChangesOverTurn::at_angle);
+  }
 };
 
 /// What kind of member the cracks are in, told from the change of the curve.
@@ -57,6 +79,27 @@ struct CurveComparison {
   CrackClass crack_class = CrackClass::none;
   double class_ratio = 0.0;  ///< mean dK1/dK3 of the sense that changes more [-]
   std::string evidence;      ///< one sentence
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"torques", "", "the maker's torques"}, &CurveComparison::torques);
+    field({"sound", "", "the maker's lines without cracks"}, &CurveComparison::sound);
+    field({"angles", "rad", "turned by the wave generator"}, &CurveComparison::angles);
+    field({"positive", "", "changes under torque about +z"}, &CurveComparison::positive);
+    field({"negative", "", "changes under torque about -z"}, &CurveComparison::negative);
+    field({"lost_motion_sound", "rad", "lost motion without cracks"},
+          &CurveComparison::lost_motion_sound);
+    field({"lost_motion_cracked", "rad", "lost motion with cracks, at the positions of the file"},
+          &CurveComparison::lost_motion_cracked);
+    field({"hysteresis_sound", "rad", "largest width of the loop without cracks"},
+          &CurveComparison::hysteresis_sound);
+    field({"hysteresis_cracked", "rad", "largest width of the loop with cracks"},
+          &CurveComparison::hysteresis_cracked);
+    field({"crack_class", "", "kind of member that the cracks are in"},
+          &CurveComparison::crack_class);
+    field({"class_ratio", "1", "mean change of K1 over that of K3"}, &CurveComparison::class_ratio);
+    field({"evidence", "", "what the class rests on"}, &CurveComparison::evidence);
+  }
 };
 
 /// Drive without its cracks.
@@ -64,6 +107,10 @@ struct CurveComparison {
 
 /// Whether a crack moves against the wave: of rim, teeth, outer ring or circular spline.
 [[nodiscard]] bool has_moving_cracks(const GearSet& gear);
+
+/// Where a point of flexspline, circular spline or outer ring is after the wave generator has
+/// turned by an angle, from the major axis [rad].
+[[nodiscard]] double turned_position(double position, double angle);
 
 /// The drive after the wave generator has turned by an angle: cracks of flexspline, circular spline
 /// and outer ring move against the wave, those of the inner race stay [rad].
@@ -73,8 +120,18 @@ struct CurveComparison {
 ///
 /// @param angles  positions of the wave generator over a turn [-]; 0 for every tooth, which alone
 ///                finds the worst one; taken to whole teeth.  One where no crack moves
+/// @throws InputError   if `angles` is negative
 /// @throws SolverError  if a curve is not usable
-[[nodiscard]] CurveComparison compare_curves(const GearSet& gear, int angles = 0,
-                                             const CoupledOptions& options = {});
+/// @throws Stopped      on request
+[[nodiscard]] CurveComparison compare_curves(const AssembledDrive& drive,
+                                             const SlidingDrive& sliding, int angles = 0,
+                                             const Progress& progress = {});
+/// The same for a drive that is assembled first.
+[[nodiscard]] inline CurveComparison compare_curves(const GearSet& gear, int angles = 0,
+                                                    const CoupledOptions& options = {},
+                                                    const Progress& progress = {}) {
+  return compare_curves(AssembledDrive(gear, options), SlidingDrive(gear, options), angles,
+                        progress);
+}
 
 }  // namespace strainwave

@@ -15,7 +15,6 @@ namespace strainwave {
 struct HysteresisOptions {
   int elements = 64;  ///< play elements, [-]; >= 1; the loop's area converges like 1/elements^2
   int grid = 48;      ///< torques at which the envelopes are solved, for each sense [-]; >= 8
-  CoupledOptions coupled = {};
 };
 
 /// Twist of the drive along a path of the torque, friction on the flanks.
@@ -30,8 +29,14 @@ struct HysteresisOptions {
 class Hysteresis {
  public:
   /// Solves the envelopes up to `largest_torque` [N*m]; > 0.
+  /// @throws InputError   if a number is out of range
   /// @throws SolverError  if a curve is not usable
-  Hysteresis(const GearSet& gear, double largest_torque, const HysteresisOptions& options = {});
+  /// @throws Stopped      on request
+  Hysteresis(const SlidingDrive& drive, double largest_torque,
+             const HysteresisOptions& options = {}, const Progress& progress = {});
+  /// The same for a drive that is assembled first.
+  Hysteresis(const GearSet& gear, double largest_torque, const HysteresisOptions& options = {})
+      : Hysteresis(SlidingDrive(gear), largest_torque, options) {}
   ~Hysteresis();
   Hysteresis(Hysteresis&&) noexcept;
   Hysteresis& operator=(Hysteresis&&) noexcept;
@@ -61,6 +66,19 @@ struct HysteresisLoop {
   double largest_width = 0.0;            ///< [rad]
   double torque_of_largest_width = 0.0;  ///< in size [N*m]
   double lost_energy = 0.0;              ///< area of the loop [J]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"amplitude", "N*m", "T, amplitude of the torque"}, &HysteresisLoop::amplitude);
+    field({"width_at_zero", "rad", "width without torque, maker's hysteresis loss"},
+          &HysteresisLoop::width_at_zero);
+    field({"largest_width", "rad", "largest width of the loop"}, &HysteresisLoop::largest_width);
+    field({"torque_of_largest_width", "N*m", "where it is, in size"},
+          &HysteresisLoop::torque_of_largest_width);
+    field({"lost_energy", "J", "area of the loop"}, &HysteresisLoop::lost_energy);
+    field({"torque", "N*m", "down from +T to -T and up again"}, &HysteresisLoop::torque);
+    field({"twist", "rad", "at each torque"}, &HysteresisLoop::twist);
+  }
 };
 
 /// Loop at the amplitude of the given torque [N*m]; eq. (TC-17).
@@ -70,6 +88,11 @@ struct HysteresisLoop {
 
 /// Twist between +T and -T at the middle of the loop, T the share of rated torque of the maker
 /// [rad]; eq. (TC-18).
-[[nodiscard]] double lost_motion(const GearSet& gear, const CoupledOptions& options = {});
+/// @throws SolverError  if the curve is not usable
+[[nodiscard]] double lost_motion(const AssembledDrive& drive);
+/// The same for a drive that is assembled first.
+[[nodiscard]] inline double lost_motion(const GearSet& gear, const CoupledOptions& options = {}) {
+  return lost_motion(AssembledDrive(gear, options));
+}
 
 }  // namespace strainwave

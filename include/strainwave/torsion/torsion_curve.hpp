@@ -5,27 +5,19 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "strainwave/core/fields.hpp"
+#include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
-#include "strainwave/model/result/stiffness_result.hpp"
+#include "strainwave/model/result/evidence.hpp"
+#include "strainwave/torsion/assembled_drive.hpp"
 
 /// @file
 /// The torsion curve phi(T) of a drive as one system: elastic ring on one-sided balls and flanks.
 
 namespace strainwave {
-
-/// Way of the flanks' friction: it turns the force by atan(mu) (TC-16).
-enum class FlankFriction { none, loading, unloading };
-
-struct CoupledOptions {
-  int harmonics = 32;             ///< N of the ring [-]; 8 to 128; 0.1 % at 32
-  bool diaphragm_warping = true;  ///< the diaphragm's resistance to warping of the barrel (TC-2)
-  FlankFriction friction = FlankFriction::none;
-  double tolerance = 1e-11;  ///< of the contact forces, relative to the largest [-]
-  int max_iterations = 200;  ///< Newton steps per load
-};
 
 /// Members that share the tangent compliance, in the order of `CurvePoint::share`.
 enum class CurveMember {
@@ -55,11 +47,32 @@ struct EnumNames<CurveMember> {
 };
 inline constexpr std::size_t kCurveMembers = EnumNames<CurveMember>::names.size();
 
+/// Shares of the members in the tangent compliance [-]; the sum is 1.
+struct MemberShares : std::array<double, kCurveMembers> {
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      (field({EnumNames<CurveMember>::names[I], "1", "share in the tangent compliance"},
+             [](const MemberShares& share) { return share[I]; }),
+       ...);
+    }
+    (std::make_index_sequence<kCurveMembers>{});
+  }
+};
+
 /// Force of one contact.
 struct ContactForce {
   double position = 0.0;  ///< from the major axis, toward +theta [rad]
   double force = 0.0;     ///< [N]
   double tangent = 0.0;   ///< dQ/dT [1/m]
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"position", "rad", "from the major axis, toward +theta"}, &ContactForce::position);
+    field({"force", "N", "force of the contact"}, &ContactForce::force);
+    field({"tangent", "1/m", "change of the force with the torque"}, &ContactForce::tangent);
+  }
 };
 
 /// The drive in equilibrium at one torque.
@@ -68,10 +81,10 @@ struct CurvePoint {
   double twist = 0.0;               ///< phi, of the output, input locked [rad]
   double ring_rotation = 0.0;       ///< the part of it that contacts and rings give [rad]
   double tangent_compliance = 0.0;  ///< d phi/dT [rad/(N*m)]; infinite while no flank touches
-  std::array<double, kCurveMembers> share{};  ///< of the tangent compliance [-]; the sum is 1
-  std::vector<ContactForce> balls;            ///< all balls
-  std::vector<ContactForce> drive_flanks;     ///< in contact
-  std::vector<ContactForce> coast_flanks;     ///< in contact
+  MemberShares share{};
+  std::vector<ContactForce> balls;         ///< all balls
+  std::vector<ContactForce> drive_flanks;  ///< in contact
+  std::vector<ContactForce> coast_flanks;  ///< in contact
   int balls_in_contact = 0;
   int teeth_in_contact = 0;
   double residual = 0.0;  ///< of the contact forces, relative to the largest [-]
@@ -79,6 +92,27 @@ struct CurvePoint {
 
   /// T/phi [N*m/rad]
   [[nodiscard]] double secant_stiffness() const { return torque / twist; }
+  /// dT/d phi [N*m/rad]; 0 while no flank touches
+  [[nodiscard]] double tangent_stiffness() const { return 1 / tangent_compliance; }
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"torque", "N*m", "T, torque at the output"}, &CurvePoint::torque);
+    field({"twist", "rad", "phi, of the output, input locked"}, &CurvePoint::twist);
+    field({"tangent_stiffness", "N*m/rad", "dT/d phi"}, &CurvePoint::tangent_stiffness);
+    field({"secant_stiffness", "N*m/rad", "T/phi"}, &CurvePoint::secant_stiffness);
+    field({"teeth_in_contact", "1", "teeth that touch on either flank"},
+          &CurvePoint::teeth_in_contact);
+    field({"balls_in_contact", "1", "balls that carry"}, &CurvePoint::balls_in_contact);
+    field({"share", "", "shares of the members in the tangent compliance"}, &CurvePoint::share);
+    field({"balls", "", "all balls"}, &CurvePoint::balls);
+    field({"drive_flanks", "", "drive flanks in contact"}, &CurvePoint::drive_flanks);
+    field({"coast_flanks", "", "coast flanks in contact"}, &CurvePoint::coast_flanks);
+    field({"residual", "1", "of the contact forces, relative to the largest"},
+          &CurvePoint::residual);
+    field({"iterations", "1", "steps of the solver"}, &CurvePoint::iterations);
+  }
 };
 
 /// Torsion curve of a drive, with its evidence.
@@ -93,6 +127,22 @@ struct TorsionCurve {
   std::string unusable_because;  ///< empty if the answer may be used
 
   [[nodiscard]] bool usable() const { return unusable_because.empty(); }
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"teeth", "1", "z, teeth of the flexspline"}, &TorsionCurve::teeth);
+    field({"cam_amplitude", "m", "A, that assembles the lobe to w_0"},
+          &TorsionCurve::cam_amplitude);
+    field({"assembly_ball_force", "N", "largest ball force without torque"},
+          &TorsionCurve::assembly_ball_force);
+    field({"series_compliance", "rad/(N*m)", "of the members beside the ring"},
+          &TorsionCurve::series_compliance);
+    field({"points", "", "the drive in equilibrium at each torque"}, &TorsionCurve::points);
+    field({"notes", "", "remarks on validity"}, &TorsionCurve::notes);
+    field({"equations", "", "tags of the theory manual"}, &TorsionCurve::equations);
+    field({"unusable_because", "", "why the answer may not be used; empty if it may"},
+          &TorsionCurve::unusable_because);
+  }
 };
 
 /// Whether a drive says enough for a torsion curve: bearing with balls and outer ring, cup by
@@ -109,12 +159,27 @@ struct TorsionCurve {
 /// Two lobes, a cup.  Geometry alone predicts catalogue stiffness within about 20 % for ratios of
 /// 50 and more; at ratio 30 it is too stiff by a factor of up to 2.2 (theory manual, chapter CV).
 ///
-/// @param gear     with bearing, sections and mesh
 /// @param torques  T at the output [N*m], finite; each solved from the state before it, the first
 ///                 from the assembly
-/// @throws InputError   if a rule is broken or something is missing for this model
-[[nodiscard]] TorsionCurve torsion_curve(const GearSet& gear, std::span<const double> torques,
-                                         const CoupledOptions& options = {});
+/// @throws InputError  if a torque is not finite
+/// @throws Stopped     on request
+[[nodiscard]] TorsionCurve torsion_curve(const AssembledDrive& drive,
+                                         std::span<const double> torques,
+                                         const Progress& progress = {});
+/// The same for a drive that is assembled first.
+/// @throws InputError  also if a rule is broken or something is missing for this model
+[[nodiscard]] inline TorsionCurve torsion_curve(const GearSet& gear,
+                                                std::span<const double> torques,
+                                                const CoupledOptions& options = {},
+                                                const Progress& progress = {}) {
+  return torsion_curve(AssembledDrive(gear, options), torques, progress);
+}
+
+/// The twists alone of `torsion_curve` [rad], at a third of its cost.
+/// @throws SolverError  if the curve is not usable; the message says why
+[[nodiscard]] std::vector<double> twists(const AssembledDrive& drive,
+                                         std::span<const double> torques,
+                                         const Progress& progress = {});
 
 /// Displacements of the rim and its stresses at the line of the tooth roots, at one torque.
 struct RimState {
@@ -125,6 +190,21 @@ struct RimState {
   double rim_inside_stress = 0.0;      ///< hoop, at the bore [Pa]
   double barrel_bending_stress = 0.0;  ///< hoop, at the outer face of the barrel's end [Pa]
   double barrel_shear_stress = 0.0;    ///< of the torque [Pa]
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"position", "rad", "from the major axis"}, &RimState::position);
+    field({"radial", "m", "w, outward"}, &RimState::radial);
+    field({"tangential", "m", "v, toward +theta"}, &RimState::tangential);
+    field({"rim_outside_stress", "Pa", "hoop stress at the tooth roots"},
+          &RimState::rim_outside_stress);
+    field({"rim_inside_stress", "Pa", "hoop stress at the bore"}, &RimState::rim_inside_stress);
+    field({"barrel_bending_stress", "Pa", "hoop stress at the outer face of the barrel's end"},
+          &RimState::barrel_bending_stress);
+    field({"barrel_shear_stress", "Pa", "shear stress of the torque in the barrel"},
+          &RimState::barrel_shear_stress);
+  }
 };
 
 /// Rim and barrel over a turn of the wave generator: a point of the flexspline passes all
@@ -133,9 +213,17 @@ struct RimState {
 /// Implements theory manual eq. (TC-24).  Ring theory: no stress concentration of tooth root or
 /// fillet.
 ///
+/// @param torque     T at the output [N*m], finite
 /// @param positions  how many, evenly over a turn; > 0
-[[nodiscard]] std::vector<RimState> rim_states(const GearSet& gear, double torque, int positions,
-                                               const CoupledOptions& options = {});
+/// @throws SolverError  if there is no equilibrium
+[[nodiscard]] std::vector<RimState> rim_states(const AssembledDrive& drive, double torque,
+                                               int positions);
+/// The same for a drive that is assembled first.
+[[nodiscard]] inline std::vector<RimState> rim_states(const GearSet& gear, double torque,
+                                                      int positions,
+                                                      const CoupledOptions& options = {}) {
+  return rim_states(AssembledDrive(gear, options), torque, positions);
+}
 
 /// The maker's three straight lines, under one sense of torque.
 struct MakersLines {
@@ -144,6 +232,15 @@ struct MakersLines {
   double K3 = 0.0;    ///< (T3 - T2)/(phi(T3) - phi(T2)) [N*m/rad]
   double phi1 = 0.0;  ///< at T1 [rad]
   double phi2 = 0.0;  ///< at T2 [rad]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"K1", "N*m/rad", "T1/phi(T1)"}, &MakersLines::K1);
+    field({"K2", "N*m/rad", "slope from T1 to T2"}, &MakersLines::K2);
+    field({"K3", "N*m/rad", "slope from T2 to T3"}, &MakersLines::K3);
+    field({"phi1", "rad", "twist at T1"}, &MakersLines::phi1);
+    field({"phi2", "rad", "twist at T2"}, &MakersLines::phi2);
+  }
 };
 
 /// One standard relative uncertainty of the model's form in K1, K2, K3, from its error against
@@ -158,12 +255,26 @@ struct MakersTorques {
   double rated = 0.0;          ///< T_N [N*m]
   double lost_motion = 0.0;    ///< where lost motion is measured [N*m]
   bool by_convention = false;  ///< T1 and T2 were not given: 0.0517 d^3 and 0.187 d^3 N/mm^2
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"T1", "N*m", "up to which K1 holds"}, &MakersTorques::T1);
+    field({"T2", "N*m", "up to which K2 holds"}, &MakersTorques::T2);
+    field({"T3", "N*m", "up to which K3 is taken"}, &MakersTorques::T3);
+    field({"rated", "N*m", "T_N"}, &MakersTorques::rated);
+    field({"lost_motion", "N*m", "where lost motion is measured"}, &MakersTorques::lost_motion);
+    field({"by_convention", "", "whether T1 and T2 were not given"}, &MakersTorques::by_convention);
+  }
 };
 [[nodiscard]] MakersTorques makers_torques(const GearSet& gear);
 
 /// K1, K2, K3 by eq. (TC-14), for torque of the given sense (+1 or -1).
 /// @throws SolverError  if the curve is not usable; the message says why
-[[nodiscard]] MakersLines makers_lines(const GearSet& gear, int sense = +1,
-                                       const CoupledOptions& options = {});
+[[nodiscard]] MakersLines makers_lines(const AssembledDrive& drive, int sense = +1);
+/// The same for a drive that is assembled first.
+[[nodiscard]] inline MakersLines makers_lines(const GearSet& gear, int sense = +1,
+                                              const CoupledOptions& options = {}) {
+  return makers_lines(AssembledDrive(gear, options), sense);
+}
 
 }  // namespace strainwave

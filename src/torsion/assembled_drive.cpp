@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/torsion/assembled_drive.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "assembled_drive_contents.hpp"
+#include "strainwave/core/error.hpp"
+#include "strainwave/stiffness/elastic_members.hpp"
+#include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/torsion/compare.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+
+double tube_compliance(const TubeSection& section, double length, double G) {
+  return torsional_compliance(
+      Tube{.outer_diameter = section.outer_diameter,
+           .inner_diameter = section.outer_diameter - 2 * section.wall_thickness,
+           .length = length},
+      G);
+}
+
+void add_series_members(AssembledDrive::Contents& into) {
+  const GearSet& gear = into.gear;
+  const Flexspline& fs = *gear.flexspline;
+  const double G = elastic_constants(material_of(gear, fs.material, "flexspline.material")).G;
+  SeriesMembers& series = into.series;
+  series.barrel = tube_compliance(*fs.barrel, fs.barrel->length, G);
+  series.diaphragm = torsional_compliance(*fs.diaphragm, G);  // (TC-13)
+  // (TC-13): traction spread evenly over the teeth twists the rim like a third of its length.
+  series.rim = tube_compliance(*fs.rim, fs.rim->length / 3, G);
+  if (fs.boss) series.boss_and_flange += tube_compliance(*fs.boss, fs.boss->length, G);
+  series.boss_and_flange += fs.flange_compliance;
+  const auto take = [&](const MemberCompliance& member, bool notes) {
+    for (const CrackReport& crack : member.cracks) {
+      series.cracks_positive += crack.positive.at_output.value;
+      series.cracks_negative += crack.negative.at_output.value;
+    }
+    if (notes)
+      for (const Note& note : member.notes)
+        if (note.code != "crack.contact_path") into.notes.push_back(note);
+    if (into.series_unusable.empty()) into.series_unusable = member.unusable_because;
+  };
+  if (!fs.crack.empty()) take(flexspline_compliance(gear), true);
+  if (gear.output_shaft) {
+    const MemberCompliance shaft = output_shaft_compliance(gear);
+    series.output_shaft = shaft.intact;
+    take(shaft, true);
+  }
+}
+
+// The gap law is for teeth whose path is about one module high (TC-7).
+constexpr double kLeastKappa = 0.6;
+constexpr double kMostKappa = 1.3;
+/// Pitch diameter of size 17, 43.18 mm, rounded down so that this size is not small [m].
+constexpr double kSize17 = 0.043;
+
+void note_geometry(const GearSet& gear, const CoupledGeometry& g, std::vector<Note>& notes) {
+  const double kappa = g.radial_displacement / g.module;
+  if (kappa < kLeastKappa || kappa > kMostKappa)
+    notes.push_back({"torsion.deflection",
+                     fmt::format("w_0 is {:.3g} modules; the gap law is for about one", kappa),
+                     "drive.radial_displacement", "TC-7", Severity::care,
+                     "Check drive.radial_displacement."});
+  if (const double least = least_flank_angle(kappa); g.flank_angle < least)
+    notes.push_back(
+        {"torsion.flank_angle",
+         fmt::format("w_0 of {:.3g} modules needs flanks of {:.3g} degrees or more, else the "
+                     "tooth path crosses the flank",
+                     kappa, least * 180 / pi),
+         "mesh.flank_angle", "TC-25", Severity::care,
+         "Check mesh.flank_angle and drive.radial_displacement."});
+  if (gear.drive.ratio < 50)
+    notes.push_back({"torsion.low_ratio",
+                     "against catalogues the model is too stiff below ratio 50, by a factor "
+                     "of up to 2.2 at 30: take it as empirical there",
+                     "drive.ratio", "TC-14", Severity::care,
+                     "Calibrate the drive with a measured curve."});
+  if (gear.drive.pitch_diameter < kSize17)
+    notes.push_back({"torsion.small_size",
+                     "makers' drives below size 17 are not similar to the larger ones, and "
+                     "typical proportions miss their stiffness by 20 to 60 %",
+                     "drive.pitch_diameter", "TC-14", Severity::care,
+                     "Calibrate the drive with a measured curve or a catalogue."});
+  if (gear.circular_spline == std::nullopt)
+    notes.push_back({"torsion.rigid_spline",
+                     "no circular spline given: it is taken as rigid, which is 13 to 36 % "
+                     "too stiff",
+                     "circular_spline", "TC-10", Severity::care,
+                     "Give the table circular_spline."});
+}
+
+/// The larger force of the ball nearest to a position, of both senses of torque at T2, in the
+/// sound drive [N].
+double sound_ball_force(const CoupledDrive& sound, double torque, double position) {
+  double largest = 0.0;
+  for (const double sense : {1.0, -1.0}) {
+    const Equilibrium state = sound.solve(sense * torque, sound.assembled());
+    int nearest = 0;
+    const auto distance = [&](int ball) {
+      return std::abs(std::remainder(sound.position_of(ball) - position, 2 * pi));
+    };
+    for (int ball = 1; ball < sound.balls(); ++ball)
+      if (distance(ball) < distance(nearest)) nearest = ball;
+    largest = std::max(largest, state.force[nearest]);
+  }
+  return largest;
+}
+
+std::string no_assembly(const CoupledDrive& drive) {
+  const CoupledGeometry& g = drive.geometry();
+  const Equilibrium& state = drive.assembled();
+  return state.converged
+             ? fmt::format(
+                   "the drive does not assemble: no cam amplitude lifts the lobes by w_0 = "
+                   "{:.4g} mm with a flank gap of {:.4g} um and a bearing clearance of "
+                   "{:.4g} um",
+                   1e3 * g.radial_displacement, 1e6 * g.lobe_gap, 1e6 * g.clearance)
+             : fmt::format(
+                   "the assembled state was not found: residual {:.2g} of the largest "
+                   "contact force after {} steps",
+                   state.residual, state.iterations);
+}
+
+/// Puts the cracks into the sound drive, on its cam, if it has one.
+void crack(AssembledDrive::Contents& into) {
+  const ContactCracks& cracks = into.cracks;
+  into.drive = into.sound;
+  into.fails_because = into.sound_fails_because;
+  if (!into.fails_because.empty()) return;
+  if (cracks.teeth.empty() && cracks.hinges.empty() && cracks.balls.empty()) return;
+  into.drive = into.sound.cracked(cracks);
+  if (!into.drive.assemble_on(into.sound.cam_amplitude()))
+    into.fails_because = "the cracked drive does not assemble on the cam of the sound one";
+}
+
+std::vector<std::string> equations_of(const CoupledGeometry& geometry) {
+  std::vector<std::string> equations = {"TC-1", "TC-2",  "TC-4",  "TC-5",  "TC-6",  "TC-7", "TC-8",
+                                        "TC-9", "TC-11", "TC-12", "TC-13", "TC-14", "TC-15"};
+  if (geometry.support > 0) equations.emplace_back("TC-10");
+  return equations;
+}
+
+/// All that is known before the cracks in the contacts.
+AssembledDrive::Contents sound_contents(const GearSet& gear, const CoupledOptions& options,
+                                        const CoupledGeometry& geometry,
+                                        const CoupledDrive& sound) {
+  AssembledDrive::Contents contents{.gear = gear,
+                                    .options = options,
+                                    .geometry = geometry,
+                                    .sound = sound,
+                                    .cracks = {},
+                                    .drive = sound,
+                                    .series = {},
+                                    .notes = {},
+                                    .equations = equations_of(geometry),
+                                    .sound_fails_because = {},
+                                    .fails_because = {},
+                                    .series_unusable = {}};
+  note_geometry(gear, geometry, contents.notes);
+  add_series_members(contents);
+  return contents;
+}
+
+AssembledDrive::Contents assembled(const GearSet& gear, const CoupledOptions& options) {
+  const CoupledGeometry geometry = coupled_geometry(gear, options);
+  AssembledDrive::Contents contents =
+      sound_contents(gear, options, geometry, CoupledDrive(gear, geometry, options));
+  CoupledDrive& sound = contents.sound;
+  if (!sound.assemble()) {
+    contents.sound_fails_because = no_assembly(sound);
+    crack(contents);
+    return contents;
+  }
+  const double T2 = makers_torques(gear).T2;
+  contents.cracks = contact_cracks(
+      gear, geometry, [&](double position) { return sound_ball_force(sound, T2, position); },
+      contents.notes);
+  if (!contents.cracks.teeth.empty()) contents.equations.emplace_back("TC-21");
+  if (!contents.cracks.hinges.empty()) contents.equations.emplace_back("TC-22");
+  if (!contents.cracks.balls.empty()) contents.equations.emplace_back("TC-23");
+  crack(contents);
+  return contents;
+}
+
+}  // namespace
+
+AssembledDrive::AssembledDrive(const GearSet& gear, const CoupledOptions& options)
+    : contents_(std::make_shared<const Contents>(assembled(gear, options))) {}
+
+AssembledDrive::AssembledDrive(std::shared_ptr<const Contents> contents)
+    : contents_(std::move(contents)) {}
+
+AssembledDrive AssembledDrive::without_cracks() const {
+  Contents contents = sound_contents(strainwave::without_cracks(gear()), contents_->options,
+                                     contents_->geometry, contents_->sound);
+  contents.sound_fails_because = contents_->sound_fails_because;
+  crack(contents);
+  return AssembledDrive(std::make_shared<const Contents>(std::move(contents)));
+}
+
+AssembledDrive AssembledDrive::turned(double angle) const {
+  Contents contents = *contents_;
+  contents.gear = after_turn(gear(), angle);
+  const auto shift = [&](auto& cracks) {
+    for (auto& crack : cracks) crack.position = turned_position(crack.position, angle);
+  };
+  shift(contents.cracks.hinges);
+  shift(contents.cracks.teeth);
+  crack(contents);
+  return AssembledDrive(std::make_shared<const Contents>(std::move(contents)));
+}
+
+const GearSet& AssembledDrive::gear() const { return contents_->gear; }
+const CoupledOptions& AssembledDrive::options() const { return contents_->options; }
+const std::string& AssembledDrive::fails_because() const { return contents_->fails_because; }
+double AssembledDrive::cam_amplitude() const { return contents_->drive.cam_amplitude(); }
+
+namespace {
+
+CoupledOptions in_friction(CoupledOptions options, FlankFriction friction) {
+  options.friction = friction;
+  return options;
+}
+
+}  // namespace
+
+SlidingDrive::SlidingDrive(const GearSet& gear, const CoupledOptions& options)
+    : loading(gear, in_friction(options, FlankFriction::loading)),
+      unloading(gear, in_friction(options, FlankFriction::unloading)) {}
+
+SlidingDrive::SlidingDrive(AssembledDrive at_loading, AssembledDrive at_unloading)
+    : loading(std::move(at_loading)), unloading(std::move(at_unloading)) {}
+
+SlidingDrive SlidingDrive::without_cracks() const {
+  return {loading.without_cracks(), unloading.without_cracks()};
+}
+
+}  // namespace strainwave

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// A drive that is assembled once and asked often.
+#include "strainwave/torsion/assembled_drive.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "strainwave/torsion/compare.hpp"
+#include "strainwave/torsion/hysteresis.hpp"
+#include "torsion/solved_drive.hpp"
+
+namespace strainwave {
+namespace {
+
+constexpr std::array kTorques = {5.0, 14.0, 48.0};
+
+/// With a tooth that is half as stiff.
+GearSet cracked_drive() {
+  GearSet gear = test::supported_drive();
+  gear.mesh->crack.emplace_back(ToothCrack{.stiffness_loss = 0.5, .position = 0.05});
+  return gear;
+}
+
+void expect_same(const MakersLines& a, const MakersLines& b) {
+  EXPECT_EQ(a.K1, b.K1);
+  EXPECT_EQ(a.K2, b.K2);
+  EXPECT_EQ(a.K3, b.K3);
+}
+
+TEST(AssembledDrive, IdentityTheSameNumbersAsFromTheGear) {
+  const GearSet gear = cracked_drive();
+  const AssembledDrive drive(gear);
+  for (const int sense : {+1, -1})
+    expect_same(makers_lines(drive, sense), makers_lines(gear, sense));
+  EXPECT_EQ(lost_motion(drive), lost_motion(gear));
+  const TorsionCurve curve = torsion_curve(drive, kTorques);
+  const std::vector<double> twist = twists(drive, kTorques);
+  for (std::size_t i = 0; i < kTorques.size(); ++i) EXPECT_EQ(curve.points[i].twist, twist[i]);
+  EXPECT_EQ(rim_states(drive, 10.0, 3)[1].radial, rim_states(gear, 10.0, 3)[1].radial);
+}
+
+TEST(AssembledDrive, IdentityTurnedAndSoundAreAssembledAnew) {
+  const GearSet gear = cracked_drive();
+  const AssembledDrive drive(gear);
+  expect_same(makers_lines(drive.turned(0.7)), makers_lines(after_turn(gear, 0.7)));
+  expect_same(makers_lines(drive.without_cracks()), makers_lines(without_cracks(gear)));
+  EXPECT_NE(makers_lines(drive.turned(0.7)).K1, makers_lines(drive).K1);
+}
+
+TEST(AssembledDrive, IdentityADriveThatDoesNotAssembleSaysSo) {
+  GearSet gear = cracked_drive();
+  const AssembledDrive stuck(gear, {.max_iterations = 1});
+  EXPECT_NE(stuck.fails_because(), "");
+  EXPECT_EQ(stuck.without_cracks().fails_because(), stuck.fails_because());
+  EXPECT_EQ(stuck.turned(0.1).fails_because(), stuck.fails_because());
+  EXPECT_EQ(torsion_curve(stuck, kTorques).unusable_because, stuck.fails_because());
+  EXPECT_EQ(AssembledDrive(gear).fails_because(), "");
+}
+
+TEST(AssembledDrive, IdentitySeveralThreadsAskOneDrive) {
+  const AssembledDrive drive(cracked_drive());
+  const MakersLines expected = makers_lines(cracked_drive());
+  std::array<MakersLines, 4> found;
+  std::vector<std::thread> threads;
+  for (MakersLines& lines : found) threads.emplace_back([&] { lines = makers_lines(drive); });
+  for (std::thread& thread : threads) thread.join();
+  for (const MakersLines& lines : found) expect_same(lines, expected);
+  expect_same(makers_lines(drive), expected);  // asking has changed nothing
+}
+
+/// Shares that a computation reports, until the limit.
+struct Heard {
+  std::vector<double> shares;
+  std::size_t limit = 1000000;
+
+  Progress progress() {
+    return Progress([this](double share) {
+      shares.push_back(share);
+      return shares.size() < limit;
+    });
+  }
+};
+
+TEST(TorsionProgress, BehaviourSharesGrowToOneAndAStopEndsIt) {
+  const GearSet gear = cracked_drive();
+  const AssembledDrive drive(gear);
+  const SlidingDrive sliding(gear);
+  const std::vector<std::function<void(const Progress&)>> computations = {
+      [&](const Progress& p) { (void)compare_curves(drive, sliding, 8, p); },
+      [&](const Progress& p) { (void)torsion_curve(drive, kTorques, p); },
+      [&](const Progress& p) { (void)Hysteresis(sliding, 80.0, {}, p); }};
+  for (const auto& compute : computations) {
+    Heard all;
+    compute(all.progress());
+    EXPECT_TRUE(std::ranges::is_sorted(all.shares));
+    EXPECT_DOUBLE_EQ(all.shares.back(), 1.0);
+    Heard some{.shares = {}, .limit = 2};
+    EXPECT_THROW(compute(some.progress()), Stopped);
+    EXPECT_EQ(some.shares.size(), 2U);
+  }
+}
+
+TEST(TorsionResults, IdentityEveryFieldIsDescribedOnce) {
+  const CurvePoint point = torsion_curve(cracked_drive(), kTorques).points.back();
+  std::set<std::string_view> names;
+  double sum = 0.0;
+  MemberShares::describe([&](const Field& field, const auto& get) {
+    EXPECT_TRUE(names.insert(field.name).second);
+    EXPECT_EQ(field.unit, "1");
+    sum += std::invoke(get, point.share);
+  });
+  EXPECT_EQ(names.size(), kCurveMembers);
+  EXPECT_NEAR(sum, 1.0, 1e-9);
+  double stiffness = 0.0;
+  CurvePoint::describe([&](const Field& field, const auto& get) {
+    using Value = std::remove_cvref_t<std::invoke_result_t<decltype(get), const CurvePoint&>>;
+    if constexpr (std::is_same_v<Value, double>) {
+      EXPECT_NE(field.unit, "") << field.name;
+      if (field.name == "tangent_stiffness") stiffness = std::invoke(get, point);
+    }
+  });
+  EXPECT_EQ(stiffness, 1 / point.tangent_compliance);
+}
+
+}  // namespace
+}  // namespace strainwave
