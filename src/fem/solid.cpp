@@ -36,7 +36,7 @@
 #include <set>
 #include <utility>
 
-#include "fem/direct_solver.hpp"
+#include "direct_solver.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/fem/memory_error.hpp"
 #include "strainwave/fem/mpi_session.hpp"

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "gear_fem/ellipse_template.hpp"
-#include "gear_fem/tube_body.hpp"
+#include "ellipse_template.hpp"
+#include "tube_body.hpp"
 #include "strainwave/core/error.hpp"
 
 namespace strainwave::gear_fem {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/toml_reader.hpp"
+#include "strainwave/core/toml_reader.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/nearest.hpp"
 #include "strainwave/io/compliance_table_file.hpp"

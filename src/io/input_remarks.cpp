@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/toml_library.hpp"
+#include "strainwave/core/toml_library.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/fields.hpp"
 

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <string>
 
-#include "gear_fem/tube_body.hpp"
+#include "tube_body.hpp"
 #include "strainwave/core/error.hpp"
 #include "support/expect.hpp"
 #include "support/mpi.hpp"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Looks inside: text, numbers and places of marks have no public header.
-#include "report/markup.hpp"
+#include "markup.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "report/html.hpp"
-#include "report/sheet.hpp"
+#include "html.hpp"
+#include "sheet.hpp"
 #include "report/svg_document.hpp"
 
 namespace strainwave::report {
