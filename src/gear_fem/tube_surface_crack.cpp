@@ -10,8 +10,8 @@
 #include <numbers>
 
 #include "ellipse_template.hpp"
-#include "tube_body.hpp"
 #include "strainwave/core/error.hpp"
+#include "tube_body.hpp"
 
 namespace strainwave::gear_fem {
 namespace {

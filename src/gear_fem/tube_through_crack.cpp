@@ -13,10 +13,10 @@
 #include "confocal_plan.hpp"
 #include "crack_plan.hpp"
 #include "cup_ends.hpp"
-#include "tube_body.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/fem/swept_section.hpp"
 #include "strainwave/gear_fem/cup_section.hpp"
+#include "tube_body.hpp"
 
 namespace strainwave::gear_fem {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "html.hpp"
-#include "sheet.hpp"
 #include "report/svg_document.hpp"
+#include "sheet.hpp"
 
 namespace strainwave::report {
 namespace {

@@ -19,11 +19,11 @@
 #include <variant>
 #include <vector>
 
-#include "strainwave/core/toml_library.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/fields.hpp"
 #include "strainwave/core/nearest.hpp"
 #include "strainwave/core/quantity_text.hpp"
+#include "strainwave/core/toml_library.hpp"
 
 namespace strainwave {
 
