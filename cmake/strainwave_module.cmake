@@ -1,5 +1,6 @@
 # strainwave_module(<name> SOURCES ... [DEPENDS <module>...] [NOT_INSTALLED])
-# Library target strainwave::<name>, from src/<name>/ and include/strainwave/<name>/.
+# Library target strainwave::<name>, from src/<name>/ and include/strainwave/<name>/.  Of the private
+# headers it finds its own only, even in sources that are written at build time.
 function(strainwave_module name)
   cmake_parse_arguments(ARG "NOT_INSTALLED" "" "SOURCES;DEPENDS" ${ARGN})
   list(TRANSFORM ARG_SOURCES PREPEND "src/${name}/")
@@ -10,20 +11,22 @@ function(strainwave_module name)
   target_compile_features(strainwave_${name} PUBLIC cxx_std_20)
   target_include_directories(strainwave_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
-    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+    PRIVATE "${PROJECT_SOURCE_DIR}/src/${name}")
   target_link_libraries(strainwave_${name} PUBLIC ${ARG_DEPENDS} PRIVATE fmt::fmt)
   strainwave_flags(strainwave_${name})
+  set_property(GLOBAL APPEND PROPERTY STRAINWAVE_ALL_MODULES ${name})
   if(NOT ARG_NOT_INSTALLED)
     set_property(GLOBAL APPEND PROPERTY STRAINWAVE_MODULES strainwave_${name})
   endif()
 endfunction()
 
-# strainwave_test(<folder> SOURCES <name>... DEPENDS <module>... [PARTS <number>])
+# strainwave_test(<folder> SOURCES <name>... DEPENDS <module>... [INSIDE <module>] [PARTS <number>])
 # GoogleTest program test_<folder> of tests/<folder>/<name>_test.cpp, labelled with the folder:
-# `ctest -L fracture`.  ctest runs each test by itself, or the tests of a folder in so many parts;
-# under the sanitizers in four.
+# `ctest -L fracture`.  INSIDE: they see the private headers of one module.  ctest runs each test by
+# itself, or the tests of a folder in so many parts; under the sanitizers in four.
 function(strainwave_test folder)
-  cmake_parse_arguments(ARG "" "PARTS" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "INSIDE;PARTS" "SOURCES;DEPENDS" ${ARGN})
   list(TRANSFORM ARG_SOURCES REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/tests/${folder}/\\1_test.cpp")
   list(TRANSFORM ARG_DEPENDS PREPEND "strainwave::")
   set(target test_${folder})
@@ -31,7 +34,8 @@ function(strainwave_test folder)
   if(STRAINWAVE_UNITY_TESTS)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
   endif()
-  target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
+  target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests"
+    $<$<BOOL:${ARG_INSIDE}>:${PROJECT_SOURCE_DIR}/src/${ARG_INSIDE}>)
   target_compile_definitions(${target} PRIVATE
     STRAINWAVE_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
     STRAINWAVE_EXAMPLES="${PROJECT_SOURCE_DIR}/examples"
@@ -54,6 +58,36 @@ function(strainwave_test folder)
     gtest_discover_tests(${target} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
       PROPERTIES LABELS "${folder}" TIMEOUT 120)
   endif()
+endfunction()
+
+# strainwave_sight_tests()
+# For each module a test structure.sight.<module>, which asks the compiler, given the module's own
+# include directories, for every private header of the tree by both its spellings.
+function(strainwave_sight_tests)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/src" "${PROJECT_SOURCE_DIR}/src/*.hpp")
+  get_property(modules GLOBAL PROPERTY STRAINWAVE_ALL_MODULES)
+  foreach(module IN LISTS modules)
+    set(own ${headers})
+    list(FILTER own INCLUDE REGEX "^${module}/")
+    set(foreign ${headers})
+    list(REMOVE_ITEM foreign "" ${own})
+    list(TRANSFORM own REPLACE "^${module}/" "")
+    set(hidden ${foreign})
+    list(TRANSFORM hidden REPLACE "^[^/]*/" "")
+    list(REMOVE_ITEM hidden "" ${own})
+    set(code "")
+    foreach(header IN LISTS own)
+      string(APPEND code "#if !__has_include(\"${header}\")\n#error not seen: ${header}\n#endif\n")
+    endforeach()
+    foreach(header IN LISTS foreign hidden)
+      string(APPEND code "#if __has_include(\"${header}\")\n#error seen: ${header}\n#endif\n")
+    endforeach()
+    set(probe "${PROJECT_BINARY_DIR}/sight/${module}.cpp")
+    file(CONFIGURE OUTPUT "${probe}" CONTENT "${code}" @ONLY)
+    add_test(NAME structure.sight.${module} COMMAND_EXPAND_LISTS COMMAND "${CMAKE_CXX_COMPILER}" -E
+      "-I$<JOIN:$<TARGET_PROPERTY:strainwave_${module},INCLUDE_DIRECTORIES>,;-I>" "${probe}")
+    set_tests_properties(structure.sight.${module} PROPERTIES LABELS structure)
+  endforeach()
 endfunction()
 
 function(strainwave_flags target)
@@ -93,7 +127,6 @@ function(strainwave_equation_titles module)
     "${CMAKE_COMMAND}" "-DMANUAL=${PROJECT_SOURCE_DIR}/docs/theory" "-DOUTPUT=${output}"
     -P "${script}")
   target_sources(strainwave_${module} PRIVATE "${output}")
-  target_include_directories(strainwave_${module} PRIVATE "${PROJECT_SOURCE_DIR}/src/${module}")
 endfunction()
 
 # strainwave_material_data(<module>)
@@ -116,6 +149,7 @@ function(strainwave_install)
   get_property(modules GLOBAL PROPERTY STRAINWAVE_MODULES)
   install(TARGETS ${modules} EXPORT strainwaveTargets)
   install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+    PATTERN "strainwave/core/toml_*" EXCLUDE
     PATTERN "strainwave/fem" EXCLUDE
     PATTERN "strainwave/gear_fem" EXCLUDE
     PATTERN "strainwave/fe_study" EXCLUDE)

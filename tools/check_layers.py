@@ -16,8 +16,9 @@ import tempfile
 
 MODULE = re.compile(r"^ *strainwave_module\(\s*(\w+)\s+SOURCES\s+([^)]*?)"
                     r"(?:\sDEPENDS\s+([^)]*?))?(?:\s+NOT_INSTALLED)?\s*\)", re.M)
-TEST = re.compile(r"^\s*strainwave_test\(\s*(\w+)\s+SOURCES\s+([^)]*?)\sDEPENDS\s[^)]*\)", re.M)
-INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
+TEST = re.compile(r"^\s*strainwave_test\(\s*(\w+)\s+SOURCES\s+([^)]*?)\sDEPENDS\s+([^)]*)\)", re.M)
+INCLUDE = re.compile(r"^\s*#\s*(?:include|import|include_next)\b\s*(.*)", re.M)
+FOLDERS = ("include", "src", "apps", "tests", "benchmarks")
 
 
 def read_graph(root):
@@ -37,8 +38,7 @@ def read_graph(root):
 
 
 def files(root, *folders):
-    return sorted(path for folder in folders for path in (root / folder).rglob("*")
-                  if path.suffix in (".hpp", ".cpp"))
+    return sorted(path for folder in folders for path in (root / folder).rglob("*") if path.is_file())
 
 
 def list_faults(what, listed, present):
@@ -49,26 +49,54 @@ def list_faults(what, listed, present):
             [f"{what} {name} exists but is not listed" for name in sorted(present - set(listed))])
 
 
-def include_faults(root, depends):
+def owner_of(parts):
+    """(module, whether it is private) of a path in the tree; no module for programs and tests."""
+    if parts[0] == "include" and len(parts) > 2:
+        return parts[2], False
+    return (parts[1], True) if parts[0] == "src" else (None, False)
+
+
+def meant(target, path, tree):
+    """The files of the tree that an include can mean, whatever folders the compiler searches.
+
+    What lies beside the file, or under include/ or tests/, is found there first.  Else it is each
+    file whose path ends so: "series_model.hpp" and "stiffness/series_model.hpp" mean the same.
+    """
+    for first in (path.parent / target, pathlib.PurePath("include", target), pathlib.PurePath("tests", target)):
+        if first in tree:
+            return [first]
+    parts = pathlib.PurePath(target).parts
+    return [other for other in tree if other.parts[-len(parts):] == parts]
+
+
+def include_faults(root, depends, inside):
     faults = []
-    for path in files(root, "include", "src", "apps", "tests", "benchmarks"):
-        parts = path.relative_to(root).parts
-        owner = {"include": 2, "src": 1}.get(parts[0])  # where the module's name stands in the path
-        owner = parts[owner] if owner else None
-        if owner and owner not in depends:
-            faults.append(f"{path.relative_to(root)}: {owner} is not a declared module")
+    tree = {path.relative_to(root) for path in files(root, *FOLDERS)}
+    for path in sorted(tree):
+        if not path.name.endswith((".hpp", ".h", ".cpp", ".in")):
             continue
-        for target in INCLUDE.findall(path.read_text(errors="replace")):
-            where = f"{path.relative_to(root)}: #include \"{target}\": "
-            if ".." in target.split("/"):
-                faults.append(where + "leaves the folder, and with it the graph")
-            if not target.startswith("strainwave/"):
+        owner, private = owner_of(path.parts)
+        if owner and owner not in depends:
+            faults.append(f"{path}: {owner} is not a declared module")
+            continue
+        looks_into = {owner} if private else inside.get(path.parts[1]) if path.parts[0] == "tests" else None
+        for operand in INCLUDE.findall((root / path).read_text(errors="replace")):
+            where = f"{path}: #include {operand.strip()}: "
+            spelled = re.match(r'[<"]([^>"]+)[>"]', operand)
+            if not spelled:
+                faults.append(where + "is computed, which hides what it includes")
                 continue
-            module = target.split("/")[1]
-            if module not in depends:
-                faults.append(where + f"{module} is not a declared module")
-            elif owner and module != owner and module not in depends[owner]:
-                faults.append(where + f"{owner} may include only {sorted(depends[owner]) or 'itself'}")
+            target = spelled[1]
+            if target.startswith("/") or ".." in target.split("/"):
+                faults.append(where + "leaves the folder, and with it the graph")
+                continue
+            if target.startswith("strainwave/") and target.split("/")[1] not in depends:
+                faults.append(where + f"{target.split('/')[1]} is not a declared module")
+            for module, hidden in map(owner_of, (file.parts for file in meant(target, path, tree))):
+                if owner and module and module != owner and module not in depends[owner]:
+                    faults.append(where + f"{owner} may include only {sorted(depends[owner]) or 'itself'}")
+                elif hidden and module not in (looks_into or ()):
+                    faults.append(where + f"is private to {module}")
     return faults
 
 
@@ -77,30 +105,36 @@ def check(root):
     faults += list_faults("source", [f"{m}/{s}" for m in sources for s in sources[m]],
                           {"/".join(p.relative_to(root / "src").parts)
                            for p in files(root, "src") if p.suffix == ".cpp"})
-    lists = root / "tests" / "CMakeLists.txt"
-    faults += list_faults("test", [f"{folder}/{name}" for folder, names in TEST.findall(lists.read_text())
-                                   for name in names.split()],
+    tests = TEST.findall((root / "tests" / "CMakeLists.txt").read_text())
+    faults += list_faults("test", [f"{folder}/{name}" for folder, names, _ in tests for name in names.split()],
                           {p.relative_to(root / "tests").as_posix()[:-len("_test.cpp")]
                            for p in files(root, "tests") if p.name.endswith("_test.cpp")})
-    return faults + include_faults(root, depends)
+    inside = {folder: set(re.findall(r"\bINSIDE\s+(\w+)", rest)) for folder, _, rest in tests}
+    return faults + include_faults(root, depends, inside)
 
 
 SOUND = {
     "CMakeLists.txt": "strainwave_module(low  SOURCES a.cpp)\n"
                       "strainwave_module(left SOURCES b.cpp DEPENDS low)\n"
                       "strainwave_module(right\n  SOURCES c.cpp\n  DEPENDS low)\n",
-    "tests/CMakeLists.txt": "strainwave_test(low SOURCES a DEPENDS low)\n",
+    "tests/CMakeLists.txt": "strainwave_test(low SOURCES a DEPENDS low INSIDE low)\n",
     "include/strainwave/low/a.hpp": "#include <string>\n",
     "src/low/a.cpp": '#include "strainwave/low/a.hpp"\n',
-    "src/left/b.cpp": '#include "strainwave/low/a.hpp"\n#include "private.hpp"\n',
+    "src/low/low_private.hpp": "",
+    "src/left/b.cpp": '#include "strainwave/low/a.hpp"\n#include "private.hpp"\n#include "fmt/format.h"\n',
+    "src/left/private.hpp": "",
     "src/right/c.cpp": "",
-    "tests/low/a_test.cpp": '#include "strainwave/low/a.hpp"\n',
+    "src/right/secret.hpp": "",
+    "tests/low/a_test.cpp": '#include "strainwave/low/a.hpp"\n#include "low_private.hpp"\n#include "low/aid.hpp"\n',
+    "tests/low/aid.hpp": "",
 }
 # What is wrong, the files that make it so, and a part of the sentence that must name it.
 BROKEN = [
-    ("an edge not in the graph", {"src/left/b.cpp": '#include "strainwave/right/c.hpp"\n'},
+    ("an edge not in the graph", {"src/left/b.cpp": '#include "strainwave/right/c.hpp"\n',
+                                  "include/strainwave/right/c.hpp": ""},
      "left may include only ['low']"),
-    ("an edge upwards, from a header", {"include/strainwave/low/a.hpp": "#include <strainwave/left/b.hpp>\n"},
+    ("an edge upwards, from a header", {"include/strainwave/low/a.hpp": "#  include <strainwave/left/b.hpp>\n",
+                                                "include/strainwave/left/b.hpp": ""},
      "low may include only itself"),
     ("a cycle", {"CMakeLists.txt": SOUND["CMakeLists.txt"].replace("a.cpp", "a.cpp DEPENDS right")},
      "low depends on right, which is not declared above it"),
@@ -109,6 +143,22 @@ BROKEN = [
      "nowhere is not a declared module"),
     ("a file of an undeclared module", {"include/strainwave/new/a.hpp": ""}, "new is not a declared module"),
     ("a way round the graph", {"src/left/b.cpp": '#include "../right/secret.hpp"\n'}, "leaves the folder"),
+    ("an absolute way", {"src/left/b.cpp": '#include "/src/right/secret.hpp"\n'}, "leaves the folder"),
+    ("a computed include", {"src/left/b.cpp": '#define H "right/secret.hpp"\n#include H\n'}, "is computed"),
+    *((f"a private header across the graph, as {spelled}", {"src/left/b.cpp": f"#include {spelled}\n"},
+       "left may include only ['low']")
+      for spelled in ('"right/secret.hpp"', '<right/secret.hpp>', '"./right/secret.hpp"', '"secret.hpp"',
+                      '"src/right/secret.hpp"')),
+    ("a private header of a module that may be used", {"src/left/b.cpp": '#include "low/low_private.hpp"\n'},
+     "is private to low"),
+    ("a private header in a public one", {"include/strainwave/low/a.hpp": '#include "low_private.hpp"\n'},
+     "is private to low"),
+    ("a private header in a program", {"apps/cli/main.cpp": '#include "low/low_private.hpp"\n'},
+     "is private to low"),
+    ("a private header in a test that does not look inside",
+     {"tests/CMakeLists.txt": SOUND["tests/CMakeLists.txt"].replace(" INSIDE low", "")}, "is private to low"),
+    ("an include of a file made at build time",
+     {"src/left/made.cpp.in": '#include "right/secret.hpp"\n'}, "left may include only ['low']"),
     ("a source forgotten", {"src/low/forgotten.cpp": ""}, "low/forgotten.cpp exists but is not listed"),
     ("a source that is not there", {"src/right/c.cpp": None}, "right/c.cpp is listed but does not exist"),
     ("a source listed twice", {"CMakeLists.txt": SOUND["CMakeLists.txt"].replace("a.cpp", "a.cpp a.cpp")},
@@ -116,7 +166,8 @@ BROKEN = [
     ("an edge not in the graph, of a part built on request",
      {"CMakeLists.txt": SOUND["CMakeLists.txt"] +
       "if(MORE)\n  strainwave_module(extra SOURCES d.cpp DEPENDS low NOT_INSTALLED)\nendif()\n",
-      "src/extra/d.cpp": '#include "strainwave/left/b.hpp"\n'}, "extra may include only ['low']"),
+      "src/extra/d.cpp": '#include "strainwave/left/b.hpp"\n',
+      "include/strainwave/left/b.hpp": ""}, "extra may include only ['low']"),
     ("a test forgotten", {"tests/left/b_test.cpp": ""}, "left/b exists but is not listed"),
     ("a test that is not there", {"tests/low/a_test.cpp": None}, "low/a is listed but does not exist"),
     ("a test listed twice", {"tests/CMakeLists.txt": SOUND["tests/CMakeLists.txt"].replace(" a ", " a a ")},

@@ -23,7 +23,7 @@
 #include "strainwave/io/result_writer.hpp"
 #include "strainwave/materials/material_library.hpp"
 #include "strainwave/report/report.hpp"
-#include "strainwave/study/audit.hpp"
+#include "strainwave/study/audit_report.hpp"
 #include "strainwave/study/material_report.hpp"
 #include "strainwave/study/plot.hpp"
 #include "strainwave/study/scatter.hpp"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/decimal_value.hpp"
+#include "decimal_value.hpp"
 
 namespace strainwave {
 

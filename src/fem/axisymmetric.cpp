@@ -27,7 +27,7 @@
 #include <optional>
 #include <utility>
 
-#include "fem/condensed_solver.hpp"
+#include "condensed_solver.hpp"
 #include "strainwave/core/error.hpp"
 
 namespace strainwave::fem {

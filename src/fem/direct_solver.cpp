@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fem/direct_solver.hpp"
+#include "direct_solver.hpp"
 
 #include <dlfcn.h>
 #include <dmumps_c.h>

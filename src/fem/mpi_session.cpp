@@ -18,7 +18,7 @@
 #include <limits>
 #include <thread>
 
-#include "fem/direct_solver.hpp"
+#include "direct_solver.hpp"
 
 namespace strainwave::fem {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gear_fem/confocal_plan.hpp"
+#include "confocal_plan.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gear_fem/crack_plan.hpp"
+#include "crack_plan.hpp"
 
 namespace strainwave::gear_fem {
 

@@ -6,8 +6,8 @@
 #include <functional>
 #include <utility>
 
-#include "gear_fem/crack_plan.hpp"
-#include "gear_fem/ellipse_template.hpp"
+#include "crack_plan.hpp"
+#include "ellipse_template.hpp"
 #include "strainwave/core/error.hpp"
 
 namespace strainwave::gear_fem {

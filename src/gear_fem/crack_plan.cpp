@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gear_fem/crack_plan.hpp"
+#include "crack_plan.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gear_fem/cup_ends.hpp"
+#include "cup_ends.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "gear_fem/cup_shape.hpp"
+#include "cup_shape.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/fem/swept_section.hpp"
 

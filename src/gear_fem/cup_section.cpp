@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "gear_fem/cup_shape.hpp"
+#include "cup_shape.hpp"
 #include "strainwave/core/error.hpp"
 
 namespace strainwave::gear_fem {

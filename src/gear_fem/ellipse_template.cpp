@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gear_fem/ellipse_template.hpp"
+#include "ellipse_template.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
 
-#include "gear_fem/crack_plan.hpp"
+#include "crack_plan.hpp"
 
 namespace strainwave::gear_fem {
 namespace {

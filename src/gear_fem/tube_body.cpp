@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gear_fem/tube_body.hpp"
+#include "tube_body.hpp"
 
 #include <fmt/format.h>
 

@@ -9,9 +9,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "gear_fem/ellipse_template.hpp"
-#include "gear_fem/tube_body.hpp"
+#include "ellipse_template.hpp"
 #include "strainwave/core/error.hpp"
+#include "tube_body.hpp"
 
 namespace strainwave::gear_fem {
 namespace {

@@ -10,13 +10,13 @@
 #include <optional>
 #include <utility>
 
-#include "gear_fem/confocal_plan.hpp"
-#include "gear_fem/crack_plan.hpp"
-#include "gear_fem/cup_ends.hpp"
-#include "gear_fem/tube_body.hpp"
+#include "confocal_plan.hpp"
+#include "crack_plan.hpp"
+#include "cup_ends.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/fem/swept_section.hpp"
 #include "strainwave/gear_fem/cup_section.hpp"
+#include "tube_body.hpp"
 
 namespace strainwave::gear_fem {
 namespace {

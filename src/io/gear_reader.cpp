@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/toml_reader.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/nearest.hpp"
+#include "strainwave/core/toml_reader.hpp"
 #include "strainwave/io/compliance_table_file.hpp"
 #include "strainwave/materials/material_library.hpp"
 

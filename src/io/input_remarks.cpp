@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/toml_library.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/fields.hpp"
+#include "strainwave/core/toml_library.hpp"
 
 namespace strainwave {
 namespace {

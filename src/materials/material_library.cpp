@@ -8,10 +8,10 @@
 #include <cmath>
 #include <set>
 
-#include "core/toml_reader.hpp"
-#include "materials/material_data.hpp"
+#include "material_data.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/nearest.hpp"
+#include "strainwave/core/toml_reader.hpp"
 #include "strainwave/core/units.hpp"
 
 namespace strainwave {

@@ -14,7 +14,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/decimal_value.hpp"
+#include "decimal_value.hpp"
 
 namespace strainwave {
 namespace {

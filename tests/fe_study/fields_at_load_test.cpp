@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fe_study/fields_at_load.hpp"
+#include "fields_at_load.hpp"
 
 #include <gtest/gtest.h>
 

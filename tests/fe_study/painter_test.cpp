@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fe_study/painter.hpp"
+#include "painter.hpp"
 
 #include <gtest/gtest.h>
 

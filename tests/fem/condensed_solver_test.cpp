@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fem/condensed_solver.hpp"
+#include "condensed_solver.hpp"
 
 #include <gtest/gtest.h>
 

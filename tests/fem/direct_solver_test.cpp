@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The private equation solver, against dense matrices of Eigen.
-#include "fem/direct_solver.hpp"
+#include "direct_solver.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,10 +10,10 @@
 #include <numbers>
 #include <string>
 
-#include "gear_fem/tube_body.hpp"
 #include "strainwave/core/error.hpp"
 #include "support/expect.hpp"
 #include "support/mpi.hpp"
+#include "tube_body.hpp"
 
 namespace strainwave::gear_fem {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Looks inside: text, numbers and places of marks have no public header.
-#include "report/markup.hpp"
+#include "markup.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "report/html.hpp"
-#include "report/sheet.hpp"
+#include "html.hpp"
 #include "report/svg_document.hpp"
+#include "sheet.hpp"
 
 namespace strainwave::report {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "torsion/coupled_drive.hpp"
+#include "coupled_drive.hpp"
 #include "torsion/typical_drive.hpp"
 
 namespace strainwave {

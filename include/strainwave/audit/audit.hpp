@@ -3,7 +3,6 @@
 
 #include <array>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +31,14 @@ struct ReproducingInput {
   std::string name;
   double value = 0.0;
   std::string unit;  ///< of the article: mm, N, MPa, rad
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"input", "", "name of the input, by its symbol"}, &ReproducingInput::name);
+    field({"value", "", "its value, in the unit beside it"}, &ReproducingInput::value);
+    field({"unit", "", "unit of the article: mm, N, MPa, rad, \"1\" if pure"},
+          &ReproducingInput::unit);
+  }
 };
 
 /// One number or equation of the article's worked example.
@@ -49,19 +56,30 @@ struct AuditRow {
 
   /// Printed over own; own over corrected where nothing is printed; absent where there is none.
   [[nodiscard]] std::optional<double> ratio() const;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"id", "", "chapter and number"}, &AuditRow::id);
+    field({"quantity", "", "what it is, with its symbol"}, &AuditRow::quantity);
+    field({"unit", "", "unit of the numbers of this row, as the article has it, \"1\" if pure"},
+          &AuditRow::unit);
+    field({"printed", "", "the printed number, in the unit of the row"}, &AuditRow::printed);
+    field({"own_equation", "",
+           "what its own printed equation gives with the printed inputs, in the unit of the row"},
+          &AuditRow::own);
+    field({"corrected", "", "what the corrected theory gives, in the unit of the row"},
+          &AuditRow::corrected);
+    field({"ratio", "1", "printed over own equation; own equation over corrected if not printed"},
+          &AuditRow::ratio);
+    field({"verdict", "", "what became of the number or equation"}, &AuditRow::verdict);
+    field({"sentence", "", "why"}, &AuditRow::sentence);
+    field({"reproduced_by", "", "value of one input for which the printed number follows"},
+          &AuditRow::reproduce);
+  }
 };
 
 /// The audit of the article's worked example, computed now: only the printed numbers and inputs
 /// are typed in.
 [[nodiscard]] std::vector<AuditRow> audit();
-
-/// The rows as a table for a terminal, at most 110 columns wide.
-[[nodiscard]] std::string audit_text(std::span<const AuditRow> rows);
-
-/// The rows as a JSON array.
-[[nodiscard]] std::string audit_json(std::span<const AuditRow> rows);
-
-/// The rows as a table of the theory manual.
-[[nodiscard]] std::string audit_markdown(std::span<const AuditRow> rows);
 
 }  // namespace strainwave

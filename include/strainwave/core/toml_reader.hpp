@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Fills described structs (core/fields.hpp) from TOML.  Shared by the readers of drives and of the
-// material library; a private header, for sources of modules that link toml++.
+/// @file
+/// Fills described structs (core/fields.hpp) from TOML.  Shared by the readers of drives and of the
+/// material library.  Needs toml++, so it is not installed, and only sources may include it.
 
 #include <fmt/format.h>
 
@@ -18,11 +19,11 @@
 #include <variant>
 #include <vector>
 
-#include "core/toml_library.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/fields.hpp"
 #include "strainwave/core/nearest.hpp"
 #include "strainwave/core/quantity_text.hpp"
+#include "strainwave/core/toml_library.hpp"
 
 namespace strainwave {
 

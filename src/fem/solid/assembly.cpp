@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assembly.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <map>
+#include <new>
+#include <utility>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/fem/memory_error.hpp"
+#include "strainwave/fem/mpi_session.hpp"
+
+namespace strainwave::fem::solid {
+namespace {
+
+/// u_k of the node = combination of its other components, so that the one along n vanishes.
+void hold(Constraints& constraints, const Node& node, const Tensor<1, 3>& n) {
+  unsigned k = 0;
+  for (unsigned i = 1; i < 3; ++i)
+    if (std::abs(n[i]) > std::abs(n[k])) k = i;
+  if (constraints.is_constrained(node[k])) return;
+  constraints.add_line(node[k]);
+  for (unsigned i = 0; i < 3; ++i) {
+    const double factor = n[i] / n[k];
+    if (i != k && std::abs(factor) > 1e-14) constraints.add_entry(node[k], node[i], -factor);
+  }
+}
+
+/// Lower triangle of the stiffness of one cell; component i of node a is row i * nodes + a.
+Eigen::MatrixXd stiffness(const dealii::FEValues<3>& values, const Lame& lame) {
+  const auto n = static_cast<Eigen::Index>(values.dofs_per_cell);
+  const auto points = static_cast<Eigen::Index>(values.n_quadrature_points);
+  Eigen::MatrixXd gradient(3 * n, points);  // scaled by the root of the weight
+  for (Eigen::Index q = 0; q < points; ++q) {
+    const double root = std::sqrt(values.JxW(static_cast<unsigned>(q)));
+    for (Eigen::Index a = 0; a < n; ++a) {
+      const Tensor<1, 3>& g = values.shape_grad(static_cast<unsigned>(a), static_cast<unsigned>(q));
+      for (unsigned i = 0; i < 3; ++i) gradient(i * n + a, q) = root * g[i];
+    }
+  }
+  const Eigen::MatrixXd product = lower_square(gradient);
+  Eigen::MatrixXd matrix(3 * n, 3 * n);
+  for (Eigen::Index j = 0; j < 3; ++j) {
+    for (Eigen::Index b = 0; b < n; ++b)
+      for (Eigen::Index a = b; a < n; ++a) {
+        const double laplace =
+            product(a, b) + product(n + a, n + b) + product(2 * n + a, 2 * n + b);
+        matrix(j * n + a, j * n + b) =
+            (lame.lambda + lame.mu) * product(j * n + a, j * n + b) + lame.mu * laplace;
+      }
+    for (Eigen::Index i = j + 1; i < 3; ++i) {
+      const auto block = product.block(i * n, j * n, n, n);
+      matrix.block(i * n, j * n, n, n) =
+          lame.lambda * block + lame.mu * block.transpose();  // (FE-20)
+    }
+  }
+  return matrix;
+}
+
+}  // namespace
+
+Vector nodal_loads(const Space& space) {
+  const SolidProblem& problem = space.problem;
+  Vector load(space.dofs.n_dofs());
+  const dealii::QGauss<2> rule(static_cast<unsigned>(problem.order) + 3);
+  dealii::FEFaceValues<3> values(
+      space.body.mapping, space.scalar, rule,
+      dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values);
+  for (const Cell& cell : space.dofs.active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
+    for (const unsigned f : cell->face_indices())
+      for (const Traction& traction : problem.tractions) {
+        if (!space.has_tag(cell, f, traction.tag)) continue;
+        Space::reinit(values, cell, f);
+        const std::vector<Index> indices = space.indices(cell);
+        for (const unsigned q : values.quadrature_point_indices()) {
+          const Point3 t = traction.value(to_array(values.quadrature_point(q)));
+          for (unsigned a = 0; a < space.scalar.n_dofs_per_cell(); ++a)
+            for (unsigned i = 0; i < 3; ++i)
+              load[indices[space.node_of[i][a]]] += t[i] * values.shape_value(a, q) * values.JxW(q);
+        }
+      }
+  }
+  sum_over_ranks(load);
+  return load;
+}
+
+Constraints support_constraints(const Space& space) {
+  Constraints constraints;
+  for (const Cell& cell : space.dofs.active_cell_iterators())
+    for (const unsigned f : cell->face_indices())
+      for (const Support& support : space.problem.supports) {
+        if (!space.has_tag(cell, f, support.tag)) continue;
+        space.visit_face_nodes(cell, f, [&](unsigned a, const Node& node) {
+          const Point<3> unit = space.scalar.unit_support_point(a);
+          const std::vector<Point3> directions =
+              support.directions(space.source(cell).map(to_array(unit)));
+          if (directions.size() == 3) {
+            for (const Index i : node)
+              if (!constraints.is_constrained(i)) constraints.add_line(i);
+          } else {
+            for (const Point3& d : directions) hold(constraints, node, to_tensor(d));
+          }
+        });
+      }
+  constraints.close();
+  return constraints;
+}
+
+InternalForces internal_forces(const Space& space, const Vector& u) {
+  InternalForces result{.forces = Vector(space.dofs.n_dofs())};
+  const dealii::QGauss<3> rule(static_cast<unsigned>(space.problem.order) + 1);
+  dealii::FEValues<3> values(space.body.mapping, space.scalar, rule,
+                             dealii::update_gradients | dealii::update_JxW_values);
+  for (const Cell& cell : space.dofs.active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
+    Space::reinit(values, cell);
+    const std::vector<Tensor2> gradient = CellDisplacement(space, cell, u).gradients(values);
+    const std::vector<Index> indices = space.indices(cell);
+    for (unsigned q = 0; q < rule.size(); ++q) {
+      const Tensor2 stress = values.JxW(q) * space.lame.stress(gradient[q]);
+      result.energy += 0.5 * scalar_product(stress, gradient[q]);
+      for (unsigned a = 0; a < space.scalar.n_dofs_per_cell(); ++a) {
+        const Tensor<1, 3> force = stress * values.shape_grad(a, q);
+        for (unsigned i = 0; i < 3; ++i) result.forces[indices[space.node_of[i][a]]] += force[i];
+      }
+    }
+  }
+  sum_over_ranks(result.forces);
+  result.energy = dealii::Utilities::MPI::sum(result.energy, MPI_COMM_WORLD);
+  return result;
+}
+
+Numbering::Numbering(const Space& space, const Constraints& constraints)
+    : number(space.dofs.n_dofs(), kInner) {
+  std::vector<char> seen(space.dofs.n_dofs(), 0);
+  for (const Cell& cell : space.dofs.active_cell_iterators())
+    for (const Index i : space.indices(cell)) {
+      if (seen[i]) number[i] = 0;
+      seen[i] = 1;
+    }
+  if (space.problem.crack_faces == CrackFaces::contact)  // these will be pushed apart
+    space.visit_crack_faces([&](const Cell& cell, unsigned f) {
+      space.visit_face_nodes(cell, f, [&](unsigned, const Node& node) {
+        for (const Index i : node) number[i] = 0;
+      });
+    });
+  for (const auto& line : constraints.get_lines())
+    for (const auto& entry : line.entries) number[entry.first] = 0;
+  for (const auto& line : constraints.get_lines()) number[line.index] = kConstrained;
+  for (int& n : number)
+    if (n >= 0) n = unknowns++;
+}
+
+struct Equations::CellRows {
+  std::vector<Index> dof;              ///< of each row
+  std::vector<Eigen::Index> order;     ///< rows that are not held, the inner ones first
+  Eigen::Index n_inner = 0;            ///< how many of them are inner ones
+  std::vector<Index> inner;            ///< dofs of these
+  std::vector<int> outer;              ///< the unknowns that the other rows turn into
+  std::map<int, Eigen::Index> column;  ///< where an unknown stands in `outer`
+  bool plain = true;                   ///< each of the other rows is an unknown itself
+};
+
+Equations::Equations(const Space& space, const Constraints& constraints)
+    : space_(space), constraints_(constraints), numbering_(space, constraints) {
+  SymmetricEntries entries = assemble_together();
+  assembled_ = std::chrono::steady_clock::now();
+  solver_ = std::make_unique<DirectSolver>(std::move(entries), numbering_.unknowns);
+}
+
+Equations::CellRows Equations::rows_of(const Cell& cell) const {
+  const std::vector<int>& number = numbering_.number;
+  const std::vector<Index> indices = space_.indices(cell);
+  CellRows rows;
+  for (const std::vector<unsigned>& component : space_.node_of)
+    for (const unsigned i : component) rows.dof.push_back(indices[i]);
+  std::vector<Eigen::Index> rest;
+  const auto include = [&](int unknown) {
+    if (rows.column.emplace(unknown, static_cast<Eigen::Index>(rows.outer.size())).second)
+      rows.outer.push_back(unknown);
+  };
+  for (std::size_t row = 0; row < rows.dof.size(); ++row) {
+    const Index i = rows.dof[row];
+    if (number[i] == Numbering::kInner) {
+      rows.order.push_back(static_cast<Eigen::Index>(row));
+      rows.inner.push_back(i);
+    } else if (number[i] >= 0) {
+      rest.push_back(static_cast<Eigen::Index>(row));
+      include(number[i]);
+    } else if (!constraints_.get_constraint_entries(i)->empty()) {
+      rows.plain = false;
+      rest.push_back(static_cast<Eigen::Index>(row));
+      for (const auto& entry : *constraints_.get_constraint_entries(i))
+        include(number[entry.first]);
+    }
+  }
+  rows.n_inner = static_cast<Eigen::Index>(rows.inner.size());
+  rows.order.insert(rows.order.end(), rest.begin(), rest.end());
+  return rows;
+}
+
+/// The matrix of a cell, whose rows are in the order of `rows`, over its unknowns.
+Eigen::MatrixXd Equations::turned(const Eigen::MatrixXd& matrix, const CellRows& rows) const {
+  const std::vector<int>& number = numbering_.number;
+  const Eigen::Index n = matrix.rows();
+  const auto kept = static_cast<Eigen::Index>(rows.outer.size());
+  Eigen::MatrixXd turn = Eigen::MatrixXd::Zero(n, rows.n_inner + kept);
+  turn.topLeftCorner(rows.n_inner, rows.n_inner).setIdentity();
+  for (Eigen::Index row = rows.n_inner; row < n; ++row) {
+    const Index i = rows.dof[static_cast<std::size_t>(rows.order[row])];
+    if (number[i] >= 0)
+      turn(row, rows.n_inner + rows.column.at(number[i])) = 1;
+    else
+      for (const auto& entry : *constraints_.get_constraint_entries(i))
+        turn(row, rows.n_inner + rows.column.at(number[entry.first])) += entry.second;
+  }
+  return turn.transpose() * (matrix.selfadjointView<Eigen::Lower>() * turn);
+}
+
+/// Stiffness of this rank's cells; keeps in `cells_` what the inner unknowns need.
+SymmetricEntries Equations::assemble() {
+  const dealii::QGauss<3> rule(static_cast<unsigned>(space_.problem.order) + 1);
+  dealii::FEValues<3> values(space_.body.mapping, space_.scalar, rule,
+                             dealii::update_gradients | dealii::update_JxW_values);
+  SymmetricEntries entries;
+  for (const Cell& cell : space_.dofs.active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
+    const CellRows rows = rows_of(cell);
+    const Eigen::MatrixXd all = stiffness(Space::reinit(values, cell), space_.lame);
+    const std::vector<Eigen::Index>& order = rows.order;
+    const auto n = static_cast<Eigen::Index>(order.size());
+    Eigen::MatrixXd matrix(n, n);
+    for (Eigen::Index j = 0; j < n; ++j)
+      for (Eigen::Index i = j; i < n; ++i)
+        matrix(i, j) = all(std::max(order[i], order[j]), std::min(order[i], order[j]));
+    if (!rows.plain) matrix = turned(matrix, rows);
+    CondensedMatrix condensed = condense(matrix, rows.n_inner);
+    const auto n_outer = static_cast<Eigen::Index>(rows.outer.size());
+    if (entries.value.empty())
+      entries.reserve(space_.body.triangulation.n_locally_owned_active_cells() *
+                      static_cast<std::size_t>(n_outer * (n_outer + 1) / 2));
+    for (Eigen::Index j = 0; j < n_outer; ++j)
+      for (Eigen::Index i = j; i < n_outer; ++i)
+        entries.add(rows.outer[i] + 1, rows.outer[j] + 1, condensed.outer(i, j));
+    condensed.outer.resize(0, 0);
+    cells_.push_back({rows.inner, rows.outer, std::move(condensed)});
+  }
+  return entries;
+}
+
+/// `assemble`; a fault of one rank's cells ends all, for MUMPS would wait for it.
+SymmetricEntries Equations::assemble_together() {
+  SymmetricEntries entries;
+  std::exception_ptr fault;
+  try {
+    entries = assemble();
+  } catch (const std::bad_alloc&) {
+    fault = std::make_exception_ptr(MemoryError("there is too little memory for the matrix"));
+  } catch (...) {
+    fault = std::current_exception();
+  }
+  const bool all_well = dealii::Utilities::MPI::min(fault ? 0 : 1, MPI_COMM_WORLD) == 1;
+  if (fault) std::rethrow_exception(fault);
+  if (!all_well) throw OtherRankError("another rank could not assemble its cells");
+  return entries;
+}
+
+Vector Equations::displacements(Vector forces) {
+  const std::vector<int>& number = numbering_.number;
+  constraints_.condense(forces);
+  std::vector<double> rhs(static_cast<std::size_t>(numbering_.unknowns));
+  std::vector<double> inner_rhs(rhs.size(), 0.0);
+  std::vector<Eigen::VectorXd> inner_forces;  // L^-1 f_i, cell by cell
+  for (const CondensedCell& cell : cells_) {
+    Eigen::VectorXd& f = inner_forces.emplace_back(static_cast<Eigen::Index>(cell.inner.size()));
+    for (Eigen::Index i = 0; i < f.size(); ++i) f(i) = forces[cell.inner[i]];
+    if (!f.any()) continue;
+    cell.matrix.factor.triangularView<Eigen::Lower>().solveInPlace(f);
+    const Eigen::VectorXd left = cell.matrix.coupling.transpose() * f;
+    for (Eigen::Index i = 0; i < left.size(); ++i) inner_rhs[cell.outer[i]] -= left(i);
+  }
+  dealii::Utilities::MPI::sum(inner_rhs, MPI_COMM_WORLD, inner_rhs);
+  for (Index i = 0; i < number.size(); ++i)
+    if (number[i] >= 0) rhs[static_cast<std::size_t>(number[i])] = forces[i];
+  for (std::size_t i = 0; i < rhs.size(); ++i) rhs[i] += inner_rhs[i];
+  const std::vector<double> x = solver_->solve(std::move(rhs));
+  Vector u(space_.dofs.n_dofs());
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const CondensedCell& cell = cells_[c];
+    Eigen::VectorXd outer(static_cast<Eigen::Index>(cell.outer.size()));
+    for (Eigen::Index i = 0; i < outer.size(); ++i) outer(i) = x[cell.outer[i]];
+    Eigen::VectorXd inner = inner_forces[c] - cell.matrix.coupling * outer;
+    cell.matrix.factor.triangularView<Eigen::Lower>().transpose().solveInPlace(inner);
+    for (Eigen::Index i = 0; i < inner.size(); ++i) u[cell.inner[i]] = inner(i);
+  }
+  sum_over_ranks(u);
+  for (Index i = 0; i < number.size(); ++i)
+    if (number[i] >= 0) u[i] = x[static_cast<std::size_t>(number[i])];
+  constraints_.distribute(u);
+  return u;
+}
+
+}  // namespace strainwave::fem::solid

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "assembly.hpp"
+#include "space.hpp"
+
+namespace strainwave::fem::solid {
+
+/// Faces of a crack that press on each other.
+struct Contact {
+  Vector u;                      ///< displacements with the contact [m]
+  Vector forces;                 ///< nodal forces of the contact [N]
+  std::vector<double> pressure;  ///< at a node's first dof [Pa]
+  std::set<Index> on_front;      ///< first dofs of the nodes that both sides share
+  double share = 0;              ///< of the crack's area that touches [-]
+  int iterations = 0;
+  double overlap = 0;  ///< deepest one that is left, over the largest jump without contact [-]
+};
+
+/// Pressure between the faces where they would pass through each other, (FE-30); nothing where
+/// they stay apart.
+/// @param load  nodal forces of the problem [N]
+/// @param u     displacements without contact [m]
+/// @throws InputError   a mesh without faces that could touch
+/// @throws SolverError  the contact does not settle
+[[nodiscard]] std::optional<Contact> close_crack(const Space& space, const Constraints& constraints,
+                                                 Equations& equations, const Vector& load,
+                                                 const Vector& u);
+
+}  // namespace strainwave::fem::solid

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "contact.hpp"
+#include "space.hpp"
+
+namespace strainwave::fem::solid {
+
+/// Fracture quantities of one crack front.
+/// @param contact  of the crack faces; null if they do not touch
+/// @param front    number of the front in the mesh
+/// @throws InputError  fewer than three rings of cells about the front
+[[nodiscard]] CrackFront evaluate_front(const Space& space, const Vector& u, const Contact* contact,
+                                        std::size_t front);
+
+}  // namespace strainwave::fem::solid
