@@ -5,7 +5,7 @@
 #include "chapters.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
-#include "strainwave/fracture/through_crack.hpp"
+#include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 
 namespace strainwave {
@@ -25,7 +25,7 @@ Rows wall_stress_rows() {
   const double mean_radius = own_mean_radius();
   const double tau = article::wall_shear(p.T, mean_radius, p.delta);
   const auto K = article::wall_stress_intensity(tau, pi / 4, p.a);
-  const ThroughCrackInTube crack{.half_length = p.a,
+  const sif::ThroughCrackInTube crack{.half_length = p.a,
                                  .mean_radius = mean_radius,
                                  .wall_thickness = p.delta,
                                  .angle = pi / 4,
@@ -50,7 +50,7 @@ Rows wall_stress_rows() {
                   .quantity = "tau = T/(2 pi r_m^2 delta), r_m = 78.88",
                   .unit = "MPa",
                   .own = tau,
-                  .corrected = crack_plane_stress(mean_radius, p.delta, 0, 1).shear[kTorsion] * p.T,
+                  .corrected = sif::crack_plane_stress(mean_radius, p.delta, 0, 1).shear[kTorsion] * p.T,
                   .verdict = AuditVerdict::reproduced,
                   .sentence = "Bredt's formula"});
   return rows;

@@ -5,7 +5,7 @@
 #include "chapters.hpp"
 #include "strainwave/contact/hertz.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
-#include "strainwave/fracture/through_crack.hpp"
+#include "strainwave/sif/member/wall_through.hpp"
 
 namespace strainwave {
 
@@ -27,7 +27,7 @@ Rows fracture_mechanics_rows() {
   const double tau_squared = 1.0;
   const auto G = [&](double area) { return tau_squared * pi * area / (2 * p.delta) / p.E; };
   const double area = 2 * p.delta * p.a;
-  const ThroughCrackInTube crack{.half_length = p.a,
+  const sif::ThroughCrackInTube crack{.half_length = p.a,
                                  .mean_radius = p.r_m,
                                  .wall_thickness = p.delta,
                                  .angle = pi / 4,

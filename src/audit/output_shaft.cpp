@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "chapters.hpp"
-#include "strainwave/fracture/annular_crack.hpp"
+#include "strainwave/sif/member/shaft_annular.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
-#include "strainwave/fracture/through_crack.hpp"
+#include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
 
 namespace strainwave {
@@ -13,17 +13,17 @@ namespace {
 /// Torsional compliance that a crack adds to a solid shaft [rad/(N*mm)]; lengths in mm.
 double solid_shaft(double depth, double diameter) {
   const Printed p;
-  return added_compliance(AnnularCrackSolid{.depth = depth, .diameter = diameter},
+  return added_compliance(sif::AnnularCrackSolid{.depth = depth, .diameter = diameter},
                           {.opening = p.E / (1 - p.nu * p.nu), .shear = p.mu})
       .matrix(kTorsion, kTorsion);
 }
 
 double tada_M_p(double ratio) {
-  return std::sqrt(ratio) / 2 * annular_p1(AnnularPolynomials::tada, ratio);
+  return std::sqrt(ratio) / 2 * sif::annular_p1(sif::AnnularPolynomials::tada, ratio);
 }
 
 double tada_M_M(double ratio) {
-  return 3 * std::sqrt(ratio) / 8 * annular_p3(AnnularPolynomials::tada, ratio);
+  return 3 * std::sqrt(ratio) / 8 * sif::annular_p3(sif::AnnularPolynomials::tada, ratio);
 }
 
 /// d_e/d_s of the printed crack.
@@ -43,7 +43,7 @@ article::CrackedShaft shaft_by_polynomials() {
 Rows shaft_intensity_rows() {
   Rows rows;
   const Printed p;
-  const AnnularCrackSolid improved{.depth = p.a, .diameter = p.d_s};
+  const sif::AnnularCrackSolid improved{.depth = p.a, .diameter = p.d_s};
   rows.push_back({.id = "D1",
                   .quantity = "K_III of the shaft, M_M from its polynomial",
                   .unit = "MPa*mm^0.5",

@@ -4,7 +4,7 @@
 
 #include "chapters.hpp"
 #include "strainwave/core/units.hpp"
-#include "strainwave/fracture/surface_crack.hpp"
+#include "strainwave/sif/member/semi_ellipse.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 
@@ -49,7 +49,7 @@ Rows input_rows() {
                   .verdict = AuditVerdict::reproduced,
                   .sentence = "that of a semi-ellipse of this aspect ratio",
                   .reproduce = reproducing("a/c", "1", p.Q, 0.1, 1, [](double rho) {
-                    return NewmanRaju(rho).shape_parameter();
+                    return sif::NewmanRaju(rho).shape_parameter();
                   })});
   const Tube tube{.outer_diameter = p.d_1, .inner_diameter = p.d_1 - 2 * p.delta, .length = p.L};
   rows.push_back(

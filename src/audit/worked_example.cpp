@@ -3,7 +3,7 @@
 
 #include "strainwave/core/roots.hpp"
 #include "strainwave/core/units.hpp"
-#include "strainwave/fracture/surface_crack.hpp"
+#include "strainwave/sif/member/semi_ellipse.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 
 namespace strainwave {
@@ -37,7 +37,7 @@ GearSet example(double crack_size, double shaft_crack) {
   RaceSurfaceCrack race;
   race.depth = crack_size;
   race.aspect_ratio =
-      bracketed_root([&](double rho) { return NewmanRaju(rho).shape_parameter() - p.Q; }, 0.1, 1);
+      bracketed_root([&](double rho) { return sif::NewmanRaju(rho).shape_parameter() - p.Q; }, 0.1, 1);
   race.contact_factor = p.beta;
   wg.crack = {race};
   gear.wave_generator = wg;

@@ -286,7 +286,7 @@ void add_surface_crack(MemberCompliance& member, CrackReport report, const WallS
                        const StiffnessOptions& options) {
   const SeriesModel<double> series(gear);
   const Wall<double> wall = series.wall_of(crack.section);
-  const CrackPlaneStress stress = series.plane_of(crack);
+  const sif::CrackPlaneStress stress = series.plane_of(crack);
   const auto make = [&](bool open) { return series.wall_crack(crack, steel, open); };
   for (const char* const tag : {"FR-2", "FR-3", "FR-4", "FR-5", "FR-6", "FR-18", "ST-11"})
     use_equation(member.equations, tag);

@@ -15,7 +15,7 @@
 #include "strainwave/core/compare.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
-#include "strainwave/fracture/through_crack.hpp"
+#include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 

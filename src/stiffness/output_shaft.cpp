@@ -6,7 +6,7 @@
 
 #include "member_support.hpp"
 #include "strainwave/core/compare.hpp"
-#include "strainwave/fracture/annular_crack.hpp"
+#include "strainwave/sif/member/shaft_annular.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
 
 namespace strainwave {
@@ -99,7 +99,7 @@ void add_crack(MemberCompliance& member, CrackReport report, const AnnularCrack&
   accuracy.K_I = other_poissons_ratio(steel) ? double{accuracy::kAnnularTensionOtherRatio}
                                              : accuracy::kHollowTensionIntensity;
   accuracy.K_III = accuracy::kHollowTorsionIntensity;
-  if (clearly_less(AnnularCrackHollow::kMaxTensionRadiusRatio, ri / ro)) {
+  if (clearly_less(sif::AnnularCrackHollow::kMaxTensionRadiusRatio, ri / ro)) {
     accuracy.tension = accuracy::kAnnularExtrapolated;
     accuracy.K_I = accuracy.tension / 2;
     if (gear.load.axial_force != 0)
@@ -109,7 +109,7 @@ void add_crack(MemberCompliance& member, CrackReport report, const AnnularCrack&
            "axial entries are extrapolated",
            report.path, "FR-15"});
   }
-  const bool beyond = clearly_less(AnnularCrackHollow::kMaxDepthRatio, depth_ratio);
+  const bool beyond = clearly_less(sif::AnnularCrackHollow::kMaxDepthRatio, depth_ratio);
   if (beyond && crack.compliance_table) {
     take_from_table(report, member, gear, crack);
     member.notes.push_back({"crack.depth_range",
@@ -123,7 +123,7 @@ void add_crack(MemberCompliance& member, CrackReport report, const AnnularCrack&
   if (beyond)
     member.unusable_because =
         fmt::format("{}: a/t = {:.4g} is outside the table of the hollow shaft, a/t <= {}",
-                    report.path, depth_ratio, AnnularCrackHollow::kMaxDepthRatio);
+                    report.path, depth_ratio, sif::AnnularCrackHollow::kMaxDepthRatio);
   add_annular_crack(member, std::move(report), crack, model.hollow_shaft_crack(crack), gear, steel,
                     accuracy, options);
 }

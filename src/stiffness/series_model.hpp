@@ -9,12 +9,12 @@
 #include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/compare.hpp"
 #include "strainwave/core/lift.hpp"
-#include "strainwave/fracture/annular_crack.hpp"
-#include "strainwave/fracture/edge_crack.hpp"
-#include "strainwave/fracture/surface_crack.hpp"
-#include "strainwave/fracture/through_crack.hpp"
 #include "strainwave/model/input/crack_parameters.hpp"
 #include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/sif/member/ring_edge.hpp"
+#include "strainwave/sif/member/semi_ellipse.hpp"
+#include "strainwave/sif/member/shaft_annular.hpp"
+#include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
 
 // The numbers of the series model, each once, for double and for dual numbers.  What is said about
@@ -211,23 +211,25 @@ class SeriesModel {
   }
 
   /// A crack of the inner race under a hoop stress per unit of lobe force; a pressed one is closed.
-  [[nodiscard]] SurfaceCrack<1, Real> race_crack(const RaceSurfaceCrack& crack,
-                                                 const Elastic& steel, const Real& stress) const {
-    return SurfaceCrack<1, Real>({.depth = lift_(crack.depth),
-                                  .aspect_ratio = lift_(crack.aspect_ratio),
-                                  .thickness = lift_(*gear_.wave_generator->inner_ring_thickness),
-                                  .poissons_ratio = steel.nu,
-                                  .normal_stress = {stress},
-                                  .open = stress >= 0});
+  [[nodiscard]] sif::SurfaceCrack<1, Real> race_crack(const RaceSurfaceCrack& crack,
+                                                      const Elastic& steel,
+                                                      const Real& stress) const {
+    return sif::SurfaceCrack<1, Real>(
+        {.depth = lift_(crack.depth),
+         .aspect_ratio = lift_(crack.aspect_ratio),
+         .thickness = lift_(*gear_.wave_generator->inner_ring_thickness),
+         .poissons_ratio = steel.nu,
+         .normal_stress = {stress},
+         .open = stress >= 0});
   }
-  [[nodiscard]] BasicEdgeCrack<Real> race_crack(const RaceEdgeCrack& crack, const Elastic&,
-                                                const Real& stress) const {
+  [[nodiscard]] sif::BasicEdgeCrack<Real> race_crack(const RaceEdgeCrack& crack, const Elastic&,
+                                                     const Real& stress) const {
     const bool bending = crack.stress_driver == StressDriver::ring_bending;
     return {.depth = lift_(crack.depth),
             .thickness = lift_(*gear_.wave_generator->inner_ring_thickness),
             .width = lift_(*gear_.wave_generator->inner_ring_width),
             .unit_stress = stress,
-            .loading = bending ? StripLoading::bending : StripLoading::tension,
+            .loading = bending ? sif::StripLoading::bending : sif::StripLoading::tension,
             .open = stress >= 0};
   }
 
@@ -275,17 +277,17 @@ class SeriesModel {
 
   /// Stress on the plane of a wall crack per unit of axial force and torque.
   template <class Crack>
-  [[nodiscard]] BasicCrackPlaneStress<Real> plane_of(const Crack& crack) const {
+  [[nodiscard]] sif::BasicCrackPlaneStress<Real> plane_of(const Crack& crack) const {
     const Wall<Real> wall = wall_of(crack.section);
-    return crack_plane_stress(wall.mean_radius, wall.thickness, Real(lift_(crack.angle)),
-                              Real(lift_(gear_.flexspline->stress_nonuniformity)));
+    return sif::crack_plane_stress(wall.mean_radius, wall.thickness, Real(lift_(crack.angle)),
+                                   Real(lift_(gear_.flexspline->stress_nonuniformity)));
   }
 
   /// Which senses of torque open a wall crack.
   template <class Crack>
   requires requires(const Crack& crack) { crack.angle; }
   [[nodiscard]] BothSenses faces_of(const Crack& crack) const {
-    const BasicCrackPlaneStress<Real> stress = plane_of(crack);
+    const sif::BasicCrackPlaneStress<Real> stress = plane_of(crack);
     const double P = gear_.load.axial_force;
     const double T = std::abs(gear_.load.torque);
     const double from_P = value_of(stress.normal[kAxial]) * P;
@@ -297,8 +299,9 @@ class SeriesModel {
   }
   [[nodiscard]] BothSenses faces_of(const DiaphragmArcCrack&) const { return {}; }
 
-  [[nodiscard]] BasicThroughCrackInTube<Real> wall_crack(const WallThroughCrack& crack,
-                                                         const Elastic& steel, bool open) const {
+  [[nodiscard]] sif::BasicThroughCrackInTube<Real> wall_crack(const WallThroughCrack& crack,
+                                                              const Elastic& steel,
+                                                              bool open) const {
     const Wall<Real> wall = wall_of(crack.section);
     return {.half_length = lift_(crack.half_length),
             .mean_radius = wall.mean_radius,
@@ -310,20 +313,22 @@ class SeriesModel {
             .thin_sheet = false,
             .open = open};
   }
-  [[nodiscard]] SurfaceCrack<2, Real> wall_crack(const WallSurfaceCrack& crack,
-                                                 const Elastic& steel, bool open) const {
-    const BasicCrackPlaneStress<Real> stress = plane_of(crack);
-    return SurfaceCrack<2, Real>({.depth = lift_(crack.depth),
-                                  .aspect_ratio = lift_(crack.depth) / lift_(crack.half_length),
-                                  .thickness = wall_of(crack.section).thickness,
-                                  .poissons_ratio = steel.nu,
-                                  .normal_stress = stress.normal,
-                                  .shear_stress = stress.shear,
-                                  .open = open});
+  [[nodiscard]] sif::SurfaceCrack<2, Real> wall_crack(const WallSurfaceCrack& crack,
+                                                      const Elastic& steel, bool open) const {
+    const sif::BasicCrackPlaneStress<Real> stress = plane_of(crack);
+    return sif::SurfaceCrack<2, Real>(
+        {.depth = lift_(crack.depth),
+         .aspect_ratio = lift_(crack.depth) / lift_(crack.half_length),
+         .thickness = wall_of(crack.section).thickness,
+         .poissons_ratio = steel.nu,
+         .normal_stress = stress.normal,
+         .shear_stress = stress.shear,
+         .open = open});
   }
   /// An arc crack of the diaphragm slides under torque: a flat through crack in pure mode II.
-  [[nodiscard]] BasicThroughCrackInTube<Real> wall_crack(const DiaphragmArcCrack& crack,
-                                                         const Elastic& steel, bool open) const {
+  [[nodiscard]] sif::BasicThroughCrackInTube<Real> wall_crack(const DiaphragmArcCrack& crack,
+                                                              const Elastic& steel,
+                                                              bool open) const {
     const Diaphragm& diaphragm = *gear_.flexspline->diaphragm;
     const Real r = arc_radius(crack);
     // The shear T/(2 pi r^2 h) along the arc is that along the generator of a tube of its radius.
@@ -366,15 +371,18 @@ class SeriesModel {
 
   [[nodiscard]] bool annular_open() const { return gear_.load.axial_force >= 0; }
 
-  [[nodiscard]] BasicAnnularCrackSolid<Real> solid_shaft_crack(const AnnularCrack& crack) const {
+  [[nodiscard]] sif::BasicAnnularCrackSolid<Real> solid_shaft_crack(
+      const AnnularCrack& crack) const {
     return {.depth = lift_(crack.depth),
             .diameter = lift_(gear_.output_shaft->outer_diameter),
-            .polynomials = crack.solution == AnnularSolution::tada ? AnnularPolynomials::tada
-                                                                   : AnnularPolynomials::improved,
+            .polynomials = crack.solution == AnnularSolution::tada
+                               ? sif::AnnularPolynomials::tada
+                               : sif::AnnularPolynomials::improved,
             .open = annular_open()};
   }
-  [[nodiscard]] BasicAnnularCrackHollow<Real> hollow_shaft_crack(const AnnularCrack& crack) const {
-    return BasicAnnularCrackHollow<Real>(
+  [[nodiscard]] sif::BasicAnnularCrackHollow<Real> hollow_shaft_crack(
+      const AnnularCrack& crack) const {
+    return sif::BasicAnnularCrackHollow<Real>(
         {.depth = lift_(crack.depth),
          .outer_radius = lift_(gear_.output_shaft->outer_diameter) / 2,
          .inner_radius = lift_(gear_.output_shaft->inner_diameter) / 2,
@@ -414,7 +422,7 @@ class SeriesModel {
 };
 
 /// Shell parameter of a through crack beyond which its stiffness is not used.
-inline constexpr double kMaxShellParameter = ThroughCrackInTube::kMaxShellParameter;
+inline constexpr double kMaxShellParameter = sif::ThroughCrackInTube::kMaxShellParameter;
 /// Up to here finite elements agree closely; see accuracy::kThroughCrack.
 inline constexpr double kCloseShellParameter = 2.0;
 

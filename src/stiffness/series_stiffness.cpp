@@ -123,8 +123,8 @@ Member<Real> output_shaft(const GearSet& gear, const Lift<Real>& lift,
       add(model.solid_shaft_crack(crack));
     } else {
       add(model.hollow_shaft_crack(crack));
-      member.usable = member.usable &&
-                      !clearly_less(AnnularCrackHollow::kMaxDepthRatio, model.depth_ratio(crack));
+      member.usable = member.usable && !clearly_less(sif::AnnularCrackHollow::kMaxDepthRatio,
+                                                     model.depth_ratio(crack));
     }
   }
   return member;

@@ -13,10 +13,10 @@
 #include "assessed_crack.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
-#include "strainwave/fracture/annular_crack.hpp"
-#include "strainwave/fracture/edge_crack.hpp"
-#include "strainwave/fracture/surface_crack.hpp"
-#include "strainwave/fracture/through_crack.hpp"
+#include "strainwave/sif/member/ring_edge.hpp"
+#include "strainwave/sif/member/semi_ellipse.hpp"
+#include "strainwave/sif/member/shaft_annular.hpp"
+#include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/sif/newman_raju.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/strength/failure_assessment.hpp"
@@ -159,21 +159,22 @@ class Maker {
     const double P = P_;
     const double T = T_;
     if (shaft.solid()) {
-      const AnnularCrackSolid solid{.depth = crack.depth,
-                                    .diameter = shaft.outer_diameter,
-                                    .polynomials = crack.solution == AnnularSolution::tada
-                                                       ? AnnularPolynomials::tada
-                                                       : AnnularPolynomials::improved};
+      const sif::AnnularCrackSolid solid{.depth = crack.depth,
+                                         .diameter = shaft.outer_diameter,
+                                         .polynomials = crack.solution == AnnularSolution::tada
+                                                            ? sif::AnnularPolynomials::tada
+                                                            : sif::AnnularPolynomials::improved};
       made.front = [=](double a, double sense) {
         return std::vector<FrontModes>{{modes(solid.stress_intensity(a, 0), P, sense * T), {}}};
       };
       made.range_end = kNearlyAll * r_o;
       made.range_text = "the radius of the shaft";
     } else {
-      const double end = AnnularCrackHollow::kMaxDepthRatio * (r_o - r_i);
+      const double end = sif::AnnularCrackHollow::kMaxDepthRatio * (r_o - r_i);
       // Shared: a std::function may be copied, the table need not.
-      const auto hollow = std::make_shared<const AnnularCrackHollow>(
-          AnnularCrackHollow::Parameters{.depth = end, .outer_radius = r_o, .inner_radius = r_i});
+      const auto hollow =
+          std::make_shared<const sif::AnnularCrackHollow>(sif::AnnularCrackHollow::Parameters{
+              .depth = end, .outer_radius = r_o, .inner_radius = r_i});
       made.front = [=](double a, double sense) {
         return std::vector<FrontModes>{{modes(hollow->stress_intensity(a, 0), P, sense * T), {}}};
       };
@@ -191,15 +192,15 @@ class Maker {
   void make(AssessedCrack& made, const WallThroughCrack& crack) {
     const Wall wall = wall_of(gear_, crack.section);
     const double K_u = gear_.flexspline->stress_nonuniformity;
-    const ThroughCrackInTube through{.half_length = crack.half_length,
-                                     .mean_radius = wall.mean_radius,
-                                     .wall_thickness = wall.thickness,
-                                     .angle = crack.angle,
-                                     .stress_nonuniformity = K_u,
-                                     .poissons_ratio = steel_.nu,
-                                     .shell_correction = crack.shell_correction};
-    const CrackPlaneStress plane =
-        crack_plane_stress(wall.mean_radius, wall.thickness, crack.angle, K_u);
+    const sif::ThroughCrackInTube through{.half_length = crack.half_length,
+                                          .mean_radius = wall.mean_radius,
+                                          .wall_thickness = wall.thickness,
+                                          .angle = crack.angle,
+                                          .stress_nonuniformity = K_u,
+                                          .poissons_ratio = steel_.nu,
+                                          .shell_correction = crack.shell_correction};
+    const sif::CrackPlaneStress plane =
+        sif::crack_plane_stress(wall.mean_radius, wall.thickness, crack.angle, K_u);
     const AssemblyStress bending = assembly_of(made, wall, crack.angle);
     if (on_rim(crack.section)) made.undecided = kRim;
     made.moduli.opening = steel_.E;
@@ -208,7 +209,7 @@ class Maker {
     const double T = T_;
     made.front = [=](double a, double sense) {
       const double root = std::sqrt(pi * a);
-      ThroughCrackInTube pressed = through;
+      sif::ThroughCrackInTube pressed = through;
       pressed.open = false;
       const bool faces_pressed = plane.normal[kAxial] * P + plane.normal[kTorsion] * sense * T < 0;
       std::vector<FrontModes> front;
@@ -229,8 +230,8 @@ class Maker {
     through_section(made, crack.half_length, crack.angle, wall, K_u);
     made.report.ligament = std::min(round / 2 - crack.half_length * sine,
                                     wall.length / 2 - crack.half_length * cosine);
-    const double shell =
-        ThroughCrackInTube::kMaxShellParameter / std::sqrt(through.shell_parameter_squared(1.0));
+    const double shell = sif::ThroughCrackInTube::kMaxShellParameter /
+                         std::sqrt(through.shell_parameter_squared(1.0));
     const double half_round = kNearlyAll * pi * wall.mean_radius / (2 * sine);
     const double length = kNearlyAll * wall.length / (2 * cosine);
     made.range_end = std::min({shell, half_round, length});
@@ -248,16 +249,16 @@ class Maker {
     const Wall wall = wall_of(gear_, crack.section);
     const double K_u = gear_.flexspline->stress_nonuniformity;
     const double rho = crack.depth / crack.half_length;
-    const CrackPlaneStress stress =
-        crack_plane_stress(wall.mean_radius, wall.thickness, crack.angle, K_u);
-    const SurfaceCrack<2> surface({.depth = crack.depth,
-                                   .aspect_ratio = rho,
-                                   .thickness = wall.thickness,
-                                   .poissons_ratio = steel_.nu,
-                                   .normal_stress = stress.normal,
-                                   .shear_stress = stress.shear});
+    const sif::CrackPlaneStress stress =
+        sif::crack_plane_stress(wall.mean_radius, wall.thickness, crack.angle, K_u);
+    const sif::SurfaceCrack<2> surface({.depth = crack.depth,
+                                        .aspect_ratio = rho,
+                                        .thickness = wall.thickness,
+                                        .poissons_ratio = steel_.nu,
+                                        .normal_stress = stress.normal,
+                                        .shear_stress = stress.shear});
     const sif::NewmanRajuPlate plate(rho);
-    const KassirSih sheared(rho, steel_.nu);
+    const sif::KassirSih sheared(rho, steel_.nu);
     const AssemblyStress bending = assembly_of(made, wall, crack.angle);
     if (on_rim(crack.section)) made.undecided = kRim;
     const double t = wall.thickness;
@@ -297,12 +298,12 @@ class Maker {
     const Diaphragm& diaphragm = *gear_.flexspline->diaphragm;
     const double r = crack.radius.value_or(diaphragm.inner_diameter / 2);
     const double h = diaphragm_thickness(diaphragm, r);
-    const ThroughCrackInTube through{.half_length = crack.half_length,
-                                     .mean_radius = r,
-                                     .wall_thickness = h,
-                                     .angle = 0,
-                                     .poissons_ratio = steel_.nu,
-                                     .shell_correction = false};
+    const sif::ThroughCrackInTube through{.half_length = crack.half_length,
+                                          .mean_radius = r,
+                                          .wall_thickness = h,
+                                          .angle = 0,
+                                          .poissons_ratio = steel_.nu,
+                                          .shell_correction = false};
     made.moduli.opening = steel_.E;
     made.plane_stress = true;
     const double T = T_;
@@ -396,7 +397,7 @@ class Maker {
   // -------------------------------------------------------------------------
 
   void make(AssessedCrack& made, const RaceSurfaceCrack& crack) {
-    const NewmanRaju fit(crack.aspect_ratio);
+    const sif::NewmanRaju fit(crack.aspect_ratio);
     const double t = *gear_.wave_generator->inner_ring_thickness;
     race(
         made, crack.stress_driver, crack.depth, kSurfaceRange * t,
@@ -408,10 +409,11 @@ class Maker {
   void make(AssessedCrack& made, const RaceEdgeCrack& crack) {
     const double t = *gear_.wave_generator->inner_ring_thickness;
     const bool bent = crack.stress_driver == StressDriver::ring_bending;
-    const StripLoading loading = bent ? StripLoading::bending : StripLoading::tension;
+    const sif::StripLoading loading =
+        bent ? sif::StripLoading::bending : sif::StripLoading::tension;
     race(
         made, crack.stress_driver, crack.depth, kNearlyAll * t,
-        [=](double a, double) { return edge_crack_factor(loading, a / t); }, 1,
+        [=](double a, double) { return sif::edge_crack_factor(loading, a / t); }, 1,
         bent ? SectionLoading::bending : SectionLoading::membrane);
     made.range_text = "the thickness of the ring";
   }

@@ -12,9 +12,9 @@
 
 #include "stiffness/members_support.hpp"
 #include "strainwave/core/units.hpp"
-#include "strainwave/fracture/shell_factors.hpp"
-#include "strainwave/fracture/surface_crack.hpp"
-#include "strainwave/fracture/through_crack.hpp"
+#include "strainwave/sif/member/semi_ellipse.hpp"
+#include "strainwave/sif/member/wall_through.hpp"
+#include "strainwave/sif/tube/shell_factors.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "support/article_gear.hpp"
@@ -79,24 +79,24 @@ SymmetricMatrix<2> fracture_matrix(const GearSet& gear, bool open, double r = kR
                                    double t = kWall) {
   const double K_u = gear.flexspline->stress_nonuniformity;
   if (const auto* crack = std::get_if<WallThroughCrack>(&gear.flexspline->crack.at(0))) {
-    const ThroughCrackInTube model{.half_length = crack->half_length,
-                                   .mean_radius = r,
-                                   .wall_thickness = t,
-                                   .angle = crack->angle,
-                                   .stress_nonuniformity = K_u,
-                                   .shell_correction = crack->shell_correction,
-                                   .thin_sheet = false,
-                                   .open = open};
+    const sif::ThroughCrackInTube model{.half_length = crack->half_length,
+                                        .mean_radius = r,
+                                        .wall_thickness = t,
+                                        .angle = crack->angle,
+                                        .stress_nonuniformity = K_u,
+                                        .shell_correction = crack->shell_correction,
+                                        .thin_sheet = false,
+                                        .open = open};
     return added_compliance(model, {.opening = kE, .shear = kG}).matrix;
   }
   const auto& crack = std::get<WallSurfaceCrack>(gear.flexspline->crack.at(0));
-  const CrackPlaneStress stress = crack_plane_stress(r, t, crack.angle, K_u);
-  const SurfaceCrack<2> model({.depth = crack.depth,
-                               .aspect_ratio = crack.depth / crack.half_length,
-                               .thickness = t,
-                               .normal_stress = stress.normal,
-                               .shear_stress = stress.shear,
-                               .open = open});
+  const sif::CrackPlaneStress stress = sif::crack_plane_stress(r, t, crack.angle, K_u);
+  const sif::SurfaceCrack<2> model({.depth = crack.depth,
+                                    .aspect_ratio = crack.depth / crack.half_length,
+                                    .thickness = t,
+                                    .normal_stress = stress.normal,
+                                    .shear_stress = stress.shear,
+                                    .open = open});
   return added_compliance(model, {.opening = kPlaneStrain, .shear = kG}).matrix;
 }
 
@@ -388,7 +388,8 @@ TEST(FlexsplineClosure, LimitTouchingIsNeitherOpenNorClosed) {
   // A normal stress within 1e-12 of what the loads could give is rounding.  The axial force that
   // leaves `share` of that, of either sign, under the sense of torque that balances it.
   for (const double degrees : {30.0, -60.0}) {
-    const CrackPlaneStress stress = crack_plane_stress(kRadius, kWall, degrees * deg, 1.1);
+    const sif::CrackPlaneStress stress =
+        sif::crack_plane_stress(kRadius, kWall, degrees * deg, 1.1);
     const double T = 100;
     const double sense = degrees > 0 ? 1.0 : -1.0;  // of P: against the torque at +30 degrees
     const double balance = -stress.normal[kTorsion] * T / stress.normal[kAxial];
@@ -452,10 +453,10 @@ TEST(FlexsplineIntensities, IdentityOfBothLoads) {
   gear.load = {.torque = 80, .axial_force = 3000};
   gear.material["steel"].fracture_toughness = 50e6;
   gear.material["steel"].yield_strength = 700 * MPa;
-  const CrackPlaneStress stress = crack_plane_stress(kRadius, kWall, 25 * deg, 1.1);
+  const sif::CrackPlaneStress stress = sif::crack_plane_stress(kRadius, kWall, 25 * deg, 1.1);
   const double root = std::sqrt(pi * 2 * mm);
   const double lambda = std::sqrt(std::sqrt(12 * 0.91) * 4 * mm * mm / (kRadius * kWall));
-  const ShellFactors f = shell_factors(lambda, 25 * deg);
+  const sif::ShellFactors f = sif::shell_factors(lambda, 25 * deg);
   const double normal = stress.normal[0] * 3000 + stress.normal[1] * 80;
   const double shear = stress.shear[0] * 3000 + stress.shear[1] * 80;
   // At the outer face, the last point of the front.
@@ -490,7 +491,8 @@ TEST(FlexsplineIntensities, CrosscheckSurfaceCrackAlongItsFront) {
     gear.load = {.torque = degrees > 0 ? 90.0 : -90.0, .axial_force = 1500};
     gear.material["steel"].fracture_toughness = 50e6;
     gear.material["steel"].yield_strength = 700 * MPa;
-    const CrackPlaneStress stress = crack_plane_stress(kRadius, kWall, degrees * deg, 1.1);
+    const sif::CrackPlaneStress stress =
+        sif::crack_plane_stress(kRadius, kWall, degrees * deg, 1.1);
     const double sigma = stress.normal[0] * 1500 + stress.normal[1] * gear.load.torque;
     const double tau = stress.shear[0] * 1500 + stress.shear[1] * gear.load.torque;
     const double root = std::sqrt(pi * 1 * mm);
@@ -500,9 +502,9 @@ TEST(FlexsplineIntensities, CrosscheckSurfaceCrackAlongItsFront) {
     double worst_zone = 0.0;
     for (int i = 0; i <= 32; ++i) {
       const double phi = i * pi / 64;
-      K = {sigma * NewmanRaju(0.7).factor(1 / 2.24, phi) * root,
-           tau * KassirSih(0.7, 0.3).factor_II(phi) * root,
-           tau * KassirSih(0.7, 0.3).factor_III(phi) * root};
+      K = {sigma * sif::NewmanRaju(0.7).factor(1 / 2.24, phi) * root,
+           tau * sif::KassirSih(0.7, 0.3).factor_II(phi) * root,
+           tau * sif::KassirSih(0.7, 0.3).factor_III(phi) * root};
       for (std::size_t m = 0; m < 3; ++m)
         if (std::abs(K[m]) > std::abs(largest[m])) largest[m] = K[m];
       const double in_plane = K[0] * K[0] + K[1] * K[1];
@@ -619,8 +621,8 @@ TEST(WallThroughCrack, IdentityFlatPlateNoteNamesWhatIsMissing) {
   // What the shell adds to the energy release rate at 45 degrees, mean over the wall (FR-9).
   const GearSet gear = with_through_crack(5 * mm, 45, false);
   const double lambda = std::sqrt(std::sqrt(12 * 0.91) * 25 * mm * mm / (kRadius * kWall));
-  const ShellFactors f = shell_factors(lambda, pi / 4);
-  const auto energy = [](const WallIntensity& k) {
+  const sif::ShellFactors f = sif::shell_factors(lambda, pi / 4);
+  const auto energy = [](const sif::WallIntensity& k) {
     return k.mean * k.mean + k.linear * k.linear / 3;
   };
   const double missing = energy(f.opening_by_normal) + energy(f.sliding_by_normal) - 1;
@@ -656,7 +658,7 @@ TEST(WallThroughCrack, LimitRangeOfTheShellCorrection) {
   const auto half_length_at = [](double lambda, double direction) {
     // The largest (direction > 0) half length whose parameter is `lambda` to the last bit, or the
     // first one beyond.
-    ThroughCrackInTube crack{.mean_radius = kRadius, .wall_thickness = kWall};
+    sif::ThroughCrackInTube crack{.mean_radius = kRadius, .wall_thickness = kWall};
     double a = lambda / std::sqrt(crack.shell_parameter_squared(1.0)) * (1 + 1e-14);
     while (std::sqrt(crack.shell_parameter_squared(a)) > lambda) a = std::nextafter(a, 0);
     return direction < 0 ? a : std::nextafter(a, 1);

@@ -11,8 +11,8 @@
 
 #include "stiffness/members_support.hpp"
 #include "strainwave/core/units.hpp"
-#include "strainwave/fracture/annular_crack.hpp"
-#include "strainwave/fracture/through_crack.hpp"
+#include "strainwave/sif/member/shaft_annular.hpp"
+#include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "support/article_gear.hpp"
@@ -125,10 +125,10 @@ TEST(OutputShaftCrack, CrosscheckMatrixByTheFractureModule) {
     GearSet gear = hollow(3 * mm);
     gear.load.axial_force = axial_force;
     const bool open = axial_force >= 0;
-    const auto expected = added_compliance(AnnularCrackHollow({.depth = 3 * mm,
-                                                               .outer_radius = 35 * mm,
-                                                               .inner_radius = 22.5 * mm,
-                                                               .open = open}),
+    const auto expected = added_compliance(sif::AnnularCrackHollow({.depth = 3 * mm,
+                                                                    .outer_radius = 35 * mm,
+                                                                    .inner_radius = 22.5 * mm,
+                                                                    .open = open}),
                                            kSteel)
                               .matrix.upper;
     const CrackReport crack = first_shaft_crack(gear);
@@ -144,7 +144,7 @@ TEST(OutputShaftCrack, CrosscheckMatrixByTheFractureModule) {
     gear = solid(3 * mm);
     gear.load.axial_force = axial_force;
     const auto in_solid =
-        added_compliance(AnnularCrackSolid{.depth = 3 * mm, .diameter = 60 * mm, .open = open},
+        added_compliance(sif::AnnularCrackSolid{.depth = 3 * mm, .diameter = 60 * mm, .open = open},
                          kSteel)
             .matrix.upper;
     for (std::size_t i = 0; i < 3; ++i)
@@ -185,11 +185,11 @@ TEST(OutputShaftIntensities, IdentityOfBothLoads) {
       gear.material["steel"].fracture_toughness = 50e6;
       gear.material["steel"].yield_strength = 600 * MPa;
       const UnitStressIntensity<2> k =
-          is_solid
-              ? AnnularCrackSolid{.depth = 2 * mm, .diameter = 60 * mm}.stress_intensity(2 * mm, 0)
-              : AnnularCrackHollow(
-                    {.depth = 2 * mm, .outer_radius = 35 * mm, .inner_radius = 22.5 * mm})
-                    .stress_intensity(2 * mm, 0);
+          is_solid ? sif::AnnularCrackSolid{.depth = 2 * mm, .diameter = 60 * mm}.stress_intensity(
+                         2 * mm, 0)
+                   : sif::AnnularCrackHollow(
+                         {.depth = 2 * mm, .outer_radius = 35 * mm, .inner_radius = 22.5 * mm})
+                         .stress_intensity(2 * mm, 0);
       const double K_I = std::max(0.0, k.I[0] * axial_force);
       const double K_III = k.III[1] * -700;
       const CrackReport crack = first_shaft_crack(gear);

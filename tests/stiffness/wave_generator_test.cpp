@@ -12,8 +12,8 @@
 #include "stiffness/members_support.hpp"
 #include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/units.hpp"
-#include "strainwave/fracture/edge_crack.hpp"
-#include "strainwave/fracture/surface_crack.hpp"
+#include "strainwave/sif/member/ring_edge.hpp"
+#include "strainwave/sif/member/semi_ellipse.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "support/article_gear.hpp"
@@ -100,20 +100,20 @@ double added_lobe_compliance(const GearSet& gear) {
 /// The same by the fracture module alone, for a stress per lobe force.
 double surface_lobe_compliance(const GearSet& gear, double unit_stress) {
   const RaceSurfaceCrack& crack = std::get<RaceSurfaceCrack>(gear.wave_generator->crack.at(0));
-  const SurfaceCrack<1> model({.depth = crack.depth,
-                               .aspect_ratio = crack.aspect_ratio,
-                               .thickness = *gear.wave_generator->inner_ring_thickness,
-                               .normal_stress = {unit_stress}});
+  const sif::SurfaceCrack<1> model({.depth = crack.depth,
+                                    .aspect_ratio = crack.aspect_ratio,
+                                    .thickness = *gear.wave_generator->inner_ring_thickness,
+                                    .normal_stress = {unit_stress}});
   return added_compliance(model, {.opening = kPlaneStrain, .shear = 1.0}).matrix(0, 0);
 }
 
-double edge_lobe_compliance(const GearSet& gear, double unit_stress, StripLoading loading) {
+double edge_lobe_compliance(const GearSet& gear, double unit_stress, sif::StripLoading loading) {
   const RaceEdgeCrack& crack = std::get<RaceEdgeCrack>(gear.wave_generator->crack.at(0));
-  const EdgeCrack model{.depth = crack.depth,
-                        .thickness = *gear.wave_generator->inner_ring_thickness,
-                        .width = *gear.wave_generator->inner_ring_width,
-                        .unit_stress = unit_stress,
-                        .loading = loading};
+  const sif::EdgeCrack model{.depth = crack.depth,
+                             .thickness = *gear.wave_generator->inner_ring_thickness,
+                             .width = *gear.wave_generator->inner_ring_width,
+                             .unit_stress = unit_stress,
+                             .loading = loading};
   return added_compliance(model, {.opening = kPlaneStrain, .shear = 1.0}).matrix(0, 0);
 }
 
@@ -407,7 +407,8 @@ TEST(RaceCrack, IdentityGivenStressIsAtTheGivenTorque) {
     // At the load, the stress is the given one.
     const double K = wave_generator_compliance(gear).cracks.at(0).deepest->K_I.value;
     test::expect_relative(
-        K, 5 * MPa * std::sqrt(pi * 1 * mm) * NewmanRaju(0.52147039).factor(0.1, pi / 2), 1e-14);
+        K, 5 * MPa * std::sqrt(pi * 1 * mm) * sif::NewmanRaju(0.52147039).factor(0.1, pi / 2),
+        1e-14);
   }
 }
 
@@ -415,16 +416,17 @@ TEST(RaceCrack, CrosscheckEdgeCrackByTheFractureModule) {
   struct Case {
     StressDriver driver;
     double unit_stress;
-    StripLoading loading;
+    sif::StripLoading loading;
   };
   const double pressure = peak_pressure(1, 5 * mm, 2 * mm);
-  for (const Case& c : {Case{StressDriver::orthogonal_shear,
-                             orthogonal_shear_factor(0.4) / 2 * pressure, StripLoading::tension},
-                        Case{StressDriver::contact_edge,
-                             edge_tension(0.4, 0.3).minor_end * pressure, StripLoading::tension},
-                        Case{StressDriver::ring_bending, 6 / pi * 60 * mm / (20 * mm * 1e-4),
-                             StripLoading::bending},
-                        Case{StressDriver::given, 5 * MPa / 251.5625, StripLoading::tension}}) {
+  for (const Case& c :
+       {Case{StressDriver::orthogonal_shear, orthogonal_shear_factor(0.4) / 2 * pressure,
+             sif::StripLoading::tension},
+        Case{StressDriver::contact_edge, edge_tension(0.4, 0.3).minor_end * pressure,
+             sif::StripLoading::tension},
+        Case{StressDriver::ring_bending, 6 / pi * 60 * mm / (20 * mm * 1e-4),
+             sif::StripLoading::bending},
+        Case{StressDriver::given, 5 * MPa / 251.5625, sif::StripLoading::tension}}) {
     const GearSet gear = edge_crack_driven_by(c.driver, 2 * mm);
     test::expect_relative(added_lobe_compliance(gear),
                           edge_lobe_compliance(gear, c.unit_stress, c.loading), 1e-10);
@@ -502,7 +504,7 @@ TEST(RaceCrack, CrosscheckStressIntensitiesAlongTheFront) {
     double largest = 0.0;
     double deepest = 0.0;
     for (int i = 0; i <= 32; ++i) {
-      deepest = stress * std::sqrt(pi * 3 * mm) * NewmanRaju(rho).factor(0.3, i * pi / 64);
+      deepest = stress * std::sqrt(pi * 3 * mm) * sif::NewmanRaju(rho).factor(0.3, i * pi / 64);
       largest = std::max(largest, deepest);
     }
     const CrackReport crack = wave_generator_compliance(gear).cracks.at(0);

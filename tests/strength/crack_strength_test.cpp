@@ -12,7 +12,7 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
-#include "strainwave/fracture/through_crack.hpp"
+#include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/strength/failure_assessment.hpp"
 #include "strainwave/strength/reference_stress.hpp"
@@ -283,7 +283,7 @@ TEST(AssemblyStress, IdentitySignAsTheLoads) {
   // The same turn of the frame as crack_plane_stress: an axial stress alone.
   const GearSet gear = article();
   for (const double angle : {0.3, -0.6, 1.1}) {
-    const CrackPlaneStress axial = crack_plane_stress(78.88 * mm, 2.24 * mm, angle, 1);
+    const sif::CrackPlaneStress axial = sif::crack_plane_stress(78.88 * mm, 2.24 * mm, angle, 1);
     const double sigma_z = 1 / (2 * pi * 78.88 * mm * 2.24 * mm);  // per newton
     const double hoop = ovalisation_stress(gear);
     // (hoop, nu hoop) is hoop everywhere less (1 - nu) hoop along the axis.

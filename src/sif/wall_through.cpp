@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/fracture/through_crack.hpp"
+#include "strainwave/sif/member/wall_through.hpp"
 
 #include <cmath>
 #include <numbers>
 
-#include "strainwave/fracture/shell_factors.hpp"
+#include "strainwave/sif/tube/shell_factors.hpp"
 
-namespace strainwave {
+namespace strainwave::sif {
 
 using std::numbers::pi;
 
@@ -140,4 +140,4 @@ Real BasicThroughCrackInTube<Real>::shell_release(const Real& a) const {
 template struct BasicThroughCrackInTube<double>;
 template struct BasicThroughCrackInTube<DualReal>;
 
-}  // namespace strainwave
+}  // namespace strainwave::sif

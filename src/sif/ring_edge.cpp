@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/fracture/edge_crack.hpp"
+#include "strainwave/sif/member/ring_edge.hpp"
 
 #include <array>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "strainwave/core/polynomial.hpp"
 
-namespace strainwave {
+namespace strainwave::sif {
 
 using std::numbers::pi;
 
@@ -45,4 +45,4 @@ UnitStressIntensity<1, Real> BasicEdgeCrack<Real>::stress_intensity(const Real& 
 template struct BasicEdgeCrack<double>;
 template struct BasicEdgeCrack<DualReal>;
 
-}  // namespace strainwave
+}  // namespace strainwave::sif
