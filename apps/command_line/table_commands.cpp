@@ -82,9 +82,10 @@ ExitCode run_command(const Command& command, const Given& given, ReadDrive read_
     for (const std::string& text : texts) options.set(name, text);
   for (const auto& [name, flag] : given.flags)
     if (flag) options.set(name, "true");
-  const auto drive = command.takes == Takes::drive                         ? read_drive(text_of(given.file), shown_name(given.file),
-                                      attachments_beside(given.file))
-                         : std::make_shared<const Drive>();
+  const auto drive =
+      command.takes == Takes::drive
+          ? read_drive(text_of(given.file), shown_name(given.file), attachments_beside(given.file))
+          : std::make_shared<const Drive>();
   OptionTexts texts;
   for (const Option& option : command.options.options)
     if (option.field.names == "attachment")

@@ -26,10 +26,10 @@ Rows wall_stress_rows() {
   const double tau = article::wall_shear(p.T, mean_radius, p.delta);
   const auto K = article::wall_stress_intensity(tau, pi / 4, p.a);
   const sif::ThroughCrackInTube crack{.half_length = p.a,
-                                 .mean_radius = mean_radius,
-                                 .wall_thickness = p.delta,
-                                 .angle = pi / 4,
-                                 .shell_correction = false};
+                                      .mean_radius = mean_radius,
+                                      .wall_thickness = p.delta,
+                                      .angle = pi / 4,
+                                      .shell_correction = false};
   const UnitStressIntensity<2> k = crack.stress_intensity(p.a, 0);
   rows.push_back({.id = "C1",
                   .quantity = "K_I of the flexspline crack",
@@ -46,13 +46,14 @@ Rows wall_stress_rows() {
                   .corrected = k.II[kTorsion] / k.I[kTorsion],
                   .verdict = AuditVerdict::physics,
                   .sentence = "at 45 deg to the axis torsion is pure mode I: K_II vanishes"});
-  rows.push_back({.id = "C3",
-                  .quantity = "tau = T/(2 pi r_m^2 delta), r_m = 78.88",
-                  .unit = "MPa",
-                  .own = tau,
-                  .corrected = sif::crack_plane_stress(mean_radius, p.delta, 0, 1).shear[kTorsion] * p.T,
-                  .verdict = AuditVerdict::reproduced,
-                  .sentence = "Bredt's formula"});
+  rows.push_back(
+      {.id = "C3",
+       .quantity = "tau = T/(2 pi r_m^2 delta), r_m = 78.88",
+       .unit = "MPa",
+       .own = tau,
+       .corrected = sif::crack_plane_stress(mean_radius, p.delta, 0, 1).shear[kTorsion] * p.T,
+       .verdict = AuditVerdict::reproduced,
+       .sentence = "Bredt's formula"});
   return rows;
 }
 

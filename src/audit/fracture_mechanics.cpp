@@ -28,10 +28,10 @@ Rows fracture_mechanics_rows() {
   const auto G = [&](double area) { return tau_squared * pi * area / (2 * p.delta) / p.E; };
   const double area = 2 * p.delta * p.a;
   const sif::ThroughCrackInTube crack{.half_length = p.a,
-                                 .mean_radius = p.r_m,
-                                 .wall_thickness = p.delta,
-                                 .angle = pi / 4,
-                                 .shell_correction = false};
+                                      .mean_radius = p.r_m,
+                                      .wall_thickness = p.delta,
+                                      .angle = pi / 4,
+                                      .shell_correction = false};
   const double per_torque = article::wall_shear(1, p.r_m, p.delta);
   const double engine =
       added_compliance(crack, {.opening = p.E, .shear = p.mu}).matrix(kTorsion, kTorsion) /

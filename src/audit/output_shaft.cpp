@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "chapters.hpp"
-#include "strainwave/sif/member/shaft_annular.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
+#include "strainwave/sif/member/shaft_annular.hpp"
 #include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
 

@@ -36,8 +36,8 @@ GearSet example(double crack_size, double shaft_crack) {
   wg.contact_semi_axes = {p.a_contact * mm, p.b_contact * mm};
   RaceSurfaceCrack race;
   race.depth = crack_size;
-  race.aspect_ratio =
-      bracketed_root([&](double rho) { return sif::NewmanRaju(rho).shape_parameter() - p.Q; }, 0.1, 1);
+  race.aspect_ratio = bracketed_root(
+      [&](double rho) { return sif::NewmanRaju(rho).shape_parameter() - p.Q; }, 0.1, 1);
   race.contact_factor = p.beta;
   wg.crack = {race};
   gear.wave_generator = wg;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "least_squares.hpp"
 #include "strainwave/core/error.hpp"
@@ -317,41 +316,6 @@ std::string calibration_text(const Calibration& c) {
       100 * c.relative_uncertainty, 100 * c.residual, c.iterations,
       c.converged ? "" : ", NOT CONVERGED");
   return text;
-}
-
-std::string calibration_json(const Calibration& c) {
-  using Json = nlohmann::ordered_json;
-  Json json = {{"source", c.source},
-               {"converged", c.converged},
-               {"iterations", c.iterations},
-               {"residual", c.residual},
-               {"relative_uncertainty_of_a_value", c.relative_uncertainty},
-               {"factors", Json::array()},
-               {"combinations", Json::array()},
-               {"stiffness", Json::array()}};
-  for (const CalibratedFactor& f : c.factors)
-    json["factors"].push_back({{"name", enum_name(f.factor)},
-                               {"meaning", factor_info(f.factor).meaning},
-                               {"before", f.before},
-                               {"value", f.value},
-                               {"uncertainty", f.uncertainty},
-                               {"at_limit", f.at_limit},
-                               {"plausible", f.plausible},
-                               {"identified", f.identified}});
-  for (const FactorCombination& combination : c.combinations)
-    json["combinations"].push_back({{"weights", combination.weights},
-                                    {"singular_value", combination.singular_value},
-                                    {"uncertainty", combination.uncertainty},
-                                    {"identified", combination.identified}});
-  for (const CalibratedStiffness& s : c.stiffnesses)
-    json["stiffness"].push_back({{"name", s.target.name},
-                                 {"from_torque", s.target.from_torque},
-                                 {"to_torque", s.target.to_torque},
-                                 {"wanted", s.target.stiffness},
-                                 {"before", s.before},
-                                 {"after", s.after},
-                                 {"unit", "N*m/rad"}});
-  return json.dump(2) + "\n";
 }
 
 }  // namespace strainwave

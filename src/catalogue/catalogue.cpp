@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
@@ -13,31 +12,11 @@
 namespace strainwave {
 namespace {
 
-struct Selection {
-  std::vector<StiffnessRow> stiffness;
-  std::vector<RatingRow> ratings;
-};
-
-Selection selected(const CatalogueFilter& filter) {
-  if (filter.size) require_catalogue_size(*filter.size);
-  if (filter.ratio) require(*filter.ratio > 0, "ratio", *filter.ratio, "1", "> 0");
-  Selection selection;
-  for (const StiffnessRow& row : stiffness_rows())
-    if ((!filter.size || row.size == *filter.size) &&
-        (!filter.ratio || row.ratio_class == ratio_class_of(*filter.ratio)))
-      selection.stiffness.push_back(row);
-  for (const RatingRow& row : rating_rows())
-    if ((!filter.size || row.size == *filter.size) && (!filter.ratio || row.ratio == *filter.ratio))
-      selection.ratings.push_back(row);
-  if (selection.stiffness.empty() && selection.ratings.empty())
-    throw InputError("ratio", fmt::format("{} has no row for size {}", filter.ratio.value_or(0.0),
-                                          filter.size.value_or(0)));
-  return selection;
-}
-
-constexpr std::string_view kSources =
-    "A: CSF/CSG catalogue of Harmonic Drive LLC, p. 50; B: engineering data 1018854 of Harmonic "
-    "Drive AG, tables 54.3 and 54.4; C: Harmonic Drive SE, by harmonic-drive-selector (Apache-2.0)";
+// Where the rows come from; the rows name these letters, and C has the ratings too.
+const std::map<std::string, std::string> kSources = {
+    {"A", "CSF/CSG catalogue of Harmonic Drive LLC, p. 50"},
+    {"B", "engineering data 1018854 of Harmonic Drive AG, tables 54.3 and 54.4"},
+    {"C", "Harmonic Drive SE, by harmonic-drive-selector (Apache-2.0)"}};
 
 }  // namespace
 
@@ -95,8 +74,24 @@ void require_catalogue_size(int size) {
                                          fmt::join(known, ", ")));
 }
 
-std::string catalogue_text(const CatalogueFilter& filter) {
-  const Selection rows = selected(filter);
+CatalogueRows catalogue_rows(const CatalogueFilter& filter) {
+  if (filter.size) require_catalogue_size(*filter.size);
+  if (filter.ratio) require(*filter.ratio > 0, "ratio", *filter.ratio, "1", "> 0");
+  CatalogueRows rows{.stiffness = {}, .ratings = {}, .sources = kSources};
+  for (const StiffnessRow& row : stiffness_rows())
+    if ((!filter.size || row.size == *filter.size) &&
+        (!filter.ratio || row.ratio_class == ratio_class_of(*filter.ratio)))
+      rows.stiffness.push_back(row);
+  for (const RatingRow& row : rating_rows())
+    if ((!filter.size || row.size == *filter.size) && (!filter.ratio || row.ratio == *filter.ratio))
+      rows.ratings.push_back(row);
+  if (rows.stiffness.empty() && rows.ratings.empty())
+    throw InputError("ratio", fmt::format("{} has no row for size {}", filter.ratio.value_or(0.0),
+                                          filter.size.value_or(0)));
+  return rows;
+}
+
+std::string catalogue_text(const CatalogueRows& rows) {
   std::string text = "Torsional stiffness, input locked: torque in N*m, K in 1e4 N*m/rad\n";
   text += fmt::format("{:>6}{:>8}{:>9}{:>9}{:>11}{:>11}{:>11}  {}\n", "size", "ratio", "T1", "T2",
                       "K1", "K2", "K3", "sources");
@@ -123,40 +118,10 @@ std::string catalogue_text(const CatalogueFilter& filter) {
          "Harmonic Drive SE, from\n  harmonic-drive-selector (Apache-2.0).\n";
 }
 
-std::string catalogue_json(const CatalogueFilter& filter) {
-  using Json = nlohmann::ordered_json;
-  const Selection rows = selected(filter);
-  Json json = {{"units", "SI: N*m, N*m/rad, rad/s, kg*m^2"},
-               {"sources", kSources},
-               {"stiffness", Json::array()},
-               {"ratings", Json::array()}};
-  for (const StiffnessRow& row : rows.stiffness)
-    json["stiffness"].push_back({{"size", row.size},
-                                 {"ratio_class", enum_name(row.ratio_class)},
-                                 {"T1", row.T1},
-                                 {"T2", row.T2},
-                                 {"K1", row.K1},
-                                 {"K2", row.K2},
-                                 {"K3", row.K3 ? Json(*row.K3) : Json()},
-                                 {"sources", row.sources}});
-  for (const RatingRow& row : rows.ratings)
-    json["ratings"].push_back({{"series", row.series},
-                               {"size", row.size},
-                               {"ratio", row.ratio},
-                               {"rated", row.rated},
-                               {"average", row.average},
-                               {"repeated_peak", row.repeated_peak},
-                               {"momentary_peak", row.momentary_peak},
-                               {"max_input_speed", row.max_input_speed},
-                               {"average_input_speed", row.average_input_speed},
-                               {"input_inertia", row.input_inertia}});
-  return json.dump(2) + "\n";
-}
-
-std::string catalogue_csv(const CatalogueFilter& filter) {
+std::string catalogue_csv(const CatalogueRows& rows) {
   std::string csv =
       "size,ratio_class,T1 [N*m],T2 [N*m],K1 [N*m/rad],K2 [N*m/rad],K3 [N*m/rad],sources\n";
-  for (const StiffnessRow& row : selected(filter).stiffness)
+  for (const StiffnessRow& row : rows.stiffness)
     csv +=
         fmt::format("{},{},{},{},{},{},{},{}\n", row.size, enum_name(row.ratio_class), row.T1,
                     row.T2, row.K1, row.K2, row.K3 ? fmt::format("{}", *row.K3) : "", row.sources);

@@ -3,14 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "strainwave/catalogue/validation.hpp"
 
 namespace strainwave {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string ratio_text(const std::optional<double>& ratio) {
   return ratio ? fmt::format("{:.2f}", *ratio) : std::string("-");
@@ -143,68 +140,6 @@ std::string validation_text(const Validation& v) {
     text += fmt::format("{:<46}{:>8.1f}{:>8.1f}   {}\n", factor_names(trial.factors),
                         100 * trial.median, 100 * trial.worst, trial_values(trial));
   return text;
-}
-
-std::string validation_json(const Validation& v) {
-  const auto optional = [](const std::optional<double>& value) {
-    return value ? Json(*value) : Json();
-  };
-  Json factors = Json::array();
-  for (const Factor factor : v.options.factors) factors.push_back(enum_name(factor));
-  Json json = {{"mode", enum_name(v.options.mode)},
-               {"cup", enum_name(v.options.cup)},
-               {"factors", factors},
-               {"draws", v.options.draws},
-               {"failed_draws", v.failed_draws},
-               {"seed", v.options.seed},
-               {"unit", "N*m/rad"},
-               {"errors", Json::array()},
-               {"rows", Json::array()},
-               {"sets_tried", Json::array()}};
-  for (const ErrorSummary& s : v.errors) {
-    Json entry = {{"of", s.of},
-                  {"rows", s.rows},
-                  {"values", s.values},
-                  {"median", s.median},
-                  {"worst", s.worst},
-                  {"median_of_K", s.median_of},
-                  {"worst_of_K", s.worst_of}};
-    if (banded(v)) entry["in_band"] = s.in_band;
-    json["errors"].push_back(std::move(entry));
-  }
-  for (const ValidationRow& row : v.rows) {
-    const auto K = row.catalogue.K();
-    const auto ratio = row.ratio();
-    Json entry = {{"size", row.catalogue.size},
-                  {"ratio_class", enum_name(row.catalogue.ratio_class)},
-                  {"T1", row.catalogue.T1},
-                  {"T2", row.catalogue.T2},
-                  {"T3", row.catalogue.T3()},
-                  {"catalogue", Json::array({optional(K[0]), optional(K[1]), optional(K[2])})},
-                  {"predicted", row.predicted},
-                  {"predicted_over_catalogue",
-                   Json::array({optional(ratio[0]), optional(ratio[1]), optional(ratio[2])})}};
-    if (!row.factors.empty()) {
-      entry["factors"] = row.factors;
-      entry["at_limit"] = row.at_limit;
-    }
-    if (banded(v)) {
-      entry["band"] = Json::array();
-      for (const auto& band : row.band)
-        entry["band"].push_back(Json::array({band->low, band->middle, band->high}));
-    }
-    json["rows"].push_back(std::move(entry));
-  }
-  for (const FactorTrial& trial : v.trials) {
-    Json names = Json::array();
-    for (const Factor factor : trial.factors) names.push_back(enum_name(factor));
-    json["sets_tried"].push_back({{"factors", names},
-                                  {"values", trial.values},
-                                  {"at_limit", trial.at_limit},
-                                  {"median", trial.median},
-                                  {"worst", trial.worst}});
-  }
-  return json.dump(2) + "\n";
 }
 
 std::string validation_csv(const Validation& v) {

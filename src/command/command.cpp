@@ -29,10 +29,12 @@ Provenance provenance_of(const Drive& drive) {
           .quadrature_tolerance = QuadratureOptions{}.relative_tolerance};
 }
 
-Answer::Answer(const Command& command, std::shared_ptr<const Drive> drive,               const OptionValues& options, const OptionTexts& texts, const Progress& progress)
+Answer::Answer(const Command& command, std::shared_ptr<const Drive> drive,
+               const OptionValues& options, const OptionTexts& texts, const Progress& progress)
     : command_(&command), drive_(std::move(drive)), options_(options) {
   options_.require_complete();
-  result_ = command.run(command, {.drive = *drive_, .texts = texts, .progress = progress}, options_.get());
+  result_ = command.run(command, {.drive = *drive_, .texts = texts, .progress = progress},
+                        options_.get());
   evidence_ = command.evidence(result_.get());
   provenance_ = provenance_of(*drive_);
 }

@@ -17,6 +17,7 @@ struct Draft {
   const GearSet& gear;
   const Provenance& provenance;
   const ReportOptions& options;
+  const Progress& progress;
   std::string input_text;
   StiffnessResult result;
   std::vector<NumberedCrack> cracks;

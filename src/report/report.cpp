@@ -199,11 +199,12 @@ ReportSection drawing_chapter(const Draft& draft) {
 }  // namespace report
 
 Report make_report(const GearSet& gear, const Provenance& provenance,
-                   const ReportOptions& options) {
+                   const ReportOptions& options, const Progress& progress) {
   report::Draft draft{
       .gear = gear,
       .provenance = provenance,
       .options = options,
+      .progress = progress,
       .input_text = options.input_text.empty() ? gear_text(gear) : options.input_text,
       .result = evaluate(gear, options.method),
       .cracks = numbered_cracks(gear),

@@ -156,7 +156,8 @@ ReportSection torsion_chapter(Draft& draft) {
     const bool cracked = !draft.cracks.empty();
     const TorsionReport t = torsion_report(
         draft.gear,
-        {.compare = cracked, .angles = draft.options.angles, .draws = draft.options.draws});
+        {.compare = cracked, .angles = draft.options.angles, .draws = draft.options.draws},
+        draft.progress.part(0.0, 0.8));
     std::string html = paragraph(fmt::format(
         "The drive as one system of elastic rings on one-sided balls and flanks, output against "
         "locked input. The maker's torques are T₁ = {}, T₂ = {}, T₃ = {}, rated {} N·m{}.",

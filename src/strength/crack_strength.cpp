@@ -20,7 +20,7 @@
 #include "strainwave/sif/newman_raju.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/strength/failure_assessment.hpp"
-#include "strainwave/strength/reference_stress.hpp"
+#include "strainwave/drive_cracks/reference_stress.hpp"
 
 namespace strainwave {
 namespace {

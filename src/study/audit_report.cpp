@@ -5,34 +5,12 @@
 
 #include <array>
 #include <cmath>
-#include <functional>
-#include <nlohmann/json.hpp>
 #include <optional>
-#include <type_traits>
 
 #include "strainwave/io/result_writer.hpp"
 
 namespace strainwave {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-template <class T>
-Json to_json(const T& value) {
-  if constexpr (Described<T>) {
-    Json json;
-    T::describe([&](const Field& field, auto member) {
-      json[std::string(field.name)] = to_json(std::invoke(member, value));
-    });
-    return json;
-  } else if constexpr (is_optional<T>) {
-    return value ? to_json(*value) : Json();
-  } else if constexpr (std::is_enum_v<T>) {
-    return enum_name(value);
-  } else {
-    return value;
-  }
-}
 
 std::string number(const std::optional<double>& value) {
   if (!value) return "-";
@@ -72,12 +50,6 @@ std::string audit_text(std::span<const AuditRow> rows) {
     text +=
         fmt::format("{} {} {}", i == 0 ? "" : ",", counts[i], EnumNames<AuditVerdict>::names[i]);
   return text + "\n";
-}
-
-std::string audit_json(std::span<const AuditRow> rows) {
-  Json json = Json::array();
-  for (const AuditRow& row : rows) json.push_back(to_json(row));
-  return json.dump(2) + "\n";
 }
 
 std::string audit_markdown(std::span<const AuditRow> rows) {

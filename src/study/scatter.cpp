@@ -91,19 +91,21 @@ class Evaluator {
 };
 
 /// All draws, each at its place; blocks go to whichever thread is free.
-std::vector<Draw> draws_of(const GearSet& gear, const ScatterOptions& options) {
+std::vector<Draw> draws_of(const GearSet& gear, const ScatterOptions& options,
+                           const Progress& progress) {
   constexpr std::size_t kBlock = 256;
   const auto n = static_cast<std::size_t>(options.samples);
   std::vector<Draw> draws(n);
   std::atomic<std::size_t> next{0};
   std::exception_ptr fault;
   std::mutex fault_mutex;
-  const auto work = [&] {
+  const auto work = [&](const Progress& told) {
     try {
       Evaluator evaluate(gear, options.seed);
       for (;;) {
         const std::size_t first = next.fetch_add(kBlock);
         if (first >= n) return;
+        told.at(static_cast<double>(first) / static_cast<double>(n));
         for (std::size_t i = first; i < std::min(first + kBlock, n); ++i) draws[i] = evaluate(i);
       }
     } catch (...) {
@@ -116,8 +118,8 @@ std::vector<Draw> draws_of(const GearSet& gear, const ScatterOptions& options) {
                                              : std::max(1U, std::thread::hardware_concurrency());
   {
     std::vector<std::jthread> others;
-    for (unsigned t = 1; t < asked; ++t) others.emplace_back(work);
-    work();
+    for (unsigned t = 1; t < asked; ++t) others.emplace_back(work, Progress());
+    work(progress);
   }
   if (fault) std::rethrow_exception(fault);
   return draws;
@@ -177,13 +179,13 @@ void note_nonlinear(Scatter& scatter, const ScatterOutput& output) {
                      "error of {:.1g} %: the inputs scatter too far for a linear estimate",
                      100 * (output.first_order / output.relative_deviation - 1),
                      100 * output.relative_deviation_error / output.relative_deviation),
-         output.name, "SN-7"});
+         output.name, "SN-7", Severity::care});
 }
 
 }  // namespace
 
 Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
-                   const ScatterOptions& options) {
+                   const ScatterOptions& options, const Progress& progress) {
   check(gear);
   if (gear.scatter.empty())
     throw InputError("scatter",
@@ -198,7 +200,7 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
   scatter.inputs = gear.scatter;
   scatter.samples = options.samples;
   scatter.seed = options.seed;
-  const std::vector<Draw> draws = draws_of(gear, options);
+  const std::vector<Draw> draws = draws_of(gear, options, progress);
   for (const Draw& draw : draws) {
     scatter.evaluated += draw.fate == Fate::evaluated ? 1 : 0;
     scatter.refused += draw.fate == Fate::refused ? 1 : 0;
@@ -234,15 +236,15 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
              "{} are beyond the validity of the model: means and quantiles are those of the "
              "other {}",
              scatter.refused, scatter.unusable, scatter.evaluated),
-         "scatter", "SN-8"});
+         "scatter", "SN-8", Severity::care});
   scatter.notes.push_back(
       {"scatter.model_form",
        "the uncertainty of the model's form is beside, not in, the scatter by the inputs",
-       "scatter", "ST-16"});
+       "scatter", "ST-16", Severity::information});
   scatter.notes.push_back({"scatter.independent",
                            "the inputs are drawn independently of each other; numbers of one "
                            "casting or one heat treatment may not be",
-                           "scatter", "SN-7"});
+                           "scatter", "SN-7", Severity::information});
   return scatter;
 }
 

@@ -11,7 +11,6 @@
 
 #include "display_unit.hpp"
 #include "report_cells.hpp"
-#include "report_json.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/nearest.hpp"
 #include "strainwave/core/quantity_text.hpp"
@@ -19,16 +18,6 @@
 #include "strainwave/study/plot.hpp"
 
 namespace strainwave {
-
-template <>
-struct EnumNames<sif::Basis> {
-  static constexpr std::array<std::string_view, 4> names = {"exact", "read", "secondary",
-                                                            "computed"};
-};
-template <>
-struct EnumNames<sif::Constraint> {
-  static constexpr std::array<std::string_view, 2> names = {"plane strain", "plane stress"};
-};
 
 namespace {
 
@@ -43,21 +32,6 @@ constexpr std::array<Mode, 3> kModes = {
     {{"I", &sif::GeometryFactors::Y_I, &sif::PointIntensity::K_I},
      {"II", &sif::GeometryFactors::Y_II, &sif::PointIntensity::K_II},
      {"III", &sif::GeometryFactors::Y_III, &sif::PointIntensity::K_III}}};
-
-std::vector<const sif::Row*> rows_of(std::string_view family) {
-  std::vector<const sif::Row*> rows;
-  std::vector<std::string> families;
-  for (const sif::Row& row : sif::library()) {
-    if (family.empty() || row.info.family == family) rows.push_back(&row);
-    families.emplace_back(row.info.family);
-  }
-  if (rows.empty()) {
-    families.erase(std::unique(families.begin(), families.end()), families.end());
-    throw InputError("family",
-                     fmt::format("{} is none of {}", shown(family), fmt::join(families, ", ")));
-  }
-  return rows;
-}
 
 /// "K to 5 %", or "K exact".
 std::string accuracy_of(const sif::SolutionInfo& info) {
@@ -77,61 +51,11 @@ std::string load_names(const sif::Row& row) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// The limits of the validity range, as the crack of the examples has them.
-std::vector<std::string_view> range_of(const sif::Row& row) {
-  std::vector<std::string_view> texts;
-  for (const sif::ValidityLimit& limit : row.make({})->validity()) texts.push_back(limit.text);
-  return texts;
-}
-
-/// The rules between fields; what breaks one is refused.
-std::vector<std::string_view> rules_of(const sif::Row& row) { return row.make({})->rules(); }
-
 /// Limits, then rules.
-std::vector<std::string_view> range_and_rules(const sif::Row& row) {
-  std::vector<std::string_view> texts = range_of(row);
-  for (const std::string_view rule : rules_of(row)) texts.push_back(rule);
+std::vector<std::string_view> range_and_rules(const DescribedSolution& solution) {
+  std::vector<std::string_view> texts = solution.validity();
+  for (const std::string_view rule : solution.rules()) texts.push_back(rule);
   return texts;
-}
-
-Json info_json(const sif::SolutionInfo& info) {
-  return {{"name", info.name},
-          {"family", info.family},
-          {"title", info.title},
-          {"modes", info.modes},
-          {"equation", info.equation},
-          {"source", info.source},
-          {"basis", enum_name(info.basis)},
-          {"relative_uncertainty", info.relative_uncertainty},
-          {"accuracy", info.accuracy},
-          {"constraint", enum_name(info.constraint)}};
-}
-
-Json row_json(const sif::Row& row) {
-  Json json = info_json(row.info);
-  json["fields"] = Json::array();
-  for (const Field& field : row.fields)
-    json["fields"].push_back({{"name", field.name},
-                              {"unit", field.unit},
-                              {"meaning", field.doc},
-                              {"rule", rule_text(field.range, field.unit)},
-                              {"example", field.example}});
-  json["loads"] = Json::array();
-  for (const sif::LoadInfo& load : row.loads)
-    json["loads"].push_back({{"name", load.name}, {"unit", load.unit}, {"meaning", load.doc}});
-  json["points"] = Json::array();
-  for (const sif::FrontPoint& point : row.points)
-    json["points"].push_back({{"name", point.name}, {"front_parameter", point.s}});
-  json["validity"] = range_of(row);
-  json["rules"] = rules_of(row);
-  return json;
-}
-
-Json intensity_json(const sif::PointIntensity& K) {
-  Json json;
-  for (const Mode& mode : kModes)
-    json[fmt::format("K_{}", mode.name)] = quantity_json(K.*mode.K, "Pa*m^0.5");
-  return json;
 }
 
 std::string table_cell(std::string_view text) {
@@ -142,13 +66,43 @@ std::string table_cell(std::string_view text) {
 
 }  // namespace
 
-std::string sif_list_text(std::string_view family) {
-  const auto rows = rows_of(family);
+std::vector<SolutionField> DescribedSolution::fields() const {
+  std::vector<SolutionField> fields;
+  for (const Field& field : row->fields)
+    fields.push_back({field.name, field.unit, field.doc, rule_text(field.range, field.unit),
+                      field.example});
+  return fields;
+}
+
+std::vector<std::string_view> DescribedSolution::validity() const {
+  std::vector<std::string_view> texts;
+  for (const sif::ValidityLimit& limit : row->make({})->validity()) texts.push_back(limit.text);
+  return texts;
+}
+
+std::vector<std::string_view> DescribedSolution::rules() const { return row->make({})->rules(); }
+
+SolutionList sif_list(std::string_view family) {
+  SolutionList list;
+  std::vector<std::string> families;
+  for (const sif::Row& row : sif::library()) {
+    if (family.empty() || row.info.family == family) list.solutions.push_back({&row});
+    families.emplace_back(row.info.family);
+  }
+  if (list.solutions.empty()) {
+    families.erase(std::unique(families.begin(), families.end()), families.end());
+    throw InputError("family",
+                     fmt::format("{} is none of {}", shown(family), fmt::join(families, ", ")));
+  }
+  return list;
+}
+
+std::string sif_list_text(const SolutionList& list) {
   std::size_t width = 0;
-  for (const sif::Row* row : rows) width = std::max(width, row->info.name.size());
+  for (const auto& [row] : list.solutions) width = std::max(width, row->info.name.size());
   std::string text;
   std::string_view heading;
-  for (const sif::Row* row : rows) {
+  for (const auto& [row] : list.solutions) {
     const sif::SolutionInfo& info = row->info;
     if (info.family != heading) {
       heading = info.family;
@@ -157,34 +111,30 @@ std::string sif_list_text(std::string_view family) {
     text += fmt::format("  {:{}}  {}\n  {:{}}  modes {}; loads {}; {}\n", info.name, width,
                         info.title, "", width, info.modes, load_names(*row), accuracy_of(info));
   }
-  return text + fmt::format("\n{} solutions; `strainwave sif show NAME` says more\n", rows.size());
+  return text + fmt::format("\n{} solutions; `strainwave sif show NAME` says more\n", list.solutions.size());
 }
 
-std::string sif_list_json(std::string_view family) {
-  Json json = Json::array();
-  for (const sif::Row* row : rows_of(family)) json.push_back(row_json(*row));
-  return json.dump(2) + "\n";
-}
-
-std::string sif_list_markdown(std::string_view family) {
+std::string sif_list_markdown(const SolutionList& list) {
   std::string text =
       "# Stress intensity library\n\nMade by `strainwave sif list --format markdown`. Accuracy is "
       "one standard relative uncertainty of K inside\nthe range; equations are those of the "
       "[theory manual](../theory/SP.md).\n\n"
       "| name | solution | modes | loads | range | accuracy | evidence | basis | equation |\n"
       "|---|---|---|---|---|---|---|---|---|\n";
-  for (const sif::Row* row : rows_of(family)) {
+  for (const DescribedSolution& solution : list.solutions) {
+    const sif::Row* const row = solution.row;
     const sif::SolutionInfo& info = row->info;
     text += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} | {}: {} | {} |\n", info.name,
                         table_cell(info.title), info.modes, load_names(*row),
-                        table_cell(fmt::format("{}", fmt::join(range_and_rules(*row), "; "))),
+                        table_cell(fmt::format("{}", fmt::join(range_and_rules(solution), "; "))),
                         accuracy_of(info), table_cell(info.accuracy), enum_name(info.basis),
                         info.source, info.equation);
   }
   return text;
 }
 
-std::string sif_solution_text(const sif::Row& row) {
+std::string sif_solution_text(const DescribedSolution& solution) {
+  const sif::Row& row = *solution.row;
   const sif::SolutionInfo& info = row.info;
   std::string text = fmt::format("{}: {}\n", info.name, info.title);
   text += fmt::format("  modes      {}\n  constraint {}\n  equation   ({}) of the theory manual\n",
@@ -204,14 +154,12 @@ std::string sif_solution_text(const sif::Row& row) {
   text += "Points of the front\n ";
   for (const sif::FrontPoint& point : row.points) text += fmt::format(" {}", point.name);
   text += "\nValidity\n";
-  for (const std::string_view limit : range_of(row)) text += fmt::format("  {}\n", limit);
-  for (const std::string_view rule : rules_of(row))
+  for (const std::string_view limit : solution.validity()) text += fmt::format("  {}\n", limit);
+  for (const std::string_view rule : solution.rules())
     text += fmt::format("  {}; refused otherwise\n", rule);
-  if (range_and_rules(row).empty()) text += "  everywhere\n";
+  if (range_and_rules(solution).empty()) text += "  everywhere\n";
   return text;
 }
-
-std::string sif_solution_json(const sif::Row& row) { return row_json(row).dump(2) + "\n"; }
 
 std::string sif_evaluation_text(const sif::Evaluation& e) {
   std::string text = fmt::format("{}: {}\n", e.info.name, e.info.title);
@@ -259,52 +207,6 @@ std::string sif_evaluation_text(const sif::Evaluation& e) {
     if (!limit.inside)
       text += fmt::format("outside {}: extrapolated, accuracy unknown\n", limit.text);
   return text;
-}
-
-std::string sif_evaluation_json(const sif::Evaluation& e) {
-  Json json = info_json(e.info);
-  const auto inputs = [](const std::vector<sif::Input>& list) {
-    Json values = Json::object();
-    for (const sif::Input& input : list)
-      values[input.name] = {{"value", input.value}, {"unit", input.unit}, {"given", input.given}};
-    return values;
-  };
-  json["fields"] = inputs(e.fields);
-  json["loads"] = inputs(e.loads);
-  json["material"] = {{"youngs_modulus", quantity_json(e.material.youngs_modulus, "Pa")},
-                      {"poissons_ratio", quantity_json(e.material.poissons_ratio, "1")}};
-  if (e.material.fracture_toughness)
-    json["material"]["fracture_toughness"] =
-        quantity_json(*e.material.fracture_toughness, "Pa*m^0.5");
-  json["crack_size"] = quantity_json(e.crack_size, "m");
-  json["geometry_factors"] = Json::array();
-  for (const sif::GeometryFactors& factor : e.factors)
-    json["geometry_factors"].push_back({{"load", factor.load},
-                                        {"point", factor.point},
-                                        {"Y_I", factor.Y_I},
-                                        {"Y_II", factor.Y_II},
-                                        {"Y_III", factor.Y_III}});
-  if (e.largest) {
-    Json points = Json::object();
-    for (const sif::PointIntensity& point : e.points) points[point.name] = intensity_json(point);
-    points["largest"] = intensity_json(*e.largest);
-    json["stress_intensity"] = points;
-    json["faces_pressed"] = e.pressed;
-    json["equivalent"] = quantity_json(*e.equivalent, "Pa*m^0.5");
-    if (e.utilisation) json["utilisation"] = quantity_json(*e.utilisation, "1");
-  }
-  json["added_compliance"] = Json::array();
-  for (const sif::ComplianceEntry& entry : e.compliance)
-    json["added_compliance"].push_back({{"load_i", entry.load_i},
-                                        {"load_j", entry.load_j},
-                                        {"value", entry.value},
-                                        {"unit", entry.unit}});
-  json["quadrature"] = {{"converged", e.converged}, {"relative_error", e.quadrature_error}};
-  json["validity"] = Json::array();
-  for (const sif::ValidityLimit& limit : e.validity)
-    json["validity"].push_back({{"limit", limit.text}, {"inside", limit.inside}});
-  json["in_range"] = e.in_range();
-  return json.dump(2) + "\n";
 }
 
 sif::Assignments sif_assignments(const sif::Row& row, std::span<const std::string> texts) {

@@ -67,8 +67,14 @@ struct Sample {
 
 class Probe {
  public:
-  Probe(const GearSet& gear, Method method, std::string path, const Target& target)
-      : gear_(gear), method_(method), path_(std::move(path)), target_(target) {}
+  Probe(const GearSet& gear, Method method, std::string path, const Target& target, int n_scan,
+        const Progress& progress)
+      : gear_(gear),
+        method_(method),
+        path_(std::move(path)),
+        target_(target),
+        n_scan_(n_scan),
+        progress_(progress) {}
 
   [[nodiscard]] StiffnessResult result(double x) {
     set_number(gear_, path_, x);
@@ -76,6 +82,8 @@ class Probe {
   }
 
   [[nodiscard]] Sample sample(double x) {
+    // The scan, and about as many evaluations where it is refined.
+    progress_.at(std::min(1.0, ++n_samples_ / (2.0 * n_scan_)));
     try {
       const StiffnessResult at_x = result(x);
       const std::optional<Quantity> output = output_of(at_x, target_.output);
@@ -101,6 +109,9 @@ class Probe {
   Method method_;
   std::string path_;
   Target target_;
+  int n_scan_;
+  int n_samples_ = 0;
+  const Progress& progress_;
 };
 
 using Samples = std::vector<Sample>;
@@ -445,7 +456,7 @@ Target parse_target(const GearSet& gear, Method method, std::string_view text) {
 }
 
 SolveResult solve(const GearSet& gear, Method method, const Unknown& unknown, const Target& target,
-                  const SolveOptions& options) {
+                  const SolveOptions& options, const Progress& progress) {
   const NumberAt number = varied_number(gear, unknown.path);
   require(options.n_scan >= 2 && options.n_scan <= kMaxSweepPoints, "n_scan", options.n_scan, "1",
           fmt::format(">= 2 and <= {}", kMaxSweepPoints));
@@ -457,7 +468,7 @@ SolveResult solve(const GearSet& gear, Method method, const Unknown& unknown, co
                        fmt::format("{}..{} must be two different finite numbers", from, to));
   }
 
-  Probe probe(gear, method, number.path, target);
+  Probe probe(gear, method, number.path, target, options.n_scan, progress);
   Samples samples;
   for (const double x : scan_points(number, unknown, options.n_scan))
     samples.push_back(probe.sample(x));

@@ -57,11 +57,9 @@ void gather_notes(std::vector<SweepNote>& gathered, const std::vector<Note>& not
   }
 }
 
-/// A field of a CSV line, quoted where it must be (RFC 4180).
-
 }  // namespace
 
-SweepResult sweep(const GearSet& gear, Method method, std::span<const Variation> variations) {
+SweepResult sweep(const GearSet& gear, Method method, std::span<const Variation> variations, const Progress& progress) {
   if (variations.empty() || variations.size() > 2)
     throw InputError("--vary",
                      fmt::format("is given {} times; must be once or twice", variations.size()));
@@ -101,6 +99,7 @@ SweepResult sweep(const GearSet& gear, Method method, std::span<const Variation>
       if (!first_fault) first_fault = std::current_exception();
     }
     result.rows.push_back(std::move(row));
+    progress.at(static_cast<double>(result.rows.size()) / static_cast<double>(n_rows));
   };
   for (int i = 0; i < variations[0].n_points; ++i) {
     if (variations.size() == 1) {

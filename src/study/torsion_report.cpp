@@ -7,7 +7,6 @@
 #include <cmath>
 #include <random>
 
-#include "report_json.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantile.hpp"
 #include "strainwave/core/quantity_text.hpp"
@@ -113,60 +112,6 @@ std::string comparison_text(const CurveComparison& c) {
                   kTextWidth - 2, 4) +
           '\n';
   return text;
-}
-
-// --- json ---------------------------------------------------------------------------------------
-
-Json lines_json(const MakersLines& lines) {
-  return {{"K1", quantity_json(lines.K1, "N*m/rad")},
-          {"K2", quantity_json(lines.K2, "N*m/rad")},
-          {"K3", quantity_json(lines.K3, "N*m/rad")},
-          {"phi1", quantity_json(lines.phi1, "rad")},
-          {"phi2", quantity_json(lines.phi2, "rad")}};
-}
-
-Json changes_json(const LineChanges& c) { return {{"K1", c.K1}, {"K2", c.K2}, {"K3", c.K3}}; }
-
-Json turn_json(const ChangesOverTurn& turn) {
-  Json at = Json::array();
-  for (const LineChanges& c : turn.at_angle) at.push_back(changes_json(c));
-  return {{"as_given", changes_json(turn.as_given)},
-          {"mean", changes_json(turn.mean)},
-          {"worst", changes_json(turn.worst)},
-          {"best", changes_json(turn.best)},
-          {"ripple", changes_json(turn.ripple)},
-          {"ripple_order", turn.ripple_order},
-          {"at_angle", std::move(at)}};
-}
-
-Json forces_json(const std::vector<ContactForce>& forces) {
-  Json list = Json::array();
-  for (const ContactForce& contact : forces)
-    list.push_back(
-        {{"position", contact.position}, {"force", contact.force}, {"tangent", contact.tangent}});
-  return list;
-}
-
-Json curve_json(const TorsionCurve& curve) {
-  Json points = Json::array();
-  for (const CurvePoint& p : curve.points) {
-    Json share;
-    for (std::size_t m = 0; m < kCurveMembers; ++m)
-      share[std::string(EnumNames<CurveMember>::names[m])] = p.share[m];
-    points.push_back({{"torque", p.torque},
-                      {"twist", p.twist},
-                      {"tangent_stiffness", 1 / p.tangent_compliance},
-                      {"secant_stiffness", p.secant_stiffness()},
-                      {"teeth_in_contact", p.teeth_in_contact},
-                      {"balls_in_contact", p.balls_in_contact},
-                      {"share", std::move(share)},
-                      {"balls", forces_json(p.balls)},
-                      {"drive_flanks", forces_json(p.drive_flanks)},
-                      {"coast_flanks", forces_json(p.coast_flanks)},
-                      {"residual", p.residual},
-                      {"iterations", p.iterations}});
-  }
-  return points;
 }
 
 double largest_force(const std::vector<ContactForce>& forces) {
@@ -372,75 +317,6 @@ std::string torsion_text(const TorsionReport& report, const GearSet& gear) {
               kTextWidth, 2) +
       "\n";
   return text;
-}
-
-std::string torsion_json(const TorsionReport& report) {
-  const MakersTorques& at = report.torques;
-  Json json = {
-      {"torques",
-       {{"T1", quantity_json(at.T1, "N*m")},
-        {"T2", quantity_json(at.T2, "N*m")},
-        {"T3", quantity_json(at.T3, "N*m")},
-        {"rated", quantity_json(at.rated, "N*m")},
-        {"lost_motion", quantity_json(at.lost_motion, "N*m")},
-        {"by_convention", at.by_convention}}},
-      {"positive", lines_json(report.positive)},
-      {"negative", lines_json(report.negative)},
-      {"lost_motion", quantity_json(report.lost_motion, "rad")},
-      {"hysteresis",
-       {{"amplitude", quantity_json(report.loop.amplitude, "N*m")},
-        {"width_at_zero", quantity_json(report.loop.width_at_zero, "rad")},
-        {"largest_width", quantity_json(report.loop.largest_width, "rad")},
-        {"torque_of_largest_width", quantity_json(report.loop.torque_of_largest_width, "N*m")},
-        {"lost_energy", quantity_json(report.loop.lost_energy, "J")},
-        {"torque", report.loop.torque},
-        {"twist", report.loop.twist}}},
-      {"cam_amplitude", quantity_json(report.curve.cam_amplitude, "m")},
-      {"assembly_ball_force", quantity_json(report.curve.assembly_ball_force, "N")},
-      {"series_compliance", quantity_json(report.curve.series_compliance, "rad/(N*m)")},
-      {"teeth", report.curve.teeth},
-      {"curve", curve_json(report.curve)},
-      {"curve_negative", curve_json(report.curve_negative)}};
-  for (const RimState& rim : report.rim)
-    json["rim"].push_back({{"position", rim.position},
-                           {"radial", rim.radial},
-                           {"tangential", rim.tangential},
-                           {"rim_outside_stress", rim.rim_outside_stress},
-                           {"rim_inside_stress", rim.rim_inside_stress},
-                           {"barrel_bending_stress", rim.barrel_bending_stress},
-                           {"barrel_shear_stress", rim.barrel_shear_stress}});
-  if (report.bands) {
-    const auto band_json = [](const Band& b) {
-      return Json{{"low", b.low}, {"median", b.median}, {"high", b.high}, {"unit", "N*m/rad"}};
-    };
-    json["bands"] = {{"K1", band_json(report.bands->K1)},
-                     {"K2", band_json(report.bands->K2)},
-                     {"K3", band_json(report.bands->K3)},
-                     {"draws", report.bands->draws},
-                     {"rejected", report.bands->rejected}};
-  }
-  if (report.comparison) {
-    const CurveComparison& c = *report.comparison;
-    json["comparison"] = {{"sound", lines_json(c.sound)},
-                          {"angles", c.angles},
-                          {"positive", turn_json(c.positive)},
-                          {"negative", turn_json(c.negative)},
-                          {"lost_motion_sound", quantity_json(c.lost_motion_sound, "rad")},
-                          {"lost_motion_cracked", quantity_json(c.lost_motion_cracked, "rad")},
-                          {"hysteresis_sound", quantity_json(c.hysteresis_sound, "rad")},
-                          {"hysteresis_cracked", quantity_json(c.hysteresis_cracked, "rad")},
-                          {"crack_class", enum_name(c.crack_class)},
-                          {"class_ratio", c.class_ratio},
-                          {"evidence", c.evidence}};
-  }
-  json["notes"] = Json::array();
-  for (const Note& note : report.notes)
-    json["notes"].push_back({{"code", note.code},
-                             {"text", note.text},
-                             {"path", note.path},
-                             {"equation", note.equation}});
-  json["equations"] = report.equations;
-  return json.dump(2) + "\n";
 }
 
 std::string torsion_csv(const TorsionReport& report) {

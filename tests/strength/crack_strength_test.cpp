@@ -15,7 +15,7 @@
 #include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/strength/failure_assessment.hpp"
-#include "strainwave/strength/reference_stress.hpp"
+#include "strainwave/drive_cracks/reference_stress.hpp"
 #include "support/article_gear.hpp"
 #include "support/expect.hpp"
 #include "support/reference_csv.hpp"

@@ -35,7 +35,7 @@ struct ReproducingInput {
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"input", "", "name of the input, by its symbol"}, &ReproducingInput::name);
-    field({"value", "", "its value, in the unit beside it"}, &ReproducingInput::value);
+    field({"value", kUnitBeside, "its value, in the unit beside it"}, &ReproducingInput::value);
     field({"unit", "", "unit of the article: mm, N, MPa, rad, \"1\" if pure"},
           &ReproducingInput::unit);
   }
@@ -63,11 +63,11 @@ struct AuditRow {
     field({"quantity", "", "what it is, with its symbol"}, &AuditRow::quantity);
     field({"unit", "", "unit of the numbers of this row, as the article has it, \"1\" if pure"},
           &AuditRow::unit);
-    field({"printed", "", "the printed number, in the unit of the row"}, &AuditRow::printed);
-    field({"own_equation", "",
+    field({"printed", kUnitBeside, "the printed number, in the unit of the row"}, &AuditRow::printed);
+    field({"own_equation", kUnitBeside,
            "what its own printed equation gives with the printed inputs, in the unit of the row"},
           &AuditRow::own);
-    field({"corrected", "", "what the corrected theory gives, in the unit of the row"},
+    field({"corrected", kUnitBeside, "what the corrected theory gives, in the unit of the row"},
           &AuditRow::corrected);
     field({"ratio", "1", "printed over own equation; own equation over corrected if not printed"},
           &AuditRow::ratio);

@@ -170,6 +170,5 @@ struct Calibration {
                                     const Progress& progress = {});
 
 [[nodiscard]] std::string calibration_text(const Calibration& calibration);
-[[nodiscard]] std::string calibration_json(const Calibration& calibration);
 
 }  // namespace strainwave

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -118,12 +119,26 @@ struct CatalogueFilter {
   std::optional<int> size;
   std::optional<double> ratio;  ///< stiffness: its class; ratings: exactly
 };
-/// Both tables for people, at most 100 columns.
+/// Rows of both tables, with their sources.
+struct CatalogueRows {
+  std::vector<StiffnessRow> stiffness;
+  std::vector<RatingRow> ratings;
+  std::map<std::string, std::string> sources;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"stiffness", "", "torsional stiffness, input locked"}, &CatalogueRows::stiffness);
+    field({"ratings", "", "torques, speeds and inertia"}, &CatalogueRows::ratings);
+    field({"sources", "", "works that the rows are read from"}, &CatalogueRows::sources);
+  }
+};
+
+/// The rows that a filter leaves.
 /// @throws InputError  if the size is not known or nothing is left
-[[nodiscard]] std::string catalogue_text(const CatalogueFilter& filter = {});
-/// Both tables as a JSON document, SI, with their sources.
-[[nodiscard]] std::string catalogue_json(const CatalogueFilter& filter = {});
+[[nodiscard]] CatalogueRows catalogue_rows(const CatalogueFilter& filter = {});
+/// Both tables for people, at most 100 columns.
+[[nodiscard]] std::string catalogue_text(const CatalogueRows& rows);
 /// The stiffness table as CSV, SI.
-[[nodiscard]] std::string catalogue_csv(const CatalogueFilter& filter = {});
+[[nodiscard]] std::string catalogue_csv(const CatalogueRows& rows);
 
 }  // namespace strainwave

@@ -203,7 +203,6 @@ struct Validation {
 /// The report for people, at most 100 columns.
 [[nodiscard]] std::string validation_text(const Validation& validation);
 /// All digits, SI.
-[[nodiscard]] std::string validation_json(const Validation& validation);
 /// A line for each row: predicted/catalogue, and bands if drawn.
 [[nodiscard]] std::string validation_csv(const Validation& validation);
 /// Tables for a manual.

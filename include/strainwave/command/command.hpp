@@ -25,7 +25,8 @@ namespace strainwave {
 /// A drive as a command gets it: read, with the text it was read from.
 struct Drive {
   GearSet gear;
-  std::string text;  ///< word for word; empty where the drive was not made from text  std::string name;  ///< of the text, for messages: "drive.toml"
+  std::string text;  ///< word for word; empty where the drive was not made from text  std::string
+                     ///< name;  ///< of the text, for messages: "drive.toml"
 };
 
 /// Texts that options name, such as a measured curve, by the name that the option gives.
@@ -35,7 +36,8 @@ using OptionTexts = std::map<std::string, std::string, std::less<>>;
 [[nodiscard]] Provenance provenance_of(const Drive& drive);
 
 /// What a command gets besides its options.
-struct Request {  const Drive& drive;  ///< empty for a command that takes none
+struct Request {
+  const Drive& drive;  ///< empty for a command that takes none
   const OptionTexts& texts;
   const Progress& progress;
 };
@@ -147,7 +149,8 @@ template <class Options, class Result>
 /// What a command answered: its result, which documents and envelope are made of on demand.
 class Answer {
  public:
-  Answer(const Command& command, std::shared_ptr<const Drive> drive, const OptionValues& options,         const OptionTexts& texts, const Progress& progress);
+  Answer(const Command& command, std::shared_ptr<const Drive> drive, const OptionValues& options,
+         const OptionTexts& texts, const Progress& progress);
 
   [[nodiscard]] const Command& command() const { return *command_; }
   [[nodiscard]] const ResultEvidence& evidence() const { return evidence_; }

@@ -2,16 +2,17 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 #include <utility>
 
-#include "strainwave/core/error.hpp"
 
 namespace strainwave {
 
-/// The caller asked a computation to stop; there is no answer.
-class Stopped : public Error {
+/// The caller asked a computation to stop; there is no answer.  No Error: what takes an Error for
+/// one refused case among many must not take this for one.
+class Stopped : public std::runtime_error {
  public:
-  Stopped() : Error("stopped on request") {}
+  Stopped() : std::runtime_error("stopped on request") {}
 };
 
 /// How a long computation tells its caller how far it is, and learns that it shall stop.

@@ -156,14 +156,14 @@ class CrackLoads {
     const WaveGenerator& wg = *gear_.wave_generator;
     const bool bending = crack.stress_driver == StressDriver::ring_bending;
     const Real stress = unit_stress(crack);
-    return {.solution = {.depth = lift_(crack.depth),
-                         .thickness = lift_(*wg.inner_ring_thickness),
-                         .width = lift_(*wg.inner_ring_width),
-                         .unit_stress = stress,
-                         .loading =
-                             bending ? sif::StripLoading::bending : sif::StripLoading::tension},
-            .moduli = plane_strain(ring_steel()),
-            .faces = race_faces(stress)};
+    return {
+        .solution = {.depth = lift_(crack.depth),
+                     .thickness = lift_(*wg.inner_ring_thickness),
+                     .width = lift_(*wg.inner_ring_width),
+                     .unit_stress = stress,
+                     .loading = bending ? sif::StripLoading::bending : sif::StripLoading::tension},
+        .moduli = plane_strain(ring_steel()),
+        .faces = race_faces(stress)};
   }
   [[nodiscard]] static ActsInCoupledDrive loaded(const OuterRaceCrack&) { return {}; }
 
@@ -231,16 +231,16 @@ class CrackLoads {
     const Elastic steel = flexspline_steel();
     const Real r = arc_radius(crack);
     // The shear T/(2 pi r^2 h) along the arc is that along the generator of a tube of its radius.
-    return {.solution = {.half_length = lift_(crack.half_length),
-                         .mean_radius = r,
-                         .wall_thickness =
-                             diaphragm_thickness(lift_, *gear_.flexspline->diaphragm, r),
-                         .angle = Real(0.0),
-                         .poissons_ratio = steel.nu,
-                         .shell_correction = false},
-            .moduli = plane_stress(steel),
-            .constraint = sif::Constraint::plane_stress,
-            .faces = {}};
+    return {
+        .solution = {.half_length = lift_(crack.half_length),
+                     .mean_radius = r,
+                     .wall_thickness = diaphragm_thickness(lift_, *gear_.flexspline->diaphragm, r),
+                     .angle = Real(0.0),
+                     .poissons_ratio = steel.nu,
+                     .shell_correction = false},
+        .moduli = plane_stress(steel),
+        .constraint = sif::Constraint::plane_stress,
+        .faces = {}};
   }
   [[nodiscard]] LoadedGroove loaded(const DiaphragmGroove& groove) const {
     return {*gear_.flexspline->diaphragm, groove};

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "strainwave/core/progress.hpp"
 #include "strainwave/io/result_writer.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/input/method.hpp"
@@ -46,7 +47,8 @@ struct Report {
 /// The same input, version and options give the same bytes: no clock, no host, no environment.
 /// @throws InputError  if the gear breaks a rule, or holds what the method cannot treat
 [[nodiscard]] Report make_report(const GearSet& gear, const Provenance& provenance,
-                                 const ReportOptions& options = {});
+                                 const ReportOptions& options = {},
+                                 const Progress& progress = {});
 
 /// The report as one HTML5 document, also well-formed XML: no script, nothing from outside the
 /// file, for screens light, dark and narrow, and for A4 paper.

@@ -14,6 +14,13 @@ struct CrackMaterial {
   double youngs_modulus = 210e9;             ///< E [Pa]; > 0
   double poissons_ratio = 0.3;               ///< nu [-]; in (-1, 0.5)
   std::optional<double> fracture_toughness;  ///< K_Ic [Pa*m^0.5]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"youngs_modulus", "Pa", "E"}, &CrackMaterial::youngs_modulus);
+    field({"poissons_ratio", "1", "nu"}, &CrackMaterial::poissons_ratio);
+    field({"fracture_toughness", "Pa*m^0.5", "K_Ic"}, &CrackMaterial::fracture_toughness);
+  }
 };
 
 /// A field or load with its value.
@@ -23,6 +30,14 @@ struct Input {
   std::string doc;
   double value = 0.0;
   bool given = false;  ///< by the caller; else the example of a field, 0 of a load
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"name", "", "of the field or load"}, &Input::name);
+    field({"value", kUnitBeside, "its value"}, &Input::value);
+    field({"unit", "", "SI unit"}, &Input::unit);
+    field({"given", "", "by the caller; else the example of a field, 0 of a load"}, &Input::given);
+  }
 };
 
 /// Y = K/(sigma sqrt(pi a)) of one load at one point of the front [-].
@@ -32,6 +47,16 @@ struct GeometryFactors {
   double Y_I = 0.0;
   double Y_II = 0.0;
   double Y_III = 0.0;
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"load", "", "of the factors"}, &GeometryFactors::load);
+    field({"point", "", "of the front"}, &GeometryFactors::point);
+    field({"Y_I", "1", "K_I/(sigma sqrt(pi a))"}, &GeometryFactors::Y_I);
+    field({"Y_II", "1", "K_II/(sigma sqrt(pi a))"}, &GeometryFactors::Y_II);
+    field({"Y_III", "1", "K_III/(sigma sqrt(pi a))"}, &GeometryFactors::Y_III);
+  }
 };
 
 /// Entry (i, j) of the added compliance: what the crack adds to the displacement that does work on
@@ -41,6 +66,14 @@ struct ComplianceEntry {
   std::string load_j;
   double value = 0.0;
   std::string unit;  ///< such as "m/N", "1/N", "rad/(N*m)", "m^3/Pa"
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"load_i", "", "whose displacement"}, &ComplianceEntry::load_i);
+    field({"load_j", "", "per unit of this load"}, &ComplianceEntry::load_j);
+    field({"value", kUnitBeside, "added compliance"}, &ComplianceEntry::value);
+    field({"unit", "", "SI unit"}, &ComplianceEntry::unit);
+  }
 };
 
 /// A solution with numbers: stress intensities, geometry factors, compliance, and its evidence.
@@ -69,6 +102,27 @@ struct Evaluation {
 
   /// Every limit of the validity range is kept, and the stated accuracy holds.
   [[nodiscard]] bool in_range() const;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    SolutionInfo::describe([&](const Field& what, auto member) {
+      field(what, [member](const Evaluation& e) { return std::invoke(member, e.info); });
+    });
+    field({"fields", "", "of the crack"}, &Evaluation::fields);
+    field({"loads", "", "that act"}, &Evaluation::loads);
+    field({"material", "", "elastic constants and toughness"}, &Evaluation::material);
+    field({"crack_size", "m", "a of the geometry factors"}, &Evaluation::crack_size);
+    field({"geometry_factors", "", "per load and point"}, &Evaluation::factors);
+    field({"points", "", "stress intensities under all loads, at the named points"}, &Evaluation::points);
+    field({"largest", "", "along the front"}, &Evaluation::largest);
+    field({"faces_pressed", "", "the faces press on each other somewhere on the front"}, &Evaluation::pressed);
+    field({"equivalent", "Pa*m^0.5", "sqrt(G E') at the worst point"}, &Evaluation::equivalent);
+    field({"utilisation", "1", "equivalent over K_Ic"}, &Evaluation::utilisation);
+    field({"added_compliance", "", "upper triangle"}, &Evaluation::compliance);
+    field({"quadrature_error", "1", "relative, of the compliance"}, &Evaluation::quadrature_error);
+    field({"validity", "", "each limit of the range"}, &Evaluation::validity);
+    field({"in_range", "", "every limit of the range is kept"}, &Evaluation::in_range);
+  }
 };
 
 /// Number of points at which a front is scanned for its largest stress intensity.

@@ -21,12 +21,27 @@ struct PointIntensity {
   double K_I = 0.0;
   double K_II = 0.0;
   double K_III = 0.0;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"name", "", "of the point; empty for one found by scanning the front"}, &PointIntensity::name);
+    field({"s", "1", "front parameter"}, &PointIntensity::s);
+    field({"K_I", "Pa*m^0.5", "opening"}, &PointIntensity::K_I);
+    field({"K_II", "Pa*m^0.5", "sliding"}, &PointIntensity::K_II);
+    field({"K_III", "Pa*m^0.5", "tearing"}, &PointIntensity::K_III);
+  }
 };
 
 /// A limit of the validity range.
 struct ValidityLimit {
   bool inside = false;
   std::string_view text;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"limit", "", "the limit in words"}, &ValidityLimit::text);
+    field({"inside", "", "whether the crack keeps it"}, &ValidityLimit::inside);
+  }
 };
 
 /// Values of the fields of a solution, by name [SI].

@@ -31,6 +31,24 @@ enum class Basis {
 /// Plane stress or plane strain ahead of the crack: E' = E or E/(1 - nu^2).
 enum class Constraint { plane_strain, plane_stress };
 
+}  // namespace strainwave::sif
+
+namespace strainwave {
+
+template <>
+struct EnumNames<sif::Basis> {
+  static constexpr std::array<std::string_view, 4> names = {"exact", "read", "secondary",
+                                                            "computed"};
+};
+template <>
+struct EnumNames<sif::Constraint> {
+  static constexpr std::array<std::string_view, 2> names = {"plane strain", "plane stress"};
+};
+
+}  // namespace strainwave
+
+namespace strainwave::sif {
+
 /// What a solution says about itself.
 struct SolutionInfo {
   std::string_view name;      ///< "plate-through": what the command line calls it
@@ -43,6 +61,20 @@ struct SolutionInfo {
   double relative_uncertainty = 0.0;  ///< one standard, of K, inside the validity range [-]
   std::string_view accuracy;          ///< what was compared with what, and how it came out
   Constraint constraint = Constraint::plane_strain;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"name", "", "what the command line calls it"}, &SolutionInfo::name);
+    field({"family", "", "plate, tube, bar or gradient"}, &SolutionInfo::family);
+    field({"title", "", "one line"}, &SolutionInfo::title);
+    field({"modes", "", "modes that it gives"}, &SolutionInfo::modes);
+    field({"equation", "", "first tag in the theory manual"}, &SolutionInfo::equation);
+    field({"source", "", "keys of the references; - where derived"}, &SolutionInfo::source);
+    field({"basis", "", "what holds the formula up"}, &SolutionInfo::basis);
+    field({"relative_uncertainty", "1", "one standard, of K, inside the validity range"}, &SolutionInfo::relative_uncertainty);
+    field({"accuracy", "", "what was compared with what, and how it came out"}, &SolutionInfo::accuracy);
+    field({"constraint", "", "plane strain or plane stress"}, &SolutionInfo::constraint);
+  }
 };
 
 /// One generalised load.
@@ -50,12 +82,25 @@ struct LoadInfo {
   std::string_view name;  ///< "tension"
   std::string_view unit;  ///< "Pa", "N" or "N*m"
   std::string_view doc;   ///< meaning, sign, where it acts
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"name", "", "name of the load"}, &LoadInfo::name);
+    field({"unit", "", "its unit"}, &LoadInfo::unit);
+    field({"meaning", "", "meaning, sign, where it acts"}, &LoadInfo::doc);
+  }
 };
 
 /// A named point of the crack front.
 struct FrontPoint {
   std::string_view name;  ///< "deepest"
   double s = 0.0;         ///< front parameter
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"name", "", "name of the point"}, &FrontPoint::name);
+    field({"front_parameter", "1", "s, place along the front"}, &FrontPoint::s);
+  }
 };
 
 /// A solution of the library.

@@ -11,9 +11,6 @@ namespace strainwave {
 /// The rows as a table for a terminal, at most 110 columns wide.
 [[nodiscard]] std::string audit_text(std::span<const AuditRow> rows);
 
-/// The rows as a JSON array.
-[[nodiscard]] std::string audit_json(std::span<const AuditRow> rows);
-
 /// The rows as a table of the theory manual.
 [[nodiscard]] std::string audit_markdown(std::span<const AuditRow> rows);
 

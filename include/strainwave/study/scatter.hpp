@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/study/sensitivity.hpp"
 
@@ -97,6 +98,7 @@ struct Scatter {
 /// @throws InputError   if the file gives no scatter, or an option is out of range
 /// @throws SolverError  if fewer than two draws could be evaluated
 [[nodiscard]] Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
-                                 const ScatterOptions& options = {});
+                                 const ScatterOptions& options = {},
+                                 const Progress& progress = {});
 
 }  // namespace strainwave

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <span>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "strainwave/sif/evaluation.hpp"
 
@@ -11,19 +13,71 @@
 
 namespace strainwave {
 
-/// One line for each solution; `family` empty for all.
+/// A field of a solution, as `sif show` tells it.
+struct SolutionField {
+  std::string_view name;
+  std::string_view unit;
+  std::string_view meaning;
+  std::string rule;
+  std::string_view example;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"name", "", "name of the field"}, &SolutionField::name);
+    field({"unit", "", "SI unit"}, &SolutionField::unit);
+    field({"meaning", "", "what it is"}, &SolutionField::meaning);
+    field({"rule", "", "values that it may have"}, &SolutionField::rule);
+    field({"example", "", "value taken when it is left out"}, &SolutionField::example);
+  }
+};
+
+/// A solution of the library in its own words.
+struct DescribedSolution {
+  const sif::Row* row = nullptr;
+
+  [[nodiscard]] std::vector<SolutionField> fields() const;
+  /// The limits of the validity range.
+  [[nodiscard]] std::vector<std::string_view> validity() const;
+  /// The rules between fields; what breaks one is refused.
+  [[nodiscard]] std::vector<std::string_view> rules() const;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using S = DescribedSolution;
+    sif::SolutionInfo::describe([&](const Field& what, auto member) {
+      field(what, [member](const S& s) { return std::invoke(member, s.row->info); });
+    });
+    field({"fields", "", "of the crack"}, &S::fields);
+    field({"loads", "", "that the solution takes"}, [](const S& s) { return s.row->loads; });
+    field({"points", "", "named points of the front"}, [](const S& s) { return s.row->points; });
+    field({"validity", "", "limits of the range in which the accuracy holds"}, &S::validity);
+    field({"rules", "", "between fields; what breaks one is refused"}, &S::rules);
+  }
+};
+
+/// Solutions of the library.
+struct SolutionList {
+  std::vector<DescribedSolution> solutions;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"solutions", "", "each solution in its own words"}, &SolutionList::solutions);
+  }
+};
+
+/// The solutions of a family; of all if it is empty.
 /// @throws InputError  there is no such family
-[[nodiscard]] std::string sif_list_text(std::string_view family);
-[[nodiscard]] std::string sif_list_json(std::string_view family);
+[[nodiscard]] SolutionList sif_list(std::string_view family);
+
+/// One line for each solution.
+[[nodiscard]] std::string sif_list_text(const SolutionList& list);
 /// The table of docs/guide/stress_intensity.md.
-[[nodiscard]] std::string sif_list_markdown(std::string_view family);
+[[nodiscard]] std::string sif_list_markdown(const SolutionList& list);
 
 /// Everything that a solution says about itself: fields, loads, range, accuracy, source.
-[[nodiscard]] std::string sif_solution_text(const sif::Row& row);
-[[nodiscard]] std::string sif_solution_json(const sif::Row& row);
+[[nodiscard]] std::string sif_solution_text(const DescribedSolution& solution);
 
 [[nodiscard]] std::string sif_evaluation_text(const sif::Evaluation& evaluation);
-[[nodiscard]] std::string sif_evaluation_json(const sif::Evaluation& evaluation);
 
 /// Reads "depth=2 mm" or "tension=100 MPa" for a solution.
 /// @throws InputError  unknown name, or a quantity of another dimension

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/stiffness_result.hpp"
 
@@ -147,7 +148,8 @@ struct SolveResult {
 /// @throws InputError  if the range is not valid or none can be chosen; if there is no such output;
 ///                     the first fault if the method refuses every value
 [[nodiscard]] SolveResult solve(const GearSet& gear, Method method, const Unknown& unknown,
-                                const Target& target, const SolveOptions& options = {});
+                                const Target& target, const SolveOptions& options = {},
+                                const Progress& progress = {});
 
 /// The result as a report, at most 100 columns wide.
 [[nodiscard]] std::string solve_text(const SolveResult& result);

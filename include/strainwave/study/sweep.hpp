@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/input/variation.hpp"
 #include "strainwave/model/result/stiffness_result.hpp"
@@ -120,7 +121,8 @@ struct SweepResult {
 ///                     are more than kMaxSweepPoints points; the first fault if every point is
 ///                     refused
 [[nodiscard]] SweepResult sweep(const GearSet& gear, Method method,
-                                std::span<const Variation> variations);
+                                std::span<const Variation> variations,
+                                const Progress& progress = {});
 
 /// The table as CSV (RFC 4180 quoting, lines end with LF): a column for each varied number, each
 /// output, `usable` and `reason`; the header names path and SI unit, `intact.stiffness [N*m/rad]`.

@@ -85,8 +85,6 @@ struct TorsionReport {
           &TorsionReport::rim);
     field({"bands", "", "of the lines, under the ranges of the file"}, &TorsionReport::bands);
     field({"comparison", "", "with cracks against without"}, &TorsionReport::comparison);
-    field({"notes", "", "remarks on validity"}, &TorsionReport::notes);
-    field({"equations", "", "tags of the theory manual"}, &TorsionReport::equations);
   }
 };
 
@@ -103,7 +101,6 @@ struct TorsionReport {
 [[nodiscard]] LineBands line_bands(const GearSet& gear, int draws, const Progress& progress = {});
 
 [[nodiscard]] std::string torsion_text(const TorsionReport& report, const GearSet& gear);
-[[nodiscard]] std::string torsion_json(const TorsionReport& report);
 /// torque [N*m], twist [rad], tangent stiffness [N*m/rad], teeth and balls in contact.
 [[nodiscard]] std::string torsion_csv(const TorsionReport& report);
 /// Curve with its three lines and loop; tangent stiffness; changes over a turn if compared.

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+
+#include "strainwave/door/door.hpp"
+#include "strainwave/io/input_format.hpp"
+
+namespace strainwave {
+namespace {
+
+enum class SchemaSubject { input, options, result };
+
+}  // namespace
+
+template <>
+struct EnumNames<SchemaSubject> {
+  static constexpr std::array<std::string_view, 3> names = {"input", "options", "result"};
+};
+
+namespace {
+
+struct SchemaOptions {
+  SchemaSubject of = SchemaSubject::input;
+  std::optional<std::string> command;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({.name = "of",
+           .unit = "",
+           .doc = "the input file, or the options or the result of a command",
+           .fallback = "input"},
+          &SchemaOptions::of);
+    field({.name = "command",
+           .unit = "",
+           .doc = "whose options or result, such as \"sif eval\"",
+           .names = "command"},
+          &SchemaOptions::command);
+  }
+};
+
+struct SchemaText {
+  std::string schema;
+  std::string reference;  // as Markdown; of the input
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"schema", "", "the JSON Schema, as text"}, &SchemaText::schema);
+  }
+};
+
+SchemaText schema_text(const Request&, const SchemaOptions& options) {
+  if (options.of == SchemaSubject::input) {
+    if (options.command) throw OptionError("command", "needs --of options or --of result");
+    return {input_schema(), input_reference()};
+  }
+  if (!options.command) throw OptionError("command", "must be given with --of options or result");
+  const Command& row = command_named(commands(), *options.command);
+  return options.of == SchemaSubject::options
+             ? SchemaText{options_schema(row), options_reference(row)}
+             : SchemaText{result_schema(row), result_reference(row)};
+}
+
+}  // namespace
+
+Command schema_command() {
+  return command<SchemaOptions, SchemaText>({
+      .name = "schema",
+      .summary = "Print the JSON Schema of the input",
+      .description =
+          "Prints the schema (draft 2020-12) of the input file, which editors use to complete and "
+          "check it, or that of the options or the result of a command; or the same as a "
+          "reference of all fields in Markdown.",
+      .example = "strainwave schema --output strainwave-drive-1.schema.json",
+      .takes = Takes::nothing,
+      .function = schema_text,
+      .documents = {{{.name = "schema", .format = Format::json},
+                     [](const SchemaText& text, const Rendering&) { return text.schema; }},
+                    {{.name = "markdown", .format = Format::markdown},
+                     [](const SchemaText& text, const Rendering&) { return text.reference; }}},
+  });
+}
+
+}  // namespace strainwave

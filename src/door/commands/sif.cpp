@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/door/door.hpp"
+#include "strainwave/materials/material_library.hpp"
+#include "strainwave/model/input/material.hpp"
+#include "strainwave/study/sif_report.hpp"
+
+namespace strainwave {
+namespace {
+
+struct SifListOptions {
+  std::optional<std::string> family;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"family", "", "only plate, tube, bar or gradient"}, &SifListOptions::family);
+  }
+};
+
+constexpr Field kSolutionName{
+    .name = "name", .unit = "", .doc = "of a solution", .positional = true, .names = "solution"};
+
+struct SifShowOptions {
+  std::string name;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(kSolutionName, &SifShowOptions::name);
+  }
+};
+
+constexpr Field kSet{.name = "set",
+                     .unit = "",
+                     .doc = "NAME=VALUE, a field or a load, with its unit; repeatable"};
+
+struct SifEvalOptions {
+  std::string name;
+  std::vector<std::string> set;
+  std::optional<std::string> material;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(kSolutionName, &SifEvalOptions::name);
+    field(kSet, &SifEvalOptions::set);
+    field({.name = "material",
+           .unit = "",
+           .doc = "of the material library; E = 210 GPa, nu = 0.3 if left out",
+           .names = "material"},
+          &SifEvalOptions::material);
+  }
+};
+
+struct SifPlotOptions {
+  std::string name;
+  std::vector<std::string> set;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(kSolutionName, &SifPlotOptions::name);
+    field(kSet, &SifPlotOptions::set);
+  }
+};
+
+struct SifPlot {
+  std::string svg;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"svg", "", "the picture"}, &SifPlot::svg);
+  }
+};
+
+/// Elastic constants and toughness of a steel of the material library.
+sif::CrackMaterial crack_material(const std::optional<std::string>& name) {
+  if (!name) return {};
+  const Material steel = as_material(require_material(*name));
+  const ElasticConstants elastic = elastic_constants(steel);
+  return {.youngs_modulus = elastic.E,
+          .poissons_ratio = elastic.nu,
+          .fracture_toughness = steel.fracture_toughness};
+}
+
+sif::Evaluation evaluated(const Request&, const SifEvalOptions& options) {
+  const sif::Row& row = sif::solution(options.name);
+  return sif::evaluate(row, sif_assignments(row, options.set), crack_material(options.material));
+}
+
+constexpr std::string_view kDescription =
+    "Solutions for cracks in plates, tubes, round bars and stress gradients, each with its modes, "
+    "validity range, accuracy and source. list names them; show prints what one says about "
+    "itself; eval gives geometry factors, stress intensities under the loads that are set, the "
+    "added compliance matrix, and says what is outside the validity range; plot draws the "
+    "geometry factors over the crack size and along the front. Fields and loads are set by name, "
+    "with units; a field left out takes the value that show prints.";
+
+}  // namespace
+
+namespace sif {
+
+ResultEvidence evidence_of(const Evaluation& evaluation) {
+  ResultEvidence evidence;
+  if (!evaluation.converged)
+    evidence.unusable_because = "the integral of the added compliance has not converged";
+  for (const ValidityLimit& limit : evaluation.validity)
+    if (!limit.inside)
+      evidence.notes.push_back(
+          {.code = "sif.extrapolated",
+           .text = "outside " + std::string(limit.text) + ": extrapolated, accuracy unknown",
+           .path = {},
+           .equation = std::string(evaluation.info.equation),
+           .severity = Severity::care,
+           .next_step = "Use a solution whose range contains this crack."});
+  if (evaluation.utilisation && *evaluation.utilisation >= 1)
+    evidence.notes.push_back({.code = "sif.fractures",
+                              .text = "the stress intensity reaches the fracture toughness",
+                              .path = {},
+                              .equation = "FR-20",
+                              .severity = Severity::critical,
+                              .next_step = "Lower the load, or take a tougher material."});
+  evidence.equations.emplace_back(evaluation.info.equation);
+  evidence.accuracies.push_back({.path = std::string(evaluation.info.name),
+                                 .relative_uncertainty = evaluation.info.relative_uncertainty,
+                                 .source = std::string(evaluation.info.accuracy)});
+  evidence.verdict = verdict_of(evidence.unusable_because, evidence.notes);
+  return evidence;
+}
+
+}  // namespace sif
+
+Command sif_list_command() {
+  return command<SifListOptions, SolutionList>({
+      .name = "sif list",
+      .summary = "All solutions of the library",
+      .description = kDescription,
+      .example = "strainwave sif list --family tube",
+      .takes = Takes::nothing,
+      .function =
+          [](const Request&, const SifListOptions& o) {
+            return from_option([&] { return sif_list(o.family.value_or(std::string())); });
+          },
+      .documents =
+          {{{.name = "text"},
+            [](const SolutionList& list, const Rendering&) { return sif_list_text(list); }},
+           {{.name = "markdown", .format = Format::markdown},
+            [](const SolutionList& list, const Rendering&) { return sif_list_markdown(list); }}},
+  });
+}
+
+Command sif_show_command() {
+  return command<SifShowOptions, DescribedSolution>({
+      .name = "sif show",
+      .summary = "What a solution says about itself",
+      .description = kDescription,
+      .example = "strainwave sif show plate-surface",
+      .takes = Takes::nothing,
+      .function = [](const Request&,
+                     const SifShowOptions& o) { return DescribedSolution{&sif::solution(o.name)}; },
+      .documents = {{{.name = "text"},
+                     [](const DescribedSolution& solution, const Rendering&) {
+                       return sif_solution_text(solution);
+                     }}},
+  });
+}
+
+Command sif_eval_command() {
+  return command<SifEvalOptions, sif::Evaluation>({
+      .name = "sif eval",
+      .summary = "Stress intensity, geometry factors, added compliance",
+      .description = kDescription,
+      .example = "strainwave sif eval plate-surface --set 'depth=1 mm' --set 'half_length=2 mm' "
+                 "--set 'tension=200 MPa'",
+      .takes = Takes::nothing,
+      .function = evaluated,
+      .documents = {{{.name = "text"},
+                     [](const sif::Evaluation& evaluation, const Rendering&) {
+                       return sif_evaluation_text(evaluation);
+                     }}},
+  });
+}
+
+Command sif_plot_command() {
+  return command<SifPlotOptions, SifPlot>({
+      .name = "sif plot",
+      .summary = "Geometry factors over the crack size and along its front",
+      .description = kDescription,
+      .example = "strainwave sif plot plate-surface --output plate-surface.svg",
+      .takes = Takes::nothing,
+      .function =
+          [](const Request&, const SifPlotOptions& o) {
+            const sif::Row& row = sif::solution(o.name);
+            return SifPlot{sif_plot(row, sif_assignments(row, o.set))};
+          },
+      .documents = {{{.name = "svg", .format = Format::svg},
+                     [](const SifPlot& plot, const Rendering&) { return plot.svg; }}},
+  });
+}
+
+}  // namespace strainwave

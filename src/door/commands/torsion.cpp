@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/door/door.hpp"
+#include "strainwave/study/torsion_report.hpp"
+
+namespace strainwave {
+namespace {
+
+struct TorsionOptions {
+  bool compare = false;
+  int angles = 0;
+  int draws = 200;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"compare", "", "with the cracks of the file against without"},
+          &TorsionOptions::compare);
+    field({.name = "angles",
+           .unit = "",
+           .doc = "positions of the wave generator for --compare; 0 for every tooth",
+           .range = {.lower = 0, .lower_open = false, .upper = 720, .upper_open = false},
+           .fallback = "0"},
+          &TorsionOptions::angles);
+    field({.name = "draws",
+           .unit = "",
+           .doc = "drives drawn from the file's ranges; 0 for none",
+           .range = {.lower = 0, .lower_open = false, .upper = 100000, .upper_open = false},
+           .fallback = "200"},
+          &TorsionOptions::draws);
+  }
+};
+
+}  // namespace
+
+Command torsion_command() {
+  using Result = TorsionReport;
+  return command<TorsionOptions, Result>({
+      .name = "torsion",
+      .summary = "Torsion curve in the maker's numbers: K1, K2, K3",
+      .description =
+          "Solves the drive as one system, elastic rings on one-sided balls and flanks, and prints "
+          "the twist over the torque for both senses: K1, K2, K3 over the maker's torques, lost "
+          "motion, hysteresis loop of the flank friction, tangent stiffness and what each member "
+          "has of it, forces and contacts. The file must give bearing, flexspline by sections and "
+          "mesh. Ranges in the file are drawn from and give a band. With --compare, the same "
+          "without the cracks, and the changes over a turn of the wave generator.",
+      .example = "strainwave torsion examples/catalogue_size25.toml --plot torsion.svg",
+      .function =
+          [](const Request& request, const TorsionOptions& o) {
+            return torsion_report(
+                request.drive.gear,
+                {.compare = o.compare, .angles = o.angles, .draws = o.draws}, request.progress);
+          },
+      .documents = {{{.name = "text"},
+                     [](const Result& report, const Rendering& to) {
+                       return torsion_text(report, to.drive.gear);
+                     }},
+                    {{.name = "csv", .format = Format::csv},
+                     [](const Result& report, const Rendering&) { return torsion_csv(report); }},
+                    {{.name = "plot",
+                      .format = Format::svg,
+                      .option = "plot",
+                      .doc = "draw the curve as an SVG file"},
+                     [](const Result& report, const Rendering& to) {
+                       return torsion_plot(report, to.drive.gear);
+                     }}},
+  });
+}
+
+}  // namespace strainwave

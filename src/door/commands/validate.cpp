@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/catalogue/validation.hpp"
+#include "strainwave/door/door.hpp"
+#include "strainwave/study/validation_plot.hpp"
+
+namespace strainwave {
+namespace {
+
+struct ValidateOptions {
+  ValidationMode mode = ValidationMode::geometry;
+  std::optional<std::string> factors;
+  bool all_sets = false;
+  int draws = 0;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({.name = "mode",
+           .unit = "",
+           .doc = "geometry, leave-one-size-out or per-row",
+           .fallback = "geometry"},
+          &ValidateOptions::mode);
+    field({.name = "factors",
+           .unit = "",
+           .doc = "other factors to fit, at most three, separated by commas",
+           .names = "factor"},
+          &ValidateOptions::factors);
+    field({"all_sets", "", "with leave-one-size-out: also fit every set of one to three factors"},
+          &ValidateOptions::all_sets);
+    field({.name = "draws",
+           .unit = "",
+           .doc = "drives drawn for the bands; 0 for none",
+           .range = {.lower = 0, .lower_open = false, .upper = 100000, .upper_open = false},
+           .fallback = "0"},
+          &ValidateOptions::draws);
+  }
+};
+
+Validation validated(const Request& request, const ValidateOptions& options) {
+  return from_option([&] {
+    return validate({.mode = options.mode,
+                     .factors = options.factors ? parse_factors(*options.factors)
+                                                : std::vector<Factor>(),
+                     .all_sets = options.all_sets,
+                     .draws = options.draws,
+                     .sizes = {},
+                     .coupled = {}},
+                    request.progress);
+  });
+}
+
+}  // namespace
+
+Command validate_command() {
+  return command<ValidateOptions, Validation>({
+      .name = "validate",
+      .summary = "The torsion curve against the makers' tables",
+      .description =
+          "Predicts every row of the stiffness tables and compares. Mode geometry fits nothing: "
+          "every drive has the typical proportions. Mode leave-one-size-out fits up to three "
+          "factors to all other sizes and predicts the one left out. Mode per-row fits up to three "
+          "factors to each row and shows what the model can follow, not what it predicts. With "
+          "--draws, the proportions are drawn between their limits: the band that a drive of "
+          "unknown geometry has.",
+      .example = "strainwave validate --mode geometry --draws 200 --plot validation.svg",
+      .takes = Takes::nothing,
+      .function = validated,
+      .documents =
+          {{{.name = "text"},
+            [](const Validation& v, const Rendering&) { return validation_text(v); }},
+           {{.name = "csv", .format = Format::csv},
+            [](const Validation& v, const Rendering&) { return validation_csv(v); }},
+           {{.name = "markdown", .format = Format::markdown},
+            [](const Validation& v, const Rendering&) { return validation_markdown(v); }},
+           {{.name = "plot",
+             .format = Format::svg,
+             .option = "plot",
+             .doc = "draw predicted over catalogue as an SVG file"},
+            [](const Validation& v, const Rendering&) { return validation_plot(v); }}},
+  });
+}
+
+}  // namespace strainwave
