@@ -135,6 +135,11 @@ double DirectSolver::operations() const { return mumps_ ? mumps_->id_.rinfog[2] 
 
 int DirectSolver::repeats() const { return mumps_ ? mumps_->repeats_ : 0; }
 
+// Looked up at run time, because which BLAS is there is the system's choice: the names below exist
+// in OpenBLAS only, and a reference to them would tie the program to it.  OpenBLAS chooses its
+// kernels when it is loaded, so for another choice it must be ended and started again; it takes its
+// orders from the environment alone, so the variable is set for that moment.  No other thread runs
+// yet that could read the environment: MpiSession calls this first.
 void prepare_blas() {
   const auto function = [](const char* name) { return dlsym(RTLD_DEFAULT, name); };
   if (!std::getenv("OMP_NUM_THREADS") && !std::getenv("OPENBLAS_NUM_THREADS"))

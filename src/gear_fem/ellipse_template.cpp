@@ -14,6 +14,20 @@ namespace {
 using std::numbers::pi;
 using FlatMap = std::function<PlanPoint(double u, double v)>;
 
+// The box about the crack goes this far beyond its ends along x, in units of its smaller half axis,
+// and this deep, in units of its depth: the cells between rings and box are then about square.
+constexpr double kBoxBeyond = 1.5;
+constexpr double kBoxDepth = 2.5;
+// A box that takes more of the room than this takes all of it: no thin cells remain beside it.
+constexpr double kNearlyAll = 0.7;
+// Half width of the square of rings about the front, in units of the confocal coordinate r: at most
+// this, so that cells remain within the ellipse ...
+constexpr double kWidestSquare = 0.35;
+// ... at most this share of the way to the line between the foci, where the coordinates fold ...
+constexpr double kToFoci = 0.6;
+// ... and at most this share of the way to the box, which leaves half of it to the layers outside.
+constexpr double kToBox = 0.55;
+
 PlanPoint between(const PlanPoint& a, const PlanPoint& b, double u) {
   return {(1 - u) * a[0] + u * b[0], (1 - u) * a[1] + u * b[1]};
 }
@@ -45,19 +59,20 @@ class Drawing {
     const double a = slab.depth;
     const double c = slab.half_length;
     const double room = std::min(slab.x[1], -slab.x[0]);
-    box_x_ = c + 1.5 * std::min(a, c);
-    if (box_x_ > 0.7 * room) box_x_ = room;
-    box_z_ = 2.5 * a;
-    if (box_z_ > 0.7 * slab.thickness) box_z_ = slab.thickness;
-    half_square_ = std::min(0.35, 0.6 * (1 - std::sqrt(std::abs(confocal_.B) / confocal_.A)));
-    // Not beyond 0.55 of the way to the box.  A closed form and no search in steps: sizes next to
-    // each other, which are subtracted from each other, must have like cells.
+    box_x_ = c + kBoxBeyond * std::min(a, c);
+    if (box_x_ > kNearlyAll * room) box_x_ = room;
+    box_z_ = kBoxDepth * a;
+    if (box_z_ > kNearlyAll * slab.thickness) box_z_ = slab.thickness;
+    half_square_ =
+        std::min(kWidestSquare, kToFoci * (1 - std::sqrt(std::abs(confocal_.B) / confocal_.A)));
+    // A closed form and no search in steps: sizes next to each other, which are subtracted from
+    // each other, must have like cells.
     const double AB = confocal_.A * confocal_.B;
     const auto widest = [&](double reach, double sign) {
       return (reach + std::sqrt(reach * reach - sign * 4 * AB)) / (2 * confocal_.A) - 1;
     };
-    half_square_ = std::min(
-        {half_square_, widest(c + 0.55 * (box_x_ - c), 1), widest(a + 0.55 * (box_z_ - a), -1)});
+    half_square_ = std::min({half_square_, widest(c + kToBox * (box_x_ - c), 1),
+                             widest(a + kToBox * (box_z_ - a), -1)});
     scale_y_ = std::sqrt(a * c);
     const double b = half_square_ * scale_y_;
     y_ = graded_lines(-b, slab.y[0], b, slab.growth, slab.longest_y);
@@ -140,7 +155,7 @@ class Drawing {
   }
 
   void add_core() {
-    constexpr double kInner = 0.5;
+    constexpr double kInner = 0.5;  // the square in the middle, in units of the ellipse's axes
     const PlanPoint e = confocal_.axes(1 - half_square_);
     for (int k = 0; k < s_.segments; ++k)
       add_prisms([=, this, from = phi(k), to = phi(k + 1), p0 = on_box(k, kInner, kInner),
@@ -157,6 +172,7 @@ class Drawing {
   }
 
   void add_shell() {
+    // From the rings to the box; the inner layer is the thinner one, for the stress falls off.
     constexpr std::array<double, 3> kLayers{0, 0.4, 1};
     for (std::size_t l = 0; l + 1 < kLayers.size(); ++l)
       for (int k = 0; k < s_.segments; ++k)
@@ -176,7 +192,7 @@ class Drawing {
       for (const double line : graded_lines(box_z_, s_.thickness, box_z_, s_.growth, s_.thickness))
         z.push_back(line);
     std::vector<double> x;
-    const double first = 1.5 * std::min(s_.depth, s_.half_length);
+    const double first = kBoxBeyond * std::min(s_.depth, s_.half_length);
     if (-s_.x[0] > box_x_ * (1 + 1e-12)) {
       x = graded_lines(-box_x_, s_.x[0], first, s_.growth, s_.longest_x);
       std::reverse(x.begin(), x.end());

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/toml_reader.hpp"
-#include "io/toml_scan.hpp"
+#include "strainwave/core/toml_reader.hpp"
+#include "toml_scan.hpp"
 #include "strainwave/io/attachments.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/toml_scan.hpp"
+#include "toml_scan.hpp"
 
 #include <algorithm>
 #include <map>
 
-#include "core/toml_library.hpp"
+#include "strainwave/core/toml_library.hpp"
 #include "strainwave/core/error.hpp"
 
 namespace strainwave {
