@@ -3,10 +3,10 @@
 // numpy and scipy that computes the same numbers, and reports the ratio.
 #include <benchmark/benchmark.h>
 
-#include "strainwave/fracture/annular_crack.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
-#include "strainwave/fracture/surface_crack.hpp"
 #include "strainwave/io/gear_reader.hpp"
+#include "strainwave/sif/member/semi_ellipse.hpp"
+#include "strainwave/sif/member/shaft_annular.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 
 namespace strainwave {
@@ -30,7 +30,7 @@ void three_crack_drive(benchmark::State& state) {
 BENCHMARK(three_crack_drive)->Unit(benchmark::kMicrosecond);
 
 void surface_crack_integral(benchmark::State& state) {
-  const SurfaceCrack<1> crack(
+  const sif::SurfaceCrack<1> crack(
       {.depth = 1e-4, .aspect_ratio = 0.52, .thickness = 0.01, .normal_stress = {1.0}});
   for (auto _ : state)
     benchmark::DoNotOptimize(added_compliance(crack, {.opening = 231e9, .shear = 80e9}));
@@ -39,7 +39,8 @@ BENCHMARK(surface_crack_integral)->Unit(benchmark::kMicrosecond);
 
 void hollow_shaft_integral(benchmark::State& state) {
   for (auto _ : state) {
-    const AnnularCrackHollow crack({.depth = 1e-4, .outer_radius = 0.035, .inner_radius = 0.0225});
+    const sif::AnnularCrackHollow crack(
+        {.depth = 1e-4, .outer_radius = 0.035, .inner_radius = 0.0225});
     benchmark::DoNotOptimize(added_compliance(crack, {.opening = 231e9, .shear = 80e9}));
   }
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "row.hpp"
 #include "strainwave/sif/gradient/contact_edge.hpp"
-#include "strainwave/sif/gradient/edge_crack.hpp"
+#include "strainwave/sif/gradient/gradient_edge.hpp"
+#include "strainwave/sif/gradient/gradient_surface.hpp"
 #include "strainwave/sif/gradient/notch_edge.hpp"
 #include "strainwave/sif/gradient/notch_surface.hpp"
 #include "strainwave/sif/gradient/race_hoop_edge.hpp"
 #include "strainwave/sif/gradient/race_hoop_surface.hpp"
 #include "strainwave/sif/gradient/residual_edge.hpp"
 #include "strainwave/sif/gradient/residual_surface.hpp"
-#include "strainwave/sif/gradient/surface_crack.hpp"
 
 namespace strainwave::sif {
 

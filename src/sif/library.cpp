@@ -10,15 +10,6 @@
 
 namespace strainwave::sif {
 
-template <std::size_t N>
-CrackCompliance<N> compliance_of(const ErasedCrack<N>& crack, const CrackModuli& moduli) {
-  return added_compliance(crack, moduli);
-}
-template CrackCompliance<1> compliance_of(const ErasedCrack<1>&, const CrackModuli&);
-template CrackCompliance<2> compliance_of(const ErasedCrack<2>&, const CrackModuli&);
-template CrackCompliance<3> compliance_of(const ErasedCrack<3>&, const CrackModuli&);
-template CrackCompliance<4> compliance_of(const ErasedCrack<4>&, const CrackModuli&);
-
 double example_value(const Field& field) {
   std::string text(field.example);
   std::erase(text, '"');

@@ -8,12 +8,12 @@
 #include "strainwave/sif/plate/embedded_ellipse.hpp"
 #include "strainwave/sif/plate/inclined_edge.hpp"
 #include "strainwave/sif/plate/pin_forces.hpp"
+#include "strainwave/sif/plate/plate_surface.hpp"
+#include "strainwave/sif/plate/plate_through.hpp"
 #include "strainwave/sif/plate/stacked_periodic.hpp"
 #include "strainwave/sif/plate/strip_centre.hpp"
 #include "strainwave/sif/plate/strip_double_edge.hpp"
 #include "strainwave/sif/plate/strip_edge.hpp"
-#include "strainwave/sif/plate/surface_crack.hpp"
-#include "strainwave/sif/plate/through_crack.hpp"
 
 namespace strainwave::sif {
 

@@ -9,47 +9,12 @@
 #include <vector>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/fracture/erased_crack.hpp"
 #include "strainwave/sif/library.hpp"
 
 // How a solution becomes a row of the library.
 
 namespace strainwave::sif {
-
-/// A crack of N loads behind a fixed type, so that the engine is compiled once for each N.
-template <std::size_t N>
-class ErasedCrack {
- public:
-  static constexpr std::size_t kLoads = N;
-
-  template <SweptCrack Crack>
-  explicit ErasedCrack(const Crack& crack)
-      : size_(crack.size()),
-        front_(crack.front()),
-        intensity_([&crack](double a, double s) { return crack.stress_intensity(a, s); }),
-        area_([&crack](double a, double s) { return crack.swept_area(a, s); }) {}
-
-  [[nodiscard]] double size() const { return size_; }
-  [[nodiscard]] FrontRange front() const { return front_; }
-  [[nodiscard]] UnitStressIntensity<N> stress_intensity(double a, double s) const {
-    return intensity_(a, s);
-  }
-  [[nodiscard]] double swept_area(double a, double s) const { return area_(a, s); }
-
- private:
-  double size_;
-  FrontRange front_;
-  std::function<UnitStressIntensity<N>(double, double)> intensity_;
-  std::function<double(double, double)> area_;
-};
-
-/// The engine, compiled in library.cpp.
-template <std::size_t N>
-[[nodiscard]] CrackCompliance<N> compliance_of(const ErasedCrack<N>& crack,
-                                               const CrackModuli& moduli);
-extern template CrackCompliance<1> compliance_of(const ErasedCrack<1>&, const CrackModuli&);
-extern template CrackCompliance<2> compliance_of(const ErasedCrack<2>&, const CrackModuli&);
-extern template CrackCompliance<3> compliance_of(const ErasedCrack<3>&, const CrackModuli&);
-extern template CrackCompliance<4> compliance_of(const ErasedCrack<4>&, const CrackModuli&);
 
 template <Solution S>
 class CrackOf final : public AnyCrack {

@@ -12,11 +12,12 @@
 #include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/roots.hpp"
 #include "strainwave/core/units.hpp"
-#include "strainwave/fracture/annular_crack.hpp"
+#include "strainwave/drive_cracks/member_loads.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
-#include "strainwave/fracture/surface_crack.hpp"
-#include "strainwave/fracture/through_crack.hpp"
 #include "strainwave/io/result_writer.hpp"
+#include "strainwave/sif/member/semi_ellipse.hpp"
+#include "strainwave/sif/member/shaft_annular.hpp"
+#include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 
@@ -120,8 +121,8 @@ GearSet example(double crack_size, double shaft_crack) {
   wg.contact_semi_axes = {p.a_contact * mm, p.b_contact * mm};
   RaceSurfaceCrack race;
   race.depth = crack_size;
-  race.aspect_ratio =
-      bracketed_root([&](double rho) { return NewmanRaju(rho).shape_parameter() - p.Q; }, 0.1, 1);
+  race.aspect_ratio = bracketed_root(
+      [&](double rho) { return sif::NewmanRaju(rho).shape_parameter() - p.Q; }, 0.1, 1);
   race.contact_factor = p.beta;
   wg.crack = {race};
   gear.wave_generator = wg;
@@ -212,11 +213,11 @@ void add_fracture_mechanics(Rows& rows) {
   const double tau_squared = 1.0;
   const auto G = [&](double area) { return tau_squared * pi * area / (2 * p.delta) / p.E; };
   const double area = 2 * p.delta * p.a;
-  const ThroughCrackInTube crack{.half_length = p.a,
-                                 .mean_radius = p.r_m,
-                                 .wall_thickness = p.delta,
-                                 .angle = pi / 4,
-                                 .shell_correction = false};
+  const sif::ThroughCrackInTube crack{.half_length = p.a,
+                                      .mean_radius = p.r_m,
+                                      .wall_thickness = p.delta,
+                                      .angle = pi / 4,
+                                      .shell_correction = false};
   const double per_torque = article::wall_shear(1, p.r_m, p.delta);
   const double engine =
       added_compliance(crack, {.opening = p.E, .shear = p.mu}).matrix(kTorsion, kTorsion) /
@@ -481,11 +482,11 @@ void add_flexspline(Rows& rows) {
   const double mean_radius = (p.d_1 - p.delta) / 2;
   const double tau = article::wall_shear(p.T, mean_radius, p.delta);
   const auto K = article::wall_stress_intensity(tau, pi / 4, p.a);
-  const ThroughCrackInTube crack{.half_length = p.a,
-                                 .mean_radius = mean_radius,
-                                 .wall_thickness = p.delta,
-                                 .angle = pi / 4,
-                                 .shell_correction = false};
+  const sif::ThroughCrackInTube crack{.half_length = p.a,
+                                      .mean_radius = mean_radius,
+                                      .wall_thickness = p.delta,
+                                      .angle = pi / 4,
+                                      .shell_correction = false};
   const UnitStressIntensity<2> k = crack.stress_intensity(p.a, 0);
   rows.push_back({.id = "C1",
                   .quantity = "K_I of the flexspline crack",
@@ -502,13 +503,14 @@ void add_flexspline(Rows& rows) {
                   .corrected = k.II[kTorsion] / k.I[kTorsion],
                   .verdict = AuditVerdict::physics,
                   .sentence = "at 45 deg to the axis torsion is pure mode I: K_II vanishes"});
-  rows.push_back({.id = "C3",
-                  .quantity = "tau = T/(2 pi r_m^2 delta), r_m = 78.88",
-                  .unit = "MPa",
-                  .own = tau,
-                  .corrected = crack_plane_stress(mean_radius, p.delta, 0, 1).shear[kTorsion] * p.T,
-                  .verdict = AuditVerdict::reproduced,
-                  .sentence = "Bredt's formula"});
+  rows.push_back(
+      {.id = "C3",
+       .quantity = "tau = T/(2 pi r_m^2 delta), r_m = 78.88",
+       .unit = "MPa",
+       .own = tau,
+       .corrected = sif::crack_plane_stress(mean_radius, p.delta, 0, 1).shear[kTorsion] * p.T,
+       .verdict = AuditVerdict::reproduced,
+       .sentence = "Bredt's formula"});
   const double corrected_crack = compliance_in_mm(result.cracks[1].positive.at_output);
   Printed own_radius = p;
   own_radius.r_m = mean_radius;
@@ -584,10 +586,11 @@ void add_flexspline(Rows& rows) {
 }
 
 /// Added compliance over [axial, torsion] of a crack in a solid shaft, in N and mm.
-SymmetricMatrix<2> solid_shaft(double depth, double diameter, AnnularPolynomials polynomials) {
+SymmetricMatrix<2> solid_shaft(double depth, double diameter, sif::AnnularPolynomials polynomials) {
   const Printed p;
   return added_compliance(
-             AnnularCrackSolid{.depth = depth, .diameter = diameter, .polynomials = polynomials},
+             sif::AnnularCrackSolid{
+                 .depth = depth, .diameter = diameter, .polynomials = polynomials},
              {.opening = p.E / (1 - p.nu * p.nu), .shear = p.mu})
       .matrix;
 }
@@ -597,15 +600,15 @@ void add_output_shaft(Rows& rows) {
   const StiffnessResult result = corrected_example(p.a);
   const double x = (p.d_s - 2 * p.a) / p.d_s;
   const auto tada_M_p = [](double ratio) {
-    return std::sqrt(ratio) / 2 * annular_p1(AnnularPolynomials::tada, ratio);
+    return std::sqrt(ratio) / 2 * sif::annular_p1(sif::AnnularPolynomials::tada, ratio);
   };
   const auto tada_M_M = [](double ratio) {
-    return 3 * std::sqrt(ratio) / 8 * annular_p3(AnnularPolynomials::tada, ratio);
+    return 3 * std::sqrt(ratio) / 8 * sif::annular_p3(sif::AnnularPolynomials::tada, ratio);
   };
   article::CrackedShaft with_polynomials = p.shaft();
   with_polynomials.M_p = article::axial_coefficient(x);
   with_polynomials.M_M = article::torsion_coefficient(x);
-  const AnnularCrackSolid improved{.depth = p.a, .diameter = p.d_s};
+  const sif::AnnularCrackSolid improved{.depth = p.a, .diameter = p.d_s};
   rows.push_back({.id = "D1",
                   .quantity = "K_III of the shaft, M_M from its polynomial",
                   .unit = "MPa*mm^0.5",
@@ -638,7 +641,8 @@ void add_output_shaft(Rows& rows) {
                   .sentence =
                       "K_I belongs to the axial force: the torsional compliance has none of "
                       "it, and the two loads are not coupled"});
-  const double solid = solid_shaft(p.a, p.d_s, AnnularPolynomials::improved)(kTorsion, kTorsion);
+  const double solid =
+      solid_shaft(p.a, p.d_s, sif::AnnularPolynomials::improved)(kTorsion, kTorsion);
   rows.push_back(
       {.id = "D5",
        .quantity = "second term (K_III), dA = 2 pi a da",
@@ -723,7 +727,7 @@ void add_output_shaft(Rows& rows) {
                   .reproduce = reproducing("a", "mm", 3.9e-14, 0.01, 10, [&](double a) {
                     return article::shaft_crack_compliance(with(&Printed::a, a).shaft()).total();
                   })});
-  const double doubled = solid_shaft(p.a, 2 * p.d_s, AnnularPolynomials::improved)(1, 1);
+  const double doubled = solid_shaft(p.a, 2 * p.d_s, sif::AnnularPolynomials::improved)(1, 1);
   rows.push_back(
       {.id = "D13",
        .quantity = "exponent n in Delta l_so ~ d_s^n",
@@ -782,7 +786,7 @@ void add_table_and_text(Rows& rows) {
                   .verdict = AuditVerdict::reproduced,
                   .sentence = "that of a semi-ellipse of this aspect ratio",
                   .reproduce = reproducing("a/c", "1", p.Q, 0.1, 1, [](double rho) {
-                    return NewmanRaju(rho).shape_parameter();
+                    return sif::NewmanRaju(rho).shape_parameter();
                   })});
   const Tube tube{.outer_diameter = p.d_1, .inner_diameter = p.d_1 - 2 * p.delta, .length = p.L};
   rows.push_back(

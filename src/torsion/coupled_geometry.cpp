@@ -7,7 +7,8 @@
 #include "coupled_drive.hpp"
 #include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/error.hpp"
-#include "strainwave/fracture/edge_crack.hpp"
+#include "strainwave/drive_cracks/member_loads.hpp"
+#include "strainwave/sif/member/ring_edge.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 
 namespace strainwave {
@@ -45,11 +46,11 @@ double third_power_bending(double E, double width, double thickness, double fact
 /// Rotation of a hinge per unit of moment, c_M: an edge crack in bending.
 double hinge_compliance(double depth, double thickness, double width,
                         const ElasticConstants& steel) {
-  const EdgeCrack crack{.depth = depth,
-                        .thickness = thickness,
-                        .width = width,
-                        .unit_stress = 6 / (width * thickness * thickness),
-                        .loading = StripLoading::bending};
+  const sif::EdgeCrack crack{.depth = depth,
+                             .thickness = thickness,
+                             .width = width,
+                             .unit_stress = 6 / (width * thickness * thickness),
+                             .loading = sif::StripLoading::bending};
   return added_compliance(crack, {.opening = steel.plane_strain_modulus(), .shear = steel.G})
       .matrix(0, 0);  // (TC-22)
 }

@@ -11,9 +11,9 @@
 #include <numbers>
 #include <string>
 
-#include "strainwave/fracture/annular_crack.hpp"
-#include "strainwave/fracture/surface_crack.hpp"
-#include "strainwave/fracture/through_crack.hpp"
+#include "strainwave/sif/member/semi_ellipse.hpp"
+#include "strainwave/sif/member/shaft_annular.hpp"
+#include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
 #include "support/reference_csv.hpp"
@@ -34,7 +34,7 @@ TEST(Judgement, CrosscheckAnnularCracks) {
     const double ratio = row("radius_ratio");
     const double alpha = row("depth_ratio");
     const double nu = row("poissons_ratio");
-    if (ratio > 0 && alpha > AnnularCrackHollow::kMaxDepthRatio + 1e-9) continue;  // refused
+    if (ratio > 0 && alpha > sif::AnnularCrackHollow::kMaxDepthRatio + 1e-9) continue;  // refused
     const double a = alpha * (1 - ratio);
     const double mu = kJudgedE / (2 * (1 + nu));
     const double J = pi / 2 * (1 - std::pow(ratio, 4));
@@ -43,11 +43,11 @@ TEST(Judgement, CrosscheckAnnularCracks) {
     SymmetricMatrix<2> added;
     UnitStressIntensity<2> k;
     if (ratio > 0) {
-      const AnnularCrackHollow crack({.depth = a, .outer_radius = 1, .inner_radius = ratio});
+      const sif::AnnularCrackHollow crack({.depth = a, .outer_radius = 1, .inner_radius = ratio});
       added = added_compliance(crack, moduli).matrix;
       k = crack.stress_intensity(a, 0);
     } else {
-      const AnnularCrackSolid crack{.depth = a, .diameter = 2};
+      const sif::AnnularCrackSolid crack{.depth = a, .diameter = 2};
       added = added_compliance(crack, moduli).matrix;
       k = crack.stress_intensity(a, 0);
     }
@@ -78,7 +78,7 @@ TEST(Judgement, CrosscheckAnnularCracks) {
 }
 
 /// The crack of a row, of a wall with the mean radius 1.
-ThroughCrackInTube through_crack(const test::CsvRow& row) {
+sif::ThroughCrackInTube through_crack(const test::CsvRow& row) {
   const double t = 1 / row("radius_ratio");
   return {.half_length = row("length_ratio") * t,
           .mean_radius = 1,
@@ -88,17 +88,17 @@ ThroughCrackInTube through_crack(const test::CsvRow& row) {
           .thin_sheet = false};
 }
 
-double shell_parameter(const ThroughCrackInTube& crack) {
+double shell_parameter(const sif::ThroughCrackInTube& crack) {
   return std::sqrt(crack.shell_parameter_squared(crack.half_length));
 }
 
 /// Stress at the middle of the wall, T r/J, over Bredt's T/(2 pi r^2 t), mean radius 1.
-double of_middle(const ThroughCrackInTube& crack) {
+double of_middle(const sif::ThroughCrackInTube& crack) {
   return 1 / (1 + std::pow(crack.wall_thickness / 2, 2));
 }
 
 /// Added compliance over that of the flat sheet, a^2/(2 pi E r^4 t).
-double relative_compliance(const ThroughCrackInTube& crack) {
+double relative_compliance(const sif::ThroughCrackInTube& crack) {
   const double t = crack.wall_thickness;
   const double a = crack.half_length;
   return added_compliance(crack, {.opening = kJudgedE, .shear = kJudgedE}).matrix(1, 1) *
@@ -106,14 +106,14 @@ double relative_compliance(const ThroughCrackInTube& crack) {
 }
 
 /// K under unit torque over tau sqrt(pi a).
-std::array<double, 2> relative_intensity(const ThroughCrackInTube& crack, double s) {
+std::array<double, 2> relative_intensity(const sif::ThroughCrackInTube& crack, double s) {
   const UnitStressIntensity<2> k = crack.stress_intensity(crack.half_length, s);
   const double unit = std::sqrt(pi * crack.half_length) / (2 * pi * crack.wall_thickness);
   return {k.I[kTorsion] / unit, k.II[kTorsion] / unit};
 }
 
 /// Energy release rate over that of the flat sheet.
-double relative_release(const ThroughCrackInTube& crack) {
+double relative_release(const sif::ThroughCrackInTube& crack) {
   double sum = 0;  // mean by Simpson's rule: exact, as K is linear in s
   for (const double s : {-1.0, 0.0, 1.0}) {
     const auto [K_I, K_II] = relative_intensity(crack, s);
@@ -142,9 +142,9 @@ TEST(Judgement, CrosscheckThroughCracks) {
   Seen seen;
   for (const test::CsvRow& row : test::read_reference_csv("judgement_through")) {
     if (row.quantity != "C" && row.quantity != "G") continue;
-    const ThroughCrackInTube crack = through_crack(row);
+    const sif::ThroughCrackInTube crack = through_crack(row);
     const double lambda = shell_parameter(crack);
-    if (lambda > ThroughCrackInTube::kMaxShellParameter) continue;  // marked unusable
+    if (lambda > sif::ThroughCrackInTube::kMaxShellParameter) continue;  // marked unusable
     const bool compliance = row.quantity == "C";
     const double ours = compliance ? relative_compliance(crack) : relative_release(crack);
     const Measured measured = measured_of_through_cracks(row, lambda);
@@ -169,8 +169,8 @@ TEST(Judgement, CrosscheckThroughCrackIntensities) {
   Seen seen;
   for (const test::CsvRow& row : test::read_reference_csv("judgement_through")) {
     if (!row.quantity.starts_with("K_")) continue;
-    const ThroughCrackInTube crack = through_crack(row);
-    if (shell_parameter(crack) > ThroughCrackInTube::kMaxShellParameter) continue;
+    const sif::ThroughCrackInTube crack = through_crack(row);
+    if (shell_parameter(crack) > sif::ThroughCrackInTube::kMaxShellParameter) continue;
     const bool inner = row.quantity.ends_with("inner");
     const double s = inner ? -1.0 : row.quantity.ends_with("outer") ? 1.0 : 0.0;
     const auto [K_I, K_II] = relative_intensity(crack, s);
@@ -196,7 +196,7 @@ TEST(Judgement, CrosscheckThroughCrackIntensities) {
 TEST(Judgement, CrosscheckClosedThroughCracks) {
   Seen seen;
   for (const test::CsvRow& row : test::read_reference_csv("judgement_closed")) {
-    ThroughCrackInTube crack = through_crack(row);
+    sif::ThroughCrackInTube crack = through_crack(row);
     crack.open = false;
     const double ours = row.quantity == "C" ? relative_compliance(crack) : relative_release(crack);
     const double measured = row.quantity == "C" ? 0.0085 : 0.0205;  // table of the theory manual
@@ -218,13 +218,13 @@ TEST(Judgement, CrosscheckSurfaceCracks) {
     constexpr double kRatio = 0.3;  // Poisson's
     const double t = 1 / row("radius_ratio");
     const double a = row("depth_ratio") * t;
-    const CrackPlaneStress stress = crack_plane_stress(1, t, row("angle"), 1);
-    const SurfaceCrack<2> crack({.depth = a,
-                                 .aspect_ratio = row("aspect_ratio"),
-                                 .thickness = t,
-                                 .poissons_ratio = kRatio,
-                                 .normal_stress = stress.normal,
-                                 .shear_stress = stress.shear});
+    const sif::CrackPlaneStress stress = sif::crack_plane_stress(1, t, row("angle"), 1);
+    const sif::SurfaceCrack<2> crack({.depth = a,
+                                      .aspect_ratio = row("aspect_ratio"),
+                                      .thickness = t,
+                                      .poissons_ratio = kRatio,
+                                      .normal_stress = stress.normal,
+                                      .shear_stress = stress.shear});
     const double tau = 1 / (2 * pi * t);
     const UnitStressIntensity<2> k = crack.stress_intensity(a, pi / 2);
     const double E_prime = kJudgedE / (1 - kRatio * kRatio);
@@ -255,12 +255,12 @@ TEST(Judgement, CrosscheckSurfaceCracksDeepestPoint) {
   for (const test::CsvRow& row : test::read_reference_csv("judgement_surface_mouth")) {
     const double a = row("depth_ratio");
     const double rho = row("aspect_ratio");
-    const SurfaceCrack<1> crack({.depth = a,
-                                 .aspect_ratio = rho,
-                                 .thickness = 1,
-                                 .poissons_ratio = 0.3,
-                                 .normal_stress = {1.0},
-                                 .shear_stress = {0.0}});
+    const sif::SurfaceCrack<1> crack({.depth = a,
+                                      .aspect_ratio = rho,
+                                      .thickness = 1,
+                                      .poissons_ratio = 0.3,
+                                      .normal_stress = {1.0},
+                                      .shear_stress = {0.0}});
     const double ours = crack.stress_intensity(a, pi / 2).I[0] / std::sqrt(pi * a) *
                         std::comp_ellint_2(std::sqrt(1 - rho * rho));
     const double tolerance = (a > 0.7 ? accuracy::kSurfaceCrackDeep : accuracy::kSurfaceCrack) / 2;

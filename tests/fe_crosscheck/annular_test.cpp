@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "strainwave/fracture/annular_crack.hpp"
-#include "strainwave/fracture/through_crack.hpp"
 #include "strainwave/gear_fem/shaft_section.hpp"
+#include "strainwave/sif/member/shaft_annular.hpp"
+#include "strainwave/sif/member/wall_through.hpp"
 #include "support/reference_csv.hpp"
 
 namespace strainwave {
@@ -45,14 +45,14 @@ TEST(FeAnnular, CrosscheckSolidShaft) {
     const ShaftSection shaft = unit_shaft(0, 1 - row.x);
     const double III = tip(shaft, SectionLoad::torsion).K_III;
     const double I = tip(shaft, SectionLoad::tension).K_I;
-    const auto of = [&](AnnularPolynomials which) {
-      const AnnularCrackSolid crack{.depth = 1 - row.x, .diameter = 2, .polynomials = which};
+    const auto of = [&](sif::AnnularPolynomials which) {
+      const sif::AnnularCrackSolid crack{.depth = 1 - row.x, .diameter = 2, .polynomials = which};
       return crack.stress_intensity(1 - row.x, 0);
     };
-    const auto tada = of(AnnularPolynomials::tada);
+    const auto tada = of(sif::AnnularPolynomials::tada);
     EXPECT_NEAR(III / tada.III[kTorsion], row.III_over_tada, 1.5e-4) << row.x;
     EXPECT_NEAR(I / tada.I[kAxial], row.I_over_tada, 1.5e-4) << row.x;
-    const auto improved = of(AnnularPolynomials::improved);
+    const auto improved = of(sif::AnnularPolynomials::improved);
     EXPECT_NEAR(III / improved.III[kTorsion], 1, 3e-4) << row.x;  // the accuracy it states
     EXPECT_NEAR(I / improved.I[kAxial], 1, 6e-4) << row.x;
   }
@@ -62,7 +62,7 @@ TEST(FeAnnular, CrosscheckHollowShaft) {
   for (const double ratio : {0.3, 0.643, 0.9})
     for (const double alpha : {0.1, 0.4, 0.7}) {
       const double a = alpha * (1 - ratio);
-      const AnnularCrackHollow crack({.depth = a, .outer_radius = 1, .inner_radius = ratio});
+      const sif::AnnularCrackHollow crack({.depth = a, .outer_radius = 1, .inner_radius = ratio});
       const auto k = crack.stress_intensity(a, 0);
       const ShaftSection shaft = unit_shaft(ratio, a);
       EXPECT_NEAR(tip(shaft, SectionLoad::torsion).K_III / k.III[kTorsion], 1, 1e-3)
@@ -104,7 +104,7 @@ TEST(FeAnnular, CrosscheckDeepCrackAndCommittedRow) {
   const auto r = gear_fem::solve_shaft(unit_shaft(0, a), kSteel).torsion;
   EXPECT_TRUE(r.usable) << r.reason;
   const double mu = kSteel.shear_modulus();
-  const AnnularCrackSolid crack{.depth = a, .diameter = 2};
+  const sif::AnnularCrackSolid crack{.depth = a, .diameter = 2};
   const double closed =
       added_compliance(crack, {.opening = kSteel.youngs_modulus, .shear = mu}).matrix(1, 1);
   EXPECT_NEAR(r.added_compliance / closed, 1, 1e-3);

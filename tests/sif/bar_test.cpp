@@ -10,14 +10,14 @@
 
 #include "sif/solution_support.hpp"
 #include "strainwave/core/error.hpp"
-#include "strainwave/fracture/annular_crack.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
-#include "strainwave/fracture/edge_crack.hpp"
-#include "strainwave/sif/bar/annular_crack.hpp"
+#include "strainwave/sif/bar/bar_annular.hpp"
 #include "strainwave/sif/bar/hollow_annular_inner.hpp"
 #include "strainwave/sif/bar/hollow_annular_outer.hpp"
 #include "strainwave/sif/bar/penny_crack.hpp"
 #include "strainwave/sif/library.hpp"
+#include "strainwave/sif/member/ring_edge.hpp"
+#include "strainwave/sif/member/shaft_annular.hpp"
 #include "support/expect.hpp"
 #include "support/reference_csv.hpp"
 
@@ -140,13 +140,13 @@ TEST(BarAnnular, CrosscheckHandbookPolynomial) {
 TEST(BarAnnular, IdentityTwoLoadCracks) {
   for (const double theta : {0.0, 1.0, pi}) {
     const BarAnnularCrack crack = solid(0.3);
-    const AnnularCrackSolid two{.depth = 0.3, .diameter = 2.0};
+    const sif::AnnularCrackSolid two{.depth = 0.3, .diameter = 2.0};
     const auto k = crack.stress_intensity(0.2, theta);
     const auto k2 = two.stress_intensity(0.2, 0.0);
     EXPECT_EQ(k.I[kForce], k2.I[0]);
     EXPECT_EQ(k.III[kTorque], k2.III[1]);
     const HollowAnnularOuterCrack hollow = outer(0.6, 0.5);
-    const AnnularCrackHollow hollow2({.depth = 0.2, .outer_radius = 1.0, .inner_radius = 0.6});
+    const sif::AnnularCrackHollow hollow2({.depth = 0.2, .outer_radius = 1.0, .inner_radius = 0.6});
     const auto h = hollow.stress_intensity(0.1, theta);
     const auto h2 = hollow2.stress_intensity(0.1, 0.0);
     test::expect_relative(h.I[kForce], h2.I[0], 1e-14);
@@ -224,14 +224,15 @@ TEST(HollowAnnular, LimitFreeStrip) {
     test::expect_row(annular_outer_bending(alpha, 1.0), row, 2e-3);
     test::expect_row(annular_inner(alpha, 1.0)[kForce], row, 2e-3);
     test::expect_row(annular_inner(alpha, 1.0)[kMoment], row, 2e-3);
-    test::expect_relative(edge_crack_factor(StripLoading::tension, alpha), row.value, 3e-4);
+    test::expect_relative(sif::edge_crack_factor(sif::StripLoading::tension, alpha), row.value,
+                          3e-4);
   }
   for (const double alpha : {0.3, 0.6}) {
     double previous = 0.0;
     for (const double rho : {0.9, 0.97, 0.99, 0.999}) {
       const double F = annular_inner(alpha, rho)[kForce];
       EXPECT_GT(F, previous) << rho;
-      EXPECT_LT(F, edge_crack_factor(StripLoading::tension, alpha)) << rho;
+      EXPECT_LT(F, sif::edge_crack_factor(sif::StripLoading::tension, alpha)) << rho;
       previous = F;
       // Force and moment pull a thin wall alike; the difference is of its thickness.
       EXPECT_NEAR(annular_inner(alpha, rho)[kMoment] / F, 1.0, 1 - rho) << rho;

@@ -14,15 +14,15 @@
 
 #include "sif/solution_support.hpp"
 #include "strainwave/core/units.hpp"
-#include "strainwave/fracture/edge_crack.hpp"
-#include "strainwave/fracture/surface_crack.hpp"
+#include "strainwave/sif/member/ring_edge.hpp"
+#include "strainwave/sif/member/semi_ellipse.hpp"
 #include "strainwave/sif/newman_raju.hpp"
 #include "strainwave/sif/plate/body_ellipse.hpp"
 #include "strainwave/sif/plate/body_penny.hpp"
 #include "strainwave/sif/plate/corner_crack.hpp"
 #include "strainwave/sif/plate/embedded_ellipse.hpp"
+#include "strainwave/sif/plate/plate_surface.hpp"
 #include "strainwave/sif/plate/strip_factors.hpp"
-#include "strainwave/sif/plate/surface_crack.hpp"
 #include "support/expect.hpp"
 #include "support/reference_csv.hpp"
 
@@ -141,9 +141,9 @@ TEST(PlateSurface, LimitEdgeCrack) {
   const NewmanRajuPlate slit(1e-9);
   for (const double alpha : {0.0, 0.05, 0.1, 0.2}) {
     const double tension = slit.tension(alpha, pi / 2);
-    EXPECT_NEAR(tension / edge_crack_factor(StripLoading::tension, alpha), 1, 0.05);
+    EXPECT_NEAR(tension / sif::edge_crack_factor(sif::StripLoading::tension, alpha), 1, 0.05);
     EXPECT_NEAR(tension * slit.bending_ratio(alpha, pi / 2) /
-                    edge_crack_factor(StripLoading::bending, alpha),
+                    sif::edge_crack_factor(sif::StripLoading::bending, alpha),
                 1, 0.05);
   }
 }
@@ -168,7 +168,7 @@ TEST(PlateSurface, ReferenceWidth) {
 }
 
 TEST(PlateSurface, IdentityShallowBranchIsTheEnginesCrack) {
-  const NewmanRaju fit(0.4);
+  const sif::NewmanRaju fit(0.4);
   const auto k = surface(0.4, 0.3, 1e-9).stress_intensity(1, 0.7).I;
   test::expect_relative(k[0], fit.factor(0.3, 0.7) * std::sqrt(pi), 1e-12);
 }
@@ -220,8 +220,8 @@ TEST(PlateCorner, LimitEdgeCrackAcrossTheWidth) {
   // (SP-16): f_w takes over the edge crack in a strip of width b as the plate is cracked through.
   for (double x = 0.05; x <= 0.5; x += 0.05)
     EXPECT_NEAR(PlateCornerCrack::width_factor(x, 1.0) *
-                    edge_crack_factor(StripLoading::tension, 0) /
-                    edge_crack_factor(StripLoading::tension, x),
+                    sif::edge_crack_factor(sif::StripLoading::tension, 0) /
+                    sif::edge_crack_factor(sif::StripLoading::tension, x),
                 1, 0.01);
   EXPECT_EQ(PlateCornerCrack::width_factor(0, 0.5), 1.0);
   EXPECT_EQ(PlateCornerCrack::width_factor(0.2, 0.25), PlateCornerCrack::width_factor(0.1, 1));
@@ -231,7 +231,7 @@ TEST(PlateCorner, LimitEdgeCrackAcrossTheThickness) {
   // A long shallow crack, at the end of its depth: the fit is stated for a/c >= 0.2.
   for (const double alpha : {0.0, 0.1, 0.2})
     EXPECT_NEAR(PlateCornerCrack::tension(1e-9, alpha, pi / 2) /
-                    edge_crack_factor(StripLoading::tension, alpha),
+                    sif::edge_crack_factor(sif::StripLoading::tension, alpha),
                 1, 0.05);
 }
 

@@ -12,16 +12,16 @@
 #include "sif/solution_support.hpp"
 #include "strainwave/core/quadrature.hpp"
 #include "strainwave/core/units.hpp"
-#include "strainwave/fracture/edge_crack.hpp"
+#include "strainwave/sif/member/ring_edge.hpp"
 #include "strainwave/sif/plate/collinear_periodic.hpp"
 #include "strainwave/sif/plate/collinear_two.hpp"
 #include "strainwave/sif/plate/inclined_edge.hpp"
 #include "strainwave/sif/plate/pin_forces.hpp"
+#include "strainwave/sif/plate/plate_through.hpp"
 #include "strainwave/sif/plate/stacked_periodic.hpp"
 #include "strainwave/sif/plate/strip_centre.hpp"
 #include "strainwave/sif/plate/strip_double_edge.hpp"
 #include "strainwave/sif/plate/strip_edge.hpp"
-#include "strainwave/sif/plate/through_crack.hpp"
 #include "support/expect.hpp"
 #include "support/reference_csv.hpp"
 
@@ -262,7 +262,8 @@ TEST(HalfPlaneEdge, ReferenceIntegralEquation) {
 TEST(HalfPlaneEdge, LimitNormalCrackIsTheShallowStrip) {
   const double root = std::sqrt(pi * mm);
   const auto k = inclined_edge(0).stress_intensity(mm, 0);
-  test::expect_relative(k.I[0], edge_crack_factor(StripLoading::tension, 0) * root, 1e-14);
+  test::expect_relative(k.I[0], sif::edge_crack_factor(sif::StripLoading::tension, 0) * root,
+                        1e-14);
   EXPECT_EQ(k.II[0], 0.0);
   EXPECT_EQ(k.III[0], 0.0);
 }

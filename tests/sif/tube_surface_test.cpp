@@ -8,9 +8,9 @@
 
 #include "sif/solution_support.hpp"
 #include "strainwave/core/units.hpp"
-#include "strainwave/fracture/edge_crack.hpp"
-#include "strainwave/fracture/surface_crack.hpp"
-#include "strainwave/fracture/through_crack.hpp"
+#include "strainwave/sif/member/ring_edge.hpp"
+#include "strainwave/sif/member/semi_ellipse.hpp"
+#include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/sif/newman_raju.hpp"
 #include "strainwave/sif/tube/edge_axial.hpp"
 #include "strainwave/sif/tube/ovalised.hpp"
@@ -76,7 +76,7 @@ TEST(TubeSurfaceAxial, CrosscheckCylinderFactor) {
           const double inner = 1 / ratio;
           const double i2 = inner * inner;
           const double o2 = (inner + 1) * (inner + 1);
-          const double published = 0.97 * NewmanRaju(rho).factor(alpha, phi) *
+          const double published = 0.97 * sif::NewmanRaju(rho).factor(alpha, phi) *
                                    ((o2 + i2) / (o2 - i2) + 1 - 0.5 * std::sqrt(alpha)) *
                                    std::sqrt(pi * alpha * 1e-3);
           const double K = crack_of<TubeSurfaceAxialInner>(alpha * 1e-3, alpha * 1e-3 / rho,
@@ -288,8 +288,8 @@ TEST(TubeSurfaceInclined, IdentityModes) {
   const double beta = 30 * units::deg;
   const double sigma = 1 / (2 * pi * 0.04 * 0.001);
   const double tau = sigma / 0.04;
-  const NewmanRaju opening(0.4);
-  const KassirSih shearing(0.4, 0.3);
+  const sif::NewmanRaju opening(0.4);
+  const sif::KassirSih shearing(0.4, 0.3);
   const double root = std::sqrt(pi * 0.3e-3);
   const TubeSurfaceInclined crack = inclined_surface(beta);
   for (const double phi : {0.0, 0.7, pi / 2}) {
@@ -370,8 +370,8 @@ TEST(TubeEdgeAxial, LimitStrip) {
   const double root = std::sqrt(pi * a);
   const auto inner = edge<TubeEdgeAxialInner>(0.5, 1e4).stress_intensity(a, 0);
   const auto outer = edge<TubeEdgeAxialOuter>(0.5, 1e4).stress_intensity(a, 0);
-  const double tension = edge_crack_factor(StripLoading::tension, 0.5) * root;
-  const double bending = edge_crack_factor(StripLoading::bending, 0.5) * root;
+  const double tension = sif::edge_crack_factor(sif::StripLoading::tension, 0.5) * root;
+  const double bending = sif::edge_crack_factor(sif::StripLoading::bending, 0.5) * root;
   for (const auto& k : {inner, outer}) {
     test::expect_relative(k.I[0], tension * 1e4, 5e-4);
     test::expect_relative(k.I[1], tension, 5e-4);

@@ -9,7 +9,7 @@
 
 #include "sif/solution_support.hpp"
 #include "strainwave/core/units.hpp"
-#include "strainwave/fracture/through_crack.hpp"
+#include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/sif/tube/shell_factors.hpp"
 #include "strainwave/sif/tube/through_axial.hpp"
 #include "strainwave/sif/tube/through_circumferential.hpp"
@@ -51,7 +51,7 @@ TEST(ShellFactors, ReferenceGalerkin) {
   std::map<std::string, int> seen;
   for (const test::CsvRow& row : test::read_reference_csv("shell_crack")) {
     if (row.quantity == "release_finite_elements") continue;
-    const ShellFactors f = shell_factors(row("shell_parameter"), row("angle"));
+    const sif::ShellFactors f = sif::shell_factors(row("shell_parameter"), row("angle"));
     const std::map<std::string, double> ours = {
         {"nn", f.opening_by_normal.mean}, {"bn", -f.opening_by_normal.linear},
         {"tn", f.sliding_by_normal.mean}, {"cn", f.sliding_by_normal.linear},
@@ -71,8 +71,8 @@ TEST(ShellFactors, ReferenceFiniteElementsAtFortyFiveDegrees) {
   int n = 0;
   for (const test::CsvRow& row : test::read_reference_csv("shell_crack")) {
     if (row.quantity != "release_finite_elements") continue;
-    const ShellFactors f = shell_factors(row("shell_parameter"), row("angle"));
-    const auto energy = [](const WallIntensity& k) {
+    const sif::ShellFactors f = sif::shell_factors(row("shell_parameter"), row("angle"));
+    const auto energy = [](const sif::WallIntensity& k) {
       return k.mean * k.mean + k.linear * k.linear / 3;
     };
     const double release = energy(f.opening_by_normal) + energy(f.sliding_by_normal);
@@ -86,11 +86,12 @@ TEST(ShellFactors, LimitShortCrack) {
   // Folias: 1 + (5 cos^2 + sin^2) pi/64 lambda^2, next term lambda^4 ln(lambda).
   for (const double degrees : {0.0, 30.0, 45.0, 75.0, 90.0}) {
     const double lambda = 0.03;
-    const double added = shell_factors(lambda, degrees * units::deg).opening_by_normal.mean - 1;
+    const double added =
+        sif::shell_factors(lambda, degrees * units::deg).opening_by_normal.mean - 1;
     const double c = std::cos(degrees * units::deg);
     EXPECT_NEAR(added / (pi / 64 * (4 * c * c + 1) * lambda * lambda), 1, 0.01) << degrees;
   }
-  const ShellFactors flat = shell_factors(0.0, 0.7);
+  const sif::ShellFactors flat = sif::shell_factors(0.0, 0.7);
   EXPECT_EQ(flat.opening_by_normal.mean, 1.0);
   EXPECT_EQ(flat.sliding_by_shear.mean, 1.0);
   for (const double zero :
@@ -101,8 +102,8 @@ TEST(ShellFactors, LimitShortCrack) {
 
 TEST(ShellFactors, IdentityMirror) {
   // A mirror turns beta into -beta and the shear into its opposite.
-  const ShellFactors f = shell_factors(2.5, 0.6);
-  const ShellFactors g = shell_factors(2.5, -0.6);
+  const sif::ShellFactors f = sif::shell_factors(2.5, 0.6);
+  const sif::ShellFactors g = sif::shell_factors(2.5, -0.6);
   EXPECT_DOUBLE_EQ(f.opening_by_normal.mean, g.opening_by_normal.mean);
   EXPECT_DOUBLE_EQ(f.opening_by_normal.linear, g.opening_by_normal.linear);
   EXPECT_DOUBLE_EQ(f.sliding_by_shear.mean, g.sliding_by_shear.mean);
@@ -113,8 +114,8 @@ TEST(ShellFactors, IdentityMirror) {
   EXPECT_DOUBLE_EQ(f.sliding_by_normal.linear, -g.sliding_by_normal.linear);
   EXPECT_LT(f.sliding_by_normal.mean, -0.05);  // and it is not nothing
   for (const double angle : {0.0, pi / 2}) {
-    EXPECT_EQ(shell_factors(2.5, angle).opening_by_shear.mean, 0.0);
-    EXPECT_EQ(shell_factors(2.5, angle).sliding_by_normal.linear, 0.0);
+    EXPECT_EQ(sif::shell_factors(2.5, angle).opening_by_shear.mean, 0.0);
+    EXPECT_EQ(sif::shell_factors(2.5, angle).sliding_by_normal.linear, 0.0);
   }
 }
 
@@ -124,7 +125,7 @@ TEST(ShellFactors, CrosscheckLongCrackFit) {
   for (const double lambda : {0.5, 1.0, 2.0, 3.5, 5.0, 8.0}) {
     const double x = lambda * lambda / std::sqrt(12 * 0.91);
     const double fit = std::sqrt(1 + 1.255 * x - 0.0135 * x * x);
-    EXPECT_NEAR(shell_factors(lambda, 0.0).opening_by_normal.mean / fit, 1, 0.03) << lambda;
+    EXPECT_NEAR(sif::shell_factors(lambda, 0.0).opening_by_normal.mean / fit, 1, 0.03) << lambda;
   }
 }
 
@@ -134,7 +135,7 @@ TEST(ShellFactors, IdentityWallIsTheFront) {
   EXPECT_EQ(kWallPoints[1].s, -1.0);
   EXPECT_EQ(kWallPoints[2].name, "outer");
   EXPECT_EQ(kWallPoints[2].s, 1.0);
-  const WallIntensity k{.mean = 2.0, .linear = 0.5};
+  const sif::WallIntensity k{.mean = 2.0, .linear = 0.5};
   EXPECT_EQ(k.at(-1.0), 1.5);
   EXPECT_EQ(k.at(1.0), 2.5);
   // Two tips: 2 t of area for each da, whichever way the crack runs.
@@ -149,7 +150,7 @@ TEST(ShellFactors, IdentityWallIsTheFront) {
 
 TEST(ShellFactors, IdentityShellParameter) {
   // SU-1 is the root of FR-8.
-  const ThroughCrackInTube crack{
+  const sif::ThroughCrackInTube crack{
       .half_length = 1.0, .mean_radius = 0.07, .wall_thickness = 0.002, .poissons_ratio = 0.27};
   test::expect_relative(std::pow(shell_parameter(0.008, 0.07, 0.002, 0.27), 2),
                         crack.shell_parameter_squared(0.008), 1e-14);
@@ -161,7 +162,7 @@ TEST(ShellFactors, IdentityShellParameter) {
 TEST(TubeThroughAxial, IdentityLoads) {
   const TubeThroughAxial crack = axial(0.01);
   const auto k = crack.stress_intensity(0.008, 0.5);
-  const ShellFactors f = shell_factors(shell_parameter(0.008, 0.04, 0.001, 0.3), 0.0);
+  const sif::ShellFactors f = sif::shell_factors(shell_parameter(0.008, 0.04, 0.001, 0.3), 0.0);
   const double root = std::sqrt(pi * 0.008);
   test::expect_relative(
       k.I[1], (f.opening_by_normal.mean + 0.5 * f.opening_by_normal.linear) * root, 1e-14);
@@ -196,8 +197,8 @@ TEST(TubeThroughAxial, IdentityLinearPartHoldsAThirdOfItsSquare) {
   const double expected =
       integrate(
           [&](double a) {
-            const WallIntensity k =
-                shell_factors(shell_parameter(a, 0.04, 0.001, 0.3), 0.0).sliding_by_shear;
+            const sif::WallIntensity k =
+                sif::shell_factors(shell_parameter(a, 0.04, 0.001, 0.3), 0.0).sliding_by_shear;
             const double tau = crack.gross_stress(2);
             return 2 / E * tau * tau * pi * a * (k.mean * k.mean + k.linear * k.linear / 3) * 2 *
                    0.001;
@@ -261,8 +262,8 @@ TEST(CircumferentialFactors, IdentityNodesAreNoExceptions) {
     EXPECT_NEAR(at.bending.linear, beside.bending.linear, 1e-7);
     EXPECT_NEAR(at.torque.mean, beside.torque.mean, 1e-7);
   }
-  const auto at = shell_factors(8.0, pi / 2);
-  const auto beside = shell_factors(8.0 - 1e-9, pi / 2 - 1e-9);
+  const auto at = sif::shell_factors(8.0, pi / 2);
+  const auto beside = sif::shell_factors(8.0 - 1e-9, pi / 2 - 1e-9);
   EXPECT_NEAR(at.opening_by_normal.mean, beside.opening_by_normal.mean, 1e-7);
   EXPECT_NEAR(at.sliding_by_shear.linear, beside.sliding_by_shear.linear, 1e-7);
 }
@@ -289,7 +290,7 @@ TEST(CircumferentialFactors, LimitSmallAngle) {
   for (const double alpha : {1e-4, 0.02, 0.1}) {
     const double lambda = shell_parameter(alpha, 1.0, 0.02, 0.3);
     const auto finite = circumferential_factors(alpha, 50.0, lambda);
-    const auto shallow = shell_factors(lambda, pi / 2);
+    const auto shallow = sif::shell_factors(lambda, pi / 2);
     const double tolerance = 0.5 * alpha * alpha + 1e-4;  // and two interpolations
     EXPECT_NEAR(finite.axial.mean, shallow.opening_by_normal.mean, tolerance);
     EXPECT_NEAR(finite.bending.mean, shallow.opening_by_normal.mean, tolerance);
@@ -368,7 +369,7 @@ TEST(TubeThroughInclined, IdentityEqualStressesAreTensionAtEveryAngle) {
   for (const double angle : {-1.2, -0.4, 0.3, 0.8, 1.5}) {
     const TubeThroughInclined crack = inclined_through(0.009, angle);
     const auto k = crack.stress_intensity(0.009, 1.0);
-    const ShellFactors f = shell_factors(shell_parameter(0.009, 0.04, 0.001, 0.3), angle);
+    const sif::ShellFactors f = sif::shell_factors(shell_parameter(0.009, 0.04, 0.001, 0.3), angle);
     const double root = std::sqrt(pi * 0.009);
     const double axial_force = 1 / crack.gross_stress(0);
     const double pressure = 1 / crack.gross_stress(2);
@@ -383,7 +384,8 @@ TEST(TubeThroughInclined, IdentityTorqueOpensPlusFortyFive) {
   const TubeThroughInclined plus = inclined_through(0.01, 45 * units::deg);
   const TubeThroughInclined minus = inclined_through(0.01, -45 * units::deg);
   const auto k = plus.stress_intensity(0.01, 0.6);
-  const ShellFactors f = shell_factors(shell_parameter(0.01, 0.04, 0.001, 0.3), 45 * units::deg);
+  const sif::ShellFactors f =
+      sif::shell_factors(shell_parameter(0.01, 0.04, 0.001, 0.3), 45 * units::deg);
   const double tau = 1 / (2 * pi * 0.04 * 0.04 * 0.001);
   const double root = std::sqrt(pi * 0.01);
   test::expect_relative(k.I[1], tau * f.opening_by_normal.at(0.6) * root, 1e-12);
@@ -402,7 +404,7 @@ TEST(TubeThroughInclined, CrosscheckThroughCrackInTube) {
   const double a = 2.5 / shell_parameter(1.0, 0.04, 0.001, 0.3);
   for (const double angle : {0.4, 45 * units::deg, 1.2})
     for (const double s : {-1.0, 0.3, 1.0}) {
-      const ThroughCrackInTube crack{
+      const sif::ThroughCrackInTube crack{
           .half_length = a, .mean_radius = 0.04, .wall_thickness = 0.001, .angle = angle};
       const auto expected = crack.stress_intensity(a, s);
       const auto k = inclined_through(a, angle).stress_intensity(a, s);

@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "strainwave/fracture/edge_crack.hpp"
+#include "strainwave/sif/member/ring_edge.hpp"
 #include "support/expect.hpp"
 #include "support/reference_csv.hpp"
 
@@ -69,10 +69,10 @@ TEST(EdgeWeight, CrosscheckFiniteElementsOfTheStrip) {
   // table, twice in bending.
   for (double alpha = 0.02; alpha < 0.96; alpha += 0.04) {
     const double tolerance = alpha < 0.91 ? 2.2e-4 : 1e-3;
-    expect_relative(power_factor(alpha, 0), edge_crack_factor(StripLoading::tension, alpha),
-                    tolerance);
+    expect_relative(power_factor(alpha, 0),
+                    sif::edge_crack_factor(sif::StripLoading::tension, alpha), tolerance);
     expect_relative(power_factor(alpha, 0) - 2 * alpha * power_factor(alpha, 1),
-                    edge_crack_factor(StripLoading::bending, alpha), tolerance);
+                    sif::edge_crack_factor(sif::StripLoading::bending, alpha), tolerance);
   }
 }
 

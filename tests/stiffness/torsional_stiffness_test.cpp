@@ -15,8 +15,9 @@
 #include "stiffness/members_support.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/drive_cracks/member_loads.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
-#include "strainwave/fracture/through_crack.hpp"
+#include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
 #include "support/article_gear.hpp"
 #include "support/expect.hpp"
@@ -425,7 +426,7 @@ TEST(TorsionalStiffness, IdentityEnergyReleasedWhileTheCrackGrows) {
        {Case{1, [](double) { return 20 * mm; }, {plane_strain, 80 * GPa}},
         Case{2,
              [](double size) {
-               const ThroughCrackInTube crack{
+               const sif::ThroughCrackInTube crack{
                    .wall_thickness = 2.24 * mm, .shell_correction = false, .thin_sheet = false};
                return 2 * 2.24 * mm * crack.wall_factor(size);  // (FR-21)
              },

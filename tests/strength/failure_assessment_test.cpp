@@ -8,7 +8,7 @@
 #include <string>
 
 #include "strainwave/core/error.hpp"
-#include "strainwave/strength/reference_stress.hpp"
+#include "strainwave/drive_cracks/reference_stress.hpp"
 #include "support/expect.hpp"
 #include "support/reference_csv.hpp"
 #include "support/scaling.hpp"

@@ -16,7 +16,8 @@
 
 #include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/units.hpp"
-#include "strainwave/fracture/edge_crack.hpp"
+#include "strainwave/drive_cracks/member_loads.hpp"
+#include "strainwave/sif/member/ring_edge.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 #include "support/expect.hpp"
@@ -231,11 +232,11 @@ TEST(CoupledMembers, CrosscheckTable) {
       const bool rim = row.quantity.starts_with("rim");
       const double t = in.at(rim ? "rim_thickness" : "outer_race_thickness");
       const double b = in.at(rim ? "face_width" : "race_width");
-      const EdgeCrack crack{.depth = t / 2,
-                            .thickness = t,
-                            .width = b,
-                            .unit_stress = 6 / (b * t * t),
-                            .loading = StripLoading::bending};
+      const sif::EdgeCrack crack{.depth = t / 2,
+                                 .thickness = t,
+                                 .width = b,
+                                 .unit_stress = 6 / (b * t * t),
+                                 .loading = sif::StripLoading::bending};
       expect(added_compliance(crack, {.opening = E / (1 - nu * nu), .shear = E}).matrix(0, 0),
              1e-10);  // tolerance of the quadrature
     }

@@ -20,7 +20,7 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
-#include "strainwave/fracture/edge_crack.hpp"
+#include "strainwave/sif/member/ring_edge.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "support/article_gear.hpp"

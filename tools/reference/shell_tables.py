@@ -1,4 +1,4 @@
-"""Writes src/fracture/shell_table.hpp and src/sif/shell_tables.hpp, which the library interpolates.
+"""Writes src/sif/shell_tables.hpp, which the library interpolates.
 
 Nodes are Chebyshev-Lobatto in u = lambda/(lambda + 3), in cos(2 beta), in alpha and in ln(r/t).
 Tabulated are (nn - 1)/lambda^2, (tt - 1)/lambda^2, bn, bt, tn, nt, cn, ct over lambda^2, those odd in
@@ -76,10 +76,9 @@ def main():
             for k, (f, g) in enumerate(pairs):
                 excess[k, i, j] = (r[f] - s[g]) / a ** (1 if k % 2 else 2)
     source = Path(__file__).resolve().parents[2] / "src"
-    write(source / "fracture" / "shell_table.hpp", "strainwave", [
-        array("kShellTable", (8, 7, 12), shell,
-              "Shallow shell: nn, tn, bn, cn, nt, tt, bt, ct over cos(2 beta) and lambda <= 8.")])
     write(source / "sif" / "shell_tables.hpp", "strainwave::sif", [
+        array("kShellTable", (8, 7, 12), shell,
+              "Shallow shell: nn, tn, bn, cn, nt, tt, bt, ct over cos(2 beta) and lambda <= 8."),
         array("kCircumferentialTable", (4, 16), circumferential,
               "Shallow shell, beta = 90 degrees: nn, bn, tt, ct over lambda <= 24."),
         array("kFiniteAngleTable", (6, 6, 4), excess,

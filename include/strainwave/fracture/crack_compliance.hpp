@@ -64,6 +64,9 @@ struct SymmetricMatrix {
   }
 };
 
+/// Indices of the two generalised loads of a tube or shaft.
+enum Load2 : std::size_t { kAxial = 0, kTorsion = 1 };
+
 /// k_m,i = dK_m/dQ_i: stress intensity factors of modes I, II, III per unit of each of N
 /// generalised loads Q_i, at one point of the front [Pa*m^0.5 per unit of load].
 template <std::size_t N, class Real = double>

@@ -1,12 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "strainwave/fracture/surface_crack.hpp"
+#include "strainwave/core/dual.hpp"
 
 namespace strainwave::sif {
+
+/// Stress intensity of a semi-elliptical surface crack in a plate under tension.
+///
+/// Implements theory manual eq. (FR-4), Newman and Raju's fit of finite elements,
+///
+///     K_I = sigma sqrt(pi a/Q) (M_1 + M_2 alpha^2 + M_3 alpha^4) g f_phi,
+///
+/// for an infinitely wide plate.  Validity 0 < a/c <= 1, 0 <= a/t < 1, 0 <= phi <= pi/2;
+/// accuracy 5 % against the finite elements it was fitted to (a/c >= 0.2, a/t <= 0.8).
+/// Source: newmanraju1981 (secondary).
+template <class Real>
+class BasicNewmanRaju {
+ public:
+  /// @param aspect_ratio  rho = a/c [-]; in (0, 1]
+  explicit BasicNewmanRaju(const Real& aspect_ratio);
+
+  /// K_I / (sigma sqrt(pi a)) [-].
+  /// @param depth_ratio  alpha = a/t [-]
+  /// @param phi          parametric angle from the surface; pi/2 is the deepest point [rad]
+  [[nodiscard]] Real factor(const Real& depth_ratio, double phi) const;
+
+  /// Q, approximates the square of the elliptic integral of the second kind [-]; (FR-5).
+  [[nodiscard]] Real shape_parameter() const { return Q_; }
+
+ private:
+  Real rho_, Q_, root_Q_, M1_, M2_, M3_;
+};
+using NewmanRaju = BasicNewmanRaju<double>;
+
+extern template class BasicNewmanRaju<double>;
+extern template class BasicNewmanRaju<DualReal>;
 
 /// Newman and Raju's surface crack in a plate under tension and bending, shallow and deep.
 ///

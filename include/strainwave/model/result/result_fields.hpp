@@ -84,8 +84,6 @@ void for_each_quantity(const StiffnessResult& result, const F& f) {
     added(path + ".added_compliance.negative", crack.negative);
     if (crack.deepest) intensities(path + ".stress_intensity.deepest", *crack.deepest);
     if (crack.largest) intensities(path + ".stress_intensity.largest", *crack.largest);
-    if (crack.utilisation) f(path + ".utilisation", *crack.utilisation);
-    if (crack.plastic_zone) f(path + ".plastic_zone", *crack.plastic_zone);
     const auto strength = std::ranges::find(result.strength, crack.path, &CrackStrength::path);
     if (strength != result.strength.end()) for_each_strength(*strength, path + ".strength", f);
   }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "strainwave/fracture/annular_crack.hpp"
 #include "strainwave/sif/bar/section.hpp"
 #include "strainwave/sif/bar/tables.hpp"
+#include "strainwave/sif/member/shaft_annular.hpp"
 
 namespace strainwave::sif {
 

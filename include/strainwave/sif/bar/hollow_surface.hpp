@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "strainwave/fracture/surface_crack.hpp"
 #include "strainwave/sif/bar/section.hpp"
+#include "strainwave/sif/member/semi_ellipse.hpp"
 #include "strainwave/sif/newman_raju.hpp"
 
 namespace strainwave::sif {

@@ -5,7 +5,7 @@
 #include <boost/math/special_functions/ellint_2.hpp>
 #include <boost/math/special_functions/ellint_rd.hpp>
 
-#include "strainwave/fracture/surface_crack.hpp"
+#include "strainwave/sif/member/semi_ellipse.hpp"
 #include "strainwave/sif/plate/common.hpp"
 
 namespace strainwave::sif {

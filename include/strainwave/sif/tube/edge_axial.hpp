@@ -2,8 +2,8 @@
 #pragma once
 
 #include "strainwave/core/quadrature.hpp"
-#include "strainwave/fracture/edge_crack.hpp"
-#include "strainwave/sif/tube/surface_crack.hpp"
+#include "strainwave/sif/member/ring_edge.hpp"
+#include "strainwave/sif/tube/tube_surface.hpp"
 
 namespace strainwave::sif {
 

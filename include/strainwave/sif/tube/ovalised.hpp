@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "strainwave/sif/tube/surface_crack.hpp"
+#include "strainwave/sif/tube/tube_surface.hpp"
 
 namespace strainwave::sif {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "strainwave/fracture/surface_crack.hpp"
-#include "strainwave/fracture/through_crack.hpp"
+#include "strainwave/sif/member/semi_ellipse.hpp"
+#include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/sif/solution.hpp"
 
 namespace strainwave::sif {

@@ -66,7 +66,7 @@ struct TubeThroughAxial {
   template <class Rule>
   void check(Rule&& rule) const {
     rule(thickness < 2 * mean_radius, "thickness", thickness, "m", "thickness < 2 mean_radius");
-    rule(shell_parameter(half_length, mean_radius, thickness, poissons_ratio) <= kMaxShellParameter,
+    rule(shell_parameter(half_length, mean_radius, thickness, poissons_ratio) <= kShellTableEnd,
          "half_length", half_length, "m", "shell parameter <= 8, where the table ends");
   }
   template <class Limit>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "strainwave/fracture/through_crack.hpp"
+#include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/sif/tube/shell_factors.hpp"
 
 namespace strainwave::sif {
@@ -77,7 +77,7 @@ struct TubeThroughInclined {
   template <class Rule>
   void check(Rule&& rule) const {
     rule(thickness < 2 * mean_radius, "thickness", thickness, "m", "thickness < 2 mean_radius");
-    rule(shell_parameter(half_length, mean_radius, thickness, poissons_ratio) <= kMaxShellParameter,
+    rule(shell_parameter(half_length, mean_radius, thickness, poissons_ratio) <= kShellTableEnd,
          "half_length", half_length, "m", "shell parameter <= 8, where the table ends");
   }
   template <class Limit>

@@ -7,7 +7,7 @@
 #include "strainwave/core/floater_hormann.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
 
-namespace strainwave {
+namespace strainwave::sif {
 
 /// Polynomials p_1 (mode I) and p_3 (mode III) of the annular crack in a solid shaft.
 enum class AnnularPolynomials {
@@ -37,6 +37,12 @@ struct BasicAnnularCrackSolid {
   AnnularPolynomials polynomials = AnnularPolynomials::improved;
   bool open = true;  ///< false: pressed together by the axial force, K_I = 0 (FR-17)
 
+  /// The same crack with its faces pressed together (FR-17).
+  [[nodiscard]] BasicAnnularCrackSolid pressed() const {
+    BasicAnnularCrackSolid crack = *this;
+    crack.open = false;
+    return crack;
+  }
   [[nodiscard]] Real size() const { return depth; }
   [[nodiscard]] FrontRange front() const { return {}; }
   [[nodiscard]] UnitStressIntensity<2, Real> stress_intensity(const Real& a, double s) const;
@@ -70,6 +76,12 @@ class BasicAnnularCrackHollow {
 
   explicit BasicAnnularCrackHollow(const Parameters& parameters);
 
+  /// The same crack with its faces pressed together (FR-17).
+  [[nodiscard]] BasicAnnularCrackHollow pressed() const {
+    BasicAnnularCrackHollow crack = *this;
+    crack.p_.open = false;
+    return crack;
+  }
   [[nodiscard]] Real size() const { return p_.depth; }
   [[nodiscard]] FrontRange front() const { return {}; }
   [[nodiscard]] UnitStressIntensity<2, Real> stress_intensity(const Real& a, double s) const;
@@ -95,4 +107,4 @@ using AnnularCrackHollow = BasicAnnularCrackHollow<double>;
 extern template class BasicAnnularCrackHollow<double>;
 extern template class BasicAnnularCrackHollow<DualReal>;
 
-}  // namespace strainwave
+}  // namespace strainwave::sif

@@ -5,7 +5,7 @@
 
 #include "strainwave/fracture/crack_compliance.hpp"
 
-namespace strainwave {
+namespace strainwave::sif {
 
 /// How the stress varies over the thickness of a strip.
 enum class StripLoading {
@@ -37,6 +37,12 @@ struct BasicEdgeCrack {
   StripLoading loading = StripLoading::tension;
   bool open = true;  ///< false: the faces touch, K_I = 0 (FR-17)
 
+  /// The same crack with its faces pressed together (FR-17).
+  [[nodiscard]] BasicEdgeCrack pressed() const {
+    BasicEdgeCrack crack = *this;
+    crack.open = false;
+    return crack;
+  }
   [[nodiscard]] Real size() const { return depth; }
   [[nodiscard]] FrontRange front() const { return {}; }
   [[nodiscard]] UnitStressIntensity<1, Real> stress_intensity(const Real& a, double s) const;
@@ -47,4 +53,4 @@ using EdgeCrack = BasicEdgeCrack<double>;
 extern template struct BasicEdgeCrack<double>;
 extern template struct BasicEdgeCrack<DualReal>;
 
-}  // namespace strainwave
+}  // namespace strainwave::sif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/fracture/through_crack.hpp"
+#include "strainwave/sif/member/wall_through.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <string>
 
 #include "strainwave/core/units.hpp"
-#include "strainwave/fracture/shell_factors.hpp"
+#include "strainwave/sif/tube/shell_factors.hpp"
 #include "support/expect.hpp"
 #include "support/reference.hpp"
 #include "support/reference_csv.hpp"
@@ -29,7 +29,7 @@ using test::Arg;
 constexpr double kWall = 2.24 * mm;
 constexpr CrackModuli kPlaneStress{.opening = kE, .shear = test::kG};
 
-ThroughCrackInTube article_crack(double half_length = 1 * mm, double degrees = 45) {
+sif::ThroughCrackInTube article_crack(double half_length = 1 * mm, double degrees = 45) {
   return {.half_length = half_length,
           .mean_radius = 78.88 * mm,
           .wall_thickness = 2.24 * mm,
@@ -37,7 +37,7 @@ ThroughCrackInTube article_crack(double half_length = 1 * mm, double degrees = 4
           .shell_correction = false};
 }
 
-double torsion_entry(const ThroughCrackInTube& crack) {
+double torsion_entry(const sif::ThroughCrackInTube& crack) {
   return added_compliance(crack, kPlaneStress).matrix(kTorsion, kTorsion);
 }
 
@@ -46,7 +46,7 @@ double torsion_entry(const ThroughCrackInTube& crack) {
 
 TEST(CrackPlaneStress, ReferenceBredt) {
   const double T = 100;
-  const CrackPlaneStress at_45 = crack_plane_stress(78.88 * mm, 2.24 * mm, 45 * deg, 1.0);
+  const sif::CrackPlaneStress at_45 = sif::crack_plane_stress(78.88 * mm, 2.24 * mm, 45 * deg, 1.0);
   test::expect_reference(
       at_45.normal[kTorsion] * T / MPa,
       {.value = 1.1419269,
@@ -67,7 +67,7 @@ TEST(CrackPlaneStress, IdentityRotationOfTheStressTensor) {
     for (const double degrees : {-89.0, -60.0, -45.0, -10.0, 0.0, 20.0, 45.0, 70.0, 90.0}) {
       const double along[2] = {std::cos(degrees * deg), -std::sin(degrees * deg)};
       const double normal[2] = {std::sin(degrees * deg), std::cos(degrees * deg)};
-      const CrackPlaneStress stress = crack_plane_stress(r, t, degrees * deg, K_u);
+      const sif::CrackPlaneStress stress = sif::crack_plane_stress(r, t, degrees * deg, K_u);
       for (const std::size_t load : {kAxial, kTorsion}) {
         const double s = load == kAxial ? sigma_z : 0.0;
         const double q = load == kTorsion ? tau : 0.0;
@@ -86,7 +86,7 @@ TEST(CrackPlaneStress, IdentityRotationOfTheStressTensor) {
 
 TEST(CrackPlaneStress, IdentityZerosAreExact) {
   const auto at = [](double degrees) {
-    return crack_plane_stress(0.05, 0.001, degrees * deg, 1.0);
+    return sif::crack_plane_stress(0.05, 0.001, degrees * deg, 1.0);
   };
   // 45 degrees is pure opening under torque, 0 and 90 degrees pure shear; 0 carries no axial force.
   EXPECT_EQ(at(45).shear[kTorsion], 0.0);
@@ -100,21 +100,22 @@ TEST(CrackPlaneStress, IdentityZerosAreExact) {
   EXPECT_LT(at(-45).normal[kTorsion], 0.0);
   // Only what rounding leaves of a zero is dropped.
   const double tiny = 1e-15;
-  EXPECT_NE(crack_plane_stress(0.05, 0.001, tiny, 1.0).normal[kTorsion], 0.0);
-  EXPECT_NE(crack_plane_stress(0.05, 0.001, 1.005 * tiny, 1.0).normal[kTorsion], 0.0);
-  EXPECT_EQ(crack_plane_stress(0.05, 0.001, 0.9e-15, 1.0).normal[kTorsion], 0.0);
+  EXPECT_NE(sif::crack_plane_stress(0.05, 0.001, tiny, 1.0).normal[kTorsion], 0.0);
+  EXPECT_NE(sif::crack_plane_stress(0.05, 0.001, 1.005 * tiny, 1.0).normal[kTorsion], 0.0);
+  EXPECT_EQ(sif::crack_plane_stress(0.05, 0.001, 0.9e-15, 1.0).normal[kTorsion], 0.0);
 }
 
 TEST(CrackPlaneStress, ScalingStressPerLoad) {
   const auto expect = [](std::string_view unit, auto part, std::size_t load) {
     test::expect_dimensionally_consistent(
-        unit, [=](double r, double t) { return (crack_plane_stress(r, t, 0.4, 1.1).*part)[load]; },
+        unit,
+        [=](double r, double t) { return (sif::crack_plane_stress(r, t, 0.4, 1.1).*part)[load]; },
         Arg{0.08, "m"}, Arg{2e-3, "m"});
   };
-  expect("1/m^2", &CrackPlaneStress::normal, kAxial);
-  expect("1/m^3", &CrackPlaneStress::normal, kTorsion);
-  expect("1/m^2", &CrackPlaneStress::shear, kAxial);
-  expect("1/m^3", &CrackPlaneStress::shear, kTorsion);
+  expect("1/m^2", &sif::CrackPlaneStress::normal, kAxial);
+  expect("1/m^3", &sif::CrackPlaneStress::normal, kTorsion);
+  expect("1/m^2", &sif::CrackPlaneStress::shear, kAxial);
+  expect("1/m^3", &sif::CrackPlaneStress::shear, kTorsion);
 }
 
 // --- (FR-7): stress intensity
@@ -157,7 +158,7 @@ TEST(ThroughCrack, IdentityTorsionOfAFlatOpenCrackDoesNotDependOnTheAngle) {
 TEST(ThroughCrack, IdentityClosedMatrix) {
   for (const double degrees : {-70.0, -45.0, 10.0, 45.0, 80.0})
     for (const double K_u : {1.0, 1.3}) {
-      ThroughCrackInTube crack = article_crack(3 * mm, degrees);
+      sif::ThroughCrackInTube crack = article_crack(3 * mm, degrees);
       crack.stress_nonuniformity = K_u;
       const auto matrix = added_compliance(crack, kPlaneStress).matrix;
       const double a = crack.half_length;
@@ -179,12 +180,12 @@ TEST(ThroughCrack, ReferenceTable) {
     const std::string entry = row.quantity.substr(dot + 1);
     ASSERT_EQ(row.quantity.substr(0, dot), "flat");
     const double E = row("youngs_modulus");
-    const ThroughCrackInTube crack{.half_length = row("half_length"),
-                                   .mean_radius = row("mean_radius"),
-                                   .wall_thickness = row("wall_thickness"),
-                                   .angle = row("angle"),
-                                   .poissons_ratio = row("poissons_ratio"),
-                                   .shell_correction = false};
+    const sif::ThroughCrackInTube crack{.half_length = row("half_length"),
+                                        .mean_radius = row("mean_radius"),
+                                        .wall_thickness = row("wall_thickness"),
+                                        .angle = row("angle"),
+                                        .poissons_ratio = row("poissons_ratio"),
+                                        .shell_correction = false};
     const auto matrix = added_compliance(crack, {.opening = E, .shear = 80 * GPa}).matrix;
     const std::size_t i = entry == "torsion" ? kTorsion : kAxial;
     const std::size_t j = entry == "axial" ? kAxial : kTorsion;
@@ -197,7 +198,7 @@ TEST(ThroughCrack, ReferenceTable) {
 
 TEST(ThroughCrack, IdentityGriffith) {
   // A flat crack at 45 degrees is a Griffith crack under tension tau: energy pi tau^2 a^2 t/E.
-  const ThroughCrackInTube crack = article_crack();
+  const sif::ThroughCrackInTube crack = article_crack();
   const double T = 100;
   const double tau = T / (2 * pi * crack.mean_radius * crack.mean_radius * crack.wall_thickness);
   const double energy =
@@ -206,9 +207,9 @@ TEST(ThroughCrack, IdentityGriffith) {
 }
 
 TEST(ThroughCrack, IdentityStressIntensityIsStressTimesRoot) {
-  const ThroughCrackInTube crack = article_crack(2 * mm, 30);
-  const CrackPlaneStress stress =
-      crack_plane_stress(crack.mean_radius, crack.wall_thickness, crack.angle, 1.0);
+  const sif::ThroughCrackInTube crack = article_crack(2 * mm, 30);
+  const sif::CrackPlaneStress stress =
+      sif::crack_plane_stress(crack.mean_radius, crack.wall_thickness, crack.angle, 1.0);
   for (const double a : {0.5 * mm, 2 * mm}) {
     const UnitStressIntensity<2> k = crack.stress_intensity(a, 0);
     for (const std::size_t load : {kAxial, kTorsion}) {
@@ -230,7 +231,7 @@ TEST(ThroughCrack, IdentityAt45DegreesThereIsNoSlidingUnderTorque) {
 }
 
 TEST(ThroughCrack, IdentityClosedFacesOnlySlide) {  // (FR-17)
-  ThroughCrackInTube crack = article_crack();
+  sif::ThroughCrackInTube crack = article_crack();
   crack.open = false;
   for (const bool shell : {false, true}) {
     crack.shell_correction = shell;
@@ -241,10 +242,10 @@ TEST(ThroughCrack, IdentityClosedFacesOnlySlide) {  // (FR-17)
     EXPECT_EQ(closed.I[kAxial], 0.0);
     EXPECT_EQ(closed.I[kTorsion], 0.0);
     // What shears the faces, and not what presses them.
-    const CrackPlaneStress stress =
-        crack_plane_stress(crack.mean_radius, crack.wall_thickness, crack.angle, 1.0);
+    const sif::CrackPlaneStress stress =
+        sif::crack_plane_stress(crack.mean_radius, crack.wall_thickness, crack.angle, 1.0);
     const double f =
-        shell ? shell_factors(std::sqrt(crack.shell_parameter_squared(1 * mm)), crack.angle)
+        shell ? sif::shell_factors(std::sqrt(crack.shell_parameter_squared(1 * mm)), crack.angle)
                     .sliding_by_shear.at(0.5)
               : 1.0;
     for (const std::size_t load : {kAxial, kTorsion})
@@ -268,7 +269,7 @@ TEST(ThroughCrack, ReferenceShellParameter) {
 }
 
 TEST(ThroughCrack, IdentityShellParameterUsesItsPoissonsRatio) {
-  ThroughCrackInTube crack = article_crack();
+  sif::ThroughCrackInTube crack = article_crack();
   crack.poissons_ratio = 0.0;
   test::expect_relative(crack.shell_parameter_squared(2 * mm), std::sqrt(12.0) * 4 / (78.88 * 2.24),
                         1e-14);
@@ -282,7 +283,7 @@ TEST(ThroughCrack, LimitFoliasAxialCircumferentialSphere) {
   // and at 45 degrees their mean 3 pi/64, half of the sphere's 3 pi/32.  At 30 degrees the torque
   // shears the crack too: -(pi/64) sin(2 beta) of that shear.
   const auto slope = [](double degrees) {
-    ThroughCrackInTube crack = article_crack(0.15 * mm, degrees);  // lambda = 0.02
+    sif::ThroughCrackInTube crack = article_crack(0.15 * mm, degrees);  // lambda = 0.02
     const std::size_t load = std::abs(degrees) == 90 ? kAxial : kTorsion;
     const double a = crack.half_length;
     const double flat = crack.stress_intensity(a, 0).I[load];
@@ -296,12 +297,13 @@ TEST(ThroughCrack, LimitFoliasAxialCircumferentialSphere) {
   test::expect_relative(slope(30), (5 * 0.75 + 0.25) * pi / 64 - pi / 64 * std::cos(60 * deg),
                         1e-3);
   // A crack along the generator is sheared alone; what little it is turned opens it.
-  ThroughCrackInTube axial = article_crack(0.15 * mm, 1e-3);
+  sif::ThroughCrackInTube axial = article_crack(0.15 * mm, 1e-3);
   axial.shell_correction = true;
   const double l2 = axial.shell_parameter_squared(axial.half_length);
   const double opened =
       axial.stress_intensity(axial.half_length, 0).I[kTorsion] /
-      crack_plane_stress(axial.mean_radius, axial.wall_thickness, axial.angle, 1).normal[kTorsion] /
+      sif::crack_plane_stress(axial.mean_radius, axial.wall_thickness, axial.angle, 1)
+          .normal[kTorsion] /
       std::sqrt(pi * axial.half_length);
   test::expect_relative((opened - 1) / l2, 5 * pi / 64 - pi / 64, 2e-3);
 }
@@ -314,12 +316,12 @@ TEST(ThroughCrack, ReferenceShellIntegralEquations) {
     const std::string& q = row.quantity;
     if (q.size() != 2) continue;
     const double lambda = row("shell_parameter");
-    ThroughCrackInTube crack = article_crack(1 * mm, row("angle") / deg);
+    sif::ThroughCrackInTube crack = article_crack(1 * mm, row("angle") / deg);
     crack.shell_correction = true;
     crack.half_length = lambda / std::sqrt(crack.shell_parameter_squared(1.0));
     const double a = crack.half_length;
-    const CrackPlaneStress stress =
-        crack_plane_stress(crack.mean_radius, crack.wall_thickness, crack.angle, 1.0);
+    const sif::CrackPlaneStress stress =
+        sif::crack_plane_stress(crack.mean_radius, crack.wall_thickness, crack.angle, 1.0);
     // Two loads give two equations for the factors of normal and shear stress.
     const double det = stress.normal[0] * stress.shear[1] - stress.normal[1] * stress.shear[0];
     const auto factor = [&](double s, bool opening, bool by_normal) {
@@ -346,7 +348,7 @@ TEST(ThroughCrack, ReferenceShellIntegralEquations) {
 TEST(ThroughCrack, IdentityReleaseOfTheShell) {
   // (FR-9): G of the torque, mean over the wall, over that of the flat sheet; and closed faces do
   // not count.
-  ThroughCrackInTube crack = article_crack(8 * mm, 30);
+  sif::ThroughCrackInTube crack = article_crack(8 * mm, 30);
   crack.open = false;
   const double shell = crack.shell_release(8 * mm);
   crack.open = true;
@@ -365,7 +367,7 @@ TEST(ThroughCrack, IdentityReleaseOfTheShell) {
 // ------------------------------------------------------------------------------------
 
 TEST(ThroughCrack, LimitPlaneStrainAndPlaneStress) {
-  ThroughCrackInTube crack = article_crack();
+  sif::ThroughCrackInTube crack = article_crack();
   EXPECT_EQ(crack.wall_factor(1e-9), 1.0);  // not asked for
   crack.thin_sheet = false;
   for (const double nu : {0.0, 0.3, 0.45}) {
@@ -383,7 +385,7 @@ TEST(ThroughCrack, LimitPlaneStrainAndPlaneStress) {
 TEST(ThroughCrack, IdentityThicknessCountsWhereTheWallBulges) {
   // Without Poisson's ratio there is no constraint: (0.05 + 0.54 sin^2 beta) lambda t/r is left.
   for (const double degrees : {0.0, 45.0, 90.0}) {
-    ThroughCrackInTube crack = article_crack(10 * mm, degrees);
+    sif::ThroughCrackInTube crack = article_crack(10 * mm, degrees);
     crack.thin_sheet = false;
     crack.poissons_ratio = 0.0;
     const double lambda = std::sqrt(std::sqrt(12.0) * 100 / (78.88 * 2.24));
@@ -398,7 +400,7 @@ TEST(ThroughCrack, IdentityThicknessCountsWhereTheWallBulges) {
 // Pressed faces, (FR-21): less by 0.75 sin^2(2 beta) lambda t/r; what only slides knows no faces.
 TEST(ThroughCrack, LimitPureSlidingDoesNotDependOnTheFaces) {
   const auto factor = [](double degrees, bool open) {
-    ThroughCrackInTube crack = article_crack(10 * mm, degrees);
+    sif::ThroughCrackInTube crack = article_crack(10 * mm, degrees);
     crack.thin_sheet = false;
     crack.shell_correction = true;
     crack.poissons_ratio = 0.0;
@@ -418,7 +420,7 @@ TEST(ThroughCrack, LimitPureSlidingDoesNotDependOnTheFaces) {
   }
   // The whole compliance in torsion, constraint and factors included.
   for (const double degrees : {0.0, 90.0}) {
-    ThroughCrackInTube crack = article_crack(10 * mm, degrees);
+    sif::ThroughCrackInTube crack = article_crack(10 * mm, degrees);
     crack.thin_sheet = false;
     crack.shell_correction = true;
     const double open = torsion_entry(crack);
@@ -429,7 +431,7 @@ TEST(ThroughCrack, LimitPureSlidingDoesNotDependOnTheFaces) {
 
 TEST(ThroughCrack, IdentityConstraintIsPartOfTheCompliance) {
   // d(lambda)/dA = 2 G with E' of the size reached.
-  ThroughCrackInTube crack = article_crack(1 * mm, 30);
+  sif::ThroughCrackInTube crack = article_crack(1 * mm, 30);
   crack.thin_sheet = false;
   const auto added = [&](double a) {
     crack.half_length = a;
@@ -457,7 +459,7 @@ TEST(ThroughCrack, CrosscheckFiniteElementsShellParameter) {
   // The tolerance is model form: a shallow shell.
   for (const Case& c :
        {Case{0.052, 1.0127, 0.003}, Case{0.207, 1.0582, 0.002}, Case{1.8702359, 1.5069, 0.017}}) {
-    ThroughCrackInTube crack = article_crack();
+    sif::ThroughCrackInTube crack = article_crack();
     crack.shell_correction = true;
     const double a = std::sqrt(c.lambda_squared / crack.shell_parameter_squared(1.0));
     EXPECT_NEAR(crack.shell_release(a) / c.G_over_flat, 1.0, c.tolerance) << c.lambda_squared;
@@ -466,7 +468,7 @@ TEST(ThroughCrack, CrosscheckFiniteElementsShellParameter) {
 
 TEST(ThroughCrack, CrosscheckFiniteElementsLongCrack) {
   // a = 10 mm: C/C0 - 1 = 3.8357e-3 with C0 = 2.867199393e-10 rad/(N*mm).
-  ThroughCrackInTube crack = article_crack(10 * mm);
+  sif::ThroughCrackInTube crack = article_crack(10 * mm);
   crack.shell_correction = true;
   crack.thin_sheet = false;
   const double finite_elements = 3.8357e-3 * 2.867199393e-10 / (N * mm);
@@ -478,7 +480,7 @@ TEST(ThroughCrack, CrosscheckFiniteElementsLongCrack) {
 
 TEST(ThroughCrack, CrosscheckFiniteElementsShortCrackIsInPlaneStrain) {
   // a/t = 0.045: 8.01e-17 rad/(N*mm), 9 % less than in plane stress.
-  ThroughCrackInTube crack = article_crack(0.1 * mm);
+  sif::ThroughCrackInTube crack = article_crack(0.1 * mm);
   const double finite_elements = 8.01e-17 / (N * mm);
   EXPECT_NEAR(torsion_entry(crack) / finite_elements, 1.091, 0.002);
   crack.thin_sheet = false;
@@ -490,7 +492,7 @@ TEST(ThroughCrack, CrosscheckFiniteElementsShortCrackIsInPlaneStrain) {
 
 TEST(ThroughCrack, IdentityIrwin) {
   // dlambda/dA by finite differences of the result = 2 G/Q^2, for both loads and their coupling.
-  ThroughCrackInTube crack = article_crack(3 * mm, 30);
+  sif::ThroughCrackInTube crack = article_crack(3 * mm, 30);
   crack.shell_correction = true;
   const double P = 2000;
   const double T = 80;
@@ -514,7 +516,7 @@ TEST(ThroughCrack, IdentityIrwin) {
 TEST(ThroughCrack, IdentityReciprocity) {
   // The extension per torque and the twist per axial force are the same number: both follow from
   // the energy released under force, torque, and both together.
-  ThroughCrackInTube crack = article_crack(4 * mm, 25);
+  sif::ThroughCrackInTube crack = article_crack(4 * mm, 25);
   crack.shell_correction = true;
   crack.stress_nonuniformity = 1.2;
   const auto energy = [&](double P, double T) {
@@ -544,7 +546,7 @@ TEST(ThroughCrack, ScalingEntriesOfTheMatrix) {
     test::expect_dimensionally_consistent(
         unit,
         [=](double a, double r, double t, double E, double mu) {
-          const ThroughCrackInTube crack{
+          const sif::ThroughCrackInTube crack{
               .half_length = a, .mean_radius = r, .wall_thickness = t, .angle = 0.5};
           return added_compliance(crack, {.opening = E, .shear = mu}).matrix(i, j);
         },
@@ -556,13 +558,14 @@ TEST(ThroughCrack, ScalingEntriesOfTheMatrix) {
   test::expect_dimensionally_consistent(
       "1",
       [](double a, double r, double t) {
-        return ThroughCrackInTube{.mean_radius = r, .wall_thickness = t}.shell_parameter_squared(a);
+        return sif::ThroughCrackInTube{.mean_radius = r, .wall_thickness = t}
+            .shell_parameter_squared(a);
       },
       Arg{3e-3, "m"}, Arg{0.08, "m"}, Arg{2e-3, "m"});
 }
 
 TEST(ThroughCrack, InputDefaults) {
-  const ThroughCrackInTube crack;
+  const sif::ThroughCrackInTube crack;
   EXPECT_EQ(crack.half_length, 0.0);
   EXPECT_EQ(crack.mean_radius, 0.0);
   EXPECT_EQ(crack.wall_thickness, 0.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/fracture/annular_crack.hpp"
+#include "strainwave/sif/member/shaft_annular.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "strainwave/core/units.hpp"
-#include "strainwave/fracture/through_crack.hpp"
+#include "strainwave/sif/member/wall_through.hpp"
 #include "support/expect.hpp"
 #include "support/reference.hpp"
 #include "support/reference_csv.hpp"
@@ -32,24 +32,25 @@ using test::Arg;
 constexpr CrackModuli kSteel{.opening = test::kPlaneStrain, .shear = kG};
 constexpr double kComplianceNmm = 1 / (N * mm);  // [rad/(N*mm)]
 
-constexpr AnnularPolynomials kTada = AnnularPolynomials::tada;
-constexpr AnnularPolynomials kImproved = AnnularPolynomials::improved;
+constexpr sif::AnnularPolynomials kTada = sif::AnnularPolynomials::tada;
+constexpr sif::AnnularPolynomials kImproved = sif::AnnularPolynomials::improved;
 
-AnnularCrackSolid solid(double depth, AnnularPolynomials polynomials = kImproved,
-                        double diameter = 60 * mm) {
+sif::AnnularCrackSolid solid(double depth, sif::AnnularPolynomials polynomials = kImproved,
+                             double diameter = 60 * mm) {
   return {.depth = depth, .diameter = diameter, .polynomials = polynomials};
 }
 
 /// A crack of depth ratio alpha in a shaft of unit outer radius.
-AnnularCrackHollow hollow(double radius_ratio, double depth_ratio) {
-  return AnnularCrackHollow({.depth = depth_ratio * (1 - radius_ratio),
-                             .outer_radius = 1.0,
-                             .inner_radius = radius_ratio});
+sif::AnnularCrackHollow hollow(double radius_ratio, double depth_ratio) {
+  return sif::AnnularCrackHollow({.depth = depth_ratio * (1 - radius_ratio),
+                                  .outer_radius = 1.0,
+                                  .inner_radius = radius_ratio});
 }
 
 /// The article's shaft, 70/45 mm.
-AnnularCrackHollow article_shaft(double depth) {
-  return AnnularCrackHollow({.depth = depth, .outer_radius = 35 * mm, .inner_radius = 22.5 * mm});
+sif::AnnularCrackHollow article_shaft(double depth) {
+  return sif::AnnularCrackHollow(
+      {.depth = depth, .outer_radius = 35 * mm, .inner_radius = 22.5 * mm});
 }
 
 template <class Crack>
@@ -90,22 +91,22 @@ TEST(AnnularPolynomials, ReferenceShallowLimit) {
                            .source = "tada2000 (secondary): sum of the coefficients",
                            .tolerance_is = is};
   };
-  test::expect_reference(annular_p1(kTada, 1) / 2, reference(1.1215, 1e-12, "rounding"));
-  test::expect_reference(annular_p3(kTada, 1) * 3 / 8,
+  test::expect_reference(sif::annular_p1(kTada, 1) / 2, reference(1.1215, 1e-12, "rounding"));
+  test::expect_reference(sif::annular_p3(kTada, 1) * 3 / 8,
                          reference(1.00085156, 5e-9, "nine digits printed"));
   // Edge crack of a half plane: 1.1215 and 1, to the 0.1 % of the fits.
-  EXPECT_NEAR(annular_p1(kImproved, 1) / 2, 1.1215, 1.1215e-3);
-  EXPECT_NEAR(annular_p3(kImproved, 1) * 3 / 8, 1.0, 1e-3);
+  EXPECT_NEAR(sif::annular_p1(kImproved, 1) / 2, 1.1215, 1.1215e-3);
+  EXPECT_NEAR(sif::annular_p3(kImproved, 1) * 3 / 8, 1.0, 1e-3);
 }
 
 TEST(AnnularPolynomials, LimitDeepCrack) {
   // M_p/sqrt(x) -> 1/2, M_M/sqrt(x) -> 3/8, and the exact terms of a neck between half-spaces.
-  for (const AnnularPolynomials which : {kTada, kImproved}) {
-    EXPECT_EQ(annular_p1(which, 0) / 2, 0.5);
-    EXPECT_EQ(annular_p3(which, 0) * 3 / 8, 0.375);
+  for (const sif::AnnularPolynomials which : {kTada, kImproved}) {
+    EXPECT_EQ(sif::annular_p1(which, 0) / 2, 0.5);
+    EXPECT_EQ(sif::annular_p3(which, 0) * 3 / 8, 0.375);
     const double x = 1e-3;
-    EXPECT_NEAR(annular_p1(which, x), 1 + x / 2 + 3 * x * x / 8, 1e-9);
-    EXPECT_NEAR(annular_p3(which, x),
+    EXPECT_NEAR(sif::annular_p1(which, x), 1 + x / 2 + 3 * x * x / 8, 1e-9);
+    EXPECT_NEAR(sif::annular_p3(which, x),
                 1 + x / 2 + 3 * x * x / 8 + 5 * x * x * x / 16 + 35 * std::pow(x, 4) / 128, 1e-14);
   }
 }
@@ -132,10 +133,10 @@ TEST(AnnularPolynomials, IdentityCoefficientsOneByOne) {
   improved3.insert(improved3.end(),
                    {0.97947457, -5.99287797, 13.64034961, -13.31097501, 4.88975796});
   for (const double x : {0.05, 0.4, 0.8, 1.0}) {
-    test::expect_relative(annular_p1(kTada, x), horner(tada1, x), 1e-14);
-    test::expect_relative(annular_p3(kTada, x), horner(tada3, x), 1e-14);
-    test::expect_relative(annular_p1(kImproved, x), horner(improved1, x), 1e-13);
-    test::expect_relative(annular_p3(kImproved, x), horner(improved3, x), 1e-13);
+    test::expect_relative(sif::annular_p1(kTada, x), horner(tada1, x), 1e-14);
+    test::expect_relative(sif::annular_p3(kTada, x), horner(tada3, x), 1e-14);
+    test::expect_relative(sif::annular_p1(kImproved, x), horner(improved1, x), 1e-13);
+    test::expect_relative(sif::annular_p3(kImproved, x), horner(improved3, x), 1e-13);
   }
 }
 
@@ -149,8 +150,9 @@ TEST(AnnularPolynomials, CrosscheckFiniteElementsOfASolidShaft) {
         Case{0.7, 0.9872, 1.0295}, Case{0.9, 0.9824, 1.0245}, Case{0.95, 0.9871, 1.0166},
         Case{0.99, 0.9958, 1.0045}, Case{0.9967, 0.9979, 1.0016}}) {
     // The fit's own accuracy: 0.03 % of K_III, 0.06 % of K_I, and four digits printed.
-    EXPECT_NEAR(annular_p3(kImproved, c.x) / annular_p3(kTada, c.x), c.K_III, 4e-4) << c.x;
-    EXPECT_NEAR(annular_p1(kImproved, c.x) / annular_p1(kTada, c.x), c.K_I, 7e-4) << c.x;
+    EXPECT_NEAR(sif::annular_p3(kImproved, c.x) / sif::annular_p3(kTada, c.x), c.K_III, 4e-4)
+        << c.x;
+    EXPECT_NEAR(sif::annular_p1(kImproved, c.x) / sif::annular_p1(kTada, c.x), c.K_I, 7e-4) << c.x;
   }
 }
 
@@ -161,21 +163,22 @@ TEST(AnnularCrackSolid, ReferenceTable) {
   std::map<std::string, int> seen;
   for (const test::CsvRow& row : test::read_reference_csv("annular_shaft")) {
     const std::size_t dot = row.quantity.find('.');
-    const AnnularPolynomials which = row.quantity.substr(0, dot) == "handbook" ? kTada : kImproved;
+    const sif::AnnularPolynomials which =
+        row.quantity.substr(0, dot) == "handbook" ? kTada : kImproved;
     const std::string quantity = row.quantity.substr(dot + 1);
     ++seen[row.quantity];
     const double x = row("net_diameter_ratio");
     if (quantity == "M_M") {
-      test::expect_row(annular_p3(which, x) * 3 / 8, row, 1e-14);
+      test::expect_row(sif::annular_p3(which, x) * 3 / 8, row, 1e-14);
       continue;
     }
     if (quantity == "M_p") {
-      test::expect_row(annular_p1(which, x) / 2, row, 1e-14);
+      test::expect_row(sif::annular_p1(which, x) / 2, row, 1e-14);
       continue;
     }
     const double d = row("diameter");
     const double nu = row("poissons_ratio");
-    const AnnularCrackSolid crack = solid(d * (1 - x) / 2, which, d);
+    const sif::AnnularCrackSolid crack = solid(d * (1 - x) / 2, which, d);
     const CrackModuli moduli{.opening = row("youngs_modulus") / (1 - nu * nu),
                              .shear = row("shear_modulus")};
     const UnitStressIntensity<2> k = crack.stress_intensity(crack.depth, 0);
@@ -199,7 +202,7 @@ TEST(AnnularCrackSolid, ReferenceTable) {
 
 TEST(AnnularCrackSolid, ReferenceSixtyMillimetres) {
   struct Case {
-    AnnularPolynomials which;
+    sif::AnnularPolynomials which;
     double depth, torsion, axial;  // [mm], [rad/(N*mm)], [mm/N]
   };
   for (const Case& c : {Case{kTada, 0.1, 2.0646479e-14, 4.0305855e-12},
@@ -243,7 +246,7 @@ long double closed_integral(const std::vector<long double>& p, int power, long d
 
 TEST(AnnularCrackSolid, IdentityClosedPolynomials) {
   struct Polynomials {
-    AnnularPolynomials which;
+    sif::AnnularPolynomials which;
     std::vector<long double> p1, p3;
   };
   const std::vector<long double> common = {1.0L, 0.5L, 0.375L, 0.3125L, 0.2734375L};
@@ -298,7 +301,7 @@ TEST(AnnularCrackSolid, IdentityPrintedClosedForm) {
 TEST(AnnularCrackSolid, LimitDeepIsTwoHalfSpaces) {
   // Reissner and Sagoci: phi = 3T/(16 mu r^3) of each half-space; flat punch: u = P/(2 E' r).
   // The next term is of order d_e/d.
-  for (const AnnularPolynomials which : {kTada, kImproved}) {
+  for (const sif::AnnularPolynomials which : {kTada, kImproved}) {
     const double d = 60 * mm;
     const double net = 1e-6 * d;
     const SymmetricMatrix<2> m = matrix(solid((d - net) / 2, which));
@@ -311,9 +314,9 @@ TEST(AnnularCrackSolid, LimitShallowIsAnEdgeCrack) {
   // 128 M_M^2 a^2/(mu d^5) and 16 M_p^2 (1-nu^2) a^2/(E d^3); the next term is of order a/d.
   const double d = 60 * mm;
   const double a = 1e-9 * d;
-  for (const AnnularPolynomials which : {kTada, kImproved}) {
-    const double M_M = annular_p3(which, 1) * 3 / 8;
-    const double M_p = annular_p1(which, 1) / 2;
+  for (const sif::AnnularPolynomials which : {kTada, kImproved}) {
+    const double M_M = sif::annular_p3(which, 1) * 3 / 8;
+    const double M_p = sif::annular_p1(which, 1) / 2;
     const SymmetricMatrix<2> m = matrix(solid(a, which));
     test::expect_relative(m(kTorsion, kTorsion), 128 * M_M * M_M * a * a / (kG * std::pow(d, 5)),
                           1e-7);
@@ -361,7 +364,7 @@ TEST(AnnularCrackSolid, CrosscheckFiniteElementsWholeShaft) {
 }
 
 TEST(AnnularCrackSolid, IdentityFrontIsACircle) {
-  const AnnularCrackSolid crack = solid(2 * mm);
+  const sif::AnnularCrackSolid crack = solid(2 * mm);
   EXPECT_EQ(crack.size(), 2 * mm);
   EXPECT_EQ(crack.front().begin, crack.front().end);
   test::expect_relative(crack.swept_area(5 * mm, 0), pi * 50 * mm, 1e-15);
@@ -372,7 +375,7 @@ TEST(AnnularCrackSolid, IdentityFrontIsACircle) {
 
 TEST(AnnularCrackSolid, IdentityEachLoadHasItsMode) {
   for (const bool open : {true, false}) {
-    AnnularCrackSolid crack = solid(2 * mm);
+    sif::AnnularCrackSolid crack = solid(2 * mm);
     crack.open = open;
     const UnitStressIntensity<2> k = crack.stress_intensity(2 * mm, 0);
     EXPECT_EQ(k.I[kTorsion], 0.0);
@@ -531,7 +534,7 @@ TEST(AnnularCrackHollow, CrosscheckFiniteElementsArticleShaft) {
                         Case{0.5, 3.4335e-13, 1.0087, 1.1350}, Case{1, 1.3789e-12, 1.0200, 1.1548},
                         Case{2, 5.5957e-12, 1.0498, 1.2084}, Case{4, 2.3616e-11, 1.1406, 1.3589},
                         Case{6, 5.8120e-11, 1.2872, 1.5699}, Case{8, 1.1869e-10, 1.5349, 1.8863}}) {
-    const AnnularCrackHollow crack = article_shaft(c.depth * mm);
+    const sif::AnnularCrackHollow crack = article_shaft(c.depth * mm);
     const double root = std::sqrt(pi * crack.size());
     const UnitStressIntensity<2> k = crack.stress_intensity(crack.size(), 0);
     // Five digits printed, and the discretisation of two programs.
@@ -580,8 +583,8 @@ TEST(AnnularCrackHollow, CrosscheckStressIntensityIsTheSlopeOfTheSolution) {
 TEST(AnnularCrackHollow, CrosscheckSolidAsTheLimitOfNoBore) {
   // Two representations of a solid shaft: a table over depth, and polynomials in d_e/d.
   for (const double alpha : {0.02, 0.08, 0.15, 0.3, 0.45, 0.6, 0.75, 0.8}) {
-    const SymmetricMatrix<2> table = matrix(
-        AnnularCrackHollow({.depth = alpha * 30 * mm, .outer_radius = 30 * mm, .inner_radius = 0}));
+    const SymmetricMatrix<2> table = matrix(sif::AnnularCrackHollow(
+        {.depth = alpha * 30 * mm, .outer_radius = 30 * mm, .inner_radius = 0}));
     const SymmetricMatrix<2> fitted = matrix(solid(alpha * 30 * mm));
     // Fits to 2.4e-4 and 5.9e-4 (1.1e-3 for the shallowest); interpolation over the steep end.
     EXPECT_NEAR(table(1, 1) / fitted(1, 1), 1, alpha > 0.7 && alpha < 0.8 ? 5e-3 : 1e-3) << alpha;
@@ -604,7 +607,7 @@ TEST(AnnularCrackHollow, LimitShallow) {
     const double I_p = pi / 2 * (std::pow(ro, 4) - std::pow(ri, 4));
     const double A = pi * (ro * ro - ri * ri);
     const SymmetricMatrix<2> m =
-        matrix(AnnularCrackHollow({.depth = a, .outer_radius = ro, .inner_radius = ri}));
+        matrix(sif::AnnularCrackHollow({.depth = a, .outer_radius = ro, .inner_radius = ri}));
     // Linear in a/t, with a slope of order one.
     test::expect_relative(m(1, 1), pi * pi * std::pow(ro, 3) * a * a / (kG * I_p * I_p), 1e-7);
     test::expect_relative(m(0, 0), 2 / kSteel.opening * std::pow(1.1215 * pi * a / A, 2) * ro,
@@ -639,14 +642,14 @@ TEST(AnnularCrackHollow, IdentityIntegralOfItsOwnStressIntensity) {
   // nodes and between them, to the tolerance of the quadrature.
   for (const double rho : {0.05, 0.55, 0.95})
     for (const double alpha : {0.01, 0.2, 0.37, 0.77}) {
-      const AnnularCrackHollow crack = hollow(rho, alpha);
+      const sif::AnnularCrackHollow crack = hollow(rho, alpha);
       test::expect_relative(torsion_factor_of(rho, alpha), crack.torsion_factor(alpha), 1e-9);
       test::expect_relative(tension_factor_of(rho, alpha), crack.tension_factor(alpha), 1e-9);
     }
 }
 
 TEST(AnnularCrackHollow, IdentityFrontIsACircle) {
-  const AnnularCrackHollow crack = article_shaft(2 * mm);
+  const sif::AnnularCrackHollow crack = article_shaft(2 * mm);
   EXPECT_EQ(crack.size(), 2 * mm);
   EXPECT_EQ(crack.front().begin, crack.front().end);
   test::expect_relative(crack.swept_area(5 * mm, 0), 2 * pi * 30 * mm, 1e-15);
@@ -654,7 +657,7 @@ TEST(AnnularCrackHollow, IdentityFrontIsACircle) {
 
 TEST(AnnularCrackHollow, IdentityEachLoadHasItsMode) {
   for (const bool open : {true, false}) {
-    const AnnularCrackHollow crack(
+    const sif::AnnularCrackHollow crack(
         {.depth = 2 * mm, .outer_radius = 35 * mm, .inner_radius = 22.5 * mm, .open = open});
     const UnitStressIntensity<2> k = crack.stress_intensity(2 * mm, 0);
     EXPECT_EQ(k.I[kTorsion], 0.0);
@@ -684,7 +687,7 @@ TEST(AnnularCrackHollow, RegressionTablesAreUnchanged) {
   double weight = 1.0;
   for (const double rho : {0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 9.0 / 14, 0.7, 0.8, 0.85, 0.9, 0.95})
     for (const double alpha : kDepthRatios) {
-      const AnnularCrackHollow crack = hollow(rho, alpha);
+      const sif::AnnularCrackHollow crack = hollow(rho, alpha);
       torsion += weight * std::log(crack.torsion_factor(alpha));
       tension += weight * std::log(crack.tension_factor(alpha));
       weight = weight < 2 ? weight + 0.17 : 1.0;
@@ -694,8 +697,8 @@ TEST(AnnularCrackHollow, RegressionTablesAreUnchanged) {
 }
 
 TEST(AnnularCrackHollow, IdentityRangesAreThoseOfTheTables) {
-  EXPECT_EQ(AnnularCrackHollow::kMaxDepthRatio, 0.8);
-  EXPECT_EQ(AnnularCrackHollow::kMaxTensionRadiusRatio, 0.95);
+  EXPECT_EQ(sif::AnnularCrackHollow::kMaxDepthRatio, 0.8);
+  EXPECT_EQ(sif::AnnularCrackHollow::kMaxTensionRadiusRatio, 0.95);
 }
 
 // --- both
@@ -732,7 +735,7 @@ TEST(AnnularCrack, ScalingEntriesOfTheMatrix) {
     test::expect_dimensionally_consistent(
         unit,
         [=](double a, double ro, double ri, double E, double mu) {
-          const AnnularCrackHollow crack({.depth = a, .outer_radius = ro, .inner_radius = ri});
+          const sif::AnnularCrackHollow crack({.depth = a, .outer_radius = ro, .inner_radius = ri});
           return matrix(crack, {.opening = E, .shear = mu})(i, i);
         },
         Arg{2e-3, "m"}, Arg{0.035, "m"}, Arg{0.0225, "m"}, Arg{2.3e11, "Pa"}, Arg{8e10, "Pa"});
@@ -742,12 +745,12 @@ TEST(AnnularCrack, ScalingEntriesOfTheMatrix) {
 }
 
 TEST(AnnularCrack, InputDefaults) {
-  const AnnularCrackSolid crack;
+  const sif::AnnularCrackSolid crack;
   EXPECT_EQ(crack.depth, 0.0);
   EXPECT_EQ(crack.diameter, 0.0);
   EXPECT_EQ(crack.polynomials, kImproved);
   EXPECT_TRUE(crack.open);
-  const AnnularCrackHollow::Parameters parameters;
+  const sif::AnnularCrackHollow::Parameters parameters;
   EXPECT_EQ(parameters.depth, 0.0);
   EXPECT_EQ(parameters.outer_radius, 0.0);
   EXPECT_EQ(parameters.inner_radius, 0.0);
@@ -762,7 +765,7 @@ TEST(AnnularCrackHollow, IdentityStressIntensityIsSmoothAcrossTheNodes) {
         const double ro = outer * 1e-3 / 2;
         const double ri = inner * 1e-3 / 2;
         const double a = (outer - inner) * 1e-3 / 2 * tenths / 10;
-        const AnnularCrackHollow crack(
+        const sif::AnnularCrackHollow crack(
             {.depth = a, .outer_radius = ro, .inner_radius = ri, .open = true});
         const auto K = crack.stress_intensity(a, 0);
         for (const double step : {1e-15, 1e-12, 1e-9, 1e-6, 1e-4})

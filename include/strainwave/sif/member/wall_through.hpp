@@ -5,10 +5,7 @@
 
 #include "strainwave/fracture/crack_compliance.hpp"
 
-namespace strainwave {
-
-/// Indices of the two generalised loads of a tube or shaft.
-enum Load2 : std::size_t { kAxial = 0, kTorsion = 1 };
+namespace strainwave::sif {
 
 /// Stress of a thin tube on the plane of an inclined crack, per unit of axial force and torque.
 template <class Real>
@@ -62,6 +59,12 @@ struct BasicThroughCrackInTube {
   bool thin_sheet = true;          ///< plane stress at every size; false: (FR-21)
   bool open = true;                ///< false: the faces touch, K_I = 0 (FR-17)
 
+  /// The same crack with its faces pressed together (FR-17).
+  [[nodiscard]] BasicThroughCrackInTube pressed() const {
+    BasicThroughCrackInTube crack = *this;
+    crack.open = false;
+    return crack;
+  }
   [[nodiscard]] Real size() const { return half_length; }
   [[nodiscard]] FrontRange front() const { return {-1.0, 1.0}; }
   /// K of the sheet through the wall [Pa*m^0.5 per unit of load].
@@ -86,4 +89,4 @@ using ThroughCrackInTube = BasicThroughCrackInTube<double>;
 extern template struct BasicThroughCrackInTube<double>;
 extern template struct BasicThroughCrackInTube<DualReal>;
 
-}  // namespace strainwave
+}  // namespace strainwave::sif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/fracture/edge_crack.hpp"
+#include "strainwave/sif/member/ring_edge.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,16 +34,16 @@ struct Strip {
   [[nodiscard]] UnitStressIntensity<2> stress_intensity(double a, double) const {
     const double area = width * thickness;
     const double root = std::sqrt(pi * a);
-    return {.I = {edge_crack_factor(StripLoading::tension, a / thickness) / area * root,
-                  edge_crack_factor(StripLoading::bending, a / thickness) * 6 / (area * thickness) *
-                      root},
+    return {.I = {sif::edge_crack_factor(sif::StripLoading::tension, a / thickness) / area * root,
+                  sif::edge_crack_factor(sif::StripLoading::bending, a / thickness) * 6 /
+                      (area * thickness) * root},
             .II = {},
             .III = {}};
   }
   [[nodiscard]] double swept_area(double, double) const { return width; }
 };
 
-EdgeCrack ring(double depth, StripLoading loading = StripLoading::tension) {
+sif::EdgeCrack ring(double depth, sif::StripLoading loading = sif::StripLoading::tension) {
   return {.depth = depth,
           .thickness = 10 * mm,
           .width = 20 * mm,
@@ -59,9 +59,9 @@ TEST(EdgeCrackFactor, ReferenceTable) {
   for (const test::CsvRow& row : test::read_reference_csv("edge_crack")) {
     const double alpha = row("depth_ratio");
     if (row.quantity == "F_tension")
-      test::expect_row(edge_crack_factor(StripLoading::tension, alpha), row, 1e-14);
+      test::expect_row(sif::edge_crack_factor(sif::StripLoading::tension, alpha), row, 1e-14);
     else if (row.quantity == "F_bending")
-      test::expect_row(edge_crack_factor(StripLoading::bending, alpha), row, 1e-14);
+      test::expect_row(sif::edge_crack_factor(sif::StripLoading::bending, alpha), row, 1e-14);
     else
       continue;
     ++seen[row.quantity];
@@ -77,9 +77,10 @@ TEST(EdgeCrackFactor, CrosscheckFiniteElements) {
   for (const test::CsvRow& row : test::read_reference_csv("cracked_strip")) {
     const bool tension = row.quantity == "edge.tension";
     if (!tension && row.quantity != "edge.bending") continue;
-    test::expect_relative(edge_crack_factor(tension ? StripLoading::tension : StripLoading::bending,
-                                            row("size_ratio")),
-                          row.value, 2e-4);
+    test::expect_relative(
+        sif::edge_crack_factor(tension ? sif::StripLoading::tension : sif::StripLoading::bending,
+                               row("size_ratio")),
+        row.value, 2e-4);
     ++seen[row.quantity];
   }
   EXPECT_EQ(seen["edge.tension"], 22);
@@ -96,8 +97,9 @@ TEST(EdgeCrackFactor, CrosscheckIntegralEquation) {
   EXPECT_EQ(power.size(), 9U);
   for (const auto& [alpha, P] : power) {
     const double tolerance = alpha <= 0.9 ? 2e-4 : 1e-3;
-    test::expect_relative(edge_crack_factor(StripLoading::tension, alpha), P.at(0), tolerance);
-    test::expect_relative(edge_crack_factor(StripLoading::bending, alpha),
+    test::expect_relative(sif::edge_crack_factor(sif::StripLoading::tension, alpha), P.at(0),
+                          tolerance);
+    test::expect_relative(sif::edge_crack_factor(sif::StripLoading::bending, alpha),
                           P.at(0) - 2 * alpha * P.at(1), tolerance);
   }
 }
@@ -109,9 +111,10 @@ TEST(EdgeCrackFactor, CrosscheckGrossAndSrawley) {
   for (const test::CsvRow& row : test::read_reference_csv("edge_crack")) {
     if (!row.quantity.ends_with("_gross_srawley")) continue;
     const bool tension = row.quantity.starts_with("F_tension");
-    test::expect_relative(edge_crack_factor(tension ? StripLoading::tension : StripLoading::bending,
-                                            row("depth_ratio")),
-                          row.value, 5e-3);
+    test::expect_relative(
+        sif::edge_crack_factor(tension ? sif::StripLoading::tension : sif::StripLoading::bending,
+                               row("depth_ratio")),
+        row.value, 5e-3);
     ++n;
   }
   EXPECT_EQ(n, 16);
@@ -127,8 +130,9 @@ TEST(EdgeCrackFactor, CrosscheckTadaAsRecalled) {
     const double q = 1 - std::sin(u);
     const double tension = root * (0.752 + 2.02 * alpha + 0.37 * std::pow(q, 3));
     const double bending = root * (0.923 + 0.199 * std::pow(q, 4));
-    EXPECT_NEAR(tension / edge_crack_factor(StripLoading::tension, alpha), 1, 0.007) << alpha;
-    const double ratio = bending / edge_crack_factor(StripLoading::bending, alpha);
+    EXPECT_NEAR(tension / sif::edge_crack_factor(sif::StripLoading::tension, alpha), 1, 0.007)
+        << alpha;
+    const double ratio = bending / sif::edge_crack_factor(sif::StripLoading::bending, alpha);
     EXPECT_LT(ratio, 1.002) << alpha;
     lowest = std::min(lowest, ratio);
   }
@@ -137,9 +141,9 @@ TEST(EdgeCrackFactor, CrosscheckTadaAsRecalled) {
 
 TEST(EdgeCrackFactor, LimitHalfPlane) {
   // Koiter's 1.1215222552 of the half plane, in tension and in bending; four decimals are kept.
-  for (const StripLoading loading : {StripLoading::tension, StripLoading::bending}) {
-    EXPECT_NEAR(edge_crack_factor(loading, 0), 1.1215222552, 3e-5);
-    EXPECT_NEAR(edge_crack_factor(loading, 1e-12), 1.1215222552, 3e-5);
+  for (const sif::StripLoading loading : {sif::StripLoading::tension, sif::StripLoading::bending}) {
+    EXPECT_NEAR(sif::edge_crack_factor(loading, 0), 1.1215222552, 3e-5);
+    EXPECT_NEAR(sif::edge_crack_factor(loading, 1e-12), 1.1215222552, 3e-5);
   }
 }
 
@@ -148,14 +152,16 @@ TEST(EdgeCrackFactor, LimitDeepLigament) {
   // that is N t/2 in tension.  Tolerance: the last digit, and the next term of order 1 - alpha.
   const double alpha = 1 - 1e-6;
   const double scale = std::pow(1 - alpha, 1.5) * std::sqrt(pi);
-  EXPECT_NEAR(edge_crack_factor(StripLoading::tension, alpha) * scale / (3.975 / 2), 1, 3e-4);
-  EXPECT_NEAR(edge_crack_factor(StripLoading::bending, alpha) * scale / (3.975 / 6), 1, 3e-4);
+  EXPECT_NEAR(sif::edge_crack_factor(sif::StripLoading::tension, alpha) * scale / (3.975 / 2), 1,
+              3e-4);
+  EXPECT_NEAR(sif::edge_crack_factor(sif::StripLoading::bending, alpha) * scale / (3.975 / 6), 1,
+              3e-4);
 }
 
 TEST(EdgeCrackFactor, IdentityTensionIsMoreSevereThanBending) {
   for (double alpha = 0.05; alpha < 1; alpha += 0.05)
-    EXPECT_GT(edge_crack_factor(StripLoading::tension, alpha),
-              edge_crack_factor(StripLoading::bending, alpha));
+    EXPECT_GT(sif::edge_crack_factor(sif::StripLoading::tension, alpha),
+              sif::edge_crack_factor(sif::StripLoading::bending, alpha));
 }
 
 // --- the crack through the width of a ring
@@ -176,11 +182,12 @@ TEST(EdgeCrack, ReferenceComplianceTable) {
       actual = added_compliance(strip, moduli).matrix(0, 1);
     } else {
       const bool axial = row.quantity.starts_with("axial");
-      const EdgeCrack crack{.depth = a,
-                            .thickness = t,
-                            .width = B,
-                            .unit_stress = axial ? 1 / (B * t) : 6 / (B * t * t),
-                            .loading = axial ? StripLoading::tension : StripLoading::bending};
+      const sif::EdgeCrack crack{
+          .depth = a,
+          .thickness = t,
+          .width = B,
+          .unit_stress = axial ? 1 / (B * t) : 6 / (B * t * t),
+          .loading = axial ? sif::StripLoading::tension : sif::StripLoading::bending};
       actual = added_compliance(crack, moduli).matrix(0, 0);
     }
     // Of the same polynomials: tolerance of the engine.  Of the finite elements' factors, without
@@ -196,10 +203,11 @@ TEST(EdgeCrack, ReferenceComplianceTable) {
 }
 
 TEST(EdgeCrack, IdentityStressIntensity) {
-  const EdgeCrack crack = ring(4 * mm, StripLoading::bending);
+  const sif::EdgeCrack crack = ring(4 * mm, sif::StripLoading::bending);
   test::expect_relative(
       crack.stress_intensity(3 * mm, 0).I[0],
-      edge_crack_factor(StripLoading::bending, 0.3) * 3e3 * std::sqrt(pi * 3 * mm), 1e-15);
+      sif::edge_crack_factor(sif::StripLoading::bending, 0.3) * 3e3 * std::sqrt(pi * 3 * mm),
+      1e-15);
   EXPECT_EQ(crack.stress_intensity(3 * mm, 0).II[0], 0.0);
   EXPECT_EQ(crack.stress_intensity(3 * mm, 0).III[0], 0.0);
   EXPECT_EQ(crack.size(), 4 * mm);
@@ -208,7 +216,7 @@ TEST(EdgeCrack, IdentityStressIntensity) {
 }
 
 TEST(EdgeCrack, IdentityClosedFacesAddNothing) {  // (FR-17)
-  EdgeCrack crack = ring(4 * mm);
+  sif::EdgeCrack crack = ring(4 * mm);
   crack.open = false;
   EXPECT_EQ(crack.stress_intensity(4 * mm, 0).I[0], 0.0);
   EXPECT_EQ(added_compliance(crack, {.opening = 1.0, .shear = 1.0}).matrix(0, 0), 0.0);
@@ -218,18 +226,18 @@ TEST(EdgeCrack, LimitShallowIsAQuarterOfASquare) {
   // lambda -> (2/E') B (1.1215 s)^2 pi a^2/2; the first correction is linear in a/t.
   const CrackModuli moduli{.opening = 7.0, .shear = 1.0};
   for (const double alpha : {1e-6, 1e-3}) {
-    const EdgeCrack crack = ring(alpha * 10 * mm);
+    const sif::EdgeCrack crack = ring(alpha * 10 * mm);
     const double limit = pi / 7 * crack.width * std::pow(1.1215 * 3e3 * crack.depth, 2);
     EXPECT_NEAR(added_compliance(crack, moduli).matrix(0, 0) / limit, 1, 3 * alpha);
   }
 }
 
 TEST(EdgeCrack, ScalingComplianceOfARing) {
-  for (const StripLoading loading : {StripLoading::tension, StripLoading::bending})
+  for (const sif::StripLoading loading : {sif::StripLoading::tension, sif::StripLoading::bending})
     test::expect_dimensionally_consistent(
         "m/N",
         [=](double a, double t, double B, double stress, double E) {
-          const EdgeCrack crack{
+          const sif::EdgeCrack crack{
               .depth = a, .thickness = t, .width = B, .unit_stress = stress, .loading = loading};
           return added_compliance(crack, {.opening = E, .shear = E}).matrix(0, 0);
         },
@@ -237,12 +245,12 @@ TEST(EdgeCrack, ScalingComplianceOfARing) {
 }
 
 TEST(EdgeCrack, InputDefaults) {
-  const EdgeCrack crack;
+  const sif::EdgeCrack crack;
   EXPECT_EQ(crack.depth, 0.0);
   EXPECT_EQ(crack.thickness, 0.0);
   EXPECT_EQ(crack.width, 0.0);
   EXPECT_EQ(crack.unit_stress, 0.0);
-  EXPECT_EQ(crack.loading, StripLoading::tension);
+  EXPECT_EQ(crack.loading, sif::StripLoading::tension);
   EXPECT_TRUE(crack.open);
 }
 

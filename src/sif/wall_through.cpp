@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/fracture/through_crack.hpp"
+#include "strainwave/sif/member/wall_through.hpp"
 
 #include <cmath>
 #include <numbers>
 
-#include "strainwave/fracture/shell_factors.hpp"
+#include "strainwave/sif/tube/shell_factors.hpp"
 
-namespace strainwave {
-
-using std::numbers::pi;
+namespace strainwave::sif {
 
 namespace {
+
+using std::numbers::pi;
 
 /// 45 and 90 degrees have no exact value in radians; what rounding leaves of a zero is a zero.
 double without_rounding_noise(double x) { return std::abs(x) < 1e-15 ? 0.0 : x; }
@@ -140,4 +140,4 @@ Real BasicThroughCrackInTube<Real>::shell_release(const Real& a) const {
 template struct BasicThroughCrackInTube<double>;
 template struct BasicThroughCrackInTube<DualReal>;
 
-}  // namespace strainwave
+}  // namespace strainwave::sif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/fracture/edge_crack.hpp"
+#include "strainwave/sif/member/ring_edge.hpp"
 
 #include <array>
 #include <cmath>
@@ -7,11 +7,11 @@
 
 #include "strainwave/core/polynomial.hpp"
 
-namespace strainwave {
-
-using std::numbers::pi;
+namespace strainwave::sif {
 
 namespace {
+
+using std::numbers::pi;
 
 // Fitted to plane finite elements, tools/reference/cracked_strip.py.  The first coefficient is the
 // half plane's, the sum of all the deep ligament's.
@@ -45,4 +45,4 @@ UnitStressIntensity<1, Real> BasicEdgeCrack<Real>::stress_intensity(const Real& 
 template struct BasicEdgeCrack<double>;
 template struct BasicEdgeCrack<DualReal>;
 
-}  // namespace strainwave
+}  // namespace strainwave::sif

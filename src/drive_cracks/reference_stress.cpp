@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/strength/reference_stress.hpp"
+#include "strainwave/drive_cracks/reference_stress.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,64 +7,10 @@
 #include <numbers>
 
 #include "strainwave/fracture/crack_compliance.hpp"
+#include "strainwave/sif/kassir_sih.hpp"
+#include "strainwave/sif/newman_raju.hpp"
 
-namespace strainwave {
-
-/// Stress intensity of a semi-elliptical surface crack in a plate under tension.
-///
-/// Implements theory manual eq. (FR-4), Newman and Raju's fit of finite elements,
-///
-///     K_I = sigma sqrt(pi a/Q) (M_1 + M_2 alpha^2 + M_3 alpha^4) g f_phi,
-///
-/// for an infinitely wide plate.  Validity 0 < a/c <= 1, 0 <= a/t < 1, 0 <= phi <= pi/2;
-/// accuracy 5 % against the finite elements it was fitted to (a/c >= 0.2, a/t <= 0.8).
-/// Source: newmanraju1981 (secondary).
-template <class Real>
-class BasicNewmanRaju {
- public:
-  /// @param aspect_ratio  rho = a/c [-]; in (0, 1]
-  explicit BasicNewmanRaju(const Real& aspect_ratio);
-
-  /// K_I / (sigma sqrt(pi a)) [-].
-  /// @param depth_ratio  alpha = a/t [-]
-  /// @param phi          parametric angle from the surface; pi/2 is the deepest point [rad]
-  [[nodiscard]] Real factor(const Real& depth_ratio, double phi) const;
-
-  /// Q, approximates the square of the elliptic integral of the second kind [-]; (FR-5).
-  [[nodiscard]] Real shape_parameter() const { return Q_; }
-
- private:
-  Real rho_, Q_, root_Q_, M1_, M2_, M3_;
-};
-using NewmanRaju = BasicNewmanRaju<double>;
-
-extern template class BasicNewmanRaju<double>;
-extern template class BasicNewmanRaju<DualReal>;
-
-/// Stress intensity of an elliptical crack in an infinite body, sheared along its major axis.
-///
-/// Implements theory manual eq. (FR-10), exact (Kassir and Sih).  Taken for the surface crack of
-/// the same shape, it leaves the free surface out: an estimate of K_II and K_III to 10 %.
-/// Source: kassirsih1966 (secondary).
-template <class Real>
-class BasicKassirSih {
- public:
-  /// @param aspect_ratio    rho = minor/major semi-axis [-]; in (0, 1]
-  /// @param poissons_ratio  nu [-]; in (-1, 0.5)
-  BasicKassirSih(const Real& aspect_ratio, const Real& poissons_ratio);
-
-  /// K_II / (tau sqrt(pi a)), a the minor semi-axis [-].
-  [[nodiscard]] Real factor_II(double phi) const;
-  /// K_III / (tau sqrt(pi a)) [-].
-  [[nodiscard]] Real factor_III(double phi) const;
-
- private:
-  Real rho_, nu_, B_;
-};
-using KassirSih = BasicKassirSih<double>;
-
-extern template class BasicKassirSih<double>;
-extern template class BasicKassirSih<DualReal>;
+namespace strainwave::sif {
 
 /// Semi-elliptical surface crack under N generalised loads, growing at a constant aspect ratio.
 ///
@@ -91,6 +37,20 @@ class SurfaceCrack {
     for (const Real& tau : p_.shear_stress) sheared_ = sheared_ || !is_nothing(tau);
   }
 
+  /// The same crack with its faces pressed together (FR-17).
+  [[nodiscard]] SurfaceCrack pressed() const {
+    SurfaceCrack crack = *this;
+    crack.p_.open = false;
+    return crack;
+  }
+  /// The same crack with another shape.
+  /// @param aspect_ratio  rho = a/c [-]; in (0, 1]
+  [[nodiscard]] SurfaceCrack with_aspect_ratio(const Real& aspect_ratio) const {
+    Parameters parameters = p_;
+    parameters.aspect_ratio = aspect_ratio;
+    return SurfaceCrack(parameters);
+  }
+  [[nodiscard]] Real aspect_ratio() const { return p_.aspect_ratio; }
   [[nodiscard]] Real size() const { return p_.depth; }
   [[nodiscard]] FrontRange front() const { return {0.0, std::numbers::pi / 2}; }
   /// dA = c da dphi on each half of the front [m]; (FR-3).
@@ -118,4 +78,4 @@ class SurfaceCrack {
   bool sheared_ = false;
 };
 
-}  // namespace strainwave
+}  // namespace strainwave::sif

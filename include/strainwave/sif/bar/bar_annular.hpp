@@ -2,8 +2,8 @@
 #pragma once
 
 #include "strainwave/core/polynomial.hpp"
-#include "strainwave/fracture/annular_crack.hpp"
 #include "strainwave/sif/bar/section.hpp"
+#include "strainwave/sif/member/shaft_annular.hpp"
 
 namespace strainwave::sif {
 

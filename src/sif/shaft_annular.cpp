@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/fracture/annular_crack.hpp"
+#include "strainwave/sif/member/shaft_annular.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -7,7 +7,7 @@
 
 #include "strainwave/core/polynomial.hpp"
 
-namespace strainwave {
+namespace strainwave::sif {
 namespace {
 
 using std::numbers::pi;
@@ -26,10 +26,10 @@ constexpr std::array kImproved3 = {1.0,        0.5,         0.375,       0.3125,
 // computation agrees within 6e-5 and 4e-4.  Columns are depth ratios alpha = a/t, rows radius
 // ratios rho = r_i/r_o; alpha = 0 and rho = 1 in torsion are exact and not in the table.
 constexpr std::array kDepthRatios = {0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8};
-using Row = std::array<double, kDepthRatios.size()>;
+using TableRow = std::array<double, kDepthRatios.size()>;
 // clang-format off
 constexpr std::array kTorsionRadiusRatios = {0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 9.0 / 14, 0.7, 0.8, 0.9};
-constexpr std::array<Row, kTorsionRadiusRatios.size()> kTorsionTable = {{
+constexpr std::array<TableRow, kTorsionRadiusRatios.size()> kTorsionTable = {{
     {4.008096, 4.042437, 4.147457, 4.528716, 5.189789, 6.291813, 8.213049, 11.927287, 20.536461, 48.446432},
     {3.606262, 3.631259, 3.707228, 3.977336, 4.426583, 5.129673, 6.246562, 8.123588, 11.601417, 19.147442},
     {3.209263, 3.226734, 3.279472, 3.463187, 3.757044, 4.191563, 4.829041, 5.787058, 7.297614, 9.865246},
@@ -42,7 +42,7 @@ constexpr std::array<Row, kTorsionRadiusRatios.size()> kTorsionTable = {{
     {1.355109, 1.355522, 1.356700, 1.360407, 1.365450, 1.371531, 1.378489, 1.386239, 1.394765, 1.404163},
     {1.163145, 1.163235, 1.163479, 1.164238, 1.165255, 1.166462, 1.167820, 1.169307, 1.170915, 1.172657}}};
 constexpr std::array kTensionRadiusRatios = {0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 9.0 / 14, 0.7, 0.8, 0.85, 0.9, 0.95};
-constexpr std::array<Row, kTensionRadiusRatios.size()> kTensionTable = {{
+constexpr std::array<TableRow, kTensionRadiusRatios.size()> kTensionTable = {{
     {1.00191, 1.00204, 1.00012, 1.00236, 1.02513, 1.07852, 1.17625, 1.34571, 1.65217, 2.29355},
     {1.00185, 1.00241, 1.00144, 1.00365, 1.02156, 1.06308, 1.13765, 1.26215, 1.47275, 1.86340},
     {1.00185, 1.00311, 1.00413, 1.01015, 1.02915, 1.06763, 1.13337, 1.23968, 1.41389, 1.72420},
@@ -231,4 +231,4 @@ template struct BasicAnnularCrackSolid<DualReal>;
 template class BasicAnnularCrackHollow<double>;
 template class BasicAnnularCrackHollow<DualReal>;
 
-}  // namespace strainwave
+}  // namespace strainwave::sif

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "strainwave/core/compare.hpp"
+#include "strainwave/core/lift.hpp"
+#include "strainwave/drive_cracks/faces.hpp"
+#include "strainwave/drive_cracks/member_loads.hpp"
+#include "strainwave/fracture/crack_compliance.hpp"
+#include "strainwave/model/input/crack_parameters.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/sif/member/ring_edge.hpp"
+#include "strainwave/sif/member/semi_ellipse.hpp"
+#include "strainwave/sif/member/shaft_annular.hpp"
+#include "strainwave/sif/member/wall_through.hpp"
+#include "strainwave/sif/solution.hpp"
+
+/// @file
+/// Cracks of a drive with their solutions and loads, in the scalar `Real`: double, or DualReal for
+/// the derivatives of everything.  Here, and only here, a kind of crack gets its solution: a kind
+/// without an overload of `CrackLoads::loaded` does not compile.
+
+namespace strainwave {
+
+/// A crack with the solution of its stress intensity.
+///
+/// The loads of the solution are [axial force, torque] of a tube or shaft, or [lobe force] of a
+/// ring of the wave generator.
+template <SweptCrack Solution>
+struct LoadedCrack {
+  using Real = ScalarOf<Solution>;
+
+  Solution solution;              ///< at the size of the file, its faces apart
+  BasicCrackModuli<Real> moduli;  ///< E' and mu [Pa]
+  sif::Constraint constraint = sif::Constraint::plane_strain;
+  BothSenses faces;
+  bool in_range = true;  ///< the compliance of the closed form may be used at this size
+  /// What finite elements say instead, where the crack names a table (FE-41).
+  std::optional<TabulatedCompliance<Real>> table = {};
+
+  /// The solution with its faces as given.
+  [[nodiscard]] Solution with_faces(Faces state) const {
+    return state == Faces::pressed ? solution.pressed() : solution;
+  }
+};
+
+/// A groove all round a diaphragm: it thins the plate, and has no front that sweeps an area.
+struct LoadedGroove {};
+
+/// A crack that acts through the contacts of balls and teeth: the coupled drive has it, a sum of
+/// compliances does not.
+struct ActsInCoupledDrive {};
+
+/// Turns the cracks of one drive into loaded cracks.
+///
+/// It reads every number through its lift, and keeps the drive by reference.
+template <class Real>
+class CrackLoads {
+ public:
+  using Elastic = BasicElasticConstants<Real>;
+  using Moduli = BasicCrackModuli<Real>;
+  template <class Solution>
+  using Loaded = LoadedCrack<Solution>;
+
+  /// @param gear  has passed `check`; outlives this object
+  /// @param lift  reads its numbers
+  explicit CrackLoads(const GearSet& gear, const Lift<Real>& lift = Lift<Real>())
+      : gear_(gear), lift_(lift) {}
+
+  /// Calls f(crack, loaded crack) for one crack of any kind.
+  template <class... Kinds, class F>
+  void load(const std::variant<Kinds...>& any, const F& f) const {
+    std::visit([&](const auto& crack) { load(crack, f); }, any);
+  }
+  template <class Crack, class F>
+  void load(const Crack& crack, const F& f) const {
+    f(crack, loaded(crack));
+  }
+  template <class F>
+  void load(const AnnularCrack& crack, const F& f) const {
+    if (gear_.output_shaft->solid())
+      f(crack, loaded_in_solid_shaft(crack));
+    else
+      f(crack, loaded_in_hollow_shaft(crack));
+  }
+
+  // --- Wave generator ---------------------------------------------------------------------------
+
+  [[nodiscard]] Elastic ring_steel() const {
+    return steel(gear_.wave_generator->material, "wave_generator.material");
+  }
+
+  /// Force on one lobe at the given torque [N].
+  [[nodiscard]] Real lobe_force() const {
+    using std::abs;
+    return lobe_force_per_torque(lift_, gear_.drive, *gear_.wave_generator) *
+           abs(lift_(gear_.load.torque));
+  }
+
+  /// Hertz contact of one ball with the inner race, under its share of the lobe force.
+  [[nodiscard]] BasicHertzContact<Real> inner_contact() const {
+    const Bearing& bearing = *gear_.wave_generator->bearing;
+    return hertz_contact(race_contacts(lift_, bearing, ring_steel()).inner,
+                         Real(lobe_force() / lift_(bearing.loaded_balls)));
+  }
+
+  /// Hoop stress at a race crack per unit of lobe force, at the given torque [1/m^2].
+  template <class Crack>
+  [[nodiscard]] Real unit_stress(const Crack& crack) const {
+    const WaveGenerator& wg = *gear_.wave_generator;
+    switch (crack.stress_driver) {
+      case StressDriver::orthogonal_shear: {
+        const auto [a, b] = semi_axes();
+        const Real beta = crack.contact_factor ? Real(lift_(*crack.contact_factor))
+                                               : orthogonal_shear_factor(Real(b / a));
+        return beta / 2 * pressure_per_force(a, b);  // (ST-12)
+      }
+      case StressDriver::contact_edge: {
+        const auto [a, b] = semi_axes();
+        return edge_tension(Real(b / a), ring_steel().nu).minor_end * pressure_per_force(a, b);
+      }
+      case StressDriver::ring_bending: {
+        const Real t = lift_(*wg.inner_ring_thickness);
+        return 6 * ring_moment_factor(gear_.drive.wave_number) * lift_(*wg.inner_ring_mean_radius) /
+               (lift_(*wg.inner_ring_width) * t * t);  // (ST-13)
+      }
+      case StressDriver::given:
+        break;
+    }
+    return lift_(*crack.stress) / lobe_force();
+  }
+
+  [[nodiscard]] Loaded<sif::SurfaceCrack<1, Real>> loaded(const RaceSurfaceCrack& crack) const {
+    const Elastic steel = ring_steel();
+    const Real stress = unit_stress(crack);
+    return {.solution = sif::SurfaceCrack<1, Real>(
+                {.depth = lift_(crack.depth),
+                 .aspect_ratio = lift_(crack.aspect_ratio),
+                 .thickness = lift_(*gear_.wave_generator->inner_ring_thickness),
+                 .poissons_ratio = steel.nu,
+                 .normal_stress = {stress}}),
+            .moduli = plane_strain(steel),
+            .faces = race_faces(stress)};
+  }
+  [[nodiscard]] Loaded<sif::BasicEdgeCrack<Real>> loaded(const RaceEdgeCrack& crack) const {
+    const WaveGenerator& wg = *gear_.wave_generator;
+    const bool bending = crack.stress_driver == StressDriver::ring_bending;
+    const Real stress = unit_stress(crack);
+    return {
+        .solution = {.depth = lift_(crack.depth),
+                     .thickness = lift_(*wg.inner_ring_thickness),
+                     .width = lift_(*wg.inner_ring_width),
+                     .unit_stress = stress,
+                     .loading = bending ? sif::StripLoading::bending : sif::StripLoading::tension},
+        .moduli = plane_strain(ring_steel()),
+        .faces = race_faces(stress)};
+  }
+  [[nodiscard]] static ActsInCoupledDrive loaded(const OuterRaceCrack&) { return {}; }
+
+  // --- Flexspline -------------------------------------------------------------------------------
+
+  [[nodiscard]] Elastic flexspline_steel() const {
+    return steel(gear_.flexspline->material, "flexspline.material");
+  }
+
+  /// The wall that a crack sits in.
+  [[nodiscard]] Wall<Real> wall_of(WallSection section) const {
+    const Flexspline& fs = *gear_.flexspline;
+    if (fs.crack_free == CrackFree::factor) return tooth_ring(lift_, gear_);
+    const TubeSection& given = section == WallSection::rim ? *fs.rim : *fs.barrel;
+    const Real t = lift_(given.wall_thickness);
+    return {(lift_(given.outer_diameter) - t) / 2, t};  // (ST-11)
+  }
+
+  /// Stress on the plane of a wall crack per unit of axial force and torque.
+  template <class Crack>
+  [[nodiscard]] sif::BasicCrackPlaneStress<Real> plane_of(const Crack& crack) const {
+    const Wall<Real> wall = wall_of(crack.section);
+    return sif::crack_plane_stress(wall.mean_radius, wall.thickness, Real(lift_(crack.angle)),
+                                   Real(lift_(gear_.flexspline->stress_nonuniformity)));
+  }
+
+  /// Which senses of torque open a wall crack.
+  template <class Crack>
+  [[nodiscard]] BothSenses faces_of(const Crack& crack) const {
+    const sif::BasicCrackPlaneStress<Real> stress = plane_of(crack);
+    const double P = gear_.load.axial_force;
+    const double T = std::abs(gear_.load.torque);
+    const double from_P = value_of(stress.normal[kAxial]) * P;
+    const double from_T = value_of(stress.normal[kTorsion]) * T;
+    const double scale = std::abs(from_P) + std::abs(from_T) +
+                         std::abs(value_of(stress.shear[kAxial]) * P) +
+                         std::abs(value_of(stress.shear[kTorsion]) * T);
+    return {faces(from_P + from_T, scale), faces(from_P - from_T, scale)};
+  }
+
+  [[nodiscard]] Loaded<sif::BasicThroughCrackInTube<Real>> loaded(
+      const WallThroughCrack& crack) const {
+    const Elastic steel = flexspline_steel();
+    const Wall<Real> wall = wall_of(crack.section);
+    Loaded<sif::BasicThroughCrackInTube<Real>> result{
+        .solution = {.half_length = lift_(crack.half_length),
+                     .mean_radius = wall.mean_radius,
+                     .wall_thickness = wall.thickness,
+                     .angle = lift_(crack.angle),
+                     .stress_nonuniformity = lift_(gear_.flexspline->stress_nonuniformity),
+                     .poissons_ratio = steel.nu,
+                     .shell_correction = crack.shell_correction,
+                     .thin_sheet = false},
+        .moduli = plane_stress(steel),
+        .constraint = sif::Constraint::plane_stress,
+        .faces = faces_of(crack),
+        .table = table_of(crack)};
+    const auto& tube = result.solution;
+    result.in_range = std::sqrt(value_of(tube.shell_parameter_squared(tube.half_length))) <=
+                      tube.kMaxShellParameter;
+    return result;
+  }
+  [[nodiscard]] Loaded<sif::SurfaceCrack<2, Real>> loaded(const WallSurfaceCrack& crack) const {
+    const Elastic steel = flexspline_steel();
+    const sif::BasicCrackPlaneStress<Real> stress = plane_of(crack);
+    return {.solution = sif::SurfaceCrack<2, Real>(
+                {.depth = lift_(crack.depth),
+                 .aspect_ratio = lift_(crack.depth) / lift_(crack.half_length),
+                 .thickness = wall_of(crack.section).thickness,
+                 .poissons_ratio = steel.nu,
+                 .normal_stress = stress.normal,
+                 .shear_stress = stress.shear}),
+            .moduli = plane_strain(steel),
+            .faces = faces_of(crack)};
+  }
+  /// An arc crack of the diaphragm slides under torque: a flat through crack in pure mode II.
+  [[nodiscard]] Loaded<sif::BasicThroughCrackInTube<Real>> loaded(
+      const DiaphragmArcCrack& crack) const {
+    const Elastic steel = flexspline_steel();
+    const Real r = arc_radius(crack);
+    // The shear T/(2 pi r^2 h) along the arc is that along the generator of a tube of its radius.
+    return {
+        .solution = {.half_length = lift_(crack.half_length),
+                     .mean_radius = r,
+                     .wall_thickness = diaphragm_thickness(lift_, *gear_.flexspline->diaphragm, r),
+                     .angle = Real(0.0),
+                     .poissons_ratio = steel.nu,
+                     .shell_correction = false},
+        .moduli = plane_stress(steel),
+        .constraint = sif::Constraint::plane_stress,
+        .faces = {}};
+  }
+  [[nodiscard]] static LoadedGroove loaded(const DiaphragmGroove&) { return {}; }
+  [[nodiscard]] static ActsInCoupledDrive loaded(const RimAxialCrack&) { return {}; }
+
+  [[nodiscard]] Real arc_radius(const DiaphragmArcCrack& crack) const {
+    return crack.radius ? Real(lift_(*crack.radius))
+                        : Real(lift_(gear_.flexspline->diaphragm->inner_diameter) / 2);
+  }
+
+  // --- Tooth mesh and circular spline -----------------------------------------------------------
+
+  [[nodiscard]] static ActsInCoupledDrive loaded(const ToothCrack&) { return {}; }
+  [[nodiscard]] static ActsInCoupledDrive loaded(const CircularSplineRingCrack&) { return {}; }
+
+  // --- Output shaft -----------------------------------------------------------------------------
+
+  [[nodiscard]] Elastic shaft_steel() const {
+    return steel(gear_.output_shaft->material, "output_shaft.material");
+  }
+
+  /// a/t of a crack in a hollow shaft [-].
+  [[nodiscard]] double depth_ratio(const AnnularCrack& crack) const {
+    const OutputShaft& shaft = *gear_.output_shaft;
+    return crack.depth / (shaft.outer_diameter / 2 - shaft.inner_diameter / 2);
+  }
+
+  [[nodiscard]] Loaded<sif::BasicAnnularCrackSolid<Real>> loaded_in_solid_shaft(
+      const AnnularCrack& crack) const {
+    return {.solution = {.depth = lift_(crack.depth),
+                         .diameter = lift_(gear_.output_shaft->outer_diameter),
+                         .polynomials = crack.solution == AnnularSolution::tada
+                                            ? sif::AnnularPolynomials::tada
+                                            : sif::AnnularPolynomials::improved},
+            .moduli = plane_strain(shaft_steel()),
+            .faces = shaft_faces(),
+            .table = table_of(crack)};
+  }
+  [[nodiscard]] Loaded<sif::BasicAnnularCrackHollow<Real>> loaded_in_hollow_shaft(
+      const AnnularCrack& crack) const {
+    using Hollow = sif::BasicAnnularCrackHollow<Real>;
+    return {.solution = Hollow({.depth = lift_(crack.depth),
+                                .outer_radius = lift_(gear_.output_shaft->outer_diameter) / 2,
+                                .inner_radius = lift_(gear_.output_shaft->inner_diameter) / 2}),
+            .moduli = plane_strain(shaft_steel()),
+            .faces = shaft_faces(),
+            .in_range = !clearly_less(Hollow::kMaxDepthRatio, depth_ratio(crack)),
+            .table = table_of(crack)};
+  }
+
+ private:
+  [[nodiscard]] Elastic steel(std::string_view material, std::string_view field) const {
+    return elastic_constants(lift_, material_of(gear_, material, field));
+  }
+  static Moduli plane_strain(const Elastic& steel) {
+    return {.opening = steel.plane_strain_modulus(), .shear = steel.G};
+  }
+  static Moduli plane_stress(const Elastic& steel) {
+    return {.opening = steel.E, .shear = steel.G};
+  }
+
+  template <class Crack>
+  [[nodiscard]] std::optional<TabulatedCompliance<Real>> table_of(const Crack& crack) const {
+    if (!crack.compliance_table) return std::nullopt;
+    return tabulated_compliance(gear_.compliance_tables.at(*crack.compliance_table),
+                                crack_parameters(lift_, gear_, crack));
+  }
+
+  /// The lobe force has one sense, whatever the sense of the torque.
+  static BothSenses race_faces(const Real& stress) {
+    const double value = value_of(stress);
+    const Faces state = faces(value, std::abs(value));
+    return {state, state};
+  }
+  [[nodiscard]] BothSenses shaft_faces() const {
+    const double P = gear_.load.axial_force;
+    const Faces state = faces(P, std::abs(P));
+    return {state, state};
+  }
+
+  [[nodiscard]] std::array<Real, 2> semi_axes() const {
+    const WaveGenerator& wg = *gear_.wave_generator;
+    if (wg.contact_semi_axes)
+      return {lift_((*wg.contact_semi_axes)[0]), lift_((*wg.contact_semi_axes)[1])};
+    const BasicHertzContact<Real> inner = inner_contact();
+    return {inner.major_semi_axis, inner.minor_semi_axis};
+  }
+
+  /// Peak pressure per unit of lobe force, of the ball that carries the crack.
+  [[nodiscard]] Real pressure_per_force(const Real& a, const Real& b) const {
+    const WaveGenerator& wg = *gear_.wave_generator;
+    const Real share = wg.bearing ? Real(1 / lift_(wg.bearing->loaded_balls)) : Real(1.0);
+    return peak_pressure(share, a, b);
+  }
+
+  const GearSet& gear_;
+  Lift<Real> lift_;
+};
+
+}  // namespace strainwave

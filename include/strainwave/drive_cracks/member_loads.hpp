@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "strainwave/contact/hertz.hpp"
+#include "strainwave/core/dual.hpp"
+#include "strainwave/core/lift.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+
+/// @file
+/// What torque and assembly do to the members that carry cracks: force on a lobe, contacts of the
+/// balls, bending of ring and wall.
+
+namespace strainwave {
+
+/// Geometry of a ball's contacts with its two races.
+template <class Real>
+struct BasicRaceContacts {
+  BasicPointContact<Real> inner;
+  BasicPointContact<Real> outer;  ///< concave race
+};
+using RaceContacts = BasicRaceContacts<double>;
+
+/// Contacts of a ball with its races, all of one material; eq. (CO-1).
+/// @param lift     reads the numbers of the bearing
+/// @param bearing  of the wave generator
+/// @param steel    of balls and races
+template <class Real>
+[[nodiscard]] BasicRaceContacts<Real> race_contacts(const Lift<Real>& lift, const Bearing& bearing,
+                                                    const BasicElasticConstants<Real>& steel) {
+  const Real D = lift(bearing.ball_diameter);
+  // Ball and races of one material: 1/E* = 2 (1 - nu^2)/E.
+  const Real contact_modulus = steel.plane_strain_modulus() / 2;
+  const auto contact = [&](const Real& race_curvature, const Real& conformity) {
+    // (CO-1): across the groove, and along the rolling direction.
+    return BasicPointContact<Real>{
+        .curvature_sums = {2 / D - 1 / (conformity * D), 2 / D + race_curvature},
+        .contact_modulus = contact_modulus};
+  };
+  return {
+      .inner = contact(2 / lift(bearing.inner_raceway_diameter), lift(bearing.inner_conformity)),
+      .outer = contact(-2 / lift(bearing.outer_raceway_diameter), lift(bearing.outer_conformity))};
+}
+[[nodiscard]] inline RaceContacts race_contacts(const Bearing& bearing,
+                                                const ElasticConstants& steel) {
+  return race_contacts(Lift<double>(), bearing, steel);
+}
+
+/// Force on one lobe per unit of torque, f = 2 c_F k_r/(U d_1) [1/m]; eq. (ST-5).
+template <class Real>
+[[nodiscard]] Real lobe_force_per_torque(const Lift<Real>& lift, const Transmission& drive,
+                                         const WaveGenerator& wg) {
+  return 2 * lift(wg.load_factor) * lift(wg.force_transmission_coefficient) /
+         (drive.wave_number * lift(drive.pitch_diameter));  // (ST-5)
+}
+[[nodiscard]] inline double lobe_force_per_torque(const Transmission& drive,
+                                                  const WaveGenerator& wg) {
+  return lobe_force_per_torque(Lift<double>(), drive, wg);
+}
+
+/// Bending moment of a thin ring under U equal radial forces, evenly spaced, at a force, over
+/// F R [-]: (1/theta - cot(theta))/2, theta = pi/U; eq. (ST-13).
+/// @param wave_number  U [-]; >= 2
+/// @throws InputError  if it is less
+[[nodiscard]] double ring_moment_factor(int wave_number);
+
+/// Bending stress of a ring that takes the shape r + w_0 cos(U theta), at its faces [Pa].
+///
+/// E/(1-nu^2) (t/2) (U^2-1) w_0/r^2: the wall of the flexspline (ST-17), a ring on its cam (SW-9).
+[[nodiscard]] double bending_to_shape(const Transmission& drive, const ElasticConstants& steel,
+                                      double mean_radius, double thickness);
+
+/// The wall of a tube, or a ring.
+template <class Real>
+struct Wall {
+  Real mean_radius{};  ///< r [m]
+  Real thickness{};    ///< t [m]
+};
+
+/// The wall under the teeth of the flexspline, where the wave generator deflects it; eq. (ST-11).
+template <class Real>
+[[nodiscard]] Wall<Real> tooth_ring(const Lift<Real>& lift, const GearSet& gear) {
+  const Real delta = lift(gear.flexspline->wall_thickness);
+  return {(lift(gear.drive.pitch_diameter) - delta) / 2, delta};  // (ST-11)
+}
+
+/// Bending stress of the flexspline's wall from its assembly on the wave generator [Pa].
+///
+/// Implements theory manual eq. (ST-17), E/(1-nu^2) (delta/2) (U^2-1) w_0/r_m^2, for a
+/// deflection w_0 cos(U theta); constant along the axis.
+/// @param gear  drive with a flexspline
+[[nodiscard]] double ovalisation_stress(const GearSet& gear);
+
+/// Stress of the assembly on the plane of a crack in the flexspline's wall, at its surface [Pa].
+struct AssemblyStress {
+  double normal = 0.0;  ///< on the crack plane, where the hoop stress is tension
+  double shear = 0.0;   ///< along the crack, of the same moment; sign as in CrackPlaneStress
+};
+
+/// Implements theory manual eq. (FA-12): the hoop stress sigma_b of (ST-17) in a wall of this
+/// radius and thickness, nu sigma_b along the axis, turned into the crack's frame,
+///
+///     normal = sigma_b (cos^2(beta) + nu sin^2(beta)),
+///     shear  = -(1 - nu) sigma_b sin(beta) cos(beta).
+///
+/// Amplitude of w_0 cos(U theta) at the crack; in a cup it falls along the axis: an upper bound in
+/// the barrel, but not on the rim, nor for a flattened cam.
+///
+/// @param gear         drive with a flexspline
+/// @param mean_radius  r of the cracked wall [m]; > 0
+/// @param thickness    t of the cracked wall [m]; > 0
+/// @param angle        beta of the crack [rad]
+/// @throws InputError  if there is no flexspline, or a length is not positive
+[[nodiscard]] AssemblyStress assembly_stress(const GearSet& gear, double mean_radius,
+                                             double thickness, double angle);
+
+}  // namespace strainwave

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include "strainwave/fracture/crack_compliance.hpp"
+
+namespace strainwave {
+
+/// A crack of N loads behind a fixed type, so that the engine is compiled once for each N.
+///
+/// It keeps a copy of the crack.
+template <std::size_t N>
+class ErasedCrack {
+ public:
+  static constexpr std::size_t kLoads = N;
+
+  /// @param crack  of N loads and of double numbers
+  template <SweptCrack Crack>
+  explicit ErasedCrack(const Crack& crack)
+      : size_(crack.size()),
+        front_(crack.front()),
+        intensity_([crack](double a, double s) { return crack.stress_intensity(a, s); }),
+        area_([crack](double a, double s) { return crack.swept_area(a, s); }) {}
+
+  /// a [m].
+  [[nodiscard]] double size() const { return size_; }
+  [[nodiscard]] FrontRange front() const { return front_; }
+  /// K per unit of each load at a size and a place on the front [Pa*m^0.5 per unit of load].
+  [[nodiscard]] UnitStressIntensity<N> stress_intensity(double a, double s) const {
+    return intensity_(a, s);
+  }
+  /// dA/(ds da) of the front [m].
+  [[nodiscard]] double swept_area(double a, double s) const { return area_(a, s); }
+
+ private:
+  double size_;
+  FrontRange front_;
+  std::function<UnitStressIntensity<N>(double, double)> intensity_;
+  std::function<double(double, double)> area_;
+};
+
+/// `added_compliance` of such a crack, with the default tolerance; compiled for 1 to 4 loads.
+template <std::size_t N>
+[[nodiscard]] CrackCompliance<N> compliance_of(const ErasedCrack<N>& crack,
+                                               const CrackModuli& moduli);
+extern template CrackCompliance<1> compliance_of(const ErasedCrack<1>&, const CrackModuli&);
+extern template CrackCompliance<2> compliance_of(const ErasedCrack<2>&, const CrackModuli&);
+extern template CrackCompliance<3> compliance_of(const ErasedCrack<3>&, const CrackModuli&);
+extern template CrackCompliance<4> compliance_of(const ErasedCrack<4>&, const CrackModuli&);
+
+}  // namespace strainwave

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "strainwave/core/dual.hpp"
+
+namespace strainwave::sif {
+
+/// Stress intensity of an elliptical crack in an infinite body, sheared along its major axis.
+///
+/// Implements theory manual eq. (FR-10), exact (Kassir and Sih).  Taken for the surface crack of
+/// the same shape, it leaves the free surface out: an estimate of K_II and K_III to 10 %.
+/// Source: kassirsih1966 (secondary).
+template <class Real>
+class BasicKassirSih {
+ public:
+  /// @param aspect_ratio    rho = minor/major semi-axis [-]; in (0, 1]
+  /// @param poissons_ratio  nu [-]; in (-1, 0.5)
+  BasicKassirSih(const Real& aspect_ratio, const Real& poissons_ratio);
+
+  /// K_II / (tau sqrt(pi a)), a the minor semi-axis [-].
+  [[nodiscard]] Real factor_II(double phi) const;
+  /// K_III / (tau sqrt(pi a)) [-].
+  [[nodiscard]] Real factor_III(double phi) const;
+
+ private:
+  Real rho_, nu_, B_;
+};
+using KassirSih = BasicKassirSih<double>;
+
+extern template class BasicKassirSih<double>;
+extern template class BasicKassirSih<DualReal>;
+
+}  // namespace strainwave::sif
