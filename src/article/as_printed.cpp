@@ -280,10 +280,13 @@ Member flexspline(const GearSet& gear, const WallThroughCrack* crack) {
   Member member;
   member.equations = {"AP-12"};
   if (gear.flexspline->shape_factor)
-    member.notes.push_back({"article.factor_squared",
-                            "the printed equation has the factor of the shape twice, as k_f and "
-                            "as k_G",
-                            "flexspline.shape_factor", "AP-12"});
+    member.notes.push_back({.code = "article.factor_squared",
+                            .text =
+                                "the printed equation has the factor of the shape twice, as k_f "
+                                "and as k_G",
+                            .path = "flexspline.shape_factor",
+                            .equation = "AP-12",
+                            .severity = Severity::care});
   member.sound = sound_flexspline_compliance(sound_cup(gear)) * kCompliance;
   member.cracked = member.sound;
   if (crack == nullptr) return member;

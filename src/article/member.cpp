@@ -79,44 +79,64 @@ void append(StiffnessResult& result, const Member& member) {
 void note_negative(std::vector<Note>& notes, double compliance, std::string_view path,
                    std::string_view equation) {
   if (compliance >= 0) return;
-  notes.push_back({"article.negative_compliance",
-                   fmt::format("the cracked compliance of {} is negative, {:.4g} rad/(N*m): the "
-                               "printed equations give it, and it has no physical meaning",
-                               path.empty() ? "the drive" : path, compliance),
-                   std::string(path), std::string(equation)});
+  notes.push_back({.code = "article.negative_compliance",
+                   .text = fmt::format(
+                       "the cracked compliance of {} is negative, {:.4g} rad/(N*m): the printed "
+                       "equations give it, and it has no physical meaning",
+                       path.empty() ? "the drive" : path, compliance),
+                   .path = std::string(path),
+                   .equation = std::string(equation),
+                   .severity = Severity::critical,
+                   .next_step = "Take the method corrected."});
 }
 
 std::vector<Note> general_notes(const GearSet& gear, Method method) {
   std::vector<Note> notes;
-  notes.push_back({"article.accuracy",
-                   method == Method::as_printed
-                       ? "no accuracy is stated: several printed equations are dimensionally or "
-                         "physically wrong, so the numbers show what the article says, not a drive"
-                       : "no accuracy is stated: the article's models are kept where they are "
-                         "wrong in kind (race stress, cam conversion), not only in print",
-                   "", ""});
-  notes.push_back({"article.no_closure",
-                   "both senses of torque have the same values: the article takes every crack as "
-                   "open under either",
-                   "", ""});
+  notes.push_back(
+      {.code = "article.accuracy",
+       .text = method == Method::as_printed
+                   ? "no accuracy is stated: several printed equations are dimensionally or "
+                     "physically wrong, so the numbers show what the article says, not a drive"
+                   : "no accuracy is stated: the article's models are kept where they are "
+                     "wrong in kind (race stress, cam conversion), not only in print",
+       .path = "",
+       .equation = "",
+       .severity = Severity::care,
+       .next_step = "Take the method corrected for a drive of your own."});
+  notes.push_back({.code = "article.no_closure",
+                   .text = "both senses of torque have the same values: the article takes every "
+                           "crack as open under either",
+                   .path = "",
+                   .equation = "",
+                   .severity = Severity::care});
   if (method == Method::repaired && gear.article)
-    notes.push_back({"article.ignored",
-                     "the printed intermediate values are read by the method as-printed only",
-                     "article", ""});
+    notes.push_back(
+        {.code = "article.ignored",
+         .text = "the printed intermediate values are read by the method as-printed only",
+         .path = "article",
+         .equation = "",
+         .severity = Severity::information});
   for_each_tabulated_kind(gear, [&](const std::string& path, const auto& crack) {
     if (crack.compliance_table)
-      notes.push_back({"article.compliance_table",
-                       "the article has its own formula: the table is not read",
-                       path + ".compliance_table", ""});
+      notes.push_back({.code = "article.compliance_table",
+                       .text = "the article has its own formula: the table is not read",
+                       .path = path + ".compliance_table",
+                       .equation = "",
+                       .severity = Severity::care});
   });
   if (gear.load.axial_force != 0)
-    notes.push_back({"article.axial_force",
-                     "the axial force enters K_I of the shaft's crack and nothing else",
-                     "load.axial_force", method == Method::as_printed ? "AP-13" : "AR-8"});
+    notes.push_back({.code = "article.axial_force",
+                     .text = "the axial force enters K_I of the shaft's crack and nothing else",
+                     .path = "load.axial_force",
+                     .equation = method == Method::as_printed ? "AP-13" : "AR-8",
+                     .severity = Severity::care});
   if (gear.wave_generator && gear.drive.wave_number != 2)
-    notes.push_back({"article.wave_number",
-                     "the article's force F_r on a lobe holds for two lobes and is taken as it is",
-                     "drive.wave_number", method == Method::as_printed ? "AP-4" : "AR-1"});
+    notes.push_back(
+        {.code = "article.wave_number",
+         .text = "the article's force F_r on a lobe holds for two lobes and is taken as it is",
+         .path = "drive.wave_number",
+         .equation = method == Method::as_printed ? "AP-4" : "AR-1",
+         .severity = Severity::care});
   return notes;
 }
 
@@ -124,9 +144,11 @@ std::vector<Note> general_notes(const GearSet& gear, Method method) {
 
 Member absent_member(std::string_view path) {
   Member member;
-  member.notes.push_back({"member.absent",
-                          fmt::format("[{}] is not given; it adds no compliance", path),
-                          std::string(path), ""});
+  member.notes.push_back({.code = "member.absent",
+                          .text = fmt::format("[{}] is not given; it adds no compliance", path),
+                          .path = std::string(path),
+                          .equation = "",
+                          .severity = Severity::information});
   return member;
 }
 
@@ -173,8 +195,11 @@ StressIntensities stress_intensities(double K_I, double K_II, double K_III) {
 }
 
 Note not_read(std::string_view path, std::string_view equation, std::string_view what_is_done) {
-  return {"article.not_read", fmt::format("{} is not read: {}", path, what_is_done),
-          std::string(path), std::string(equation)};
+  return {.code = "article.not_read",
+          .text = fmt::format("{} is not read: {}", path, what_is_done),
+          .path = std::string(path),
+          .equation = std::string(equation),
+          .severity = Severity::care};
 }
 
 StiffnessResult drive_result(const GearSet& gear, Method method, const Member& wave_generator,

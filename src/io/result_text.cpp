@@ -78,11 +78,6 @@ std::string crack_lines(const CrackReport& crack) {
        crack.largest->K_II.value != crack.deepest->K_II.value ||
        crack.largest->K_III.value != crack.deepest->K_III.value))
     text += "    largest along the front:          " + modes(*crack.largest);
-  if (crack.utilisation)
-    text += fmt::format("    K/K_Ic = {}\n", warranted_digits(*crack.utilisation));
-  if (crack.plastic_zone)
-    text += fmt::format("    plastic zone {} mm\n",
-                        warranted_digits(in_unit(*crack.plastic_zone, units::mm, "mm")));
   return text;
 }
 

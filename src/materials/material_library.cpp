@@ -273,7 +273,8 @@ Material as_material(const MaterialRecord& record) {
   });
   material.origin =
       fmt::format("taken from the material library, {}: {}", record.name, fmt::join(numbers, ", "));
-  if (!unverified.empty())
+  material.verified = unverified.empty();
+  if (!material.verified)
     material.origin += fmt::format("; unverified, to be checked before a decision rests on it: {}",
                                    fmt::join(unverified, ", "));
   return material;

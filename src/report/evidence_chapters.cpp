@@ -19,7 +19,7 @@ struct Weight {
 };
 /// Codes that are more than an assumption.  A code that is not here, and is not known to be one
 /// below, counts as outside: a new note is not played down before somebody has read it.
-constexpr std::array kWeights = {Weight{"crack.fracture", Severity::critical},
+constexpr std::array kWeights = {Weight{"strength.breaks", Severity::critical},
                                  Weight{"article.negative_compliance", Severity::critical},
                                  Weight{"article.ignored", Severity::left_out},
                                  Weight{"article.not_read", Severity::left_out},

@@ -79,14 +79,15 @@ std::string strength_number(const Draft& draft) {
                                                                        : "T < 0") +
                               (least->with_assembly ? ", with the assembly" : "")));
   }
-  const CrackReport* hardest = nullptr;
-  for (const CrackReport& crack : draft.result.cracks)
-    if (crack.utilisation &&
-        (hardest == nullptr || crack.utilisation->value > hardest->utilisation->value))
+  const CrackStrength* hardest = nullptr;
+  for (const CrackStrength& crack : draft.result.strength)
+    if (!crack.states.empty() && crack.states.front().utilisation &&
+        (hardest == nullptr ||
+         *crack.states.front().utilisation > *hardest->states.front().utilisation))
       hardest = &crack;
   if (hardest == nullptr) return {};
   return key_number("Largest <i>K</i>/<i>K</i><sub>Ic</sub>, load alone",
-                    number(hardest->utilisation->value, 3), "", escaped(hardest->path));
+                    number(*hardest->states.front().utilisation, 3), "", escaped(hardest->path));
 }
 
 }  // namespace

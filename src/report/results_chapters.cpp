@@ -206,12 +206,6 @@ ReportSection shares_chapter(const Draft& draft) {
 ReportSection intensities_chapter(const Draft& draft) {
   const StiffnessResult& r = draft.result;
   std::vector<Row> rows;
-  BarChart chart{
-      .id = "intensities-bars",
-      .title = "Stress intensity of each crack under the load alone against the toughness",
-      .axis = "K/K_Ic at the given load, load alone",
-      .reference = 1.0,
-      .reference_label = "toughness"};
   std::string html;
   for (std::size_t i = 0; i < r.cracks.size(); ++i) {
     const CrackReport& crack = r.cracks[i];
@@ -227,42 +221,25 @@ ReportSection intensities_chapter(const Draft& draft) {
         return std::abs(K_mode.value) < 1e-12 * largest ? nothing(at + which, K_mode)
                                                         : quantity(at + which, K_mode, units::MPa);
       };
-      rows.push_back(
-          {{first ? fmt::format("<span class=\"crack-number\">{}</span> <code>{}</code>", mark,
-                                escaped(crack.path))
-                  : std::string(),
-            where, mode(".K_I", K.K_I), mode(".K_II", K.K_II), mode(".K_III", K.K_III),
-            first && crack.utilisation ? quantity(path + ".utilisation", *crack.utilisation)
-                                       : std::string(first ? "no toughness" : ""),
-            first && crack.plastic_zone
-                ? quantity(path + ".plastic_zone", *crack.plastic_zone, units::mm)
-                : std::string(first ? "no yield strength" : ""),
-            first ? accuracy(std::abs(K.K_I.value) == largest    ? K.K_I
-                             : std::abs(K.K_II.value) == largest ? K.K_II
-                                                                 : K.K_III)
-                  : std::string()},
-           {}});
+      rows.push_back({{first ? fmt::format("<span class=\"crack-number\">{}</span> <code>{}</code>",
+                                           mark, escaped(crack.path))
+                             : std::string(),
+                       where, mode(".K_I", K.K_I), mode(".K_II", K.K_II), mode(".K_III", K.K_III),
+                       first ? accuracy(std::abs(K.K_I.value) == largest    ? K.K_I
+                                        : std::abs(K.K_II.value) == largest ? K.K_II
+                                                                            : K.K_III)
+                             : std::string()},
+                      {}});
     };
     if (crack.deepest) row("deepest point", *crack.deepest, "deepest", true);
     if (crack.largest && !(crack.deepest && same(*crack.deepest, *crack.largest)))
       row("largest on the front", *crack.largest, "largest", !crack.deepest);
-    if (crack.utilisation)
-      chart.bars.push_back({.label = fmt::format("{}: {}", mark, crack.path),
-                            .to = crack.utilisation->value,
-                            .text = number(crack.utilisation->value, 3),
-                            .style = crack.utilisation->value >= 1 ? "crack" : ""});
   }
   if (rows.empty())
     html += paragraph(draft.cracks.empty()
                           ? "The file has no cracks."
                           : "None of the cracks has a stress intensity in this method.");
-  if (!chart.bars.empty())
-    html += figure(bar_chart(chart),
-                   "Stress intensity of the load alone against the fracture toughness; beyond 1 "
-                   "the crack runs. With the bending of the wall by the wave generator: next "
-                   "chapter.",
-                   "bars");
-  else if (!rows.empty())
+  if (!rows.empty() && r.strength.empty())
     html += paragraph(
         "The materials of the cracked members give no fracture_toughness: what these "
         "stress intensities mean for the part is not said here.",
@@ -270,8 +247,7 @@ ReportSection intensities_chapter(const Draft& draft) {
   if (!rows.empty())
     html += table("Stress intensities at the given load, load alone [MPa·√m]",
                   {"crack", "where", "<i>K</i><sub>I</sub>", "<i>K</i><sub>II</sub>",
-                   "<i>K</i><sub>III</sub>", "<i>K</i>/<i>K</i><sub>Ic</sub>", "plastic zone [mm]",
-                   "accuracy"},
+                   "<i>K</i><sub>III</sub>", "accuracy"},
                   {{"", rows}}, {.style = "results", .numbers = 2});
   for (const CrackReport& crack : r.cracks)
     if (!crack.deepest)

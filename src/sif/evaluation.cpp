@@ -75,6 +75,87 @@ std::string_view displacement_unit(std::string_view load_unit) {
   return load_unit == "N" ? "m" : load_unit == "N*m" ? "rad" : "m^3";
 }
 
+/// Takes the fields that are given; Poisson's ratio goes to the material as well.
+Assignments take_fields(Evaluation& result, const Row& row, const Assignments& values) {
+  Assignments fields;
+  for (const Field& field : row.fields) {
+    const auto given = values.find(field.name);
+    const bool is_ratio = field.name == "poissons_ratio";
+    if (given != values.end())
+      fields.emplace(field.name, given->second);
+    else if (is_ratio)
+      fields.emplace(field.name, result.material.poissons_ratio);
+    if (is_ratio) result.material.poissons_ratio = fields.find(field.name)->second;
+  }
+  return fields;
+}
+
+void take_loads(Evaluation& result, const Row& row, const Assignments& values) {
+  for (const LoadInfo& load : row.loads) {
+    const auto given = values.find(load.name);
+    const bool is_given = given != values.end();
+    result.loads.push_back({.name = std::string(load.name),
+                            .unit = std::string(load.unit),
+                            .doc = std::string(load.doc),
+                            .value = is_given ? given->second : 0.0,
+                            .given = is_given});
+    require(kFinite.contains(result.loads.back().value), load.name, result.loads.back().value,
+            load.unit, "a finite number");
+  }
+}
+
+void require_known(const Row& row, const Assignments& values) {
+  std::vector<std::string> known;
+  for (const Field& field : row.fields) known.emplace_back(field.name);
+  for (const LoadInfo& load : row.loads) known.emplace_back(load.name);
+  for (const auto& [name, value] : values)
+    if (std::ranges::find(known, name) == known.end())
+      throw InputError(
+          name, "is no field or load of " + std::string(row.info.name) + near_text(name, known));
+}
+
+void state_fields(Evaluation& result, const Row& row, const Assignments& values,
+                  const AnyCrack& crack) {
+  for (std::size_t i = 0; i < row.fields.size(); ++i) {
+    const Field& field = row.fields[i];
+    result.fields.push_back({.name = std::string(field.name),
+                             .unit = std::string(field.unit),
+                             .doc = std::string(field.doc),
+                             .value = crack.values()[i],
+                             .given = values.contains(field.name)});
+  }
+  result.crack_size = crack.size();
+  result.validity = crack.validity();
+}
+
+void add_factors(Evaluation& result, const Row& row, const AnyCrack& crack) {
+  for (std::size_t i = 0; i < row.loads.size(); ++i) {
+    const double scale = crack.gross_stress(i) * std::sqrt(pi * crack.size());
+    for (const FrontPoint& point : row.points) {
+      const PointIntensity K = crack.unit_intensity(i, crack.size(), point.s);
+      result.factors.push_back({.load = std::string(row.loads[i].name),
+                                .point = std::string(point.name),
+                                .Y_I = K.K_I / scale,
+                                .Y_II = K.K_II / scale,
+                                .Y_III = K.K_III / scale});
+    }
+  }
+}
+
+void add_compliance(Evaluation& result, const Row& row, const AnyCrack& crack,
+                    const CrackModuli& moduli) {
+  const AnyCrack::Compliance compliance = crack.compliance(moduli);
+  result.quadrature_error = compliance.relative_error;
+  result.converged = compliance.converged;
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < row.loads.size(); ++i)
+    for (std::size_t j = i; j < row.loads.size(); ++j)
+      result.compliance.push_back({.load_i = std::string(row.loads[i].name),
+                                   .load_j = std::string(row.loads[j].name),
+                                   .value = compliance.upper[n++],
+                                   .unit = compliance_unit(row.loads[i], row.loads[j])});
+}
+
 }  // namespace
 
 bool Evaluation::in_range() const { return std::ranges::all_of(validity, &ValidityLimit::inside); }
@@ -95,78 +176,22 @@ Evaluation evaluate(const Row& row, const Assignments& values, const CrackMateri
   Evaluation result;
   result.info = row.info;
   result.material = material;
-  Assignments fields;
-  std::vector<std::string> known;
-  for (const Field& field : row.fields) {
-    known.emplace_back(field.name);
-    const auto given = values.find(field.name);
-    if (given != values.end())
-      fields.emplace(field.name, given->second);
-    else if (field.name == "poissons_ratio")
-      fields.emplace(field.name, material.poissons_ratio);
-    if (field.name == "poissons_ratio")
-      result.material.poissons_ratio = fields.find(field.name)->second;
-  }
-  bool loaded = false;
-  for (const LoadInfo& load : row.loads) {
-    known.emplace_back(load.name);
-    const auto given = values.find(load.name);
-    const bool is_given = given != values.end();
-    result.loads.push_back({.name = std::string(load.name),
-                            .unit = std::string(load.unit),
-                            .doc = std::string(load.doc),
-                            .value = is_given ? given->second : 0.0,
-                            .given = is_given});
-    require(kFinite.contains(result.loads.back().value), load.name, result.loads.back().value,
-            load.unit, "a finite number");
-    loaded = loaded || is_given;
-  }
-  for (const auto& [name, value] : values)
-    if (std::ranges::find(known, name) == known.end())
-      throw InputError(
-          name, "is no field or load of " + std::string(row.info.name) + near_text(name, known));
+  const Assignments fields = take_fields(result, row, values);
+  take_loads(result, row, values);
+  require_known(row, values);
 
   const std::unique_ptr<AnyCrack> crack = row.make(fields);
-  for (std::size_t i = 0; i < row.fields.size(); ++i) {
-    const Field& field = row.fields[i];
-    result.fields.push_back({.name = std::string(field.name),
-                             .unit = std::string(field.unit),
-                             .doc = std::string(field.doc),
-                             .value = crack->values()[i],
-                             .given = values.contains(field.name)});
-  }
-  result.crack_size = crack->size();
-  result.validity = crack->validity();
-
-  for (std::size_t i = 0; i < row.loads.size(); ++i) {
-    const double scale = crack->gross_stress(i) * std::sqrt(pi * crack->size());
-    for (const FrontPoint& point : row.points) {
-      const PointIntensity K = crack->unit_intensity(i, crack->size(), point.s);
-      result.factors.push_back({.load = std::string(row.loads[i].name),
-                                .point = std::string(point.name),
-                                .Y_I = K.K_I / scale,
-                                .Y_II = K.K_II / scale,
-                                .Y_III = K.K_III / scale});
-    }
-  }
+  state_fields(result, row, values, *crack);
+  add_factors(result, row, *crack);
   const CrackModuli moduli = moduli_of(result.material, row.info.constraint);
-  if (loaded) {
+  if (std::ranges::any_of(result.loads, &Input::given)) {
     for (const FrontPoint& point : row.points) {
       result.points.push_back(under_loads(*crack, result.loads, point.s));
       result.points.back().name = point.name;
     }
     scan_front(result, *crack, moduli);
   }
-  const AnyCrack::Compliance compliance = crack->compliance(moduli);
-  result.quadrature_error = compliance.relative_error;
-  result.converged = compliance.converged;
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < row.loads.size(); ++i)
-    for (std::size_t j = i; j < row.loads.size(); ++j)
-      result.compliance.push_back({.load_i = std::string(row.loads[i].name),
-                                   .load_j = std::string(row.loads[j].name),
-                                   .value = compliance.upper[n++],
-                                   .unit = compliance_unit(row.loads[i], row.loads[j])});
+  add_compliance(result, row, *crack, moduli);
   require_finite(result);
   return result;
 }

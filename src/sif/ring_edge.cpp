@@ -9,9 +9,9 @@
 
 namespace strainwave::sif {
 
-using std::numbers::pi;
-
 namespace {
+
+using std::numbers::pi;
 
 // Fitted to plane finite elements, tools/reference/cracked_strip.py.  The first coefficient is the
 // half plane's, the sum of all the deep ligament's.

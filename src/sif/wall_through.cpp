@@ -8,9 +8,9 @@
 
 namespace strainwave::sif {
 
-using std::numbers::pi;
-
 namespace {
+
+using std::numbers::pi;
 
 /// 45 and 90 degrees have no exact value in radians; what rounding leaves of a zero is a zero.
 double without_rounding_noise(double x) { return std::abs(x) < 1e-15 ? 0.0 : x; }

@@ -133,10 +133,4 @@ DualReal ring_compliance(int wave_number, const DualReal& mean_radius,
   return free_ring_compliance(wave_number, mean_radius, bending_stiffness);
 }
 
-double ring_moment_factor(int wave_number) {
-  require(wave_number >= 2, "wave_number", wave_number, "1", "wave_number >= 2");
-  const double theta = pi / wave_number;
-  return (1 / theta - 1 / std::tan(theta)) / 2;  // (ST-13)
-}
-
 }  // namespace strainwave

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <initializer_list>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -16,11 +16,10 @@
 namespace strainwave {
 namespace {
 
-void add_sound_flexspline(const GearSet& gear, const ElasticConstants& steel,
+void add_sound_flexspline(const GearSet& gear, const SeriesModel<double>& model,
                           MemberCompliance& member) {
   const Flexspline& fs = *gear.flexspline;
-  const SeriesModel<double> model(gear);
-  member.intact = model.sound_flexspline(steel);
+  member.intact = model.sound_flexspline();
   if (fs.crack_free == CrackFree::factor) {
     const bool plain_tube = fs.shape == FlexsplineShape::cylinder && !fs.shape_factor;
     const bool below_one = fs.shape == FlexsplineShape::cup && model.shape_factor() < 1;
@@ -31,11 +30,15 @@ void add_sound_flexspline(const GearSet& gear, const ElasticConstants& steel,
     rest_on(member, "flexspline", accuracy);
     use_equation(member.equations, "ST-4");
     if (below_one)
-      member.notes.push_back({"flexspline.shape_factor",
-                              "a factor below 1 for a cup has the wrong direction: its bottom adds "
-                              "compliance, 6 % to ten "
-                              "times the barrel's; give the sections where the geometry is known",
-                              "flexspline.crack_free", "ST-4"});
+      member.notes.push_back(
+          {.code = "flexspline.shape_factor",
+           .text = "a factor below 1 for a cup has the wrong direction: its bottom adds "
+                   "compliance, 6 % to ten times the barrel's",
+           .path = "flexspline.crack_free",
+           .equation = "ST-4",
+           .severity = Severity::care,
+           .next_step = "Give the sections of the flexspline, crack_free = \"sections\", where its "
+                        "geometry is known."});
     return;
   }
   member.relative_uncertainty = accuracy::kSections;
@@ -46,85 +49,50 @@ void add_sound_flexspline(const GearSet& gear, const ElasticConstants& steel,
 
 void note_thick_wall(MemberCompliance& member, const Wall<double>& wall, const std::string& path) {
   if (wall.mean_radius < 10 * wall.thickness)
-    member.notes.push_back({"crack.thick_wall",
-                            "the wall is thicker than a tenth of its radius: plate and shell "
-                            "solutions and mean shear stress lose accuracy",
-                            path, "FR-6"});
+    member.notes.push_back({.code = "crack.thick_wall",
+                            .text = "the wall is thicker than a tenth of its radius: plate and "
+                                    "shell solutions and mean shear stress lose accuracy",
+                            .path = path,
+                            .equation = "FR-6",
+                            .severity = Severity::care});
 }
 
-/// What differs between the kinds of wall cracks.
-struct WallCrackModel {
-  CrackModuli moduli;
-  Constraint constraint = Constraint::plane_strain;
-  double axial_uncertainty = 0.0;      ///< of the added compliance, entries with the force [-]
-  double torsion_uncertainty = 0.0;    ///< of the added compliance in torsion [-]
-  double pressed_uncertainty = 0.0;    ///< in addition where the faces are pressed together [-]
-  double intensity_uncertainty = 0.0;  ///< of K, if more than half of that of the compliance [-]
-  double ligament = 0.0;               ///< left of the section [m]
+/// How accurate the closed form of a wall crack is; relative uncertainties [-].
+struct WallCrackAccuracy {
+  double axial = 0.0;      ///< of the added compliance, entries with the force
+  double torsion = 0.0;    ///< of the added compliance in torsion
+  double pressed = 0.0;    ///< in addition where the faces are pressed together
+  double intensity = 0.0;  ///< of K, if more than half of that of the compliance
 };
 
 void note_closed(MemberCompliance& member, const std::string& path, const BothSenses& state) {
   if (state.positive != Faces::pressed && state.negative != Faces::pressed) return;
   use_equation(member.equations, "FR-17");
   member.notes.push_back(
-      {"crack.closed",
-       fmt::format("closed under {} torque: mode I adds nothing there, and the faces slide "
-                   "without friction, an upper bound",
-                   state.positive != Faces::pressed   ? "negative"
-                   : state.negative != Faces::pressed ? "positive"
-                                                      : "either sense of"),
-       path, "FR-17"});
+      {.code = "crack.closed",
+       .text = fmt::format("closed under {} torque: mode I adds nothing there, and the faces slide "
+                           "without friction, an upper bound",
+                           state.positive != Faces::pressed   ? "negative"
+                           : state.negative != Faces::pressed ? "positive"
+                                                              : "either sense of"),
+       .path = path,
+       .equation = "FR-17",
+       .severity = Severity::care});
 }
 
-/// Adds one wall crack; `crack_with(open)` makes it with its faces apart or not.
-template <class MakeCrack>
-void add_wall_crack(MemberCompliance& member, CrackReport report, const MakeCrack& crack_with,
-                    const BothSenses& state, const GearSet& gear, const WallCrackModel& model,
-                    const StiffnessOptions& options) {
-  const auto added_under = [&](Faces sense) {
-    const auto added =
-        added_compliance(crack_with(sense != Faces::pressed), model.moduli, options.quadrature);
-    demand_convergence(member, report, added.relative_error, added.converged);
-    const double pressed = sense == Faces::pressed ? model.pressed_uncertainty : 0.0;
-    const double torsion = accuracy::combined(model.torsion_uncertainty, pressed);
-    AddedCompliance result;
-    result.at_output = {added.matrix(kTorsion, kTorsion), kComplianceUnit, torsion};
-    result.axial_torsion =
-        axial_torsion(added.matrix, accuracy::combined(model.axial_uncertainty, pressed), torsion);
-    return result;
-  };
-  report.opens_under = opens_under(state.positive, state.negative);
-  report.positive = added_under(state.positive);
-  report.negative = (state.negative == Faces::pressed) == (state.positive == Faces::pressed)
-                        ? report.positive
-                        : added_under(state.negative);
-  const Faces given = gear.load.torque > 0 ? state.positive : state.negative;
-  const double of_compliance = gear.load.axial_force != 0
-                                   ? std::max(model.axial_uncertainty, model.torsion_uncertainty)
-                                   : model.torsion_uncertainty;
-  report_intensities(report, member, crack_with(given != Faces::pressed),
-                     {gear.load.axial_force, gear.load.torque}, model.moduli,
-                     all_modes(std::max(of_compliance / 2, model.intensity_uncertainty)),
-                     gear.material.at(gear.flexspline->material), model.constraint, model.ligament);
-  note_closed(member, report.path, state);
-  const AddedCompliance& at_given = gear.load.torque > 0 ? report.positive : report.negative;
-  const double turned_by_axial_force = (*at_given.axial_torsion)[1].value * gear.load.axial_force;
-  if (turned_by_axial_force != 0)
-    member.notes.push_back(
-        {"crack.axial_coupling",
-         fmt::format(
-             "the axial force turns the output by {:.3g} arcmin through this inclined crack; "
-             "stiffness and wind-up are those of the torque alone",
-             turned_by_axial_force / units::arcmin),
-         report.path, "FR-2"});
-  member.cracks.push_back(std::move(report));
-}
-
-double shell_parameter(const WallThroughCrack& crack, const GearSet& gear,
-                       const ElasticConstants& steel) {
-  return std::sqrt(SeriesModel<double>(gear)
-                       .wall_crack(crack, steel, true)
-                       .shell_parameter_squared(crack.half_length));
+void note_axial_coupling(MemberCompliance& member, const CrackReport& report, const Load& load) {
+  const AddedCompliance& at_given = load.torque > 0 ? report.positive : report.negative;
+  const double turned_by_axial_force = (*at_given.axial_torsion)[1].value * load.axial_force;
+  if (turned_by_axial_force == 0) return;
+  member.notes.push_back(
+      {.code = "crack.axial_coupling",
+       .text = fmt::format(
+           "the axial force turns the output by {:.3g} arcmin through this inclined crack; "
+           "stiffness and wind-up are those of the torque alone",
+           turned_by_axial_force / units::arcmin),
+       .path = report.path,
+       .equation = "FR-2",
+       .severity = Severity::care});
 }
 
 /// What the ends of the section do to a crack half-way along it, which the closed form leaves out.
@@ -147,70 +115,11 @@ EndsOfSection ends_of_section(const Flexspline& fs, const WallThroughCrack& crac
   return ends;
 }
 
-/// What the closed form of a through crack is worth, with its equations and notes.
-struct ThroughCrackModel {
-  WallCrackModel wall;
+/// What the closed form of a through crack is worth, and what its compliance rests on.
+struct ThroughCrackAccuracy {
+  WallCrackAccuracy wall;
   std::vector<ModelAccuracy> compliance_rests_on;
 };
-
-ThroughCrackModel through_crack_model(MemberCompliance& member, const std::string& path,
-                                      const WallThroughCrack& crack, const GearSet& gear,
-                                      const ElasticConstants& steel) {
-  const SeriesModel<double> series(gear);
-  const double lambda = shell_parameter(crack, gear, steel);
-  const ModelAccuracy accuracy =
-      lambda > kCloseShellParameter ? accuracy::kThroughCrackLong : accuracy::kThroughCrack;
-  if (lambda > kCloseShellParameter && lambda <= kMaxShellParameter)
-    member.notes.push_back(
-        {"crack.shell_range",
-         fmt::format("shell parameter {:.3g}: for so long a crack finite elements have up to 1.3 % "
-                     "more added compliance, and 2.7 % more energy release rate",
-                     lambda),
-         path, "FR-9"});
-  constexpr double kWorthNaming = 0.005;
-  const EndsOfSection ends = ends_of_section(*gear.flexspline, crack);
-  if (ends.share > ends.confirmed)
-    member.notes.push_back(
-        {"crack.near_ends",
-         fmt::format("the crack has {:.2g} of its section's length: what the ends add, and its "
-                     "uncertainty, is confirmed by finite elements to {:.2g}",
-                     ends.share, ends.confirmed),
-         path, "FR-7"});
-  // The tips run along the tube, which is long: there is no ligament to speak of.
-  ThroughCrackModel model{
-      .wall = {.moduli = SeriesModel<double>::wall_moduli(crack, steel),
-               .constraint = Constraint::plane_stress,
-               .torsion_uncertainty = accuracy::combined(accuracy, ends.accuracy),
-               .pressed_uncertainty = accuracy::kThroughCrackPressed,
-               .intensity_uncertainty = accuracy::combined(
-                   clearly_less(0.3, steel.nu) ? accuracy::kThroughCrackIntensityOtherRatio
-                                               : accuracy::kThroughCrackIntensity,
-                   ends.accuracy),
-               .ligament = std::numeric_limits<double>::infinity()},
-      .compliance_rests_on = {accuracy}};
-  if (ends.accuracy > kWorthNaming) model.compliance_rests_on.push_back(ends.accuracy);
-  for (const char* const tag : {"FR-6", "FR-7", "ST-11"}) use_equation(member.equations, tag);
-  if (crack.shell_correction) {
-    for (const char* const tag : {"FR-8", "FR-9", "SU-2"}) use_equation(member.equations, tag);
-  } else {
-    const double missing =
-        series.wall_crack(crack, steel, true).shell_release(crack.half_length) - 1;  // (FR-9)
-    const ModelAccuracy flat{missing, "flat plate instead of the curved shell: too stiff"};
-    model.wall.torsion_uncertainty = accuracy::combined(model.wall.torsion_uncertainty, flat);
-    model.wall.intensity_uncertainty =
-        accuracy::combined(model.wall.intensity_uncertainty, missing / 2);
-    model.compliance_rests_on.push_back(flat);
-    member.notes.push_back({"crack.flat_plate",
-                            fmt::format("without the shell correction the crack is up to {:.2g} % "
-                                        "too stiff",
-                                        100 * missing),
-                            path, "FR-9"});
-  }
-  model.wall.axial_uncertainty =
-      accuracy::combined(model.wall.torsion_uncertainty, accuracy::kThroughCrackAxial);
-  note_thick_wall(member, series.wall_of(crack.section), path);
-  return model;
-}
 
 /// The uncertainty of a sheet's K is a part of the whole of K: of the smaller mode it is more.
 void share_between_modes(CrackReport& report) {
@@ -225,196 +134,300 @@ void share_between_modes(CrackReport& report) {
   }
 }
 
-void add_through_crack(MemberCompliance& member, CrackReport report, const WallThroughCrack& crack,
-                       const GearSet& gear, const ElasticConstants& steel,
-                       const StiffnessOptions& options) {
-  const SeriesModel<double> series(gear);
-  const auto make = [&](bool open) { return series.wall_crack(crack, steel, open); };
-  for (const char* const tag : {"FR-2", "FR-6", "FR-7", "FR-18", "FR-21"})
-    use_equation(member.equations, tag);
-  const double lambda = shell_parameter(crack, gear, steel);
-  if (lambda > kMaxShellParameter)
-    member.unusable_because = fmt::format(
+/// Reports the cracks of a flexspline, each kind in its own words.
+class FlexsplineCracks {
+ public:
+  FlexsplineCracks(const GearSet& gear, const SeriesModel<double>& model,
+                   const StiffnessOptions& options, MemberCompliance& member)
+      : gear_(gear), model_(model), options_(options), member_(member) {}
+
+  void add(CrackReport report, const WallThroughCrack& crack,
+           const LoadedCrack<sif::ThroughCrackInTube>& loaded);
+  void add(CrackReport report, const WallSurfaceCrack& crack,
+           const LoadedCrack<sif::SurfaceCrack<2>>& loaded);
+  void add(CrackReport report, const DiaphragmArcCrack& crack,
+           const LoadedCrack<sif::ThroughCrackInTube>& loaded);
+  void add(CrackReport report, const DiaphragmGroove& groove, const LoadedGroove& loaded);
+  void add(const CrackReport& report, const RimAxialCrack&, const ActsInCoupledDrive&) {
+    note_contact_path(member_.notes, report.path);
+  }
+
+ private:
+  [[nodiscard]] Faces given(const BothSenses& state) const {
+    return gear_.load.torque > 0 ? state.positive : state.negative;
+  }
+  void use(std::initializer_list<const char*> tags) {
+    for (const char* const tag : tags) use_equation(member_.equations, tag);
+  }
+
+  void note_range(const std::string& path, double lambda, const EndsOfSection& ends);
+  ThroughCrackAccuracy accuracy_of(const std::string& path, const WallThroughCrack& crack,
+                                   const sif::ThroughCrackInTube& solution, double lambda);
+  void add_flat_plate(const std::string& path, const sif::ThroughCrackInTube& solution,
+                      ThroughCrackAccuracy& accuracy);
+  void add_tabulated(CrackReport report, const WallThroughCrack& crack,
+                     const LoadedCrack<sif::ThroughCrackInTube>& loaded, double lambda);
+
+  template <class Solution>
+  void report_given_load(CrackReport& report, const LoadedCrack<Solution>& loaded,
+                         double uncertainty) const {
+    report_intensities(report, loaded.with_faces(given(loaded.faces)),
+                       {gear_.load.axial_force, gear_.load.torque}, all_modes(uncertainty));
+  }
+  template <class Solution>
+  void add_wall_crack(CrackReport report, const LoadedCrack<Solution>& loaded,
+                      const WallCrackAccuracy& accuracy);
+
+  const GearSet& gear_;
+  const SeriesModel<double>& model_;
+  const StiffnessOptions& options_;
+  MemberCompliance& member_;
+};
+
+/// Adds one wall crack by its closed form.
+template <class Solution>
+void FlexsplineCracks::add_wall_crack(CrackReport report, const LoadedCrack<Solution>& loaded,
+                                      const WallCrackAccuracy& accuracy) {
+  const auto added = closed_form(loaded, options_.quadrature);
+  const auto reported = [&](const CrackCompliance<2>& under, Faces state) {
+    demand_convergence(member_, report, under.relative_error, under.converged);
+    const double pressed = state == Faces::pressed ? accuracy.pressed : 0.0;
+    const double torsion = accuracy::combined(accuracy.torsion, pressed);
+    AddedCompliance result;
+    result.at_output = {model_.at_output(under.matrix), kComplianceUnit, torsion};
+    result.axial_torsion =
+        axial_torsion(under.matrix, accuracy::combined(accuracy.axial, pressed), torsion);
+    return result;
+  };
+  report.opens_under = opens_under(loaded.faces.positive, loaded.faces.negative);
+  report.positive = reported(added.positive, loaded.faces.positive);
+  report.negative = reported(added.negative, loaded.faces.negative);
+  const double of_compliance =
+      gear_.load.axial_force != 0 ? std::max(accuracy.axial, accuracy.torsion) : accuracy.torsion;
+  report_given_load(report, loaded, std::max(of_compliance / 2, accuracy.intensity));
+  note_closed(member_, report.path, loaded.faces);
+  note_axial_coupling(member_, report, gear_.load);
+  member_.cracks.push_back(std::move(report));
+}
+
+void FlexsplineCracks::note_range(const std::string& path, double lambda,
+                                  const EndsOfSection& ends) {
+  if (lambda > kCloseShellParameter && lambda <= kMaxShellParameter)
+    member_.notes.push_back(
+        {.code = "crack.shell_range",
+         .text =
+             fmt::format("shell parameter {:.3g}: for a crack this long, finite elements give "
+                         "up to 1.3 % more added compliance, and 2.7 % more energy release rate",
+                         lambda),
+         .path = path,
+         .equation = "FR-9",
+         .severity = Severity::care});
+  if (ends.share > ends.confirmed)
+    member_.notes.push_back(
+        {.code = "crack.near_ends",
+         .text =
+             fmt::format("the crack spans {:.2g} of its section's length: the effect of the ends "
+                         "and its uncertainty are confirmed by finite elements up to {:.2g}",
+                         ends.share, ends.confirmed),
+         .path = path,
+         .equation = "FR-7",
+         .severity = Severity::care});
+}
+
+void FlexsplineCracks::add_flat_plate(const std::string& path,
+                                      const sif::ThroughCrackInTube& solution,
+                                      ThroughCrackAccuracy& accuracy) {
+  const double missing = solution.shell_release(solution.half_length) - 1;  // (FR-9)
+  const ModelAccuracy flat{missing, "flat plate instead of the curved shell: too stiff"};
+  accuracy.wall.torsion = accuracy::combined(accuracy.wall.torsion, flat);
+  accuracy.wall.intensity = accuracy::combined(accuracy.wall.intensity, missing / 2);
+  accuracy.compliance_rests_on.push_back(flat);
+  member_.notes.push_back(
+      {.code = "crack.flat_plate",
+       .text = fmt::format("without the shell correction the crack is up to {:.2g} % too stiff",
+                           100 * missing),
+       .path = path,
+       .equation = "FR-9",
+       .severity = Severity::care,
+       .next_step = "Leave shell_correction at its default, true."});
+}
+
+ThroughCrackAccuracy FlexsplineCracks::accuracy_of(const std::string& path,
+                                                   const WallThroughCrack& crack,
+                                                   const sif::ThroughCrackInTube& solution,
+                                                   double lambda) {
+  constexpr double kWorthNaming = 0.005;
+  constexpr double kUsualRatio = 0.3;  // Poisson's ratio up to which K was compared closely
+  const ModelAccuracy shell =
+      lambda > kCloseShellParameter ? accuracy::kThroughCrackLong : accuracy::kThroughCrack;
+  const EndsOfSection ends = ends_of_section(*gear_.flexspline, crack);
+  ThroughCrackAccuracy result{
+      .wall = {.torsion = accuracy::combined(shell, ends.accuracy),
+               .pressed = accuracy::kThroughCrackPressed,
+               .intensity = accuracy::combined(clearly_less(kUsualRatio, solution.poissons_ratio)
+                                                   ? accuracy::kThroughCrackIntensityOtherRatio
+                                                   : accuracy::kThroughCrackIntensity,
+                                               ends.accuracy)},
+      .compliance_rests_on = {shell}};
+  if (ends.accuracy > kWorthNaming) result.compliance_rests_on.push_back(ends.accuracy);
+  use({"FR-6", "FR-7", "ST-11"});
+  note_range(path, lambda, ends);
+  if (crack.shell_correction)
+    use({"FR-8", "FR-9", "SU-2"});
+  else
+    add_flat_plate(path, solution, result);
+  note_thick_wall(member_, model_.loads().wall_of(crack.section), path);
+  result.wall.axial = accuracy::combined(result.wall.torsion, accuracy::kThroughCrackAxial);
+  return result;
+}
+
+void FlexsplineCracks::add(CrackReport report, const WallThroughCrack& crack,
+                           const LoadedCrack<sif::ThroughCrackInTube>& loaded) {
+  const double lambda = std::sqrt(loaded.solution.shell_parameter_squared(crack.half_length));
+  if (loaded.table) {
+    add_tabulated(std::move(report), crack, loaded, lambda);
+    return;
+  }
+  use({"FR-2", "FR-6", "FR-7", "FR-18", "FR-21"});
+  if (!loaded.in_range)
+    member_.unusable_because = fmt::format(
         "{}: shell parameter {:.3g} is outside the range that finite elements confirm, <= {:g}: "
         "such a long crack needs finite elements of its own",
         report.path, lambda, kMaxShellParameter);
-  const ThroughCrackModel model = through_crack_model(member, report.path, crack, gear, steel);
-  for (const ModelAccuracy& basis : model.compliance_rests_on) rest_on(member, report.path, basis);
-  add_wall_crack(member, std::move(report), make, series.faces_of(crack), gear, model.wall,
-                 options);
-  share_between_modes(member.cracks.back());
+  const ThroughCrackAccuracy accuracy = accuracy_of(report.path, crack, loaded.solution, lambda);
+  for (const ModelAccuracy& basis : accuracy.compliance_rests_on)
+    rest_on(member_, report.path, basis);
+  add_wall_crack(std::move(report), loaded, accuracy.wall);
+  share_between_modes(member_.cracks.back());
 }
 
 /// A through crack whose compliance a table of finite elements gives: the closed form is left with
 /// the stress intensity, where it has one.
-void add_tabulated_through_crack(MemberCompliance& member, CrackReport report,
-                                 const WallThroughCrack& crack, const GearSet& gear,
-                                 const ElasticConstants& steel) {
-  const SeriesModel<double> series(gear);
-  const BothSenses state = series.faces_of(crack);
-  report.opens_under = opens_under(state.positive, state.negative);
-  const Faces given = gear.load.torque > 0 ? state.positive : state.negative;
-  const double lambda = shell_parameter(crack, gear, steel);
-  if (lambda <= kMaxShellParameter) {
-    const WallCrackModel model = through_crack_model(member, report.path, crack, gear, steel).wall;
-    report_intensities(report, member, series.wall_crack(crack, steel, given != Faces::pressed),
-                       {gear.load.axial_force, gear.load.torque}, model.moduli,
-                       all_modes(model.intensity_uncertainty),
-                       gear.material.at(gear.flexspline->material), model.constraint,
-                       model.ligament);
+void FlexsplineCracks::add_tabulated(CrackReport report, const WallThroughCrack& crack,
+                                     const LoadedCrack<sif::ThroughCrackInTube>& loaded,
+                                     double lambda) {
+  report.opens_under = opens_under(loaded.faces.positive, loaded.faces.negative);
+  if (loaded.in_range) {
+    report_given_load(report, loaded,
+                      accuracy_of(report.path, crack, loaded.solution, lambda).wall.intensity);
     share_between_modes(report);
-    note_closed(member, report.path, state);
+    note_closed(member_, report.path, loaded.faces);
   } else {
-    member.notes.push_back(
-        {"crack.shell_range",
-         fmt::format("no stress intensity: shell parameter {:.3g} is outside the range that finite "
-                     "elements confirm, <= {:g}",
-                     lambda, kMaxShellParameter),
-         report.path, "FR-9"});
+    member_.notes.push_back(
+        {.code = "crack.shell_range",
+         .text =
+             fmt::format("no stress intensity: shell parameter {:.3g} is outside the range that "
+                         "finite elements confirm, <= {:g}",
+                         lambda, kMaxShellParameter),
+         .path = report.path,
+         .equation = "FR-9",
+         .severity = Severity::care});
   }
-  if (gear.flexspline->stress_nonuniformity != 1)
-    member.notes.push_back({"crack.stress_nonuniformity",
-                            "the compliance table has the stress of its own finite elements: "
-                            "stress_nonuniformity is not applied to it",
-                            report.path, "FE-41"});
-  take_from_table(report, member, gear, crack);
-  member.cracks.push_back(std::move(report));
+  if (gear_.flexspline->stress_nonuniformity != 1)
+    member_.notes.push_back({.code = "crack.stress_nonuniformity",
+                             .text = "the compliance table has the stress of its own finite "
+                                     "elements: stress_nonuniformity is not applied to it",
+                             .path = report.path,
+                             .equation = "FE-41",
+                             .severity = Severity::information});
+  take_from_table(report, member_, gear_, crack, *loaded.table);
+  member_.cracks.push_back(std::move(report));
 }
 
-void add_surface_crack(MemberCompliance& member, CrackReport report, const WallSurfaceCrack& crack,
-                       const GearSet& gear, const ElasticConstants& steel,
-                       const StiffnessOptions& options) {
-  const SeriesModel<double> series(gear);
-  const Wall<double> wall = series.wall_of(crack.section);
-  const sif::CrackPlaneStress stress = series.plane_of(crack);
-  const auto make = [&](bool open) { return series.wall_crack(crack, steel, open); };
-  for (const char* const tag : {"FR-2", "FR-3", "FR-4", "FR-5", "FR-6", "FR-18", "ST-11"})
-    use_equation(member.equations, tag);
-  WallCrackModel model{.moduli = SeriesModel<double>::wall_moduli(crack, steel),
-                       .constraint = Constraint::plane_strain,
-                       .ligament = wall.thickness - crack.depth};
-  const ModelAccuracy fit = surface_crack_fit(member, report.path, crack.depth,
+void FlexsplineCracks::add(CrackReport report, const WallSurfaceCrack& crack,
+                           const LoadedCrack<sif::SurfaceCrack<2>>& loaded) {
+  const Wall<double> wall = model_.loads().wall_of(crack.section);
+  const sif::CrackPlaneStress stress = model_.loads().plane_of(crack);
+  use({"FR-2", "FR-3", "FR-4", "FR-5", "FR-6", "FR-18", "ST-11"});
+  const ModelAccuracy fit = surface_crack_fit(member_, report.path, crack.depth,
                                               crack.depth / crack.half_length, wall.thickness);
   // Torque shears at angles other than 45 degrees, an axial force at angles other than 0 and 90
   // degrees: no angle is without shear in one of the entries.
   const double sheared = accuracy::combined(fit, accuracy::kSurfaceCrackShear);
-  model.torsion_uncertainty = stress.shear[kTorsion] != 0 ? sheared : double{fit};
-  model.axial_uncertainty = sheared;
-  const double P = gear.load.axial_force;
-  use_equation(member.equations, "FR-10");
-  if (stress.shear[kTorsion] != 0 || stress.shear[kAxial] * P != 0) {
-    rest_on(member, report.path, accuracy::kSurfaceCrackShear);
-    member.notes.push_back({"crack.surface_shear",
-                            "the crack is sheared as well as opened: K_II and K_III are those of "
-                            "an ellipse inside a body, without the free surface",
-                            report.path, "FR-10"});
+  use({"FR-10"});
+  if (stress.shear[kTorsion] != 0 || stress.shear[kAxial] * gear_.load.axial_force != 0) {
+    rest_on(member_, report.path, accuracy::kSurfaceCrackShear);
+    member_.notes.push_back({.code = "crack.surface_shear",
+                             .text = "the crack is sheared as well as opened: K_II and K_III are "
+                                     "those of an ellipse inside a body, without the free surface",
+                             .path = report.path,
+                             .equation = "FR-10",
+                             .severity = Severity::care});
   }
-  note_thick_wall(member, wall, report.path);
-  add_wall_crack(member, std::move(report), make, series.faces_of(crack), gear, model, options);
+  note_thick_wall(member_, wall, report.path);
+  add_wall_crack(
+      std::move(report), loaded,
+      {.axial = sheared, .torsion = stress.shear[kTorsion] != 0 ? sheared : double{fit}});
 }
 
-/// An arc crack of the diaphragm slides under torque: a flat through crack in pure mode II.
-void add_diaphragm_arc(MemberCompliance& member, CrackReport report, const DiaphragmArcCrack& crack,
-                       const GearSet& gear, const ElasticConstants& steel,
-                       const StiffnessOptions& options) {
-  const SeriesModel<double> series(gear);
-  const auto make = [&](bool open) { return series.wall_crack(crack, steel, open); };
-  for (const char* const tag : {"TC-19", "FR-2", "FR-18"}) use_equation(member.equations, tag);
-  if (crack.half_length > series.arc_radius(crack) / 2)
-    member.notes.push_back({"crack.diaphragm_arc",
-                            "the arc is longer than its radius: the shear varies along it and it "
-                            "is not straight",
-                            report.path, "TC-19"});
-  rest_on(member, report.path, accuracy::kDiaphragmArc);
-  const WallCrackModel model{.moduli = SeriesModel<double>::wall_moduli(crack, steel),
-                             .constraint = Constraint::plane_stress,
-                             .axial_uncertainty = accuracy::kDiaphragmArc,
-                             .torsion_uncertainty = accuracy::kDiaphragmArc,
-                             .ligament = std::numeric_limits<double>::infinity()};
-  add_wall_crack(member, std::move(report), make, series.faces_of(crack), gear, model, options);
+void FlexsplineCracks::add(CrackReport report, const DiaphragmArcCrack& crack,
+                           const LoadedCrack<sif::ThroughCrackInTube>& loaded) {
+  use({"TC-19", "FR-2", "FR-18"});
+  if (crack.half_length > model_.loads().arc_radius(crack) / 2)
+    member_.notes.push_back({.code = "crack.diaphragm_arc",
+                             .text = "the arc is longer than its radius: the shear varies along it "
+                                     "and it is not straight",
+                             .path = report.path,
+                             .equation = "TC-19",
+                             .severity = Severity::care});
+  rest_on(member_, report.path, accuracy::kDiaphragmArc);
+  add_wall_crack(std::move(report), loaded,
+                 {.axial = accuracy::kDiaphragmArc, .torsion = accuracy::kDiaphragmArc});
 }
 
-void add_diaphragm_groove(MemberCompliance& member, CrackReport report,
-                          const DiaphragmGroove& groove, const GearSet& gear,
-                          const ElasticConstants& steel) {
-  use_equation(member.equations, "TC-20");
-  rest_on(member, report.path, accuracy::kDiaphragmGroove);
-  const Quantity added{SeriesModel<double>(gear).groove(groove, steel), kComplianceUnit,
-                       accuracy::kDiaphragmGroove};
+void FlexsplineCracks::add(CrackReport report, const DiaphragmGroove& groove, const LoadedGroove&) {
+  use({"TC-20"});
+  rest_on(member_, report.path, accuracy::kDiaphragmGroove);
+  const Quantity added{model_.groove(groove), kComplianceUnit, accuracy::kDiaphragmGroove};
   report.opens_under = OpensUnder::neither;
   report.positive.at_output = added;
   report.negative.at_output = added;
-  member.cracks.push_back(std::move(report));
+  member_.cracks.push_back(std::move(report));
 }
 
 void note_ovalisation(const GearSet& gear, MemberCompliance& member) {
   const int U = gear.drive.wave_number;
   if (U < 2) return;  // one lobe shifts the ring, it does not bend it
-  const Wall<double> wall = SeriesModel<double>(gear).tooth_ring();
+  const Wall<double> wall = tooth_ring(Lift<double>(), gear);
   const double tau = std::abs(gear.load.torque) * gear.flexspline->stress_nonuniformity /
                      (2 * std::numbers::pi * wall.mean_radius * wall.mean_radius * wall.thickness);
   use_equation(member.equations, "ST-17");
   member.notes.push_back(
-      {"flexspline.ovalisation",
-       fmt::format("assembly on the wave generator bends the wall at the tooth ring by {:.3g} MPa, "
-                   "against {:.3g} MPa of shear from the torque; it opens one face of a crack and "
-                   "closes the other {} times per turn, and is left out of the decision whether a "
-                   "crack is open",
-                   ovalisation_stress(gear) / units::MPa, tau / units::MPa, U),
-       "flexspline.crack", "ST-17"});
+      {.code = "flexspline.ovalisation",
+       .text = fmt::format(
+           "assembly on the wave generator bends the wall at the tooth ring by {:.3g} MPa, against "
+           "{:.3g} MPa of shear from the torque; it opens one face of a crack and closes the other "
+           "{} times per turn, and is left out of the decision whether a crack is open",
+           ovalisation_stress(gear) / units::MPa, tau / units::MPa, U),
+       .path = "flexspline.crack",
+       .equation = "ST-17",
+       .severity = Severity::care});
 }
 
 }  // namespace
 
-double ovalisation_stress(const GearSet& gear) {
-  const Wall<double> wall = SeriesModel<double>(gear).tooth_ring();
-  const ElasticConstants steel =
-      elastic_constants(material_of(gear, gear.flexspline->material, "flexspline.material"));
-  const int U = gear.drive.wave_number;
-  const double curvature =
-      (U * U - 1) * gear.drive.radial_displacement / (wall.mean_radius * wall.mean_radius);
-  return steel.plane_strain_modulus() * wall.thickness / 2 * curvature;  // (ST-17)
-}
-
 MemberCompliance flexspline_compliance(const GearSet& gear, const StiffnessOptions& options) {
   const Flexspline& fs = *gear.flexspline;
-  const ElasticConstants steel =
-      elastic_constants(material_of(gear, fs.material, "flexspline.material"));
+  const SeriesModel<double> model(gear);
   MemberCompliance member;
-  add_sound_flexspline(gear, steel, member);
-  for (std::size_t i = 0; i < fs.crack.size(); ++i) {
-    CrackReport report{.path = fmt::format("flexspline.crack[{}]", i)};
-    std::visit(
-        [&](const auto& crack) {
-          using Crack = std::decay_t<decltype(crack)>;
-          report.kind = Crack::kKind;
-          if constexpr (requires { crack.compliance_table; })
-            if (crack.compliance_table) {
-              add_tabulated_through_crack(member, std::move(report), crack, gear, steel);
-              return;
-            }
-          if constexpr (std::is_same_v<Crack, WallThroughCrack>)
-            add_through_crack(member, std::move(report), crack, gear, steel, options);
-          else if constexpr (std::is_same_v<Crack, WallSurfaceCrack>)
-            add_surface_crack(member, std::move(report), crack, gear, steel, options);
-          else if constexpr (std::is_same_v<Crack, DiaphragmArcCrack>)
-            add_diaphragm_arc(member, std::move(report), crack, gear, steel, options);
-          else if constexpr (std::is_same_v<Crack, DiaphragmGroove>)
-            add_diaphragm_groove(member, std::move(report), crack, gear, steel);
-          else
-            note_contact_path(member.notes, report.path);
-        },
-        fs.crack[i]);
-  }
+  add_sound_flexspline(gear, model, member);
+  FlexsplineCracks cracks(gear, model, options, member);
+  for (std::size_t i = 0; i < fs.crack.size(); ++i)
+    model.loads().load(fs.crack[i], [&](const auto& crack, const auto& loaded) {
+      cracks.add({.path = fmt::format("flexspline.crack[{}]", i), .kind = kind_of(crack)}, crack,
+                 loaded);
+    });
   const bool in_the_wall = std::ranges::any_of(fs.crack, [](const FlexsplineCrack& crack) {
     return std::holds_alternative<WallThroughCrack>(crack) ||
            std::holds_alternative<WallSurfaceCrack>(crack);
   });
   if (in_the_wall) note_ovalisation(gear, member);
   if (fs.dynamic_load != 1)
-    member.notes.push_back({"flexspline.dynamic_load",
-                            "a factor of the load has no place in a compliance: not used",
-                            "flexspline.dynamic_load", ""});
+    member.notes.push_back({.code = "flexspline.dynamic_load",
+                            .text = "a factor of the load has no place in a compliance: not used",
+                            .path = "flexspline.dynamic_load",
+                            .equation = "",
+                            .severity = Severity::information});
   note_superposition(member.notes, member.cracks.size(), "flexspline.crack");
   return member;
 }

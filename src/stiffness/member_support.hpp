@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,7 +14,6 @@
 #include "strainwave/core/compare.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
-#include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 
@@ -29,6 +27,12 @@ inline constexpr std::string_view kStressIntensityUnit = "Pa*m^0.5";
 /// Adds a tag unless it is there already.
 inline void use_equation(std::vector<std::string>& equations, std::string_view tag) {
   if (std::ranges::find(equations, tag) == equations.end()) equations.emplace_back(tag);
+}
+
+/// Kind of a crack, as the input file calls it.
+template <class Crack>
+std::string kind_of(const Crack&) {
+  return std::string(Crack::kKind);
 }
 
 /// Records what an uncertainty rests on.
@@ -70,70 +74,25 @@ inline StressIntensities stress_intensities(const std::array<double, 3>& K,
   return {quantity(0), quantity(1), quantity(2)};
 }
 
-/// Plane stress or plane strain ahead of a crack.
-enum class Constraint { plane_stress, plane_strain };
-
-/// Plastic zone radius after Irwin, mode I at the yield strength, II and III at the shear yield.
-///
-/// Implements theory manual eq. (FR-19).
-inline double plastic_zone(const std::array<double, 3>& K, double yield_strength,
-                           Constraint constraint) {
-  using std::numbers::pi;
-  const double eta = constraint == Constraint::plane_strain ? 6 : 2;
-  const double opened = K[0] * K[0] / eta;
-  const double sheared = 3 * (K[1] * K[1] + K[2] * K[2]) / 2;
-  return (opened + sheared) / (pi * yield_strength * yield_strength);  // (FR-19)
-}
-
-/// Fills in what a crack does at the given load: K at the deepest point and along the front,
-/// utilisation (FR-20), plastic zone (FR-19) with a note where it is not small.
+/// Fills in what a crack does at the given load: K at the deepest point and along the front.
 template <SweptCrack Crack>
-void report_intensities(CrackReport& report, MemberCompliance& member, const Crack& crack,
-                        const std::array<double, Crack::kLoads>& load, const CrackModuli& moduli,
-                        const ModeUncertainties& uncertainties, const Material& material,
-                        Constraint constraint, double ligament) {
-  const double uncertainty = std::ranges::max(uncertainties);
+void report_intensities(CrackReport& report, const Crack& crack,
+                        const std::array<double, Crack::kLoads>& load,
+                        const ModeUncertainties& uncertainties) {
   constexpr int kFrontPoints = 33;  // of half a front; K varies slowly along it
   const FrontRange front = crack.front();
-  const double a = crack.size();
   std::array<double, 3> largest{};
   std::array<double, 3> deepest{};
-  double worst_G = 0.0;
-  double worst_zone = 0.0;
   const int n = front.begin == front.end ? 1 : kFrontPoints;
   for (int i = 0; i < n; ++i) {
     const double s = n == 1 ? front.begin : front.begin + (front.end - front.begin) * i / (n - 1);
-    deepest = intensity(crack.stress_intensity(a, s), load);  // the last point is the deepest
+    deepest = intensity(crack.stress_intensity(crack.size(), s), load);  // the last is the deepest
     for (std::size_t m = 0; m < 3; ++m)
       if (std::abs(deepest[m]) > std::abs(largest[m])) largest[m] = deepest[m];
-    worst_G = std::max(worst_G, energy_release_rate(deepest[0], deepest[1], deepest[2], moduli));
-    if (material.yield_strength)
-      worst_zone =
-          std::max(worst_zone, plastic_zone(deepest, *material.yield_strength, constraint));
   }
   report.deepest = stress_intensities(deepest, uncertainties);
   report.largest = stress_intensities(largest, uncertainties);
-  if (material.fracture_toughness) {
-    use_equation(member.equations, "FR-20");
-    const double K_equivalent = std::sqrt(worst_G * moduli.opening);  // (FR-20)
-    report.utilisation = Quantity{K_equivalent / *material.fracture_toughness, "1", uncertainty};
-    if (report.utilisation->value >= 1)
-      member.notes.push_back(
-          {"crack.fracture",
-           "fractures at this load: the stress intensity reaches the fracture toughness; the "
-           "stiffness is that of the crack as it stands",
-           report.path, "FR-20"});
-  }
-  if (material.yield_strength) {
-    use_equation(member.equations, "FR-19");
-    report.plastic_zone = Quantity{worst_zone, "m", 2 * uncertainty};
-    if (worst_zone > 0.1 * std::min(a, ligament))
-      member.notes.push_back(
-          {"crack.plastic_zone",
-           "the plastic zone is more than a tenth of the crack or of what is left of "
-           "the section: linear elasticity is no longer accurate",
-           report.path, "FR-19"});
-  }
+  report.intensity_uncertainty = std::ranges::max(uncertainties);
 }
 
 /// How accurate Newman and Raju's fit is for a surface crack, with a note outside its range.
@@ -142,10 +101,12 @@ inline ModelAccuracy surface_crack_fit(MemberCompliance& member, const std::stri
   ModelAccuracy fit = accuracy::kSurfaceCrack;
   if (clearly_less(0.8 * thickness, depth) || clearly_less(aspect_ratio, 0.2)) {
     fit = accuracy::kSurfaceCrackExtrapolated;
-    member.notes.push_back({"crack.surface_range",
-                            "outside a/t <= 0.8 and a/c >= 0.2, where the stress intensity was "
-                            "fitted: extrapolated",
-                            path, "FR-4"});
+    member.notes.push_back({.code = "crack.surface_range",
+                            .text = "outside a/t <= 0.8 and a/c >= 0.2, where the stress intensity "
+                                    "was fitted: extrapolated",
+                            .path = path,
+                            .equation = "FR-4",
+                            .severity = Severity::care});
   } else if (clearly_less(0.7 * thickness, depth)) {
     fit = accuracy::kSurfaceCrackDeep;
   }
@@ -166,9 +127,8 @@ inline std::array<Quantity, 3> axial_torsion(const SymmetricMatrix<2>& matrix, d
 /// their errors, and the note that names the table.
 template <class Crack>
 void take_from_table(CrackReport& report, MemberCompliance& member, const GearSet& gear,
-                     const Crack& crack) {
+                     const Crack& crack, const TabulatedCompliance<double>& added) {
   const ComplianceTable& table = gear.compliance_tables.at(*crack.compliance_table);
-  const TabulatedCompliance<double> added = SeriesModel<double>(gear).tabulated(crack);
   const auto quantity = [&](const TabulatedValue<double>& value, std::string_view unit) {
     // (FE-42): the table's points and what lies between them.
     return Quantity{value.value, unit,
@@ -190,33 +150,43 @@ void take_from_table(CrackReport& report, MemberCompliance& member, const GearSe
        fmt::format("{}: points {:.2g} %, between them {:.2g} %", shown(*crack.compliance_table),
                    100 * table.point_error, 100 * between)});
   member.notes.push_back(
-      {"crack.compliance_table",
-       fmt::format("compliance by finite elements, interpolated from {} ({}), within {:.2g} %{}; "
-                   "stress intensity and strength remain those of the closed form",
-                   shown(*crack.compliance_table), shown(table.made_by), 100 * error,
-                   table.negative.scale == TableValues::Scale::nothing
-                       ? "; under negative torque it adds nothing"
-                   : table.positive.scale == TableValues::Scale::nothing
-                       ? "; under positive torque it adds nothing"
-                       : ""),
-       report.path, "FE-41"});
+      {.code = "crack.compliance_table",
+       .text = fmt::format(
+           "compliance by finite elements, interpolated from {} ({}), within {:.2g} %{}; "
+           "stress intensity and strength remain those of the closed form",
+           shown(*crack.compliance_table), shown(table.made_by), 100 * error,
+           table.negative.scale == TableValues::Scale::nothing
+               ? "; under negative torque it adds nothing"
+           : table.positive.scale == TableValues::Scale::nothing
+               ? "; under positive torque it adds nothing"
+               : ""),
+       .path = report.path,
+       .equation = "FE-41",
+       .severity = Severity::information});
 }
 
-/// Note that a crack acts on contacts, which the series model has not.
+/// Note that a crack acts on contacts, which the series model does not have.
 inline void note_contact_path(std::vector<Note>& notes, const std::string& path) {
-  notes.push_back({"crack.contact_path",
-                   "acts through the contacts of balls and teeth, which a sum of compliances has "
-                   "not: it adds nothing here; the torsion curve has it",
-                   path, "ST-1"});
+  notes.push_back(
+      {.code = "crack.contact_path",
+       .text = "the series model has no contacts of balls and teeth, through which this "
+               "crack acts: it adds no compliance here",
+       .path = path,
+       .equation = "ST-1",
+       .severity = Severity::care,
+       .next_step = "Run `strainwave torsion`, whose coupled drive contains this crack."});
 }
 
 /// Note that cracks of one member are added without interaction.
 inline void note_superposition(std::vector<Note>& notes, std::size_t n_cracks,
                                std::string_view member) {
   if (n_cracks > 1)
-    notes.push_back({"crack.superposed",
-                     "the cracks of this member are added up; their interaction is left out",
-                     std::string(member), "ST-1"});
+    notes.push_back(
+        {.code = "crack.superposed",
+         .text = "the cracks of this member are added up; their interaction is left out",
+         .path = std::string(member),
+         .equation = "ST-1",
+         .severity = Severity::care});
 }
 
 /// Note that a quadrature stopped short of its tolerance, and the reason not to use the answer.

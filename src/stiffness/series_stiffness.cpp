@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
+#include <string>
 #include <variant>
 
 #include "series_model.hpp"
@@ -13,182 +13,144 @@
 namespace strainwave {
 namespace {
 
-/// Compliance of one member: sound, and what its cracks add under each sense of torque.
+/// Compliance of the cracks of one member under each sense of torque: the one loop over them.
 template <class Real>
-struct Member {
-  Real intact{};
+class CrackSum {
+ public:
+  CrackSum(const SeriesModel<Real>& model, const QuadratureOptions& options)
+      : model_(model), options_(options) {}
+
+  template <class Crack, class Solution>
+  void operator()(const Crack&, const LoadedCrack<Solution>& crack) {
+    if (crack.table) {
+      add(crack.table->positive.value, crack.table->negative.value);
+      return;
+    }
+    const auto added = closed_form(crack, options_);
+    usable = usable && crack.in_range && added.positive.converged && added.negative.converged;
+    add(model_.at_output(added.positive.matrix), model_.at_output(added.negative.matrix));
+  }
+  void operator()(const DiaphragmGroove& groove, const LoadedGroove&) {
+    const Real added = model_.groove(groove);
+    add(added, added);
+  }
+  template <class Crack>
+  void operator()(const Crack&, const ActsInCoupledDrive&) {}
+
   Real positive{};
   Real negative{};
   bool usable = true;
 
+ private:
   void add(const Real& under_positive, const Real& under_negative) {
     positive += under_positive;
     negative += under_negative;
   }
+
+  const SeriesModel<Real>& model_;
+  const QuadratureOptions& options_;
 };
 
-template <class Real>
-Member<Real> wave_generator(const GearSet& gear, const Lift<Real>& lift,
-                            const StiffnessOptions& options) {
-  const WaveGenerator& wg = *gear.wave_generator;
-  const SeriesModel<Real> model(gear, lift);
-  const auto steel = model.steel(wg.material, "wave_generator.material");
-  const Real lobe_force = model.lobe_force();
-  const LobeConversion<Real> conversion = model.conversion();
-  Member<Real> member;
-  member.intact = conversion.all_lobes * model.lobe_compliance(steel, lobe_force);
-  for (const WaveGeneratorCrack& any : wg.crack)
-    std::visit(
-        [&](const auto& crack) {
-          if constexpr (requires { crack.stress_driver; }) {
-            const Real stress = model.unit_stress(crack, steel, lobe_force);
-            const auto added = added_compliance(model.race_crack(crack, steel, stress),
-                                                model.plane_strain(steel), options.quadrature);
-            member.usable = member.usable && added.converged;
-            const Real at_output = conversion.one_lobe * added.matrix(0, 0);
-            member.add(at_output, at_output);
-          }
-        },
-        any);
-  return member;
+template <class Real, class Cracks>
+CrackSum<Real> sum_of(const Cracks& cracks, const SeriesModel<Real>& model,
+                      const QuadratureOptions& options) {
+  CrackSum<Real> sum(model, options);
+  for (const auto& any : cracks)
+    model.loads().load(any, [&](const auto& crack, const auto& loaded) { sum(crack, loaded); });
+  return sum;
 }
 
-template <class Real>
-Member<Real> flexspline(const GearSet& gear, const Lift<Real>& lift,
-                        const StiffnessOptions& options) {
-  const Flexspline& fs = *gear.flexspline;
-  const SeriesModel<Real> model(gear, lift);
-  const auto steel = model.steel(fs.material, "flexspline.material");
-  Member<Real> member;
-  member.intact = model.sound_flexspline(steel);
-  const auto add_wall_crack = [&](const auto& crack) {
-    const auto added_under = [&](Faces sense) {
-      const auto added = added_compliance(model.wall_crack(crack, steel, sense != Faces::pressed),
-                                          model.wall_moduli(crack, steel), options.quadrature);
-      member.usable = member.usable && added.converged;
-      return Real(added.matrix(kTorsion, kTorsion));
-    };
-    const BothSenses state = model.faces_of(crack);
-    const Real positive = added_under(state.positive);
-    const bool same = (state.negative == Faces::pressed) == (state.positive == Faces::pressed);
-    member.add(positive, same ? positive : added_under(state.negative));
-  };
-  for (const FlexsplineCrack& any : fs.crack)
-    std::visit(
-        [&](const auto& crack) {
-          using Crack = std::decay_t<decltype(crack)>;
-          if constexpr (std::is_same_v<Crack, DiaphragmGroove>) {
-            const Real added = model.groove(crack, steel);
-            member.add(added, added);
-          } else if constexpr (!std::is_same_v<Crack, RimAxialCrack>) {
-            if constexpr (requires { crack.compliance_table; })
-              if (crack.compliance_table) {
-                const TabulatedCompliance<Real> added = model.tabulated(crack);
-                member.add(added.positive.value, added.negative.value);
-                return;
-              }
-            add_wall_crack(crack);
-            if constexpr (std::is_same_v<Crack, WallThroughCrack>) {
-              const auto open = model.wall_crack(crack, steel, true);
-              const double lambda =
-                  std::sqrt(value_of(open.shell_parameter_squared(open.half_length)));
-              member.usable = member.usable && lambda <= kMaxShellParameter;
-            }
-          }
-        },
-        any);
-  return member;
-}
+/// Where a crack of the flexspline makes a derivative one-sided.
+class KinksOfCracks {
+ public:
+  explicit KinksOfCracks(const GearSet& gear) : gear_(gear), loads_(gear) {}
 
-template <class Real>
-Member<Real> output_shaft(const GearSet& gear, const Lift<Real>& lift,
-                          const StiffnessOptions& options) {
-  const OutputShaft& shaft = *gear.output_shaft;
-  const SeriesModel<Real> model(gear, lift);
-  const auto steel = model.steel(shaft.material, "output_shaft.material");
-  Member<Real> member;
-  member.intact = model.sound_shaft(steel);
-  const auto add = [&](const auto& crack) {
-    const auto added = added_compliance(crack, model.plane_strain(steel), options.quadrature);
-    member.usable = member.usable && added.converged;
-    const Real at_output = added.matrix(kTorsion, kTorsion);
-    member.add(at_output, at_output);
-  };
-  for (const OutputShaftCrack& any : shaft.crack) {
-    const auto& crack = std::get<AnnularCrack>(any);
-    if (crack.compliance_table) {
-      const TabulatedCompliance<Real> added = model.tabulated(crack);
-      member.add(added.positive.value, added.negative.value);
-    } else if (shaft.solid()) {
-      add(model.solid_shaft_crack(crack));
-    } else {
-      add(model.hollow_shaft_crack(crack));
-      member.usable = member.usable && !clearly_less(sif::AnnularCrackHollow::kMaxDepthRatio,
-                                                     model.depth_ratio(crack));
-    }
+  void note(std::vector<Note>& notes, const DiaphragmArcCrack& arc, const std::string& path) const {
+    const double radius = loads_.arc_radius(arc);
+    const bool at_station = std::ranges::any_of(
+        gear_.flexspline->diaphragm->profile, [&](const DiaphragmStation& station) {
+          return std::abs(station.radius - radius) <= 1e-12 * station.radius;
+        });
+    if (at_station)
+      notes.push_back({.code = "sensitivity.kink",
+                       .text =
+                           "the arc is at a station of the diaphragm's profile, where the slope "
+                           "of the thickness steps: its derivatives are those of the law inside "
+                           "it",
+                       .path = path,
+                       .equation = "TC-19",
+                       .severity = Severity::care});
   }
-  return member;
-}
+  void note(std::vector<Note>& notes, const WallThroughCrack& crack,
+            const std::string& path) const {
+    note_touching(notes, crack, path);
+  }
+  void note(std::vector<Note>& notes, const WallSurfaceCrack& crack,
+            const std::string& path) const {
+    note_touching(notes, crack, path);
+  }
+  void note(std::vector<Note>&, const DiaphragmGroove&, const std::string&) const {}
+  void note(std::vector<Note>&, const RimAxialCrack&, const std::string&) const {}
+
+ private:
+  template <class Crack>
+  void note_touching(std::vector<Note>& notes, const Crack& crack, const std::string& path) const {
+    const BothSenses state = loads_.faces_of(crack);
+    const bool touching = state.positive == Faces::touching || state.negative == Faces::touching;
+    if (touching && loads_.plane_of(crack).normal[kTorsion] != 0)
+      notes.push_back({.code = "sensitivity.step",
+                       .text = "the crack is exactly between open and closed, where the stiffness "
+                               "steps: its derivatives, those of the open crack, hold on one side",
+                       .path = path,
+                       .equation = "FR-17",
+                       .severity = Severity::care});
+  }
+
+  const GearSet& gear_;
+  CrackLoads<double> loads_;
+};
 
 }  // namespace
 
 template <class Real>
 SeriesCompliance<Real> series_compliance(const GearSet& gear, const Lift<Real>& lift,
                                          const StiffnessOptions& options) {
+  const SeriesModel<Real> model(gear, lift);
   SeriesCompliance<Real> total;
-  const auto add = [&](const Member<Real>& member) {
-    total.intact += member.intact;
-    total.positive += member.intact + member.positive;
-    total.negative += member.intact + member.negative;
-    total.positive_added += member.positive;
-    total.negative_added += member.negative;
-    total.usable = total.usable && member.usable;
+  const auto add = [&](const Real& intact, const auto& cracks) {
+    const auto sum = sum_of(cracks, model, options.quadrature);
+    total.intact += intact;
+    total.positive += intact + sum.positive;
+    total.negative += intact + sum.negative;
+    total.positive_added += sum.positive;
+    total.negative_added += sum.negative;
+    total.usable = total.usable && sum.usable;
   };
-  if (gear.wave_generator) add(wave_generator(gear, lift, options));
-  if (gear.flexspline) add(flexspline(gear, lift, options));
-  if (gear.output_shaft) add(output_shaft(gear, lift, options));
+  if (gear.wave_generator)
+    add(model.conversion().all_lobes * model.lobe_compliance(), gear.wave_generator->crack);
+  if (gear.flexspline) add(model.sound_flexspline(), gear.flexspline->crack);
+  if (gear.output_shaft) add(model.sound_shaft(), gear.output_shaft->crack);
   return total;
 }
 
 std::vector<Note> smoothness_notes(const GearSet& gear) {
   std::vector<Note> notes;
-  const SeriesModel<double> model(gear);
   if (gear.flexspline) {
-    const Flexspline& fs = *gear.flexspline;
-    const auto at = [](std::size_t i) { return fmt::format("flexspline.crack[{}]", i); };
-    for (std::size_t i = 0; i < fs.crack.size(); ++i) {
-      const auto* const arc = std::get_if<DiaphragmArcCrack>(&fs.crack[i]);
-      if (arc != nullptr &&
-          std::ranges::any_of(fs.diaphragm->profile, [&](const DiaphragmStation& station) {
-            return std::abs(station.radius - model.arc_radius(*arc)) <= 1e-12 * station.radius;
-          }))
-        notes.push_back({"sensitivity.kink",
-                         "the arc is at a station of the diaphragm's profile, where the slope of "
-                         "the thickness steps: its derivatives are those of the law inside it",
-                         at(i), "TC-19"});
+    const KinksOfCracks kinks(gear);
+    for (std::size_t i = 0; i < gear.flexspline->crack.size(); ++i)
       std::visit(
           [&](const auto& crack) {
-            if constexpr (requires { crack.angle; }) {
-              const BothSenses state = model.faces_of(crack);
-              const double normal = model.plane_of(crack).normal[kTorsion];
-              const bool touching =
-                  state.positive == Faces::touching || state.negative == Faces::touching;
-              if (touching && normal != 0)
-                notes.push_back({"sensitivity.step",
-                                 "the crack is exactly between open and closed, where the "
-                                 "stiffness steps: its derivatives, those of the open crack, hold "
-                                 "on one side",
-                                 at(i), "FR-17"});
-            }
+            kinks.note(notes, crack, fmt::format("flexspline.crack[{}]", i));
           },
-          fs.crack[i]);
-    }
+          gear.flexspline->crack[i]);
   }
   if (gear.output_shaft && gear.output_shaft->solid() && !gear.output_shaft->crack.empty())
-    notes.push_back({"sensitivity.solid_shaft",
-                     "a bore of 0 is a solid shaft, whose crack has a solution of its own: the "
-                     "derivative to the bore is that of the sound shaft",
-                     "output_shaft.inner_diameter", "FR-12"});
+    notes.push_back({.code = "sensitivity.solid_shaft",
+                     .text = "a bore of 0 is a solid shaft, whose crack has a solution of its own: "
+                             "the derivative to the bore is that of the sound shaft",
+                     .path = "output_shaft.inner_diameter",
+                     .equation = "FR-12",
+                     .severity = Severity::care});
   return notes;
 }
 

@@ -94,14 +94,22 @@ void note_materials(const GearSet& gear, std::vector<Note>& notes) {
   for (const auto& [name, material] : gear.material) {
     const double contradiction = elastic_contradiction(material);
     if (std::abs(contradiction) > 0.005)
-      notes.push_back(
-          {"material.contradiction",
-           fmt::format("E, G and nu contradict each other: G is {:+.2f} % off E/(2(1+nu)); each is "
-                       "used as given",
-                       100 * contradiction),
-           "material." + name, "FR-18"});
+      notes.push_back({.code = "material.contradiction",
+                       .text = fmt::format("E, G and nu contradict each other: G is {:+.2f} % off "
+                                           "E/(2(1+nu)); each is used as given",
+                                           100 * contradiction),
+                       .path = "material." + name,
+                       .equation = "FR-18",
+                       .severity = Severity::care,
+                       .next_step = "Give two of the three."});
     if (!material.origin.empty())
-      notes.push_back({"material.library", material.origin, "material." + name, ""});
+      notes.push_back(
+          {.code = "material.library",
+           .text = material.origin,
+           .path = "material." + name,
+           .equation = "",
+           .severity = material.verified ? Severity::information : Severity::care,
+           .next_step = material.verified ? "" : "Give the unverified numbers of your own steel."});
   }
 }
 
@@ -119,8 +127,11 @@ StiffnessResult torsional_stiffness(const GearSet& gear, const StiffnessOptions&
   const auto add_member = [&](bool given, std::string_view name, Sum Members::*sum,
                               const auto& compliance) {
     if (!given) {
-      result.notes.push_back(
-          {"member.absent", "not in the file: it adds no compliance", std::string(name), "ST-1"});
+      result.notes.push_back({.code = "member.absent",
+                              .text = "not in the file: it adds no compliance",
+                              .path = std::string(name),
+                              .equation = "ST-1",
+                              .severity = Severity::information});
       return;
     }
     MemberCompliance member = compliance(gear, options);
@@ -152,9 +163,12 @@ StiffnessResult torsional_stiffness(const GearSet& gear, const StiffnessOptions&
   result.positive = cracked_drive(intact, positive, gear.load.torque);
   result.negative = cracked_drive(intact, negative, gear.load.torque);
   if (gear.article)
-    result.notes.push_back({"article.ignored",
-                            "printed values of the article; only the method as-printed reads them",
-                            "article", ""});
+    result.notes.push_back(
+        {.code = "article.ignored",
+         .text = "printed values of the article; only the method as-printed reads them",
+         .path = "article",
+         .equation = "",
+         .severity = Severity::information});
   return result;
 }
 

@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <initializer_list>
+#include <optional>
 #include <utility>
 
 #include "member_support.hpp"
 #include "strainwave/contact/hertz.hpp"
-#include "strainwave/core/compare.hpp"
+#include "strainwave/core/units.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
 
 namespace strainwave {
@@ -19,149 +21,213 @@ struct Estimate {
   double force_exponent = 0.0;
 };
 
-/// Radial compliance of one lobe, C_0 [m/N].
-Estimate lobe_compliance(const GearSet& gear, const ElasticConstants& steel, double lobe_force,
-                         MemberCompliance& member) {
-  const SeriesModel<double> model(gear);
-  const WaveGenerator& wg = *gear.wave_generator;
-  const double C_0 = model.lobe_compliance(steel, lobe_force);
-  if (wg.radial_stiffness) return {C_0, {}};
-  if (wg.displacements) {
-    if (wg.displacements->shaft > 0 && gear.drive.wave_number >= 2)
-      member.notes.push_back({"wave_generator.shaft_bending",
-                              "the forces of evenly spaced lobes balance: the shaft does not bend, "
-                              "and this displacement ought to be 0",
-                              "wave_generator.displacements.shaft", "ST-8"});
-    use_equation(member.equations, "ST-8");
-    return {C_0, {}, -1.0};
-  }
+/// Radial compliance of one lobe by Hertz contacts, C_0 [m/N].
+Estimate hertz_compliance(const GearSet& gear, const SeriesModel<double>& model,
+                          MemberCompliance& member) {
   for (const char* const tag : {"ST-9", "CO-1", "CO-2", "CO-3", "CO-4"})
     use_equation(member.equations, tag);
   member.notes.push_back(
-      {"wave_generator.hertz",
-       fmt::format(
+      {.code = "wave_generator.hertz",
+       .text = fmt::format(
            "the contacts are not linear: stiffness is the tangent at the given torque, at "
            "{:.3g} MPa peak pressure on the inner race; the wind-up takes this tangent too, "
            "and its contact part is a third short; cam and inner ring are rigid",
-           model.ball_contacts(steel, lobe_force).inner.peak_pressure / 1e6),
-       "wave_generator.bearing", "ST-9"});
+           model.ball_contacts().inner.peak_pressure / units::MPa),
+       .path = "wave_generator.bearing",
+       .equation = "ST-9",
+       .severity = Severity::care});
   if (model.free_outer_ring()) {
     use_equation(member.equations, "ST-10");
-    member.notes.push_back({"wave_generator.free_ring",
-                            "the outer ring is taken as free between the lobes, an upper bound: in "
-                            "a drive it lies in the flexspline and on all balls",
-                            "wave_generator.bearing.outer_ring", "ST-10"});
-  } else if (wg.bearing->outer_ring) {
+    member.notes.push_back({.code = "wave_generator.free_ring",
+                            .text = "the outer ring is taken as free between the lobes, an upper "
+                                    "bound: in a drive it lies in the flexspline and on all balls",
+                            .path = "wave_generator.bearing.outer_ring",
+                            .equation = "ST-10",
+                            .severity = Severity::care,
+                            .next_step = "Give ball_count and run `strainwave torsion`."});
+  } else if (gear.wave_generator->bearing->outer_ring) {
     member.notes.push_back(
-        {"wave_generator.held_ring",
-         "the outer ring lies on all balls and in the flexspline: its bending is "
-         "left out here, since a ring free between the lobes would be many times "
-         "too soft; the torsion curve has the ring as it is held",
-         "wave_generator.bearing.outer_ring", "ST-10"});
+        {.code = "wave_generator.held_ring",
+         .text = "the outer ring lies on all balls and in the flexspline: its bending is left out "
+                 "here, since a ring free between the lobes would be many times too soft",
+         .path = "wave_generator.bearing.outer_ring",
+         .equation = "ST-10",
+         .severity = Severity::care,
+         .next_step = "Run `strainwave torsion`, which has the ring as it is held."});
   }
-  return {C_0, accuracy::kLoadSharing, -1.0 / 3};  // (CO-4): C_0 of a contact ~ force^(-1/3)
+  return {model.lobe_compliance(), accuracy::kLoadSharing, -1.0 / 3};  // (CO-4): ~ force^(-1/3)
 }
 
-/// Hoop stress at the crack per unit of lobe force, and how far it can be trusted [1/m^2].  The
-/// compliance goes with its square, so with twice its uncertainty.
+/// Radial compliance of one lobe, C_0 [m/N].
+Estimate lobe_compliance(const GearSet& gear, const SeriesModel<double>& model,
+                         MemberCompliance& member) {
+  const WaveGenerator& wg = *gear.wave_generator;
+  if (wg.radial_stiffness) return {model.lobe_compliance(), {}};
+  if (!wg.displacements) return hertz_compliance(gear, model, member);
+  if (wg.displacements->shaft > 0 && gear.drive.wave_number >= 2)
+    member.notes.push_back({.code = "wave_generator.shaft_bending",
+                            .text = "the forces of evenly spaced lobes balance: the shaft does not "
+                                    "bend, and this displacement ought to be 0",
+                            .path = "wave_generator.displacements.shaft",
+                            .equation = "ST-8",
+                            .severity = Severity::care,
+                            .next_step = "Set wave_generator.displacements.shaft to 0."});
+  use_equation(member.equations, "ST-8");
+  return {model.lobe_compliance(), {}, -1.0};
+}
+
+/// What is known of a race crack's stress: equations, a note, and how far it can be trusted.
+struct Driver {
+  std::vector<const char*> equations;
+  std::optional<Note> note;
+  ModelAccuracy accuracy;
+  double force_exponent = 0.0;  ///< of the stress per unit of lobe force
+};
+
 template <class Crack>
-Estimate unit_stress(const GearSet& gear, const ElasticConstants& steel, double lobe_force,
-                     const Crack& crack, const std::string& path, MemberCompliance& member) {
-  const double stress = SeriesModel<double>(gear).unit_stress(crack, steel, lobe_force);
+Driver driver_of(const Crack& crack, const std::string& path) {
+  const auto upper_bound = [&](const char* code, const char* text, const char* equation) {
+    return Note{
+        .code = code, .text = text, .path = path, .equation = equation, .severity = Severity::care};
+  };
   switch (crack.stress_driver) {
-    case StressDriver::orthogonal_shear:
-      if (!crack.contact_factor) use_equation(member.equations, "CO-5");
-      for (const char* const tag : {"ST-12", "CO-3"}) use_equation(member.equations, tag);
-      member.notes.push_back(
-          {"crack.orthogonal_shear",
-           "half beta times the contact pressure is a subsurface shear stress; taken for a hoop "
-           "tension, as the article does, it gives an order of magnitude at best",
-           path, "ST-12"});
-      return {stress, accuracy::kOrthogonalShear};
+    case StressDriver::orthogonal_shear: {
+      Driver driver{
+          .equations = {"ST-12", "CO-3"},
+          .note = upper_bound(
+              "crack.orthogonal_shear",
+              "half beta times the contact pressure is a subsurface shear stress; taken "
+              "for a hoop tension, as the article does, it gives an order of magnitude at "
+              "best",
+              "ST-12"),
+          .accuracy = accuracy::kOrthogonalShear};
+      driver.note->next_step =
+          "Give the stress of the crack, stress_driver = \"given\", or take "
+          "contact_edge or ring_bending.";
+      if (!crack.contact_factor) driver.equations.insert(driver.equations.begin(), "CO-5");
+      return driver;
+    }
     case StressDriver::contact_edge:
-      for (const char* const tag : {"CO-7", "CO-3"}) use_equation(member.equations, tag);
-      member.notes.push_back(
-          {"crack.contact_edge",
-           "the tension at the edge of the contact decays like 1/r^2; taken as uniform over the "
-           "crack, it is an upper bound",
-           path, "CO-7"});
-      return {stress, accuracy::kContactEdge};
+      return {.equations = {"CO-7", "CO-3"},
+              .note = upper_bound("crack.contact_edge",
+                                  "the tension at the edge of the contact decays like 1/r^2; taken "
+                                  "as uniform over the crack, it is an upper bound",
+                                  "CO-7"),
+              .accuracy = accuracy::kContactEdge};
     case StressDriver::ring_bending:
-      use_equation(member.equations, "ST-13");
-      member.notes.push_back(
-          {"crack.ring_bending",
-           "a free ring under the lobe forces: its bore is in tension there, its raceway in "
-           "compression, so this is for a crack at the bore; the cam inside makes it an upper "
-           "bound, and a surface crack takes the stress as uniform",
-           path, "ST-13"});
-      return {stress, accuracy::kRingBending};
+      return {.equations = {"ST-13"},
+              .note = upper_bound(
+                  "crack.ring_bending",
+                  "a free ring under the lobe forces: its bore is in tension there, its raceway in "
+                  "compression, so this is for a crack at the bore; the cam inside makes it an "
+                  "upper bound, and a surface crack takes the stress as uniform",
+                  "ST-13"),
+              .accuracy = accuracy::kRingBending};
     case StressDriver::given:
       break;
   }
-  return {stress, accuracy::kGivenStress, -1.0};
+  return {.equations = {}, .note = {}, .accuracy = accuracy::kGivenStress, .force_exponent = -1.0};
 }
 
-/// Relative uncertainties of what a race crack adds, and of its K.
-struct RaceAccuracy {
-  double compliance = 0.0;
-  double intensity = 0.0;
+/// Reports the cracks of the bearing's races, each kind in its own words.
+class RaceCracks {
+ public:
+  RaceCracks(const GearSet& gear, const SeriesModel<double>& model, const StiffnessOptions& options,
+             MemberCompliance& member)
+      : gear_(gear), model_(model), options_(options), member_(member) {}
+
+  void add(const CrackReport& report, const RaceSurfaceCrack& crack,
+           const LoadedCrack<sif::SurfaceCrack<1>>& loaded) {
+    add_race_crack(report, crack, loaded, {"FR-2", "FR-3", "FR-4", "FR-5", "FR-18"}, [&] {
+      return surface_crack_fit(member_, report.path, crack.depth, crack.aspect_ratio,
+                               *gear_.wave_generator->inner_ring_thickness);
+    });
+  }
+  void add(const CrackReport& report, const RaceEdgeCrack& crack,
+           const LoadedCrack<sif::EdgeCrack>& loaded) {
+    add_race_crack(report, crack, loaded, {"FR-2", "FR-11", "FR-18"}, [&] {
+      rest_on(member_, report.path, accuracy::kEdgeCrack);
+      return accuracy::kEdgeCrack;
+    });
+  }
+  void add(const CrackReport& report, const OuterRaceCrack&, const ActsInCoupledDrive&) {
+    note_contact_path(member_.notes, report.path);
+  }
+
+ private:
+  template <class Crack, class Solution, class Fit>
+  void add_race_crack(CrackReport report, const Crack& crack, const LoadedCrack<Solution>& loaded,
+                      std::initializer_list<const char*> equations, const Fit& accuracy_of_fit);
+
+  const GearSet& gear_;
+  const SeriesModel<double>& model_;
+  const StiffnessOptions& options_;
+  MemberCompliance& member_;
 };
 
-/// Adds one race crack: its radial compliance times `at_output` is its share of the drive's.
-template <SweptCrack Crack>
-void add_race_crack(MemberCompliance& member, CrackReport report, const Crack& crack,
-                    const GearSet& gear, const CrackModuli& moduli, double lobe_force,
-                    double at_output, const RaceAccuracy& accuracy,
-                    const StiffnessOptions& options) {
-  const WaveGenerator& wg = *gear.wave_generator;
-  const auto added = added_compliance(crack, moduli, options.quadrature);
-  demand_convergence(member, report, added.relative_error, added.converged);
-  const Quantity at{at_output * added.matrix(0, 0), kComplianceUnit, accuracy.compliance};
-  report.positive.at_output = at;
-  report.negative.at_output = at;
-  const double depth = crack.size();
-  report_intensities(report, member, crack, {lobe_force}, moduli, all_modes(accuracy.intensity),
-                     gear.material.at(wg.material), Constraint::plane_strain,
-                     *wg.inner_ring_thickness - depth);
-  member.cracks.push_back(std::move(report));
+/// Adds one race crack, which the lobe force stresses.
+/// @param accuracy_of_fit  of the compliance by its solution, with its notes
+template <class Crack, class Solution, class Fit>
+void RaceCracks::add_race_crack(CrackReport report, const Crack& crack,
+                                const LoadedCrack<Solution>& loaded,
+                                std::initializer_list<const char*> equations,
+                                const Fit& accuracy_of_fit) {
+  const bool cam = gear_.wave_generator->conversion == Conversion::cam;
+  Driver driver = driver_of(crack, report.path);
+  for (const char* const tag : driver.equations) use_equation(member_.equations, tag);
+  if (driver.note) member_.notes.push_back(std::move(*driver.note));
+  // Compliance goes with the square of the stress, K with the stress.
+  const ModelAccuracy of_stress = accuracy::power(driver.accuracy, 2);
+  const ModelAccuracy of_load = accuracy::power(
+      accuracy::kLobeForce, std::abs((cam ? 0.0 : 2.0) + 2 * driver.force_exponent));
+  rest_on(member_, report.path, of_stress);
+  if (of_load > 0) rest_on(member_, report.path, of_load);
+  report.opens_under = opens_under(loaded.faces.positive, loaded.faces.negative);
+  if (loaded.faces.positive == Faces::pressed) {
+    use_equation(member_.equations, "FR-17");
+    member_.notes.push_back(
+        {.code = "crack.closed",
+         .text = "the stress presses the faces together: the crack adds nothing",
+         .path = report.path,
+         .equation = "FR-17",
+         .severity = Severity::care});
+  }
+  const ModelAccuracy fit = accuracy_of_fit();
+  for (const char* const tag : equations) use_equation(member_.equations, tag);
+  const double compliance = accuracy::combined(
+      accuracy::combined(fit, of_stress),
+      cam ? accuracy::combined(of_load, accuracy::kCamConversion) : double{of_load});
+  const double intensity = accuracy::combined(accuracy::combined(fit / 2, driver.accuracy),
+                                              (1 + driver.force_exponent) * accuracy::kLobeForce);
+  const auto added = closed_form(loaded, options_.quadrature).positive;
+  demand_convergence(member_, report, added.relative_error, added.converged);
+  report.positive.at_output = {model_.at_output(added.matrix), kComplianceUnit, compliance};
+  report.negative = report.positive;
+  report_intensities(report, loaded.with_faces(loaded.faces.positive),
+                     {model_.loads().lobe_force()}, all_modes(intensity));
+  member_.cracks.push_back(std::move(report));
 }
 
-}  // namespace
-
-RaceContacts race_contacts(const Bearing& bearing, const ElasticConstants& steel) {
-  const auto [inner, outer] = race_contacts_of(Lift<double>(), bearing, steel);
-  return {inner, outer};
-}
-
-double lobe_force_per_torque(const Transmission& drive, const WaveGenerator& wg) {
-  return lobe_force_per_torque_of(Lift<double>(), drive, wg);
-}
-
-MemberCompliance wave_generator_compliance(const GearSet& gear, const StiffnessOptions& options) {
-  const WaveGenerator& wg = *gear.wave_generator;
-  const SeriesModel<double> model(gear);
-  const ElasticConstants steel =
-      elastic_constants(material_of(gear, wg.material, "wave_generator.material"));
-  const double lobe_force = model.lobe_force();
-
-  MemberCompliance member;
+/// The sound wave generator: lobe compliance times conversion.
+void add_sound_wave_generator(const GearSet& gear, const SeriesModel<double>& model,
+                              MemberCompliance& member) {
   use_equation(member.equations, "ST-5");
-  const Estimate C_0 = lobe_compliance(gear, steel, lobe_force, member);
-
-  const auto conversion = model.conversion();
-  const bool cam = wg.conversion == Conversion::cam;
+  const Estimate C_0 = lobe_compliance(gear, model, member);
+  const bool cam = gear.wave_generator->conversion == Conversion::cam;
   if (cam)
     member.notes.push_back(
-        {"wave_generator.cam_conversion",
-         "turning the cam back over its mean slope does not obey reciprocity with the lobe force, "
-         "and answers another question: the input is not locked",
-         "wave_generator.conversion", "ST-7"});
+        {.code = "wave_generator.cam_conversion",
+         .text = "turning the cam back over its mean slope does not obey reciprocity with the lobe "
+                 "force, and answers another question: the input is not locked",
+         .path = "wave_generator.conversion",
+         .equation = "ST-7",
+         .severity = Severity::care,
+         .next_step = "Leave wave_generator.conversion at its default."});
   use_equation(member.equations, cam ? "ST-7" : "ST-6");
-  member.intact = conversion.all_lobes * C_0.value;
+  member.intact = model.conversion().all_lobes * C_0.value;
   // The conversion by reciprocity has the lobe force squared in it, the article's has none.
-  const double conversion_exponent = cam ? 0.0 : 2.0;
   const ModelAccuracy of_force =
-      accuracy::power(accuracy::kLobeForce, std::abs(conversion_exponent + C_0.force_exponent));
+      accuracy::power(accuracy::kLobeForce, std::abs((cam ? 0.0 : 2.0) + C_0.force_exponent));
   member.relative_uncertainty = accuracy::combined(of_force, C_0.accuracy);
   if (of_force > 0) rest_on(member, "wave_generator", of_force);
   if (cam) {
@@ -170,70 +236,29 @@ MemberCompliance wave_generator_compliance(const GearSet& gear, const StiffnessO
     rest_on(member, "wave_generator.conversion", accuracy::kCamConversion);
   }
   if (C_0.accuracy > 0) rest_on(member, "wave_generator.bearing", C_0.accuracy);
+}
 
-  const CrackModuli moduli = SeriesModel<double>::plane_strain(steel);
-  for (std::size_t i = 0; i < wg.crack.size(); ++i) {
-    CrackReport report{.path = fmt::format("wave_generator.crack[{}]", i)};
-    std::visit(
-        [&](const auto& crack) {
-          using Crack = std::decay_t<decltype(crack)>;
-          if constexpr (std::is_same_v<Crack, OuterRaceCrack>) {
-            note_contact_path(member.notes, report.path);
-          } else {
-            report.kind = Crack::kKind;
-            const double t = *wg.inner_ring_thickness;
-            const Estimate stress =
-                unit_stress(gear, steel, lobe_force, crack, report.path, member);
-            // Compliance goes with the square of the stress, K with the stress.
-            const double stress_exponent = 1 + stress.force_exponent;  // of the force, in K
-            const ModelAccuracy of_stress = accuracy::power(stress.accuracy, 2);
-            const ModelAccuracy of_load = accuracy::power(
-                accuracy::kLobeForce, std::abs(conversion_exponent + 2 * stress.force_exponent));
-            rest_on(member, report.path, of_stress);
-            if (of_load > 0) rest_on(member, report.path, of_load);
-            const auto race_accuracy = [&](double of_crack) {
-              const double compliance = accuracy::combined(
-                  accuracy::combined(of_crack, of_stress),
-                  cam ? accuracy::combined(of_load, accuracy::kCamConversion) : double{of_load});
-              const double intensity =
-                  accuracy::combined(accuracy::combined(of_crack / 2, stress.accuracy),
-                                     stress_exponent * accuracy::kLobeForce);
-              return RaceAccuracy{compliance, intensity};
-            };
-            // The lobe force has one sense, whatever the sense of the torque.
-            const bool open = stress.value >= 0;
-            report.opens_under = stress.value > 0 ? OpensUnder::both : OpensUnder::neither;
-            if (!open) {
-              use_equation(member.equations, "FR-17");
-              member.notes.push_back({"crack.closed",
-                                      "the stress presses the faces together: the crack adds "
-                                      "nothing",
-                                      report.path, "FR-17"});
-            }
-            if constexpr (std::is_same_v<Crack, RaceSurfaceCrack>) {
-              const ModelAccuracy fit =
-                  surface_crack_fit(member, report.path, crack.depth, crack.aspect_ratio, t);
-              for (const char* const tag : {"FR-2", "FR-3", "FR-4", "FR-5", "FR-18"})
-                use_equation(member.equations, tag);
-              add_race_crack(member, report, model.race_crack(crack, steel, stress.value), gear,
-                             moduli, lobe_force, conversion.one_lobe, race_accuracy(fit), options);
-            } else {
-              rest_on(member, report.path, accuracy::kEdgeCrack);
-              for (const char* const tag : {"FR-2", "FR-11", "FR-18"})
-                use_equation(member.equations, tag);
-              add_race_crack(member, report, model.race_crack(crack, steel, stress.value), gear,
-                             moduli, lobe_force, conversion.one_lobe,
-                             race_accuracy(accuracy::kEdgeCrack), options);
-            }
-          }
-        },
-        wg.crack[i]);
-  }
+}  // namespace
+
+MemberCompliance wave_generator_compliance(const GearSet& gear, const StiffnessOptions& options) {
+  const WaveGenerator& wg = *gear.wave_generator;
+  const SeriesModel<double> model(gear);
+  MemberCompliance member;
+  add_sound_wave_generator(gear, model, member);
+  RaceCracks cracks(gear, model, options, member);
+  for (std::size_t i = 0; i < wg.crack.size(); ++i)
+    model.loads().load(wg.crack[i], [&](const auto& crack, const auto& loaded) {
+      cracks.add({.path = fmt::format("wave_generator.crack[{}]", i), .kind = kind_of(crack)},
+                 crack, loaded);
+    });
   if (!member.cracks.empty())
-    member.notes.push_back({"wave_generator.crack_under_lobe",
-                            "each crack is taken under the full force of one lobe; the inner ring "
-                            "turns with the cam, so it stays at its place relative to the lobe",
-                            "wave_generator.crack", "ST-6"});
+    member.notes.push_back(
+        {.code = "wave_generator.crack_under_lobe",
+         .text = "each crack is taken under the full force of one lobe; the inner ring turns with "
+                 "the cam, so it stays at its place relative to the lobe",
+         .path = "wave_generator.crack",
+         .equation = "ST-6",
+         .severity = Severity::information});
   note_superposition(member.notes, member.cracks.size(), "wave_generator.crack");
   return member;
 }

@@ -20,28 +20,60 @@ using std::numbers::pi;
 
 constexpr double kBendingAccuracy = 0.05;  // of K under the assembly: Newman and Raju's fit
 
+/// K_I, K_II, K_III at one point of the front [Pa*m^0.5]; K_I < 0 presses.
+struct FrontModes {
+  Modes load{};      ///< of the given load
+  Modes assembly{};  ///< of the assembly, where its hoop stress is tension
+};
+
 /// Modes of the load times a factor with those of the assembly times a factor; pressed faces have
 /// no mode I.
-std::array<double, 3> sum(const FrontModes& modes, double load, double assembly) {
-  std::array<double, 3> K{};
+Modes sum(const FrontModes& modes, double load, double assembly) {
+  Modes K{};
   for (std::size_t m = 0; m < 3; ++m) K[m] = load * modes.load[m] + assembly * modes.assembly[m];
   K[0] = std::max(K[0], 0.0);  // (FR-17)
   return K;
 }
 
+/// K under the given load along the front of a crack grown or shrunk to a size, under T or -T.
+std::vector<FrontModes> under_load(const DriveCrack& crack, const CrackSize& size, double P,
+                                   double T, Faces faces) {
+  const auto modes = [&](const UnitStressIntensity<2>& k) -> Modes {
+    return {k.I[kAxial] * P + k.I[kTorsion] * T, k.II[kAxial] * P + k.II[kTorsion] * T,
+            k.III[kAxial] * P + k.III[kTorsion] * T};
+  };
+  std::vector<FrontModes> front;
+  for (const FrontIntensity& at : crack.front(size, Faces::open))
+    front.push_back({modes(at.load), at.assembly});
+  if (faces != Faces::pressed) return front;
+  // (FR-17): pressed faces carry what presses them, and slide by the shear alone.
+  const std::vector<FrontIntensity> pressed = crack.front(size, Faces::pressed);
+  for (std::size_t i = 0; i < front.size(); ++i) {
+    const Modes sliding = modes(pressed[i].load);
+    front[i].load = {std::min(front[i].load[0], 0.0), sliding[1], sliding[2]};
+  }
+  return front;
+}
+
 /// A crack at one size, under one sense of torque.
 class AtSize {
  public:
-  AtSize(const AssessedCrack& crack, double size, double sense, bool with_assembly)
-      : crack_(crack),
-        front_(crack.front(size, sense)),
-        reference_stress_(crack.reference_stress(size, sense)),
-        with_assembly_(with_assembly) {}
+  AtSize(const AssessedCrack& asked, double size, TorqueSense sense, bool with_assembly)
+      : crack_(asked.crack), with_assembly_(with_assembly) {
+    const bool positive = sense == TorqueSense::positive;
+    const CrackSize grown{.size = size, .aspect_ratio = crack_.size.aspect_ratio};
+    const double P = asked.load.axial_force;
+    const double magnitude = std::abs(asked.load.torque);
+    const double T = positive || !crack_.reverses ? magnitude : -magnitude;
+    front_ =
+        under_load(crack_, grown, P, T, positive ? crack_.faces.positive : crack_.faces.negative);
+    reference_stress_ = crack_.reference_stress(grown, P, T);
+  }
 
   /// Largest K of equal energy release rate along the front and over a turn [Pa*m^0.5].
   [[nodiscard]] double K(double load, double assembly) const {
     double G = 0.0;
-    for_each_state(load, assembly, [&](const std::array<double, 3>& K) {
+    for_each_state(load, assembly, [&](const Modes& K) {
       G = std::max(G, energy_release_rate(K[0], K[1], K[2], crack_.moduli));
     });
     return std::sqrt(G * crack_.moduli.opening);  // (FR-20)
@@ -51,9 +83,9 @@ class AtSize {
   [[nodiscard]] double K_together() const { return K(1, assembly()); }
 
   [[nodiscard]] double plastic_zone(double yield_strength) const {
-    const double eta = crack_.plane_stress ? 2 : 6;
+    const double eta = crack_.constraint == sif::Constraint::plane_stress ? 2 : 6;
     double largest = 0.0;
-    for_each_state(1, assembly(), [&](const std::array<double, 3>& K) {
+    for_each_state(1, assembly(), [&](const Modes& K) {
       const double opened = K[0] * K[0] / eta;
       const double sheared = 3 * (K[1] * K[1] + K[2] * K[2]) / 2;
       largest = std::max(largest, opened + sheared);
@@ -76,9 +108,9 @@ class AtSize {
     }
   }
 
-  const AssessedCrack& crack_;
+  const DriveCrack& crack_;
   std::vector<FrontModes> front_;
-  double reference_stress_;
+  double reference_stress_ = 0.0;
   bool with_assembly_;
 };
 
@@ -148,7 +180,7 @@ class InDiagram {
 
 /// The smallest size up to the end of the range at which `beyond` is not negative.
 template <class Beyond>
-CriticalSize first_size(const AssessedCrack& crack, const char* at_once, const Beyond& beyond) {
+CriticalSize first_size(const DriveCrack& crack, const char* at_once, const Beyond& beyond) {
   constexpr int kSteps = 24;
   constexpr double kSmallest = 1e-4;  // of the range
   const double end = crack.range_end;
@@ -164,51 +196,101 @@ CriticalSize first_size(const AssessedCrack& crack, const char* at_once, const B
 }
 
 /// Of K under load and assembly together [-]; the two parts err independently.
-std::optional<double> uncertainty(const AssessedCrack& crack, const StrengthState& state) {
-  if (!state.with_assembly || !crack.relative_uncertainty || !(state.K > 0))
-    return crack.relative_uncertainty;
-  return std::hypot(*crack.relative_uncertainty * state.K_load,
+std::optional<double> uncertainty(const AssessedCrack& asked, const StrengthState& state) {
+  if (!state.with_assembly || !asked.relative_uncertainty || !(state.K > 0))
+    return asked.relative_uncertainty;
+  return std::hypot(*asked.relative_uncertainty * state.K_load,
                     kBendingAccuracy * state.K_assembly) /
          state.K;  // (FA-13)
 }
 
-StrengthState state_of(const AssessedCrack& crack, const Material& material, TorqueSense which,
-                       bool with_assembly) {
-  const double sense = which == TorqueSense::positive ? 1.0 : -1.0;
-  const auto at_size = [&](double size) { return AtSize(crack, size, sense, with_assembly); };
-  const bool in_range = !clearly_less(crack.range_end, crack.report.size);
-  const AtSize present = at_size(std::min(crack.report.size, crack.range_end));
+void cannot_tell(StrengthState& state, std::string unknown, std::string next_step) {
+  state.verdict = StrengthVerdict::cannot_tell;
+  state.unknown = std::move(unknown);
+  state.next_step = std::move(next_step);
+}
 
-  StrengthState state{.sense = which, .with_assembly = with_assembly};
+/// Names the properties that the material does not give, and asks for them.
+void ask_for_properties(StrengthState& state, const DriveCrack& crack, const Material& material) {
+  const bool toughness = material.fracture_toughness.has_value();
+  if (toughness && material.yield_strength) return;
+  const std::string name = "material." + crack.material;
+  const char* const unknown = material.yield_strength ? "fracture_toughness"
+                              : toughness             ? "yield_strength"
+                                                      : "fracture_toughness and no yield_strength";
+  const char* const wanted = material.yield_strength ? "fracture_toughness"
+                             : toughness             ? "yield_strength"
+                                                     : "fracture_toughness and yield_strength";
+  cannot_tell(state, fmt::format("{} gives no {}", name, unknown),
+              fmt::format("Give {} of {} in the file.", wanted, name));
+}
+
+/// K and what follows from it without the assessment line.
+void add_intensities(StrengthState& state, const AssessedCrack& asked, const AtSize& present) {
   state.K_load = present.K_load();
   state.K_assembly = present.K_assembly();
   state.K = present.K_together();
-  state.relative_uncertainty = uncertainty(crack, state);
-  if (material.yield_strength) state.plastic_zone = present.plastic_zone(*material.yield_strength);
-  const std::optional<double>& K_Ic = material.fracture_toughness;
-  if (K_Ic) {
-    state.utilisation = state.K / *K_Ic;  // (FR-20)
-    state.brittle_size =
-        first_size(crack, "beyond the toughness even without a crack",
-                   [&](double size) { return at_size(size).K_together() / *K_Ic - 1; });
-    if (*state.utilisation >= 1) state.verdict = StrengthVerdict::fractures;  // (FA-13)
+  state.relative_uncertainty = uncertainty(asked, state);
+  if (asked.material.yield_strength)
+    state.plastic_zone = present.plastic_zone(*asked.material.yield_strength);
+  const std::optional<double>& K_Ic = asked.material.fracture_toughness;
+  if (!K_Ic) return;
+  state.utilisation = state.K / *K_Ic;  // (FR-20)
+  state.brittle_size =
+      first_size(asked.crack, "beyond the toughness even without a crack", [&](double size) {
+        return AtSize(asked, size, state.sense, state.with_assembly).K_together() / *K_Ic - 1;
+      });
+  if (*state.utilisation >= 1) state.verdict = StrengthVerdict::fractures;  // (FA-13)
+}
+
+/// Why a point inside the line does not show that the crack holds; (FA-13).
+void doubt(StrengthState& state, const AssessedCrack& asked, const InDiagram& point) {
+  const DriveCrack& crack = asked.crack;
+  if (clearly_less(crack.range_end, crack.size.size)) {
+    state.reserve.reset();  // that of the end of the range would be too large
+    cannot_tell(state,
+                fmt::format("the crack is larger than {:.3g} mm, {}", crack.range_end / units::mm,
+                            crack.range_text),
+                "No field makes so large a crack assessable: judge it by finite elements.");
+  } else if (state.with_assembly && point.chi() > kMaxInteractionRatio &&
+             crack.assembly_peak > *asked.material.yield_strength) {
+    cannot_tell(
+        state,
+        "the assembly alone, if elastic, is beyond the yield strength: outside the range of "
+        "the plasticity interaction (FA-3)",
+        "Check drive.radial_displacement and the wall's thickness against the part; if they "
+        "are right, judge the crack by elastic-plastic finite elements.");
+  } else if (!crack.unknown.empty()) {
+    cannot_tell(state,
+                crack.unknown +
+                    (state.reserve ? fmt::format("; by the {}: reserve factor {:.3g}",
+                                                 state.with_assembly ? "load and the wall's bending"
+                                                                     : "load alone",
+                                                 *state.reserve)
+                                   : std::string()),
+                crack.next_step);
   }
-  if (!K_Ic)
-    state.unknown = fmt::format("material.{} gives no fracture_toughness", crack.report.material);
-  if (!material.yield_strength)
-    state.unknown = fmt::format("material.{} gives no {}yield_strength", crack.report.material,
-                                K_Ic ? "" : "fracture_toughness and no ");
+}
+
+StrengthState state_of(const AssessedCrack& asked, TorqueSense which, bool with_assembly) {
+  const DriveCrack& crack = asked.crack;
+  const Material& material = asked.material;
+  const AtSize present(asked, std::min(crack.size.size, crack.range_end), which, with_assembly);
+  StrengthState state{.sense = which, .with_assembly = with_assembly};
+  ask_for_properties(state, crack, material);
+  add_intensities(state, asked, present);
   if (!material.yield_strength) return state;
 
   const AssessmentMaterial steel{.youngs_modulus = material.youngs_modulus,
                                  .yield_strength = *material.yield_strength,
                                  .ultimate_strength = material.ultimate_strength};
   // Without a toughness only the collapse can be told: a tough material.
-  const InDiagram point(present, steel, K_Ic.value_or(std::numeric_limits<double>::infinity()));
+  const double K_Ic = material.fracture_toughness.value_or(std::numeric_limits<double>::infinity());
+  const InDiagram point(present, steel, K_Ic);
   state.L_r = point.L_r(1.0);
   state.line = point.line(1.0);
   state.L_r_max = point.collapse_at();
-  if (!K_Ic) {
+  if (!material.fracture_toughness) {
     if (*state.L_r > point.collapse_at()) state.verdict = StrengthVerdict::collapses;
     return state;
   }
@@ -217,29 +299,10 @@ StrengthState state_of(const AssessedCrack& crack, const Material& material, Tor
   state.reserve = point.reserve();
   state.verdict = point.verdict();
   state.critical_size = first_size(crack, "beyond the line even without a crack", [&](double size) {
-    const AtSize crack_at = at_size(size);
-    return InDiagram(crack_at, steel, *K_Ic).beyond(1.0);
+    const AtSize crack_at(asked, size, which, with_assembly);
+    return InDiagram(crack_at, steel, K_Ic).beyond(1.0);
   });
-  if (state.verdict != StrengthVerdict::acceptable) return state;
-  if (!in_range) {
-    state.verdict = StrengthVerdict::cannot_tell;
-    state.reserve.reset();  // that of the end of the range would be too large
-    state.unknown = fmt::format("the crack is larger than {:.3g} mm, {}",
-                                crack.range_end / units::mm, crack.range_text);
-  } else if (with_assembly && point.chi() > kMaxInteractionRatio &&
-             crack.assembly_peak > *material.yield_strength) {
-    state.verdict = StrengthVerdict::cannot_tell;
-    state.unknown =
-        "the assembly alone, if elastic, is beyond the yield strength: outside the range of the "
-        "plasticity interaction (FA-3)";
-  } else if (!crack.undecided.empty()) {
-    state.verdict = StrengthVerdict::cannot_tell;  // (FA-13)
-    state.unknown = crack.undecided;
-    if (state.reserve)
-      state.unknown +=
-          fmt::format("; by the {}: reserve factor {:.3g}",
-                      with_assembly ? "load and the wall's bending" : "load alone", *state.reserve);
-  }
+  if (state.verdict == StrengthVerdict::acceptable) doubt(state, asked, point);
   return state;
 }
 
@@ -339,51 +402,60 @@ std::string words(const CrackStrength& crack, const StrengthState& state, Torque
 }
 
 /// Whether reversing the torque changes K or the reference stress at the present size.
-bool senses_differ(const AssessedCrack& crack, bool with_assembly) {
-  const double size = std::min(crack.report.size, crack.range_end);
-  const AtSize positive(crack, size, 1.0, with_assembly);
-  const AtSize negative(crack, size, -1.0, with_assembly);
+bool senses_differ(const AssessedCrack& asked, bool with_assembly) {
+  const double size = std::min(asked.crack.size.size, asked.crack.range_end);
+  const AtSize positive(asked, size, TorqueSense::positive, with_assembly);
+  const AtSize negative(asked, size, TorqueSense::negative, with_assembly);
   const auto close = [](double x, double y) { return std::abs(x - y) <= 1e-9 * std::abs(y); };
   return !close(positive.K_together(), negative.K_together()) ||
          !close(positive.reference_stress(), negative.reference_stress());
 }
 
+/// The states under one sense of torque: the load alone, and with the assembly.
+std::vector<StrengthState> states_of(const AssessedCrack& asked, TorqueSense sense) {
+  std::vector<StrengthState> of_sense{state_of(asked, sense, false)};
+  if (asked.crack.assembly) of_sense.push_back(state_of(asked, sense, true));
+  for (StrengthState& state : of_sense)
+    if (state.verdict != StrengthVerdict::cannot_tell) {
+      state.unknown.clear();
+      state.next_step.clear();
+    }
+  return of_sense;
+}
+
+/// The worst of some states; the first of equal ones.
+std::size_t worst_of(const std::vector<StrengthState>& states, std::size_t first,
+                     std::size_t last) {
+  std::size_t at = first;
+  for (std::size_t i = first + 1; i < last; ++i)
+    if (worse(states[i], states[at])) at = i;
+  return at;
+}
+
 }  // namespace
 
-CrackStrength assess(const AssessedCrack& crack, const Material& material, TorqueSense given) {
-  CrackStrength result = crack.report;
-  result.toughness = material.fracture_toughness;
+CrackStrength assess(const AssessedCrack& asked, CrackStrength result) {
+  const TorqueSense given = asked.load.torque > 0 ? TorqueSense::positive : TorqueSense::negative;
   const TorqueSense other =
       given == TorqueSense::positive ? TorqueSense::negative : TorqueSense::positive;
-  const auto states = [&](TorqueSense sense) {
-    std::vector<StrengthState> of_sense{state_of(crack, material, sense, false)};
-    if (crack.assembly) of_sense.push_back(state_of(crack, material, sense, true));
-    for (StrengthState& state : of_sense)
-      if (state.verdict != StrengthVerdict::cannot_tell) state.unknown.clear();
-    return of_sense;
-  };
-  result.states = states(given);
+  result.toughness = asked.material.fracture_toughness;
+  result.states = states_of(asked, given);
   const std::size_t n = result.states.size();
-  if (senses_differ(crack, false) || (crack.assembly && senses_differ(crack, true)))
-    for (StrengthState& state : states(other)) result.states.push_back(std::move(state));
+  if (senses_differ(asked, false) || (asked.crack.assembly && senses_differ(asked, true)))
+    for (StrengthState& state : states_of(asked, other)) result.states.push_back(std::move(state));
 
   // The drive reverses: the worst state under either sense, the given one where they are equal.
-  const auto worst_from = [&](std::size_t first, std::size_t last) {
-    std::size_t at = first;
-    for (std::size_t i = first + 1; i < last; ++i)
-      if (worse(result.states[i], result.states[at])) at = i;
-    return at;
-  };
-  const std::size_t of_given = worst_from(0, n);
+  const std::size_t of_given = worst_of(result.states, 0, n);
   result.governing = of_given;
   if (result.states.size() > n) {
-    const std::size_t of_other = worst_from(n, result.states.size());
+    const std::size_t of_other = worst_of(result.states, n, result.states.size());
     if (clearly_worse(result.states[of_other], result.states[of_given]))
       result.governing = of_other;
   }
   const StrengthState& worst = *result.worst();
   result.verdict = worst.verdict;
   result.sentence = words(result, worst, given);
+  result.next_step = worst.next_step;
   const auto beside = [&](const char* what, const StrengthState& state) {
     result.sentence += fmt::format("; under the {}: {}", what, word(state.verdict));
     if (state.reserve) result.sentence += fmt::format(", reserve factor {:.3g}", *state.reserve);

@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "strainwave/article/as_printed.hpp"
 #include "strainwave/article/repaired.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
-#include "strainwave/strength/crack_strength.hpp"
+#include "strainwave/strength/crack_assessment.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
 namespace strainwave {
@@ -31,9 +32,12 @@ void add_curve(StiffnessResult& result, const GearSet& gear) {
                     .negative = lines_of(drive, -1)};
     result.equations.emplace_back("TC-14");
   } catch (const Error& error) {
-    result.notes.push_back({"curve.none",
-                            std::string("no torsion curve of the coupled drive: ") + error.what(),
-                            "", "TC-11"});
+    result.notes.push_back(
+        {.code = "curve.none",
+         .text = std::string("no torsion curve of the coupled drive: ") + error.what(),
+         .path = "",
+         .equation = "TC-11",
+         .severity = Severity::care});
   }
 }
 
@@ -45,26 +49,21 @@ void add_strength(StiffnessResult& result, const GearSet& gear) {
     return named.second.fracture_toughness || named.second.yield_strength;
   });
   if (!known) {
-    result.notes.push_back({"strength.cannot_tell",
-                            "strength of the cracks: cannot tell, no material gives "
-                            "fracture_toughness or yield_strength",
-                            "material", "FA-13"});
+    result.notes.push_back(
+        {.code = "strength.cannot_tell",
+         .text = "crack strength not assessed: no material specifies fracture_toughness or "
+                 "yield_strength",
+         .path = "material",
+         .equation = "FA-13",
+         .severity = Severity::cannot_tell,
+         .next_step = "Give fracture_toughness and yield_strength of the cracked materials."});
     return;
   }
-  for (const CrackStrength& crack : strength) {
-    for (const StrengthNote& scope : crack.notes) {
-      const auto same = std::ranges::find_if(result.notes, [&](const Note& note) {
-        return note.code == "strength.scope" && note.text == scope.text;
-      });
-      if (same == result.notes.end())
-        result.notes.push_back({"strength.scope", scope.text, crack.path, scope.equation});
-      else
-        same->path += ", " + crack.path;
-    }
+  for (Note& note : strength_notes(strength)) result.notes.push_back(std::move(note));
+  for (const CrackStrength& crack : strength)
     for (const std::string& tag : crack.equations)
       if (std::ranges::find(result.equations, tag) == result.equations.end())
         result.equations.push_back(tag);
-  }
   result.strength = std::move(strength);
 }
 

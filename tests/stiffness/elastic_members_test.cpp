@@ -13,6 +13,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quadrature.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/drive_cracks/member_loads.hpp"
 #include "support/expect.hpp"
 #include "support/not_finite.hpp"
 #include "support/reference.hpp"

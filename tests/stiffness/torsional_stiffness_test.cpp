@@ -15,6 +15,7 @@
 #include "stiffness/members_support.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/drive_cracks/member_loads.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
 #include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/stiffness/accuracy.hpp"

@@ -71,13 +71,14 @@ TEST(StrengthReport, IdentityACriticalCrackIsAnswered) {
   EXPECT_EQ(assembly->path, "flexspline.crack[0], flexspline.crack[1]");
 }
 
-TEST(StrengthReport, IdentityTheOldNoteSaysTheSame) {
+TEST(StrengthReport, IdentityABreakingCrackIsACriticalNote) {
   GearSet gear = critical();
   gear.material["hard_steel"].fracture_toughness = 5e6;
   const StiffnessResult result = evaluate(gear, Method::corrected);
-  const auto note = std::ranges::find(result.notes, "crack.fracture", &Note::code);
+  const auto note = std::ranges::find(result.notes, "strength.breaks", &Note::code);
   ASSERT_NE(note, result.notes.end());
   EXPECT_TRUE(note->text.starts_with("fractures at this load"));
+  EXPECT_EQ(note->severity, Severity::critical);
   EXPECT_TRUE(result.usable());
 }
 

@@ -16,6 +16,7 @@
 
 #include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/drive_cracks/member_loads.hpp"
 #include "strainwave/sif/member/ring_edge.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "strainwave/drive_cracks/member_loads.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/torsion/compare.hpp"

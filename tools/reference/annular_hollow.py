@@ -283,7 +283,7 @@ def tension_table():
 
 
 def library_tables():
-    """The nodes that src/fracture/annular_crack.cpp interpolates, to its printed digits."""
+    """The nodes that src/sif/shaft_annular.cpp interpolates, to its printed digits."""
     depths = (0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8)
     for rho in (0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 9 / 14, 0.7, 0.8, 0.9):
         modes = Torsion(rho)

@@ -52,10 +52,7 @@ struct LoadedCrack {
 };
 
 /// A groove all round a diaphragm: it thins the plate, and has no front that sweeps an area.
-struct LoadedGroove {
-  const Diaphragm& diaphragm;
-  const DiaphragmGroove& groove;
-};
+struct LoadedGroove {};
 
 /// A crack that acts through the contacts of balls and teeth: the coupled drive has it, a sum of
 /// compliances does not.
@@ -190,6 +187,20 @@ class CrackLoads {
                                    Real(lift_(gear_.flexspline->stress_nonuniformity)));
   }
 
+  /// Which senses of torque open a wall crack.
+  template <class Crack>
+  [[nodiscard]] BothSenses faces_of(const Crack& crack) const {
+    const sif::BasicCrackPlaneStress<Real> stress = plane_of(crack);
+    const double P = gear_.load.axial_force;
+    const double T = std::abs(gear_.load.torque);
+    const double from_P = value_of(stress.normal[kAxial]) * P;
+    const double from_T = value_of(stress.normal[kTorsion]) * T;
+    const double scale = std::abs(from_P) + std::abs(from_T) +
+                         std::abs(value_of(stress.shear[kAxial]) * P) +
+                         std::abs(value_of(stress.shear[kTorsion]) * T);
+    return {faces(from_P + from_T, scale), faces(from_P - from_T, scale)};
+  }
+
   [[nodiscard]] Loaded<sif::BasicThroughCrackInTube<Real>> loaded(
       const WallThroughCrack& crack) const {
     const Elastic steel = flexspline_steel();
@@ -242,9 +253,7 @@ class CrackLoads {
         .constraint = sif::Constraint::plane_stress,
         .faces = {}};
   }
-  [[nodiscard]] LoadedGroove loaded(const DiaphragmGroove& groove) const {
-    return {*gear_.flexspline->diaphragm, groove};
-  }
+  [[nodiscard]] static LoadedGroove loaded(const DiaphragmGroove&) { return {}; }
   [[nodiscard]] static ActsInCoupledDrive loaded(const RimAxialCrack&) { return {}; }
 
   [[nodiscard]] Real arc_radius(const DiaphragmArcCrack& crack) const {
@@ -258,6 +267,10 @@ class CrackLoads {
   [[nodiscard]] static ActsInCoupledDrive loaded(const CircularSplineRingCrack&) { return {}; }
 
   // --- Output shaft -----------------------------------------------------------------------------
+
+  [[nodiscard]] Elastic shaft_steel() const {
+    return steel(gear_.output_shaft->material, "output_shaft.material");
+  }
 
   /// a/t of a crack in a hollow shaft [-].
   [[nodiscard]] double depth_ratio(const AnnularCrack& crack) const {
@@ -292,9 +305,6 @@ class CrackLoads {
   [[nodiscard]] Elastic steel(std::string_view material, std::string_view field) const {
     return elastic_constants(lift_, material_of(gear_, material, field));
   }
-  [[nodiscard]] Elastic shaft_steel() const {
-    return steel(gear_.output_shaft->material, "output_shaft.material");
-  }
   static Moduli plane_strain(const Elastic& steel) {
     return {.opening = steel.plane_strain_modulus(), .shear = steel.G};
   }
@@ -314,18 +324,6 @@ class CrackLoads {
     const double value = value_of(stress);
     const Faces state = faces(value, std::abs(value));
     return {state, state};
-  }
-  template <class Crack>
-  [[nodiscard]] BothSenses faces_of(const Crack& crack) const {
-    const sif::BasicCrackPlaneStress<Real> stress = plane_of(crack);
-    const double P = gear_.load.axial_force;
-    const double T = std::abs(gear_.load.torque);
-    const double from_P = value_of(stress.normal[kAxial]) * P;
-    const double from_T = value_of(stress.normal[kTorsion]) * T;
-    const double scale = std::abs(from_P) + std::abs(from_T) +
-                         std::abs(value_of(stress.shear[kAxial]) * P) +
-                         std::abs(value_of(stress.shear[kTorsion]) * T);
-    return {faces(from_P + from_T, scale), faces(from_P - from_T, scale)};
   }
   [[nodiscard]] BothSenses shaft_faces() const {
     const double P = gear_.load.axial_force;

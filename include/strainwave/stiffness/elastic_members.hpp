@@ -83,8 +83,4 @@ template <class Real>
 [[nodiscard]] DualReal ring_compliance(int wave_number, const DualReal& mean_radius,
                                        const DualReal& bending_stiffness);
 
-/// Bending moment of that ring at a force, over F R [-]: (1/theta - cot(theta))/2.
-/// @param wave_number  U [-]; >= 2
-[[nodiscard]] double ring_moment_factor(int wave_number);
-
 }  // namespace strainwave

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/quadrature.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/stiffness_result.hpp"
@@ -55,23 +54,5 @@ struct MemberCompliance {
 /// @throws InputError  if the gear breaks a rule
 [[nodiscard]] StiffnessResult torsional_stiffness(const GearSet& gear,
                                                   const StiffnessOptions& options = {});
-
-/// Force on one lobe per unit of torque, f = 2 c_F k_r/(U d_1) [1/m]; eq. (ST-5).
-[[nodiscard]] double lobe_force_per_torque(const Transmission& drive, const WaveGenerator& wg);
-
-/// The two contacts of a ball of a wave generator bearing.
-struct RaceContacts {
-  PointContact inner;
-  PointContact outer;  ///< concave race
-};
-
-/// Geometry of a ball's contacts with its races, all of one material; eq. (CO-1).
-[[nodiscard]] RaceContacts race_contacts(const Bearing& bearing, const ElasticConstants& steel);
-
-/// Bending stress of the flexspline's wall from its assembly on the wave generator [Pa].
-///
-/// Implements theory manual eq. (ST-17), E/(1-nu^2) (delta/2) (U^2-1) w_0/r_m^2, for a
-/// deflection w_0 cos(U theta); constant along the axis.
-[[nodiscard]] double ovalisation_stress(const GearSet& gear);
 
 }  // namespace strainwave

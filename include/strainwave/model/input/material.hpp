@@ -25,6 +25,7 @@ struct Material {
   /// Where the numbers come from if the input only names them: one sentence for the notes of a
   /// result.  Empty: the input gives them.  No field of the input file.
   std::string origin = {};
+  bool verified = true;  ///< false: that sentence names numbers that nobody has checked
 
   template <class Visitor>
   static void describe(Visitor&& field) {

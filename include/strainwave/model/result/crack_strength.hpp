@@ -74,7 +74,8 @@ struct StrengthState {
   std::optional<CriticalSize> brittle_size = {};   ///< at which K reaches K_Ic
   std::optional<CriticalSize> critical_size = {};  ///< at which the line is reached
   StrengthVerdict verdict = StrengthVerdict::cannot_tell;
-  std::string unknown = {};  ///< what is missing, where the verdict is cannot_tell
+  std::string unknown = {};    ///< what is missing, where the verdict is cannot_tell
+  std::string next_step = {};  ///< what would tell, where the verdict is cannot_tell
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -140,8 +141,9 @@ struct CrackStrength {
   std::size_t governing = 0;  ///< the worst state under either sense of torque
   StrengthVerdict verdict = StrengthVerdict::cannot_tell;  ///< of that state
   std::string sentence = {};                               ///< the verdict in words
-  std::vector<StrengthNote> notes = {};                    ///< what the verdict leaves out
-  std::vector<std::string> equations = {};                 ///< tags of the theory manual
+  std::string next_step = {};               ///< what would tell, where the verdict is cannot_tell
+  std::vector<StrengthNote> notes = {};     ///< what the verdict leaves out
+  std::vector<std::string> equations = {};  ///< tags of the theory manual
 
   /// The numbers of the worst state first, which are outputs; then all states.
   template <class Visitor>

@@ -119,8 +119,8 @@ struct CrackReport {
   std::optional<StressIntensities> deepest = {};
   /// The largest magnitude of each mode along the front.
   std::optional<StressIntensities> largest = {};
-  std::optional<Quantity> utilisation = {};   ///< sqrt(G E')/K_Ic at the worst point [-]
-  std::optional<Quantity> plastic_zone = {};  ///< radius [m]
+  /// Relative, of the largest K along the front [-]; absent where there is no K.
+  std::optional<double> intensity_uncertainty = {};
 };
 
 /// The maker's stiffnesses of the coupled drive, cracks at the positions of the file [N*m/rad].

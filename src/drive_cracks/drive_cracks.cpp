@@ -1,0 +1,485 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/drive_cracks/drive_cracks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include "strainwave/core/units.hpp"
+#include "strainwave/drive_cracks/loaded_crack.hpp"
+#include "strainwave/drive_cracks/member_loads.hpp"
+#include "strainwave/drive_cracks/reference_stress.hpp"
+#include "strainwave/sif/bar/bar_annular.hpp"
+#include "strainwave/sif/bar/hollow_annular_outer.hpp"
+#include "strainwave/sif/newman_raju.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+
+constexpr int kFrontPoints = 33;         // of half a front; K varies slowly along it
+constexpr double kNearlyAll = 1 - 1e-6;  // of a length that a crack must not reach
+constexpr double kSurfaceRange = 0.8;    // a/t of Newman and Raju's elements
+
+const StrengthNote kAssembly = {
+    "the assembly bends the cracked wall by w_0 cos(U theta) in full: an upper bound away from the "
+    "open end of a cup, but not for a flattened cam or on the rim; over a turn each face is in "
+    "tension once per lobe, so the crack may start from either",
+    "FA-12"};
+const StrengthNote kThroughBending = {
+    "a through crack takes the bending of the assembly in full at the outer fibre, exact for a "
+    "crack short against the wall's thickness and up to 1.6 times too much for a long one; contact "
+    "of its closed half is left out",
+    "FA-14"};
+const StrengthNote kFit = {
+    "stress of fit and rotation in the ring is not known and left out; the lobe force is taken to "
+    "scale the crack's stress in proportion",
+    "FA-4"};
+const StrengthNote kGroove = {
+    "a groove is taken as a sharp crack all round, of its depth: on the safe side", "FA-11"};
+const char* const kDiaphragm = "the bending of the diaphragm by the assembly is not known";
+const char* const kRim =
+    "on the rim the wall's bending is no upper bound: membrane stress of the assembly and tooth "
+    "forces are not in it";
+const char* const kOrder =
+    "the driver orthogonal_shear gives an order of magnitude at best (ST-12)";
+
+/// What is not known of a stress decides the verdict, and no field of the file tells it.
+void leave_unknown(DriveCrack& made, std::string stress) {
+  if (stress.empty()) return;
+  made.unknown = std::move(stress);
+  made.next_step = "No field tells that stress: judge the crack by finite elements of the part.";
+}
+
+void use(DriveCrack& made, std::initializer_list<const char*> tags) {
+  made.equations.insert(made.equations.end(), tags.begin(), tags.end());
+}
+
+/// Moduli, constraint and faces, which every kind has.
+template <class Solution>
+void take_basics(DriveCrack& made, const LoadedCrack<Solution>& loaded) {
+  made.moduli = loaded.moduli;
+  made.constraint = loaded.constraint;
+  made.faces = loaded.faces;
+}
+
+void take_size(DriveCrack& made, const char* name, CrackSize size, double ligament) {
+  made.size_name = name;
+  made.size = size;
+  made.ligament = ligament;
+}
+
+/// K of a solution over [axial force, torque] at some places of its front.
+template <class Solution>
+std::vector<FrontIntensity> along(const Solution& solution, double a,
+                                  std::initializer_list<double> places) {
+  std::vector<FrontIntensity> front;
+  for (const double s : places) front.push_back({solution.stress_intensity(a, s), {}});
+  return front;
+}
+
+/// The two states of the faces of a solution.
+template <class Solution>
+struct BothStates {
+  explicit BothStates(const Solution& apart) : open(apart), pressed(apart.pressed()) {}
+  [[nodiscard]] const Solution& with(Faces state) const {
+    return state == Faces::pressed ? pressed : open;
+  }
+  Solution open;
+  Solution pressed;
+};
+
+/// Wall of a flexspline with its length, as the section of a crack.
+struct LongWall {
+  double mean_radius = 0.0;
+  double thickness = 0.0;
+  double length = 0.0;
+};
+
+/// K of a bending moment M of a tube: that of the axial force 2 M/r, which makes the same stress
+/// M/(pi r^2 t) in the middle of the pulled side.
+auto tube_bending(const DriveCrack& made, double mean_radius) {
+  return [front = made.front, mean_radius](const CrackSize& size) {
+    std::vector<Modes> bent;
+    for (const FrontIntensity& at : front(size, Faces::open)) {
+      const double force = 2 / mean_radius;
+      bent.push_back(
+          {at.load.I[kAxial] * force, at.load.II[kAxial] * force, at.load.III[kAxial] * force});
+    }
+    return bent;
+  };
+}
+
+/// Makes the cracks of a drive; one overload of `fill` for each kind.
+class Maker {
+ public:
+  explicit Maker(const GearSet& gear) : gear_(gear), loads_(gear) {}
+
+  [[nodiscard]] std::vector<DriveCrack> all() {
+    if (gear_.wave_generator)
+      for_each("wave_generator", gear_.wave_generator->crack, gear_.wave_generator->material);
+    if (gear_.flexspline)
+      for_each("flexspline", gear_.flexspline->crack, gear_.flexspline->material);
+    if (gear_.mesh) for_each("mesh", gear_.mesh->crack, {});
+    if (gear_.circular_spline)
+      for_each("circular_spline", gear_.circular_spline->crack, gear_.circular_spline->material);
+    if (gear_.output_shaft)
+      for_each("output_shaft", gear_.output_shaft->crack, gear_.output_shaft->material);
+    return std::move(result_);
+  }
+
+ private:
+  template <class Variant>
+  void for_each(std::string_view member, const std::vector<Variant>& cracks,
+                const std::string& material) {
+    for (std::size_t i = 0; i < cracks.size(); ++i)
+      loads_.load(cracks[i], [&](const auto& crack, const auto& loaded) {
+        DriveCrack made;
+        made.path = fmt::format("{}.crack[{}]", member, i);
+        made.kind = std::decay_t<decltype(crack)>::kKind;
+        made.material = material;
+        made.wave_number = gear_.drive.wave_number;
+        fill(made, crack, loaded);
+        result_.push_back(std::move(made));
+      });
+  }
+
+  template <class Crack>
+  void fill(DriveCrack& made, const Crack&, const ActsInCoupledDrive&) const {
+    made.acts_in_coupled_drive = true;
+  }
+
+  // --- Output shaft -----------------------------------------------------------------------------
+
+  void fill(DriveCrack& made, const AnnularCrack& crack,
+            const LoadedCrack<sif::AnnularCrackSolid>& loaded) const {
+    const double d = gear_.output_shaft->outer_diameter;
+    fill_annular(made, crack, loaded);
+    made.bending = [d](const CrackSize& size) {
+      const sif::BarAnnularCrack bar{.depth = size.size, .diameter = d};
+      return std::vector<Modes>{{bar.stress_intensity(size.size, 0.0).I[sif::kMoment], 0.0, 0.0}};
+    };
+    made.range_end = kNearlyAll * d / 2;
+    made.range_text = "the radius of the shaft";
+  }
+  void fill(DriveCrack& made, const AnnularCrack& crack,
+            const LoadedCrack<sif::AnnularCrackHollow>& loaded) const {
+    const double D = gear_.output_shaft->outer_diameter;
+    const double d = gear_.output_shaft->inner_diameter;
+    fill_annular(made, crack, loaded);
+    if (d <= sif::AnnularCrackHollow::kMaxTensionRadiusRatio * D)
+      made.bending = [D, d](const CrackSize& size) {
+        const sif::HollowAnnularOuterCrack bar{
+            .depth = size.size, .outer_diameter = D, .inner_diameter = d};
+        return std::vector<Modes>{{bar.stress_intensity(size.size, 0.0).I[sif::kMoment], 0.0, 0.0}};
+      };
+    made.range_end = sif::AnnularCrackHollow::kMaxDepthRatio * (D / 2 - d / 2);
+    made.range_text = "0.8 of the wall, the range of the stress intensity";
+  }
+  template <class Solution>
+  void fill_annular(DriveCrack& made, const AnnularCrack& crack,
+                    const LoadedCrack<Solution>& loaded) const {
+    const double r_o = gear_.output_shaft->outer_diameter / 2;
+    const double r_i = gear_.output_shaft->inner_diameter / 2;
+    take_basics(made, loaded);
+    take_size(made, "depth", {.size = crack.depth}, r_o - r_i - crack.depth);
+    use(made, {"FA-7"});
+    // Shared: a std::function may be copied, the table need not.
+    const auto states = std::make_shared<const BothStates<Solution>>(loaded.solution);
+    made.front = [states](const CrackSize& size, Faces faces) {
+      return along(states->with(faces), size.size, {0.0});
+    };
+    made.reference_stress = [=](const CrackSize& size, double P, double T) {
+      return ring_reference_stress({.outer_radius = r_o - size.size, .inner_radius = r_i}, P, T);
+    };
+  }
+
+  // --- Flexspline -------------------------------------------------------------------------------
+
+  /// The wall that a crack sits in, with its length.
+  [[nodiscard]] LongWall long_wall(WallSection section) const {
+    const Flexspline& fs = *gear_.flexspline;
+    const Wall<double> wall = loads_.wall_of(section);
+    const double length = fs.crack_free == CrackFree::factor ? fs.length
+                          : section == WallSection::rim      ? fs.rim->length
+                                                             : fs.barrel->length;
+    return {wall.mean_radius, wall.thickness, length};
+  }
+
+  void fill(DriveCrack& made, const WallThroughCrack& crack,
+            const LoadedCrack<sif::ThroughCrackInTube>& loaded) const {
+    const LongWall wall = long_wall(crack.section);
+    take_basics(made, loaded);
+    const AssemblyStress bending = assembly_of(made, wall, crack.angle);
+    if (on_rim(crack.section)) leave_unknown(made, kRim);
+    made.front = [states = BothStates(loaded.solution), bending](const CrackSize& size,
+                                                                 Faces faces) {
+      const double root = std::sqrt(pi * size.size);
+      auto front = along(states.with(faces), size.size, {-1.0, 0.0, 1.0});
+      // (FA-14): the whole of the outer fibre's stress.
+      for (FrontIntensity& at : front)
+        at.assembly = {bending.normal * root, bending.shear * root, 0.0};
+      return front;
+    };
+    made.bending = tube_bending(made, wall.mean_radius);
+    const double round = 2 * pi * wall.mean_radius;
+    const double sine = std::abs(std::sin(crack.angle));
+    const double cosine = std::abs(std::cos(crack.angle));
+    through_section(made, crack.angle, wall, gear_.flexspline->stress_nonuniformity);
+    take_size(made, "half_length", {.size = crack.half_length},
+              std::min(round / 2 - crack.half_length * sine,
+                       wall.length / 2 - crack.half_length * cosine));
+    const double shell = sif::ThroughCrackInTube::kMaxShellParameter /
+                         std::sqrt(loaded.solution.shell_parameter_squared(1.0));
+    const double half_round = kNearlyAll * pi * wall.mean_radius / (2 * sine);
+    const double length = kNearlyAll * wall.length / (2 * cosine);
+    made.range_end = std::min({shell, half_round, length});
+    made.range_text = made.range_end == shell
+                          ? "a shell parameter of 4"
+                          : "the length of the tube, or half of its circumference";
+    use(made, {"FA-6", "FA-8"});
+    if (made.assembly) {
+      use(made, {"FA-14"});
+      made.notes.push_back(kThroughBending);
+    }
+  }
+
+  /// The solutions of a surface crack in the wall, at one shape.
+  struct SurfaceFits {
+    explicit SurfaceFits(const sif::SurfaceCrack<2>& crack, double poissons_ratio)
+        : wall(crack), plate(crack.aspect_ratio()), sheared(crack.aspect_ratio(), poissons_ratio) {}
+    BothStates<sif::SurfaceCrack<2>> wall;
+    sif::NewmanRajuPlate plate;
+    sif::KassirSih sheared;
+  };
+
+  void fill(DriveCrack& made, const WallSurfaceCrack& crack,
+            const LoadedCrack<sif::SurfaceCrack<2>>& loaded) const {
+    const LongWall wall = long_wall(crack.section);
+    const double nu = loads_.flexspline_steel().nu;
+    const double t = wall.thickness;
+    take_basics(made, loaded);
+    const AssemblyStress bending = assembly_of(made, wall, crack.angle);
+    if (on_rim(crack.section)) leave_unknown(made, kRim);
+    made.front = [=, given = SurfaceFits(loaded.solution, nu)](const CrackSize& size, Faces faces) {
+      const double a = size.size;
+      const SurfaceFits fits =
+          size.aspect_ratio == given.wall.open.aspect_ratio()
+              ? given
+              : SurfaceFits(given.wall.open.with_aspect_ratio(size.aspect_ratio), nu);
+      const sif::SurfaceCrack<2>& surface = fits.wall.with(faces);
+      std::vector<FrontIntensity> front(kFrontPoints);
+      const double root = std::sqrt(pi * a);
+      for (int i = 0; i < kFrontPoints; ++i) {
+        const double phi = pi / 2 * i / (kFrontPoints - 1);
+        FrontIntensity& at = front[static_cast<std::size_t>(i)];
+        at.load = surface.stress_intensity(a, phi);
+        // (SP-3) for the bending; the shear of the surface, as if it went through the wall.
+        at.assembly = {bending.normal * root * fits.plate.tension(a / t, phi) *
+                           fits.plate.bending_ratio(a / t, phi),
+                       bending.shear * root * fits.sheared.factor_II(phi),
+                       bending.shear * root * fits.sheared.factor_III(phi)};  // (FA-12)
+      }
+      return front;
+    };
+    made.bending = tube_bending(made, wall.mean_radius);
+    const double r = wall.mean_radius;
+    const double K_u = gear_.flexspline->stress_nonuniformity;
+    made.reference_stress = [=](const CrackSize& size, double P, double T) {
+      const double sigma_vM = von_mises(P / (2 * pi * r * t), K_u * T / (2 * pi * r * r * t));
+      return ligament_reference_stress(SectionLoading::membrane, sigma_vM, size.size / t);
+    };
+    take_size(made, "depth", CrackSize::of(crack.depth, crack.half_length), t - crack.depth);
+    made.range_end = kSurfaceRange * t;
+    made.range_text = "0.8 of the wall, the range of the stress intensity";
+    use(made, {"FA-6", "FA-9"});
+    if (made.assembly) use(made, {"SP-3"});
+  }
+
+  void fill(DriveCrack& made, const DiaphragmArcCrack& crack,
+            const LoadedCrack<sif::ThroughCrackInTube>& loaded) const {
+    const double r = loaded.solution.mean_radius;
+    take_basics(made, loaded);
+    made.front = [states = BothStates(loaded.solution)](const CrackSize& size, Faces faces) {
+      return along(states.with(faces), size.size, {0.0});
+    };
+    // The arc is stressed by the torque alone.
+    through_section(made, pi / 2,
+                    {r, loaded.solution.wall_thickness, std::numeric_limits<double>::infinity()},
+                    1.0);
+    made.reference_stress = [of_both = made.reference_stress](const CrackSize& size, double,
+                                                              double T) {
+      return of_both(size, 0.0, T);
+    };
+    take_size(made, "half_length", {.size = crack.half_length}, pi * r - crack.half_length);
+    made.range_end = r / 2;
+    made.range_text = "half of the arc's radius";
+    leave_unknown(made, kDiaphragm);
+    use(made, {"FA-6", "FA-8"});
+  }
+
+  void fill(DriveCrack& made, const DiaphragmGroove& groove, const LoadedGroove&) const {
+    const Diaphragm& diaphragm = *gear_.flexspline->diaphragm;
+    const ElasticConstants steel = loads_.flexspline_steel();
+    made.moduli = {.opening = steel.plane_strain_modulus(), .shear = steel.G};
+    // The law is linear between the stations: what is worst is at an end or at one of them.
+    std::vector<std::array<double, 2>> places;  // radius, thickness
+    const double inner = groove.radius - groove.width / 2;
+    const double outer = groove.radius + groove.width / 2;
+    double thinnest = std::numeric_limits<double>::infinity();
+    const auto add = [&](double r) {
+      places.push_back({r, diaphragm_thickness(diaphragm, r)});
+      thinnest = std::min(thinnest, places.back()[1]);
+    };
+    add(inner);
+    add(outer);
+    for (const DiaphragmStation& station : diaphragm.profile)
+      if (station.radius > inner && station.radius < outer) add(station.radius);
+    made.front = [places](const CrackSize& size, Faces) {
+      std::vector<FrontIntensity> front;
+      for (const auto& [r, h] : places) {
+        FrontIntensity& at = front.emplace_back();
+        at.load.III[kTorsion] = groove_intensity(annulus_shear(1.0, r, h), size.size, h);
+      }
+      return front;
+    };
+    made.reference_stress = [places](const CrackSize& size, double, double T) {
+      double worst = 0.0;
+      for (const auto& [r, h] : places)
+        worst = std::max(worst, ligament_reference_stress(SectionLoading::membrane,
+                                                          von_mises(0.0, annulus_shear(T, r, h)),
+                                                          size.size / h));
+      return worst;  // (FA-11)
+    };
+    take_size(made, "depth", {.size = groove.depth}, thinnest - groove.depth);
+    made.range_end = kNearlyAll * thinnest;
+    made.range_text = "the thickness of the diaphragm";
+    leave_unknown(made, kDiaphragm);
+    made.notes.push_back(kGroove);
+    use(made, {"FA-6", "FA-9", "FA-11"});
+  }
+
+  /// Reference stress of a crack through a wall.
+  static void through_section(DriveCrack& made, double angle, const LongWall& wall, double K_u) {
+    made.reference_stress = [=](const CrackSize& size, double P, double T) {
+      const auto share = through_wall_share({.half_length = size.size,
+                                             .angle = angle,
+                                             .mean_radius = wall.mean_radius,
+                                             .length = wall.length});
+      const double section = 2 * pi * wall.mean_radius * wall.thickness;
+      return von_mises(P / section, K_u * T / (section * wall.mean_radius)) /
+             share.value();  // (FA-8); the range ends before nothing is left
+    };
+  }
+
+  [[nodiscard]] bool on_rim(WallSection section) const {
+    return gear_.flexspline->crack_free != CrackFree::factor && section == WallSection::rim;
+  }
+
+  [[nodiscard]] AssemblyStress assembly_of(DriveCrack& made, const LongWall& wall,
+                                           double angle) const {
+    if (gear_.drive.wave_number < 2) return {};  // one lobe shifts the ring, it does not bend it
+    made.assembly = true;
+    made.notes.push_back(kAssembly);
+    use(made, {"ST-17", "FA-12"});
+    made.assembly_peak = assembly_stress(gear_, wall.mean_radius, wall.thickness, 0.0).normal;
+    return assembly_stress(gear_, wall.mean_radius, wall.thickness, angle);
+  }
+
+  // --- Wave generator ---------------------------------------------------------------------------
+
+  void fill(DriveCrack& made, const RaceSurfaceCrack& crack,
+            const LoadedCrack<sif::SurfaceCrack<1>>& loaded) const {
+    take_size(made, "depth", {.size = crack.depth, .aspect_ratio = crack.aspect_ratio},
+              *gear_.wave_generator->inner_ring_thickness - crack.depth);
+    fill_race(made, crack, loaded, SectionLoading::membrane);
+    made.front = [states = BothStates(loaded.solution), f = lobe_force_per_torque()](
+                     const CrackSize& size, Faces faces) {
+      const sif::SurfaceCrack<1> surface = states.with(faces).with_aspect_ratio(size.aspect_ratio);
+      std::vector<FrontIntensity> front(kFrontPoints);
+      for (int i = 0; i < kFrontPoints; ++i)
+        front[static_cast<std::size_t>(i)].load.I[kTorsion] =
+            surface.stress_intensity(size.size, pi / 2 * i / (kFrontPoints - 1)).I[0] * f;
+      return front;
+    };
+    made.range_end = kSurfaceRange * *gear_.wave_generator->inner_ring_thickness;
+    made.range_text = "0.8 of the ring, the range of the stress intensity";
+  }
+
+  void fill(DriveCrack& made, const RaceEdgeCrack& crack,
+            const LoadedCrack<sif::EdgeCrack>& loaded) const {
+    const double t = *gear_.wave_generator->inner_ring_thickness;
+    const bool bent = crack.stress_driver == StressDriver::ring_bending;
+    take_size(made, "depth", {.size = crack.depth}, t - crack.depth);
+    fill_race(made, crack, loaded, bent ? SectionLoading::bending : SectionLoading::membrane);
+    made.front = [states = BothStates(loaded.solution), f = lobe_force_per_torque()](
+                     const CrackSize& size, Faces faces) {
+      std::vector<FrontIntensity> front(1);
+      front[0].load.I[kTorsion] = states.with(faces).stress_intensity(size.size, 0.0).I[0] * f;
+      return front;
+    };
+    made.range_end = kNearlyAll * t;
+    made.range_text = "the thickness of the ring";
+  }
+
+  [[nodiscard]] double lobe_force_per_torque() const {
+    return strainwave::lobe_force_per_torque(gear_.drive, *gear_.wave_generator);
+  }
+
+  /// What the cracks of the inner ring share; the lobe force stresses them.
+  template <class Crack, class Solution>
+  void fill_race(DriveCrack& made, const Crack& crack, const LoadedCrack<Solution>& loaded,
+                 SectionLoading loading) const {
+    take_basics(made, loaded);
+    made.reverses = false;
+    const double t = *gear_.wave_generator->inner_ring_thickness;
+    // A ring that the driver compresses is not torn apart.
+    const double stress = std::max(loads_.unit_stress(crack), 0.0) * lobe_force_per_torque();
+    made.reference_stress = [=](const CrackSize& size, double, double T) {
+      return ligament_reference_stress(loading, stress * std::abs(T), size.size / t);
+    };
+    leave_unknown(made, missing_stress(crack.stress_driver));
+    made.notes.push_back(kFit);
+    use(made, {loading == SectionLoading::membrane ? "FA-9" : "FA-10"});
+    if (gear_.drive.wave_number >= 2) use(made, {"SW-9"});
+  }
+
+  /// What no driver contains, and the driver that decides nothing; empty: all is there.
+  [[nodiscard]] std::string missing_stress(StressDriver driver) const {
+    std::string text = driver == StressDriver::orthogonal_shear ? kOrder : "";
+    if (gear_.drive.wave_number < 2) return text;  // one lobe shifts the ring, it does not bend it
+    const WaveGenerator& wg = *gear_.wave_generator;
+    const double t = *wg.inner_ring_thickness;
+    std::optional<double> R = wg.inner_ring_mean_radius;
+    if (!R && wg.bearing) R = (wg.bearing->inner_raceway_diameter - t) / 2;
+    std::string size;
+    if (R)
+      size = fmt::format(
+          ", about {:.3g} MPa at the lobe,",
+          bending_to_shape(gear_.drive, loads_.ring_steel(), *R, t) / units::MPa);  // (SW-9)
+    if (!text.empty()) text += ", and ";
+    return text +
+           fmt::format("the ring's bending by its cam{} is not in the driver's stress", size);
+  }
+
+  const GearSet& gear_;
+  CrackLoads<double> loads_;
+  std::vector<DriveCrack> result_;
+};
+
+}  // namespace
+
+double DriveCrack::assembly_phase(double wave_angle) const {
+  return std::cos(wave_number * wave_angle);
+}
+
+std::vector<DriveCrack> drive_cracks(const GearSet& gear) { return Maker(gear).all(); }
+
+}  // namespace strainwave

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/strength/crack_assessment.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "assessed_crack.hpp"
+#include "strainwave/drive_cracks/drive_cracks.hpp"
+#include "strainwave/stiffness/torsional_stiffness.hpp"
+
+namespace strainwave {
+namespace {
+
+const StrengthNote kResidual = {
+    "residual stress (hardening, peening, press fits) is not known and left out; the line is for "
+    "steels that yield continuously",
+    "FA-1"};
+const StrengthNote kLineEnds = {
+    "the material gives no ultimate_strength: the line ends at L_r = 1, on the safe side", "FA-2"};
+
+/// A crack of which no stress is computed.
+CrackStrength acts_in_coupled_drive(CrackStrength report) {
+  report.sentence =
+      "cannot tell: it acts in the coupled drive only, where its stress is not computed";
+  report.next_step = "No field makes this crack assessable: judge it by finite elements.";
+  report.equations = {"FA-13"};
+  return report;
+}
+
+CrackStrength strength_of(const GearSet& gear, const DriveCrack& crack,
+                          std::span<const CrackReport> reports) {
+  CrackStrength report{.path = crack.path, .kind = crack.kind, .material = crack.material};
+  if (crack.acts_in_coupled_drive) return acts_in_coupled_drive(std::move(report));
+  const Material& material = material_of(gear, crack.material, crack.path + ".material");
+  report.size_name = crack.size_name;
+  report.size = crack.size.size;
+  report.ligament = crack.ligament;
+  report.notes.push_back(kResidual);
+  if (material.yield_strength && !material.ultimate_strength) report.notes.push_back(kLineEnds);
+  report.notes.insert(report.notes.end(), crack.notes.begin(), crack.notes.end());
+  report.equations = {"FA-1", "FA-2", "FA-4", "FA-5", "FA-13"};
+  report.equations.insert(report.equations.end(), crack.equations.begin(), crack.equations.end());
+  if (crack.assembly) report.equations.emplace_back("FA-3");
+  if (material.fracture_toughness) report.equations.emplace_back("FR-20");
+  if (material.yield_strength) report.equations.emplace_back("FR-19");
+  const auto of_path = std::ranges::find(reports, crack.path, &CrackReport::path);
+  return assess({.crack = crack,
+                 .material = material,
+                 .load = gear.load,
+                 .relative_uncertainty = of_path == reports.end() ? std::optional<double>()
+                                                                  : of_path->intensity_uncertainty},
+                std::move(report));
+}
+
+/// Note that the plastic zone is not small, at the given load alone.
+void note_plastic_zone(std::vector<Note>& notes, const CrackStrength& crack) {
+  if (crack.states.empty() || !crack.states.front().plastic_zone) return;
+  const double length = std::min(crack.size, crack.ligament.value_or(crack.size));
+  if (*crack.states.front().plastic_zone <= kSmallScaleYielding * length) return;
+  notes.push_back({.code = "crack.plastic_zone",
+                   .text =
+                       "the plastic zone is more than a tenth of the crack or of what is left of "
+                       "the section: linear elasticity is no longer accurate",
+                   .path = crack.path,
+                   .equation = "FR-19",
+                   .severity = Severity::care});
+}
+
+}  // namespace
+
+std::vector<CrackStrength> crack_strength(const GearSet& gear,
+                                          std::span<const CrackReport> reports) {
+  check(gear);
+  std::vector<CrackStrength> result;
+  for (const DriveCrack& crack : drive_cracks(gear))
+    result.push_back(strength_of(gear, crack, reports));
+  return result;
+}
+
+std::vector<CrackStrength> crack_strength(const GearSet& gear) {
+  const StiffnessResult result = torsional_stiffness(gear);
+  return crack_strength(gear, result.cracks);
+}
+
+std::vector<Note> strength_notes(std::span<const CrackStrength> cracks) {
+  std::vector<Note> notes;
+  for (const CrackStrength& crack : cracks) {
+    if (crack.breaks())
+      notes.push_back({.code = "strength.breaks",
+                       .text = crack.sentence,
+                       .path = crack.path,
+                       .equation = "FA-13",
+                       .severity = Severity::critical,
+                       .next_step = "Lower the load or replace the part; the stiffness is that of "
+                                    "the crack as it stands."});
+    else if (crack.verdict == StrengthVerdict::cannot_tell)
+      notes.push_back({.code = "strength.cannot_tell",
+                       .text = crack.sentence,
+                       .path = crack.path,
+                       .equation = "FA-13",
+                       .severity = Severity::cannot_tell,
+                       .next_step = crack.next_step});
+    note_plastic_zone(notes, crack);
+    for (const StrengthNote& scope : crack.notes) {
+      const auto same = std::ranges::find_if(notes, [&](const Note& note) {
+        return note.code == "strength.scope" && note.text == scope.text;
+      });
+      if (same == notes.end())
+        notes.push_back({.code = "strength.scope",
+                         .text = scope.text,
+                         .path = crack.path,
+                         .equation = scope.equation,
+                         .severity = Severity::care});
+      else
+        same->path += ", " + crack.path;
+    }
+  }
+  return notes;
+}
+
+}  // namespace strainwave

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/drive_cracks/drive_cracks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "strainwave/core/units.hpp"
+#include "strainwave/drive_cracks/loaded_crack.hpp"
+#include "strainwave/drive_cracks/member_loads.hpp"
+#include "strainwave/sif/bar/bar_annular.hpp"
+#include "strainwave/sif/bar/hollow_annular_outer.hpp"
+#include "support/article_gear.hpp"
+#include "support/expect.hpp"
+
+namespace strainwave {
+namespace {
+
+using namespace units;  // NOLINT(google-build-using-namespace): 0.1 * mm reads as it should
+using std::numbers::pi;
+
+DriveCrack crack_of(const GearSet& gear, const std::string& path) {
+  for (DriveCrack& crack : drive_cracks(gear))
+    if (crack.path == path) return crack;
+  throw std::runtime_error("no " + path);
+}
+
+GearSet with_surface_crack() {
+  GearSet gear = test::article_gear(1 * mm);
+  WallSurfaceCrack surface;
+  surface.depth = 0.8 * mm;
+  surface.half_length = 2 * mm;
+  surface.angle = 30 * deg;
+  gear.flexspline->crack = {surface};
+  return gear;
+}
+
+TEST(Faces, LimitRoundingCountsAsNone) {
+  EXPECT_EQ(faces(1.0, 1.0), Faces::open);
+  EXPECT_EQ(faces(-1.0, 1.0), Faces::pressed);
+  EXPECT_EQ(faces(0.0, 0.0), Faces::touching);
+  for (const double sign : {1.0, -1.0}) {
+    EXPECT_EQ(faces(sign * 0.9e-12, 1.0), Faces::touching);
+    EXPECT_NE(faces(sign * 1.1e-12, 1.0), Faces::touching);
+  }
+  EXPECT_TRUE((BothSenses{Faces::open, Faces::pressed}.differ()));
+  EXPECT_FALSE((BothSenses{Faces::open, Faces::touching}.differ()));
+}
+
+TEST(DriveCracks, IdentityOrderKindsAndMaterials) {
+  GearSet gear = with_surface_crack();
+  gear.flexspline->crack.emplace_back(RimAxialCrack{});
+  const std::vector<DriveCrack> cracks = drive_cracks(gear);
+  std::vector<std::string> paths;
+  for (const DriveCrack& crack : cracks) {
+    paths.push_back(crack.path + " " + crack.kind);
+    EXPECT_EQ(crack.material, "steel");
+    EXPECT_EQ(crack.acts_in_coupled_drive, crack.kind == "rim_axial");
+    EXPECT_EQ(static_cast<bool>(crack.front), crack.kind != "rim_axial");
+  }
+  EXPECT_EQ(paths, (std::vector<std::string>{
+                       "wave_generator.crack[0] surface", "flexspline.crack[0] surface",
+                       "flexspline.crack[1] rim_axial", "output_shaft.crack[0] annular"}));
+}
+
+TEST(DriveCracks, IdentityDepthAndHalfLengthApart) {
+  // K at another depth and half length is that of a drive whose crack has them.
+  const DriveCrack given = crack_of(with_surface_crack(), "flexspline.crack[0]");
+  EXPECT_EQ(given.size_name, "depth");
+  EXPECT_NEAR(given.size.half_length(), 2 * mm, 1e-17);
+  for (const double depth : {0.5 * mm, 1.1 * mm})
+    for (const double half_length : {1.2 * mm, 3 * mm}) {
+      GearSet other = with_surface_crack();
+      auto& surface = std::get<WallSurfaceCrack>(other.flexspline->crack[0]);
+      surface.depth = depth;
+      surface.half_length = half_length;
+      const DriveCrack grown = crack_of(other, "flexspline.crack[0]");
+      const CrackSize size = CrackSize::of(depth, half_length);
+      for (const Faces state : {Faces::open, Faces::pressed}) {
+        const auto a = given.front(size, state);
+        const auto b = grown.front(grown.size, state);
+        ASSERT_EQ(a.size(), b.size());
+        for (std::size_t i = 0; i < a.size(); ++i) {
+          EXPECT_EQ(a[i].load.I, b[i].load.I);
+          EXPECT_EQ(a[i].load.II, b[i].load.II);
+          EXPECT_EQ(a[i].load.III, b[i].load.III);
+          EXPECT_EQ(a[i].assembly, b[i].assembly);
+        }
+        EXPECT_EQ(a.back().load.I[kTorsion] == 0, state == Faces::pressed);
+      }
+    }
+}
+
+TEST(DriveCracks, IdentityUnitLoadsGiveTheStressOfEach) {
+  // A short through crack along a generator of a flat wall, K = stress sqrt(pi a) of each load.
+  GearSet gear = test::article_gear(1 * mm);
+  auto& through = std::get<WallThroughCrack>(gear.flexspline->crack.at(0));
+  through.shell_correction = false;
+  through.angle = 90 * deg;
+  const DriveCrack crack = crack_of(gear, "flexspline.crack[0]");
+  const double r = 78.88 * mm;
+  const double t = 2.24 * mm;
+  const double root = std::sqrt(pi * 1 * mm);
+  const FrontIntensity middle = crack.front(crack.size, Faces::open).at(1);
+  const double K_u = gear.flexspline->stress_nonuniformity;
+  test::expect_relative(middle.load.I[kAxial], root / (2 * pi * r * t), 1e-12);
+  test::expect_relative(std::abs(middle.load.II[kTorsion]), K_u * root / (2 * pi * r * r * t),
+                        1e-12);
+  // Navier: M/(pi r^2 t) in the middle of the pulled side.
+  test::expect_relative(crack.bending(crack.size).at(1)[0], root / (pi * r * r * t), 1e-12);
+  test::expect_relative(middle.assembly[0], assembly_stress(gear, r, t, 90 * deg).normal * root,
+                        1e-12);
+}
+
+TEST(DriveCracks, IdentityAssemblyOverTheWaveAngle) {
+  GearSet gear = with_surface_crack();
+  const DriveCrack crack = crack_of(gear, "flexspline.crack[0]");
+  EXPECT_TRUE(crack.assembly);
+  EXPECT_EQ(crack.assembly_phase(0.0), 1.0);
+  EXPECT_NEAR(crack.assembly_phase(pi / 2), -1.0, 1e-15);  // two lobes
+  EXPECT_NEAR(crack.assembly_phase(pi / 4), 0.0, 1e-15);
+  gear.drive.wave_number = 1;
+  EXPECT_FALSE(crack_of(gear, "flexspline.crack[0]").assembly);
+}
+
+TEST(DriveCracks, CrosscheckBendingOfTheShaft) {
+  GearSet gear = test::article_gear(2 * mm);
+  const double D = gear.output_shaft->outer_diameter;
+  const double d = gear.output_shaft->inner_diameter;
+  DriveCrack crack = crack_of(gear, "output_shaft.crack[0]");
+  const sif::HollowAnnularOuterCrack hollow{
+      .depth = 2 * mm, .outer_diameter = D, .inner_diameter = d};
+  EXPECT_EQ(crack.bending(crack.size).at(0)[0],
+            hollow.stress_intensity(2 * mm, 0.0).I[sif::kMoment]);
+  gear.output_shaft->inner_diameter = 0.0;
+  crack = crack_of(gear, "output_shaft.crack[0]");
+  const sif::BarAnnularCrack solid{.depth = 2 * mm, .diameter = D};
+  EXPECT_EQ(crack.bending(crack.size).at(0)[0],
+            solid.stress_intensity(2 * mm, 0.0).I[sif::kMoment]);
+  gear.output_shaft->inner_diameter = 0.96 * D;  // beyond the table in tension and bending
+  std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = 0.5 * mm;
+  EXPECT_FALSE(crack_of(gear, "output_shaft.crack[0]").bending);
+}
+
+TEST(DriveCracks, ScalingRaceCrackFollowsTheLobeForceOfEitherSense) {
+  GearSet gear = test::article_gear(1 * mm);
+  const DriveCrack crack = crack_of(gear, "wave_generator.crack[0]");
+  EXPECT_FALSE(crack.reverses);
+  EXPECT_FALSE(crack.unknown.empty());
+  EXPECT_FALSE(crack.next_step.empty());
+  const CrackLoads<double> loads(gear);
+  const auto& given = std::get<RaceSurfaceCrack>(gear.wave_generator->crack.at(0));
+  const double K =
+      loads.loaded(given).solution.stress_intensity(given.depth, pi / 2).I[0] * loads.lobe_force();
+  const double T = std::abs(gear.load.torque);
+  test::expect_relative(crack.front(crack.size, Faces::open).back().load.I[kTorsion] * T, K, 1e-14);
+  EXPECT_EQ(crack.front(crack.size, Faces::open).back().load.I[kAxial], 0.0);
+  EXPECT_EQ(crack.reference_stress(crack.size, 0.0, T),
+            crack.reference_stress(crack.size, 0.0, -T));
+}
+
+}  // namespace
+}  // namespace strainwave
