@@ -85,7 +85,7 @@ std::string json_of(const fe_study::RunResult& result, const GearSet& gear,
       .version = std::string(version()),
       .revision = std::string(git_revision()),
       .input_file = arguments.file == "-" ? "standard input" : arguments.file};
-  return with_provenance(run_json(result, gear), gear, provenance);
+  return run_json(result, gear, provenance);
 }
 
 ExitCode verdict(const fe_study::RunResult& result) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "strainwave/io/result_writer.hpp"
+#include "strainwave/present/json.hpp"
 
 namespace strainwave::fe_study {
 namespace {
@@ -307,7 +308,7 @@ std::string run_text(const RunResult& result, const GearSet& gear) {
   return text;
 }
 
-std::string run_json(const RunResult& result, const GearSet& gear) {
+std::string run_json(const RunResult& result, const GearSet& gear, const Provenance& provenance) {
   Json json{{"method", "finite elements"},       {"section_order", result.section_order},
             {"solid_order", result.solid_order}, {"usable", result.usable()},
             {"reason", result.reason()},         {"output_shaft", Json::object()},
@@ -368,7 +369,13 @@ std::string run_json(const RunResult& result, const GearSet& gear) {
          {"torque", quantity(crack.tube.torque, "N*m")},
          {"compliance_without", quantity(crack.positive.compliance_without, "rad/(N*m)")},
          {"senses", {json_of(crack.positive, "positive"), json_of(crack.negative, "negative")}}});
-  return json.dump(2) + "\n";
+  json["provenance"] = {{"program", "strainwave"},
+                        {"version", provenance.version},
+                        {"revision", provenance.revision},
+                        {"input_file", provenance.input_file},
+                        {"input", Json::parse(strainwave::json_of(gear, JsonNumbers::as_input))}};
+  // Text from a file may be any bytes; JSON must be UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string plan_text(const std::vector<RunSize>& sizes) {

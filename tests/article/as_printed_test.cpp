@@ -216,7 +216,7 @@ TEST(AsPrinted, ReferenceWithoutOverridesTheInputsAreUsed) {
                          table_AP1(1.2556898e-9, "rad/(N*mm)"));
 }
 
-TEST(AsPrinted, IdentityModesThatTheArticleDoesNotHave) {
+TEST(AsPrinted, BehaviourModesThatTheArticleDoesNotHave) {
   const auto cracks = torsional_stiffness_as_printed(test::article_gear()).cracks;
   EXPECT_EQ(cracks.at(0).deepest->K_II.value, 0.0);
   EXPECT_EQ(cracks.at(0).deepest->K_III.value, 0.0);
@@ -542,7 +542,7 @@ TEST(AsPrinted, ScalingWrongOfTheAxialTermOfTheShaftCrack) {
 
 // --- Evidence -----------------------------------------------------------------------------------
 
-TEST(AsPrinted, IdentityNegativeComplianceIsNotedAndReturned) {
+TEST(AsPrinted, BehaviourNegativeComplianceIsNotedAndReturned) {
   const StiffnessResult negative = torsional_stiffness_as_printed(test::article_gear(0.1 * mm));
   EXPECT_LT(negative.positive.compliance.wave_generator.value, 0.0);
   EXPECT_TRUE(has_note(negative, "article.negative_compliance", "wave_generator"));
@@ -557,7 +557,7 @@ TEST(AsPrinted, IdentityNegativeComplianceIsNotedAndReturned) {
   }));
 }
 
-TEST(AsPrinted, IdentityNoUncertaintyIsStatedAndANoteSaysWhy) {
+TEST(AsPrinted, BehaviourNoUncertaintyIsStatedAndANoteSaysWhy) {
   const StiffnessResult result = torsional_stiffness_as_printed(test::article_gear());
   EXPECT_FALSE(result.intact.stiffness.relative_uncertainty.has_value());
   EXPECT_FALSE(result.positive.stiffness.relative_uncertainty.has_value());
@@ -565,7 +565,7 @@ TEST(AsPrinted, IdentityNoUncertaintyIsStatedAndANoteSaysWhy) {
   EXPECT_EQ(result.method, Method::as_printed);
 }
 
-TEST(AsPrinted, IdentityFieldsThatAreNotReadAreNoted) {
+TEST(AsPrinted, BehaviourFieldsThatAreNotReadAreNoted) {
   GearSet gear = test::article_gear();
   EXPECT_TRUE(has_note(torsional_stiffness_as_printed(gear), "article.not_read",
                        "wave_generator.conversion"));
@@ -586,7 +586,7 @@ TEST(AsPrinted, IdentityFieldsThatAreNotReadAreNoted) {
   EXPECT_TRUE(has_note(torsional_stiffness_as_printed(gear), "article.factor_squared"));
 }
 
-TEST(AsPrinted, IdentityEquationsAreThoseThatWereUsed) {
+TEST(AsPrinted, BehaviourEquationsAreThoseThatWereUsed) {
   const GearSet gear = test::article_gear();
   EXPECT_FALSE(has_equation(torsional_stiffness_as_printed(gear), "AP-4"));
   EXPECT_FALSE(has_equation(torsional_stiffness_as_printed(gear), "AP-14"));

@@ -179,7 +179,7 @@ TEST(Repaired, ReferenceRadialLoadDrivesTheRace) {
               1.95 * sigma * std::sqrt(0.1 / 1.5), 1e-7);
 }
 
-TEST(Repaired, IdentityModesThatTheArticleDoesNotHave) {
+TEST(Repaired, BehaviourModesThatTheArticleDoesNotHave) {
   const auto cracks = torsional_stiffness_repaired(test::article_gear()).cracks;
   EXPECT_EQ(cracks.at(0).deepest->K_II.value, 0.0);
   EXPECT_EQ(cracks.at(0).deepest->K_III.value, 0.0);
@@ -293,7 +293,7 @@ TEST(Repaired, ScalingStiffnessIsTorquePerAngle) {
   test::expect_dimensionally_consistent("N*m/rad", stiffness, Arg{1, "m"}, Arg{1, "Pa"});
 }
 
-TEST(Repaired, IdentityEvidenceOfTheResult) {
+TEST(Repaired, BehaviourEvidenceOfTheResult) {
   const StiffnessResult result = torsional_stiffness_repaired(test::article_gear());
   EXPECT_EQ(result.method, Method::repaired);
   EXPECT_TRUE(result.usable());

@@ -27,7 +27,7 @@ const AuditRow& row(const std::string& id) {
   return *found;
 }
 
-TEST(Audit, IdentityEveryRowHasAnIdAQuantityAndASentence) {
+TEST(Audit, BehaviourEveryRowHasAnIdAQuantityAndASentence) {
   std::set<std::string> ids;
   for (const AuditRow& r : rows()) {
     EXPECT_TRUE(ids.insert(r.id).second) << r.id;

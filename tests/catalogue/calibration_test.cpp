@@ -10,6 +10,7 @@
 
 #include "strainwave/catalogue/proportions.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/present/json.hpp"
 #include "support/expect.hpp"
 
 namespace strainwave {
@@ -73,7 +74,7 @@ TEST(Calibration, IdentityUncertaintyOfOneFactor) {
       c.factors[0].value * c.relative_uncertainty / c.combinations[0].singular_value, 1e-12);
 }
 
-TEST(Calibration, IdentityFittedNumbersHaveNoRangeAnyMore) {
+TEST(Calibration, BehaviourFittedNumbersHaveNoRangeAnyMore) {
   const GearSet gear = starting_drive(25, 100).gear;
   GearSet truth = with_factor(gear, Factor::coning, 1.6);
   truth.range.clear();
@@ -113,7 +114,7 @@ TEST(CalibrationTargets, ReferenceCatalogueRow) {
   EXPECT_EQ(catalogue_target(typical_drive_of_size(100, 50)).values.size(), 2U);  // no K3
 }
 
-TEST(MeasuredCurve, IdentityUnitsAndColumns) {
+TEST(MeasuredCurve, BehaviourUnitsAndColumns) {
   const auto points = parse_measured_curve(
       "# a bench\n\ntwist [arcmin], speed, torque [kN*m]\r\n0,0,0\n1.5,9,0.014\n-1.5,9,-0.014\n",
       "bench.csv");
@@ -175,15 +176,16 @@ TEST(Calibration, InputRefusals) {
             std::string::npos);
 }
 
-TEST(CalibrationOutput, IdentityJson) {
+TEST(CalibrationOutput, BehaviourJson) {
   const GearSet gear = typical_drive_of_size(25, 100);
   const Calibration c =
       calibrate(gear, catalogue_target(gear), {Factor::support}, {.harmonics = 8});
-  const auto json = nlohmann::json::parse(calibration_json(c));
-  EXPECT_EQ(json["factors"][0]["name"], "support");
-  EXPECT_EQ(json["factors"][0]["value"], c.factors[0].value);
-  EXPECT_EQ(json["stiffness"].size(), 3U);
-  EXPECT_EQ(json["stiffness"][1]["wanted"], 50000);
+  const auto json = nlohmann::json::parse(json_of(c));
+  EXPECT_EQ(json["factors"]["name"]["values"][0], "support");
+  EXPECT_EQ(json["factors"]["value"]["values"][0], c.factors[0].value);
+  EXPECT_EQ(json["stiffness"]["wanted"]["unit"], "N*m/rad");
+  EXPECT_EQ(json["stiffness"]["wanted"]["values"].size(), 3U);
+  EXPECT_EQ(json["stiffness"]["wanted"]["values"][1], 50000);
 }
 
 }  // namespace

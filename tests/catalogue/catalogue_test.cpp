@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/present/json.hpp"
 #include "support/expect.hpp"
 
 namespace strainwave {
@@ -62,7 +63,7 @@ TEST(RatingTable, ReferenceSpotChecks) {
   EXPECT_EQ(find_rating(25, 120), nullptr);
 }
 
-TEST(StiffnessTable, IdentityRowsAreOnceAndRise) {
+TEST(StiffnessTable, BehaviourRowsAreOnceAndRise) {
   std::set<std::pair<int, RatioClass>> seen;
   for (const StiffnessRow& row : stiffness_rows()) {
     EXPECT_TRUE(seen.insert({row.size, row.ratio_class}).second) << row.size;
@@ -108,7 +109,7 @@ TEST(Sizes, ReferencePitchDiameter) {
   EXPECT_EQ(catalogue_sizes().back(), 100);
 }
 
-TEST(NearestStiffness, IdentityClassBeforeSize) {
+TEST(NearestStiffness, BehaviourClassBeforeSize) {
   EXPECT_EQ(nearest_stiffness(0.0635, 120).size, 25);
   EXPECT_EQ(nearest_stiffness(0.0635, 120).ratio_class, RatioClass::eighty_up);
   EXPECT_EQ(nearest_stiffness(0.16, 100).size, 65);
@@ -116,29 +117,31 @@ TEST(NearestStiffness, IdentityClassBeforeSize) {
 }
 
 TEST(CatalogueInput, InputRefusals) {
-  const std::string unknown = broken_rule([] { return catalogue_text({.size = 22, .ratio = {}}); });
+  const std::string unknown = broken_rule([] { return catalogue_rows({.size = 22, .ratio = {}}); });
   EXPECT_NE(unknown.find("22 is not a size"), std::string::npos) << unknown;
   EXPECT_NE(unknown.find("8, 11, 14"), std::string::npos) << unknown;
-  EXPECT_NE(broken_rule([] { return catalogue_csv({.size = {}, .ratio = 0.0}); }).find("> 0"),
+  EXPECT_NE(broken_rule([] { return catalogue_rows({.size = {}, .ratio = 0.0}); }).find("> 0"),
             std::string::npos);
-  EXPECT_NE(broken_rule([] { return catalogue_json({.size = 100, .ratio = 100}); }).find("no row"),
+  EXPECT_NE(broken_rule([] { return catalogue_rows({.size = 100, .ratio = 100}); }).find("no row"),
             std::string::npos);
   EXPECT_NE(broken_rule([] { return nearest_stiffness(-1, 100); }).find("> 0"), std::string::npos);
   EXPECT_NE(broken_rule([] { return nearest_stiffness(1, 0); }).find("> 0"), std::string::npos);
 }
 
-TEST(CatalogueOutput, IdentityFormatsAgree) {
-  const auto json = nlohmann::json::parse(catalogue_json({.size = 25, .ratio = 100}));
-  ASSERT_EQ(json["stiffness"].size(), 1U);
-  EXPECT_EQ(json["stiffness"][0]["K3"], 57000);
-  ASSERT_EQ(json["ratings"].size(), 1U);
-  EXPECT_EQ(json["ratings"][0]["rated"], 87);
-  EXPECT_TRUE(nlohmann::json::parse(catalogue_json({.size = 8, .ratio = 50}))["stiffness"][0]["K3"]
-                  .is_null());
-  const std::string csv = catalogue_csv();
+TEST(CatalogueOutput, BehaviourFormatsAgree) {
+  const auto json_of_rows = [](const CatalogueFilter& filter) {
+    return nlohmann::json::parse(json_of(catalogue_rows(filter)));
+  };
+  const auto json = json_of_rows({.size = 25, .ratio = 100});
+  EXPECT_EQ(json["stiffness"]["K3"]["unit"], "N*m/rad");
+  EXPECT_EQ(json["stiffness"]["K3"]["values"], nlohmann::json({57000}));
+  EXPECT_EQ(json["ratings"]["rated"]["values"], nlohmann::json({87}));
+  EXPECT_EQ(json_of_rows({.size = 8, .ratio = 50})["stiffness"]["K3"]["values"],
+            nlohmann::json({nullptr}));
+  const std::string csv = catalogue_csv(catalogue_rows());
   EXPECT_EQ(std::ranges::count(csv, '\n'), 36);
   EXPECT_NE(csv.find("25,80+,14,48,31000,50000,57000,B+C\n"), std::string::npos);
-  const std::string text = catalogue_text({.size = 25, .ratio = 100});
+  const std::string text = catalogue_text(catalogue_rows({.size = 25, .ratio = 100}));
   EXPECT_NE(text.find("80+"), std::string::npos);
   EXPECT_NE(text.find("87"), std::string::npos);
 }

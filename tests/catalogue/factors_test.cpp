@@ -47,7 +47,7 @@ TEST(Factors, IdentityMoreIsSofter) {
   }
 }
 
-TEST(Factors, IdentityFieldsThatChange) {
+TEST(Factors, BehaviourFieldsThatChange) {
   const GearSet gear = typical_drive(0.0635, 100);
   const GearSet walls = with_factor(gear, Factor::structure, 2.0);
   test::expect_relative(walls.flexspline->barrel->wall_thickness,

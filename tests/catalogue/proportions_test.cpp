@@ -31,7 +31,7 @@ double twist(const GearSet& gear, double torque) {
   return curve.points.back().twist;
 }
 
-TEST(Proportions, IdentityTableIsComplete) {
+TEST(Proportions, BehaviourTableIsComplete) {
   const ProportionValues base;
   std::set<std::string_view> names;
   for (const Proportion& p : proportions()) {
@@ -212,7 +212,7 @@ TEST(StartingDrive, CrosscheckRoundingHardlyMatters) {
   test::expect_relative(rounded.K3, exact.K3, 2e-5);
 }
 
-TEST(StartingDrive, IdentityEveryNumberHasARemark) {
+TEST(StartingDrive, BehaviourEveryNumberHasARemark) {
   const CommentedDrive drive = starting_drive(25, 100);
   for_each_number(drive.gear, [&](const FieldPath& path, const Field& field, const double& value) {
     // Fields with a default of their own, which a drive may leave out, need none.
@@ -223,7 +223,7 @@ TEST(StartingDrive, IdentityEveryNumberHasARemark) {
 }
 
 /// At either limit of a range the drive still assembles, alone.
-TEST(StartingDrive, IdentityRangesCanBeVariedAlone) {
+TEST(StartingDrive, BehaviourRangesCanBeVariedAlone) {
   for (const double ratio : {30.0, 160.0}) {
     const GearSet gear = starting_drive(25, ratio).gear;
     for (const InputRange& range : gear.range)

@@ -191,7 +191,7 @@ TEST(Dual, IdentityImplicitRoot) {
   EXPECT_EQ(root_with_partials(2.0, 0.0, 12.0), 2.0);
 }
 
-TEST(Lift, IdentitySeedsTheInputsAlone) {
+TEST(Lift, BehaviourSeedsTheInputsAlone) {
   struct Numbers {
     double a = 2.0;
     double b = 3.0;

@@ -79,7 +79,7 @@ TEST(Error, InputMessagesStayOnOneLine) {
                "f\\n:1:1: a\\tb = 1 m violates: > 2");
 }
 
-TEST(Error, IdentityHarmlessTextIsShownUnchanged) {
+TEST(Error, BehaviourHarmlessTextIsShownUnchanged) {
   for (const std::string_view text :
        {"", "flexspline", "\"2.24 mm\"", "12 \u00B5m", "\u03B2 = 45\u00B0"})
     EXPECT_EQ(shown(text), text);

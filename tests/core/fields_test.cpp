@@ -149,7 +149,7 @@ TEST(Range, LimitLargestAndSmallestNumbers) {
   EXPECT_TRUE(kNonNegative.contains(-0.0));
 }
 
-TEST(Range, IdentityRulesAsTheReaderWouldSayThem) {
+TEST(Range, BehaviourRulesAsTheReaderWouldSayThem) {
   EXPECT_EQ(rule_text(kFinite), "a finite number");
   EXPECT_EQ(rule_text(kPositive), "> 0");
   EXPECT_EQ(rule_text(kNonNegative), ">= 0");
@@ -175,7 +175,7 @@ TEST(EnumNames, InputUnknownNamesGiveNothing) {
     EXPECT_EQ(enum_value<Colour>(name), std::nullopt) << name;
 }
 
-TEST(FieldPath, IdentityPathsAreSpelledAsInMessages) {
+TEST(FieldPath, BehaviourPathsAreSpelledAsInMessages) {
   const FieldPath root;
   EXPECT_EQ(root.text(), "");
   EXPECT_EQ((root / "drive").text(), "drive");
@@ -184,7 +184,7 @@ TEST(FieldPath, IdentityPathsAreSpelledAsInMessages) {
   EXPECT_EQ((FieldPath("a.b") / "c").text(), "a.b.c");
 }
 
-TEST(ForEachNumber, IdentityVisitsWhatTheValueHoldsInOrder) {
+TEST(ForEachNumber, BehaviourVisitsWhatTheValueHoldsInOrder) {
   const Outer empty;
   EXPECT_EQ(walk(empty), (Walk{{"plain", 0.5}, {"pair[0]", 5}, {"pair[1]", 6}, {"inner.size", 1}}));
 
@@ -208,7 +208,7 @@ TEST(ForEachNumber, IdentityVisitsWhatTheValueHoldsInOrder) {
   EXPECT_EQ(walk(full.inner, FieldPath("at")), (Walk{{"at.size", 1}}));
 }
 
-TEST(ForEachNumber, IdentityTheFieldIsThatOfTheNumber) {
+TEST(ForEachNumber, BehaviourTheFieldIsThatOfTheNumber) {
   Outer outer;
   outer.maybe_inner.emplace();
   std::map<std::string, std::string_view> units;
@@ -220,7 +220,7 @@ TEST(ForEachNumber, IdentityTheFieldIsThatOfTheNumber) {
   EXPECT_EQ(units.at("maybe_inner.size"), "m");
 }
 
-TEST(ForEachNumber, IdentityNumbersCanBeChanged) {
+TEST(ForEachNumber, BehaviourNumbersCanBeChanged) {
   Outer outer;
   outer.maybe = 7;
   outer.crack = {Left{}};
@@ -245,7 +245,7 @@ TEST(ForEachNumber, IdentityTheWalkWithoutPathsVisitsTheSameNumbers) {
   EXPECT_EQ(numbers, expected);
 }
 
-TEST(ForEachAlternative, IdentityVisitsAllInTheirOrder) {
+TEST(ForEachAlternative, BehaviourVisitsAllInTheirOrder) {
   std::vector<std::string_view> kinds;
   for_each_alternative<std::variant<Left, Right>>(
       [&]<class Alternative>() { kinds.push_back(Alternative::kKind); });

@@ -12,11 +12,11 @@ namespace {
 const std::vector<std::string> kFields = {"outer_diameter", "inner_diameter", "length", "material",
                                           "crack"};
 
-TEST(NearestWord, IdentityAKnownWordIsNearestToItself) {
+TEST(NearestWord, BehaviourAKnownWordIsNearestToItself) {
   for (const std::string& word : kFields) EXPECT_EQ(nearest_word(word, kFields), word);
 }
 
-TEST(NearestWord, IdentityMisspellingsFindTheirWord) {
+TEST(NearestWord, BehaviourMisspellingsFindTheirWord) {
   EXPECT_EQ(nearest_word("crak", kFields), "crack");      // a letter lost
   EXPECT_EQ(nearest_word("lenghth", kFields), "length");  // a letter too many
   EXPECT_EQ(nearest_word("lenght", kFields), "length");   // two swapped
@@ -28,14 +28,14 @@ TEST(NearestWord, IdentityMisspellingsFindTheirWord) {
   EXPECT_EQ(nearest_word("materials", kFields), "material");
 }
 
-TEST(NearestWord, IdentityNothingIsNearAStranger) {
+TEST(NearestWord, BehaviourNothingIsNearAStranger) {
   EXPECT_EQ(nearest_word("temperature", kFields), "");
   EXPECT_EQ(nearest_word("youngs_modulus", kFields), "");
   EXPECT_EQ(nearest_word("", kFields), "");
   EXPECT_EQ(nearest_word("crack", {}), "");
 }
 
-TEST(NearestWord, IdentityTheFirstOfEquallyNearWordsIsNamed) {
+TEST(NearestWord, BehaviourTheFirstOfEquallyNearWordsIsNamed) {
   EXPECT_EQ(nearest_word("cup", std::vector<std::string>{"cap", "cut"}), "cap");
   EXPECT_EQ(nearest_word("cup", std::vector<std::string>{"cut", "cap"}), "cut");
 }

@@ -123,7 +123,7 @@ TEST(QuantityText, IdentityFactorsOfHeaderAndTextAgree) {
     EXPECT_DOUBLE_EQ(parse_unit(symbol).factor, factor) << symbol;
 }
 
-TEST(QuantityText, IdentityDifferentSpellingsOfOneUnit) {
+TEST(QuantityText, BehaviourDifferentSpellingsOfOneUnit) {
   for (const auto& [one, other] : std::vector<std::pair<std::string_view, std::string_view>>{
            {"N*m/rad", "Nm/rad"},
            {"N*m/rad", "N/rad*m"},
@@ -165,7 +165,7 @@ TEST(QuantityText, InputAWordThatIsPrefixAndUnitIsReadAsTheUnit) {
 
 // --- Quantities that are read --------------------------------------------------------------------
 
-TEST(QuantityText, IdentityReadsToStrainwaveUnits) {
+TEST(QuantityText, BehaviourReadsToStrainwaveUnits) {
   EXPECT_DOUBLE_EQ(parse_quantity("t", "0.8 mm", "m"), 0.8e-3);
   EXPECT_DOUBLE_EQ(parse_quantity("t", "0.8mm", "m"), 0.8e-3);
   EXPECT_DOUBLE_EQ(parse_quantity("t", "  0.8   mm  ", "m"), 0.8e-3);
@@ -182,14 +182,14 @@ TEST(QuantityText, IdentityReadsToStrainwaveUnits) {
   EXPECT_EQ(parse_quantity("angle", "-90 deg", "rad"), -pi / 2);
 }
 
-TEST(QuantityText, IdentityPureNumbersMayBeBareOrPercent) {
+TEST(QuantityText, BehaviourPureNumbersMayBeBareOrPercent) {
   EXPECT_EQ(parse_quantity("ratio", "100", "1"), 100);
   EXPECT_EQ(parse_quantity("ratio", "100 1", "1"), 100);
   EXPECT_DOUBLE_EQ(parse_quantity("ratio", "30 %", "1"), 0.3);
   EXPECT_DOUBLE_EQ(parse_quantity("ratio", "30 mm/m", "1"), 0.03);
 }
 
-TEST(QuantityText, IdentityNumbersInAllTheirForms) {
+TEST(QuantityText, BehaviourNumbersInAllTheirForms) {
   for (const auto& [text, value] : std::vector<std::pair<std::string_view, double>>{
            {"1 m", 1},
            {"01 m", 1},
@@ -337,7 +337,7 @@ TEST(QuantityText, IdentityWrittenQuantitiesReadBackBitForBit) {
   EXPECT_GT(finite, 19000);
 }
 
-TEST(QuantityText, IdentityWrittenFormIsShort) {
+TEST(QuantityText, BehaviourWrittenFormIsShort) {
   EXPECT_EQ(quantity_text(0.00224, "m"), "0.00224 m");
   EXPECT_EQ(quantity_text(0.1, "1"), "0.1");
   EXPECT_EQ(quantity_text(-45, "N*m/rad"), "-45 N*m/rad");

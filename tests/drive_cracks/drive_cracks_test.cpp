@@ -51,7 +51,7 @@ TEST(Faces, LimitRoundingCountsAsNone) {
   EXPECT_FALSE((BothSenses{Faces::open, Faces::touching}.differ()));
 }
 
-TEST(DriveCracks, IdentityOrderKindsAndMaterials) {
+TEST(DriveCracks, BehaviourOrderKindsAndMaterials) {
   GearSet gear = with_surface_crack();
   gear.flexspline->crack.emplace_back(RimAxialCrack{});
   const std::vector<DriveCrack> cracks = drive_cracks(gear);
@@ -67,7 +67,7 @@ TEST(DriveCracks, IdentityOrderKindsAndMaterials) {
                        "flexspline.crack[1] rim_axial", "output_shaft.crack[0] annular"}));
 }
 
-TEST(DriveCracks, IdentityDepthAndHalfLengthApart) {
+TEST(DriveCracks, BehaviourDepthAndHalfLengthApart) {
   // K at another depth and half length is that of a drive whose crack has them.
   const DriveCrack given = crack_of(with_surface_crack(), "flexspline.crack[0]");
   EXPECT_EQ(given.size_name, "depth");

@@ -64,7 +64,7 @@ class AttachmentsBeside : public testing::Test {
   fs::path root_;
 };
 
-TEST(AttachmentsGiven, IdentityByNameOrLookedUp) {
+TEST(AttachmentsGiven, BehaviourByNameOrLookedUp) {
   EXPECT_EQ(attachment_refusal(Attachments(), "a"), absent("a"));
   const Attachments given({{"tables/a.csv", "1"}, {"b", "2"}});
   EXPECT_EQ(given.text("tables/a.csv", "table"), "1");
@@ -89,7 +89,7 @@ TEST(AttachmentsGiven, InputTheRuleOfNamesAndSizesHoldsForAnySource) {
   EXPECT_EQ(attachment_refusal(sized, "more"), "table: \"more\" is larger than 1 MiB");
 }
 
-TEST_F(AttachmentsBeside, IdentityFilesBelowTheFolder) {
+TEST_F(AttachmentsBeside, BehaviourFilesBelowTheFolder) {
   EXPECT_EQ(beside().text("tables/a.csv", "table"), "a");
   EXPECT_EQ(beside().text("./b.csv", "table"), "b");
   link("tables/a.csv", "inside.csv");
@@ -99,7 +99,7 @@ TEST_F(AttachmentsBeside, IdentityFilesBelowTheFolder) {
   EXPECT_EQ(attachments_beside(root_ / "link/x.toml").text("b.csv", "table"), "b");
 }
 
-TEST_F(AttachmentsBeside, IdentityANameWithoutFolderMeansTheCurrentOne) {
+TEST_F(AttachmentsBeside, BehaviourANameWithoutFolderMeansTheCurrentOne) {
   const fs::path before = fs::current_path();
   fs::current_path(root_ / "drives");
   EXPECT_EQ(attachments_beside("x.toml").text("b.csv", "table"), "b");

@@ -111,12 +111,12 @@ TEST(ComplianceTableFile, IdentityPointsInAnyOrder) {
 }
 
 // Over one number a table that is not finished is one of a shorter range.
-TEST(ComplianceTableFile, IdentityUnfinishedIsShorter) {
+TEST(ComplianceTableFile, BehaviourUnfinishedIsShorter) {
   const std::string text = replaced(shaft_table(), "4 points", "7 points");
   EXPECT_EQ(parse_compliance_table(text, "t").axes[0].nodes.back(), 8e-3);
 }
 
-TEST(ComplianceTableFile, IdentityTornLineIsSeen) {
+TEST(ComplianceTableFile, BehaviourTornLineIsSeen) {
   const std::string text = shaft_table();
   const TableFile file = parse_table_file(text.substr(0, text.size() - 3), "t.csv");
   EXPECT_TRUE(file.torn);
@@ -195,7 +195,7 @@ class TableFolder : public testing::Test {
   std::filesystem::path folder_;
 };
 
-TEST_F(TableFolder, IdentityReadBesideTheDriveOrAttached) {
+TEST_F(TableFolder, BehaviourReadBesideTheDriveOrAttached) {
   const GearSet gear = read("tables/shaft.csv");
   ASSERT_EQ(gear.compliance_tables.size(), 1U);
   EXPECT_EQ(gear.compliance_tables.begin()->first, "tables/shaft.csv");

@@ -89,7 +89,7 @@ TEST(Edit, ReferenceAValueIsReplaced) {
     expect_change(path, "\"2 Pa\"", "\"210 GPa\"", "\"2 Pa\"");
 }
 
-TEST(Edit, IdentityTheSameValueKeepsItsSpelling) {
+TEST(Edit, BehaviourTheSameValueKeepsItsSpelling) {
   for (const auto& [path, value] : std::map<std::string, std::string>{
            {"name", "\"µ, a # that is no comment\""},
            {"drive.ratio", "1_00"},
@@ -294,7 +294,7 @@ std::vector<std::string> comments_of(const std::string& text) {
   return comments;
 }
 
-TEST(Edit, IdentityEveryFieldOfEveryExample) {
+TEST(Edit, BehaviourEveryFieldOfEveryExample) {
   std::size_t n = 0;
   for (const auto& file : std::filesystem::directory_iterator(STRAINWAVE_EXAMPLES)) {
     if (file.path().extension() != ".toml") continue;

@@ -187,7 +187,7 @@ TEST(GearReader, CrosscheckTheTextIsTheDriveBuiltInCode) {
   EXPECT_EQ(read.drive.wave_number, 2);
 }
 
-TEST(GearReader, IdentityValuesArriveInSiExactly) {
+TEST(GearReader, BehaviourValuesArriveInSiExactly) {
   // The factor of a prefix is one product away from the decimal number: one rounding, never more.
   const GearSet gear = read_gear_set(kArticle, "gear.toml");
   EXPECT_EQ(gear.drive.pitch_diameter, 160 * units::mm);
@@ -273,7 +273,7 @@ TEST(GearReader, IdentityCommentsAndLayoutDoNotMatter) {
             expected);
 }
 
-TEST(GearReader, IdentityTablesInlineAndDotted) {
+TEST(GearReader, BehaviourTablesInlineAndDotted) {
   const std::string expected = dump(read_gear_set(kArticle, "gear.toml"));
   const std::string inline_tables =
       with("[[output_shaft.crack]]\nkind = \"annular\"\ndepth = \"0.1 mm\"\n", "",
@@ -287,7 +287,7 @@ TEST(GearReader, IdentityTablesInlineAndDotted) {
   EXPECT_EQ(dump(read_gear_set(dotted, "gear.toml")), expected);
 }
 
-TEST(GearReader, IdentityFieldsLeftOutTakeTheirDefaults) {
+TEST(GearReader, BehaviourFieldsLeftOutTakeTheirDefaults) {
   std::string text(kArticle);
   for (const std::string_view line :
        {"name = \"Article example: double wave, ratio 100, pitch diameter 160 mm\"\n",
@@ -317,7 +317,7 @@ TEST(GearReader, IdentityFieldsLeftOutTakeTheirDefaults) {
             AnnularSolution::improved);
 }
 
-TEST(GearReader, IdentityMembersLeftOutAreAbsent) {
+TEST(GearReader, BehaviourMembersLeftOutAreAbsent) {
   const std::string text =
       with(kArticle.substr(kArticle.find("[wave_generator]"),
                            kArticle.find("[output_shaft]") - kArticle.find("[wave_generator]")),
@@ -328,7 +328,7 @@ TEST(GearReader, IdentityMembersLeftOutAreAbsent) {
   EXPECT_TRUE(gear.output_shaft.has_value());
 }
 
-TEST(GearReader, IdentitySeveralCracksKeepTheirOrder) {
+TEST(GearReader, BehaviourSeveralCracksKeepTheirOrder) {
   const GearSet gear =
       read_gear_set(std::string(kArticle) +
                         "[[output_shaft.crack]]\nkind = \"annular\"\ndepth = \"1 mm\"\n"
@@ -339,7 +339,7 @@ TEST(GearReader, IdentitySeveralCracksKeepTheirOrder) {
   EXPECT_EQ(std::get<AnnularCrack>(gear.output_shaft->crack[2]).depth, 2 * units::mm);
 }
 
-TEST(GearReader, IdentityTheCoupledDriveIsRead) {
+TEST(GearReader, BehaviourTheCoupledDriveIsRead) {
   const std::string text = std::string(kArticle) + R"(
 [mesh]
 lobe_gap = "-2 um"
@@ -410,7 +410,7 @@ source = "measured"
   EXPECT_TRUE(plain.scatter.empty());
 }
 
-TEST(GearReader, IdentityMaterialsMayHaveAnyName) {
+TEST(GearReader, BehaviourMaterialsMayHaveAnyName) {
   for (const std::string_view name :
        {"\"a.b\"", "\"\"", "'[0]'", "\"\\u03B1-Ti\"", "kind", "4340"}) {
     std::string text = with("[material.steel]", "[material." + std::string(name) + "]");
@@ -424,7 +424,7 @@ TEST(GearReader, IdentityMaterialsMayHaveAnyName) {
   }
 }
 
-TEST(GearReader, IdentityMaterialsOfTheLibrary) {
+TEST(GearReader, BehaviourMaterialsOfTheLibrary) {
   std::string text = with("material = \"steel\"\nshape", "material = \"17-4ph  h900\"\nshape");
   text = with("material = \"steel\"\nforce", "material = \"100Cr6 hardened\"\nforce", text);
   text = with("material = \"steel\"\nouter", "material = \"100Cr6 hardened\"\nouter", text);
@@ -451,7 +451,7 @@ TEST(GearReader, IdentityMaterialsOfTheLibrary) {
   EXPECT_EQ(number_at(gear, "material.17-4ph  h900.yield_strength").field.unit, "Pa");
 }
 
-TEST(GearReader, IdentityATableOfTheFileWinsOverTheLibrary) {
+TEST(GearReader, BehaviourATableOfTheFileWinsOverTheLibrary) {
   std::string text = with("[material.steel]", "[material.\"17-4PH H900\"]");
   for (int member = 0; member < 3; ++member)
     text = with("material = \"steel\"", "material = \"17-4PH H900\"", text);
@@ -488,7 +488,7 @@ TEST(GearReader, InputATableOfTheFileIsNotPassedOver) {
       "(steel), nor in the material library; strainwave material list has the names");
 }
 
-TEST(GearReader, IdentityExamplesAreRead) {
+TEST(GearReader, BehaviourExamplesAreRead) {
   const std::filesystem::path folder = STRAINWAVE_EXAMPLES;
   ASSERT_TRUE(std::filesystem::exists(folder)) << folder;
   int n = 0;

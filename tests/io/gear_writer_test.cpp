@@ -54,7 +54,7 @@ TEST(GearWriter, IdentityValuesThatAreHardToWrite) {
   }
 }
 
-TEST(GearWriter, IdentityAMaterialOfTheLibraryIsWrittenOut) {
+TEST(GearWriter, BehaviourAMaterialOfTheLibraryIsWrittenOut) {
   // The file stands on its own, whatever the library of a later version says.
   const GearSet gear =
       read_gear_set_file(std::filesystem::path(STRAINWAVE_EXAMPLES) / "library_material.toml");
@@ -68,7 +68,7 @@ TEST(GearWriter, IdentityAMaterialOfTheLibraryIsWrittenOut) {
   EXPECT_EQ(gear_text(again), text);
 }
 
-TEST(GearWriter, IdentityTextsAndMaterialNames) {
+TEST(GearWriter, BehaviourTextsAndMaterialNames) {
   GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/solid_shaft.toml");
   gear.name = R"(a "name" with \ and ü)";
   const std::string odd = "steel 4.3 \"hard\"";
@@ -81,7 +81,7 @@ TEST(GearWriter, IdentityTextsAndMaterialNames) {
   EXPECT_TRUE(again.material.contains(odd));
 }
 
-TEST(GearWriter, IdentityUnitsAndComments) {
+TEST(GearWriter, BehaviourUnitsAndComments) {
   const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/article.toml");
   const std::string long_comment(60, 'x');
   const std::string text =

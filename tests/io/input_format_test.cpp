@@ -159,7 +159,7 @@ T parsed(std::string_view text, const Field& field) {
   }
 }
 
-TEST(InputDescriptions, IdentityFallbacksAreTheDefaultsOfTheStructs) {
+TEST(InputDescriptions, BehaviourFallbacksAreTheDefaultsOfTheStructs) {
   int n = 0;
   for_each_field<GearSet>(
       "", [&]<class Value>(const std::string& path, const Field& field, const Value& fallback) {
@@ -174,7 +174,7 @@ TEST(InputDescriptions, IdentityFallbacksAreTheDefaultsOfTheStructs) {
   EXPECT_GE(n, 20);
 }
 
-TEST(InputDescriptions, IdentityFieldsThatMayBeLeftOutStartAbsent) {
+TEST(InputDescriptions, BehaviourFieldsThatMayBeLeftOutStartAbsent) {
   for_each_field<GearSet>(
       "", [&]<class Value>(const std::string& path, const Field&, const Value& fallback) {
         if constexpr (is_optional<Value>) {
@@ -185,7 +185,7 @@ TEST(InputDescriptions, IdentityFieldsThatMayBeLeftOutStartAbsent) {
       });
 }
 
-TEST(InputDescriptions, IdentityExamplesAndFallbacksAreInTheirRanges) {
+TEST(InputDescriptions, BehaviourExamplesAndFallbacksAreInTheirRanges) {
   for_each_field<GearSet>(
       "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
         if constexpr (!is_table<Value>) {
@@ -205,7 +205,7 @@ TEST(InputDescriptions, IdentityExamplesAndFallbacksAreInTheirRanges) {
       });
 }
 
-TEST(InputDescriptions, IdentityNamesUnitsAndMeaningsAreThere) {
+TEST(InputDescriptions, BehaviourNamesUnitsAndMeaningsAreThere) {
   static const std::regex kBareKey("[A-Za-z][A-Za-z0-9_]*");
   std::set<std::string> paths;
   for_each_field<GearSet>(
@@ -234,7 +234,7 @@ TEST(InputTemplate, CrosscheckTheReaderAcceptsIt) {
   EXPECT_EQ(gear.wave_generator->crack.size(), 1U);
 }
 
-TEST(InputTemplate, IdentityShowsEveryField) {
+TEST(InputTemplate, BehaviourShowsEveryField) {
   const std::string text = input_template();
   const std::vector<std::string> lines = lines_of(text);
   for_each_field<GearSet>(
@@ -250,7 +250,7 @@ TEST(InputTemplate, IdentityShowsEveryField) {
       });
 }
 
-TEST(InputTemplate, IdentityStatesTheFallbackAsDefault) {
+TEST(InputTemplate, BehaviourStatesTheFallbackAsDefault) {
   const std::string text = input_template();
   for_each_field<GearSet>(
       "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
@@ -411,7 +411,7 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
   EXPECT_EQ(found, tables.size());
 }
 
-TEST(InputTemplate, IdentityHasNoLineThatIsNeitherFieldNorHeadingNorComment) {
+TEST(InputTemplate, BehaviourHasNoLineThatIsNeitherFieldNorHeadingNorComment) {
   const std::vector<std::string> lines = lines_of(input_template());
   int prose = 0;
   for (const std::string& line : lines) {
@@ -548,7 +548,7 @@ const Json& schema_at(const Json& schema, const std::string& path) {
 
 Json schema() { return Json::parse(input_schema()); }
 
-TEST(InputSchema, IdentityIsAJsonSchemaOfTheDeclaredDraft) {
+TEST(InputSchema, BehaviourIsAJsonSchemaOfTheDeclaredDraft) {
   const Json s = schema();
   EXPECT_EQ(s.at("$schema"), "https://json-schema.org/draft/2020-12/schema");
   EXPECT_EQ(s.at("$id"), "urn:strainwave:drive:1");
@@ -564,7 +564,7 @@ void for_each_table(const Json& s, const std::function<void(const Json&)>& f) {
     for (const Json& inner : s) for_each_table(inner, f);
 }
 
-TEST(InputSchema, IdentityTablesAreClosedAndRequireOnlyWhatTheyHave) {
+TEST(InputSchema, BehaviourTablesAreClosedAndRequireOnlyWhatTheyHave) {
   int n = 0;
   for_each_table(schema(), [&](const Json& table) {
     ++n;
@@ -578,7 +578,7 @@ TEST(InputSchema, IdentityTablesAreClosedAndRequireOnlyWhatTheyHave) {
   EXPECT_EQ(n, 32);
 }
 
-TEST(InputSchema, IdentityHasEveryFieldAndNoOther) {
+TEST(InputSchema, BehaviourHasEveryFieldAndNoOther) {
   const Json s = schema();
   std::size_t fields = 0;
   for_each_field<GearSet>(
@@ -600,7 +600,7 @@ TEST(InputSchema, IdentityHasEveryFieldAndNoOther) {
   EXPECT_EQ(properties, fields);
 }
 
-TEST(InputSchema, IdentityRequiredIsWhatTheReaderDemands) {
+TEST(InputSchema, BehaviourRequiredIsWhatTheReaderDemands) {
   const Json s = schema();
   for_each_field<GearSet>(
       "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
@@ -619,7 +619,7 @@ TEST(InputSchema, IdentityRequiredIsWhatTheReaderDemands) {
   }
 }
 
-TEST(InputSchema, IdentityTypesRangesAndDefaults) {
+TEST(InputSchema, BehaviourTypesRangesAndDefaults) {
   const Json s = schema();
   for_each_field<GearSet>(
       "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
@@ -699,7 +699,7 @@ TEST(InputSchema, CrosscheckThePatternOfQuantitiesAgreesWithTheReader) {
 
 // --- Reference -----------------------------------------------------------------------------------
 
-TEST(InputReference, IdentityHasARowForEveryField) {
+TEST(InputReference, BehaviourHasARowForEveryField) {
   const std::string text = input_reference();
   int tables = 0;
   for (const std::string& line : lines_of(text)) {
@@ -724,7 +724,7 @@ TEST(InputReference, IdentityHasARowForEveryField) {
       });
 }
 
-TEST(InputReference, IdentityThePageOfTheGuideIsUpToDate) {
+TEST(InputReference, BehaviourThePageOfTheGuideIsUpToDate) {
   const std::filesystem::path page =
       std::filesystem::path(STRAINWAVE_EXAMPLES) / ".." / "docs" / "guide" / "input_file.md";
   ASSERT_TRUE(std::filesystem::exists(page)) << page;

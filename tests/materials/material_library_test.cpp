@@ -141,7 +141,7 @@ std::string refusal(std::string_view text) {
 
 // --- The file ------------------------------------------------------------------------------------
 
-TEST(MaterialFile, IdentityEverythingIsRead) {
+TEST(MaterialFile, BehaviourEverythingIsRead) {
   const MaterialLibrary library = parse_material_library(kSound, "m.toml");
   ASSERT_EQ(library.material.size(), 2U);
   EXPECT_EQ(library.source.at("code"), "A code, read.");
@@ -394,7 +394,7 @@ TEST(MaterialFile, InputThePlaceIsThatOfTheFault) {
 
 // --- The built-in records ----------------------------------------------------------------------
 
-TEST(MaterialLibraryData, IdentityItIsTheFileOfTheSourceTree) {
+TEST(MaterialLibraryData, BehaviourItIsTheFileOfTheSourceTree) {
   std::ifstream file(STRAINWAVE_EXAMPLES "/../data/materials.toml", std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
@@ -408,7 +408,7 @@ TEST(MaterialLibraryData, IdentityItIsTheFileOfTheSourceTree) {
   for (const auto& [key, source] : fresh.source) EXPECT_EQ(material_source(key), source);
 }
 
-TEST(MaterialLibraryData, IdentityTheSteelsOfTheseDrivesAreThere) {
+TEST(MaterialLibraryData, BehaviourTheSteelsOfTheseDrivesAreThere) {
   for (const char* const name :
        {"17-4PH H900", "15-5PH H900", "17-7PH aged 510 C", "maraging 300 aged 480 C",
         "30CrMnSiA QT", "40CrNiMoA QT", "4340 tempered 425 C", "4340 tempered 260 C",
@@ -584,7 +584,7 @@ TEST(GrowthPerCycle, InputDeltaKMustBePositive) {
 // --- Names
 // -----------------------------------------------------------------------------------------
 
-TEST(FindMaterial, IdentityNamesAndAliases) {
+TEST(FindMaterial, BehaviourNamesAndAliases) {
   for (const MaterialRecord& record : material_library()) {
     EXPECT_EQ(find_material(record.name), &record);
     for (const std::string& alias : record.aliases) EXPECT_EQ(find_material(alias), &record);
@@ -625,7 +625,7 @@ TEST(FindMaterial, InputUnknownNamesSuggestANearOne) {
   EXPECT_THROW((void)material_source("hearsay"), InputError);
 }
 
-TEST(FindMaterial, IdentityFirstUseFromManyThreads) {
+TEST(FindMaterial, BehaviourFirstUseFromManyThreads) {
   std::vector<const MaterialRecord*> found(8);
   std::vector<std::thread> threads;
   for (auto& result : found)
@@ -638,7 +638,7 @@ TEST(FindMaterial, IdentityFirstUseFromManyThreads) {
 // --- As a material of a drive
 // ------------------------------------------------------------------------
 
-TEST(AsMaterial, IdentityNumbersAndOrigin) {
+TEST(AsMaterial, BehaviourNumbersAndOrigin) {
   const MaterialLibrary library = parse_material_library(kSound, "m.toml");
   const Material a = as_material(library.material[0]);
   EXPECT_EQ(a.youngs_modulus, 200e9);
@@ -660,7 +660,7 @@ TEST(AsMaterial, IdentityNumbersAndOrigin) {
   EXPECT_EQ(b.origin.find("unverified"), std::string::npos);
 }
 
-TEST(ShortQuantity, IdentityUnitsOfPeople) {
+TEST(ShortQuantity, BehaviourUnitsOfPeople) {
   EXPECT_EQ(short_quantity(196e9, "Pa"), "196 GPa");
   EXPECT_EQ(short_quantity(1e10, "Pa"), "10 GPa");
   EXPECT_EQ(short_quantity(2241e6, "Pa"), "2241 MPa");

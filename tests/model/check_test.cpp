@@ -997,7 +997,7 @@ void for_each_number_alone(const F& f) {
   });
 }
 
-TEST(CheckRange, IdentityTheFullDriveHasEveryNumberThatADriveCanHave) {
+TEST(CheckRange, BehaviourTheFullDriveHasEveryNumberThatADriveCanHave) {
   std::set<std::string> possible;
   collect<GearSet>(FieldPath(), possible);
   std::set<std::string> present;

@@ -70,7 +70,7 @@ TEST(ElasticConstants, IdentityAnyTwoDefineTheThird) {
   }
 }
 
-TEST(ElasticConstants, IdentityThreeAreTakenAsGiven) {
+TEST(ElasticConstants, BehaviourThreeAreTakenAsGiven) {
   Material article = steel();
   article.shear_modulus = 80 * GPa;
   const ElasticConstants c = elastic_constants(article);
@@ -115,7 +115,7 @@ TEST(ElasticConstants, LimitShearModulusThatNoMaterialHas) {
 
 // --- Materials by name ---------------------------------------------------------------------------
 
-TEST(MaterialOf, IdentityFindsByName) {
+TEST(MaterialOf, BehaviourFindsByName) {
   GearSet gear = article_gear();
   EXPECT_EQ(&material_of(gear, "steel", "flexspline.material"), &gear.material.at("steel"));
 }
@@ -134,7 +134,7 @@ TEST(MaterialOf, InputUnknownNameListsTheKnown) {
 
 // --- Numbers by path -----------------------------------------------------------------------------
 
-TEST(NumberAt, IdentityEveryNumberOfADriveCanBeReadAndSet) {
+TEST(NumberAt, BehaviourEveryNumberOfADriveCanBeReadAndSet) {
   const GearSet original = article_gear();
   GearSet gear = original;
   int n = 0;
@@ -152,7 +152,7 @@ TEST(NumberAt, IdentityEveryNumberOfADriveCanBeReadAndSet) {
   EXPECT_EQ(gear.material.at("steel").youngs_modulus, 7);
 }
 
-TEST(NumberAt, IdentityPathsAreThoseOfTheFile) {
+TEST(NumberAt, BehaviourPathsAreThoseOfTheFile) {
   GearSet gear = article_gear();
   EXPECT_EQ(number_at(gear, "drive.pitch_diameter").value, 160 * mm);
   EXPECT_EQ(number_at(gear, "drive.pitch_diameter").field.unit, "m");
@@ -166,7 +166,7 @@ TEST(NumberAt, IdentityPathsAreThoseOfTheFile) {
   EXPECT_EQ(std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth, 2 * mm);
 }
 
-TEST(NumberAt, IdentityNamesOfMaterialsNeedNoQuotes) {
+TEST(NumberAt, BehaviourNamesOfMaterialsNeedNoQuotes) {
   GearSet gear = article_gear();
   gear.material["17-4PH H900 1.4542"] = steel();
   gear.material["17-4PH H900 1.4542"].yield_strength = 1170e6;
@@ -177,7 +177,7 @@ TEST(NumberAt, IdentityNamesOfMaterialsNeedNoQuotes) {
   EXPECT_EQ(gear.material["17-4PH H900 1.4542"].origin, "");
 }
 
-TEST(NumberAt, IdentityTheOriginSaysWhatWasSetSince) {
+TEST(NumberAt, BehaviourTheOriginSaysWhatWasSetSince) {
   GearSet gear = article_gear();
   Material known = steel();
   known.yield_strength = 1170e6;
@@ -197,7 +197,7 @@ TEST(NumberAt, IdentityTheOriginSaysWhatWasSetSince) {
   EXPECT_EQ(gear.material["steel"].origin, "");
 }
 
-TEST(NumberAt, IdentityANumberIsSetUnchecked) {
+TEST(NumberAt, BehaviourANumberIsSetUnchecked) {
   GearSet gear = article_gear();
   set_number(gear, "output_shaft.crack[0].depth", -1);
   EXPECT_EQ(refusal([&] { check(gear); }).field(), "output_shaft.crack[0].depth");

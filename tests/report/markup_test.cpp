@@ -75,7 +75,7 @@ TEST(Markup, ReferenceScalesOfDrawings) {
   EXPECT_EQ(scale_text(0.005), "1:200");
 }
 
-TEST(Markup, IdentityMarksKeepTheirDistanceAndOrder) {
+TEST(Markup, BehaviourMarksKeepTheirDistanceAndOrder) {
   // Far apart: each at its place.  Together: round the middle of where they want to be.
   EXPECT_EQ(spread(std::vector{10.0, 30.0}, 5, 0, 100), (std::vector{10.0, 30.0}));
   EXPECT_EQ(spread(std::vector{50.0, 50.0, 50.0}, 6, 0, 100), (std::vector{44.0, 50.0, 56.0}));
@@ -128,7 +128,7 @@ TEST(Markup, ScalingBarsAreAsLongAsTheirValues) {
   EXPECT_NO_THROW((void)test::parse_xml(bar_chart({.id = "a", .title = "t", .axis = "x"})));
 }
 
-TEST(Markup, IdentityTablesHaveHeadsWithScope) {
+TEST(Markup, BehaviourTablesHaveHeadsWithScope) {
   const std::string html =
       table("caption & more", {"a", "b"}, {{"group <1>", {{{"x", "1"}, "style"}}}},
             {.style = {}, .numbers = 1});

@@ -68,7 +68,7 @@ const ReportSection& section(const Report& report, const std::string& id) {
 /// The page is XML but for the style sheet's raw text, which has neither `<` nor `&`.
 std::vector<Element> parsed(const std::string& html) { return test::parse_xml(html); }
 
-TEST(Report, IdentityEveryExampleGivesAWholePage) {
+TEST(Report, BehaviourEveryExampleGivesAWholePage) {
   for (const char* const name :
        {"article", "cracked_size25", "cup_sections", "solid_shaft", "catalogue_size25",
         "critical_crack", "article_scatter", "library_material"}) {
@@ -109,7 +109,7 @@ TEST(Report, IdentityEveryExampleGivesAWholePage) {
   }
 }
 
-TEST(Report, IdentityNothingComesFromOutsideTheFile) {
+TEST(Report, BehaviourNothingComesFromOutsideTheFile) {
   const std::string html = report_html(report_on(text_of("cracked_size25")));
   for (const char* const forbidden : {"src=", "<script", "<link", "<iframe", "@import", "url("})
     EXPECT_EQ(html.find(forbidden), std::string::npos) << forbidden;
@@ -263,7 +263,7 @@ TEST(Report, ReferenceMaterialsOfTheLibraryAreNamedAsSuch) {
       << cells;
 }
 
-TEST(Report, IdentityEveryNoteAndEquationIsThere) {
+TEST(Report, BehaviourEveryNoteAndEquationIsThere) {
   const std::string text = text_of("cup_sections");
   const Report report = report_on(text);
   const std::string& notes = section(report, "notes").html;
@@ -302,7 +302,7 @@ TEST(Report, InputUnusableResultIsReportedWithItsReasonOnTop) {
   EXPECT_NO_THROW((void)parsed(report_html(report)));
 }
 
-TEST(Report, IdentityWithoutGeometryThereIsASentenceInsteadOfACurve) {
+TEST(Report, BehaviourWithoutGeometryThereIsASentenceInsteadOfACurve) {
   const Report article = report_on(text_of("article"));
   const std::string& why = section(article, "torsion").html;
   EXPECT_NE(why.find("No torsion curve"), std::string::npos);
@@ -318,7 +318,7 @@ TEST(Report, IdentityWithoutGeometryThereIsASentenceInsteadOfACurve) {
   EXPECT_NE(curve.find(".plot text {"), std::string::npos);
 }
 
-TEST(Report, IdentityMethodsOfTheArticleHaveAReportToo) {
+TEST(Report, BehaviourMethodsOfTheArticleHaveAReportToo) {
   for (const Method method : {Method::as_printed, Method::repaired}) {
     const Report report = report_on(text_of("article"), method);
     EXPECT_NO_THROW((void)parsed(report_html(report)));
@@ -328,7 +328,7 @@ TEST(Report, IdentityMethodsOfTheArticleHaveAReportToo) {
   }
 }
 
-TEST(Report, IdentityToughnessGivesUtilisationWithALineAtOne) {
+TEST(Report, BehaviourToughnessGivesUtilisationWithALineAtOne) {
   const Report report = report_on(text_of("solid_shaft"));
   const std::string& html = section(report, "strength").html;
   const std::optional<double>& utilisation = report.result.strength.at(0).states.at(0).utilisation;
@@ -347,7 +347,7 @@ TEST(Report, IdentityToughnessGivesUtilisationWithALineAtOne) {
       std::string::npos);
 }
 
-TEST(Report, IdentityCracksBeyondCriticalStandOnTop) {
+TEST(Report, BehaviourCracksBeyondCriticalStandOnTop) {
   const Report report = report_on(text_of("critical_crack"));
   const auto worst = std::ranges::find(report.result.strength, StrengthVerdict::fractures,
                                        &CrackStrength::verdict);
@@ -375,7 +375,7 @@ TEST(Report, IdentityCracksBeyondCriticalStandOnTop) {
 }
 
 // The headline counts every crack, also those that the assessment cannot answer.
-TEST(Report, IdentityHeadlineCountsHoldingBreakingAndUnknownCracks) {
+TEST(Report, BehaviourHeadlineCountsHoldingBreakingAndUnknownCracks) {
   const auto number_before = [](const std::string& text, const std::string& words) {
     const std::size_t end = text.find(words);
     if (end == std::string::npos) return std::string::npos;
@@ -430,7 +430,7 @@ TEST(Report, IdentityHeadlineCountsHoldingBreakingAndUnknownCracks) {
 }
 
 // The least reserve is that of the worse sense of torque, which it names.
-TEST(Report, IdentityLeastReserveIsOfBothSensesOfTorque) {
+TEST(Report, BehaviourLeastReserveIsOfBothSensesOfTorque) {
   std::set<std::string> senses;
   for (const double factor : {1.0, -1.0}) {
     GearSet gear = read_gear_set(text_of("critical_crack"), "x");
@@ -459,7 +459,7 @@ TEST(Report, LimitNoiseAndSignedZerosAreShownAsZero) {
 }
 
 // Labels of bars are whole and on the paper, whatever their length.
-TEST(Report, IdentityLabelsOfBarsFitOnThePaper) {
+TEST(Report, BehaviourLabelsOfBarsFitOnThePaper) {
   for (const char* const name : {"cracked_size25", "critical_crack", "library_material"}) {
     const Report report = report_on(text_of(name));
     const std::string& html = section(report, "sensitivity").html;

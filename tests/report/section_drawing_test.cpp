@@ -154,7 +154,7 @@ TEST(SectionDrawing, ScalingCracksAreInTrueSizeAtTheirPlace) {
   EXPECT_EQ(drawing.box("data-crack", "mesh.crack[0]").width(), 9.5);
 }
 
-TEST(SectionDrawing, IdentityEveryCrackIsDrawnAndNumbered) {
+TEST(SectionDrawing, BehaviourEveryCrackIsDrawnAndNumbered) {
   for (const char* const name : {"article", "cracked_size25", "cup_sections", "solid_shaft"}) {
     const GearSet gear = example(name);
     const std::vector<NumberedCrack> cracks = numbered_cracks(gear);
@@ -174,7 +174,7 @@ TEST(SectionDrawing, IdentityEveryCrackIsDrawnAndNumbered) {
   }
 }
 
-TEST(SectionDrawing, IdentitySmallCracksAreEnlargedByTheScaleThatIsStated) {
+TEST(SectionDrawing, BehaviourSmallCracksAreEnlargedByTheScaleThatIsStated) {
   GearSet gear = test::article_gear();  // 0.1 mm, drawn at 1:2.5
   const Drawing drawing(section_drawing(gear));
   EXPECT_EQ(cracks_in(drawing, "data-enlarged"),
@@ -200,7 +200,7 @@ TEST(SectionDrawing, IdentitySmallCracksAreEnlargedByTheScaleThatIsStated) {
             (std::set<std::string>{"flexspline.crack[0]"}));
 }
 
-TEST(SectionDrawing, IdentityAngleBetaRunsFromTheGeneratorTowardMinusTheta) {
+TEST(SectionDrawing, BehaviourAngleBetaRunsFromTheGeneratorTowardMinusTheta) {
   GearSet gear = example("cracked_size25");
   WallThroughCrack& crack = std::get<WallThroughCrack>(gear.flexspline->crack[0]);
   for (const double angle : {45 * deg, -30 * deg, 90 * deg, 0.0}) {
@@ -261,7 +261,7 @@ TEST(SectionDrawing, ScalingFrontViewHasAnglesDepthsAndTheStatedOvality) {
   check("flexspline.crack[3]", 30 * deg, root, root - 0.3);
 }
 
-TEST(SectionDrawing, IdentityWhatTheFileDoesNotSayIsDashed) {
+TEST(SectionDrawing, BehaviourWhatTheFileDoesNotSayIsDashed) {
   const Drawing article(section_drawing(test::article_gear()));
   for (const char* const part : {"cam", "inner_ring", "outer_ring", "circular_spline", "ball"}) {
     const auto found = article.with("data-part", part);
@@ -311,7 +311,7 @@ TEST(SectionDrawing, LimitEveryCombinationOfMembersIsWellFormed) {
   }
 }
 
-TEST(SectionDrawing, IdentityDiaphragmProfileIsFollowed) {
+TEST(SectionDrawing, BehaviourDiaphragmProfileIsFollowed) {
   GearSet gear = example("cracked_size25");
   gear.flexspline->crack.clear();
   gear.flexspline->diaphragm->profile = {{20 * mm, 2 * mm}, {25 * mm, 1 * mm}};

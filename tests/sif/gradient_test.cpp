@@ -481,7 +481,7 @@ TEST(NotchEdgeCrack, IdentityBendingOfTheSection) {
   EXPECT_LT(k[1], k[0]);
 }
 
-TEST(NotchSurfaceCrack, LimitsOfItsNeighbours) {
+TEST(NotchSurfaceCrack, LimitOfItsNeighbours) {
   // Shallow: the surface crack under K_t; the next term is a (2 K_t + 1)/(K_t rho).
   const NotchSurfaceCrack crack{.depth = 1e-6,
                                 .half_length = 2e-6,

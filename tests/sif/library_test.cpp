@@ -60,9 +60,9 @@ class EverySolution : public testing::TestWithParam<std::string> {
   [[nodiscard]] const Row& row() const { return solution(GetParam()); }
 };
 
-TEST(Library, IdentityHasAtLeastTwentyFourSolutions) { EXPECT_GE(library().size(), 24U); }
+TEST(Library, BehaviourHasAtLeastTwentyFourSolutions) { EXPECT_GE(library().size(), 24U); }
 
-TEST(Library, IdentityNamesAreUniqueAndSaidOnce) {
+TEST(Library, BehaviourNamesAreUniqueAndSaidOnce) {
   std::set<std::string_view> names;
   for (const Row& row : library()) {
     EXPECT_TRUE(names.insert(row.info.name).second) << row.info.name << " is there twice";
@@ -82,7 +82,7 @@ TEST(Library, InputUnknownSolutionNamesANearOne) {
   }
 }
 
-TEST_P(EverySolution, IdentitySaysWhatItIs) {
+TEST_P(EverySolution, BehaviourSaysWhatItIs) {
   const SolutionInfo& info = row().info;
   EXPECT_FALSE(info.title.empty());
   EXPECT_FALSE(info.accuracy.empty());
@@ -102,7 +102,7 @@ TEST_P(EverySolution, IdentitySaysWhatItIs) {
 }
 
 // The source must be a key of the list of references, or "-" with a derivation in the manual.
-TEST_P(EverySolution, IdentitySourceIsInTheReferences) {
+TEST_P(EverySolution, BehaviourSourceIsInTheReferences) {
   std::ifstream file(std::string(STRAINWAVE_EXAMPLES) + "/../docs/references.bib");
   const std::string bib{std::istreambuf_iterator<char>(file), {}};
   ASSERT_FALSE(bib.empty());
@@ -114,7 +114,7 @@ TEST_P(EverySolution, IdentitySourceIsInTheReferences) {
     EXPECT_NE(bib.find("{" + key + ","), std::string::npos) << key << " is in no reference";
 }
 
-TEST_P(EverySolution, IdentityExampleIsInsideItsRange) {
+TEST_P(EverySolution, BehaviourExampleIsInsideItsRange) {
   for (const ValidityLimit& limit : row().make({})->validity())
     EXPECT_TRUE(limit.inside) << limit.text;
 }

@@ -73,7 +73,7 @@ TEST(TabulatedCrack, IdentityStressIntensityOfTheClosedForm) {
 
 // What is said of the closed form's stress intensity does not depend on where the compliance comes
 // from: notes and equations, each case.
-TEST(TabulatedCrack, IdentityNotesOfTheClosedForm) {
+TEST(TabulatedCrack, BehaviourNotesOfTheClosedForm) {
   const auto expect_same = [](GearSet gear, std::initializer_list<const char*> notes) {
     const StiffnessResult tabulated = torsional_stiffness(gear);
     std::get<WallThroughCrack>(gear.flexspline->crack.at(0)).compliance_table.reset();

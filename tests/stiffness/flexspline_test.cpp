@@ -159,7 +159,7 @@ TEST(Flexspline, IdentitySectionsInSeries) {
   test::expect_relative(flexspline_compliance(gear).intact, barrel + rim + boss, 1e-14);
 }
 
-TEST(Flexspline, IdentityAccuraciesOfTheSoundPart) {
+TEST(Flexspline, BehaviourAccuraciesOfTheSoundPart) {
   GearSet gear = sound_flexspline();
   const auto uncertainty = [&] {
     const MemberCompliance member = flexspline_compliance(gear);
@@ -420,7 +420,7 @@ TEST(FlexsplineClosure, LimitTouchingIsNeitherOpenNorClosed) {
   }
 }
 
-TEST(FlexsplineClosure, IdentityNoteNamesTheSense) {
+TEST(FlexsplineClosure, BehaviourNoteNamesTheSense) {
   const auto text = [](double degrees, double axial_force) {
     GearSet gear = with_through_crack(1 * mm, degrees);
     gear.load.axial_force = axial_force;
@@ -518,7 +518,7 @@ TEST(FlexsplineIntensities, CrosscheckSurfaceCrackAlongItsFront) {
 // --- notes, accuracies, ranges
 // ---------------------------------------------------------------------------------------
 
-TEST(Flexspline, IdentityNotesOfEachCase) {
+TEST(Flexspline, BehaviourNotesOfEachCase) {
   const auto codes = [](const GearSet& gear) {
     return test::note_codes(flexspline_compliance(gear).notes);
   };
@@ -580,7 +580,7 @@ TEST(WallThroughCrack, IdentityAxialCouplingAtTheGivenTorque) {
   }
 }
 
-TEST(WallThroughCrack, IdentityFlatPlateNoteNamesWhatIsMissing) {
+TEST(WallThroughCrack, BehaviourFlatPlateNoteNamesWhatIsMissing) {
   // What the shell adds to the energy release rate at 45 degrees, mean over the wall (FR-9).
   const GearSet gear = with_through_crack(5 * mm, 45, false);
   const double lambda = std::sqrt(std::sqrt(12 * 0.91) * 25 * mm * mm / (kRadius * kWall));
@@ -739,7 +739,7 @@ TEST(WallSurfaceCrack, IdentityAxialForceShearsAt45DegreesAndIsNoted) {
                         std::hypot(0.10, 0.20) / 2, 1e-14);
 }
 
-TEST(Flexspline, IdentityAccuracyAndNoteOfAGivenFactor) {
+TEST(Flexspline, BehaviourAccuracyAndNoteOfAGivenFactor) {
   for (const auto& [shape, k, accuracy, noted] : {std::tuple{FlexsplineShape::cup, 0.83, 1.0, 1},
                                                   {FlexsplineShape::cup, 1.6, 0.20, 0},
                                                   {FlexsplineShape::cylinder, 0.4, 0.20, 0}}) {
@@ -766,7 +766,7 @@ TEST(WallSurfaceCrack, LimitThickWall) {
   }
 }
 
-TEST(Flexspline, IdentityEquationsOfEachCase) {
+TEST(Flexspline, BehaviourEquationsOfEachCase) {
   using Tags = std::vector<std::string>;
   EXPECT_EQ(flexspline_compliance(sound_flexspline()).equations, Tags{"ST-4"});
   EXPECT_EQ(flexspline_compliance(cup_of_sections()).equations, (Tags{"ST-2", "ST-3"}));
@@ -815,7 +815,7 @@ TEST(Ovalisation, IdentityCurvatureOfTheDeflection) {
   EXPECT_EQ(ovalisation_stress(gear), ovalisation_stress(cup_of_sections()));
 }
 
-TEST(Ovalisation, IdentityNoteNamesBothStresses) {
+TEST(Ovalisation, BehaviourNoteNamesBothStresses) {
   for (const double torque : {100.0, -100.0}) {
     GearSet gear = with_through_crack();
     gear.load.torque = torque;

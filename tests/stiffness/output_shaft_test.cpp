@@ -215,7 +215,7 @@ TEST(OutputShaftIntensities, ReferenceHandbookShallowCrack) {
 // --- notes, accuracies, ranges
 // -----------------------------------------------------------------------------
 
-TEST(OutputShaft, IdentityNotesOfEachCase) {
+TEST(OutputShaft, BehaviourNotesOfEachCase) {
   const auto codes = [](const GearSet& gear) {
     return test::note_codes(output_shaft_compliance(gear).notes);
   };
@@ -322,7 +322,7 @@ TEST(OutputShaftCrack, LimitRadiusRatioOfTheTable) {
   }
 }
 
-TEST(OutputShaftCrack, IdentityAccuraciesOfEachCase) {
+TEST(OutputShaftCrack, BehaviourAccuraciesOfEachCase) {
   EXPECT_EQ(uncertainties(hollow()), (std::array{0.005, 0.005, 0.002}));
   EXPECT_EQ(uncertainties(solid()), (std::array{0.005, 0.005, 0.002}));
   EXPECT_EQ(uncertainties(solid(1 * mm, AnnularSolution::tada)), (std::array{0.055, 0.055, 0.055}));
@@ -355,7 +355,7 @@ TEST(OutputShaftCrack, IdentityAccuraciesOfEachCase) {
   EXPECT_EQ(basis(gear), (Basis{{"output_shaft", 0.01}}));
 }
 
-TEST(OutputShaft, IdentityEquationsOfEachCase) {
+TEST(OutputShaft, BehaviourEquationsOfEachCase) {
   using Tags = std::vector<std::string>;
   GearSet gear = hollow();
   EXPECT_EQ(output_shaft_compliance(gear).equations,

@@ -588,7 +588,7 @@ TEST(Accuracy, RegressionTable) {
 // --- notes, equations, refusals
 // ---------------------------------------------------------------------------------------
 
-TEST(TorsionalStiffness, IdentityNotesOfEachCase) {
+TEST(TorsionalStiffness, BehaviourNotesOfEachCase) {
   const auto codes = [](const GearSet& gear) {
     return test::note_codes(torsional_stiffness(gear).notes);
   };
@@ -606,7 +606,7 @@ TEST(TorsionalStiffness, IdentityNotesOfEachCase) {
                    "material.contradiction", "wave_generator.crack_under_lobe"}));
 }
 
-TEST(TorsionalStiffness, IdentityOriginOfTheMaterial) {
+TEST(TorsionalStiffness, BehaviourOriginOfTheMaterial) {
   GearSet gear = sound_drive();
   EXPECT_EQ(test::count_notes(torsional_stiffness(gear).notes, "material.library"), 0);
   gear.material["steel"].origin = "taken from a book";
@@ -615,7 +615,7 @@ TEST(TorsionalStiffness, IdentityOriginOfTheMaterial) {
   EXPECT_EQ(std::ranges::find(notes, "material.library", &Note::code)->text, "taken from a book");
 }
 
-TEST(TorsionalStiffness, IdentityContradictionOfTheMaterial) {
+TEST(TorsionalStiffness, BehaviourContradictionOfTheMaterial) {
   const auto notes = [](double share_off) {
     GearSet gear = sound_drive();
     gear.material["steel"].shear_modulus = 210 * GPa / 2.6 * (1 + share_off);
@@ -635,7 +635,7 @@ TEST(TorsionalStiffness, IdentityContradictionOfTheMaterial) {
   EXPECT_NE(text(notes(0.25)).find("G is +25.00 % off"), std::string::npos);
 }
 
-TEST(TorsionalStiffness, IdentityEvidenceOfTheMembersIsKept) {
+TEST(TorsionalStiffness, BehaviourEvidenceOfTheMembersIsKept) {
   const GearSet gear = article_drive();
   const StiffnessResult result = torsional_stiffness(gear);
   std::vector<std::string> tags;
@@ -654,7 +654,7 @@ TEST(TorsionalStiffness, IdentityEvidenceOfTheMembersIsKept) {
   EXPECT_EQ(result.accuracies, accuracies);
 }
 
-TEST(TorsionalStiffness, IdentityUnusableSaysWhyFirst) {
+TEST(TorsionalStiffness, BehaviourUnusableSaysWhyFirst) {
   GearSet gear = article_drive();
   std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = 11 * mm;
   const StiffnessResult shaft = torsional_stiffness(gear);

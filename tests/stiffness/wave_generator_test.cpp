@@ -522,7 +522,7 @@ TEST(RaceCrack, CrosscheckStressIntensitiesAlongTheFront) {
   }
 }
 
-TEST(WaveGenerator, IdentityNotesOfEachCase) {
+TEST(WaveGenerator, BehaviourNotesOfEachCase) {
   const auto codes = [](const GearSet& gear) {
     return test::note_codes(wave_generator_compliance(gear).notes);
   };
@@ -569,7 +569,7 @@ TEST(RaceCrack, LimitRangeOfTheFit) {
   }
 }
 
-TEST(WaveGenerator, IdentityAccuraciesOfEachCase) {
+TEST(WaveGenerator, BehaviourAccuraciesOfEachCase) {
   const auto of_crack = [](const GearSet& gear) {
     return *wave_generator_compliance(gear).cracks.at(0).positive.at_output.relative_uncertainty;
   };
@@ -622,7 +622,7 @@ TEST(WaveGenerator, IdentityAccuraciesOfEachCase) {
             (Basis{{"wave_generator.conversion", 0.70}, {path, 0.20}, {path, 0.30}, {path, 0.20}}));
 }
 
-TEST(WaveGenerator, IdentityEquationsOfEachCase) {
+TEST(WaveGenerator, BehaviourEquationsOfEachCase) {
   using Tags = std::vector<std::string>;
   EXPECT_EQ(wave_generator_compliance(sound_wave_generator()).equations, (Tags{"ST-5", "ST-6"}));
   EXPECT_EQ(wave_generator_compliance(test::article_gear()).equations,

@@ -791,7 +791,7 @@ TEST(Accuracy, IdentityWithTheAssembly) {
       1e-13);
 }
 
-TEST(StrengthSummary, IdentityCounts) {
+TEST(StrengthSummary, BehaviourCounts) {
   std::vector<CrackStrength> cracks(4);
   cracks[0].verdict = cracks[1].verdict = Verdict::acceptable;
   cracks[2].verdict = Verdict::collapses;
@@ -926,7 +926,7 @@ TEST(StrengthVerdict, InputBrokenGear) {
   EXPECT_NO_THROW((void)crack_strength(gear));
 }
 
-TEST(CrackStrength, IdentityNotesAndEquations) {
+TEST(CrackStrength, BehaviourNotesAndEquations) {
   GearSet gear = article();
   const CrackStrength strength = of_wall(gear);
   for (const char* const tag :

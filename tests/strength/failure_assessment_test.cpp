@@ -134,7 +134,7 @@ TEST(PlasticityInteraction, ReferenceTable) {
   EXPECT_EQ(n, 40);
 }
 
-TEST(PlasticityInteraction, LimitsAndCap) {
+TEST(PlasticityInteraction, LimitAndCap) {
   EXPECT_EQ(plasticity_interaction(0, 0), 1.0);
   EXPECT_NEAR(plasticity_interaction(2, 1.05 - 1e-12), 1.0, 1e-11);
   EXPECT_EQ(plasticity_interaction(2, 1.05), 1.0);
@@ -218,7 +218,7 @@ TEST(ReferenceStress, ReferenceLigament) {
   }
 }
 
-TEST(ReferenceStress, LimitsOfTheGroove) {
+TEST(ReferenceStress, LimitOfTheGroove) {
   // FA-11: shallow, the antiplane edge crack tau sqrt(pi d), next term (pi d/2h)^2/6; half through,
   // tau sqrt(2 h).
   const double tau = annulus_shear(300, 0.03, 0.001);
@@ -230,7 +230,7 @@ TEST(ReferenceStress, LimitsOfTheGroove) {
   EXPECT_EQ(groove_intensity(tau, 0.0, 0.001), 0.0);
 }
 
-TEST(ReferenceStress, Scaling) {
+TEST(ReferenceStress, ScalingOfTheUnits) {
   test::expect_dimensionally_consistent(
       "Pa",
       [](double r_e, double r_i, double P, double T) {

@@ -12,6 +12,7 @@
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/io/result_writer.hpp"
 #include "strainwave/model/result/result_fields.hpp"
+#include "strainwave/present/json.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/strength/failure_assessment.hpp"
 #include "strainwave/study/evaluate.hpp"
@@ -31,7 +32,7 @@ long count(const std::string& text, const std::string& part) {
   return n;
 }
 
-TEST(StrengthReport, IdentityACriticalCrackIsAnswered) {
+TEST(StrengthReport, BehaviourACriticalCrackIsAnswered) {
   const GearSet gear = critical();
   const StiffnessResult result = evaluate(gear, Method::corrected);
   EXPECT_TRUE(result.usable());
@@ -71,7 +72,7 @@ TEST(StrengthReport, IdentityACriticalCrackIsAnswered) {
   EXPECT_EQ(assembly->path, "flexspline.crack[0], flexspline.crack[1]");
 }
 
-TEST(StrengthReport, IdentityABreakingCrackIsACriticalNote) {
+TEST(StrengthReport, BehaviourABreakingCrackIsACriticalNote) {
   GearSet gear = critical();
   gear.material["hard_steel"].fracture_toughness = 5e6;
   const StiffnessResult result = evaluate(gear, Method::corrected);
@@ -82,10 +83,10 @@ TEST(StrengthReport, IdentityABreakingCrackIsACriticalNote) {
   EXPECT_TRUE(result.usable());
 }
 
-TEST(StrengthReport, IdentityJsonAndFields) {
+TEST(StrengthReport, BehaviourJsonAndFields) {
   const GearSet gear = critical();
   const StiffnessResult result = evaluate(gear, Method::corrected);
-  const Json json = Json::parse(result_json(result, gear, {}));
+  const Json json = Json::parse(json_of(result));
   const Json& strength = json["cracks"][1]["strength"];
   EXPECT_EQ(strength["verdict"], "fractures");
   EXPECT_EQ(strength["governing"], 1);
@@ -108,7 +109,7 @@ TEST(StrengthReport, IdentityJsonAndFields) {
   EXPECT_EQ(n, 2);
 }
 
-TEST(StrengthReport, IdentityCrackOfTheCoupledDriveIsInTheJson) {
+TEST(StrengthReport, BehaviourCrackOfTheCoupledDriveIsInTheJson) {
   GearSet gear = critical();
   OuterRaceCrack outer;
   outer.depth = 1e-4;
@@ -116,7 +117,7 @@ TEST(StrengthReport, IdentityCrackOfTheCoupledDriveIsInTheJson) {
   gear.wave_generator->bearing->ball_count = 21;
   gear.wave_generator->crack.emplace_back(outer);
   const StiffnessResult result = evaluate(gear, Method::corrected);
-  const Json json = Json::parse(result_json(result, gear, {}));
+  const Json json = Json::parse(json_of(result));
   EXPECT_EQ(json["cracks"].size(), 5U);
   EXPECT_EQ(json["cracks"][4]["path"], "wave_generator.crack[1]");
   EXPECT_EQ(json["cracks"][4]["strength"]["verdict"], "cannot_tell");
@@ -144,7 +145,7 @@ TEST(StrengthReport, InputNothingIsKnown) {
   EXPECT_EQ(evaluate(known, Method::corrected).strength.size(), 3U);
 }
 
-TEST(FailureAssessmentPlot, IdentityLinesAndPoints) {
+TEST(FailureAssessmentPlot, BehaviourLinesAndPoints) {
   const GearSet gear = critical();
   const StiffnessResult result = evaluate(gear, Method::corrected);
   const PlotPanel panel = failure_assessment_panel(result, gear);
@@ -168,7 +169,7 @@ TEST(FailureAssessmentPlot, IdentityLinesAndPoints) {
   EXPECT_EQ(svg, failure_assessment_plot(result, gear));
 }
 
-TEST(FailureAssessmentTable, IdentityRows) {
+TEST(FailureAssessmentTable, BehaviourRows) {
   const GearSet gear = critical();
   const StiffnessResult result = evaluate(gear, Method::corrected);
   const std::string csv = failure_assessment_csv(result, gear);

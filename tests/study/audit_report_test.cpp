@@ -7,12 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "strainwave/present/json.hpp"
+
 namespace strainwave {
 namespace {
 
-TEST(AuditReport, IdentityAllFormsCarryAllRows) {
+TEST(AuditReport, BehaviourAllFormsCarryAllRows) {
   const std::vector<AuditRow> rows = audit();
-  const nlohmann::json json = nlohmann::json::parse(audit_json(rows));
+  const nlohmann::json json = nlohmann::json::parse(json_of(rows));
   ASSERT_EQ(json.size(), rows.size());
   const std::string text = audit_text(rows);
   const std::string markdown = audit_markdown(rows);

@@ -19,7 +19,7 @@ std::size_t count(const std::string& text, const std::string& part) {
   return n;
 }
 
-TEST(Plot, IdentityPanelsSeriesAndLabelsAreDrawn) {
+TEST(Plot, BehaviourPanelsSeriesAndLabelsAreDrawn) {
   const PlotPanel panel{.title = "a <b> & c",
                         .x_label = "x [mm]",
                         .y_label = "y",
@@ -34,7 +34,7 @@ TEST(Plot, IdentityPanelsSeriesAndLabelsAreDrawn) {
   EXPECT_EQ(count(svg, "</svg>"), 1U);
 }
 
-TEST(Plot, IdentityNoTwoLinesLookAlike) {
+TEST(Plot, BehaviourNoTwoLinesLookAlike) {
   PlotPanel panel;
   for (int n = 0; n < 15; ++n) panel.series.push_back({std::to_string(n), {0, 1}, {1.0 * n, 2}});
   const std::string svg = svg_plot(std::vector{panel});
@@ -49,7 +49,7 @@ TEST(Plot, IdentityNoTwoLinesLookAlike) {
   EXPECT_EQ(styles.size(), 15U);
 }
 
-TEST(Plot, IdentityWhatCannotBeDrawnIsAGap) {
+TEST(Plot, BehaviourWhatCannotBeDrawnIsAGap) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   PlotPanel panel{.title = "t",
                   .x_label = "x",
@@ -91,7 +91,7 @@ TEST(Plot, ReferenceATurnEndsAt360Degrees) {
   EXPECT_NE(svg_plot(std::vector{panel}).find(">400<"), std::string::npos);
 }
 
-TEST(Plot, IdentitySweepOverOneNumberShowsStiffnessAndLoss) {
+TEST(Plot, BehaviourSweepOverOneNumberShowsStiffnessAndLoss) {
   const GearSet gear = test::article_gear();
   const std::vector<Variation> one{
       parse_variation(gear, "output_shaft.crack[0].depth=0.05 mm..13 mm:9")};
@@ -103,7 +103,7 @@ TEST(Plot, IdentitySweepOverOneNumberShowsStiffnessAndLoss) {
   EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
-TEST(Plot, IdentitySweepOverTwoNumbersHasALineForEachValueOfTheSecond) {
+TEST(Plot, BehaviourSweepOverTwoNumbersHasALineForEachValueOfTheSecond) {
   const GearSet gear = test::article_gear();
   const std::vector<Variation> two{
       parse_variation(gear, "output_shaft.crack[0].depth=0.05 mm..8 mm:9:log"),
@@ -113,7 +113,7 @@ TEST(Plot, IdentitySweepOverTwoNumbersHasALineForEachValueOfTheSecond) {
     EXPECT_NE(svg.find(label), std::string::npos) << label;
 }
 
-TEST(Plot, IdentityAtMostSevenLinesAndNegativeTorqueWhereItDiffers) {
+TEST(Plot, BehaviourAtMostSevenLinesAndNegativeTorqueWhereItDiffers) {
   const GearSet gear = test::article_gear();
   std::vector<Variation> two{parse_variation(gear, "output_shaft.crack[0].depth=1 mm..8 mm:3"),
                              parse_variation(gear, "output_shaft.inner_diameter=0 mm..50 mm:11")};
@@ -129,7 +129,7 @@ TEST(Plot, IdentityAtMostSevenLinesAndNegativeTorqueWhereItDiffers) {
   EXPECT_NE(svg.find(">−45 deg<"), std::string::npos);
 }
 
-TEST(Plot, IdentityWhatIsLeftOutIsCounted) {
+TEST(Plot, BehaviourWhatIsLeftOutIsCounted) {
   const GearSet gear = test::article_gear();
   const std::vector<Variation> one{
       parse_variation(gear, "output_shaft.crack[0].depth=8 mm..15 mm:8")};
@@ -137,7 +137,7 @@ TEST(Plot, IdentityWhatIsLeftOutIsCounted) {
   EXPECT_NE(svg.find("method corrected; 5 of 8 points are left out"), std::string::npos);
 }
 
-TEST(Plot, IdentityWithoutCracksThereIsNoLoss) {
+TEST(Plot, BehaviourWithoutCracksThereIsNoLoss) {
   GearSet gear = test::article_gear();
   gear.wave_generator->crack.clear();
   gear.flexspline->crack.clear();
@@ -148,7 +148,7 @@ TEST(Plot, IdentityWithoutCracksThereIsNoLoss) {
   EXPECT_NE(svg.find(">sound<"), std::string::npos);
 }
 
-TEST(Plot, IdentityALossThatIsNotPositiveHasALinearAxis) {
+TEST(Plot, BehaviourALossThatIsNotPositiveHasALinearAxis) {
   // As printed, the cracked drive may be stiffer than the sound one.
   const GearSet gear = test::article_gear();
   const std::vector<Variation> one{

@@ -11,6 +11,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/io/gear_reader.hpp"
+#include "strainwave/present/json.hpp"
 #include "strainwave/study/sensitivity_report.hpp"
 #include "support/article_gear.hpp"
 #include "support/expect.hpp"
@@ -30,6 +31,11 @@ Scatter scatter(const GearSet& gear, const ScatterOptions& options) {
 
 const ScatterOutput& output(const Scatter& scatter, const std::string& name) {
   return *std::ranges::find(scatter.outputs, name, &ScatterOutput::name);
+}
+
+/// All that a report tells.
+std::string told(const SensitivityReport& report) {
+  return json_of(report) + json_of(evidence_of(report).notes);
 }
 
 /// A sound shaft alone, K = G J/L.
@@ -108,17 +114,16 @@ TEST(Scatter, IdentityAnyNumberOfThreadsGivesTheSameBits) {
   const GearSet gear = example();
   const Sensitivity sensitivity = sensitivity_of(gear);
   const auto text = [&](int threads, std::uint64_t seed) {
-    return sensitivity_json(
-        {.sensitivity = sensitivity,
-         .scatter =
-             scatter_of(gear, sensitivity, {.samples = 1500, .seed = seed, .threads = threads})});
+    return told({.sensitivity = sensitivity,
+                 .scatter = scatter_of(gear, sensitivity,
+                                       {.samples = 1500, .seed = seed, .threads = threads})});
   };
   const std::string one = text(1, 5);
   for (const int threads : {2, 3, 7}) EXPECT_EQ(text(threads, 5), one) << threads;
   EXPECT_NE(text(1, 6), one);
 }
 
-TEST(Scatter, IdentityRefusedDrawsAreCounted) {
+TEST(Scatter, BehaviourRefusedDrawsAreCounted) {
   // A crack of 2/3 of the wall, normal with a deviation of 1/2: deeper than the wall beyond +1
   // deviation (15.87 %), not positive below -2 (2.28 %); of a/t > 0.8 beyond 0.4 on.
   GearSet gear = shaft();
@@ -140,7 +145,7 @@ TEST(Scatter, IdentityRefusedDrawsAreCounted) {
   EXPECT_EQ(test::count_notes(scatter(example(), {.samples = 20}).notes, "scatter.left_out"), 0);
 }
 
-TEST(Scatter, IdentityStrongScatterIsNotLinear) {
+TEST(Scatter, BehaviourStrongScatterIsNotLinear) {
   GearSet gear = shaft();
   // K ~ D^4.8: of a lognormal K the deviation is sqrt(exp(0.72^2) - 1) = 0.83 rather than 0.72.
   gear.scatter = {
@@ -161,7 +166,7 @@ TEST(Scatter, IdentityAnInputWithoutInfluenceHasNoShare) {
   EXPECT_EQ(K.low, K.high);
 }
 
-TEST(Scatter, IdentityModelFormStaysBeside) {
+TEST(Scatter, BehaviourModelFormStaysBeside) {
   const GearSet gear = example();
   const Scatter result = scatter(gear, {.samples = 20});
   const StiffnessResult stiffness = torsional_stiffness(gear);
@@ -176,7 +181,7 @@ TEST(Scatter, IdentityOtherResultsIgnoreIt) {
   EXPECT_EQ(torsional_stiffness(example()).positive.stiffness.value,
             torsional_stiffness(without).positive.stiffness.value);
   const Sensitivity with = sensitivity_of(example());
-  EXPECT_EQ(sensitivity_json({with, {}}), sensitivity_json({sensitivity_of(without), {}}));
+  EXPECT_EQ(told({with, {}}), told({sensitivity_of(without), {}}));
 }
 
 TEST(Scatter, InputOptions) {
@@ -192,7 +197,7 @@ TEST(Scatter, InputOptions) {
   EXPECT_THROW((void)scatter_of(gear, unusable, {.samples = 10}), SolverError);
 }
 
-TEST(SensitivityReport, IdentityFormsAgree) {
+TEST(SensitivityReport, BehaviourFormsAgree) {
   const GearSet gear = example();
   SensitivityReport report{.sensitivity = sensitivity_of(gear), .scatter = {}};
   const std::string plain_csv = sensitivity_csv(report);
@@ -216,7 +221,7 @@ TEST(SensitivityReport, IdentityFormsAgree) {
   }
 }
 
-TEST(TornadoPlot, IdentityOnePanelForStiffnessOneForLoss) {
+TEST(TornadoPlot, BehaviourOnePanelForStiffnessOneForLoss) {
   const GearSet gear = example();
   const std::string cracked = tornado_plot({sensitivity_of(gear), {}}, gear);
   EXPECT_NE(cracked.find("Stiffness K"), std::string::npos);

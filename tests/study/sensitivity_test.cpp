@@ -237,7 +237,7 @@ TEST(Sensitivity, IdentityDimensionsHoldForEveryDrive) {
   }
 }
 
-TEST(Sensitivity, IdentityALostDerivativeIsRefused) {
+TEST(Sensitivity, BehaviourALostDerivativeIsRefused) {
   // What a number read without a lift would do: its elasticity is missing.
   const Sensitivity sensitivity = sensitivity_of(article_gear());
   ASSERT_TRUE(sensitivity.usable()) << sensitivity.unusable_because;
@@ -352,7 +352,7 @@ TEST(Sensitivity, IdentityAZeroInputHasADerivative) {
   EXPECT_EQ(flange.elasticity, 0.0);
 }
 
-TEST(Sensitivity, IdentityAStepIsSaid) {
+TEST(Sensitivity, BehaviourAStepIsSaid) {
   // sigma_n = P sin^2(b)/(2 pi r t) + T sin(2b)/(2 pi r^2 t) = 0 at 45 degrees: P r = -2 T.
   GearSet gear = article_gear();
   gear.flexspline->stress_nonuniformity = 1.0;
@@ -366,14 +366,14 @@ TEST(Sensitivity, IdentityAStepIsSaid) {
   EXPECT_EQ(test::count_notes(sensitivity_of(gear).notes, "sensitivity.step"), 0);
 }
 
-TEST(Sensitivity, IdentityAKinkIsSaid) {
+TEST(Sensitivity, BehaviourAKinkIsSaid) {
   GearSet gear = profiled_cup();
   EXPECT_EQ(test::count_notes(sensitivity_of(gear).notes, "sensitivity.kink"), 0);
   gear.flexspline->diaphragm->profile[1].radius = 26 * mm;
   EXPECT_EQ(test::count_notes(sensitivity_of(gear).notes, "sensitivity.kink"), 1);
 }
 
-TEST(Sensitivity, IdentityAnUnusableDriveStaysUnusable) {
+TEST(Sensitivity, BehaviourAnUnusableDriveStaysUnusable) {
   GearSet gear = article_gear();
   std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = 11 * mm;  // a/t = 0.88
   const Sensitivity sensitivity = sensitivity_of(gear);
@@ -381,7 +381,7 @@ TEST(Sensitivity, IdentityAnUnusableDriveStaysUnusable) {
   EXPECT_EQ(sensitivity.unusable_because, torsional_stiffness(gear).unusable_because);
 }
 
-TEST(Sensitivity, IdentityEveryNumberIsListedOnce) {
+TEST(Sensitivity, BehaviourEveryNumberIsListedOnce) {
   const GearSet gear = article_gear();
   const Sensitivity sensitivity = sensitivity_of(gear);
   std::multiset<std::string> listed(sensitivity.no_influence.begin(),

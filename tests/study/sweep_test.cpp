@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/present/json.hpp"
 #include "strainwave/study/evaluate.hpp"
 #include "support/article_gear.hpp"
 
@@ -91,7 +92,7 @@ TEST(Variation, InputMessagesNameOptionAndValue) {
             "output_shaft.crack[0].depth?");
 }
 
-TEST(Variation, IdentityDescendingAndNegativeRanges) {
+TEST(Variation, BehaviourDescendingAndNegativeRanges) {
   const Variation down = parse_variation(gear(), "drive.ratio = 100 .. 50 : 3");
   EXPECT_EQ(down.value(0), 100);
   EXPECT_EQ(down.value(1), 75);
@@ -168,7 +169,7 @@ TEST(Sweep, InputAllRefusedNoneOrTooMany) {
         << broken.path << ' ' << broken.from << ' ' << broken.to << ' ' << broken.n_points;
 }
 
-TEST(Sweep, IdentityNotesAreGatheredWithTheirRows) {
+TEST(Sweep, BehaviourNotesAreGatheredWithTheirRows) {
   const std::vector<Variation> one{
       parse_variation(gear(), "flexspline.crack[0].half_length=13 mm..20 mm:8")};
   const SweepResult result = sweep(gear(), Method::corrected, one);
@@ -181,11 +182,12 @@ TEST(Sweep, IdentityNotesAreGatheredWithTheirRows) {
   EXPECT_EQ(result.crack_paths,
             (std::vector<std::string>{"wave_generator.crack[0]", "flexspline.crack[0]",
                                       "output_shaft.crack[0]"}));
-  const nlohmann::json json = nlohmann::json::parse(sweep_json(result));
-  EXPECT_EQ(json.at("notes").size(), result.notes.size());
+  const nlohmann::json json = nlohmann::json::parse(json_of(result));
+  EXPECT_EQ(json.at("note_rows").at("code").at("values").size(), result.notes.size());
+  EXPECT_EQ(evidence_of(result).notes.size(), result.notes.size());
 }
 
-TEST(Sweep, IdentityCsvKeepsEveryDigitAndQuotes) {
+TEST(Sweep, BehaviourCsvKeepsEveryDigitAndQuotes) {
   GearSet odd = gear();
   odd.material["a,\"b\""] = odd.material.at("steel");
   odd.output_shaft->material = "a,\"b\"";
@@ -211,7 +213,7 @@ TEST(Sweep, IdentityCsvKeepsEveryDigitAndQuotes) {
   }
 }
 
-TEST(Sweep, IdentityCsvAndJsonCarryTheSameTable) {
+TEST(Sweep, BehaviourCsvAndJsonCarryTheSameTable) {
   const std::vector<Variation> one{
       parse_variation(gear(), "output_shaft.crack[0].depth=9 mm..15 mm:3")};
   const SweepResult result = sweep(gear(), Method::corrected, one);
@@ -227,21 +229,27 @@ TEST(Sweep, IdentityCsvAndJsonCarryTheSameTable) {
   EXPECT_TRUE(rows[0].ends_with(",true,")) << rows[0];
   EXPECT_NE(rows[1].find(",false,\"output_shaft.crack[0]: a/t"), std::string::npos) << rows[1];
   EXPECT_EQ(rows[2].rfind("0.015,,,,", 0), 0U) << rows[2];  // refused: no outputs
-  const nlohmann::json json = nlohmann::json::parse(sweep_json(result));
+  const nlohmann::json json = nlohmann::json::parse(json_of(result));
   EXPECT_EQ(json.at("method"), "corrected");
-  EXPECT_EQ(json.at("rows").size(), 3U);
-  const std::size_t n_columns = json.at("columns").size();
-  for (const nlohmann::json& row : json.at("rows")) {
-    EXPECT_EQ(row.at("values").size(), n_columns);
-    EXPECT_EQ(row.at("relative_uncertainties").size(), n_columns);
+  const auto values = [](const nlohmann::json& record, const char* name) {
+    return record.at(name).at("values");
+  };
+  EXPECT_EQ(json.at("columns").size(), 1 + result.outputs.size());
+  for (const nlohmann::json& column : json.at("columns")) {
+    EXPECT_EQ(values(column, "values").size(), 3U);
+    EXPECT_EQ(values(column, "relative_uncertainties").size(), column.at("varied") ? 0U : 3U);
   }
-  EXPECT_EQ(json.at("columns")[1].at("unit"), "rad/(N*m)");
-  EXPECT_EQ(json.at("rows")[0].at("values")[1].get<double>(), result.rows[0].outputs[0]->value);
-  EXPECT_EQ(json.at("rows")[0].at("relative_uncertainties")[1].get<double>(),
+  const nlohmann::json& varied = json.at("columns")[0];
+  EXPECT_EQ(varied.at("name"), "output_shaft.crack[0].depth");
+  EXPECT_EQ(varied.at("varied"), true);
+  EXPECT_EQ(values(varied, "values"), nlohmann::json({0.009, 0.012, 0.015}));
+  const nlohmann::json& output = json.at("columns")[1];
+  EXPECT_EQ(output.at("unit"), "rad/(N*m)");
+  EXPECT_EQ(values(output, "values")[0].get<double>(), result.rows[0].outputs[0]->value);
+  EXPECT_EQ(values(output, "relative_uncertainties")[0].get<double>(),
             *result.rows[0].outputs[0]->relative_uncertainty);
-  EXPECT_TRUE(json.at("rows")[2].at("values")[1].is_null());
-  EXPECT_EQ(json.at("rows")[2].at("usable"), false);
-  EXPECT_EQ(json.at("variations")[0].at("spacing"), "linear");
+  EXPECT_TRUE(values(output, "values")[2].is_null());
+  EXPECT_EQ(values(json.at("rows"), "usable"), nlohmann::json({true, false, false}));
 }
 
 }  // namespace

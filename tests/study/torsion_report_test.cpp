@@ -11,6 +11,7 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/io/gear_reader.hpp"
+#include "strainwave/present/json.hpp"
 #include "support/expect.hpp"
 #include "torsion/typical_drive.hpp"
 
@@ -55,7 +56,7 @@ TEST(TorsionReport, IdentityItsNumbersAreThoseOfTheModule) {
   EXPECT_FALSE(report.comparison.has_value());
 }
 
-TEST(TorsionReport, IdentityNotesAndEquations) {
+TEST(TorsionReport, BehaviourNotesAndEquations) {
   const auto has = [](const TorsionReport& report, std::string_view code) {
     return std::ranges::count(report.notes, code, &Note::code);
   };
@@ -95,7 +96,7 @@ TEST(TorsionBands, IdentityOfOneMonotonicInput) {
   EXPECT_NEAR(bands.K2.high, K2_at(0.05e-6), 0.03 * width);
 }
 
-TEST(TorsionBands, IdentityReproducibleAndRejecting) {
+TEST(TorsionBands, BehaviourReproducibleAndRejecting) {
   GearSet gear = drive();
   gear.range.push_back(range("mesh.coning", "0.1", "1"));
   const LineBands a = line_bands(gear, 20);
@@ -116,7 +117,7 @@ TEST(TorsionBands, IdentityReproducibleAndRejecting) {
   EXPECT_THROW((void)line_bands(gear, 0), SolverError);
 }
 
-TEST(TorsionText, IdentityTablesAndUnits) {
+TEST(TorsionText, BehaviourTablesAndUnits) {
   GearSet gear = cracked();
   gear.name = "My drive";
   gear.range.push_back(range("mesh.coning", "0.5", "1"));
@@ -139,29 +140,33 @@ TEST(TorsionText, IdentityTablesAndUnits) {
   }
 }
 
-TEST(TorsionJson, IdentityEverythingIsThere) {
+TEST(TorsionJson, BehaviourEverythingIsThere) {
   const GearSet gear = cracked();
   const TorsionReport report = torsion_report(gear, {.compare = true, .angles = 3});
-  const Json json = Json::parse(torsion_json(report));
+  const Json json = Json::parse(json_of(report));
   EXPECT_EQ(json["positive"]["K1"]["value"].get<double>(), report.positive.K1);
   EXPECT_EQ(json["positive"]["K1"]["unit"], "N*m/rad");
   EXPECT_EQ(json["torques"]["rated"]["value"].get<double>(), 87.0);
-  EXPECT_EQ(json["curve"].size(), report.curve.points.size());
+  const Json& points = json["curve"]["points"];
+  EXPECT_EQ(points["torque"]["unit"], "N*m");
+  EXPECT_EQ(points["torque"]["values"].size(), report.curve.points.size());
   double sum = 0.0;
-  for (const auto& [name, share] : json["curve"].back()["share"].items())
-    sum += share.get<double>();
+  for (const auto& [name, share] : points["share"].items())
+    sum += share["values"].back().get<double>();
   EXPECT_NEAR(sum, 1.0, 1e-12);
-  EXPECT_EQ(json["curve"][3]["balls"].size(), 23U);
+  EXPECT_EQ(points["balls"]["force"]["values"][3].size(), 23U);
   EXPECT_EQ(json["comparison"]["crack_class"], "series");
   EXPECT_EQ(json["comparison"]["positive"]["at_angle"].size(), 1U);
-  EXPECT_EQ(json["hysteresis"]["torque"].size(), report.loop.torque.size());
-  EXPECT_FALSE(json["notes"].empty());
-  ASSERT_EQ(json["rim"].size(), 180U);
+  EXPECT_EQ(json["hysteresis"]["torque"]["values"].size(), report.loop.torque.size());
+  EXPECT_FALSE(evidence_of(report).notes.empty());
+  const Json& stress = json["rim"]["rim_outside_stress"];
+  EXPECT_EQ(stress["unit"], "Pa");
+  ASSERT_EQ(stress["values"].size(), 180U);
   const std::vector<RimState> rim = rim_states(gear, 87, 180);
-  EXPECT_EQ(json["rim"][17]["rim_outside_stress"].get<double>(), rim[17].rim_outside_stress);
+  EXPECT_EQ(stress["values"][17].get<double>(), rim[17].rim_outside_stress);
 }
 
-TEST(TorsionCsv, IdentityBothSensesInOrder) {
+TEST(TorsionCsv, BehaviourBothSensesInOrder) {
   const TorsionReport report = torsion_report(drive());
   const std::string csv = torsion_csv(report);
   const auto lines = static_cast<std::size_t>(std::ranges::count(csv, '\n'));
@@ -170,7 +175,7 @@ TEST(TorsionCsv, IdentityBothSensesInOrder) {
   EXPECT_NE(csv.find("\n-87,"), std::string::npos);
 }
 
-TEST(TorsionPlot, IdentityPanels) {
+TEST(TorsionPlot, BehaviourPanels) {
   const TorsionReport plain = torsion_report(drive());
   const std::string svg = torsion_plot(plain, drive());
   EXPECT_NE(svg.find("Tangent stiffness"), std::string::npos);

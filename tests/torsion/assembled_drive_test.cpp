@@ -54,7 +54,7 @@ TEST(AssembledDrive, IdentityTurnedAndSoundAreAssembledAnew) {
   EXPECT_NE(makers_lines(drive.turned(0.7)).K1, makers_lines(drive).K1);
 }
 
-TEST(AssembledDrive, IdentityADriveThatDoesNotAssembleSaysSo) {
+TEST(AssembledDrive, BehaviourADriveThatDoesNotAssembleSaysSo) {
   GearSet gear = cracked_drive();
   const AssembledDrive stuck(gear, {.max_iterations = 1});
   EXPECT_NE(stuck.fails_because(), "");
@@ -107,7 +107,7 @@ TEST(TorsionProgress, BehaviourSharesGrowToOneAndAStopEndsIt) {
   }
 }
 
-TEST(TorsionResults, IdentityEveryFieldIsDescribedOnce) {
+TEST(TorsionResults, BehaviourEveryFieldIsDescribedOnce) {
   const CurvePoint point = torsion_curve(cracked_drive(), kTorques).points.back();
   std::set<std::string_view> names;
   double sum = 0.0;

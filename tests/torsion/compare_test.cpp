@@ -162,7 +162,7 @@ TEST(AfterTurn, IdentityWhatMovesAgainstTheWave) {
               1e-15);
 }
 
-TEST(WithoutCracks, IdentityNothingElseChanges) {
+TEST(WithoutCracks, BehaviourNothingElseChanges) {
   GearSet gear = with_barrel_crack();
   gear.range.push_back(
       {.path = "flexspline.crack[0].half_length", .lower = "1 mm", .upper = "3 mm", .source = {}});

@@ -374,7 +374,7 @@ TEST(TorsionCurve, IdentityNoTorqueNoTwist) {
   }
 }
 
-TEST(TorsionCurve, IdentityEvidence) {
+TEST(TorsionCurve, BehaviourEvidence) {
   const std::vector<double> torques = {1.0, 2.0};
   const TorsionCurve curve = torsion_curve(supported_drive(), torques);
   EXPECT_EQ(curve.points.size(), 2U);
@@ -620,7 +620,7 @@ TEST(RimStates, IdentityShearOfTheBarrelAndPositions) {
 
 // --- the maker's lines (TC-14) -------------------------------------------------------------------
 
-TEST(MakersTorques, IdentityConventionAndRating) {
+TEST(MakersTorques, BehaviourConventionAndRating) {
   GearSet gear = typical_drive();
   const MakersTorques by_size = makers_torques(gear);
   const double d3 = std::pow(63.5 * mm, 3);
@@ -718,7 +718,7 @@ TEST(TorsionCurve, ReferenceUncertaintyByRatio) {
   EXPECT_EQ(curve_uncertainty(gear), 1.0);
 }
 
-TEST(TorsionCurve, IdentitySmallDrivesAreNoted) {
+TEST(TorsionCurve, BehaviourSmallDrivesAreNoted) {
   // Size 17 has a pitch diameter of 43.18 mm, size 14 of 35.56 mm.
   EXPECT_EQ(
       test::count_notes(torsion_curve(typical_drive(14, 50), {{1.0}}).notes, "torsion.small_size"),
@@ -728,7 +728,7 @@ TEST(TorsionCurve, IdentitySmallDrivesAreNoted) {
       0);
 }
 
-TEST(TorsionCurve, IdentityInterferenceIsNoted) {
+TEST(TorsionCurve, BehaviourInterferenceIsNoted) {
   const auto notes = [](double gap) {
     GearSet gear = typical_drive();
     gear.mesh->lobe_gap = gap;
@@ -749,7 +749,7 @@ TEST(TorsionCurve, InputTooFewSteps) {
   EXPECT_THROW((void)makers_lines(typical_drive(), +1, one_step), SolverError);
 }
 
-TEST(TorsionCurve, IdentityNotes) {
+TEST(TorsionCurve, BehaviourNotes) {
   const auto codes = [](const auto& change) {
     GearSet gear = typical_drive();
     change(gear);

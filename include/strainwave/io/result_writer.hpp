@@ -11,10 +11,6 @@
 
 namespace strainwave {
 
-/// Another JSON object of ours with `provenance` and the input added to it.
-[[nodiscard]] std::string with_provenance(const std::string& json_object, const GearSet& gear,
-                                          const Provenance& provenance);
-
 /// The result as a table for a report, at most 100 columns wide; no more digits than the accuracy
 /// warrants plus two.
 [[nodiscard]] std::string result_text(const StiffnessResult& result, const GearSet& gear,

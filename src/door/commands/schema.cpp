@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <nlohmann/json.hpp>
-
 #include "strainwave/door/door.hpp"
 #include "strainwave/io/input_format.hpp"
 
