@@ -34,6 +34,17 @@ double mean_thickness(const Diaphragm& diaphragm) {
 
 }  // namespace
 
+Waves::Waves(std::vector<double> positions, int harmonics)
+    : positions_(std::move(positions)),
+      cosine_(positions_.size(), harmonics),
+      sine_(positions_.size(), harmonics) {
+  for (Eigen::Index i = 0; i < cosine_.rows(); ++i)
+    for (int n = 1; n <= harmonics; ++n) {
+      cosine_(i, n - 1) = std::cos(n * positions_[static_cast<std::size_t>(i)]);
+      sine_(i, n - 1) = std::sin(n * positions_[static_cast<std::size_t>(i)]);
+    }
+}
+
 ElasticRings::ElasticRings(const GearSet& gear, const CoupledGeometry& geometry,
                            const CoupledOptions& options, int contacts)
     : N_(options.harmonics),
@@ -88,12 +99,12 @@ void ElasticRings::make_modes(const GearSet& gear, const CoupledGeometry& g,
   }
 }
 
-void ElasticRings::set_contacts(double position,
+void ElasticRings::set_contacts(const Waves& waves, int position,
                                 std::initializer_list<std::pair<int, ContactDirection>> contacts) {
   for (const auto& [contact, d] : contacts) row_(contact, 0) = d.radial;
   for (int n = 1; n <= N_; ++n) {
-    const double c = std::cos(n * position);
-    const double s = std::sin(n * position);
+    const double c = waves.cosine(position, n);
+    const double s = waves.sine(position, n);
     for (const auto& [contact, d] : contacts) {
       auto row = row_.row(contact);
       row[at(n)] = d.radial * c - d.slope * n * s;

@@ -30,6 +30,24 @@ struct ContactDirection {
   double spline_slope = 0.0;
 };
 
+/// Cosines and sines of all harmonics at the positions of the contacts.
+class Waves {
+ public:
+  Waves(std::vector<double> positions, int harmonics);
+
+  [[nodiscard]] bool are_of(const std::vector<double>& positions, int harmonics) const {
+    return positions == positions_ && harmonics == cosine_.cols();
+  }
+  [[nodiscard]] double cosine(int position, int n) const { return cosine_(position, n - 1); }
+  [[nodiscard]] double sine(int position, int n) const { return sine_(position, n - 1); }
+
+ private:
+  using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  std::vector<double> positions_;
+  Table cosine_;
+  Table sine_;
+};
+
 /// A square of numbers that are found when first asked for, by any thread; a copy knows none.
 class Memo {
  public:
@@ -78,8 +96,8 @@ class ElasticRings {
   ElasticRings(const GearSet& gear, const CoupledGeometry& geometry, const CoupledOptions& options,
                int contacts);
 
-  /// Contacts at one position, each with the number of its row.
-  void set_contacts(double position,
+  /// Contacts at one position of the waves, each with the number of its row.
+  void set_contacts(const Waves& waves, int position,
                     std::initializer_list<std::pair<int, ContactDirection>> contacts);
   /// The same rings, softened by cracks.
   [[nodiscard]] ElasticRings softened(const std::vector<RingHinge>& hinges) const;
