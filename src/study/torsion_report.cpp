@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <random>
 
@@ -36,10 +38,9 @@ std::vector<double> curve_torques(const MakersTorques& at) {
   return torques;
 }
 
-TorsionCurve usable_curve(const AssembledDrive& drive, std::vector<double> torques, double sense,
-                          const Progress& progress) {
+TorsionCurve usable_curve(const AssembledDrive& drive, std::vector<double> torques, double sense) {
   for (double& torque : torques) torque *= sense;
-  TorsionCurve curve = torsion_curve(drive, torques, progress);
+  TorsionCurve curve = torsion_curve(drive, torques);
   if (!curve.usable()) throw SolverError(curve.unusable_because);
   return curve;
 }
@@ -155,11 +156,13 @@ LineBands line_bands(const AssembledDrive& drive, const BandOptions& options,
 
   std::vector<std::optional<MakersLines>> lines(draws);
   for_each_index(draws, {.threads = options.threads}, progress, [&] {
-    return [&, drawn = std::make_unique<DrawnDrive>(gear, gear.range)](std::size_t n) {
+    return [&, drawn = std::make_unique<DrawnDrive>(gear, gear.range),
+            latest = drive](std::size_t n) mutable {
       for (std::size_t i = 0; i < limits.size(); ++i)
         drawn->number(i) = values[n * limits.size() + i];
       try {
-        lines[n] = makers_lines(AssembledDrive(drawn->gear(), drive.options(), &drive));
+        latest = AssembledDrive(drawn->gear(), drive.options(), &latest);
+        lines[n] = makers_lines(latest);
       } catch (const Error&) {  // this combination cannot be built
       }
     };
@@ -185,14 +188,20 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   const bool draws = !gear.range.empty() && options.draws > 0;
   const double curve_ends = draws || options.compare ? 0.2 : 1.0;
   const double draws_end = !draws ? curve_ends : options.compare ? 0.5 : 1.0;
-  const Progress curve = progress.part(0.0, curve_ends);
   TorsionReport report;
   const AssembledDrive drive(gear);
   const SlidingDrive sliding(gear);
   report.torques = makers_torques(gear);
   const std::vector<double> torques = curve_torques(report.torques);
-  report.curve = usable_curve(drive, torques, +1, curve.part(0.1, 0.4));
-  report.curve_negative = usable_curve(drive, torques, -1, curve.part(0.4, 0.7));
+  const std::array<std::function<void()>, 3> parts = {
+      [&] { report.curve = usable_curve(drive, torques, +1); },
+      [&] { report.curve_negative = usable_curve(drive, torques, -1); },
+      [&] {
+        report.loop = hysteresis_loop(Hysteresis(sliding, report.torques.rated),
+                                      report.torques.rated);
+      }};
+  for_each_index(parts.size(), {}, progress.part(0.0, curve_ends),
+                 [&] { return [&](std::size_t i) { parts[i](); }; });
   for (const double at : {report.torques.T1, report.torques.T2, report.torques.rated}) {
     const auto point = std::ranges::min_element(
         report.curve.points, {}, [&](const CurvePoint& p) { return std::abs(p.torque - at); });
@@ -201,8 +210,6 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   }
   report.positive = makers_lines(drive, +1);
   report.negative = makers_lines(drive, -1);
-  report.loop = hysteresis_loop(Hysteresis(sliding, report.torques.rated, {}, curve.part(0.7, 1.0)),
-                                report.torques.rated);
   report.lost_motion = lost_motion(drive);
   report.rim = rim_states(drive, report.torques.rated, kRimPositions);
   if (draws) report.bands =
@@ -210,7 +217,7 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   if (options.compare) {
     report.comparison =
         compare_curves(drive, sliding, options.angles, progress.part(draws_end, 1.0));
-    report.sound = usable_curve(drive.without_cracks(), torques, +1, {});
+    report.sound = usable_curve(drive.without_cracks(), torques, +1);
   }
   if (report.torques.by_convention)
     report.notes.push_back({"rating.convention",

@@ -48,7 +48,8 @@ class Waves {
   Table sine_;
 };
 
-/// A square of numbers that are found when first asked for, by any thread; a copy knows none.
+/// A symmetric square of numbers that are found when first asked for, by any thread; a copy knows
+/// none.
 class Memo {
  public:
   explicit Memo(int size)
@@ -65,12 +66,10 @@ class Memo {
   }
   ~Memo() = default;
 
-  /// Relaxed order is enough: all threads find the same number.
+  /// The number at row i, column j <= i.  Relaxed order is enough: all threads find the same number.
   template <class Find>
   [[nodiscard]] double at(int i, int j, const Find& find) const {
-    std::atomic<double>& entry =
-        entries_[static_cast<std::size_t>(i) * static_cast<std::size_t>(size_) +
-                 static_cast<std::size_t>(j)];
+    std::atomic<double>& entry = entries_[triangle(i) + static_cast<std::size_t>(j)];
     double value = entry.load(std::memory_order_relaxed);
     if (std::isnan(value)) {
       value = find();
@@ -80,9 +79,11 @@ class Memo {
   }
 
  private:
-  [[nodiscard]] std::size_t count() const {
-    return static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_);
+  /// Entries of the rows before row i.
+  [[nodiscard]] static std::size_t triangle(int i) {
+    return static_cast<std::size_t>(i) * (static_cast<std::size_t>(i) + 1) / 2;
   }
+  [[nodiscard]] std::size_t count() const { return triangle(size_); }
 
   int size_ = 0;
   std::unique_ptr<std::atomic<double>[]> entries_;
@@ -134,6 +135,14 @@ class ElasticRings {
     double extension = 0.0;  // of a + n d
     double lateral = 0.0;    // n = 1
     double spline = 0.0;
+
+    struct Inverse {  // (TC-4): of [[bend + ke, n ke], [n ke, n^2 ke]]
+      double ww = 0.0;
+      double wv = 0.0;
+      double vv = 0.0;
+    };
+    Inverse inverse;
+    [[nodiscard]] Inverse inverted(int n) const;
   };
   struct Softening {
     RingHinge::Ring ring = RingHinge::Ring::rim;
