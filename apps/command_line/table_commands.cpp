@@ -76,6 +76,18 @@ void add_documents(CLI::App* sub, const Command& command, Given& given) {
         ->type_name("PATH");
 }
 
+ExitCode exit_code_of(RequirementOutcome outcome) {
+  switch (outcome) {
+    case RequirementOutcome::met:
+      return kOk;
+    case RequirementOutcome::not_met:
+      return kNotMet;
+    case RequirementOutcome::cannot_be_told:
+      break;
+  }
+  return kCannotTell;
+}
+
 ExitCode run_command(const Command& command, const Given& given, ReadDrive read_drive) {
   OptionValues options(command.options);
   for (const auto& [name, texts] : given.texts)
@@ -98,9 +110,11 @@ ExitCode run_command(const Command& command, const Given& given, ReadDrive read_
     if (!path.empty()) beside.emplace_back(path, answer.document(name));
   for (const auto& [path, text] : beside) deliver(text, path);
   deliver(main, given.output);
-  if (answer.usable()) return kOk;
-  std::cerr << "strainwave: " << answer.evidence().unusable_because << '\n';
-  return kNotUsable;
+  if (!answer.usable()) {
+    std::cerr << "strainwave: " << answer.evidence().unusable_because << '\n';
+    return kNotUsable;
+  }
+  return exit_code_of(answer.evidence().requirement.value_or(RequirementOutcome::met));
 }
 
 ExitCode complain(std::string_view program, std::string_view message, ExitCode code) {

@@ -4,6 +4,7 @@
 
 #include "chapters.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/drive_cracks/member_loads.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
 #include "strainwave/sif/member/wall_through.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"

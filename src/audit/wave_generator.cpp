@@ -5,6 +5,7 @@
 #include "chapters.hpp"
 #include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/drive_cracks/member_loads.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 
 namespace strainwave {

@@ -318,4 +318,11 @@ std::string calibration_text(const Calibration& c) {
   return text;
 }
 
+ResultEvidence evidence_of(const Calibration& calibration) {
+  ResultEvidence evidence;
+  if (!calibration.converged) evidence.unusable_because = "the calibration has not converged";
+  evidence.verdict = verdict_of(evidence.unusable_because, evidence.notes);
+  return evidence;
+}
+
 }  // namespace strainwave

@@ -11,6 +11,7 @@
 #include "strainwave/core/quadrature.hpp"
 #include "strainwave/core/version.hpp"
 #include "strainwave/present/json.hpp"
+#include "strainwave/present/reference.hpp"
 #include "strainwave/present/schema.hpp"
 
 namespace strainwave {
@@ -125,6 +126,16 @@ std::string options_schema(const Command& command) {
                  {"title", fmt::format("Options of strainwave {}", command.name)}};
   schema.update(Json::parse(schema_of(command.options.walk, SchemaOf::options)));
   return schema.dump(2) + '\n';
+}
+
+std::string options_reference(const Command& command) {
+  return fmt::format("# Options of `strainwave {}`\n\n{}\n\n{}", command.name, command.summary,
+                     fields_reference(command.options.walk));
+}
+
+std::string result_reference(const Command& command) {
+  return fmt::format("# Result of `strainwave {}`\n\n{}\n\n{}", command.name, command.summary,
+                     fields_reference(command.walk));
 }
 
 const Command& command_named(std::span<const Command> table, std::string_view name) {

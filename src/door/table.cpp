@@ -4,11 +4,33 @@
 namespace strainwave {
 
 // One function for each row, in a file of its name in commands/.
+Command audit_command();
+Command calibrate_command();
+Command catalogue_command();
+Command material_list_command();
+Command material_show_command();
+Command new_command();
+Command report_command();
+Command require_command();
+Command schema_command();
+Command sensitivity_command();
+Command sif_eval_command();
+Command sif_list_command();
+Command sif_plot_command();
+Command sif_show_command();
+Command solve_command();
 Command stiffness_command();
+Command sweep_command();
+Command torsion_command();
+Command validate_command();
 
 std::span<const Command> commands() {
   static const std::vector<Command> table = {
-      stiffness_command(),
+      stiffness_command(),     torsion_command(),   require_command(),  report_command(),
+      sensitivity_command(),   sweep_command(),     solve_command(),    sif_list_command(),
+      sif_show_command(),      sif_eval_command(),  sif_plot_command(), material_list_command(),
+      material_show_command(), catalogue_command(), validate_command(), calibrate_command(),
+      audit_command(),         new_command(),       schema_command(),
   };
   return table;
 }

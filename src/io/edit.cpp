@@ -9,9 +9,9 @@
 #include <limits>
 
 #include "strainwave/core/toml_reader.hpp"
-#include "toml_scan.hpp"
 #include "strainwave/io/attachments.hpp"
 #include "strainwave/model/input/gear_set.hpp"
+#include "toml_scan.hpp"
 
 namespace strainwave {
 namespace {

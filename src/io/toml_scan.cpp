@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <map>
 
-#include "strainwave/core/toml_library.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/toml_library.hpp"
 
 namespace strainwave {
 namespace {

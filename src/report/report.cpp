@@ -199,8 +199,8 @@ ReportSection drawing_chapter(const Draft& draft) {
 
 }  // namespace report
 
-Report make_report(const GearSet& gear, const Provenance& provenance,
-                   const ReportOptions& options, const Progress& progress) {
+Report make_report(const GearSet& gear, const Provenance& provenance, const ReportOptions& options,
+                   const Progress& progress) {
   report::Draft draft{
       .gear = gear,
       .provenance = provenance,

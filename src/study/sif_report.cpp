@@ -69,8 +69,8 @@ std::string table_cell(std::string_view text) {
 std::vector<SolutionField> DescribedSolution::fields() const {
   std::vector<SolutionField> fields;
   for (const Field& field : row->fields)
-    fields.push_back({field.name, field.unit, field.doc, rule_text(field.range, field.unit),
-                      field.example});
+    fields.push_back(
+        {field.name, field.unit, field.doc, rule_text(field.range, field.unit), field.example});
   return fields;
 }
 
@@ -111,7 +111,8 @@ std::string sif_list_text(const SolutionList& list) {
     text += fmt::format("  {:{}}  {}\n  {:{}}  modes {}; loads {}; {}\n", info.name, width,
                         info.title, "", width, info.modes, load_names(*row), accuracy_of(info));
   }
-  return text + fmt::format("\n{} solutions; `strainwave sif show NAME` says more\n", list.solutions.size());
+  return text + fmt::format("\n{} solutions; `strainwave sif show NAME` says more\n",
+                            list.solutions.size());
 }
 
 std::string sif_list_markdown(const SolutionList& list) {

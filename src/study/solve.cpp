@@ -18,37 +18,13 @@
 #include "strainwave/model/input/vary_option.hpp"
 #include "strainwave/model/result/result_fields.hpp"
 #include "strainwave/study/evaluate.hpp"
+#include "strainwave/study/outputs.hpp"
 #include "strainwave/study/sweep.hpp"
 
 namespace strainwave {
 namespace {
 
 // --- Outputs by name ------------------------------------------------------------------------
-
-std::optional<Quantity> output_of(const StiffnessResult& result, std::string_view name) {
-  std::optional<Quantity> found;
-  for_each_quantity(result, [&](const std::string& path, const Quantity& q) {
-    if (path == name) found = q;
-  });
-  return found;
-}
-
-[[noreturn]] void refuse_output(const StiffnessResult& result, std::string_view name) {
-  std::vector<std::string> known;
-  std::vector<std::string> ending;  // "stiffness" is short for three outputs
-  for_each_quantity(result, [&](const std::string& path, const Quantity&) {
-    known.push_back(path);
-    if (!name.empty() && path.ends_with("." + std::string(name))) ending.push_back(path);
-  });
-  if (ending.empty())
-    if (std::string near = nearest_word(name, known); !near.empty())
-      ending.push_back(std::move(near));
-  throw InputError(
-      "--target",
-      fmt::format("\"{}\" is not an output of this drive{}", name,
-                  ending.empty() ? ", such as cracked.positive.stiffness"
-                                 : fmt::format("; did you mean {}?", fmt::join(ending, " or "))));
-}
 
 // --- The output as a function of the sought number --------------------------------------------
 
@@ -86,7 +62,7 @@ class Probe {
     progress_.at(std::min(1.0, ++n_samples_ / (2.0 * n_scan_)));
     try {
       const StiffnessResult at_x = result(x);
-      const std::optional<Quantity> output = output_of(at_x, target_.output);
+      const std::optional<Quantity> output = output_named(at_x, target_.output);
       if (!output || !std::isfinite(output->value))
         return {.x = x, .reason = target_.output + " has no finite value"};
       return {.x = x,
@@ -263,7 +239,7 @@ double slope_at(Probe& probe, const Sample& at) {
 
 Solution solution_at(Probe& probe, const Sample& at, const SolveResult& problem) {
   Solution solution{.value = {at.x, problem.unit}, .output = {}, .result = probe.result(at.x)};
-  solution.output = *output_of(solution.result, problem.target.output);
+  solution.output = *output_named(solution.result, problem.target.output);
   if (solution.output.relative_uncertainty) {
     const double u = std::abs(*solution.output.relative_uncertainty * solution.output.value /
                               (at.x * slope_at(probe, at)));
@@ -447,8 +423,8 @@ Target parse_target(const GearSet& gear, Method method, std::string_view text) {
                                              "\"cracked.positive.stiffness_change=-1 %\"",
                                              text));
   const StiffnessResult present = evaluate(gear, method);
-  const std::optional<Quantity> output = output_of(present, given.key);
-  if (!output) refuse_output(present, given.key);
+  const std::optional<Quantity> output = output_named(present, given.key);
+  if (!output) refuse_output(present, given.key, "--target");
   return {
       .output = std::string(given.key),
       .unit = output->unit,
@@ -474,7 +450,7 @@ SolveResult solve(const GearSet& gear, Method method, const Unknown& unknown, co
     samples.push_back(probe.sample(x));
   if (std::ranges::all_of(samples, [](const Sample& s) { return s.state == State::refused; })) {
     const StiffnessResult result = probe.result(samples.front().x);  // throws the fault itself
-    refuse_output(result, target.output);
+    refuse_output(result, target.output, "--target");
   }
   samples = with_turning_points(probe, with_ends(probe, std::move(samples)));
 

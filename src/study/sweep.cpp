@@ -59,7 +59,8 @@ void gather_notes(std::vector<SweepNote>& gathered, const std::vector<Note>& not
 
 }  // namespace
 
-SweepResult sweep(const GearSet& gear, Method method, std::span<const Variation> variations, const Progress& progress) {
+SweepResult sweep(const GearSet& gear, Method method, std::span<const Variation> variations,
+                  const Progress& progress) {
   if (variations.empty() || variations.size() > 2)
     throw InputError("--vary",
                      fmt::format("is given {} times; must be once or twice", variations.size()));

@@ -63,7 +63,8 @@ struct AuditRow {
     field({"quantity", "", "what it is, with its symbol"}, &AuditRow::quantity);
     field({"unit", "", "unit of the numbers of this row, as the article has it, \"1\" if pure"},
           &AuditRow::unit);
-    field({"printed", kUnitBeside, "the printed number, in the unit of the row"}, &AuditRow::printed);
+    field({"printed", kUnitBeside, "the printed number, in the unit of the row"},
+          &AuditRow::printed);
     field({"own_equation", kUnitBeside,
            "what its own printed equation gives with the printed inputs, in the unit of the row"},
           &AuditRow::own);

@@ -10,6 +10,7 @@
 #include "strainwave/catalogue/factors.hpp"
 #include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/result/evidence.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
 /// @file
@@ -168,7 +169,9 @@ struct Calibration {
                                     const std::vector<Factor>& factors,
                                     const CoupledOptions& options = {},
                                     const Progress& progress = {});
-
 [[nodiscard]] std::string calibration_text(const Calibration& calibration);
+
+/// Not usable if the fit has not converged.
+[[nodiscard]] ResultEvidence evidence_of(const Calibration& calibration);
 
 }  // namespace strainwave

@@ -25,8 +25,8 @@ namespace strainwave {
 /// A drive as a command gets it: read, with the text it was read from.
 struct Drive {
   GearSet gear;
-  std::string text;  ///< word for word; empty where the drive was not made from text  std::string
-                     ///< name;  ///< of the text, for messages: "drive.toml"
+  std::string text;  ///< word for word; empty where the drive was not made from text
+  std::string name;  ///< of the text, for messages: "drive.toml"
 };
 
 /// Texts that options name, such as a measured curve, by the name that the option gives.
@@ -176,6 +176,11 @@ class Answer {
 [[nodiscard]] std::string result_schema(const Command& command);
 /// JSON Schema of the options of a command.
 [[nodiscard]] std::string options_schema(const Command& command);
+
+/// The options of a command as a Markdown table.
+[[nodiscard]] std::string options_reference(const Command& command);
+/// The fields of a command's result as a Markdown table: path, unit, meaning.
+[[nodiscard]] std::string result_reference(const Command& command);
 
 /// The command of a table by its name.
 /// @throws OptionError  there is none; the message names the nearest

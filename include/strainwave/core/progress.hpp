@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <utility>
 
-
 namespace strainwave {
 
 /// The caller asked a computation to stop; there is no answer.  No Error: what takes an Error for

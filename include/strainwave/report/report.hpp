@@ -47,8 +47,7 @@ struct Report {
 /// The same input, version and options give the same bytes: no clock, no host, no environment.
 /// @throws InputError  if the gear breaks a rule, or holds what the method cannot treat
 [[nodiscard]] Report make_report(const GearSet& gear, const Provenance& provenance,
-                                 const ReportOptions& options = {},
-                                 const Progress& progress = {});
+                                 const ReportOptions& options = {}, const Progress& progress = {});
 
 /// The report as one HTML5 document, also well-formed XML: no script, nothing from outside the
 /// file, for screens light, dark and narrow, and for A4 paper.

@@ -113,9 +113,11 @@ struct Evaluation {
     field({"material", "", "elastic constants and toughness"}, &Evaluation::material);
     field({"crack_size", "m", "a of the geometry factors"}, &Evaluation::crack_size);
     field({"geometry_factors", "", "per load and point"}, &Evaluation::factors);
-    field({"points", "", "stress intensities under all loads, at the named points"}, &Evaluation::points);
+    field({"points", "", "stress intensities under all loads, at the named points"},
+          &Evaluation::points);
     field({"largest", "", "along the front"}, &Evaluation::largest);
-    field({"faces_pressed", "", "the faces press on each other somewhere on the front"}, &Evaluation::pressed);
+    field({"faces_pressed", "", "the faces press on each other somewhere on the front"},
+          &Evaluation::pressed);
     field({"equivalent", "Pa*m^0.5", "sqrt(G E') at the worst point"}, &Evaluation::equivalent);
     field({"utilisation", "1", "equivalent over K_Ic"}, &Evaluation::utilisation);
     field({"added_compliance", "", "upper triangle"}, &Evaluation::compliance);

@@ -24,7 +24,8 @@ struct PointIntensity {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"name", "", "of the point; empty for one found by scanning the front"}, &PointIntensity::name);
+    field({"name", "", "of the point; empty for one found by scanning the front"},
+          &PointIntensity::name);
     field({"s", "1", "front parameter"}, &PointIntensity::s);
     field({"K_I", "Pa*m^0.5", "opening"}, &PointIntensity::K_I);
     field({"K_II", "Pa*m^0.5", "sliding"}, &PointIntensity::K_II);

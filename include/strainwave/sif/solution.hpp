@@ -71,8 +71,10 @@ struct SolutionInfo {
     field({"equation", "", "first tag in the theory manual"}, &SolutionInfo::equation);
     field({"source", "", "keys of the references; - where derived"}, &SolutionInfo::source);
     field({"basis", "", "what holds the formula up"}, &SolutionInfo::basis);
-    field({"relative_uncertainty", "1", "one standard, of K, inside the validity range"}, &SolutionInfo::relative_uncertainty);
-    field({"accuracy", "", "what was compared with what, and how it came out"}, &SolutionInfo::accuracy);
+    field({"relative_uncertainty", "1", "one standard, of K, inside the validity range"},
+          &SolutionInfo::relative_uncertainty);
+    field({"accuracy", "", "what was compared with what, and how it came out"},
+          &SolutionInfo::accuracy);
     field({"constraint", "", "plane strain or plane stress"}, &SolutionInfo::constraint);
   }
 };

@@ -42,7 +42,7 @@ struct ScatterOutput {
   double median = 0.0;
   double high = 0.0;  ///< 95 % of the draws are below
   /// One standard relative uncertainty of the model's form, which the scatter is not part of.
-  /// std::optional<double> model_uncertainty;
+  std::optional<double> model_uncertainty;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -73,7 +73,8 @@ struct Scatter {
   int samples = 0;    ///< asked for
   int evaluated = 0;  ///< of them
   int refused = 0;    ///< broke a rule of the input, such as a crack deeper than its wall
-  int unusable = 0;   ///< beyond the validity of the model  std::uint64_t seed = 0;
+  int unusable = 0;   ///< beyond the validity of the model
+  std::uint64_t seed = 0;
   std::vector<Note> notes;
 
   template <class Visitor>
@@ -98,7 +99,6 @@ struct Scatter {
 /// @throws InputError   if the file gives no scatter, or an option is out of range
 /// @throws SolverError  if fewer than two draws could be evaluated
 [[nodiscard]] Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
-                                 const ScatterOptions& options = {},
-                                 const Progress& progress = {});
+                                 const ScatterOptions& options = {}, const Progress& progress = {});
 
 }  // namespace strainwave

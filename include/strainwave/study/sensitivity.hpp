@@ -20,8 +20,8 @@ struct SensitivityOutput {
   std::string name;  ///< "cracked.positive.stiffness"
   Quantity value;    ///< with the uncertainty of the model's form, which is not of the inputs
   /// What the elasticities leave of the dimensions of the output, (SN-6), powers of length and of
-  /// force; 0 but for rounding unless a number was read without its derivative.  double
-  /// length_residual = 0.0;
+  /// force; 0 but for rounding unless a number was read without its derivative.
+  double length_residual = 0.0;
   double force_residual = 0.0;
 
   template <class Visitor>
@@ -37,8 +37,8 @@ struct SensitivityOutput {
 
 /// How one output depends on one input.
 struct Influence {
-  double derivative = 0.0;  ///< dy/dx [unit of the output per unit of the input]  double elasticity
-                            ///< = 0.0;  ///< d ln y/d ln x [-]; 0 where the input is 0; eq. (SN-1)
+  double derivative = 0.0;  ///< dy/dx [unit of the output per unit of the input]
+  double elasticity = 0.0;  ///< d ln y/d ln x [-]; 0 where the input is 0; eq. (SN-1)
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -55,8 +55,8 @@ struct SensitivityInput {
   double value = 0.0;
   std::vector<Influence> influence;  ///< shape (n outputs)
 
-  /// Largest magnitude of an elasticity over the outputs.  [[nodiscard]] double
-  /// largest_elasticity() const;
+  /// Largest magnitude of an elasticity over the outputs.
+  [[nodiscard]] double largest_elasticity() const;
 
   static constexpr bool kTableRow = true;
   template <class Visitor>
@@ -79,8 +79,8 @@ struct Sensitivity {
   std::string unusable_because;  ///< empty if usable
 
   [[nodiscard]] bool usable() const { return unusable_because.empty(); }
-  /// Largest magnitude of the residuals of all outputs (SN-6).  [[nodiscard]] double
-  /// homogeneity_residual() const;
+  /// Largest magnitude of the residuals of all outputs (SN-6).
+  [[nodiscard]] double homogeneity_residual() const;
 
   template <class Visitor>
   static void describe(Visitor&& field) {

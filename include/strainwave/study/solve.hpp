@@ -36,7 +36,8 @@ struct Unknown {
 /// The value that an output is to take.
 struct Target {
   std::string output;           ///< as for_each_quantity names it: "cracked.positive.stiffness"
-  std::string_view unit = "1";  ///< SI  double value = 0.0;           ///< [unit]
+  std::string_view unit = "1";  ///< SI
+  double value = 0.0;           ///< [unit]
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -69,7 +70,8 @@ struct Solution {
   /// The sought number [unit of the field].  Its uncertainty is that of the output, carried over
   /// to first order: u_x = u_y |y/(x dy/dx)|; absent where it cannot be stated.
   Quantity value;
-  Quantity output;  ///< the output there  StiffnessResult result;  ///< everything else there
+  Quantity output;         ///< the output there
+  StiffnessResult result;  ///< everything else there
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -83,8 +85,8 @@ struct Solution {
 struct Excluded {
   double from = 0.0;  ///< [unit of the field]
   double to = 0.0;
-  bool refused = false;  ///< no result at all; else one that may not be used  std::string reason;
-                         ///< ///< of the first point
+  bool refused = false;  ///< no result at all; else one that may not be used
+  std::string reason;    ///< of the first point
 
   template <class Visitor>
   static void describe(Visitor&& field) {

@@ -35,13 +35,14 @@ Command audit_command() {
       .example = "strainwave audit --format json",
       .takes = Takes::nothing,
       .function = [](const Request&, const AuditOptions&) { return AuditResult{audit()}; },
-      .documents =
-          {{{.name = "text"},
-            [](const AuditResult& result, const Rendering&) { return audit_text(result.rows); }},
-           {{.name = "markdown", .format = Format::markdown},
-            [](const AuditResult& result, const Rendering&) {
-              return audit_markdown(result.rows);
-            }}},
+      .documents = {{{.name = "text"},
+                     [](const AuditResult& result, const Rendering&) {
+                       return audit_text(result.rows);
+                     }},
+                    {{.name = "markdown", .format = Format::markdown},
+                     [](const AuditResult& result, const Rendering&) {
+                       return audit_markdown(result.rows);
+                     }}},
   });
 }
 

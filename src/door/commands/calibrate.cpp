@@ -44,13 +44,6 @@ Calibration calibrated(const Request& request, const CalibrateOptions& options) 
   return calibrate(gear, measured_target(curve, *options.measured), factors, {}, request.progress);
 }
 
-ResultEvidence evidence_of(const Calibration& calibration) {
-  ResultEvidence evidence;
-  if (!calibration.converged) evidence.unusable_because = "the calibration has not converged";
-  evidence.verdict = verdict_of(evidence.unusable_because, evidence.notes);
-  return evidence;
-}
-
 /// The calibrated drive as a file that says how it came about.
 std::string calibrated_file(const Calibration& calibration, const Rendering&) {
   std::string head = "# Calibrated with " + calibration.source + ".\n";
@@ -77,9 +70,8 @@ Command calibrate_command() {
           "of them the values identify, and refuses to call one identified that is uncertain by "
           "more than half. A factor changes fields of the drive; the calibrated drive is written "
           "as a new input file.",
-      .example =
-          "strainwave calibrate examples/catalogue_size25.toml --catalogue --output "
-          "calibrated.toml",
+      .example = "strainwave calibrate examples/catalogue_size25.toml --catalogue --output "
+                 "calibrated.toml",
       .function = calibrated,
       .documents = {{{.name = "text"},
                      [](const Calibration& c, const Rendering&) { return calibration_text(c); }},

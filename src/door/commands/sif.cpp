@@ -28,9 +28,8 @@ struct SifShowOptions {
   }
 };
 
-constexpr Field kSet{.name = "set",
-                     .unit = "",
-                     .doc = "NAME=VALUE, a field or a load, with its unit; repeatable"};
+constexpr Field kSet{
+    .name = "set", .unit = "", .doc = "NAME=VALUE, a field or a load, with its unit; repeatable"};
 
 struct SifEvalOptions {
   std::string name;

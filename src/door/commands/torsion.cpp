@@ -12,8 +12,7 @@ struct TorsionOptions {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"compare", "", "with the cracks of the file against without"},
-          &TorsionOptions::compare);
+    field({"compare", "", "with the cracks of the file against without"}, &TorsionOptions::compare);
     field({.name = "angles",
            .unit = "",
            .doc = "positions of the wave generator for --compare; 0 for every tooth",
@@ -46,9 +45,9 @@ Command torsion_command() {
       .example = "strainwave torsion examples/catalogue_size25.toml --plot torsion.svg",
       .function =
           [](const Request& request, const TorsionOptions& o) {
-            return torsion_report(
-                request.drive.gear,
-                {.compare = o.compare, .angles = o.angles, .draws = o.draws}, request.progress);
+            return torsion_report(request.drive.gear,
+                                  {.compare = o.compare, .angles = o.angles, .draws = o.draws},
+                                  request.progress);
           },
       .documents = {{{.name = "text"},
                      [](const Result& report, const Rendering& to) {

@@ -37,14 +37,14 @@ struct ValidateOptions {
 
 Validation validated(const Request& request, const ValidateOptions& options) {
   return from_option([&] {
-    return validate({.mode = options.mode,
-                     .factors = options.factors ? parse_factors(*options.factors)
-                                                : std::vector<Factor>(),
-                     .all_sets = options.all_sets,
-                     .draws = options.draws,
-                     .sizes = {},
-                     .coupled = {}},
-                    request.progress);
+    return validate(
+        {.mode = options.mode,
+         .factors = options.factors ? parse_factors(*options.factors) : std::vector<Factor>(),
+         .all_sets = options.all_sets,
+         .draws = options.draws,
+         .sizes = {},
+         .coupled = {}},
+        request.progress);
   });
 }
 
@@ -64,18 +64,17 @@ Command validate_command() {
       .example = "strainwave validate --mode geometry --draws 200 --plot validation.svg",
       .takes = Takes::nothing,
       .function = validated,
-      .documents =
-          {{{.name = "text"},
-            [](const Validation& v, const Rendering&) { return validation_text(v); }},
-           {{.name = "csv", .format = Format::csv},
-            [](const Validation& v, const Rendering&) { return validation_csv(v); }},
-           {{.name = "markdown", .format = Format::markdown},
-            [](const Validation& v, const Rendering&) { return validation_markdown(v); }},
-           {{.name = "plot",
-             .format = Format::svg,
-             .option = "plot",
-             .doc = "draw predicted over catalogue as an SVG file"},
-            [](const Validation& v, const Rendering&) { return validation_plot(v); }}},
+      .documents = {{{.name = "text"},
+                     [](const Validation& v, const Rendering&) { return validation_text(v); }},
+                    {{.name = "csv", .format = Format::csv},
+                     [](const Validation& v, const Rendering&) { return validation_csv(v); }},
+                    {{.name = "markdown", .format = Format::markdown},
+                     [](const Validation& v, const Rendering&) { return validation_markdown(v); }},
+                    {{.name = "plot",
+                      .format = Format::svg,
+                      .option = "plot",
+                      .doc = "draw predicted over catalogue as an SVG file"},
+                     [](const Validation& v, const Rendering&) { return validation_plot(v); }}},
   });
 }
 

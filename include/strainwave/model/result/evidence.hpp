@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -98,6 +99,13 @@ struct Verdict {
 ///          reason; good where no note raises a doubt
 [[nodiscard]] Verdict verdict_of(std::string_view unusable_because, std::span<const Note> notes);
 
+/// What became of requirements.
+enum class RequirementOutcome { met, cannot_be_told, not_met };
+template <>
+struct EnumNames<RequirementOutcome> {
+  static constexpr std::array<std::string_view, 3> names = {"met", "cannot be told", "not met"};
+};
+
 /// Everything that a result says about itself.
 struct ResultEvidence {
   std::string unusable_because;  ///< empty if the answer may be used
@@ -105,6 +113,7 @@ struct ResultEvidence {
   std::vector<Note> notes;
   std::vector<std::string> equations;  ///< tags of the theory manual
   std::vector<AccuracyBasis> accuracies;
+  std::optional<RequirementOutcome> requirement;  ///< of a command that answers requirements
 };
 
 /// The evidence of a result, from those of its members that hold one: `unusable_because`, `notes`,

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/study/require.hpp"
+
+#include "commands/method_option.hpp"
+#include "strainwave/door/door.hpp"
+
+namespace strainwave {
+namespace {
+
+struct RequireOptions {
+  std::vector<std::string> requirements;
+  Method method = Method::corrected;
+  double coverage = 1.0;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({.name = "requirements",
+           .unit = "",
+           .doc = "OUTPUT OP VALUE with OP one of >=, >, <=, < and a unit; one or more",
+           .positional = true,
+           .names = "output"},
+          &RequireOptions::requirements);
+    field(kMethodOption, &RequireOptions::method);
+    field({.name = "coverage",
+           .unit = "1",
+           .doc = "standard uncertainties that count",
+           .range = kPositive,
+           .fallback = "1"},
+          &RequireOptions::coverage);
+  }
+};
+
+RequirementReport required(const Request& request, const RequireOptions& options) {
+  return require_outputs(request.drive.gear, options.method, options.requirements,
+                         options.coverage);
+}
+
+}  // namespace
+
+Command require_command() {
+  return command<RequireOptions, RequirementReport>({
+      .name = "require",
+      .summary = "Whether a drive meets requirements on its outputs",
+      .description =
+          "Compares outputs of a drive with bounds, with regard to the uncertainty of each output. "
+          "A requirement is met if the output keeps its bound with all of its uncertainty, not met "
+          "if it breaks the bound with all of it, and cannot be told between. A change of "
+          "stiffness has an uncertainty of its own. The exit status is 0 if all are met, 5 if one "
+          "is not met, and 6 if one cannot be told and none is broken.",
+      .example = "strainwave require examples/article.toml 'cracked.positive.stiffness >= 2e5 "
+                 "N*m/rad' 'cracked.positive.stiffness_change >= -1 %'",
+      .function = required,
+      .documents = {{{.name = "text"},
+                     [](const RequirementReport& report, const Rendering&) {
+                       return requirements_text(report);
+                     }}},
+  });
+}
+
+}  // namespace strainwave

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/study/outputs.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/nearest.hpp"
+#include "strainwave/model/result/result_fields.hpp"
+
+namespace strainwave {
+
+std::optional<Quantity> output_named(const StiffnessResult& result, std::string_view path) {
+  std::optional<Quantity> found;
+  for_each_quantity(result, [&](const std::string& name, const Quantity& q) {
+    if (name == path) found = q;
+  });
+  return found;
+}
+
+void refuse_output(const StiffnessResult& result, std::string_view path, std::string_view option) {
+  std::vector<std::string> known;
+  std::vector<std::string> ending;  // "stiffness" is short for three outputs
+  for_each_quantity(result, [&](const std::string& name, const Quantity&) {
+    known.push_back(name);
+    if (!path.empty() && name.ends_with("." + std::string(path))) ending.push_back(name);
+  });
+  if (ending.empty())
+    if (std::string near = nearest_word(path, known); !near.empty())
+      ending.push_back(std::move(near));
+  throw InputError(option, fmt::format("\"{}\" is not an output of this drive{}", path,
+                                       ending.empty() ? ", such as cracked.positive.stiffness"
+                                                      : fmt::format("; did you mean {}?",
+                                                                    fmt::join(ending, " or "))));
+}
+
+}  // namespace strainwave
