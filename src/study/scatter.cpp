@@ -10,7 +10,7 @@
 #include <memory>
 #include <span>
 
-#include "drawn_numbers.hpp"
+#include "drawn_drive.hpp"
 #include "parallel.hpp"
 #include "strainwave/core/counter_random.hpp"
 #include "strainwave/core/error.hpp"

@@ -10,7 +10,7 @@
 #include <memory>
 #include <random>
 
-#include "drawn_numbers.hpp"
+#include "drawn_drive.hpp"
 #include "parallel.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantile.hpp"
@@ -197,8 +197,8 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
       [&] { report.curve = usable_curve(drive, torques, +1); },
       [&] { report.curve_negative = usable_curve(drive, torques, -1); },
       [&] {
-        report.loop = hysteresis_loop(Hysteresis(sliding, report.torques.rated),
-                                      report.torques.rated);
+        report.loop =
+            hysteresis_loop(Hysteresis(sliding, report.torques.rated), report.torques.rated);
       }};
   for_each_index(parts.size(), {}, progress.part(0.0, curve_ends),
                  [&] { return [&](std::size_t i) { parts[i](); }; });
@@ -212,7 +212,8 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   report.negative = makers_lines(drive, -1);
   report.lost_motion = lost_motion(drive);
   report.rim = rim_states(drive, report.torques.rated, kRimPositions);
-  if (draws) report.bands =
+  if (draws)
+    report.bands =
         line_bands(drive, {.draws = options.draws}, progress.part(curve_ends, draws_end));
   if (options.compare) {
     report.comparison =

@@ -66,7 +66,8 @@ class Memo {
   }
   ~Memo() = default;
 
-  /// The number at row i, column j <= i.  Relaxed order is enough: all threads find the same number.
+  /// The number at row i, column j <= i.  Relaxed order is enough: all threads find the same
+  /// number.
   template <class Find>
   [[nodiscard]] double at(int i, int j, const Find& find) const {
     std::atomic<double>& entry = entries_[triangle(i) + static_cast<std::size_t>(j)];

@@ -10,6 +10,7 @@
 
 #include "strainwave/catalogue/proportions.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/present/json.hpp"
 #include "support/expect.hpp"
 
 namespace strainwave {
@@ -175,15 +176,29 @@ TEST(Calibration, InputRefusals) {
             std::string::npos);
 }
 
+TEST(CalibrationProgress, BehaviourAStopEndsIt) {
+  const GearSet gear = typical_drive_of_size(25, 100);
+  const CalibrationTarget target = catalogue_target(gear);
+  const auto stopped_after = [&](int most) {
+    int told = 0;
+    EXPECT_THROW((void)calibrate(gear, target, {Factor::support}, {.harmonics = 8},
+                                 Progress([&](double) { return ++told < most; })),
+                 Stopped);
+    return told;
+  };
+  EXPECT_EQ(stopped_after(1), 1);
+  EXPECT_EQ(stopped_after(2), 2);
+}
+
 TEST(CalibrationOutput, IdentityJson) {
   const GearSet gear = typical_drive_of_size(25, 100);
   const Calibration c =
       calibrate(gear, catalogue_target(gear), {Factor::support}, {.harmonics = 8});
-  const auto json = nlohmann::json::parse(calibration_json(c));
-  EXPECT_EQ(json["factors"][0]["name"], "support");
-  EXPECT_EQ(json["factors"][0]["value"], c.factors[0].value);
-  EXPECT_EQ(json["stiffness"].size(), 3U);
-  EXPECT_EQ(json["stiffness"][1]["wanted"], 50000);
+  const auto json = nlohmann::json::parse(json_of(c));
+  EXPECT_EQ(json["factors"]["name"]["values"][0], "support");
+  EXPECT_EQ(json["factors"]["value"]["values"][0], c.factors[0].value);
+  EXPECT_EQ(json["stiffness"]["after"]["values"].size(), 3U);
+  EXPECT_EQ(json["stiffness"]["wanted"]["values"][1], 50000);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/present/json.hpp"
 #include "support/expect.hpp"
 
 namespace strainwave {
@@ -116,29 +117,28 @@ TEST(NearestStiffness, IdentityClassBeforeSize) {
 }
 
 TEST(CatalogueInput, InputRefusals) {
-  const std::string unknown = broken_rule([] { return catalogue_text({.size = 22, .ratio = {}}); });
+  const std::string unknown = broken_rule([] { return catalogue_rows({.size = 22, .ratio = {}}); });
   EXPECT_NE(unknown.find("22 is not a size"), std::string::npos) << unknown;
   EXPECT_NE(unknown.find("8, 11, 14"), std::string::npos) << unknown;
-  EXPECT_NE(broken_rule([] { return catalogue_csv({.size = {}, .ratio = 0.0}); }).find("> 0"),
+  EXPECT_NE(broken_rule([] { return catalogue_rows({.size = {}, .ratio = 0.0}); }).find("> 0"),
             std::string::npos);
-  EXPECT_NE(broken_rule([] { return catalogue_json({.size = 100, .ratio = 100}); }).find("no row"),
+  EXPECT_NE(broken_rule([] { return catalogue_rows({.size = 100, .ratio = 100}); }).find("no row"),
             std::string::npos);
   EXPECT_NE(broken_rule([] { return nearest_stiffness(-1, 100); }).find("> 0"), std::string::npos);
   EXPECT_NE(broken_rule([] { return nearest_stiffness(1, 0); }).find("> 0"), std::string::npos);
 }
 
 TEST(CatalogueOutput, IdentityFormatsAgree) {
-  const auto json = nlohmann::json::parse(catalogue_json({.size = 25, .ratio = 100}));
-  ASSERT_EQ(json["stiffness"].size(), 1U);
-  EXPECT_EQ(json["stiffness"][0]["K3"], 57000);
-  ASSERT_EQ(json["ratings"].size(), 1U);
-  EXPECT_EQ(json["ratings"][0]["rated"], 87);
-  EXPECT_TRUE(nlohmann::json::parse(catalogue_json({.size = 8, .ratio = 50}))["stiffness"][0]["K3"]
-                  .is_null());
-  const std::string csv = catalogue_csv();
+  const CatalogueRows one = catalogue_rows({.size = 25, .ratio = 100});
+  const auto json = nlohmann::json::parse(json_of(one));
+  EXPECT_EQ(json["stiffness"]["K3"]["values"], nlohmann::json({57000}));
+  EXPECT_EQ(json["ratings"]["rated"]["values"], nlohmann::json({87}));
+  const auto small = nlohmann::json::parse(json_of(catalogue_rows({.size = 8, .ratio = 50})));
+  EXPECT_TRUE(small["stiffness"]["K3"]["values"][0].is_null());
+  const std::string csv = catalogue_csv(catalogue_rows());
   EXPECT_EQ(std::ranges::count(csv, '\n'), 36);
   EXPECT_NE(csv.find("25,80+,14,48,31000,50000,57000,B+C\n"), std::string::npos);
-  const std::string text = catalogue_text({.size = 25, .ratio = 100});
+  const std::string text = catalogue_text(one);
   EXPECT_NE(text.find("80+"), std::string::npos);
   EXPECT_NE(text.find("87"), std::string::npos);
 }

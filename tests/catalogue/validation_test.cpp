@@ -9,6 +9,7 @@
 #include <string>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/present/json.hpp"
 #include "support/expect.hpp"
 
 namespace strainwave {
@@ -99,7 +100,7 @@ TEST(ValidationBands, IdentityReproducibleAndOrdered) {
       .draws = 5, .seed = 11, .sizes = {90}, .coupled = {.harmonics = 8}};
   const Validation one = validate(options);
   const Validation same = validate(options);
-  EXPECT_EQ(validation_json(one), validation_json(same));
+  EXPECT_EQ(json_of(one), json_of(same));
   for (const ValidationRow& row : one.rows)
     for (const auto& band : row.band) {
       ASSERT_TRUE(band.has_value());
@@ -111,11 +112,26 @@ TEST(ValidationBands, IdentityReproducibleAndOrdered) {
   EXPECT_NE(validation_csv(one), validation_csv(validate(other)));
 }
 
+TEST(ValidationProgress, BehaviourSharesGrowToOneAndAStopEndsIt) {
+  const ValidationOptions options{.sizes = {90}, .coupled = {.harmonics = 8}};
+  std::vector<double> shares;
+  (void)validate(options, Progress([&](double share) {
+                   shares.push_back(share);
+                   return true;
+                 }));
+  EXPECT_TRUE(std::ranges::is_sorted(shares));
+  EXPECT_DOUBLE_EQ(shares.back(), 1.0);
+  int told = 0;
+  EXPECT_THROW((void)validate(options, Progress([&](double) { return ++told < 2; })), Stopped);
+  EXPECT_EQ(told, 2);
+}
+
 TEST(ValidationOutput, IdentityFormatsAgree) {
-  const auto json = nlohmann::json::parse(validation_json(geometry()));
-  ASSERT_EQ(json["rows"].size(), 35U);
-  EXPECT_TRUE(json["rows"][7]["predicted_over_catalogue"][2].is_null());  // size 8, ratio 50
-  EXPECT_EQ(json["errors"][0]["values"], 103);
+  const auto json = nlohmann::json::parse(json_of(geometry()));
+  const auto& ratio = json["rows"]["ratio_K3"]["values"];
+  ASSERT_EQ(ratio.size(), 35U);
+  EXPECT_TRUE(ratio[7].is_null());  // size 8, ratio 50
+  EXPECT_EQ(json["errors"]["values"]["values"][0], 103);
   const std::string csv = validation_csv(geometry());
   EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + 3 * 35);
   const std::string text = validation_text(geometry());

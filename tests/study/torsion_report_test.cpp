@@ -116,6 +116,25 @@ TEST(TorsionBands, IdentityReproducibleAndRejecting) {
   EXPECT_THROW((void)line_bands(AssembledDrive(gear), {.draws = 0}), SolverError);
 }
 
+TEST(TorsionBands, BehaviourSharesGrowToOneAndAStopEndsIt) {
+  GearSet gear = drive();
+  gear.range.push_back(range("mesh.coning", "0.1", "1"));
+  const AssembledDrive assembled(gear);
+  std::vector<double> shares;
+  (void)line_bands(assembled, {.draws = 8, .threads = 2}, Progress([&](double share) {
+                     shares.push_back(share);
+                     return true;
+                   }));
+  EXPECT_TRUE(std::ranges::is_sorted(shares));
+  EXPECT_DOUBLE_EQ(shares.back(), 1.0);
+  // As much as can be drawn: only a stop ends it in time.
+  int told = 0;
+  EXPECT_THROW((void)line_bands(assembled, {.draws = 100000, .threads = 2},
+                                Progress([&](double) { return ++told < 2; })),
+               Stopped);
+  EXPECT_EQ(told, 2);
+}
+
 TEST(TorsionText, IdentityTablesAndUnits) {
   GearSet gear = cracked();
   gear.name = "My drive";
