@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <exception>
 #include <limits>
-#include <mutex>
+#include <memory>
 #include <span>
-#include <thread>
 
+#include "drawn_drive.hpp"
+#include "parallel.hpp"
 #include "strainwave/core/counter_random.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantile.hpp"
@@ -39,35 +38,25 @@ struct Draw {
 /// Draws values of the numbers that scatter, and evaluates the drive; one for each thread.
 class Evaluator {
  public:
-  Evaluator(const GearSet& gear, std::uint64_t seed) : gear_(gear), seed_(seed) {
-    // What is known of the inputs does not restrict the draws, and costs time to check.
-    gear_.range.clear();
-    gear_.scatter.clear();
-    for (const InputScatter& scatter : gear.scatter) {
-      double* address = nullptr;
-      for_each_number(gear_, [&](const FieldPath& path, const Field&, double& number) {
-        if (path.text() == scatter.path) address = &number;
-      });
-      const double s = scatter.relative_standard_deviation;
-      const bool lognormal = scatter.distribution == ScatterDistribution::lognormal;
-      numbers_.push_back({.address = address,
-                          .centre = *address,
-                          .deviation = lognormal ? std::sqrt(std::log1p(s * s)) : s,
-                          .lognormal = lognormal});
+  Evaluator(const GearSet& gear, std::uint64_t seed) : drawn_(gear, gear.scatter), seed_(seed) {
+    for (std::size_t i = 0; i < gear.scatter.size(); ++i) {
+      const double s = gear.scatter[i].relative_standard_deviation;
+      const bool lognormal = gear.scatter[i].distribution == ScatterDistribution::lognormal;
+      laws_.push_back({.centre = drawn_.number(i),
+                       .deviation = lognormal ? std::sqrt(std::log1p(s * s)) : s,
+                       .lognormal = lognormal});
     }
   }
-  Evaluator(const Evaluator&) = delete;  // it points into itself
-  Evaluator& operator=(const Evaluator&) = delete;
 
   Draw operator()(std::uint64_t n) {
-    for (std::size_t i = 0; i < numbers_.size(); ++i) {
-      const Number& number = numbers_[i];
-      const double z = number.deviation * counter_normal(seed_, n, i);
-      *number.address = number.centre * (number.lognormal ? std::exp(z) : 1 + z);  // (SN-8)
+    for (std::size_t i = 0; i < laws_.size(); ++i) {
+      const Law& law = laws_[i];
+      const double z = law.deviation * counter_normal(seed_, n, i);
+      drawn_.number(i) = law.centre * (law.lognormal ? std::exp(z) : 1 + z);  // (SN-8)
     }
     try {
-      check(gear_);
-      const auto series = series_compliance<double>(gear_);
+      check(drawn_.gear());
+      const auto series = series_compliance<double>(drawn_.gear());
       if (!series.usable) return {.fate = Fate::unusable};
       return {.value = {series.intact_stiffness(), series.positive_stiffness(),
                         series.negative_stiffness(), series.positive_loss(),
@@ -78,50 +67,26 @@ class Evaluator {
   }
 
  private:
-  struct Number {
-    double* address = nullptr;
+  struct Law {
     double centre = 0.0;
     double deviation = 0.0;
     bool lognormal = true;
   };
 
-  GearSet gear_;
+  DrawnDrive drawn_;
   std::uint64_t seed_;
-  std::vector<Number> numbers_;
+  std::vector<Law> laws_;
 };
 
-/// All draws, each at its place; blocks go to whichever thread is free.
+/// All draws, each at its place.
 std::vector<Draw> draws_of(const GearSet& gear, const ScatterOptions& options,
                            const Progress& progress) {
-  constexpr std::size_t kBlock = 256;
-  const auto n = static_cast<std::size_t>(options.samples);
-  std::vector<Draw> draws(n);
-  std::atomic<std::size_t> next{0};
-  std::exception_ptr fault;
-  std::mutex fault_mutex;
-  const auto work = [&](const Progress& told) {
-    try {
-      Evaluator evaluate(gear, options.seed);
-      for (;;) {
-        const std::size_t first = next.fetch_add(kBlock);
-        if (first >= n) return;
-        told.at(static_cast<double>(first) / static_cast<double>(n));
-        for (std::size_t i = first; i < std::min(first + kBlock, n); ++i) draws[i] = evaluate(i);
-      }
-    } catch (...) {
-      const std::scoped_lock lock(fault_mutex);
-      fault = std::current_exception();
-      next = n;
-    }
-  };
-  const unsigned asked = options.threads > 0 ? static_cast<unsigned>(options.threads)
-                                             : std::max(1U, std::thread::hardware_concurrency());
-  {
-    std::vector<std::jthread> others;
-    for (unsigned t = 1; t < asked; ++t) others.emplace_back(work, Progress());
-    work(progress);
-  }
-  if (fault) std::rethrow_exception(fault);
+  std::vector<Draw> draws(static_cast<std::size_t>(options.samples));
+  for_each_index(draws.size(), {.block = 256, .threads = options.threads}, progress, [&] {
+    return [&draws, evaluate = std::make_unique<Evaluator>(gear, options.seed)](std::size_t i) {
+      draws[i] = (*evaluate)(i);
+    };
+  });
   return draws;
 }
 

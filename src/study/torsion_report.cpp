@@ -4,9 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <random>
 
+#include "drawn_drive.hpp"
+#include "parallel.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantile.hpp"
 #include "strainwave/core/quantity_text.hpp"
@@ -33,10 +38,9 @@ std::vector<double> curve_torques(const MakersTorques& at) {
   return torques;
 }
 
-TorsionCurve usable_curve(const AssembledDrive& drive, std::vector<double> torques, double sense,
-                          const Progress& progress) {
+TorsionCurve usable_curve(const AssembledDrive& drive, std::vector<double> torques, double sense) {
   for (double& torque : torques) torque *= sense;
-  TorsionCurve curve = torsion_curve(drive, torques, progress);
+  TorsionCurve curve = torsion_curve(drive, torques);
   if (!curve.usable()) throw SolverError(curve.unusable_because);
   return curve;
 }
@@ -44,6 +48,21 @@ TorsionCurve usable_curve(const AssembledDrive& drive, std::vector<double> torqu
 void add_once(std::vector<Note>& notes, const std::vector<Note>& more) {
   for (const Note& note : more)
     if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
+}
+
+struct Limits {
+  double lower = 0.0;
+  double upper = 0.0;
+};
+
+std::vector<Limits> limits_of(const GearSet& gear) {
+  std::vector<Limits> limits;
+  for (const InputRange& range : gear.range) {
+    const std::string_view unit = number_at(gear, range.path).field.unit;
+    limits.push_back({.lower = parse_quantity("lower", range.lower, unit),
+                      .upper = parse_quantity("upper", range.upper, unit)});
+  }
+  return limits;
 }
 
 Band band(std::vector<double> values) {
@@ -122,49 +141,45 @@ double largest_force(const std::vector<ContactForce>& forces) {
 
 }  // namespace
 
-LineBands line_bands(const GearSet& gear, int draws, const Progress& progress) {
-  struct Limits {
-    std::string path;
-    double lower;
-    double upper;
-  };
-  std::vector<Limits> limits;
-  for (std::size_t i = 0; i < gear.range.size(); ++i) {
-    const InputRange& range = gear.range[i];
-    const std::string_view unit = number_at(gear, range.path).field.unit;
-    limits.push_back({range.path, parse_quantity("lower", range.lower, unit),
-                      parse_quantity("upper", range.upper, unit)});
-  }
+LineBands line_bands(const AssembledDrive& drive, const BandOptions& options,
+                     const Progress& progress) {
+  const GearSet& gear = drive.gear();
+  const std::vector<Limits> limits = limits_of(gear);
   std::mt19937_64 random(20240607);
   // Not std::uniform_real_distribution, whose sequence differs between libraries.
   const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
-  LineBands bands;
-  std::vector<double> K1;
-  std::vector<double> K2;
-  std::vector<double> K3;
-  GearSet base = gear;
-  base.range.clear();  // the values drawn need not keep to them
-  for (int n = 0; n < draws; ++n) {
-    GearSet drawn = base;
+  const auto draws = static_cast<std::size_t>(options.draws);
+  std::vector<double> values;  // of all draws, one draw after the other
+  for (std::size_t n = 0; n < draws; ++n)
     for (const Limits& limit : limits)
-      set_number(drawn, limit.path, limit.lower + (limit.upper - limit.lower) * uniform());
-    try {
-      const MakersLines lines = makers_lines(drawn);
-      K1.push_back(lines.K1);
-      K2.push_back(lines.K2);
-      K3.push_back(lines.K3);
-    } catch (const Error&) {  // this combination cannot be built
-      ++bands.rejected;
-    }
-    progress.at((n + 1.0) / draws);
-  }
-  bands.draws = static_cast<int>(K1.size());
-  if (bands.draws == 0)
+      values.push_back(limit.lower + (limit.upper - limit.lower) * uniform());
+
+  std::vector<std::optional<MakersLines>> lines(draws);
+  for_each_index(draws, {.threads = options.threads}, progress, [&] {
+    return [&, drawn = std::make_unique<DrawnDrive>(gear, gear.range),
+            latest = drive](std::size_t n) mutable {
+      for (std::size_t i = 0; i < limits.size(); ++i)
+        drawn->number(i) = values[n * limits.size() + i];
+      try {
+        latest = AssembledDrive(drawn->gear(), drive.options(), &latest);
+        lines[n] = makers_lines(latest);
+      } catch (const Error&) {  // this combination cannot be built
+      }
+    };
+  });
+  const auto rejected = std::erase(lines, std::nullopt);
+  if (lines.empty())
     throw SolverError("none of the drives drawn from the ranges can be built or assembled");
-  bands.K1 = band(std::move(K1));
-  bands.K2 = band(std::move(K2));
-  bands.K3 = band(std::move(K3));
-  return bands;
+  const auto band_of = [&](double MakersLines::*line) {
+    std::vector<double> drawn;
+    for (const auto& of_draw : lines) drawn.push_back((*of_draw).*line);
+    return band(std::move(drawn));
+  };
+  return {.K1 = band_of(&MakersLines::K1),
+          .K2 = band_of(&MakersLines::K2),
+          .K3 = band_of(&MakersLines::K3),
+          .draws = static_cast<int>(lines.size()),
+          .rejected = static_cast<int>(rejected)};
 }
 
 TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& options,
@@ -173,14 +188,20 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   const bool draws = !gear.range.empty() && options.draws > 0;
   const double curve_ends = draws || options.compare ? 0.2 : 1.0;
   const double draws_end = !draws ? curve_ends : options.compare ? 0.5 : 1.0;
-  const Progress curve = progress.part(0.0, curve_ends);
   TorsionReport report;
   const AssembledDrive drive(gear);
   const SlidingDrive sliding(gear);
   report.torques = makers_torques(gear);
   const std::vector<double> torques = curve_torques(report.torques);
-  report.curve = usable_curve(drive, torques, +1, curve.part(0.1, 0.4));
-  report.curve_negative = usable_curve(drive, torques, -1, curve.part(0.4, 0.7));
+  const std::array<std::function<void()>, 3> parts = {
+      [&] { report.curve = usable_curve(drive, torques, +1); },
+      [&] { report.curve_negative = usable_curve(drive, torques, -1); },
+      [&] {
+        report.loop =
+            hysteresis_loop(Hysteresis(sliding, report.torques.rated), report.torques.rated);
+      }};
+  for_each_index(parts.size(), {}, progress.part(0.0, curve_ends),
+                 [&] { return [&](std::size_t i) { parts[i](); }; });
   for (const double at : {report.torques.T1, report.torques.T2, report.torques.rated}) {
     const auto point = std::ranges::min_element(
         report.curve.points, {}, [&](const CurvePoint& p) { return std::abs(p.torque - at); });
@@ -189,15 +210,15 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   }
   report.positive = makers_lines(drive, +1);
   report.negative = makers_lines(drive, -1);
-  report.loop = hysteresis_loop(Hysteresis(sliding, report.torques.rated, {}, curve.part(0.7, 1.0)),
-                                report.torques.rated);
   report.lost_motion = lost_motion(drive);
   report.rim = rim_states(drive, report.torques.rated, kRimPositions);
-  if (draws) report.bands = line_bands(gear, options.draws, progress.part(curve_ends, draws_end));
+  if (draws)
+    report.bands =
+        line_bands(drive, {.draws = options.draws}, progress.part(curve_ends, draws_end));
   if (options.compare) {
     report.comparison =
         compare_curves(drive, sliding, options.angles, progress.part(draws_end, 1.0));
-    report.sound = usable_curve(drive.without_cracks(), torques, +1, {});
+    report.sound = usable_curve(drive.without_cracks(), torques, +1);
   }
   if (report.torques.by_convention)
     report.notes.push_back({"rating.convention",

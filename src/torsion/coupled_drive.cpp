@@ -15,32 +15,37 @@ constexpr double kToothSpan = pi / 4;  // teeth farther from a lobe never touch
 
 double angle_from_lobe(double theta) { return std::remainder(theta, pi); }
 
-std::vector<double> teeth_near_lobes(int teeth) {
-  std::vector<double> near;
+/// Balls all round, then teeth near the lobes.
+std::vector<double> contact_positions(int balls, int teeth) {
+  std::vector<double> positions;
+  for (int k = 0; k < balls; ++k) positions.push_back(2 * pi * k / balls);
   for (int j = 0; j < teeth; ++j) {
     const double theta = (j + 0.5) * 2 * pi / teeth;
-    if (std::abs(angle_from_lobe(theta)) <= kToothSpan + 1e-12) near.push_back(theta);
+    if (std::abs(angle_from_lobe(theta)) <= kToothSpan + 1e-12) positions.push_back(theta);
   }
-  return near;
+  return positions;
 }
 
 }  // namespace
 
 CoupledDrive::CoupledDrive(const GearSet& gear, const CoupledGeometry& geometry,
-                           const CoupledOptions& options)
+                           const CoupledOptions& options, const CoupledDrive* like)
     : g_(geometry), tolerance_(options.tolerance), max_iterations_(options.max_iterations) {
-  const std::vector<double> teeth = teeth_near_lobes(g_.teeth);
-  tooth_count_ = static_cast<int>(teeth.size());
+  theta_ = contact_positions(g_.balls, g_.teeth);
+  waves_ = like != nullptr && like->waves_->are_of(theta_, options.harmonics)
+               ? like->waves_
+               : std::make_shared<const Waves>(theta_, options.harmonics);
+  tooth_count_ = static_cast<int>(theta_.size()) - g_.balls;
+  theta_.insert(theta_.end(), theta_.begin() + g_.balls, theta_.end());  // coast flanks
   const int count = g_.balls + 2 * tooth_count_;
   free_.setZero(count);
   cam_.setZero(count);
   rotation_.setZero(count);
   multiplier_.setOnes(count);
   own_.setZero(count);
-  theta_.assign(static_cast<std::size_t>(count), 0.0);
   auto rings = std::make_shared<ElasticRings>(gear, g_, options, count);
   place_balls(*rings);
-  place_flanks(*rings, teeth);
+  place_flanks(*rings);
   rings_ = std::move(rings);
 }
 
@@ -54,17 +59,16 @@ CoupledDrive CoupledDrive::cracked(const ContactCracks& cracks) const {
 
 void CoupledDrive::place_balls(ElasticRings& rings) {
   for (int k = 0; k < g_.balls; ++k) {
-    const double psi = 2 * pi * k / g_.balls;
+    const double psi = position_of(k);
     const double s2 = std::sin(2 * psi);
-    theta_[static_cast<std::size_t>(k)] = psi;
-    rings.set_contacts(psi, {{k, {.radial = -1.0}}});
+    rings.set_contacts(*waves_, k, {{k, {.radial = -1.0}}});
     cam_[k] = std::cos(2 * psi);  // (TC-5)
     free_[k] = -g_.clearance - g_.cam_flattening * g_.radial_displacement * g_.radial_displacement /
                                    g_.ring_radius * s2 * s2;  // (TC-5)
   }
 }
 
-void CoupledDrive::place_flanks(ElasticRings& rings, const std::vector<double>& teeth) {
+void CoupledDrive::place_flanks(ElasticRings& rings) {
   const double reach = (g_.pitch_radius - g_.ring_radius) / g_.ring_radius;
   const double spline_reach =
       g_.support > 0 ? (g_.pitch_radius - g_.spline_radius) / g_.spline_radius : 0.0;
@@ -80,14 +84,13 @@ void CoupledDrive::place_flanks(ElasticRings& rings, const std::vector<double>& 
                             .spline_slope = across * spline_reach};
   };
   for (int j = 0; j < tooth_count_; ++j) {
-    const double theta = teeth[static_cast<std::size_t>(j)];
     const double across = std::cos(g_.force_angle);
     const int drive = g_.balls + j;
     const int coast = drive + tooth_count_;
-    rings.set_contacts(theta, {{drive, direction(across)}, {coast, direction(-across)}});
+    const double theta = position_of(drive);
+    rings.set_contacts(*waves_, drive, {{drive, direction(across)}, {coast, direction(-across)}});
     for (const int i : {drive, coast}) {
       const int side = i == drive ? +1 : -1;
-      theta_[static_cast<std::size_t>(i)] = theta;
       rotation_[i] = side * across * (1 + reach);
       free_[i] = -rings.of_nominal_wave(i, w0) -
                  flank_gap(side * angle_from_lobe(theta), w0, g_.flank_angle, g_.gap_factor) -

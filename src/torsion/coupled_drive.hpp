@@ -31,7 +31,9 @@ struct Equilibrium {
 class CoupledDrive {
  public:
   /// The sound drive, not yet on its cam.
-  CoupledDrive(const GearSet& gear, const CoupledGeometry& geometry, const CoupledOptions& options);
+  /// @param like  may share its waves
+  CoupledDrive(const GearSet& gear, const CoupledGeometry& geometry, const CoupledOptions& options,
+               const CoupledDrive* like = nullptr);
   /// The same drive with cracks, not yet on its cam.
   [[nodiscard]] CoupledDrive cracked(const ContactCracks& cracks) const;
 
@@ -78,7 +80,7 @@ class CoupledDrive {
 
  private:
   void place_balls(ElasticRings& rings);
-  void place_flanks(ElasticRings& rings, const std::vector<double>& teeth);
+  void place_flanks(ElasticRings& rings);
   void soften_contacts(const ContactCracks& cracks);
   struct Law {
     double force = 0.0;
@@ -132,6 +134,7 @@ class CoupledDrive {
   double tolerance_ = 0.0;
   int max_iterations_ = 0;
   int tooth_count_ = 0;  // teeth within 45 degrees of a lobe
+  std::shared_ptr<const Waves> waves_;
   std::shared_ptr<const ElasticRings> rings_;
   Eigen::VectorXd free_;      // closing without forces, c_0 and cam
   Eigen::VectorXd cam_;       // closing per unit of cam amplitude

@@ -34,6 +34,17 @@ double mean_thickness(const Diaphragm& diaphragm) {
 
 }  // namespace
 
+Waves::Waves(std::vector<double> positions, int harmonics)
+    : positions_(std::move(positions)),
+      cosine_(positions_.size(), harmonics),
+      sine_(positions_.size(), harmonics) {
+  for (Eigen::Index i = 0; i < cosine_.rows(); ++i)
+    for (int n = 1; n <= harmonics; ++n) {
+      cosine_(i, n - 1) = std::cos(n * positions_[static_cast<std::size_t>(i)]);
+      sine_(i, n - 1) = std::sin(n * positions_[static_cast<std::size_t>(i)]);
+    }
+}
+
 ElasticRings::ElasticRings(const GearSet& gear, const CoupledGeometry& geometry,
                            const CoupledOptions& options, int contacts)
     : N_(options.harmonics),
@@ -86,14 +97,30 @@ void ElasticRings::make_modes(const GearSet& gear, const CoupledGeometry& g,
       mode.spline =
           pi * g.spline_bending / std::pow(g.spline_radius, 3) * bent / g.support;  // (TC-10)
   }
+  for (int n = 1; n <= N_; ++n) {
+    Mode& mode = modes_[static_cast<std::size_t>(n)];
+    mode.inverse = mode.inverted(n);
+  }
 }
 
-void ElasticRings::set_contacts(double position,
+ElasticRings::Mode::Inverse ElasticRings::Mode::inverted(int n) const {
+  if (n == 1) {
+    const double ke = extension;
+    const double kl = lateral;
+    const double det = kl * (kl + 2 * ke);
+    const double ww = (ke + kl) / det;
+    return {.ww = ww, .wv = -ke / det, .vv = ww};
+  }
+  const double bend = rim_bending + outer_bending + barrel + diaphragm;
+  return {.ww = 1 / bend, .wv = -1 / (n * bend), .vv = (1 / extension + 1 / bend) / (n * n)};
+}
+
+void ElasticRings::set_contacts(const Waves& waves, int position,
                                 std::initializer_list<std::pair<int, ContactDirection>> contacts) {
   for (const auto& [contact, d] : contacts) row_(contact, 0) = d.radial;
   for (int n = 1; n <= N_; ++n) {
-    const double c = std::cos(n * position);
-    const double s = std::sin(n * position);
+    const double c = waves.cosine(position, n);
+    const double s = waves.sine(position, n);
     for (const auto& [contact, d] : contacts) {
       auto row = row_.row(contact);
       row[at(n)] = d.radial * c - d.slope * n * s;
@@ -118,22 +145,7 @@ void ElasticRings::apply_compliance(const Row& load, MutableRow out) const {
   out[0] = load[0] / (breathing.extension + breathing.rim_bending + breathing.outer_bending);
   for (int n = 1; n <= N_; ++n) {
     const Mode& mode = modes_[static_cast<std::size_t>(n)];
-    const double bend = mode.rim_bending + mode.outer_bending + mode.barrel + mode.diaphragm;
-    double ww;  // (TC-4): inverse of [[bend + ke, n ke], [n ke, n^2 ke]]
-    double wv;
-    double vv;
-    if (n == 1) {
-      const double ke = mode.extension;
-      const double kl = mode.lateral;
-      const double det = kl * (kl + 2 * ke);
-      ww = (ke + kl) / det;
-      wv = -ke / det;
-      vv = ww;
-    } else {
-      ww = 1 / bend;
-      wv = -1 / (n * bend);
-      vv = (1 / mode.extension + 1 / bend) / (n * n);
-    }
+    const auto& [ww, wv, vv] = mode.inverse;
     const int i = at(n);
     out[i] = ww * load[i] + wv * load[i + 3];
     out[i + 3] = wv * load[i] + vv * load[i + 3];
@@ -186,9 +198,17 @@ double ElasticRings::of_nominal_wave(int contact, double amplitude) const {
 }
 
 Eigen::VectorXd ElasticRings::sum_of(const Eigen::VectorXd& force) const {
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(coefficients());
+  std::vector<int> carries;
   for (int i = 0; i < contacts(); ++i)
-    if (force[i] != 0) x -= force[i] * compliant_row_.row(i).transpose();
+    if (force[i] != 0) carries.push_back(i);
+  const auto made = [&](std::size_t p) {
+    return force[carries[p]] * compliant_row_.row(carries[p]).transpose();
+  };
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(coefficients());
+  std::size_t p = 0;
+  for (; p + 4 <= carries.size(); p += 4)  // four in one pass: the sums stay in registers
+    x = (((x - made(p)) - made(p + 1)) - made(p + 2)) - made(p + 3);
+  for (; p < carries.size(); ++p) x -= made(p);
   return x;
 }
 

@@ -30,7 +30,26 @@ struct ContactDirection {
   double spline_slope = 0.0;
 };
 
-/// A square of numbers that are found when first asked for, by any thread; a copy knows none.
+/// Cosines and sines of all harmonics at the positions of the contacts.
+class Waves {
+ public:
+  Waves(std::vector<double> positions, int harmonics);
+
+  [[nodiscard]] bool are_of(const std::vector<double>& positions, int harmonics) const {
+    return positions == positions_ && harmonics == cosine_.cols();
+  }
+  [[nodiscard]] double cosine(int position, int n) const { return cosine_(position, n - 1); }
+  [[nodiscard]] double sine(int position, int n) const { return sine_(position, n - 1); }
+
+ private:
+  using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  std::vector<double> positions_;
+  Table cosine_;
+  Table sine_;
+};
+
+/// A symmetric square of numbers that are found when first asked for, by any thread; a copy knows
+/// none.
 class Memo {
  public:
   explicit Memo(int size)
@@ -47,12 +66,11 @@ class Memo {
   }
   ~Memo() = default;
 
-  /// Relaxed order is enough: all threads find the same number.
+  /// The number at row i, column j <= i.  Relaxed order is enough: all threads find the same
+  /// number.
   template <class Find>
   [[nodiscard]] double at(int i, int j, const Find& find) const {
-    std::atomic<double>& entry =
-        entries_[static_cast<std::size_t>(i) * static_cast<std::size_t>(size_) +
-                 static_cast<std::size_t>(j)];
+    std::atomic<double>& entry = entries_[triangle(i) + static_cast<std::size_t>(j)];
     double value = entry.load(std::memory_order_relaxed);
     if (std::isnan(value)) {
       value = find();
@@ -62,9 +80,11 @@ class Memo {
   }
 
  private:
-  [[nodiscard]] std::size_t count() const {
-    return static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_);
+  /// Entries of the rows before row i.
+  [[nodiscard]] static std::size_t triangle(int i) {
+    return static_cast<std::size_t>(i) * (static_cast<std::size_t>(i) + 1) / 2;
   }
+  [[nodiscard]] std::size_t count() const { return triangle(size_); }
 
   int size_ = 0;
   std::unique_ptr<std::atomic<double>[]> entries_;
@@ -78,8 +98,8 @@ class ElasticRings {
   ElasticRings(const GearSet& gear, const CoupledGeometry& geometry, const CoupledOptions& options,
                int contacts);
 
-  /// Contacts at one position, each with the number of its row.
-  void set_contacts(double position,
+  /// Contacts at one position of the waves, each with the number of its row.
+  void set_contacts(const Waves& waves, int position,
                     std::initializer_list<std::pair<int, ContactDirection>> contacts);
   /// The same rings, softened by cracks.
   [[nodiscard]] ElasticRings softened(const std::vector<RingHinge>& hinges) const;
@@ -116,6 +136,14 @@ class ElasticRings {
     double extension = 0.0;  // of a + n d
     double lateral = 0.0;    // n = 1
     double spline = 0.0;
+
+    struct Inverse {  // (TC-4): of [[bend + ke, n ke], [n ke, n^2 ke]]
+      double ww = 0.0;
+      double wv = 0.0;
+      double vv = 0.0;
+    };
+    Inverse inverse;
+    [[nodiscard]] Inverse inverted(int n) const;
   };
   struct Softening {
     RingHinge::Ring ring = RingHinge::Ring::rim;

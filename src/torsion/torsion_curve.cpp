@@ -194,7 +194,9 @@ std::vector<RimState> rim_states(const AssembledDrive& assembled, double torque,
 double curve_uncertainty(const GearSet& gear) {
   // From the errors against catalogues (theory manual, chapter CV).
   constexpr double kLeastRegularRatio = 50;
-  return gear.drive.ratio < kLeastRegularRatio ? 1.0 : 0.15;
+  constexpr double kRegular = 0.15;
+  constexpr double kAtLowRatio = 1.0;
+  return gear.drive.ratio < kLeastRegularRatio ? kAtLowRatio : kRegular;
 }
 
 MakersTorques makers_torques(const GearSet& gear) {

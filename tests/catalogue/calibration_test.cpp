@@ -176,6 +176,20 @@ TEST(Calibration, InputRefusals) {
             std::string::npos);
 }
 
+TEST(CalibrationProgress, BehaviourAStopEndsIt) {
+  const GearSet gear = typical_drive_of_size(25, 100);
+  const CalibrationTarget target = catalogue_target(gear);
+  const auto stopped_after = [&](int most) {
+    int told = 0;
+    EXPECT_THROW((void)calibrate(gear, target, {Factor::support}, {.harmonics = 8},
+                                 Progress([&](double) { return ++told < most; })),
+                 Stopped);
+    return told;
+  };
+  EXPECT_EQ(stopped_after(1), 1);
+  EXPECT_EQ(stopped_after(2), 2);
+}
+
 TEST(CalibrationOutput, BehaviourJson) {
   const GearSet gear = typical_drive_of_size(25, 100);
   const Calibration c =
@@ -183,8 +197,7 @@ TEST(CalibrationOutput, BehaviourJson) {
   const auto json = nlohmann::json::parse(json_of(c));
   EXPECT_EQ(json["factors"]["name"]["values"][0], "support");
   EXPECT_EQ(json["factors"]["value"]["values"][0], c.factors[0].value);
-  EXPECT_EQ(json["stiffness"]["wanted"]["unit"], "N*m/rad");
-  EXPECT_EQ(json["stiffness"]["wanted"]["values"].size(), 3U);
+  EXPECT_EQ(json["stiffness"]["after"]["values"].size(), 3U);
   EXPECT_EQ(json["stiffness"]["wanted"]["values"][1], 50000);
 }
 

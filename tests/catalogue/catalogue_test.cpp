@@ -129,19 +129,16 @@ TEST(CatalogueInput, InputRefusals) {
 }
 
 TEST(CatalogueOutput, BehaviourFormatsAgree) {
-  const auto json_of_rows = [](const CatalogueFilter& filter) {
-    return nlohmann::json::parse(json_of(catalogue_rows(filter)));
-  };
-  const auto json = json_of_rows({.size = 25, .ratio = 100});
-  EXPECT_EQ(json["stiffness"]["K3"]["unit"], "N*m/rad");
+  const CatalogueRows one = catalogue_rows({.size = 25, .ratio = 100});
+  const auto json = nlohmann::json::parse(json_of(one));
   EXPECT_EQ(json["stiffness"]["K3"]["values"], nlohmann::json({57000}));
   EXPECT_EQ(json["ratings"]["rated"]["values"], nlohmann::json({87}));
-  EXPECT_EQ(json_of_rows({.size = 8, .ratio = 50})["stiffness"]["K3"]["values"],
-            nlohmann::json({nullptr}));
+  const auto small = nlohmann::json::parse(json_of(catalogue_rows({.size = 8, .ratio = 50})));
+  EXPECT_TRUE(small["stiffness"]["K3"]["values"][0].is_null());
   const std::string csv = catalogue_csv(catalogue_rows());
   EXPECT_EQ(std::ranges::count(csv, '\n'), 36);
   EXPECT_NE(csv.find("25,80+,14,48,31000,50000,57000,B+C\n"), std::string::npos);
-  const std::string text = catalogue_text(catalogue_rows({.size = 25, .ratio = 100}));
+  const std::string text = catalogue_text(one);
   EXPECT_NE(text.find("80+"), std::string::npos);
   EXPECT_NE(text.find("87"), std::string::npos);
 }

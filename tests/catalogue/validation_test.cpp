@@ -112,10 +112,25 @@ TEST(ValidationBands, IdentityReproducibleAndOrdered) {
   EXPECT_NE(validation_csv(one), validation_csv(validate(other)));
 }
 
+TEST(ValidationProgress, BehaviourSharesGrowToOneAndAStopEndsIt) {
+  const ValidationOptions options{.sizes = {90}, .coupled = {.harmonics = 8}};
+  std::vector<double> shares;
+  (void)validate(options, Progress([&](double share) {
+                   shares.push_back(share);
+                   return true;
+                 }));
+  EXPECT_TRUE(std::ranges::is_sorted(shares));
+  EXPECT_DOUBLE_EQ(shares.back(), 1.0);
+  int told = 0;
+  EXPECT_THROW((void)validate(options, Progress([&](double) { return ++told < 2; })), Stopped);
+  EXPECT_EQ(told, 2);
+}
+
 TEST(ValidationOutput, BehaviourFormatsAgree) {
   const auto json = nlohmann::json::parse(json_of(geometry()));
-  ASSERT_EQ(json["rows"]["size"]["values"].size(), 35U);
-  EXPECT_TRUE(json["rows"]["ratio_K3"]["values"][7].is_null());  // size 8, ratio 50
+  const auto& ratio = json["rows"]["ratio_K3"]["values"];
+  ASSERT_EQ(ratio.size(), 35U);
+  EXPECT_TRUE(ratio[7].is_null());  // size 8, ratio 50
   EXPECT_EQ(json["errors"]["values"]["values"][0], 103);
   const std::string csv = validation_csv(geometry());
   EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + 3 * 35);

@@ -81,7 +81,7 @@ TEST(TorsionBands, IdentityOfOneMonotonicInput) {
   GearSet gear = drive();
   gear.flexspline->flange_compliance = 5e-7;
   gear.range.push_back(range("flexspline.flange_compliance", "0 rad/(N*m)", "1e-6 rad/(N*m)"));
-  const LineBands bands = line_bands(gear, 400);
+  const LineBands bands = line_bands(AssembledDrive(gear), {.draws = 400});
   EXPECT_EQ(bands.draws, 400);
   EXPECT_EQ(bands.rejected, 0);
   const auto K2_at = [&](double compliance) {
@@ -99,8 +99,8 @@ TEST(TorsionBands, IdentityOfOneMonotonicInput) {
 TEST(TorsionBands, BehaviourReproducibleAndRejecting) {
   GearSet gear = drive();
   gear.range.push_back(range("mesh.coning", "0.1", "1"));
-  const LineBands a = line_bands(gear, 20);
-  const LineBands b = line_bands(gear, 20);
+  const LineBands a = line_bands(AssembledDrive(gear), {.draws = 20, .threads = 1});
+  const LineBands b = line_bands(AssembledDrive(gear), {.draws = 20, .threads = 3});
   EXPECT_EQ(a.K1.low, b.K1.low);
   EXPECT_EQ(a.K3.high, b.K3.high);
   EXPECT_LT(a.K1.low, a.K1.median);
@@ -111,10 +111,29 @@ TEST(TorsionBands, BehaviourReproducibleAndRejecting) {
   const std::string lower = std::to_string(0.999e3 * fits) + " mm";
   gear.range.push_back(
       range("wave_generator.bearing.outer_ring.mean_radius", lower.c_str(), upper.c_str()));
-  const LineBands some = line_bands(gear, 40);
+  const LineBands some = line_bands(AssembledDrive(gear), {.draws = 40});
   EXPECT_GT(some.rejected, 5);
   EXPECT_EQ(some.rejected + some.draws, 40);
-  EXPECT_THROW((void)line_bands(gear, 0), SolverError);
+  EXPECT_THROW((void)line_bands(AssembledDrive(gear), {.draws = 0}), SolverError);
+}
+
+TEST(TorsionBands, BehaviourSharesGrowToOneAndAStopEndsIt) {
+  GearSet gear = drive();
+  gear.range.push_back(range("mesh.coning", "0.1", "1"));
+  const AssembledDrive assembled(gear);
+  std::vector<double> shares;
+  (void)line_bands(assembled, {.draws = 8, .threads = 2}, Progress([&](double share) {
+                     shares.push_back(share);
+                     return true;
+                   }));
+  EXPECT_TRUE(std::ranges::is_sorted(shares));
+  EXPECT_DOUBLE_EQ(shares.back(), 1.0);
+  // As much as can be drawn: only a stop ends it in time.
+  int told = 0;
+  EXPECT_THROW((void)line_bands(assembled, {.draws = 100000, .threads = 2},
+                                Progress([&](double) { return ++told < 2; })),
+               Stopped);
+  EXPECT_EQ(told, 2);
 }
 
 TEST(TorsionText, BehaviourTablesAndUnits) {

@@ -44,8 +44,10 @@ struct StiffnessRow {
 
   /// K1, K2, K3 in one [N*m/rad].
   [[nodiscard]] std::array<std::optional<double>, 3> K() const { return {K1, K2, K3}; }
-  /// Up to which K3 is compared: 1.6 T2 [N*m], the project's convention; makers state no end.
-  [[nodiscard]] double T3() const { return 1.6 * T2; }
+  /// Up to which K3 is compared: kT3OverT2 times T2 [N*m], the project's convention; makers state
+  /// no end.
+  [[nodiscard]] double T3() const { return kT3OverT2 * T2; }
+  static constexpr double kT3OverT2 = 1.6;
 
   static constexpr bool kTableRow = true;
   template <class Visitor>

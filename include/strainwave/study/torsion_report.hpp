@@ -95,10 +95,16 @@ struct TorsionReport {
                                            const TorsionReportOptions& options = {},
                                            const Progress& progress = {});
 
-/// K1, K2, K3 with the inputs drawn uniformly from the ranges of the file; fixed seed.
+struct BandOptions {
+  int draws = 200;
+  int threads = 0;  ///< 0: as many as the machine runs at once; the result is the same
+};
+
+/// K1, K2, K3 with the inputs drawn uniformly from the ranges of the drive's file; fixed seed.
 /// @throws SolverError  if no drive can be built
 /// @throws Stopped      on request
-[[nodiscard]] LineBands line_bands(const GearSet& gear, int draws, const Progress& progress = {});
+[[nodiscard]] LineBands line_bands(const AssembledDrive& drive, const BandOptions& options = {},
+                                   const Progress& progress = {});
 
 [[nodiscard]] std::string torsion_text(const TorsionReport& report, const GearSet& gear);
 /// torque [N*m], twist [rad], tangent stiffness [N*m/rad], teeth and balls in contact.

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "strainwave/model/input/gear_set.hpp"
+
+namespace strainwave {
+
+/// A drive whose numbers at some paths are drawn again and again; one for each thread.
+///
+/// What is known of the inputs does not restrict the draws, and costs time to check: the drive has
+/// no ranges and no scatter.
+class DrawnDrive {
+ public:
+  /// @param inputs  ranges or scatters of the gear, each with the path of a number
+  template <class Inputs>
+  DrawnDrive(const GearSet& gear, const Inputs& inputs) : gear_(gear), numbers_(inputs.size()) {
+    gear_.range.clear();
+    gear_.scatter.clear();
+    for_each_number(gear_, [&](const FieldPath& path, const Field&, double& number) {
+      const std::string text = path.text();
+      for (std::size_t i = 0; i < inputs.size(); ++i)
+        if (inputs[i].path == text) numbers_[i] = &number;
+    });
+  }
+  DrawnDrive(const DrawnDrive&) = delete;  // it points into itself
+  DrawnDrive& operator=(const DrawnDrive&) = delete;
+
+  [[nodiscard]] const GearSet& gear() const { return gear_; }
+  /// The number at the path of the input of this index.
+  [[nodiscard]] double& number(std::size_t input) { return *numbers_[input]; }
+
+ private:
+  GearSet gear_;
+  std::vector<double*> numbers_;
+};
+
+}  // namespace strainwave

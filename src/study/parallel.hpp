@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "strainwave/core/progress.hpp"
+
+namespace strainwave {
+
+struct Parallel {
+  std::size_t block = 1;  ///< how many indices a thread takes at a time
+  int threads = 0;        ///< 0: as many as the machine runs at once
+};
+
+/// Calls an evaluator with each index below n; blocks go to whichever thread is free.
+///
+/// The result of an index must depend on nothing but the index: then all results are the same for
+/// any number of threads.  Only the calling thread reports progress.
+/// @param make  () -> evaluator of one thread, a function of the index
+/// @throws  the first exception of an evaluator; Stopped on request
+template <class Make>
+void for_each_index(std::size_t n, const Parallel& parallel, const Progress& progress,
+                    const Make& make) {
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr fault;
+  std::mutex fault_mutex;
+  const auto work = [&](const Progress& told) {
+    try {
+      auto evaluate = make();
+      for (;;) {
+        const std::size_t first = next.fetch_add(parallel.block);
+        if (first >= n) return;
+        told.at(static_cast<double>(first) / static_cast<double>(n));
+        for (std::size_t i = first; i < std::min(first + parallel.block, n); ++i) evaluate(i);
+      }
+    } catch (...) {
+      const std::scoped_lock lock(fault_mutex);
+      if (!fault) fault = std::current_exception();
+      next = n;
+    }
+  };
+  const unsigned asked = parallel.threads > 0 ? static_cast<unsigned>(parallel.threads)
+                                              : std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t blocks = (n + parallel.block - 1) / parallel.block;
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t t = 1; t < std::min<std::size_t>(asked, blocks); ++t)
+      others.emplace_back(work, Progress());
+    work(progress);
+  }
+  if (fault) std::rethrow_exception(fault);
+  progress.at(1.0);
+}
+
+}  // namespace strainwave
