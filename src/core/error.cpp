@@ -11,31 +11,53 @@ namespace {
 /// A field may be a whole file name, or a key that is no name at all; it is never cut in practice.
 std::string shown_field(std::string_view field) { return shown(field, 5000); }
 
-std::string violation(std::string_view field, double value, std::string_view unit,
-                      std::string_view rule) {
+std::string shown_value(double value, std::string_view unit) {
   const std::string_view shown_unit = unit == "1" ? "" : unit;
-  return fmt::format("{} = {:.9g}{}{} violates: {}", shown_field(field), value,
-                     shown_unit.empty() ? "" : " ", shown_unit, rule);
+  return fmt::format("{:.9g}{}{}", value, shown_unit.empty() ? "" : " ", shown_unit);
+}
+
+std::string violation(std::string_view field, std::string_view value, std::string_view rule) {
+  return fmt::format("{} = {} violates: {}", shown_field(field), value, rule);
+}
+
+std::string shown_place(const TextPlace& place) {
+  std::string text = place.file;
+  for (const std::size_t number : {place.line, place.column})
+    if (number > 0) text += fmt::format(":{}", number);
+  return shown_field(text);
 }
 
 }  // namespace
 
+InputError::InputError(const std::string& message, Parts parts)
+    : Error(message),
+      field_(std::move(parts.field)),
+      value_(std::move(parts.value)),
+      rule_(std::move(parts.rule)),
+      place_(std::move(parts.place)) {}
+
 InputError::InputError(std::string_view field, double value, std::string_view unit,
                        std::string_view rule)
-    : Error(violation(field, value, unit, rule)), field_(field), rule_(rule) {}
+    : Error(violation(field, shown_value(value, unit), rule)),
+      field_(field),
+      value_(shown_value(value, unit)),
+      rule_(rule) {}
 
 InputError::InputError(std::string_view field, std::string_view problem)
     : Error(fmt::format("{}: {}", shown_field(field), problem)), field_(field) {}
 
-InputError::InputError(const Text& text, std::string field, std::string rule)
-    : Error(text.message), field_(std::move(field)), rule_(std::move(rule)) {}
+InputError::InputError(const TextPlace& place, std::string_view problem)
+    : Error(fmt::format("{}: {}", shown_place(place), problem)), place_(place) {}
 
-InputError InputError::located(std::string_view place, std::string_view value_as_written) const {
-  if (rule_.empty() || value_as_written.empty())
-    return {Text{fmt::format("{}: {}", shown_field(place), what())}, field_, rule_};
-  return {Text{fmt::format("{}: {} = {} violates: {}", shown_field(place), shown_field(field_),
-                           value_as_written, rule_)},
-          field_, rule_};
+InputError InputError::located(const TextPlace& place, std::string_view value_as_written) const {
+  const bool as_written = !value_as_written.empty();
+  return {fmt::format("{}: {}", shown_place(place),
+                      rule_.empty() || !as_written ? what()
+                                                   : violation(field_, value_as_written, rule_)),
+          {.field = field_,
+           .value = as_written ? std::string(value_as_written) : value_,
+           .rule = rule_,
+           .place = place}};
 }
 
 std::string shown(std::string_view text, std::size_t most) {

@@ -28,7 +28,7 @@ std::string column_text(std::string_view name, std::string_view unit) {
 constexpr std::size_t kPlacesBehind = 5;
 
 [[noreturn]] void refuse(std::string_view name, std::size_t line, std::string_view problem) {
-  throw InputError(fmt::format("{}:{}", name, line), problem);
+  throw InputError(TextPlace{.file = std::string(name), .line = line}, problem);
 }
 
 /// The places of a CSV line; only the last may be quoted.

@@ -48,7 +48,8 @@ void add_from_library(GearSet& gear, const std::optional<Member>& member, std::s
 GearSet read_gear_set(std::string_view text, std::string_view file_name,
                       const Attachments& attachments) {
   if (text.size() > kMaxTextSize)
-    throw InputError(file_name, "is larger than 1 MiB; a drive takes a few kilobytes");
+    throw InputError(TextPlace{.file = std::string(file_name)},
+                     "is larger than 1 MiB; a drive takes a few kilobytes");
   const toml::table table = parse_toml(text, file_name);
   TomlReader reader(file_name);
   GearSet gear;

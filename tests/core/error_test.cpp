@@ -48,20 +48,39 @@ TEST(Error, InputOtherFaultsHaveNoRule) {
 
 TEST(Error, InputPlaceAndValueAsWritten) {
   const InputError broken("shaft.depth", 0.01, "m", "depth < wall");
-  const InputError in_file = broken.located("gear.toml:3:9", "\"10 mm\"");
+  const InputError in_file = broken.located({"gear.toml", 3, 9}, "\"10 mm\"");
   EXPECT_STREQ(in_file.what(), "gear.toml:3:9: shaft.depth = \"10 mm\" violates: depth < wall");
   EXPECT_EQ(in_file.field(), "shaft.depth");
   EXPECT_EQ(in_file.rule(), "depth < wall");
-  EXPECT_STREQ(broken.located("gear.toml:3:9", "").what(),
+  EXPECT_STREQ(broken.located({"gear.toml", 3, 9}, "").what(),
                "gear.toml:3:9: shaft.depth = 0.01 m violates: depth < wall");
   const InputError missing =
-      InputError("shaft.depth", "must be given").located("gear.toml:1:1", "");
+      InputError("shaft.depth", "must be given").located({"gear.toml", 1, 1}, "");
   EXPECT_STREQ(missing.what(), "gear.toml:1:1: shaft.depth: must be given");
   EXPECT_EQ(missing.field(), "shaft.depth");
   EXPECT_EQ(missing.rule(), "");
   // A value as written says nothing where no rule is broken.
-  EXPECT_STREQ(InputError("shaft.depth", "must be given").located("g:1:1", "7").what(),
+  EXPECT_STREQ(InputError("shaft.depth", "must be given").located({"g", 1, 1}, "7").what(),
                "g:1:1: shaft.depth: must be given");
+}
+
+TEST(Error, InputPartsAreKeptApart) {
+  const InputError broken("shaft.depth", 0.01, "m", "depth < wall");
+  EXPECT_EQ(broken.value(), "0.01 m");
+  EXPECT_EQ(broken.place().file, "");
+  EXPECT_EQ(broken.place().line, 0U);
+  const InputError in_file = broken.located({"gear.toml", 3, 9}, "\"10 mm\"");
+  EXPECT_EQ(in_file.value(), "\"10 mm\"");
+  EXPECT_EQ(in_file.place().file, "gear.toml");
+  EXPECT_EQ(in_file.place().line, 3U);
+  EXPECT_EQ(in_file.place().column, 9U);
+  EXPECT_EQ(broken.located({"gear.toml", 3, 9}, "").value(), "0.01 m");
+  const InputError of_line(TextPlace{.file = "table.csv", .line = 7}, "has too few columns");
+  EXPECT_STREQ(of_line.what(), "table.csv:7: has too few columns");
+  EXPECT_EQ(of_line.field(), "");
+  EXPECT_EQ(of_line.place().line, 7U);
+  EXPECT_STREQ(InputError(TextPlace{.file = "big.toml"}, "is too large").what(),
+               "big.toml: is too large");
 }
 
 TEST(Error, InputRequireThrowsUnlessTheConditionHolds) {
@@ -75,7 +94,7 @@ TEST(Error, InputMessagesStayOnOneLine) {
   EXPECT_STREQ(error.what(), "a\\nb\\u001B[31m: is\r\nnot known");  // a problem is our own text
   EXPECT_EQ(error.field(), "a\nb\x1b[31m");
   EXPECT_STREQ(InputError("a\tb", 1, "m", "> 2").what(), "a\\tb = 1 m violates: > 2");
-  EXPECT_STREQ(InputError("a\tb", 1, "m", "> 2").located("f\n:1:1", "").what(),
+  EXPECT_STREQ(InputError("a\tb", 1, "m", "> 2").located({"f\n", 1, 1}, "").what(),
                "f\\n:1:1: a\\tb = 1 m violates: > 2");
 }
 

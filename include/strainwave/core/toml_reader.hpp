@@ -84,17 +84,22 @@ class TomlReader {
   }
 
  private:
-  [[nodiscard]] std::string place(toml::source_position position) const {
-    return fmt::format("{}:{}:{}", file_name_, position.line, position.column);
+  [[nodiscard]] TextPlace place(toml::source_position position) const {
+    return {.file = file_name_, .line = position.line, .column = position.column};
+  }
+
+  static std::string written_value(const toml::node& node) {
+    return node.is_value() ? written(node) : std::string();
   }
 
   [[noreturn]] void refuse(const toml::node& node, const FieldPath& path,
                            std::string_view problem) const {
-    throw InputError(path.text(), problem).located(place(node.source().begin), {});
+    throw InputError(path.text(), problem)
+        .located(place(node.source().begin), written_value(node));
   }
 
   void remember(const toml::node& node, const FieldPath& path) {
-    sources_[path.text()] = {node.source().begin, node.is_value() ? written(node) : std::string()};
+    sources_[path.text()] = {node.source().begin, written_value(node)};
   }
 
   /// The value as written is not of the type that the field has.
@@ -143,7 +148,7 @@ class TomlReader {
       try {
         value = parse_quantity(path.text(), text->get(), field.unit);
       } catch (const InputError& error) {
-        throw error.located(place(node.source().begin), {});
+        throw error.located(place(node.source().begin), written(node));
       }
       return;
     }
@@ -287,7 +292,7 @@ inline void refuse_long_keys(std::string_view text, std::string_view file_name) 
     if (start == std::string_view::npos || content[start] == '#') continue;
     if (std::ranges::count(content, '.') > kMaxDots)
       throw InputError(
-          fmt::format("{}:{}:{}", file_name, line, start + 1),
+          TextPlace{.file = std::string(file_name), .line = line, .column = start + 1},
           fmt::format("this line has more than {} dots; no field lies that deep", kMaxDots));
   }
 }
@@ -300,7 +305,9 @@ inline toml::table parse_toml(std::string_view text, std::string_view file_name)
     return toml::parse(text);
   } catch (const toml::parse_error& error) {
     const auto position = error.source().begin;
-    throw InputError(fmt::format("{}:{}:{}", file_name, position.line, position.column),
+    throw InputError(TextPlace{.file = std::string(file_name),
+                               .line = position.line,
+                               .column = position.column},
                      fmt::format("is not valid TOML: {}", shown(error.description())));
   }
 }
