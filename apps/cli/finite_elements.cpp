@@ -20,7 +20,7 @@ struct FeOptions {
            .unit = "",
            .doc = "of strainwave-fe; --help prints them",
            .positional = true,
-           .names = "attachment"},
+           .names = "file"},
           &FeOptions::arguments);
   }
 };

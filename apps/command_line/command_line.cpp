@@ -68,10 +68,11 @@ ExitCode judged(const Program& program, const Answer& answer) {
     warn(program, evidence.unusable_because);
     return kNotUsable;
   }
-  // A note of the command itself, rather than of the drive, is about this very answer.
+  // A doubt of the command itself, rather than of the drive, concerns this very answer.
   const std::string own = fmt::format("{}.", answer.command().name);
   for (const Note& note : evidence.notes)
-    if (note.code.starts_with(own)) warn(program, note.text);
+    if (note.severity != Severity::information && note.code.starts_with(own))
+      warn(program, note.text);
   return exit_code_of(evidence.requirement.value_or(RequirementOutcome::met));
 }
 
@@ -146,10 +147,12 @@ void add_argument(CLI::App* sub, const Argument& argument, std::vector<std::stri
   if (argument.role == Role::format)
     added->check(
         CLI::IsMember(std::vector<std::string>(argument.choices.begin(), argument.choices.end())));
-  if (!argument.repeatable)
+  // An option must not swallow the words behind its value.
+  added->allow_extra_args(argument.repeatable && argument.positional());
+  if (argument.repeatable)
+    added->take_all();
+  else
     added->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::Throw);
-  else if (!argument.positional())
-    added->allow_extra_args(false)->take_all();  // or it would swallow what follows
 }
 
 using Work = std::function<ExitCode()>;

@@ -59,7 +59,7 @@ const Argument* argument_named(const std::vector<Argument>& arguments, std::stri
 /// Candidates for the value of an argument.
 std::vector<std::string> values(const Program& program, const Argument& argument,
                                 const std::string& file, Line line) {
-  if (argument.names == "attachment") return {std::string(kFiles)};
+  if (argument.type == "PATH") return {std::string(kFiles)};
   std::vector<std::string> known(argument.choices.begin(), argument.choices.end());
   if (!argument.names.empty()) {
     known = program.names(argument.names, file);

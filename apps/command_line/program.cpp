@@ -15,7 +15,7 @@ std::string_view first_word(const Command& command) {
 }
 
 std::string_view type_of(const Option& option) {
-  if (option.field.names == "attachment") return "PATH";
+  if (option.field.names == "attachment" || option.field.names == "file") return "PATH";
   switch (option.kind) {
     case OptionKind::flag:
       return "";
@@ -56,8 +56,7 @@ Argument path_argument(Role role, std::string_view option, std::string_view key,
           .type = "PATH",
           .short_output = option == "output",
           .doc = std::string(doc),
-          .fallback = {},
-          .names = "attachment"};
+          .fallback = {}};
 }
 
 }  // namespace
@@ -97,8 +96,7 @@ std::vector<Argument> arguments_of(const Command& command) {
                          .type = "PATH",
                          .required = true,
                          .doc = "input file, or - for standard input",
-                         .fallback = {},
-                         .names = "attachment"});
+                         .fallback = {}});
   for (const Option& option : command.options.options) arguments.push_back(argument_of(option));
   if (command.documents.empty()) return arguments;
 

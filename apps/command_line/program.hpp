@@ -60,14 +60,14 @@ struct Argument {
   Role role = Role::option;
   std::string name;           ///< "--vary", or "FILE" for one that its place tells
   std::string_view key;       ///< of the option or of the document
-  std::string_view type;      ///< what stands for its value: "PATH"; empty for a flag
+  std::string_view type;      ///< what stands for its value, "PATH" for a file; empty for a flag
   bool short_output = false;  ///< may be spelled -o
   bool repeatable = false;
   bool required = false;
   std::string doc;
   std::string fallback;
   std::vector<std::string_view> choices = {};
-  std::string_view names = {};  ///< as Field::names; "attachment" for every file
+  std::string_view names = {};  ///< as Field::names; "file" for one that is not read here
 
   [[nodiscard]] bool positional() const { return !name.starts_with('-'); }
 };
