@@ -61,18 +61,19 @@ ExitCode exit_code_of(RequirementOutcome outcome) {
   return kCannotTell;
 }
 
-/// Says on standard error what the answer as a whole is worth, and how the program ends.
-ExitCode judged(const Program& program, const Answer& answer) {
+/// Says on standard error what the main document cannot, and how the program ends.
+ExitCode judged(const Program& program, const Answer& answer, std::string_view main) {
   const ResultEvidence& evidence = answer.evidence();
   if (!answer.usable()) {
     warn(program, evidence.unusable_because);
     return kNotUsable;
   }
-  // A doubt of the command itself, rather than of the drive, concerns this very answer.
-  const std::string own = fmt::format("{}.", answer.command().name);
-  for (const Note& note : evidence.notes)
-    if (note.severity != Severity::information && note.code.starts_with(own))
-      warn(program, note.text);
+  // A table has no place for notes.  A doubt of the command itself concerns all of it.
+  if (main == "csv")
+    for (const Note& note : evidence.notes)
+      if (note.severity != Severity::information &&
+          note.code.starts_with(fmt::format("{}.", answer.command().name)))
+        warn(program, note.text);
   return exit_code_of(evidence.requirement.value_or(RequirementOutcome::met));
 }
 
@@ -114,7 +115,7 @@ ExitCode run_command(const Given& given) {
   const Interrupt interrupt;
   const Progress progress = interrupt.progress();
   const Answer answer(command, drive, options, attached, progress);
-  if (command.documents.empty()) return judged(given.program, answer);
+  if (command.documents.empty()) return judged(given.program, answer, main);
   // All documents are made before any file is written: a failure leaves nothing behind.
   const std::string text = answer.document(main);
   std::vector<std::pair<std::string, std::string>> files;
@@ -122,7 +123,7 @@ ExitCode run_command(const Given& given) {
   progress.at(1.0);
   for (const auto& [path, document] : files) deliver(document, path);
   deliver(text, main_path);
-  return judged(given.program, answer);
+  return judged(given.program, answer, main);
 }
 
 /// A fault of an option names it as it is typed.

@@ -284,7 +284,7 @@ TEST_F(Program, BehaviourMaterialsAsJson) {
   const auto visit = [&](const auto& self, const Json& json) -> void {
     if (json.is_object() && json.contains("source") && json["source"].is_string()) {
       used.insert(json["source"]);
-      EXPECT_TRUE(json.contains("confidence") && json.contains("scatter")) << json;
+      EXPECT_TRUE(json.contains("confidence")) << json;
     }
     if (!json.is_structured()) return;  // a plain value would be its own element
     for (const Json& part : json) self(self, part);
@@ -292,15 +292,15 @@ TEST_F(Program, BehaviourMaterialsAsJson) {
   visit(visit, all["material"]);
   for (const std::string& key : used) EXPECT_TRUE(all["source"].contains(key)) << key;
   EXPECT_EQ(all["source"].size(), used.size());
-  const Json one = result_of("material show '52100 hardened'");
+  const Json one = result_of("material show '52100 hardened'")["material"][0];
   EXPECT_EQ(one["name"], "52100 hardened");
   EXPECT_EQ(one["youngs_modulus"]["value"]["value"], 203.4e9);
   EXPECT_EQ(one["youngs_modulus"]["value"]["unit"], "Pa");
   EXPECT_EQ(one["youngs_modulus"]["confidence"], "handbook");
-  EXPECT_TRUE(one["youngs_modulus"]["scatter"].is_null());
+  EXPECT_FALSE(one["youngs_modulus"].contains("scatter"));
   EXPECT_EQ(one["hardness"]["scatter"]["value"], 0.0329);
-  EXPECT_TRUE(one["fracture_toughness"].is_null());
-  EXPECT_TRUE(one["sources"].contains("skf"));
+  EXPECT_FALSE(one.contains("fracture_toughness"));
+  EXPECT_TRUE(result_of("material show '52100 hardened'")["source"].contains("skf"));
   const Json growth = result_of("material show '15-5PH H900'")["material"][0]["growth"];
   EXPECT_EQ(growth[0]["kind"], "nasgro");
   EXPECT_EQ(growth[0]["coefficient"]["value"], 1.359e-12);
@@ -391,7 +391,7 @@ TEST_F(Program, BehaviourSweepWritesTableAndPlot) {
                            " --vary 'flexspline.crack[0].angle=-90 deg..90 deg:5' "
                            "--vary 'load.axial_force=0 N..1 kN:3' --format json");
   EXPECT_EQ(json.exit_code, 0) << json.err;
-  EXPECT_EQ(Json::parse(json.out).at("/result/columns/values/0"_json_pointer).size(), 15U);
+  EXPECT_EQ(Json::parse(json.out).at("/result/columns/0/values/values"_json_pointer).size(), 15U);
   EXPECT_TRUE(Json::parse(json.out).contains("provenance"));
 }
 
@@ -527,7 +527,7 @@ TEST_F(Program, ReferenceSifEvalOfAGriffithCrack) {
           "'tension=100 MPa' --format json");
   ASSERT_EQ(eval.exit_code, 0) << eval.err;
   const Json json = Json::parse(eval.out).at("result");
-  EXPECT_NEAR(json["stress_intensity"]["tip"]["K_I"]["value"].get<double>(), 5.6049912e6, 1);
+  EXPECT_NEAR(json.at("/points/0/K_I/value"_json_pointer).get<double>(), 5.6049912e6, 1);
   EXPECT_EQ(json["in_range"], true);
 }
 
