@@ -6,15 +6,36 @@
 #include <system_error>
 #include <vector>
 
-#include "commands.hpp"
+#include "strainwave_program.hpp"
 
 namespace strainwave::cli {
+namespace {
+
+struct FeOptions {
+  std::vector<std::string> arguments;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({.name = "arguments",
+           .unit = "",
+           .doc = "of strainwave-fe; --help prints them",
+           .positional = true,
+           .names = "file"},
+          &FeOptions::arguments);
+  }
+};
+
+/// The other program answers in place of this one.
+struct NoAnswer {
+  template <class Visitor>
+  static void describe(Visitor&&) {}
+};
 
 // The finite elements are another process, not a library: docs/adr/0011.
-ExitCode run(const FeCommand& command) {
+NoAnswer become_finite_elements(const Request&, const FeOptions& options) {
   const std::string name = "strainwave-fe";
   std::vector<std::string> words = {name};
-  words.insert(words.end(), command.arguments.begin(), command.arguments.end());
+  words.insert(words.end(), options.arguments.begin(), options.arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
@@ -23,9 +44,29 @@ ExitCode run(const FeCommand& command) {
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", none);
   if (!self.empty()) ::execv((self.parent_path() / name).c_str(), argv.data());
   ::execvp(name.c_str(), argv.data());  // returns only if there is none
-  throw UsageError{
-      "strainwave-fe is neither beside this program nor on PATH: it is built on request, see "
-      "docs/guide/finite_elements.md"};
+  throw OptionError(name,
+                    "is neither beside this program nor on PATH: it is built on request, see "
+                    "docs/guide/finite_elements.md");
+}
+
+}  // namespace
+
+Command fe_command() {
+  return command<FeOptions, NoAnswer>({
+      .name = "fe",
+      .summary = "Finite elements of shaft and cup, without any closed form",
+      .description =
+          "Starts strainwave-fe, a program of its own that is built on request, and passes "
+          "everything on to it: strainwave fe --help prints its options. It calculates an output "
+          "shaft with annular cracks, cracks of the flexspline's wall and a sound flexspline by "
+          "sections, with the evidence whether the answer may be used. strainwave fe tabulate "
+          "makes a table of many runs, which a crack can name as its compliance_table; strainwave "
+          "fe render draws pictures of the strain energy and of the opened crack.",
+      .example = "strainwave fe examples/solid_shaft.toml --member output-shaft",
+      .takes = Takes::nothing,
+      .function = become_finite_elements,
+      .documents = {},
+  });
 }
 
 }  // namespace strainwave::cli

@@ -1,4 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "command_line.hpp"
+#include <string>
+#include <vector>
 
-int main(int argc, char** argv) { return strainwave::cli::run_command_line(argc, argv); }
+#include "command_line.hpp"
+#include "strainwave_program.hpp"
+
+int main(int argc, char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  // Every word behind `fe` belongs to the other program, --help too.
+  if (!words.empty() && words.front() == "fe") words.insert(words.begin() + 1, "--");
+  return strainwave::cli::run_command_line(strainwave::cli::strainwave_program(), words);
+}

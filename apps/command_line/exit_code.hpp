@@ -8,16 +8,23 @@ namespace strainwave::cli {
 /// What a program tells its caller; docs/adr/0002.
 enum ExitCode : int {
   kOk = 0,
-  kUsage = 2,       ///< the command line is wrong
-  kInput = 3,       ///< the input breaks a rule
-  kNotUsable = 4,   ///< there is no answer, or none that may be used
-  kNotMet = 5,      ///< a requirement is not met
-  kCannotTell = 6,  ///< a requirement cannot be told within the uncertainty of the answer
-  kInternal = 70,   ///< our own mistake, or the output cannot be written
+  kUsage = 2,          ///< the command line is wrong
+  kInput = 3,          ///< the input breaks a rule
+  kNotUsable = 4,      ///< there is no answer, or none that may be used
+  kNotMet = 5,         ///< a requirement is not met
+  kCannotTell = 6,     ///< a requirement cannot be told within the uncertainty of the answer
+  kUnwritable = 7,     ///< the output cannot be written
+  kInternal = 70,      ///< our own mistake
+  kInterrupted = 130,  ///< stopped by SIGINT, as a shell reports it
 };
 
 /// The command line itself cannot be understood.
 struct UsageError {
+  std::string message;
+};
+
+/// The output cannot be written.
+struct UnwritableError {
   std::string message;
 };
 

@@ -3,6 +3,7 @@
 
 #include <iostream>
 
+#include "exit_code.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/io/attachments.hpp"
 #include "strainwave/io/result_writer.hpp"
@@ -19,11 +20,15 @@ std::string shown_name(const std::string& file) { return file == "-" ? "standard
 
 void deliver(const std::string& text, const std::string& path) {
   if (!path.empty()) {
-    write_file(path, text);
+    try {
+      write_file(path, text);
+    } catch (const Error& error) {
+      throw UnwritableError{error.what()};
+    }
     return;
   }
   std::cout << text << std::flush;
-  if (!std::cout) throw Error("standard output cannot be written");
+  if (!std::cout) throw UnwritableError{"standard output cannot be written"};
 }
 
 }  // namespace strainwave::cli

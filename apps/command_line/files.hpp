@@ -15,7 +15,7 @@ namespace strainwave::cli {
 [[nodiscard]] std::string shown_name(const std::string& file);
 
 /// Writes to a file, whole or not at all; to standard output if the path is empty.
-/// @throws Error  if it cannot be written
+/// @throws UnwritableError  if it cannot be written
 void deliver(const std::string& text, const std::string& path);
 
 }  // namespace strainwave::cli

@@ -10,7 +10,6 @@
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/io/result_writer.hpp"
 #include "strainwave/model/input/vary_option.hpp"
-#include "strainwave/study/evaluate.hpp"
 #include "strainwave/study/outputs.hpp"
 
 namespace strainwave {
@@ -88,12 +87,11 @@ Note note_of(const RequirementAnswer& answer) {
 
 }  // namespace
 
-RequirementReport require_outputs(const GearSet& gear, Method method,
+RequirementReport require_outputs(const StiffnessResult& result,
                                   const std::vector<std::string>& texts, double coverage) {
   require(coverage > 0, "coverage", coverage, "1", "> 0");
   if (texts.empty()) throw InputError(kOption, "must be given: at least one");
-  const StiffnessResult result = evaluate(gear, method);
-  RequirementReport report{.method = method,
+  RequirementReport report{.method = result.method,
                            .coverage = coverage,
                            .answers = {},
                            .outcome = RequirementOutcome::met,

@@ -5,7 +5,6 @@
 #include <string_view>
 #include <vector>
 
-#include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/input/method.hpp"
 #include "strainwave/model/result/stiffness_result.hpp"
 
@@ -81,7 +80,7 @@ struct RequirementReport {
 /// Its notes and its outcome.
 [[nodiscard]] ResultEvidence evidence_of(const RequirementReport& report);
 
-/// Answers requirements.
+/// Answers requirements on the outputs of a result.
 ///
 /// A requirement is met if the output keeps its bound with all of its uncertainty, not met if it
 /// breaks the bound with all of it, and cannot be told between.  A change has an uncertainty of its
@@ -91,8 +90,8 @@ struct RequirementReport {
 /// @param texts     "OUTPUT OP VALUE" with OP one of >=, >, <=, < and a unit at the value:
 ///                  "cracked.positive.stiffness >= 2e4 N*m/rad"
 /// @param coverage  k, standard uncertainties that count [-]; > 0
-/// @throws InputError  a text cannot be read, or names no output of the drive; as `evaluate`
-[[nodiscard]] RequirementReport require_outputs(const GearSet& gear, Method method,
+/// @throws InputError  a text cannot be read, or names no output of the result
+[[nodiscard]] RequirementReport require_outputs(const StiffnessResult& result,
                                                 const std::vector<std::string>& texts,
                                                 double coverage);
 

@@ -10,7 +10,7 @@ struct ListOptions {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"use", "", "only steels for flexspline, bearing, shaft or generic"}, &ListOptions::use);
+    field({"use", "", "only steels for this use"}, &ListOptions::use);
   }
 };
 

@@ -6,9 +6,7 @@
 namespace strainwave {
 
 /// The option that chooses the method, of several commands.
-inline constexpr Field kMethodOption{.name = "method",
-                                     .unit = "",
-                                     .doc = "as-printed, repaired or corrected",
-                                     .fallback = "corrected"};
+inline constexpr Field kMethodOption{
+    .name = "method", .unit = "", .doc = "which theory answers", .fallback = "corrected"};
 
 }  // namespace strainwave

@@ -16,10 +16,7 @@ struct NewOptions {
   static void describe(Visitor&& field) {
     field({"size", "", "of the catalogue; prints its typical drive"}, &NewOptions::size);
     field({"ratio", "1", "of the typical drive, 30 to 320"}, &NewOptions::ratio);
-    field({.name = "cup",
-           .unit = "",
-           .doc = "of the typical drive, short or standard",
-           .fallback = "short"},
+    field({.name = "cup", .unit = "", .doc = "of the typical drive", .fallback = "short"},
           &NewOptions::cup);
   }
 };

@@ -14,7 +14,10 @@ struct ReportCommandOptions {
   template <class Visitor>
   static void describe(Visitor&& field) {
     field(kMethodOption, &ReportCommandOptions::method);
-    field({.name = "date", .unit = "", .doc = "date to print; none if left out", .names = "date"},
+    field({.name = "date",
+           .unit = "",
+           .doc = "date to print; on a command line that of SOURCE_DATE_EPOCH if left out",
+           .names = "date"},
           &ReportCommandOptions::date);
   }
 };

@@ -3,6 +3,7 @@
 
 #include "commands/method_option.hpp"
 #include "strainwave/door/door.hpp"
+#include "strainwave/study/evaluate.hpp"
 
 namespace strainwave {
 namespace {
@@ -31,8 +32,9 @@ struct RequireOptions {
 };
 
 RequirementReport required(const Request& request, const RequireOptions& options) {
-  return require_outputs(request.drive.gear, options.method, options.requirements,
-                         options.coverage);
+  const StiffnessResult result = evaluate(request.drive.gear, options.method);
+  return from_option(
+      [&] { return require_outputs(result, options.requirements, options.coverage); });
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ struct ValidateOptions {
   static void describe(Visitor&& field) {
     field({.name = "mode",
            .unit = "",
-           .doc = "geometry, leave-one-size-out or per-row",
+           .doc = "what is fitted before the comparison",
            .fallback = "geometry"},
           &ValidateOptions::mode);
     field({.name = "factors",

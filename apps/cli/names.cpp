@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "files.hpp"
+#include "strainwave/catalogue/factors.hpp"
+#include "strainwave/door/door.hpp"
+#include "strainwave/materials/material_library.hpp"
+#include "strainwave/model/result/result_fields.hpp"
+#include "strainwave/sif/library.hpp"
+#include "strainwave/study/evaluate.hpp"
+#include "strainwave_program.hpp"
+
+namespace strainwave::cli {
+
+std::vector<std::string> names_of(std::string_view what, const std::string& file) {
+  std::vector<std::string> names;
+  if (what == "material") return material_names();
+  if (what == "solution")
+    for (const sif::Row& row : sif::library()) names.emplace_back(row.info.name);
+  if (what == "factor")
+    names.assign(EnumNames<Factor>::names.begin(), EnumNames<Factor>::names.end());
+  if (what == "command")
+    for (const Command& command : strainwave_program().table) names.emplace_back(command.name);
+  // Standard input belongs to the command itself.
+  if ((what != "field path" && what != "output") || file.empty() || file == "-") return names;
+  const auto drive = read_drive(text_of(file), file, attachments_beside(file));
+  if (what == "field path")
+    for_each_number(drive->gear, [&](const FieldPath& path, const Field&, const double&) {
+      names.push_back(path.text());
+    });
+  else
+    for_each_quantity(evaluate(drive->gear, Method::corrected),
+                      [&](const std::string& path, const Quantity&) { names.push_back(path); });
+  return names;
+}
+
+}  // namespace strainwave::cli

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "completion.hpp"
+#include "manual.hpp"
+#include "strainwave_program.hpp"
+
+namespace strainwave {
+namespace {
+
+enum class CompletionSubject { bash, zsh, fish, words };
+
+}  // namespace
+
+template <>
+struct EnumNames<CompletionSubject> {
+  static constexpr std::array<std::string_view, 4> names = {"bash", "zsh", "fish", "words"};
+};
+
+namespace cli {
+namespace {
+
+/// What these commands print.
+struct PrintedText {
+  std::string text;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"text", "", "what is printed"}, &PrintedText::text);
+  }
+};
+
+std::string text_of_result(const PrintedText& result, const Rendering&) { return result.text; }
+
+struct ManOptions {
+  std::optional<std::string> command;
+  bool list = false;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({.name = "command",
+           .unit = "",
+           .doc = "a command; the program itself if left out",
+           .positional = true,
+           .names = "command"},
+          &ManOptions::command);
+    field({"list", "", "print the commands that have a page, one a line"}, &ManOptions::list);
+  }
+};
+
+PrintedText manual(const Request&, const ManOptions& options) {
+  const Program& program = strainwave_program();
+  if (options.list) return {fmt::format("{}\n", fmt::join(first_words(program), "\n"))};
+  return {options.command ? command_page(program, *options.command) : program_page(program)};
+}
+
+struct CompletionOptions {
+  CompletionSubject subject = CompletionSubject::bash;
+  std::vector<std::string> words;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({.name = "subject",
+           .unit = "",
+           .doc = "the shell, or words for what a script asks",
+           .positional = true},
+          &CompletionOptions::subject);
+    field({.name = "words",
+           .unit = "",
+           .doc = "of a command line, behind --; the last one is completed",
+           .positional = true},
+          &CompletionOptions::words);
+  }
+};
+
+PrintedText completion(const Request&, const CompletionOptions& options) {
+  const Program& program = strainwave_program();
+  if (options.subject != CompletionSubject::words)
+    return {completion_script(program, static_cast<Shell>(options.subject))};
+  std::string text;
+  for (const std::string& word : completions(program, options.words)) text += word + '\n';
+  return {std::move(text)};
+}
+
+}  // namespace
+
+Command man_command() {
+  return command<ManOptions, PrintedText>({
+      .name = "man",
+      .summary = "Print a manual page (roff)",
+      .description = "Prints the manual page of a command, or of the program.",
+      .example = "strainwave man stiffness | man -l -",
+      .takes = Takes::nothing,
+      .function = manual,
+      .documents = {{{.name = "text"}, text_of_result}},
+  });
+}
+
+Command completion_command() {
+  return command<CompletionOptions, PrintedText>({
+      .name = "completion",
+      .summary = "Print a script that completes words in a shell",
+      .description =
+          "Prints a script for bash, zsh or fish. The script asks the program what may stand in "
+          "place of a word: commands, options and their values, and by the input file on the line "
+          "the paths of its fields and outputs. An installed program brings the scripts with it.",
+      .example = "eval \"$(strainwave completion bash)\"",
+      .takes = Takes::nothing,
+      .function = completion,
+      .documents = {{{.name = "text"}, text_of_result}},
+  });
+}
+
+}  // namespace cli
+}  // namespace strainwave

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave_program.hpp"
+
+#include <array>
+
+#include "strainwave/door/door.hpp"
+
+namespace strainwave::cli {
+
+const Program& strainwave_program() {
+  static constexpr std::array<Group, 2> kGroups = {
+      {{"sif", "Stress intensity library: list, show, eval, plot"},
+       {"material", "The material library: steels with sources"}}};
+  static const std::vector<Command> table = [] {
+    std::vector<Command> rows(commands().begin(), commands().end());
+    rows.push_back(fe_command());
+    rows.push_back(man_command());
+    rows.push_back(completion_command());
+    return rows;
+  }();
+  static const Program program{.name = "strainwave",
+                               .summary = "Torsional stiffness of strain wave gears with cracks",
+                               .table = table,
+                               .groups = kGroups,
+                               .read_drive = strainwave::read_drive,
+                               .names = names_of};
+  return program;
+}
+
+}  // namespace strainwave::cli

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <utility>
+
+#include "exit_code.hpp"
+#include "files.hpp"
+#include "interrupt.hpp"
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/version.hpp"
+
+namespace strainwave::cli {
+namespace {
+
+/// What the command line says for one command.
+struct Given {
+  const Program& program;
+  const Command& command;
+  std::vector<Argument> arguments;
+  std::vector<std::vector<std::string>> texts;  // of each argument
+};
+
+void warn(const Program& program, std::string_view message) {
+  std::cerr << program.name << ": " << message << '\n';
+}
+
+/// The day of SOURCE_DATE_EPOCH, which makes builds repeatable; empty if it is not set.
+std::string build_date() {
+  const char* const variable = std::getenv("SOURCE_DATE_EPOCH");
+  if (variable == nullptr || *variable == '\0') return {};
+  const std::string_view text = variable;
+  constexpr std::int64_t kMost = 253402300799;  // the end of the year 9999
+  std::int64_t seconds = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+  if (fault != std::errc() || end != text.data() + text.size() || seconds < 0 || seconds > kMost)
+    throw UsageError{fmt::format("SOURCE_DATE_EPOCH is not seconds since 1970: {}", shown(text))};
+  const std::chrono::year_month_day day{std::chrono::floor<std::chrono::days>(
+      std::chrono::sys_seconds(std::chrono::seconds(seconds)))};
+  return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(day.year()),
+                     static_cast<unsigned>(day.month()), static_cast<unsigned>(day.day()));
+}
+
+ExitCode exit_code_of(RequirementOutcome outcome) {
+  switch (outcome) {
+    case RequirementOutcome::met:
+      return kOk;
+    case RequirementOutcome::not_met:
+      return kNotMet;
+    case RequirementOutcome::cannot_be_told:
+      break;
+  }
+  return kCannotTell;
+}
+
+/// Says on standard error what the main document cannot, and how the program ends.
+ExitCode judged(const Program& program, const Answer& answer, std::string_view main) {
+  const ResultEvidence& evidence = answer.evidence();
+  if (!answer.usable()) {
+    warn(program, evidence.unusable_because);
+    return kNotUsable;
+  }
+  // A table has no place for notes.  A doubt of the command itself concerns all of it.
+  if (main == "csv")
+    for (const Note& note : evidence.notes)
+      if (note.severity != Severity::information &&
+          note.code.starts_with(fmt::format("{}.", answer.command().name)))
+        warn(program, note.text);
+  return exit_code_of(evidence.requirement.value_or(RequirementOutcome::met));
+}
+
+ExitCode run_command(const Given& given) {
+  const Command& command = given.command;
+  OptionValues options(command.options);
+  OptionTexts attached;
+  auto drive = std::make_shared<const Drive>();
+  std::string main = "json";
+  std::string main_path;
+  std::vector<std::pair<std::string, std::string_view>> beside;  // path, document
+  for (std::size_t i = 0; i < given.arguments.size(); ++i) {
+    const Argument& argument = given.arguments[i];
+    std::vector<std::string> texts = given.texts[i];
+    if (texts.empty() && argument.role == Role::option && argument.names == "date")
+      if (std::string date = build_date(); !date.empty()) texts.push_back(std::move(date));
+    for (const std::string& text : texts) switch (argument.role) {
+        case Role::input:
+          drive =
+              given.program.read_drive(text_of(text), shown_name(text), attachments_beside(text));
+          break;
+        case Role::option:
+          options.set(argument.key, text);
+          if (argument.names == "attachment") attached[text] = text_of(text);
+          break;
+        case Role::format:
+          main = text;
+          break;
+        case Role::output:
+          main_path = text;
+          break;
+        case Role::document:
+          beside.emplace_back(text, argument.key);
+          break;
+      }
+    if (texts.empty() && argument.role == Role::format) main = argument.fallback;
+  }
+
+  const Interrupt interrupt;
+  const Progress progress = interrupt.progress();
+  const Answer answer(command, drive, options, attached, progress);
+  if (command.documents.empty()) return judged(given.program, answer, main);
+  // All documents are made before any file is written: a failure leaves nothing behind.
+  const std::string text = answer.document(main);
+  std::vector<std::pair<std::string, std::string>> files;
+  for (const auto& [path, document] : beside) files.emplace_back(path, answer.document(document));
+  progress.at(1.0);
+  for (const auto& [path, document] : files) deliver(document, path);
+  deliver(text, main_path);
+  return judged(given.program, answer, main);
+}
+
+/// A fault of an option names it as it is typed.
+std::string as_typed(const OptionError& error, const std::vector<Argument>& arguments) {
+  const std::string message = error.what();
+  for (const Argument& argument : arguments)
+    if (argument.role == Role::option && argument.key == error.field())
+      return argument.name + message.substr(error.field().size());
+  return message;
+}
+
+void add_argument(CLI::App* sub, const Argument& argument, std::vector<std::string>& texts) {
+  if (argument.type.empty()) {
+    sub->add_flag_function(
+        argument.name, [&texts](std::int64_t) { texts = {"true"}; }, description_of(argument));
+    return;
+  }
+  CLI::Option* const added = sub->add_option((argument.short_output ? "-o," : "") + argument.name,
+                                             texts, description_of(argument))
+                                 ->required(argument.required)
+                                 ->type_name(std::string(argument.type));
+  if (argument.role == Role::format)
+    added->check(
+        CLI::IsMember(std::vector<std::string>(argument.choices.begin(), argument.choices.end())));
+  // An option must not swallow the words behind its value.
+  added->allow_extra_args(argument.repeatable && argument.positional());
+  if (argument.repeatable)
+    added->take_all();
+  else
+    added->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+}
+
+using Work = std::function<ExitCode()>;
+
+void add_command(CLI::App& parent, std::string_view word, const Program& program,
+                 const Command& command, Work& chosen) {
+  CLI::App* const sub = parent.add_subcommand(std::string(word), std::string(command.summary));
+  sub->footer(fmt::format("Example:\n  {}", command.example));
+  const auto given = std::make_shared<Given>(Given{program, command, arguments_of(command), {}});
+  given->texts.resize(given->arguments.size());
+  for (std::size_t i = 0; i < given->arguments.size(); ++i)
+    add_argument(sub, given->arguments[i], given->texts[i]);
+  sub->callback([&chosen, given] {
+    chosen = [given] {
+      try {
+        return run_command(*given);
+      } catch (const OptionError& error) {
+        throw UsageError{as_typed(error, given->arguments)};
+      }
+    };
+  });
+}
+
+ExitCode parse_and_run(const Program& program, std::span<const std::string> words) {
+  CLI::App app{std::string(program.summary), std::string(program.name)};
+  app.set_version_flag("--version",
+                       fmt::format("{} {} ({})", program.name, version(), git_revision()),
+                       "print version and revision, and exit");
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(34);
+  Work chosen;
+  for (const std::string_view word : first_words(program)) {
+    const auto commands = commands_of(program, word);
+    if (second_word(*commands.front()).empty()) {
+      add_command(app, word, program, *commands.front(), chosen);
+      continue;
+    }
+    CLI::App* const group =
+        app.add_subcommand(std::string(word), std::string(summary_of(program, word)));
+    group->require_subcommand(1);
+    for (const Command* const command : commands)
+      add_command(*group, second_word(*command), program, *command, chosen);
+  }
+  try {
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::ParseError& error) {
+    // CLI11 prints help and version through an "error" of code 0.
+    return app.exit(error) == 0 ? kOk : kUsage;
+  }
+  return chosen();
+}
+
+}  // namespace
+
+int run_command_line(const Program& program, std::span<const std::string> words) {
+  const auto complain = [&](std::string_view message, ExitCode code) {
+    warn(program, message);
+    return code;
+  };
+  try {
+    return parse_and_run(program, words);
+  } catch (const UsageError& error) {
+    return complain(error.message, kUsage);
+  } catch (const UnwritableError& error) {
+    return complain(error.message, kUnwritable);
+  } catch (const InputError& error) {
+    return complain(error.what(), kInput);
+  } catch (const SolverError& error) {
+    return complain(error.what(), kNotUsable);
+  } catch (const Stopped&) {
+    return complain("interrupted: nothing was written", kInterrupted);
+  } catch (const std::exception& error) {
+    return complain(error.what(), kInternal);
+  }
+}
+
+}  // namespace strainwave::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "interrupt.hpp"
+
+namespace strainwave::cli {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void remember(int) { interrupted = 1; }
+
+}  // namespace
+
+Interrupt::Interrupt() {
+  ::sigaction(SIGINT, nullptr, &before_);
+  if (before_.sa_handler == SIG_IGN) return;  // of a job in the background
+  struct sigaction action {};
+  action.sa_handler = remember;
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  ::sigaction(SIGINT, &action, nullptr);
+}
+
+Interrupt::~Interrupt() { ::sigaction(SIGINT, &before_, nullptr); }
+
+Progress Interrupt::progress() const {
+  return Progress([](double) { return interrupted == 0; });
+}
+
+}  // namespace strainwave::cli

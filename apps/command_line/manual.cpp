@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "manual.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/version.hpp"
+
+namespace strainwave::cli {
+namespace {
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '\\')
+      result += "\\e";
+    else if (c == '-')
+      result += "\\-";
+    else if ((c == '.' || c == '\'') && (result.empty() || result.back() == '\n'))
+      result += fmt::format("\\&{}", c);
+    else
+      result += c;
+  }
+  return result;
+}
+
+std::string head(std::string page, std::string_view summary) {
+  const std::string name = escaped(page);
+  std::ranges::transform(page, page.begin(), [](unsigned char c) { return std::toupper(c); });
+  return fmt::format(".TH {} 1 \"\" \"strainwave {}\" \"strainwave manual\"\n.SH NAME\n{} \\- {}\n",
+                     page, version(), name, escaped(summary));
+}
+
+/// "--method TEXT", as the synopsis and the list of options show it.
+std::string usage(const Argument& argument) {
+  if (argument.positional())
+    return fmt::format("\\fI{}\\fR{}", escaped(argument.name), argument.repeatable ? " ..." : "");
+  const std::string name = fmt::format("\\fB{}\\fR", escaped(argument.name));
+  return argument.type.empty() ? name : fmt::format("{} \\fI{}\\fR", name, escaped(argument.type));
+}
+
+std::string synopsis(const Program& program, const Command& command) {
+  std::string line = fmt::format("\\fB{} {}\\fR", program.name, command.name);
+  for (const Argument& argument : arguments_of(command))
+    line += argument.required ? " " + usage(argument) : " [" + usage(argument) + "]";
+  return line + '\n';
+}
+
+std::string options(const Command& command) {
+  std::string list;
+  for (const Argument& argument : arguments_of(command))
+    list += fmt::format(".TP\n{}{}\n{}\n", argument.short_output ? "\\fB\\-o\\fR, " : "",
+                        usage(argument), escaped(description_of(argument)));
+  return list;
+}
+
+/// What a command can make of its answer, and the option that asks for it.
+std::string documents(const Command& command) {
+  std::string list;
+  for (const Document& document : command.documents)
+    list += fmt::format(".TP\n{}\n{}\n", escaped(enum_name(document.format)),
+                        escaped(document.option.empty()
+                                    ? fmt::format("by --format {}", document.name)
+                                    : fmt::format("by --{}: {}", document.option, document.doc)));
+  return list.empty() ? list
+                      : list +
+                            ".TP\njson\nby \\-\\-format json: all digits, in the envelope "
+                            "of all results\n";
+}
+
+constexpr std::string_view kExitStatus =
+    ".SH EXIT STATUS\n"
+    ".TP\n0\nan answer was printed, and all requirements are met\n"
+    ".TP\n2\nthe command line is wrong\n"
+    ".TP\n3\nthe input breaks a rule; the message names file, line, field, value and rule\n"
+    ".TP\n4\nthere is no answer, or none that may be used; the message says why\n"
+    ".TP\n5\na requirement is not met\n"
+    ".TP\n6\na requirement cannot be told within the uncertainty of the answer\n"
+    ".TP\n7\nthe output cannot be written\n"
+    ".TP\n70\ninternal error\n"
+    ".TP\n130\ninterrupted; nothing was written\n";
+
+}  // namespace
+
+std::string program_page(const Program& program) {
+  std::string page = head(std::string(program.name), program.summary);
+  page +=
+      fmt::format(".SH SYNOPSIS\n\\fB{}\\fR \\fICOMMAND\\fR [\\fIOPTION\\fR ...]\n.SH COMMANDS\n",
+                  program.name);
+  for (const Command& command : program.table)
+    page += fmt::format(".TP\n\\fB{} {}\\fR\n{}\n", program.name, command.name,
+                        escaped(command.summary));
+  page +=
+      ".SH OPTIONS\n.TP\n\\fB\\-\\-help\\fR\nprint help, also of a command\n"
+      ".TP\n\\fB\\-\\-version\\fR\nprint version and revision\n";
+  page += kExitStatus;
+  std::vector<std::string> pages;
+  for (const std::string_view word : first_words(program))
+    pages.push_back(fmt::format(".BR {}\\-{} (1)", program.name, word));
+  return page + fmt::format(".SH SEE ALSO\n{}\n", fmt::join(pages, ",\n"));
+}
+
+std::string command_page(const Program& program, std::string_view first_word) {
+  const auto commands = commands_of(program, first_word);
+  if (commands.empty())
+    throw OptionError("command", fmt::format("{} has no manual page; {} man --list prints those "
+                                             "that there are",
+                                             shown(first_word), program.name));
+  const Command& first = *commands.front();
+  const bool group = !second_word(first).empty();
+  std::string synopses;
+  std::string lists;
+  std::string made;
+  std::string examples;
+  for (const Command* const command : commands) {
+    const std::string title =
+        group ? fmt::format(".SS {}\n{}\n", second_word(*command), escaped(command->summary)) : "";
+    synopses += (synopses.empty() ? "" : ".br\n") + synopsis(program, *command);
+    lists += title + options(*command);
+    if (!command->documents.empty()) made += title + documents(*command);
+    examples += escaped(command->example) + '\n';
+  }
+  std::string page =
+      head(fmt::format("{}-{}", program.name, first_word), summary_of(program, first_word));
+  page += ".SH SYNOPSIS\n" + synopses;
+  page += ".SH DESCRIPTION\n" + escaped(first.description) + '\n';
+  page += ".SH OPTIONS\n" + lists;
+  if (!made.empty()) page += ".SH DOCUMENTS\n" + made;
+  page += kExitStatus;
+  page += ".SH EXAMPLE\n.nf\n" + examples + ".fi\n";
+  return page + fmt::format(".SH SEE ALSO\n.BR {} (1)\n", program.name);
+}
+
+}  // namespace strainwave::cli

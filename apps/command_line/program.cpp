@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "program.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace strainwave::cli {
+namespace {
+
+std::string_view first_word(const Command& command) {
+  return command.name.substr(0, command.name.find(' '));
+}
+
+std::string_view type_of(const Option& option) {
+  if (option.field.names == "attachment" || option.field.names == "file") return "PATH";
+  switch (option.kind) {
+    case OptionKind::flag:
+      return "";
+    case OptionKind::whole:
+      return "INTEGER";
+    case OptionKind::number:
+      return "NUMBER";
+    case OptionKind::text:
+    case OptionKind::choice:
+      break;
+  }
+  return "TEXT";
+}
+
+Argument argument_of(const Option& option) {
+  std::string name = option.spelled();
+  if (option.field.positional)
+    std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::toupper(c); });
+  else
+    name.insert(0, "--");
+  return {.role = Role::option,
+          .name = std::move(name),
+          .key = option.field.name,
+          .type = type_of(option),
+          .repeatable = option.repeatable,
+          .required = option.required,
+          .doc = std::string(option.field.doc),
+          .fallback = std::string(option.field.fallback),
+          .choices = option.choices,
+          .names = option.field.names};
+}
+
+Argument path_argument(Role role, std::string_view option, std::string_view key,
+                       std::string_view doc) {
+  return {.role = role,
+          .name = fmt::format("--{}", option),
+          .key = key,
+          .type = "PATH",
+          .short_output = option == "output",
+          .doc = std::string(doc),
+          .fallback = {}};
+}
+
+}  // namespace
+
+std::vector<std::string_view> first_words(const Program& program) {
+  std::vector<std::string_view> words;
+  for (const Command& command : program.table)
+    if (std::ranges::find(words, first_word(command)) == words.end())
+      words.push_back(first_word(command));
+  return words;
+}
+
+std::vector<const Command*> commands_of(const Program& program, std::string_view word) {
+  std::vector<const Command*> commands;
+  for (const Command& command : program.table)
+    if (first_word(command) == word) commands.push_back(&command);
+  return commands;
+}
+
+std::string_view summary_of(const Program& program, std::string_view word) {
+  const auto group = std::ranges::find(program.groups, word, &Group::name);
+  return group != program.groups.end() ? group->summary
+                                       : commands_of(program, word).front()->summary;
+}
+
+std::string_view second_word(const Command& command) {
+  const std::size_t first = first_word(command).size();
+  return command.name.substr(std::min(first + 1, command.name.size()));
+}
+
+std::vector<Argument> arguments_of(const Command& command) {
+  std::vector<Argument> arguments;
+  if (command.takes == Takes::drive)
+    arguments.push_back({.role = Role::input,
+                         .name = "FILE",
+                         .key = {},
+                         .type = "PATH",
+                         .required = true,
+                         .doc = "input file, or - for standard input",
+                         .fallback = {}});
+  for (const Option& option : command.options.options) arguments.push_back(argument_of(option));
+  if (command.documents.empty()) return arguments;
+
+  Argument format{.role = Role::format,
+                  .name = "--format",
+                  .key = {},
+                  .type = "TEXT",
+                  .doc = "of the answer",
+                  .fallback = {}};
+  Argument output =
+      path_argument(Role::output, "output", {}, "write to this file instead of standard output");
+  std::vector<Argument> beside;
+  for (const Document& document : command.documents)
+    if (document.option.empty())
+      format.choices.push_back(document.name);
+    else if (document.option == "output")
+      output = path_argument(Role::document, document.option, document.name, document.doc);
+    else
+      beside.push_back(path_argument(Role::document, document.option, document.name, document.doc));
+  format.fallback = format.choices.front();
+  format.choices.push_back("json");
+  arguments.push_back(std::move(format));
+  arguments.push_back(std::move(output));
+  arguments.insert(arguments.end(), beside.begin(), beside.end());
+  return arguments;
+}
+
+std::string description_of(const Argument& argument) {
+  std::string text = argument.doc;
+  if (!argument.choices.empty()) text += fmt::format(": {}", fmt::join(argument.choices, ", "));
+  if (!argument.fallback.empty()) text += fmt::format("; default {}", argument.fallback);
+  return text;
+}
+
+}  // namespace strainwave::cli
