@@ -175,7 +175,7 @@ TEST(TorsionJson, BehaviourEverythingIsThere) {
   EXPECT_NEAR(sum, 1.0, 1e-12);
   EXPECT_EQ(points["balls"]["force"]["values"][3].size(), 23U);
   EXPECT_EQ(json["comparison"]["crack_class"], "series");
-  EXPECT_EQ(json["comparison"]["positive"]["at_angle"].size(), 1U);
+  EXPECT_EQ(json["comparison"]["positive"]["at_angle"]["K1"]["values"].size(), 1U);
   EXPECT_EQ(json["hysteresis"]["torque"]["values"].size(), report.loop.torque.size());
   EXPECT_FALSE(evidence_of(report).notes.empty());
   const Json& stress = json["rim"]["rim_outside_stress"];
