@@ -56,12 +56,11 @@ sw_error* error_of(sw_code code, const char* message) {
 }
 
 sw_error* error_of(sw_code code, const InputError& error) {
-  return std::make_unique<sw_error>(
-             sw_error{.code = code,
-                      .texts = {error.what(), error.place().file, error.field(), error.value(),
-                                error.rule()},
-                      .line = error.place().line,
-                      .column = error.place().column})
+  return std::make_unique<sw_error>(sw_error{.code = code,
+                                             .texts = {error.what(), error.place().file,
+                                                       error.field(), error.value(), error.rule()},
+                                             .line = error.place().line,
+                                             .column = error.place().column})
       .release();
 }
 
@@ -151,7 +150,8 @@ Attachments attachments_of(const sw_attachments* given) {
 
 Progress progress_of(const sw_progress* progress) {
   if (progress == nullptr) return {};
-  return Progress([told = *progress](double share) { return told.report(told.context, share) == 0; });
+  return Progress(
+      [told = *progress](double share) { return told.report(told.context, share) == 0; });
 }
 
 std::vector<std::string> strings(const sw_text* texts, std::size_t n) {
@@ -161,9 +161,8 @@ std::vector<std::string> strings(const sw_text* texts, std::size_t n) {
 }
 
 sw_drive* drive_of(std::string text, sw_text name, const sw_attachments* attachments) {
-  return std::make_unique<sw_drive>(
-             sw_drive{read_drive(std::move(text), std::string(view(name)),
-                                 attachments_of(attachments))})
+  return std::make_unique<sw_drive>(sw_drive{read_drive(std::move(text), std::string(view(name)),
+                                                        attachments_of(attachments))})
       .release();
 }
 
@@ -194,8 +193,7 @@ sw_error* sw_commands(sw_text* json) {
   return guarded([&] { *json = given(commands_json()); });
 }
 
-sw_error* sw_read(sw_text text, sw_text name, const sw_attachments* attachments,
-                  sw_drive** drive) {
+sw_error* sw_read(sw_text text, sw_text name, const sw_attachments* attachments, sw_drive** drive) {
   return guarded([&] { *drive = drive_of(std::string(view(text)), name, attachments); });
 }
 
@@ -206,9 +204,9 @@ sw_error* sw_read_from(sw_source source, sw_text name, const sw_attachments* att
 
 sw_error* sw_edit(sw_text text, sw_text path, const sw_text* value, sw_text* edited) {
   return guarded([&] {
-    *edited = given(edit(view(text), view(path),
-                         value != nullptr ? std::optional(std::string(view(*value)))
-                                          : std::nullopt));
+    *edited =
+        given(edit(view(text), view(path),
+                   value != nullptr ? std::optional(std::string(view(*value))) : std::nullopt));
   });
 }
 
@@ -222,10 +220,10 @@ sw_error* sw_run(const sw_drive* drive, sw_text command, sw_text options,
     OptionTexts named;
     for (std::size_t i = 0; i < n_texts; ++i)
       named.emplace(view(texts[i].name), view(texts[i].text));
-    *answer = std::make_unique<sw_answer>(
-                  sw_answer{run(row, drive != nullptr ? drive->drive : nullptr, values, named,
-                                progress_of(progress))})
-                  .release();
+    *answer =
+        std::make_unique<sw_answer>(sw_answer{run(row, drive != nullptr ? drive->drive : nullptr,
+                                                  values, named, progress_of(progress))})
+            .release();
   });
 }
 
@@ -271,7 +269,8 @@ sw_error* sw_batch(const sw_drive* drive, const sw_batch_task* task, const sw_pr
       std::ranges::copy(messages, faults);
     }
     std::ranges::copy(result.numbers, numbers);
-    std::ranges::transform(result.codes, codes, [](RowCode code) { return static_cast<int>(code); });
+    std::ranges::transform(result.codes, codes,
+                           [](RowCode code) { return static_cast<int>(code); });
   });
 }
 
