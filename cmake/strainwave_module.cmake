@@ -104,6 +104,26 @@ function(strainwave_flags target)
   endif()
 endfunction()
 
+# strainwave_shared_library(<module>)
+# libstrainwave.so.0 of a module and what it uses; it exports the functions of strainwave.h only.
+function(strainwave_shared_library module)
+  set(exports "${PROJECT_SOURCE_DIR}/cmake/strainwave.map")
+  add_library(strainwave_shared SHARED $<TARGET_OBJECTS:strainwave_${module}>)
+  add_library(strainwave::shared ALIAS strainwave_shared)
+  set_target_properties(strainwave_shared PROPERTIES OUTPUT_NAME strainwave EXPORT_NAME shared
+    VERSION "${PROJECT_VERSION}" SOVERSION 0 LINKER_LANGUAGE CXX LINK_DEPENDS "${exports}")
+  target_include_directories(strainwave_shared INTERFACE
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(strainwave_shared PRIVATE $<BUILD_INTERFACE:strainwave_${module}>)
+  target_link_options(strainwave_shared PRIVATE "-Wl,--version-script=${exports}")
+  set_property(GLOBAL APPEND PROPERTY STRAINWAVE_MODULES strainwave_shared)
+  file(RELATIVE_PATH includes "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/${CMAKE_INSTALL_INCLUDEDIR}")
+  configure_file(cmake/strainwave.pc.in "${PROJECT_BINARY_DIR}/strainwave.pc" @ONLY)
+  install(FILES "${PROJECT_BINARY_DIR}/strainwave.pc"
+    DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+endfunction()
+
 # strainwave_version(<module>)
 # Adds version.cpp, written at build time and only if the version or the git revision changed.
 function(strainwave_version module)

@@ -51,9 +51,9 @@ InputError::InputError(const TextPlace& place, std::string_view problem)
 
 InputError InputError::located(const TextPlace& place, std::string_view value_as_written) const {
   const bool as_written = !value_as_written.empty();
-  return {fmt::format("{}: {}", shown_place(place),
-                      rule_.empty() || !as_written ? what()
-                                                   : violation(field_, value_as_written, rule_)),
+  return {fmt::format(
+              "{}: {}", shown_place(place),
+              rule_.empty() || !as_written ? what() : violation(field_, value_as_written, rule_)),
           {.field = field_,
            .value = as_written ? std::string(value_as_written) : value_,
            .rule = rule_,

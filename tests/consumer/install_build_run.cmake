@@ -12,4 +12,5 @@ run("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}" -B "${work}/build" -G "${G
   "-DCMAKE_PREFIX_PATH=${work}/prefix")
 run("${CMAKE_COMMAND}" --build "${work}/build")
 run("${work}/build/consumer" "${INPUT}")
+run("${work}/build/consumer_in_c")
 run("${work}/prefix/bin/strainwave" stiffness "${INPUT}")

@@ -94,8 +94,7 @@ class TomlReader {
 
   [[noreturn]] void refuse(const toml::node& node, const FieldPath& path,
                            std::string_view problem) const {
-    throw InputError(path.text(), problem)
-        .located(place(node.source().begin), written_value(node));
+    throw InputError(path.text(), problem).located(place(node.source().begin), written_value(node));
   }
 
   void remember(const toml::node& node, const FieldPath& path) {
@@ -305,10 +304,9 @@ inline toml::table parse_toml(std::string_view text, std::string_view file_name)
     return toml::parse(text);
   } catch (const toml::parse_error& error) {
     const auto position = error.source().begin;
-    throw InputError(TextPlace{.file = std::string(file_name),
-                               .line = position.line,
-                               .column = position.column},
-                     fmt::format("is not valid TOML: {}", shown(error.description())));
+    throw InputError(
+        TextPlace{.file = std::string(file_name), .line = position.line, .column = position.column},
+        fmt::format("is not valid TOML: {}", shown(error.description())));
   }
 }
 

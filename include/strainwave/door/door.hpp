@@ -28,7 +28,7 @@ namespace strainwave {
 /// @param drive     read by read_drive; null for a command that takes none
 /// @param texts     that options name
 /// @throws InputError   the drive breaks a rule, or holds what the command cannot treat
-/// @throws OptionError  an option is missing or cannot be understood
+/// @throws OptionError  an option, or the drive, is missing or cannot be understood
 /// @throws SolverError  there is no answer
 /// @throws Stopped      `progress` asked to stop
 [[nodiscard]] Answer run(const Command& command, std::shared_ptr<const Drive> drive,

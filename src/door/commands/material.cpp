@@ -28,7 +28,7 @@ struct ShowOptions {
   }
 };
 
-constexpr std::string_view kDescription =
+constexpr std::string_view kMaterialDescription =
     "The steels that come with strainwave, each number with its source, its confidence and its "
     "scatter. A member of a drive may name any of them in place of a table of the input file. "
     "list prints them, show prints all that is known of one: elastic constants, strength, "
@@ -40,7 +40,7 @@ Command material_list_command() {
   return command<ListOptions, MaterialData>({
       .name = "material list",
       .summary = "Print all steels, one line each",
-      .description = kDescription,
+      .description = kMaterialDescription,
       .example = "strainwave material list --use flexspline",
       .takes = Takes::nothing,
       .function = [](const Request&, const ListOptions& o) { return material_list(o.use); },
@@ -59,7 +59,7 @@ Command material_show_command() {
   return command<ShowOptions, MaterialData>({
       .name = "material show",
       .summary = "Print all that is known of one steel",
-      .description = kDescription,
+      .description = kMaterialDescription,
       .example = "strainwave material show '17-4PH H900'",
       .takes = Takes::nothing,
       .function = [](const Request&, const ShowOptions& o) { return material_show(o.name); },

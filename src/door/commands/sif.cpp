@@ -83,7 +83,7 @@ sif::Evaluation evaluated(const Request&, const SifEvalOptions& options) {
   return sif::evaluate(row, sif_assignments(row, options.set), crack_material(options.material));
 }
 
-constexpr std::string_view kDescription =
+constexpr std::string_view kSolutionsDescription =
     "Solutions for cracks in plates, tubes, round bars and stress gradients, each with its modes, "
     "validity range, accuracy and source. list names them; show prints what one says about "
     "itself; eval gives geometry factors, stress intensities under the loads that are set, the "
@@ -129,7 +129,7 @@ Command sif_list_command() {
   return command<SifListOptions, SolutionList>({
       .name = "sif list",
       .summary = "All solutions of the library",
-      .description = kDescription,
+      .description = kSolutionsDescription,
       .example = "strainwave sif list --family tube",
       .takes = Takes::nothing,
       .function =
@@ -148,7 +148,7 @@ Command sif_show_command() {
   return command<SifShowOptions, DescribedSolution>({
       .name = "sif show",
       .summary = "What a solution says about itself",
-      .description = kDescription,
+      .description = kSolutionsDescription,
       .example = "strainwave sif show plate-surface",
       .takes = Takes::nothing,
       .function = [](const Request&,
@@ -164,7 +164,7 @@ Command sif_eval_command() {
   return command<SifEvalOptions, sif::Evaluation>({
       .name = "sif eval",
       .summary = "Stress intensity, geometry factors, added compliance",
-      .description = kDescription,
+      .description = kSolutionsDescription,
       .example = "strainwave sif eval plate-surface --set 'depth=1 mm' --set 'half_length=2 mm' "
                  "--set 'tension=200 MPa'",
       .takes = Takes::nothing,
@@ -180,7 +180,7 @@ Command sif_plot_command() {
   return command<SifPlotOptions, SifPlot>({
       .name = "sif plot",
       .summary = "Geometry factors over the crack size and along its front",
-      .description = kDescription,
+      .description = kSolutionsDescription,
       .example = "strainwave sif plot plate-surface --output plate-surface.svg",
       .takes = Takes::nothing,
       .function =

@@ -8,16 +8,16 @@
 namespace strainwave {
 namespace {
 
-struct StiffnessOptions {
+struct StiffnessCommandOptions {
   Method method = Method::corrected;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field(kMethodOption, &StiffnessOptions::method);
+    field(kMethodOption, &StiffnessCommandOptions::method);
   }
 };
 
-StiffnessResult stiffness(const Request& request, const StiffnessOptions& options) {
+StiffnessResult stiffness(const Request& request, const StiffnessCommandOptions& options) {
   return evaluate(request.drive.gear, options.method);
 }
 
@@ -25,7 +25,7 @@ StiffnessResult stiffness(const Request& request, const StiffnessOptions& option
 
 Command stiffness_command() {
   using Result = StiffnessResult;
-  return command<StiffnessOptions, Result>({
+  return command<StiffnessCommandOptions, Result>({
       .name = "stiffness",
       .summary = "Torsional stiffness of a drive, sound and cracked",
       .description =

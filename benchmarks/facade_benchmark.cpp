@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the facade and the C interface cost beside the computation: `run_stiffness` less
+// `evaluate_article` is the facade, and `read_stiffness_json` the whole way of a caller in C.
+#include <benchmark/benchmark.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "strainwave/door/door.hpp"
+#include "strainwave/strainwave.h"
+#include "strainwave/study/evaluate.hpp"
+
+namespace strainwave {
+namespace {
+
+const std::string& article_text() {
+  static const std::string text = [] {
+    std::ostringstream all;
+    all << std::ifstream(STRAINWAVE_EXAMPLES "/article.toml").rdbuf();
+    return all.str();
+  }();
+  return text;
+}
+
+void evaluate_article(benchmark::State& state) {
+  const auto drive = read_drive(article_text(), "article.toml");
+  for (auto _ : state) benchmark::DoNotOptimize(evaluate(drive->gear, Method::corrected));
+}
+BENCHMARK(evaluate_article)->Unit(benchmark::kMicrosecond);
+
+void run_stiffness(benchmark::State& state) {
+  const auto drive = read_drive(article_text(), "article.toml");
+  const Command& command = command_named(commands(), "stiffness");
+  for (auto _ : state) benchmark::DoNotOptimize(run(command, drive, OptionValues(command.options)));
+}
+BENCHMARK(run_stiffness)->Unit(benchmark::kMicrosecond);
+
+void read_stiffness_json(benchmark::State& state) {
+  const sw_text text = {article_text().data(), article_text().size()};
+  for (auto _ : state) {
+    sw_drive* drive = nullptr;
+    sw_answer* answer = nullptr;
+    sw_text json{};
+    if (sw_read(text, {"article.toml", 12}, nullptr, &drive) != nullptr ||
+        sw_run(drive, {"stiffness", 9}, {}, nullptr, 0, nullptr, &answer) != nullptr ||
+        sw_answer_document(answer, {"json", 4}, &json) != nullptr)
+      state.SkipWithError("the article's drive was refused");
+    sw_text_free(json);
+    sw_answer_free(answer);
+    sw_drive_free(drive);
+  }
+}
+BENCHMARK(read_stiffness_json)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace strainwave

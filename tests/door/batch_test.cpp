@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/door/batch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/io/gear_reader.hpp"
+#include "strainwave/study/evaluate.hpp"
+#include "strainwave/study/outputs.hpp"
+#include "support/expect.hpp"
+#include "support/random_drive.hpp"
+
+namespace strainwave {
+namespace {
+
+const std::vector<std::string> kOutputs = {"cracked.positive.stiffness", "intact.stiffness"};
+
+const GearSet& article() {
+  static const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/article.toml");
+  return gear;
+}
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+TEST(Batch, CrosscheckEqualsSingleEvaluations) {
+  for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+    const GearSet gear = test::random_drive(seed);
+    test::Dice dice(seed);
+    const std::vector<std::string> paths = {"load.torque", "material.steel.youngs_modulus"};
+    std::vector<double> values;
+    for (int row = 0; row < 4; ++row) {
+      values.push_back(dice.uniform(-2, 2) * gear.load.torque);
+      values.push_back(dice.uniform(0.2, 3) * gear.material.at("steel").youngs_modulus);
+    }
+    const BatchResult result =
+        batch(gear, {.paths = paths, .values = values, .outputs = kOutputs, .threads = 2});
+    for (std::size_t row = 0; row < 4; ++row) {
+      GearSet varied = gear;
+      for (std::size_t i = 0; i < 2; ++i) set_number(varied, paths[i], values[2 * row + i]);
+      RowCode expected = RowCode::ok;
+      std::vector<double> numbers(2);
+      try {
+        const StiffnessResult single = evaluate(varied, Method::corrected);
+        if (!single.usable()) expected = RowCode::not_usable;
+        for (std::size_t k = 0; k < 2; ++k)
+          numbers[k] = output_named(single, kOutputs[k]).value().value;
+      } catch (const InputError&) {
+        expected = RowCode::refused;
+      }
+      EXPECT_EQ(result.codes[row], expected) << seed;
+      for (std::size_t k = 0; k < 2; ++k)
+        EXPECT_EQ(result.numbers[2 * row + k], numbers[k]) << seed;
+    }
+  }
+}
+
+TEST(Batch, IdentityForAnyNumberOfThreads) {
+  const std::vector<std::string> paths = {"output_shaft.crack[0].depth"};
+  std::vector<double> values;
+  for (int i = 0; i < 40; ++i) values.push_back((i - 2) * 0.5e-3);  // some of them are refused
+  const auto with = [&](int threads) {
+    return batch(article(),
+                 {.paths = paths, .values = values, .outputs = kOutputs, .threads = threads});
+  };
+  const BatchResult one = with(1);
+  EXPECT_GT(std::ranges::count(one.codes, RowCode::ok), 10);
+  EXPECT_GT(std::ranges::count(one.codes, RowCode::refused), 1);
+  for (const int threads : {0, 2, 3, 8}) {
+    const BatchResult other = with(threads);
+    EXPECT_TRUE(same_bits(one.numbers, other.numbers)) << threads;
+    EXPECT_EQ(one.codes, other.codes) << threads;
+    ASSERT_EQ(one.faults.size(), other.faults.size()) << threads;
+    for (std::size_t i = 0; i < one.faults.size(); ++i) {
+      EXPECT_EQ(one.faults[i].row, other.faults[i].row) << threads;
+      EXPECT_EQ(one.faults[i].message, other.faults[i].message) << threads;
+    }
+  }
+}
+
+TEST(Batch, InputRefusedRowsHaveCodeZerosAndFirstMessage) {
+  const std::vector<std::string> paths = {"output_shaft.crack[0].depth"};
+  const std::vector<double> values = {1e-3, -1e-3, std::numeric_limits<double>::quiet_NaN(), 2e-3};
+  const BatchResult result =
+      batch(article(), {.paths = paths, .values = values, .outputs = kOutputs});
+  EXPECT_EQ(result.codes,
+            (std::vector{RowCode::ok, RowCode::refused, RowCode::refused, RowCode::ok}));
+  EXPECT_EQ(result.numbers[2], 0.0);
+  EXPECT_EQ(result.numbers[3], 0.0);
+  ASSERT_EQ(result.faults.size(), 1U);
+  EXPECT_EQ(result.faults[0].code, RowCode::refused);
+  EXPECT_EQ(result.faults[0].row, 1U);
+  EXPECT_EQ(result.faults[0].message, "output_shaft.crack[0].depth = -0.001 m violates: > 0");
+}
+
+TEST(Batch, InputFaultsAreFoundBeforeTheWork) {
+  const std::vector<double> values = {1e-3, 2e-3, 3e-3};
+  const auto refusal = [&](const std::vector<std::string>& paths,
+                           const std::vector<std::string>& outputs, int threads = 1) {
+    return test::broken_rule([&] {
+      const Progress never([](double) {
+        ADD_FAILURE() << "a row was evaluated";
+        return true;
+      });
+      return batch(article(),
+                   {.paths = paths, .values = values, .outputs = outputs, .threads = threads},
+                   never);
+    });
+  };
+  const std::string depth = "output_shaft.crack[0].depth";
+  EXPECT_NE(refusal({"output_shaft.crack[0].depht"}, kOutputs).find(depth), std::string::npos);
+  EXPECT_NE(refusal({depth}, {"cracked.positive.stifness"}).find("cracked.positive.stiffness?"),
+            std::string::npos);
+  EXPECT_EQ(refusal({depth}, {"a", "a"}), "outputs: \"a\" is given twice");
+  EXPECT_EQ(refusal({depth, depth, depth}, kOutputs),
+            "paths: \"output_shaft.crack[0].depth\" is given twice");
+  EXPECT_EQ(refusal({depth, "load.torque"}, kOutputs),
+            "values: has 3 numbers; must have 2 for each row");
+  EXPECT_EQ(refusal({}, kOutputs), "paths: must name at least one number of the drive");
+  EXPECT_EQ(refusal({depth}, kOutputs, -1), "threads = -1 violates: >= 0 and <= 256");
+  EXPECT_EQ(refusal({depth}, kOutputs, 257), "threads = 257 violates: >= 0 and <= 256");
+}
+
+TEST(Batch, BehaviourStopsAfterTheRowThatAsks) {
+  const std::vector<std::string> paths = {"load.torque"};
+  const std::vector<double> values(1000, 10.0);
+  int told = 0;
+  const Progress progress([&](double share) {
+    EXPECT_GT(share, 0.0);
+    EXPECT_LE(share, 1.0);
+    return ++told < 3;
+  });
+  EXPECT_THROW(
+      (void)batch(article(), {.paths = paths, .values = values, .outputs = kOutputs, .threads = 3},
+                  progress),
+      Stopped);
+  EXPECT_EQ(told, 3);
+}
+
+TEST(Batch, LimitOfNoRows) {
+  const std::vector<std::string> paths = {"load.torque"};
+  const BatchResult result = batch(article(), {.paths = paths, .values = {}, .outputs = kOutputs});
+  EXPECT_TRUE(result.codes.empty());
+  EXPECT_TRUE(result.numbers.empty());
+}
+
+}  // namespace
+}  // namespace strainwave
