@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <map>
 
 #include "door/answers.hpp"
-#include "strainwave/model/result/result_fields.hpp"
 #include "support/expect.hpp"
 
 namespace strainwave {
@@ -128,22 +126,6 @@ TEST(NoteCodes, ReferenceADriveWithoutACurveSaysWhy) {
   text.replace(torque, 13, "T2 = \"4800 N*m\"");
   const Answer answer = test::run_command("stiffness", read_drive(text, "x.toml"));
   EXPECT_EQ(notes_with(answer, "curve.none"), 1);
-}
-
-TEST(NoteCodes, ReferenceSeveralSolutionsAreRemarked) {
-  // What the drive has now is met all along a field that does not matter.
-  const Answer now = test::run_on_example("stiffness", "solid_shaft");
-  double stiffness = 0.0;
-  OutputWalk walk([&](const std::string& path, const Quantity& quantity) {
-    if (path == "intact.stiffness") stiffness = quantity.value;
-  });
-  now.visit(walk);
-  const Answer answer = test::run_on_example("solve", "solid_shaft",
-                                             fmt::format(R"({{"vary": "load.torque=1 N*m..2 N*m",
-                      "target": "intact.stiffness={} N*m/rad"}})",
-                                                         stiffness));
-  EXPECT_TRUE(answer.usable());
-  EXPECT_EQ(notes_with(answer, "solve.remark"), 1);
 }
 
 }  // namespace
