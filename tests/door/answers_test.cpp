@@ -30,7 +30,11 @@ class UnitWitness : public ValueVisitor {
   void end_list() override {}
   void begin_column(const Field& field) override { field_ = field; }
   void end_column() override {}
-  void number(double, const Field& field) override { field_ = field; }
+  void number(double, const Field& field) override {
+    if (field.unit != kUnitBeside) {
+      EXPECT_NO_THROW((void)parse_unit(field.unit)) << field.name;
+    }
+  }
   void quantity(const Quantity& value) override {
     ++n_quantities;
     EXPECT_NO_THROW((void)parse_unit(value.unit)) << field_.name;
@@ -151,8 +155,8 @@ INSTANTIATE_TEST_SUITE_P(OfEachCommand, Answers, testing::ValuesIn([] {
                            for (const Command& row : commands()) names.push_back(row.name);
                            return names;
                          }()),
-                         [](const auto& info) {
-                           std::string name(info.param);
+                         [](const auto& tested) {
+                           std::string name(tested.param);
                            std::ranges::replace(name, ' ', '_');
                            return name;
                          });
@@ -190,7 +194,7 @@ INSTANTIATE_TEST_SUITE_P(
                     std::pair("solve", R"({"vary": "load.torque=1 N*m..20 N*m",
                                            "target": "intact.stiffness=2e4 N*m/rad"})"),
                     std::pair("validate", "{}"), std::pair("calibrate", R"({"catalogue": true})")),
-    [](const auto& info) { return std::string(info.param.first); });
+    [](const auto& tested) { return std::string(tested.param.first); });
 
 TEST(Facade, InputATextThatTheDriveNamesMustBeAttached) {
   const std::string text = test::contents(STRAINWAVE_EXAMPLES "/tabulated_crack.toml");

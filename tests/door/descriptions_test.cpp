@@ -37,7 +37,10 @@ class FieldWitness : public TypeVisitor {
   void begin_alternatives() override {}
   void end_alternatives() override {}
   void kind(std::string_view) override {}
-  void column(const Field& field) override { number(field); }
+  /// A column of words has no unit; UnitWitness sees the numbers of a column without one.
+  void column(const Field& field) override {
+    if (!field.unit.empty()) number(field);
+  }
   void number(const Field& field) override {
     if (field.unit == kUnitBeside)
       open_.back().beside = true;
