@@ -193,7 +193,8 @@ INSTANTIATE_TEST_SUITE_P(
                     std::pair("sweep", R"({"vary": ["load.torque=1 N*m..20 N*m:30"]})"),
                     std::pair("solve", R"({"vary": "load.torque=1 N*m..20 N*m",
                                            "target": "intact.stiffness=2e4 N*m/rad"})"),
-                    std::pair("validate", "{}"), std::pair("calibrate", R"({"catalogue": true})")),
+                    std::pair("validate", R"({"mode": "per-row"})"),
+                    std::pair("calibrate", R"({"catalogue": true})")),
     [](const auto& tested) { return std::string(tested.param.first); });
 
 TEST(Facade, InputATextThatTheDriveNamesMustBeAttached) {

@@ -77,7 +77,8 @@ TEST(NoteCodes, IdentityNotesOfTheExamplesHaveTheListedSeverity) {
       continue;
     for (const auto& [name, drive] : test::example_drives()) {
       try {
-        for (const Note& note : test::run_command(command, drive, options).evidence().notes) {
+        const Answer answer = test::run_command(command, drive, options);
+        for (const Note& note : answer.evidence().notes) {
           ++seen[note.code];
           ASSERT_TRUE(listed.contains(note.code)) << note.code;
           EXPECT_NE(listed.at(note.code).severities.find(enum_name(note.severity)),
@@ -108,7 +109,7 @@ TEST(NoteCodes, ReferenceNotesThatCommandsAdd) {
                               "thickness=10 mm", "half_length=10 mm"]})"),
                        "sif.extrapolated"),
             1);
-  const Answer broken = sif(R"({"name": "plate-surface", "material": "42CrMo4 QT to 16 mm",
+  const Answer broken = sif(R"({"name": "plate-surface", "material": "17-4PH H900",
                                 "set": ["tension=20 GPa"]})");
   EXPECT_EQ(notes_with(broken, "sif.fractures"), 1);
   EXPECT_EQ(broken.evidence().verdict.judgement, Judgement::critical);
@@ -117,7 +118,6 @@ TEST(NoteCodes, ReferenceNotesThatCommandsAdd) {
   const Answer sweep = test::run_on_example(
       "sweep", "solid_shaft", R"({"vary": ["output_shaft.crack[0].depth=5 mm..31 mm:3"]})");
   EXPECT_EQ(notes_with(sweep, "sweep.unusable_points"), 1);
-  EXPECT_EQ(sweep.evidence().verdict.judgement, Judgement::with_care);
 }
 
 TEST(NoteCodes, ReferenceADriveWithoutACurveSaysWhy) {
