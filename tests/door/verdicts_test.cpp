@@ -109,7 +109,7 @@ TEST(NoteCodes, ReferenceNotesThatCommandsAdd) {
                               "thickness=10 mm", "half_length=10 mm"]})"),
                        "sif.extrapolated"),
             1);
-  const Answer broken = sif(R"({"name": "plate-surface", "material": "17-4PH H900",
+  const Answer broken = sif(R"({"name": "plate-surface", "material": "4340 tempered 425 C",
                                 "set": ["tension=20 GPa"]})");
   EXPECT_EQ(notes_with(broken, "sif.fractures"), 1);
   EXPECT_EQ(broken.evidence().verdict.judgement, Judgement::critical);
