@@ -125,6 +125,8 @@ std::string options_schema(const Command& command) {
   Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                  {"title", fmt::format("Options of strainwave {}", command.name)}};
   schema.update(Json::parse(schema_of(command.options.walk, SchemaOf::options)));
+  for (const Option& option : command.options.options)
+    if (option.required) schema["required"].push_back(option.field.name);
   return schema.dump(2) + '\n';
 }
 

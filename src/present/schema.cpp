@@ -28,11 +28,9 @@ class SchemaWriter : public TypeVisitor {
   }
   void field(const Field& field, Presence presence) override {
     fields_.back() = field;
-    const bool required =
-        what_ == SchemaOf::result
-            ? presence == Presence::always
-            : presence == Presence::always && field.fallback.empty() && field.positional;
-    if (required) open_.back()["required"].push_back(field.name);
+    // Which options are required, the command knows: a flag and a list may be left out.
+    if (what_ == SchemaOf::result && presence == Presence::always)
+      open_.back()["required"].push_back(field.name);
   }
   void begin_list() override { open_.push_back({{"type", "array"}}); }
   void end_list() override { close(); }

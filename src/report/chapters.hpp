@@ -33,16 +33,6 @@ struct Draft {
 /// Number of a crack in drawings and tables.
 [[nodiscard]] std::string crack_mark(const Draft& draft, const std::string& path);
 
-/// How much a note weighs for whoever decides.
-enum class Severity {
-  critical,    ///< the result describes something that will not stay as it is
-  outside,     ///< outside the range of a formula, or contradictory input
-  left_out,    ///< something in the file that a model does not have
-  assumption,  ///< what the model takes for granted
-};
-[[nodiscard]] Severity severity_of(const Note& note);
-[[nodiscard]] std::string_view severity_title(Severity severity);
-
 [[nodiscard]] std::string verdict_html(const Draft& draft);
 
 [[nodiscard]] ReportSection drawing_chapter(const Draft& draft);

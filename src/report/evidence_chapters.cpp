@@ -13,43 +13,6 @@
 namespace strainwave::report {
 namespace {
 
-struct Weight {
-  std::string_view code;
-  Severity severity;
-};
-/// Codes that are more than an assumption.  A code that is not here, and is not known to be one
-/// below, counts as outside: a new note is not played down before somebody has read it.
-constexpr std::array kWeights = {Weight{"strength.breaks", Severity::critical},
-                                 Weight{"article.negative_compliance", Severity::critical},
-                                 Weight{"article.ignored", Severity::left_out},
-                                 Weight{"article.not_read", Severity::left_out},
-                                 Weight{"article.axial_force", Severity::left_out},
-                                 Weight{"article.no_closure", Severity::left_out},
-                                 Weight{"crack.closed", Severity::left_out},
-                                 Weight{"crack.contact_path", Severity::left_out},
-                                 Weight{"curve.none", Severity::left_out},
-                                 Weight{"flexspline.dynamic_load", Severity::left_out},
-                                 Weight{"flexspline.ovalisation", Severity::left_out},
-                                 Weight{"hysteresis.no_load", Severity::left_out},
-                                 Weight{"member.absent", Severity::left_out},
-                                 Weight{"strength.scope", Severity::left_out},
-                                 Weight{"torsion.rigid_spline", Severity::left_out},
-                                 Weight{"wave_generator.held_ring", Severity::left_out},
-                                 Weight{"wave_generator.shaft_bending", Severity::left_out},
-                                 Weight{"article.accuracy", Severity::assumption},
-                                 Weight{"article.factor_squared", Severity::assumption},
-                                 Weight{"crack.axial_coupling", Severity::assumption},
-                                 Weight{"crack.contact_edge", Severity::assumption},
-                                 Weight{"crack.flat_plate", Severity::assumption},
-                                 Weight{"crack.ring_bending", Severity::assumption},
-                                 Weight{"crack.superposed", Severity::assumption},
-                                 Weight{"crack.surface_shear", Severity::assumption},
-                                 Weight{"crack.under_a_ball", Severity::assumption},
-                                 Weight{"rating.convention", Severity::assumption},
-                                 Weight{"torsion.interference", Severity::assumption},
-                                 Weight{"wave_generator.crack_under_lobe", Severity::assumption},
-                                 Weight{"wave_generator.hertz", Severity::assumption}};
-
 std::string note_item(const Draft& draft, const Note& note) {
   std::string text =
       note.path.empty() ? std::string() : fmt::format("<code>{}</code>: ", escaped(note.path));
@@ -58,43 +21,31 @@ std::string note_item(const Draft& draft, const Note& note) {
     text += std::ranges::find(draft.equations, note.equation) != draft.equations.end()
                 ? fmt::format(" (<a href=\"#{0}\">{0}</a>)", escaped(note.equation))
                 : fmt::format(" ({})", escaped(note.equation));
+  if (!note.next_step.empty()) text += " " + escaped(note.next_step);
   return fmt::format("<li data-code=\"{}\">{}</li>\n", escaped(note.code), text);
 }
 
+struct NoteGroup {
+  Severity severity;
+  std::string_view title;
+  std::string_view style;
+};
+constexpr std::array kNoteGroups = {NoteGroup{Severity::critical, "Critical", "critical"},
+                                    NoteGroup{Severity::cannot_tell, "Cannot be told", "open"},
+                                    NoteGroup{Severity::care, "To be taken with care", "care"},
+                                    NoteGroup{Severity::information, "For information", "info"}};
+
 }  // namespace
-
-Severity severity_of(const Note& note) {
-  if (note.code == "material.library")
-    return note.text.find("unverified") == std::string::npos ? Severity::assumption
-                                                             : Severity::outside;
-  const auto* const found = std::ranges::find(kWeights, note.code, &Weight::code);
-  return found == kWeights.end() ? Severity::outside : found->severity;
-}
-
-std::string_view severity_title(Severity severity) {
-  switch (severity) {
-    case Severity::critical:
-      return "Critical";
-    case Severity::outside:
-      return "Doubtful, or outside a range";
-    case Severity::left_out:
-      return "Left out";
-    case Severity::assumption:
-      return "Assumed by the models";
-  }
-  return {};
-}
 
 ReportSection notes_chapter(const Draft& draft) {
   std::string html;
-  for (const Severity severity :
-       {Severity::critical, Severity::outside, Severity::left_out, Severity::assumption}) {
+  for (const NoteGroup& group : kNoteGroups) {
     std::string items;
     for (const Note& note : draft.notes)
-      if (severity_of(note) == severity) items += note_item(draft, note);
+      if (note.severity == group.severity) items += note_item(draft, note);
     if (!items.empty())
-      html += fmt::format("<h3>{}</h3>\n<ul class=\"notes s{}\">\n{}</ul>\n",
-                          severity_title(severity), static_cast<int>(severity), items);
+      html += fmt::format("<h3>{}</h3>\n<ul class=\"notes {}\">\n{}</ul>\n", group.title,
+                          group.style, items);
   }
   if (html.empty()) html = paragraph("There is nothing to remark.");
   return {"notes", "Validity notes", html};

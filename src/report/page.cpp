@@ -87,7 +87,7 @@ tbody th { font-weight: 400; }
 .verdicts li { margin: .25rem 0; }
 .notes { padding-left: 1.2rem; }
 .notes li { margin: .25rem 0; }
-.s0 li::marker, .s0 { color: var(--bad); }
+.critical li::marker, .critical { color: var(--bad); }
 .equations { columns: 17rem; padding-left: 0; list-style: none; }
 .equations li { break-inside: avoid; padding-left: 3.9rem; text-indent: -3.9rem; }
 .equations b { display: inline-block; width: 3.9rem; text-indent: 0; }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "chapters.hpp"
@@ -28,11 +29,14 @@ void Draft::add(const std::vector<std::string>& tags) {
 
 namespace {
 
-/// The note that weighs most; the first of several.
-const Note* worst_note(const std::vector<Note>& notes) {
-  const auto worst = std::ranges::min_element(notes, {}, severity_of);
-  return worst == notes.end() ? nullptr : &*worst;
-}
+struct VerdictWord {
+  std::string_view style;
+  std::string_view word;
+};
+/// In the order of Judgement.
+constexpr std::array kVerdictWords = {
+    VerdictWord{"good", "Usable"}, VerdictWord{"care", "Usable with care"},
+    VerdictWord{"bad", "Critical"}, VerdictWord{"care", "Cannot be told"}};
 
 std::string key_number(std::string_view label, const std::string& value, std::string_view unit,
                        std::string_view remark) {
@@ -94,40 +98,20 @@ std::string strength_number(const Draft& draft) {
 
 std::string verdict_html(const Draft& draft) {
   const StiffnessResult& r = draft.result;
-  const Note* const worst = worst_note(draft.notes);
+  const Verdict verdict = verdict_of(r.unusable_because, draft.notes);
   const bool broken = std::ranges::any_of(r.strength, &CrackStrength::breaks);
-  const bool critical = broken || (worst != nullptr && severity_of(*worst) == Severity::critical);
+  const auto& [style, word] = kVerdictWords[static_cast<std::size_t>(verdict.judgement)];
+  std::string html = fmt::format("<div class=\"verdict {}\">\n<p class=\"word\">{}</p>\n",
+                                 r.usable() ? style : kVerdictWords[2].style, word);
+  html += paragraph(escaped(verdict.reason));
+  if (!verdict.next_step.empty()) html += paragraph(escaped(verdict.next_step));
   const std::string strength = strength_words(draft);
-  // What nobody has assessed, or what cannot be told, is not simply usable.
-  const bool open =
-      !strength.empty() &&
-      (r.strength.empty() ||
-       std::ranges::count(r.strength, StrengthVerdict::cannot_tell, &CrackStrength::verdict) > 0);
-  const bool outside = open || (worst != nullptr && severity_of(*worst) == Severity::outside);
-  std::string html = fmt::format("<div class=\"verdict {}\">\n", !r.usable() || critical ? "bad"
-                                                                 : outside               ? "care"
-                                                                                         : "good");
-  if (!r.usable())
-    html += fmt::format("<p class=\"word\">Not to be used</p>\n<p>{}</p>\n",
-                        escaped(r.unusable_because));
-  else if (critical)
-    html += "<p class=\"word\">Critical</p>\n";
-  else if (outside)
-    html += "<p class=\"word\">Usable with care</p>\n";
-  else
-    html += "<p class=\"word\">Usable, within what is assumed</p>\n";
   if (!strength.empty()) html += paragraph(strength);
   for (const CrackStrength& crack : r.strength)
     if (crack.breaks())
       html +=
           fmt::format("<p><code>{}</code>: {}</p>\n", escaped(crack.path), escaped(crack.sentence));
   if (broken) html += paragraph("The stiffness below is that of the cracks as they stand.");
-  if (worst != nullptr)
-    html +=
-        fmt::format("<p>{}{}: {}</p>\n", severity_title(severity_of(*worst)),
-                    worst->path.empty() ? std::string()
-                                        : fmt::format(", <code>{}</code>", escaped(worst->path)),
-                    escaped(worst->text));
   html += paragraph("Inputs: " + draft.inputs_summary + ".");
   html += "<dl class=\"key\">\n";
   const auto stiffness = [&](const std::string& path, const Quantity& K) {

@@ -100,7 +100,7 @@ Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options)
     } else {
       sensitivity.notes.push_back({"sensitivity.no_loss",
                                    "no crack takes stiffness away: a loss of 0 has no elasticity",
-                                   all[y].name, "SN-1"});
+                                   all[y].name, "SN-1", Severity::information});
     }
   }
 
@@ -140,11 +140,11 @@ Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options)
                            &SensitivityInput::largest_elasticity);
   sensitivity.notes.push_back({"sensitivity.whole_numbers",
                                "whole numbers, such as the wave number, have no derivative", "",
-                               "SN-1"});
+                               "SN-1", Severity::information});
   sensitivity.notes.push_back({"sensitivity.series_model",
                                "of the series model; the maker's K1, K2, K3 of the torsion curve "
                                "are not differentiated",
-                               "", "ST-1"});
+                               "", "ST-1", Severity::information});
   return held_to_dimensions(std::move(sensitivity));
 }
 

@@ -13,6 +13,7 @@
 #include "strainwave/present/json.hpp"
 #include "strainwave/study/evaluate.hpp"
 #include "support/article_gear.hpp"
+#include "support/expect.hpp"
 
 namespace strainwave {
 namespace {
@@ -241,6 +242,7 @@ TEST(Solve, BehaviourSeveralSolutionsAreAllListed) {
   const SolveResult result = solved(gear, "flexspline.crack[0].angle", target.c_str());
   ASSERT_GE(result.solutions.size(), 2U) << result.reason;
   EXPECT_NE(result.reason.find("2 values"), std::string::npos) << result.reason;
+  EXPECT_EQ(test::count_notes(evidence_of(result).notes, "solve.remark"), 1);
   bool found = false;
   for (const Solution& s : result.solutions)
     found = found || std::abs(s.value.value - std::acos(-1.0) / 6) < 1e-4;

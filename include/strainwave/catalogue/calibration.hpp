@@ -146,7 +146,7 @@ struct Calibration {
   static void describe(Visitor&& field) {
     field({"source", "", "what it was calibrated with"}, &Calibration::source);
     field({"converged", "", "whether the fit has converged"}, &Calibration::converged);
-    field({"iterations", "1", "steps of the fit"}, &Calibration::iterations);
+    field({"iterations", "", "steps of the fit"}, &Calibration::iterations);
     field({"residual", "1", "root mean square of ln(after/wanted)"}, &Calibration::residual);
     field({"relative_uncertainty_of_a_value", "1", "that the uncertainties rest on"},
           &Calibration::relative_uncertainty);

@@ -173,11 +173,11 @@ struct Validation {
     field({"cup", "", "short or standard"}, [](const Validation& v) { return v.options.cup; });
     field({"factors", "", "that were fitted"},
           [](const Validation& v) { return v.options.factors; });
-    field({"draws", "1", "drives drawn for the bands"},
+    field({"draws", "", "drives drawn for the bands"},
           [](const Validation& v) { return v.options.draws; });
-    field({"failed_draws", "1", "draws without an equilibrium, left out"},
+    field({"failed_draws", "", "draws without an equilibrium, left out"},
           &Validation::failed_draws);
-    field({"seed", "1", "of the draws"}, [](const Validation& v) { return v.options.seed; });
+    field({"seed", "", "of the draws"}, [](const Validation& v) { return v.options.seed; });
     field({"errors", "", "over groups of rows"}, &Validation::errors);
     field({"rows", "", "each row of the catalogue and its prediction"}, &Validation::rows);
     field({"sets_tried", "", "sets of factors fitted to all sizes at once"}, &Validation::trials);

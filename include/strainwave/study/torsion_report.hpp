@@ -50,8 +50,8 @@ struct LineBands {
     field({"K1", "", "band of K1"}, &LineBands::K1);
     field({"K2", "", "band of K2"}, &LineBands::K2);
     field({"K3", "", "band of K3"}, &LineBands::K3);
-    field({"draws", "1", "drawn drives that gave a curve"}, &LineBands::draws);
-    field({"rejected", "1", "drawn drives that broke a rule or did not assemble"},
+    field({"draws", "", "drawn drives that gave a curve"}, &LineBands::draws);
+    field({"rejected", "", "drawn drives that broke a rule or did not assemble"},
           &LineBands::rejected);
   }
 };

@@ -46,7 +46,7 @@ struct ChangesOverTurn {
     field({"worst", "", "most negative of each"}, &ChangesOverTurn::worst);
     field({"best", "", "least negative of each"}, &ChangesOverTurn::best);
     field({"ripple", "", "best less worst"}, &ChangesOverTurn::ripple);
-    field({"ripple_order", "1", "of K1, per turn of the wave generator; 0: no ripple"},
+    field({"ripple_order", "", "of K1, per turn of the wave generator; 0: no ripple"},
           &ChangesOverTurn::ripple_order);
     field({"at_angle", "", "at each position of the wave generator"}, &ChangesOverTurn::at_angle);
   }

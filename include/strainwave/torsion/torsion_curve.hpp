@@ -111,7 +111,7 @@ struct CurvePoint {
     field({"coast_flanks", "", "coast flanks in contact"}, &CurvePoint::coast_flanks);
     field({"residual", "1", "of the contact forces, relative to the largest"},
           &CurvePoint::residual);
-    field({"iterations", "1", "steps of the solver"}, &CurvePoint::iterations);
+    field({"iterations", "", "steps of the solver"}, &CurvePoint::iterations);
   }
 };
 
@@ -130,7 +130,7 @@ struct TorsionCurve {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"teeth", "1", "z, teeth of the flexspline"}, &TorsionCurve::teeth);
+    field({"teeth", "", "z, teeth of the flexspline"}, &TorsionCurve::teeth);
     field({"cam_amplitude", "m", "A, that assembles the lobe to w_0"},
           &TorsionCurve::cam_amplitude);
     field({"assembly_ball_force", "N", "largest ball force without torque"},

@@ -33,9 +33,9 @@ struct EnumNames<Severity> {
 struct Note {
   std::string code;
   std::string text;
-  std::string path;      ///< of the field concerned; empty: the whole drive
-  std::string equation;  ///< tag, such as "FR-4"; empty: none
-  Severity severity = Severity::care;
+  std::string path;            ///< of the field concerned; empty: the whole drive
+  std::string equation;        ///< tag, such as "FR-4"; empty: none
+  Severity severity;           ///< no default: whoever makes a note weighs it
   std::string next_step = {};  ///< what the reader can do about it; empty: nothing
 
   friend bool operator==(const Note&, const Note&) = default;

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "strainwave/door/door.hpp"
+#include "strainwave/io/attachments.hpp"
+#include "support/program.hpp"
+
+namespace strainwave::test {
+
+/// The drives of the examples, by their names without ".toml".
+inline const std::map<std::string, std::shared_ptr<const Drive>>& example_drives() {
+  static const auto drives = [] {
+    std::map<std::string, std::shared_ptr<const Drive>> read;
+    for (const auto& entry : std::filesystem::directory_iterator(STRAINWAVE_EXAMPLES))
+      if (entry.path().extension() == ".toml")
+        read[entry.path().stem().string()] =
+            read_drive(contents(entry.path()), entry.path().filename().string(),
+                       attachments_beside(entry.path()));
+    return read;
+  }();
+  return drives;
+}
+
+inline Answer run_command(std::string_view command, std::shared_ptr<const Drive> drive,
+                          std::string_view options = "{}", const OptionTexts& texts = {},
+                          const Progress& progress = {}) {
+  const Command& row = command_named(commands(), command);
+  OptionValues values(row.options);
+  values.set_from_json(options);
+  return run(row, std::move(drive), values, texts, progress);
+}
+
+inline Answer run_on_example(std::string_view command, const std::string& example,
+                             std::string_view options = "{}") {
+  return run_command(command, example_drives().at(example), options);
+}
+
+/// Options, as JSON, that show each part of a command's result at little cost.
+inline const std::multimap<std::string_view, std::string_view>& trial_options() {
+  static const std::multimap<std::string_view, std::string_view> options = {
+      {"stiffness", "{}"},
+      {"stiffness", R"({"method": "repaired"})"},
+      {"stiffness", R"({"method": "as-printed"})"},
+      {"torsion", R"({"draws": 2})"},
+      {"torsion", R"({"compare": true, "angles": 2, "draws": 0})"},
+      {"require", R"({"requirements": ["intact.stiffness > 1 N*m/rad",
+                                        "cracked.positive.stiffness_change >= 1 %"]})"},
+      {"report", R"({"date": "2026-01-31"})"},
+      {"sensitivity", "{}"},
+      {"sensitivity", R"({"scatter": true, "samples": 200, "threads": 1})"},
+      {"sweep", R"({"vary": ["load.torque=1 N*m..20 N*m:3", "drive.ratio=80..120:2"]})"},
+      {"solve", R"({"vary": "output_shaft.length=150 mm..250 mm",
+                    "target": "intact.stiffness=2e4 N*m/rad"})"},
+      {"sif list", "{}"},
+      {"sif show", R"({"name": "plate-surface"})"},
+      {"sif eval",
+       R"({"name": "plate-surface", "set": ["tension=200 MPa"], "material": "42CrMo4 QT to 16 mm"})"},
+      {"sif plot", R"({"name": "plate-surface"})"},
+      {"material list", "{}"},
+      {"material show", R"({"name": "17-4PH H900"})"},
+      {"catalogue", R"({"size": 25, "ratio": 100})"},
+      {"validate", "{}"},
+      {"calibrate", R"({"catalogue": true})"},
+      {"audit", "{}"},
+      {"new", "{}"},
+      {"new", R"({"size": 25, "ratio": 100})"},
+      {"schema", "{}"},
+      {"schema", R"({"of": "options", "command": "sif eval"})"},
+      {"schema", R"({"of": "result", "command": "torsion"})"}};
+  return options;
+}
+
+}  // namespace strainwave::test
