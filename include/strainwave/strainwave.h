@@ -23,6 +23,8 @@
 
 #include <stddef.h>
 
+/* NOLINTBEGIN(modernize-use-using,readability-identifier-naming): C has other customs */
+
 #if defined(__GNUC__)
 #define SW_API __attribute__((visibility("default")))
 #else
@@ -199,5 +201,7 @@ SW_API void sw_text_free(sw_text text);
 #ifdef __cplusplus
 }
 #endif
+
+/* NOLINTEND(modernize-use-using,readability-identifier-naming) */
 
 #endif

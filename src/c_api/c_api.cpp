@@ -16,6 +16,7 @@
 #include "strainwave/io/edit.hpp"
 #include "strainwave/strainwave.h"
 
+// NOLINTBEGIN(readability-identifier-naming): the names of the header
 struct sw_drive {
   std::shared_ptr<const strainwave::Drive> drive;
 };
@@ -30,6 +31,7 @@ struct sw_error {
   std::size_t line = 0;
   std::size_t column = 0;
 };
+// NOLINTEND(readability-identifier-naming)
 
 namespace strainwave {
 namespace {
