@@ -22,10 +22,11 @@ class FieldWitness : public TypeVisitor {
   void end_record() override {
     const bool open = open_.back().beside && !open_.back().unit;
     open_.pop_back();
-    if (open_.empty())
+    if (open_.empty()) {
       EXPECT_FALSE(open) << field_.name << ": a number in a unit beside, and no field `unit`";
-    else
+    } else {
       open_.back().beside = open_.back().beside || open;
+    }
   }
   void field(const Field& field, Presence) override {
     field_ = field;
