@@ -202,7 +202,6 @@ struct Validation {
 
 /// The report for people, at most 100 columns.
 [[nodiscard]] std::string validation_text(const Validation& validation);
-/// All digits, SI.
 /// A line for each row: predicted/catalogue, and bands if drawn.
 [[nodiscard]] std::string validation_csv(const Validation& validation);
 /// Tables for a manual.
