@@ -157,6 +157,17 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t indent
   return result;
 }
 
+std::string notes_text(std::span<const Note> notes) {
+  std::string text;
+  for (const Note& note : notes) {
+    std::string line = note.path.empty() ? note.text : note.path + ": " + note.text;
+    if (!note.equation.empty()) line += fmt::format(" ({})", note.equation);
+    if (!note.next_step.empty()) line += ". " + note.next_step;
+    text += fmt::format("  - {}\n", wrapped(line, kTextWidth - 4, 4));
+  }
+  return text;
+}
+
 std::string result_text(const StiffnessResult& result, const GearSet& gear,
                         const Provenance& provenance) {
   std::string text = fmt::format(
@@ -215,11 +226,7 @@ std::string result_text(const StiffnessResult& result, const GearSet& gear,
   for (const CrackReport& crack : result.cracks) text += crack_lines(crack);
   if (!result.strength.empty()) text += strength_lines(result.strength);
   if (!result.notes.empty()) text += "\nNotes\n";
-  for (const Note& note : result.notes) {
-    std::string line = note.path.empty() ? note.text : note.path + ": " + note.text;
-    if (!note.equation.empty()) line += fmt::format(" ({})", note.equation);
-    text += fmt::format("  - {}\n", wrapped(line, kTextWidth - 4, 4));
-  }
+  text += notes_text(result.notes);
   if (!result.accuracies.empty()) text += "\nAccuracy of the models, one standard uncertainty\n";
   for (const AccuracyBasis& basis : result.accuracies)
     text += fmt::format("  {:>5}  ", percent_text(basis.relative_uncertainty)) +

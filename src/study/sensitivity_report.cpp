@@ -166,16 +166,6 @@ std::string scatter_text(const Scatter& scatter, const Sensitivity& sensitivity)
   return text;
 }
 
-std::string notes_text(const std::vector<Note>& notes) {
-  std::string text;
-  for (const Note& note : notes) {
-    std::string line = note.path.empty() ? note.text : note.path + ": " + note.text;
-    if (!note.equation.empty()) line += fmt::format(" ({})", note.equation);
-    text += fmt::format("  - {}\n", wrapped(line, kTextWidth - 4, 4));
-  }
-  return text;
-}
-
 /// A path as a field of a CSV line, quoted where it must be (RFC 4180).
 /// Bars of the outputs of one kind that a panel shows, the largest on top.
 TornadoPanel panel_of(const Sensitivity& sensitivity, const std::vector<std::size_t>& outputs) {

@@ -509,11 +509,7 @@ std::string solve_text(const SolveResult& result) {
                                     part.refused ? "refused" : "not usable", part.reason));
   if (!result.solutions.empty() && !result.solutions.front().result.notes.empty()) {
     text += result.solutions.size() > 1 ? "\nNotes on the first\n" : "\nNotes\n";
-    for (const Note& note : result.solutions.front().result.notes) {
-      std::string line = note.path.empty() ? note.text : note.path + ": " + note.text;
-      if (!note.equation.empty()) line += fmt::format(" ({})", note.equation);
-      text += paragraph("  - ", line);
-    }
+    text += notes_text(result.solutions.front().result.notes);
   }
   return text;
 }

@@ -327,11 +327,7 @@ std::string torsion_text(const TorsionReport& report, const GearSet& gear) {
       "barrel, shear of the torque", report.rim.front().barrel_shear_stress / units::MPa);
   if (report.comparison) text += comparison_text(*report.comparison);
   if (!report.notes.empty()) text += "\nNotes\n";
-  for (const Note& note : report.notes) {
-    std::string line = note.path.empty() ? note.text : note.path + ": " + note.text;
-    if (!note.equation.empty()) line += fmt::format(" ({})", note.equation);
-    text += fmt::format("  - {}\n", wrapped(line, kTextWidth - 4, 4));
-  }
+  text += notes_text(report.notes);
   text +=
       "\n" +
       wrapped(fmt::format("Equations of the theory manual: {}", fmt::join(report.equations, ", ")),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -24,6 +25,9 @@ inline constexpr std::size_t kTextWidth = 100;
 
 /// Text broken at spaces to `width` columns; lines after the first are indented.
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
+
+/// Notes as a list, one item each: field, sentence, equation, what to do next.
+[[nodiscard]] std::string notes_text(std::span<const Note> notes);
 
 /// Writes a file whole or not at all: the text goes to a file beside it, which then takes its name.
 /// @throws Error  if it cannot be written; nothing is left behind
