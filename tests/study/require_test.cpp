@@ -14,11 +14,11 @@ namespace strainwave {
 namespace {
 
 const std::string kStiffness = "cracked.positive.stiffness";
-const std::string kChange = "cracked.positive.stiffness_change";
+const std::string kStiffnessChange = "cracked.positive.stiffness_change";
 
 RequirementReport asked(const std::vector<std::string>& texts, double coverage = 1.0,
                         Method method = Method::corrected) {
-  return require_outputs(test::article_gear(), method, texts, coverage);
+  return require_outputs(evaluate(test::article_gear(), method), texts, coverage);
 }
 
 RequirementOutcome outcome(const std::string& text, double coverage = 1.0,
@@ -78,7 +78,8 @@ TEST(Require, ScalingCoverageWidensTheBand) {
 }
 
 TEST(Require, IdentityUnitsOfTheBoundAreConverted) {
-  const RequirementReport report = asked({kStiffness + " >= 1 kN*m/rad", kChange + " > -50 %"});
+  const RequirementReport report =
+      asked({kStiffness + " >= 1 kN*m/rad", kStiffnessChange + " > -50 %"});
   EXPECT_DOUBLE_EQ(report.answers[0].requirement.bound, 1000.0);
   EXPECT_DOUBLE_EQ(report.answers[1].requirement.bound, -0.5);
   EXPECT_EQ(report.answers[0].requirement.output, kStiffness);
@@ -87,9 +88,9 @@ TEST(Require, IdentityUnitsOfTheBoundAreConverted) {
 }
 
 TEST(Require, ReferenceAChangeHasAnUncertaintyOfItsOwn) {
-  const Quantity change = value_of(kChange);
+  const Quantity change = value_of(kStiffnessChange);
   const Quantity K = value_of(kStiffness);
-  const RequirementAnswer answer = asked({kChange + " >= -99 %"}).answers[0];
+  const RequirementAnswer answer = asked({kStiffnessChange + " >= -99 %"}).answers[0];
   const double band = *answer.high - *answer.low;
   test::expect_relative(band, 2 * *change.relative_uncertainty * std::abs(change.value), 1e-6);
   EXPECT_LT(band / 2, *K.relative_uncertainty) << "not that of the stiffnesses it compares";
