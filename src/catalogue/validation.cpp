@@ -116,14 +116,16 @@ void add_trials(Validation& v, const Drives& drives, std::span<const StiffnessRo
       for (std::size_t c = b + 1; c < kFactors; ++c) try_set({factor(a), factor(b), factor(c)});
 }
 
-void predict_geometry(Validation& v, const Drives& drives, std::span<const StiffnessRow> rows) {
-  const auto predicted = drives.predict(rows, v.options.coupled);
-  for (std::size_t i = 0; i < rows.size(); ++i)
+void predict_geometry(Validation& v, const Drives& drives, std::span<const StiffnessRow> rows,
+                      const Progress& progress) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    progress.at(static_cast<double>(i) / static_cast<double>(rows.size()));
     v.rows.push_back({.catalogue = rows[i],
-                      .predicted = predicted[i],
+                      .predicted = drives.predict(rows.subspan(i, 1), v.options.coupled).front(),
                       .factors = {},
                       .at_limit = {},
                       .band = {}});
+  }
 }
 
 void predict_left_out(Validation& v, const Drives& drives, std::span<const StiffnessRow> rows,
@@ -282,7 +284,7 @@ Validation validate(const ValidationOptions& options, const Progress& progress) 
   const Progress fits = progress.part(0.0, options.draws > 0 ? 0.5 : 1.0);
   switch (options.mode) {
     case ValidationMode::geometry:
-      predict_geometry(v, drives, rows);
+      predict_geometry(v, drives, rows, fits);
       break;
     case ValidationMode::leave_one_size_out:
       predict_left_out(v, drives, rows, fits);
@@ -291,8 +293,7 @@ Validation validate(const ValidationOptions& options, const Progress& progress) 
       predict_per_row(v, drives, rows, fits);
       break;
   }
-  if (options.draws > 0)
-    add_bands(v, rows, progress.part(options.mode == ValidationMode::geometry ? 0.0 : 0.5, 1.0));
+  if (options.draws > 0) add_bands(v, rows, progress.part(0.5, 1.0));
   progress.at(1.0);
 
   const auto of_class = [](RatioClass wanted) {

@@ -44,7 +44,7 @@ Estimate hertz_compliance(const GearSet& gear, const SeriesModel<double>& model,
                             .path = "wave_generator.bearing.outer_ring",
                             .equation = "ST-10",
                             .severity = Severity::care,
-                            .next_step = "Give ball_count and run `strainwave torsion`."});
+                            .next_step = "Give ball_count and run strainwave torsion."});
   } else if (gear.wave_generator->bearing->outer_ring) {
     member.notes.push_back(
         {.code = "wave_generator.held_ring",
@@ -53,7 +53,7 @@ Estimate hertz_compliance(const GearSet& gear, const SeriesModel<double>& model,
          .path = "wave_generator.bearing.outer_ring",
          .equation = "ST-10",
          .severity = Severity::care,
-         .next_step = "Run `strainwave torsion`, which has the ring as it is held."});
+         .next_step = "Run strainwave torsion, which has the ring as it is held."});
   }
   return {model.lobe_compliance(), accuracy::kLoadSharing, -1.0 / 3};  // (CO-4): ~ force^(-1/3)
 }
