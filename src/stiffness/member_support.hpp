@@ -174,7 +174,7 @@ inline void note_contact_path(std::vector<Note>& notes, const std::string& path)
        .path = path,
        .equation = "ST-1",
        .severity = Severity::care,
-       .next_step = "Run `strainwave torsion`, whose coupled drive contains this crack."});
+       .next_step = "Run strainwave torsion, whose coupled drive contains this crack."});
 }
 
 /// Note that cracks of one member are added without interaction.
