@@ -127,13 +127,13 @@ TEST_F(FeTable, CrosscheckShaftTableFeedsTheStiffness) {
   const auto at = [](const nlohmann::json& result, const std::string& pointer) {
     return result.at(nlohmann::json::json_pointer(pointer));
   };
-  const std::string torsion = "/cracks/0/added_compliance/positive/at_output";
+  const std::string torsion = "/result/cracks/0/added_compliance/positive/at_output";
   const double here = at(tabulated, torsion + "/value");
   const double there = at(closed_form, torsion + "/value");
   const double error = at(tabulated, torsion + "/relative_uncertainty");
   EXPECT_LT(error, 0.03);                       // four depths
   EXPECT_NEAR(here / there, 1, error + 0.002);  // (FE-42), and the closed form's own
-  const std::string axial = "/cracks/0/added_compliance/positive/axial_axial/value";
+  const std::string axial = "/result/cracks/0/added_compliance/positive/axial_axial/value";
   EXPECT_NEAR(at(tabulated, axial).get<double>() / at(closed_form, axial).get<double>(), 1,
               error + 0.005);
   EXPECT_NE(tabulated.dump().find("interpolated from depth.csv (strainwave-fe "),
