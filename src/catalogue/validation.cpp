@@ -116,16 +116,14 @@ void add_trials(Validation& v, const Drives& drives, std::span<const StiffnessRo
       for (std::size_t c = b + 1; c < kFactors; ++c) try_set({factor(a), factor(b), factor(c)});
 }
 
-void predict_geometry(Validation& v, const Drives& drives, std::span<const StiffnessRow> rows,
-                      const Progress& progress) {
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    progress.at(static_cast<double>(i) / static_cast<double>(rows.size()));
+void predict_geometry(Validation& v, const Drives& drives, std::span<const StiffnessRow> rows) {
+  const auto predicted = drives.predict(rows, v.options.coupled);
+  for (std::size_t i = 0; i < rows.size(); ++i)
     v.rows.push_back({.catalogue = rows[i],
-                      .predicted = drives.predict(rows.subspan(i, 1), v.options.coupled).front(),
+                      .predicted = predicted[i],
                       .factors = {},
                       .at_limit = {},
                       .band = {}});
-  }
 }
 
 void predict_left_out(Validation& v, const Drives& drives, std::span<const StiffnessRow> rows,
@@ -284,7 +282,8 @@ Validation validate(const ValidationOptions& options, const Progress& progress) 
   const Progress fits = progress.part(0.0, options.draws > 0 ? 0.5 : 1.0);
   switch (options.mode) {
     case ValidationMode::geometry:
-      predict_geometry(v, drives, rows, fits);
+      fits.at(0.0);
+      predict_geometry(v, drives, rows);
       break;
     case ValidationMode::leave_one_size_out:
       predict_left_out(v, drives, rows, fits);
