@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the facade and the C interface cost beside the computation: `run_stiffness` less
-// `evaluate_article` is the facade, and `read_stiffness_json` the whole way of a caller in C.
+// `evaluate_article` is the facade; `read_stiffness_json` is the whole way of a caller in C, and less
+// `read_and_evaluate_article` the facade with its JSON.
 #include <benchmark/benchmark.h>
 
 #include <fstream>
@@ -8,6 +9,8 @@
 #include <string>
 
 #include "strainwave/door/door.hpp"
+#include "strainwave/io/gear_reader.hpp"
+#include "strainwave/present/json.hpp"
 #include "strainwave/strainwave.h"
 #include "strainwave/study/evaluate.hpp"
 
@@ -35,6 +38,21 @@ void run_stiffness(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(run(command, drive, OptionValues(command.options)));
 }
 BENCHMARK(run_stiffness)->Unit(benchmark::kMicrosecond);
+
+void read_and_evaluate_article(benchmark::State& state) {
+  for (auto _ : state) {
+    const GearSet gear = read_gear_set(article_text(), "article.toml", {});
+    const StiffnessResult result = evaluate(gear, Method::corrected);
+    JsonWriter to;
+    to.begin_record();
+    if (to.field({.name = "result", .unit = {}, .doc = {}})) visit_value(result, {}, to);
+    to.write_numbers(JsonNumbers::as_input);
+    if (to.field({.name = "input", .unit = {}, .doc = {}})) visit_value(gear, {}, to);
+    to.end_record();
+    benchmark::DoNotOptimize(to.document());
+  }
+}
+BENCHMARK(read_and_evaluate_article)->Unit(benchmark::kMicrosecond);
 
 void read_stiffness_json(benchmark::State& state) {
   const sw_text text = {article_text().data(), article_text().size()};

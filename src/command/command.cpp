@@ -37,7 +37,6 @@ Answer::Answer(const Command& command, std::shared_ptr<const Drive> drive,
   result_ = command.run(command, {.drive = *drive_, .texts = texts, .progress = progress},
                         options_.get());
   evidence_ = command.evidence(result_.get());
-  provenance_ = provenance_of(*drive_);
 }
 
 std::string Answer::json() const {
@@ -58,12 +57,14 @@ std::string Answer::json() const {
   if (to.field(named("provenance"))) {
     to.begin_record();
     to.member("program", "strainwave");
-    to.member("version", provenance_.version);
-    to.member("revision", provenance_.revision);
+    to.member("version", version());
+    to.member("revision", git_revision());
+    if (command_->takes == Takes::drive)
+      part("quadrature_tolerance", QuadratureOptions{}.relative_tolerance);
     to.write_numbers(JsonNumbers::as_input);
     if (to.field(named("options"))) command_->options.visit(options_.get(), to);
     if (command_->takes == Takes::drive) {
-      to.member("input_file", provenance_.input_file);
+      to.member("input_file", drive_->name);
       part("input", drive_->gear);
     }
     to.end_record();
@@ -82,7 +83,7 @@ std::string Answer::document(std::string_view name) const {
                                               shown(name), fmt::join(names, ", ")));
   }
   return command_->write(*command_, static_cast<std::size_t>(found - command_->documents.begin()),
-                         result_.get(), {.drive = *drive_, .provenance = provenance_});
+                         result_.get(), {.drive = *drive_, .provenance = provenance_of(*drive_)});
 }
 
 std::string result_schema(const Command& command) {
@@ -96,6 +97,7 @@ std::string result_schema(const Command& command) {
                        {"revision", text},
                        {"options", {{"type", "object"}}},
                        {"input_file", text},
+                       {"quadrature_tolerance", {{"type", "number"}}},
                        {"input", {{"type", "object"}}}}},
                      {"required", {"program", "version", "revision", "options"}},
                      {"additionalProperties", false}};

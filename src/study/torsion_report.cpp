@@ -156,13 +156,11 @@ LineBands line_bands(const AssembledDrive& drive, const BandOptions& options,
 
   std::vector<std::optional<MakersLines>> lines(draws);
   for_each_index(draws, {.threads = options.threads}, progress, [&] {
-    return [&, drawn = std::make_unique<DrawnDrive>(gear, gear.range),
-            latest = drive](std::size_t n) mutable {
+    return [&, drawn = std::make_unique<DrawnDrive>(gear, gear.range)](std::size_t n) {
       for (std::size_t i = 0; i < limits.size(); ++i)
         drawn->number(i) = values[n * limits.size() + i];
       try {
-        latest = AssembledDrive(drawn->gear(), drive.options(), &latest);
-        lines[n] = makers_lines(latest);
+        lines[n] = makers_lines(AssembledDrive(drawn->gear(), drive.options()));
       } catch (const Error&) {  // this combination cannot be built
       }
     };

@@ -169,11 +169,10 @@ AssembledDrive::Contents sound_contents(const GearSet& gear, const CoupledOption
   return contents;
 }
 
-AssembledDrive::Contents assembled(const GearSet& gear, const CoupledOptions& options,
-                                   const CoupledDrive* like) {
+AssembledDrive::Contents assembled(const GearSet& gear, const CoupledOptions& options) {
   const CoupledGeometry geometry = coupled_geometry(gear, options);
   AssembledDrive::Contents contents =
-      sound_contents(gear, options, geometry, CoupledDrive(gear, geometry, options, like));
+      sound_contents(gear, options, geometry, CoupledDrive(gear, geometry, options));
   CoupledDrive& sound = contents.sound;
   if (!sound.assemble()) {
     contents.sound_fails_because = no_assembly(sound);
@@ -193,10 +192,8 @@ AssembledDrive::Contents assembled(const GearSet& gear, const CoupledOptions& op
 
 }  // namespace
 
-AssembledDrive::AssembledDrive(const GearSet& gear, const CoupledOptions& options,
-                               const AssembledDrive* like)
-    : contents_(std::make_shared<const Contents>(
-          assembled(gear, options, like == nullptr ? nullptr : &like->contents().sound))) {}
+AssembledDrive::AssembledDrive(const GearSet& gear, const CoupledOptions& options)
+    : contents_(std::make_shared<const Contents>(assembled(gear, options))) {}
 
 AssembledDrive::AssembledDrive(std::shared_ptr<const Contents> contents)
     : contents_(std::move(contents)) {}
@@ -237,7 +234,7 @@ CoupledOptions in_friction(CoupledOptions options, FlankFriction friction) {
 
 SlidingDrive::SlidingDrive(const GearSet& gear, const CoupledOptions& options)
     : loading(gear, in_friction(options, FlankFriction::loading)),
-      unloading(gear, in_friction(options, FlankFriction::unloading), &loading) {}
+      unloading(gear, in_friction(options, FlankFriction::unloading)) {}
 
 SlidingDrive::SlidingDrive(AssembledDrive at_loading, AssembledDrive at_unloading)
     : loading(std::move(at_loading)), unloading(std::move(at_unloading)) {}

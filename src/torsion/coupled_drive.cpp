@@ -15,38 +15,50 @@ constexpr double kToothSpan = pi / 4;  // teeth farther from a lobe never touch
 
 double angle_from_lobe(double theta) { return std::remainder(theta, pi); }
 
-/// Balls all round, then teeth near the lobes.
-std::vector<double> contact_positions(int balls, int teeth) {
-  std::vector<double> positions;
-  for (int k = 0; k < balls; ++k) positions.push_back(2 * pi * k / balls);
-  for (int j = 0; j < teeth; ++j) {
-    const double theta = (j + 0.5) * 2 * pi / teeth;
-    if (std::abs(angle_from_lobe(theta)) <= kToothSpan + 1e-12) positions.push_back(theta);
-  }
-  return positions;
+/// Balls all round, and the teeth near the lobes.
+ContactPlaces contact_places(int balls, int teeth) {
+  ContactPlaces places{.balls = {}, .teeth = {}, .pitches = teeth};
+  for (int k = 0; k < balls; ++k) places.balls.push_back(2 * pi * k / balls);
+  for (int j = 0; j < teeth; ++j)
+    if (std::abs(angle_from_lobe((j + 0.5) * places.pitch())) <= kToothSpan + 1e-12)
+      places.teeth.push_back(j);
+  return places;
+}
+
+/// How a drive flank sees the rings (TC-6): the circular spline's tooth moves away under the same
+/// force.
+ContactDirection flank_direction(const CoupledGeometry& g) {
+  const double reach = (g.pitch_radius - g.ring_radius) / g.ring_radius;
+  const double spline_reach =
+      g.support > 0 ? (g.pitch_radius - g.spline_radius) / g.spline_radius : 0.0;
+  const double up = std::sin(g.force_angle);
+  const double across = std::cos(g.force_angle);
+  return {.radial = up,
+          .tangential = across * (1 + reach),
+          .slope = -across * reach,
+          .spline_radial = -up,
+          .spline_tangential = -across * (1 + spline_reach),
+          .spline_slope = across * spline_reach};
 }
 
 }  // namespace
 
 CoupledDrive::CoupledDrive(const GearSet& gear, const CoupledGeometry& geometry,
-                           const CoupledOptions& options, const CoupledDrive* like)
+                           const CoupledOptions& options)
     : g_(geometry), tolerance_(options.tolerance), max_iterations_(options.max_iterations) {
-  theta_ = contact_positions(g_.balls, g_.teeth);
-  waves_ = like != nullptr && like->waves_->are_of(theta_, options.harmonics)
-               ? like->waves_
-               : std::make_shared<const Waves>(theta_, options.harmonics);
-  tooth_count_ = static_cast<int>(theta_.size()) - g_.balls;
-  theta_.insert(theta_.end(), theta_.begin() + g_.balls, theta_.end());  // coast flanks
-  const int count = g_.balls + 2 * tooth_count_;
+  const ContactPlaces places = contact_places(g_.balls, g_.teeth);
+  const ContactDirection flank = flank_direction(g_);
+  rings_ = std::make_shared<const ElasticRings>(gear, g_, options, places,
+                                                ContactDirection{.radial = -1.0}, flank);
+  tooth_count_ = static_cast<int>(places.teeth.size());
+  const int count = rings_->contacts();
   free_.setZero(count);
   cam_.setZero(count);
   rotation_.setZero(count);
   multiplier_.setOnes(count);
   own_.setZero(count);
-  auto rings = std::make_shared<ElasticRings>(gear, g_, options, count);
-  place_balls(*rings);
-  place_flanks(*rings);
-  rings_ = std::move(rings);
+  place_balls();
+  place_flanks(flank.tangential);
 }
 
 CoupledDrive CoupledDrive::cracked(const ContactCracks& cracks) const {
@@ -57,45 +69,25 @@ CoupledDrive CoupledDrive::cracked(const ContactCracks& cracks) const {
   return drive;
 }
 
-void CoupledDrive::place_balls(ElasticRings& rings) {
+void CoupledDrive::place_balls() {
   for (int k = 0; k < g_.balls; ++k) {
     const double psi = position_of(k);
     const double s2 = std::sin(2 * psi);
-    rings.set_contacts(*waves_, k, {{k, {.radial = -1.0}}});
     cam_[k] = std::cos(2 * psi);  // (TC-5)
     free_[k] = -g_.clearance - g_.cam_flattening * g_.radial_displacement * g_.radial_displacement /
                                    g_.ring_radius * s2 * s2;  // (TC-5)
   }
 }
 
-void CoupledDrive::place_flanks(ElasticRings& rings) {
-  const double reach = (g_.pitch_radius - g_.ring_radius) / g_.ring_radius;
-  const double spline_reach =
-      g_.support > 0 ? (g_.pitch_radius - g_.spline_radius) / g_.spline_radius : 0.0;
+void CoupledDrive::place_flanks(double tangential) {
   const double w0 = g_.radial_displacement;
-  const double up = std::sin(g_.force_angle);
-  // (TC-6): the circular spline's tooth moves away under the same force.
-  const auto direction = [&](double across) {
-    return ContactDirection{.radial = up,
-                            .tangential = across * (1 + reach),
-                            .slope = -across * reach,
-                            .spline_radial = -up,
-                            .spline_tangential = -across * (1 + spline_reach),
-                            .spline_slope = across * spline_reach};
-  };
-  for (int j = 0; j < tooth_count_; ++j) {
-    const double across = std::cos(g_.force_angle);
-    const int drive = g_.balls + j;
-    const int coast = drive + tooth_count_;
-    const double theta = position_of(drive);
-    rings.set_contacts(*waves_, drive, {{drive, direction(across)}, {coast, direction(-across)}});
-    for (const int i : {drive, coast}) {
-      const int side = i == drive ? +1 : -1;
-      rotation_[i] = side * across * (1 + reach);
-      free_[i] = -rings.of_nominal_wave(i, w0) -
-                 flank_gap(side * angle_from_lobe(theta), w0, g_.flank_angle, g_.gap_factor) -
-                 g_.lobe_gap;  // (TC-6)
-    }
+  for (int i = g_.balls; i < contacts(); ++i) {
+    const int side = i < g_.balls + tooth_count_ ? +1 : -1;
+    rotation_[i] = side * tangential;
+    free_[i] =
+        -rings_->of_nominal_wave(i, w0) -
+        flank_gap(side * angle_from_lobe(position_of(i)), w0, g_.flank_angle, g_.gap_factor) -
+        g_.lobe_gap;  // (TC-6)
   }
 }
 
@@ -138,7 +130,7 @@ void CoupledDrive::close_rigidly(Equilibrium& state) const {
 }
 
 void CoupledDrive::close(Equilibrium& state) const {
-  state.elastic.noalias() = rings_->rows() * rings_->sum_of(state.force);
+  state.elastic = rings_->closings(state.force);
   close_rigidly(state);
 }
 
@@ -194,7 +186,8 @@ CoupledDrive::Touching CoupledDrive::touching(const Eigen::VectorXd& closing,
     t.border[p] = t.root[p] * rotation_[i];
     for (Eigen::Index q = 0; q <= p; ++q) {
       const int j = t.contact[static_cast<std::size_t>(q)];
-      matrix(p, q) = t.root[p] * t.root[q] * (rings_->flexibility(i, j) + (i == j ? own_[i] : 0.0));
+      matrix(p, q) =
+          t.root[p] * t.root[q] * (rings_->flexibility()(i, j) + (i == j ? own_[i] : 0.0));
     }
     matrix(p, p) += 1.0;
   }
@@ -316,9 +309,6 @@ bool CoupledDrive::assemble() {
   constexpr double kExact = 1e-12;    // of w_0, where the steps end
   constexpr double kAccepted = 1e-9;  // of w_0, after the last step
   const double w0 = g_.radial_displacement;
-  const auto lobe = [&](const Eigen::VectorXd& force) {
-    return rings_->lobe(coefficients_of(force));
-  };
   amplitude_ = kStart * w0 + g_.clearance;
   assembled_ = unloaded();
   double missing = w0;
@@ -326,10 +316,10 @@ bool CoupledDrive::assemble() {
     close_rigidly(assembled_);
     assembled_ = solve(0.0, assembled_);
     if (!assembled_.converged) return false;
-    missing = w0 - lobe(assembled_.force);
+    missing = w0 - rings_->lobe(assembled_.force);
     if (std::abs(missing) <= kExact * w0) break;
     const Tangent response = linear_response(assembled_, cam_, 0.0);
-    const double rise = lobe(response.force);
+    const double rise = rings_->lobe(response.force);
     // Where no ball touches yet, the cam grows by all that is missing.
     amplitude_ += rise > 0 ? std::clamp(missing / rise, -w0, w0) : missing;
     if (!std::isfinite(amplitude_)) return false;

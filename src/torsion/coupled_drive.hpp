@@ -31,9 +31,7 @@ struct Equilibrium {
 class CoupledDrive {
  public:
   /// The sound drive, not yet on its cam.
-  /// @param like  may share its waves
-  CoupledDrive(const GearSet& gear, const CoupledGeometry& geometry, const CoupledOptions& options,
-               const CoupledDrive* like = nullptr);
+  CoupledDrive(const GearSet& gear, const CoupledGeometry& geometry, const CoupledOptions& options);
   /// The same drive with cracks, not yet on its cam.
   [[nodiscard]] CoupledDrive cracked(const ContactCracks& cracks) const;
 
@@ -66,21 +64,19 @@ class CoupledDrive {
 
   /// Coefficients of all modes that contact forces make, without c_0.
   [[nodiscard]] Eigen::VectorXd coefficients_of(const Eigen::VectorXd& force) const {
-    return rings_->product_of(force);
+    return rings_->coefficients_of(force);
   }
   [[nodiscard]] const ElasticRings& rings() const { return *rings_; }
 
   [[nodiscard]] int contacts() const { return static_cast<int>(free_.size()); }
   [[nodiscard]] int balls() const { return g_.balls; }
   [[nodiscard]] int tooth_count() const { return tooth_count_; }
-  [[nodiscard]] double position_of(int contact) const {
-    return theta_[static_cast<std::size_t>(contact)];
-  }
+  [[nodiscard]] double position_of(int contact) const { return rings_->position_of(contact); }
   [[nodiscard]] const CoupledGeometry& geometry() const { return g_; }
 
  private:
-  void place_balls(ElasticRings& rings);
-  void place_flanks(ElasticRings& rings);
+  void place_balls();
+  void place_flanks(double tangential);
   void soften_contacts(const ContactCracks& cracks);
   struct Law {
     double force = 0.0;
@@ -134,12 +130,10 @@ class CoupledDrive {
   double tolerance_ = 0.0;
   int max_iterations_ = 0;
   int tooth_count_ = 0;  // teeth within 45 degrees of a lobe
-  std::shared_ptr<const Waves> waves_;
   std::shared_ptr<const ElasticRings> rings_;
-  Eigen::VectorXd free_;      // closing without forces, c_0 and cam
-  Eigen::VectorXd cam_;       // closing per unit of cam amplitude
-  Eigen::VectorXd rotation_;  // closing per unit of c_0
-  std::vector<double> theta_;
+  Eigen::VectorXd free_;        // closing without forces, c_0 and cam
+  Eigen::VectorXd cam_;         // closing per unit of cam amplitude
+  Eigen::VectorXd rotation_;    // closing per unit of c_0
   Eigen::VectorXd multiplier_;  // of the stiffness of a tooth pair
   Eigen::VectorXd own_;         // compliance in series with a contact
 

@@ -34,30 +34,45 @@ double mean_thickness(const Diaphragm& diaphragm) {
 
 }  // namespace
 
-Waves::Waves(std::vector<double> positions, int harmonics)
-    : positions_(std::move(positions)),
-      cosine_(positions_.size(), harmonics),
-      sine_(positions_.size(), harmonics) {
-  for (Eigen::Index i = 0; i < cosine_.rows(); ++i)
-    for (int n = 1; n <= harmonics; ++n) {
-      cosine_(i, n - 1) = std::cos(n * positions_[static_cast<std::size_t>(i)]);
-      sine_(i, n - 1) = std::sin(n * positions_[static_cast<std::size_t>(i)]);
-    }
+Waves::Waves(const std::vector<double>& positions, int harmonics) {
+  const Eigen::Map<const Eigen::ArrayXd> angle(positions.data(),
+                                               static_cast<Eigen::Index>(positions.size()));
+  const Eigen::ArrayXd c = angle.cos();
+  const Eigen::ArrayXd s = angle.sin();
+  cosine = Eigen::MatrixXd::Ones(angle.size(), harmonics + 1);
+  sine = Eigen::MatrixXd::Zero(angle.size(), harmonics + 1);
+  for (int n = 1; n <= harmonics; ++n) {  // turned on by one angle
+    const auto c_before = cosine.col(n - 1).array();
+    const auto s_before = sine.col(n - 1).array();
+    cosine.col(n) = c * c_before - s * s_before;
+    sine.col(n) = s * c_before + c * s_before;
+  }
+}
+
+std::vector<double> ContactPlaces::positions() const {
+  std::vector<double> positions = balls;
+  for (int flank = 0; flank < 2; ++flank)
+    for (const int tooth : teeth) positions.push_back((tooth + 0.5) * pitch());
+  return positions;
 }
 
 ElasticRings::ElasticRings(const GearSet& gear, const CoupledGeometry& geometry,
-                           const CoupledOptions& options, int contacts)
+                           const CoupledOptions& options, const ContactPlaces& places,
+                           const ContactDirection& ball, const ContactDirection& drive_flank)
     : N_(options.harmonics),
       has_spline_(geometry.support > 0),
       ring_radius_(geometry.ring_radius),
       spline_radius_(geometry.spline_radius),
-      row_(Rows::Zero(contacts, coefficients())),
-      compliant_row_(Rows::Zero(contacts, coefficients())),
-      lobe_(Eigen::VectorXd::Zero(coefficients())),
-      flexibility_(contacts) {
+      balls_(static_cast<int>(places.balls.size())),
+      teeth_(static_cast<int>(places.teeth.size())),
+      ball_(ball),
+      drive_flank_(drive_flank),
+      position_(places.positions()),
+      at_balls_({position_.begin(), position_.begin() + balls_}, N_),
+      at_teeth_({position_.begin() + balls_, position_.begin() + balls_ + teeth_}, N_) {
   make_modes(gear, geometry, options);
-  lobe_[0] = 1.0;  // mean of w at 0 and pi: the even cosines
-  for (int n = 2; n <= N_; n += 2) lobe_[at(n)] = 1.0;
+  fill_flexibility(places);
+  fill_lobe();
 }
 
 void ElasticRings::make_modes(const GearSet& gear, const CoupledGeometry& g,
@@ -97,13 +112,14 @@ void ElasticRings::make_modes(const GearSet& gear, const CoupledGeometry& g,
       mode.spline =
           pi * g.spline_bending / std::pow(g.spline_radius, 3) * bent / g.support;  // (TC-10)
   }
-  for (int n = 1; n <= N_; ++n) {
+  for (int n = 0; n <= N_; ++n) {
     Mode& mode = modes_[static_cast<std::size_t>(n)];
     mode.inverse = mode.inverted(n);
   }
 }
 
 ElasticRings::Mode::Inverse ElasticRings::Mode::inverted(int n) const {
+  if (n == 0) return {.ww = 1 / (extension + rim_bending + outer_bending)};
   if (n == 1) {
     const double ke = extension;
     const double kl = lateral;
@@ -115,34 +131,57 @@ ElasticRings::Mode::Inverse ElasticRings::Mode::inverted(int n) const {
   return {.ww = 1 / bend, .wv = -1 / (n * bend), .vv = (1 / extension + 1 / bend) / (n * n)};
 }
 
-void ElasticRings::set_contacts(const Waves& waves, int position,
-                                std::initializer_list<std::pair<int, ContactDirection>> contacts) {
-  for (const auto& [contact, d] : contacts) row_(contact, 0) = d.radial;
-  for (int n = 1; n <= N_; ++n) {
-    const double c = waves.cosine(position, n);
-    const double s = waves.sine(position, n);
-    for (const auto& [contact, d] : contacts) {
-      auto row = row_.row(contact);
-      row[at(n)] = d.radial * c - d.slope * n * s;
-      row[at(n) + 1] = d.radial * s + d.slope * n * c;
-      row[at(n) + 2] = d.tangential * c;
-      row[at(n) + 3] = d.tangential * s;
-      if (has_spline_ && n >= 2) {  // inextensional: v = -(a/n) sin + (b/n) cos
-        row[spline_at(n)] =
-            d.spline_radial * c - d.spline_slope * n * s - d.spline_tangential / n * s;
-        row[spline_at(n) + 1] =
-            d.spline_radial * s + d.spline_slope * n * c + d.spline_tangential / n * c;
-      }
-    }
-  }
-  for (const auto& [contact, d] : contacts)
-    apply_compliance(Row(&row_(contact, 0), coefficients()),
-                     MutableRow(&compliant_row_(contact, 0), coefficients()));
+std::array<ElasticRings::Group, 3> ElasticRings::groups() const {
+  return {{{0, at_balls_, ball_},
+           {balls_, at_teeth_, drive_flank_},
+           {balls_ + teeth_, at_teeth_, drive_flank_.mirrored()}}};
 }
 
-void ElasticRings::apply_compliance(const Row& load, MutableRow out) const {
-  const Mode& breathing = modes_[0];
-  out[0] = load[0] / (breathing.extension + breathing.rim_bending + breathing.outer_bending);
+Eigen::VectorXd ElasticRings::closings_of(const Eigen::VectorXd& x) const {
+  Eigen::VectorXd closings(contacts());
+  for (const auto& [first, waves, d] : groups()) {
+    Eigen::VectorXd even = Eigen::VectorXd::Zero(N_ + 1);
+    Eigen::VectorXd odd = even;
+    even[0] = d.radial * x[0];
+    for (int n = 1; n <= N_; ++n) {
+      const int i = at(n);
+      even[n] = d.radial * x[i] + d.slope * n * x[i + 1] + d.tangential * x[i + 2];
+      odd[n] = d.radial * x[i + 1] - d.slope * n * x[i] + d.tangential * x[i + 3];
+      if (!has_spline_ || n < 2) continue;
+      const int j = spline_at(n);
+      even[n] += d.spline_radial * x[j] + d.spline_turn(n) * x[j + 1];
+      odd[n] += d.spline_radial * x[j + 1] - d.spline_turn(n) * x[j];
+    }
+    closings.segment(first, waves.cosine.rows()) = waves.cosine * even + waves.sine * odd;
+  }
+  return closings;
+}
+
+Eigen::VectorXd ElasticRings::load_of(const Eigen::VectorXd& force) const {
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(coefficients());
+  for (const auto& [first, waves, d] : groups()) {
+    const auto of_group = force.segment(first, waves.cosine.rows());
+    const Eigen::VectorXd even = waves.cosine.transpose() * of_group;
+    const Eigen::VectorXd odd = waves.sine.transpose() * of_group;
+    load[0] -= d.radial * even[0];
+    for (int n = 1; n <= N_; ++n) {
+      const int i = at(n);
+      load[i] -= d.radial * even[n] - d.slope * n * odd[n];
+      load[i + 1] -= d.radial * odd[n] + d.slope * n * even[n];
+      load[i + 2] -= d.tangential * even[n];
+      load[i + 3] -= d.tangential * odd[n];
+      if (!has_spline_ || n < 2) continue;
+      const int j = spline_at(n);
+      load[j] -= d.spline_radial * even[n] - d.spline_turn(n) * odd[n];
+      load[j + 1] -= d.spline_radial * odd[n] + d.spline_turn(n) * even[n];
+    }
+  }
+  return load;
+}
+
+Eigen::VectorXd ElasticRings::response_to(const Eigen::VectorXd& load) const {
+  Eigen::VectorXd out(coefficients());
+  out[0] = modes_[0].inverse.ww * load[0];
   for (int n = 1; n <= N_; ++n) {
     const Mode& mode = modes_[static_cast<std::size_t>(n)];
     const auto& [ww, wv, vv] = mode.inverse;
@@ -156,10 +195,81 @@ void ElasticRings::apply_compliance(const Row& load, MutableRow out) const {
       out[spline_at(n) + 1] = load[spline_at(n) + 1] / mode.spline;
     }
   }
+  for (const Softening& soft : softenings_)
+    out += soft.factor * soft.response.dot(load) * soft.response;  // (TC-22)
+  return out;
 }
 
-void ElasticRings::add_softening(const Softening& soft, const Row& load, MutableRow out) const {
-  out += soft.factor * soft.response.dot(load) * soft.response;  // (TC-22)
+ElasticRings::Kernel ElasticRings::kernel(const ContactDirection& of,
+                                          const ContactDirection& by) const {
+  Kernel kernel{Eigen::VectorXd(N_ + 1), Eigen::VectorXd(N_ + 1)};
+  for (int n = 0; n <= N_; ++n) {
+    const Mode& mode = modes_[static_cast<std::size_t>(n)];
+    const auto& [ww, wv, vv] = mode.inverse;
+    double even = ww * (of.radial * by.radial + n * n * of.slope * by.slope) -
+                  wv * n * (of.slope * by.tangential + of.tangential * by.slope) +
+                  vv * of.tangential * by.tangential;
+    double odd = ww * n * (of.radial * by.slope - of.slope * by.radial) +
+                 wv * (of.tangential * by.radial - of.radial * by.tangential);
+    if (mode.spline > 0) {
+      const double of_turn = of.spline_turn(n);
+      const double by_turn = by.spline_turn(n);
+      even += (of.spline_radial * by.spline_radial + of_turn * by_turn) / mode.spline;
+      odd += (of.spline_radial * by_turn - of_turn * by.spline_radial) / mode.spline;
+    }
+    kernel.even[n] = even;
+    kernel.odd[n] = odd;
+  }
+  return kernel;
+}
+
+void ElasticRings::fill_flexibility(const ContactPlaces& places) {
+  flexibility_.resize(contacts(), contacts());
+  const Kernel balls = kernel(ball_, ball_);
+  flexibility_.topLeftCorner(balls_, balls_) =
+      at_balls_.cosine * (at_balls_.cosine * balls.even.asDiagonal()).transpose() +
+      at_balls_.sine * (at_balls_.sine * balls.even.asDiagonal()).transpose();
+
+  // A ball sees a coast flank as it sees the drive flank on its other side.
+  const Kernel mixed = kernel(ball_, drive_flank_);
+  const Eigen::MatrixXd even =
+      at_balls_.cosine * (at_teeth_.cosine * mixed.even.asDiagonal()).transpose() +
+      at_balls_.sine * (at_teeth_.sine * mixed.even.asDiagonal()).transpose();
+  const Eigen::MatrixXd odd =
+      at_balls_.sine * (at_teeth_.cosine * mixed.odd.asDiagonal()).transpose() -
+      at_balls_.cosine * (at_teeth_.sine * mixed.odd.asDiagonal()).transpose();
+  flexibility_.block(0, balls_, balls_, teeth_) = even + odd;
+  flexibility_.block(0, balls_ + teeth_, balls_, teeth_) = even - odd;
+  flexibility_.bottomLeftCorner(2 * teeth_, balls_) =
+      flexibility_.topRightCorner(balls_, 2 * teeth_).transpose();
+
+  // Between teeth only the number of pitches counts.
+  std::vector<double> apart;
+  for (int k = 0; k < places.pitches; ++k) apart.push_back(k * places.pitch());
+  const Waves waves(apart, N_);
+  const Kernel like = kernel(drive_flank_, drive_flank_);
+  const Kernel facing = kernel(drive_flank_, drive_flank_.mirrored());
+  const Eigen::VectorXd like_flanks = waves.cosine * like.even;
+  const Eigen::VectorXd drive_by_coast = waves.cosine * facing.even + waves.sine * facing.odd;
+  const Eigen::VectorXd coast_by_drive = waves.cosine * facing.even - waves.sine * facing.odd;
+  const int drive = balls_;
+  const int coast = balls_ + teeth_;
+  for (int j = 0; j < teeth_; ++j)
+    for (int i = 0; i < teeth_; ++i) {
+      const int steps =
+          places.teeth[static_cast<std::size_t>(i)] - places.teeth[static_cast<std::size_t>(j)];
+      const int k = steps < 0 ? steps + places.pitches : steps;
+      flexibility_(drive + i, drive + j) = flexibility_(coast + i, coast + j) = like_flanks[k];
+      flexibility_(drive + i, coast + j) = drive_by_coast[k];
+      flexibility_(coast + i, drive + j) = coast_by_drive[k];
+    }
+}
+
+void ElasticRings::fill_lobe() {
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(coefficients());
+  mean[0] = 1.0;  // of w at 0 and pi: the even cosines
+  for (int n = 2; n <= N_; n += 2) mean[at(n)] = 1.0;
+  lobe_ = -closings_of(response_to(mean));  // by reciprocity
 }
 
 ElasticRings ElasticRings::softened(const std::vector<RingHinge>& hinges) const {
@@ -171,7 +281,7 @@ ElasticRings ElasticRings::softened(const std::vector<RingHinge>& hinges) const 
     Softening soft{.ring = hinge.ring,
                    .softening = hinge.softening,
                    .curvature = Eigen::VectorXd::Zero(coefficients()),
-                   .response = Eigen::VectorXd::Zero(coefficients())};
+                   .response = {}};
     for (int n = 2; n <= N_; ++n) {
       const double amplitude =
           (1.0 - n * n) / (R * R) * sinc(n * hinge.length / (2 * R));  // (TC-22)
@@ -179,41 +289,39 @@ ElasticRings ElasticRings::softened(const std::vector<RingHinge>& hinges) const 
       soft.curvature[i] = amplitude * std::cos(n * hinge.position);
       soft.curvature[i + 1] = amplitude * std::sin(n * hinge.position);
     }
-    const Row load(soft.curvature.data(), coefficients());
-    const MutableRow response(soft.response.data(), coefficients());
-    apply_compliance(load, response);
-    for (const Softening& before : soft_rings.softenings_) add_softening(before, load, response);
+    soft.response = soft_rings.response_to(soft.curvature);
     // Below 1: the energy of the mean curvature is never more than that of the curvature itself.
     soft.factor = soft.softening / (1 - soft.softening * soft.curvature.dot(soft.response));
-    for (int i = 0; i < contacts(); ++i)
-      add_softening(soft, Row(&row_(i, 0), coefficients()),
-                    MutableRow(&soft_rings.compliant_row_(i, 0), coefficients()));
+    const Eigen::VectorXd closings = closings_of(soft.response);
+    soft_rings.flexibility_ += soft.factor * closings * closings.transpose();  // (TC-22)
     soft_rings.softenings_.push_back(std::move(soft));
   }
+  soft_rings.fill_lobe();
   return soft_rings;
 }
 
 double ElasticRings::of_nominal_wave(int contact, double amplitude) const {
-  return row_(contact, at(2)) * amplitude - row_(contact, at(2) + 3) * (amplitude / 2);
+  const ContactDirection d = contact < balls_ + teeth_ ? drive_flank_ : drive_flank_.mirrored();
+  const double theta = position_of(contact);
+  return amplitude *
+         (d.radial * std::cos(2 * theta) - (2 * d.slope + d.tangential / 2) * std::sin(2 * theta));
 }
 
-Eigen::VectorXd ElasticRings::sum_of(const Eigen::VectorXd& force) const {
+Eigen::VectorXd ElasticRings::coefficients_of(const Eigen::VectorXd& force) const {
+  return response_to(load_of(force));
+}
+
+Eigen::VectorXd ElasticRings::closings(const Eigen::VectorXd& force) const {
   std::vector<int> carries;
   for (int i = 0; i < contacts(); ++i)
     if (force[i] != 0) carries.push_back(i);
-  const auto made = [&](std::size_t p) {
-    return force[carries[p]] * compliant_row_.row(carries[p]).transpose();
-  };
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(coefficients());
+  const auto made = [&](std::size_t p) { return force[carries[p]] * flexibility_.col(carries[p]); };
+  Eigen::VectorXd closings = Eigen::VectorXd::Zero(contacts());
   std::size_t p = 0;
   for (; p + 4 <= carries.size(); p += 4)  // four in one pass: the sums stay in registers
-    x = (((x - made(p)) - made(p + 1)) - made(p + 2)) - made(p + 3);
-  for (; p < carries.size(); ++p) x -= made(p);
-  return x;
-}
-
-Eigen::VectorXd ElasticRings::product_of(const Eigen::VectorXd& force) const {
-  return -(compliant_row_.transpose() * force);
+    closings -= (made(p) + made(p + 1)) + (made(p + 2) + made(p + 3));
+  for (; p < carries.size(); ++p) closings -= made(p);
+  return closings;
 }
 
 void ElasticRings::add_shares(const Eigen::VectorXd& x,

@@ -3,12 +3,7 @@
 
 #include <Eigen/Dense>
 #include <array>
-#include <atomic>
-#include <cmath>
-#include <initializer_list>
-#include <limits>
-#include <memory>
-#include <utility>
+#include <numbers>
 #include <vector>
 
 #include "coupled_geometry.hpp"
@@ -28,97 +23,58 @@ struct ContactDirection {
   double spline_radial = 0.0;
   double spline_tangential = 0.0;
   double spline_slope = 0.0;
+
+  /// Closing per unit of the n-th amplitude by tilt and shift of the circular spline, whose ring
+  /// does not stretch.
+  [[nodiscard]] double spline_turn(int n) const { return n * spline_slope + spline_tangential / n; }
+  /// That of the other flank of a tooth.
+  [[nodiscard]] ContactDirection mirrored() const {
+    return {radial, -tangential, -slope, spline_radial, -spline_tangential, -spline_slope};
+  }
 };
 
-/// Cosines and sines of all harmonics at the positions of the contacts.
-class Waves {
- public:
-  Waves(std::vector<double> positions, int harmonics);
-
-  [[nodiscard]] bool are_of(const std::vector<double>& positions, int harmonics) const {
-    return positions == positions_ && harmonics == cosine_.cols();
-  }
-  [[nodiscard]] double cosine(int position, int n) const { return cosine_(position, n - 1); }
-  [[nodiscard]] double sine(int position, int n) const { return sine_(position, n - 1); }
-
- private:
-  using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  std::vector<double> positions_;
-  Table cosine_;
-  Table sine_;
+/// Cosines and sines of the harmonics 0 to N at some positions, a row each.
+struct Waves {
+  Waves(const std::vector<double>& positions, int harmonics);
+  Eigen::MatrixXd cosine;
+  Eigen::MatrixXd sine;
 };
 
-/// A symmetric square of numbers that are found when first asked for, by any thread; a copy knows
-/// none.
-class Memo {
- public:
-  explicit Memo(int size)
-      : size_(size), entries_(std::make_unique<std::atomic<double>[]>(count())) {
-    for (std::size_t i = 0; i < count(); ++i)
-      entries_[i].store(std::numeric_limits<double>::quiet_NaN(), std::memory_order_relaxed);
-  }
-  Memo(const Memo& other) : Memo(other.size_) {}
-  Memo(Memo&&) noexcept = default;
-  Memo& operator=(Memo other) noexcept {
-    std::swap(size_, other.size_);
-    std::swap(entries_, other.entries_);
-    return *this;
-  }
-  ~Memo() = default;
-
-  /// The number at row i, column j <= i.  Relaxed order is enough: all threads find the same
-  /// number.
-  template <class Find>
-  [[nodiscard]] double at(int i, int j, const Find& find) const {
-    std::atomic<double>& entry = entries_[triangle(i) + static_cast<std::size_t>(j)];
-    double value = entry.load(std::memory_order_relaxed);
-    if (std::isnan(value)) {
-      value = find();
-      entry.store(value, std::memory_order_relaxed);
-    }
-    return value;
-  }
-
- private:
-  /// Entries of the rows before row i.
-  [[nodiscard]] static std::size_t triangle(int i) {
-    return static_cast<std::size_t>(i) * (static_cast<std::size_t>(i) + 1) / 2;
-  }
-  [[nodiscard]] std::size_t count() const { return triangle(size_); }
-
-  int size_ = 0;
-  std::unique_ptr<std::atomic<double>[]> entries_;
+/// Where balls and teeth stand.
+struct ContactPlaces {
+  std::vector<double> balls;  ///< positions
+  std::vector<int> teeth;     ///< numbers of the teeth that may touch, tooth j at (j + 1/2) pitches
+  int pitches = 1;            ///< of the whole turn
+  [[nodiscard]] double pitch() const { return 2 * std::numbers::pi / pitches; }
+  /// Of balls, drive flanks and coast flanks.
+  [[nodiscard]] std::vector<double> positions() const;
 };
 
 class ElasticRings {
  public:
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-  /// With room for contacts, which `set_contacts` fills.
+  /// Contacts are the balls, the drive flanks of the teeth and their coast flanks, which see the
+  /// rings as the drive flanks do in a mirror.
   ElasticRings(const GearSet& gear, const CoupledGeometry& geometry, const CoupledOptions& options,
-               int contacts);
+               const ContactPlaces& places, const ContactDirection& ball,
+               const ContactDirection& drive_flank);
 
-  /// Contacts at one position of the waves, each with the number of its row.
-  void set_contacts(const Waves& waves, int position,
-                    std::initializer_list<std::pair<int, ContactDirection>> contacts);
   /// The same rings, softened by cracks.
   [[nodiscard]] ElasticRings softened(const std::vector<RingHinge>& hinges) const;
 
-  [[nodiscard]] int contacts() const { return static_cast<int>(row_.rows()); }
-  /// How the contacts see the coefficients.
-  [[nodiscard]] const Rows& rows() const { return row_; }
+  [[nodiscard]] int contacts() const { return static_cast<int>(position_.size()); }
+  [[nodiscard]] double position_of(int contact) const {
+    return position_[static_cast<std::size_t>(contact)];
+  }
   /// What a contact sees of the nominal wave w_0 cos(2 theta) of an inextensional ring.
   [[nodiscard]] double of_nominal_wave(int contact, double amplitude) const;
-  /// Closing of contact i under a unit force of contact j <= i, by the rings [m/N] (TC-4).
-  [[nodiscard]] double flexibility(int i, int j) const {
-    return flexibility_.at(i, j, [&] { return row_.row(i).dot(compliant_row_.row(j)); });
-  }
-  /// Coefficients that the forces make one after the other, those that are 0 left out.
-  [[nodiscard]] Eigen::VectorXd sum_of(const Eigen::VectorXd& force) const;
-  /// Coefficients that the forces make, as one product.
-  [[nodiscard]] Eigen::VectorXd product_of(const Eigen::VectorXd& force) const;
-  /// Mean of w over the lobes.
-  [[nodiscard]] double lobe(const Eigen::VectorXd& x) const { return lobe_.dot(x); }
+  /// Closing of contact i under a unit force of contact j, by the rings [m/N] (TC-4).
+  [[nodiscard]] const Eigen::MatrixXd& flexibility() const { return flexibility_; }
+  /// Closings of all contacts that contact forces make.
+  [[nodiscard]] Eigen::VectorXd closings(const Eigen::VectorXd& force) const;
+  /// Coefficients of all modes that contact forces make.
+  [[nodiscard]] Eigen::VectorXd coefficients_of(const Eigen::VectorXd& force) const;
+  /// Mean of w over the lobes that contact forces make.
+  [[nodiscard]] double lobe(const Eigen::VectorXd& force) const { return lobe_.dot(force); }
   /// Adds twice the energies of a set of coefficients to the members.
   void add_shares(const Eigen::VectorXd& x, std::array<double, kCurveMembers>& share) const;
 
@@ -152,28 +108,49 @@ class ElasticRings {
     Eigen::VectorXd response;   // coefficients that a unit of its conjugate makes
     double factor = 0.0;        // alpha/(1 - alpha curvature.response)
   };
-  using Row = Eigen::Map<const Eigen::VectorXd>;
-  using MutableRow = Eigen::Map<Eigen::VectorXd>;
 
+  /// Closing of one contact by another as a Fourier series in the angle between them.
+  struct Kernel {
+    Eigen::VectorXd even;
+    Eigen::VectorXd odd;
+  };
   [[nodiscard]] int at(int n) const { return 4 * n - 3; }  // a_n, b_n, c_n, d_n of the ring
   [[nodiscard]] int spline_at(int n) const { return 1 + 4 * N_ + 2 * (n - 2); }  // a_n, b_n
   [[nodiscard]] int coefficients() const { return 1 + 4 * N_ + (has_spline_ ? 2 * (N_ - 1) : 0); }
   void make_modes(const GearSet& gear, const CoupledGeometry& geometry,
                   const CoupledOptions& options);
-  /// Coefficients that generalised forces make (TC-4), without the softenings.
-  void apply_compliance(const Row& load, MutableRow out) const;
-  void add_softening(const Softening& soft, const Row& load, MutableRow out) const;
+  [[nodiscard]] Kernel kernel(const ContactDirection& of, const ContactDirection& by) const;
+  void fill_flexibility(const ContactPlaces& places);
+  void fill_lobe();
+  /// A group of contacts of one direction, with the waves at their positions.
+  struct Group {
+    int first = 0;
+    const Waves& waves;
+    ContactDirection direction;
+  };
+  [[nodiscard]] std::array<Group, 3> groups() const;
+  /// Closings of all contacts that coefficients make.
+  [[nodiscard]] Eigen::VectorXd closings_of(const Eigen::VectorXd& x) const;
+  /// Generalised forces of contact forces: the transposed operation, with the other sign.
+  [[nodiscard]] Eigen::VectorXd load_of(const Eigen::VectorXd& force) const;
+  /// Coefficients that generalised forces make (TC-4).
+  [[nodiscard]] Eigen::VectorXd response_to(const Eigen::VectorXd& load) const;
 
   int N_ = 0;
   bool has_spline_ = false;
   double ring_radius_ = 0.0;
   double spline_radius_ = 0.0;
   std::vector<Mode> modes_;  // 0 to N
-  Rows row_;
-  Rows compliant_row_;  // the coefficients that the unit force of a contact makes
-  Eigen::VectorXd lobe_;
+  int balls_ = 0;
+  int teeth_ = 0;
+  ContactDirection ball_;
+  ContactDirection drive_flank_;
+  std::vector<double> position_;  // of balls, drive flanks, coast flanks
+  Waves at_balls_;
+  Waves at_teeth_;
+  Eigen::VectorXd lobe_;  // per unit of the force of each contact
   std::vector<Softening> softenings_;
-  Memo flexibility_;
+  Eigen::MatrixXd flexibility_;
 };
 
 }  // namespace strainwave

@@ -54,16 +54,6 @@ TEST(AssembledDrive, IdentityTurnedAndSoundAreAssembledAnew) {
   EXPECT_NE(makers_lines(drive.turned(0.7)).K1, makers_lines(drive).K1);
 }
 
-TEST(AssembledDrive, IdentityARelativeChangesNoNumber) {
-  const GearSet gear = cracked_drive();
-  GearSet other = gear;
-  other.wave_generator->bearing->ball_count = *gear.wave_generator->bearing->ball_count - 2;
-  for (const GearSet& of : {gear, other}) {
-    const AssembledDrive relative(of);  // of other balls: nothing to share
-    expect_same(makers_lines(AssembledDrive(gear, {}, &relative)), makers_lines(gear));
-  }
-}
-
 TEST(AssembledDrive, BehaviourADriveThatDoesNotAssembleSaysSo) {
   GearSet gear = cracked_drive();
   const AssembledDrive stuck(gear, {.max_iterations = 1});

@@ -169,7 +169,6 @@ class Answer {
   OptionValues options_;
   std::shared_ptr<const void> result_;
   ResultEvidence evidence_;
-  Provenance provenance_;
 };
 
 /// JSON Schema of the envelope of a command's result.

@@ -22,11 +22,8 @@ class AssembledDrive {
   ///
   /// A drive that does not assemble is a value too; `fails_because` says why.
   /// @param gear  with bearing, sections and mesh
-  /// @param like  a drive whose tables this one shares where teeth, balls and harmonics are the
-  ///              same: it saves time and changes no number; may be null
   /// @throws InputError  if a rule is broken or something is missing for this model
-  explicit AssembledDrive(const GearSet& gear, const CoupledOptions& options = {},
-                          const AssembledDrive* like = nullptr);
+  explicit AssembledDrive(const GearSet& gear, const CoupledOptions& options = {});
 
   /// The same drive without its cracks; nothing is assembled again.
   [[nodiscard]] AssembledDrive without_cracks() const;
