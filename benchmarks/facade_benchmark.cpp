@@ -43,11 +43,19 @@ void read_and_evaluate_article(benchmark::State& state) {
   for (auto _ : state) {
     const GearSet gear = read_gear_set(article_text(), "article.toml", {});
     const StiffnessResult result = evaluate(gear, Method::corrected);
+    const ResultEvidence evidence = evidence_of(result);
     JsonWriter to;
+    const auto part = [&](std::string_view name, const auto& value) {
+      if (to.field({.name = name, .unit = {}, .doc = {}})) visit_value(value, {}, to);
+    };
     to.begin_record();
-    if (to.field({.name = "result", .unit = {}, .doc = {}})) visit_value(result, {}, to);
+    part("verdict", evidence.verdict);
+    part("notes", evidence.notes);
+    part("equations", evidence.equations);
+    part("accuracies", evidence.accuracies);
+    part("result", result);
     to.write_numbers(JsonNumbers::as_input);
-    if (to.field({.name = "input", .unit = {}, .doc = {}})) visit_value(gear, {}, to);
+    part("input", gear);
     to.end_record();
     benchmark::DoNotOptimize(to.document());
   }

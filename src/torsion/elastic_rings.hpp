@@ -109,7 +109,7 @@ class ElasticRings {
     double factor = 0.0;        // alpha/(1 - alpha curvature.response)
   };
 
-  /// Closing of one contact by another as a Fourier series in the angle between them.
+  /// Closing of one contact by another as a Fourier series in the angle between them (TC-4).
   struct Kernel {
     Eigen::VectorXd even;
     Eigen::VectorXd odd;
