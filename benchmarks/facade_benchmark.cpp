@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the facade and the C interface cost beside the computation: `run_stiffness` less
-// `evaluate_article` is the facade; `read_stiffness_json` is the whole way of a caller in C, and less
-// `read_and_evaluate_article` the facade with its JSON.
+// `evaluate_article` is the facade; `read_stiffness_json` is the whole way of a caller in C, and
+// less `read_and_evaluate_article` the facade with its JSON.
 #include <benchmark/benchmark.h>
 
 #include <fstream>

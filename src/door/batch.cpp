@@ -4,14 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <map>
 #include <mutex>
 #include <optional>
-#include <thread>
+#include <utility>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/parallel.hpp"
 #include "strainwave/model/result/result_fields.hpp"
 #include "strainwave/study/evaluate.hpp"
 #include "strainwave/study/outputs.hpp"
@@ -44,22 +43,37 @@ std::size_t rows_of(const GearSet& gear, const BatchTask& task) {
   return task.values.size() / task.paths.size();
 }
 
+/// The first fault of each code, whichever thread finds it.
+class FirstFaults {
+ public:
+  void add(BatchFault fault) {
+    const std::scoped_lock lock(mutex_);
+    const auto [known, is_new] = first_.try_emplace(fault.code, fault);
+    if (!is_new && fault.row < known->second.row) known->second = std::move(fault);
+  }
+  [[nodiscard]] std::vector<BatchFault> list() const {
+    std::vector<BatchFault> faults;
+    for (const auto& [code, fault] : first_) faults.push_back(fault);
+    return faults;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<RowCode, BatchFault> first_;
+};
+
 /// Evaluates rows into their places; one for each thread.
 class RowEvaluator {
  public:
   RowEvaluator(const GearSet& gear, const BatchTask& task, const Columns& columns,
-               BatchResult& result)
-      : gear_(gear), task_(task), columns_(columns), result_(result) {}
+               BatchResult& result, FirstFaults& faults)
+      : gear_(gear), task_(task), columns_(columns), result_(result), faults_(faults) {}
 
   void operator()(std::size_t row) {
-    const Outcome outcome = evaluated(row);
+    Outcome outcome = evaluated(row);
     result_.codes[row] = outcome.code;
-    if (outcome.code != RowCode::ok)
-      faults_.try_emplace(outcome.code, BatchFault{outcome.code, row, outcome.message});
+    if (outcome.code != RowCode::ok) faults_.add({outcome.code, row, std::move(outcome.message)});
   }
-
-  /// The first fault of each code among the rows of this thread.
-  [[nodiscard]] const std::map<RowCode, BatchFault>& faults() const { return faults_; }
 
  private:
   struct Outcome {
@@ -96,7 +110,7 @@ class RowEvaluator {
   const BatchTask& task_;
   const Columns& columns_;
   BatchResult& result_;
-  std::map<RowCode, BatchFault> faults_;
+  FirstFaults& faults_;
 };
 
 }  // namespace
@@ -107,37 +121,10 @@ BatchResult batch(const GearSet& gear, const BatchTask& task, const Progress& pr
   BatchResult result{.numbers = std::vector<double>(n_rows * columns.size()),
                      .codes = std::vector<RowCode>(n_rows),
                      .faults = {}};
-  std::map<RowCode, BatchFault> first;
-  std::atomic<std::size_t> next{0};
-  std::exception_ptr stopped;
-  std::mutex mutex;
-  const auto work = [&](const Progress& told) {
-    try {
-      RowEvaluator evaluate_row(gear, task, columns, result);
-      for (std::size_t row = next++; row < n_rows; row = next++) {
-        evaluate_row(row);
-        told.at(static_cast<double>(row + 1) / static_cast<double>(n_rows));
-      }
-      const std::scoped_lock lock(mutex);
-      for (const auto& [code, fault] : evaluate_row.faults()) {
-        const auto [known, is_new] = first.try_emplace(code, fault);
-        if (!is_new && fault.row < known->second.row) known->second = fault;
-      }
-    } catch (...) {
-      const std::scoped_lock lock(mutex);
-      stopped = std::current_exception();
-      next = n_rows;
-    }
-  };
-  const std::size_t asked = task.threads > 0 ? static_cast<std::size_t>(task.threads)
-                                             : std::max(1U, std::thread::hardware_concurrency());
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t t = 1; t < std::min(asked, n_rows); ++t) others.emplace_back(work, Progress());
-    work(progress);
-  }
-  if (stopped) std::rethrow_exception(stopped);
-  for (auto& [code, fault] : first) result.faults.push_back(std::move(fault));
+  FirstFaults faults;
+  for_each_index(n_rows, {.threads = task.threads}, progress,
+                 [&] { return RowEvaluator(gear, task, columns, result, faults); });
+  result.faults = faults.list();
   return result;
 }
 

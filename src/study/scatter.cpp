@@ -11,9 +11,9 @@
 #include <span>
 
 #include "drawn_drive.hpp"
-#include "parallel.hpp"
 #include "strainwave/core/counter_random.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/parallel.hpp"
 #include "strainwave/core/quantile.hpp"
 #include "strainwave/stiffness/series_stiffness.hpp"
 

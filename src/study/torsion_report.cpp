@@ -11,8 +11,8 @@
 #include <random>
 
 #include "drawn_drive.hpp"
-#include "parallel.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/parallel.hpp"
 #include "strainwave/core/quantile.hpp"
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/core/units.hpp"

@@ -133,15 +133,18 @@ TEST(Batch, BehaviourStopsAfterTheRowThatAsks) {
   const std::vector<double> values(1000, 10.0);
   int told = 0;
   const Progress progress([&](double share) {
-    EXPECT_GT(share, 0.0);
+    EXPECT_GE(share, 0.0);
     EXPECT_LE(share, 1.0);
     return ++told < 3;
   });
-  EXPECT_THROW(
-      (void)batch(article(), {.paths = paths, .values = values, .outputs = kOutputs, .threads = 3},
-                  progress),
-      Stopped);
+  const auto run = [&](int threads, const Progress& to) {
+    return batch(article(),
+                 {.paths = paths, .values = values, .outputs = kOutputs, .threads = threads}, to);
+  };
+  EXPECT_THROW((void)run(1, progress), Stopped);
   EXPECT_EQ(told, 3);
+  // The calling thread asks even if the others have taken all rows.
+  EXPECT_THROW((void)run(3, Progress([](double) { return false; })), Stopped);
 }
 
 TEST(Batch, LimitOfNoRows) {
