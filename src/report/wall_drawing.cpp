@@ -23,19 +23,13 @@ struct WallCrack {
   std::string path;
   double half_length = 0.0;  ///< [m]
   double angle = 0.0;        ///< from +z toward -theta [rad]
-  WallSection section = WallSection::barrel;
+  CrackedPart part{};
 };
-
-template <class Crack>
-constexpr bool is_wall_crack =
-    std::is_same_v<Crack, WallThroughCrack> || std::is_same_v<Crack, WallSurfaceCrack>;
 
 std::vector<WallCrack> wall_cracks(const GearSet& gear) {
   std::vector<WallCrack> cracks;
-  for_each_crack(gear, [&](int number, const std::string& path, const auto& c) {
-    if constexpr (is_wall_crack<std::decay_t<decltype(c)>>)
-      cracks.push_back({number, path, c.half_length, c.angle, c.section});
-  });
+  for (const auto& [number, path, kind, place, size] : numbered_cracks(gear))
+    if (place.angle) cracks.push_back({number, path, place.half_length, *place.angle, place.part});
   return cracks;
 }
 
@@ -108,7 +102,7 @@ std::string wall_drawing(const GearSet& gear) {
   for (const WallCrack& c : cracks) {
     const double room =
         1.25 * std::max(2 * c.half_length * std::abs(std::sin(c.angle)), 0.16 * length);
-    const Point middle{wall_of(at, c.section).middle(), y - room / 2};
+    const Point middle{ring_of(at, c.part).middle(), y - room / 2};
     y -= room;
     sheet.line({middle.x - 0.16 * length, middle.y}, {middle.x + 0.16 * length, middle.y}, "axis");
     sheet.crack(c.path, ends(middle, c.half_length, c.angle), false);

@@ -148,9 +148,6 @@ class FlexsplineCracks {
   void add(CrackReport report, const DiaphragmArcCrack& crack,
            const LoadedCrack<sif::ThroughCrackInTube>& loaded);
   void add(CrackReport report, const DiaphragmGroove& groove, const LoadedGroove& loaded);
-  void add(const CrackReport& report, const RimAxialCrack&, const ActsInCoupledDrive&) {
-    note_contact_path(member_.notes, report.path);
-  }
 
  private:
   [[nodiscard]] Faces given(const BothSenses& state) const {
@@ -411,15 +408,10 @@ MemberCompliance flexspline_compliance(const GearSet& gear, const StiffnessOptio
   const SeriesModel<double> model(gear);
   MemberCompliance member;
   add_sound_flexspline(gear, model, member);
-  FlexsplineCracks cracks(gear, model, options, member);
-  for (std::size_t i = 0; i < fs.crack.size(); ++i)
-    model.loads().load(fs.crack[i], [&](const auto& crack, const auto& loaded) {
-      cracks.add({.path = fmt::format("flexspline.crack[{}]", i), .kind = kind_of(crack)}, crack,
-                 loaded);
-    });
-  const bool in_the_wall = std::ranges::any_of(fs.crack, [](const FlexsplineCrack& crack) {
-    return std::holds_alternative<WallThroughCrack>(crack) ||
-           std::holds_alternative<WallSurfaceCrack>(crack);
+  add_cracks(member, model.loads(), "flexspline", fs.crack,
+             FlexsplineCracks(gear, model, options, member));
+  const bool in_the_wall = std::ranges::any_of(fs.crack, [](const FlexsplineCrack& any) {
+    return std::visit([](const auto& crack) { return crack.place().angle.has_value(); }, any);
   });
   if (in_the_wall) note_ovalisation(gear, member);
   if (fs.dynamic_load != 1)

@@ -29,12 +29,6 @@ inline void use_equation(std::vector<std::string>& equations, std::string_view t
   if (std::ranges::find(equations, tag) == equations.end()) equations.emplace_back(tag);
 }
 
-/// Kind of a crack, as the input file calls it.
-template <class Crack>
-std::string kind_of(const Crack&) {
-  return std::string(Crack::kKind);
-}
-
 /// Records what an uncertainty rests on.
 inline void rest_on(MemberCompliance& member, std::string_view path,
                     const ModelAccuracy& accuracy) {
@@ -165,16 +159,26 @@ void take_from_table(CrackReport& report, MemberCompliance& member, const GearSe
        .severity = Severity::information});
 }
 
-/// Note that a crack acts on contacts, which the series model does not have.
-inline void note_contact_path(std::vector<Note>& notes, const std::string& path) {
-  notes.push_back(
-      {.code = "crack.contact_path",
-       .text = "the series model has no contacts of balls and teeth, through which this "
-               "crack acts: it adds no compliance here",
-       .path = path,
-       .equation = "ST-1",
-       .severity = Severity::care,
-       .next_step = "Run strainwave torsion, whose coupled drive contains this crack."});
+/// Adds the cracks of a member, each by the overload of `adder.add` for its kind; those that act on
+/// contacts, which the series model does not have, by a note.
+template <class Cracks, class Adder>
+void add_cracks(MemberCompliance& member, const CrackLoads<double>& loads, std::string_view name,
+                const Cracks& cracks, Adder adder) {
+  for_each_crack(name, cracks, [&]<class Crack>(const std::string& path, const Crack& crack) {
+    if constexpr (ContactCrack<Crack>)
+      member.notes.push_back(
+          {.code = "crack.contact_path",
+           .text = "the series model has no contacts of balls and teeth, through which this "
+                   "crack acts: it adds no compliance here",
+           .path = path,
+           .equation = "ST-1",
+           .severity = Severity::care,
+           .next_step = "Run strainwave torsion, whose coupled drive contains this crack."});
+    else
+      loads.load(crack, [&](const auto& loaded) {
+        adder.add({.path = path, .kind = std::string(Crack::kKind)}, crack, loaded);
+      });
+  });
 }
 
 /// Note that cracks of one member are added without interaction.

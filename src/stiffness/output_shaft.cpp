@@ -172,20 +172,15 @@ void ShaftCracks::add(CrackReport report, const AnnularCrack& crack,
 }  // namespace
 
 MemberCompliance output_shaft_compliance(const GearSet& gear, const StiffnessOptions& options) {
-  const OutputShaft& shaft = *gear.output_shaft;
   const SeriesModel<double> model(gear);
   MemberCompliance member;
   member.intact = model.sound_shaft();
   member.relative_uncertainty = accuracy::kTube;
   rest_on(member, "output_shaft", accuracy::kTube);
   use_equation(member.equations, "ST-2");
-  ShaftCracks cracks(gear, model, options, member);
-  for (std::size_t i = 0; i < shaft.crack.size(); ++i)
-    model.loads().load(shaft.crack[i], [&](const auto& crack, const auto& loaded) {
-      cracks.add({.path = fmt::format("output_shaft.crack[{}]", i), .kind = kind_of(crack)}, crack,
-                 loaded);
-    });
-  note_superposition(member.notes, shaft.crack.size(), "output_shaft.crack");
+  add_cracks(member, model.loads(), "output_shaft", gear.output_shaft->crack,
+             ShaftCracks(gear, model, options, member));
+  note_superposition(member.notes, member.cracks.size(), "output_shaft.crack");
   return member;
 }
 

@@ -150,9 +150,6 @@ class RaceCracks {
       return accuracy::kEdgeCrack;
     });
   }
-  void add(const CrackReport& report, const OuterRaceCrack&, const ActsInCoupledDrive&) {
-    note_contact_path(member_.notes, report.path);
-  }
 
  private:
   template <class Crack, class Solution, class Fit>
@@ -241,16 +238,11 @@ void add_sound_wave_generator(const GearSet& gear, const SeriesModel<double>& mo
 }  // namespace
 
 MemberCompliance wave_generator_compliance(const GearSet& gear, const StiffnessOptions& options) {
-  const WaveGenerator& wg = *gear.wave_generator;
   const SeriesModel<double> model(gear);
   MemberCompliance member;
   add_sound_wave_generator(gear, model, member);
-  RaceCracks cracks(gear, model, options, member);
-  for (std::size_t i = 0; i < wg.crack.size(); ++i)
-    model.loads().load(wg.crack[i], [&](const auto& crack, const auto& loaded) {
-      cracks.add({.path = fmt::format("wave_generator.crack[{}]", i), .kind = kind_of(crack)},
-                 crack, loaded);
-    });
+  add_cracks(member, model.loads(), "wave_generator", gear.wave_generator->crack,
+             RaceCracks(gear, model, options, member));
   if (!member.cracks.empty())
     member.notes.push_back(
         {.code = "wave_generator.crack_under_lobe",
