@@ -185,48 +185,48 @@ void round_numbers(GearSet& gear) {
 
 /// Where each number of a starting drive comes from, by its path.
 std::map<std::string, std::string> origins(int size, double ratio, Cup cup) {
-  std::map<std::string, std::string> comments;
   const RatingRow* const rated = find_rating(size, ratio);
-  comments["drive.ratio"] = rated != nullptr ? fmt::format("catalogue: series {}", rated->series)
-                                             : "assumed: no rating of this size and ratio is known";
-  comments["drive.wave_number"] = "catalogue: all makers' drives of this kind";
-  comments["drive.pitch_diameter"] = "catalogue: 2.54 mm times the size";
-  comments["load.torque"] =
-      rated != nullptr ? "catalogue: rated torque" : "catalogue: T2, for want of a rated torque";
-  comments["material.steel.youngs_modulus"] = "typical: alloy steel, 2 %";
-  comments["material.steel.poissons_ratio"] = "typical";
-  comments["rating.T1"] = "catalogue: of this size, the same for all ratios";
-  comments["rating.T2"] = "catalogue: of this size, the same for all ratios";
+  std::map<std::string, std::string> comments = {
+      {"drive.ratio", rated != nullptr ? fmt::format("catalogue: series {}", rated->series)
+                                       : "assumed: no rating of this size and ratio is known"},
+      {"drive.wave_number", "catalogue: all makers' drives of this kind"},
+      {"drive.pitch_diameter", "catalogue: 2.54 mm times the size"},
+      {"load.torque",
+       rated != nullptr ? "catalogue: rated torque" : "catalogue: T2, for want of a rated torque"},
+      {"material.steel.youngs_modulus", "typical: alloy steel, 2 %"},
+      {"material.steel.poissons_ratio", "typical"},
+      {"rating.T1", "catalogue: of this size, the same for all ratios"},
+      {"rating.T2", "catalogue: of this size, the same for all ratios"},
+      {"flexspline.wall_thickness", "as rim.wall_thickness"},
+      {"flexspline.length",
+       remark(cup == Cup::standard ? "standard_cup_length" : "short_cup_length")},
+      {"flexspline.rim.outer_diameter", remark("dedendum", "roots; ")},
+      {"flexspline.rim.wall_thickness", remark("rim_thickness")},
+      {"flexspline.rim.length", remark("face_width")},
+      {"flexspline.barrel.outer_diameter", "same mean diameter as the rim"},
+      {"flexspline.barrel.length", "flexspline.length less the rim's"},
+      {"flexspline.diaphragm.outer_diameter", "mean diameter of the barrel"},
+      {"wave_generator.force_transmission_coefficient", "tan(mesh.flank_angle)"},
+      {"wave_generator.inner_ring_thickness", "as that of the outer ring"},
+      {"wave_generator.inner_ring_width", "as that of the outer ring"},
+      {"wave_generator.inner_ring_mean_radius", remark("bearing_bore")},
+      {"wave_generator.bearing.ball_diameter", remark("ball_diameter")},
+      {"wave_generator.bearing.inner_raceway_diameter", "balls in the middle of the section"},
+      {"wave_generator.bearing.outer_raceway_diameter", "balls in the middle of the section"},
+      {"wave_generator.bearing.inner_conformity", remark("conformity")},
+      {"wave_generator.bearing.outer_conformity", remark("conformity")},
+      {"wave_generator.bearing.loaded_balls",
+       "assumed: as if five shared the force of a lobe; not for the torsion curve"},
+      {"wave_generator.bearing.ball_count", remark("ball_count")},
+      {"wave_generator.bearing.outer_ring.mean_radius", "fills the bore of the flexspline"},
+      {"wave_generator.bearing.outer_ring.thickness",
+       "half of what the ball leaves of the section"},
+      {"circular_spline.width", "assumed: as the face width"}};
   if (rated != nullptr)
     comments["rating.rated_torque"] =
         fmt::format("catalogue: series {}, at an input of 2000 rpm", rated->series);
   for (const Proportion& p : kProportions)
-    if (!p.path.empty()) comments[std::string(p.path)] = remark(p.name);
-  comments["flexspline.wall_thickness"] = "as rim.wall_thickness";
-  comments["flexspline.length"] =
-      remark(cup == Cup::standard ? "standard_cup_length" : "short_cup_length");
-  comments["flexspline.rim.outer_diameter"] = remark("dedendum", "roots; ");
-  comments["flexspline.rim.wall_thickness"] = remark("rim_thickness");
-  comments["flexspline.rim.length"] = remark("face_width");
-  comments["flexspline.barrel.outer_diameter"] = "same mean diameter as the rim";
-  comments["flexspline.barrel.length"] = "flexspline.length less the rim's";
-  comments["flexspline.diaphragm.outer_diameter"] = "mean diameter of the barrel";
-  comments["wave_generator.force_transmission_coefficient"] = "tan(mesh.flank_angle)";
-  comments["wave_generator.inner_ring_thickness"] = "as that of the outer ring";
-  comments["wave_generator.inner_ring_width"] = "as that of the outer ring";
-  comments["wave_generator.inner_ring_mean_radius"] = remark("bearing_bore");
-  comments["wave_generator.bearing.ball_diameter"] = remark("ball_diameter");
-  comments["wave_generator.bearing.inner_raceway_diameter"] = "balls in the middle of the section";
-  comments["wave_generator.bearing.outer_raceway_diameter"] = "balls in the middle of the section";
-  comments["wave_generator.bearing.inner_conformity"] = remark("conformity");
-  comments["wave_generator.bearing.outer_conformity"] = remark("conformity");
-  comments["wave_generator.bearing.loaded_balls"] =
-      "assumed: as if five shared the force of a lobe; not for the torsion curve";
-  comments["wave_generator.bearing.ball_count"] = remark("ball_count");
-  comments["wave_generator.bearing.outer_ring.mean_radius"] = "fills the bore of the flexspline";
-  comments["wave_generator.bearing.outer_ring.thickness"] =
-      "half of what the ball leaves of the section";
-  comments["circular_spline.width"] = "assumed: as the face width";
+    if (!p.path.empty()) comments.try_emplace(std::string(p.path), remark(p.name));
   return comments;
 }
 

@@ -65,6 +65,12 @@ struct EnumNames<StressDriver> {
                                                             "ring_bending", "given"};
 };
 
+inline constexpr Field kCrackDepthField{.name = "depth",
+                                        .unit = "m",
+                                        .doc = "crack depth a",
+                                        .range = kPositive,
+                                        .example = R"("0.1 mm")"};
+
 /// Semi-elliptical surface crack in the inner ring of the wave generator's bearing.
 struct RaceSurfaceCrack {
   static constexpr std::string_view kKind = "surface";
@@ -84,12 +90,7 @@ struct RaceSurfaceCrack {
   }
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field(Field{.name = "depth",
-                .unit = "m",
-                .doc = "crack depth a",
-                .range = kPositive,
-                .example = R"("0.1 mm")"},
-          &RaceSurfaceCrack::depth);
+    field(kCrackDepthField, &RaceSurfaceCrack::depth);
     field(Field{.name = "aspect_ratio",
                 .unit = "1",
                 .doc = "a/c, depth per half length",
@@ -147,12 +148,7 @@ struct RaceEdgeCrack {
   }
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field(Field{.name = "depth",
-                .unit = "m",
-                .doc = "crack depth a",
-                .range = kPositive,
-                .example = R"("0.1 mm")"},
-          &RaceEdgeCrack::depth);
+    field(kCrackDepthField, &RaceEdgeCrack::depth);
     RaceSurfaceCrack::describe_driver<RaceEdgeCrack>(field);
   }
 };
@@ -247,12 +243,7 @@ struct WallSurfaceCrack {
   }
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field(Field{.name = "depth",
-                .unit = "m",
-                .doc = "crack depth a",
-                .range = kPositive,
-                .example = R"("0.1 mm")"},
-          &WallSurfaceCrack::depth);
+    field(kCrackDepthField, &WallSurfaceCrack::depth);
     field(Field{.name = "half_length",
                 .unit = "m",
                 .doc = "half of the length on the surface, c",
@@ -285,12 +276,7 @@ struct AnnularCrack {
   }
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field(Field{.name = "depth",
-                .unit = "m",
-                .doc = "crack depth a",
-                .range = kPositive,
-                .example = R"("0.1 mm")"},
-          &AnnularCrack::depth);
+    field(kCrackDepthField, &AnnularCrack::depth);
     field(Field{.name = "solution",
                 .unit = "",
                 .doc = "stress intensity of a solid shaft; a hollow one has a table",
