@@ -247,13 +247,14 @@ class ContactCracksOf {
   }
 
   void note_rigid_spline() {
-    const Note note{"crack.rigid_ring",
-                    "the circular spline is held rigidly (support = 0): a crack in it has no "
-                    "effect",
-                    "circular_spline.support",
-                    "TC-10",
-                    Severity::care,
-                    "Give a support above 0."};
+    const Note note{.code = "crack.rigid_ring",
+                    .text =
+                        "the circular spline is held rigidly (support = 0): a crack in it has "
+                        "no effect",
+                    .path = "circular_spline.support",
+                    .equation = "TC-10",
+                    .severity = Severity::care,
+                    .next_step = "Give a support above 0."};
     if (std::ranges::find(notes_, note) == notes_.end()) notes_.push_back(note);
   }
 
