@@ -118,6 +118,46 @@ void drop_ranges_of_fitted(GearSet& gear, const GearSet& before) {
   });
 }
 
+/// Which combinations of factors the values tell, and how well each factor is known.
+void tell_identified(Calibration& result, const FactorProblem& problem, const FactorFit& fit) {
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(fit.jacobian,
+                                              Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const auto n_factors = static_cast<Eigen::Index>(problem.factors.size());
+  Eigen::VectorXd variance = Eigen::VectorXd::Zero(n_factors);
+  for (Eigen::Index k = 0; k < n_factors; ++k) {
+    const double singular = svd.singularValues()(k);
+    FactorCombination combination{
+        .weights = {},
+        .singular_value = singular,
+        .uncertainty = result.relative_uncertainty / std::max(singular, 1e-9),
+        .identified = false};
+    combination.identified = combination.uncertainty <= kMostUncertainty;
+    // The sign of a direction is arbitrary: its largest weight is made positive.
+    Eigen::Index largest = 0;
+    svd.matrixV().col(k).cwiseAbs().maxCoeff(&largest);
+    const double sign = svd.matrixV()(largest, k) < 0 ? -1.0 : 1.0;
+    for (Eigen::Index i = 0; i < n_factors; ++i) {
+      const double weight = sign * svd.matrixV()(i, k);
+      combination.weights.push_back(weight);
+      variance(i) += std::pow(weight * combination.uncertainty, 2);
+    }
+    result.combinations.push_back(std::move(combination));
+  }
+  for (std::size_t i = 0; i < problem.factors.size(); ++i) {
+    const FactorInfo& info = factor_info(problem.factors[i]);
+    CalibratedFactor factor{.factor = problem.factors[i],
+                            .before = problem.start[i],
+                            .value = fit.values[i],
+                            .uncertainty = std::sqrt(variance(static_cast<Eigen::Index>(i))),
+                            .at_limit = fit.at_limit[i]};
+    factor.uncertainty *= info.logarithmic ? factor.value : scale_of(problem.factors[i]);
+    factor.plausible = factor.value >= info.lower && factor.value <= info.upper;
+    factor.identified =
+        !factor.at_limit && factor.uncertainty <= kMostUncertainty * std::abs(factor.value);
+    result.factors.push_back(factor);
+  }
+}
+
 }  // namespace
 
 std::vector<MeasuredPoint> parse_measured_curve(std::string_view text, std::string_view file_name) {
@@ -226,43 +266,7 @@ Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
   result.relative_uncertainty =
       std::max(target.relative_uncertainty,
                spare > 0 ? std::sqrt(fit.residuals.squaredNorm() / spare) : 0.0);
-
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(fit.jacobian,
-                                              Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const auto n_factors = static_cast<Eigen::Index>(factors.size());
-  Eigen::VectorXd variance = Eigen::VectorXd::Zero(n_factors);
-  for (Eigen::Index k = 0; k < n_factors; ++k) {
-    const double singular = svd.singularValues()(k);
-    FactorCombination combination{
-        .weights = {},
-        .singular_value = singular,
-        .uncertainty = result.relative_uncertainty / std::max(singular, 1e-9),
-        .identified = false};
-    combination.identified = combination.uncertainty <= kMostUncertainty;
-    // The sign of a direction is arbitrary: its largest weight is made positive.
-    Eigen::Index largest = 0;
-    svd.matrixV().col(k).cwiseAbs().maxCoeff(&largest);
-    const double sign = svd.matrixV()(largest, k) < 0 ? -1.0 : 1.0;
-    for (Eigen::Index i = 0; i < n_factors; ++i) {
-      const double weight = sign * svd.matrixV()(i, k);
-      combination.weights.push_back(weight);
-      variance(i) += std::pow(weight * combination.uncertainty, 2);
-    }
-    result.combinations.push_back(std::move(combination));
-  }
-  for (std::size_t i = 0; i < factors.size(); ++i) {
-    const FactorInfo& info = factor_info(factors[i]);
-    CalibratedFactor factor{.factor = factors[i],
-                            .before = problem.start[i],
-                            .value = fit.values[i],
-                            .uncertainty = std::sqrt(variance(static_cast<Eigen::Index>(i))),
-                            .at_limit = fit.at_limit[i]};
-    factor.uncertainty *= info.logarithmic ? factor.value : scale_of(factors[i]);
-    factor.plausible = factor.value >= info.lower && factor.value <= info.upper;
-    factor.identified =
-        !factor.at_limit && factor.uncertainty <= kMostUncertainty * std::abs(factor.value);
-    result.factors.push_back(factor);
-  }
+  tell_identified(result, problem, fit);
   for (std::size_t i = 0; i < target.values.size(); ++i)
     result.stiffnesses.push_back(
         {target.values[i], before[i],

@@ -10,12 +10,98 @@
 namespace strainwave {
 namespace {
 
+constexpr double kDifference = 2e-3;  // of a forward difference: K is smooth to about 1e-8
+constexpr double kSmallStep = 1e-5;   // in which no factor moves any more, on its scale
+constexpr int kMostSteps = 40;
+
 double to_scale(Factor factor, double value) {
   return factor_info(factor).logarithmic ? std::log(value) : value / scale_of(factor);
 }
 
 double from_scale(Factor factor, double u) {
   return factor_info(factor).logarithmic ? std::exp(u) : u * scale_of(factor);
+}
+
+/// Factors on their scales, with the limits between which they are looked for.
+struct ScaledFactors {
+  explicit ScaledFactors(const FactorProblem& problem)
+      : factors(problem.factors),
+        lower(static_cast<Eigen::Index>(factors.size())),
+        upper(lower.size()),
+        start(lower.size()) {
+    for (Eigen::Index i = 0; i < lower.size(); ++i) {
+      const Factor factor = factors[static_cast<std::size_t>(i)];
+      const FactorInfo& info = factor_info(factor);
+      const double from = problem.plausible_only ? info.lower : info.least;
+      const double to = problem.plausible_only ? info.upper : info.most;
+      lower(i) = to_scale(factor, from);
+      upper(i) = to_scale(factor, to);
+      start(i) = to_scale(factor, std::clamp(problem.start[static_cast<std::size_t>(i)], from, to));
+    }
+  }
+
+  [[nodiscard]] std::vector<double> values(const Eigen::VectorXd& at) const {
+    std::vector<double> values;
+    for (Eigen::Index i = 0; i < at.size(); ++i)
+      values.push_back(from_scale(factors[static_cast<std::size_t>(i)], at(i)));
+    return values;
+  }
+
+  /// All but those at a limit that the gradient drives beyond it.
+  [[nodiscard]] std::vector<Eigen::Index> free(const Eigen::VectorXd& at,
+                                               const Eigen::VectorXd& gradient) const {
+    std::vector<Eigen::Index> free;
+    for (Eigen::Index i = 0; i < at.size(); ++i)
+      if (!(at(i) >= upper(i) && gradient(i) < 0) && !(at(i) <= lower(i) && gradient(i) > 0))
+        free.push_back(i);
+    return free;
+  }
+
+  const std::vector<Factor>& factors;
+  Eigen::VectorXd lower;
+  Eigen::VectorXd upper;
+  Eigen::VectorXd start;
+};
+
+Eigen::MatrixXd jacobian_at(const FactorProblem& problem, const ScaledFactors& scaled,
+                            const Eigen::VectorXd& at, const Eigen::VectorXd& residuals,
+                            const Progress& progress, double done) {
+  Eigen::MatrixXd J(residuals.size(), at.size());
+  for (Eigen::Index i = 0; i < at.size(); ++i) {
+    progress.at(done);
+    Eigen::VectorXd moved = at;
+    const double h = at(i) + kDifference > scaled.upper(i) ? -kDifference : kDifference;
+    moved(i) += h;
+    J.col(i) = (problem.residuals(scaled.values(moved)) - residuals) / h;
+  }
+  return J;
+}
+
+/// Where a damped step of Gauss and Newton leads: at most 1 in each factor, within the limits.
+Eigen::VectorXd stepped(const ScaledFactors& scaled, const Eigen::VectorXd& at,
+                        const std::vector<Eigen::Index>& free, const Eigen::MatrixXd& jacobian,
+                        const Eigen::VectorXd& gradient, double damping) {
+  const Eigen::MatrixXd J = jacobian(Eigen::all, free);
+  Eigen::MatrixXd A = J.transpose() * J;
+  const double floor = 1e-12 + 1e-6 * A.diagonal().maxCoeff();
+  A.diagonal() += damping * (A.diagonal().array() + floor).matrix();
+  const Eigen::VectorXd step = -A.ldlt().solve(Eigen::VectorXd(gradient(free)));
+  Eigen::VectorXd trial = at;
+  for (std::size_t k = 0; k < free.size(); ++k)
+    trial(free[k]) =
+        std::clamp(at(free[k]) + std::clamp(step(static_cast<Eigen::Index>(k)), -1.0, 1.0),
+                   scaled.lower(free[k]), scaled.upper(free[k]));
+  return trial;
+}
+
+/// Empty where the drive has no solution with these values.
+std::optional<Eigen::VectorXd> residuals_at(const FactorProblem& problem,
+                                            const std::vector<double>& values) {
+  try {
+    return problem.residuals(values);
+  } catch (const SolverError&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -26,77 +112,26 @@ double scale_of(Factor factor) {
 }
 
 FactorFit fit_factors(const FactorProblem& problem, const Progress& progress) {
-  constexpr double kDifference = 2e-3;  // of a forward difference: K is smooth to about 1e-8
-  constexpr double kSmallStep = 1e-5;
-  constexpr int kMostSteps = 40;
-  const auto n = static_cast<Eigen::Index>(problem.factors.size());
-  Eigen::VectorXd lower(n);
-  Eigen::VectorXd upper(n);
-  Eigen::VectorXd u(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Factor factor = problem.factors[static_cast<std::size_t>(i)];
-    const FactorInfo& info = factor_info(factor);
-    const double from = problem.plausible_only ? info.lower : info.least;
-    const double to = problem.plausible_only ? info.upper : info.most;
-    lower(i) = to_scale(factor, from);
-    upper(i) = to_scale(factor, to);
-    const double start = problem.start[static_cast<std::size_t>(i)];
-    u(i) = to_scale(factor, std::clamp(start, from, to));
-  }
-  const auto values_at = [&](const Eigen::VectorXd& at) {
-    std::vector<double> values;
-    for (Eigen::Index i = 0; i < n; ++i)
-      values.push_back(from_scale(problem.factors[static_cast<std::size_t>(i)], at(i)));
-    return values;
-  };
-  double done = 0.0;  // share of the steps, of which most fits need far fewer
-  const auto jacobian_at = [&](const Eigen::VectorXd& at, const Eigen::VectorXd& residuals) {
-    Eigen::MatrixXd J(residuals.size(), n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      progress.at(done);
-      Eigen::VectorXd moved = at;
-      const double h = at(i) + kDifference > upper(i) ? -kDifference : kDifference;
-      moved(i) += h;
-      J.col(i) = (problem.residuals(values_at(moved)) - residuals) / h;
-    }
-    return J;
-  };
-
+  const ScaledFactors scaled(problem);
+  Eigen::VectorXd u = scaled.start;
   FactorFit fit;
-  fit.residuals = problem.residuals(values_at(u));
-  fit.jacobian = jacobian_at(u, fit.residuals);
+  fit.residuals = problem.residuals(scaled.values(u));
+  fit.jacobian = jacobian_at(problem, scaled, u, fit.residuals, progress, 0.0);
   double damping = 1e-3;
   while (!fit.converged && fit.iterations < kMostSteps) {
     ++fit.iterations;
-    done = static_cast<double>(fit.iterations) / (kMostSteps + 1);
+    // Share of the steps, of which most fits need far fewer.
+    const double done = static_cast<double>(fit.iterations) / (kMostSteps + 1);
     progress.at(done);
     const Eigen::VectorXd gradient = fit.jacobian.transpose() * fit.residuals;
-    // A factor at its limit that wants to go beyond stays out of this step.
-    std::vector<Eigen::Index> free;
-    for (Eigen::Index i = 0; i < n; ++i)
-      if (!(u(i) >= upper(i) && gradient(i) < 0) && !(u(i) <= lower(i) && gradient(i) > 0))
-        free.push_back(i);
+    const std::vector<Eigen::Index> free = scaled.free(u, gradient);
     if (free.empty()) {
       fit.converged = true;
       break;
     }
-    const Eigen::MatrixXd J = fit.jacobian(Eigen::all, free);
-    Eigen::MatrixXd A = J.transpose() * J;
-    const double floor = 1e-12 + 1e-6 * A.diagonal().maxCoeff();
-    A.diagonal() += damping * (A.diagonal().array() + floor).matrix();
-    const Eigen::VectorXd step = -A.ldlt().solve(Eigen::VectorXd(gradient(free)));
-    Eigen::VectorXd trial = u;
-    for (std::size_t k = 0; k < free.size(); ++k)
-      trial(free[k]) =
-          std::clamp(u(free[k]) + std::clamp(step(static_cast<Eigen::Index>(k)), -1.0, 1.0),
-                     lower(free[k]), upper(free[k]));
+    const Eigen::VectorXd trial = stepped(scaled, u, free, fit.jacobian, gradient, damping);
     const double moved = (trial - u).cwiseAbs().maxCoeff();
-    std::optional<Eigen::VectorXd> residuals;
-    try {
-      residuals = problem.residuals(values_at(trial));
-    } catch (const SolverError&) {
-      residuals.reset();
-    }
+    const std::optional<Eigen::VectorXd> residuals = residuals_at(problem, scaled.values(trial));
     const double before = fit.residuals.squaredNorm();
     if (residuals && residuals->squaredNorm() < before) {
       const bool slow = before - residuals->squaredNorm() < 1e-9 * before;
@@ -104,15 +139,16 @@ FactorFit fit_factors(const FactorProblem& problem, const Progress& progress) {
       fit.residuals = *residuals;
       damping = std::max(damping / 5, 1e-9);
       fit.converged = moved < kSmallStep || slow || fit.residuals.squaredNorm() < 1e-16;
-      fit.jacobian = jacobian_at(u, fit.residuals);
+      fit.jacobian = jacobian_at(problem, scaled, u, fit.residuals, progress, done);
     } else {
       fit.converged = moved < kSmallStep;
       damping *= 6;
     }
   }
   progress.at(1.0);
-  fit.values = values_at(u);
-  for (Eigen::Index i = 0; i < n; ++i) fit.at_limit.push_back(u(i) <= lower(i) || u(i) >= upper(i));
+  fit.values = scaled.values(u);
+  for (Eigen::Index i = 0; i < u.size(); ++i)
+    fit.at_limit.push_back(u(i) <= scaled.lower(i) || u(i) >= scaled.upper(i));
   return fit;
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -86,48 +87,23 @@ double rounded(double value, double unit, std::string_view name, std::string_vie
   return parse_quantity("proportion", fmt::format("{:.6g} {}", value / unit, name), si);
 }
 
-}  // namespace
+/// The toothed ring, on which the other members rest.
+struct TypicalRim {
+  double radius = 0.0;     // R, of the mean line [m]
+  double thickness = 0.0;  // t_r [m]
+  double width = 0.0;      // b [m]
+};
 
-std::span<const Proportion> proportions() { return kProportions; }
-
-ProportionValues draw_proportions(std::mt19937_64& generator) {
-  ProportionValues values;
-  for (const Proportion& p : kProportions)
-    values.*p.value = p.lower + (p.upper - p.lower) * uniform(generator);
-  return values;
-}
-
-GearSet typical_drive(double pitch_diameter, double ratio, Cup cup, const ProportionValues& p) {
-  const double d = pitch_diameter;
-  require(d > 0 && std::isfinite(d), "pitch_diameter", d, "m", "> 0");
-  require(ratio >= 30 && ratio <= 320, "ratio", ratio, "1", ">= 30 and <= 320");
-  require(std::abs(2 * ratio - std::round(2 * ratio)) < 1e-9, "ratio", ratio, "1",
-          "2 ratio, the teeth of the flexspline, a whole number");
+TypicalRim typical_rim(double d, double ratio, const ProportionValues& p) {
   const double m = d / (2 * ratio);
   const double t_r = p.rim_thickness * 1e-4 * (65 + 2.5 * std::cbrt(ratio * ratio)) * d;
+  return {.radius = d / 2 - p.dedendum * m - t_r / 2, .thickness = t_r, .width = p.face_width * d};
+}
+
+Flexspline typical_flexspline(double d, const TypicalRim& rim, Cup cup, const ProportionValues& p) {
+  const auto& [R, t_r, b] = rim;
   const double t_b = p.barrel_thickness * t_r;
-  const double R = d / 2 - p.dedendum * m - t_r / 2;
-  const double b = p.face_width * d;
   const double L = (cup == Cup::standard ? p.standard_cup_length : p.short_cup_length) * d;
-  const double bore = 2 * R - t_r;
-  const double section = bore * (1 - p.bearing_bore) / 2;
-  const double ball = p.ball_diameter * section;
-  const double pitch = bore / 2 - section / 2;  // radius of the balls' circle
-  const double ring = (section - ball) / 2;
-
-  GearSet gear;
-  gear.name = fmt::format("Typical drive, d = {:.5g} mm, ratio {:g}, {} cup", d / mm, ratio,
-                          enum_name(cup));
-  Material steel;
-  steel.youngs_modulus = 206 * units::GPa;
-  steel.poissons_ratio = 0.3;
-  gear.material["steel"] = steel;
-  gear.drive = {.ratio = ratio,
-                .wave_number = 2,
-                .pitch_diameter = d,
-                .radial_displacement = p.radial_displacement * m};
-  gear.load.torque = 0.187e6 * d * d * d;
-
   Flexspline fs;
   fs.material = "steel";
   fs.wall_thickness = t_r;
@@ -139,8 +115,15 @@ GearSet typical_drive(double pitch_diameter, double ratio, Cup cup, const Propor
                            .inner_diameter = p.boss_diameter * d,
                            .thickness = p.diaphragm_thickness * d,
                            .profile = {}};
-  gear.flexspline = fs;
+  return fs;
+}
 
+/// @param bore  diameter of the flexspline's, which the bearing fills [m]
+WaveGenerator typical_wave_generator(double d, double bore, const ProportionValues& p) {
+  const double section = bore * (1 - p.bearing_bore) / 2;
+  const double ball = p.ball_diameter * section;
+  const double pitch = bore / 2 - section / 2;  // radius of the balls' circle
+  const double ring = (section - ball) / 2;
   Bearing bearing;
   bearing.ball_diameter = ball;
   bearing.inner_raceway_diameter = 2 * pitch - ball;
@@ -161,7 +144,155 @@ GearSet typical_drive(double pitch_diameter, double ratio, Cup cup, const Propor
   wg.inner_ring_thickness = ring;
   wg.inner_ring_width = p.bearing_width * bore;
   wg.inner_ring_mean_radius = bore / 2 - section + ring / 2;
-  gear.wave_generator = wg;
+  return wg;
+}
+
+/// The limits of a proportion, as a comment of the file says them.
+std::string limits_of(const Proportion& p) {
+  if (p.name == "flank_angle") return fmt::format("{:g} to {:g} deg", p.lower / deg, p.upper / deg);
+  if (p.name == "lobe_gap" || p.name == "clearance")
+    return fmt::format("{:.2g} to {:.2g} 1e-6", 1e6 * p.lower, 1e6 * p.upper);
+  return fmt::format("{:.4g} to {:.4g}", p.lower, p.upper);
+}
+
+/// What a proportion rests on, with its limits.
+std::string remark(std::string_view name, std::string_view before = {}) {
+  const auto p = std::ranges::find(kProportions, name, &Proportion::name);
+  return fmt::format("{}{}: {} {}; {}", before, enum_name(p->knowledge), p->symbol, limits_of(*p),
+                     p->source);
+}
+
+/// All numbers with six digits, as the file will show them.
+void round_numbers(GearSet& gear) {
+  for_each_number(gear, [](const FieldPath&, const Field& field, double& value) {
+    if (field.unit == "m") value = rounded(value, mm, "mm", field.unit);
+    if (field.unit == "rad") value = rounded(value, deg, "deg", field.unit);
+    if (field.unit == "1") value = rounded(value, 1.0, "1", field.unit);
+    if (field.unit == "N*m") value = rounded(value, 1.0, "N*m", field.unit);
+  });
+  // What must still fit after rounding: balls between their races, sections in the cup.  One part
+  // in 1e5 less is always another number of six digits.
+  Bearing& bearing = *gear.wave_generator->bearing;
+  const double between = (bearing.outer_raceway_diameter - bearing.inner_raceway_diameter) / 2;
+  if (bearing.ball_diameter > between) bearing.ball_diameter = rounded(between, mm, "mm", "m");
+  while (bearing.ball_diameter > between * (1 + 1e-12))
+    bearing.ball_diameter = rounded(bearing.ball_diameter * (1 - 1e-5), mm, "mm", "m");
+  Flexspline& fs = *gear.flexspline;
+  fs.barrel->length = rounded(fs.length - fs.rim->length, mm, "mm", "m");
+  while (fs.length < (fs.barrel->length + fs.rim->length) * (1 - 1e-12))
+    fs.barrel->length = rounded(fs.barrel->length * (1 - 1e-5), mm, "mm", "m");
+}
+
+/// Where each number of a starting drive comes from, by its path.
+std::map<std::string, std::string> origins(int size, double ratio, Cup cup) {
+  const RatingRow* const rated = find_rating(size, ratio);
+  std::map<std::string, std::string> comments = {
+      {"drive.ratio", rated != nullptr ? fmt::format("catalogue: series {}", rated->series)
+                                       : "assumed: no rating of this size and ratio is known"},
+      {"drive.wave_number", "catalogue: all makers' drives of this kind"},
+      {"drive.pitch_diameter", "catalogue: 2.54 mm times the size"},
+      {"load.torque",
+       rated != nullptr ? "catalogue: rated torque" : "catalogue: T2, for want of a rated torque"},
+      {"material.steel.youngs_modulus", "typical: alloy steel, 2 %"},
+      {"material.steel.poissons_ratio", "typical"},
+      {"rating.T1", "catalogue: of this size, the same for all ratios"},
+      {"rating.T2", "catalogue: of this size, the same for all ratios"},
+      {"flexspline.wall_thickness", "as rim.wall_thickness"},
+      {"flexspline.length",
+       remark(cup == Cup::standard ? "standard_cup_length" : "short_cup_length")},
+      {"flexspline.rim.outer_diameter", remark("dedendum", "roots; ")},
+      {"flexspline.rim.wall_thickness", remark("rim_thickness")},
+      {"flexspline.rim.length", remark("face_width")},
+      {"flexspline.barrel.outer_diameter", "same mean diameter as the rim"},
+      {"flexspline.barrel.length", "flexspline.length less the rim's"},
+      {"flexspline.diaphragm.outer_diameter", "mean diameter of the barrel"},
+      {"wave_generator.force_transmission_coefficient", "tan(mesh.flank_angle)"},
+      {"wave_generator.inner_ring_thickness", "as that of the outer ring"},
+      {"wave_generator.inner_ring_width", "as that of the outer ring"},
+      {"wave_generator.inner_ring_mean_radius", remark("bearing_bore")},
+      {"wave_generator.bearing.ball_diameter", remark("ball_diameter")},
+      {"wave_generator.bearing.inner_raceway_diameter", "balls in the middle of the section"},
+      {"wave_generator.bearing.outer_raceway_diameter", "balls in the middle of the section"},
+      {"wave_generator.bearing.inner_conformity", remark("conformity")},
+      {"wave_generator.bearing.outer_conformity", remark("conformity")},
+      {"wave_generator.bearing.loaded_balls",
+       "assumed: as if five shared the force of a lobe; not for the torsion curve"},
+      {"wave_generator.bearing.ball_count", remark("ball_count")},
+      {"wave_generator.bearing.outer_ring.mean_radius", "fills the bore of the flexspline"},
+      {"wave_generator.bearing.outer_ring.thickness",
+       "half of what the ball leaves of the section"},
+      {"circular_spline.width", "assumed: as the face width"}};
+  if (rated != nullptr)
+    comments["rating.rated_torque"] =
+        fmt::format("catalogue: series {}, at an input of 2000 rpm", rated->series);
+  for (const Proportion& p : kProportions)
+    if (!p.path.empty()) comments.try_emplace(std::string(p.path), remark(p.name));
+  return comments;
+}
+
+/// The limits of one number of a starting drive; they hold the number of the file, whatever its
+/// rounding.
+/// @param drawn  the drive with the proportion at a value
+template <class Drawn>
+InputRange range_of(const GearSet& gear, const Proportion& p, const Drawn& drawn) {
+  const NumberAt at = number_at(gear, p.path);
+  const auto limit = [&](double proportion) {
+    const double exact = number_at(drawn(proportion), p.path).value;
+    if (at.field.unit == "m")
+      return std::abs(exact) < 0.01 * mm ? fmt::format("{:.4g} um", exact / (1e-3 * mm))
+                                         : fmt::format("{:.4g} mm", exact / mm);
+    if (at.field.unit == "rad") return fmt::format("{:.4g} deg", exact / deg);
+    return fmt::format("{:.4g}", exact);
+  };
+  InputRange range{.path = std::string(p.path),
+                   .lower = limit(p.lower),
+                   .upper = limit(p.upper),
+                   .knowledge = p.knowledge,
+                   .source = std::string(p.source)};
+  // Where the value is its own limit, four digits of the limit may pass it.
+  const auto value_of = [&](const std::string& text) {
+    return parse_quantity(p.path, text, at.field.unit);
+  };
+  const std::string value = at.field.unit == "m" ? fmt::format("{:.6g} mm", at.value / mm)
+                                                 : quantity_text(at.value, at.field.unit);
+  if (value_of(range.lower) > at.value) range.lower = value;
+  if (value_of(range.upper) < at.value) range.upper = value;
+  return range;
+}
+
+}  // namespace
+
+std::span<const Proportion> proportions() { return kProportions; }
+
+ProportionValues draw_proportions(std::mt19937_64& generator) {
+  ProportionValues values;
+  for (const Proportion& p : kProportions)
+    values.*p.value = p.lower + (p.upper - p.lower) * uniform(generator);
+  return values;
+}
+
+GearSet typical_drive(double pitch_diameter, double ratio, Cup cup, const ProportionValues& p) {
+  const double d = pitch_diameter;
+  require(d > 0 && std::isfinite(d), "pitch_diameter", d, "m", "> 0");
+  require(ratio >= 30 && ratio <= 320, "ratio", ratio, "1", ">= 30 and <= 320");
+  require(std::abs(2 * ratio - std::round(2 * ratio)) < 1e-9, "ratio", ratio, "1",
+          "2 ratio, the teeth of the flexspline, a whole number");
+  const double m = d / (2 * ratio);
+  const TypicalRim rim = typical_rim(d, ratio, p);
+  GearSet gear;
+  gear.name = fmt::format("Typical drive, d = {:.5g} mm, ratio {:g}, {} cup", d / mm, ratio,
+                          enum_name(cup));
+  Material steel;
+  steel.youngs_modulus = 206 * units::GPa;
+  steel.poissons_ratio = 0.3;
+  gear.material["steel"] = steel;
+  gear.drive = {.ratio = ratio,
+                .wave_number = 2,
+                .pitch_diameter = d,
+                .radial_displacement = p.radial_displacement * m};
+  gear.load.torque = 0.187e6 * d * d * d;
+  gear.flexspline = typical_flexspline(d, rim, cup, p);
+  gear.wave_generator = typical_wave_generator(d, 2 * rim.radius - rim.thickness, p);
 
   ToothMesh mesh;
   mesh.flank_angle = p.flank_angle;
@@ -176,7 +307,7 @@ GearSet typical_drive(double pitch_diameter, double ratio, Cup cup, const Propor
   spline.material = "steel";
   spline.outer_diameter = p.spline_outer_diameter * d;
   spline.inner_diameter = d + p.spline_root * m;
-  spline.width = b;
+  spline.width = rim.width;
   spline.support = p.spline_support;
   gear.circular_spline = spline;
   return gear;
@@ -202,114 +333,17 @@ GearSet typical_drive_of_size(int size, double ratio, Cup cup, const ProportionV
 }
 
 CommentedDrive starting_drive(int size, double ratio, Cup cup) {
-  CommentedDrive drive{.gear = typical_drive_of_size(size, ratio, cup), .comments = {}};
-  GearSet& gear = drive.gear;
-  const ProportionValues base;
-  for_each_number(gear, [](const FieldPath&, const Field& field, double& value) {
-    if (field.unit == "m") value = rounded(value, mm, "mm", field.unit);
-    if (field.unit == "rad") value = rounded(value, deg, "deg", field.unit);
-    if (field.unit == "1") value = rounded(value, 1.0, "1", field.unit);
-    if (field.unit == "N*m") value = rounded(value, 1.0, "N*m", field.unit);
-  });
-  // What must still fit after rounding: balls between their races, sections in the cup.  One part
-  // in 1e5 less is always another number of six digits.
-  Bearing& bearing = *gear.wave_generator->bearing;
-  const double between = (bearing.outer_raceway_diameter - bearing.inner_raceway_diameter) / 2;
-  if (bearing.ball_diameter > between) bearing.ball_diameter = rounded(between, mm, "mm", "m");
-  while (bearing.ball_diameter > between * (1 + 1e-12))
-    bearing.ball_diameter = rounded(bearing.ball_diameter * (1 - 1e-5), mm, "mm", "m");
-  Flexspline& fs = *gear.flexspline;
-  fs.barrel->length = rounded(fs.length - fs.rim->length, mm, "mm", "m");
-  while (fs.length < (fs.barrel->length + fs.rim->length) * (1 - 1e-12))
-    fs.barrel->length = rounded(fs.barrel->length * (1 - 1e-5), mm, "mm", "m");
-
-  const auto limits = [](const Proportion& p) {
-    if (p.name == "flank_angle")
-      return fmt::format("{:g} to {:g} deg", p.lower / deg, p.upper / deg);
-    if (p.name == "lobe_gap" || p.name == "clearance")
-      return fmt::format("{:.2g} to {:.2g} 1e-6", 1e6 * p.lower, 1e6 * p.upper);
-    return fmt::format("{:.4g} to {:.4g}", p.lower, p.upper);
-  };
-  const auto remark = [&](std::string_view name, std::string_view before = {}) {
-    for (const Proportion& p : kProportions)
-      if (p.name == name)
-        return fmt::format("{}{}: {} {}; {}", before, enum_name(p.knowledge), p.symbol, limits(p),
-                           p.source);
-    return std::string();
-  };
-  auto& comments = drive.comments;
-  const RatingRow* const rated = find_rating(size, ratio);
-  comments["drive.ratio"] = rated != nullptr ? fmt::format("catalogue: series {}", rated->series)
-                                             : "assumed: no rating of this size and ratio is known";
-  comments["drive.wave_number"] = "catalogue: all makers' drives of this kind";
-  comments["drive.pitch_diameter"] = "catalogue: 2.54 mm times the size";
-  comments["load.torque"] =
-      rated != nullptr ? "catalogue: rated torque" : "catalogue: T2, for want of a rated torque";
-  comments["material.steel.youngs_modulus"] = "typical: alloy steel, 2 %";
-  comments["material.steel.poissons_ratio"] = "typical";
-  comments["rating.T1"] = "catalogue: of this size, the same for all ratios";
-  comments["rating.T2"] = "catalogue: of this size, the same for all ratios";
-  if (rated != nullptr)
-    comments["rating.rated_torque"] =
-        fmt::format("catalogue: series {}, at an input of 2000 rpm", rated->series);
+  CommentedDrive drive{.gear = typical_drive_of_size(size, ratio, cup),
+                       .comments = origins(size, ratio, cup)};
+  round_numbers(drive.gear);
   for (const Proportion& p : kProportions)
-    if (!p.path.empty()) comments[std::string(p.path)] = remark(p.name);
-  comments["flexspline.wall_thickness"] = "as rim.wall_thickness";
-  comments["flexspline.length"] =
-      remark(cup == Cup::standard ? "standard_cup_length" : "short_cup_length");
-  comments["flexspline.rim.outer_diameter"] = remark("dedendum", "roots; ");
-  comments["flexspline.rim.wall_thickness"] = remark("rim_thickness");
-  comments["flexspline.rim.length"] = remark("face_width");
-  comments["flexspline.barrel.outer_diameter"] = "same mean diameter as the rim";
-  comments["flexspline.barrel.length"] = "flexspline.length less the rim's";
-  comments["flexspline.diaphragm.outer_diameter"] = "mean diameter of the barrel";
-  comments["wave_generator.force_transmission_coefficient"] = "tan(mesh.flank_angle)";
-  comments["wave_generator.inner_ring_thickness"] = "as that of the outer ring";
-  comments["wave_generator.inner_ring_width"] = "as that of the outer ring";
-  comments["wave_generator.inner_ring_mean_radius"] = remark("bearing_bore");
-  comments["wave_generator.bearing.ball_diameter"] = remark("ball_diameter");
-  comments["wave_generator.bearing.inner_raceway_diameter"] = "balls in the middle of the section";
-  comments["wave_generator.bearing.outer_raceway_diameter"] = "balls in the middle of the section";
-  comments["wave_generator.bearing.inner_conformity"] = remark("conformity");
-  comments["wave_generator.bearing.outer_conformity"] = remark("conformity");
-  comments["wave_generator.bearing.loaded_balls"] =
-      "assumed: as if five shared the force of a lobe; not for the torsion curve";
-  comments["wave_generator.bearing.ball_count"] = remark("ball_count");
-  comments["wave_generator.bearing.outer_ring.mean_radius"] = "fills the bore of the flexspline";
-  comments["wave_generator.bearing.outer_ring.thickness"] =
-      "half of what the ball leaves of the section";
-  comments["circular_spline.width"] = "assumed: as the face width";
-
-  // A range holds the number of the file, whatever its rounding.
-  for (const Proportion& p : kProportions) {
-    if (p.path.empty()) continue;
-    const NumberAt at = number_at(gear, p.path);
-    const auto limit = [&](double proportion) {
-      ProportionValues one = base;
-      one.*p.value = proportion;
-      const double exact = number_at(typical_drive_of_size(size, ratio, cup, one), p.path).value;
-      if (at.field.unit == "m")
-        return std::abs(exact) < 0.01 * mm ? fmt::format("{:.4g} um", exact / (1e-3 * mm))
-                                           : fmt::format("{:.4g} mm", exact / mm);
-      if (at.field.unit == "rad") return fmt::format("{:.4g} deg", exact / deg);
-      return fmt::format("{:.4g}", exact);
-    };
-    InputRange range{.path = std::string(p.path),
-                     .lower = limit(p.lower),
-                     .upper = limit(p.upper),
-                     .knowledge = p.knowledge,
-                     .source = std::string(p.source)};
-    // Where the value is its own limit, four digits of the limit may pass it.
-    const auto value_of = [&](const std::string& text) {
-      return parse_quantity(p.path, text, at.field.unit);
-    };
-    const std::string value = at.field.unit == "m" ? fmt::format("{:.6g} mm", at.value / mm)
-                                                   : quantity_text(at.value, at.field.unit);
-    if (value_of(range.lower) > at.value) range.lower = value;
-    if (value_of(range.upper) < at.value) range.upper = value;
-    gear.range.push_back(std::move(range));
-  }
-  check(gear);
+    if (!p.path.empty())
+      drive.gear.range.push_back(range_of(drive.gear, p, [&](double value) {
+        ProportionValues one;
+        one.*p.value = value;
+        return typical_drive_of_size(size, ratio, cup, one);
+      }));
+  check(drive.gear);
   return drive;
 }
 

@@ -122,35 +122,25 @@ class Maker {
  public:
   explicit Maker(const GearSet& gear) : gear_(gear), loads_(gear) {}
 
-  [[nodiscard]] std::vector<DriveCrack> all() {
-    if (gear_.wave_generator)
-      for_each("wave_generator", gear_.wave_generator->crack, gear_.wave_generator->material);
-    if (gear_.flexspline)
-      for_each("flexspline", gear_.flexspline->crack, gear_.flexspline->material);
-    if (gear_.mesh) for_each("mesh", gear_.mesh->crack, {});
-    if (gear_.circular_spline)
-      for_each("circular_spline", gear_.circular_spline->crack, gear_.circular_spline->material);
-    if (gear_.output_shaft)
-      for_each("output_shaft", gear_.output_shaft->crack, gear_.output_shaft->material);
-    return std::move(result_);
+  [[nodiscard]] std::vector<DriveCrack> all() const {
+    std::vector<DriveCrack> result;
+    for_each_cracked_member(gear_, [&](std::string_view name, const auto& member) {
+      for_each_crack(name, member.crack, [&](const std::string& path, const auto& crack) {
+        loads_.load(crack, [&](const auto& loaded) {
+          DriveCrack made;
+          made.path = path;
+          made.kind = std::decay_t<decltype(crack)>::kKind;
+          if constexpr (requires { member.material; }) made.material = member.material;
+          made.wave_number = gear_.drive.wave_number;
+          fill(made, crack, loaded);
+          result.push_back(std::move(made));
+        });
+      });
+    });
+    return result;
   }
 
  private:
-  template <class Variant>
-  void for_each(std::string_view member, const std::vector<Variant>& cracks,
-                const std::string& material) {
-    for (std::size_t i = 0; i < cracks.size(); ++i)
-      loads_.load(cracks[i], [&](const auto& crack, const auto& loaded) {
-        DriveCrack made;
-        made.path = fmt::format("{}.crack[{}]", member, i);
-        made.kind = std::decay_t<decltype(crack)>::kKind;
-        made.material = material;
-        made.wave_number = gear_.drive.wave_number;
-        fill(made, crack, loaded);
-        result_.push_back(std::move(made));
-      });
-  }
-
   template <class Crack>
   void fill(DriveCrack& made, const Crack&, const ActsInCoupledDrive&) const {
     made.acts_in_coupled_drive = true;
@@ -168,6 +158,13 @@ class Maker {
     };
     made.range_end = kNearlyAll * d / 2;
     made.range_text = "the radius of the shaft";
+    made.kinks.push_back(
+        {.code = "sensitivity.solid_shaft",
+         .text = "a bore of 0 is a solid shaft, whose crack has a solution of its own: the "
+                 "derivative to the bore is that of the sound shaft",
+         .path = "output_shaft.inner_diameter",
+         .equation = "FR-12",
+         .severity = Severity::care});
   }
   void fill(DriveCrack& made, const AnnularCrack& crack,
             const LoadedCrack<sif::AnnularCrackHollow>& loaded) const {
@@ -203,6 +200,20 @@ class Maker {
 
   // --- Flexspline -------------------------------------------------------------------------------
 
+  /// A crack that torque opens, exactly between open and closed.
+  void step_where_touching(DriveCrack& made, double normal_stress_of_torque) const {
+    const bool touching =
+        made.faces.positive == Faces::touching || made.faces.negative == Faces::touching;
+    if (touching && normal_stress_of_torque != 0)
+      made.kinks.push_back(
+          {.code = "sensitivity.step",
+           .text = "the crack is exactly between open and closed, where the stiffness steps: its "
+                   "derivatives, those of the open crack, hold on one side",
+           .path = made.path,
+           .equation = "FR-17",
+           .severity = Severity::care});
+  }
+
   /// The wall that a crack sits in, with its length.
   [[nodiscard]] LongWall long_wall(WallSection section) const {
     const Flexspline& fs = *gear_.flexspline;
@@ -217,6 +228,7 @@ class Maker {
             const LoadedCrack<sif::ThroughCrackInTube>& loaded) const {
     const LongWall wall = long_wall(crack.section);
     take_basics(made, loaded);
+    step_where_touching(made, loads_.plane_of(crack).normal[kTorsion]);
     const AssemblyStress bending = assembly_of(made, wall, crack.angle);
     if (on_rim(crack.section)) leave_unknown(made, kRim);
     made.front = [states = BothStates(loaded.solution), bending](const CrackSize& size,
@@ -266,6 +278,7 @@ class Maker {
     const double nu = loads_.flexspline_steel().nu;
     const double t = wall.thickness;
     take_basics(made, loaded);
+    step_where_touching(made, loads_.plane_of(crack).normal[kTorsion]);
     const AssemblyStress bending = assembly_of(made, wall, crack.angle);
     if (on_rim(crack.section)) leave_unknown(made, kRim);
     made.front = [=, given = SurfaceFits(loaded.solution, nu)](const CrackSize& size, Faces faces) {
@@ -323,6 +336,18 @@ class Maker {
     made.range_text = "half of the arc's radius";
     leave_unknown(made, kDiaphragm);
     use(made, {"FA-6", "FA-8"});
+    const bool at_station = std::ranges::any_of(
+        gear_.flexspline->diaphragm->profile, [&](const DiaphragmStation& station) {
+          return std::abs(station.radius - r) <= 1e-12 * station.radius;
+        });
+    if (at_station)
+      made.kinks.push_back(
+          {.code = "sensitivity.kink",
+           .text = "the arc is at a station of the diaphragm's profile, where the slope of the "
+                   "thickness steps: its derivatives are those of the law inside it",
+           .path = made.path,
+           .equation = "TC-19",
+           .severity = Severity::care});
   }
 
   void fill(DriveCrack& made, const DiaphragmGroove& groove, const LoadedGroove&) const {
@@ -471,7 +496,6 @@ class Maker {
 
   const GearSet& gear_;
   CrackLoads<double> loads_;
-  std::vector<DriveCrack> result_;
 };
 
 }  // namespace

@@ -24,11 +24,6 @@ Point at_angle(double radius, double angle) {
   return {-radius * std::sin(angle), radius * std::cos(angle)};
 }
 
-template <class Crack>
-constexpr bool has_position = requires(const Crack& c) {
-  c.position;
-};
-
 /// How many times too large the deflection is drawn.
 double exaggeration(const GearSet& gear, double radius) {
   const double wanted = kOvality * radius / gear.drive.radial_displacement;
@@ -40,9 +35,10 @@ double exaggeration(const GearSet& gear, double radius) {
 
 class Front {
  public:
-  Front(const GearSet& gear, const Layout& layout)
+  Front(const GearSet& gear, const Layout& layout, const std::vector<NumberedCrack>& cracks)
       : gear_(gear),
         at_(layout),
+        cracks_(cracks),
         sheet_(drawing_scale(2 * layout.top, kRound), {0, 0}),
         factor_(exaggeration(gear, layout.tooth_root)) {
     half_ = sheet_.paper(at_.top) + 12;
@@ -73,9 +69,7 @@ class Front {
       sheet_.line({0, 0}, at_angle(beyond, 2 * std::numbers::pi * lobe / gear_.drive.wave_number),
                   "axis");
     if (gear_.drive.wave_number == 2) sheet_.line({-beyond, 0}, {beyond, 0}, "axis");
-    for_each_crack(gear_, [&](int number, const std::string& path, const auto& crack) {
-      if constexpr (has_position<std::decay_t<decltype(crack)>>) add(number, path, crack);
-    });
+    for (const NumberedCrack& crack : cracks_) add(crack, *crack.place.position);
     draw_marks();
     return finish();
   }
@@ -110,35 +104,21 @@ class Front {
     }
   }
 
-  void radial(int number, const std::string& path, double angle, double from, double to) {
-    sheet_.crack(path, {at_angle(from, angle), at_angle(to, angle)}, false);
+  /// A radial line from the surface that the crack starts from; a tooth has it over its height.
+  void add(const NumberedCrack& crack, double angle) {
+    const CrackPlace& c = crack.place;
+    double from = at_.tooth_root;
+    double length = at_.tooth_height;
+    if (c.part != CrackedPart::tooth) {
+      const Ring& ring = ring_of(at_, c.part);
+      from = c.from_inside ? ring.inner : ring.outer;
+      length = c.from_inside ? c.depth : -c.depth;
+    }
+    if (c.part != CrackedPart::circular_spline) from = deflected(from, angle);
+    const double to = from + length;
+    sheet_.crack(crack.path, {at_angle(from, angle), at_angle(to, angle)}, false);
     const Point target = sheet_.paper(at_angle((from + to) / 2, angle));
-    cracks_.push_back({number, angle, target});
-  }
-
-  void add(int number, const std::string& path, const RaceSurfaceCrack& c) {
-    const double race = deflected(at_.inner_ring->outer, c.position);
-    radial(number, path, c.position, race, race - c.depth);
-  }
-  void add(int number, const std::string& path, const RaceEdgeCrack& c) {
-    const double race = deflected(at_.inner_ring->outer, c.position);
-    radial(number, path, c.position, race, race - c.depth);
-  }
-  void add(int number, const std::string& path, const OuterRaceCrack& c) {
-    const double race = deflected(at_.outer_ring->inner, c.position);
-    radial(number, path, c.position, race, race + c.depth);
-  }
-  void add(int number, const std::string& path, const RimAxialCrack& c) {
-    const double root = deflected(at_.rim->outer, c.position);
-    radial(number, path, c.position, root, root - c.depth);
-  }
-  void add(int number, const std::string& path, const CircularSplineRingCrack& c) {
-    radial(number, path, c.position, at_.circular_spline->inner,
-           at_.circular_spline->inner + c.depth);
-  }
-  void add(int number, const std::string& path, const ToothCrack& c) {
-    const double root = deflected(at_.tooth_root, c.position);
-    radial(number, path, c.position, root, root + at_.tooth_height);
+    placed_.push_back({crack.number, angle, target});
   }
 
   struct Placed {
@@ -150,14 +130,14 @@ class Front {
   /// Marks round the drawing at the angle of their crack, pushed apart where they would overlap.
   void draw_marks() {
     std::vector<double> wanted;
-    for (const Placed& c : cracks_) wanted.push_back(std::remainder(c.angle, 2 * std::numbers::pi));
+    for (const Placed& c : placed_) wanted.push_back(std::remainder(c.angle, 2 * std::numbers::pi));
     const double radius = at_.top + 7e-3 / sheet_.scale();
     const double apart = 6e-3 / sheet_.scale() / radius;
     const std::vector<double> angles = spread(wanted, apart, -std::numbers::pi, std::numbers::pi);
-    for (std::size_t i = 0; i < cracks_.size(); ++i) {
+    for (std::size_t i = 0; i < placed_.size(); ++i) {
       const Point mark = sheet_.paper(at_angle(radius, angles[i]));
-      sheet_.paper_line(cracks_[i].target, mark, "crack-leader");
-      sheet_.balloon(mark, std::to_string(cracks_[i].number), "crack-mark");
+      sheet_.paper_line(placed_[i].target, mark, "crack-leader");
+      sheet_.balloon(mark, std::to_string(placed_[i].number), "crack-mark");
     }
   }
 
@@ -180,12 +160,10 @@ class Front {
     say("cracks: angle and depth to scale", "small");
     say(fmt::format("scale {}", scale_text(sheet_.scale())), "small");
     y += 2;
-    for_each_crack(gear_, [&](int number, const std::string&, const auto& crack) {
-      if constexpr (has_position<std::decay_t<decltype(crack)>>)
-        say(fmt::format("{}: {} at {:.4g}°", number, std::decay_t<decltype(crack)>::kKind,
-                        crack.position / units::deg),
-            "small");
-    });
+    for (const NumberedCrack& crack : cracks_)
+      say(fmt::format("{}: {} at {:.4g}°", crack.number, crack.kind,
+                      *crack.place.position / units::deg),
+          "small");
     sheet_.scale_bar(
         beside ? Point{x, std::max(y + 2, 2 * half_ - 8)} : Point{x + kWords + 30, y - 8}, 30);
     return sheet_.svg("front", {kPaperWidth, std::max(2 * half_, y + 10)},
@@ -196,22 +174,21 @@ class Front {
 
   const GearSet& gear_;
   const Layout& at_;
+  const std::vector<NumberedCrack>& cracks_;  ///< those with a position
   Sheet sheet_;
   double factor_;
   double half_ = 0.0;  ///< of the square that the drawing takes [mm]
-  std::vector<Placed> cracks_;
+  std::vector<Placed> placed_;
 };
 
 }  // namespace
 
 std::string front_drawing(const GearSet& gear) {
-  bool any = false;
-  for_each_crack(gear, [&](int, const std::string&, const auto& crack) {
-    any = any || has_position<std::decay_t<decltype(crack)>>;
-  });
-  if (!any) return {};
+  std::vector<NumberedCrack> cracks = numbered_cracks(gear);
+  std::erase_if(cracks, [](const NumberedCrack& crack) { return !crack.place.position; });
+  if (cracks.empty()) return {};
   const Layout layout = layout_of(gear);
-  return Front(gear, layout).svg();
+  return Front(gear, layout, cracks).svg();
 }
 
 }  // namespace strainwave

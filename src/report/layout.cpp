@@ -145,8 +145,19 @@ Layout layout_of(const GearSet& gear) {
   return at;
 }
 
-const Ring& wall_of(const Layout& layout, WallSection section) {
-  return section == WallSection::rim && layout.rim ? *layout.rim : *layout.barrel;
+const Ring& ring_of(const Layout& layout, CrackedPart part) {
+  switch (part) {
+    case CrackedPart::inner_ring:
+      return *layout.inner_ring;
+    case CrackedPart::outer_ring:
+      return *layout.outer_ring;
+    case CrackedPart::circular_spline:
+      return *layout.circular_spline;
+    case CrackedPart::output_shaft:
+      return *layout.shaft;
+    default:
+      return part == CrackedPart::rim && layout.rim ? *layout.rim : *layout.barrel;
+  }
 }
 
 Polygon semi_ellipse(Point at, double half, double depth, Point into) {
@@ -224,46 +235,45 @@ std::string degrees(double angle) {
   const std::string text = fmt::format("{:.4g}°", std::abs(angle) / units::deg);
   return angle < 0 ? "−" + text : text;
 }
-std::string position(double angle) { return " at " + degrees(angle) + " from the major axis"; }
-std::string depth(double a) { return "a = " + in_mm(a); }
+std::string size_of(const CrackPlace& at) {
+  const std::string depth = "a = " + in_mm(at.depth);
+  switch (at.shape) {
+    case CrackShape::semi_ellipse:
+      return depth + ", 2c = " + in_mm(2 * at.half_length);
+    case CrackShape::over_width:
+      return depth + ", over the width";
+    case CrackShape::all_round:
+      return depth + ", all round";
+    case CrackShape::through:
+      return "2a = " + in_mm(2 * at.half_length);
+    case CrackShape::groove:
+      return in_mm(at.depth) + " deep, " + in_mm(2 * at.half_length) + " wide";
+    case CrackShape::whole:
+      break;
+  }
+  return fmt::format("{:.3g} % of the pair's stiffness lost", 100 * at.stiffness_loss);
+}
 
-std::string size_of(const RaceSurfaceCrack& c) {
-  return depth(c.depth) + ", 2c = " + in_mm(2 * c.depth / c.aspect_ratio) + position(c.position);
+std::string size_and_place(const CrackPlace& at) {
+  std::string text = size_of(at);
+  if (at.angle)
+    text += ", β = " + degrees(*at.angle) + (at.part == CrackedPart::rim ? ", rim" : ", barrel");
+  if (at.part == CrackedPart::diaphragm)
+    text += at.radius ? " at radius " + in_mm(*at.radius) : " round the boss";
+  if (at.position) text += " at " + degrees(*at.position) + " from the major axis";
+  return text;
 }
-std::string size_of(const RaceEdgeCrack& c) {
-  return depth(c.depth) + ", over the width" + position(c.position);
-}
-std::string size_of(const RingCrack& c) {
-  return depth(c.depth) + ", over the width" + position(c.position);
-}
-std::string size_of(const WallThroughCrack& c) {
-  return "2a = " + in_mm(2 * c.half_length) + ", β = " + degrees(c.angle) + ", " +
-         std::string(enum_name(c.section));
-}
-std::string size_of(const WallSurfaceCrack& c) {
-  return depth(c.depth) + ", 2c = " + in_mm(2 * c.half_length) + ", β = " + degrees(c.angle) +
-         ", " + std::string(enum_name(c.section));
-}
-std::string size_of(const DiaphragmArcCrack& c) {
-  return "2a = " + in_mm(2 * c.half_length) +
-         (c.radius ? " at radius " + in_mm(*c.radius) : std::string(" round the boss"));
-}
-std::string size_of(const DiaphragmGroove& c) {
-  return in_mm(c.depth) + " deep, " + in_mm(c.width) + " wide at radius " + in_mm(c.radius);
-}
-std::string size_of(const ToothCrack& c) {
-  return fmt::format("{:.3g} % of the pair's stiffness lost", 100 * c.stiffness_loss) +
-         position(c.position);
-}
-std::string size_of(const AnnularCrack& c) { return depth(c.depth) + ", all round"; }
 
 }  // namespace
 
 std::vector<NumberedCrack> numbered_cracks(const GearSet& gear) {
   std::vector<NumberedCrack> cracks;
-  report::for_each_crack(gear, [&](int number, const std::string& path, const auto& crack) {
-    cracks.push_back(
-        {number, path, std::string(std::decay_t<decltype(crack)>::kKind), size_of(crack)});
+  for_each_crack(gear, [&]<class Crack>(const std::string& path, const Crack& crack) {
+    cracks.push_back({.number = static_cast<int>(cracks.size()) + 1,
+                      .path = path,
+                      .kind = std::string(Crack::kKind),
+                      .place = crack.place(),
+                      .size = size_and_place(crack.place())});
   });
   return cracks;
 }

@@ -54,27 +54,8 @@ struct Layout {
 
 [[nodiscard]] Layout layout_of(const GearSet& gear);
 
-/// The wall that carries a crack of the flexspline.
-[[nodiscard]] const Ring& wall_of(const Layout& layout, WallSection section);
-
-/// Calls f(number, path, crack) for all cracks, in the order of their numbers.
-template <class F>
-void for_each_crack(const GearSet& gear, const F& f) {
-  int number = 0;
-  const auto walk = [&](const auto& member, const char* name) {
-    if (!member) return;
-    for (std::size_t i = 0; i < member->crack.size(); ++i) {
-      ++number;
-      const std::string path = std::string(name) + ".crack[" + std::to_string(i) + "]";
-      std::visit([&](const auto& crack) { f(number, path, crack); }, member->crack[i]);
-    }
-  };
-  walk(gear.wave_generator, "wave_generator");
-  walk(gear.flexspline, "flexspline");
-  walk(gear.mesh, "mesh");
-  walk(gear.circular_spline, "circular_spline");
-  walk(gear.output_shaft, "output_shaft");
-}
+/// The ring or tube that a crack is in; neither tooth nor diaphragm is one.
+[[nodiscard]] const Ring& ring_of(const Layout& layout, CrackedPart part);
 
 /// A semi-ellipse over `half` on each side of a point of a surface, into the direction `into`.
 [[nodiscard]] Polygon semi_ellipse(Point at, double half, double depth, Point into);
@@ -85,7 +66,7 @@ inline constexpr double kVisible = 0.7;
 /// What of a small crack is shown again: its wall, cut through the crack, surface up.
 struct Detail {
   int number = 0;
-  std::string path;
+  std::string path = {};
   double wall = 0.0;   ///< thickness under the surface [m]
   double depth = 0.0;  ///< [m]
   double half = 0.0;   ///< along the surface [m]; 0: a line

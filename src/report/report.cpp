@@ -168,8 +168,9 @@ ReportSection drawing_chapter(const Draft& draft) {
                       {}});
     html += table("Cracks", {"crack", "kind", "size and place"}, {{"", rows}});
     const bool surface = std::ranges::any_of(draft.cracks, [](const NumberedCrack& crack) {
-      return crack.kind == "outer_race" || crack.kind == "rim_axial" || crack.kind == "ring" ||
-             crack.kind == "diaphragm_groove" || crack.path.starts_with("flexspline");
+      const CrackedPart part = crack.place.part;
+      return part != CrackedPart::inner_ring && part != CrackedPart::tooth &&
+             part != CrackedPart::output_shaft;
     });
     if (surface)
       html += paragraph(

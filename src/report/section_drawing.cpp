@@ -42,11 +42,12 @@ class Section {
   explicit Section(const GearSet& gear)
       : gear_(gear),
         at_(layout_of(gear)),
+        cracks_(numbered_cracks(gear)),
         sheet_(std::min(drawing_scale(at_.end, kPaperWidth - kLeft - kRight),
                         drawing_scale(at_.top, kHeight)),
                {0, 0}) {
     // The row of crack marks above, the drawing, the row of part marks below the axis.
-    const double above = numbered_cracks(gear).empty() ? 4 : 12;
+    const double above = cracks_.empty() ? 4 : 12;
     axis_ = above + sheet_.paper(at_.top) + 3;
     const double drawn = sheet_.paper(at_.end);
     left_ = kLeft + std::max(0.0, (kPaperWidth - kLeft - kRight - drawn) / 3);
@@ -203,9 +204,9 @@ class Section {
   // --- cracks -----------------------------------------------------------------------------------
 
   /// Draws a crack and remembers its mark, and its detail if it is too small to be seen.
-  void add(int number, const std::string& path, const Polygon& shape, bool closed, double seen,
-           const std::optional<Detail>& detail) {
-    sheet_.crack(path, shape, closed);
+  void add(const NumberedCrack& crack, const Polygon& shape, bool closed, double seen,
+           std::optional<Detail> detail) {
+    sheet_.crack(crack.path, shape, closed);
     Point middle{0, 0};
     double highest = shape.front().y;
     for (const Point& p : shape) {
@@ -216,93 +217,79 @@ class Section {
     // Several over the whole width of the teeth lie above each other: point beside each other.
     if (closed && shape.size() == 4 && sheet_.paper(shape[1].x - shape[0].x) > kMarks)
       middle.x = shape[0].x + (shape[1].x - shape[0].x) * (0.2 + 0.2 * (n_wide_++ % 4));
-    crack_marks_.push_back({std::to_string(number), sheet_.paper(middle), "crack"});
-    if (sheet_.paper(seen) < kVisible && detail) details_.push_back(*detail);
+    crack_marks_.push_back({std::to_string(crack.number), sheet_.paper(middle), "crack"});
+    if (sheet_.paper(seen) >= kVisible || !detail) return;
+    detail->number = crack.number;
+    detail->path = crack.path;
+    details_.push_back(*detail);
   }
 
-  /// A crack over the width of a ring, from its outside (into = -1) or inside (+1).
-  void add_ring_crack(int number, const std::string& path, const Ring& r, double depth,
-                      double into) {
-    const double from = into < 0 ? r.outer : r.inner;
-    add(number, path, rectangle(r.z1, from, r.z2, from + into * depth), true, depth,
-        Detail{number, path, r.thickness(), depth, (r.z2 - r.z1) / 2, Detail::Shape::rectangle});
+  void draw(const NumberedCrack& crack) {
+    if (crack.place.part == CrackedPart::diaphragm)
+      draw_on_diaphragm(crack);
+    else if (crack.place.part == CrackedPart::tooth)
+      add(crack, rectangle(0, at_.tooth_root, at_.teeth_width, at_.tooth_root + at_.tooth_height),
+          true, at_.teeth_width, {});
+    else
+      draw_in_ring(crack);
   }
 
-  void crack(int number, const std::string& path, const RaceSurfaceCrack& c) {
-    const Ring& r = *at_.inner_ring;
-    const double half = c.depth / c.aspect_ratio;
-    add(number, path, semi_ellipse({r.middle(), r.outer}, half, c.depth, {0, -1}), true, c.depth,
-        Detail{number, path, r.thickness(), c.depth, half, Detail::Shape::ellipse});
+  void draw_in_ring(const NumberedCrack& crack) {
+    const CrackPlace& c = crack.place;
+    const Ring& r = ring_of(at_, c.part);
+    const double z = c.angle ? crack_place(r) : r.middle();
+    const double half = c.half_length * std::cos(c.angle.value_or(0.0));
+    const double from = c.from_inside ? r.inner : r.outer;
+    const double into = c.from_inside ? 1 : -1;
+    const auto detail = [&](double along, Detail::Shape shape) {
+      return Detail{.wall = r.thickness(), .depth = c.depth, .half = along, .shape = shape};
+    };
+    switch (c.shape) {
+      case CrackShape::semi_ellipse:
+        add(crack, semi_ellipse({z, from}, half, c.depth, {0, into}), true, c.depth,
+            detail(c.half_length, Detail::Shape::ellipse));
+        break;
+      case CrackShape::through:
+        add(crack, rectangle(z - half, r.inner, z + half, r.outer), true, 2 * half, {});
+        break;
+      case CrackShape::all_round:
+        add(crack, {{z, from}, {z, from + into * c.depth}}, false, c.depth,
+            detail(0, Detail::Shape::line));
+        break;
+      default:
+        add(crack, rectangle(r.z1, from, r.z2, from + into * c.depth), true, c.depth,
+            detail((r.z2 - r.z1) / 2, Detail::Shape::rectangle));
+    }
   }
-  void crack(int number, const std::string& path, const RaceEdgeCrack& c) {
-    add_ring_crack(number, path, *at_.inner_ring, c.depth, -1);
-  }
-  void crack(int number, const std::string& path, const OuterRaceCrack& c) {
-    add_ring_crack(number, path, *at_.outer_ring, c.depth, +1);
-  }
-  void crack(int number, const std::string& path, const RimAxialCrack& c) {
-    add_ring_crack(number, path, *at_.rim, c.depth, -1);
-  }
-  void crack(int number, const std::string& path, const CircularSplineRingCrack& c) {
-    add_ring_crack(number, path, *at_.circular_spline, c.depth, +1);
-  }
-  void crack(int number, const std::string& path, const WallThroughCrack& c) {
-    const Ring& r = wall_of(at_, c.section);
-    const double z = crack_place(r);
-    const double half = c.half_length * std::cos(c.angle);
-    add(number, path, rectangle(z - half, r.inner, z + half, r.outer), true, 2 * half, {});
-  }
-  void crack(int number, const std::string& path, const WallSurfaceCrack& c) {
-    const Ring& r = wall_of(at_, c.section);
-    const double half = c.half_length * std::cos(c.angle);
-    add(number, path, semi_ellipse({crack_place(r), r.outer}, half, c.depth, {0, -1}), true,
-        c.depth,
-        Detail{number, path, r.thickness(), c.depth, c.half_length, Detail::Shape::ellipse});
-  }
-  void crack(int number, const std::string& path, const DiaphragmArcCrack& c) {
-    const Diaphragm& plate = *gear_.flexspline->diaphragm;
-    const double r = c.radius.value_or(plate.inner_diameter / 2);
-    const double h = diaphragm_thickness(plate, r);
-    add(number, path, {{at_.bottom->z2 - h, r}, {at_.bottom->z2, r}}, false, h,
-        Detail{number, path, h, h, 0, Detail::Shape::line});
-  }
-  void crack(int number, const std::string& path, const DiaphragmGroove& c) {
+
+  void draw_on_diaphragm(const NumberedCrack& crack) {
+    const CrackPlace& c = crack.place;
     const Diaphragm& plate = *gear_.flexspline->diaphragm;
     const double z = at_.bottom->z2;
-    add(number, path, rectangle(z - c.depth, c.radius - c.width / 2, z, c.radius + c.width / 2),
-        true, c.depth,
-        Detail{number, path, diaphragm_thickness(plate, c.radius), c.depth, c.width / 2,
-               Detail::Shape::rectangle});
-  }
-  void crack(int number, const std::string& path, const ToothCrack&) {
-    const double root = at_.tooth_root;
-    add(number, path, rectangle(0, root, at_.teeth_width, root + at_.tooth_height), true,
-        at_.teeth_width, {});
-  }
-  void crack(int number, const std::string& path, const AnnularCrack& c) {
-    const Ring& r = *at_.shaft;
-    add(number, path, {{r.middle(), r.outer}, {r.middle(), r.outer - c.depth}}, false, c.depth,
-        Detail{number, path, r.thickness(), c.depth, 0, Detail::Shape::line});
+    const double r = c.radius.value_or(plate.inner_diameter / 2);
+    const double h = diaphragm_thickness(plate, r);
+    if (c.shape == CrackShape::through)
+      add(crack, {{z - h, r}, {z, r}}, false, h,
+          Detail{.wall = h, .depth = h, .half = 0, .shape = Detail::Shape::line});
+    else
+      add(crack, rectangle(z - c.depth, r - c.half_length, z, r + c.half_length), true, c.depth,
+          Detail{.wall = h,
+                 .depth = c.depth,
+                 .half = c.half_length,
+                 .shape = Detail::Shape::rectangle});
   }
 
   /// Walls with several cracks show them beside each other; the file does not say where they are.
   double crack_place(const Ring& r) {
-    int count = 0;
-    for (const FlexsplineCrack& c : gear_.flexspline->crack)
-      if (std::holds_alternative<WallThroughCrack>(c) ||
-          std::holds_alternative<WallSurfaceCrack>(c))
-        if (const WallSection s = std::holds_alternative<WallThroughCrack>(c)
-                                      ? std::get<WallThroughCrack>(c).section
-                                      : std::get<WallSurfaceCrack>(c).section;
-            &wall_of(at_, s) == &r)
-          ++count;
+    const auto count = std::ranges::count_if(cracks_, [&](const NumberedCrack& crack) {
+      return crack.place.angle && &ring_of(at_, crack.place.part) == &r;
+    });
     const int index = placed_[&r]++;
-    return r.z1 + (r.z2 - r.z1) * (index + 1) / (count + 1);
+    return r.z1 + (r.z2 - r.z1) * (index + 1) / static_cast<double>(count + 1);
   }
 
   void draw_cracks() {
-    for_each_crack(
-        gear_, [&](int number, const std::string& path, const auto& c) { crack(number, path, c); });
+    for (const NumberedCrack& crack : cracks_) draw(crack);
     std::vector<double> wanted;
     for (const Balloon& mark : crack_marks_) wanted.push_back(mark.target.x);
     const std::vector<double> places = spread(wanted, kMarks, 4, kPaperWidth - 4);
@@ -373,15 +360,15 @@ class Section {
       text +=
           fmt::format("{}{} {}", i == 0 ? "" : "; ", static_cast<char>('A' + i), parts_[i].text);
     text += ". Cracks: ";
-    const std::vector<NumberedCrack> cracks = numbered_cracks(gear_);
-    for (const NumberedCrack& c : cracks)
+    for (const NumberedCrack& c : cracks_)
       text += fmt::format("{}{} {} ({}), {}", c.number == 1 ? "" : "; ", c.number, c.path, c.kind,
                           c.size);
-    return text + (cracks.empty() ? "none." : ".");
+    return text + (cracks_.empty() ? "none." : ".");
   }
 
   const GearSet& gear_;
   Layout at_;
+  std::vector<NumberedCrack> cracks_;
   Sheet sheet_;
   double axis_ = 0.0;  ///< y of the centre line [mm]
   double left_ = 0.0;  ///< x of z = 0 [mm]

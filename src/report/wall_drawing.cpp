@@ -18,27 +18,6 @@ using namespace report;
 constexpr double kLength = 120;  // of the wall on paper, at most [mm]
 constexpr double kLeast = 26;    // height of the wall that is drawn, at least [mm]
 
-struct WallCrack {
-  int number = 0;
-  std::string path;
-  double half_length = 0.0;  ///< [m]
-  double angle = 0.0;        ///< from +z toward -theta [rad]
-  WallSection section = WallSection::barrel;
-};
-
-template <class Crack>
-constexpr bool is_wall_crack =
-    std::is_same_v<Crack, WallThroughCrack> || std::is_same_v<Crack, WallSurfaceCrack>;
-
-std::vector<WallCrack> wall_cracks(const GearSet& gear) {
-  std::vector<WallCrack> cracks;
-  for_each_crack(gear, [&](int number, const std::string& path, const auto& c) {
-    if constexpr (is_wall_crack<std::decay_t<decltype(c)>>)
-      cracks.push_back({number, path, c.half_length, c.angle, c.section});
-  });
-  return cracks;
-}
-
 /// The ends of a straight crack; -theta is upward, as y is.
 Polygon ends(Point middle, double half_length, double angle) {
   const double dz = half_length * std::cos(angle);
@@ -55,9 +34,11 @@ void arrow(Sheet& sheet, Point from, Point to) {
 }
 
 /// A crack too short to be seen, in a box of its own.
-void enlarged(Sheet& sheet, const WallCrack& crack, Point corner) {
+void enlarged(Sheet& sheet, const NumberedCrack& crack, Point corner) {
+  const double half_length = crack.place.half_length;
+  const double angle = *crack.place.angle;
   constexpr double kMost = 16;
-  const double scale = drawing_scale(2 * crack.half_length, kMost);
+  const double scale = drawing_scale(2 * half_length, kMost);
   sheet.raw(
       fmt::format("<g data-detail=\"{}\" data-scale=\"{}\">\n<rect class=\"inset\" x=\"{}\" "
                   "y=\"{}\" width=\"{}\" height=\"{}\"/>\n",
@@ -65,29 +46,31 @@ void enlarged(Sheet& sheet, const WallCrack& crack, Point corner) {
                   coordinate(kDetailWidth), coordinate(kDetailHeight)));
   sheet.balloon({corner.x + 4, corner.y + 4}, std::to_string(crack.number), "crack-mark");
   sheet.words({corner.x + 8.2, corner.y + 3.6}, fmt::format("enlarged, {}", scale_text(scale)), "");
-  sheet.words({corner.x + 8.2, corner.y + 7.0}, "2a = " + in_mm(2 * crack.half_length), "small");
+  sheet.words({corner.x + 8.2, corner.y + 7.0}, "2a = " + in_mm(2 * half_length), "small");
   const Point middle{corner.x + kDetailWidth / 2, corner.y + 20};
   sheet.paper_line({corner.x + 3, middle.y}, {corner.x + kDetailWidth - 3, middle.y}, "axis");
-  const double half = crack.half_length / units::mm * scale;
-  sheet.raw(
-      fmt::format("<path data-enlarged=\"{}\" class=\"crack open\" d=\"M{} {}L{} {}\"/>\n</g>\n",
-                  crack.path, coordinate(middle.x - half * std::cos(crack.angle)),
-                  coordinate(middle.y + half * std::sin(crack.angle)),
-                  coordinate(middle.x + half * std::cos(crack.angle)),
-                  coordinate(middle.y - half * std::sin(crack.angle))));
+  const double half = half_length / units::mm * scale;
+  sheet.raw(fmt::format(
+      "<path data-enlarged=\"{}\" class=\"crack open\" d=\"M{} {}L{} {}\"/>\n</g>\n", crack.path,
+      coordinate(middle.x - half * std::cos(angle)), coordinate(middle.y + half * std::sin(angle)),
+      coordinate(middle.x + half * std::cos(angle)),
+      coordinate(middle.y - half * std::sin(angle))));
 }
 
 }  // namespace
 
 std::string wall_drawing(const GearSet& gear) {
-  const std::vector<WallCrack> cracks = wall_cracks(gear);
+  std::vector<NumberedCrack> cracks = numbered_cracks(gear);
+  std::erase_if(cracks, [](const NumberedCrack& crack) { return !crack.place.angle; });
   if (cracks.empty()) return {};
   const Layout at = layout_of(gear);
   const double length = at.barrel->z2;
   // Room for every crack beside the others, round the circumference.
+  const auto room_of = [&](const NumberedCrack& c) {
+    return std::max(2 * c.place.half_length * std::abs(std::sin(*c.place.angle)), 0.16 * length);
+  };
   double height = 0.0;
-  for (const WallCrack& c : cracks)
-    height += std::max(2 * c.half_length * std::abs(std::sin(c.angle)), 0.16 * length);
+  for (const NumberedCrack& c : cracks) height += room_of(c);
   height *= 1.25;
   const double scale = std::min(drawing_scale(length, kLength), drawing_scale(height, 110));
   const double spare = std::max(0.0, kLeast * units::mm / scale - height);
@@ -104,19 +87,18 @@ std::string wall_drawing(const GearSet& gear) {
   sheet.words({kLeft + sheet.paper(at.barrel->z1) + 1, bottom - 1.2}, at.rim ? "barrel" : "wall",
               "small");
   double y = height - spare / 2;
-  std::vector<const WallCrack*> small;
-  for (const WallCrack& c : cracks) {
-    const double room =
-        1.25 * std::max(2 * c.half_length * std::abs(std::sin(c.angle)), 0.16 * length);
-    const Point middle{wall_of(at, c.section).middle(), y - room / 2};
+  std::vector<const NumberedCrack*> small;
+  for (const NumberedCrack& c : cracks) {
+    const double room = 1.25 * room_of(c);
+    const Point middle{ring_of(at, c.place.part).middle(), y - room / 2};
     y -= room;
     sheet.line({middle.x - 0.16 * length, middle.y}, {middle.x + 0.16 * length, middle.y}, "axis");
-    sheet.crack(c.path, ends(middle, c.half_length, c.angle), false);
+    sheet.crack(c.path, ends(middle, c.place.half_length, *c.place.angle), false);
     const Point target = sheet.paper(middle);
     const Point mark{kLeft + width_on_paper + 7, target.y};
     sheet.paper_line({mark.x - 2.5, mark.y}, target, "crack-leader");
     sheet.balloon(mark, std::to_string(c.number), "crack-mark");
-    if (sheet.paper(2 * c.half_length) < kVisible) small.push_back(&c);
+    if (sheet.paper(2 * c.place.half_length) < kVisible) small.push_back(&c);
   }
   // The sense of T > 0: +theta on the output's end, which is downward here.
   const double middle_y = kTop + height_on_paper / 2;
@@ -137,9 +119,9 @@ std::string wall_drawing(const GearSet& gear) {
       line += 4.2;
     }
   };
-  for (const WallCrack& c : cracks)
-    say(fmt::format("{}: 2a = {}, β = {:.4g}°", c.number, in_mm(2 * c.half_length),
-                    c.angle / units::deg));
+  for (const NumberedCrack& c : cracks)
+    say(fmt::format("{}: 2a = {}, β = {:.4g}°", c.number, in_mm(2 * c.place.half_length),
+                    *c.place.angle / units::deg));
   double end = std::max(bottom + 4, line + 2);
   for (std::size_t i = 0; i < small.size(); ++i)
     enlarged(sheet, *small[i], {2 + static_cast<double>(i) * (kDetailWidth + 4), end});

@@ -28,7 +28,7 @@ void add_sound_flexspline(const GearSet& gear, const SeriesModel<double>& model,
                                                 : accuracy::kShapeFactor;
     member.relative_uncertainty = accuracy;
     rest_on(member, "flexspline", accuracy);
-    use_equation(member.equations, "ST-4");
+    use_equations(member.equations, {"ST-4"});
     if (below_one)
       member.notes.push_back(
           {.code = "flexspline.shape_factor",
@@ -43,8 +43,8 @@ void add_sound_flexspline(const GearSet& gear, const SeriesModel<double>& model,
   }
   member.relative_uncertainty = accuracy::kSections;
   rest_on(member, "flexspline", accuracy::kSections);
-  use_equation(member.equations, "ST-2");
-  if (fs.diaphragm) use_equation(member.equations, "ST-3");
+  use_equations(member.equations, {"ST-2"});
+  if (fs.diaphragm) use_equations(member.equations, {"ST-3"});
 }
 
 void note_thick_wall(MemberCompliance& member, const Wall<double>& wall, const std::string& path) {
@@ -67,7 +67,7 @@ struct WallCrackAccuracy {
 
 void note_closed(MemberCompliance& member, const std::string& path, const BothSenses& state) {
   if (state.positive != Faces::pressed && state.negative != Faces::pressed) return;
-  use_equation(member.equations, "FR-17");
+  use_equations(member.equations, {"FR-17"});
   member.notes.push_back(
       {.code = "crack.closed",
        .text = fmt::format("closed under {} torque: mode I adds nothing there, and the faces slide "
@@ -95,6 +95,11 @@ void note_axial_coupling(MemberCompliance& member, const CrackReport& report, co
        .severity = Severity::care});
 }
 
+// Shares of a section's length 2a/L [-] up to which solid elements of cups confirm what its ends do
+// to a crack (theory manual, table ST-1): the longest crack that was computed in each.
+constexpr double kConfirmedBetweenJoints = 0.7;
+constexpr double kConfirmedNearFreeEnd = 0.47;
+
 /// What the ends of the section do to a crack half-way along it, which the closed form leaves out.
 struct EndsOfSection {
   ModelAccuracy accuracy;
@@ -110,7 +115,7 @@ EndsOfSection ends_of_section(const Flexspline& fs, const WallThroughCrack& crac
   EndsOfSection ends{.accuracy = between ? accuracy::kThroughCrackBetweenJoints
                                          : accuracy::kThroughCrackNearFreeEnd,
                      .share = 2 * crack.half_length / length,
-                     .confirmed = between ? 0.7 : 0.47};
+                     .confirmed = between ? kConfirmedBetweenJoints : kConfirmedNearFreeEnd};
   ends.accuracy.relative_uncertainty *= ends.share * ends.share;
   return ends;
 }
@@ -135,11 +140,9 @@ void share_between_modes(CrackReport& report) {
 }
 
 /// Reports the cracks of a flexspline, each kind in its own words.
-class FlexsplineCracks {
+class FlexsplineCracks : CrackAdder {
  public:
-  FlexsplineCracks(const GearSet& gear, const SeriesModel<double>& model,
-                   const StiffnessOptions& options, MemberCompliance& member)
-      : gear_(gear), model_(model), options_(options), member_(member) {}
+  explicit FlexsplineCracks(const CrackAdder& adder) : CrackAdder(adder) {}
 
   void add(CrackReport report, const WallThroughCrack& crack,
            const LoadedCrack<sif::ThroughCrackInTube>& loaded);
@@ -148,16 +151,10 @@ class FlexsplineCracks {
   void add(CrackReport report, const DiaphragmArcCrack& crack,
            const LoadedCrack<sif::ThroughCrackInTube>& loaded);
   void add(CrackReport report, const DiaphragmGroove& groove, const LoadedGroove& loaded);
-  void add(const CrackReport& report, const RimAxialCrack&, const ActsInCoupledDrive&) {
-    note_contact_path(member_.notes, report.path);
-  }
 
  private:
   [[nodiscard]] Faces given(const BothSenses& state) const {
-    return gear_.load.torque > 0 ? state.positive : state.negative;
-  }
-  void use(std::initializer_list<const char*> tags) {
-    for (const char* const tag : tags) use_equation(member_.equations, tag);
+    return gear.load.torque > 0 ? state.positive : state.negative;
   }
 
   void note_range(const std::string& path, double lambda, const EndsOfSection& ends);
@@ -172,29 +169,24 @@ class FlexsplineCracks {
   void report_given_load(CrackReport& report, const LoadedCrack<Solution>& loaded,
                          double uncertainty) const {
     report_intensities(report, loaded.with_faces(given(loaded.faces)),
-                       {gear_.load.axial_force, gear_.load.torque}, all_modes(uncertainty));
+                       {gear.load.axial_force, gear.load.torque}, all_modes(uncertainty));
   }
   template <class Solution>
   void add_wall_crack(CrackReport report, const LoadedCrack<Solution>& loaded,
                       const WallCrackAccuracy& accuracy);
-
-  const GearSet& gear_;
-  const SeriesModel<double>& model_;
-  const StiffnessOptions& options_;
-  MemberCompliance& member_;
 };
 
 /// Adds one wall crack by its closed form.
 template <class Solution>
 void FlexsplineCracks::add_wall_crack(CrackReport report, const LoadedCrack<Solution>& loaded,
                                       const WallCrackAccuracy& accuracy) {
-  const auto added = closed_form(loaded, options_.quadrature);
+  const auto added = closed_form(loaded, options.quadrature);
   const auto reported = [&](const CrackCompliance<2>& under, Faces state) {
-    demand_convergence(member_, report, under.relative_error, under.converged);
+    demand_convergence(member, report, under.relative_error, under.converged);
     const double pressed = state == Faces::pressed ? accuracy.pressed : 0.0;
     const double torsion = accuracy::combined(accuracy.torsion, pressed);
     AddedCompliance result;
-    result.at_output = {model_.at_output(under.matrix), kComplianceUnit, torsion};
+    result.at_output = {model.at_output(under.matrix), kComplianceUnit, torsion};
     result.axial_torsion =
         axial_torsion(under.matrix, accuracy::combined(accuracy.axial, pressed), torsion);
     return result;
@@ -203,17 +195,17 @@ void FlexsplineCracks::add_wall_crack(CrackReport report, const LoadedCrack<Solu
   report.positive = reported(added.positive, loaded.faces.positive);
   report.negative = reported(added.negative, loaded.faces.negative);
   const double of_compliance =
-      gear_.load.axial_force != 0 ? std::max(accuracy.axial, accuracy.torsion) : accuracy.torsion;
+      gear.load.axial_force != 0 ? std::max(accuracy.axial, accuracy.torsion) : accuracy.torsion;
   report_given_load(report, loaded, std::max(of_compliance / 2, accuracy.intensity));
-  note_closed(member_, report.path, loaded.faces);
-  note_axial_coupling(member_, report, gear_.load);
-  member_.cracks.push_back(std::move(report));
+  note_closed(member, report.path, loaded.faces);
+  note_axial_coupling(member, report, gear.load);
+  member.cracks.push_back(std::move(report));
 }
 
 void FlexsplineCracks::note_range(const std::string& path, double lambda,
                                   const EndsOfSection& ends) {
   if (lambda > kCloseShellParameter && lambda <= kMaxShellParameter)
-    member_.notes.push_back(
+    member.notes.push_back(
         {.code = "crack.shell_range",
          .text =
              fmt::format("shell parameter {:.3g}: for a crack this long, finite elements give "
@@ -223,7 +215,7 @@ void FlexsplineCracks::note_range(const std::string& path, double lambda,
          .equation = "FR-9",
          .severity = Severity::care});
   if (ends.share > ends.confirmed)
-    member_.notes.push_back(
+    member.notes.push_back(
         {.code = "crack.near_ends",
          .text =
              fmt::format("the crack spans {:.2g} of its section's length: the effect of the ends "
@@ -242,7 +234,7 @@ void FlexsplineCracks::add_flat_plate(const std::string& path,
   accuracy.wall.torsion = accuracy::combined(accuracy.wall.torsion, flat);
   accuracy.wall.intensity = accuracy::combined(accuracy.wall.intensity, missing / 2);
   accuracy.compliance_rests_on.push_back(flat);
-  member_.notes.push_back(
+  member.notes.push_back(
       {.code = "crack.flat_plate",
        .text = fmt::format("without the shell correction the crack is up to {:.2g} % too stiff",
                            100 * missing),
@@ -260,7 +252,7 @@ ThroughCrackAccuracy FlexsplineCracks::accuracy_of(const std::string& path,
   constexpr double kUsualRatio = 0.3;  // Poisson's ratio up to which K was compared closely
   const ModelAccuracy shell =
       lambda > kCloseShellParameter ? accuracy::kThroughCrackLong : accuracy::kThroughCrack;
-  const EndsOfSection ends = ends_of_section(*gear_.flexspline, crack);
+  const EndsOfSection ends = ends_of_section(*gear.flexspline, crack);
   ThroughCrackAccuracy result{
       .wall = {.torsion = accuracy::combined(shell, ends.accuracy),
                .pressed = accuracy::kThroughCrackPressed,
@@ -276,7 +268,7 @@ ThroughCrackAccuracy FlexsplineCracks::accuracy_of(const std::string& path,
     use({"FR-8", "FR-9", "SU-2"});
   else
     add_flat_plate(path, solution, result);
-  note_thick_wall(member_, model_.loads().wall_of(crack.section), path);
+  note_thick_wall(member, model.loads().wall_of(crack.section), path);
   result.wall.axial = accuracy::combined(result.wall.torsion, accuracy::kThroughCrackAxial);
   return result;
 }
@@ -290,15 +282,15 @@ void FlexsplineCracks::add(CrackReport report, const WallThroughCrack& crack,
   }
   use({"FR-2", "FR-6", "FR-7", "FR-18", "FR-21"});
   if (!loaded.in_range)
-    member_.unusable_because = fmt::format(
+    member.unusable_because = fmt::format(
         "{}: shell parameter {:.3g} is outside the range that finite elements confirm, <= {:g}: "
         "such a long crack needs finite elements of its own",
         report.path, lambda, kMaxShellParameter);
   const ThroughCrackAccuracy accuracy = accuracy_of(report.path, crack, loaded.solution, lambda);
   for (const ModelAccuracy& basis : accuracy.compliance_rests_on)
-    rest_on(member_, report.path, basis);
+    rest_on(member, report.path, basis);
   add_wall_crack(std::move(report), loaded, accuracy.wall);
-  share_between_modes(member_.cracks.back());
+  share_between_modes(member.cracks.back());
 }
 
 /// A through crack whose compliance a table of finite elements gives: the closed form is left with
@@ -311,9 +303,9 @@ void FlexsplineCracks::add_tabulated(CrackReport report, const WallThroughCrack&
     report_given_load(report, loaded,
                       accuracy_of(report.path, crack, loaded.solution, lambda).wall.intensity);
     share_between_modes(report);
-    note_closed(member_, report.path, loaded.faces);
+    note_closed(member, report.path, loaded.faces);
   } else {
-    member_.notes.push_back(
+    member.notes.push_back(
         {.code = "crack.shell_range",
          .text =
              fmt::format("no stress intensity: shell parameter {:.3g} is outside the range that "
@@ -323,38 +315,38 @@ void FlexsplineCracks::add_tabulated(CrackReport report, const WallThroughCrack&
          .equation = "FR-9",
          .severity = Severity::care});
   }
-  if (gear_.flexspline->stress_nonuniformity != 1)
-    member_.notes.push_back({.code = "crack.stress_nonuniformity",
-                             .text = "the compliance table has the stress of its own finite "
-                                     "elements: stress_nonuniformity is not applied to it",
-                             .path = report.path,
-                             .equation = "FE-41",
-                             .severity = Severity::information});
-  take_from_table(report, member_, gear_, crack, *loaded.table);
-  member_.cracks.push_back(std::move(report));
+  if (gear.flexspline->stress_nonuniformity != 1)
+    member.notes.push_back({.code = "crack.stress_nonuniformity",
+                            .text = "the compliance table has the stress of its own finite "
+                                    "elements: stress_nonuniformity is not applied to it",
+                            .path = report.path,
+                            .equation = "FE-41",
+                            .severity = Severity::information});
+  take_from_table(report, member, gear, crack, *loaded.table);
+  member.cracks.push_back(std::move(report));
 }
 
 void FlexsplineCracks::add(CrackReport report, const WallSurfaceCrack& crack,
                            const LoadedCrack<sif::SurfaceCrack<2>>& loaded) {
-  const Wall<double> wall = model_.loads().wall_of(crack.section);
-  const sif::CrackPlaneStress stress = model_.loads().plane_of(crack);
+  const Wall<double> wall = model.loads().wall_of(crack.section);
+  const sif::CrackPlaneStress stress = model.loads().plane_of(crack);
   use({"FR-2", "FR-3", "FR-4", "FR-5", "FR-6", "FR-18", "ST-11"});
-  const ModelAccuracy fit = surface_crack_fit(member_, report.path, crack.depth,
+  const ModelAccuracy fit = surface_crack_fit(member, report.path, crack.depth,
                                               crack.depth / crack.half_length, wall.thickness);
   // Torque shears at angles other than 45 degrees, an axial force at angles other than 0 and 90
   // degrees: no angle is without shear in one of the entries.
   const double sheared = accuracy::combined(fit, accuracy::kSurfaceCrackShear);
   use({"FR-10"});
-  if (stress.shear[kTorsion] != 0 || stress.shear[kAxial] * gear_.load.axial_force != 0) {
-    rest_on(member_, report.path, accuracy::kSurfaceCrackShear);
-    member_.notes.push_back({.code = "crack.surface_shear",
-                             .text = "the crack is sheared as well as opened: K_II and K_III are "
-                                     "those of an ellipse inside a body, without the free surface",
-                             .path = report.path,
-                             .equation = "FR-10",
-                             .severity = Severity::care});
+  if (stress.shear[kTorsion] != 0 || stress.shear[kAxial] * gear.load.axial_force != 0) {
+    rest_on(member, report.path, accuracy::kSurfaceCrackShear);
+    member.notes.push_back({.code = "crack.surface_shear",
+                            .text = "the crack is sheared as well as opened: K_II and K_III are "
+                                    "those of an ellipse inside a body, without the free surface",
+                            .path = report.path,
+                            .equation = "FR-10",
+                            .severity = Severity::care});
   }
-  note_thick_wall(member_, wall, report.path);
+  note_thick_wall(member, wall, report.path);
   add_wall_crack(
       std::move(report), loaded,
       {.axial = sheared, .torsion = stress.shear[kTorsion] != 0 ? sheared : double{fit}});
@@ -363,26 +355,26 @@ void FlexsplineCracks::add(CrackReport report, const WallSurfaceCrack& crack,
 void FlexsplineCracks::add(CrackReport report, const DiaphragmArcCrack& crack,
                            const LoadedCrack<sif::ThroughCrackInTube>& loaded) {
   use({"TC-19", "FR-2", "FR-18"});
-  if (crack.half_length > model_.loads().arc_radius(crack) / 2)
-    member_.notes.push_back({.code = "crack.diaphragm_arc",
-                             .text = "the arc is longer than its radius: the shear varies along it "
-                                     "and it is not straight",
-                             .path = report.path,
-                             .equation = "TC-19",
-                             .severity = Severity::care});
-  rest_on(member_, report.path, accuracy::kDiaphragmArc);
+  if (crack.half_length > model.loads().arc_radius(crack) / 2)
+    member.notes.push_back({.code = "crack.diaphragm_arc",
+                            .text = "the arc is longer than its radius: the shear varies along it "
+                                    "and it is not straight",
+                            .path = report.path,
+                            .equation = "TC-19",
+                            .severity = Severity::care});
+  rest_on(member, report.path, accuracy::kDiaphragmArc);
   add_wall_crack(std::move(report), loaded,
                  {.axial = accuracy::kDiaphragmArc, .torsion = accuracy::kDiaphragmArc});
 }
 
 void FlexsplineCracks::add(CrackReport report, const DiaphragmGroove& groove, const LoadedGroove&) {
   use({"TC-20"});
-  rest_on(member_, report.path, accuracy::kDiaphragmGroove);
-  const Quantity added{model_.groove(groove), kComplianceUnit, accuracy::kDiaphragmGroove};
+  rest_on(member, report.path, accuracy::kDiaphragmGroove);
+  const Quantity added{model.groove(groove), kComplianceUnit, accuracy::kDiaphragmGroove};
   report.opens_under = OpensUnder::neither;
   report.positive.at_output = added;
   report.negative.at_output = added;
-  member_.cracks.push_back(std::move(report));
+  member.cracks.push_back(std::move(report));
 }
 
 void note_ovalisation(const GearSet& gear, MemberCompliance& member) {
@@ -391,7 +383,7 @@ void note_ovalisation(const GearSet& gear, MemberCompliance& member) {
   const Wall<double> wall = tooth_ring(Lift<double>(), gear);
   const double tau = std::abs(gear.load.torque) * gear.flexspline->stress_nonuniformity /
                      (2 * std::numbers::pi * wall.mean_radius * wall.mean_radius * wall.thickness);
-  use_equation(member.equations, "ST-17");
+  use_equations(member.equations, {"ST-17"});
   member.notes.push_back(
       {.code = "flexspline.ovalisation",
        .text = fmt::format(
@@ -411,15 +403,10 @@ MemberCompliance flexspline_compliance(const GearSet& gear, const StiffnessOptio
   const SeriesModel<double> model(gear);
   MemberCompliance member;
   add_sound_flexspline(gear, model, member);
-  FlexsplineCracks cracks(gear, model, options, member);
-  for (std::size_t i = 0; i < fs.crack.size(); ++i)
-    model.loads().load(fs.crack[i], [&](const auto& crack, const auto& loaded) {
-      cracks.add({.path = fmt::format("flexspline.crack[{}]", i), .kind = kind_of(crack)}, crack,
-                 loaded);
-    });
-  const bool in_the_wall = std::ranges::any_of(fs.crack, [](const FlexsplineCrack& crack) {
-    return std::holds_alternative<WallThroughCrack>(crack) ||
-           std::holds_alternative<WallSurfaceCrack>(crack);
+  add_cracks(member, model.loads(), "flexspline", fs.crack,
+             FlexsplineCracks({gear, model, options, member}));
+  const bool in_the_wall = std::ranges::any_of(fs.crack, [](const FlexsplineCrack& any) {
+    return std::visit([](const auto& crack) { return crack.place().angle.has_value(); }, any);
   });
   if (in_the_wall) note_ovalisation(gear, member);
   if (fs.dynamic_load != 1)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,15 +25,11 @@ namespace strainwave {
 inline constexpr std::string_view kComplianceUnit = "rad/(N*m)";
 inline constexpr std::string_view kStressIntensityUnit = "Pa*m^0.5";
 
-/// Adds a tag unless it is there already.
-inline void use_equation(std::vector<std::string>& equations, std::string_view tag) {
-  if (std::ranges::find(equations, tag) == equations.end()) equations.emplace_back(tag);
-}
-
-/// Kind of a crack, as the input file calls it.
-template <class Crack>
-std::string kind_of(const Crack&) {
-  return std::string(Crack::kKind);
+/// Adds tags unless they are there already.
+template <class Tags = std::initializer_list<std::string_view>>
+void use_equations(std::vector<std::string>& equations, const Tags& tags) {
+  for (const std::string_view tag : tags)
+    if (std::ranges::find(equations, tag) == equations.end()) equations.emplace_back(tag);
 }
 
 /// Records what an uncertainty rests on.
@@ -142,7 +139,7 @@ void take_from_table(CrackReport& report, MemberCompliance& member, const GearSe
     report.positive.axial_torsion = matrix;
     report.negative.axial_torsion = matrix;
   }
-  for (const char* const tag : {"FE-41", "FE-42", "FE-43"}) use_equation(member.equations, tag);
+  use_equations(member.equations, {"FE-41", "FE-42", "FE-43"});
   const double between = std::max(added.positive.relative_error, added.negative.relative_error);
   const double error = accuracy::combined(table.point_error, between);
   member.accuracies.push_back(
@@ -165,16 +162,36 @@ void take_from_table(CrackReport& report, MemberCompliance& member, const GearSe
        .severity = Severity::information});
 }
 
-/// Note that a crack acts on contacts, which the series model does not have.
-inline void note_contact_path(std::vector<Note>& notes, const std::string& path) {
-  notes.push_back(
-      {.code = "crack.contact_path",
-       .text = "the series model has no contacts of balls and teeth, through which this "
-               "crack acts: it adds no compliance here",
-       .path = path,
-       .equation = "ST-1",
-       .severity = Severity::care,
-       .next_step = "Run strainwave torsion, whose coupled drive contains this crack."});
+/// What adds the cracks of one member: each derives from it, with `add` for each kind.
+struct CrackAdder {
+  void use(std::initializer_list<std::string_view> tags) { use_equations(member.equations, tags); }
+
+  const GearSet& gear;
+  const SeriesModel<double>& model;
+  const StiffnessOptions& options;
+  MemberCompliance& member;
+};
+
+/// Adds the cracks of a member, each by the overload of `adder.add` for its kind; those that act on
+/// contacts, which the series model does not have, by a note.
+template <class Cracks, class Adder>
+void add_cracks(MemberCompliance& member, const CrackLoads<double>& loads, std::string_view name,
+                const Cracks& cracks, Adder adder) {
+  for_each_crack(name, cracks, [&]<class Crack>(const std::string& path, const Crack& crack) {
+    if constexpr (ContactCrack<Crack>)
+      member.notes.push_back(
+          {.code = "crack.contact_path",
+           .text = "the series model has no contacts of balls and teeth, through which this "
+                   "crack acts: it adds no compliance here",
+           .path = path,
+           .equation = "ST-1",
+           .severity = Severity::care,
+           .next_step = "Run strainwave torsion, whose coupled drive contains this crack."});
+    else
+      loads.load(crack, [&](const auto& loaded) {
+        adder.add({.path = path, .kind = std::string(Crack::kKind)}, crack, loaded);
+      });
+  });
 }
 
 /// Note that cracks of one member are added without interaction.

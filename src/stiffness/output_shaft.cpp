@@ -30,11 +30,9 @@ AnnularAccuracy annular_accuracy(const ElasticConstants& steel) {
 }
 
 /// Reports the cracks of an output shaft.
-class ShaftCracks {
+class ShaftCracks : CrackAdder {
  public:
-  ShaftCracks(const GearSet& gear, const SeriesModel<double>& model,
-              const StiffnessOptions& options, MemberCompliance& member)
-      : gear_(gear), model_(model), options_(options), member_(member) {}
+  explicit ShaftCracks(const CrackAdder& adder) : CrackAdder(adder) {}
 
   void add(CrackReport report, const AnnularCrack& crack,
            const LoadedCrack<sif::AnnularCrackSolid>& loaded);
@@ -42,9 +40,6 @@ class ShaftCracks {
            const LoadedCrack<sif::AnnularCrackHollow>& loaded);
 
  private:
-  void use(std::initializer_list<const char*> tags) {
-    for (const char* const tag : tags) use_equation(member_.equations, tag);
-  }
   void note_load_and_ends(const CrackReport& report, const BothSenses& faces);
   AnnularAccuracy hollow_accuracy(const std::string& path);
 
@@ -52,40 +47,35 @@ class ShaftCracks {
   template <class Solution>
   void add_annular(CrackReport report, const AnnularCrack& crack,
                    const LoadedCrack<Solution>& loaded, const AnnularAccuracy& accuracy);
-
-  const GearSet& gear_;
-  const SeriesModel<double>& model_;
-  const StiffnessOptions& options_;
-  MemberCompliance& member_;
 };
 
 template <class Solution>
 void ShaftCracks::add_annular(CrackReport report, const AnnularCrack& crack,
                               const LoadedCrack<Solution>& loaded,
                               const AnnularAccuracy& accuracy) {
-  const double P = gear_.load.axial_force;
+  const double P = gear.load.axial_force;
   if (loaded.table) {
-    take_from_table(report, member_, gear_, crack, *loaded.table);
+    take_from_table(report, member, gear, crack, *loaded.table);
   } else {
-    const auto added = closed_form(loaded, options_.quadrature).positive;
-    demand_convergence(member_, report, added.relative_error, added.converged);
-    rest_on(member_, report.path, accuracy.torsion);
-    if (P != 0) rest_on(member_, report.path, accuracy.tension);
-    report.positive.at_output = {model_.at_output(added.matrix), kComplianceUnit, accuracy.torsion};
+    const auto added = closed_form(loaded, options.quadrature).positive;
+    demand_convergence(member, report, added.relative_error, added.converged);
+    rest_on(member, report.path, accuracy.torsion);
+    if (P != 0) rest_on(member, report.path, accuracy.tension);
+    report.positive.at_output = {model.at_output(added.matrix), kComplianceUnit, accuracy.torsion};
     report.positive.axial_torsion = axial_torsion(added.matrix, accuracy.tension, accuracy.torsion);
     report.negative = report.positive;
   }
-  report_intensities(report, loaded.with_faces(loaded.faces.positive), {P, gear_.load.torque},
+  report_intensities(report, loaded.with_faces(loaded.faces.positive), {P, gear.load.torque},
                      {accuracy.K_I, 0.0, accuracy.K_III});
-  member_.cracks.push_back(std::move(report));
+  member.cracks.push_back(std::move(report));
 }
 
 void ShaftCracks::note_load_and_ends(const CrackReport& report, const BothSenses& faces) {
-  const OutputShaft& shaft = *gear_.output_shaft;
+  const OutputShaft& shaft = *gear.output_shaft;
   use({"FR-2", "FR-18"});
   if (faces.positive == Faces::pressed) {
     use({"FR-17"});
-    member_.notes.push_back(
+    member.notes.push_back(
         {.code = "crack.closed",
          .text = "the axial force presses the faces together: no mode I; friction, which would "
                  "hinder mode III until the torque overcomes it, is left out",
@@ -94,19 +84,19 @@ void ShaftCracks::note_load_and_ends(const CrackReport& report, const BothSenses
          .severity = Severity::care});
   }
   if (clearly_less(shaft.length, 2 * shaft.outer_diameter))
-    member_.notes.push_back({.code = "crack.short_shaft",
-                             .text = "less than one diameter of shaft on each side of a crack even "
-                                     "in the middle: the ends disturb its field",
-                             .path = report.path,
-                             .equation = "FR-12",
-                             .severity = Severity::care});
-  if (other_poissons_ratio(model_.loads().shaft_steel()) && gear_.load.axial_force != 0)
-    member_.notes.push_back({.code = "crack.poissons_ratio",
-                             .text = "the mode I solution was computed for Poisson's ratio 0.3; "
-                                     "torsion does not depend on it",
-                             .path = report.path,
-                             .equation = shaft.solid() ? "FR-13" : "FR-15",
-                             .severity = Severity::care});
+    member.notes.push_back({.code = "crack.short_shaft",
+                            .text = "less than one diameter of shaft on each side of a crack even "
+                                    "in the middle: the ends disturb its field",
+                            .path = report.path,
+                            .equation = "FR-12",
+                            .severity = Severity::care});
+  if (other_poissons_ratio(model.loads().shaft_steel()) && gear.load.axial_force != 0)
+    member.notes.push_back({.code = "crack.poissons_ratio",
+                            .text = "the mode I solution was computed for Poisson's ratio 0.3; "
+                                    "torsion does not depend on it",
+                            .path = report.path,
+                            .equation = shaft.solid() ? "FR-13" : "FR-15",
+                            .severity = Severity::care});
 }
 
 void ShaftCracks::add(CrackReport report, const AnnularCrack& crack,
@@ -118,12 +108,12 @@ void ShaftCracks::add(CrackReport report, const AnnularCrack& crack,
               crack.solution == AnnularSolution::tada
                   ? AnnularAccuracy{accuracy::kAnnularTada, accuracy::kAnnularTada,
                                     accuracy::kAnnularTada / 2, accuracy::kAnnularTada / 2}
-                  : annular_accuracy(model_.loads().shaft_steel()));
+                  : annular_accuracy(model.loads().shaft_steel()));
 }
 
 AnnularAccuracy ShaftCracks::hollow_accuracy(const std::string& path) {
-  const OutputShaft& shaft = *gear_.output_shaft;
-  const ElasticConstants steel = model_.loads().shaft_steel();
+  const OutputShaft& shaft = *gear.output_shaft;
+  const ElasticConstants steel = model.loads().shaft_steel();
   AnnularAccuracy accuracy = annular_accuracy(steel);
   accuracy.K_I = other_poissons_ratio(steel) ? double{accuracy::kAnnularTensionOtherRatio}
                                              : accuracy::kHollowTensionIntensity;
@@ -132,13 +122,13 @@ AnnularAccuracy ShaftCracks::hollow_accuracy(const std::string& path) {
   if (!clearly_less(sif::AnnularCrackHollow::kMaxTensionRadiusRatio, radius_ratio)) return accuracy;
   accuracy.tension = accuracy::kAnnularExtrapolated;
   accuracy.K_I = accuracy.tension / 2;
-  if (gear_.load.axial_force != 0)
-    member_.notes.push_back({.code = "crack.tension_range",
-                             .text = "the wall is thinner than r_i/r_o = 0.95 of the table in "
-                                     "tension: the axial entries are extrapolated",
-                             .path = path,
-                             .equation = "FR-15",
-                             .severity = Severity::care});
+  if (gear.load.axial_force != 0)
+    member.notes.push_back({.code = "crack.tension_range",
+                            .text = "the wall is thinner than r_i/r_o = 0.95 of the table in "
+                                    "tension: the axial entries are extrapolated",
+                            .path = path,
+                            .equation = "FR-15",
+                            .severity = Severity::care});
   return accuracy;
 }
 
@@ -148,10 +138,10 @@ void ShaftCracks::add(CrackReport report, const AnnularCrack& crack,
   note_load_and_ends(report, loaded.faces);
   use({"FR-14", "FR-15", "FR-16"});
   const AnnularAccuracy accuracy = hollow_accuracy(report.path);
-  const double depth_ratio = model_.loads().depth_ratio(crack);
+  const double depth_ratio = model.loads().depth_ratio(crack);
   if (!loaded.in_range && loaded.table) {
-    take_from_table(report, member_, gear_, crack, *loaded.table);
-    member_.notes.push_back(
+    take_from_table(report, member, gear, crack, *loaded.table);
+    member.notes.push_back(
         {.code = "crack.depth_range",
          .text = fmt::format(
              "no stress intensity: a/t = {:.4g} is outside the table of the hollow shaft",
@@ -159,11 +149,11 @@ void ShaftCracks::add(CrackReport report, const AnnularCrack& crack,
          .path = report.path,
          .equation = "FR-14",
          .severity = Severity::care});
-    member_.cracks.push_back(std::move(report));
+    member.cracks.push_back(std::move(report));
     return;
   }
   if (!loaded.in_range)
-    member_.unusable_because =
+    member.unusable_because =
         fmt::format("{}: a/t = {:.4g} is outside the table of the hollow shaft, a/t <= {}",
                     report.path, depth_ratio, sif::AnnularCrackHollow::kMaxDepthRatio);
   add_annular(std::move(report), crack, loaded, accuracy);
@@ -172,20 +162,15 @@ void ShaftCracks::add(CrackReport report, const AnnularCrack& crack,
 }  // namespace
 
 MemberCompliance output_shaft_compliance(const GearSet& gear, const StiffnessOptions& options) {
-  const OutputShaft& shaft = *gear.output_shaft;
   const SeriesModel<double> model(gear);
   MemberCompliance member;
   member.intact = model.sound_shaft();
   member.relative_uncertainty = accuracy::kTube;
   rest_on(member, "output_shaft", accuracy::kTube);
-  use_equation(member.equations, "ST-2");
-  ShaftCracks cracks(gear, model, options, member);
-  for (std::size_t i = 0; i < shaft.crack.size(); ++i)
-    model.loads().load(shaft.crack[i], [&](const auto& crack, const auto& loaded) {
-      cracks.add({.path = fmt::format("output_shaft.crack[{}]", i), .kind = kind_of(crack)}, crack,
-                 loaded);
-    });
-  note_superposition(member.notes, shaft.crack.size(), "output_shaft.crack");
+  use_equations(member.equations, {"ST-2"});
+  add_cracks(member, model.loads(), "output_shaft", gear.output_shaft->crack,
+             ShaftCracks({gear, model, options, member}));
+  note_superposition(member.notes, member.cracks.size(), "output_shaft.crack");
   return member;
 }
 

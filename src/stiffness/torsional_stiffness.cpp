@@ -143,7 +143,7 @@ StiffnessResult torsional_stiffness(const GearSet& gear, const StiffnessOptions&
     }
     for (Note& note : member.notes) result.notes.push_back(std::move(note));
     for (AccuracyBasis& basis : member.accuracies) result.accuracies.push_back(std::move(basis));
-    for (const std::string& tag : member.equations) use_equation(result.equations, tag);
+    use_equations(result.equations, member.equations);
     if (result.unusable_because.empty())
       result.unusable_because = std::move(member.unusable_because);
   };
@@ -153,8 +153,7 @@ StiffnessResult torsional_stiffness(const GearSet& gear, const StiffnessOptions&
              flexspline_compliance);
   add_member(gear.output_shaft.has_value(), "output_shaft", &Members::output_shaft,
              output_shaft_compliance);
-  for (const char* const tag : {"ST-1", "ST-14", "ST-15", "ST-16"})
-    use_equation(result.equations, tag);
+  use_equations(result.equations, {"ST-1", "ST-14", "ST-15", "ST-16"});
 
   const Sum total = intact.total();
   result.intact = {.compliance = intact.compliances(),

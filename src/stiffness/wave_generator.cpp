@@ -24,8 +24,7 @@ struct Estimate {
 /// Radial compliance of one lobe by Hertz contacts, C_0 [m/N].
 Estimate hertz_compliance(const GearSet& gear, const SeriesModel<double>& model,
                           MemberCompliance& member) {
-  for (const char* const tag : {"ST-9", "CO-1", "CO-2", "CO-3", "CO-4"})
-    use_equation(member.equations, tag);
+  use_equations(member.equations, {"ST-9", "CO-1", "CO-2", "CO-3", "CO-4"});
   member.notes.push_back(
       {.code = "wave_generator.hertz",
        .text = fmt::format(
@@ -37,7 +36,7 @@ Estimate hertz_compliance(const GearSet& gear, const SeriesModel<double>& model,
        .equation = "ST-9",
        .severity = Severity::care});
   if (model.free_outer_ring()) {
-    use_equation(member.equations, "ST-10");
+    use_equations(member.equations, {"ST-10"});
     member.notes.push_back({.code = "wave_generator.free_ring",
                             .text = "the outer ring is taken as free between the lobes, an upper "
                                     "bound: in a drive it lies in the flexspline and on all balls",
@@ -72,7 +71,7 @@ Estimate lobe_compliance(const GearSet& gear, const SeriesModel<double>& model,
                             .equation = "ST-8",
                             .severity = Severity::care,
                             .next_step = "Set wave_generator.displacements.shaft to 0."});
-  use_equation(member.equations, "ST-8");
+  use_equations(member.equations, {"ST-8"});
   return {model.lobe_compliance(), {}, -1.0};
 }
 
@@ -130,39 +129,29 @@ Driver driver_of(const Crack& crack, const std::string& path) {
 }
 
 /// Reports the cracks of the bearing's races, each kind in its own words.
-class RaceCracks {
+class RaceCracks : CrackAdder {
  public:
-  RaceCracks(const GearSet& gear, const SeriesModel<double>& model, const StiffnessOptions& options,
-             MemberCompliance& member)
-      : gear_(gear), model_(model), options_(options), member_(member) {}
+  explicit RaceCracks(const CrackAdder& adder) : CrackAdder(adder) {}
 
   void add(const CrackReport& report, const RaceSurfaceCrack& crack,
            const LoadedCrack<sif::SurfaceCrack<1>>& loaded) {
     add_race_crack(report, crack, loaded, {"FR-2", "FR-3", "FR-4", "FR-5", "FR-18"}, [&] {
-      return surface_crack_fit(member_, report.path, crack.depth, crack.aspect_ratio,
-                               *gear_.wave_generator->inner_ring_thickness);
+      return surface_crack_fit(member, report.path, crack.depth, crack.aspect_ratio,
+                               *gear.wave_generator->inner_ring_thickness);
     });
   }
   void add(const CrackReport& report, const RaceEdgeCrack& crack,
            const LoadedCrack<sif::EdgeCrack>& loaded) {
     add_race_crack(report, crack, loaded, {"FR-2", "FR-11", "FR-18"}, [&] {
-      rest_on(member_, report.path, accuracy::kEdgeCrack);
+      rest_on(member, report.path, accuracy::kEdgeCrack);
       return accuracy::kEdgeCrack;
     });
-  }
-  void add(const CrackReport& report, const OuterRaceCrack&, const ActsInCoupledDrive&) {
-    note_contact_path(member_.notes, report.path);
   }
 
  private:
   template <class Crack, class Solution, class Fit>
   void add_race_crack(CrackReport report, const Crack& crack, const LoadedCrack<Solution>& loaded,
                       std::initializer_list<const char*> equations, const Fit& accuracy_of_fit);
-
-  const GearSet& gear_;
-  const SeriesModel<double>& model_;
-  const StiffnessOptions& options_;
-  MemberCompliance& member_;
 };
 
 /// Adds one race crack, which the lobe force stresses.
@@ -172,46 +161,45 @@ void RaceCracks::add_race_crack(CrackReport report, const Crack& crack,
                                 const LoadedCrack<Solution>& loaded,
                                 std::initializer_list<const char*> equations,
                                 const Fit& accuracy_of_fit) {
-  const bool cam = gear_.wave_generator->conversion == Conversion::cam;
+  const bool cam = gear.wave_generator->conversion == Conversion::cam;
   Driver driver = driver_of(crack, report.path);
-  for (const char* const tag : driver.equations) use_equation(member_.equations, tag);
-  if (driver.note) member_.notes.push_back(std::move(*driver.note));
+  use_equations(member.equations, driver.equations);
+  if (driver.note) member.notes.push_back(std::move(*driver.note));
   // Compliance goes with the square of the stress, K with the stress.
   const ModelAccuracy of_stress = accuracy::power(driver.accuracy, 2);
   const ModelAccuracy of_load = accuracy::power(
       accuracy::kLobeForce, std::abs((cam ? 0.0 : 2.0) + 2 * driver.force_exponent));
-  rest_on(member_, report.path, of_stress);
-  if (of_load > 0) rest_on(member_, report.path, of_load);
+  rest_on(member, report.path, of_stress);
+  if (of_load > 0) rest_on(member, report.path, of_load);
   report.opens_under = opens_under(loaded.faces.positive, loaded.faces.negative);
   if (loaded.faces.positive == Faces::pressed) {
-    use_equation(member_.equations, "FR-17");
-    member_.notes.push_back(
-        {.code = "crack.closed",
-         .text = "the stress presses the faces together: the crack adds nothing",
-         .path = report.path,
-         .equation = "FR-17",
-         .severity = Severity::care});
+    use_equations(member.equations, {"FR-17"});
+    member.notes.push_back({.code = "crack.closed",
+                            .text = "the stress presses the faces together: the crack adds nothing",
+                            .path = report.path,
+                            .equation = "FR-17",
+                            .severity = Severity::care});
   }
   const ModelAccuracy fit = accuracy_of_fit();
-  for (const char* const tag : equations) use_equation(member_.equations, tag);
+  use_equations(member.equations, equations);
   const double compliance = accuracy::combined(
       accuracy::combined(fit, of_stress),
       cam ? accuracy::combined(of_load, accuracy::kCamConversion) : double{of_load});
   const double intensity = accuracy::combined(accuracy::combined(fit / 2, driver.accuracy),
                                               (1 + driver.force_exponent) * accuracy::kLobeForce);
-  const auto added = closed_form(loaded, options_.quadrature).positive;
-  demand_convergence(member_, report, added.relative_error, added.converged);
-  report.positive.at_output = {model_.at_output(added.matrix), kComplianceUnit, compliance};
+  const auto added = closed_form(loaded, options.quadrature).positive;
+  demand_convergence(member, report, added.relative_error, added.converged);
+  report.positive.at_output = {model.at_output(added.matrix), kComplianceUnit, compliance};
   report.negative = report.positive;
-  report_intensities(report, loaded.with_faces(loaded.faces.positive),
-                     {model_.loads().lobe_force()}, all_modes(intensity));
-  member_.cracks.push_back(std::move(report));
+  report_intensities(report, loaded.with_faces(loaded.faces.positive), {model.loads().lobe_force()},
+                     all_modes(intensity));
+  member.cracks.push_back(std::move(report));
 }
 
 /// The sound wave generator: lobe compliance times conversion.
 void add_sound_wave_generator(const GearSet& gear, const SeriesModel<double>& model,
                               MemberCompliance& member) {
-  use_equation(member.equations, "ST-5");
+  use_equations(member.equations, {"ST-5"});
   const Estimate C_0 = lobe_compliance(gear, model, member);
   const bool cam = gear.wave_generator->conversion == Conversion::cam;
   if (cam)
@@ -223,7 +211,7 @@ void add_sound_wave_generator(const GearSet& gear, const SeriesModel<double>& mo
          .equation = "ST-7",
          .severity = Severity::care,
          .next_step = "Leave wave_generator.conversion at its default."});
-  use_equation(member.equations, cam ? "ST-7" : "ST-6");
+  use_equations(member.equations, {cam ? "ST-7" : "ST-6"});
   member.intact = model.conversion().all_lobes * C_0.value;
   // The conversion by reciprocity has the lobe force squared in it, the article's has none.
   const ModelAccuracy of_force =
@@ -241,16 +229,11 @@ void add_sound_wave_generator(const GearSet& gear, const SeriesModel<double>& mo
 }  // namespace
 
 MemberCompliance wave_generator_compliance(const GearSet& gear, const StiffnessOptions& options) {
-  const WaveGenerator& wg = *gear.wave_generator;
   const SeriesModel<double> model(gear);
   MemberCompliance member;
   add_sound_wave_generator(gear, model, member);
-  RaceCracks cracks(gear, model, options, member);
-  for (std::size_t i = 0; i < wg.crack.size(); ++i)
-    model.loads().load(wg.crack[i], [&](const auto& crack, const auto& loaded) {
-      cracks.add({.path = fmt::format("wave_generator.crack[{}]", i), .kind = kind_of(crack)},
-                 crack, loaded);
-    });
+  add_cracks(member, model.loads(), "wave_generator", gear.wave_generator->crack,
+             RaceCracks({gear, model, options, member}));
   if (!member.cracks.empty())
     member.notes.push_back(
         {.code = "wave_generator.crack_under_lobe",

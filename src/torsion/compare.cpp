@@ -110,11 +110,7 @@ void diagnose(CurveComparison& comparison) {
 
 GearSet without_cracks(const GearSet& gear) {
   GearSet sound = gear;
-  if (sound.wave_generator) sound.wave_generator->crack.clear();
-  if (sound.flexspline) sound.flexspline->crack.clear();
-  if (sound.output_shaft) sound.output_shaft->crack.clear();
-  if (sound.mesh) sound.mesh->crack.clear();
-  if (sound.circular_spline) sound.circular_spline->crack.clear();
+  for_each_cracked_member(sound, [](std::string_view, auto& member) { member.crack.clear(); });
   // Ranges of fields that are gone would not be found.
   std::erase_if(sound.range, [](const InputRange& range) {
     return range.path.find(".crack[") != std::string::npos;
@@ -123,17 +119,11 @@ GearSet without_cracks(const GearSet& gear) {
 }
 
 bool has_moving_cracks(const GearSet& gear) {
-  const auto any = [](const auto& cracks, auto is) { return std::ranges::any_of(cracks, is); };
-  const auto axial = [](const FlexsplineCrack& c) {
-    return std::holds_alternative<RimAxialCrack>(c);
-  };
-  const auto outer = [](const WaveGeneratorCrack& c) {
-    return std::holds_alternative<OuterRaceCrack>(c);
-  };
-  return (gear.mesh && !gear.mesh->crack.empty()) ||
-         (gear.flexspline && any(gear.flexspline->crack, axial)) ||
-         (gear.wave_generator && any(gear.wave_generator->crack, outer)) ||
-         (gear.circular_spline && !gear.circular_spline->crack.empty());
+  bool any = false;
+  for_each_crack(gear, [&]<class Crack>(const std::string&, const Crack&) {
+    any = any || ContactCrack<Crack>;
+  });
+  return any;
 }
 
 double turned_position(double position, double angle) {
@@ -142,18 +132,9 @@ double turned_position(double position, double angle) {
 
 GearSet after_turn(const GearSet& gear, double angle) {
   GearSet turned = gear;
-  const auto shift = [&](double& position) { position = turned_position(position, angle); };
-  if (turned.mesh)
-    for (ToothMeshCrack& crack : turned.mesh->crack) shift(std::get<ToothCrack>(crack).position);
-  if (turned.flexspline)
-    for (FlexsplineCrack& crack : turned.flexspline->crack)
-      if (auto* const axial = std::get_if<RimAxialCrack>(&crack)) shift(axial->position);
-  if (turned.wave_generator)
-    for (WaveGeneratorCrack& crack : turned.wave_generator->crack)
-      if (auto* const race = std::get_if<OuterRaceCrack>(&crack)) shift(race->position);
-  if (turned.circular_spline)
-    for (CircularSplineCrack& crack : turned.circular_spline->crack)
-      shift(std::get<CircularSplineRingCrack>(crack).position);
+  for_each_crack(turned, [&]<class Crack>(const std::string&, Crack& crack) {
+    if constexpr (ContactCrack<Crack>) crack.position = turned_position(crack.position, angle);
+  });
   std::erase_if(turned.range, [](const InputRange& range) {
     return range.path.find(".position") != std::string::npos;
   });

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -16,6 +17,16 @@ namespace strainwave {
 namespace {
 
 using std::numbers::pi;
+
+// Limits of the coupled drive: beyond them the input is a slip, or a law has left its ground.
+constexpr double kMostRootDistance = 8;  // pitch less root diameter over m [-]: no tooth is taller
+constexpr double kFitInBore = 0.005;     // of the bore [-]: a bearing further off is not pressed in
+constexpr double kMostFlattening = 6;    // c_cam [-], (TC-5): four times that of an ellipse
+constexpr double kMostConing = 5;        // chi [-], (TC-8): five times an uncorrected tooth
+constexpr double kLeastDisplacement = 0.3;  // w_0/m [-]: the gap law (TC-7) is that of 1,
+constexpr double kMostDisplacement = 2;     //   and has a note beyond 0.6 to 1.3
+constexpr int kLeastTeeth = 20;             // [-]: a tooth is small against the wave
+constexpr double kWhole = 1e-9;             // of a number of teeth [-]: rounding
 
 /// What the coupled drive needs beyond what `check` asks for: field and meaning of the first thing
 /// that is missing.
@@ -40,11 +51,12 @@ std::optional<Missing> missing(const GearSet& gear) {
   return std::nullopt;
 }
 
+/// Bending stiffness of a section, E b t^3/12 times a factor [N*m^2].
 double third_power_bending(double E, double width, double thickness, double factor) {
   return E * width * thickness * thickness * thickness / 12 * factor;
 }
 
-/// Rotation of a hinge per unit of moment, c_M: an edge crack in bending.
+/// Rotation of a hinge per unit of moment, c_M: an edge crack in bending [rad/(N*m)].
 double hinge_compliance(double depth, double thickness, double width,
                         const ElasticConstants& steel) {
   const sif::EdgeCrack crack{.depth = depth,
@@ -56,8 +68,9 @@ double hinge_compliance(double depth, double thickness, double width,
       .matrix(0, 0);  // (TC-22)
 }
 
-/// Radial compliance of a race crack under the force of one ball, with the notes of its stress.
-double race_crack_compliance(const GearSet& gear, std::size_t index, double ball_force,
+/// Radial compliance of a race crack under the force of one ball [m/N], with the notes of its
+/// stress.
+double race_crack_compliance(const GearSet& gear, const std::string& path, double ball_force,
                              std::vector<Note>& notes) {
   // The series model's crack under one lobe, whose force is made that of this ball.
   GearSet single = gear;
@@ -67,7 +80,6 @@ double race_crack_compliance(const GearSet& gear, std::size_t index, double ball
   const double f = lobe_force_per_torque(gear.drive, wg);
   single.load.torque = ball_force / f;
   const MemberCompliance member = wave_generator_compliance(single);
-  const std::string path = fmt::format("wave_generator.crack[{}]", index);
   for (const Note& note : member.notes)
     if (note.path == path) notes.push_back(note);
   for (const CrackReport& report : member.cracks)
@@ -75,15 +87,8 @@ double race_crack_compliance(const GearSet& gear, std::size_t index, double ball
   return 0.0;
 }
 
-}  // namespace
-
-std::string missing_for_torsion_curve(const GearSet& gear) {
-  const auto gap = missing(gear);
-  return gap ? fmt::format("{}: must be given for the torsion curve ({})", gap->field, gap->what)
-             : std::string();
-}
-
-CoupledGeometry coupled_geometry(const GearSet& gear, const CoupledOptions& options) {
+/// The rules of the coupled drive, beyond those of `check`.
+void check_coupled(const GearSet& gear, const CoupledOptions& options) {
   check(gear);
   if (const auto gap = missing(gear))
     throw InputError(gap->field,
@@ -91,36 +96,23 @@ CoupledGeometry coupled_geometry(const GearSet& gear, const CoupledOptions& opti
   require(options.harmonics >= 8 && options.harmonics <= 128, "harmonics", options.harmonics, "1",
           ">= 8 and <= 128");
   const Transmission& drive = gear.drive;
-  const Flexspline& fs = *gear.flexspline;
+  const TubeSection& rim = *gear.flexspline->rim;
   const WaveGenerator& wg = *gear.wave_generator;
   const Bearing& bearing = *wg.bearing;
-  const BearingRing& outer = *bearing.outer_ring;
-  const ToothMesh& mesh = *gear.mesh;
   require(drive.wave_number == 2, "drive.wave_number", drive.wave_number, "1",
           "2 for the torsion curve");
   const double teeth = drive.wave_number * drive.ratio;
-  require(std::abs(teeth - std::round(teeth)) < 1e-9 && teeth >= 20, "drive.ratio", drive.ratio,
-          "1", "a whole number of teeth, wave_number times ratio, of 20 or more");
-
-  CoupledGeometry g;
-  g.rim_steel = elastic_constants(material_of(gear, fs.material, "flexspline.material"));
-  g.ball_steel = elastic_constants(material_of(gear, wg.material, "wave_generator.material"));
-  g.pitch_radius = drive.pitch_diameter / 2;
-  g.radial_displacement = drive.radial_displacement;
-  g.teeth = static_cast<int>(std::lround(teeth));
-  g.module = drive.pitch_diameter / teeth;
-  g.rim_thickness = fs.rim->wall_thickness;
-  g.rim_width = fs.rim->length;
-  g.ring_radius = (fs.rim->outer_diameter - fs.rim->wall_thickness) / 2;
-  require(fs.rim->outer_diameter < drive.pitch_diameter, "flexspline.rim.outer_diameter",
-          fs.rim->outer_diameter, "m",
-          "outer_diameter, of the tooth roots, < drive.pitch_diameter");
-  require(drive.pitch_diameter - fs.rim->outer_diameter < 8 * g.module,
-          "flexspline.rim.outer_diameter", fs.rim->outer_diameter, "m",
+  require(std::abs(teeth - std::round(teeth)) < kWhole && teeth >= kLeastTeeth, "drive.ratio",
+          drive.ratio, "1", "a whole number of teeth, wave_number times ratio, of 20 or more");
+  const double module = drive.pitch_diameter / teeth;
+  require(rim.outer_diameter < drive.pitch_diameter, "flexspline.rim.outer_diameter",
+          rim.outer_diameter, "m", "outer_diameter, of the tooth roots, < drive.pitch_diameter");
+  require(drive.pitch_diameter - rim.outer_diameter < kMostRootDistance * module,
+          "flexspline.rim.outer_diameter", rim.outer_diameter, "m",
           "outer_diameter, of the tooth roots, within 4 modules of drive.pitch_diameter/2");
-  const double bore = fs.rim->outer_diameter / 2 - fs.rim->wall_thickness;
-  const double ring_outside = outer.mean_radius + outer.thickness / 2;
-  if (std::abs(ring_outside - bore) > 0.005 * bore)
+  const double bore = rim.outer_diameter / 2 - rim.wall_thickness;
+  const double ring_outside = bearing.outer_ring->mean_radius + bearing.outer_ring->thickness / 2;
+  if (std::abs(ring_outside - bore) > kFitInBore * bore)
     throw InputError(
         "wave_generator.bearing.outer_ring.mean_radius",
         fmt::format("makes an outer radius of {:.5g} mm in a flexspline bore of {:.5g} mm: the "
@@ -136,14 +128,170 @@ CoupledGeometry coupled_geometry(const GearSet& gear, const CoupledOptions& opti
           "ball_count times ball_diameter < circumference of the balls' circle");
   require(bearing.clearance < drive.radial_displacement, "wave_generator.bearing.clearance",
           bearing.clearance, "m", "clearance < drive.radial_displacement");
-  require(wg.cam_flattening <= 6, "wave_generator.cam_flattening", wg.cam_flattening, "1",
-          "<= 6 for the torsion curve");
-  require(mesh.coning <= 5, "mesh.coning", mesh.coning, "1", "<= 5 for the torsion curve");
-  const double kappa = drive.radial_displacement / g.module;
-  require(kappa > 0.3 && kappa < 2, "drive.radial_displacement", drive.radial_displacement, "m",
-          "0.3 to 2 modules for the torsion curve");
+  require(wg.cam_flattening <= kMostFlattening, "wave_generator.cam_flattening", wg.cam_flattening,
+          "1", "<= 6 for the torsion curve");
+  require(gear.mesh->coning <= kMostConing, "mesh.coning", gear.mesh->coning, "1",
+          "<= 5 for the torsion curve");
+  const double kappa = drive.radial_displacement / module;
+  require(kappa > kLeastDisplacement && kappa < kMostDisplacement, "drive.radial_displacement",
+          drive.radial_displacement, "m", "0.3 to 2 modules for the torsion curve");
+}
+
+/// Flank angle, turned by friction, gaps and stiffness of the tooth pairs.
+void add_mesh(CoupledGeometry& g, const ToothMesh& mesh, FlankFriction friction) {
+  g.flank_angle = mesh.flank_angle;
+  const double turn = std::atan(mesh.friction_coefficient);
+  g.force_angle = g.flank_angle;
+  if (friction == FlankFriction::loading) g.force_angle -= turn;    // (TC-16)
+  if (friction == FlankFriction::unloading) g.force_angle += turn;  // (TC-16)
+  require(g.force_angle > 0, "mesh.friction_coefficient", mesh.friction_coefficient, "1",
+          "less than the tangent of mesh.flank_angle: else the flanks lock themselves");
+  g.gap_factor = mesh.gap_factor;
+  g.lobe_gap = mesh.lobe_gap;
+  g.flank = {.pair_stiffness = mesh.pair_stiffness.value_or(
+                 tooth_pair_stiffness(g.rim_steel.E, g.module, g.rim_thickness)),
+             .face_width = g.rim_width,
+             .slope = mesh.coning * std::sin(g.flank_angle) * g.radial_displacement /
+                      (g.length - g.rim_width / 2)};  // (TC-8)
+}
+
+/// A ring that a crack softens.
+struct CrackedRing {
+  RingHinge::Ring ring{};
+  double thickness = 0.0;  // [m]
+  double width = 0.0;      // [m]
+  double bending = 0.0;    // EI, of the circular spline over its support [N*m^2]
+  double support = 1.0;    // share of the ring's compliance that its housing leaves [-]
+  ElasticConstants steel;
+};
+
+/// Turns cracks into what they change inside the contact problem: one overload of `add` for each
+/// way in which a crack does so.
+class ContactCracksOf {
+ public:
+  ContactCracksOf(const GearSet& gear, const CoupledGeometry& geometry, const BallForce& ball_force,
+                  std::vector<Note>& notes)
+      : gear_(gear), geometry_(geometry), ball_force_(ball_force), notes_(notes) {}
+
+  void add(const std::string&, const ToothCrack& crack) {
+    result.teeth.push_back({crack.position, crack.stiffness_loss});
+  }
+
+  template <CrackedPart part, bool from_inside>
+  void add(const std::string&, const RingCrack<part, from_inside>& crack) {
+    if (part == CrackedPart::circular_spline && !(geometry_.support > 0)) {
+      note_rigid_spline();
+      return;
+    }
+    const CrackedRing ring = ring_of(part);
+    const double c_M =
+        ring.support * hinge_compliance(crack.depth, ring.thickness, ring.width, ring.steel);
+    const double length = 2 * ring.thickness;
+    const double left = ring.bending / (1 + c_M * ring.bending / length);
+    result.hinges.push_back({.ring = ring.ring,
+                             .position = crack.position,
+                             .length = length,
+                             .softening = (ring.bending - left) * length});  // (TC-22)
+  }
+
+  /// A crack of the inner race, which the balls load.
+  template <class Crack>
+  requires requires(const Crack& crack) { crack.stress_driver; }
+  void add(const std::string& path, const Crack& crack) {
+    if (crack.stress_driver != StressDriver::orthogonal_shear &&
+        crack.stress_driver != StressDriver::contact_edge) {
+      notes_.push_back({"crack.not_of_a_ball",
+                        "its stress does not follow from the force of the ball over it: it is "
+                        "left out of the torsion curve",
+                        path, "TC-23", Severity::care,
+                        "Choose a stress_driver of the ball, orthogonal_shear or contact_edge."});
+    } else if (const double force = ball_force_(crack.position); force > 0) {
+      result.balls.push_back({crack.position, race_crack_compliance(gear_, path, force, notes_)});
+      notes_.push_back({"crack.under_a_ball",
+                        fmt::format("taken with the nearest ball exactly over it, the worst "
+                                    "place, linear at {:.3g} N; the balls roll over it, so its "
+                                    "effect comes and goes at ball-pass frequency",
+                                    force),
+                        path, "TC-23", Severity::care});
+    } else {
+      notes_.push_back({"crack.unloaded_ball", "no ball that carries is near it: no effect", path,
+                        "TC-23", Severity::information});
+    }
+  }
+
+  ContactCracks result;
+
+ private:
+  [[nodiscard]] CrackedRing ring_of(CrackedPart part) const {
+    const CoupledGeometry& g = geometry_;
+    if (part == CrackedPart::rim)
+      return {.ring = RingHinge::Ring::rim,
+              .thickness = g.rim_thickness,
+              .width = g.rim_width,
+              .bending = g.rim_bending,
+              .steel = g.rim_steel};
+    if (part == CrackedPart::outer_ring)
+      return {.ring = RingHinge::Ring::outer,
+              .thickness = g.outer_thickness,
+              .width = g.outer_width,
+              .bending = g.outer_bending,
+              .steel = g.ball_steel};
+    const CircularSpline& spline = *gear_.circular_spline;
+    return {.ring = RingHinge::Ring::spline,
+            .thickness = (spline.outer_diameter - spline.inner_diameter) / 2,
+            .width = spline.width,
+            .bending = g.spline_bending / g.support,
+            .support = g.support,
+            .steel =
+                elastic_constants(material_of(gear_, spline.material, "circular_spline.material"))};
+  }
+
+  void note_rigid_spline() {
+    const Note note{.code = "crack.rigid_ring",
+                    .text =
+                        "the circular spline is held rigidly (support = 0): a crack in it has "
+                        "no effect",
+                    .path = "circular_spline.support",
+                    .equation = "TC-10",
+                    .severity = Severity::care,
+                    .next_step = "Give a support above 0."};
+    if (std::ranges::find(notes_, note) == notes_.end()) notes_.push_back(note);
+  }
+
+  const GearSet& gear_;
+  const CoupledGeometry& geometry_;
+  const BallForce& ball_force_;
+  std::vector<Note>& notes_;
+};
+
+}  // namespace
+
+std::string missing_for_torsion_curve(const GearSet& gear) {
+  const auto gap = missing(gear);
+  return gap ? fmt::format("{}: must be given for the torsion curve ({})", gap->field, gap->what)
+             : std::string();
+}
+
+CoupledGeometry coupled_geometry(const GearSet& gear, const CoupledOptions& options) {
+  check_coupled(gear, options);
+  const Transmission& drive = gear.drive;
+  const Flexspline& fs = *gear.flexspline;
+  const WaveGenerator& wg = *gear.wave_generator;
+  const Bearing& bearing = *wg.bearing;
+  const BearingRing& outer = *bearing.outer_ring;
+  const double teeth = drive.wave_number * drive.ratio;
+  CoupledGeometry g;
+  g.rim_steel = elastic_constants(material_of(gear, fs.material, "flexspline.material"));
+  g.ball_steel = elastic_constants(material_of(gear, wg.material, "wave_generator.material"));
+  g.pitch_radius = drive.pitch_diameter / 2;
+  g.radial_displacement = drive.radial_displacement;
+  g.teeth = static_cast<int>(std::lround(teeth));
+  g.module = drive.pitch_diameter / teeth;
+  g.rim_thickness = fs.rim->wall_thickness;
+  g.rim_width = fs.rim->length;
+  g.ring_radius = (fs.rim->outer_diameter - fs.rim->wall_thickness) / 2;
   g.rim_bending =
-      third_power_bending(g.rim_steel.E, g.rim_width, g.rim_thickness, mesh.rim_stiffening);
+      third_power_bending(g.rim_steel.E, g.rim_width, g.rim_thickness, gear.mesh->rim_stiffening);
   g.outer_thickness = outer.thickness;
   g.outer_width = outer.width;
   g.outer_bending =
@@ -161,21 +309,7 @@ CoupledGeometry coupled_geometry(const GearSet& gear, const CoupledOptions& opti
   g.balls = *bearing.ball_count;
   g.clearance = bearing.clearance;
   g.cam_flattening = wg.cam_flattening;
-
-  g.flank_angle = mesh.flank_angle;
-  const double friction = std::atan(mesh.friction_coefficient);
-  g.force_angle = g.flank_angle;
-  if (options.friction == FlankFriction::loading) g.force_angle -= friction;    // (TC-16)
-  if (options.friction == FlankFriction::unloading) g.force_angle += friction;  // (TC-16)
-  require(g.force_angle > 0, "mesh.friction_coefficient", mesh.friction_coefficient, "1",
-          "less than the tangent of mesh.flank_angle: else the flanks lock themselves");
-  g.gap_factor = mesh.gap_factor;
-  g.lobe_gap = mesh.lobe_gap;
-  g.flank = {.pair_stiffness = mesh.pair_stiffness.value_or(
-                 tooth_pair_stiffness(g.rim_steel.E, g.module, g.rim_thickness)),
-             .face_width = g.rim_width,
-             .slope = mesh.coning * std::sin(g.flank_angle) * g.radial_displacement /
-                      (g.length - g.rim_width / 2)};  // (TC-8)
+  add_mesh(g, *gear.mesh, options.friction);
   if (gear.circular_spline) {
     const CircularSpline& spline = *gear.circular_spline;
     const double E =
@@ -188,78 +322,18 @@ CoupledGeometry coupled_geometry(const GearSet& gear, const CoupledOptions& opti
   return g;
 }
 
-ContactCracks contact_cracks(const GearSet& gear, const CoupledGeometry& g,
+ContactCracks contact_cracks(const GearSet& gear, const CoupledGeometry& geometry,
                              const BallForce& ball_force, std::vector<Note>& notes) {
-  ContactCracks cracks;
-  const auto hinge = [&](RingHinge::Ring ring, const RingCrack& crack, double thickness,
-                         double width, double bending, double scale,
-                         const ElasticConstants& steel) {
-    const double c_M = scale * hinge_compliance(crack.depth, thickness, width, steel);
-    const double length = 2 * thickness;
-    const double left = bending / (1 + c_M * bending / length);
-    cracks.hinges.push_back({.ring = ring,
-                             .position = crack.position,
-                             .length = length,
-                             .softening = (bending - left) * length});  // (TC-22)
+  ContactCracksOf cracks(gear, geometry, ball_force, notes);
+  const auto add = [&]<class Crack>(const std::string& path, const Crack& crack) {
+    if constexpr (ContactCrack<Crack> || requires { crack.stress_driver; }) cracks.add(path, crack);
   };
-  if (gear.mesh)
-    for (const ToothMeshCrack& any : gear.mesh->crack) {
-      const auto& crack = std::get<ToothCrack>(any);
-      cracks.teeth.push_back({crack.position, crack.stiffness_loss});
-    }
-  for (const FlexsplineCrack& any : gear.flexspline->crack)
-    if (const auto* const crack = std::get_if<RimAxialCrack>(&any))
-      hinge(RingHinge::Ring::rim, *crack, g.rim_thickness, g.rim_width, g.rim_bending, 1.0,
-            g.rim_steel);
-  if (gear.circular_spline && g.support > 0) {
-    const CircularSpline& spline = *gear.circular_spline;
-    for (const CircularSplineCrack& any : spline.crack)
-      hinge(RingHinge::Ring::spline, std::get<CircularSplineRingCrack>(any),
-            (spline.outer_diameter - spline.inner_diameter) / 2, spline.width,
-            g.spline_bending / g.support, g.support,
-            elastic_constants(material_of(gear, spline.material, "circular_spline.material")));
-  } else if (gear.circular_spline && !gear.circular_spline->crack.empty()) {
-    notes.push_back({"crack.rigid_ring",
-                     "the circular spline is held rigidly (support = 0): a crack in it has no "
-                     "effect",
-                     "circular_spline.support", "TC-10", Severity::care,
-                     "Give a support above 0."});
-  }
-
-  const WaveGenerator& wg = *gear.wave_generator;
-  for (std::size_t i = 0; i < wg.crack.size(); ++i) {
-    const std::string path = fmt::format("wave_generator.crack[{}]", i);
-    std::visit(
-        [&](const auto& crack) {
-          using Crack = std::decay_t<decltype(crack)>;
-          if constexpr (std::is_same_v<Crack, OuterRaceCrack>) {
-            hinge(RingHinge::Ring::outer, crack, g.outer_thickness, g.outer_width, g.outer_bending,
-                  1.0, g.ball_steel);
-          } else if (crack.stress_driver != StressDriver::orthogonal_shear &&
-                     crack.stress_driver != StressDriver::contact_edge) {
-            notes.push_back(
-                {"crack.not_of_a_ball",
-                 "its stress does not follow from the force of the ball over it: it is "
-                 "left out of the torsion curve",
-                 path, "TC-23", Severity::care,
-                 "Choose a stress_driver of the ball, orthogonal_shear or contact_edge."});
-          } else if (const double force = ball_force(crack.position); force > 0) {
-            cracks.balls.push_back({crack.position, race_crack_compliance(gear, i, force, notes)});
-            notes.push_back(
-                {"crack.under_a_ball",
-                 fmt::format("taken with the nearest ball exactly over it, the worst "
-                             "place, linear at {:.3g} N; the balls roll over it, so its "
-                             "effect comes and goes at ball-pass frequency",
-                             force),
-                 path, "TC-23", Severity::care});
-          } else {
-            notes.push_back({"crack.unloaded_ball", "no ball that carries is near it: no effect",
-                             path, "TC-23", Severity::information});
-          }
-        },
-        wg.crack[i]);
-  }
-  return cracks;
+  // The order of the hinges is that of a sum, and with it of its rounding.
+  if (gear.mesh) for_each_crack("mesh", gear.mesh->crack, add);
+  for_each_crack("flexspline", gear.flexspline->crack, add);
+  if (gear.circular_spline) for_each_crack("circular_spline", gear.circular_spline->crack, add);
+  for_each_crack("wave_generator", gear.wave_generator->crack, add);
+  return std::move(cracks.result);
 }
 
 }  // namespace strainwave

@@ -11,6 +11,7 @@
 #include "strainwave/fracture/crack_compliance.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/crack_strength.hpp"
+#include "strainwave/model/result/evidence.hpp"
 #include "strainwave/sif/solution.hpp"
 
 namespace strainwave {
@@ -75,6 +76,7 @@ struct DriveCrack {
   std::string unknown;                 ///< which stress of the crack is not known; empty: all is
   std::string next_step;               ///< what to do about that
   std::vector<StrengthNote> notes;     ///< what the stress leaves out
+  std::vector<Note> kinks;             ///< where its compliance has one right at this drive
   std::vector<std::string> equations;  ///< tags of the theory manual
 
   /// cos(U theta), by which K of the assembly varies [-].

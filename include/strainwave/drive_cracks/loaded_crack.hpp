@@ -74,21 +74,22 @@ class CrackLoads {
   explicit CrackLoads(const GearSet& gear, const Lift<Real>& lift = Lift<Real>())
       : gear_(gear), lift_(lift) {}
 
-  /// Calls f(crack, loaded crack) for one crack of any kind.
-  template <class... Kinds, class F>
-  void load(const std::variant<Kinds...>& any, const F& f) const {
-    std::visit([&](const auto& crack) { load(crack, f); }, any);
-  }
+  /// Calls f(loaded crack) for one crack of any kind.
   template <class Crack, class F>
   void load(const Crack& crack, const F& f) const {
-    f(crack, loaded(crack));
+    f(loaded(crack));
   }
   template <class F>
   void load(const AnnularCrack& crack, const F& f) const {
     if (gear_.output_shaft->solid())
-      f(crack, loaded_in_solid_shaft(crack));
+      f(loaded_in_solid_shaft(crack));
     else
-      f(crack, loaded_in_hollow_shaft(crack));
+      f(loaded_in_hollow_shaft(crack));
+  }
+
+  template <ContactCrack Crack>
+  [[nodiscard]] static ActsInCoupledDrive loaded(const Crack&) {
+    return {};
   }
 
   // --- Wave generator ---------------------------------------------------------------------------
@@ -162,7 +163,6 @@ class CrackLoads {
         .moduli = plane_strain(ring_steel()),
         .faces = race_faces(stress)};
   }
-  [[nodiscard]] static ActsInCoupledDrive loaded(const OuterRaceCrack&) { return {}; }
 
   // --- Flexspline -------------------------------------------------------------------------------
 
@@ -254,17 +254,11 @@ class CrackLoads {
         .faces = {}};
   }
   [[nodiscard]] static LoadedGroove loaded(const DiaphragmGroove&) { return {}; }
-  [[nodiscard]] static ActsInCoupledDrive loaded(const RimAxialCrack&) { return {}; }
 
   [[nodiscard]] Real arc_radius(const DiaphragmArcCrack& crack) const {
     return crack.radius ? Real(lift_(*crack.radius))
                         : Real(lift_(gear_.flexspline->diaphragm->inner_diameter) / 2);
   }
-
-  // --- Tooth mesh and circular spline -----------------------------------------------------------
-
-  [[nodiscard]] static ActsInCoupledDrive loaded(const ToothCrack&) { return {}; }
-  [[nodiscard]] static ActsInCoupledDrive loaded(const CircularSplineRingCrack&) { return {}; }
 
   // --- Output shaft -----------------------------------------------------------------------------
 

@@ -40,12 +40,14 @@ struct ThroughWall {
 /// 1 - 2 a |cos beta|/L.  Absent where nothing is left: the crack cuts half of the circumference.
 [[nodiscard]] std::optional<double> through_wall_share(const ThroughWall& crack);
 
-/// Reference stress of a stress in a part with a surface crack [Pa].
+/// How the stress is spread over the thickness of a part.
 enum class SectionLoading {
   membrane,  ///< uniform over the thickness
   bending,   ///< linear, zero in the middle; the stress is that of the surface
 };
 
+/// Reference stress of a stress in a part with a surface crack [Pa].
+///
 /// Implements theory manual eqs. (FA-9) and (FA-10): the thickness less the crack's depth, over
 /// the whole width, sigma/(1-alpha) or (2/3) sigma/(1-alpha)^2.  Lower bound of the limit load.
 ///

@@ -22,10 +22,11 @@ struct NumberedCrack {
   int number = 0;    ///< from 1
   std::string path;  ///< "flexspline.crack[0]"
   std::string kind;  ///< "through"
+  CrackPlace place;
   std::string size;  ///< "2a = 4 mm, β = 45°", as people write it
 };
 
-/// All cracks of a drive, in the order of wave generator, flexspline, mesh, circular spline, shaft.
+/// All cracks of a drive, in the order of `for_each_crack`.
 [[nodiscard]] std::vector<NumberedCrack> numbered_cracks(const GearSet& gear);
 
 /// Half section through the axis, at the major axis of the wave generator, output to the right.

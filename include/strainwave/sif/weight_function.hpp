@@ -75,7 +75,7 @@ struct StressSurvey {
 /// mouth, down to 1e-9 a: a layer of residual or contact stress far thinner than the crack is deep
 /// would slip through the points of the quadrature.  Where the stress falls by more over a step
 /// than a slope of 5 largest/a would give, the quadrature begins anew at every step out to a/32.  A
-/// layer inside the body can only be found where it is named.
+/// layer inside the body can only be found where it is named.  Depths are [m].
 template <class Stress>
 [[nodiscard]] StressSurvey survey(const Stress& stress, double a, std::span<const double> changes) {
   StressSurvey seen;
@@ -101,7 +101,7 @@ template <class Stress>
   return seen;
 }
 
-/// The value of an integral that converged.
+/// The value of an integral that converged [unit of the integral].
 /// @throws SolverError  it did not
 [[nodiscard]] inline double converged_value(const Integral<double>& integral) {
   if (!integral.converged)
@@ -191,7 +191,7 @@ class SurfaceWeight {
   Coefficients surface_{};
 };
 
-/// 1 + M_1 v + M_2 v^2 + M_3 v^3 of (SW-3), (SW-4).
+/// 1 + M_1 v + M_2 v^2 + M_3 v^3 of (SW-3), (SW-4) [-].
 [[nodiscard]] inline double power_sum(const SurfaceWeight::Coefficients& M, double v) {
   return M[0] + v * (M[1] + v * (M[2] + v * M[3]));
 }

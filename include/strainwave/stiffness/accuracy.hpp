@@ -91,12 +91,12 @@ inline constexpr double kHollowTensionIntensity = 0.015;
 /// K_III of the hollow shaft: the same; 0.11 % at the end of the table, a/t = 0.8.
 inline constexpr double kHollowTorsionIntensity = 0.0015;
 
-/// The uncertainty of something that goes with the n-th power of a quantity.
+/// The uncertainty of something that goes with the n-th power of a quantity [-].
 [[nodiscard]] constexpr ModelAccuracy power(const ModelAccuracy& accuracy, double n) {
   return {n * accuracy.relative_uncertainty, accuracy.source};
 }
 
-/// Root of the sum of squares of independent relative uncertainties.
+/// Root of the sum of squares of independent relative uncertainties [-].
 [[nodiscard]] inline double combined(double a, double b) { return std::hypot(a, b); }
 
 }  // namespace strainwave::accuracy

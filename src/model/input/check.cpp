@@ -37,42 +37,174 @@ void check_material(const FieldPath& path, const Material& material) {
             "ultimate_strength >= yield_strength");
 }
 
-void check_ring_crack(const FieldPath& path, double depth, double thickness,
-                      std::string_view rule) {
-  require(clearly_less(depth, thickness), (path / "depth").text(), depth, "m", rule);
+// Rules of the cracks: one overload of check_crack for each kind.
+
+void need(bool given, std::string_view field, const FieldPath& at, std::string_view why) {
+  if (!given) throw InputError(field, fmt::format("must be given for {}{}", at.text(), why));
 }
 
-void check_race_crack(const FieldPath& path, const WaveGenerator& wg, double depth,
-                      StressDriver driver, const std::optional<double>& contact_factor,
-                      const std::optional<double>& stress) {
-  const auto need = [&](bool given, std::string_view field, std::string_view why) {
-    if (!given) throw InputError(field, fmt::format("must be given for {} ({})", path.text(), why));
-  };
-  need(wg.inner_ring_thickness.has_value(), "wave_generator.inner_ring_thickness",
-       "inner ring thickness t_i [m]");
-  require(clearly_less(depth, *wg.inner_ring_thickness), (path / "depth").text(), depth, "m",
-          "depth < inner_ring_thickness");
-  const std::string driver_is = fmt::format("stress_driver = \"{}\" needs it", enum_name(driver));
-  const bool has_contact = wg.contact_semi_axes.has_value() || wg.bearing.has_value();
+void check_depth(const FieldPath& at, double depth, double thickness, std::string_view rule) {
+  require(clearly_less(depth, thickness), (at / "depth").text(), depth, "m", rule);
+}
+
+void check_waves_that_bend(const GearSet& gear) {
+  require(gear.drive.wave_number >= 2, "drive.wave_number", gear.drive.wave_number, "1",
+          "wave_number >= 2 where a ring bends between lobes");
+}
+
+/// What the cracks of the inner ring share: depth and stress.
+template <class Crack>
+void check_race_crack(const FieldPath& at, const GearSet& gear, const Crack& crack) {
+  const WaveGenerator& wg = *gear.wave_generator;
+  const StressDriver driver = crack.stress_driver;
+  need(wg.inner_ring_thickness.has_value(), "wave_generator.inner_ring_thickness", at,
+       " (inner ring thickness t_i [m])");
+  check_depth(at, crack.depth, *wg.inner_ring_thickness, "depth < inner_ring_thickness");
+  const std::string driver_is =
+      fmt::format(" (stress_driver = \"{}\" needs it)", enum_name(driver));
   switch (driver) {
     case StressDriver::orthogonal_shear:
     case StressDriver::contact_edge:
-      need(has_contact, "wave_generator.contact_semi_axes", driver_is);
+      need(wg.contact_semi_axes || wg.bearing, "wave_generator.contact_semi_axes", at, driver_is);
       break;
     case StressDriver::ring_bending:
-      need(wg.inner_ring_width.has_value(), "wave_generator.inner_ring_width", driver_is);
-      need(wg.inner_ring_mean_radius.has_value(), "wave_generator.inner_ring_mean_radius",
+      need(wg.inner_ring_width.has_value(), "wave_generator.inner_ring_width", at, driver_is);
+      need(wg.inner_ring_mean_radius.has_value(), "wave_generator.inner_ring_mean_radius", at,
            driver_is);
       break;
     case StressDriver::given:
-      need(stress.has_value(), (path / "stress").text(), driver_is);
+      need(crack.stress.has_value(), (at / "stress").text(), at, driver_is);
       break;
   }
-  if (stress && driver != StressDriver::given)
-    throw InputError((path / "stress").text(), "is read only with stress_driver = \"given\"");
-  if (contact_factor && driver != StressDriver::orthogonal_shear)
-    throw InputError((path / "contact_factor").text(),
+  if (crack.stress && driver != StressDriver::given)
+    throw InputError((at / "stress").text(), "is read only with stress_driver = \"given\"");
+  if (crack.contact_factor && driver != StressDriver::orthogonal_shear)
+    throw InputError((at / "contact_factor").text(),
                      "is read only with stress_driver = \"orthogonal_shear\"");
+}
+
+void check_crack(const FieldPath& at, const GearSet& gear, const RaceSurfaceCrack& crack) {
+  check_race_crack(at, gear, crack);
+  if (crack.stress_driver == StressDriver::ring_bending) check_waves_that_bend(gear);
+}
+
+void check_crack(const FieldPath& at, const GearSet& gear, const RaceEdgeCrack& crack) {
+  check_race_crack(at, gear, crack);
+  if (!gear.wave_generator->inner_ring_width)
+    throw InputError("wave_generator.inner_ring_width",
+                     "must be given for an edge crack (axial width of the ring [m])");
+  if (crack.stress_driver == StressDriver::ring_bending) check_waves_that_bend(gear);
+}
+
+void check_crack(const FieldPath& at, const GearSet& gear, const OuterRaceCrack& crack) {
+  const auto& bearing = gear.wave_generator->bearing;
+  need(bearing && bearing->outer_ring, "wave_generator.bearing.outer_ring", at,
+       " (the ring that it is in)");
+  check_depth(at, crack.depth, bearing->outer_ring->thickness,
+              "depth < wave_generator.bearing.outer_ring.thickness");
+}
+
+void check_crack(const FieldPath& at, const GearSet& gear, const RimAxialCrack& crack) {
+  const auto& rim = gear.flexspline->rim;
+  need(rim.has_value(), "flexspline.rim", at, " (the ring that it is in)");
+  check_depth(at, crack.depth, rim->wall_thickness, "depth < flexspline.rim.wall_thickness");
+}
+
+void check_crack(const FieldPath& at, const GearSet& gear, const CircularSplineRingCrack& crack) {
+  const CircularSpline& ring = *gear.circular_spline;
+  check_depth(at, crack.depth, (ring.outer_diameter - ring.inner_diameter) / 2,
+              "depth < (outer_diameter - inner_diameter)/2");
+}
+
+void check_crack(const FieldPath&, const GearSet&, const ToothCrack&) {}  // its Ranges are all
+
+// A crack of the diaphragm lies on it, and is not deeper or longer than it.
+
+const Diaphragm& diaphragm_for(const FieldPath& at, const GearSet& gear) {
+  need(gear.flexspline->diaphragm.has_value(), "flexspline.diaphragm", at, "");
+  return *gear.flexspline->diaphragm;
+}
+
+void check_crack(const FieldPath& at, const GearSet& gear, const DiaphragmArcCrack& crack) {
+  const Diaphragm& diaphragm = diaphragm_for(at, gear);
+  const double radius = crack.radius.value_or(diaphragm.inner_diameter / 2);
+  require(radius >= diaphragm.inner_diameter / 2 && radius < diaphragm.outer_diameter / 2,
+          (at / "radius").text(), radius, "m", "on the diaphragm");
+  require(crack.half_length < std::numbers::pi * radius, (at / "half_length").text(),
+          crack.half_length, "m", "2 half_length < circumference at its radius");
+}
+
+void check_crack(const FieldPath& at, const GearSet& gear, const DiaphragmGroove& groove) {
+  const Diaphragm& diaphragm = diaphragm_for(at, gear);
+  const double inner = groove.radius - groove.width / 2;
+  const double outer = groove.radius + groove.width / 2;
+  require(!clearly_less(inner, diaphragm.inner_diameter / 2) &&
+              !clearly_less(diaphragm.outer_diameter / 2, outer),
+          (at / "radius").text(), groove.radius, "m", "radius +- width/2 on the diaphragm");
+  const auto thick_enough = [&](double r) {
+    check_depth(at, groove.depth, diaphragm_thickness(diaphragm, r),
+                "depth < thickness of the diaphragm");
+  };
+  thick_enough(inner);
+  thick_enough(outer);
+  // The law is linear between the stations: a thin place inside the groove is at one of them.
+  for (const DiaphragmStation& station : diaphragm.profile)
+    if (station.radius > inner && station.radius < outer) thick_enough(station.radius);
+}
+
+/// A crack of the wall that is longer than the tube, or meets itself round the circumference, is
+/// none.
+/// @return  thickness of the wall [m]
+template <class Crack>
+double check_wall_crack(const FieldPath& at, const GearSet& gear, const Crack& crack) {
+  const Flexspline& fs = *gear.flexspline;
+  double wall = fs.wall_thickness;
+  double length = fs.length;
+  double diameter = gear.drive.pitch_diameter;
+  if (fs.crack_free == CrackFree::sections) {
+    if (crack.section == WallSection::rim && !fs.rim)
+      throw InputError((at / "section").text(), "\"rim\" needs a [flexspline.rim]");
+    const TubeSection& tube = crack.section == WallSection::rim ? *fs.rim : *fs.barrel;
+    wall = tube.wall_thickness;
+    length = tube.length;
+    diameter = tube.outer_diameter;
+  } else if (crack.section != WallSection::barrel) {
+    throw InputError((at / "section").text(), "is read only where crack_free = \"sections\"");
+  }
+  require(2 * crack.half_length * std::cos(crack.angle) < length, (at / "half_length").text(),
+          crack.half_length, "m", "2 half_length cos(angle) < length of the tube");
+  require(2 * crack.half_length * std::abs(std::sin(crack.angle)) <
+              std::numbers::pi * (diameter - wall),
+          (at / "half_length").text(), crack.half_length, "m",
+          "2 half_length |sin(angle)| < circumference of the tube");
+  return wall;
+}
+
+void check_crack(const FieldPath& at, const GearSet& gear, const WallThroughCrack& crack) {
+  (void)check_wall_crack(at, gear, crack);
+}
+
+void check_crack(const FieldPath& at, const GearSet& gear, const WallSurfaceCrack& crack) {
+  check_depth(at, crack.depth, check_wall_crack(at, gear, crack), "depth < wall_thickness");
+  require(crack.depth <= crack.half_length, (at / "half_length").text(), crack.half_length, "m",
+          "half_length >= depth");
+}
+
+void check_crack(const FieldPath& at, const GearSet& gear, const AnnularCrack& crack) {
+  const OutputShaft& shaft = *gear.output_shaft;
+  check_depth(at, crack.depth, (shaft.outer_diameter - shaft.inner_diameter) / 2,
+              shaft.solid() ? "depth < outer_diameter/2"
+                            : "depth < (outer_diameter - inner_diameter)/2, the wall");
+  if (crack.solution == AnnularSolution::tada && !shaft.solid())
+    throw InputError((at / "solution").text(),
+                     "\"tada\" is for solid shafts; a hollow one has a table");
+}
+
+template <class Cracks>
+void check_cracks(const GearSet& gear, const FieldPath& member, const Cracks& cracks) {
+  for (std::size_t i = 0; i < cracks.size(); ++i)
+    std::visit([&](const auto& crack) { check_crack((member / "crack")[i], gear, crack); },
+               cracks[i]);
 }
 
 void check_wave_generator(const GearSet& gear) {
@@ -123,37 +255,10 @@ void check_wave_generator(const GearSet& gear) {
       const BearingRing& ring = *wg.bearing->outer_ring;
       require(ring.thickness < ring.mean_radius, (bearing / "outer_ring" / "thickness").text(),
               ring.thickness, "m", "thickness < mean_radius");
-      require(gear.drive.wave_number >= 2, "drive.wave_number", gear.drive.wave_number, "1",
-              "wave_number >= 2 where a ring bends between lobes");
+      check_waves_that_bend(gear);
     }
   }
-  for (std::size_t i = 0; i < wg.crack.size(); ++i) {
-    std::visit(
-        [&](const auto& crack) {
-          using Crack = std::decay_t<decltype(crack)>;
-          const FieldPath at = (path / "crack")[i];
-          if constexpr (std::is_same_v<Crack, OuterRaceCrack>) {
-            if (!wg.bearing || !wg.bearing->outer_ring)
-              throw InputError(
-                  "wave_generator.bearing.outer_ring",
-                  fmt::format("must be given for {} (the ring that it is in)", at.text()));
-            check_ring_crack(at, crack.depth, wg.bearing->outer_ring->thickness,
-                             "depth < wave_generator.bearing.outer_ring.thickness");
-          } else {
-            check_race_crack(at, wg, crack.depth, crack.stress_driver, crack.contact_factor,
-                             crack.stress);
-            if constexpr (std::is_same_v<Crack, RaceEdgeCrack>) {
-              if (!wg.inner_ring_width)
-                throw InputError("wave_generator.inner_ring_width",
-                                 "must be given for an edge crack (axial width of the ring [m])");
-            }
-            if (crack.stress_driver == StressDriver::ring_bending)
-              require(gear.drive.wave_number >= 2, "drive.wave_number", gear.drive.wave_number, "1",
-                      "wave_number >= 2 where a ring bends between lobes");
-          }
-        },
-        wg.crack[i]);
-  }
+  check_cracks(gear, path, wg.crack);
 }
 
 void check_diaphragm(const FieldPath& path, const Diaphragm& diaphragm) {
@@ -167,66 +272,6 @@ void check_diaphragm(const FieldPath& path, const Diaphragm& diaphragm) {
     require(r >= diaphragm.inner_diameter / 2 && clearly_less(r, diaphragm.outer_diameter / 2), at,
             r, "m", "inner_diameter/2 <= radius < outer_diameter/2");
     last = r;
-  }
-}
-
-/// A crack of the diaphragm lies on it, and is not deeper or longer than it.
-void check_diaphragm_crack(const FieldPath& path, const Flexspline& fs,
-                           const DiaphragmArcCrack& crack) {
-  const double radius = crack.radius.value_or(fs.diaphragm->inner_diameter / 2);
-  require(radius >= fs.diaphragm->inner_diameter / 2 && radius < fs.diaphragm->outer_diameter / 2,
-          (path / "radius").text(), radius, "m", "on the diaphragm");
-  require(crack.half_length < std::numbers::pi * radius, (path / "half_length").text(),
-          crack.half_length, "m", "2 half_length < circumference at its radius");
-}
-
-void check_diaphragm_crack(const FieldPath& path, const Flexspline& fs,
-                           const DiaphragmGroove& groove) {
-  const double inner = groove.radius - groove.width / 2;
-  const double outer = groove.radius + groove.width / 2;
-  require(!clearly_less(inner, fs.diaphragm->inner_diameter / 2) &&
-              !clearly_less(fs.diaphragm->outer_diameter / 2, outer),
-          (path / "radius").text(), groove.radius, "m", "radius +- width/2 on the diaphragm");
-  const auto thick_enough = [&](double r) {
-    require(clearly_less(groove.depth, diaphragm_thickness(*fs.diaphragm, r)),
-            (path / "depth").text(), groove.depth, "m", "depth < thickness of the diaphragm");
-  };
-  thick_enough(inner);
-  thick_enough(outer);
-  // The law is linear between the stations: a thin place inside the groove is at one of them.
-  for (const DiaphragmStation& station : fs.diaphragm->profile)
-    if (station.radius > inner && station.radius < outer) thick_enough(station.radius);
-}
-
-/// A crack of the wall that is longer than the tube, or meets itself round the circumference, is
-/// none.
-template <class Crack>
-void check_wall_crack(const FieldPath& at, const GearSet& gear, const Crack& crack) {
-  const Flexspline& fs = *gear.flexspline;
-  double wall = fs.wall_thickness;
-  double length = fs.length;
-  double diameter = gear.drive.pitch_diameter;
-  if (fs.crack_free == CrackFree::sections) {
-    if (crack.section == WallSection::rim && !fs.rim)
-      throw InputError((at / "section").text(), "\"rim\" needs a [flexspline.rim]");
-    const TubeSection& tube = crack.section == WallSection::rim ? *fs.rim : *fs.barrel;
-    wall = tube.wall_thickness;
-    length = tube.length;
-    diameter = tube.outer_diameter;
-  } else if (crack.section != WallSection::barrel) {
-    throw InputError((at / "section").text(), "is read only where crack_free = \"sections\"");
-  }
-  require(2 * crack.half_length * std::cos(crack.angle) < length, (at / "half_length").text(),
-          crack.half_length, "m", "2 half_length cos(angle) < length of the tube");
-  require(2 * crack.half_length * std::abs(std::sin(crack.angle)) <
-              std::numbers::pi * (diameter - wall),
-          (at / "half_length").text(), crack.half_length, "m",
-          "2 half_length |sin(angle)| < circumference of the tube");
-  if constexpr (std::is_same_v<Crack, WallSurfaceCrack>) {
-    require(clearly_less(crack.depth, wall), (at / "depth").text(), crack.depth, "m",
-            "depth < wall_thickness");
-    require(crack.depth <= crack.half_length, (at / "half_length").text(), crack.half_length, "m",
-            "half_length >= depth");
   }
 }
 
@@ -295,30 +340,7 @@ void check_flexspline(const GearSet& gear) {
                                              : "flange_compliance";
     throw InputError((path / given).text(), "is read only where crack_free = \"sections\"");
   }
-  for (std::size_t i = 0; i < fs.crack.size(); ++i) {
-    const FieldPath at = (path / "crack")[i];
-    std::visit(
-        [&](const auto& crack) {
-          using Crack = std::decay_t<decltype(crack)>;
-          if constexpr (std::is_same_v<Crack, RimAxialCrack>) {
-            if (!fs.rim)
-              throw InputError(
-                  (path / "rim").text(),
-                  fmt::format("must be given for {} (the ring that it is in)", at.text()));
-            check_ring_crack(at, crack.depth, fs.rim->wall_thickness,
-                             "depth < flexspline.rim.wall_thickness");
-          } else if constexpr (std::is_same_v<Crack, DiaphragmArcCrack> ||
-                               std::is_same_v<Crack, DiaphragmGroove>) {
-            if (!fs.diaphragm)
-              throw InputError((path / "diaphragm").text(),
-                               fmt::format("must be given for {}", at.text()));
-            check_diaphragm_crack(at, fs, crack);
-          } else {
-            check_wall_crack(at, gear, crack);
-          }
-        },
-        fs.crack[i]);
-  }
+  check_cracks(gear, path, fs.crack);
   check_overlaps(path / "crack", fs);
 }
 
@@ -330,10 +352,7 @@ void check_circular_spline(const GearSet& gear) {
           ring.inner_diameter, "m", "inner_diameter < outer_diameter");
   require(ring.inner_diameter > gear.drive.pitch_diameter, (path / "inner_diameter").text(),
           ring.inner_diameter, "m", "inner_diameter > drive.pitch_diameter");
-  for (std::size_t i = 0; i < ring.crack.size(); ++i)
-    check_ring_crack((path / "crack")[i], std::get<CircularSplineRingCrack>(ring.crack[i]).depth,
-                     (ring.outer_diameter - ring.inner_diameter) / 2,
-                     "depth < (outer_diameter - inner_diameter)/2");
+  check_cracks(gear, path, ring.crack);
 }
 
 void check_rating(const Rating& rating) {
@@ -394,17 +413,7 @@ void check_output_shaft(const GearSet& gear) {
   (void)material_of(gear, shaft.material, (path / "material").text());
   require(shaft.inner_diameter < shaft.outer_diameter, (path / "inner_diameter").text(),
           shaft.inner_diameter, "m", "inner_diameter < outer_diameter");
-  const double wall = (shaft.outer_diameter - shaft.inner_diameter) / 2;
-  for (std::size_t i = 0; i < shaft.crack.size(); ++i) {
-    const auto& crack = std::get<AnnularCrack>(shaft.crack[i]);
-    const FieldPath at = (path / "crack")[i];
-    require(clearly_less(crack.depth, wall), (at / "depth").text(), crack.depth, "m",
-            shaft.solid() ? "depth < outer_diameter/2"
-                          : "depth < (outer_diameter - inner_diameter)/2, the wall");
-    if (crack.solution == AnnularSolution::tada && !shaft.solid())
-      throw InputError((at / "solution").text(),
-                       "\"tada\" is for solid shafts; a hollow one has a table");
-  }
+  check_cracks(gear, path, shaft.crack);
 }
 
 void check_ranges(const GearSet& gear) {
@@ -443,6 +452,7 @@ void check(const GearSet& gear) {
   if (gear.wave_generator) check_wave_generator(gear);
   if (gear.flexspline) check_flexspline(gear);
   if (gear.output_shaft) check_output_shaft(gear);
+  if (gear.mesh) check_cracks(gear, FieldPath("mesh"), gear.mesh->crack);
   if (gear.circular_spline) check_circular_spline(gear);
   if (gear.rating) check_rating(*gear.rating);
   check_compliance_tables(gear);

@@ -12,6 +12,46 @@
 
 namespace strainwave {
 
+/// The part of a drive that a crack is in.
+enum class CrackedPart {
+  inner_ring,
+  outer_ring,
+  barrel,
+  rim,
+  diaphragm,
+  tooth,
+  circular_spline,
+  output_shaft
+};
+
+/// What a crack looks like where a cut through the axis of the drive meets it.
+enum class CrackShape {
+  semi_ellipse,  ///< from a surface
+  over_width,    ///< of one depth over the width of a ring
+  all_round,     ///< of one depth round a shaft
+  through,       ///< from surface to surface
+  groove,        ///< all round, as wide as it says
+  whole          ///< all of its part, which it makes softer
+};
+
+/// Size and place of a crack, as drawings and tables show them whatever its kind.
+struct CrackPlace {
+  CrackedPart part{};
+  CrackShape shape{};
+  double depth = 0.0;                   ///< a, where it does not go through [m]
+  double half_length = 0.0;             ///< along the surface; of a groove half its width [m]
+  bool from_inside = false;             ///< it starts at the inner surface of its part
+  std::optional<double> angle = {};     ///< beta, of a crack in a wall [rad]
+  std::optional<double> radius = {};    ///< on the diaphragm, if not at the boss [m]
+  std::optional<double> position = {};  ///< from the major axis [rad]
+  double stiffness_loss = 0.0;          ///< of a softer part [-]
+};
+
+/// A crack that acts through the contacts of balls and teeth, which only the coupled drive has, and
+/// that moves against the wave.
+template <class Crack>
+concept ContactCrack = Crack::kActsInCoupledDrive;
+
 /// What stresses a crack in a bearing ring of the wave generator.
 enum class StressDriver {
   orthogonal_shear,  ///< the article's beta/2 * sigma_max, taken as an input stress (ST-12)
@@ -25,6 +65,12 @@ struct EnumNames<StressDriver> {
                                                             "ring_bending", "given"};
 };
 
+inline constexpr Field kCrackDepthField{.name = "depth",
+                                        .unit = "m",
+                                        .doc = "crack depth a",
+                                        .range = kPositive,
+                                        .example = R"("0.1 mm")"};
+
 /// Semi-elliptical surface crack in the inner ring of the wave generator's bearing.
 struct RaceSurfaceCrack {
   static constexpr std::string_view kKind = "surface";
@@ -35,14 +81,16 @@ struct RaceSurfaceCrack {
   std::optional<double> stress;          ///< hoop stress at the given torque [Pa]; driver `given`
   double position = 0.0;                 ///< from the major axis; coupled drive only [rad]
 
+  [[nodiscard]] CrackPlace place() const {
+    return {.part = CrackedPart::inner_ring,
+            .shape = CrackShape::semi_ellipse,
+            .depth = depth,
+            .half_length = depth / aspect_ratio,
+            .position = position};
+  }
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field(Field{.name = "depth",
-                .unit = "m",
-                .doc = "crack depth a",
-                .range = kPositive,
-                .example = R"("0.1 mm")"},
-          &RaceSurfaceCrack::depth);
+    field(kCrackDepthField, &RaceSurfaceCrack::depth);
     field(Field{.name = "aspect_ratio",
                 .unit = "1",
                 .doc = "a/c, depth per half length",
@@ -92,14 +140,15 @@ struct RaceEdgeCrack {
   std::optional<double> stress;          ///< as in RaceSurfaceCrack
   double position = 0.0;                 ///< from the major axis; coupled drive only [rad]
 
+  [[nodiscard]] CrackPlace place() const {
+    return {.part = CrackedPart::inner_ring,
+            .shape = CrackShape::over_width,
+            .depth = depth,
+            .position = position};
+  }
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field(Field{.name = "depth",
-                .unit = "m",
-                .doc = "crack depth a",
-                .range = kPositive,
-                .example = R"("0.1 mm")"},
-          &RaceEdgeCrack::depth);
+    field(kCrackDepthField, &RaceEdgeCrack::depth);
     RaceSurfaceCrack::describe_driver<RaceEdgeCrack>(field);
   }
 };
@@ -118,6 +167,9 @@ template <>
 struct EnumNames<WallSection> {
   static constexpr std::array<std::string_view, 2> names = {"barrel", "rim"};
 };
+constexpr CrackedPart part_of(WallSection section) {
+  return section == WallSection::rim ? CrackedPart::rim : CrackedPart::barrel;
+}
 
 /// Straight crack through the wall of the flexspline.
 struct WallThroughCrack {
@@ -128,6 +180,12 @@ struct WallThroughCrack {
   WallSection section = WallSection::barrel;
   std::optional<std::string> compliance_table = {};  ///< file (FE-41), in place of the closed form
 
+  [[nodiscard]] CrackPlace place() const {
+    return {.part = part_of(section),
+            .shape = CrackShape::through,
+            .half_length = half_length,
+            .angle = angle};
+  }
   template <class Visitor>
   static void describe(Visitor&& field) {
     field(Field{.name = "half_length",
@@ -176,14 +234,16 @@ struct WallSurfaceCrack {
   double angle = std::numbers::pi / 4;  ///< as in WallThroughCrack
   WallSection section = WallSection::barrel;
 
+  [[nodiscard]] CrackPlace place() const {
+    return {.part = part_of(section),
+            .shape = CrackShape::semi_ellipse,
+            .depth = depth,
+            .half_length = half_length,
+            .angle = angle};
+  }
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field(Field{.name = "depth",
-                .unit = "m",
-                .doc = "crack depth a",
-                .range = kPositive,
-                .example = R"("0.1 mm")"},
-          &WallSurfaceCrack::depth);
+    field(kCrackDepthField, &WallSurfaceCrack::depth);
     field(Field{.name = "half_length",
                 .unit = "m",
                 .doc = "half of the length on the surface, c",
@@ -211,14 +271,12 @@ struct AnnularCrack {
   AnnularSolution solution = AnnularSolution::improved;  ///< solid shafts only
   std::optional<std::string> compliance_table = {};      ///< as in WallThroughCrack
 
+  [[nodiscard]] CrackPlace place() const {
+    return {.part = CrackedPart::output_shaft, .shape = CrackShape::all_round, .depth = depth};
+  }
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field(Field{.name = "depth",
-                .unit = "m",
-                .doc = "crack depth a",
-                .range = kPositive,
-                .example = R"("0.1 mm")"},
-          &AnnularCrack::depth);
+    field(kCrackDepthField, &AnnularCrack::depth);
     field(Field{.name = "solution",
                 .unit = "",
                 .doc = "stress intensity of a solid shaft; a hollow one has a table",
@@ -231,71 +289,65 @@ struct AnnularCrack {
 };
 
 /// An axial crack over the whole width of a ring, from a surface that bends (TC-22).
-///
-/// It acts through the contacts: the coupled drive has it, the series model has not.
+template <CrackedPart part_, bool from_inside_>
 struct RingCrack {
+  static constexpr bool kActsInCoupledDrive = true;
   double depth = 0.0;     ///< a, into the ring [m]; > 0, < its thickness
   double position = 0.0;  ///< angle from the wave generator's major axis, toward +theta [rad]
 
+  [[nodiscard]] CrackPlace place() const {
+    return {.part = part_,
+            .shape = CrackShape::over_width,
+            .depth = depth,
+            .from_inside = from_inside_,
+            .position = position};
+  }
   template <class Visitor>
   static void describe(Visitor&& field) {
-    describe_ring_crack<RingCrack>(field);
-  }
-
-  template <class Crack, class Visitor>
-  static void describe_ring_crack(Visitor&& field) {
     field(Field{.name = "depth",
                 .unit = "m",
                 .doc = "crack depth a, over the whole width",
                 .range = kPositive,
                 .example = R"("0.3 mm")"},
-          &Crack::depth);
+          &RingCrack::depth);
     field(Field{.name = "position",
                 .unit = "rad",
                 .doc = "from the wave generator's major axis, toward +theta",
                 .example = R"("20 deg")",
                 .fallback = R"("0 deg")"},
-          &Crack::position);
+          &RingCrack::position);
   }
 };
 
 /// Axial crack of the toothed rim, from a tooth root; in the coupled drive only.
-struct RimAxialCrack : RingCrack {
+struct RimAxialCrack : RingCrack<CrackedPart::rim, false> {
   static constexpr std::string_view kKind = "rim_axial";
-
-  template <class Visitor>
-  static void describe(Visitor&& field) {
-    describe_ring_crack<RimAxialCrack>(field);
-  }
 };
 
 /// Axial crack of the wave generator bearing's outer ring; in the coupled drive only.
-struct OuterRaceCrack : RingCrack {
+struct OuterRaceCrack : RingCrack<CrackedPart::outer_ring, true> {
   static constexpr std::string_view kKind = "outer_race";
-
-  template <class Visitor>
-  static void describe(Visitor&& field) {
-    describe_ring_crack<OuterRaceCrack>(field);
-  }
 };
 
 /// Axial crack of the circular spline; in the coupled drive only.
-struct CircularSplineRingCrack : RingCrack {
+struct CircularSplineRingCrack : RingCrack<CrackedPart::circular_spline, true> {
   static constexpr std::string_view kKind = "ring";
-
-  template <class Visitor>
-  static void describe(Visitor&& field) {
-    describe_ring_crack<CircularSplineRingCrack>(field);
-  }
 };
 
 /// A cracked tooth of the flexspline: its pair is softer, on both flanks (TC-21); in the coupled
 /// drive only.
 struct ToothCrack {
   static constexpr std::string_view kKind = "tooth";
+  static constexpr bool kActsInCoupledDrive = true;
   double stiffness_loss = 0.0;  ///< delta, lost share of the pair's stiffness [-]; in (0, 1]
   double position = 0.0;        ///< the tooth nearest to it is meant; as in RingCrack [rad]
 
+  [[nodiscard]] CrackPlace place() const {
+    return {.part = CrackedPart::tooth,
+            .shape = CrackShape::whole,
+            .position = position,
+            .stiffness_loss = stiffness_loss};
+  }
   template <class Visitor>
   static void describe(Visitor&& field) {
     field(Field{.name = "stiffness_loss",
@@ -319,6 +371,12 @@ struct DiaphragmArcCrack {
   double half_length = 0.0;      ///< a, along the arc [m]; > 0
   std::optional<double> radius;  ///< of the arc [m]; else the diaphragm's inner radius
 
+  [[nodiscard]] CrackPlace place() const {
+    return {.part = CrackedPart::diaphragm,
+            .shape = CrackShape::through,
+            .half_length = half_length,
+            .radius = radius};
+  }
   template <class Visitor>
   static void describe(Visitor&& field) {
     field(Field{.name = "half_length",
@@ -344,6 +402,13 @@ struct DiaphragmGroove {
   double width = 0.0;   ///< radial [m]; > 0
   double radius = 0.0;  ///< of its middle [m]; > 0
 
+  [[nodiscard]] CrackPlace place() const {
+    return {.part = CrackedPart::diaphragm,
+            .shape = CrackShape::groove,
+            .depth = depth,
+            .half_length = width / 2,
+            .radius = radius};
+  }
   template <class Visitor>
   static void describe(Visitor&& field) {
     field(Field{.name = "depth",

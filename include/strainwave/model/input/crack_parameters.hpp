@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstddef>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "strainwave/core/lift.hpp"
@@ -57,17 +55,9 @@ template <class Real>
 /// Calls `f(path, crack)` for each crack that can have a table.
 template <class F>
 void for_each_tabulated_kind(const GearSet& gear, const F& f) {
-  const auto visit = [&f](const char* member, const auto& cracks) {
-    for (std::size_t i = 0; i < cracks.size(); ++i)
-      std::visit(
-          [&](const auto& crack) {
-            if constexpr (requires { crack.compliance_table; })
-              f(std::string(member) + ".crack[" + std::to_string(i) + "]", crack);
-          },
-          cracks[i]);
-  };
-  if (gear.flexspline) visit("flexspline", gear.flexspline->crack);
-  if (gear.output_shaft) visit("output_shaft", gear.output_shaft->crack);
+  for_each_crack(gear, [&](const std::string& path, const auto& crack) {
+    if constexpr (requires { crack.compliance_table; }) f(path, crack);
+  });
 }
 
 }  // namespace strainwave

@@ -191,6 +191,32 @@ struct GearSet {
   }
 };
 
+/// Calls f(name, member) for each member that carries cracks, such as "wave_generator".
+template <class Gear, class F>
+void for_each_cracked_member(Gear& gear, const F& f) {
+  if (gear.wave_generator) f("wave_generator", *gear.wave_generator);
+  if (gear.flexspline) f("flexspline", *gear.flexspline);
+  if (gear.mesh) f("mesh", *gear.mesh);
+  if (gear.circular_spline) f("circular_spline", *gear.circular_spline);
+  if (gear.output_shaft) f("output_shaft", *gear.output_shaft);
+}
+
+/// Calls f(path, crack) for each crack of a member, such as "flexspline.crack[0]".
+template <class Cracks, class F>
+void for_each_crack(std::string_view member, Cracks& cracks, const F& f) {
+  for (std::size_t i = 0; i < cracks.size(); ++i)
+    std::visit(
+        [&](auto& crack) { f(std::string(member) + ".crack[" + std::to_string(i) + "]", crack); },
+        cracks[i]);
+}
+
+/// Calls f(path, crack) for each crack of a drive, in the order of their numbers.
+template <class Gear, class F>
+void for_each_crack(Gear& gear, const F& f) {
+  for_each_cracked_member(
+      gear, [&](std::string_view name, auto& member) { for_each_crack(name, member.crack, f); });
+}
+
 /// The material that a member names.
 /// @throws InputError  if there is none of that name
 [[nodiscard]] const Material& material_of(const GearSet& gear, std::string_view name,

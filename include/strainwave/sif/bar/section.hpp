@@ -79,7 +79,8 @@ struct RoundSection {
   }
 };
 
-/// K of a crack all round, from its factors on the nominal stress at one radius.
+/// K of a crack all round of depth a [m], from its factors [-] on the nominal stress at one radius
+/// [m], at the angle theta from the moment's tension [rad].
 ///
 /// Implements theory manual eq. (SB-2): K_I = (F_t sigma + F_b sigma_b cos(theta)) sqrt(pi a),
 /// K_III = F_s tau sqrt(pi a).
@@ -95,7 +96,8 @@ struct RoundSection {
   return k;
 }
 
-/// K of a crack on one side of a solid bar, from its factors on the largest nominal stress.
+/// K of a crack of depth a on one side of a solid bar [m], from its factors on the largest nominal
+/// stress.
 ///
 /// Implements theory manual eq. (SB-7).
 [[nodiscard]] inline UnitStressIntensity<3> one_sided_intensity(double diameter, double a,

@@ -118,12 +118,14 @@ struct SubsurfaceStress {
 
 /// McEwen's m and n, over b: m^2 - n^2 = 1 - X^2 + Z^2, m n = X Z, m >= 0; (SW-7).  With the
 /// differences that vanish far from the contact, from u = m^2 - Z^2, u^2 - (1 - X^2 - Z^2) u = Z^2.
+/// All are [-].
 struct McEwen {
   double m, n;
   double m_less_Z;  ///< >= 0
   double n_less_X;
   double share;  ///< (m^2 - Z^2)/(m^2 + n^2); 0 at the edge of the contact
 };
+/// They, at a place (x, z) below a contact of half width b [m].
 [[nodiscard]] inline McEwen mcewen(double x, double z, double b) {
   const double X = x / b;
   const double Z = z / b;
@@ -158,7 +160,8 @@ struct McEwen {
           .shear = -c.n * c.share};  // (SW-7)
 }
 
-/// Stress below a contact whose shear traction is q = q_0 sqrt(1 - x^2/b^2), per unit of q_0.
+/// Stress below a contact whose shear traction is q = q_0 sqrt(1 - x^2/b^2), per unit of q_0; place
+/// and half width as above [m].
 ///
 /// Implements theory manual eq. (SW-8), sliding in the direction of +x: the traction on this body
 /// points to +x.  Exact for a half-plane.  Source: johnson1985 (secondary); confirmed as above.

@@ -32,7 +32,7 @@ inline constexpr LoadInfo kTransverseShear{
 
 inline constexpr std::array<FrontPoint, 1> kTip{FrontPoint{"tip", 0.0}};
 
-/// tan(x)/x, 1 at x = 0.
+/// tan(x)/x, 1 at x = 0 [-].
 [[nodiscard]] inline double tan_ratio(double x) { return x > 0 ? std::tan(x) / x : 1.0; }
 
 }  // namespace strainwave::sif

@@ -16,42 +16,42 @@
 
 namespace strainwave::sif {
 
-/// Antiplane shear of an edge crack, a centre crack or two edge cracks, exact; (SP-6).
+/// Antiplane shear of an edge crack, a centre crack or two edge cracks, exact [-]; (SP-6).
 [[nodiscard]] inline double strip_antiplane(double x) {
   return std::sqrt(tan_ratio(std::numbers::pi / 2 * x));  // (SP-6)
 }
 
-/// Centre crack in tension; (SP-5).
+/// Centre crack in tension [-]; (SP-5).
 [[nodiscard]] inline double strip_centre_tension(double x) {
   constexpr std::array kC = {1.0, -0.0213, 0.0437, 0.0333, -0.0206};
   return polynomial(kC, x * x) / std::sqrt(std::cos(std::numbers::pi / 2 * x));  // (SP-5)
 }
 
-/// Centre crack under a transverse force, by its mean stress; (SP-7).
+/// Centre crack under a transverse force, by its mean stress [-]; (SP-7).
 [[nodiscard]] inline double strip_centre_shear(double x) {
   constexpr std::array kC = {1.5, -0.7498, 0.0589, -0.1846, 0.202};
   return polynomial(kC, x) / std::sqrt(1 - x);  // (SP-7)
 }
 
-/// Edge crack under a transverse force, by its mean stress; (SP-8).
+/// Edge crack under a transverse force, by its mean stress [-]; (SP-8).
 [[nodiscard]] inline double strip_edge_shear(double x) {
   constexpr std::array kC = {4.0973, -5.2002, 0.8109, 3.2737, -3.36, 1.2056};
   return x * polynomial(kC, x) / std::sqrt(1 - x);  // (SP-8)
 }
 
-/// Two edge cracks in tension; (SP-9).
+/// Two edge cracks in tension [-]; (SP-9).
 [[nodiscard]] inline double strip_double_edge_tension(double x) {
   constexpr std::array kC = {1.1215, -0.5666, -0.7745, 2.8474, -3.9364, 2.6832, -0.7385};
   return polynomial(kC, x) / std::sqrt(1 - x);  // (SP-9)
 }
 
-/// Two edge cracks under a transverse force, by its mean stress; (SP-10).
+/// Two edge cracks under a transverse force, by its mean stress [-]; (SP-10).
 [[nodiscard]] inline double strip_double_edge_shear(double x) {
   constexpr std::array kC = {2.0484, -1.8033, -0.0018, 0.8884, -0.6627, 0.1676};
   return x * polynomial(kC, x) / std::sqrt(1 - x);  // (SP-10)
 }
 
-/// Stack in tension, K/(sigma sqrt(h)); x = a/h in (0, infinity); (SP-14).
+/// Stack in tension, K/(sigma sqrt(h)); x = a/h in (0, infinity) [-]; (SP-14).
 [[nodiscard]] inline double stack_tension(double x) {
   constexpr double kRate = 15.0;
   constexpr double kLinear = kRate - 2 * std::numbers::pi;  // K -> sigma sqrt(pi a) ...
@@ -67,7 +67,7 @@ namespace strainwave::sif {
   return std::sqrt((1 - std::exp(-kRate * x) * polynomial(kC, x)) / 2);  // (SP-14)
 }
 
-/// Stack in shear, K/(tau sqrt(h)); x = a/h in (0, infinity); (SP-15).
+/// Stack in shear, K/(tau sqrt(h)); x = a/h in (0, infinity) [-]; (SP-15).
 [[nodiscard]] inline double stack_shear(double x) {
   constexpr double kRate = 15.0;
   constexpr double kRoot = 0.143275;  // length by which a layer bends beyond the tip, over h

@@ -37,7 +37,7 @@ struct WallStress {
   }
 };
 
-/// Hoop stress of a pressure inside, over the pressure, at a radius; Lame, (SU-7).
+/// Hoop stress of a pressure inside, over the pressure [-], at a radius [m]; Lame, (SU-7).
 [[nodiscard]] inline double lame_hoop_stress(const TubeWall& wall, double radius) {
   const double i2 = wall.inner() * wall.inner();
   const double o2 = wall.outer() * wall.outer();
