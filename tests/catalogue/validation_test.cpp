@@ -9,6 +9,7 @@
 #include <string>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/layouts/validation.hpp"
 #include "strainwave/present/json.hpp"
 #include "support/expect.hpp"
 

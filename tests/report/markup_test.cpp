@@ -57,9 +57,9 @@ TEST(Markup, ReferenceNumbersForPeople) {
   EXPECT_EQ(in_mm(0.000755), "0.755 mm");
   EXPECT_EQ(percent(0.038), "3.8 %");
   EXPECT_EQ(percent(2.02), "202 %");
-  EXPECT_EQ(percent(-0.5), "−50 %");
+  EXPECT_EQ(typeset(percent(-0.5)), "−50 %");
   EXPECT_EQ(accuracy({1.0, "1", 0.15}), "15 %");
-  EXPECT_EQ(accuracy({0.0, "1", 0.15}), "–");
+  EXPECT_EQ(accuracy({0.0, "1", 0.15}), "-");
   EXPECT_EQ(accuracy({1.0, "1", {}}), "none");
 }
 

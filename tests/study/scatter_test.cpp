@@ -11,8 +11,8 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/io/gear_reader.hpp"
+#include "strainwave/layouts/sensitivity.hpp"
 #include "strainwave/present/json.hpp"
-#include "strainwave/study/sensitivity_report.hpp"
 #include "support/article_gear.hpp"
 #include "support/expect.hpp"
 
