@@ -74,7 +74,7 @@ Table error_table(const Validation& v) {
 
 /// Each row of the catalogue; with fitted factors their values.
 Table row_table(const Validation& v) {
-  Table table{.head = {"size", "ratio", "K1", "K2", "K3", "K1", "K2", "K3"}, .align = "r"};
+  Table table{.head = {"size", "ratio", "K1", "K2", "K3", "p/c", "p/c", "p/c"}, .align = "r"};
   if (banded(v)) table.head.insert(table.head.end(), {"band of K1", "of K2", "of K3"});
   for (const ValidationRow& row : v.rows) {
     const auto K = row.catalogue.K();
@@ -103,7 +103,7 @@ Table trial_table(const Validation& v) {
   return table;
 }
 
-constexpr std::string_view kRowsAre = "catalogue [1e4 N*m/rad], then predicted/catalogue";
+constexpr std::string_view kRowsAre = "catalogue [1e4 N*m/rad], then predicted/catalogue (p/c)";
 
 /// Where the model cannot follow a row.
 std::string failing_rows(const Validation& v) {

@@ -62,8 +62,7 @@ std::string markdown_table(const Table& table) {
   std::string text;
   const auto line = [&](const Cells& row) {
     for (std::size_t i = 0; i < table.head.size(); ++i)
-      text +=
-          "| " + (i < row.size() && !row[i].empty() ? markdown_field(row[i]) + ' ' : std::string());
+      text += "| " + (i < row.size() ? markdown_field(row[i]) : std::string()) + ' ';
     text += "|\n";
   };
   line(table.head);

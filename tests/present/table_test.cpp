@@ -23,7 +23,7 @@ TEST(Table, BehaviourTextHasAlignedColumns) {
 
 TEST(Table, BehaviourMarkdownEscapesBars) {
   EXPECT_EQ(markdown_table({.head = {"", "b"}, .rows = {{"x|y"}}}),
-            "| | b |\n|---|---|\n| x\\|y | |\n");
+            "|  | b |\n|---|---|\n| x\\|y |  |\n");
 }
 
 TEST(Table, BehaviourCsvQuotesAndFillsUp) {
