@@ -21,7 +21,7 @@ TEST(AuditReport, BehaviourAllFormsCarryAllRows) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     EXPECT_EQ(json[i].at("id"), rows[i].id);
     EXPECT_EQ(json[i].at("verdict"), enum_name(rows[i].verdict));
-    EXPECT_NE(text.find("\n" + rows[i].id + " "), std::string::npos) << rows[i].id;
+    EXPECT_NE(text.find("\n  " + rows[i].id + " "), std::string::npos) << rows[i].id;
     EXPECT_NE(markdown.find("\n| " + rows[i].id + " |"), std::string::npos) << rows[i].id;
   }
   std::size_t begin = 0;
