@@ -6,7 +6,7 @@
 #include "exit_code.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/io/attachments.hpp"
-#include "strainwave/io/result_writer.hpp"
+#include "strainwave/io/write_file.hpp"
 
 namespace strainwave::cli {
 

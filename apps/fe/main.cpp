@@ -24,7 +24,7 @@
 #include "strainwave/fe_study/run_report.hpp"
 #include "strainwave/fem/mpi_session.hpp"
 #include "strainwave/io/gear_reader.hpp"
-#include "strainwave/io/result_writer.hpp"
+#include "strainwave/io/write_file.hpp"
 #include "tabulate.hpp"
 
 namespace strainwave {

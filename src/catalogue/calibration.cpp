@@ -278,50 +278,6 @@ Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
   return result;
 }
 
-std::string calibration_text(const Calibration& c) {
-  std::string text = fmt::format("Calibration with {}: {} factors, {} values\n\n", c.source,
-                                 c.factors.size(), c.stiffnesses.size());
-  text += fmt::format("{:<14}{:>14}{:>14}{:>9}{:>14}{:>9}\n", "[N*m/rad]", "wanted", "as given", "",
-                      "calibrated", "");
-  for (const CalibratedStiffness& s : c.stiffnesses)
-    text += fmt::format("{:<14}{:>14.5g}{:>14.5g}{:>+8.1f}%{:>14.5g}{:>+8.1f}%\n", s.target.name,
-                        s.target.stiffness, s.before, 100 * (s.before / s.target.stiffness - 1),
-                        s.after, 100 * (s.after / s.target.stiffness - 1));
-  text += fmt::format("\n{:<18}{:>12}{:>12}{:>14}   {}\n", "factor", "as given", "calibrated",
-                      "uncertainty", "");
-  for (const CalibratedFactor& f : c.factors) {
-    std::string verdict = f.identified ? "identified" : "NOT IDENTIFIED";
-    if (f.at_limit)
-      verdict += ": at the limit of what a fit may take";
-    else if (!f.identified)
-      verdict += ": uncertain by more than 50 %";
-    if (!f.plausible) verdict += "; outside what is plausible";
-    text += fmt::format("{:<18}{:>12.4g}{:>12.4g}{:>14.2g}   {}\n", enum_name(f.factor), f.before,
-                        f.value, f.uncertainty, verdict);
-  }
-  const auto identified = std::ranges::count_if(c.combinations, &FactorCombination::identified);
-  text += fmt::format(
-      "\nAll other numbers of the file taken as exact, {} values identify {} of {} combinations:\n",
-      c.stiffnesses.size(), identified, c.combinations.size());
-  for (const FactorCombination& combination : c.combinations) {
-    std::string sum;
-    for (std::size_t i = 0; i < combination.weights.size(); ++i)
-      sum += fmt::format(
-          "{}{:.2f} {}",
-          combination.weights[i] < 0 ? (sum.empty() ? "-" : " - ") : (sum.empty() ? "" : " + "),
-          std::abs(combination.weights[i]), enum_name(c.factors[i].factor));
-    text += fmt::format("  singular value {:>8.3g}, uncertainty {:>8.2g}, {:<15} {}\n",
-                        combination.singular_value, combination.uncertainty,
-                        combination.identified ? "identified:" : "not identified:", sum);
-  }
-  text += fmt::format(
-      "\nOne standard uncertainty, for values uncertain by {:.2g} % each; residual {:.2g} %, {} "
-      "steps{}.\n",
-      100 * c.relative_uncertainty, 100 * c.residual, c.iterations,
-      c.converged ? "" : ", NOT CONVERGED");
-  return text;
-}
-
 ResultEvidence evidence_of(const Calibration& calibration) {
   ResultEvidence evidence;
   if (!calibration.converged) evidence.unusable_because = "the calibration has not converged";

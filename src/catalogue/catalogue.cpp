@@ -91,41 +91,4 @@ CatalogueRows catalogue_rows(const CatalogueFilter& filter) {
   return rows;
 }
 
-std::string catalogue_text(const CatalogueRows& rows) {
-  std::string text = "Torsional stiffness, input locked: torque in N*m, K in 1e4 N*m/rad\n";
-  text += fmt::format("{:>6}{:>8}{:>9}{:>9}{:>11}{:>11}{:>11}  {}\n", "size", "ratio", "T1", "T2",
-                      "K1", "K2", "K3", "sources");
-  for (const StiffnessRow& row : rows.stiffness)
-    text += fmt::format(
-        "{:>6}{:>8}{:>9}{:>9}{:>11}{:>11}{:>11}  {}\n", row.size, enum_name(row.ratio_class),
-        fmt::format("{:g}", row.T1), fmt::format("{:g}", row.T2), fmt::format("{:g}", row.K1 / 1e4),
-        fmt::format("{:g}", row.K2 / 1e4),
-        row.K3 ? fmt::format("{:g}", *row.K3 / 1e4) : std::string("-"), row.sources);
-  if (rows.stiffness.empty()) text += "  no row\n";
-  text += "\nRatings: torque in N*m, speed of the input with grease in rpm, inertia in kg*m^2\n";
-  text += fmt::format("{:>6}{:>6}{:>7}{:>9}{:>9}{:>9}{:>11}{:>11}{:>9}{:>11}\n", "series", "size",
-                      "ratio", "rated", "average", "peak", "momentary", "max speed", "average",
-                      "inertia");
-  for (const RatingRow& row : rows.ratings)
-    text += fmt::format("{:>6}{:>6}{:>7}{:>9g}{:>9g}{:>9g}{:>11g}{:>11.0f}{:>9.0f}{:>11.3g}\n",
-                        row.series, row.size, row.ratio, row.rated, row.average, row.repeated_peak,
-                        row.momentary_peak, row.max_input_speed / units::rpm,
-                        row.average_input_speed / units::rpm, row.input_inertia);
-  if (rows.ratings.empty()) text += "  no row\n";
-  return text +
-         "\nSources.  A: CSF/CSG catalogue of Harmonic Drive LLC, page 50.  B: engineering data "
-         "1018854 of\n  Harmonic Drive AG, tables 54.3 and 54.4.  C and the ratings: data of "
-         "Harmonic Drive SE, from\n  harmonic-drive-selector (Apache-2.0).\n";
-}
-
-std::string catalogue_csv(const CatalogueRows& rows) {
-  std::string csv =
-      "size,ratio_class,T1 [N*m],T2 [N*m],K1 [N*m/rad],K2 [N*m/rad],K3 [N*m/rad],sources\n";
-  for (const StiffnessRow& row : rows.stiffness)
-    csv +=
-        fmt::format("{},{},{},{},{},{},{},{}\n", row.size, enum_name(row.ratio_class), row.T1,
-                    row.T2, row.K1, row.K2, row.K3 ? fmt::format("{}", *row.K3) : "", row.sources);
-  return csv;
-}
-
 }  // namespace strainwave

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "strainwave/io/result_writer.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/present/json.hpp"
 
 namespace strainwave::fe_study {

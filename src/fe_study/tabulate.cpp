@@ -23,7 +23,7 @@
 #include "strainwave/fe_study/memory.hpp"
 #include "strainwave/fem/memory_error.hpp"
 #include "strainwave/io/gear_writer.hpp"
-#include "strainwave/io/result_writer.hpp"
+#include "strainwave/io/write_file.hpp"
 #include "strainwave/model/input/crack_parameters.hpp"
 #include "strainwave/model/input/vary_option.hpp"
 

@@ -10,7 +10,7 @@
 #include <type_traits>
 
 #include "strainwave/core/quantity_text.hpp"
-#include "strainwave/io/result_writer.hpp"
+#include "strainwave/core/shown_text.hpp"
 
 namespace strainwave {
 namespace {

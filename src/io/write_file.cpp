@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "strainwave/io/write_file.hpp"
+
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -6,7 +8,6 @@
 #include <fstream>
 
 #include "strainwave/core/error.hpp"
-#include "strainwave/io/result_writer.hpp"
 
 namespace strainwave {
 

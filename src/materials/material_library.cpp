@@ -11,6 +11,7 @@
 #include "material_data.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/nearest.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/toml_reader.hpp"
 #include "strainwave/core/units.hpp"
 
@@ -245,13 +246,6 @@ const MaterialRecord& require_material(std::string_view name_or_alias) {
                                meant.empty() ? "strainwave material list has the names" : meant));
 }
 
-std::string short_quantity(double value, std::string_view unit) {
-  if (unit == "1") return fmt::format("{:.4g}", value);
-  if (unit == "Pa" && value >= 1e10) return fmt::format("{:.4g} GPa", value / units::GPa);
-  if (unit.starts_with("Pa")) return fmt::format("{:.4g} M{}", value / units::MPa, unit);
-  return fmt::format("{:.4g} {}", value, unit);
-}
-
 Material as_material(const MaterialRecord& record) {
   const auto value = [](const auto& number) -> std::optional<double> {
     return number ? std::optional(number->value) : std::nullopt;
@@ -267,7 +261,8 @@ Material as_material(const MaterialRecord& record) {
   std::vector<std::string> unverified;
   for_each_property(record, [&](std::string_view name, std::string_view doc, const auto& number) {
     if (name == "hardness") return;  // no number of a material of a drive
-    numbers.push_back(fmt::format("{} {} ({})", doc, short_quantity(number.value, unit_of(number)),
+    numbers.push_back(fmt::format("{} {} ({})", doc,
+                                  shown_quantity(number.value, unit_of(number), 4),
                                   enum_name(number.confidence)));
     if (number.confidence == Confidence::unverified) unverified.emplace_back(doc);
   });

@@ -9,6 +9,7 @@
 #include "html.hpp"
 #include "markup.hpp"
 #include "strainwave/core/sha256.hpp"
+#include "strainwave/core/shown_text.hpp"
 
 namespace strainwave::report {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "markup.hpp"
-#include "strainwave/io/result_writer.hpp"
+#include "strainwave/core/shown_text.hpp"
 
 namespace strainwave::report {
 namespace {
@@ -38,13 +38,6 @@ std::size_t break_of(std::string_view label) {
     if (best == 0 || uneven(end) < uneven(best)) best = end;
   }
   return best;
-}
-
-/// "-0.0" is 0.
-std::string without_signed_zero(std::string text) {
-  if (text.starts_with('-') && text.find_first_of("123456789") == std::string::npos)
-    text.erase(0, 1);
-  return text;
 }
 
 }  // namespace
@@ -79,24 +72,23 @@ std::string table(std::string_view caption, const std::vector<std::string>& head
   return html + "</table>\n</div>\n";
 }
 
-std::string typeset(std::string_view number) {
-  static constexpr std::string_view kRaised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text;
-  std::size_t i = 0;
-  for (; i < number.size() && number[i] != 'e'; ++i)
-    text += number[i] == '-' ? "−" : std::string(1, number[i]);
-  if (i == number.size()) return text;
-  text += "·10";
-  bool leading = true;
-  for (++i; i < number.size(); ++i) {
-    const char c = number[i];
-    if (c == '-') text += "⁻";
-    if (c < '0' || c > '9') continue;
-    if (c == '0' && leading) continue;
-    leading = false;
-    text += kRaised[c - '0'];
+std::string table(const TitledTable& plain) {
+  std::vector<std::string> head;
+  for (const std::string& cell : plain.table.head) head.push_back(label(cell));
+  std::vector<RowGroup> groups(1);
+  for (const std::vector<std::string>& cells : plain.table.rows) {
+    if (cells.size() == 1 && head.size() > 1) {
+      groups.push_back({.title = cells[0], .rows = {}});
+      continue;
+    }
+    Row row{{label(cells[0])}, {}};
+    for (std::size_t i = 1; i < head.size(); ++i)
+      row.cells.push_back(i < cells.size() ? typeset(escaped(cells[i])) : std::string());
+    groups.back().rows.push_back(std::move(row));
   }
-  return text;
+  std::erase_if(groups, [](const RowGroup& group) { return group.rows.empty(); });
+  return table(plain.title, head, groups, {.style = "results", .numbers = 1}) +
+         (plain.remark.empty() ? std::string() : paragraph(escaped(plain.remark), "remark"));
 }
 
 std::string quantity(std::string_view path, const Quantity& q, double unit_in_si) {
@@ -105,18 +97,6 @@ std::string quantity(std::string_view path, const Quantity& q, double unit_in_si
       q.value == 0
           ? "0"
           : typeset(warranted_digits({q.value / unit_in_si, q.unit, q.relative_uncertainty})));
-}
-
-std::string percent(double share) {
-  const double p = 100 * share;
-  return typeset(without_signed_zero(std::abs(p) >= 9.95 ? fmt::format("{:.0f}", p)
-                                                         : fmt::format("{:.2g}", p))) +
-         " %";
-}
-
-std::string accuracy(const Quantity& q) {
-  if (!q.relative_uncertainty) return "none";
-  return q.value == 0 ? "–" : percent(*q.relative_uncertainty);
 }
 
 std::string bar_chart(const BarChart& chart) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "strainwave/model/result/stiffness_result.hpp"
+#include "strainwave/present/table.hpp"
 
 // Tables and charts of a report.  Cells are HTML already; labels of charts are plain text.
 
@@ -31,8 +32,8 @@ struct TableLook {
 [[nodiscard]] std::string table(std::string_view caption, const std::vector<std::string>& head,
                                 const std::vector<RowGroup>& groups, const TableLook& look = {});
 
-/// Text "6.33e-06" as people write it: "6.33·10⁻⁶", with a true minus.
-[[nodiscard]] std::string typeset(std::string_view number);
+/// A plain table with its title and remark; one cell across the columns heads a group of rows.
+[[nodiscard]] std::string table(const TitledTable& plain);
 
 /// A quantity with the digits that it warrants, all its digits in `value`, and its place in the
 /// result: `<data value="..." data-path="...">`.
@@ -40,11 +41,6 @@ struct TableLook {
 /// @param unit_in_si  the unit to show it in; the unit itself is not written
 [[nodiscard]] std::string quantity(std::string_view path, const Quantity& q,
                                    double unit_in_si = 1.0);
-
-/// "5 %", "none" where nobody can state an accuracy, "–" for a zero.
-[[nodiscard]] std::string accuracy(const Quantity& q);
-
-[[nodiscard]] std::string percent(double share);
 
 /// A bar from one value to another; most begin at zero.
 struct Bar {

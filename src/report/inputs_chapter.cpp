@@ -9,7 +9,7 @@
 #include "chapters.hpp"
 #include "html.hpp"
 #include "markup.hpp"
-#include "strainwave/core/units.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/io/input_remarks.hpp"
 #include "strainwave/materials/material_library.hpp"
 
@@ -34,15 +34,6 @@ std::string unquoted(std::string_view toml) {
   if (toml.size() > 1 && toml.front() == '"' && toml.back() == '"')
     toml = toml.substr(1, toml.size() - 2);
   return std::string(toml);
-}
-
-/// A number of a material as drawings have it.
-std::string library_text(const std::optional<double>& value, std::string_view unit) {
-  if (!value) return {};
-  if (unit == "1") return fmt::format("{:.6g}", *value);
-  const bool giga = unit == "Pa" && *value >= 10 * units::GPa;
-  return fmt::format("{:.6g} {}{}", *value / (giga ? units::GPa : units::MPa), giga ? "G" : "M",
-                     unit);
 }
 
 /// How well the material library knows a number, and its source there.
@@ -101,7 +92,10 @@ class Collector {
           group_ = path.text();
           std::string taken;
           if constexpr (std::is_same_v<T, Material>)
-            if (!value.origin.empty()) taken = library_text(value.*member, inner.unit);
+            if (!value.origin.empty()) {
+              const std::optional<double> number = value.*member;
+              taken = number ? shown_quantity(*number, inner.unit, 6) : std::string();
+            }
           add(path / inner.name, inner, taken);
         }
       });

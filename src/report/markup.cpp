@@ -4,12 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 
-#include "strainwave/core/units.hpp"
+#include "strainwave/chart/svg_text.hpp"
+#include "strainwave/core/shown_text.hpp"
 
 namespace strainwave::report {
 namespace {
@@ -36,16 +35,6 @@ std::size_t character_length(std::string_view text) {
   const bool control = code < 0xA0U;
   const bool outside = code > 0x10FFFFU || (code & 0xFFFEU) == 0xFFFEU;
   return overlong || surrogate || control || outside ? 0 : length;
-}
-
-/// "⁻⁶"
-std::string raised(int exponent) {
-  static constexpr std::array<std::string_view, 10> kDigits = {"⁰", "¹", "²", "³", "⁴",
-                                                               "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text = exponent < 0 ? "⁻" : "";
-  for (const char digit : std::to_string(std::abs(exponent)))
-    text += kDigits[static_cast<std::size_t>(digit - '0')];
-  return text;
 }
 
 }  // namespace
@@ -81,48 +70,46 @@ std::string coordinate(double millimetres) {
   return text == "-0" ? "0" : text;
 }
 
-std::string number(double value, int digits) {
-  if (value == 0) return "0";
-  if (!std::isfinite(value)) return value > 0 ? "∞" : "none";
-  const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
-  std::string text;
-  if (exponent >= -3 && exponent < 6) {
-    // Digits left of the point that are not significant become zeros.
-    const double unit = std::pow(10.0, std::max(0, exponent - digits + 1));
-    text = fmt::format("{:.{}f}",
-                       unit > 1 ? std::round(std::abs(value) / unit) * unit : std::abs(value),
-                       std::max(0, digits - 1 - exponent));
-    if (text.find('.') != std::string::npos) {
-      text.erase(text.find_last_not_of('0') + 1);
-      if (text.ends_with('.')) text.pop_back();
-    }
-  } else {
-    text = fmt::format("{:.{}g}", std::abs(value), digits);
-    const std::size_t e = text.find('e');
-    if (e != std::string::npos) {
-      const int power = std::stoi(text.substr(e + 1));
-      text = text.substr(0, e) + "·10" + raised(power);
-    }
-  }
-  return value < 0 ? "−" + text : text;
-}
-
-std::string in_mm(double metres) { return fmt::format("{:.4g} mm", metres / units::mm); }
-
-std::string typeset_unit(std::string_view unit) {
-  if (unit == "1" || unit.empty()) return "";
-  std::string text;
-  for (std::size_t i = 0; i < unit.size(); ++i) {
-    if (unit.substr(i).starts_with("*m^0.5")) {
-      text += "·√m";
-      i += 5;
-    } else if (unit[i] == '*') {
-      text += "·";
+std::string typeset(std::string_view text) {
+  const auto digit = [&](std::size_t i) {
+    return i < text.size() && text[i] >= '0' && text[i] <= '9';
+  };
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '-' && digit(i + 1) && (i == 0 || !digit(i - 1))) {
+      result += "−";
+    } else if (text[i] == 'e' && i > 0 && digit(i - 1) && digit(i + 2)) {
+      const std::size_t end = std::min(text.find_first_not_of("0123456789", i + 2), text.size());
+      result += "·" + power_of_ten(std::stoi(std::string(text.substr(i + 1, end - i - 1))));
+      i = end - 1;
     } else {
-      text += unit[i];
+      result += text[i];
     }
   }
-  return text;
+  return result;
 }
+
+std::string label(std::string_view text) {
+  std::string html = escaped(text);
+  const auto replace = [&](std::string_view from, const std::string& to) {
+    for (std::size_t at = html.find(from); at != std::string::npos;
+         at = html.find(from, at + to.size()))
+      html.replace(at, from.size(), to);
+  };
+  replace("N*m", "N·m");
+  replace("+-", "±");
+  replace("T &", "<i>T</i> &");
+  for (const char symbol : {'K', 'T'})
+    for (const char index : {'1', '2', '3'})
+      replace(std::string{symbol, index}, fmt::format("<i>{}</i><sub>{}</sub>", symbol, index));
+  return html;
+}
+
+std::string number(double value, int digits) {
+  if (!std::isfinite(value)) return value > 0 ? "∞" : "none";
+  return typeset(shown_number(value, digits));
+}
+
+std::string in_mm(double metres) { return shown_quantity(metres, "m", 4); }
 
 }  // namespace strainwave::report

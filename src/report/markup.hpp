@@ -15,13 +15,16 @@ namespace strainwave::report {
 /// A coordinate on paper [mm], to a micrometre, without trailing zeros.
 [[nodiscard]] std::string coordinate(double millimetres);
 
+/// Numbers in a text as people write them: "6.33·10⁻⁶" for "6.33e-06", with a true minus.
+[[nodiscard]] std::string typeset(std::string_view text);
+
+/// The label of a row or column of a plain table as HTML: symbols and units are typeset.
+[[nodiscard]] std::string label(std::string_view text);
+
 /// A number for people: `digits` significant ones, a true minus, no exponent where that is short.
 [[nodiscard]] std::string number(double value, int digits = 4);
 
 /// A length in mm with its unit: "0.755 mm".
 [[nodiscard]] std::string in_mm(double metres);
-
-/// The base unit as it is set: "N·m/arcmin", "MPa·√m".
-[[nodiscard]] std::string typeset_unit(std::string_view unit);
 
 }  // namespace strainwave::report

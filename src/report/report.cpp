@@ -10,6 +10,7 @@
 #include "chapters.hpp"
 #include "html.hpp"
 #include "markup.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/io/gear_writer.hpp"
 #include "strainwave/study/evaluate.hpp"

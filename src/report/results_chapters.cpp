@@ -7,7 +7,9 @@
 #include "chapters.hpp"
 #include "html.hpp"
 #include "markup.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/layouts/words.hpp"
 
 namespace strainwave::report {
 namespace {
@@ -54,9 +56,7 @@ std::vector<Row> curve_rows(const StiffnessResult& result) {
           quantity("curve.negative." + name, result.curve->negative.*K), accuracy(sound)},
          {}});
     const auto change = [&](const CurveStiffness& cracked) {
-      const double relative = (cracked.*K).value / sound.value - 1;
-      return std::abs(relative) < 1e-9 ? std::string("0 %")
-                                       : typeset(fmt::format("{:+.3g}", 100 * relative)) + " %";
+      return typeset(percent_change((cracked.*K).value / sound.value - 1));
     };
     if (!result.cracks.empty() || result.curve->positive.*K != sound)
       rows.push_back(
@@ -70,28 +70,9 @@ std::vector<Row> curve_rows(const StiffnessResult& result) {
   return rows;
 }
 
-std::string opens_text(OpensUnder opens) {
-  switch (opens) {
-    case OpensUnder::both:
-      return "either sense";
-    case OpensUnder::neither:
-      return "neither sense";
-    case OpensUnder::positive:
-      return "T > 0";
-    case OpensUnder::negative:
-      return "T < 0";
-  }
-  return {};
-}
-
 /// A zero but for the noise of the arithmetic, which stays in `value`.
 std::string nothing(const std::string& path, const Quantity& q) {
   return fmt::format("<data value=\"{}\" data-path=\"{}\">0</data>", q.value, path);
-}
-
-bool same(const StressIntensities& a, const StressIntensities& b) {
-  return a.K_I.value == b.K_I.value && a.K_II.value == b.K_II.value &&
-         a.K_III.value == b.K_III.value;
 }
 
 }  // namespace
@@ -170,7 +151,7 @@ ReportSection shares_chapter(const Draft& draft) {
       const auto bar = [&](const char* sense, const Quantity& added) {
         cracks.bars.push_back({.label = fmt::format("{}: {}{}", mark, crack.path, sense),
                                .to = 100 * added.value / total,
-                               .text = percent(added.value / total),
+                               .text = typeset(percent(added.value / total)),
                                .style = "crack"});
       };
       const bool alike = crack.positive.at_output.value == crack.negative.at_output.value;
@@ -178,14 +159,14 @@ ReportSection shares_chapter(const Draft& draft) {
       if (!alike) bar(", T < 0", crack.negative.at_output);
       const std::size_t index = static_cast<std::size_t>(&crack - r.cracks.data());
       const std::string path = fmt::format("cracks[{}].added_compliance", index);
-      rows.push_back(
-          {{fmt::format("<span class=\"crack-number\">{}</span> <code>{}</code>", mark,
-                        escaped(crack.path)),
-            escaped(crack.kind), escaped(opens_text(crack.opens_under)),
-            quantity(path + ".positive.at_output", crack.positive.at_output),
-            quantity(path + ".negative.at_output", crack.negative.at_output),
-            percent(crack.positive.at_output.value / total), accuracy(crack.positive.at_output)},
-           {}});
+      rows.push_back({{fmt::format("<span class=\"crack-number\">{}</span> <code>{}</code>", mark,
+                                   escaped(crack.path)),
+                       escaped(crack.kind), escaped(words_of(crack.opens_under)),
+                       quantity(path + ".positive.at_output", crack.positive.at_output),
+                       quantity(path + ".negative.at_output", crack.negative.at_output),
+                       typeset(percent(crack.positive.at_output.value / total)),
+                       accuracy(crack.positive.at_output)},
+                      {}});
     }
     html += figure(bar_chart(cracks), "What each crack adds, under torque at its place.", "bars");
     html += table("Added compliance of each crack at the output [rad/(N·m)]",
@@ -214,8 +195,7 @@ ReportSection intensities_chapter(const Draft& draft) {
     const auto row = [&](const char* where, const StressIntensities& K, const std::string& name,
                          bool first) {
       const std::string at = path + ".stress_intensity." + name;
-      const double largest =
-          std::max({std::abs(K.K_I.value), std::abs(K.K_II.value), std::abs(K.K_III.value)});
+      const double largest = std::abs(K.largest().value);
       // Noise of the arithmetic against the largest mode is none.
       const auto mode = [&](const char* which, const Quantity& K_mode) {
         return std::abs(K_mode.value) < 1e-12 * largest ? nothing(at + which, K_mode)
@@ -225,14 +205,11 @@ ReportSection intensities_chapter(const Draft& draft) {
                                            mark, escaped(crack.path))
                              : std::string(),
                        where, mode(".K_I", K.K_I), mode(".K_II", K.K_II), mode(".K_III", K.K_III),
-                       first ? accuracy(std::abs(K.K_I.value) == largest    ? K.K_I
-                                        : std::abs(K.K_II.value) == largest ? K.K_II
-                                                                            : K.K_III)
-                             : std::string()},
+                       first ? accuracy(K.largest()) : std::string()},
                       {}});
     };
     if (crack.deepest) row("deepest point", *crack.deepest, "deepest", true);
-    if (crack.largest && !(crack.deepest && same(*crack.deepest, *crack.largest)))
+    if (crack.largest && crack.largest != crack.deepest)
       row("largest on the front", *crack.largest, "largest", !crack.deepest);
   }
   if (rows.empty())

@@ -9,22 +9,14 @@
 #include "html.hpp"
 #include "markup.hpp"
 #include "strainwave/core/error.hpp"
-#include "strainwave/study/scatter.hpp"
-#include "strainwave/study/sensitivity.hpp"
+#include "strainwave/layouts/sensitivity.hpp"
+#include "strainwave/layouts/words.hpp"
 
 namespace strainwave::report {
 namespace {
 
 constexpr std::size_t kMostBars = 12;
 constexpr std::size_t kMostRows = 20;
-
-/// "stiffness, T > 0" for "cracked.positive.stiffness".
-std::string output_text(std::string_view name) {
-  const std::string_view what = name.ends_with("_loss") ? "loss of stiffness" : "stiffness";
-  if (name.starts_with("intact")) return fmt::format("{}, sound", what);
-  return fmt::format("{}, T {} 0", what,
-                     name.find("negative") == std::string_view::npos ? '>' : '<');
-}
 
 std::string elasticity_text(double elasticity) {
   constexpr double kNoise = 1e-12;  // of the arithmetic; elasticities are of the order of one
@@ -39,7 +31,7 @@ std::string tornado(const Sensitivity& s, std::size_t output, const std::string&
     return std::abs(input->influence[output].elasticity);
   });
   inputs.resize(std::min(inputs.size(), kMostBars));
-  const std::string what = output_text(s.outputs[output].name);
+  const std::string what = output_words(s.outputs[output].name);
   BarChart chart{.id = id,
                  .title = "Elasticities of the " + what,
                  .axis = "percent of change for one percent more of the input"};
@@ -60,34 +52,13 @@ std::string scatter_html(Draft& draft, const Sensitivity& s) {
   const Scatter scatter = scatter_of(draft.gear, s, options, draft.progress.part(0.8, 1.0));
   draft.add(scatter.notes);
   draft.add(std::vector<std::string>{"SN-7", "SN-8"});
-  std::vector<Row> rows;
-  for (const ScatterOutput& output : scatter.outputs)
-    rows.push_back({{escaped(output_text(output.name)), percent(output.first_order),
-                     percent(output.relative_deviation), number(output.low), number(output.median),
-                     number(output.high), escaped(output.unit)},
-                    {}});
   std::string html =
       paragraph(fmt::format("Scatter of {} inputs, as the file gives it, by first order and by {} "
                             "draws, of which {} were "
                             "evaluated.",
                             scatter.inputs.size(), scatter.samples, scatter.evaluated));
-  html += table("Scatter of the outputs",
-                {"", "first order", "of the draws", "5 %", "50 %", "95 %", "unit"}, {{"", rows}},
-                {.style = "results", .numbers = 1});
-  std::vector<Row> shares;
-  for (std::size_t i = 0; i < scatter.inputs.size(); ++i) {
-    Row row{{fmt::format("<code>{}</code>", escaped(scatter.inputs[i].path)),
-             percent(scatter.inputs[i].relative_standard_deviation)},
-            {}};
-    for (const ScatterOutput& output : scatter.outputs)
-      row.cells.push_back(percent(output.share[i]));
-    shares.push_back(std::move(row));
-  }
-  std::vector<std::string> head = {"input", "scatter"};
-  for (const ScatterOutput& output : scatter.outputs)
-    head.push_back(escaped(output_text(output.name)));
-  return html + table("Share of each input in the variance, by first order", head, {{"", shares}},
-                      {.style = "results", .numbers = 1});
+  for (const TitledTable& one : scatter_tables(scatter, s)) html += table(one);
+  return html;
 }
 
 ReportSection absent(std::string_view why) {
@@ -121,22 +92,13 @@ ReportSection sensitivity_chapter(Draft& draft) {
       html += tornado(s, static_cast<std::size_t>(output - s.outputs.begin()),
                       fmt::format("tornado-{}", ++charts));
     }
-    std::vector<std::string> head = {"input"};
-    for (const SensitivityOutput& output : s.outputs)
-      head.push_back(escaped(output_text(output.name)));
-    std::vector<Row> rows;
-    for (const SensitivityInput& input : s.inputs) {
-      if (rows.size() == kMostRows) break;
-      Row row{{fmt::format("<code>{}</code>", escaped(input.path))}, {}};
-      for (const Influence& influence : input.influence)
-        row.cells.push_back(elasticity_text(influence.elasticity));
-      rows.push_back(std::move(row));
+    for (TitledTable& one : elasticity_tables(s)) {
+      auto& rows = one.table.rows;
+      if (rows.size() > kMostRows)
+        one.remark = fmt::format("The {} largest are shown.", kMostRows - 1);
+      rows.resize(std::min(rows.size(), kMostRows));
+      html += table(one);
     }
-    html += table(
-        s.inputs.size() > kMostRows
-            ? fmt::format("Elasticities, the {} largest of {} inputs", kMostRows, s.inputs.size())
-            : std::string("Elasticities"),
-        head, {{"", rows}}, {.style = "results", .numbers = 1});
     if (!s.no_influence.empty())
       html += paragraph(
           fmt::format("{} numbers of the file have no influence on this sum of compliances.",

@@ -8,8 +8,8 @@
 #include "html.hpp"
 #include "markup.hpp"
 #include "strainwave/core/units.hpp"
-#include "strainwave/study/plot.hpp"
-#include "strainwave/study/strength_report.hpp"
+#include "strainwave/layouts/failure_assessment.hpp"
+#include "strainwave/layouts/words.hpp"
 
 namespace strainwave::report {
 namespace {
@@ -18,14 +18,9 @@ std::string optional_number(const std::optional<double>& value) {
   return value ? number(*value, 3) : std::string("–");
 }
 
-/// Critical size of the assessment, else of K alone.
-const std::optional<CriticalSize>& critical_of(const StrengthState& state) {
-  return state.critical_size ? state.critical_size : state.brittle_size;
-}
-
 /// Short enough for a cell [mm]; where there is no size, the list below the table says why.
 std::string critical_text(const StrengthState& state) {
-  const std::optional<CriticalSize>& answer = critical_of(state);
+  const std::optional<CriticalSize>& answer = critical_size(state);
   if (!answer) return "–";
   if (answer->size) return number(*answer->size / units::mm, 3);
   return answer->none_up_to ? "&gt; " + number(*answer->none_up_to / units::mm, 3) : "none";
@@ -35,7 +30,7 @@ std::string critical_text(const StrengthState& state) {
 std::string missing_sizes(const CrackStrength& crack, const std::string& mark) {
   std::vector<std::string> reasons;
   for (const StrengthState& state : crack.states) {
-    const std::optional<CriticalSize>& answer = critical_of(state);
+    const std::optional<CriticalSize>& answer = critical_size(state);
     if (answer && !answer->size && std::ranges::find(reasons, answer->text) == reasons.end())
       reasons.push_back(answer->text);
   }
@@ -44,15 +39,6 @@ std::string missing_sizes(const CrackStrength& crack, const std::string& mark) {
     items += fmt::format("<li><span class=\"crack-number\">{}</span> critical size: {}</li>\n",
                          mark, escaped(reason));
   return items;
-}
-
-std::string verdict_text(StrengthVerdict verdict) {
-  return verdict == StrengthVerdict::cannot_tell ? "cannot tell" : std::string(enum_name(verdict));
-}
-
-std::string state_text(const StrengthState& state) {
-  return fmt::format("T {} 0{}", state.sense == TorqueSense::positive ? '>' : '<',
-                     state.with_assembly ? ", with the assembly" : ", load alone");
 }
 
 }  // namespace
@@ -89,12 +75,12 @@ ReportSection strength_chapter(const Draft& draft) {
     RowGroup group{.title = fmt::format("{}: {} ({})", mark, crack.path, crack.kind), .rows = {}};
     for (const StrengthState& state : crack.states) {
       group.rows.push_back(
-          {{escaped(state_text(state)), number(state.K / units::MPa, 3),
+          {{escaped(words_of(state)), number(state.K / units::MPa, 3),
             optional_number(state.utilisation), optional_number(state.L_r),
             optional_number(state.K_r), optional_number(state.line), optional_number(state.reserve),
             critical_text(state),
             state.plastic_zone ? number(*state.plastic_zone / units::mm, 3) : std::string("–"),
-            verdict_text(state.verdict)},
+            std::string(words_of(state.verdict))},
            state.breaks() ? "breaks" : ""});
       if (state.utilisation && state.sense == crack.worst()->sense)
         chart.bars.push_back(

@@ -8,7 +8,6 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
-#include "strainwave/io/result_writer.hpp"
 #include "strainwave/model/input/vary_option.hpp"
 #include "strainwave/study/outputs.hpp"
 
@@ -116,15 +115,6 @@ ResultEvidence evidence_of(const RequirementReport& report) {
   evidence.requirement = report.outcome;
   evidence.verdict = verdict_of(evidence.unusable_because, evidence.notes);
   return evidence;
-}
-
-std::string requirements_text(const RequirementReport& report) {
-  std::string text;
-  for (const RequirementAnswer& answer : report.answers)
-    text += wrapped(sentence(answer), kTextWidth, 2) + '\n';
-  if (!report.unusable_because.empty())
-    text += wrapped("NOT USABLE: " + report.unusable_because, kTextWidth, 2) + '\n';
-  return text + fmt::format("All together: {}\n", enum_name(report.outcome));
 }
 
 }  // namespace strainwave

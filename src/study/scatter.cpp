@@ -213,4 +213,13 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
   return scatter;
 }
 
+ResultEvidence evidence_of(const SensitivityReport& report) {
+  ResultEvidence evidence = evidence_of(report.sensitivity);
+  if (report.scatter)
+    evidence.notes.insert(evidence.notes.end(), report.scatter->notes.begin(),
+                          report.scatter->notes.end());
+  evidence.verdict = verdict_of(evidence.unusable_because, evidence.notes);
+  return evidence;
+}
+
 }  // namespace strainwave

@@ -9,12 +9,11 @@
 #include <limits>
 #include <utility>
 
-#include "display_unit.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/nearest.hpp"
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/core/roots.hpp"
-#include "strainwave/io/result_writer.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/model/input/vary_option.hpp"
 #include "strainwave/model/result/result_fields.hpp"
 #include "strainwave/study/evaluate.hpp"
@@ -249,32 +248,21 @@ Solution solution_at(Probe& probe, const Sample& at, const SolveResult& problem)
 }
 
 constexpr int kDigits = 6;
-constexpr int kAllDigits = 17;
 
 /// "3.66 mm": a number of the gear or an output, for people.
-std::string shown(std::string_view name, double value, std::string_view si, int digits = kDigits) {
-  const DisplayUnit unit = display_unit(name, si);
-  const std::string number = fmt::format("{:.{}g}", value / unit.in_si, digits);
-  return unit.text == "1" ? number : fmt::format("{} {}", number, unit.text);
+std::string shown_at(std::string_view name, double value, std::string_view si) {
+  return shown_quantity(value, si, kDigits, name);
 }
 
 /// "1 mm to 2 mm", with as many digits as tell the two apart.
 std::string span_shown(std::string_view name, double from, double to, std::string_view si,
                        std::string_view between) {
-  int digits = kDigits;
-  while (digits < kAllDigits && shown(name, from, si, digits) == shown(name, to, si, digits))
-    ++digits;
-  return fmt::format("{} {} {}", shown(name, from, si, digits), between,
-                     shown(name, to, si, digits));
-}
-
-/// "between 1 % and 2 %", or that it is the same everywhere.
-std::string output_range(const SolveResult& result) {
-  const std::string_view name = result.target.output;
-  if (*result.least == *result.greatest)
-    return fmt::format("{} everywhere there: it does not depend on {}",
-                       shown(name, *result.least, result.target.unit), result.path);
-  return "between " + span_shown(name, *result.least, *result.greatest, result.target.unit, "and");
+  constexpr int kAllDigits = 17;
+  for (int digits = kDigits;; ++digits) {
+    const std::string first = shown_quantity(from, si, digits, name);
+    const std::string last = shown_quantity(to, si, digits, name);
+    if (first != last || digits == kAllDigits) return fmt::format("{} {} {}", first, between, last);
+  }
 }
 
 /// Collects solutions, and sentences on everything that is not quite one.
@@ -306,7 +294,7 @@ class Findings {
     else
       remark(fmt::format(
           "{} jumps over {} at {} = {}, where there is no solution", result_.target.output,
-          shown(result_.target.output, target, result_.target.unit), result_.path, input(x)));
+          shown_at(result_.target.output, target, result_.target.unit), result_.path, input(x)));
   }
 
   void conclude() {
@@ -332,10 +320,12 @@ class Findings {
 
  private:
   void remark(std::string text) { remarks_.push_back(std::move(text)); }
-  [[nodiscard]] std::string input(double x) const { return shown(result_.path, x, result_.unit); }
+  [[nodiscard]] std::string input(double x) const {
+    return shown_at(result_.path, x, result_.unit);
+  }
   [[nodiscard]] std::string wanted() const {
     return fmt::format("{} = {}", result_.target.output,
-                       shown(result_.target.output, result_.target.value, result_.target.unit));
+                       shown_at(result_.target.output, result_.target.value, result_.target.unit));
   }
 
   Probe& probe_;
@@ -385,22 +375,6 @@ void describe_range(const Samples& samples, SolveResult& result) {
     }
     previous = s.state;
   }
-}
-
-// --- Writers -----------------------------------------------------------------------------------
-
-Quantity in_display_unit(std::string_view name, const Quantity& q) {
-  const DisplayUnit unit = display_unit(name, q.unit);
-  return {q.value / unit.in_si, unit.text, q.relative_uncertainty};
-}
-
-std::string quantity_line(std::string_view name, const Quantity& q) {
-  const Quantity shown_q = in_display_unit(name, q);
-  std::string line = fmt::format("{} = {}", name, warranted_digits(shown_q));
-  if (shown_q.unit != "1") line += fmt::format(" {}", shown_q.unit);
-  if (q.relative_uncertainty)
-    line += fmt::format(" (accuracy {:.2g} %)", 100 * *q.relative_uncertainty);
-  return line;
 }
 
 }  // namespace
@@ -472,46 +446,12 @@ SolveResult solve(const GearSet& gear, Method method, const Unknown& unknown, co
   return result;
 }
 
-std::string solve_text(const SolveResult& result) {
-  const auto input = [&](double x) { return shown(result.path, x, result.unit); };
-  const auto paragraph = [](std::string_view indent, const std::string& text) {
-    return std::string(indent) + wrapped(text, kTextWidth - indent.size(), 4) + '\n';
-  };
-
-  std::string text = fmt::format(
-      "{} for {} = {}\nmethod {}, searched from {} to {}; at present {}\n\n", result.path,
-      result.target.output, shown(result.target.output, result.target.value, result.target.unit),
-      enum_name(result.method), input(result.searched.from), input(result.searched.to),
-      input(result.present));
-  for (const Solution& solution : result.solutions) {
-    text += "  " + quantity_line(result.path, solution.value) + '\n';
-    text += "    " + quantity_line(result.target.output, solution.output) + '\n';
-    const auto drive = [&](std::string_view name, const Quantity& q) {
-      if (name != result.target.output) text += "    " + quantity_line(name, q) + '\n';
-    };
-    drive("intact.stiffness", solution.result.intact.stiffness);
-    drive("cracked.positive.stiffness", solution.result.positive.stiffness);
-    drive("cracked.negative.stiffness", solution.result.negative.stiffness);
-    text += '\n';
-  }
-  if (!result.reason.empty())
-    text += paragraph("", (result.usable() ? "Note: " : "NO SOLUTION: ") + result.reason) + '\n';
-  if (result.usable())  // else the reason says it
-    text += paragraph("", fmt::format("Over the searched range {} lies {}", result.target.output,
-                                      output_range(result)));
-  if (!result.excluded.empty()) text += "Left out of the search\n";
-  for (const Excluded& part : result.excluded)
-    text +=
-        paragraph("  ", fmt::format("{}: {}: {}",
-                                    input(part.from) == input(part.to)
-                                        ? "at " + input(part.from)
-                                        : fmt::format("{} to {}", input(part.from), input(part.to)),
-                                    part.refused ? "refused" : "not usable", part.reason));
-  if (!result.solutions.empty() && !result.solutions.front().result.notes.empty()) {
-    text += result.solutions.size() > 1 ? "\nNotes on the first\n" : "\nNotes\n";
-    text += notes_text(result.solutions.front().result.notes);
-  }
-  return text;
+std::string output_range(const SolveResult& result) {
+  const std::string_view name = result.target.output;
+  if (*result.least == *result.greatest)
+    return fmt::format("{} everywhere there: it does not depend on {}",
+                       shown_at(name, *result.least, result.target.unit), result.path);
+  return "between " + span_shown(name, *result.least, *result.greatest, result.target.unit, "and");
 }
 
 ResultEvidence evidence_of(const SolveResult& result) {

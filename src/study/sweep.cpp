@@ -8,7 +8,6 @@
 #include <map>
 #include <utility>
 
-#include "report_cells.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/model/input/vary_option.hpp"
 #include "strainwave/model/result/result_fields.hpp"
@@ -114,23 +113,6 @@ SweepResult sweep(const GearSet& gear, Method method, std::span<const Variation>
   for (SweepRow& row : result.rows)
     if (!row.outputs.empty()) row.outputs.resize(result.outputs.size());
   return result;
-}
-
-std::string sweep_csv(const SweepResult& result) {
-  std::string csv;
-  for (const auto* const group : {&result.inputs, &result.outputs})
-    for (const auto& [name, unit] : *group)
-      csv += csv_field(fmt::format("{} [{}]", name, unit)) + ',';
-  csv += "usable,reason\n";
-  for (const SweepRow& row : result.rows) {
-    for (const double input : row.inputs) csv += fmt::format("{},", input);
-    for (std::size_t i = 0; i < result.outputs.size(); ++i) {
-      if (i < row.outputs.size() && row.outputs[i]) csv += fmt::format("{}", row.outputs[i]->value);
-      csv += ',';
-    }
-    csv += fmt::format("{},{}\n", row.usable(), csv_field(row.reason));
-  }
-  return csv;
 }
 
 std::vector<SweepValues> SweepResult::columns() const {

@@ -10,6 +10,7 @@
 
 #include "strainwave/catalogue/proportions.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/layouts/calibration.hpp"
 #include "strainwave/present/json.hpp"
 #include "support/expect.hpp"
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/layouts/catalogue.hpp"
 #include "strainwave/present/json.hpp"
 #include "support/expect.hpp"
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/layouts/validation.hpp"
 #include "strainwave/present/json.hpp"
 #include "support/expect.hpp"
 
@@ -137,7 +138,7 @@ TEST(ValidationOutput, BehaviourFormatsAgree) {
   const std::string text = validation_text(geometry());
   EXPECT_NE(text.find("size >= 17, ratio >= 50"), std::string::npos);
   const std::string markdown = validation_markdown(geometry());
-  EXPECT_NE(markdown.find("| 25 | 80+ | 3.1 / 5 / 5.7 |"), std::string::npos) << markdown;
+  EXPECT_NE(markdown.find("| 25 | 80+ | 3.1 | 5 | 5.7 |"), std::string::npos) << markdown;
 }
 
 TEST(ValidationInput, InputRefusals) {

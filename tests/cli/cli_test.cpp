@@ -258,7 +258,7 @@ TEST_F(Program, BehaviourSchemaIsJsonAndTheReferencePageIsUpToDate) {
 TEST_F(Program, BehaviourMaterialListAndShow) {
   const Outcome list = run("material list");
   ASSERT_EQ(list.exit_code, 0) << list.err;
-  EXPECT_NE(list.out.find("\n17-4PH H900 "), std::string::npos) << list.out;
+  EXPECT_NE(list.out.find("\n  17-4PH H900 "), std::string::npos) << list.out;
   for (const std::string& out :
        {list.out, run("material show '17-4PH H900'").out, run("material show '15-5PH H900'").out,
         run("material show 'generic steel'").out}) {

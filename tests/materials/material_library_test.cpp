@@ -660,14 +660,5 @@ TEST(AsMaterial, BehaviourNumbersAndOrigin) {
   EXPECT_EQ(b.origin.find("unverified"), std::string::npos);
 }
 
-TEST(ShortQuantity, BehaviourUnitsOfPeople) {
-  EXPECT_EQ(short_quantity(196e9, "Pa"), "196 GPa");
-  EXPECT_EQ(short_quantity(1e10, "Pa"), "10 GPa");
-  EXPECT_EQ(short_quantity(2241e6, "Pa"), "2241 MPa");
-  EXPECT_EQ(short_quantity(54.94e6, "Pa*m^0.5"), "54.94 MPa*m^0.5");
-  EXPECT_EQ(short_quantity(1.359e-12, "m"), "1.359e-12 m");
-  EXPECT_EQ(short_quantity(0.272, "1"), "0.272");
-}
-
 }  // namespace
 }  // namespace strainwave

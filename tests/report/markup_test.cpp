@@ -55,12 +55,9 @@ TEST(Markup, ReferenceNumbersForPeople) {
   EXPECT_EQ(coordinate(-0.0001), "0");
   EXPECT_EQ(coordinate(120), "120");
   EXPECT_EQ(in_mm(0.000755), "0.755 mm");
-  EXPECT_EQ(percent(0.038), "3.8 %");
-  EXPECT_EQ(percent(2.02), "202 %");
-  EXPECT_EQ(percent(-0.5), "−50 %");
-  EXPECT_EQ(accuracy({1.0, "1", 0.15}), "15 %");
-  EXPECT_EQ(accuracy({0.0, "1", 0.15}), "–");
-  EXPECT_EQ(accuracy({1.0, "1", {}}), "none");
+  EXPECT_EQ(typeset("-50 %, 2e-05 to 1"), "−50 %, 2·10⁻⁵ to 1");
+  EXPECT_EQ(typeset("none, contact-path"), "none, contact-path");
+  EXPECT_EQ(label("K1 [N*m/rad], T > 0"), "<i>K</i><sub>1</sub> [N·m/rad], <i>T</i> &gt; 0");
 }
 
 TEST(Markup, ReferenceScalesOfDrawings) {

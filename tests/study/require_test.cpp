@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "strainwave/layouts/requirements.hpp"
 #include "strainwave/model/result/result_fields.hpp"
 #include "strainwave/study/evaluate.hpp"
 #include "strainwave/study/outputs.hpp"
@@ -103,7 +104,7 @@ TEST(Require, LimitWithoutUncertaintyItCannotBeTold) {
     const RequirementReport report = asked({kStiffness + text}, 1.0, Method::as_printed);
     EXPECT_EQ(report.outcome, RequirementOutcome::cannot_be_told);
     EXPECT_FALSE(report.answers[0].low);
-    EXPECT_NE(requirements_text(report).find("of unknown uncertainty"), std::string::npos);
+    EXPECT_NE(requirements_text(report).find("unknown"), std::string::npos);
   }
 }
 

@@ -11,8 +11,8 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/io/gear_reader.hpp"
+#include "strainwave/layouts/sensitivity.hpp"
 #include "strainwave/present/json.hpp"
-#include "strainwave/study/sensitivity_report.hpp"
 #include "support/article_gear.hpp"
 #include "support/expect.hpp"
 
@@ -223,12 +223,12 @@ TEST(SensitivityReport, BehaviourFormsAgree) {
 
 TEST(TornadoPlot, BehaviourOnePanelForStiffnessOneForLoss) {
   const GearSet gear = example();
-  const std::string cracked = tornado_plot({sensitivity_of(gear), {}}, gear);
+  const std::string cracked = sensitivity_plot({sensitivity_of(gear), {}}, gear);
   EXPECT_NE(cracked.find("Stiffness K"), std::string::npos);
   EXPECT_NE(cracked.find("Loss of stiffness"), std::string::npos);
   EXPECT_NE(cracked.find("flexspline.crack[0].half_length"), std::string::npos);
-  EXPECT_EQ(cracked, tornado_plot({sensitivity_of(gear), {}}, gear));
-  const std::string sound = tornado_plot({sensitivity_of(shaft()), {}}, shaft());
+  EXPECT_EQ(cracked, sensitivity_plot({sensitivity_of(gear), {}}, gear));
+  const std::string sound = sensitivity_plot({sensitivity_of(shaft()), {}}, shaft());
   EXPECT_EQ(sound.find("Loss of stiffness"), std::string::npos);
   EXPECT_NE(sound.find("T &gt; 0 and T &lt; 0"), std::string::npos);
 }

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/layouts/solve.hpp"
 #include "strainwave/present/json.hpp"
 #include "strainwave/study/evaluate.hpp"
 #include "support/article_gear.hpp"

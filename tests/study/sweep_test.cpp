@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/layouts/sweep.hpp"
 #include "strainwave/present/json.hpp"
 #include "strainwave/study/evaluate.hpp"
 #include "support/article_gear.hpp"

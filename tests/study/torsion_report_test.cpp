@@ -11,6 +11,7 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/io/gear_reader.hpp"
+#include "strainwave/layouts/torsion.hpp"
 #include "strainwave/present/json.hpp"
 #include "support/expect.hpp"
 #include "torsion/typical_drive.hpp"
@@ -145,10 +146,10 @@ TEST(TorsionText, BehaviourTablesAndUnits) {
   for (const char* const part :
        {"My drive\n", "T1 = 14, T2 = 48, T3 = 76.8, rated 87 N*m\n", "K1 [N*m/rad]",
         "90 % of the ranges", "10 drives drawn from 1 ranges", "lost motion [arcmin]",
-        "loop width [arcmin]", "tangent K [N*m/rad]", "teeth in contact of 200",
+        "largest loop width [arcmin]", "tangent K [N*m/rad]", "teeth in contact of 200",
         "share of the tangent compliance", "rim at the tooth roots, hoop",
         "over a turn of the wave generator at 87 N*m", "series cracks",
-        "With cracks against without, 1 position", "a member in series", "(TC-26)"})
+        "Change of stiffness by the cracks, at 1 position", "a member in series", "(TC-26)"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   EXPECT_EQ(text.find(" \n"), std::string::npos);  // no trailing blanks
   std::size_t begin = 0;

@@ -169,8 +169,6 @@ struct Calibration {
                                     const std::vector<Factor>& factors,
                                     const CoupledOptions& options = {},
                                     const Progress& progress = {});
-[[nodiscard]] std::string calibration_text(const Calibration& calibration);
-
 /// Not usable if the fit has not converged.
 [[nodiscard]] ResultEvidence evidence_of(const Calibration& calibration);
 

@@ -138,9 +138,4 @@ struct CatalogueRows {
 /// The rows that a filter leaves.
 /// @throws InputError  if the size is not known or nothing is left
 [[nodiscard]] CatalogueRows catalogue_rows(const CatalogueFilter& filter = {});
-/// Both tables for people, at most 100 columns.
-[[nodiscard]] std::string catalogue_text(const CatalogueRows& rows);
-/// The stiffness table as CSV, SI.
-[[nodiscard]] std::string catalogue_csv(const CatalogueRows& rows);
-
 }  // namespace strainwave

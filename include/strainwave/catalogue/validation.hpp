@@ -200,11 +200,4 @@ struct Validation {
 [[nodiscard]] Validation validate(const ValidationOptions& options = {},
                                   const Progress& progress = {});
 
-/// The report for people, at most 100 columns.
-[[nodiscard]] std::string validation_text(const Validation& validation);
-/// A line for each row: predicted/catalogue, and bands if drawn.
-[[nodiscard]] std::string validation_csv(const Validation& validation);
-/// Tables for a manual.
-[[nodiscard]] std::string validation_markdown(const Validation& validation);
-
 }  // namespace strainwave

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
@@ -73,7 +74,26 @@ struct Rendering {
 template <class Result>
 struct DocumentOf {
   Document document;
-  std::string (*write)(const Result& result, const Rendering& rendering);
+  std::function<std::string(const Result& result, const Rendering& rendering)> write;
+
+  /// @param writer  takes the result; or the result and its drive; or the result and the rendering
+  template <class Writer>
+  DocumentOf(Document what, Writer writer) : document(what) {
+    if constexpr (std::is_invocable_v<Writer, const Result&>)
+      write = [writer](const Result& result, const Rendering&) {
+        return std::invoke(writer, result);
+      };
+    else if constexpr (std::is_invocable_v<Writer, const Result&, const GearSet&>)
+      write = [writer](const Result& result, const Rendering& to) {
+        return writer(result, to.drive.gear);
+      };
+    else
+      write = writer;
+  }
+  /// A main document, called as its format is.
+  template <class Writer>
+  DocumentOf(Format format, Writer writer)
+      : DocumentOf(Document{.name = enum_name(format), .format = format}, writer) {}
 };
 
 /// One row of a table of commands.

@@ -75,10 +75,6 @@ struct MaterialLibrary {
 /// The record as a material of a drive; its origin says which numbers are unverified.
 [[nodiscard]] Material as_material(const MaterialRecord& record);
 
-/// A number of a record as people write it, four digits: "196 GPa", "54.94 MPa*m^0.5".
-/// @param unit  "Pa", "Pa*m^0.5", "m" or "1"
-[[nodiscard]] std::string short_quantity(double value, std::string_view unit);
-
 /// Growth per cycle of a power law, C (Delta K/1 MPa*m^0.5)^m, without regard to the range that it
 /// is stated for.  (MA-1)
 ///

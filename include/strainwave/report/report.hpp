@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "strainwave/core/progress.hpp"
-#include "strainwave/io/result_writer.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/input/method.hpp"
+#include "strainwave/model/result/provenance.hpp"
 #include "strainwave/model/result/stiffness_result.hpp"
 
 /// @file

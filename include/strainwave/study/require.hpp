@@ -95,7 +95,4 @@ struct RequirementReport {
                                                 const std::vector<std::string>& texts,
                                                 double coverage);
 
-/// The answers as lines of text.
-[[nodiscard]] std::string requirements_text(const RequirementReport& report);
-
 }  // namespace strainwave

@@ -89,6 +89,25 @@ struct Scatter {
   }
 };
 
+/// How stiffness and its loss depend on each input, and what their scatter makes of it.
+struct SensitivityReport {
+  Sensitivity sensitivity;
+  std::optional<Scatter> scatter;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    Sensitivity::describe([&](const Field& what, auto member) {
+      field(what,
+            [member](const SensitivityReport& r) { return std::invoke(member, r.sensitivity); });
+    });
+    field({"scatter", "", "combined uncertainty by the scatter of the inputs"},
+          &SensitivityReport::scatter);
+  }
+};
+
+/// The notes of both studies.
+[[nodiscard]] ResultEvidence evidence_of(const SensitivityReport& report);
+
 /// Propagates the scatter that the file gives.
 ///
 /// First order (SN-7) from the exact elasticities, and Monte Carlo (SN-8): every draw is a full

@@ -153,7 +153,8 @@ struct SolveResult {
                                 const Target& target, const SolveOptions& options = {},
                                 const Progress& progress = {});
 
-/// The result as a report, at most 100 columns wide.
-[[nodiscard]] std::string solve_text(const SolveResult& result);
+/// What the output takes over the searched range: "between 1 % and 2 %", or that it is the same
+/// everywhere.  The result has `least`.
+[[nodiscard]] std::string output_range(const SolveResult& result);
 
 }  // namespace strainwave

@@ -124,10 +124,4 @@ struct SweepResult {
                                 std::span<const Variation> variations,
                                 const Progress& progress = {});
 
-/// The table as CSV (RFC 4180 quoting, lines end with LF): a column for each varied number, each
-/// output, `usable` and `reason`; the header names path and SI unit, `intact.stiffness [N*m/rad]`.
-/// Numbers have all their digits; what is absent is empty.  Uncertainties and notes are in the JSON
-/// form only.
-[[nodiscard]] std::string sweep_csv(const SweepResult& result);
-
 }  // namespace strainwave

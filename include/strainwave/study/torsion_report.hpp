@@ -7,7 +7,6 @@
 
 #include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
-#include "strainwave/study/plot.hpp"
 #include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/hysteresis.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
@@ -105,14 +104,5 @@ struct BandOptions {
 /// @throws Stopped      on request
 [[nodiscard]] LineBands line_bands(const AssembledDrive& drive, const BandOptions& options = {},
                                    const Progress& progress = {});
-
-[[nodiscard]] std::string torsion_text(const TorsionReport& report, const GearSet& gear);
-/// torque [N*m], twist [rad], tangent stiffness [N*m/rad], teeth and balls in contact.
-[[nodiscard]] std::string torsion_csv(const TorsionReport& report);
-/// Curve with its three lines and loop; tangent stiffness; changes over a turn if compared.
-[[nodiscard]] std::vector<PlotPanel> torsion_panels(const TorsionReport& report,
-                                                    const GearSet& gear);
-/// The panels as one SVG document.
-[[nodiscard]] std::string torsion_plot(const TorsionReport& report, const GearSet& gear);
 
 }  // namespace strainwave

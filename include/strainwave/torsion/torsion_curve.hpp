@@ -138,10 +138,6 @@ struct TorsionCurve {
     field({"series_compliance", "rad/(N*m)", "of the members beside the ring"},
           &TorsionCurve::series_compliance);
     field({"points", "", "the drive in equilibrium at each torque"}, &TorsionCurve::points);
-    field({"notes", "", "remarks on validity"}, &TorsionCurve::notes);
-    field({"equations", "", "tags of the theory manual"}, &TorsionCurve::equations);
-    field({"unusable_because", "", "why the answer may not be used; empty if it may"},
-          &TorsionCurve::unusable_because);
   }
 };
 

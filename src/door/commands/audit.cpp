@@ -2,7 +2,7 @@
 #include "strainwave/audit/audit.hpp"
 
 #include "strainwave/door/door.hpp"
-#include "strainwave/study/audit_report.hpp"
+#include "strainwave/layouts/audit.hpp"
 
 namespace strainwave {
 namespace {
@@ -35,14 +35,9 @@ Command audit_command() {
       .example = "strainwave audit --format json",
       .takes = Takes::nothing,
       .function = [](const Request&, const AuditOptions&) { return AuditResult{audit()}; },
-      .documents = {{{.name = "text"},
-                     [](const AuditResult& result, const Rendering&) {
-                       return audit_text(result.rows);
-                     }},
-                    {{.name = "markdown", .format = Format::markdown},
-                     [](const AuditResult& result, const Rendering&) {
-                       return audit_markdown(result.rows);
-                     }}},
+      .documents = {{Format::text, [](const AuditResult& r) { return audit_text(r.rows); }},
+                    {Format::markdown,
+                     [](const AuditResult& r) { return audit_markdown(r.rows); }}},
   });
 }
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
-#include "strainwave/catalogue/calibration.hpp"
 #include "strainwave/door/door.hpp"
-#include "strainwave/io/gear_writer.hpp"
+#include "strainwave/layouts/calibration.hpp"
 
 namespace strainwave {
 namespace {
@@ -44,19 +41,6 @@ Calibration calibrated(const Request& request, const CalibrateOptions& options) 
   return calibrate(gear, measured_target(curve, *options.measured), factors, {}, request.progress);
 }
 
-/// The calibrated drive as a file that says how it came about.
-std::string calibrated_file(const Calibration& calibration, const Rendering&) {
-  std::string head = "# Calibrated with " + calibration.source + ".\n";
-  for (const CalibratedFactor& factor : calibration.factors)
-    head += fmt::format("# {}: {:.4g}, was {:.4g}; standard uncertainty {:.2g}, {}\n",
-                        enum_name(factor.factor), factor.value, factor.before, factor.uncertainty,
-                        factor.identified ? "identified" : "not identified") +
-            (factor.at_limit    ? "#   at the limit of what a fit may take\n"
-             : factor.plausible ? ""
-                                : "#   outside what is plausible\n");
-  return head + gear_text(calibration.gear);
-}
-
 }  // namespace
 
 Command calibrate_command() {
@@ -73,13 +57,12 @@ Command calibrate_command() {
       .example = "strainwave calibrate examples/catalogue_size25.toml --catalogue --output "
                  "calibrated.toml",
       .function = calibrated,
-      .documents = {{{.name = "text"},
-                     [](const Calibration& c, const Rendering&) { return calibration_text(c); }},
+      .documents = {{Format::text, calibration_text},
                     {{.name = "toml",
                       .format = Format::toml,
                       .option = "output",
                       .doc = "write the calibrated drive to this file"},
-                     calibrated_file}},
+                     calibrated_drive}},
   });
 }
 

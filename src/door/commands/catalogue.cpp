@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/catalogue/catalogue.hpp"
+#include "strainwave/layouts/catalogue.hpp"
 
 #include "strainwave/door/door.hpp"
 
@@ -33,11 +33,7 @@ Command catalogue_command() {
           [](const Request&, const CatalogueOptions& o) {
             return from_option([&] { return catalogue_rows({.size = o.size, .ratio = o.ratio}); });
           },
-      .documents =
-          {{{.name = "text"},
-            [](const CatalogueRows& rows, const Rendering&) { return catalogue_text(rows); }},
-           {{.name = "csv", .format = Format::csv},
-            [](const CatalogueRows& rows, const Rendering&) { return catalogue_csv(rows); }}},
+      .documents = {{Format::text, catalogue_text}, {Format::csv, catalogue_csv}},
   });
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/door/door.hpp"
-#include "strainwave/study/material_report.hpp"
+#include "strainwave/layouts/materials.hpp"
 
 namespace strainwave {
 namespace {
@@ -44,14 +44,7 @@ Command material_list_command() {
       .example = "strainwave material list --use flexspline",
       .takes = Takes::nothing,
       .function = [](const Request&, const ListOptions& o) { return material_list(o.use); },
-      .documents = {{{.name = "text"},
-                     [](const MaterialData& data, const Rendering&) {
-                       return material_list_text(data);
-                     }},
-                    {{.name = "markdown", .format = Format::markdown},
-                     [](const MaterialData& data, const Rendering&) {
-                       return material_list_markdown(data);
-                     }}},
+      .documents = {{Format::text, material_list_text}, {Format::markdown, material_list_markdown}},
   });
 }
 
@@ -63,10 +56,7 @@ Command material_show_command() {
       .example = "strainwave material show '17-4PH H900'",
       .takes = Takes::nothing,
       .function = [](const Request&, const ShowOptions& o) { return material_show(o.name); },
-      .documents = {{{.name = "text"},
-                     [](const MaterialData& data, const Rendering&) {
-                       return material_text(data);
-                     }}},
+      .documents = {{Format::text, material_text}},
   });
 }
 

@@ -58,8 +58,7 @@ Command new_command() {
       .example = "strainwave new --size 25 --ratio 100 --output drive.toml",
       .takes = Takes::nothing,
       .function = drive_of,
-      .documents = {{{.name = "toml", .format = Format::toml},
-                     [](const NewDrive& drive, const Rendering&) { return drive.text; }}},
+      .documents = {{Format::toml, &NewDrive::text}},
   });
 }
 

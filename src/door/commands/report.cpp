@@ -62,10 +62,7 @@ Command report_command() {
           "be used is reported too, with the reason on top.",
       .example = "strainwave report examples/cracked_size25.toml -o report.html",
       .function = reported,
-      .documents = {{{.name = "html", .format = Format::html},
-                     [](const ReportedDrive& drive, const Rendering&) {
-                       return report_html(drive.report);
-                     }}},
+      .documents = {{Format::html, [](const ReportedDrive& r) { return report_html(r.report); }}},
   });
 }
 

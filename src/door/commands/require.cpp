@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/study/require.hpp"
-
 #include "commands/method_option.hpp"
 #include "strainwave/door/door.hpp"
+#include "strainwave/layouts/requirements.hpp"
 #include "strainwave/study/evaluate.hpp"
 
 namespace strainwave {
@@ -52,10 +51,7 @@ Command require_command() {
       .example = "strainwave require examples/article.toml 'cracked.positive.stiffness >= 2e5 "
                  "N*m/rad' 'cracked.positive.stiffness_change >= -1 %'",
       .function = required,
-      .documents = {{{.name = "text"},
-                     [](const RequirementReport& report, const Rendering&) {
-                       return requirements_text(report);
-                     }}},
+      .documents = {{Format::text, requirements_text}},
   });
 }
 

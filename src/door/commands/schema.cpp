@@ -70,10 +70,8 @@ Command schema_command() {
       .example = "strainwave schema --output strainwave-drive-1.schema.json",
       .takes = Takes::nothing,
       .function = schema_text,
-      .documents = {{{.name = "schema", .format = Format::json},
-                     [](const SchemaText& text, const Rendering&) { return text.schema; }},
-                    {{.name = "markdown", .format = Format::markdown},
-                     [](const SchemaText& text, const Rendering&) { return text.reference; }}},
+      .documents = {{{.name = "schema", .format = Format::json}, &SchemaText::schema},
+                    {Format::markdown, &SchemaText::reference}},
   });
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "strainwave/layouts/sensitivity.hpp"
+
 #include "strainwave/door/door.hpp"
-#include "strainwave/study/scatter.hpp"
-#include "strainwave/study/sensitivity_report.hpp"
 
 namespace strainwave {
 namespace {
@@ -52,8 +52,7 @@ SensitivityReport report_of(const Request& request, const SensitivityOptions& op
 }  // namespace
 
 Command sensitivity_command() {
-  using Result = SensitivityReport;
-  return command<SensitivityOptions, Result>({
+  return command<SensitivityOptions, SensitivityReport>({
       .name = "sensitivity",
       .summary = "What stiffness and its loss depend on, and how much",
       .description =
@@ -67,21 +66,13 @@ Command sensitivity_command() {
       .example = "strainwave sensitivity examples/article_scatter.toml --scatter --plot "
                  "tornado.svg",
       .function = report_of,
-      .documents = {{{.name = "text"},
-                     [](const Result& result, const Rendering& to) {
-                       return sensitivity_text(result, to.drive.gear);
-                     }},
-                    {{.name = "csv", .format = Format::csv},
-                     [](const Result& result, const Rendering&) {
-                       return sensitivity_csv(result);
-                     }},
+      .documents = {{Format::text, sensitivity_text},
+                    {Format::csv, sensitivity_csv},
                     {{.name = "plot",
                       .format = Format::svg,
                       .option = "plot",
                       .doc = "draw the elasticities as an SVG file"},
-                     [](const Result& result, const Rendering& to) {
-                       return tornado_plot(result, to.drive.gear);
-                     }}},
+                     sensitivity_plot}},
   });
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/door/door.hpp"
+#include "strainwave/layouts/stress_intensity.hpp"
 #include "strainwave/materials/material_library.hpp"
 #include "strainwave/model/input/material.hpp"
-#include "strainwave/study/sif_report.hpp"
 
 namespace strainwave {
 namespace {
@@ -93,38 +93,6 @@ constexpr std::string_view kSolutionsDescription =
 
 }  // namespace
 
-namespace sif {
-
-ResultEvidence evidence_of(const Evaluation& evaluation) {
-  ResultEvidence evidence;
-  if (!evaluation.converged)
-    evidence.unusable_because = "the integral of the added compliance has not converged";
-  for (const ValidityLimit& limit : evaluation.validity)
-    if (!limit.inside)
-      evidence.notes.push_back(
-          {.code = "sif.extrapolated",
-           .text = "outside " + std::string(limit.text) + ": extrapolated, accuracy unknown",
-           .path = {},
-           .equation = std::string(evaluation.info.equation),
-           .severity = Severity::care,
-           .next_step = "Use a solution whose range contains this crack."});
-  if (evaluation.utilisation && *evaluation.utilisation >= 1)
-    evidence.notes.push_back({.code = "sif.fractures",
-                              .text = "the stress intensity reaches the fracture toughness",
-                              .path = {},
-                              .equation = "FR-20",
-                              .severity = Severity::critical,
-                              .next_step = "Lower the load, or take a tougher material."});
-  evidence.equations.emplace_back(evaluation.info.equation);
-  evidence.accuracies.push_back({.path = std::string(evaluation.info.name),
-                                 .relative_uncertainty = evaluation.info.relative_uncertainty,
-                                 .source = std::string(evaluation.info.accuracy)});
-  evidence.verdict = verdict_of(evidence.unusable_because, evidence.notes);
-  return evidence;
-}
-
-}  // namespace sif
-
 Command sif_list_command() {
   return command<SifListOptions, SolutionList>({
       .name = "sif list",
@@ -136,11 +104,7 @@ Command sif_list_command() {
           [](const Request&, const SifListOptions& o) {
             return from_option([&] { return sif_list(o.family.value_or(std::string())); });
           },
-      .documents =
-          {{{.name = "text"},
-            [](const SolutionList& list, const Rendering&) { return sif_list_text(list); }},
-           {{.name = "markdown", .format = Format::markdown},
-            [](const SolutionList& list, const Rendering&) { return sif_list_markdown(list); }}},
+      .documents = {{Format::text, sif_list_text}, {Format::markdown, sif_list_markdown}},
   });
 }
 
@@ -153,10 +117,7 @@ Command sif_show_command() {
       .takes = Takes::nothing,
       .function = [](const Request&,
                      const SifShowOptions& o) { return DescribedSolution{&sif::solution(o.name)}; },
-      .documents = {{{.name = "text"},
-                     [](const DescribedSolution& solution, const Rendering&) {
-                       return sif_solution_text(solution);
-                     }}},
+      .documents = {{Format::text, sif_solution_text}},
   });
 }
 
@@ -169,10 +130,7 @@ Command sif_eval_command() {
                  "--set 'tension=200 MPa'",
       .takes = Takes::nothing,
       .function = evaluated,
-      .documents = {{{.name = "text"},
-                     [](const sif::Evaluation& evaluation, const Rendering&) {
-                       return sif_evaluation_text(evaluation);
-                     }}},
+      .documents = {{Format::text, sif_evaluation_text}},
   });
 }
 
@@ -188,8 +146,7 @@ Command sif_plot_command() {
             const sif::Row& row = sif::solution(o.name);
             return SifPlot{sif_plot(row, sif_assignments(row, o.set))};
           },
-      .documents = {{{.name = "svg", .format = Format::svg},
-                     [](const SifPlot& plot, const Rendering&) { return plot.svg; }}},
+      .documents = {{Format::svg, &SifPlot::svg}},
   });
 }
 

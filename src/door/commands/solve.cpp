@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/study/solve.hpp"
+#include "strainwave/layouts/solve.hpp"
 
 #include "commands/method_option.hpp"
 #include "strainwave/door/door.hpp"
@@ -48,10 +48,7 @@ Command solve_command() {
       .example = "strainwave solve examples/article.toml --vary 'output_shaft.crack[0].depth' "
                  "--target 'cracked.positive.stiffness_change=-1 %'",
       .function = solved,
-      .documents = {{{.name = "text"},
-                     [](const SolveResult& result, const Rendering&) {
-                       return solve_text(result);
-                     }}},
+      .documents = {{Format::text, solve_text}},
   });
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "strainwave/layouts/stiffness.hpp"
+
 #include "commands/method_option.hpp"
 #include "strainwave/door/door.hpp"
-#include "strainwave/io/result_writer.hpp"
+#include "strainwave/layouts/failure_assessment.hpp"
 #include "strainwave/study/evaluate.hpp"
-#include "strainwave/study/strength_report.hpp"
 
 namespace strainwave {
 namespace {
@@ -24,8 +25,7 @@ StiffnessResult stiffness(const Request& request, const StiffnessCommandOptions&
 }  // namespace
 
 Command stiffness_command() {
-  using Result = StiffnessResult;
-  return command<StiffnessCommandOptions, Result>({
+  return command<StiffnessCommandOptions, StiffnessResult>({
       .name = "stiffness",
       .summary = "Torsional stiffness of a drive, sound and cracked",
       .description =
@@ -42,26 +42,21 @@ Command stiffness_command() {
           "and the input as it was understood.",
       .example = "strainwave stiffness examples/article.toml --format json --output article.json",
       .function = stiffness,
-      .documents = {{{.name = "text"},
-                     [](const Result& result, const Rendering& to) {
-                       return result_text(result, to.drive.gear, to.provenance);
+      .documents = {{Format::text,
+                     [](const StiffnessResult& result, const Rendering& to) {
+                       return stiffness_text(result, to.drive.gear, to.provenance);
                      }},
-                    {{.name = "csv", .format = Format::csv},
-                     [](const Result& result, const Rendering&) { return outputs_csv(result); }},
+                    {Format::csv, outputs_csv<StiffnessResult>},
                     {{.name = "plot",
                       .format = Format::svg,
                       .option = "plot",
                       .doc = "draw the failure assessment diagram of the cracks as an SVG file"},
-                     [](const Result& result, const Rendering& to) {
-                       return failure_assessment_plot(result, to.drive.gear);
-                     }},
+                     failure_assessment_plot},
                     {{.name = "fad",
                       .format = Format::csv,
                       .option = "fad",
                       .doc = "write the failure assessment diagram as a CSV table"},
-                     [](const Result& result, const Rendering& to) {
-                       return failure_assessment_csv(result, to.drive.gear);
-                     }}},
+                     failure_assessment_csv}},
   });
 }
 

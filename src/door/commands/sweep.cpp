@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/study/sweep.hpp"
+#include "strainwave/layouts/sweep.hpp"
 
 #include "commands/method_option.hpp"
 #include "strainwave/door/door.hpp"
 #include "strainwave/model/input/vary_option.hpp"
-#include "strainwave/study/plot.hpp"
 
 namespace strainwave {
 namespace {
@@ -49,15 +48,12 @@ Command sweep_command() {
       .example = "strainwave sweep examples/article.toml --vary 'output_shaft.crack[0].depth=0.05 "
                  "mm..8 mm:60:log' --plot sweep.svg --output sweep.csv",
       .function = swept,
-      .documents = {{{.name = "csv", .format = Format::csv},
-                     [](const SweepResult& result, const Rendering&) { return sweep_csv(result); }},
+      .documents = {{Format::csv, sweep_csv},
                     {{.name = "plot",
                       .format = Format::svg,
                       .option = "plot",
                       .doc = "draw the sweep as an SVG file"},
-                     [](const SweepResult& result, const Rendering& to) {
-                       return sweep_plot(result, to.drive.gear);
-                     }}},
+                     sweep_plot}},
   });
 }
 

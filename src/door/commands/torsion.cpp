@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "strainwave/layouts/torsion.hpp"
+
 #include "strainwave/door/door.hpp"
-#include "strainwave/study/torsion_report.hpp"
 
 namespace strainwave {
 namespace {
@@ -31,8 +32,7 @@ struct TorsionOptions {
 }  // namespace
 
 Command torsion_command() {
-  using Result = TorsionReport;
-  return command<TorsionOptions, Result>({
+  return command<TorsionOptions, TorsionReport>({
       .name = "torsion",
       .summary = "Torsion curve in the maker's numbers: K1, K2, K3",
       .description =
@@ -49,19 +49,13 @@ Command torsion_command() {
                                   {.compare = o.compare, .angles = o.angles, .draws = o.draws},
                                   request.progress);
           },
-      .documents = {{{.name = "text"},
-                     [](const Result& report, const Rendering& to) {
-                       return torsion_text(report, to.drive.gear);
-                     }},
-                    {{.name = "csv", .format = Format::csv},
-                     [](const Result& report, const Rendering&) { return torsion_csv(report); }},
+      .documents = {{Format::text, torsion_text},
+                    {Format::csv, torsion_csv},
                     {{.name = "plot",
                       .format = Format::svg,
                       .option = "plot",
                       .doc = "draw the curve as an SVG file"},
-                     [](const Result& report, const Rendering& to) {
-                       return torsion_plot(report, to.drive.gear);
-                     }}},
+                     torsion_plot}},
   });
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/catalogue/validation.hpp"
 #include "strainwave/door/door.hpp"
-#include "strainwave/study/validation_plot.hpp"
+#include "strainwave/layouts/validation.hpp"
 
 namespace strainwave {
 namespace {
@@ -64,17 +63,14 @@ Command validate_command() {
       .example = "strainwave validate --mode geometry --draws 200 --plot validation.svg",
       .takes = Takes::nothing,
       .function = validated,
-      .documents = {{{.name = "text"},
-                     [](const Validation& v, const Rendering&) { return validation_text(v); }},
-                    {{.name = "csv", .format = Format::csv},
-                     [](const Validation& v, const Rendering&) { return validation_csv(v); }},
-                    {{.name = "markdown", .format = Format::markdown},
-                     [](const Validation& v, const Rendering&) { return validation_markdown(v); }},
+      .documents = {{Format::text, validation_text},
+                    {Format::csv, validation_csv},
+                    {Format::markdown, validation_markdown},
                     {{.name = "plot",
                       .format = Format::svg,
                       .option = "plot",
                       .doc = "draw predicted over catalogue as an SVG file"},
-                     [](const Validation& v, const Rendering&) { return validation_plot(v); }}},
+                     validation_plot}},
   });
 }
 

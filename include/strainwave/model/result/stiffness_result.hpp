@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -76,6 +78,14 @@ struct StressIntensities {
   Quantity K_I;    ///< [Pa*m^0.5]
   Quantity K_II;   ///< [Pa*m^0.5]
   Quantity K_III;  ///< [Pa*m^0.5]
+
+  friend bool operator==(const StressIntensities&, const StressIntensities&) = default;
+  /// The mode of the largest magnitude.
+  [[nodiscard]] const Quantity& largest() const {
+    return *std::max({&K_I, &K_II, &K_III}, [](const Quantity* a, const Quantity* b) {
+      return std::abs(a->value) < std::abs(b->value);
+    });
+  }
 
   template <class Visitor>
   static void describe(Visitor&& field) {

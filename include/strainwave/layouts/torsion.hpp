@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "strainwave/chart/chart.hpp"
+#include "strainwave/present/table.hpp"
+#include "strainwave/study/torsion_report.hpp"
+
+namespace strainwave {
+
+/// The maker's numbers, changes by cracks if compared, points of the curve, stress over a turn.
+[[nodiscard]] std::vector<TitledTable> torsion_tables(const TorsionReport& report,
+                                                      const GearSet& gear);
+[[nodiscard]] std::string torsion_text(const TorsionReport& report, const GearSet& gear);
+/// Both senses of torque, from the least torque on.
+[[nodiscard]] std::string torsion_csv(const TorsionReport& report);
+/// Curve with its three lines and loop; tangent stiffness; changes over a turn if compared.
+[[nodiscard]] std::vector<PlotPanel> torsion_panels(const TorsionReport& report,
+                                                    const GearSet& gear);
+/// The panels as one SVG document.
+[[nodiscard]] std::string torsion_plot(const TorsionReport& report, const GearSet& gear);
+
+}  // namespace strainwave

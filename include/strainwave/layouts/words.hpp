@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/result/stiffness_result.hpp"
+
+/// @file
+/// Words of results that several tables have.
+
+namespace strainwave {
+
+/// What a document of a drive begins with.
+[[nodiscard]] inline std::string name_of(const GearSet& gear) {
+  return gear.name.empty() ? "Strain wave gear" : gear.name;
+}
+
+/// "T > 0", or "either sense".
+[[nodiscard]] std::string_view words_of(OpensUnder opens);
+[[nodiscard]] std::string_view words_of(TorqueSense sense);
+[[nodiscard]] std::string_view words_of(StrengthVerdict verdict);
+/// "T > 0, with the assembly"
+[[nodiscard]] std::string words_of(const StrengthState& state);
+/// "stiffness, T > 0" for "cracked.positive.stiffness".
+[[nodiscard]] std::string output_words(std::string_view output);
+
+/// The critical size of the assessment, else that of K alone.
+[[nodiscard]] const std::optional<CriticalSize>& critical_size(const StrengthState& state);
+
+}  // namespace strainwave

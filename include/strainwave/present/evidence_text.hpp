@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "strainwave/model/result/evidence.hpp"
+
+namespace strainwave {
+
+/// Notes as a list, one item each: field, sentence, equation, what to do next.
+[[nodiscard]] std::string notes_text(std::span<const Note> notes);
+
+/// The tags of the theory manual as a sentence.
+[[nodiscard]] std::string equations_text(std::span<const std::string> equations);
+
+}  // namespace strainwave

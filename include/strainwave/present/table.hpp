@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "strainwave/core/fields.hpp"
+
+namespace strainwave {
+
+/// A table as people read it: a layout fills it, and any kind of document shows it.
+struct Table {
+  std::vector<std::string> head = {};  ///< of each column; all empty: none is shown
+  std::string_view align = {};         ///< "lrr"; what is left out: the first left, others right
+  /// A row may end early.  In text, one of a single cell lies across the columns.
+  std::vector<std::vector<std::string>> rows = {};
+};
+
+/// A table of a result, with what is said above and below it.
+struct TitledTable {
+  std::string title;
+  Table table;
+  std::string remark = {};
+};
+
+/// A cell of a file that programs read: all digits of a number, nothing for what is absent.
+template <class Value>
+[[nodiscard]] std::string cell(const Value& value) {
+  if constexpr (is_optional<Value>)
+    return value ? cell(*value) : std::string();
+  else if constexpr (std::is_enum_v<Value>)
+    return std::string(enum_name(value));
+  else
+    return fmt::format("{}", value);
+}
+/// A row of such cells.
+template <class... Values>
+[[nodiscard]] std::vector<std::string> cells(const Values&... values) {
+  return {cell(values)...};
+}
+
+/// Columns as wide as what is in them, two blanks between them; every line is indented by two.
+[[nodiscard]] std::string text_table(const Table& table);
+/// Each below its title, after an empty line, with its remark.
+[[nodiscard]] std::string text_tables(const std::vector<TitledTable>& tables);
+[[nodiscard]] std::string markdown_table(const Table& table);
+/// RFC 4180, lines ended by a line feed.
+[[nodiscard]] std::string csv_line(const std::vector<std::string>& row);
+[[nodiscard]] std::string csv_table(const Table& table);
+
+}  // namespace strainwave

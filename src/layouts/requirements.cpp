@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/layouts/requirements.hpp"
+
+#include <fmt/format.h>
+
+#include "strainwave/core/quantity_text.hpp"
+#include "strainwave/core/shown_text.hpp"
+#include "strainwave/present/table.hpp"
+
+namespace strainwave {
+
+std::string requirements_text(const RequirementReport& report) {
+  Table table{.head = {"requirement", "answer", "value", "with its uncertainty"}, .align = "llrl"};
+  for (const RequirementAnswer& answer : report.answers) {
+    const Requirement& asked = answer.requirement;
+    table.rows.push_back(
+        cells(fmt::format("{} {} {}", asked.output, enum_name(asked.comparison),
+                          quantity_text(asked.bound, asked.unit)),
+              answer.outcome, fmt::format("{:.6g}", answer.value.value),
+              answer.low ? fmt::format("{:.6g} to {:.6g}", *answer.low, *answer.high) : "unknown"));
+  }
+  std::string text = text_table(table);
+  if (!report.unusable_because.empty()) text += paragraph("NOT USABLE: " + report.unusable_because);
+  return text + fmt::format("All together: {}\n", enum_name(report.outcome));
+}
+
+}  // namespace strainwave

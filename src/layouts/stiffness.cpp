@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/layouts/stiffness.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "strainwave/core/shown_text.hpp"
+#include "strainwave/core/units.hpp"
+#include "strainwave/layouts/words.hpp"
+#include "strainwave/present/evidence_text.hpp"
+#include "strainwave/present/table.hpp"
+
+namespace strainwave {
+namespace {
+
+/// The warranted digits of a quantity in another unit.
+std::string digits_in(const Quantity& q, double unit_in_si) {
+  return warranted_digits({q.value / unit_in_si, q.unit, q.relative_uncertainty});
+}
+
+/// Compliances, stiffness and wind-up of the drive.
+Table drive_table(const StiffnessResult& result, const GearSet& gear) {
+  Table table{{"", "sound", "share", "cracked, T > 0", "cracked, T < 0", "accuracy"}};
+  const auto row = [&](std::string label, const Quantity& sound, std::string share,
+                       const Quantity& positive, const Quantity& negative, double unit_in_si) {
+    table.rows.push_back({"  " + std::move(label), digits_in(sound, unit_in_si), std::move(share),
+                          digits_in(positive, unit_in_si), digits_in(negative, unit_in_si),
+                          accuracy(sound)});
+  };
+  const auto heading = [&](std::string text) { table.rows.push_back({std::move(text)}); };
+  heading("Compliance at the output, input locked [rad/(N*m)]");
+  Compliances::describe([&](const Field& field, Quantity Compliances::*member) {
+    const Quantity& sound = result.intact.compliance.*member;
+    std::string label(field.name);
+    std::ranges::replace(label, '_', ' ');
+    row(std::move(label), sound,
+        fmt::format("{:.1f} %", 100 * sound.value / result.intact.compliance.total.value),
+        result.positive.compliance.*member, result.negative.compliance.*member, 1);
+  });
+  const auto drive = [&](std::string label, Quantity IntactDrive::*sound,
+                         Quantity CrackedDrive::*cracked, double unit_in_si) {
+    row(std::move(label), result.intact.*sound, "", result.positive.*cracked,
+        result.negative.*cracked, unit_in_si);
+  };
+  heading("Torsional stiffness K_HD");
+  drive("N*m/rad", &IntactDrive::stiffness, &CrackedDrive::stiffness, 1);
+  drive("N*m/arcmin", &IntactDrive::stiffness, &CrackedDrive::stiffness, 1 / units::arcmin);
+  const Quantity& change = result.positive.stiffness_change;
+  table.rows.push_back({"  change", "", "", digits_in(change, 0.01) + " %",
+                        digits_in(result.negative.stiffness_change, 0.01) + " %",
+                        accuracy(change)});
+  drive(fmt::format("wind-up at {} N*m [arcmin]", std::abs(gear.load.torque)),
+        &IntactDrive::wind_up, &CrackedDrive::wind_up, units::arcmin);
+  if (!result.curve) return table;
+  heading("Torsion curve of the coupled drive, with balls, teeth and rings [N*m/rad]");
+  const auto& [intact, positive, negative] = *result.curve;
+  const auto line = [&](const char* label, Quantity CurveStiffness::*K) {
+    row(label, intact.*K, "", positive.*K, negative.*K, 1);
+    const auto changed = [&](const CurveStiffness& cracked) {
+      return percent_change((cracked.*K).value / (intact.*K).value - 1);
+    };
+    if (changed(positive) != "0 %" || changed(negative) != "0 %")
+      table.rows.push_back({"    change", "", "", changed(positive), changed(negative)});
+  };
+  line("K1, up to T1", &CurveStiffness::K1);
+  line("K2, T1 to T2", &CurveStiffness::K2);
+  line("K3, from T2", &CurveStiffness::K3);
+  return table;
+}
+
+std::string modes(const StressIntensities& at) {
+  const auto mpa = [&](const Quantity& K) {
+    return std::abs(K.value) < 1e-12 * std::abs(at.largest().value) ? "0"
+                                                                    : digits_in(K, units::MPa);
+  };
+  return fmt::format("K_I = {}, K_II = {}, K_III = {} MPa*m^0.5", mpa(at.K_I), mpa(at.K_II),
+                     mpa(at.K_III));
+}
+
+Table crack_table(const std::vector<CrackReport>& cracks) {
+  Table table{.head = {"adds [rad/(N*m)]", "opens under", "T > 0", "T < 0", "accuracy"},
+              .align = "ll"};
+  for (const CrackReport& crack : cracks) {
+    table.rows.push_back(
+        {fmt::format("{} ({})", crack.path, crack.kind), std::string(words_of(crack.opens_under)),
+         warranted_digits(crack.positive.at_output), warranted_digits(crack.negative.at_output),
+         accuracy(crack.positive.at_output)});
+    if (!crack.deepest) continue;
+    table.rows.push_back({"  at the given load, deepest point: " + modes(*crack.deepest)});
+    if (crack.largest && crack.largest != crack.deepest)
+      table.rows.push_back({"  largest along the front:          " + modes(*crack.largest)});
+  }
+  return table;
+}
+
+std::string three_digits(const std::optional<double>& value) {
+  return value ? fmt::format("{:.3g}", *value) : "-";
+}
+
+/// The states of each crack, then the verdict in words.
+Table strength_table(const std::vector<CrackStrength>& strength) {
+  Table table{
+      .head = {"", "K/K_Ic", "L_r", "K_r", "line", "reserve", "critical", "r_p/lig.", "verdict"},
+      .align = "lrrrrrrrl"};
+  for (const CrackStrength& crack : strength) {
+    std::string size;
+    if (!crack.size_name.empty())
+      size = fmt::format(", {} {}", crack.size_name == "depth" ? "depth" : "half length",
+                         shown_quantity(crack.size, "m", 3));
+    table.rows.push_back({fmt::format("{} ({}{})", crack.path, crack.kind, size)});
+    for (const StrengthState& state : crack.states) {
+      std::optional<double> zone;
+      if (state.plastic_zone && crack.ligament) zone = *state.plastic_zone / *crack.ligament;
+      const auto& critical = critical_size(state);
+      table.rows.push_back({"  " + words_of(state), three_digits(state.utilisation),
+                            three_digits(state.L_r), three_digits(state.K_r),
+                            three_digits(state.line), three_digits(state.reserve),
+                            !critical        ? "-"
+                            : critical->size ? shown_quantity(*critical->size, "m", 3)
+                                             : "none",
+                            three_digits(zone), std::string(words_of(state.verdict))});
+    }
+    table.rows.push_back({"  " + wrapped(crack.sentence, kTextWidth - 4, 4)});
+  }
+  table.rows.push_back({strength_summary(strength)});
+  return table;
+}
+
+}  // namespace
+
+std::string stiffness_text(const StiffnessResult& result, const GearSet& gear,
+                           const Provenance& provenance) {
+  std::string text =
+      fmt::format("{}\n{}, method {}, strainwave {}\nLoad at the output: T = {} N*m, P = {} N\n\n",
+                  name_of(gear), provenance.input_file, enum_name(result.method),
+                  provenance.version, gear.load.torque, gear.load.axial_force);
+  if (!result.usable()) text += paragraph("NOT USABLE: " + result.unusable_because) + '\n';
+  for (const CrackStrength& crack : result.strength)
+    if (crack.breaks()) text += paragraph("WARNING: " + crack.path + " " + crack.sentence);
+  if (std::ranges::any_of(result.strength, &CrackStrength::breaks))
+    text += "The stiffness below is that of the cracks as they stand.\n\n";
+  text += text_table(drive_table(result, gear));
+  if (!result.cracks.empty()) text += "\nCracks\n" + text_table(crack_table(result.cracks));
+  if (!result.strength.empty())
+    text += "\nStrength at the given load: failure assessment, option 1 of BS 7910\n" +
+            text_table(strength_table(result.strength));
+  if (!result.notes.empty()) text += "\nNotes\n" + notes_text(result.notes);
+  Table sources{.head = {"", ""}, .align = "rl"};
+  for (const AccuracyBasis& basis : result.accuracies)
+    sources.rows.push_back({percent(basis.relative_uncertainty),
+                            wrapped(basis.path + ": " + basis.source, kTextWidth - 9, 9)});
+  if (!result.accuracies.empty())
+    text += "\nAccuracy of the models, one standard uncertainty\n" + text_table(sources);
+  return text + '\n' + equations_text(result.equations);
+}
+
+}  // namespace strainwave

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/layouts/stress_intensity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "strainwave/core/shown_text.hpp"
+#include "strainwave/core/units.hpp"
+#include "strainwave/present/evidence_text.hpp"
+#include "strainwave/present/table.hpp"
+
+namespace strainwave {
+namespace {
+
+/// "K to 5 %", or "K exact".
+std::string accuracy_of(const sif::SolutionInfo& info) {
+  return info.relative_uncertainty > 0 ? "K to " + percent(info.relative_uncertainty, 3)
+                                       : "K exact";
+}
+
+std::string load_names(const sif::Row& row) {
+  std::vector<std::string_view> names;
+  for (const sif::LoadInfo& load : row.loads) names.push_back(load.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Limits, then rules.
+std::vector<std::string_view> range_and_rules(const DescribedSolution& solution) {
+  std::vector<std::string_view> texts = solution.validity();
+  for (const std::string_view rule : solution.rules()) texts.push_back(rule);
+  return texts;
+}
+
+}  // namespace
+
+std::string sif_list_text(const SolutionList& list) {
+  std::size_t width = 0;
+  for (const auto& [row] : list.solutions) width = std::max(width, row->info.name.size());
+  std::string text;
+  std::string_view heading;
+  for (const auto& [row] : list.solutions) {
+    const sif::SolutionInfo& info = row->info;
+    if (info.family != heading) {
+      heading = info.family;
+      text += fmt::format("{}{}\n", text.empty() ? "" : "\n", heading);
+    }
+    text += fmt::format("  {:{}}  {}\n  {:{}}  modes {}; loads {}; {}\n", info.name, width,
+                        info.title, "", width, info.modes, load_names(*row), accuracy_of(info));
+  }
+  return text + fmt::format("\n{} solutions; `strainwave sif show NAME` says more\n",
+                            list.solutions.size());
+}
+
+std::string sif_list_markdown(const SolutionList& list) {
+  std::string text =
+      "# Stress intensity library\n\nMade by `strainwave sif list --format markdown`. Accuracy is "
+      "one standard relative uncertainty of K inside\nthe range; equations are those of the "
+      "[theory manual](../theory/SP.md).\n\n";
+  Table table{.head = {"name", "solution", "modes", "loads", "range", "accuracy", "evidence",
+                       "basis", "equation"}};
+  for (const DescribedSolution& solution : list.solutions) {
+    const sif::SolutionInfo& info = solution.row->info;
+    table.rows.push_back(
+        {fmt::format("`{}`", info.name), cell(info.title), cell(info.modes),
+         load_names(*solution.row), fmt::format("{}", fmt::join(range_and_rules(solution), "; ")),
+         accuracy_of(info), cell(info.accuracy),
+         fmt::format("{}: {}", enum_name(info.basis), info.source), cell(info.equation)});
+  }
+  return text + markdown_table(table);
+}
+
+std::string sif_solution_text(const DescribedSolution& solution) {
+  const sif::Row& row = *solution.row;
+  const sif::SolutionInfo& info = row.info;
+  std::string text = fmt::format("{}: {}\n", info.name, info.title);
+  text += fmt::format("  modes      {}\n  constraint {}\n  equation   ({}) of the theory manual\n",
+                      info.modes, enum_name(info.constraint), info.equation);
+  text += fmt::format("  accuracy   {}; {}\n", accuracy_of(info), info.accuracy);
+  text += fmt::format("  source     {} ({})\n", info.source, enum_name(info.basis));
+  const auto names = [&](const char* heading, const auto& list, const auto& row_of) {
+    Table table{.head = {"", "", ""}, .align = "lrl"};
+    for (const auto& one : list) table.rows.push_back(row_of(one));
+    text += heading + text_table(table);
+  };
+  names("\nFields, with the values taken when left out\n", row.fields, [](const Field& field) {
+    std::string example(field.example);
+    std::erase(example, '"');
+    return cells(field.name, example,
+                 fmt::format("{}; {}", field.doc, rule_text(field.range, field.unit)));
+  });
+  names("Loads\n", row.loads,
+        [](const sif::LoadInfo& load) { return cells(load.name, load.unit, load.doc); });
+  text += "Points of the front\n ";
+  for (const sif::FrontPoint& point : row.points) text += fmt::format(" {}", point.name);
+  text += "\nValidity\n";
+  for (const std::string_view limit : solution.validity()) text += fmt::format("  {}\n", limit);
+  for (const std::string_view rule : solution.rules())
+    text += fmt::format("  {}; refused otherwise\n", rule);
+  if (range_and_rules(solution).empty()) text += "  everywhere\n";
+  return text;
+}
+
+std::string sif_evaluation_text(const sif::Evaluation& e) {
+  std::string text = fmt::format("{}: {}\n", e.info.name, e.info.title);
+  Table inputs{.head = {"", "", ""}, .align = "lrl"};
+  const auto add = [&](const std::vector<sif::Input>& list, const char* missing) {
+    for (const sif::Input& input : list)
+      inputs.rows.push_back({std::string(input.name),
+                             shown_quantity(input.value, input.unit, 5, input.name),
+                             input.given ? "" : missing});
+  };
+  add(e.fields, "taken, not given");
+  add(e.loads, "not given");
+  text += text_table(inputs);
+  const auto number = [](double value) { return fmt::format("{:.5g}", value); };
+  text += fmt::format(
+      "\nGeometry factors Y = K/(sigma sqrt(pi a)), a = {}, sigma of the gross section\n",
+      shown_quantity(e.crack_size, "m"));
+  Table factors{.head = {"load", "point", "I", "II", "III"}, .align = "llrrr"};
+  for (const sif::GeometryFactors& factor : e.factors)
+    factors.rows.push_back({std::string(factor.load), std::string(factor.point), number(factor.Y_I),
+                            number(factor.Y_II), number(factor.Y_III)});
+  text += text_table(factors);
+  if (e.largest) {
+    text += "\nStress intensity factors under these loads [MPa*m^0.5]\n";
+    Table table{.head = {"", "I", "II", "III"}};
+    const auto in_mpa = [&](double K) { return number(K / units::MPa); };
+    const auto line = [&](std::string_view name, const sif::PointIntensity& K) {
+      table.rows.push_back({std::string(name), in_mpa(K.K_I), in_mpa(K.K_II), in_mpa(K.K_III)});
+    };
+    for (const sif::PointIntensity& point : e.points) line(point.name, point);
+    line("largest along the front", *e.largest);
+    table.rows.push_back({"sqrt(G E') at the worst point", in_mpa(*e.equivalent)});
+    if (e.utilisation)
+      table.rows.push_back({"over the fracture toughness", number(*e.utilisation)});
+    text += text_table(table);
+    if (e.pressed)
+      text += "  K_I < 0: the faces press on each other there, and mode I counts as 0 (FR-17)\n";
+  }
+  text += fmt::format("\nAdded compliance ({}, E = {:.4g} GPa, nu = {:.3g})\n",
+                      enum_name(e.info.constraint), e.material.youngs_modulus / units::GPa,
+                      e.material.poissons_ratio);
+  Table added{.head = {"", "", "", ""}, .align = "llrl"};
+  for (const sif::ComplianceEntry& entry : e.compliance)
+    added.rows.push_back({std::string(entry.load_i), std::string(entry.load_j),
+                          fmt::format("{:.6g}", entry.value), std::string(entry.unit)});
+  text += text_table(added);
+  if (!e.converged)
+    text += fmt::format("  not converged: relative error {:.2g}\n", e.quadrature_error);
+  text += fmt::format("\nAccuracy: {}; {}\nSource {} ({}); equation ({})\n", accuracy_of(e.info),
+                      e.info.accuracy, e.info.source, enum_name(e.info.basis), e.info.equation);
+  return text + notes_text(evidence_of(e).notes);
+}
+
+}  // namespace strainwave

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/layouts/torsion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+
+#include "strainwave/core/shown_text.hpp"
+#include "strainwave/core/units.hpp"
+#include "strainwave/layouts/words.hpp"
+#include "strainwave/present/evidence_text.hpp"
+#include "strainwave/present/table.hpp"
+
+namespace strainwave {
+namespace {
+
+std::string arcmin(double angle) { return shown_number(angle / units::arcmin); }
+
+TitledTable lines_table(const TorsionReport& report, const GearSet& gear) {
+  Table table{.head = {"", "T > 0", "T < 0"}};
+  if (report.bands) table.head.emplace_back("90 % of the ranges");
+  const auto both = [&](const char* label, double MakersLines::*line, Band LineBands::*range,
+                        double unit) {
+    auto& row = table.rows.emplace_back(cells(label, shown_number(report.positive.*line / unit),
+                                              shown_number(report.negative.*line / unit)));
+    if (range == nullptr || !report.bands) return;
+    const Band& band = (*report.bands).*range;
+    row.push_back(shown_number(band.low / unit, 3) + " to " + shown_number(band.high / unit, 3));
+  };
+  both("K1 [N*m/rad]", &MakersLines::K1, &LineBands::K1, 1);
+  both("K2 [N*m/rad]", &MakersLines::K2, &LineBands::K2, 1);
+  both("K3 [N*m/rad]", &MakersLines::K3, &LineBands::K3, 1);
+  both("twist at T1 [arcmin]", &MakersLines::phi1, nullptr, units::arcmin);
+  both("twist at T2 [arcmin]", &MakersLines::phi2, nullptr, units::arcmin);
+  const HysteresisLoop& loop = report.loop;
+  table.rows.push_back(cells(
+      fmt::format("lost motion [arcmin], at +-{} N*m", shown_number(report.torques.lost_motion)),
+      arcmin(report.lost_motion)));
+  table.rows.push_back(cells(fmt::format("largest loop width [arcmin], at {} N*m",
+                                         shown_number(loop.torque_of_largest_width)),
+                             arcmin(loop.largest_width)));
+  table.rows.push_back(cells("loop width at zero torque [arcmin]", arcmin(loop.width_at_zero)));
+  std::string remark;
+  if (report.bands) {
+    remark = fmt::format("{} drives drawn from {} ranges", report.bands->draws, gear.range.size());
+    if (report.bands->rejected > 0)
+      remark += fmt::format(", {} more could not be built", report.bands->rejected);
+  }
+  return {"Torsion curve in the maker's numbers, with the cracks of the file", table, remark};
+}
+
+double largest_force(const std::vector<ContactForce>& forces) {
+  double largest = 0.0;
+  for (const ContactForce& contact : forces) largest = std::max(largest, contact.force);
+  return largest;
+}
+
+TitledTable points_table(const TorsionReport& report) {
+  Table table{.head = {"at T [N*m]"}};
+  const auto row = [&](std::vector<std::string>& to, const auto& cell_of) {
+    for (const std::size_t i : report.shown) to.push_back(cell_of(report.curve.points[i]));
+  };
+  const auto add = [&](std::string label, const auto& cell_of) {
+    row(table.rows.emplace_back(cells(label)), cell_of);
+  };
+  row(table.head, [](const CurvePoint& p) { return fmt::format("{:.5g}", p.torque); });
+  add("twist [arcmin]", [](const CurvePoint& p) { return arcmin(p.twist); });
+  add("tangent K [N*m/rad]",
+      [](const CurvePoint& p) { return shown_number(p.tangent_stiffness()); });
+  add(fmt::format("teeth in contact of {}", report.curve.teeth),
+      [](const CurvePoint& p) { return cell(p.teeth_in_contact); });
+  add("balls in contact", [](const CurvePoint& p) { return cell(p.balls_in_contact); });
+  add("largest ball force [N]",
+      [](const CurvePoint& p) { return shown_number(largest_force(p.balls)); });
+  add("largest flank force [N]", [](const CurvePoint& p) {
+    return shown_number(std::max(largest_force(p.drive_flanks), largest_force(p.coast_flanks)));
+  });
+  table.rows.push_back({"share of the tangent compliance"});
+  for (std::size_t m = 0; m < kCurveMembers; ++m) {
+    if (std::ranges::none_of(report.shown, [&](std::size_t i) {
+          return std::abs(report.curve.points[i].share[m]) > 5e-5;
+        }))
+      continue;
+    std::string name = "  " + std::string(EnumNames<CurveMember>::names[m]);
+    std::ranges::replace(name, '_', ' ');
+    add(name, [&](const CurvePoint& p) { return fmt::format("{:.1f} %", 100 * p.share[m]); });
+  }
+  return {"Points of the curve, and what each member has of the tangent compliance", table};
+}
+
+TitledTable rim_table(const TorsionReport& report) {
+  Table table{.head = {"", "least", "largest"}};
+  const auto add = [&](const char* label, double RimState::*stress) {
+    const auto [least, most] = std::ranges::minmax_element(report.rim, {}, stress);
+    table.rows.push_back(cells(label, shown_number((*least).*stress / units::MPa),
+                               shown_number((*most).*stress / units::MPa)));
+  };
+  add("rim at the tooth roots, hoop", &RimState::rim_outside_stress);
+  add("rim at its bore, hoop", &RimState::rim_inside_stress);
+  add("barrel at the rim, hoop bending", &RimState::barrel_bending_stress);
+  add("barrel, shear of the torque", &RimState::barrel_shear_stress);
+  return {fmt::format("Stress over a turn of the wave generator at {} N*m [MPa], without "
+                      "concentration (TC-24)",
+                      shown_number(report.torques.rated)),
+          table};
+}
+
+TitledTable comparison_table(const CurveComparison& c) {
+  Table table{.head = {"", "T > 0: K1", "K2", "K3", "T < 0: K1", "K2", "K3"}};
+  const auto add = [&](const char* label, LineChanges ChangesOverTurn::*which) {
+    const LineChanges& p = c.positive.*which;
+    const LineChanges& n = c.negative.*which;
+    auto& row = table.rows.emplace_back(cells(label));
+    for (const double change : {p.K1, p.K2, p.K3, n.K1, n.K2, n.K3})
+      row.push_back(percent_change(change));
+  };
+  add("as in the file", &ChangesOverTurn::as_given);
+  add("mean", &ChangesOverTurn::mean);
+  add("worst", &ChangesOverTurn::worst);
+  add("best", &ChangesOverTurn::best);
+  add("ripple", &ChangesOverTurn::ripple);
+  const char* const where = c.crack_class == CrackClass::series ? "a member in series"
+                            : c.crack_class == CrackClass::contact_path
+                                ? "in the path of the contacts"
+                            : c.crack_class == CrackClass::none ? "cannot tell"
+                                                                : "cannot tell, or several";
+  return {fmt::format("Change of stiffness by the cracks, at {} position{} over a turn of the wave "
+                      "generator",
+                      c.angles.size(), c.angles.size() == 1 ? "" : "s"),
+          table,
+          fmt::format("Lost motion {} without, {} arcmin with cracks; largest width of the loop {} "
+                      "and {} arcmin. Where the crack is: {}; {} (TC-26)",
+                      arcmin(c.lost_motion_sound), arcmin(c.lost_motion_cracked),
+                      arcmin(c.hysteresis_sound), arcmin(c.hysteresis_cracked), where, c.evidence)};
+}
+
+}  // namespace
+
+std::vector<TitledTable> torsion_tables(const TorsionReport& report, const GearSet& gear) {
+  std::vector<TitledTable> tables{lines_table(report, gear)};
+  if (report.comparison) tables.push_back(comparison_table(*report.comparison));
+  tables.push_back(points_table(report));
+  tables.push_back(rim_table(report));
+  return tables;
+}
+
+std::string torsion_text(const TorsionReport& report, const GearSet& gear) {
+  const MakersTorques& at = report.torques;
+  std::string text = fmt::format(
+      "{}\nTorsion curve of the coupled drive, output against locked input\n\n"
+      "T1 = {:.5g}, T2 = {:.5g}, T3 = {:.5g}, rated {:.5g} N*m{}\n",
+      name_of(gear), at.T1, at.T2, at.T3, at.rated, at.by_convention ? " (by convention)" : "");
+  text += text_tables(torsion_tables(report, gear));
+  if (!report.notes.empty()) text += "\nNotes\n" + notes_text(report.notes);
+  return text + '\n' + equations_text(report.equations);
+}
+
+std::string torsion_csv(const TorsionReport& report) {
+  Table table{.head = {"torque [N*m]", "twist [rad]", "tangent_stiffness [N*m/rad]",
+                       "teeth_in_contact", "balls_in_contact"}};
+  const auto add = [&](const CurvePoint& p) {
+    table.rows.push_back(
+        cells(p.torque, p.twist, p.tangent_stiffness(), p.teeth_in_contact, p.balls_in_contact));
+  };
+  std::ranges::for_each(report.curve_negative.points | std::views::reverse, add);
+  std::ranges::for_each(report.curve.points, add);
+  return csv_table(table);
+}
+
+}  // namespace strainwave

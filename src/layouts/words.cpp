@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/layouts/words.hpp"
+
+#include <fmt/format.h>
+
+namespace strainwave {
+
+std::string_view words_of(OpensUnder opens) {
+  switch (opens) {
+    case OpensUnder::neither:
+      return "neither sense";
+    case OpensUnder::both:
+      return "either sense";
+    case OpensUnder::positive:
+      return words_of(TorqueSense::positive);
+    case OpensUnder::negative:
+      break;
+  }
+  return words_of(TorqueSense::negative);
+}
+
+std::string_view words_of(TorqueSense sense) {
+  return sense == TorqueSense::positive ? "T > 0" : "T < 0";
+}
+
+std::string_view words_of(StrengthVerdict verdict) {
+  return verdict == StrengthVerdict::cannot_tell ? "cannot tell" : enum_name(verdict);
+}
+
+std::string words_of(const StrengthState& state) {
+  return fmt::format("{}, {}", words_of(state.sense),
+                     state.with_assembly ? "with the assembly" : "load alone");
+}
+
+std::string output_words(std::string_view output) {
+  return fmt::format("{}, {}", output.ends_with("_loss") ? "loss of stiffness" : "stiffness",
+                     output.starts_with("intact") ? "sound"
+                     : output.find("negative") == std::string_view::npos
+                         ? words_of(TorqueSense::positive)
+                         : words_of(TorqueSense::negative));
+}
+
+const std::optional<CriticalSize>& critical_size(const StrengthState& state) {
+  return state.critical_size ? state.critical_size : state.brittle_size;
+}
+
+}  // namespace strainwave
