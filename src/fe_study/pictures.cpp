@@ -319,9 +319,7 @@ void add_wall(std::vector<OutputFile>& files, const Run& run) {
                    .half_length = tube.half_length,
                    .angle = tube.angle,
                    .torque = positive ? tube.torque : -tube.torque,
-                   .state = shown.closed                    ? "closed"
-                            : shown.solid.contact_share > 0 ? "partly closed"
-                                                            : "open",
+                   .state = std::string(shown.faces()),
                    .closed = shown.closed,
                    .fault = shown.reason,
                    .solid = &shown.solid,
@@ -336,10 +334,10 @@ void add_wall(std::vector<OutputFile>& files, const Run& run) {
 
 std::vector<OutputFile> pictures(const RunResult& result, const GearSet& gear) {
   std::vector<OutputFile> files;
-  for (const ShaftCrackRun& crack : result.shaft_cracks) add_shaft(files, crack, gear);
-  if (result.cup) add_cup(files, *result.cup, gear);
-  for (const TubeCrackRun& crack : result.wall_cracks) add_wall(files, crack);
-  for (const SurfaceCrackRun& crack : result.surface_cracks) add_wall(files, crack);
+  for (const ShaftCrackRun& crack : result.output_shaft.cracks) add_shaft(files, crack, gear);
+  if (result.flexspline.sound) add_cup(files, *result.flexspline.sound, gear);
+  for (const WallCrackRun& crack : result.flexspline.cracks)
+    std::visit([&](const auto& one) { add_wall(files, one); }, crack);
   return files;
 }
 
