@@ -369,7 +369,7 @@ StressIntensity ShaftCrackRun::at_load() const {
 
 std::string RunResult::reason() const {
   for (const ShaftCrackRun& crack : output_shaft.cracks)
-    for (const auto* const load : {&crack.result.torsion, &crack.result.tension})
+    for (const auto* const load : crack.result.loads())
       if (!load->usable) return fmt::format("{}: {}", crack.path, load->reason);
   if (flexspline.sound && !flexspline.sound->usable)
     return fmt::format("flexspline: {}", flexspline.sound->reason);

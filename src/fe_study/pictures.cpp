@@ -203,7 +203,7 @@ void add_shaft(std::vector<OutputFile>& files, const ShaftCrackRun& run, const G
                   shaft.inner_diameter > 0 ? fmt::format("/{}", in_mm(shaft.inner_diameter)) : "",
                   load),
       fmt::format("Sound shaft, at its surface: {} J/m³", shown_number(sound))};
-  for (const auto* const one : {&run.result.torsion, &run.result.tension})
+  for (const auto* const one : run.result.loads())
     if (!one->usable) captions.push_back("NOT usable: " + one->reason);
   const ShaftPicture picture{run, fields, captions};
   const std::string stem = file_stem(run.path);

@@ -40,7 +40,7 @@ struct Family {
   std::string_view held;
   std::vector<TableColumn> columns;
   /// The row of the only crack of a run, but for place and time.
-  std::function<TableRow(const RunResult&)> row;
+  std::function<TablePoint(const RunResult&)> row;
 };
 
 // ---------------------------------------------------------------------------------------------
@@ -69,11 +69,11 @@ AlongFront along(const fem::CrackFront& front, const Value& value) {
   return result;
 }
 
-TableRow tube_row(const RunResult& result) {
+TablePoint tube_row(const RunResult& result) {
   const auto& run = std::get<TubeCrackRun>(result.flexspline.cracks.front());
   const double T = run.tube.torque;
   const std::array<const gear_fem::TubeCrackResult*, 2> senses = {&run.positive, &run.negative};
-  TableRow row;
+  TablePoint row;
   for (const auto* const one : senses) row.values.emplace_back(one->added_compliance);
   for (const auto* const one : senses) row.values.emplace_back(one->energy_release_rate / (T * T));
   for (const auto* const one : senses) {
@@ -115,11 +115,11 @@ Family tube_family() {
 // ---------------------------------------------------------------------------------------------
 // Annular crack of a shaft
 
-TableRow shaft_row(const RunResult& result) {
+TablePoint shaft_row(const RunResult& result) {
   const ShaftCrackRun& run = result.output_shaft.cracks.front();
   const gear_fem::ShaftCrackLoad& torsion = run.result.torsion;
   const gear_fem::ShaftCrackLoad& tension = run.result.tension;
-  TableRow row;
+  TablePoint row;
   row.values = {torsion.added_compliance,
                 tension.added_compliance,
                 torsion.tip.energy_release_rate,
@@ -261,7 +261,7 @@ void refuse_other_head(const std::string& there, const std::string& here, const 
 }
 
 /// The rows that a table has already; begins one where there is none, and drops a torn last line.
-std::vector<TableRow> rows_of(const TableStudy& study, Journal& table, const Progress& progress) {
+std::vector<TablePoint> rows_of(const TableStudy& study, Journal& table, const Progress& progress) {
   const std::string head = table_head_text(study.head);
   const std::optional<std::string> there = table.text();
   if (!there) {
@@ -302,7 +302,7 @@ double table_error(const TubeCrackRun& run) {
 
 double table_error(const ShaftCrackRun& run) {
   double error = kShaftErrorAtBest;
-  for (const auto* const load : {&run.result.torsion, &run.result.tension})
+  for (const auto* const load : run.result.loads())
     error = std::max({error, std::abs(load->growth_check), load->tip.ring_spread});
   return error;  // (FE-42)
 }
@@ -385,9 +385,9 @@ std::string table_size_text(const TableSize& size) {
   return text;
 }
 
-TableRow table_point(const TableStudy& study, std::size_t point, const Ranks& ranks) {
+TablePoint table_point(const TableStudy& study, std::size_t point, const Ranks& ranks) {
   const auto start = std::chrono::steady_clock::now();
-  TableRow row;
+  TablePoint row;
   const auto refuse = [&](const Error& error) {
     row.values.resize(study.head.columns.size());
     row.reason = error.what();
@@ -429,7 +429,7 @@ TableOutcome run_table(const TableStudy& study, Journal& table, const Ranks& ran
     throw InputError(kOver, "no point can be calculated; " + size.misfits.front());
   require_memory({size.largest}, ranks);
   // What the first rank finds in the file, all go by.  A fault of it ends all.
-  std::vector<TableRow> rows;
+  std::vector<TablePoint> rows;
   ranks.together([&] {
     if (ranks.first()) rows = rows_of(study, table, progress);
   });
@@ -443,7 +443,7 @@ TableOutcome run_table(const TableStudy& study, Journal& table, const Ranks& ran
   for (std::size_t i = found; i < study.points.size(); ++i) {
     // Of bodies of revolution the first rank alone has the fault.
     ranks.together([&] {
-      const TableRow row = table_point(study, i, ranks);
+      const TablePoint row = table_point(study, i, ranks);
       if (!ranks.first()) return;
       table.append(table_row_text(row));
       rows.push_back(row);

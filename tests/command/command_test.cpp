@@ -208,7 +208,7 @@ TEST(CommandRow, ReferenceTheEnvelopeHasItsFieldsInOrder) {
   const Command row = test_command();
   OptionValues options(row.options);
   options.set_from_json(R"({"name": "x", "loud": true, "length": "2 m"})");
-  const Answer answer(row, std::make_shared<const Drive>(), options, {}, {});
+  const Answer answer = run(row, nullptr, options);
   const Json envelope = Json::parse(answer.json());
   std::vector<std::string> names;
   for (const auto& [name, value] : envelope.items()) names.push_back(name);
@@ -234,7 +234,7 @@ TEST(CommandRow, LimitAnUnusableAnswerCannotBeTold) {
   const Command row = test_command();
   OptionValues options(row.options);
   options.set_from_json(R"({"name": "x", "count": 0})");
-  const Answer answer(row, std::make_shared<const Drive>(), options, {}, {});
+  const Answer answer = run(row, nullptr, options);
   EXPECT_FALSE(answer.usable());
   const Json envelope = Json::parse(answer.json());
   EXPECT_EQ(envelope["usable"], false);

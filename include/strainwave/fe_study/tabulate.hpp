@@ -65,17 +65,18 @@ struct TableSize {
 /// Every rank of MPI calls it; the first has the row.
 /// @throws MemoryRefusal, fem::MemoryError  too little memory, which the next run may have: no row
 /// @throws Error  any other fault that is not of the point
-[[nodiscard]] TableRow table_point(const TableStudy& study, std::size_t point, const Ranks& ranks);
+[[nodiscard]] TablePoint table_point(const TableStudy& study, std::size_t point,
+                                     const Ranks& ranks);
 
 /// What became of a table.
 struct TableOutcome {
   TableSize plan;
-  bool calculated = false;       ///< else there is a plan only
-  std::string refused;           ///< why the plan cannot be calculated here; empty: it can
-  std::string table;             ///< name of its file
-  std::size_t found = 0;         ///< points that were in the file
-  std::size_t unusable = 0;      ///< of all
-  std::string unusable_because;  ///< of the first of these
+  bool calculated = false;            ///< else there is a plan only
+  std::string refused = {};           ///< why the plan cannot be calculated here; empty: it can
+  std::string table = {};             ///< name of its file
+  std::size_t found = 0;              ///< points that were in the file
+  std::size_t unusable = 0;           ///< of all
+  std::string unusable_because = {};  ///< of the first of these
 
   template <class Visitor>
   static void describe(Visitor&& field) {

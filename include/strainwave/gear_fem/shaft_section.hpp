@@ -102,6 +102,8 @@ struct ShaftCrackResult {
   LoadOnShaft<fem::SectionLoad::torsion> torsion;  ///< per N*m
   /// Per N; its K_I is negative under compression: closed.
   LoadOnShaft<fem::SectionLoad::tension> tension;
+
+  [[nodiscard]] std::array<const ShaftCrackLoad*, 2> loads() const { return {&torsion, &tension}; }
 };
 
 /// A crack that adds more than this share of the sound compliance is measured by subtraction [-]:
