@@ -200,11 +200,9 @@ void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) 
           kind);
       if (options.crack) throw InputError(wall_crack_path(n), problem);
       if (options.member) throw InputError(wall_crack_path(n), problem + ": take it out");
-      work.notes.push_back({.code = "fe.crack_left_out",
-                            .text = fmt::format("{} is left out: {}", wall_crack_path(n), problem),
-                            .path = wall_crack_path(n),
-                            .equation = {},
-                            .severity = Severity::care});
+      work.notes.push_back({"fe.crack_left_out",
+                            fmt::format("{} is left out: {}", wall_crack_path(n), problem),
+                            wall_crack_path(n), "", Severity::care});
       continue;
     }
     require(order <= 4, "order", order, "1", "<= 4 for a crack of the flexspline's wall");
@@ -251,18 +249,13 @@ void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) 
            .equation = {},
            .severity = Severity::care});
     if (gear.load.axial_force != 0)
-      work.notes.push_back({.code = "fe.axial_force",
-                            .text = "the axial force is not applied to the flexspline",
-                            .path = "load.axial_force",
-                            .equation = {},
-                            .severity = Severity::care});
+      work.notes.push_back({"fe.axial_force", "the axial force is not applied to the flexspline",
+                            "load.axial_force", "", Severity::care});
     if (flexspline.stress_nonuniformity != 1)
-      work.notes.push_back({.code = "fe.stress_nonuniformity",
-                            .text = "flexspline.stress_nonuniformity is not applied: finite "
-                                    "elements find their own stress",
-                            .path = "flexspline.stress_nonuniformity",
-                            .equation = {},
-                            .severity = Severity::information});
+      work.notes.push_back({"fe.stress_nonuniformity",
+                            "flexspline.stress_nonuniformity is not applied: finite "
+                            "elements find their own stress",
+                            "flexspline.stress_nonuniformity", "", Severity::information});
   }
   if (options.crack) return;
   work.cup = flexspline.crack_free == CrackFree::sections;

@@ -262,8 +262,8 @@ void add_cup(std::vector<OutputFile>& files, const gear_fem::CupResult& cup, con
   axes(sheet, {view.corner.x + view.width() - 66, axis + 52});
   sheet.colour_bar({770, 150}, 316, scale, "w [J/m³]", "more at sharp corners");
   files.push_back(
-      {"flexspline_energy.svg",
-       sheet.svg("Strain energy density in the meridian section of a cup, in colours")});
+      {.name = "flexspline_energy.svg",
+       .text = sheet.svg("Strain energy density in the meridian section of a cup, in colours")});
 }
 
 double in_degrees(double angle) { return std::round(1e6 * angle * 180 / pi) / 1e6; }

@@ -71,7 +71,7 @@ std::vector<OutputFile> vtu_files(const RunResult& result, const GearSet& gear,
         {stem + "_fronts.vtu", fem::fronts_vtu_text(std::array{front_at_load(crack, gear)})});
   }
   if (const auto& cup = result.flexspline.sound)
-    files.push_back({"flexspline.vtu", fem::vtu_text(fields_at_load(*cup, gear))});
+    files.push_back({.name = "flexspline.vtu", .text = fem::vtu_text(fields_at_load(*cup, gear))});
   return files;
 }
 

@@ -34,7 +34,7 @@ RunResult members_run(const Request& request, const RunCommandOptions& options) 
 std::vector<OutputFile> fields_and_numbers(const RunResult& result, const Rendering& to) {
   if (!result.calculated) throw OptionError("dry_run", "has no fields; choose another format");
   std::vector<OutputFile> files = vtu_files(result, to.drive.gear, to.ranks);
-  if (to.ranks.first()) files.push_back({"result.json", to.answer.json()});
+  if (to.ranks.first()) files.push_back({.name = "result.json", .text = to.answer.json()});
   return files;
 }
 
