@@ -217,37 +217,29 @@ void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) 
         work.wall_cracks, [](const auto& crack) { return crack.tube.ends.any(); });
     if (in_cups > 0)
       work.notes.push_back(
-          {.code = "fe.crack_in_cup",
-           .text = "each through crack of the barrel is calculated alone, halfway along it, in the "
-                   "cup that "
-                   "the sections give, held at its boss or bore and twisted at the open end",
-           .path = kFlexspline,
-           .equation = {},
-           .severity = Severity::information});
+          {"fe.crack_in_cup",
+           "each through crack of the barrel is calculated alone, halfway along it, in the "
+           "cup that "
+           "the sections give, held at its boss or bore and twisted at the open end",
+           kFlexspline, "", Severity::information});
     if (static_cast<std::size_t>(in_cups) < work.wall_cracks.size() || !work.surface_cracks.empty())
       work.notes.push_back(
-          {.code = "fe.crack_in_tube",
-           .text = fmt::format("each {} is calculated alone, halfway along its section, a tube "
-                               "that is clamped at one "
-                               "end and twisted at the other",
-                               in_cups > 0 ? "other crack of the wall" : "crack of the wall"),
-           .path = kFlexspline,
-           .equation = {},
-           .severity = Severity::care});
+          {"fe.crack_in_tube",
+           fmt::format("each {} is calculated alone, halfway along its section, a tube "
+                       "that is clamped at one "
+                       "end and twisted at the other",
+                       in_cups > 0 ? "other crack of the wall" : "crack of the wall"),
+           kFlexspline, "", Severity::care});
     if (has_other_rim(flexspline) && !work.wall_cracks.empty())
       work.notes.push_back(
-          {.code = "fe.rim_apart",
-           .text = "the rim's wall does not cover the barrel's: no crack is calculated in the cup",
-           .path = "flexspline.rim",
-           .equation = {},
-           .severity = Severity::care});
+          {"fe.rim_apart",
+           "the rim's wall does not cover the barrel's: no crack is calculated in the cup",
+           "flexspline.rim", "", Severity::care});
     if (!work.surface_cracks.empty())
       work.notes.push_back(
-          {.code = "fe.mouth_outside",
-           .text = "a surface crack has its mouth on the outer surface: the file does not say",
-           .path = kFlexspline,
-           .equation = {},
-           .severity = Severity::care});
+          {"fe.mouth_outside",
+           "a surface crack has its mouth on the outer surface: the file does not say", kFlexspline,
+           "", Severity::care});
     if (gear.load.axial_force != 0)
       work.notes.push_back({"fe.axial_force", "the axial force is not applied to the flexspline",
                             "load.axial_force", "", Severity::care});
@@ -263,21 +255,16 @@ void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) 
     (void)gear_fem::cup_section(flexspline);
     if (!flexspline.crack.empty())
       work.notes.push_back(
-          {.code = "fe.sound_without_cracks",
-           .text = "the sound flexspline is calculated as a body of revolution, without cracks",
-           .path = kFlexspline,
-           .equation = {},
-           .severity = Severity::information});
+          {"fe.sound_without_cracks",
+           "the sound flexspline is calculated as a body of revolution, without cracks",
+           kFlexspline, "", Severity::information});
   } else if (options.member && !work.has_wall_cracks()) {
     (void)gear_fem::cup_section(flexspline);  // says what is missing
   } else {
     work.notes.push_back(
-        {.code = "fe.sound_left_out",
-         .text =
-             "the sound flexspline is left out: crack_free = \"factor\" gives no geometry of it",
-         .path = "flexspline.crack_free",
-         .equation = {},
-         .severity = Severity::information});
+        {"fe.sound_left_out",
+         "the sound flexspline is left out: crack_free = \"factor\" gives no geometry of it",
+         "flexspline.crack_free", "", Severity::information});
   }
 }
 
@@ -314,24 +301,18 @@ Work work_of(const GearSet& gear, const RunOptions& options) {
     const Material& steel = material_of(gear, material, field);
     if (std::abs(elastic_contradiction(steel)) > 1e-6)
       work.notes.push_back(
-          {.code = "fe.shear_modulus",
-           .text = fmt::format(
-               "{}: the shear modulus is E/(2(1+nu)), {:.5g} GPa, and not the given one", field,
-               elasticity_of(gear, material, field).shear_modulus() / 1e9),
-           .path = std::string(field),
-           .equation = {},
-           .severity = Severity::care});
+          {"fe.shear_modulus",
+           fmt::format("{}: the shear modulus is E/(2(1+nu)), {:.5g} GPa, and not the given one",
+                       field, elasticity_of(gear, material, field).shear_modulus() / 1e9),
+           std::string(field), "", Severity::care});
   };
   if (!work.shaft.empty()) contradiction(gear.output_shaft->material, "output_shaft.material");
   if (work.cup || work.has_wall_cracks())
     contradiction(gear.flexspline->material, "flexspline.material");
   if (work.shaft.size() > 1)
-    work.notes.push_back(
-        {.code = "fe.shaft_cracks_alone",
-         .text = "each crack of the output shaft is calculated alone, halfway along it",
-         .path = "output_shaft",
-         .equation = {},
-         .severity = Severity::care});
+    work.notes.push_back({"fe.shaft_cracks_alone",
+                          "each crack of the output shaft is calculated alone, halfway along it",
+                          "output_shaft", "", Severity::care});
   return work;
 }
 
