@@ -20,7 +20,6 @@ namespace strainwave {
 namespace {
 
 using fe_study::fe_commands;
-using test::Json;
 
 GearSet example(const std::string& name) {
   return read_gear_set_file(STRAINWAVE_EXAMPLES "/" + name + ".toml");
@@ -71,10 +70,10 @@ TEST_P(FeAnswers, IdentityEveryAnswerKeepsItsSchemaAndMakesItsDocuments) {
       run(row, row.takes == Takes::drive ? read_drive(test::contents(path), path) : nullptr, values,
           {}, {}, {.ranks = test::mpi(), .journal = &journal});
   EXPECT_TRUE(answer.usable()) << answer.evidence().unusable_because;
-  const Json envelope = Json::parse(answer.json());
+  const test::Json envelope = test::Json::parse(answer.json());
   for (const auto& [schema, value] : {std::pair(result_schema(row), envelope),
                                       {options_schema(row), envelope["provenance"]["options"]}}) {
-    const auto faults = test::schema_faults(Json::parse(schema), value);
+    const auto faults = test::schema_faults(test::Json::parse(schema), value);
     EXPECT_TRUE(faults.empty()) << faults.size() << " faults, the first: " << faults.front();
   }
   EXPECT_EQ(envelope["provenance"]["program"], "strainwave-fe");
