@@ -196,7 +196,7 @@ angle = "{float(degrees)!r} deg"
                   "poissons_ratio": repr(nu), "torque": f"{TORQUE!r} N*m"}
         sets = [f"--set={name}={text}" for name, text in fields.items()]
         shell = output(program, ["sif", "eval", "tube-through-inclined", *sets, "--format", "json"])
-        K = shell["stress_intensity"]
+        K = {point["name"]: point for point in shell["points"]}
         wall = {name: (value(K[name]["K_I"]), value(K[name]["K_II"])) for name in ("inner", "middle", "outer")}
         # Linear through the wall: Simpson's rule is exact.
         release = sum(w * (k[0] ** 2 + k[1] ** 2) for w, k in

@@ -8,8 +8,8 @@ namespace strainwave::cli {
 /// The program whose table has the command.
 using ProgramOf = const Program& (*)();
 
-// The commands that only a command line has.  A program without name would be none: `program` is
-// called when they run.
+// The commands that only a command line has.  They call `program` when they run, for its table
+// holds them.
 [[nodiscard]] Command man_command(ProgramOf program, std::string_view example);
 [[nodiscard]] Command completion_command(ProgramOf program, std::string_view example);
 

@@ -218,16 +218,15 @@ void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) 
     if (in_cups > 0)
       work.notes.push_back(
           {"fe.crack_in_cup",
-           "each through crack of the barrel is calculated alone, halfway along it, in the "
-           "cup that "
+           "each through crack of the barrel is calculated alone, halfway along it, in the cup "
+           "that "
            "the sections give, held at its boss or bore and twisted at the open end",
            kFlexspline, "", Severity::information});
     if (static_cast<std::size_t>(in_cups) < work.wall_cracks.size() || !work.surface_cracks.empty())
       work.notes.push_back(
           {"fe.crack_in_tube",
-           fmt::format("each {} is calculated alone, halfway along its section, a tube "
-                       "that is clamped at one "
-                       "end and twisted at the other",
+           fmt::format("each {} is calculated alone, halfway along its section, a tube that is "
+                       "clamped at one end and twisted at the other",
                        in_cups > 0 ? "other crack of the wall" : "crack of the wall"),
            kFlexspline, "", Severity::care});
     if (has_other_rim(flexspline) && !work.wall_cracks.empty())
