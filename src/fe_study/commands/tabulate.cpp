@@ -27,7 +27,7 @@ struct TabulateOptions : CrackOptions {
   }
 };
 
-TableOutcome tabulated(const Request& request, const TabulateOptions& options) {
+TableOutcome family_run(const Request& request, const TabulateOptions& options) {
   const GearSet& gear = request.drive.gear;
   if (options.over.empty()) throw OptionError("over", "must be given, once or more");
   std::vector<Variation> over;
@@ -62,7 +62,7 @@ Command tabulate_command() {
       .example = "strainwave-fe tabulate examples/through_crack.toml -o through_45.csv --over "
                  "'flexspline.crack[0].half_length=0.5 mm..40 mm:13:log'",
       .journal = "the table, CSV; added to if it is there",
-      .function = tabulated,
+      .function = family_run,
       .documents = {{{.name = "text"}, outcome_text}},
   });
 }
