@@ -128,6 +128,7 @@ TEST(FeAnswersRefused, InputFieldsOfADryRunAndATableWithoutJournal) {
 
 // Each code with the drive that has it; no code is made by two of the drives' own features.
 TEST(FeNotes, IdentityEveryCodeIsReachedWithItsSeverity) {
+  test::start_mpi();
   std::map<std::string, Severity> seen;
   const auto note = [&](const GearSet& gear, const fe_study::RunOptions& options = {}) {
     for (const Note& made : fe_study::plan(gear, options).notes)
