@@ -1,4 +1,4 @@
-# Lets the program PROGRAM print into FOLDER what is installed with it: man/ has a page for each
+# Lets the program PROGRAM, called NAME, print into FOLDER what is installed with it: man/ has a page for each
 # command, share/ has the completions for shells and the schema of the input.
 function(print file)
   execute_process(COMMAND "${PROGRAM}" ${ARGN} OUTPUT_FILE "${FOLDER}/${file}" COMMAND_ERROR_IS_FATAL ANY)
@@ -9,12 +9,12 @@ file(MAKE_DIRECTORY "${FOLDER}/man" "${FOLDER}/share/strainwave" "${FOLDER}/shar
   "${FOLDER}/share/zsh/site-functions" "${FOLDER}/share/fish/vendor_completions.d")
 execute_process(COMMAND "${PROGRAM}" man --list OUTPUT_VARIABLE commands COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "[^\n]+" commands "${commands}")
-print(man/strainwave.1 man)
+print(man/${NAME}.1 man)
 foreach(command IN LISTS commands)
-  print("man/strainwave-${command}.1" man "${command}")
+  print("man/${NAME}-${command}.1" man "${command}")
 endforeach()
 print(share/strainwave/strainwave-drive-1.schema.json schema)
-print(share/bash-completion/completions/strainwave completion bash)
-print(share/zsh/site-functions/_strainwave completion zsh)
-print(share/fish/vendor_completions.d/strainwave.fish completion fish)
+print(share/bash-completion/completions/${NAME} completion bash)
+print(share/zsh/site-functions/_${NAME} completion zsh)
+print(share/fish/vendor_completions.d/${NAME}.fish completion fish)
 file(TOUCH "${FOLDER}/done")

@@ -18,7 +18,7 @@ struct FeOptions {
   static void describe(Visitor&& field) {
     field({.name = "arguments",
            .unit = "",
-           .doc = "of strainwave-fe; --help prints them",
+           .doc = "of strainwave-fe; --help prints its commands",
            .positional = true,
            .names = "file"},
           &FeOptions::arguments);
@@ -57,7 +57,8 @@ Command fe_command() {
       .summary = "Finite elements of shaft and cup, without any closed form",
       .description =
           "Starts strainwave-fe, a program of its own that is built on request, and passes "
-          "everything on to it: strainwave fe --help prints its options. It calculates an output "
+          "everything on to it: strainwave fe --help lists its commands, strainwave fe run --help "
+          "the options of one. It calculates an output "
           "shaft with annular cracks, cracks of the flexspline's wall and a sound flexspline by "
           "sections, with the evidence whether the answer may be used. strainwave fe tabulate "
           "makes a table of many runs, which a crack can name as its compliance_table; strainwave "

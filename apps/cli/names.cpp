@@ -17,18 +17,10 @@ std::vector<std::string> names_of(std::string_view what, const std::string& file
     for (const sif::Row& row : sif::library()) names.emplace_back(row.info.name);
   if (what == "factor")
     names.assign(EnumNames<Factor>::names.begin(), EnumNames<Factor>::names.end());
-  if (what == "command")
-    for (const Command& command : strainwave_program().table) names.emplace_back(command.name);
-  // Standard input belongs to the command itself.
-  if ((what != "field path" && what != "output") || file.empty() || file == "-") return names;
+  if (what != "output" || file.empty() || file == "-") return names;
   const auto drive = read_drive(text_of(file), file, attachments_beside(file));
-  if (what == "field path")
-    for_each_number(drive->gear, [&](const FieldPath& path, const Field&, const double&) {
-      names.push_back(path.text());
-    });
-  else
-    for_each_quantity(evaluate(drive->gear, Method::corrected),
-                      [&](const std::string& path, const Quantity&) { names.push_back(path); });
+  for_each_quantity(evaluate(drive->gear, Method::corrected),
+                    [&](const std::string& path, const Quantity&) { names.push_back(path); });
   return names;
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "own_commands.hpp"
 #include "strainwave/door/door.hpp"
 
 namespace strainwave::cli {
@@ -14,15 +15,15 @@ const Program& strainwave_program() {
   static const std::vector<Command> table = [] {
     std::vector<Command> rows(commands().begin(), commands().end());
     rows.push_back(fe_command());
-    rows.push_back(man_command());
-    rows.push_back(completion_command());
+    rows.push_back(man_command(strainwave_program, "strainwave man stiffness | man -l -"));
+    rows.push_back(
+        completion_command(strainwave_program, "eval \"$(strainwave completion bash)\""));
     return rows;
   }();
   static const Program program{.name = "strainwave",
                                .summary = "Torsional stiffness of strain wave gears with cracks",
                                .table = table,
                                .groups = kGroups,
-                               .read_drive = strainwave::read_drive,
                                .names = names_of};
   return program;
 }

@@ -15,9 +15,7 @@ namespace strainwave::cli {
 /// As Program::names.
 [[nodiscard]] std::vector<std::string> names_of(std::string_view what, const std::string& file);
 
-// The commands that only a command line has.
+/// Starts strainwave-fe.
 [[nodiscard]] Command fe_command();
-[[nodiscard]] Command man_command();
-[[nodiscard]] Command completion_command();
 
 }  // namespace strainwave::cli

@@ -2,14 +2,17 @@
 #include "command_line.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
 #include <iostream>
+#include <optional>
 #include <utility>
 
 #include "exit_code.hpp"
@@ -42,11 +45,19 @@ std::string build_date() {
   std::int64_t seconds = 0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), seconds);
   if (fault != std::errc() || end != text.data() + text.size() || seconds < 0 || seconds > kMost)
-    throw UsageError{fmt::format("SOURCE_DATE_EPOCH is not seconds since 1970: {}", shown(text))};
+    throw UsageError(fmt::format("SOURCE_DATE_EPOCH is not seconds since 1970: {}", shown(text)));
   const std::chrono::year_month_day day{std::chrono::floor<std::chrono::days>(
       std::chrono::sys_seconds(std::chrono::seconds(seconds)))};
   return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(day.year()),
                      static_cast<unsigned>(day.month()), static_cast<unsigned>(day.day()));
+}
+
+/// What an option that is left out gets from where the program runs.
+std::vector<std::string> told_by_surroundings(const Argument& argument) {
+  if (argument.names == "date")
+    if (std::string date = build_date(); !date.empty()) return {std::move(date)};
+  if (argument.names == "watched" && ::isatty(STDERR_FILENO) == 1) return {"true"};
+  return {};
 }
 
 ExitCode exit_code_of(RequirementOutcome outcome) {
@@ -66,7 +77,7 @@ ExitCode judged(const Program& program, const Answer& answer, std::string_view m
   const ResultEvidence& evidence = answer.evidence();
   if (!answer.usable()) {
     warn(program, evidence.unusable_because);
-    return kNotUsable;
+    return evidence.refused ? kInput : kNotUsable;
   }
   // A table has no place for notes.  A doubt of the command itself concerns all of it.
   if (main == "csv")
@@ -79,21 +90,22 @@ ExitCode judged(const Program& program, const Answer& answer, std::string_view m
 
 ExitCode run_command(const Given& given) {
   const Command& command = given.command;
+  const Ranks& ranks = given.program.ranks != nullptr ? *given.program.ranks : kAlone;
   OptionValues options(command.options);
   OptionTexts attached;
-  auto drive = std::make_shared<const Drive>();
+  std::shared_ptr<const Drive> drive;
   std::string main = "json";
   std::string main_path;
   std::vector<std::pair<std::string, std::string_view>> beside;  // path, document
-  for (std::size_t i = 0; i < given.arguments.size(); ++i) {
-    const Argument& argument = given.arguments[i];
-    std::vector<std::string> texts = given.texts[i];
-    if (texts.empty() && argument.role == Role::option && argument.names == "date")
-      if (std::string date = build_date(); !date.empty()) texts.push_back(std::move(date));
+  std::optional<FileJournal> journal;
+  const auto take = [&](const Argument& argument, std::vector<std::string> texts) {
+    if (texts.empty() && argument.role == Role::option) texts = told_by_surroundings(argument);
     for (const std::string& text : texts) switch (argument.role) {
         case Role::input:
-          drive =
-              given.program.read_drive(text_of(text), shown_name(text), attachments_beside(text));
+          if (text == "-" && ranks.size() > 1)
+            throw InputError(argument.name,
+                             "standard input reaches the first rank only: name a file");
+          drive = read_drive(text_of(text), shown_name(text), attachments_beside(text));
           break;
         case Role::option:
           options.set(argument.key, text);
@@ -105,25 +117,52 @@ ExitCode run_command(const Given& given) {
         case Role::output:
           main_path = text;
           break;
+        case Role::journal:
+          journal.emplace(text);
+          break;
         case Role::document:
           beside.emplace_back(text, argument.key);
           break;
       }
     if (texts.empty() && argument.role == Role::format) main = argument.fallback;
-  }
+  };
+  ranks.together([&] {
+    for (std::size_t i = 0; i < given.arguments.size(); ++i)
+      take(given.arguments[i], given.texts[i]);
+  });
+  const auto chosen = std::ranges::find(command.documents, main, &Document::name);
+  const bool folder = chosen != command.documents.end() && chosen->folder;
+  if (folder && main_path.empty())
+    throw UsageError(fmt::format("--format {} writes several files: name a folder with -o", main));
+  if (folder) ranks.together([&] { require_folder(main_path); });
+  if (folder && !chosen->needs.empty() && !options.given(chosen->needs))
+    options.set(chosen->needs, "true");
 
-  const Interrupt interrupt;
-  const Progress progress = interrupt.progress();
-  const Answer answer(command, drive, options, attached, progress);
-  if (command.documents.empty()) return judged(given.program, answer, main);
+  std::optional<Interrupt> interrupt;
+  if (given.program.ranks == nullptr) interrupt.emplace();
+  const Progress progress([&](double share) { return !interrupt || (*interrupt)(share); },
+                          [&](const std::string& line) {
+                            if (ranks.first()) warn(given.program, line);
+                          });
   // All documents are made before any file is written: a failure leaves nothing behind.
-  const std::string text = answer.document(main);
-  std::vector<std::pair<std::string, std::string>> files;
-  for (const auto& [path, document] : beside) files.emplace_back(path, answer.document(document));
-  progress.at(1.0);
-  for (const auto& [path, document] : files) deliver(document, path);
-  deliver(text, main_path);
-  return judged(given.program, answer, main);
+  std::optional<Answer> answer;
+  std::vector<OutputFile> files;
+  std::vector<std::pair<std::string, std::string>> texts;  // path, document
+  ranks.together([&] {
+    answer.emplace(run(command, drive, options, attached, progress,
+                       {.ranks = ranks, .journal = journal ? &*journal : nullptr}));
+    if (folder) files = answer->files(main);
+    if (!ranks.first() || command.documents.empty()) return;
+    for (const auto& [path, document] : beside)
+      texts.emplace_back(path, answer->document(document));
+    if (!folder) texts.emplace_back(main_path, answer->document(main));
+    progress.at(1.0);
+  });
+  ranks.together([&] {
+    for (const auto& [path, text] : texts) deliver(text, path);
+  });
+  if (folder) deliver(files, main_path, ranks);
+  return ranks.first() ? judged(given.program, *answer, main) : kOk;
 }
 
 /// A fault of an option names it as it is typed.
@@ -171,7 +210,7 @@ void add_command(CLI::App& parent, std::string_view word, const Program& program
       try {
         return run_command(*given);
       } catch (const OptionError& error) {
-        throw UsageError{as_typed(error, given->arguments)};
+        throw UsageError(as_typed(error, given->arguments));
       }
     };
   });
@@ -183,6 +222,8 @@ ExitCode parse_and_run(const Program& program, std::span<const std::string> word
                        fmt::format("{} {} ({})", program.name, version(), git_revision()),
                        "print version and revision, and exit");
   app.require_subcommand(1);
+  if (!program.unnamed.empty())
+    app.footer(fmt::format("{0} FILE is {0} {1} FILE", program.name, program.unnamed));
   app.get_formatter()->column_width(34);
   Work chosen;
   for (const std::string_view word : first_words(program)) {
@@ -198,10 +239,17 @@ ExitCode parse_and_run(const Program& program, std::span<const std::string> word
       add_command(*group, second_word(*command), program, *command, chosen);
   }
   try {
-    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+    std::vector<std::string> backwards(words.rbegin(), words.rend());
+    if (!words.empty() && means_unnamed(program, words.front()))
+      backwards.emplace_back(program.unnamed);
+    app.parse(std::move(backwards));
   } catch (const CLI::ParseError& error) {
+    std::ostream nowhere(nullptr);
+    const bool speaks = program.ranks == nullptr || program.ranks->first();
     // CLI11 prints help and version through an "error" of code 0.
-    return app.exit(error) == 0 ? kOk : kUsage;
+    return app.exit(error, speaks ? std::cout : nowhere, speaks ? std::cerr : nowhere) == 0
+               ? kOk
+               : kUsage;
   }
   return chosen();
 }
@@ -209,16 +257,22 @@ ExitCode parse_and_run(const Program& program, std::span<const std::string> word
 }  // namespace
 
 int run_command_line(const Program& program, std::span<const std::string> words) {
+  const Ranks& ranks = program.ranks != nullptr ? *program.ranks : kAlone;
+  // All ranks end with one word, of the first that has something to complain about.
   const auto complain = [&](std::string_view message, ExitCode code) {
-    warn(program, message);
-    return code;
+    return ranks.last_code(code, [&] {
+      warn(program, ranks.first() ? std::string(message)
+                                  : fmt::format("rank {}: {}", ranks.rank(), message));
+    });
   };
   try {
-    return parse_and_run(program, words);
+    return ranks.last_code(parse_and_run(program, words), nullptr);
+  } catch (const OtherRankError&) {
+    return ranks.last_code(kInternal, nullptr);
   } catch (const UsageError& error) {
-    return complain(error.message, kUsage);
+    return complain(error.what(), kUsage);
   } catch (const UnwritableError& error) {
-    return complain(error.message, kUnwritable);
+    return complain(error.what(), kUnwritable);
   } catch (const InputError& error) {
     return complain(error.what(), kInput);
   } catch (const SolverError& error) {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "files.hpp"
+
 namespace strainwave::cli {
 namespace {
 
@@ -56,13 +58,30 @@ const Argument* argument_named(const std::vector<Argument>& arguments, std::stri
   return found == arguments.end() ? nullptr : &*found;
 }
 
+/// All that the names of an argument can mean.
+std::vector<std::string> names_of(const Program& program, std::string_view what,
+                                  const std::string& file) {
+  std::vector<std::string> names;
+  if (what == "command") {
+    for (const Command& command : program.table) names.emplace_back(command.name);
+  } else if (what != "field path") {
+    if (program.names != nullptr) names = program.names(what, file);
+  } else if (!file.empty() && file != "-") {  // standard input belongs to the command itself
+    const auto drive = read_drive(text_of(file), file, attachments_beside(file));
+    for_each_number(drive->gear, [&](const FieldPath& path, const Field&, const double&) {
+      names.push_back(path.text());
+    });
+  }
+  return names;
+}
+
 /// Candidates for the value of an argument.
 std::vector<std::string> values(const Program& program, const Argument& argument,
                                 const std::string& file, Line line) {
   if (argument.type == "PATH") return {std::string(kFiles)};
   std::vector<std::string> known(argument.choices.begin(), argument.choices.end());
   if (!argument.names.empty()) {
-    known = program.names(argument.names, file);
+    known = names_of(program, argument.names, file);
     // Of a list with commas, the last name is completed.
     if (argument.names == "factor")
       if (const std::size_t comma = line.current.rfind(','); comma != std::string::npos) {
@@ -81,9 +100,11 @@ std::vector<std::string> completions(const Program& program, std::span<const std
   if (word == line.before.end()) {
     std::vector<std::string> known = {"--help", "--version"};
     for (const std::string_view first : first_words(program)) known.emplace_back(first);
-    return matching(known, line);
+    std::vector<std::string> found = matching(known, line);
+    if (!found.empty() || program.unnamed.empty()) return found;
   }
-  const auto commands = commands_of(program, *word++);
+  const bool named = word != line.before.end() && !means_unnamed(program, *word);
+  const auto commands = commands_of(program, named ? *word++ : program.unnamed);
   if (commands.empty()) return {};
   const Command* command = commands.front();
   if (!second_word(*command).empty()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
+#include "strainwave/core/error.hpp"
 
 namespace strainwave::cli {
 
@@ -19,13 +19,15 @@ enum ExitCode : int {
 };
 
 /// The command line itself cannot be understood.
-struct UsageError {
-  std::string message;
+class UsageError : public Error {
+ public:
+  using Error::Error;
 };
 
 /// The output cannot be written.
-struct UnwritableError {
-  std::string message;
+class UnwritableError : public Error {
+ public:
+  using Error::Error;
 };
 
 }  // namespace strainwave::cli

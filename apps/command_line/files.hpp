@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
+
+#include "strainwave/command/command.hpp"
 
 // The files of a command line.  The library opens none.
 
@@ -17,5 +21,27 @@ namespace strainwave::cli {
 /// Writes to a file, whole or not at all; to standard output if the path is empty.
 /// @throws UnwritableError  if it cannot be written
 void deliver(const std::string& text, const std::string& path);
+
+/// @throws UnwritableError  the path is that of a file
+void require_folder(const std::string& path);
+
+/// Writes all files of all ranks or none: first under other names, which are taken back if one of
+/// them fails anywhere.  The folder is made if need be, and taken back with them.
+/// @throws UnwritableError  on every rank, if a file cannot be written
+void deliver(const std::vector<OutputFile>& files, const std::string& folder, const Ranks& ranks);
+
+/// A journal in a file; where that cannot be written, `begin` and `append` throw UnwritableError.
+class FileJournal : public Journal {
+ public:
+  explicit FileJournal(std::string path) : path_(std::move(path)) {}
+
+  [[nodiscard]] std::string name() const override { return path_; }
+  [[nodiscard]] std::optional<std::string> text() const override;
+  void begin(const std::string& text) override { deliver(text, path_); }
+  void append(const std::string& line) override;
+
+ private:
+  std::string path_;
+};
 
 }  // namespace strainwave::cli

@@ -21,8 +21,6 @@ Interrupt::Interrupt() {
 
 Interrupt::~Interrupt() { ::sigaction(SIGINT, &before_, nullptr); }
 
-Progress Interrupt::progress() const {
-  return Progress([](double) { return interrupted == 0; });
-}
+bool Interrupt::operator()(double) const { return interrupted == 0; }
 
 }  // namespace strainwave::cli

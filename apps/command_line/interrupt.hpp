@@ -3,11 +3,9 @@
 
 #include <csignal>
 
-#include "strainwave/core/progress.hpp"
-
 namespace strainwave::cli {
 
-/// While it lives, the first SIGINT does not end the process; what reports to `progress` stops
+/// While it lives, the first SIGINT does not end the process; what reports its progress to it stops
 /// instead.  The second one ends it.  There is at most one at a time.
 class Interrupt {
  public:
@@ -18,7 +16,8 @@ class Interrupt {
   Interrupt(Interrupt&&) = delete;
   Interrupt& operator=(Interrupt&&) = delete;
 
-  [[nodiscard]] Progress progress() const;
+  /// @return  whether there was none yet
+  [[nodiscard]] bool operator()(double) const;
 
  private:
   struct sigaction before_ {};

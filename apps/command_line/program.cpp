@@ -61,6 +61,11 @@ Argument path_argument(Role role, std::string_view option, std::string_view key,
 
 }  // namespace
 
+bool means_unnamed(const Program& program, std::string_view first) {
+  return !program.unnamed.empty() && first != "--help" && first != "-h" && first != "--version" &&
+         commands_of(program, first).empty();
+}
+
 std::vector<std::string_view> first_words(const Program& program) {
   std::vector<std::string_view> words;
   for (const Command& command : program.table)
@@ -108,6 +113,14 @@ std::vector<Argument> arguments_of(const Command& command) {
                   .fallback = {}};
   Argument output =
       path_argument(Role::output, "output", {}, "write to this file instead of standard output");
+  if (std::ranges::any_of(command.documents, &Document::folder))
+    output.doc = std::ranges::all_of(command.documents, &Document::folder)
+                     ? "write into this folder"
+                     : output.doc + "; a folder where the format has several files";
+  if (!command.journal.empty()) {
+    output = path_argument(Role::journal, "output", {}, command.journal);
+    output.required = true;
+  }
   std::vector<Argument> beside;
   for (const Document& document : command.documents)
     if (document.option.empty())

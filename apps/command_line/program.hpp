@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "strainwave/command/command.hpp"
-#include "strainwave/io/attachments.hpp"
 
 namespace strainwave::cli {
 
@@ -24,13 +22,19 @@ struct Program {
   std::string_view summary;
   std::span<const Command> table;
   std::span<const Group> groups;  ///< of the commands of two words
-  /// Reads a drive from text; `name` is that of the text in messages.
-  std::shared_ptr<const Drive> (*read_drive)(std::string text, std::string name,
-                                             Attachments attachments);
-  /// All that `Field::names` of an option can mean, such as all names for "material".
+  /// All that `Field::names` of an option can mean, such as all names for "material", but commands
+  /// and field paths, which any program knows; may be null.
   /// @param file  the input on the command line; empty if none is there yet
-  std::vector<std::string> (*names)(std::string_view what, const std::string& file);
+  std::vector<std::string> (*names)(std::string_view what, const std::string& file) = nullptr;
+  /// The command that is meant where the line begins with none; empty: there must be one.
+  std::string_view unnamed = {};
+  /// The processes of a program that several run together; null: it runs alone.  SIGINT ends a
+  /// program of several processes at once, for they would wait for each other.
+  const Ranks* ranks = nullptr;
 };
+
+/// Whether a word stands at the beginning of a line without naming a command.
+[[nodiscard]] bool means_unnamed(const Program& program, std::string_view first);
 
 /// The first words of all commands, each once, in the order of the table.
 [[nodiscard]] std::vector<std::string_view> first_words(const Program& program);
@@ -51,6 +55,7 @@ enum class Role {
   option,    ///< sets an option of the command
   format,    ///< chooses the main document
   output,    ///< takes the path of the main document
+  journal,   ///< takes the path of the journal
   document,  ///< takes the path of a document beside the main one
 };
 

@@ -10,6 +10,7 @@
 #include "strainwave/core/nearest.hpp"
 #include "strainwave/core/quadrature.hpp"
 #include "strainwave/core/version.hpp"
+#include "strainwave/io/gear_reader.hpp"
 #include "strainwave/present/json.hpp"
 #include "strainwave/present/reference.hpp"
 #include "strainwave/present/schema.hpp"
@@ -30,11 +31,38 @@ Provenance provenance_of(const Drive& drive) {
           .quadrature_tolerance = QuadratureOptions{}.relative_tolerance};
 }
 
+std::shared_ptr<const Drive> read_drive(std::string text, std::string name,
+                                        Attachments attachments) {
+  auto drive = std::make_shared<Drive>();
+  drive->gear = read_gear_set(text, name, attachments);
+  drive->text = std::move(text);
+  drive->name = std::move(name);
+  return drive;
+}
+
+Answer run(const Command& command, std::shared_ptr<const Drive> drive, const OptionValues& options,
+           const OptionTexts& texts, const Progress& progress, const Host& host) {
+  const auto require = [&](bool given, std::string_view what) {
+    if (!given)
+      throw OptionError(what, fmt::format("must be given; {} works on a {}", command.name, what));
+  };
+  require(drive || command.takes == Takes::nothing, "drive");
+  require(host.journal != nullptr || command.journal.empty(), "journal");
+  static const auto no_drive = std::make_shared<const Drive>();
+  return {command, drive ? std::move(drive) : no_drive, options, texts, progress, host};
+}
+
 Answer::Answer(const Command& command, std::shared_ptr<const Drive> drive,
-               const OptionValues& options, const OptionTexts& texts, const Progress& progress)
-    : command_(&command), drive_(std::move(drive)), options_(options) {
+               const OptionValues& options, const OptionTexts& texts, const Progress& progress,
+               const Host& host)
+    : command_(&command), drive_(std::move(drive)), options_(options), ranks_(&host.ranks) {
   options_.require_complete();
-  result_ = command.run(command, {.drive = *drive_, .texts = texts, .progress = progress},
+  result_ = command.run(command,
+                        {.drive = *drive_,
+                         .texts = texts,
+                         .progress = progress,
+                         .ranks = host.ranks,
+                         .journal = host.journal},
                         options_.get());
   evidence_ = command.evidence(result_.get());
 }
@@ -56,7 +84,7 @@ std::string Answer::json() const {
   if (to.field(named("result"))) visit(to);
   if (to.field(named("provenance"))) {
     to.begin_record();
-    to.member("program", "strainwave");
+    to.member("program", command_->program);
     to.member("version", version());
     to.member("revision", git_revision());
     if (command_->takes == Takes::drive)
@@ -75,6 +103,14 @@ std::string Answer::json() const {
 
 std::string Answer::document(std::string_view name) const {
   if (name == "json") return json();
+  std::vector<OutputFile> made = files(name);
+  if (made.size() != 1 || !made.front().name.empty())
+    throw OptionError("document", fmt::format("{} of {} is a folder of files, and no text",
+                                              shown(name), command_->name));
+  return std::move(made.front().text);
+}
+
+std::vector<OutputFile> Answer::files(std::string_view name) const {
   const auto found = std::ranges::find(command_->documents, name, &Document::name);
   if (found == command_->documents.end()) {
     std::vector<std::string_view> names = {"json"};
@@ -82,8 +118,13 @@ std::string Answer::document(std::string_view name) const {
     throw OptionError("document", fmt::format("{} makes no {}; it makes {}", command_->name,
                                               shown(name), fmt::join(names, ", ")));
   }
-  return command_->write(*command_, static_cast<std::size_t>(found - command_->documents.begin()),
-                         result_.get(), {.drive = *drive_, .provenance = provenance_of(*drive_)});
+  return command_->write(*command_,
+                         static_cast<std::size_t>(found - command_->documents.begin()),
+                         result_.get(),
+                         {.drive = *drive_,
+                          .provenance = provenance_of(*drive_),
+                          .ranks = *ranks_,
+                          .answer = *this});
 }
 
 std::string result_schema(const Command& command) {
@@ -92,7 +133,7 @@ std::string result_schema(const Command& command) {
   const Json text = {{"type", "string"}};
   Json provenance = {{"type", "object"},
                      {"properties",
-                      {{"program", {{"const", "strainwave"}}},
+                      {{"program", {{"const", command.program}}},
                        {"version", text},
                        {"revision", text},
                        {"options", {{"type", "object"}}},
@@ -111,9 +152,10 @@ std::string result_schema(const Command& command) {
                      {"accuracies", of(visit_type<std::vector<AccuracyBasis>>)},
                      {"result", of(command.walk)},
                      {"provenance", std::move(provenance)}};
-  Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                 {"title", fmt::format("strainwave {}: {}", command.name, command.summary)},
-                 {"type", "object"}};
+  Json schema = {
+      {"$schema", "https://json-schema.org/draft/2020-12/schema"},
+      {"title", fmt::format("{} {}: {}", command.program, command.name, command.summary)},
+      {"type", "object"}};
   Json required = Json::array();
   for (const auto& [name, value] : properties.items()) required.push_back(name);
   schema["properties"] = std::move(properties);
@@ -125,7 +167,7 @@ std::string result_schema(const Command& command) {
 std::string options_schema(const Command& command) {
   using Json = nlohmann::ordered_json;
   Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                 {"title", fmt::format("Options of strainwave {}", command.name)}};
+                 {"title", fmt::format("Options of {} {}", command.program, command.name)}};
   schema.update(Json::parse(schema_of(command.options.walk, SchemaOf::options)));
   for (const Option& option : command.options.options)
     if (option.required) schema["required"].push_back(option.field.name);
@@ -133,13 +175,13 @@ std::string options_schema(const Command& command) {
 }
 
 std::string options_reference(const Command& command) {
-  return fmt::format("# Options of `strainwave {}`\n\n{}\n\n{}", command.name, command.summary,
-                     fields_reference(command.options.walk));
+  return fmt::format("# Options of `{} {}`\n\n{}\n\n{}", command.program, command.name,
+                     command.summary, fields_reference(command.options.walk));
 }
 
 std::string result_reference(const Command& command) {
-  return fmt::format("# Result of `strainwave {}`\n\n{}\n\n{}", command.name, command.summary,
-                     fields_reference(command.walk));
+  return fmt::format("# Result of `{} {}`\n\n{}\n\n{}", command.program, command.name,
+                     command.summary, fields_reference(command.walk));
 }
 
 const Command& command_named(std::span<const Command> table, std::string_view name) {

@@ -12,7 +12,6 @@ Command material_show_command();
 Command new_command();
 Command report_command();
 Command require_command();
-Command schema_command();
 Command sensitivity_command();
 Command sif_eval_command();
 Command sif_list_command();
@@ -26,11 +25,13 @@ Command validate_command();
 
 std::span<const Command> commands() {
   static const std::vector<Command> table = {
-      stiffness_command(),     torsion_command(),   require_command(),  report_command(),
-      sensitivity_command(),   sweep_command(),     solve_command(),    sif_list_command(),
-      sif_show_command(),      sif_eval_command(),  sif_plot_command(), material_list_command(),
-      material_show_command(), catalogue_command(), validate_command(), calibrate_command(),
-      audit_command(),         new_command(),       schema_command(),
+      stiffness_command(),      torsion_command(),     require_command(),
+      report_command(),         sensitivity_command(), sweep_command(),
+      solve_command(),          sif_list_command(),    sif_show_command(),
+      sif_eval_command(),       sif_plot_command(),    material_list_command(),
+      material_show_command(),  catalogue_command(),   validate_command(),
+      calibrate_command(),      audit_command(),       new_command(),
+      schema_command(commands),
   };
   return table;
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <set>
+#include <utility>
 #include <variant>
 
 #include "strainwave/core/error.hpp"
@@ -20,6 +22,8 @@ fem::Elasticity elasticity_of(const GearSet& gear, std::string_view material,
   const ElasticConstants steel = elastic_constants(material_of(gear, material, field));
   return {.youngs_modulus = steel.E, .poissons_ratio = steel.nu};
 }
+
+constexpr const char* kFlexspline = "flexspline";
 
 /// Measured on one core at p = 4..8, -20 to +80 %: seconds = kSecondsPerDof * dofs * p for one
 /// solution.
@@ -172,7 +176,7 @@ struct Work {
   bool cup = false;
   std::vector<WallCrack<gear_fem::TubeWithThroughCrack>> wall_cracks;
   std::vector<WallCrack<gear_fem::TubeWithSurfaceCrack>> surface_cracks;
-  std::vector<std::string> notes;
+  std::vector<Note> notes;
 
   [[nodiscard]] bool has_wall_cracks() const {
     return !wall_cracks.empty() || !surface_cracks.empty();
@@ -196,7 +200,9 @@ void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) 
           kind);
       if (options.crack) throw InputError(wall_crack_path(n), problem);
       if (options.member) throw InputError(wall_crack_path(n), problem + ": take it out");
-      work.notes.push_back(fmt::format("{} is left out: {}", wall_crack_path(n), problem));
+      work.notes.push_back({"fe.crack_left_out",
+                            fmt::format("{} is left out: {}", wall_crack_path(n), problem),
+                            wall_crack_path(n), "", Severity::care});
       continue;
     }
     require(order <= 4, "order", order, "1", "<= 4 for a crack of the flexspline's wall");
@@ -211,24 +217,36 @@ void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) 
         work.wall_cracks, [](const auto& crack) { return crack.tube.ends.any(); });
     if (in_cups > 0)
       work.notes.push_back(
-          "each through crack of the barrel is calculated alone, halfway along it, in the cup that "
-          "the sections give, held at its boss or bore and twisted at the open end");
+          {"fe.crack_in_cup",
+           "each through crack of the barrel is calculated alone, halfway along it, in the cup "
+           "that "
+           "the sections give, held at its boss or bore and twisted at the open end",
+           kFlexspline, "", Severity::information});
     if (static_cast<std::size_t>(in_cups) < work.wall_cracks.size() || !work.surface_cracks.empty())
-      work.notes.push_back(fmt::format(
-          "each {} is calculated alone, halfway along its section, a tube that is clamped at one "
-          "end and twisted at the other",
-          in_cups > 0 ? "other crack of the wall" : "crack of the wall"));
+      work.notes.push_back(
+          {"fe.crack_in_tube",
+           fmt::format("each {} is calculated alone, halfway along its section, a tube that is "
+                       "clamped at one end and twisted at the other",
+                       in_cups > 0 ? "other crack of the wall" : "crack of the wall"),
+           kFlexspline, "", Severity::care});
     if (has_other_rim(flexspline) && !work.wall_cracks.empty())
       work.notes.push_back(
-          "the rim's wall does not cover the barrel's: no crack is calculated in the cup");
+          {"fe.rim_apart",
+           "the rim's wall does not cover the barrel's: no crack is calculated in the cup",
+           "flexspline.rim", "", Severity::care});
     if (!work.surface_cracks.empty())
       work.notes.push_back(
-          "a surface crack has its mouth on the outer surface: the file does not say");
+          {"fe.mouth_outside",
+           "a surface crack has its mouth on the outer surface: the file does not say", kFlexspline,
+           "", Severity::care});
     if (gear.load.axial_force != 0)
-      work.notes.push_back("the axial force is not applied to the flexspline");
+      work.notes.push_back({"fe.axial_force", "the axial force is not applied to the flexspline",
+                            "load.axial_force", "", Severity::care});
     if (flexspline.stress_nonuniformity != 1)
-      work.notes.push_back(
-          "flexspline.stress_nonuniformity is not applied: finite elements find their own stress");
+      work.notes.push_back({"fe.stress_nonuniformity",
+                            "flexspline.stress_nonuniformity is not applied: finite "
+                            "elements find their own stress",
+                            "flexspline.stress_nonuniformity", "", Severity::information});
   }
   if (options.crack) return;
   work.cup = flexspline.crack_free == CrackFree::sections;
@@ -236,12 +254,16 @@ void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) 
     (void)gear_fem::cup_section(flexspline);
     if (!flexspline.crack.empty())
       work.notes.push_back(
-          "the sound flexspline is calculated as a body of revolution, without cracks");
+          {"fe.sound_without_cracks",
+           "the sound flexspline is calculated as a body of revolution, without cracks",
+           kFlexspline, "", Severity::information});
   } else if (options.member && !work.has_wall_cracks()) {
     (void)gear_fem::cup_section(flexspline);  // says what is missing
   } else {
     work.notes.push_back(
-        "the sound flexspline is left out: crack_free = \"factor\" gives no geometry of it");
+        {"fe.sound_left_out",
+         "the sound flexspline is left out: crack_free = \"factor\" gives no geometry of it",
+         "flexspline.crack_free", "", Severity::information});
   }
 }
 
@@ -278,14 +300,18 @@ Work work_of(const GearSet& gear, const RunOptions& options) {
     const Material& steel = material_of(gear, material, field);
     if (std::abs(elastic_contradiction(steel)) > 1e-6)
       work.notes.push_back(
-          fmt::format("{}: the shear modulus is E/(2(1+nu)), {:.5g} GPa, and not the given one",
-                      field, elasticity_of(gear, material, field).shear_modulus() / 1e9));
+          {"fe.shear_modulus",
+           fmt::format("{}: the shear modulus is E/(2(1+nu)), {:.5g} GPa, and not the given one",
+                       field, elasticity_of(gear, material, field).shear_modulus() / 1e9),
+           std::string(field), "", Severity::care});
   };
   if (!work.shaft.empty()) contradiction(gear.output_shaft->material, "output_shaft.material");
   if (work.cup || work.has_wall_cracks())
     contradiction(gear.flexspline->material, "flexspline.material");
   if (work.shaft.size() > 1)
-    work.notes.push_back("each crack of the output shaft is calculated alone, halfway along it");
+    work.notes.push_back({"fe.shaft_cracks_alone",
+                          "each crack of the output shaft is calculated alone, halfway along it",
+                          "output_shaft", "", Severity::care});
   return work;
 }
 
@@ -308,17 +334,18 @@ std::vector<RunSize> sizes_of(const Work& work, const GearSet& gear, const RunOp
 
 }  // namespace
 
-std::string_view member_name(Member member) {
-  return member == Member::output_shaft ? "output-shaft" : "flexspline";
+StressIntensity ShaftCrackRun::at_load() const {
+  return {.K_I = opens() ? result.tension.tip.K_I * force : 0.0,
+          .K_II = opens() ? result.tension.tip.K_II * force : 0.0,
+          .K_III = result.torsion.tip.K_III * torque};
 }
 
-bool RunResult::usable() const { return reason().empty(); }
-
 std::string RunResult::reason() const {
-  for (const ShaftCrackRun& crack : shaft_cracks)
-    for (const auto* const load : {&crack.result.torsion, &crack.result.tension})
+  for (const ShaftCrackRun& crack : output_shaft.cracks)
+    for (const auto* const load : crack.result.loads())
       if (!load->usable) return fmt::format("{}: {}", crack.path, load->reason);
-  if (cup && !cup->usable) return fmt::format("flexspline: {}", cup->reason);
+  if (flexspline.sound && !flexspline.sound->usable)
+    return fmt::format("flexspline: {}", flexspline.sound->reason);
   const auto sense = [](const auto& crack) -> std::string {
     for (const auto* const one : {&crack.positive, &crack.negative})
       if (!one->usable)
@@ -326,18 +353,46 @@ std::string RunResult::reason() const {
                            one == &crack.positive ? "positive" : "negative", one->reason);
     return {};
   };
-  for (const TubeCrackRun& crack : wall_cracks)
-    if (std::string why = sense(crack); !why.empty()) return why;
-  for (const SurfaceCrackRun& crack : surface_cracks)
-    if (std::string why = sense(crack); !why.empty()) return why;
+  for (const WallCrackRun& crack : flexspline.cracks)
+    if (std::string why = std::visit(sense, crack); !why.empty()) return why;
   return {};
 }
 
-std::vector<RunSize> plan(const GearSet& gear, const RunOptions& options) {
-  return sizes_of(work_of(gear, options), gear, options);
+ResultEvidence evidence_of(const RunResult& result) {
+  ResultEvidence evidence{
+      .unusable_because = result.refused.empty() ? result.reason() : result.refused,
+      .refused = !result.refused.empty(),
+      .verdict = {},
+      .notes = result.notes,
+      .equations = {},
+      .accuracies = {},
+      .requirement = {}};
+  evidence.verdict = verdict_of(evidence.unusable_because, evidence.notes);
+  std::set<std::string> equations;
+  if (!result.output_shaft.cracks.empty())
+    equations.insert({"FE-3", "FE-6", "FE-7", "FE-8", "FE-9"});
+  if (result.flexspline.sound) equations.insert({"FE-1", "FE-4", "FE-10"});
+  for (const WallCrackRun& crack : result.flexspline.cracks) {
+    equations.insert({"FE-23", "FE-24", "FE-26"});
+    equations.insert(std::holds_alternative<TubeCrackRun>(crack) ? "FE-28" : "FE-34");
+  }
+  evidence.equations.assign(equations.begin(), equations.end());
+  return evidence;
 }
 
 namespace {
+
+/// What is known of a result before anything is solved.
+RunResult planned(Work& work, const GearSet& gear, const RunOptions& options) {
+  return {.plan = sizes_of(work, gear, options),
+          .calculated = false,
+          .refused = {},
+          .section_order = options.order.value_or(kSectionOrder),
+          .solid_order = options.order.value_or(kSolidOrder),
+          .output_shaft = {},
+          .flexspline = {},
+          .notes = std::move(work.notes)};
+}
 
 fem::FieldRequest fields_of(RunFields fields, int divisions) {
   if (fields == RunFields::none) return {};
@@ -368,28 +423,28 @@ Run both_senses(const WallCrack<Tube>& crack, const RunOptions& options, std::si
 
 }  // namespace
 
-RunResult run(const GearSet& gear, const RunOptions& options, const fem::MpiSession& session) {
-  const Work work = work_of(gear, options);
-  require_memory(sizes_of(work, gear, options), session);
+RunResult plan(const GearSet& gear, const RunOptions& options) {
+  Work work = work_of(gear, options);
+  return planned(work, gear, options);
+}
+
+RunResult run(const GearSet& gear, const RunOptions& options, const Ranks& ranks) {
+  Work work = work_of(gear, options);
+  RunResult result = planned(work, gear, options);
+  require_memory(result.plan, ranks);
+  result.calculated = true;
   const auto say = [&](const std::string& line) {
     if (options.progress) options.progress(line);
   };
-  RunResult result{.section_order = options.order.value_or(kSectionOrder),
-                   .solid_order = options.order.value_or(kSolidOrder),
-                   .shaft_cracks = {},
-                   .cup = {},
-                   .wall_cracks = {},
-                   .surface_cracks = {},
-                   .notes = work.notes};
   // First what all ranks do together: an error of the first rank alone must not leave them waiting.
   for (const auto& crack : work.wall_cracks)
-    result.wall_cracks.push_back(
+    result.flexspline.cracks.emplace_back(
         both_senses<TubeCrackRun>(crack, options, tube_solutions(crack.tube, options.fields),
                                   gear_fem::solve_tube_with_through_crack));
   for (const auto& crack : work.surface_cracks)
-    result.surface_cracks.push_back(both_senses<SurfaceCrackRun>(
+    result.flexspline.cracks.emplace_back(both_senses<SurfaceCrackRun>(
         crack, options, kSurfaceSolutions, gear_fem::solve_tube_with_surface_crack));
-  if (session.rank() != 0) return result;
+  if (!ranks.first()) return result;
   const int order = options.order.value_or(kSectionOrder);
   const fem::SectionOptions section{.order = order, .fields = fields_of(options.fields, order)};
   if (!work.shaft.empty()) {
@@ -398,15 +453,20 @@ RunResult run(const GearSet& gear, const RunOptions& options, const fem::MpiSess
     for (const std::size_t n : work.shaft) {
       const auto geometry = gear_fem::shaft_section(shaft, n);
       const auto start = std::chrono::steady_clock::now();
-      result.shaft_cracks.push_back(
-          {crack_path(n), geometry, gear_fem::solve_shaft(geometry, steel, section), steel});
+      result.output_shaft.cracks.push_back(
+          {.path = crack_path(n),
+           .section = geometry,
+           .result = gear_fem::solve_shaft(geometry, steel, section),
+           .elasticity = steel,
+           .torque = gear.load.torque,
+           .force = gear.load.axial_force});
       const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
       say(fmt::format("{}: torsion and tension, 14 solutions, {:.1f} s", crack_path(n),
                       taken.count()));
     }
   }
   if (work.cup)
-    result.cup = gear_fem::solve_cup(
+    result.flexspline.sound = gear_fem::solve_cup(
         gear_fem::cup_section(*gear.flexspline),
         elasticity_of(gear, gear.flexspline->material, "flexspline.material"), section);
   return result;

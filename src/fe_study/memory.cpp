@@ -132,10 +132,10 @@ void require_memory(const std::vector<RunSize>& sizes, const AvailableMemory& he
   }
 }
 
-void require_memory(const std::vector<RunSize>& sizes, const fem::MpiSession& session) {
-  const int ranks_here = session.on_this_machine();
+void require_memory(const std::vector<RunSize>& sizes, const Ranks& ranks) {
+  const int ranks_here = ranks.on_this_machine();
   // One machine alone may be too small: that stops all.
-  session.together([&] { require_memory(sizes, available_memory(), ranks_here, session.size()); });
+  ranks.together([&] { require_memory(sizes, available_memory(), ranks_here, ranks.size()); });
 }
 
 }  // namespace strainwave::fe_study

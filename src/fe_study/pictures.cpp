@@ -203,7 +203,7 @@ void add_shaft(std::vector<OutputFile>& files, const ShaftCrackRun& run, const G
                   shaft.inner_diameter > 0 ? fmt::format("/{}", in_mm(shaft.inner_diameter)) : "",
                   load),
       fmt::format("Sound shaft, at its surface: {} J/m³", shown_number(sound))};
-  for (const auto* const one : {&run.result.torsion, &run.result.tension})
+  for (const auto* const one : run.result.loads())
     if (!one->usable) captions.push_back("NOT usable: " + one->reason);
   const ShaftPicture picture{run, fields, captions};
   const std::string stem = file_stem(run.path);
@@ -262,8 +262,8 @@ void add_cup(std::vector<OutputFile>& files, const gear_fem::CupResult& cup, con
   axes(sheet, {view.corner.x + view.width() - 66, axis + 52});
   sheet.colour_bar({770, 150}, 316, scale, "w [J/m³]", "more at sharp corners");
   files.push_back(
-      {"flexspline_energy.svg",
-       sheet.svg("Strain energy density in the meridian section of a cup, in colours")});
+      {.name = "flexspline_energy.svg",
+       .text = sheet.svg("Strain energy density in the meridian section of a cup, in colours")});
 }
 
 double in_degrees(double angle) { return std::round(1e6 * angle * 180 / pi) / 1e6; }
@@ -319,9 +319,7 @@ void add_wall(std::vector<OutputFile>& files, const Run& run) {
                    .half_length = tube.half_length,
                    .angle = tube.angle,
                    .torque = positive ? tube.torque : -tube.torque,
-                   .state = shown.closed                    ? "closed"
-                            : shown.solid.contact_share > 0 ? "partly closed"
-                                                            : "open",
+                   .state = std::string(shown.faces()),
                    .closed = shown.closed,
                    .fault = shown.reason,
                    .solid = &shown.solid,
@@ -336,10 +334,10 @@ void add_wall(std::vector<OutputFile>& files, const Run& run) {
 
 std::vector<OutputFile> pictures(const RunResult& result, const GearSet& gear) {
   std::vector<OutputFile> files;
-  for (const ShaftCrackRun& crack : result.shaft_cracks) add_shaft(files, crack, gear);
-  if (result.cup) add_cup(files, *result.cup, gear);
-  for (const TubeCrackRun& crack : result.wall_cracks) add_wall(files, crack);
-  for (const SurfaceCrackRun& crack : result.surface_cracks) add_wall(files, crack);
+  for (const ShaftCrackRun& crack : result.output_shaft.cracks) add_shaft(files, crack, gear);
+  if (result.flexspline.sound) add_cup(files, *result.flexspline.sound, gear);
+  for (const WallCrackRun& crack : result.flexspline.cracks)
+    std::visit([&](const auto& one) { add_wall(files, one); }, crack);
   return files;
 }
 

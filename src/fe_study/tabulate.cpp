@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/fe_study/tabulate.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <chrono>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <sstream>
 
@@ -23,7 +17,6 @@
 #include "strainwave/fe_study/memory.hpp"
 #include "strainwave/fem/memory_error.hpp"
 #include "strainwave/io/gear_writer.hpp"
-#include "strainwave/io/write_file.hpp"
 #include "strainwave/model/input/crack_parameters.hpp"
 #include "strainwave/model/input/vary_option.hpp"
 
@@ -47,7 +40,7 @@ struct Family {
   std::string_view held;
   std::vector<TableColumn> columns;
   /// The row of the only crack of a run, but for place and time.
-  std::function<TableRow(const RunResult&)> row;
+  std::function<TablePoint(const RunResult&)> row;
 };
 
 // ---------------------------------------------------------------------------------------------
@@ -76,11 +69,11 @@ AlongFront along(const fem::CrackFront& front, const Value& value) {
   return result;
 }
 
-TableRow tube_row(const RunResult& result) {
-  const TubeCrackRun& run = result.wall_cracks.front();
+TablePoint tube_row(const RunResult& result) {
+  const auto& run = std::get<TubeCrackRun>(result.flexspline.cracks.front());
   const double T = run.tube.torque;
   const std::array<const gear_fem::TubeCrackResult*, 2> senses = {&run.positive, &run.negative};
-  TableRow row;
+  TablePoint row;
   for (const auto* const one : senses) row.values.emplace_back(one->added_compliance);
   for (const auto* const one : senses) row.values.emplace_back(one->energy_release_rate / (T * T));
   for (const auto* const one : senses) {
@@ -122,11 +115,11 @@ Family tube_family() {
 // ---------------------------------------------------------------------------------------------
 // Annular crack of a shaft
 
-TableRow shaft_row(const RunResult& result) {
-  const ShaftCrackRun& run = result.shaft_cracks.front();
+TablePoint shaft_row(const RunResult& result) {
+  const ShaftCrackRun& run = result.output_shaft.cracks.front();
   const gear_fem::ShaftCrackLoad& torsion = run.result.torsion;
   const gear_fem::ShaftCrackLoad& tension = run.result.tension;
-  TableRow row;
+  TablePoint row;
   row.values = {torsion.added_compliance,
                 tension.added_compliance,
                 torsion.tip.energy_release_rate,
@@ -247,25 +240,6 @@ GearSet at_point(const TableStudy& study, std::size_t point) {
   return gear;
 }
 
-std::string contents(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(file.string(), "cannot be opened for reading");
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-/// One line at the end of a file, on the disk when this returns.
-void append(const std::filesystem::path& file, const std::string& line) {
-  const int descriptor = ::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
-  bool good = descriptor >= 0;
-  // One write: a run that is killed leaves the line whole, or torn at worst, never mixed.
-  good = good && ::write(descriptor, line.data(), line.size()) == static_cast<ssize_t>(line.size());
-  good = good && ::fsync(descriptor) == 0;
-  const int error = errno;
-  if (descriptor >= 0) ::close(descriptor);
-  if (!good)
-    throw Error(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(error)));
-}
-
 /// The first line in which two heads differ.
 void refuse_other_head(const std::string& there, const std::string& here, const std::string& file) {
   if (there == here) return;
@@ -286,34 +260,30 @@ void refuse_other_head(const std::string& there, const std::string& here, const 
   }
 }
 
-/// The rows that a file has already; makes it where there is none, and drops a torn last line.
-std::vector<TableRow> rows_of(const TableStudy& study, const std::filesystem::path& file,
-                              const std::function<void(const std::string&)>& say) {
+/// The rows that a table has already; begins one where there is none, and drops a torn last line.
+std::vector<TablePoint> rows_of(const TableStudy& study, Journal& table, const Progress& progress) {
   const std::string head = table_head_text(study.head);
-  std::error_code fault;
-  const bool there = std::filesystem::exists(file, fault);
-  if (fault) throw InputError(file.string(), fault.message());
+  const std::optional<std::string> there = table.text();
   if (!there) {
-    write_file(file, head);
+    table.begin(head);
     return {};
   }
-  const TableFile found = parse_table_file(contents(file), file.string());
-  refuse_other_head(found.head, head, file.string());
+  const std::string name = table.name();
+  const TableFile found = parse_table_file(*there, name);
+  refuse_other_head(found.head, head, name);
   if (found.rows.size() > study.points.size())
-    throw InputError(file.string(), fmt::format("has {} points, this family {}", found.rows.size(),
-                                                study.points.size()));
+    throw InputError(
+        name, fmt::format("has {} points, this family {}", found.rows.size(), study.points.size()));
   for (std::size_t i = 0; i < found.rows.size(); ++i)
     if (found.rows[i].at != study.points[i])
-      throw InputError(file.string(),
-                       fmt::format("point {} is another one than this family's", i + 1));
+      throw InputError(name, fmt::format("point {} is another one than this family's", i + 1));
   if (found.torn) {
-    std::filesystem::resize_file(file, found.whole, fault);
-    if (fault) throw Error(fmt::format("{}: {}", file.string(), fault.message()));
-    say(fmt::format("{}: dropped a piece of a line that an interrupted run left at its end",
-                    file.string()));
+    table.begin(there->substr(0, found.whole));
+    progress.say(
+        fmt::format("{}: dropped a piece of a line that an interrupted run left at its end", name));
   }
-  say(fmt::format("{}: {} of {} points are there", file.string(), found.rows.size(),
-                  study.points.size()));
+  progress.say(
+      fmt::format("{}: {} of {} points are there", name, found.rows.size(), study.points.size()));
   return found.rows;
 }
 
@@ -332,7 +302,7 @@ double table_error(const TubeCrackRun& run) {
 
 double table_error(const ShaftCrackRun& run) {
   double error = kShaftErrorAtBest;
-  for (const auto* const load : {&run.result.torsion, &run.result.tension})
+  for (const auto* const load : run.result.loads())
     error = std::max({error, std::abs(load->growth_check), load->tip.ring_spread});
   return error;  // (FE-42)
 }
@@ -392,7 +362,7 @@ TableSize table_size(const TableStudy& study) {
   size.points = study.points.size();
   for (std::size_t i = 0; i < study.points.size(); ++i) {
     try {
-      for (const RunSize& one : plan(at_point(study, i), study.run)) {
+      for (const RunSize& one : plan(at_point(study, i), study.run).plan) {
         if (one.memory > size.largest.memory) size.largest = one;
         size.least_unknowns =
             size.least_unknowns == 0 ? one.dofs : std::min(size.least_unknowns, one.dofs);
@@ -415,16 +385,16 @@ std::string table_size_text(const TableSize& size) {
   return text;
 }
 
-TableRow table_point(const TableStudy& study, std::size_t point, const fem::MpiSession& session) {
+TablePoint table_point(const TableStudy& study, std::size_t point, const Ranks& ranks) {
   const auto start = std::chrono::steady_clock::now();
-  TableRow row;
+  TablePoint row;
   const auto refuse = [&](const Error& error) {
     row.values.resize(study.head.columns.size());
     row.reason = error.what();
   };
   try {
-    const RunResult result = run(at_point(study, point), study.run, session);
-    if (session.rank() == 0) {
+    const RunResult result = run(at_point(study, point), study.run, ranks);
+    if (ranks.first()) {
       row = family_of(study.head.kind).row(result);
       row.usable = result.usable();
       row.reason = result.reason();
@@ -444,42 +414,54 @@ TableRow table_point(const TableStudy& study, std::size_t point, const fem::MpiS
   return row;
 }
 
-TableOutcome run_table(const TableStudy& study, const std::filesystem::path& file,
-                       const fem::MpiSession& session,
-                       const std::function<void(const std::string&)>& say) {
-  const bool first = session.rank() == 0;
+ResultEvidence evidence_of(const TableOutcome& outcome) {
+  ResultEvidence evidence;
+  evidence.refused = !outcome.refused.empty();
+  evidence.unusable_because = evidence.refused ? outcome.refused : outcome.unusable_because;
+  evidence.verdict = verdict_of(evidence.unusable_because, {});
+  return evidence;
+}
+
+TableOutcome run_table(const TableStudy& study, Journal& table, const Ranks& ranks,
+                       const Progress& progress) {
   const TableSize size = table_size(study);
   if (!size.misfits.empty() && size.misfits.size() == size.points)
     throw InputError(kOver, "no point can be calculated; " + size.misfits.front());
-  require_memory({size.largest}, session);
+  require_memory({size.largest}, ranks);
   // What the first rank finds in the file, all go by.  A fault of it ends all.
-  std::vector<TableRow> rows;
-  session.together([&] {
-    if (first) rows = rows_of(study, file, say);
+  std::vector<TablePoint> rows;
+  ranks.together([&] {
+    if (ranks.first()) rows = rows_of(study, table, progress);
   });
   const auto found =
-      static_cast<std::size_t>(std::stoul(session.from_first(fmt::format("{}", rows.size()))));
-  if (first && found < study.points.size())
-    say(fmt::format("{} points to do, at most {:.2g} GB and about {:.2g} s in all",
-                    study.points.size() - found, size.largest.memory / 1e9,
-                    size.seconds * static_cast<double>(study.points.size() - found) /
-                        static_cast<double>(study.points.size())));
+      static_cast<std::size_t>(std::stoul(ranks.from_first(fmt::format("{}", rows.size()))));
+  if (found < study.points.size())
+    progress.say(fmt::format("{} points to do, at most {:.2g} GB and about {:.2g} s in all",
+                             study.points.size() - found, size.largest.memory / 1e9,
+                             size.seconds * static_cast<double>(study.points.size() - found) /
+                                 static_cast<double>(study.points.size())));
   for (std::size_t i = found; i < study.points.size(); ++i) {
     // Of bodies of revolution the first rank alone has the fault.
-    session.together([&] {
-      const TableRow row = table_point(study, i, session);
-      if (!first) return;
-      append(file, table_row_text(row));
+    ranks.together([&] {
+      const TablePoint row = table_point(study, i, ranks);
+      if (!ranks.first()) return;
+      table.append(table_row_text(row));
       rows.push_back(row);
-      say(fmt::format("point {} of {}: {:.1f} s{}{}", i + 1, study.points.size(), row.seconds,
-                      row.usable ? "" : ", NOT usable: ", row.reason));
+      progress.say(fmt::format("point {} of {}: {:.1f} s{}{}", i + 1, study.points.size(),
+                               row.seconds, row.usable ? "" : ", NOT usable: ", row.reason));
     });
   }
-  TableOutcome outcome{.found = found, .unusable = 0, .first_reason = {}};
+  TableOutcome outcome{.plan = size,
+                       .calculated = true,
+                       .refused = {},
+                       .table = table.name(),
+                       .found = found,
+                       .unusable = 0,
+                       .unusable_because = {}};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows[i].usable) continue;
     if (outcome.unusable++ == 0)
-      outcome.first_reason = fmt::format("point {}: {}", i + 1, rows[i].reason);
+      outcome.unusable_because = fmt::format("point {}: {}", i + 1, rows[i].reason);
   }
   return outcome;
 }

@@ -13,8 +13,8 @@ namespace {
 /// One field of all ranks: a file of each, and of the first one the file that names them.
 class FieldWriter {
  public:
-  FieldWriter(std::vector<OutputFile>& files, const fem::MpiSession& session)
-      : files_(files), rank_(session.rank()), size_(session.size()) {}
+  FieldWriter(std::vector<OutputFile>& files, const Ranks& ranks)
+      : files_(files), rank_(ranks.rank()), size_(ranks.size()) {}
 
   template <class Text, class Record>
   void add(const std::string& stem, const Text& text, const Record& record) {
@@ -39,9 +39,9 @@ class FieldWriter {
 }  // namespace
 
 std::vector<OutputFile> vtu_files(const RunResult& result, const GearSet& gear,
-                                  const fem::MpiSession& session) {
+                                  const Ranks& ranks) {
   std::vector<OutputFile> files;
-  FieldWriter writer(files, session);
+  FieldWriter writer(files, ranks);
   const auto add_wall = [&](const auto& crack) {
     for (const auto* const one : {&crack.positive, &crack.negative}) {
       const std::string stem =
@@ -54,7 +54,7 @@ std::vector<OutputFile> vtu_files(const RunResult& result, const GearSet& gear,
       writer.add(
           stem + "_faces", [&] { return fem::crack_faces_vtu_text(fields); },
           [&](const Pieces& pieces) { return fem::crack_faces_pvtu_text(pieces); });
-      if (session.rank() != 0) continue;
+      if (!ranks.first()) continue;
       std::vector<fem::CrackFront> fronts = one->solid.fronts;
       if (one->closed)  // what is left is rounding
         for (fem::CrackFront& front : fronts)
@@ -62,17 +62,16 @@ std::vector<OutputFile> vtu_files(const RunResult& result, const GearSet& gear,
       files.push_back({stem + "_fronts.vtu", fem::fronts_vtu_text(fronts)});
     }
   };
-  for (const TubeCrackRun& crack : result.wall_cracks) add_wall(crack);
-  for (const SurfaceCrackRun& crack : result.surface_cracks) add_wall(crack);
+  for (const WallCrackRun& crack : result.flexspline.cracks) std::visit(add_wall, crack);
   // Shaft and cup are of the first rank, and empty in the others.
-  for (const ShaftCrackRun& crack : result.shaft_cracks) {
+  for (const ShaftCrackRun& crack : result.output_shaft.cracks) {
     const std::string stem = file_stem(crack.path);
     files.push_back({stem + ".vtu", fem::vtu_text(fields_at_load(crack, gear))});
     files.push_back(
         {stem + "_fronts.vtu", fem::fronts_vtu_text(std::array{front_at_load(crack, gear)})});
   }
-  if (result.cup)
-    files.push_back({"flexspline.vtu", fem::vtu_text(fields_at_load(*result.cup, gear))});
+  if (const auto& cup = result.flexspline.sound)
+    files.push_back({.name = "flexspline.vtu", .text = fem::vtu_text(fields_at_load(*cup, gear))});
   return files;
 }
 

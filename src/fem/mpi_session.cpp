@@ -74,11 +74,6 @@ int MpiSession::on_this_machine() const {
 std::string MpiSession::from_first(const std::string& text) const {
   return dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, text, 0);
 }
-std::string MpiSession::from_any(const std::string& text) const {
-  for (const std::string& one : dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, text))
-    if (!one.empty()) return one;
-  return {};
-}
 bool MpiSession::all(bool here) const {
   return dealii::Utilities::MPI::min(here ? 1 : 0, MPI_COMM_WORLD) == 1;
 }

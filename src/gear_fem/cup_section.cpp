@@ -187,4 +187,12 @@ CupResult solve_cup(const CupSection& cup, const fem::Elasticity& elasticity,
   return result;
 }
 
+Checks CupResult::checks() const {
+  return {.lower_order = lower_order,
+          .energy_balance = solution.energy_balance,
+          .equilibrium_residual = solution.equilibrium_residual,
+          .worst_jacobian = solution.worst_jacobian,
+          .unknowns = solution.dofs};
+}
+
 }  // namespace strainwave::gear_fem

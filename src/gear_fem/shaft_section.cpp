@@ -200,8 +200,18 @@ fem::SectionMesh mesh_shaft(const ShaftSection& shaft) {
 ShaftCrackResult solve_shaft(const ShaftSection& shaft, const fem::Elasticity& elasticity,
                              const fem::SectionOptions& options) {
   if (!shaft.crack) throw InputError("crack", "there is none to solve");
-  return {.torsion = solve_load(shaft, SectionLoad::torsion, elasticity, options),
-          .tension = solve_load(shaft, SectionLoad::tension, elasticity, options)};
+  return {.torsion = {solve_load(shaft, SectionLoad::torsion, elasticity, options)},
+          .tension = {solve_load(shaft, SectionLoad::tension, elasticity, options)}};
+}
+
+Checks ShaftCrackLoad::checks() const {
+  return {.ring_spread = tip.ring_spread,
+          .growth_check = growth_check,
+          .displacement_check = tip.displacement_check,
+          .energy_balance = energy_balance,
+          .equilibrium_residual = equilibrium_residual,
+          .worst_jacobian = worst_jacobian,
+          .unknowns = dofs};
 }
 
 }  // namespace strainwave::gear_fem

@@ -230,4 +230,12 @@ TubeSurfaceCrackResult solve_tube_with_surface_crack(const TubeWithSurfaceCrack&
   return result;
 }
 
+std::vector<EllipsePoint> TubeSurfaceCrackResult::front() const {
+  const auto& stations = solid.fronts.at(0).stations;
+  std::vector<EllipsePoint> points;
+  for (std::size_t i = 1; i + 1 < stations.size(); ++i)
+    points.push_back({at(stations[i]), stations[i].position * std::numbers::pi});
+  return points;
+}
+
 }  // namespace strainwave::gear_fem

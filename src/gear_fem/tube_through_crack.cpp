@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <numbers>
@@ -277,6 +278,50 @@ TubeCrackResult solve_tube_with_through_crack(const TubeWithThroughCrack& tube_g
     result.reason = fmt::format("where the faces touch {:.2g} of K0 is left as K_I", share);
   judge(result, tube.check_growth, least_K_I < -0.01 * largest_K);
   return result;
+}
+
+bool TubeCrackResult::releases() const {
+  return std::abs(energy_release_rate) > closed_release_rate;
+}
+
+std::string_view TubeCrackResult::faces() const {
+  if (closed) return "closed";
+  return solid.contact_share > 0 ? "partly closed" : "open";
+}
+
+FrontPoint TubeCrackResult::at(const fem::FrontStation& station) const {
+  return {.x = station.place[0],
+          .y = station.place[1],
+          .z = station.place[2],
+          .K_I = closed ? 0.0 : station.K_I,
+          .K_II = station.K_II,
+          .K_III = station.K_III,
+          .energy_release_rate = station.energy_release_rate};
+}
+
+std::vector<TipFront> TubeCrackResult::tips() const {
+  constexpr std::array kTips = {"upper", "lower"};
+  std::vector<TipFront> tips;
+  for (const fem::CrackFront& front : solid.fronts) {
+    tips.push_back({.tip = kTips.at(tips.size()), .from_inner_to_outer_face = {}});
+    for (const fem::FrontStation& station : front.stations)
+      tips.back().from_inner_to_outer_face.push_back(at(station));
+  }
+  return tips;
+}
+
+Checks TubeCrackResult::checks() const {
+  Checks checks{.energy_balance = solid.energy_balance,
+                .equilibrium_residual = solid.equilibrium_residual,
+                .worst_jacobian = solid.worst_jacobian,
+                .unknowns = solid.dofs};
+  if (sound_check != 0) checks.sound_check = sound_check;
+  if (!releases()) return checks;
+  checks.ring_spread = 0.0;
+  for (const fem::CrackFront& front : solid.fronts)
+    checks.ring_spread = std::max(*checks.ring_spread, front.ring_spread);
+  checks.growth_check = growth_check;
+  return checks;
 }
 
 }  // namespace strainwave::gear_fem

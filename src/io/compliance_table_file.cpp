@@ -54,15 +54,15 @@ std::vector<std::string> places_of(std::string_view line) {
   return places;
 }
 
-TableRow row_of(const std::vector<std::string>& places, std::size_t n_at, std::string_view name,
-                std::size_t line) {
+TablePoint row_of(const std::vector<std::string>& places, std::size_t n_at, std::string_view name,
+                  std::size_t line) {
   const auto number = [&](const std::string& text) {
     const std::optional<double> value = parse_number(text);
     if (!value) refuse(name, line, fmt::format("\"{}\" is not a number", shown(text)));
     return *value;
   };
   const std::size_t n_values = places.size() - kPlacesBehind - n_at;
-  TableRow row;
+  TablePoint row;
   for (std::size_t i = 0; i < n_at; ++i) row.at.push_back(number(places[i]));
   const auto may_be_empty = [&](const std::string& text) {
     return text.empty() ? std::nullopt : std::optional<double>(number(text));
@@ -161,7 +161,7 @@ std::string table_head_text(const TableHead& head) {
   return text + "relative_error [1],usable,unknowns,seconds [s],reason\n";
 }
 
-std::string table_row_text(const TableRow& row) {
+std::string table_row_text(const TablePoint& row) {
   std::string text;
   for (const double at : row.at) text += fmt::format("{},", at);
   const auto optional = [&](const std::optional<double>& value) {
@@ -240,7 +240,7 @@ ComplianceTable parse_compliance_table(std::string_view text, std::string_view n
                    .unit = column.unit,
                    .logarithmic = over[a].ends_with(", logarithmic"),
                    .nodes = {}};
-    for (const TableRow& row : file.rows) axis.nodes.push_back(row.at[a]);
+    for (const TablePoint& row : file.rows) axis.nodes.push_back(row.at[a]);
     std::ranges::sort(axis.nodes);
     axis.nodes.erase(std::unique(axis.nodes.begin(), axis.nodes.end()), axis.nodes.end());
     if (axis.nodes.size() < kMinTableNodes)
@@ -263,7 +263,7 @@ ComplianceTable parse_compliance_table(std::string_view text, std::string_view n
     column.values.assign(n_points, 0.0);
     std::vector<bool> filled(n_points, false);
     for (std::size_t r = 0; r < file.rows.size(); ++r) {
-      const TableRow& row = file.rows[r];
+      const TablePoint& row = file.rows[r];
       if (!row.usable)
         throw InputError(name, fmt::format("point {} is not usable: {}", r + 1, shown(row.reason)));
       if (!row.values.at(place) || !row.relative_error)

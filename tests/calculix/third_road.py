@@ -47,7 +47,7 @@ def hold(name, own, coarse, fine, stated, *, order, ratio):
 def check_shaft(program):
     """Shaft of 60 mm, crack of 9 mm: compliance, added compliance, G, K_III."""
     outer, inner, length, depth, steel = 60.0, 0.0, 300.0, 9.0, (210e3, 0.3)
-    found = output(program, EXAMPLES / "solid_shaft.toml", "--format", "json")["output_shaft"]
+    found = output(program, EXAMPLES / "solid_shaft.toml", "--format", "json")["result"]["output_shaft"]
     crack = found["cracks"][0]
     torsion = crack["torsion"]
     # N*m and m into N*mm and mm; the torque of the example is 1.5 kN*m.

@@ -208,7 +208,7 @@ TEST(CommandRow, ReferenceTheEnvelopeHasItsFieldsInOrder) {
   const Command row = test_command();
   OptionValues options(row.options);
   options.set_from_json(R"({"name": "x", "loud": true, "length": "2 m"})");
-  const Answer answer(row, std::make_shared<const Drive>(), options, {}, {});
+  const Answer answer = run(row, nullptr, options);
   const Json envelope = Json::parse(answer.json());
   std::vector<std::string> names;
   for (const auto& [name, value] : envelope.items()) names.push_back(name);
@@ -234,12 +234,71 @@ TEST(CommandRow, LimitAnUnusableAnswerCannotBeTold) {
   const Command row = test_command();
   OptionValues options(row.options);
   options.set_from_json(R"({"name": "x", "count": 0})");
-  const Answer answer(row, std::make_shared<const Drive>(), options, {}, {});
+  const Answer answer = run(row, nullptr, options);
   EXPECT_FALSE(answer.usable());
   const Json envelope = Json::parse(answer.json());
   EXPECT_EQ(envelope["usable"], false);
   EXPECT_EQ(envelope["unusable_because"], "nobody asked");
   EXPECT_EQ(envelope["verdict"]["judgement"], "cannot be told");
+}
+
+struct NoOptions {
+  template <class Visitor>
+  static void describe(Visitor&&) {}
+};
+
+/// Remembers what a command wrote.
+class KeptJournal : public Journal {
+ public:
+  [[nodiscard]] std::string name() const override { return "kept"; }
+  [[nodiscard]] std::optional<std::string> text() const override { return text_; }
+  void begin(const std::string& text) override { text_ = text; }
+  void append(const std::string& line) override { *text_ += line; }
+
+ private:
+  std::optional<std::string> text_;
+};
+
+TEST(CommandRow, BehaviourAJournalIsKeptAndAFolderIsNoText) {
+  const Command row = command<NoOptions, TestResult>({
+      .name = "keep",
+      .summary = "Keeps a line",
+      .description = "Adds a line to a journal.",
+      .example = "strainwave keep",
+      .journal = "the lines",
+      .takes = Takes::nothing,
+      .function =
+          [](const Request& request, const NoOptions&) {
+            if (!request.journal->text()) request.journal->begin("head\n");
+            request.journal->append("line\n");
+            request.progress.say("a line");
+            return TestResult{};
+          },
+      .documents = {{.document = {.name = "svg", .format = Format::svg},
+                     .files =
+                         [](const TestResult&, const Rendering& to) {
+                           return std::vector<OutputFile>{{"one.svg", "<svg/>"},
+                                                          {"all.json", to.answer.json()}};
+                         }}},
+  });
+  EXPECT_TRUE(row.documents.front().folder);
+  const OptionValues options(row.options);
+  EXPECT_PRED2(says, test::broken_rule([&] { return run(row, nullptr, options).usable(); }),
+               "journal: must be given; keep works on a journal");
+  KeptJournal journal;
+  std::string said;
+  const Progress progress({}, [&](const std::string& line) { said += line; });
+  for (int i = 0; i < 2; ++i) {
+    const Answer answer = run(row, nullptr, options, {}, progress, {.journal = &journal});
+    const std::vector<OutputFile> files = answer.files("svg");
+    ASSERT_EQ(files.size(), 2U);
+    EXPECT_EQ(files[0].name, "one.svg");
+    EXPECT_EQ(files[1].text, answer.json());
+    EXPECT_PRED2(says, test::broken_rule([&] { return answer.document("svg"); }),
+                 "svg of keep is a folder of files, and no text");
+  }
+  EXPECT_EQ(journal.text(), "head\nline\nline\n");
+  EXPECT_EQ(said, "a linea line");
 }
 
 TEST(CommandRow, InputARowIsFoundByItsName) {

@@ -44,7 +44,7 @@ TEST_F(FeProgram, CrosscheckShaftExampleByBothPrograms) {
   ASSERT_EQ(fe.exit_code, 0) << fe.err;
   const Json json = Json::parse(fe.out);
   EXPECT_TRUE(json["usable"]);
-  const Json& crack = json["output_shaft"]["cracks"][0];
+  const Json& crack = json["result"]["output_shaft"]["cracks"][0];
   EXPECT_EQ(crack["path"], "output_shaft.crack[0]");
   EXPECT_TRUE(json.contains("provenance"));
   const Outcome closed = run("stiffness " + kShaft + " --format json", "'" STRAINWAVE_CLI "'");
@@ -72,12 +72,12 @@ TEST_F(FeProgram, IdentityCupSharesAndFileOutput) {
   EXPECT_TRUE(cup.out.empty());
   const Json json = Json::parse(contents(file));
   double shares = 0.0;
-  for (const Json& part : json["flexspline"]["sound"]["parts"])
+  for (const Json& part : json["result"]["flexspline"]["sound"]["parts"])
     shares += part["share"]["value"].get<double>();
   EXPECT_NEAR(shares, 1, 1e-8);
-  EXPECT_EQ(json["section_order"], 4);
-  EXPECT_TRUE(json["flexspline"]["cracks"].empty());
-  EXPECT_NE(json["notes"][0].get<std::string>().find("flexspline.crack[0] is left out"),
+  EXPECT_EQ(json["result"]["section_order"], 4);
+  EXPECT_TRUE(json["result"]["flexspline"]["cracks"].empty());
+  EXPECT_NE(json["notes"][0]["text"].get<std::string>().find("flexspline.crack[0] is left out"),
             std::string::npos);
 }
 
@@ -108,14 +108,14 @@ TEST_F(FeProgram, InputFaultsOfOneRankEndAll) {
     EXPECT_EQ(outcome.err.find(words, at + 1), std::string::npos) << "once: " << outcome.err;
   };
   // The first alone writes.
-  told(run(kShaft + " --dry-run -o /nowhere/plan.txt", mpirun + "-n 2 " + fe), 70,
+  told(run(kShaft + " --dry-run -o /nowhere/plan.txt", mpirun + "-n 2 " + fe), 7,
        "strainwave-fe: /nowhere/plan.txt");
-  told(run(kShaft + " --order 2 -o /nowhere/result.txt", mpirun + "-n 2 " + fe), 70,
+  told(run(kShaft + " --order 2 -o /nowhere/result.txt", mpirun + "-n 2 " + fe), 7,
        "strainwave-fe: /nowhere/result.txt");
   told(run("tabulate " + kShaft +
                " --order 2 --over 'output_shaft.crack[0].depth=6 mm..9 mm:2' -o /nowhere/t.csv",
            mpirun + "-n 2 " + fe),
-       70, "strainwave-fe: /nowhere/t.csv");
+       7, "strainwave-fe: /nowhere/t.csv");
   // A file that only the first machine has.
   told(run("/nowhere.toml --dry-run", mpirun + "-n 1 " + fe + kShaft + " --dry-run : -n 1 " + fe),
        3, "strainwave-fe: rank 1: /nowhere.toml");
@@ -124,7 +124,7 @@ TEST_F(FeProgram, InputFaultsOfOneRankEndAll) {
 TEST_F(FeProgram, IdentityDryRunCalculatesNothing) {
   const Outcome plan = run(kShaft + " --dry-run --format json");
   ASSERT_EQ(plan.exit_code, 0) << plan.err;
-  const Json json = Json::parse(plan.out)["plan"][0];
+  const Json json = Json::parse(plan.out)["result"]["plan"][0];
   EXPECT_EQ(json["path"], "output_shaft.crack[0]");
   EXPECT_NEAR(json["unknowns"].get<double>(), 12306, 2500);
   EXPECT_NE(run(kCup + " --dry-run").out.find("unknowns"), std::string::npos);
@@ -149,7 +149,7 @@ TEST_F(FeProgram, IdentityShearModulusFollowsFromTheOthers) {
       << json["notes"];
   const Outcome same = with("80.7692307692 GPa");
   EXPECT_EQ(same.out.find("the given one"), std::string::npos);
-  EXPECT_EQ(Json::parse(same.out)["output_shaft"]["cracks"], json["output_shaft"]["cracks"]);
+  EXPECT_EQ(Json::parse(same.out)["result"]["output_shaft"], json["result"]["output_shaft"]);
 }
 
 TEST_F(FeProgram, InputErrorsByCodeAndName) {
@@ -191,6 +191,22 @@ TEST_F(FeProgram, InputErrorsByCodeAndName) {
   refused(changed("solid_shaft.toml",
                   "[[output_shaft.crack]]\nkind = \"annular\"\ndepth = \"9 mm\"", ""),
           "gives nothing that finite elements can calculate");
+}
+
+// `run` is what is meant without a word; the rest is the command line of every table.
+TEST_F(FeProgram, IdentityCommandLineOfTheTable) {
+  EXPECT_EQ(run("run " + kShaft + " --dry-run").out, run(kShaft + " --dry-run").out);
+  EXPECT_EQ(run("--dry-run " + kShaft).out, run(kShaft + " --dry-run").out);
+  for (const char* const command : {"run", "tabulate", "render", "schema", "man", "completion"})
+    EXPECT_NE(run("--help").out.find(command), std::string::npos) << command;
+  EXPECT_NE(run("man tabulate").out.find("strainwave\\-fe tabulate"), std::string::npos);
+  EXPECT_EQ(run("completion words -- tab").out, "tabulate\n");
+  EXPECT_EQ(run("completion words -- --member fl").out, "flexspline\n");
+  EXPECT_EQ(run("completion words -- x.toml --me").out, "--member\n");
+  const Outcome paths = run("completion words -- tabulate " + kShaft + " --over output_shaft.c");
+  EXPECT_EQ(paths.out, "output_shaft.crack[0].depth\n") << paths.err;
+  EXPECT_EQ(Json::parse(run("schema --of result --command run").out)["title"],
+            "strainwave-fe run: Finite elements of the members of a drive");
 }
 
 TEST_F(FeProgram, IdentityClosedUnderCompression) {

@@ -92,8 +92,8 @@ class FeTable : public testing::Test {
 /// Table lines without their times.
 std::vector<std::string> rows_without_seconds(const std::string& table) {
   std::vector<std::string> rows;
-  for (const TableRow& row : parse_table_file(table, "t").rows) {
-    TableRow timeless = row;
+  for (const TablePoint& row : parse_table_file(table, "t").rows) {
+    TablePoint timeless = row;
     timeless.seconds = 0;
     rows.push_back(table_row_text(timeless));
   }
@@ -181,7 +181,8 @@ TEST_F(FeTable, IdentityPointsThatCannotBeUsedAreKept) {
   const std::string example = STRAINWAVE_EXAMPLES "/solid_shaft.toml";
   const Ended ended = tabulate(example, over + to("deep.csv"));
   EXPECT_EQ(ended.exit_code, 4) << ended.err;
-  EXPECT_NE(ended.err.find("not usable: point 2: output_shaft.crack[0].depth"), std::string::npos)
+  EXPECT_NE(ended.err.find("strainwave-fe: point 2: output_shaft.crack[0].depth"),
+            std::string::npos)
       << ended.err;
   const TableFile file = parse_table_file(text_of(path("deep.csv")), "deep.csv");
   ASSERT_EQ(file.rows.size(), 2U);
@@ -194,7 +195,7 @@ TEST_F(FeTable, IdentityPointsThatCannotBeUsedAreKept) {
   const Ended two = tabulate(example, over + to("two.csv"),
                              "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
                              "OMP_NUM_THREADS=1 mpirun --oversubscribe -n 2 ");
-  EXPECT_NE(two.err.find("not usable: point 2"), std::string::npos) << two.err;
+  EXPECT_NE(two.err.find("strainwave-fe: point 2: "), std::string::npos) << two.err;
   EXPECT_EQ(rows_without_seconds(text_of(path("two.csv"))),
             rows_without_seconds(text_of(path("deep.csv"))));
   // The plan of the family says so before.
@@ -405,7 +406,7 @@ TEST(FeTableRun, IdentityOfATubeInAnyDrive) {
   const std::vector<Variation> over{
       parse_variation(gear, "flexspline.crack[0].half_length=1.9 mm..2 mm:2", "--over")};
   const fe_study::RunOptions options{.crack = "flexspline.crack[0]"};
-  const std::size_t cup = fe_study::plan(gear, options).at(0).dofs;
+  const std::size_t cup = fe_study::plan(gear, options).plan.at(0).dofs;
   const auto size =
       fe_study::table_size(fe_study::table_study(gear, "cracked_size25.toml", options, over));
   EXPECT_EQ(size.points, 2U);
@@ -428,7 +429,7 @@ TEST(FeMemory, InputEndsATableAndIsNoRow) {
   little.rlim_cur = static_cast<rlim_t>(pages * static_cast<double>(getpagesize()) + 1e8);
   ASSERT_EQ(setrlimit(RLIMIT_AS, &little), 0);
   EXPECT_THROW((void)fe_study::table_point(study, 0, test::mpi()), fe_study::MemoryRefusal);
-  const TableRow misfit = fe_study::table_point(study, 1, test::mpi());  // deeper than the shaft
+  const TablePoint misfit = fe_study::table_point(study, 1, test::mpi());  // deeper than the shaft
   ASSERT_EQ(setrlimit(RLIMIT_AS, &before), 0);
   EXPECT_FALSE(misfit.usable);
   EXPECT_NE(misfit.reason.find("depth < outer_diameter/2"), std::string::npos) << misfit.reason;

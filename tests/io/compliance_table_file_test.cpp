@@ -41,7 +41,7 @@ TableHead shaft_head() {
   return head;
 }
 
-TableRow row_at(double depth) {
+TablePoint row_at(double depth) {
   return {.at = {depth},
           .values = {1e-4 * depth * depth, 1e-6 * depth * depth},
           .relative_error = 1e-4 + depth * 0.01,
@@ -74,7 +74,7 @@ TEST(ComplianceTableFile, IdentityWrittenAndRead) {
   EXPECT_EQ(file.rows[2].unknowns, 5592U);
   EXPECT_EQ(file.rows[2].seconds, 2.25);
   // A reason may have commas and quotes; a point without numbers has none.
-  TableRow bad = row_at(8e-3);
+  TablePoint bad = row_at(8e-3);
   bad.usable = false;
   bad.reason = "rings, \"1 %\" apart";
   bad.values = {std::nullopt, 0.1};
@@ -152,17 +152,17 @@ TEST(ComplianceTableFile, InputFaultsByName) {
   refused(replaced(good, "true,5592", "true,many"), "\"many\" is not a number");
   refused(replaced(good, "true,5592,2.25,", "false,5592,2.25,\"closed\""),
           "point 1 is not usable: closed");
-  TableRow empty = row_at(8e-3);
+  TablePoint empty = row_at(8e-3);
   empty.values[0].reset();
   refused(replaced(good, last, table_row_text(empty)), "point 4 has no added_compliance_torsion");
-  TableRow zero = row_at(0.0);
+  TablePoint zero = row_at(0.0);
   refused(replaced(good, last, table_row_text(zero)), "depth must be > 0 on a logarithmic axis");
   // Two axes: a grid with a hole.
   TableHead two = shaft_head();
   two.ranges.push_back({{"length", "m", 0.0}, {.path = "x", .from = 1, .to = 2, .n_points = 4}});
   std::string holes = table_head_text(two);
   for (int i = 0; i < 4; ++i) {
-    TableRow row = row_at(1e-3 * (i + 1));
+    TablePoint row = row_at(1e-3 * (i + 1));
     row.at.push_back(0.1 * (i + 1));
     holes += table_row_text(row);
   }

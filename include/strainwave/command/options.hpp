@@ -156,6 +156,7 @@ class OptionValues {
   /// @throws OptionError  a required option was not set
   void require_complete() const;
 
+  [[nodiscard]] bool given(std::string_view name) const;
   [[nodiscard]] const void* get() const { return values_.get(); }
 
  private:

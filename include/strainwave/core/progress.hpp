@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace strainwave {
@@ -23,14 +24,21 @@ class Progress {
  public:
   /// Told the share that is done, 0 to 1; answers whether to go on.
   using Report = std::function<bool(double share)>;
+  /// Told in words how far it is, a line at a time, for a person who waits.
+  using Words = std::function<void(const std::string& line)>;
 
   Progress() = default;
-  explicit Progress(Report report) : report_(std::move(report)) {}
+  explicit Progress(Report report, Words words = {})
+      : report_(std::move(report)), words_(std::move(words)) {}
 
   /// Reports that `share` of this computation is done, 0 to 1.
   /// @throws Stopped  if the caller asks to stop
   void at(double share) const {
     if (report_ && !report_(from_ + (to_ - from_) * share)) throw Stopped();
+  }
+
+  void say(const std::string& line) const {
+    if (words_) words_(line);
   }
 
   /// The part of this computation from share `from` to share `to`, for a computation within it.
@@ -43,6 +51,7 @@ class Progress {
 
  private:
   Report report_;
+  Words words_;
   double from_ = 0.0;
   double to_ = 1.0;
 };

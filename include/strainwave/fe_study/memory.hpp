@@ -68,7 +68,7 @@ void require_memory(const std::vector<RunSize>& sizes, const AvailableMemory& he
 /// The same on this machine, as it is now.  Every rank calls it; each refuses what any refuses.
 ///
 /// @throws MemoryRefusal        here
-/// @throws fem::OtherRankError  on another machine
-void require_memory(const std::vector<RunSize>& sizes, const fem::MpiSession& session);
+/// @throws OtherRankError  on another machine
+void require_memory(const std::vector<RunSize>& sizes, const Ranks& ranks);
 
 }  // namespace strainwave::fe_study

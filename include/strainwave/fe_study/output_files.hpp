@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "strainwave/command/command.hpp"
 #include "strainwave/fe_study/member_run.hpp"
-#include "strainwave/fem/mpi_session.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 
 /// @file
 /// Results that are a folder of files: VTU for ParaView, pictures as SVG.
 
 namespace strainwave::fe_study {
-
-/// A file of the folder, and what is in it.
-struct OutputFile {
-  std::string name;
-  std::string text;
-};
 
 /// "flexspline_crack_0" of "flexspline.crack[0]"
 [[nodiscard]] std::string file_stem(const std::string& path);
@@ -30,7 +23,7 @@ struct OutputFile {
 ///
 /// @param result  of a run with RunFields::of_rank
 [[nodiscard]] std::vector<OutputFile> vtu_files(const RunResult& result, const GearSet& gear,
-                                                const fem::MpiSession& session);
+                                                const Ranks& ranks);
 
 /// Pictures as SVG, no larger than 2 MB each: of each crack of the wall, for the sense of torque
 /// that releases more energy, strain energy density on the surface, the same less that of the sound
@@ -40,11 +33,5 @@ struct OutputFile {
 ///
 /// @param result  of a run with RunFields::everywhere; of the first rank
 [[nodiscard]] std::vector<OutputFile> pictures(const RunResult& result, const GearSet& gear);
-
-/// Writes all files of all ranks or none: first under other names, which are taken back if one of
-/// them fails anywhere.  The folder is made if need be, and taken back with them.
-/// @throws Error  on every rank, if a file cannot be written
-void write_files(const std::filesystem::path& folder, const std::vector<OutputFile>& files,
-                 const fem::MpiSession& session);
 
 }  // namespace strainwave::fe_study

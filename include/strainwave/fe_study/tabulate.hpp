@@ -2,12 +2,11 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "strainwave/command/command.hpp"
 #include "strainwave/fe_study/member_run.hpp"
 #include "strainwave/io/compliance_table_file.hpp"
 #include "strainwave/model/input/variation.hpp"
@@ -45,6 +44,16 @@ struct TableSize {
   double seconds = 0.0;              ///< of all points, one core [s]
   std::size_t points = 0;            ///< of the family
   std::vector<std::string> misfits;  ///< points that cannot be meshed or break a rule, with reason
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"largest", "", "the point that needs the most memory"}, &TableSize::largest);
+    field({"least_unknowns", "", "of a point"}, &TableSize::least_unknowns);
+    field({"time", "s", "of all points, estimate for one core"}, &TableSize::seconds);
+    field({"points", "", "of the family"}, &TableSize::points);
+    field({"misfits", "", "points that cannot be calculated, with the reason"},
+          &TableSize::misfits);
+  }
 };
 /// Meshes every point and solves none.
 [[nodiscard]] TableSize table_size(const TableStudy& study);
@@ -56,27 +65,42 @@ struct TableSize {
 /// Every rank of MPI calls it; the first has the row.
 /// @throws MemoryRefusal, fem::MemoryError  too little memory, which the next run may have: no row
 /// @throws Error  any other fault that is not of the point
-[[nodiscard]] TableRow table_point(const TableStudy& study, std::size_t point,
-                                   const fem::MpiSession& session);
+[[nodiscard]] TablePoint table_point(const TableStudy& study, std::size_t point,
+                                     const Ranks& ranks);
 
 /// What became of a table.
 struct TableOutcome {
-  std::size_t found = 0;     ///< points that were in the file
-  std::size_t unusable = 0;  ///< of all
-  std::string first_reason;  ///< of the first of these
+  TableSize plan;
+  bool calculated = false;            ///< else there is a plan only
+  std::string refused = {};           ///< why the plan cannot be calculated here; empty: it can
+  std::string table = {};             ///< name of its file
+  std::size_t found = 0;              ///< points that were in the file
+  std::size_t unusable = 0;           ///< of all
+  std::string unusable_because = {};  ///< of the first of these
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"plan", "", "of all points, estimated before"}, &TableOutcome::plan);
+    field({"calculated", "", "false of a dry run"}, &TableOutcome::calculated);
+    field({"table", "", "name of its file"}, &TableOutcome::table);
+    field({"found", "", "points that were in it before"}, &TableOutcome::found);
+    field({"unusable", "", "points that may not be used"}, &TableOutcome::unusable);
+  }
 };
 
-/// Runs the points that the file does not have yet and adds each to it as it is finished.
+[[nodiscard]] ResultEvidence evidence_of(const TableOutcome& outcome);
+
+/// Runs the points that the table does not have yet and adds each to it as it is finished.
 ///
 /// A run that is killed loses the point that it was at.  Every rank of MPI calls it.
 ///
-/// @param say  for messages, on the first rank only
-/// @throws InputError  if the file is there and is another table, naming the first line that
-/// differs;
-///                     before the first solution, for a point that will not fit into memory
-[[nodiscard]] TableOutcome run_table(const TableStudy& study, const std::filesystem::path& file,
-                                     const fem::MpiSession& session,
-                                     const std::function<void(const std::string&)>& say);
+/// @param table     used by the first rank
+/// @param progress  is told of each point
+/// @throws InputError  if the table is there and is another one, naming the first line that
+///                     differs; before the first solution, for a point that will not fit into
+///                     memory
+[[nodiscard]] TableOutcome run_table(const TableStudy& study, Journal& table, const Ranks& ranks,
+                                     const Progress& progress);
 
 /// Relative error of the added compliance of a crack, from the evidence of its run.
 ///

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "strainwave/fem/axisymmetric.hpp"
+#include "strainwave/gear_fem/checks.hpp"
 #include "strainwave/model/input/flexspline.hpp"
 
 namespace strainwave::gear_fem {
@@ -44,6 +45,13 @@ struct CupPart {
   std::string name;         ///< "rim", "barrel", "diaphragm", "boss"
   double compliance = 0.0;  ///< twice its strain energy at a torque of 1 N*m [rad/(N*m)] (FE-10)
   double share = 0.0;       ///< of the whole [-]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"name", "", "rim, barrel, diaphragm or boss"}, &CupPart::name);
+    field({"compliance", "rad/(N*m)", "its part of the whole"}, &CupPart::compliance);
+    field({"share", "1", "of the whole"}, &CupPart::share);
+  }
 };
 
 /// A cup in torsion.
@@ -54,6 +62,18 @@ struct CupResult {
   double lower_order = 0.0;  ///< compliance at order p-1 over that at p, - 1 [-]
   bool usable = false;
   std::string reason;  ///< why it may not be used; empty if it may
+
+  [[nodiscard]] Checks checks() const;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"compliance", "rad/(N*m)", "torsion of the open end against the held one"},
+          &CupResult::compliance);
+    field({"parts", "", "what each part has of it"}, &CupResult::parts);
+    field({"evidence", "", "how well the solution agrees with itself"}, &CupResult::checks);
+    field({"usable", "", "whether the checks agree"}, &CupResult::usable);
+    field({"reason", "", "why not; empty if they do"}, &CupResult::reason);
+  }
 };
 
 /// How much the compliance of a usable result may change from order p-1 to p [-].

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "strainwave/fem/axisymmetric.hpp"
+#include "strainwave/gear_fem/checks.hpp"
 #include "strainwave/model/input/output_shaft.hpp"
 
 namespace strainwave::gear_fem {
@@ -71,12 +72,38 @@ struct ShaftCrackLoad {
   std::string reason;                      ///< why it may not be used; empty if it may
   std::vector<ShaftCrackSize> sizes = {};  ///< that (FE-8) has solved, the given depth last
   fem::SampledFields fields = {};          ///< at the given depth, as the options ask
+
+  [[nodiscard]] Checks checks() const;
+};
+
+/// The same of one kind of load, which gives the numbers their units.
+template <fem::SectionLoad kLoad>
+struct LoadOnShaft : ShaftCrackLoad {
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    constexpr bool kTwisted = kLoad == fem::SectionLoad::torsion;
+    constexpr std::string_view kCompliance = kTwisted ? "rad/(N*m)" : "m/N";
+    field({"sound_compliance", kCompliance, "without the crack"},
+          &ShaftCrackLoad::sound_compliance);
+    field({"added_compliance", kCompliance, "by the crack"}, &ShaftCrackLoad::added_compliance);
+    field({"added_by_difference", kCompliance, "the same by subtracting two solutions"},
+          &ShaftCrackLoad::added_by_difference);
+    field({"energy_release_rate_per_load_squared", kTwisted ? "J/(m^2*N^2*m^2)" : "J/(m^2*N^2)",
+           "G of a load of one"},
+          [](const LoadOnShaft& load) { return load.tip.energy_release_rate; });
+    field({"evidence", "", "how well the solution agrees with itself"}, &ShaftCrackLoad::checks);
+    field({"usable", "", "whether the checks agree"}, &ShaftCrackLoad::usable);
+    field({"reason", "", "why not; empty if they do"}, &ShaftCrackLoad::reason);
+  }
 };
 
 /// A cracked shaft under torque and axial force.
 struct ShaftCrackResult {
-  ShaftCrackLoad torsion;  ///< per N*m
-  ShaftCrackLoad tension;  ///< per N; its K_I is negative under compression: closed
+  LoadOnShaft<fem::SectionLoad::torsion> torsion;  ///< per N*m
+  /// Per N; its K_I is negative under compression: closed.
+  LoadOnShaft<fem::SectionLoad::tension> tension;
+
+  [[nodiscard]] std::array<const ShaftCrackLoad*, 2> loads() const { return {&torsion, &tension}; }
 };
 
 /// A crack that adds more than this share of the sound compliance is measured by subtraction [-]:

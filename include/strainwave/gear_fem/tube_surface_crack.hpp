@@ -42,6 +42,18 @@ struct TubeWithSurfaceCrack {
   std::function<void(const fem::SolidResult&, double)> solved = {};
 };
 
+/// A place of the front of a surface crack.
+struct EllipsePoint : FrontPoint {
+  double front_angle{};  ///< of the ellipse, from the end toward +z [rad]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"front_angle", "rad", "of the ellipse, from the end toward +z"},
+          &EllipsePoint::front_angle);
+    FrontPoint::describe(field);
+  }
+};
+
 /// The tube's answer with its evidence.
 ///
 /// One front, from the mouth's end toward +z (at 90 degrees: toward -theta) to its other end, with
@@ -55,6 +67,16 @@ struct TubeSurfaceCrackResult : TubeCrackResult {
   double compliance_by_sizes{};  ///< int 2G/T^2 dA [rad/(N*m)], (FE-35); 0: not done
   double sizes_check{};          ///< compliance_by_sizes/added_compliance - 1 [-]
   fem::FrontStation deepest;     ///< the station at phi = 90 degrees
+
+  /// The front without its two ends, where K is not defined.
+  [[nodiscard]] std::vector<EllipsePoint> front() const;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    describe_common(field);
+    field({"from_upper_to_lower_end", "", "along the front, without its ends, where no K is"},
+          &TubeSurfaceCrackResult::front);
+  }
 };
 
 /// The mesh that is solved for the given crack size.

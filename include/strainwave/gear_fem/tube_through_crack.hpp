@@ -4,8 +4,11 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "strainwave/fem/solid.hpp"
+#include "strainwave/gear_fem/checks.hpp"
 #include "strainwave/model/input/flexspline.hpp"
 #include "strainwave/model/result/crack_strength.hpp"
 
@@ -51,6 +54,43 @@ struct TubeWithThroughCrack {
   fem::FieldRequest fields = {};  ///< of the given size; nothing if left out
 };
 
+/// A place of a front and what is there at the given torque.
+struct FrontPoint {
+  static constexpr bool kTableRow = true;
+  double x{};                    ///< [m]
+  double y{};                    ///< [m]
+  double z{};                    ///< [m]
+  double K_I{};                  ///< [Pa*m^0.5]; 0 where the crack is closed
+  double K_II{};                 ///< [Pa*m^0.5]
+  double K_III{};                ///< [Pa*m^0.5]
+  double energy_release_rate{};  ///< [J/m^2]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"x", "m", "across the axis, through the middle of the crack"}, &FrontPoint::x);
+    field({"y", "m", "across the axis"}, &FrontPoint::y);
+    field({"z", "m", "along the axis"}, &FrontPoint::z);
+    field({"K_I", "Pa*m^0.5", "opening; 0 where the crack is closed"}, &FrontPoint::K_I);
+    field({"K_II", "Pa*m^0.5", "sliding ahead"}, &FrontPoint::K_II);
+    field({"K_III", "Pa*m^0.5", "tearing"}, &FrontPoint::K_III);
+    field({"energy_release_rate", "J/m^2", "G"}, &FrontPoint::energy_release_rate);
+  }
+};
+
+/// The front of one tip of a through crack.
+struct TipFront {
+  std::string_view tip;
+  std::vector<FrontPoint> from_inner_to_outer_face;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"tip", "", "upper: toward +z, at 90 degrees toward -theta; lower: the other"},
+          &TipFront::tip);
+    field({"from_inner_to_outer_face", "", "through the wall"},
+          &TipFront::from_inner_to_outer_face);
+  }
+};
+
 /// The tube's answer with its evidence; front 0 is the tip toward +z (at 90 degrees: toward
 /// -theta), front 1 the other, stations from the inner face to the outer one.
 struct TubeCrackResult {
@@ -70,6 +110,35 @@ struct TubeCrackResult {
   bool closed = false;  ///< the faces touch along both fronts: K_I = 0 all through the wall
   bool usable = false;  ///< the checks agree
   std::string reason;   ///< why not; empty when usable
+
+  /// Whether there is an energy release rate to compare with its derivative.
+  [[nodiscard]] bool releases() const;
+  /// "open", "partly closed" or "closed"
+  [[nodiscard]] std::string_view faces() const;
+  /// K_I is 0 of a closed crack: what is left there is rounding.
+  [[nodiscard]] FrontPoint at(const fem::FrontStation& station) const;
+  [[nodiscard]] std::vector<TipFront> tips() const;
+  [[nodiscard]] Checks checks() const;
+
+  /// All but the fronts.
+  template <class Visitor>
+  static void describe_common(Visitor& field) {
+    using R = TubeCrackResult;
+    field({"faces", "", "open, partly closed or closed"}, &R::faces);
+    field({"contact_share", "1", "share of the crack over which the faces touch"},
+          [](const R& r) { return r.solid.contact_share; });
+    field({"added_compliance", "rad/(N*m)", "by the crack"}, &R::added_compliance);
+    field({"energy_release_rate", "J/m^2", "of the whole crack, grown in proportion"},
+          &R::energy_release_rate);
+    field({"evidence", "", "how well the solution agrees with itself"}, &R::checks);
+    field({"usable", "", "whether the checks agree"}, &R::usable);
+    field({"reason", "", "why not; empty if they do"}, &R::reason);
+  }
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    describe_common(field);
+    field({"fronts", "", "of both tips"}, &TubeCrackResult::tips);
+  }
 };
 
 /// How far the crack of a barrel stays away from rim and diaphragm, over the wall's thickness [-]:

@@ -47,7 +47,7 @@ struct TableHead {
 };
 
 /// One point of a table.
-struct TableRow {
+struct TablePoint {
   std::vector<double> at;                     ///< the varied numbers
   std::vector<std::optional<double>> values;  ///< of TableHead::columns
   std::optional<double> relative_error;       ///< of the added compliances [-]
@@ -60,14 +60,14 @@ struct TableRow {
 /// The text before the first point: comments and the names of the columns.
 [[nodiscard]] std::string table_head_text(const TableHead& head);
 /// The line of one point, with its end of line.
-[[nodiscard]] std::string table_row_text(const TableRow& row);
+[[nodiscard]] std::string table_row_text(const TablePoint& row);
 
 /// A table file, as far as it got.
 struct TableFile {
-  std::string head;            ///< as table_head_text
-  std::vector<TableRow> rows;  ///< the whole ones
-  std::size_t whole = 0;       ///< bytes up to the end of the last whole line
-  bool torn = false;           ///< there is a piece of a line behind it
+  std::string head;              ///< as table_head_text
+  std::vector<TablePoint> rows;  ///< the whole ones
+  std::size_t whole = 0;         ///< bytes up to the end of the last whole line
+  bool torn = false;             ///< there is a piece of a line behind it
 };
 
 /// Takes a table file apart.

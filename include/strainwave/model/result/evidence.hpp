@@ -109,6 +109,7 @@ struct EnumNames<RequirementOutcome> {
 /// Everything that a result says about itself.
 struct ResultEvidence {
   std::string unusable_because;  ///< empty if the answer may be used
+  bool refused = false;          ///< it may not, because what the input asks for cannot be done
   Verdict verdict;
   std::vector<Note> notes;
   std::vector<std::string> equations;  ///< tags of the theory manual

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "own_commands.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "completion.hpp"
 #include "manual.hpp"
-#include "strainwave_program.hpp"
 
 namespace strainwave {
 namespace {
@@ -49,8 +50,7 @@ struct ManOptions {
   }
 };
 
-PrintedText manual(const Request&, const ManOptions& options) {
-  const Program& program = strainwave_program();
+PrintedText manual(const Program& program, const ManOptions& options) {
   if (options.list) return {fmt::format("{}\n", fmt::join(first_words(program), "\n"))};
   return {options.command ? command_page(program, *options.command) : program_page(program)};
 }
@@ -74,8 +74,7 @@ struct CompletionOptions {
   }
 };
 
-PrintedText completion(const Request&, const CompletionOptions& options) {
-  const Program& program = strainwave_program();
+PrintedText completion(const Program& program, const CompletionOptions& options) {
   if (options.subject != CompletionSubject::words)
     return {completion_script(program, static_cast<Shell>(options.subject))};
   std::string text;
@@ -85,19 +84,20 @@ PrintedText completion(const Request&, const CompletionOptions& options) {
 
 }  // namespace
 
-Command man_command() {
+Command man_command(ProgramOf program, std::string_view example) {
   return command<ManOptions, PrintedText>({
       .name = "man",
       .summary = "Print a manual page (roff)",
       .description = "Prints the manual page of a command, or of the program.",
-      .example = "strainwave man stiffness | man -l -",
+      .example = example,
       .takes = Takes::nothing,
-      .function = manual,
+      .function = [program](const Request&,
+                            const ManOptions& options) { return manual(program(), options); },
       .documents = {{{.name = "text"}, text_of_result}},
   });
 }
 
-Command completion_command() {
+Command completion_command(ProgramOf program, std::string_view example) {
   return command<CompletionOptions, PrintedText>({
       .name = "completion",
       .summary = "Print a script that completes words in a shell",
@@ -105,9 +105,11 @@ Command completion_command() {
           "Prints a script for bash, zsh or fish. The script asks the program what may stand in "
           "place of a word: commands, options and their values, and by the input file on the line "
           "the paths of its fields and outputs. An installed program brings the scripts with it.",
-      .example = "eval \"$(strainwave completion bash)\"",
+      .example = example,
       .takes = Takes::nothing,
-      .function = completion,
+      .function = [program](
+                      const Request&,
+                      const CompletionOptions& options) { return completion(program(), options); },
       .documents = {{{.name = "text"}, text_of_result}},
   });
 }

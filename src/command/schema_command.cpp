@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/door/door.hpp"
+#include "strainwave/command/command.hpp"
 #include "strainwave/io/input_format.hpp"
 
 namespace strainwave {
@@ -45,13 +45,13 @@ struct SchemaText {
   }
 };
 
-SchemaText schema_text(const Request&, const SchemaOptions& options) {
+SchemaText schema_text(std::span<const Command> table, const SchemaOptions& options) {
   if (options.of == SchemaSubject::input) {
     if (options.command) throw OptionError("command", "needs --of options or --of result");
     return {input_schema(), input_reference()};
   }
   if (!options.command) throw OptionError("command", "must be given with --of options or result");
-  const Command& row = command_named(commands(), *options.command);
+  const Command& row = command_named(table, *options.command);
   return options.of == SchemaSubject::options
              ? SchemaText{options_schema(row), options_reference(row)}
              : SchemaText{result_schema(row), result_reference(row)};
@@ -59,7 +59,7 @@ SchemaText schema_text(const Request&, const SchemaOptions& options) {
 
 }  // namespace
 
-Command schema_command() {
+Command schema_command(std::span<const Command> (*table)()) {
   return command<SchemaOptions, SchemaText>({
       .name = "schema",
       .summary = "Print the JSON Schema of the input",
@@ -69,7 +69,8 @@ Command schema_command() {
           "reference of all fields in Markdown.",
       .example = "strainwave schema --output strainwave-drive-1.schema.json",
       .takes = Takes::nothing,
-      .function = schema_text,
+      .function = [table](const Request&,
+                          const SchemaOptions& options) { return schema_text(table(), options); },
       .documents = {{{.name = "schema", .format = Format::json}, &SchemaText::schema},
                     {Format::markdown, &SchemaText::reference}},
   });

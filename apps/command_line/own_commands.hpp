@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "program.hpp"
+
+namespace strainwave::cli {
+
+/// The program whose table has the command.
+using ProgramOf = const Program& (*)();
+
+// The commands that only a command line has.  They call `program` when they run, for its table
+// holds them.
+[[nodiscard]] Command man_command(ProgramOf program, std::string_view example);
+[[nodiscard]] Command completion_command(ProgramOf program, std::string_view example);
+
+}  // namespace strainwave::cli

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/run_request.hpp"
+#include "run_text.hpp"
+#include "strainwave/fe_study/output_files.hpp"
+
+namespace strainwave::fe_study {
+namespace {
+
+struct RunCommandOptions : MemberOptions {
+  bool dry_run = false;
+  bool fields = false;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    MemberOptions::describe(field);
+    field({"dry_run", "", "say size, memory and time, and calculate nothing"},
+          &RunCommandOptions::dry_run);
+    field({"fields", "", "sample displacement, stress and strain energy, as --format vtu needs"},
+          &RunCommandOptions::fields);
+  }
+};
+
+RunResult members_run(const Request& request, const RunCommandOptions& options) {
+  RunOptions asked = run_options(request, options);
+  asked.member = options.member;
+  if (options.fields) asked.fields = RunFields::of_rank;
+  if (!options.dry_run) return run(request.drive.gear, asked, request.ranks);
+  if (options.fields) throw OptionError("dry_run", "calculates no fields; leave one of them out");
+  RunResult result = plan(request.drive.gear, asked);
+  result.refused = memory_refusal(result.plan, request.ranks);
+  return result;
+}
+
+std::vector<OutputFile> fields_and_numbers(const RunResult& result, const Rendering& to) {
+  if (!result.calculated) throw OptionError("dry_run", "has no fields; choose another format");
+  std::vector<OutputFile> files = vtu_files(result, to.drive.gear, to.ranks);
+  if (to.ranks.first()) files.push_back({.name = "result.json", .text = to.answer.json()});
+  return files;
+}
+
+}  // namespace
+
+Command run_command() {
+  return command<RunCommandOptions, RunResult>({
+      .name = "run",
+      .summary = "Finite elements of the members of a drive",
+      .description =
+          "Calculates an output shaft with annular cracks and a sound flexspline by sections as "
+          "bodies of revolution, and cracks of the flexspline's wall as solids, with the evidence "
+          "whether the answer may be used. What will not fit into memory is refused before the "
+          "first solution. On several ranks of MPI, solids are divided among them.",
+      .example = "strainwave-fe examples/solid_shaft.toml --member output-shaft",
+      .function = members_run,
+      .documents = {{Format::text, run_text},
+                    {{.name = "vtu", .format = Format::vtu, .needs = "fields"}, fields_and_numbers}},
+  });
+}
+
+}  // namespace strainwave::fe_study

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/fe_study/commands.hpp"
+
+namespace strainwave::fe_study {
+
+// One function for each row, in a file of its name in commands/.
+Command run_command();
+Command render_command();
+Command tabulate_command();
+
+std::span<const Command> fe_commands() {
+  static const std::vector<Command> table = [] {
+    std::vector<Command> rows = {run_command(), tabulate_command(), render_command(),
+                                 schema_command(fe_commands)};
+    for (Command& row : rows) row.program = "strainwave-fe";
+    return rows;
+  }();
+  return table;
+}
+
+}  // namespace strainwave::fe_study

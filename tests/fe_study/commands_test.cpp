@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// The second table of commands: what can be named in it, and whether its answers keep what their
+// descriptions say.
+#include "strainwave/fe_study/commands.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "command/field_witness.hpp"
+#include "command/surface.hpp"
+#include "door/json_schema.hpp"
+#include "strainwave/fe_study/member_run.hpp"
+#include "strainwave/io/gear_reader.hpp"
+#include "support/mpi.hpp"
+#include "support/program.hpp"
+
+namespace strainwave {
+namespace {
+
+using fe_study::fe_commands;
+
+GearSet example(const std::string& name) {
+  return read_gear_set_file(STRAINWAVE_EXAMPLES "/" + name + ".toml");
+}
+
+/// A journal that is kept in memory.
+class KeptJournal : public Journal {
+ public:
+  [[nodiscard]] std::string name() const override { return "kept"; }
+  [[nodiscard]] std::optional<std::string> text() const override { return text_; }
+  void begin(const std::string& text) override { text_ = text; }
+  void append(const std::string& line) override { *text_ += line; }
+
+ private:
+  std::optional<std::string> text_;
+};
+
+TEST(FeSurface, RegressionCommandsOptionsDocumentsAndResultFields) {
+  test::expect_listed(fe_commands(), "public_surface_fe.txt");
+}
+
+TEST(FeDescriptions, IdentityEveryPublicNumberHasAUnitAndEveryFieldALine) {
+  for (const Command& row : fe_commands())
+    for (const auto& walk : {row.walk, row.options.walk}) {
+      SCOPED_TRACE(row.name);
+      test::FieldWitness witness;
+      walk({}, witness);
+      EXPECT_GT(witness.n_fields, 0);
+    }
+}
+
+struct Trial {
+  std::string_view command;
+  std::string file;
+  std::string_view options;
+};
+
+class FeAnswers : public testing::TestWithParam<Trial> {};
+
+TEST_P(FeAnswers, IdentityEveryAnswerKeepsItsSchemaAndMakesItsDocuments) {
+  const auto& [name, file, options] = GetParam();
+  const Command& row = command_named(fe_commands(), name);
+  const std::string path = std::string(STRAINWAVE_EXAMPLES "/") + file + ".toml";
+  OptionValues values(row.options);
+  values.set_from_json(options);
+  KeptJournal journal;
+  const Answer answer =
+      run(row, row.takes == Takes::drive ? read_drive(test::contents(path), path) : nullptr, values,
+          {}, {}, {.ranks = test::mpi(), .journal = &journal});
+  EXPECT_TRUE(answer.usable()) << answer.evidence().unusable_because;
+  const test::Json envelope = test::Json::parse(answer.json());
+  for (const auto& [schema, value] : {std::pair(result_schema(row), envelope),
+                                      {options_schema(row), envelope["provenance"]["options"]}}) {
+    const auto faults = test::schema_faults(test::Json::parse(schema), value);
+    EXPECT_TRUE(faults.empty()) << faults.size() << " faults, the first: " << faults.front();
+  }
+  EXPECT_EQ(envelope["provenance"]["program"], "strainwave-fe");
+  for (const Document& document : row.documents) {
+    if (!document.needs.empty() && !values.given(document.needs)) continue;
+    SCOPED_TRACE(document.name);
+    const std::vector<OutputFile> files = answer.files(document.name);
+    EXPECT_GE(files.size(), 1U);
+    for (const OutputFile& made : files) {
+      EXPECT_FALSE(made.text.empty());
+      EXPECT_EQ(made.name.empty(), !document.folder);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfEachCommand, FeAnswers,
+    testing::Values(Trial{"run", "solid_shaft", R"({"order": 4})"},
+                    Trial{"run", "solid_shaft", R"({"order": 4, "fields": true})"},
+                    Trial{"run", "cup_sections", R"({"dry_run": true})"},
+                    Trial{"run", "cracked_size25", R"({"member": "flexspline", "order": 3,
+                                                       "crack": "flexspline.crack[0]"})"},
+                    Trial{"run", "part_through_crack", R"({"order": 2})"},
+                    Trial{"render", "solid_shaft", R"({"order": 4})"},
+                    Trial{"tabulate", "solid_shaft", R"({"order": 4,
+                          "over": ["output_shaft.crack[0].depth=6 mm..9 mm:2"]})"},
+                    Trial{"tabulate", "solid_shaft", R"({"dry_run": true,
+                          "over": ["output_shaft.crack[0].depth=6 mm..9 mm:2"]})"},
+                    Trial{"schema", "", R"({"of": "result", "command": "run"})"}));
+
+TEST(FeAnswersRefused, InputFieldsOfADryRunAndATableWithoutJournal) {
+  const auto refusal = [](std::string_view name, std::string_view options) -> std::string {
+    const Command& row = command_named(fe_commands(), name);
+    OptionValues values(row.options);
+    values.set_from_json(options);
+    const std::string path = STRAINWAVE_EXAMPLES "/solid_shaft.toml";
+    try {
+      const Answer answer =
+          run(row, read_drive(test::contents(path), path), values, {}, {}, {.ranks = test::mpi()});
+      return answer.files("vtu").empty() ? "no files" : "files";
+    } catch (const OptionError& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(refusal("run", R"({"dry_run": true, "fields": true})"),
+            "dry_run: calculates no fields; leave one of them out");
+  EXPECT_EQ(refusal("run", R"({"dry_run": true})"),
+            "dry_run: has no fields; choose another format");
+  EXPECT_EQ(refusal("tabulate", R"({"over": ["output_shaft.crack[0].depth=6 mm..9 mm:2"]})"),
+            "journal: must be given; tabulate works on a journal");
+}
+
+// Each code with the drive that has it; no code is made by two of the drives' own features.
+TEST(FeNotes, IdentityEveryCodeIsReachedWithItsSeverity) {
+  test::start_mpi();
+  std::map<std::string, Severity> seen;
+  const auto note = [&](const GearSet& gear, const fe_study::RunOptions& options = {}) {
+    for (const Note& made : fe_study::plan(gear, options).notes)
+      seen.emplace(made.code, made.severity);
+  };
+  GearSet through = example("through_crack");
+  note(through);
+  through.load.axial_force = 1000;
+  through.flexspline->stress_nonuniformity = 1.2;
+  note(through);
+  note(example("part_through_crack"));
+  GearSet shaft = example("solid_shaft");
+  shaft.output_shaft->crack.push_back(shaft.output_shaft->crack.front());
+  shaft.material.begin()->second.shear_modulus = 70e9;
+  note(shaft);
+  GearSet cup = example("cracked_size25");
+  note(cup);
+  cup.flexspline->rim->outer_diameter -= 1.5 * cup.flexspline->rim->wall_thickness;
+  note(cup, {.crack = "flexspline.crack[0]"});
+  const std::map<std::string, Severity> all = {{"fe.axial_force", Severity::care},
+                                               {"fe.crack_in_cup", Severity::information},
+                                               {"fe.crack_in_tube", Severity::care},
+                                               {"fe.crack_left_out", Severity::care},
+                                               {"fe.mouth_outside", Severity::care},
+                                               {"fe.rim_apart", Severity::care},
+                                               {"fe.shaft_cracks_alone", Severity::care},
+                                               {"fe.shear_modulus", Severity::care},
+                                               {"fe.sound_left_out", Severity::information},
+                                               {"fe.sound_without_cracks", Severity::information},
+                                               {"fe.stress_nonuniformity", Severity::information}};
+  EXPECT_EQ(seen, all);
+}
+
+}  // namespace
+}  // namespace strainwave
