@@ -118,13 +118,9 @@ std::vector<OutputFile> Answer::files(std::string_view name) const {
     throw OptionError("document", fmt::format("{} makes no {}; it makes {}", command_->name,
                                               shown(name), fmt::join(names, ", ")));
   }
-  return command_->write(*command_,
-                         static_cast<std::size_t>(found - command_->documents.begin()),
-                         result_.get(),
-                         {.drive = *drive_,
-                          .provenance = provenance_of(*drive_),
-                          .ranks = *ranks_,
-                          .answer = *this});
+  return command_->write(
+      *command_, static_cast<std::size_t>(found - command_->documents.begin()), result_.get(),
+      {.drive = *drive_, .provenance = provenance_of(*drive_), .ranks = *ranks_, .answer = *this});
 }
 
 std::string result_schema(const Command& command) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/present/table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "strainwave/core/shown_text.hpp"
@@ -24,6 +26,10 @@ std::string markdown_field(const std::string& text) {
 }
 
 }  // namespace
+
+std::string exact_text(double value) { return fmt::format("{}", value); }
+std::string exact_text(int value) { return fmt::format("{}", value); }
+std::string exact_text(std::string_view value) { return std::string(value); }
 
 std::string text_table(const Table& table) {
   std::vector<const Cells*> lines;

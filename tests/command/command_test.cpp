@@ -274,12 +274,11 @@ TEST(CommandRow, BehaviourAJournalIsKeptAndAFolderIsNoText) {
             request.progress.say("a line");
             return TestResult{};
           },
-      .documents = {{.document = {.name = "svg", .format = Format::svg},
-                     .files =
-                         [](const TestResult&, const Rendering& to) {
-                           return std::vector<OutputFile>{{"one.svg", "<svg/>"},
-                                                          {"all.json", to.answer.json()}};
-                         }}},
+      .documents =
+          {{Format::svg,
+            [](const TestResult&, const Rendering& to) {
+              return std::vector<OutputFile>{{"one.svg", "<svg/>"}, {"all.json", to.answer.json()}};
+            }}},
   });
   EXPECT_TRUE(row.documents.front().folder);
   const OptionValues options(row.options);

@@ -219,11 +219,12 @@ template <class Options, class Result>
       .visit = [](const void* r,
                   ValueVisitor& to) { visit_value(*static_cast<const Result*>(r), {}, to); },
       .walk = visit_type<Result>,
-      .write = [](const Command& self, std::size_t document, const void* result,
-                  const Rendering& rendering) {
-        return (*static_cast<const Writers*>(self.writers.get()))[document].write(
-            *static_cast<const Result*>(result), rendering);
-      },
+      .write =
+          [](const Command& self, std::size_t document, const void* result,
+             const Rendering& rendering) {
+            return (*static_cast<const Writers*>(self.writers.get()))[document].write(
+                *static_cast<const Result*>(result), rendering);
+          },
       .writers = std::make_shared<const Writers>(of.documents)};
   for (const DocumentOf<Result>& document : of.documents)
     row.documents.push_back(document.document);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fmt/format.h>
-
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,6 +26,10 @@ struct TitledTable {
   std::string remark = {};
 };
 
+[[nodiscard]] std::string exact_text(double value);
+[[nodiscard]] std::string exact_text(int value);
+[[nodiscard]] std::string exact_text(std::string_view value);
+
 /// A cell of a file that programs read: all digits of a number, nothing for what is absent.
 template <class Value>
 [[nodiscard]] std::string cell(const Value& value) {
@@ -36,7 +38,7 @@ template <class Value>
   else if constexpr (std::is_enum_v<Value>)
     return std::string(enum_name(value));
   else
-    return fmt::format("{}", value);
+    return exact_text(value);
 }
 /// A row of such cells.
 template <class... Values>

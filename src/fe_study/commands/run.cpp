@@ -52,7 +52,8 @@ Command run_command() {
       .example = "strainwave-fe examples/solid_shaft.toml --member output-shaft",
       .function = members_run,
       .documents = {{Format::text, run_text},
-                    {{.name = "vtu", .format = Format::vtu, .needs = "fields"}, fields_and_numbers}},
+                    {{.name = "vtu", .format = Format::vtu, .needs = "fields"},
+                     fields_and_numbers}},
   });
 }
 
