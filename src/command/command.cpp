@@ -87,8 +87,6 @@ std::string Answer::json() const {
     to.member("program", command_->program);
     to.member("version", version());
     to.member("revision", git_revision());
-    if (command_->takes == Takes::drive)
-      part("quadrature_tolerance", QuadratureOptions{}.relative_tolerance);
     to.write_numbers(JsonNumbers::as_input);
     if (to.field(named("options"))) command_->options.visit(options_.get(), to);
     if (command_->takes == Takes::drive) {
@@ -134,7 +132,6 @@ std::string result_schema(const Command& command) {
                        {"revision", text},
                        {"options", {{"type", "object"}}},
                        {"input_file", text},
-                       {"quadrature_tolerance", {{"type", "number"}}},
                        {"input", {{"type", "object"}}}}},
                      {"required", {"program", "version", "revision", "options"}},
                      {"additionalProperties", false}};

@@ -28,6 +28,7 @@ struct TitledTable {
 
 [[nodiscard]] std::string exact_text(double value);
 [[nodiscard]] std::string exact_text(int value);
+[[nodiscard]] std::string exact_text(bool value);
 [[nodiscard]] std::string exact_text(std::string_view value);
 
 /// A cell of a file that programs read: all digits of a number, nothing for what is absent.
