@@ -165,7 +165,7 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
   scatter.inputs = gear.scatter;
   scatter.samples = options.samples;
   scatter.seed = options.seed;
-  const std::vector<Draw> draws = draws_of(gear, options, progress);
+  const std::vector<Draw> draws = draws_of(gear, options, progress.part(0.0, 0.95));
   for (const Draw& draw : draws) {
     scatter.evaluated += draw.fate == Fate::evaluated ? 1 : 0;
     scatter.refused += draw.fate == Fate::refused ? 1 : 0;
@@ -192,6 +192,8 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
     fill_moments(output, std::move(values));
     note_nonlinear(scatter, output);
     scatter.outputs.push_back(std::move(output));
+    progress.at(0.95 +
+                0.05 * static_cast<double>(y + 1) / static_cast<double>(sensitivity.outputs.size()));
   }
   if (scatter.refused + scatter.unusable > 0)
     scatter.notes.push_back(

@@ -317,6 +317,19 @@ TEST(CommandRow, IdentityTheSchemaRequiresWhatTheCommandRequires) {
   EXPECT_NE(result_reference(row).find("| `doubled` | m | two lengths |"), std::string::npos);
 }
 
+TEST(OptionValues, IdentityACopyIsAValueOfItsOwn) {
+  const Command row = test_command();
+  OptionValues options(row.options);
+  options.set("name", "first");
+  const Answer answer = run(row, nullptr, options);
+  const std::string before = answer.json();
+  OptionValues other = options;
+  options.set("name", "second");
+  EXPECT_EQ(answer.json(), before);
+  EXPECT_EQ(run(row, nullptr, other).json(), before);
+  EXPECT_NE(run(row, nullptr, options).json(), before);
+}
+
 TEST(VerdictOf, ReferenceTheMostSevereNoteDecides) {
   const auto note = [](Severity severity, std::string text) {
     return Note{.code = "c",
@@ -338,8 +351,11 @@ TEST(VerdictOf, ReferenceTheMostSevereNoteDecides) {
   EXPECT_EQ(judged({care, open}).judgement, Judgement::cannot_be_told);
   EXPECT_EQ(judged({critical, open}).judgement, Judgement::critical);
   EXPECT_EQ(judged({critical}).next_step, "do");
-  EXPECT_EQ(verdict_of("why", std::vector<Note>{critical}).judgement, Judgement::cannot_be_told);
-  EXPECT_EQ(verdict_of("why", std::vector<Note>{}).reason, "why");
+  // The next step of a note does not answer the reason of an unusable result.
+  const Verdict unusable = verdict_of("why", std::vector<Note>{critical});
+  EXPECT_EQ(unusable.judgement, Judgement::cannot_be_told);
+  EXPECT_EQ(unusable.reason, "why");
+  EXPECT_PRED2(says, unusable.next_step, "change what the reason names");
 }
 
 }  // namespace

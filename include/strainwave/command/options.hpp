@@ -114,6 +114,7 @@ void assign_option(Value& value, const Field& field, std::string_view text) {
 struct OptionsType {
   std::vector<Option> options;
   std::shared_ptr<void> (*make)();
+  std::shared_ptr<void> (*copy)(const void* options);
   void (*set)(void* options, std::string_view name, std::string_view text);
   void (*visit)(const void* options, ValueVisitor& to);
   void (*walk)(const Field& field, TypeVisitor& to);
@@ -124,6 +125,9 @@ template <Described Options>
   OptionsType type{
       .options = {},
       .make = []() -> std::shared_ptr<void> { return std::make_shared<Options>(); },
+      .copy = [](const void* options) -> std::shared_ptr<void> {
+        return std::make_shared<Options>(*static_cast<const Options*>(options));
+      },
       .set =
           [](void* options, std::string_view name, std::string_view text) {
             Options::describe([&](const Field& field, auto member) {
@@ -140,10 +144,20 @@ template <Described Options>
   return type;
 }
 
-/// Options of some command while they are being set.
+/// Options of some command while they are being set: a value.
 class OptionValues {
  public:
   explicit OptionValues(const OptionsType& type) : type_(&type), values_(type.make()) {}
+  OptionValues(const OptionValues& other)
+      : type_(other.type_), values_(type_->copy(other.get())), given_(other.given_) {}
+  OptionValues(OptionValues&&) noexcept = default;
+  OptionValues& operator=(OptionValues other) noexcept {
+    std::swap(type_, other.type_);
+    values_.swap(other.values_);
+    given_.swap(other.given_);
+    return *this;
+  }
+  ~OptionValues() = default;
 
   /// Sets an option from text, as the command line has it; "true" for a flag.  An option that may
   /// be repeated takes one text a call.

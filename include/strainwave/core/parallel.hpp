@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -21,27 +22,35 @@ struct Parallel {
 /// Calls an evaluator with each index below n; blocks go to whichever thread is free.
 ///
 /// The result of an index must depend on nothing but the index: then all results are the same for
-/// any number of threads.  Only the calling thread reports progress.
+/// any number of threads.  Only the calling thread reports progress.  Where the machine starts no
+/// more threads, those that there are do the work.
 /// @param make  () -> evaluator of one thread, a function of the index
-/// @throws  the first exception of an evaluator; Stopped on request
+/// @throws  the exception of the lowest block in which an evaluator threw, for any number of
+///          threads; Stopped on request
 template <class Make>
 void for_each_index(std::size_t n, const Parallel& parallel, const Progress& progress,
                     const Make& make) {
   std::atomic<std::size_t> next{0};
   std::exception_ptr fault;
+  std::size_t fault_at = n;
   std::mutex fault_mutex;
   const auto work = [&](const Progress& told) {
+    std::size_t first = 0;
     try {
       auto evaluate = make();
       for (;;) {
-        const std::size_t first = next.fetch_add(parallel.block);
+        first = next.fetch_add(parallel.block);
         if (first >= n) return;
         told.at(static_cast<double>(first) / static_cast<double>(n));
         for (std::size_t i = first; i < std::min(first + parallel.block, n); ++i) evaluate(i);
       }
     } catch (...) {
+      // Blocks are taken in rising order: those below this one are done or will be finished.
       const std::scoped_lock lock(fault_mutex);
-      if (!fault) fault = std::current_exception();
+      if (!fault || first < fault_at) {
+        fault = std::current_exception();
+        fault_at = first;
+      }
       next = n;
     }
   };
@@ -50,8 +59,11 @@ void for_each_index(std::size_t n, const Parallel& parallel, const Progress& pro
   const std::size_t blocks = (n + parallel.block - 1) / parallel.block;
   {
     std::vector<std::jthread> others;
-    for (std::size_t t = 1; t < std::min<std::size_t>(asked, blocks); ++t)
-      others.emplace_back(work, Progress());
+    try {
+      for (std::size_t t = 1; t < std::min<std::size_t>(asked, blocks); ++t)
+        others.emplace_back(work, Progress());
+    } catch (const std::system_error&) {  // no more threads
+    }
     work(progress);
   }
   if (fault) std::rethrow_exception(fault);

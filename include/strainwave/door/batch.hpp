@@ -66,7 +66,8 @@ struct BatchResult {
 ///                     twice; there is not a value for each path in each row; `threads` is out of
 ///                     0 to kMaxBatchThreads
 /// @throws Error       `evaluate` throws it for the drive as it is
-/// @throws Stopped     `progress` asked to stop; it is told after each row of the calling thread
+/// @throws Stopped     `progress` asked to stop; it is told before each row that the calling
+///                     thread takes, and at the end
 [[nodiscard]] BatchResult batch(const GearSet& gear, const BatchTask& task,
                                 const Progress& progress = {});
 
