@@ -10,9 +10,13 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <iostream>
+#include <map>
+#include <new>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "exit_code.hpp"
@@ -20,6 +24,7 @@
 #include "interrupt.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/version.hpp"
+#include "strainwave/io/write_file.hpp"
 
 namespace strainwave::cli {
 namespace {
@@ -88,6 +93,25 @@ ExitCode judged(const Program& program, const Answer& answer, std::string_view m
   return exit_code_of(evidence.requirement.value_or(RequirementOutcome::met));
 }
 
+/// @throws UsageError  a file would be written twice, or written over what is read
+void require_distinct_files(const Given& given) {
+  std::map<std::filesystem::path, std::string_view> known;  // argument by file
+  for (std::size_t i = 0; i < given.arguments.size(); ++i) {
+    const Argument& argument = given.arguments[i];
+    const bool writes = argument.role == Role::output || argument.role == Role::journal ||
+                        argument.role == Role::document;
+    if (!writes && argument.role != Role::input && argument.names != "attachment") continue;
+    for (const std::string& text : given.texts[i]) {
+      const auto file = file_behind(text);
+      if (!file || (!writes && text == "-")) continue;
+      const auto [other, fresh] = known.try_emplace(*file, argument.name);
+      if (writes && !fresh)
+        throw UsageError(fmt::format("{} and {} name the same file, {}: write to another file",
+                                     other->second, argument.name, shown(text)));
+    }
+  }
+}
+
 ExitCode run_command(const Given& given) {
   const Command& command = given.command;
   const Ranks& ranks = given.program.ranks != nullptr ? *given.program.ranks : kAlone;
@@ -127,6 +151,7 @@ ExitCode run_command(const Given& given) {
     if (texts.empty() && argument.role == Role::format) main = argument.fallback;
   };
   ranks.together([&] {
+    require_distinct_files(given);
     for (std::size_t i = 0; i < given.arguments.size(); ++i)
       take(given.arguments[i], given.texts[i]);
   });
@@ -158,9 +183,7 @@ ExitCode run_command(const Given& given) {
     if (!folder) texts.emplace_back(main_path, answer->document(main));
     progress.at(1.0);
   });
-  ranks.together([&] {
-    for (const auto& [path, text] : texts) deliver(text, path);
-  });
+  ranks.together([&] { deliver(texts); });
   if (folder) deliver(files, main_path, ranks);
   return ranks.first() ? judged(given.program, *answer, main) : kOk;
 }
@@ -193,6 +216,13 @@ void add_argument(CLI::App* sub, const Argument& argument, std::vector<std::stri
     added->take_all();
   else
     added->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+}
+
+/// Whether the system had no memory left, or none for one more thread.
+bool lacks_memory(const std::exception& error) {
+  const auto* const system = dynamic_cast<const std::system_error*>(&error);
+  return dynamic_cast<const std::bad_alloc*>(&error) != nullptr ||
+         (system != nullptr && system->code() == std::errc::resource_unavailable_try_again);
 }
 
 using Work = std::function<ExitCode()>;
@@ -280,7 +310,12 @@ int run_command_line(const Program& program, std::span<const std::string> words)
   } catch (const Stopped&) {
     return complain("interrupted: nothing was written", kInterrupted);
   } catch (const std::exception& error) {
-    return complain(error.what(), kInternal);
+    if (lacks_memory(error))
+      return complain(
+          "there is not enough memory for this: ask for fewer points, samples or threads, or for a "
+          "coarser mesh",
+          kNoMemory);
+    return complain(fmt::format("internal error: {}; please report it", error.what()), kInternal);
   }
 }
 

@@ -15,6 +15,7 @@ enum ExitCode : int {
   kCannotTell = 6,     ///< a requirement cannot be told within the uncertainty of the answer
   kUnwritable = 7,     ///< the output cannot be written
   kInternal = 70,      ///< our own mistake
+  kNoMemory = 71,      ///< there is not enough memory
   kInterrupted = 130,  ///< stopped by SIGINT, as a shell reports it
 };
 

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "files.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
+#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -29,17 +26,26 @@ std::string text_of(const std::string& file) {
 
 std::string shown_name(const std::string& file) { return file == "-" ? "standard input" : file; }
 
-void deliver(const std::string& text, const std::string& path) {
-  if (!path.empty()) {
-    try {
-      write_file(path, text);
-    } catch (const Error& error) {
-      throw UnwritableError(error.what());
+void deliver(const std::vector<std::pair<std::string, std::string>>& texts) {
+  try {
+    std::deque<WaitingFile> files;
+    // What goes to a stream or a device cannot be taken back: it goes when all files wait.
+    std::vector<std::pair<std::string, std::string>> streams;
+    for (const auto& [path, text] : texts)
+      if (!path.empty() && file_behind(path))
+        files.emplace_back(path, text);
+      else
+        streams.emplace_back(path, text);
+    for (const auto& [path, text] : streams) {
+      if (!path.empty())
+        append_to(path, text);
+      else if (!(std::cout << text << std::flush))
+        throw Error("standard output cannot be written");
     }
-    return;
+    for (WaitingFile& file : files) file.replace();
+  } catch (const Error& error) {
+    throw UnwritableError(error.what());
   }
-  std::cout << text << std::flush;
-  if (!std::cout) throw UnwritableError("standard output cannot be written");
 }
 
 void require_folder(const std::string& path) {
@@ -59,28 +65,24 @@ void deliver(const std::vector<OutputFile>& files, const std::string& folder, co
     if (!fs::is_directory(place, unseen))
       problem = fmt::format("{}: no folder of this name can be made", folder);
   }
-  const auto part = [&](const OutputFile& file) { return place / (file.name + ".part"); };
-  const bool ready = ranks.all(problem.empty());
-  if (ready)
-    for (const OutputFile& file : files) {
-      std::ofstream stream(part(file), std::ios::binary);
-      stream.write(file.text.data(), static_cast<std::streamsize>(file.text.size()));
-      stream.close();
-      if (!stream) {
-        problem = fmt::format("{}: cannot be written", (place / file.name).string());
-        break;
-      }
+  std::deque<WaitingFile> waiting;
+  const auto attempt = [&](const auto& work) {
+    try {
+      work();
+    } catch (const Error& error) {
+      problem = error.what();
     }
+  };
   if (ranks.all(problem.empty()))
-    for (const OutputFile& file : files) {
-      fs::rename(part(file), place / file.name, fault);
-      if (fault) {
-        problem = fmt::format("{}: {}", (place / file.name).string(), fault.message());
-        break;
-      }
-    }
+    attempt([&] {
+      for (const OutputFile& file : files) waiting.emplace_back(place / file.name, file.text);
+    });
+  if (ranks.all(problem.empty()))
+    attempt([&] {
+      for (WaitingFile& file : waiting) file.replace();
+    });
   if (ranks.all(problem.empty())) return;
-  for (const OutputFile& file : files) fs::remove(part(file), fault);
+  waiting.clear();
   (void)ranks.all(true);  // the others have taken theirs back
   if (made) fs::remove(place, fault);
   throw UnwritableError(problem.empty() ? folder + ": another rank cannot write there" : problem);
@@ -98,15 +100,11 @@ std::optional<std::string> FileJournal::text() const {
 }
 
 void FileJournal::append(const std::string& line) {
-  const int descriptor = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
-  bool good = descriptor >= 0;
-  // One write: a run that is killed leaves the line whole, or torn at worst, never mixed.
-  good = good && ::write(descriptor, line.data(), line.size()) == static_cast<ssize_t>(line.size());
-  good = good && ::fsync(descriptor) == 0;
-  const int error = errno;
-  if (descriptor >= 0) ::close(descriptor);
-  if (!good)
-    throw UnwritableError(fmt::format("{}: cannot be written: {}", path_, std::strerror(error)));
+  try {
+    append_to(path_, line);
+  } catch (const Error& error) {
+    throw UnwritableError(error.what());
+  }
 }
 
 }  // namespace strainwave::cli

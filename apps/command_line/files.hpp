@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "strainwave/command/command.hpp"
@@ -18,9 +19,9 @@ namespace strainwave::cli {
 /// The name of an input in messages: "standard input" for "-".
 [[nodiscard]] std::string shown_name(const std::string& file);
 
-/// Writes to a file, whole or not at all; to standard output if the path is empty.
-/// @throws UnwritableError  if it cannot be written
-void deliver(const std::string& text, const std::string& path);
+/// Writes all texts, each behind its path, or none; to standard output where the path is empty.
+/// @throws UnwritableError  if one of them cannot be written
+void deliver(const std::vector<std::pair<std::string, std::string>>& texts);
 
 /// @throws UnwritableError  the path is that of a file
 void require_folder(const std::string& path);
@@ -37,7 +38,7 @@ class FileJournal : public Journal {
 
   [[nodiscard]] std::string name() const override { return path_; }
   [[nodiscard]] std::optional<std::string> text() const override;
-  void begin(const std::string& text) override { deliver(text, path_); }
+  void begin(const std::string& text) override { deliver({{path_, text}}); }
   void append(const std::string& line) override;
 
  private:

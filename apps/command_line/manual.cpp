@@ -81,7 +81,8 @@ constexpr std::string_view kExitStatus =
     ".TP\n5\na requirement is not met\n"
     ".TP\n6\na requirement cannot be told within the uncertainty of the answer\n"
     ".TP\n7\nthe output cannot be written\n"
-    ".TP\n70\ninternal error\n"
+    ".TP\n70\ninternal error: please report it\n"
+    ".TP\n71\nthere is not enough memory\n"
     ".TP\n130\ninterrupted; nothing was written\n";
 
 }  // namespace

@@ -89,15 +89,16 @@ typedef struct sw_progress {
   void* context;
 } sw_progress;
 
-/** Why a function failed; the numbers are the exit codes of the program where it has them. */
+/** Why a function failed; the numbers are the exit codes of the program, which never ends with
+ *  SW_CALLBACK. */
 typedef enum sw_code {
-  SW_OPTION = 2,    /**< the command, an option or another argument cannot be understood */
-  SW_INPUT = 3,     /**< the drive breaks a rule, or holds what the command cannot treat */
-  SW_NO_ANSWER = 4, /**< the numerical method does not deliver */
-  SW_STOPPED = 7,   /**< the caller asked to stop */
-  SW_CALLBACK = 8,  /**< a source or a sink reported a fault */
-  SW_NO_MEMORY = 9, /**< there is not enough memory */
-  SW_INTERNAL = 70  /**< a mistake of the library; please report it */
+  SW_OPTION = 2,     /**< the command, an option or another argument cannot be understood */
+  SW_INPUT = 3,      /**< the drive breaks a rule, or holds what the command cannot treat */
+  SW_NO_ANSWER = 4,  /**< the numerical method does not deliver */
+  SW_INTERNAL = 70,  /**< a mistake of the library; please report it */
+  SW_NO_MEMORY = 71, /**< there is not enough memory */
+  SW_CALLBACK = 74,  /**< a source or a sink reported a fault */
+  SW_STOPPED = 130   /**< the caller asked to stop */
 } sw_code;
 
 /** The parts of an error that are text. */

@@ -30,7 +30,6 @@ std::string markdown_field(const std::string& text) {
 std::string exact_text(double value) { return fmt::format("{}", value); }
 std::string exact_text(int value) { return fmt::format("{}", value); }
 std::string exact_text(bool value) { return value ? "true" : "false"; }
-std::string exact_text(std::string_view value) { return std::string(value); }
 
 std::string text_table(const Table& table) {
   std::vector<const Cells*> lines;

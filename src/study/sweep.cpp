@@ -58,26 +58,32 @@ void gather_notes(std::vector<SweepNote>& gathered, const std::vector<Note>& not
 
 }  // namespace
 
-SweepResult sweep(const GearSet& gear, Method method, std::span<const Variation> variations,
-                  const Progress& progress) {
+void check_variations(std::span<const Variation> variations) {
   if (variations.empty() || variations.size() > 2)
     throw InputError("--vary",
                      fmt::format("is given {} times; must be once or twice", variations.size()));
+  for (const Variation& variation : variations) check_variation(variation);
+  if (variations.size() == 1) return;
+  const Variation& slow = variations[0];
+  const Variation& fast = variations[1];
+  if (slow.path == fast.path) throw InputError(vary_option(slow.path), "is given twice");
+  if (std::ptrdiff_t{slow.n_points} * fast.n_points > kMaxSweepPoints)
+    throw InputError("--vary", fmt::format("{} times {} points; {} at most", slow.n_points,
+                                           fast.n_points, kMaxSweepPoints));
+}
+
+SweepResult sweep(const GearSet& gear, Method method, std::span<const Variation> variations,
+                  const Progress& progress) {
+  check_variations(variations);
   SweepResult result;
   result.method = method;
   std::ptrdiff_t n_rows = 1;
   for (const Variation& variation : variations) {
     const NumberAt number = varied_number(gear, variation.path);
-    check_variation(variation);
     n_rows *= variation.n_points;
     result.variations.push_back(variation);
     result.inputs.push_back({number.path, number.field.unit});
   }
-  if (variations.size() == 2 && variations[0].path == variations[1].path)
-    throw InputError(vary_option(variations[0].path), "is given twice");
-  if (n_rows > kMaxSweepPoints)
-    throw InputError("--vary", fmt::format("{} times {} points; {} at most", variations[0].n_points,
-                                           variations[1].n_points, kMaxSweepPoints));
 
   Columns columns(result.outputs);
   std::exception_ptr first_fault;

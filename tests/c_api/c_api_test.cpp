@@ -16,6 +16,7 @@
 #include <thread>
 #include <vector>
 
+#include "exit_code.hpp"
 #include "strainwave/door/door.hpp"
 #include "strainwave/io/gear_writer.hpp"
 #include "strainwave/strainwave.h"
@@ -115,6 +116,19 @@ ErrorHandle run_error(const DriveHandle& drive, std::string_view command, std::s
   EXPECT_TRUE(error) << command << options;
   EXPECT_EQ(answer, nullptr);
   return error;
+}
+
+TEST(CApi, IdentityCodesAreTheExitCodesOfTheProgram) {
+  EXPECT_EQ(int{SW_OPTION}, int{cli::kUsage});
+  EXPECT_EQ(int{SW_INPUT}, int{cli::kInput});
+  EXPECT_EQ(int{SW_NO_ANSWER}, int{cli::kNotUsable});
+  EXPECT_EQ(int{SW_INTERNAL}, int{cli::kInternal});
+  EXPECT_EQ(int{SW_NO_MEMORY}, int{cli::kNoMemory});
+  EXPECT_EQ(int{SW_STOPPED}, int{cli::kInterrupted});
+  for (const int code :
+       {cli::kOk, cli::kUsage, cli::kInput, cli::kNotUsable, cli::kNotMet, cli::kCannotTell,
+        cli::kUnwritable, cli::kInternal, cli::kNoMemory, cli::kInterrupted})
+    EXPECT_NE(int{SW_CALLBACK}, code);
 }
 
 TEST(CApi, InputErrorsHaveAllTheirParts) {

@@ -377,7 +377,7 @@ def refusals(program, examples, folder):
     assert "blocked: is a file, and the results need a folder" in done.stderr, done.stderr
     assert blocked.read_text() == "mine"
     taken = folder / "taken"
-    (taken / "output_shaft_crack_0_energy.svg.part").mkdir(parents=True)
+    (taken / "output_shaft_crack_0_energy.svg").mkdir(parents=True)
     done = run(program, "render", gear, *wanted, "-o", taken, codes=(7,))
     assert "cannot be written" in done.stderr, done.stderr
     assert not [p for p in taken.iterdir() if p.is_file()], list(taken.iterdir())

@@ -29,7 +29,6 @@ struct TitledTable {
 [[nodiscard]] std::string exact_text(double value);
 [[nodiscard]] std::string exact_text(int value);
 [[nodiscard]] std::string exact_text(bool value);
-[[nodiscard]] std::string exact_text(std::string_view value);
 
 /// A cell of a file that programs read: all digits of a number, nothing for what is absent.
 template <class Value>
@@ -38,6 +37,8 @@ template <class Value>
     return value ? cell(*value) : std::string();
   else if constexpr (std::is_enum_v<Value>)
     return std::string(enum_name(value));
+  else if constexpr (std::is_convertible_v<const Value&, std::string_view>)
+    return std::string(std::string_view(value));  // else a literal would be a truth value
   else
     return exact_text(value);
 }

@@ -111,15 +111,17 @@ struct SweepResult {
 /// The notes of all points; not usable if no point is.
 [[nodiscard]] ResultEvidence evidence_of(const SweepResult& result);
 
+/// @throws InputError  if there are none or more than two, if one of them is not valid, if both are
+///                     of one number, if they have more than kMaxSweepPoints points together
+void check_variations(std::span<const Variation> variations);
+
 /// Computes the stiffness for all values of one number, or all pairs of values of two.
 ///
 /// A point that the method refuses stays in the table, with the reason in place of outputs; a
 /// point whose result may not be used has both.
 ///
 /// @param variations   one or two, of different numbers
-/// @throws InputError  if there are none or more than two, if one of them is not valid, if there
-///                     are more than kMaxSweepPoints points; the first fault if every point is
-///                     refused
+/// @throws InputError  as check_variations; the first fault if every point is refused
 [[nodiscard]] SweepResult sweep(const GearSet& gear, Method method,
                                 std::span<const Variation> variations,
                                 const Progress& progress = {});

@@ -55,7 +55,10 @@ Command material_show_command() {
       .description = kMaterialDescription,
       .example = "strainwave material show '17-4PH H900'",
       .takes = Takes::nothing,
-      .function = [](const Request&, const ShowOptions& o) { return material_show(o.name); },
+      .function =
+          [](const Request&, const ShowOptions& o) {
+            return from_option([&] { return material_show(o.name); });
+          },
       .documents = {{Format::text, material_text}},
   });
 }

@@ -79,8 +79,10 @@ sif::CrackMaterial crack_material(const std::optional<std::string>& name) {
 }
 
 sif::Evaluation evaluated(const Request&, const SifEvalOptions& options) {
-  const sif::Row& row = sif::solution(options.name);
-  return sif::evaluate(row, sif_assignments(row, options.set), crack_material(options.material));
+  return from_option([&] {
+    const sif::Row& row = sif::solution(options.name);
+    return sif::evaluate(row, sif_assignments(row, options.set), crack_material(options.material));
+  });
 }
 
 constexpr std::string_view kSolutionsDescription =
@@ -115,8 +117,10 @@ Command sif_show_command() {
       .description = kSolutionsDescription,
       .example = "strainwave sif show plate-surface",
       .takes = Takes::nothing,
-      .function = [](const Request&,
-                     const SifShowOptions& o) { return DescribedSolution{&sif::solution(o.name)}; },
+      .function =
+          [](const Request&, const SifShowOptions& o) {
+            return from_option([&] { return DescribedSolution{&sif::solution(o.name)}; });
+          },
       .documents = {{Format::text, sif_solution_text}},
   });
 }
@@ -143,8 +147,10 @@ Command sif_plot_command() {
       .takes = Takes::nothing,
       .function =
           [](const Request&, const SifPlotOptions& o) {
-            const sif::Row& row = sif::solution(o.name);
-            return SifPlot{sif_plot(row, sif_assignments(row, o.set))};
+            return from_option([&] {
+              const sif::Row& row = sif::solution(o.name);
+              return SifPlot{sif_plot(row, sif_assignments(row, o.set))};
+            });
           },
       .documents = {{Format::svg, &SifPlot::svg}},
   });

@@ -29,6 +29,7 @@ SweepResult swept(const Request& request, const SweepOptions& options) {
     if (options.vary.empty()) throw InputError("vary", "must be given, once or twice");
     std::vector<Variation> parsed;
     for (const std::string& text : options.vary) parsed.push_back(parse_variation(gear, text));
+    check_variations(parsed);
     return parsed;
   });
   return sweep(gear, options.method, variations, request.progress);

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a program ends whose command throws what no real command throws on demand.
+#include "command_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <new>
+#include <stdexcept>
+#include <system_error>
+
+#include "exit_code.hpp"
+
+namespace strainwave::cli {
+namespace {
+
+struct NoOptions {
+  template <class Visitor>
+  static void describe(Visitor&&) {}
+};
+
+struct NoResult {
+  template <class Visitor>
+  static void describe(Visitor&&) {}
+};
+
+template <class Fault>
+struct Failing {
+  Fault fault;
+  NoResult operator()(const Request&, const NoOptions&) const { throw fault; }
+};
+
+template <class Fault>
+std::string complaint_about(const Fault& fault, ExitCode code) {
+  const std::array table{command<NoOptions, NoResult>({.name = "work",
+                                                       .summary = "It fails",
+                                                       .description = "It fails.",
+                                                       .example = "program work",
+                                                       .takes = Takes::nothing,
+                                                       .function = Failing<Fault>{fault},
+                                                       .documents = {}})};
+  const Program program{.name = "program", .summary = "A test", .table = table, .groups = {}};
+  testing::internal::CaptureStderr();
+  const std::array<std::string, 1> words{"work"};
+  EXPECT_EQ(run_command_line(program, words), code);
+  return testing::internal::GetCapturedStderr();
+}
+
+TEST(CommandLine, InputTooLittleMemorySaysWhatToLower) {
+  const std::string sentence =
+      "program: there is not enough memory for this: ask for fewer points, samples or threads, or "
+      "for a coarser mesh\n";
+  EXPECT_EQ(complaint_about(std::bad_alloc(), kNoMemory), sentence);
+  // What std::thread throws.
+  const std::error_code thread = std::make_error_code(std::errc::resource_unavailable_try_again);
+  EXPECT_EQ(complaint_about(std::system_error(thread), kNoMemory), sentence);
+}
+
+TEST(CommandLine, InputAMistakeOfOursAsksForAReport) {
+  EXPECT_EQ(complaint_about(std::out_of_range("index 7"), kInternal),
+            "program: internal error: index 7; please report it\n");
+}
+
+}  // namespace
+}  // namespace strainwave::cli
