@@ -11,6 +11,7 @@
 #include <numbers>
 #include <utility>
 
+#include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/drive_cracks/loaded_crack.hpp"
 #include "strainwave/drive_cracks/member_loads.hpp"
@@ -393,14 +394,17 @@ class Maker {
 
   /// Reference stress of a crack through a wall.
   static void through_section(DriveCrack& made, double angle, const LongWall& wall, double K_u) {
-    made.reference_stress = [=](const CrackSize& size, double P, double T) {
+    made.reference_stress = [=, field = made.path + ".half_length"](const CrackSize& size, double P,
+                                                                    double T) {
       const auto share = through_wall_share({.half_length = size.size,
                                              .angle = angle,
                                              .mean_radius = wall.mean_radius,
                                              .length = wall.length});
+      require(share.has_value(), field, size.size, "m",
+              "2 half_length |sin(angle)| < half of the circumference, and "
+              "2 half_length |cos(angle)| < length of the tube");
       const double section = 2 * pi * wall.mean_radius * wall.thickness;
-      return von_mises(P / section, K_u * T / (section * wall.mean_radius)) /
-             share.value();  // (FA-8); the range ends before nothing is left
+      return von_mises(P / section, K_u * T / (section * wall.mean_radius)) / *share;  // (FA-8)
     };
   }
 

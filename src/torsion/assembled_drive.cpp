@@ -38,21 +38,20 @@ void add_series_members(AssembledDrive::Contents& into) {
   series.rim = tube_compliance(*fs.rim, fs.rim->length / 3, G);
   if (fs.boss) series.boss_and_flange += tube_compliance(*fs.boss, fs.boss->length, G);
   series.boss_and_flange += fs.flange_compliance;
-  const auto take = [&](const MemberCompliance& member, bool notes) {
+  const auto take = [&](const MemberCompliance& member) {
     for (const CrackReport& crack : member.cracks) {
       series.cracks_positive += crack.positive.at_output.value;
       series.cracks_negative += crack.negative.at_output.value;
     }
-    if (notes)
-      for (const Note& note : member.notes)
-        if (note.code != "crack.contact_path") into.notes.push_back(note);
+    for (const Note& note : member.notes)
+      if (note.code != "crack.contact_path") into.notes.push_back(note);
     if (into.series_unusable.empty()) into.series_unusable = member.unusable_because;
   };
-  if (!fs.crack.empty()) take(flexspline_compliance(gear), true);
+  if (!fs.crack.empty()) take(flexspline_compliance(gear));
   if (gear.output_shaft) {
     const MemberCompliance shaft = output_shaft_compliance(gear);
     series.output_shaft = shaft.intact;
-    take(shaft, true);
+    take(shaft);
   }
 }
 

@@ -235,6 +235,7 @@ void CoupledDrive::move_toward(const Equilibrium& full, Equilibrium& state, doub
   constexpr double kDescent = 1e-4;    // share of the linear decrease that is asked for (Armijo)
   constexpr double kRounding = 1e-14;  // of the sum of energies
   const Eigen::VectorXd d_force = full.force - state.force;
+  const Eigen::VectorXd d_elastic = full.elastic - state.elastic;
   const Eigen::VectorXd d_closing = full.closing - state.closing;
   const double d_rotation = full.rotation - state.rotation;
   const double before = energy(state, load);
@@ -248,6 +249,7 @@ void CoupledDrive::move_toward(const Equilibrium& full, Equilibrium& state, doub
   Equilibrium moved = state;
   const auto move = [&](double step) {
     moved.force = state.force + step * d_force;
+    moved.elastic = state.elastic + step * d_elastic;
     moved.closing = state.closing + step * d_closing;
     moved.rotation = state.rotation + step * d_rotation;
   };

@@ -186,7 +186,7 @@ class ContactCracksOf {
     const CrackedRing ring = ring_of(part);
     const double c_M =
         ring.support * hinge_compliance(crack.depth, ring.thickness, ring.width, ring.steel);
-    const double length = 2 * ring.thickness;
+    const double length = crack.softened_length(ring.thickness);
     const double left = ring.bending / (1 + c_M * ring.bending / length);
     result.hinges.push_back({.ring = ring.ring,
                              .position = crack.position,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "strainwave/core/error.hpp"
 #include "strainwave/torsion/plate_edge.hpp"
 
 namespace strainwave {
@@ -290,8 +291,12 @@ ElasticRings ElasticRings::softened(const std::vector<RingHinge>& hinges) const 
       soft.curvature[i + 1] = amplitude * std::sin(n * hinge.position);
     }
     soft.response = soft_rings.response_to(soft.curvature);
-    // Below 1: the energy of the mean curvature is never more than that of the curvature itself.
-    soft.factor = soft.softening / (1 - soft.softening * soft.curvature.dot(soft.response));
+    const double left = 1 - soft.softening * soft.curvature.dot(soft.response);
+    if (!(left > 0))
+      throw SolverError(
+          "two cracks of a ring soften the same length of it, which leaves it no stiffness there "
+          "(TC-22): give one crack in place of both");
+    soft.factor = soft.softening / left;
     const Eigen::VectorXd closings = closings_of(soft.response);
     soft_rings.flexibility_ += soft.factor * closings * closings.transpose();  // (TC-22)
     soft_rings.softenings_.push_back(std::move(soft));
@@ -301,7 +306,9 @@ ElasticRings ElasticRings::softened(const std::vector<RingHinge>& hinges) const 
 }
 
 double ElasticRings::of_nominal_wave(int contact, double amplitude) const {
-  const ContactDirection d = contact < balls_ + teeth_ ? drive_flank_ : drive_flank_.mirrored();
+  const ContactDirection d = contact < balls_            ? ball_
+                             : contact < balls_ + teeth_ ? drive_flank_
+                                                         : drive_flank_.mirrored();
   const double theta = position_of(contact);
   return amplitude *
          (d.radial * std::cos(2 * theta) - (2 * d.slope + d.tangential / 2) * std::sin(2 * theta));

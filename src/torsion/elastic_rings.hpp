@@ -59,6 +59,7 @@ class ElasticRings {
                const ContactDirection& drive_flank);
 
   /// The same rings, softened by cracks.
+  /// @throws SolverError  if hinges of one ring overlap so far that nothing of it is left
   [[nodiscard]] ElasticRings softened(const std::vector<RingHinge>& hinges) const;
 
   [[nodiscard]] int contacts() const { return static_cast<int>(position_.size()); }
@@ -73,6 +74,8 @@ class ElasticRings {
   [[nodiscard]] Eigen::VectorXd closings(const Eigen::VectorXd& force) const;
   /// Coefficients of all modes that contact forces make.
   [[nodiscard]] Eigen::VectorXd coefficients_of(const Eigen::VectorXd& force) const;
+  /// Closings of all contacts that coefficients make.
+  [[nodiscard]] Eigen::VectorXd closings_of(const Eigen::VectorXd& x) const;
   /// Mean of w over the lobes that contact forces make.
   [[nodiscard]] double lobe(const Eigen::VectorXd& force) const { return lobe_.dot(force); }
   /// Adds twice the energies of a set of coefficients to the members.
@@ -129,8 +132,6 @@ class ElasticRings {
     ContactDirection direction;
   };
   [[nodiscard]] std::array<Group, 3> groups() const;
-  /// Closings of all contacts that coefficients make.
-  [[nodiscard]] Eigen::VectorXd closings_of(const Eigen::VectorXd& x) const;
   /// Generalised forces of contact forces: the transposed operation, with the other sign.
   [[nodiscard]] Eigen::VectorXd load_of(const Eigen::VectorXd& force) const;
   /// Coefficients that generalised forces make (TC-4).

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/drive_cracks/loaded_crack.hpp"
 #include "strainwave/drive_cracks/member_loads.hpp"
@@ -114,6 +115,26 @@ TEST(DriveCracks, IdentityUnitLoadsGiveTheStressOfEach) {
   test::expect_relative(crack.bending(crack.size).at(1)[0], root / (pi * r * r * t), 1e-12);
   test::expect_relative(middle.assembly[0], assembly_stress(gear, r, t, 90 * deg).normal * root,
                         1e-12);
+}
+
+TEST(DriveCracks, InputReferenceStressNeedsASection) {
+  // A crack of half of the circumference, or of the whole length, leaves nothing that yields.
+  const auto refused = [](const GearSet& gear, double half_length) {
+    const DriveCrack crack = crack_of(gear, "flexspline.crack[0]");
+    EXPECT_GT(crack.reference_stress({.size = crack.range_end}, 0.0, 1.0), 0.0);
+    try {
+      (void)crack.reference_stress({.size = half_length}, 0.0, 1.0);
+    } catch (const InputError& error) {
+      return error.field() + " = " + error.value();
+    }
+    return std::string("accepted");
+  };
+  GearSet gear = test::article_gear(1 * mm);
+  auto& through = std::get<WallThroughCrack>(gear.flexspline->crack.at(0));
+  through.angle = 90 * deg;
+  EXPECT_EQ(refused(gear, 0.125), "flexspline.crack[0].half_length = 0.125 m");
+  through.angle = 0;
+  EXPECT_EQ(refused(gear, gear.flexspline->length / 2), "flexspline.crack[0].half_length = 0.08 m");
 }
 
 TEST(DriveCracks, IdentityAssemblyOverTheWaveAngle) {

@@ -140,6 +140,14 @@ GearSet coupled_gear() {
 }
 
 Diaphragm& diaphragm(GearSet& gear) { return *gear.flexspline->diaphragm; }
+
+/// The same crack a second time, at another position [rad].
+template <class Cracks, class Crack>
+void crack_again(Cracks& cracks, Crack crack, double position) {
+  crack.position = position;
+  cracks.emplace_back(crack);
+}
+
 RimAxialCrack& rim_axial_crack(GearSet& gear) {
   return std::get<RimAxialCrack>(gear.flexspline->crack[0]);
 }
@@ -511,8 +519,25 @@ const std::vector<Broken> kBroken = {
      "depth < flexspline.rim.wall_thickness", ""},
 
     {"RimAxialCracksInOnePlace", coupled_gear,
-     [](GearSet& g) { flexspline(g).crack.emplace_back(rim_axial_crack(g)); },
-     "flexspline.crack[3].position", "", "overlaps flexspline.crack[0]: cracks are added up as if alone, give one of both"},
+     [](GearSet& g) { crack_again(flexspline(g).crack, rim_axial_crack(g), 0.0); },
+     "flexspline.crack[3].position", "",
+     "0 deg is 0 mm along the ring from flexspline.crack[0] at 0 deg, and each crack softens 6 mm: give one crack in place of both, or place them that far apart"},
+    {"RimAxialCracksAWholeTurnApart", coupled_gear,
+     [](GearSet& g) { crack_again(flexspline(g).crack, rim_axial_crack(g), 2 * pi); },
+     "flexspline.crack[3].position", "",
+     "360 deg is 0 mm along the ring from flexspline.crack[0] at 0 deg, and each crack softens 6 mm: give one crack in place of both, or place them that far apart"},
+    {"RimAxialCracksNear", coupled_gear,
+     [](GearSet& g) { crack_again(flexspline(g).crack, rim_axial_crack(g), 5.9 / 78.5); },
+     "flexspline.crack[3].position", "",
+     "4.306 deg is 5.9 mm along the ring from flexspline.crack[0] at 0 deg, and each crack softens 6 mm: give one crack in place of both, or place them that far apart"},
+    {"OuterRaceCracksNear", coupled_gear,
+     [](GearSet& g) { crack_again(wave_generator(g).crack, std::get<OuterRaceCrack>(wave_generator(g).crack[2]), -7.9 / 70); },
+     "wave_generator.crack[3].position", "",
+     "-6.466 deg is 7.9 mm along the ring from wave_generator.crack[2] at 0 deg, and each crack softens 8 mm: give one crack in place of both, or place them that far apart"},
+    {"SplineCracksNear", coupled_gear,
+     [](GearSet& g) { crack_again(g.circular_spline->crack, std::get<CircularSplineRingCrack>(g.circular_spline->crack[0]), 49 / 94.5); },
+     "circular_spline.crack[1].position", "",
+     "29.71 deg is 49 mm along the ring from circular_spline.crack[0] at 0 deg, and each crack softens 50 mm: give one crack in place of both, or place them that far apart"},
 
     // coupled drive: diaphragm
     {"GroovesOverlap", coupled_gear,
@@ -862,10 +887,17 @@ const std::vector<Accepted> kAccepted = {
      }},
     {"ArcsOnOneCircle", coupled_gear,
      [](GearSet& g) { flexspline(g).crack.emplace_back(arc_crack(g)); }},
-    {"RimAxialCracksApart", coupled_gear,
+    {"RimAxialCracksJustApart", coupled_gear,
+     [](GearSet& g) { crack_again(flexspline(g).crack, rim_axial_crack(g), 6 / 78.5); }},
+    {"OuterRaceCracksJustApart", coupled_gear,
      [](GearSet& g) {
-       flexspline(g).crack.emplace_back(rim_axial_crack(g));
-       rim_axial_crack(g).position = 0.1;
+       crack_again(wave_generator(g).crack, std::get<OuterRaceCrack>(wave_generator(g).crack[2]),
+                   2 * pi - 8.0 / 70);
+     }},
+    {"SplineCracksJustApart", coupled_gear,
+     [](GearSet& g) {
+       crack_again(g.circular_spline->crack,
+                   std::get<CircularSplineRingCrack>(g.circular_spline->crack[0]), -50 / 94.5);
      }},
     {"RimAxialCrackJustInTheRim", coupled_gear,
      [](GearSet& g) { rim_axial_crack(g).depth = just_below(3 * mm); }},

@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "strainwave/torsion/compare.hpp"
@@ -52,6 +53,32 @@ TEST(AssembledDrive, IdentityTurnedAndSoundAreAssembledAnew) {
   expect_same(makers_lines(drive.turned(0.7)), makers_lines(after_turn(gear, 0.7)));
   expect_same(makers_lines(drive.without_cracks()), makers_lines(without_cracks(gear)));
   EXPECT_NE(makers_lines(drive.turned(0.7)).K1, makers_lines(drive).K1);
+}
+
+TEST(AssembledDrive, IdentityEveryCrackOfTheContactsTurnsButThatOfTheInnerRace) {
+  const std::vector<std::pair<std::function<void(GearSet&)>, bool>> cracks = {
+      {[](GearSet& g) { test::crack_rim(g); }, true},
+      {[](GearSet& g) { test::crack_outer_race(g); }, true},
+      {[](GearSet& g) { test::crack_spline(g); }, true},
+      {[](GearSet& g) { test::crack_tooth(g, 2, 0.5); }, true},
+      {[](GearSet& g) { test::crack_race(g, 2e-8); }, false}};
+  constexpr double kAngle = 0.7;
+  GearSet all = test::supported_drive();
+  for (const auto& [crack, turns] : cracks) {
+    GearSet gear = test::supported_drive();
+    crack(gear);
+    crack(all);
+    const AssembledDrive drive(gear);
+    const MakersLines given = makers_lines(drive);
+    const MakersLines turned = makers_lines(drive.turned(kAngle));
+    EXPECT_NE(given.K1, makers_lines(drive.without_cracks()).K1);
+    if (turns)
+      EXPECT_NE(turned.K1, given.K1);
+    else
+      expect_same(turned, given);
+  }
+  expect_same(makers_lines(AssembledDrive(all).turned(kAngle)),
+              makers_lines(after_turn(all, kAngle)));
 }
 
 TEST(AssembledDrive, BehaviourADriveThatDoesNotAssembleSaysSo) {

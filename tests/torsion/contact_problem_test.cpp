@@ -5,17 +5,26 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <tuple>
+#include <vector>
 
 #include "coupled_drive.hpp"
+#include "strainwave/core/error.hpp"
 #include "torsion/typical_drive.hpp"
 
 namespace strainwave {
 namespace {
 
-/// Size 25, ratio 100, circular spline in its housing; sound, or with a crack in every ring.
-CoupledDrive assembled(bool cracked) {
-  GearSet gear = test::typical_drive(25, 100);
+/// Size 25, circular spline in its housing.
+GearSet housed_drive(double ratio) {
+  GearSet gear = test::typical_drive(25, ratio);
   test::half_free(gear);
+  return gear;
+}
+
+/// Of ratio 100; sound, or with a crack in every ring.
+CoupledDrive assembled(bool cracked) {
+  const GearSet gear = housed_drive(100);
   const CoupledGeometry g = coupled_geometry(gear, {});
   ContactCracks cracks;
   if (cracked) {
@@ -91,6 +100,107 @@ TEST(ContactProblem, IdentityFlanksCarryTheTorque) {
       carried += (i < drive.balls() + drive.tooth_count() ? 1 : -1) * state.force[i];
     EXPECT_NEAR(carried * std::cos(g.force_angle) * g.pitch_radius / torque, 1.0, 1e-10);
   }
+}
+
+TEST(ContactProblem, IdentityAStateBetweenStepsKnowsItsRings) {
+  // Where the steps end too early, the closings by the rings are still those of the forces.
+  const GearSet gear = housed_drive(100);
+  const CoupledDrive full = assembled(false);
+  CoupledDrive stopped(gear, coupled_geometry(gear, {}), {.max_iterations = 3});
+  ASSERT_FALSE(stopped.assemble_on(full.cam_amplitude()));
+  const Equilibrium state = stopped.solve(48.0, full.assembled());
+  ASSERT_FALSE(state.converged);
+  const Eigen::VectorXd elastic = full.rings().closings(state.force);
+  EXPECT_LT((state.elastic - elastic).cwiseAbs().maxCoeff(), 1e-12 * elastic.cwiseAbs().maxCoeff());
+  EXPECT_GT((full.assembled().elastic - elastic).cwiseAbs().maxCoeff(),
+            1e-3 * elastic.cwiseAbs().maxCoeff());
+}
+
+TEST(ElasticRings, IdentityFlexibilityIsThatOfTheModes) {
+  // Contact to contact by a series in the angle between them, against the coefficients of all
+  // modes: with an even and an odd number of teeth, columns of a ball, a drive and a coast flank.
+  for (const double ratio : {100.0, 50.5}) {
+    const GearSet gear = housed_drive(ratio);
+    const CoupledGeometry g = coupled_geometry(gear, {});
+    const CoupledDrive sound(gear, g, {});
+    const CoupledDrive cracked = sound.cracked(
+        {.hinges = {{RingHinge::Ring::rim, 0.3, 2 * g.rim_thickness, 0.4 * g.rim_bending * 1e-3},
+                    {RingHinge::Ring::spline, 0.1, 1e-2, 0.2 * g.spline_bending * 1e-2}},
+         .teeth = {},
+         .balls = {}});
+    for (const CoupledDrive* const drive : {&sound, &cracked}) {
+      const Eigen::MatrixXd& flexibility = drive->rings().flexibility();
+      const double largest = flexibility.cwiseAbs().maxCoeff();
+      const int drive_flanks = drive->balls();
+      const int coast_flanks = drive_flanks + drive->tooth_count();
+      for (const int j : {0, 5, drive_flanks, drive_flanks + 7, coast_flanks - 1, coast_flanks,
+                          coast_flanks + 7, drive->contacts() - 1}) {
+        const Eigen::VectorXd force = Eigen::VectorXd::Unit(drive->contacts(), j);
+        const Eigen::VectorXd closed = drive->rings().closings_of(drive->coefficients_of(force));
+        EXPECT_LT((flexibility.col(j) + closed).cwiseAbs().maxCoeff(), 1e-12 * largest)
+            << ratio << " " << j;
+      }
+    }
+    EXPECT_GT((cracked.rings().flexibility() - sound.rings().flexibility()).cwiseAbs().maxCoeff(),
+              1e-3 * sound.rings().flexibility().cwiseAbs().maxCoeff());
+  }
+}
+
+TEST(ElasticRings, IdentityNominalWaveOfEachContact) {
+  // A ball sees its negative; the flanks of a tooth see it alike, in a mirror.
+  const GearSet gear = housed_drive(50.5);
+  const CoupledDrive drive(gear, coupled_geometry(gear, {}), {});
+  for (int k = 0; k < drive.balls(); ++k)
+    EXPECT_DOUBLE_EQ(drive.rings().of_nominal_wave(k, 2e-4),
+                     -2e-4 * std::cos(2 * drive.position_of(k)));
+  const double up = std::sin(drive.geometry().force_angle);
+  for (int i = drive.balls(); i < drive.balls() + drive.tooth_count(); ++i)
+    EXPECT_NEAR(drive.rings().of_nominal_wave(i, 1.0) +
+                    drive.rings().of_nominal_wave(i + drive.tooth_count(), 1.0),
+                2 * up * std::cos(2 * drive.position_of(i)), 1e-15);
+}
+
+TEST(ElasticRings, BehaviourEveryFurtherHingeSoftensItsRing) {
+  // The cracks of `check`'s least distance, nearly as deep as their rings.  A hinge adds to the
+  // closing of every contact under its own force; two on one another would take it away again.
+  const GearSet gear = housed_drive(100);
+  const CoupledGeometry g = coupled_geometry(gear, {});
+  const CoupledDrive sound(gear, g, {});
+  const auto closing = [&](const std::vector<RingHinge>& hinges) -> Eigen::VectorXd {
+    return sound.cracked({.hinges = hinges, .teeth = {}, .balls = {}})
+        .rings()
+        .flexibility()
+        .diagonal();
+  };
+  const double spline_thickness = 2 * (g.spline_radius - g.pitch_radius);
+  for (const auto& [ring, thickness, bending, radius] :
+       {std::tuple{RingHinge::Ring::rim, g.rim_thickness, g.rim_bending, g.ring_radius},
+        {RingHinge::Ring::outer, g.outer_thickness, g.outer_bending, g.ring_radius},
+        {RingHinge::Ring::spline, spline_thickness, g.spline_bending / g.support,
+         g.spline_radius}}) {
+    const double length = 2 * thickness;
+    const RingHinge hinge{ring, 0.3, length, 0.99 * bending * length};
+    RingHinge beside = hinge;
+    beside.position += length / radius;
+    const Eigen::VectorXd one = closing({hinge});
+    for (const Eigen::VectorXd& more :
+         {Eigen::VectorXd(one - closing({})), Eigen::VectorXd(closing({hinge, beside}) - one)}) {
+      EXPECT_GE(more.minCoeff(), 0.0);
+      EXPECT_GT(more.maxCoeff(), 1e-3 * one.maxCoeff());
+    }
+  }
+}
+
+TEST(ElasticRings, BehaviourHingesOnOneAnotherAreRefused) {
+  const GearSet gear = housed_drive(100);
+  const CoupledGeometry g = coupled_geometry(gear, {});
+  const double length = 0.02;
+  const RingHinge hinge{RingHinge::Ring::spline, 0.3, length,
+                        0.9 * g.spline_bending / g.support * length};
+  const CoupledDrive sound(gear, g, {});
+  EXPECT_NO_THROW((void)sound.cracked({.hinges = {hinge}, .teeth = {}, .balls = {}}));
+  EXPECT_THROW((void)sound.cracked({.hinges = {hinge, hinge}, .teeth = {}, .balls = {}}),
+               SolverError);
 }
 
 }  // namespace

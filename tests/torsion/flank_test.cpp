@@ -147,7 +147,7 @@ TEST(ToothPair, ReferenceTableOfDrives) {
                      row, 1e-14);
     ++rows;
   }
-  EXPECT_EQ(rows, 10);
+  EXPECT_EQ(rows, 11);
 }
 
 TEST(ToothPair, CrosscheckFiniteElementsOfATooth) {

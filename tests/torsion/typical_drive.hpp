@@ -23,13 +23,12 @@ namespace strainwave::test {
 /// Inputs of one drive of tests/data/coupled_drive_members.csv, by name [SI].
 using DriveInputs = std::map<std::string, double>;
 
-inline const DriveInputs& drive_inputs(int size, int ratio) {
-  static const std::map<std::pair<int, int>, DriveInputs> all = [] {
-    std::map<std::pair<int, int>, DriveInputs> drives;
+inline const DriveInputs& drive_inputs(int size, double ratio) {
+  static const std::map<std::pair<int, double>, DriveInputs> all = [] {
+    std::map<std::pair<int, double>, DriveInputs> drives;
     for (const CsvRow& row : read_reference_csv("coupled_drive_members"))
       if (row.quantity.starts_with("input."))
-        drives[{static_cast<int>(row("size")), static_cast<int>(row("ratio"))}]
-              [row.quantity.substr(6)] = row.value;
+        drives[{static_cast<int>(row("size")), row("ratio")}][row.quantity.substr(6)] = row.value;
     return drives;
   }();
   const auto found = all.find({size, ratio});
@@ -39,7 +38,7 @@ inline const DriveInputs& drive_inputs(int size, int ratio) {
 
 /// A cup drive of two lobes with the proportions that tools/reference/coupled_drive.py calls
 /// typical; sound, circular spline rigid, torque of the file 1 N*m.
-inline GearSet typical_drive(int size = 25, int ratio = 50) {
+inline GearSet typical_drive(int size = 25, double ratio = 50) {
   const DriveInputs& inputs = drive_inputs(size, ratio);
   const auto in = [&](const char* name) { return inputs.at(name); };
   const double R = in("rim_radius");

@@ -65,7 +65,8 @@ struct DriveCrack {
   /// pulled side [Pa*m^0.5/(N*m)]; empty where it cannot be stated.
   std::function<std::vector<Modes>(const CrackSize&)> bending;
   /// Yield strength at which the net section is fully plastic, at a size, under an axial force [N]
-  /// and a torque [N*m]; proportional to both [Pa].
+  /// and a torque [N*m]; proportional to both [Pa].  Throws InputError at a size that leaves
+  /// nothing of the section, beyond `range_end`.
   std::function<double(const CrackSize&, double axial_force, double torque)> reference_stress;
 
   double range_end = 0.0;              ///< largest size that the solutions reach [m]

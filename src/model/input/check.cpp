@@ -11,6 +11,7 @@
 #include "strainwave/core/compare.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
+#include "strainwave/core/units.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 
 // Rules between fields.  Rules of one field alone are its Range.
@@ -200,6 +201,30 @@ void check_crack(const FieldPath& at, const GearSet& gear, const AnnularCrack& c
                      "\"tada\" is for solid shafts; a hollow one has a table");
 }
 
+/// Cracks of one ring, each alone on the length that it softens (TC-22).
+template <class Crack, class Cracks>
+void check_hinges(const FieldPath& path, const Cracks& cracks, double thickness,
+                  double mean_radius) {
+  const double length = Crack::softened_length(thickness);
+  for (std::size_t i = 0; i < cracks.size(); ++i)
+    for (std::size_t other = 0; other < i; ++other) {
+      const auto* const here = std::get_if<Crack>(&cracks[i]);
+      const auto* const there = std::get_if<Crack>(&cracks[other]);
+      if (here == nullptr || there == nullptr) continue;
+      const double apart =
+          std::abs(std::remainder(here->position - there->position, 2 * std::numbers::pi)) *
+          mean_radius;
+      if (clearly_less(apart, length))
+        throw InputError(
+            (path[i] / "position").text(),
+            fmt::format("{:.4g} deg is {:.3g} mm along the ring from {} at {:.4g} deg, and each "
+                        "crack softens {:.3g} mm: give one crack in place of both, or place them "
+                        "that far apart",
+                        here->position / units::deg, apart / units::mm, path[other].text(),
+                        there->position / units::deg, length / units::mm));
+    }
+}
+
 template <class Cracks>
 void check_cracks(const GearSet& gear, const FieldPath& member, const Cracks& cracks) {
   for (std::size_t i = 0; i < cracks.size(); ++i)
@@ -259,6 +284,9 @@ void check_wave_generator(const GearSet& gear) {
     }
   }
   check_cracks(gear, path, wg.crack);
+  if (wg.bearing && wg.bearing->outer_ring)
+    check_hinges<OuterRaceCrack>(path / "crack", wg.crack, wg.bearing->outer_ring->thickness,
+                                 wg.bearing->outer_ring->mean_radius);
 }
 
 void check_diaphragm(const FieldPath& path, const Diaphragm& diaphragm) {
@@ -275,13 +303,8 @@ void check_diaphragm(const FieldPath& path, const Diaphragm& diaphragm) {
   }
 }
 
-/// Cracks of the diaphragm and the rim that the file puts into the same place are none.
+/// Cracks of the diaphragm that the file puts into the same place are none.
 void check_overlaps(const FieldPath& path, const Flexspline& fs) {
-  const auto refuse = [&](std::size_t i, std::string_view field, std::size_t other) {
-    throw InputError((path[i] / field).text(),
-                     fmt::format("overlaps {}: cracks are added up as if alone, give one of both",
-                                 path[other].text()));
-  };
   for (std::size_t i = 0; i < fs.crack.size(); ++i)
     for (std::size_t other = 0; other < i; ++other) {
       // From one radius to another that a groove or an arc takes.
@@ -301,11 +324,10 @@ void check_overlaps(const FieldPath& path, const Flexspline& fs) {
                           std::holds_alternative<DiaphragmGroove>(fs.crack[other]);
       if (here && there && groove && clearly_less((*here)[0], (*there)[1]) &&
           clearly_less((*there)[0], (*here)[1]))
-        refuse(i, "radius", other);
-      const auto* const rim = std::get_if<RimAxialCrack>(&fs.crack[i]);
-      const auto* const rim_other = std::get_if<RimAxialCrack>(&fs.crack[other]);
-      if (rim != nullptr && rim_other != nullptr && rim->position == rim_other->position)
-        refuse(i, "position", other);
+        throw InputError(
+            (path[i] / "radius").text(),
+            fmt::format("overlaps {}: cracks are added up as if alone, give one of both",
+                        path[other].text()));
     }
 }
 
@@ -342,6 +364,9 @@ void check_flexspline(const GearSet& gear) {
   }
   check_cracks(gear, path, fs.crack);
   check_overlaps(path / "crack", fs);
+  if (fs.rim)
+    check_hinges<RimAxialCrack>(path / "crack", fs.crack, fs.rim->wall_thickness,
+                                (fs.rim->outer_diameter - fs.rim->wall_thickness) / 2);
 }
 
 void check_circular_spline(const GearSet& gear) {
@@ -353,6 +378,9 @@ void check_circular_spline(const GearSet& gear) {
   require(ring.inner_diameter > gear.drive.pitch_diameter, (path / "inner_diameter").text(),
           ring.inner_diameter, "m", "inner_diameter > drive.pitch_diameter");
   check_cracks(gear, path, ring.crack);
+  check_hinges<CircularSplineRingCrack>(path / "crack", ring.crack,
+                                        (ring.outer_diameter - ring.inner_diameter) / 2,
+                                        (ring.outer_diameter + ring.inner_diameter) / 4);
 }
 
 void check_rating(const Rating& rating) {

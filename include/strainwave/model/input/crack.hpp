@@ -295,6 +295,8 @@ struct RingCrack {
   double depth = 0.0;     ///< a, into the ring [m]; > 0, < its thickness
   double position = 0.0;  ///< angle from the wave generator's major axis, toward +theta [rad]
 
+  /// Length of a ring of a thickness [m] over which the crack softens it, l = 2t [m].
+  [[nodiscard]] static double softened_length(double thickness) { return 2 * thickness; }
   [[nodiscard]] CrackPlace place() const {
     return {.part = part_,
             .shape = CrackShape::over_width,
