@@ -192,8 +192,8 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
     fill_moments(output, std::move(values));
     note_nonlinear(scatter, output);
     scatter.outputs.push_back(std::move(output));
-    progress.at(0.95 +
-                0.05 * static_cast<double>(y + 1) / static_cast<double>(sensitivity.outputs.size()));
+    progress.at(0.95 + 0.05 * static_cast<double>(y + 1) /
+                           static_cast<double>(sensitivity.outputs.size()));
   }
   if (scatter.refused + scatter.unusable > 0)
     scatter.notes.push_back(
