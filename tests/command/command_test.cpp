@@ -324,7 +324,7 @@ TEST(OptionValues, IdentityACopyIsAValueOfItsOwn) {
   const Answer answer = run(row, nullptr, options);
   const std::string before = answer.json();
   OptionValues other = options;
-  options.set("name", "second");
+  options.set("length", "3 m");
   EXPECT_EQ(answer.json(), before);
   EXPECT_EQ(run(row, nullptr, other).json(), before);
   EXPECT_NE(run(row, nullptr, options).json(), before);
