@@ -55,14 +55,16 @@ Table drive_table(const StiffnessResult& result, const GearSet& gear) {
         &IntactDrive::wind_up, &CrackedDrive::wind_up, units::arcmin);
   if (!result.curve) return table;
   heading("Torsion curve of the coupled drive, with balls, teeth and rings [N*m/rad]");
-  const auto& [intact, positive, negative] = *result.curve;
+  const auto& curve = *result.curve;
   const auto line = [&](const char* label, Quantity CurveStiffness::*K) {
-    row(label, intact.*K, "", positive.*K, negative.*K, 1);
+    row(label, curve.intact.*K, "", curve.positive.*K, curve.negative.*K, 1);
     const auto changed = [&](const CurveStiffness& cracked) {
-      return percent_change((cracked.*K).value / (intact.*K).value - 1);
+      return percent_change((cracked.*K).value / (curve.intact.*K).value - 1);
     };
-    if (changed(positive) != "0 %" || changed(negative) != "0 %")
-      table.rows.push_back({"    change", "", "", changed(positive), changed(negative)});
+    const std::string positive = changed(curve.positive);
+    const std::string negative = changed(curve.negative);
+    if (positive != "0 %" || negative != "0 %")
+      table.rows.push_back({"    change", "", "", positive, negative});
   };
   line("K1, up to T1", &CurveStiffness::K1);
   line("K2, T1 to T2", &CurveStiffness::K2);
