@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
@@ -164,7 +163,8 @@ std::string torsion_csv(const TorsionReport& report) {
     table.rows.push_back(
         cells(p.torque, p.twist, p.tangent_stiffness(), p.teeth_in_contact, p.balls_in_contact));
   };
-  std::ranges::for_each(report.curve_negative.points | std::views::reverse, add);
+  const std::vector<CurvePoint>& negative = report.curve_negative.points;
+  std::for_each(negative.rbegin(), negative.rend(), add);
   std::ranges::for_each(report.curve.points, add);
   return csv_table(table);
 }
