@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
