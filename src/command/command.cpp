@@ -32,7 +32,7 @@ Provenance provenance_of(const Drive& drive) {
 }
 
 std::shared_ptr<const Drive> read_drive(std::string text, std::string name,
-                                        Attachments attachments) {
+                                        const Attachments& attachments) {
   auto drive = std::make_shared<Drive>();
   drive->gear = read_gear_set(text, name, attachments);
   drive->text = std::move(text);
@@ -40,8 +40,9 @@ std::shared_ptr<const Drive> read_drive(std::string text, std::string name,
   return drive;
 }
 
-Answer run(const Command& command, std::shared_ptr<const Drive> drive, const OptionValues& options,
-           const OptionTexts& texts, const Progress& progress, const Host& host) {
+Answer run(const Command& command, const std::shared_ptr<const Drive>& drive,
+           const OptionValues& options, const OptionTexts& texts, const Progress& progress,
+           const Host& host) {
   const auto require = [&](bool given, std::string_view what) {
     if (!given)
       throw OptionError(what, fmt::format("must be given; {} works on a {}", command.name, what));
@@ -49,7 +50,7 @@ Answer run(const Command& command, std::shared_ptr<const Drive> drive, const Opt
   require(drive || command.takes == Takes::nothing, "drive");
   require(host.journal != nullptr || command.journal.empty(), "journal");
   static const auto no_drive = std::make_shared<const Drive>();
-  return {command, drive ? std::move(drive) : no_drive, options, texts, progress, host};
+  return {command, drive ? drive : no_drive, options, texts, progress, host};
 }
 
 Answer::Answer(const Command& command, std::shared_ptr<const Drive> drive,

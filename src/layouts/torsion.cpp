@@ -62,7 +62,7 @@ TitledTable points_table(const TorsionReport& report) {
   const auto row = [&](std::vector<std::string>& to, const auto& cell_of) {
     for (const std::size_t i : report.shown) to.push_back(cell_of(report.curve.points[i]));
   };
-  const auto add = [&](std::string label, const auto& cell_of) {
+  const auto add = [&](const std::string& label, const auto& cell_of) {
     row(table.rows.emplace_back(cells(label)), cell_of);
   };
   row(table.head, [](const CurvePoint& p) { return fmt::format("{:.5g}", p.torque); });

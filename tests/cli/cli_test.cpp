@@ -831,11 +831,11 @@ TEST_F(Program, BehaviourBashCompletes) {
 
 TEST_F(Program, BehaviourAnInterruptLeavesNoFileAndEndsWith130) {
   const fs::path csv = in_folder("sweep.csv");
-  const Outcome outcome = execute("timeout --preserve-status -s INT 0.5 " + quoted(STRAINWAVE_CLI) +
-                                  " sweep " + kArticle +
-                                  " --vary 'output_shaft.crack[0].depth=0.05 mm..8 mm:300' "
-                                  "--vary 'load.axial_force=0 N..1 kN:300' -o " +
-                                  quoted(csv.string()));
+  const Outcome outcome =
+      interrupted(STRAINWAVE_CLI, "sweep " + kArticle +
+                                      " --vary 'output_shaft.crack[0].depth=0.05 mm..8 mm:300' "
+                                      "--vary 'load.axial_force=0 N..1 kN:300' -o " +
+                                      quoted(csv.string()));
   EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
   EXPECT_EQ(outcome.err, "strainwave: interrupted: nothing was written\n");
   EXPECT_FALSE(fs::exists(csv));

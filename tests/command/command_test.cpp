@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "command/kept_journal.hpp"
 #include "support/expect.hpp"
 
 namespace strainwave {
@@ -247,18 +248,6 @@ struct NoOptions {
   static void describe(Visitor&&) {}
 };
 
-/// Remembers what a command wrote.
-class KeptJournal : public Journal {
- public:
-  [[nodiscard]] std::string name() const override { return "kept"; }
-  [[nodiscard]] std::optional<std::string> text() const override { return text_; }
-  void begin(const std::string& text) override { text_ = text; }
-  void append(const std::string& line) override { *text_ += line; }
-
- private:
-  std::optional<std::string> text_;
-};
-
 TEST(CommandRow, BehaviourAJournalIsKeptAndAFolderIsNoText) {
   const Command row = command<NoOptions, TestResult>({
       .name = "keep",
@@ -284,7 +273,7 @@ TEST(CommandRow, BehaviourAJournalIsKeptAndAFolderIsNoText) {
   const OptionValues options(row.options);
   EXPECT_PRED2(says, test::broken_rule([&] { return run(row, nullptr, options).usable(); }),
                "journal: must be given; keep works on a journal");
-  KeptJournal journal;
+  test::KeptJournal journal;
   std::string said;
   const Progress progress({}, [&](const std::string& line) { said += line; });
   for (int i = 0; i < 2; ++i) {

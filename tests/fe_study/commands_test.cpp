@@ -9,6 +9,7 @@
 #include <set>
 
 #include "command/field_witness.hpp"
+#include "command/kept_journal.hpp"
 #include "command/surface.hpp"
 #include "door/json_schema.hpp"
 #include "strainwave/fe_study/member_run.hpp"
@@ -24,18 +25,6 @@ using fe_study::fe_commands;
 GearSet example(const std::string& name) {
   return read_gear_set_file(STRAINWAVE_EXAMPLES "/" + name + ".toml");
 }
-
-/// A journal that is kept in memory.
-class KeptJournal : public Journal {
- public:
-  [[nodiscard]] std::string name() const override { return "kept"; }
-  [[nodiscard]] std::optional<std::string> text() const override { return text_; }
-  void begin(const std::string& text) override { text_ = text; }
-  void append(const std::string& line) override { *text_ += line; }
-
- private:
-  std::optional<std::string> text_;
-};
 
 TEST(FeSurface, RegressionCommandsOptionsDocumentsAndResultFields) {
   test::expect_listed(fe_commands(), "public_surface_fe.txt");
@@ -65,7 +54,7 @@ TEST_P(FeAnswers, IdentityEveryAnswerKeepsItsSchemaAndMakesItsDocuments) {
   const std::string path = std::string(STRAINWAVE_EXAMPLES "/") + file + ".toml";
   OptionValues values(row.options);
   values.set_from_json(options);
-  KeptJournal journal;
+  test::KeptJournal journal;
   const Answer answer =
       run(row, row.takes == Takes::drive ? read_drive(test::contents(path), path) : nullptr, values,
           {}, {}, {.ranks = test::mpi(), .journal = &journal});

@@ -5,11 +5,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <thread>
 
 namespace strainwave::test {
 
@@ -44,11 +47,37 @@ class ProgramTest : public testing::Test {
 
   /// A command of the shell.
   [[nodiscard]] Outcome execute(const std::string& command) const {
-    const std::filesystem::path out = folder_ / "stdout.txt";
-    const std::filesystem::path err = folder_ / "stderr.txt";
-    const int status =
-        std::system((command + " >" + quoted(out.string()) + " 2>" + quoted(err.string())).c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(out), contents(err)};
+    return outcome(std::system((command + into()).c_str()));
+  }
+
+  /// A program that gets SIGINT once it handles this signal.
+  [[nodiscard]] Outcome interrupted(const std::filesystem::path& program,
+                                    const std::string& arguments) const {
+    const std::string command = "exec " + quoted(program.string()) + " " + arguments + into();
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::signal(SIGINT, SIG_DFL);
+      ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+      ::_exit(127);
+    }
+    const std::filesystem::path process = "/proc/" + std::to_string(child);
+    const auto handles = [&] {
+      std::error_code none;
+      if (std::filesystem::read_symlink(process / "exe", none) != program) return false;
+      const std::string status = contents(process / "status");
+      const std::size_t caught = status.find("SigCgt:");
+      constexpr unsigned long long kMask = 1ULL << (SIGINT - 1);
+      return caught != std::string::npos &&
+             (std::stoull(status.substr(caught + 7), nullptr, 16) & kMask) != 0;
+    };
+    int status = 0;
+    while (!handles()) {
+      if (::waitpid(child, &status, WNOHANG) == child) return outcome(status);
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    ::kill(child, SIGINT);
+    ::waitpid(child, &status, 0);
+    return outcome(status);
   }
 
   /// Writes a file of the folder; its name as a word of the command line.
@@ -68,6 +97,16 @@ class ProgramTest : public testing::Test {
   }
 
   std::filesystem::path folder_;
+
+ private:
+  [[nodiscard]] std::filesystem::path out() const { return folder_ / "stdout.txt"; }
+  [[nodiscard]] std::filesystem::path err() const { return folder_ / "stderr.txt"; }
+  [[nodiscard]] std::string into() const {
+    return " >" + quoted(out().string()) + " 2>" + quoted(err().string());
+  }
+  [[nodiscard]] Outcome outcome(int status) const {
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(out()), contents(err())};
+  }
 };
 
 }  // namespace strainwave::test

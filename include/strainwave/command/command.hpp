@@ -43,7 +43,7 @@ using OptionTexts = std::map<std::string, std::string, std::less<>>;
 /// @param attachments  texts that the drive names
 /// @throws InputError  as read_gear_set
 [[nodiscard]] std::shared_ptr<const Drive> read_drive(std::string text, std::string name,
-                                                      Attachments attachments = {});
+                                                      const Attachments& attachments = {});
 
 /// A text that a long computation adds to piece by piece, so that one that was stopped goes on
 /// where it was: a file, to a command line.
@@ -175,7 +175,7 @@ struct Command {
   ResultEvidence (*evidence)(const void* result);
   void (*visit)(const void* result, ValueVisitor& to);
   void (*walk)(const Field& field, TypeVisitor& to);
-  /// The files of a document; one without a name where it is no folder.
+  /// Writes a document: the files of a folder, or one file without a name, which is the text.
   std::vector<OutputFile> (*write)(const Command& command, std::size_t document, const void* result,
                                    const Rendering& rendering);
   std::shared_ptr<const void> writers;
@@ -267,9 +267,9 @@ class Answer {
 /// @param host      outlives the answer
 /// @throws InputError   the drive breaks a rule, or holds what the command cannot treat
 /// @throws OptionError  an option, the drive or the journal is missing or cannot be understood
-/// @throws SolverError  there is no answer
+/// @throws SolverError  the computation finds no valid answer
 /// @throws Stopped      `progress` asked to stop
-[[nodiscard]] Answer run(const Command& command, std::shared_ptr<const Drive> drive,
+[[nodiscard]] Answer run(const Command& command, const std::shared_ptr<const Drive>& drive,
                          const OptionValues& options, const OptionTexts& texts = {},
                          const Progress& progress = {}, const Host& host = {});
 

@@ -137,7 +137,7 @@ struct TubeCrackResult {
   template <class Visitor>
   static void describe(Visitor&& field) {
     describe_common(field);
-    field({"fronts", "", "of both tips"}, &TubeCrackResult::tips);
+    field({"fronts", "", "the crack front at each of the two tips"}, &TubeCrackResult::tips);
   }
 };
 

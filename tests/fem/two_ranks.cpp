@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/fem/mpi_session.hpp"
-
+// Run by lone_fault.py, which starts two processes for each test.
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <functional>
 #include <iostream>
 #include <stdexcept>
 #include <string>
 #include <thread>
 
+#include "strainwave/fem/mpi_session.hpp"
+
 namespace strainwave::fem {
 namespace {
 
 constexpr std::chrono::duration<double> kTestPatience{0.5};
-
-/// These run as processes of two ranks, by lone_fault.py, each in a session of its own.
-#define NEEDS_TWO_RANKS()                             \
-  if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) \
-    GTEST_SKIP() << "needs two ranks: tests/fem/lone_fault.py";
 
 class TwoRanks {
  public:
@@ -37,7 +32,6 @@ class TwoRanks {
 
 // Rank 0 waits for rank 1 in the middle of the work, which has thrown: rank 1 ends both.
 TEST(MpiSession, IdentityLoneFaultTogether) {
-  NEEDS_TWO_RANKS();
   TwoRanks two;
   two.session().together([&] {
     if (two.faulty()) throw std::runtime_error("a fault in the work");
@@ -47,7 +41,6 @@ TEST(MpiSession, IdentityLoneFaultTogether) {
 }
 
 TEST(MpiSession, IdentityLoneFaultLastCode) {
-  NEEDS_TWO_RANKS();
   TwoRanks two;
   if (!two.faulty()) two.wait_for_the_other();
   (void)two.session().last_code(4, [] { std::cerr << "a fault at last\n"; });
@@ -56,7 +49,6 @@ TEST(MpiSession, IdentityLoneFaultLastCode) {
 
 // Rank 0 comes late, but before the patience is over: both go on, and know of the fault.
 TEST(MpiSession, IdentityLateRankIsWaitedFor) {
-  NEEDS_TWO_RANKS();
   TwoRanks two;
   std::string heard;
   try {
