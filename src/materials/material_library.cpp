@@ -25,8 +25,10 @@ namespace {
 /// Lower case and without blanks: names that nobody would hold apart.
 std::string plain_name(std::string_view name) {
   std::string result;
-  for (const unsigned char c : name)
-    if (std::isspace(c) == 0) result += static_cast<char>(std::tolower(c));
+  for (const char c : name) {
+    const auto code = static_cast<unsigned char>(c);
+    if (std::isspace(code) == 0) result += static_cast<char>(std::tolower(code));
+  }
   return result;
 }
 

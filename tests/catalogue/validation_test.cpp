@@ -46,7 +46,9 @@ TEST(ValidationByGeometry, ReferenceMakersTables) {
 
 // One curve for all sizes of a ratio, against each drive solved at its own size.
 TEST(ValidationByGeometry, CrosscheckDriveOfItsOwnSize) {
-  for (const auto& [size, ratio] : {std::pair{17, 100.0}, {58, 50.0}}) {
+  for (const auto& drive : {std::pair{17, 100.0}, {58, 50.0}}) {
+    const int size = drive.first;
+    const double ratio = drive.second;
     GearSet gear = typical_drive_of_size(size, ratio);
     const MakersLines lines = makers_lines(gear);
     const auto row = std::ranges::find_if(geometry().rows, [&](const ValidationRow& r) {

@@ -67,9 +67,10 @@ TEST(Dual, ReferenceArithmetic) {
   expect(sum, 1, 0.5, 0);
   sum -= y;
   expect(sum, -1, 0.5, -1);
-  sum *= sum;  // the operand is the result
+  const D2& result = sum;  // the operand is the result
+  sum *= result;
   expect(sum, 1, -1, 2);
-  sum /= sum;
+  sum /= result;
   expect(sum, 1, 0, 0);
 }
 

@@ -19,7 +19,7 @@ std::vector<int> counts(std::size_t n, const Parallel& parallel) {
 
 TEST(ForEachIndex, IdentityEveryIndexOnce) {
   for (const int threads : {1, 2, 5})
-    for (const std::size_t block : {1, 7, 5000})
+    for (const std::size_t block : {1U, 7U, 5000U})
       EXPECT_EQ(counts(1000, {.block = block, .threads = threads}), std::vector<int>(1000, 1));
   EXPECT_TRUE(counts(0, {.threads = 3}).empty());
 }

@@ -71,7 +71,7 @@ TEST(CheckMesh, InputEveryRuleBrokenOnce) {
       {[](SectionMesh& m) { m.part.push_back(0); }, "one entry for each cell"},
       {[](SectionMesh& m) { m.cells[0][2] = 9; }, "there is no point 9"},
       {[](SectionMesh& m) { m.points[0].r = -1e-3; }, ">= 0, and z finite"},
-      {[](SectionMesh& m) { m.points[0].z = NAN; }, ">= 0, and z finite"},
+      {[](SectionMesh& m) { m.points[0].z = std::nan(""); }, ">= 0, and z finite"},
       {[](SectionMesh& m) { std::swap(m.cells[0][1], m.cells[0][3]); }, "inside out"},  // clockwise
       {[](SectionMesh& m) { std::swap(m.cells[0][1], m.cells[0][2]); }, "inside out"},  // crossed
       {[](SectionMesh& m) {

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -386,7 +387,7 @@ TEST(Report, BehaviourHeadlineCountsHoldingBreakingAndUnknownCracks) {
   for (const char* const name : {"critical_crack", "library_material", "solid_shaft"}) {
     const Report report = report_on(text_of(name));
     std::map<StrengthVerdict, std::size_t> n;
-    double least = INFINITY;
+    double least = std::numeric_limits<double>::infinity();
     for (const CrackStrength& crack : report.result.strength) {
       ++n[crack.verdict];
       if (crack.verdict == StrengthVerdict::cannot_tell) continue;

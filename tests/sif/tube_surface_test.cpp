@@ -227,7 +227,7 @@ TEST(TubeSurfaceCircumferential, LimitPlateAndFaces) {
   const auto outer = crack_of<TubeSurfaceCircumferentialOuter>(0.4e-3, 0.8e-3, 10.0);
   for (const double phi : {0.0, pi / 2}) {
     const double plate = NewmanRajuPlate(0.5).tension(0.4, phi) * std::sqrt(pi * 0.4e-3);
-    for (const std::size_t load : {0, 1}) {
+    for (const std::size_t load : {0U, 1U}) {
       test::expect_relative(inner.stress_intensity(0.4e-3, phi).I[load],
                             plate * inner.gross_stress(load), 1e-4);
       test::expect_relative(outer.stress_intensity(0.4e-3, phi).I[load],

@@ -408,7 +408,7 @@ TEST(TubeThroughInclined, CrosscheckThroughCrackInTube) {
           .half_length = a, .mean_radius = 0.04, .wall_thickness = 0.001, .angle = angle};
       const auto expected = crack.stress_intensity(a, s);
       const auto k = inclined_through(a, angle).stress_intensity(a, s);
-      for (const std::size_t i : {0, 1}) {
+      for (const std::size_t i : {0U, 1U}) {
         test::expect_relative(k.I[i], expected.I[i], 1e-13);
         test::expect_relative(k.II[i], expected.II[i], 1e-12);
       }

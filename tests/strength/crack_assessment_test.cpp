@@ -91,7 +91,7 @@ TEST(CrackStrength, ReferenceWorkedExample) {
   int n = 0;
   for (const test::CsvRow& row : test::read_reference_csv("failure_assessment")) {
     for (const auto& [name, state] : states) {
-      const auto compare = [&](const char* quantity, double value) {
+      const auto compare = [&, name = name](const char* quantity, double value) {
         if (row.quantity != name + "_" + quantity) return;
         // The reserve divides by rounded stresses and is found by iteration.
         test::expect_row(value, row, 1e-10);

@@ -173,7 +173,7 @@ TEST(HysteresisLoopOf, ScalingConvergesWithTheElements) {
 
 TEST(Hysteresis, InputRefusals) {
   EXPECT_THROW(Hysteresis(drive_with_friction(), 0.0), InputError);
-  EXPECT_THROW(Hysteresis(drive_with_friction(), NAN), InputError);
+  EXPECT_THROW(Hysteresis(drive_with_friction(), std::nan("")), InputError);
   EXPECT_THROW(Hysteresis(drive_with_friction(), kRated, {.elements = 0}), InputError);
   EXPECT_THROW(Hysteresis(drive_with_friction(), kRated, {.grid = 7}), InputError);
   EXPECT_THROW((void)solved().twist(std::vector{1.001 * kRated}), InputError);
