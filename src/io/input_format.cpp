@@ -300,14 +300,10 @@ std::string input_reference() {
   writer.table<GearSet>("top of the file", "Format and name.", {});
   writer.tables_below<GearSet>("");
   return "# Input file reference\n\n`strainwave schema --format markdown` writes this page from "
-         "the "
-         "descriptions that the reader uses.\nA quantity is text with any convertible unit, such "
-         "as "
-         "`\"2.24 mm\"`. A number without dimension has\nneither unit nor quotes. The path of a "
-         "field "
-         "names it, such as `output_shaft.crack[0].depth`. The\n[glossary](glossary.md) explains "
-         "the "
-         "terms.\n" +
+         "the descriptions that the reader uses.\nA quantity is text with any convertible unit, "
+         "such as `\"2.24 mm\"`. A number without dimension has\nneither unit nor quotes. The path "
+         "of a field names it, such as `output_shaft.crack[0].depth`. The\n[glossary](glossary.md) "
+         "explains the terms.\n" +
          std::move(writer).text();
 }
 
