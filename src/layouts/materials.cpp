@@ -123,8 +123,8 @@ std::string material_list_markdown(const MaterialData& data) {
       "`[material.\"17-4PH H900\"]` in the file always wins over the library, and must then be\n"
       "complete: the two are not mixed. The corrected method lists in a note what it took from "
       "the\nlibrary, and which of it is unverified.\n\n"
-      "Chapter MA of the theory manual defines the confidences and explains how numbers were\n"
-      "converted. Scatter is one standard deviation over the value.\n";
+      "What the confidences mean, and how numbers were converted, is in chapter MA of the theory\n"
+      "manual. Scatter is one standard deviation over the value.\n";
   for (const MaterialRecord& record : data.material) {
     const Table about{
         .head = {"use", "treatment", "other names", "remark"},
