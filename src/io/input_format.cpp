@@ -219,7 +219,7 @@ class ReferenceWriter {
   template <class T>
   void table(const std::string& head, std::string_view doc, std::string_view kind) {
     text_ += fmt::format(
-        "\n## `{}`\n\n{}\n\n| field | unit | rule | default | meaning |\n"
+        "\n## `{}`: {}\n\n| field | unit | rule | default | meaning |\n"
         "|---|---|---|---|---|\n",
         head, doc);
     if (!kind.empty()) text_ += fmt::format("| `kind` | | `\"{}\"` | required | |\n", kind);
@@ -297,12 +297,13 @@ std::string input_schema() {
 
 std::string input_reference() {
   ReferenceWriter writer;
-  writer.table<GearSet>("top of the file", "Format and name.", {});
+  writer.table<GearSet>("top of the file", "format and name", {});
   writer.tables_below<GearSet>("");
-  return "# Input file reference\n\nMade by `strainwave schema --format markdown` from the "
-         "descriptions that the reader uses.\nQuantities are text with any convertible unit, such "
-         "as `\"2.24 mm\"`; pure numbers are bare.\nEvery field is addressed by its path, such as "
-         "`output_shaft.crack[0].depth`.\n" +
+  return "# Input file reference\n\n`strainwave schema --format markdown` writes this page from "
+         "the descriptions that the reader uses.\nA quantity is text with any convertible unit, "
+         "such as `\"2.24 mm\"`. A number without dimension has\nneither unit nor quotes. The path "
+         "of a field names it, such as `output_shaft.crack[0].depth`. The\n[glossary](glossary.md) "
+         "explains the terms.\n" +
          std::move(writer).text();
 }
 

@@ -116,7 +116,7 @@ std::string material_list_text(const MaterialData& data) {
 
 std::string material_list_markdown(const MaterialData& data) {
   std::string text =
-      "# Material library\n\nMade by `strainwave material list --format markdown` from "
+      "# Material library\n\n`strainwave material list --format markdown` writes this page from "
       "`data/materials.toml`.\n\n"
       "A member of a drive may name any of these steels, by name or alias, in place of a table of\n"
       "the input file: `material = \"17-4PH H900\"`. Case and blanks do not matter. A table\n"
@@ -126,16 +126,17 @@ std::string material_list_markdown(const MaterialData& data) {
       "What the confidences mean, and how numbers were converted, is in chapter MA of the theory\n"
       "manual. Scatter is one standard deviation over the value.\n";
   for (const MaterialRecord& record : data.material) {
-    text += fmt::format("\n## {}\n\nFor: {}. Treatment: {}.", record.name, use_text(record),
-                        record.treatment);
-    if (!record.aliases.empty()) text += fmt::format(" Also: {}.", fmt::join(record.aliases, ", "));
-    if (!record.remark.empty()) text += fmt::format(" Remark: {}.", record.remark);
+    const Table about{
+        .head = {"use", "treatment", "other names", "remark"},
+        .rows = {{use_text(record), record.treatment,
+                  fmt::format("{}", fmt::join(record.aliases, ", ")), record.remark}}};
+    text += fmt::format("\n## {}\n\n{}", record.name, markdown_table(about));
     Table table{.head = {"what", "value", "confidence", "scatter", "source", "remark"}};
     for (const Datum& datum : data_of(record))
       table.rows.push_back(
           {datum.what, datum.value, std::string(enum_name(datum.evidence->confidence)),
            scatter_text(*datum.evidence), datum.evidence->source, datum.evidence->remark});
-    text += "\n\n" + markdown_table(table);
+    text += '\n' + markdown_table(table);
   }
   Table sources{.head = {"key", "source"}};
   for (const auto& [key, work] : data.source) sources.rows.push_back({key, work});

@@ -54,9 +54,9 @@ std::string sif_list_text(const SolutionList& list) {
 
 std::string sif_list_markdown(const SolutionList& list) {
   std::string text =
-      "# Stress intensity library\n\nMade by `strainwave sif list --format markdown`. Accuracy is "
-      "one standard relative uncertainty of K inside\nthe range; equations are those of the "
-      "[theory manual](../theory/SP.md).\n\n";
+      "# Stress intensity library\n\n`strainwave sif list --format markdown` writes this page. "
+      "Accuracy is one standard relative\nuncertainty of K inside the range. The equations are "
+      "those of the [theory manual](../theory/SP.md).\n\n";
   Table table{.head = {"name", "solution", "modes", "loads", "range", "accuracy", "evidence",
                        "basis", "equation"}};
   for (const DescribedSolution& solution : list.solutions) {

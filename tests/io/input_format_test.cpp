@@ -718,7 +718,7 @@ TEST(InputReference, BehaviourHasARowForEveryField) {
           ASSERT_NE(at, std::string::npos) << path;
           EXPECT_NE(text.find("| " + std::string(field.doc) + " |\n"), std::string::npos) << path;
         } else {
-          EXPECT_NE(text.find("\n\n" + std::string(field.doc) + "\n\n| field |"), std::string::npos)
+          EXPECT_NE(text.find("`: " + std::string(field.doc) + "\n\n| field |"), std::string::npos)
               << path;
         }
       });
