@@ -84,8 +84,29 @@ void check_race_crack(const FieldPath& at, const GearSet& gear, const Crack& cra
                      "is read only with stress_driver = \"orthogonal_shear\"");
 }
 
+/// A crack of the inner ring lies across the hoop stress that opens it: its length runs along the
+/// axis of the drive, over the width of the ring.  A ring without a width is at least no wider than
+/// its circumference.
+void check_length_in_ring(const FieldPath& at, const GearSet& gear, const RaceSurfaceCrack& crack) {
+  const WaveGenerator& wg = *gear.wave_generator;
+  const double length = 2 * crack.depth / crack.aspect_ratio;
+  const double radius = wg.inner_ring_mean_radius ? *wg.inner_ring_mean_radius
+                        : wg.bearing              ? wg.bearing->inner_raceway_diameter / 2
+                                                  : gear.drive.pitch_diameter / 2;
+  const double room = wg.inner_ring_width.value_or(2 * std::numbers::pi * radius);
+  if (!clearly_less(room, length)) return;
+  throw InputError(
+      (at / "aspect_ratio").text(), crack.aspect_ratio, "1",
+      fmt::format(">= {:.4g}: the crack runs along the axis, and its length 2c = 2 depth/aspect_ratio "
+                  "= {:.4g} mm must fit into {} of the ring, {:.4g} mm",
+                  2 * crack.depth / room, length / units::mm,
+                  wg.inner_ring_width ? "inner_ring_width" : "the circumference (no width is given)",
+                  room / units::mm));
+}
+
 void check_crack(const FieldPath& at, const GearSet& gear, const RaceSurfaceCrack& crack) {
   check_race_crack(at, gear, crack);
+  check_length_in_ring(at, gear, crack);
   if (crack.stress_driver == StressDriver::ring_bending) check_waves_that_bend(gear);
 }
 
