@@ -261,9 +261,12 @@ Material as_material(const MaterialRecord& record) {
   std::vector<std::string> unverified;
   for_each_property(record, [&](std::string_view name, std::string_view doc, const auto& number) {
     if (name == "hardness") return;  // no number of a material of a drive
-    numbers.push_back(fmt::format("{} {} ({})", doc,
+    // Every stiffness rests on Young's modulus: what contradicts it is shown with it.
+    const bool with_remark = name == "youngs_modulus" && !number.remark.empty();
+    numbers.push_back(fmt::format("{} {} ({}{}{})", doc,
                                   shown_quantity(number.value, unit_of(number), 4),
-                                  enum_name(number.confidence)));
+                                  enum_name(number.confidence), with_remark ? "; " : "",
+                                  with_remark ? number.remark : ""));
     if (number.confidence == Confidence::unverified) unverified.emplace_back(doc);
   });
   material.origin =

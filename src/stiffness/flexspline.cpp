@@ -22,18 +22,18 @@ void add_sound_flexspline(const GearSet& gear, const SeriesModel<double>& model,
   member.intact = model.sound_flexspline();
   if (fs.crack_free == CrackFree::factor) {
     const bool plain_tube = fs.shape == FlexsplineShape::cylinder && !fs.shape_factor;
-    const bool below_one = fs.shape == FlexsplineShape::cup && model.shape_factor() < 1;
-    const ModelAccuracy& accuracy = plain_tube  ? accuracy::kTube
-                                    : below_one ? accuracy::kShapeFactorBelowOne
-                                                : accuracy::kShapeFactor;
+    const ModelAccuracy& accuracy = plain_tube ? accuracy::kTube : accuracy::kShapeFactor;
     member.relative_uncertainty = accuracy;
     rest_on(member, "flexspline", accuracy);
     use_equations(member.equations, {"ST-4"});
-    if (below_one)
+    if (!plain_tube)
       member.notes.push_back(
           {.code = "flexspline.shape_factor",
-           .text = "a factor below 1 for a cup has the wrong direction: its bottom adds "
-                   "compliance, 6 % to ten times the barrel's",
+           .text = fmt::format(
+               "the factor {:.4g} stands for everything but the barrel; cups are 1.06 to 11 times "
+               "as compliant as their barrel in finite elements{}",
+               model.shape_factor(),
+               model.shape_factor() < 1 ? ", so that a factor below 1 makes the cup too stiff" : ""),
            .path = "flexspline.crack_free",
            .equation = "ST-4",
            .severity = Severity::care,

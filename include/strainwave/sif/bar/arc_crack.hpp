@@ -22,7 +22,8 @@ struct BarArcCrack {
                                           "rms over the front of the finite elements of "
                                           "bar-surface at a/c = 1: 0 to 9 % lower; in bending "
                                           "up to 4 % higher at small depth",
-                                      .constraint = Constraint::plane_strain};
+                                      .constraint = Constraint::plane_strain,
+                                      .reference_stress = "P/A, M r/I of the uncracked bar at the surface, r = d/2"};
   static constexpr std::size_t kLoads = 2;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{kOneSidedLoads[kForce],
                                                           kOneSidedLoads[kMoment]};

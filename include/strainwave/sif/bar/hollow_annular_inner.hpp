@@ -22,7 +22,8 @@ struct HollowAnnularInnerCrack {
                                       .accuracy =
                                           "within 0.12 % of axisymmetric finite elements, energies "
                                           "within 0.1 %",
-                                      .constraint = Constraint::plane_strain};
+                                      .constraint = Constraint::plane_strain,
+                                      .reference_stress = "P/A, M r/I, T r/(2I) of the uncracked bar at the front, r = r_i + a"};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo = kAnnularLoads;
   static constexpr auto kPoints = kAnnularPoints;
@@ -50,9 +51,11 @@ struct HollowAnnularInnerCrack {
   void validity(Limit&& limit) const {
     limit(inner_diameter <= 0.98 * outer_diameter, "r_i/r_o <= 0.98");
   }
-  [[nodiscard]] double gross_stress(std::size_t load) const {
-    return section().stress(load, inner_diameter / 2);
+  /// At the front, r = r_i + a; (SB-5).
+  [[nodiscard]] double gross_stress(std::size_t load, double a) const {
+    return section().stress(load, inner_diameter / 2 + a);
   }
+  [[nodiscard]] double gross_stress(std::size_t load) const { return gross_stress(load, depth); }
 
   [[nodiscard]] double size() const { return depth; }
   /// Half of the front, theta from the most pulled fibre.

@@ -23,7 +23,8 @@ struct HollowAnnularOuterCrack {
                                       .accuracy =
                                           "within 0.3 % of axisymmetric finite elements: tension "
                                           "and torsion by (FR-14), (FR-15), bending within 0.1 %",
-                                      .constraint = Constraint::plane_strain};
+                                      .constraint = Constraint::plane_strain,
+                                      .reference_stress = "P/A, M r/I, T r/(2I) of the uncracked bar at the outer surface, r = r_o"};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo = kAnnularLoads;
   static constexpr auto kPoints = kAnnularPoints;

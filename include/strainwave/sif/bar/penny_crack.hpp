@@ -22,7 +22,8 @@ struct BarPennyCrack {
                                       .accuracy =
                                           "table and interpolation within 0.1 % of axisymmetric "
                                           "finite elements; exact for a small crack",
-                                      .constraint = Constraint::plane_strain};
+                                      .constraint = Constraint::plane_strain,
+                                      .reference_stress = "P/A, M r/I, T r/(2I) of the uncracked bar at the front, r = a"};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo = kAnnularLoads;
   static constexpr auto kPoints = kAnnularPoints;
@@ -48,10 +49,11 @@ struct BarPennyCrack {
   void validity(Limit&& limit) const {
     limit(radius <= 0.45 * diameter, "2a/d <= 0.9");
   }
-  /// At the surface of the bar.
-  [[nodiscard]] double gross_stress(std::size_t load) const {
-    return section().stress(load, diameter / 2);
+  /// At the front, r = a; (SB-6).
+  [[nodiscard]] double gross_stress(std::size_t load, double a) const {
+    return section().stress(load, a);
   }
+  [[nodiscard]] double gross_stress(std::size_t load) const { return gross_stress(load, radius); }
 
   [[nodiscard]] double size() const { return radius; }
   /// Half of the front, theta from the most pulled point.
