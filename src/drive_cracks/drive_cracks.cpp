@@ -218,7 +218,7 @@ class Maker {
   [[nodiscard]] LongWall long_wall(WallSection section) const {
     const Flexspline& fs = *gear_.flexspline;
     const Wall<double> wall = loads_.wall_of(section);
-    const double length = fs.crack_free == CrackFree::factor ? fs.length
+    const double length = fs.crack_free == CrackFree::factor ? *fs.length
                           : section == WallSection::rim      ? fs.rim->length
                                                              : fs.barrel->length;
     return {wall.mean_radius, wall.thickness, length};

@@ -734,5 +734,14 @@ TEST(InputReference, BehaviourThePageOfTheGuideIsUpToDate) {
       << "write it anew: strainwave schema --format markdown > docs/guide/input_file.md";
 }
 
+TEST(InputFormat, BehaviourAMaterialNeedsYoungsModulusOrARecord) {
+  const auto schema = nlohmann::json::parse(input_schema());
+  const auto& material = schema["properties"]["material"]["additionalProperties"];
+  EXPECT_EQ(material["anyOf"],
+            nlohmann::json::parse(R"([{"required":["youngs_modulus"]},{"required":["based_on"]}])"));
+  EXPECT_FALSE(material.contains("required"));
+  EXPECT_NE(input_reference().find("required unless `based_on` is given"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace strainwave

@@ -141,7 +141,7 @@ class CrackLoads {
   [[nodiscard]] Loaded<sif::SurfaceCrack<1, Real>> loaded(const RaceSurfaceCrack& crack) const {
     const Elastic steel = ring_steel();
     const Real stress = unit_stress(crack);
-    const double thickness = *gear_.wave_generator->inner_ring_thickness;
+    const double& thickness = *gear_.wave_generator->inner_ring_thickness;
     return {.solution = sif::SurfaceCrack<1, Real>({.depth = lift_(crack.depth),
                                                     .aspect_ratio = lift_(crack.aspect_ratio),
                                                     .thickness = lift_(thickness),
