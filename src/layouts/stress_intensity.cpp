@@ -17,10 +17,10 @@ namespace {
 std::string accuracy_of(const std::vector<sif::ModeAccuracy>& accuracies) {
   std::vector<std::string> texts;
   for (const sif::ModeAccuracy& accuracy : accuracies)
-    texts.push_back(accuracy.relative_uncertainty > 0
-                        ? fmt::format("{} to {}", accuracy.of,
-                                      percent(accuracy.relative_uncertainty, 3))
-                        : fmt::format("{} exact", accuracy.of));
+    texts.push_back(
+        accuracy.relative_uncertainty > 0
+            ? fmt::format("{} to {}", accuracy.of, percent(accuracy.relative_uncertainty, 3))
+            : fmt::format("{} exact", accuracy.of));
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 std::string accuracy_of(const sif::SolutionInfo& info) {
@@ -157,7 +157,8 @@ std::string sif_evaluation_text(const sif::Evaluation& e) {
   if (!e.converged)
     text += fmt::format("  not converged: relative error {:.2g}\n", e.quadrature_error);
   text += fmt::format("\nAccuracy: {}; {}\nSource {} ({}); equation ({})\n",
-                      accuracy_of(sif::mode_accuracies(e)), e.info.accuracy, e.info.source, enum_name(e.info.basis), e.info.equation);
+                      accuracy_of(sif::mode_accuracies(e)), e.info.accuracy, e.info.source,
+                      enum_name(e.info.basis), e.info.equation);
   return text + notes_text(evidence_of(e).notes);
 }
 

@@ -114,10 +114,10 @@ inline ModelAccuracy surface_crack_fit(MemberCompliance& member, const std::stri
     fit = accuracy::kSurfaceCrackExtrapolated;
     member.notes.push_back(
         {.code = "crack.surface_range",
-         .text = fmt::format("a/t = {:.3g} and a/c = {:.3g}: the stress intensity was fitted to a/t "
-                             "<= {:g} and a/c >= {:g}, and is extrapolated",
-                             depth / thickness, aspect_ratio, sif::kFittedDepthRatio,
-                             sif::kFittedAspectRatio),
+         .text = fmt::format(
+             "a/t = {:.3g} and a/c = {:.3g}: the stress intensity was fitted to a/t "
+             "<= {:g} and a/c >= {:g}, and is extrapolated",
+             depth / thickness, aspect_ratio, sif::kFittedDepthRatio, sif::kFittedAspectRatio),
          .path = path,
          .equation = "FR-4",
          .severity = Severity::care});

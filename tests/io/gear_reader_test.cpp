@@ -487,11 +487,13 @@ TEST(GearReader, BehaviourATableCompletesARecordOfTheLibrary) {
   EXPECT_EQ(std::ranges::count(swept.material.at("steel").from_library, "yield_strength"), 0);
   EXPECT_EQ(std::ranges::count(steel.from_library, "yield_strength"), 1);
   // Faults: no such steel, a contradiction between the file's number and the library's.
-  EXPECT_EQ(refusal(with(whole, "[material.steel]\nbased_on = \"40CrNiMoA\"\n")),
-            "gear.toml:5:12: material.steel.based_on: \"40CrNiMoA\" is not in the material library; "
-            "did you mean 40CrNiMoA QT?");
-  EXPECT_NE(refusal(with(whole, "[material.steel]\nbased_on = \"40CrNiMoA QT\"\nyield_strength = "
-                                "\"3 GPa\"\n"))
+  EXPECT_EQ(
+      refusal(with(whole, "[material.steel]\nbased_on = \"40CrNiMoA\"\n")),
+      "gear.toml:5:12: material.steel.based_on: \"40CrNiMoA\" is not in the material library; "
+      "did you mean 40CrNiMoA QT?");
+  EXPECT_NE(refusal(with(whole,
+                         "[material.steel]\nbased_on = \"40CrNiMoA QT\"\nyield_strength = "
+                         "\"3 GPa\"\n"))
                 .find("ultimate_strength >= yield_strength"),
             std::string::npos);
 }

@@ -737,8 +737,9 @@ TEST(InputReference, BehaviourThePageOfTheGuideIsUpToDate) {
 TEST(InputFormat, BehaviourAMaterialNeedsYoungsModulusOrARecord) {
   const auto schema = nlohmann::json::parse(input_schema());
   const auto& material = schema["properties"]["material"]["additionalProperties"];
-  EXPECT_EQ(material["anyOf"],
-            nlohmann::json::parse(R"([{"required":["youngs_modulus"]},{"required":["based_on"]}])"));
+  EXPECT_EQ(
+      material["anyOf"],
+      nlohmann::json::parse(R"([{"required":["youngs_modulus"]},{"required":["based_on"]}])"));
   EXPECT_FALSE(material.contains("required"));
   EXPECT_NE(input_reference().find("required unless `based_on` is given"), std::string::npos);
 }

@@ -672,12 +672,13 @@ TEST(AsMaterial, BehaviourARecordCompletedByOwnNumbers) {
   EXPECT_EQ(a.fracture_toughness, 75e6);
   EXPECT_EQ(a.from_library, (std::vector<std::string>{"youngs_modulus", "poissons_ratio",
                                                       "yield_strength", "ultimate_strength"}));
-  EXPECT_EQ(a.origin,
-            "based on Alpha 1 of the material library, taken: Young's modulus 200 GPa (handbook; "
-            "as printed), "
-            "Poisson's ratio 0.25 (unverified), yield strength 900 MPa (measured), tensile strength "
-            "1000 MPa (standard); own: fracture_toughness 75 MPa*m^0.5; unverified, to be checked "
-            "before a decision rests on it: Poisson's ratio");
+  EXPECT_EQ(
+      a.origin,
+      "based on Alpha 1 of the material library, taken: Young's modulus 200 GPa (handbook; "
+      "as printed), "
+      "Poisson's ratio 0.25 (unverified), yield strength 900 MPa (measured), tensile strength "
+      "1000 MPa (standard); own: fracture_toughness 75 MPa*m^0.5; unverified, to be checked "
+      "before a decision rests on it: Poisson's ratio");
   EXPECT_TRUE(a.in_file());
   // A number of its own takes the doubt about the library's away.
   own.poissons_ratio = 0.3;

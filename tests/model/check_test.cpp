@@ -909,8 +909,7 @@ const std::vector<Accepted> kAccepted = {
      [](GearSet& g) { wave_generator(g).bearing->ball_count = 30; }},
     {"AllBallsLoaded", coupled_gear,
      [](GearSet& g) { wave_generator(g).bearing->loaded_balls = 23; }},
-    {"RaceCrackOverTheWidth", sections_gear,
-     [](GearSet& g) { race_crack(g).aspect_ratio = 0.1; }},
+    {"RaceCrackOverTheWidth", sections_gear, [](GearSet& g) { race_crack(g).aspect_ratio = 0.1; }},
     {"SectionsWithoutLengthAndThickness", sections_gear,
      [](GearSet& g) {
        flexspline(g).length.reset();

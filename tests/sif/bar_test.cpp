@@ -11,11 +11,11 @@
 #include "sif/solution_support.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
-#include "strainwave/sif/evaluation.hpp"
 #include "strainwave/sif/bar/bar_annular.hpp"
 #include "strainwave/sif/bar/hollow_annular_inner.hpp"
 #include "strainwave/sif/bar/hollow_annular_outer.hpp"
 #include "strainwave/sif/bar/penny_crack.hpp"
+#include "strainwave/sif/evaluation.hpp"
 #include "strainwave/sif/library.hpp"
 #include "strainwave/sif/member/ring_edge.hpp"
 #include "strainwave/sif/member/shaft_annular.hpp"
@@ -325,22 +325,27 @@ TEST(BarAnnular, IdentityGrossStress) {
 // front, for every load and at every size.
 TEST(BarAnnular, IdentityYIsTheFactorOfTheManual) {
   for (const double x : {0.05, 0.2, 0.5, 0.9}) {
-    const Evaluation e = evaluate(solution("bar-penny"), {{"radius", x * 0.01}, {"diameter", 0.02}});
+    const Evaluation e =
+        evaluate(solution("bar-penny"), {{"radius", x * 0.01}, {"diameter", 0.02}});
     const std::array<double, 3> F = penny_in_bar(x);
     for (const GeometryFactors& factor : e.factors) {
       if (factor.point != "pulled") continue;
-      const std::size_t load = factor.load == "force" ? kForce : factor.load == "moment" ? kMoment : kTorque;
+      const std::size_t load = factor.load == "force"    ? kForce
+                               : factor.load == "moment" ? kMoment
+                                                         : kTorque;
       test::expect_relative(load == kTorque ? factor.Y_III : factor.Y_I, F[load], 1e-12);
     }
   }
   for (const double alpha : {0.1, 0.5, 0.8}) {
-    const Evaluation e = evaluate(
-        solution("hollow-annular-inner"),
-        {{"depth", alpha * 0.01}, {"outer_diameter", 0.04}, {"inner_diameter", 0.02}});
+    const Evaluation e =
+        evaluate(solution("hollow-annular-inner"),
+                 {{"depth", alpha * 0.01}, {"outer_diameter", 0.04}, {"inner_diameter", 0.02}});
     const std::array<double, 3> F = annular_inner(alpha, 0.5);
     for (const GeometryFactors& factor : e.factors) {
       if (factor.point != "pulled") continue;
-      const std::size_t load = factor.load == "force" ? kForce : factor.load == "moment" ? kMoment : kTorque;
+      const std::size_t load = factor.load == "force"    ? kForce
+                               : factor.load == "moment" ? kMoment
+                                                         : kTorque;
       test::expect_relative(load == kTorque ? factor.Y_III : factor.Y_I, F[load], 1e-12);
     }
   }

@@ -137,7 +137,8 @@ TEST(Evaluation, BehaviourAccuracyOfTheModesThatAreThere) {
   const auto modes = [](const char* name, const Assignments& loads) {
     std::string text;
     for (const ModeAccuracy& accuracy : mode_accuracies(evaluate(solution(name), loads)))
-      text += std::string(accuracy.of) + " " + std::to_string(accuracy.relative_uncertainty).substr(0, 4) + "; ";
+      text += std::string(accuracy.of) + " " +
+              std::to_string(accuracy.relative_uncertainty).substr(0, 4) + "; ";
     return text;
   };
   for (const char* const bar : {"bar-surface", "bar-straight"}) {

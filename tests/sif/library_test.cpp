@@ -171,9 +171,8 @@ TEST_P(EverySolution, ScalingOfStressIntensityAndCompliance) {
       EXPECT_NEAR(K_large.K_II, factor * K.K_II, 1e-9 * factor * largest) << point.name;
       EXPECT_NEAR(K_large.K_III, factor * K.K_III, 1e-9 * factor * largest) << point.name;
     }
-    EXPECT_NEAR(
-        large->gross_stress(load, large->size()) / crack->gross_stress(load, crack->size()),
-        F / (L * L) / unit, 1e-12 * F / (L * L) / unit);
+    EXPECT_NEAR(large->gross_stress(load, large->size()) / crack->gross_stress(load, crack->size()),
+                F / (L * L) / unit, 1e-12 * F / (L * L) / unit);
   }
   const auto compliance = crack->compliance(moduli);
   const auto compliance_large = large->compliance(scaled_moduli);

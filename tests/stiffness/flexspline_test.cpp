@@ -569,14 +569,15 @@ TEST(Flexspline, LimitFactorOfOne) {
 
 TEST(Flexspline, IdentityFactorContainsCups) {
   // Cups in finite elements, as multiples of their barrel: the stated uncertainty contains as many
-  // as one standard deviation should, 68 %, and those with a flat bottom as thick as the wall, whose
-  // sections are 37 and 148 % softer than the barrel (table of ST-3).
+  // as one standard deviation should, 68 %, and those with a flat bottom as thick as the wall,
+  // whose sections are 37 and 148 % softer than the barrel (table of ST-3).
   const std::vector<test::CsvRow> cups = test::read_reference_csv("judgement_cup");
   for (const double factor : {0.83, 1.0}) {
     const auto within = [&](double multiple) {
       return std::abs(multiple / factor - 1) <= accuracy::kShapeFactor.relative_uncertainty;
     };
-    const auto count = std::ranges::count_if(cups, [&](const auto& cup) { return within(cup.value); });
+    const auto count =
+        std::ranges::count_if(cups, [&](const auto& cup) { return within(cup.value); });
     EXPECT_GE(static_cast<double>(count) / static_cast<double>(cups.size()), 0.68);
     EXPECT_TRUE(within(1.37) && within(2.48)) << factor;
   }
@@ -663,7 +664,8 @@ TEST(WallThroughCrack, LimitRangeOfTheShellCorrection) {
     const double a = half_length_at(c.lambda, c.direction);
     test::expect_relative(
         *member.cracks.at(0).positive.at_output.relative_uncertainty,
-        std::hypot(c.uncertainty, 0.5 * std::pow(2 * a / *sound_flexspline().flexspline->length, 2)),
+        std::hypot(c.uncertainty,
+                   0.5 * std::pow(2 * a / *sound_flexspline().flexspline->length, 2)),
         1e-12);
     EXPECT_EQ(member.unusable_because.empty(), c.usable) << member.unusable_because;
   }
@@ -774,7 +776,8 @@ TEST(Flexspline, BehaviourAccuracyAndNoteOfAGivenFactor) {
 }
 
 TEST(WallThroughCrack, LimitRadiusRatioThatWasCompared) {
-  // Finite elements of tubes from r/t = 20 to 60; below 10 the wall is thick, which has its own note.
+  // Finite elements of tubes from r/t = 20 to 60; below 10 the wall is thick, which has its own
+  // note.
   for (const auto& [ratio, noted] :
        {std::pair{9.9, 0}, {10.1, 1}, {19.9, 1}, {20.1, 0}, {59.9, 0}, {60.1, 1}, {35e3, 1}}) {
     GearSet gear = with_through_crack(0.01 * mm);

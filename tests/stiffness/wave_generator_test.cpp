@@ -344,8 +344,7 @@ TEST(RaceCrack, ReferenceLobeCompliance) {
     GearSet uniform = driven_by(StressDriver::given, c.depth * mm);
     const double stress = 6 / pi * 60 * mm / (20 * mm * std::pow(10 * mm, 2));
     surface_crack(uniform).stress = stress * force_per_torque(uniform) * uniform.load.torque;
-    test::expect_reference(added_lobe_compliance(uniform) / mm_per_N,
-                           race_digits(c.ring, "mm/N"));
+    test::expect_reference(added_lobe_compliance(uniform) / mm_per_N, race_digits(c.ring, "mm/N"));
   }
 }
 
@@ -407,8 +406,8 @@ TEST(RaceCrack, IdentityRingBendingStress) {
 }
 
 TEST(RaceCrack, LimitSurfaceCrackStifferThanTheEdgeCrackOfItsDepth) {
-  // A surface crack that fits into the ring, at most as long as the ring is wide, leaves more of the
-  // ring whole than an edge crack of its depth over the whole width.  No model makes it softer.
+  // A surface crack that fits into the ring, at most as long as the ring is wide, leaves more of
+  // the ring whole than an edge crack of its depth over the whole width.  No model makes it softer.
   for (const StressDriver driver : {StressDriver::orthogonal_shear, StressDriver::contact_edge,
                                     StressDriver::ring_bending, StressDriver::given})
     for (const double aspect_ratio : {1e-3, 0.01, 0.03, 0.1, 0.3, 1.0})

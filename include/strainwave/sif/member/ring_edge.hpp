@@ -25,8 +25,8 @@ enum class StripLoading {
 /// @param depth_ratio  alpha = a/t [-]; in [0, 1)
 [[nodiscard]] double edge_crack_factor(StripLoading loading, double depth_ratio);
 
-/// a/t beyond which a crack that a deeper one would cut through has no answer, neither an edge crack
-/// nor a surface crack [-].
+/// a/t beyond which a crack that a deeper one would cut through has no answer, neither an edge
+/// crack nor a surface crack [-].
 ///
 /// Newman and Raju's fit (FR-4) stays finite where the ligament vanishes.  A long crack shows where
 /// that begins to tell, for each slice of it is an edge crack: the fit's energy is above the sum of

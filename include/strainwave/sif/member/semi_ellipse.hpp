@@ -34,7 +34,7 @@ class SurfaceCrack {
     std::array<Real, N> shear_stress{};   ///< along the surface, per unit of load
     /// How the normal stress varies over the thickness; it is that of the cracked surface.
     StripLoading loading = StripLoading::tension;
-    bool open = true;                     ///< false: the faces touch, K_I = 0 (FR-17)
+    bool open = true;  ///< false: the faces touch, K_I = 0 (FR-17)
   };
 
   explicit SurfaceCrack(const Parameters& parameters)
