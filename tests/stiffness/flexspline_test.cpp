@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -861,6 +862,14 @@ TEST(Ovalisation, IdentityCurvatureOfTheDeflection) {
   GearSet gear = cup_of_sections();
   gear.flexspline->barrel->wall_thickness = 3 * mm;
   EXPECT_EQ(ovalisation_stress(gear), ovalisation_stress(cup_of_sections()));
+  // Where the sections give that wall, it holds, whatever wall_thickness says.
+  gear.flexspline->rim =
+      TubeSection{.outer_diameter = 162 * mm, .wall_thickness = 4 * mm, .length = 40 * mm};
+  for (const std::optional<double> given : {std::optional<double>(), {kWall}, {9 * mm}}) {
+    gear.flexspline->wall_thickness = given;
+    EXPECT_NEAR(ovalisation_stress(gear),
+                kPlaneStrain * 2 * mm * 3 * 0.8 * mm / (78 * mm * 78 * mm), 1e-14 * kE);
+  }
 }
 
 TEST(Ovalisation, BehaviourNoteNamesBothStresses) {
