@@ -127,6 +127,8 @@ class Drive:
                 self.put("aspect_ratio", self.uniform(0.2, 1.0))
             if kind != "outer_race":
                 driver = self.random.choice(["orthogonal_shear", "contact_edge", "ring_bending", "given"])
+                if kind == "surface" and driver == "ring_bending":
+                    driver = "contact_edge"  # 0.1.0 took that stress as uniform
                 self.put("stress_driver", driver)
                 if driver == "given":
                     self.put("stress", self.uniform(-100, 500), "MPa")

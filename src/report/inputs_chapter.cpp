@@ -91,13 +91,13 @@ class Collector {
         if constexpr (!is_table<Value>) {
           group_ = path.text();
           std::string taken;
-          if constexpr (std::is_same_v<T, Material> &&
-                        std::is_convertible_v<Value, std::optional<double>>)
-            if (!value.origin.empty()) {
-              record_ = value.based_on.value_or(key_);
+          if constexpr (std::is_same_v<T, Material>) {
+            if constexpr (std::is_convertible_v<Value, std::optional<double>>) {
               const std::optional<double> number = value.*member;
-              taken = number ? shown_quantity(*number, inner.unit, 6) : std::string();
+              if (number && !value.origin.empty()) taken = shown_quantity(*number, inner.unit, 6);
             }
+            record_ = value.based_on.value_or(key_);
+          }
           add(path / inner.name, inner, taken);
         }
       });
