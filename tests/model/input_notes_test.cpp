@@ -53,7 +53,7 @@ TEST(InputNotes, InputOutOfProportion) {
     return text_of(gear, "input.implausible", path);
   };
   EXPECT_EQ(noted("material.steel.youngs_modulus", 210),
-            "210 Pa is out of proportion; usual is 20 GPa to 800 GPa");
+            "0.00021 MPa is out of proportion; usual is 20 GPa to 800 GPa");
   EXPECT_EQ(noted("flexspline.wall_thickness", 2.24e-6),
             "0.00224 mm is out of proportion; usual is 0.05 mm to 200 mm");
   EXPECT_EQ(noted("drive.ratio", 1e-9), "1e-09 is out of proportion; usual is 10 to 1000");
