@@ -11,7 +11,7 @@ purpose of the ranges, and their messages are of interest too.
 import random
 import sys
 
-LIBRARY = ["52100 hardened", "17-4PH H900", "42CrMo4 QT to 16 mm", "4340 tempered 425 C"]
+LIBRARY = ["52100 hardened", "17-4PH H900", "C45 QT to 16 mm", "4340 tempered 425 C"]
 
 
 class Drive:
