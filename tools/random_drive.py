@@ -11,7 +11,7 @@ purpose of the ranges, and their messages are of interest too.
 import random
 import sys
 
-LIBRARY = ["52100 hardened", "17-4PH H900", "42CrMo4 QT to 16 mm", "4340 tempered 425 C"]
+LIBRARY = ["52100 hardened", "17-4PH H900", "C45 QT to 16 mm", "4340 tempered 425 C"]
 
 
 class Drive:
@@ -127,6 +127,8 @@ class Drive:
                 self.put("aspect_ratio", self.uniform(0.2, 1.0))
             if kind != "outer_race":
                 driver = self.random.choice(["orthogonal_shear", "contact_edge", "ring_bending", "given"])
+                if kind == "surface" and driver == "ring_bending":
+                    driver = "contact_edge"  # 0.1.0 took that stress as uniform
                 self.put("stress_driver", driver)
                 if driver == "given":
                     self.put("stress", self.uniform(-100, 500), "MPa")

@@ -257,19 +257,19 @@ SoundCup sound_cup(const GearSet& gear) {
   const double k = fs.shape_factor.value_or(fs.shape == FlexsplineShape::cup ? 0.83 : 1.0);
   return {.shape_coefficient = k,
           .structure_coefficient = k,
-          .length = fs.length / mm,
+          .length = fs.tube_length() / mm,
           .pitch_diameter = gear.drive.pitch_diameter / mm,
-          .wall_thickness = fs.wall_thickness / mm,
+          .wall_thickness = fs.ring_thickness() / mm,
           .shear_modulus = elastic_constants(material).G / MPa};
 }
 
 CrackedWall cracked_wall(const GearSet& gear, const WallThroughCrack& crack) {
   const Flexspline& fs = *gear.flexspline;
   const Material& material = material_of(gear, fs.material, "flexspline.material");
-  const double r_m = (gear.drive.pitch_diameter - fs.wall_thickness) / 2;
+  const double r_m = (gear.drive.pitch_diameter - fs.ring_thickness()) / 2;
   return {.half_length = crack.half_length / mm,
           .mean_radius = overrides(gear).mean_radius.value_or(r_m) / mm,
-          .wall_thickness = fs.wall_thickness / mm,
+          .wall_thickness = fs.ring_thickness() / mm,
           .stress_nonuniformity = fs.stress_nonuniformity,
           .dynamic_load = fs.dynamic_load,
           .youngs_modulus = material.youngs_modulus / MPa};

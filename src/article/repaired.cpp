@@ -107,22 +107,22 @@ Member repaired_flexspline(const GearSet& gear, const WallThroughCrack* crack) {
   member.sound =
       sound_flexspline_compliance({.shape_coefficient = k,
                                    .structure_coefficient = 1.0,
-                                   .length = fs.length,
+                                   .length = fs.tube_length(),
                                    .pitch_diameter = gear.drive.pitch_diameter,
-                                   .wall_thickness = fs.wall_thickness,
+                                   .wall_thickness = fs.ring_thickness(),
                                    .shear_modulus = elastic_constants(material).G});  // (AR-6)
   if (crack != nullptr) {
     if (crack->shell_correction)
       member.notes.push_back(not_read("flexspline.crack[0].shell_correction", "AR-5",
                                       "the article takes the wall as a flat plate"));
-    const double r_m = (gear.drive.pitch_diameter - fs.wall_thickness) / 2;
+    const double r_m = (gear.drive.pitch_diameter - fs.ring_thickness()) / 2;
     member.added = wall_crack_compliance({.half_length = crack->half_length,
                                           .mean_radius = r_m,
-                                          .wall_thickness = fs.wall_thickness,
+                                          .wall_thickness = fs.ring_thickness(),
                                           .stress_nonuniformity = fs.stress_nonuniformity,
                                           .dynamic_load = fs.dynamic_load,
                                           .youngs_modulus = material.youngs_modulus});  // (AR-5)
-    const double tau = wall_shear(std::abs(gear.load.torque), r_m, fs.wall_thickness);
+    const double tau = wall_shear(std::abs(gear.load.torque), r_m, fs.ring_thickness());
     const auto [K_I, K_II] = wall_stress_intensity(tau, crack->angle, crack->half_length);
     member.crack = crack_report("flexspline.crack[0]", WallThroughCrack::kKind, member.added,
                                 stress_intensities(K_I, K_II, 0.0), true);

@@ -180,9 +180,9 @@ Rows radial_stiffness_rows(const StiffnessResult& result) {
                   .unit = "N/mm",
                   .printed = p.K_G0,
                   .own = article::sound_radial_stiffness(p.F_r, p.F_r / p.K_G0, 0, 0),
-                  .verdict = AuditVerdict::reproduced,
-                  .sentence = "an input; displacements add, and the shaft's is zero for two "
-                              "symmetric lobes"});
+                  .verdict = AuditVerdict::input,
+                  .sentence = "the article estimates it from literature; displacements add, and "
+                              "the shaft's is zero for two symmetric lobes"});
   const auto by_subtraction = [&](double a) {
     return article::radial_stiffness(p.K_G0, crack_stiffness_at(a));
   };

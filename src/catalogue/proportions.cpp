@@ -178,8 +178,8 @@ void round_numbers(GearSet& gear) {
   while (bearing.ball_diameter > between * (1 + 1e-12))
     bearing.ball_diameter = rounded(bearing.ball_diameter * (1 - 1e-5), mm, "mm", "m");
   Flexspline& fs = *gear.flexspline;
-  fs.barrel->length = rounded(fs.length - fs.rim->length, mm, "mm", "m");
-  while (fs.length < (fs.barrel->length + fs.rim->length) * (1 - 1e-12))
+  fs.barrel->length = rounded(*fs.length - fs.rim->length, mm, "mm", "m");
+  while (*fs.length < (fs.barrel->length + fs.rim->length) * (1 - 1e-12))
     fs.barrel->length = rounded(fs.barrel->length * (1 - 1e-5), mm, "mm", "m");
 }
 
@@ -192,7 +192,7 @@ std::map<std::string, std::string> origins(int size, double ratio, Cup cup) {
       {"drive.wave_number", "catalogue: all makers' drives of this kind"},
       {"drive.pitch_diameter", "catalogue: 2.54 mm times the size"},
       {"load.torque",
-       rated != nullptr ? "catalogue: rated torque" : "catalogue: T2, for want of a rated torque"},
+       rated != nullptr ? "catalogue: rated torque" : "catalogue: T2, as no rated torque is known"},
       {"material.steel.youngs_modulus", "typical: alloy steel, 2 %"},
       {"material.steel.poissons_ratio", "typical"},
       {"rating.T1", "catalogue: of this size, the same for all ratios"},

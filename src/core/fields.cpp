@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "strainwave/core/units.hpp"
 
@@ -23,6 +25,21 @@ std::string rule_text(const Range& range, std::string_view unit) {
   if (below && above) text += " and ";
   if (above) text += fmt::format("{} {}", range.upper_open ? "<" : "<=", bound(range.upper));
   return text.empty() ? "a finite number" : text;
+}
+
+Range usual_range(const Field& field) {
+  if (std::isfinite(field.usual.lower)) return field.usual;
+  // Of strain wave drives from a watch's to a crane's, with a decade to spare.
+  static constexpr std::array<std::pair<std::string_view, Range>, 6> kByUnit = {
+      {{"m", {.lower = 1e-7, .upper = 10.0}},
+       {"N", {.lower = 1e-3, .upper = 1e7}},
+       {"N*m", {.lower = 1e-4, .upper = 1e6}},
+       {"N/m", {.lower = 1e4, .upper = 1e12}},
+       {"Pa", {.lower = 1.0, .upper = 1e12}},
+       {"Pa*m^0.5", {.lower = 1e6, .upper = 1e9}}}};
+  for (const auto& [unit, range] : kByUnit)
+    if (unit == field.unit) return range;
+  return kFinite;
 }
 
 }  // namespace strainwave

@@ -54,13 +54,15 @@ std::string shown_number(double value, int digits) {
 }
 
 std::string percent(double share, int digits) {
-  const double p = share == 0 ? 0.0 : 100 * share;  // without the sign of a zero
+  const double p = share == 0 ? 0.0 : 100 * share;                    // without the sign of a zero
+  if (std::abs(p) >= 1e4) return fmt::format("{:.3g} times", share);  // nobody reads so many digits
   // From 100 on, significant digits would turn into an exponent.
   return std::abs(p) >= 99.5 ? fmt::format("{:.0f} %", p) : fmt::format("{:.{}g} %", p, digits);
 }
 
 std::string percent_change(double change) {
   if (std::abs(change) < 1e-9) return "0 %";
+  if (change >= 100) return fmt::format("{:.3g} times as much", 1 + change);
   return (change > 0 ? "+" : "") + percent(change, 3);
 }
 

@@ -27,7 +27,6 @@ using std::numbers::pi;
 
 constexpr int kFrontPoints = 33;         // of half a front; K varies slowly along it
 constexpr double kNearlyAll = 1 - 1e-6;  // of a length that a crack must not reach
-constexpr double kSurfaceRange = 0.8;    // a/t of Newman and Raju's elements
 
 const StrengthNote kAssembly = {
     "the assembly bends the cracked wall by w_0 cos(U theta) in full: an upper bound away from the "
@@ -219,7 +218,7 @@ class Maker {
   [[nodiscard]] LongWall long_wall(WallSection section) const {
     const Flexspline& fs = *gear_.flexspline;
     const Wall<double> wall = loads_.wall_of(section);
-    const double length = fs.crack_free == CrackFree::factor ? fs.length
+    const double length = fs.crack_free == CrackFree::factor ? *fs.length
                           : section == WallSection::rim      ? fs.rim->length
                                                              : fs.barrel->length;
     return {wall.mean_radius, wall.thickness, length};
@@ -311,7 +310,7 @@ class Maker {
       return ligament_reference_stress(SectionLoading::membrane, sigma_vM, size.size / t);
     };
     take_size(made, "depth", CrackSize::of(crack.depth, crack.half_length), t - crack.depth);
-    made.range_end = kSurfaceRange * t;
+    made.range_end = sif::kFittedDepthRatio * t;
     made.range_text = "0.8 of the wall, the range of the stress intensity";
     use(made, {"FA-6", "FA-9"});
     if (made.assembly) use(made, {"SP-3"});
@@ -428,7 +427,7 @@ class Maker {
             const LoadedCrack<sif::SurfaceCrack<1>>& loaded) const {
     take_size(made, "depth", {.size = crack.depth, .aspect_ratio = crack.aspect_ratio},
               *gear_.wave_generator->inner_ring_thickness - crack.depth);
-    fill_race(made, crack, loaded, SectionLoading::membrane);
+    fill_race(made, crack, loaded);
     made.front = [states = BothStates(loaded.solution), f = lobe_force_per_torque()](
                      const CrackSize& size, Faces faces) {
       const sif::SurfaceCrack<1> surface = states.with(faces).with_aspect_ratio(size.aspect_ratio);
@@ -438,24 +437,23 @@ class Maker {
             surface.stress_intensity(size.size, pi / 2 * i / (kFrontPoints - 1)).I[0] * f;
       return front;
     };
-    made.range_end = kSurfaceRange * *gear_.wave_generator->inner_ring_thickness;
+    made.range_end = sif::kFittedDepthRatio * *gear_.wave_generator->inner_ring_thickness;
     made.range_text = "0.8 of the ring, the range of the stress intensity";
   }
 
   void fill(DriveCrack& made, const RaceEdgeCrack& crack,
             const LoadedCrack<sif::EdgeCrack>& loaded) const {
     const double t = *gear_.wave_generator->inner_ring_thickness;
-    const bool bent = crack.stress_driver == StressDriver::ring_bending;
     take_size(made, "depth", {.size = crack.depth}, t - crack.depth);
-    fill_race(made, crack, loaded, bent ? SectionLoading::bending : SectionLoading::membrane);
+    fill_race(made, crack, loaded);
     made.front = [states = BothStates(loaded.solution), f = lobe_force_per_torque()](
                      const CrackSize& size, Faces faces) {
       std::vector<FrontIntensity> front(1);
       front[0].load.I[kTorsion] = states.with(faces).stress_intensity(size.size, 0.0).I[0] * f;
       return front;
     };
-    made.range_end = kNearlyAll * t;
-    made.range_text = "the thickness of the ring";
+    made.range_end = sif::kUsableDepthRatio * t;
+    made.range_text = "0.9 of the ring, the range of the edge crack";
   }
 
   [[nodiscard]] double lobe_force_per_torque() const {
@@ -464,8 +462,10 @@ class Maker {
 
   /// What the cracks of the inner ring share; the lobe force stresses them.
   template <class Crack, class Solution>
-  void fill_race(DriveCrack& made, const Crack& crack, const LoadedCrack<Solution>& loaded,
-                 SectionLoading loading) const {
+  void fill_race(DriveCrack& made, const Crack& crack, const LoadedCrack<Solution>& loaded) const {
+    const SectionLoading loading = crack.stress_driver == StressDriver::ring_bending
+                                       ? SectionLoading::bending
+                                       : SectionLoading::membrane;
     take_basics(made, loaded);
     made.reverses = false;
     const double t = *gear_.wave_generator->inner_ring_thickness;

@@ -77,8 +77,8 @@ TubeSection wall_of(const GearSet& gear, WallSection section) {
   const Flexspline& fs = *gear.flexspline;
   if (fs.crack_free == CrackFree::factor)
     return {.outer_diameter = gear.drive.pitch_diameter,
-            .wall_thickness = fs.wall_thickness,
-            .length = fs.length};
+            .wall_thickness = fs.ring_thickness(),
+            .length = fs.tube_length()};
   return section == WallSection::rim ? *fs.rim : *fs.barrel;
 }
 

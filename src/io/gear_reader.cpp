@@ -23,7 +23,7 @@ void add_from_library(GearSet& gear, const std::optional<Member>& member, std::s
   if (const MaterialRecord* const record = find_material(member->material)) {
     // A table of the file wins; one that is meant but written otherwise must not be passed over.
     for (const auto& [name, material] : gear.material)
-      if (material.origin.empty() && find_material(name) == record)
+      if (material.in_file() && find_material(name) == record)
         throw InputError(field, fmt::format("\"{}\" is in the material library, but the file gives "
                                             "the same steel as [material.\"{}\"]; use one name",
                                             shown(member->material), shown(name)));
@@ -32,7 +32,7 @@ void add_from_library(GearSet& gear, const std::optional<Member>& member, std::s
   }
   std::vector<std::string> given;
   for (const auto& [name, material] : gear.material)
-    if (material.origin.empty()) given.push_back(name);
+    if (material.in_file()) given.push_back(name);
   const std::string near = nearest_word(member->material, given);
   const std::string meant = near.empty() ? meant_material(member->material, material_names())
                                          : fmt::format("did you mean {}?", near);
@@ -41,6 +41,22 @@ void add_from_library(GearSet& gear, const std::optional<Member>& member, std::s
       fmt::format("\"{}\" is not one of the materials given ({}), nor in the material library; {}",
                   shown(member->material), shown(fmt::format("{}", fmt::join(given, ", "))),
                   meant.empty() ? "strainwave material list has the names" : shown(meant)));
+}
+
+/// Takes from the library what the tables of the file that name a record of it leave out.
+void complete_from_library(GearSet& gear) {
+  for (auto& [name, material] : gear.material) {
+    if (!material.based_on) continue;
+    const MaterialRecord* const record = find_material(*material.based_on);
+    if (record == nullptr) {
+      const std::string meant = meant_material(*material.based_on, material_names());
+      throw InputError(
+          (FieldPath("material") / name / "based_on").text(),
+          fmt::format("\"{}\" is not in the material library; {}", shown(*material.based_on),
+                      meant.empty() ? "strainwave material list has the names" : shown(meant)));
+    }
+    material = completed(material, *record);
+  }
 }
 
 }  // namespace
@@ -55,6 +71,7 @@ GearSet read_gear_set(std::string_view text, std::string_view file_name,
   GearSet gear;
   reader.read_table(table, FieldPath(), gear);
   try {
+    complete_from_library(gear);
     add_from_library(gear, gear.wave_generator, "wave_generator");
     add_from_library(gear, gear.flexspline, "flexspline");
     add_from_library(gear, gear.output_shaft, "output_shaft");

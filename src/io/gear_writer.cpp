@@ -90,8 +90,11 @@ class GearWriter {
       if constexpr (!is_table<Value>) {
         const FieldPath at = path / field.name;
         const std::string text = plain(value.*member, field);
-        const bool implied = !field.fallback.empty() && text == plain(unset.*member, field) &&
-                             !comments_.contains(at.text());
+        bool implied = !field.fallback.empty() && text == plain(unset.*member, field) &&
+                       !comments_.contains(at.text());
+        if constexpr (std::is_same_v<T, Material>)
+          implied = value.based_on &&
+                    std::ranges::find(value.from_library, field.name) != value.from_library.end();
         if (!text.empty() && !implied) line(field.name, text, at);
       }
     });

@@ -47,6 +47,11 @@ template <class T>
 bool required(const Field& field) {
   return !is_optional<T> && !is_vector<T> && !is_string_map<T> && field.fallback.empty();
 }
+/// The same whatever the fields beside it.
+template <class T>
+bool always_required(const Field& field) {
+  return required<T>(field) && field.unless.empty();
+}
 
 // ---------------------------------------------------------------------------------------------
 // Template
@@ -202,7 +207,10 @@ Json table_schema(std::string_view kind) {
       description += fmt::format(" [{}]; {}", field.unit, rule_text(field.range));
     property["description"] = description;
     if (!field.fallback.empty()) property["default"] = Json::parse(field.fallback);
-    if (required<Value>(field)) needed.push_back(field.name);
+    if (always_required<Value>(field))
+      needed.push_back(field.name);
+    else if (required<Value>(field))
+      schema["anyOf"] = {{{"required", {field.name}}}, {{"required", {field.unless}}}};
     schema["properties"][std::string(field.name)] = std::move(property);
   });
   if (!needed.empty()) schema["required"] = std::move(needed);
@@ -269,7 +277,8 @@ class ReferenceWriter {
 
   template <class Value>
   static std::string fallback(const Field& field) {
-    if (required<Value>(field)) return "required";
+    if (always_required<Value>(field)) return "required";
+    if (required<Value>(field)) return fmt::format("required unless `{}` is given", field.unless);
     return field.fallback.empty() ? "none" : fmt::format("`{}`", field.fallback);
   }
 

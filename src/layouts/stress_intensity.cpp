@@ -13,10 +13,18 @@
 namespace strainwave {
 namespace {
 
-/// "K to 5 %", or "K exact".
+/// "K to 5 %", "K exact", or "K_I to 3 %, K_II and K_III to 5 %".
+std::string accuracy_of(const std::vector<sif::ModeAccuracy>& accuracies) {
+  std::vector<std::string> texts;
+  for (const sif::ModeAccuracy& accuracy : accuracies)
+    texts.push_back(
+        accuracy.relative_uncertainty > 0
+            ? fmt::format("{} to {}", accuracy.of, percent(accuracy.relative_uncertainty, 3))
+            : fmt::format("{} exact", accuracy.of));
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
 std::string accuracy_of(const sif::SolutionInfo& info) {
-  return info.relative_uncertainty > 0 ? "K to " + percent(info.relative_uncertainty, 3)
-                                       : "K exact";
+  return accuracy_of(sif::mode_accuracies(info));
 }
 
 std::string load_names(const sif::Row& row) {
@@ -78,6 +86,7 @@ std::string sif_solution_text(const DescribedSolution& solution) {
                       info.modes, enum_name(info.constraint), info.equation);
   text += fmt::format("  accuracy   {}; {}\n", accuracy_of(info), info.accuracy);
   text += fmt::format("  source     {} ({})\n", info.source, enum_name(info.basis));
+  text += fmt::format("  Y          K/(sigma sqrt(pi a)); sigma: {}\n", info.reference_stress);
   const auto names = [&](const char* heading, const auto& list, const auto& row_of) {
     Table table{.head = {"", "", ""}, .align = "lrl"};
     for (const auto& one : list) table.rows.push_back(row_of(one));
@@ -114,9 +123,8 @@ std::string sif_evaluation_text(const sif::Evaluation& e) {
   add(e.loads, "not given");
   text += text_table(inputs);
   const auto number = [](double value) { return fmt::format("{:.5g}", value); };
-  text += fmt::format(
-      "\nGeometry factors Y = K/(sigma sqrt(pi a)), a = {}, sigma of the gross section\n",
-      shown_quantity(e.crack_size, "m"));
+  text += fmt::format("\nGeometry factors Y = K/(sigma sqrt(pi a)), a = {}\nsigma: {}\n",
+                      shown_quantity(e.crack_size, "m"), e.info.reference_stress);
   Table factors{.head = {"load", "point", "I", "II", "III"}, .align = "llrrr"};
   for (const sif::GeometryFactors& factor : e.factors)
     factors.rows.push_back({std::string(factor.load), std::string(factor.point), number(factor.Y_I),
@@ -148,8 +156,9 @@ std::string sif_evaluation_text(const sif::Evaluation& e) {
   text += text_table(added);
   if (!e.converged)
     text += fmt::format("  not converged: relative error {:.2g}\n", e.quadrature_error);
-  text += fmt::format("\nAccuracy: {}; {}\nSource {} ({}); equation ({})\n", accuracy_of(e.info),
-                      e.info.accuracy, e.info.source, enum_name(e.info.basis), e.info.equation);
+  text += fmt::format("\nAccuracy: {}; {}\nSource {} ({}); equation ({})\n",
+                      accuracy_of(sif::mode_accuracies(e)), e.info.accuracy, e.info.source,
+                      enum_name(e.info.basis), e.info.equation);
   return text + notes_text(evidence_of(e).notes);
 }
 

@@ -37,7 +37,7 @@ std::string sif_plot(const sif::Row& row, const sif::Assignments& values) {
   const double size = crack->size();
   const auto factor = [&](std::size_t load, double a, double s, const Mode& mode) {
     return crack->unit_intensity(load, a, s).*mode.K /
-           (crack->gross_stress(load) * std::sqrt(pi * a));
+           (crack->gross_stress(load, a) * std::sqrt(pi * a));
   };
 
   constexpr int kSteps = 120;

@@ -248,28 +248,47 @@ const MaterialRecord& require_material(std::string_view name_or_alias) {
                                meant.empty() ? "strainwave material list has the names" : meant));
 }
 
-Material as_material(const MaterialRecord& record) {
-  const auto value = [](const auto& number) -> std::optional<double> {
-    return number ? std::optional(number->value) : std::nullopt;
-  };
-  Material material;
-  material.youngs_modulus = record.youngs_modulus ? record.youngs_modulus->value : 0.0;
-  material.shear_modulus = value(record.shear_modulus);
-  material.poissons_ratio = value(record.poissons_ratio);
-  material.yield_strength = value(record.yield_strength);
-  material.ultimate_strength = value(record.ultimate_strength);
-  material.fracture_toughness = value(record.fracture_toughness);
-  std::vector<std::string> numbers;
+Material as_material(const MaterialRecord& record) { return completed({}, record); }
+
+Material completed(const Material& own, const MaterialRecord& record) {
+  Material material = own;
+  std::vector<std::string> own_numbers;
+  std::vector<std::string> taken;
   std::vector<std::string> unverified;
-  for_each_property(record, [&](std::string_view name, std::string_view doc, const auto& number) {
-    if (name == "hardness") return;  // no number of a material of a drive
-    numbers.push_back(fmt::format("{} {} ({})", doc,
-                                  shown_quantity(number.value, unit_of(number), 4),
-                                  enum_name(number.confidence)));
-    if (number.confidence == Confidence::unverified) unverified.emplace_back(doc);
+  const bool own_E = own.youngs_modulus != 0;
+  const bool own_elastic = own_E || own.shear_modulus || own.poissons_ratio;
+  const auto take = [&](auto& value, std::string_view name, bool wanted) {
+    for_each_property(record, [&](std::string_view at, std::string_view words, const auto& number) {
+      if (at != name || !wanted) return;
+      value = number.value;
+      material.from_library.emplace_back(name);
+      // Every stiffness rests on Young's modulus: what contradicts it is said with it.
+      const bool with_remark = name == "youngs_modulus" && !number.remark.empty();
+      taken.push_back(fmt::format(
+          "{} {} ({}{}{})", words, shown_quantity(number.value, unit_of(number), 4),
+          enum_name(number.confidence), with_remark ? "; " : "", with_remark ? number.remark : ""));
+      if (number.confidence == Confidence::unverified) unverified.emplace_back(words);
+    });
+  };
+  take(material.youngs_modulus, "youngs_modulus", !own_E);
+  take(material.shear_modulus, "shear_modulus",
+       !own_elastic || (!own.shear_modulus && !own.poissons_ratio && !record.poissons_ratio));
+  take(material.poissons_ratio, "poissons_ratio", !own.poissons_ratio && !own.shear_modulus);
+  take(material.yield_strength, "yield_strength", !own.yield_strength);
+  take(material.ultimate_strength, "ultimate_strength", !own.ultimate_strength);
+  take(material.fracture_toughness, "fracture_toughness", !own.fracture_toughness);
+  for_each_number(own, [&](const FieldPath& path, const Field& field, const double& value) {
+    if (value != 0)
+      own_numbers.push_back(
+          fmt::format("{} {}", path.text(), shown_quantity(value, field.unit, 4)));
   });
+  const std::string numbers = taken.empty() ? "nothing" : fmt::format("{}", fmt::join(taken, ", "));
   material.origin =
-      fmt::format("taken from the material library, {}: {}", record.name, fmt::join(numbers, ", "));
+      own.based_on
+          ? fmt::format(
+                "based on {} of the material library, taken: {}; own: {}", record.name, numbers,
+                own_numbers.empty() ? "nothing" : fmt::format("{}", fmt::join(own_numbers, ", ")))
+          : fmt::format("taken from the material library, {}: {}", record.name, numbers);
   material.verified = unverified.empty();
   if (!material.verified)
     material.origin += fmt::format("; unverified, to be checked before a decision rests on it: {}",

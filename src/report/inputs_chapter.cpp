@@ -91,11 +91,13 @@ class Collector {
         if constexpr (!is_table<Value>) {
           group_ = path.text();
           std::string taken;
-          if constexpr (std::is_same_v<T, Material>)
-            if (!value.origin.empty()) {
+          if constexpr (std::is_same_v<T, Material>) {
+            if constexpr (std::is_convertible_v<Value, std::optional<double>>) {
               const std::optional<double> number = value.*member;
-              taken = number ? shown_quantity(*number, inner.unit, 6) : std::string();
+              if (number && !value.origin.empty()) taken = shown_quantity(*number, inner.unit, 6);
             }
+            record_ = value.based_on.value_or(key_);
+          }
           add(path / inner.name, inner, taken);
         }
       });
@@ -127,7 +129,7 @@ class Collector {
     } else if (!taken.empty()) {
       entry.value = taken;
       entry.giver = Giver::library;
-      entry.remark = library_evidence(key_, field.name);
+      entry.remark = library_evidence(record_, field.name);
     } else if (!field.fallback.empty()) {
       entry.value = unquoted(field.fallback);
       entry.giver = Giver::fallback;
@@ -156,7 +158,8 @@ class Collector {
   const GearSet& gear_;
   std::map<std::string, InputRemark> remarks_;
   std::string group_;
-  std::string key_;  ///< of the table that is walked, where it is one of many
+  std::string key_;     ///< of the table that is walked, where it is one of many
+  std::string record_;  ///< of the library, of the material that is walked
   std::vector<std::pair<std::string, std::vector<Entry>>> groups_;
 };
 

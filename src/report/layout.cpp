@@ -23,14 +23,15 @@ void place_flexspline(const GearSet& gear, Layout& at) {
   const Flexspline& fs = *gear.flexspline;
   const double tip = gear.drive.pitch_diameter / 2;
   if (fs.crack_free == CrackFree::factor) {
-    at.barrel = Ring{0, fs.length, tip - fs.wall_thickness, tip};
-    at.teeth_width = std::min(kSketchedFace * gear.drive.pitch_diameter, 0.4 * fs.length);
+    const double length = fs.tube_length();
+    const double wall = fs.ring_thickness();
+    at.barrel = Ring{0, length, tip - wall, tip};
+    at.teeth_width = std::min(kSketchedFace * gear.drive.pitch_diameter, 0.4 * length);
     if (fs.shape == FlexsplineShape::cup) {
-      at.bottom =
-          Ring{fs.length - fs.wall_thickness, fs.length, 0.45 * tip, at.barrel->inner, false};
+      at.bottom = Ring{length - wall, length, 0.45 * tip, at.barrel->inner, false};
       at.bottom_outline = at.bottom->polygon();
     }
-    at.end = fs.length;
+    at.end = length;
     return;
   }
   const auto tube = [](const TubeSection& section, double from) {
@@ -39,7 +40,8 @@ void place_flexspline(const GearSet& gear, Layout& at) {
   };
   if (fs.rim) at.rim = tube(*fs.rim, 0);
   at.teeth_width =
-      at.rim ? at.rim->z2 : std::min(kSketchedFace * gear.drive.pitch_diameter, 0.4 * fs.length);
+      at.rim ? at.rim->z2
+             : std::min(kSketchedFace * gear.drive.pitch_diameter, 0.4 * fs.tube_length());
   at.barrel = tube(*fs.barrel, at.rim ? at.rim->z2 : 0);
   at.end = at.barrel->z2;
   if (fs.diaphragm) {

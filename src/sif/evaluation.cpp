@@ -130,7 +130,7 @@ void state_fields(Evaluation& result, const Row& row, const Assignments& values,
 
 void add_factors(Evaluation& result, const Row& row, const AnyCrack& crack) {
   for (std::size_t i = 0; i < row.loads.size(); ++i) {
-    const double scale = crack.gross_stress(i) * std::sqrt(pi * crack.size());
+    const double scale = crack.gross_stress(i, crack.size()) * std::sqrt(pi * crack.size());
     for (const FrontPoint& point : row.points) {
       const PointIntensity K = crack.unit_intensity(i, crack.size(), point.s);
       result.factors.push_back({.load = std::string(row.loads[i].name),
@@ -156,7 +156,37 @@ void add_compliance(Evaluation& result, const Row& row, const AnyCrack& crack,
                                    .unit = compliance_unit(row.loads[i], row.loads[j])});
 }
 
+/// Which modes loads make.
+struct ModesThere {
+  bool opening = false;
+  bool shear = false;
+};
+
+std::vector<ModeAccuracy> accuracies_of(const SolutionInfo& info, const ModesThere& there) {
+  if (!info.shear_uncertainty) return {{"K", info.relative_uncertainty}};
+  std::vector<ModeAccuracy> accuracies;
+  if (there.opening) accuracies.push_back({"K_I", info.relative_uncertainty});
+  if (there.shear) accuracies.push_back({"K_II and K_III", *info.shear_uncertainty});
+  return accuracies;
+}
+
 }  // namespace
+
+std::vector<ModeAccuracy> mode_accuracies(const SolutionInfo& info) {
+  return accuracies_of(info, {.opening = true, .shear = true});
+}
+
+std::vector<ModeAccuracy> mode_accuracies(const Evaluation& evaluation) {
+  const bool unloaded = std::ranges::none_of(evaluation.loads, &Input::given);
+  ModesThere there;
+  for (const GeometryFactors& factor : evaluation.factors) {
+    const auto load = std::ranges::find(evaluation.loads, factor.load, &Input::name);
+    if (!unloaded && load->value == 0) continue;
+    there.opening = there.opening || factor.Y_I != 0;
+    there.shear = there.shear || factor.Y_II != 0 || factor.Y_III != 0;
+  }
+  return accuracies_of(evaluation.info, there);
+}
 
 bool Evaluation::in_range() const { return std::ranges::all_of(validity, &ValidityLimit::inside); }
 

@@ -25,6 +25,27 @@ Real BasicNewmanRaju<Real>::factor(const Real& depth_ratio, double phi) const {
   return M * g * f_phi / root_Q_;  // (FR-4)
 }
 
+template <class Real>
+typename BasicNewmanRaju<Real>::BendingEnds BasicNewmanRaju<Real>::bending_ends(
+    const Real& depth_ratio) const {
+  using std::pow;
+  const Real G1 = -1.22 - 0.12 * rho_;
+  const Real G2 = 0.55 - 1.05 * pow(rho_, 0.75) + 0.47 * pow(rho_, 1.5);
+  return {.h1 = -0.34 - 0.11 * rho_,
+          .h2 = G1 + G2 * depth_ratio,
+          .p = 0.2 + rho_ + 0.6 * depth_ratio};  // (SP-3)
+}
+
+template <class Real>
+Real BasicNewmanRaju<Real>::bending_ratio(const Real& depth_ratio, double phi) const {
+  using std::exp;
+  const auto [h1, h2, p] = bending_ends(depth_ratio);
+  const double s = std::sin(phi);
+  // p > 0, so that the power vanishes at the surface.
+  const Real along = s > 0 ? Real(exp(p * std::log(s))) : Real(0.0);
+  return 1 + depth_ratio * (h1 + (h2 - h1) * along);  // (SP-3)
+}
+
 template class BasicNewmanRaju<double>;
 template class BasicNewmanRaju<DualReal>;
 

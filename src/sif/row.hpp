@@ -32,8 +32,11 @@ class CrackOf final : public AnyCrack {
   [[nodiscard]] double swept_area(double a, double s) const override {
     return solution_.swept_area(a, s);
   }
-  [[nodiscard]] double gross_stress(std::size_t load) const override {
-    return solution_.gross_stress(load);
+  [[nodiscard]] double gross_stress(std::size_t load, double a) const override {
+    if constexpr (requires { solution_.gross_stress(load, a); })
+      return solution_.gross_stress(load, a);
+    else
+      return solution_.gross_stress(load);
   }
   [[nodiscard]] std::vector<ValidityLimit> validity() const override {
     std::vector<ValidityLimit> limits;

@@ -22,18 +22,19 @@ void add_sound_flexspline(const GearSet& gear, const SeriesModel<double>& model,
   member.intact = model.sound_flexspline();
   if (fs.crack_free == CrackFree::factor) {
     const bool plain_tube = fs.shape == FlexsplineShape::cylinder && !fs.shape_factor;
-    const bool below_one = fs.shape == FlexsplineShape::cup && model.shape_factor() < 1;
-    const ModelAccuracy& accuracy = plain_tube  ? accuracy::kTube
-                                    : below_one ? accuracy::kShapeFactorBelowOne
-                                                : accuracy::kShapeFactor;
+    const ModelAccuracy& accuracy = plain_tube ? accuracy::kTube : accuracy::kShapeFactor;
     member.relative_uncertainty = accuracy;
     rest_on(member, "flexspline", accuracy);
     use_equations(member.equations, {"ST-4"});
-    if (below_one)
+    if (!plain_tube)
       member.notes.push_back(
           {.code = "flexspline.shape_factor",
-           .text = "a factor below 1 for a cup has the wrong direction: its bottom adds "
-                   "compliance, 6 % to ten times the barrel's",
+           .text = fmt::format(
+               "the factor {:.4g} stands for everything but the barrel; cups are 1.06 to 11 times "
+               "as compliant as their barrel in finite elements{}",
+               model.shape_factor(),
+               model.shape_factor() < 1 ? ", so that a factor below 1 makes the cup too stiff"
+                                        : ""),
            .path = "flexspline.crack_free",
            .equation = "ST-4",
            .severity = Severity::care,
@@ -55,6 +56,24 @@ void note_thick_wall(MemberCompliance& member, const Wall<double>& wall, const s
                             .path = path,
                             .equation = "FR-6",
                             .severity = Severity::care});
+}
+
+/// r/t of the tubes that the closed form of a through crack was compared in [-].
+constexpr Range kComparedRadiusRatio{
+    .lower = 20.0, .lower_open = false, .upper = 60.0, .upper_open = false};
+
+void note_radius_ratio(MemberCompliance& member, const Wall<double>& wall,
+                       const std::string& path) {
+  const double ratio = wall.mean_radius / wall.thickness;
+  if (wall.mean_radius < 10 * wall.thickness || kComparedRadiusRatio.contains(ratio)) return;
+  member.notes.push_back(
+      {.code = "crack.radius_ratio",
+       .text = fmt::format("r/t = {:.4g}: the closed form was compared with finite elements for "
+                           "r/t from {:g} to {:g}, and its accuracy is stated for those",
+                           ratio, kComparedRadiusRatio.lower, kComparedRadiusRatio.upper),
+       .path = path,
+       .equation = "FR-9",
+       .severity = Severity::care});
 }
 
 /// How accurate the closed form of a wall crack is; relative uncertainties [-].
@@ -110,7 +129,7 @@ struct EndsOfSection {
 EndsOfSection ends_of_section(const Flexspline& fs, const WallThroughCrack& crack) {
   const bool sections = fs.crack_free == CrackFree::sections;
   const bool rim = crack.section == WallSection::rim;
-  const double length = !sections ? fs.length : rim ? fs.rim->length : fs.barrel->length;
+  const double length = !sections ? *fs.length : rim ? fs.rim->length : fs.barrel->length;
   const bool between = sections && fs.rim && fs.diaphragm && !rim;
   EndsOfSection ends{.accuracy = between ? accuracy::kThroughCrackBetweenJoints
                                          : accuracy::kThroughCrackNearFreeEnd,
@@ -269,6 +288,7 @@ ThroughCrackAccuracy FlexsplineCracks::accuracy_of(const std::string& path,
   else
     add_flat_plate(path, solution, result);
   note_thick_wall(member, model.loads().wall_of(crack.section), path);
+  note_radius_ratio(member, model.loads().wall_of(crack.section), path);
   result.wall.axial = accuracy::combined(result.wall.torsion, accuracy::kThroughCrackAxial);
   return result;
 }

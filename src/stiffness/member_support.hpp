@@ -15,6 +15,8 @@
 #include "strainwave/core/compare.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/fracture/crack_compliance.hpp"
+#include "strainwave/sif/member/ring_edge.hpp"
+#include "strainwave/sif/member/semi_ellipse.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 
@@ -92,18 +94,33 @@ void report_intensities(CrackReport& report, const Crack& crack,
   report.intensity_uncertainty = std::ranges::max(uncertainties);
 }
 
+/// The answer may not be used where a crack of the depth a has all but cut through the thickness t.
+inline void demand_ligament(MemberCompliance& member, const std::string& path, double depth,
+                            double thickness) {
+  if (!clearly_less(sif::kUsableDepthRatio * thickness, depth)) return;
+  member.unusable_because = fmt::format(
+      "{}: the depth is {:.4g} of the thickness; beyond {:g} too little is left for the stress "
+      "intensity of a surface crack or an edge crack",
+      path, depth / thickness, sif::kUsableDepthRatio);
+}
+
 /// How accurate Newman and Raju's fit is for a surface crack, with a note outside its range.
 inline ModelAccuracy surface_crack_fit(MemberCompliance& member, const std::string& path,
                                        double depth, double aspect_ratio, double thickness) {
   ModelAccuracy fit = accuracy::kSurfaceCrack;
-  if (clearly_less(0.8 * thickness, depth) || clearly_less(aspect_ratio, 0.2)) {
+  demand_ligament(member, path, depth, thickness);
+  if (clearly_less(sif::kFittedDepthRatio * thickness, depth) ||
+      clearly_less(aspect_ratio, sif::kFittedAspectRatio)) {
     fit = accuracy::kSurfaceCrackExtrapolated;
-    member.notes.push_back({.code = "crack.surface_range",
-                            .text = "outside a/t <= 0.8 and a/c >= 0.2, where the stress intensity "
-                                    "was fitted: extrapolated",
-                            .path = path,
-                            .equation = "FR-4",
-                            .severity = Severity::care});
+    member.notes.push_back(
+        {.code = "crack.surface_range",
+         .text = fmt::format(
+             "a/t = {:.3g} and a/c = {:.3g}: the stress intensity was fitted to a/t "
+             "<= {:g} and a/c >= {:g}, and is extrapolated",
+             depth / thickness, aspect_ratio, sif::kFittedDepthRatio, sif::kFittedAspectRatio),
+         .path = path,
+         .equation = "FR-4",
+         .severity = Severity::care});
   } else if (clearly_less(0.7 * thickness, depth)) {
     fit = accuracy::kSurfaceCrackDeep;
   }

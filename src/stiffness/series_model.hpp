@@ -138,8 +138,8 @@ class SeriesModel {
       return shape_factor() *
              torsional_compliance(
                  BasicTube<Real>{.outer_diameter = D,
-                                 .inner_diameter = D - 2 * lift_(fs.wall_thickness),
-                                 .length = lift_(fs.length)},
+                                 .inner_diameter = D - 2 * lift_(*fs.wall_thickness),
+                                 .length = lift_(*fs.length)},
                  steel.G);  // (ST-4)
     }
     Real sum = torsional_compliance(tube(*fs.barrel), steel.G);

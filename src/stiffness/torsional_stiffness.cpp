@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "member_support.hpp"
+#include "strainwave/model/result/input_notes.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
 
 namespace strainwave {
@@ -90,14 +91,19 @@ CrackedDrive cracked_drive(const Members& intact, const Members& added, double t
   return drive;
 }
 
+/// From here on a change is said as a multiple [-].
+constexpr double kManifold = 9.0;
+
 void note_materials(const GearSet& gear, std::vector<Note>& notes) {
   for (const auto& [name, material] : gear.material) {
     const double contradiction = elastic_contradiction(material);
     if (std::abs(contradiction) > 0.005)
       notes.push_back({.code = "material.contradiction",
-                       .text = fmt::format("E, G and nu contradict each other: G is {:+.2f} % off "
+                       .text = fmt::format("E, G and nu contradict each other: G is {} "
                                            "E/(2(1+nu)); each is used as given",
-                                           100 * contradiction),
+                                           std::abs(contradiction) < kManifold
+                                               ? fmt::format("{:+.2f} % off", 100 * contradiction)
+                                               : fmt::format("{:.3g} times", 1 + contradiction)),
                        .path = "material." + name,
                        .equation = "FR-18",
                        .severity = Severity::care,
@@ -119,6 +125,7 @@ StiffnessResult torsional_stiffness(const GearSet& gear, const StiffnessOptions&
   check(gear);
   StiffnessResult result;
   result.method = Method::corrected;
+  result.notes = input_notes(gear);
   note_materials(gear, result.notes);
 
   Members intact;

@@ -119,7 +119,7 @@ Driver driver_of(const Crack& crack, const std::string& path) {
                   "crack.ring_bending",
                   "a free ring under the lobe forces: its bore is in tension there, its raceway in "
                   "compression, so this is for a crack at the bore; the cam inside makes it an "
-                  "upper bound, and a surface crack takes the stress as uniform",
+                  "upper bound",
                   "ST-13"),
               .accuracy = accuracy::kRingBending};
     case StressDriver::given:
@@ -128,6 +128,9 @@ Driver driver_of(const Crack& crack, const std::string& path) {
   return {.equations = {}, .note = {}, .accuracy = accuracy::kGivenStress, .force_exponent = -1.0};
 }
 
+/// a/t up to which a ring with an edge crack is still a ring [-]; (FR-11).
+constexpr double kDeepEdgeCrack = 0.8;
+
 /// Reports the cracks of the bearing's races, each kind in its own words.
 class RaceCracks : CrackAdder {
  public:
@@ -135,6 +138,7 @@ class RaceCracks : CrackAdder {
 
   void add(const CrackReport& report, const RaceSurfaceCrack& crack,
            const LoadedCrack<sif::SurfaceCrack<1>>& loaded) {
+    if (crack.stress_driver == StressDriver::ring_bending) use({"SP-3"});
     add_race_crack(report, crack, loaded, {"FR-2", "FR-3", "FR-4", "FR-5", "FR-18"}, [&] {
       return surface_crack_fit(member, report.path, crack.depth, crack.aspect_ratio,
                                *gear.wave_generator->inner_ring_thickness);
@@ -143,12 +147,27 @@ class RaceCracks : CrackAdder {
   void add(const CrackReport& report, const RaceEdgeCrack& crack,
            const LoadedCrack<sif::EdgeCrack>& loaded) {
     add_race_crack(report, crack, loaded, {"FR-2", "FR-11", "FR-18"}, [&] {
+      note_depth(report.path, crack.depth);
       rest_on(member, report.path, accuracy::kEdgeCrack);
       return accuracy::kEdgeCrack;
     });
   }
 
  private:
+  void note_depth(const std::string& path, double depth) {
+    const double thickness = *gear.wave_generator->inner_ring_thickness;
+    demand_ligament(member, path, depth, thickness);
+    if (clearly_less(kDeepEdgeCrack * thickness, depth))
+      member.notes.push_back(
+          {.code = "crack.edge_range",
+           .text = fmt::format("a/t = {:.3g}: beyond {:g} the ring is little more than a hinge at "
+                               "the crack, and the cam that holds it decides; extrapolated",
+                               depth / thickness, kDeepEdgeCrack),
+           .path = path,
+           .equation = "FR-11",
+           .severity = Severity::care});
+  }
+
   template <class Crack, class Solution, class Fit>
   void add_race_crack(CrackReport report, const Crack& crack, const LoadedCrack<Solution>& loaded,
                       std::initializer_list<const char*> equations, const Fit& accuracy_of_fit);

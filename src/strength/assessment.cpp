@@ -221,8 +221,12 @@ void ask_for_properties(StrengthState& state, const DriveCrack& crack, const Mat
   const char* const wanted = material.yield_strength ? "fracture_toughness"
                              : toughness             ? "yield_strength"
                                                      : "fracture_toughness and yield_strength";
-  cannot_tell(state, fmt::format("{} gives no {}", name, unknown),
-              fmt::format("Give {} of {} in the file.", wanted, name));
+  cannot_tell(
+      state, fmt::format("{} gives no {}", name, unknown),
+      material.in_file()
+          ? fmt::format("Give {} of {} in the file.", wanted, name)
+          : fmt::format("Add [material.\"{0}\"] with based_on = \"{0}\" and your {1} to the file.",
+                        crack.material, wanted));
 }
 
 /// K and what follows from it without the assessment line.

@@ -35,9 +35,12 @@ ResultEvidence evidence_of(const Evaluation& evaluation) {
                               .severity = Severity::critical,
                               .next_step = "Lower the load, or take a tougher material."});
   evidence.equations.emplace_back(evaluation.info.equation);
-  evidence.accuracies.push_back({.path = std::string(evaluation.info.name),
-                                 .relative_uncertainty = evaluation.info.relative_uncertainty,
-                                 .source = std::string(evaluation.info.accuracy)});
+  for (const ModeAccuracy& accuracy : mode_accuracies(evaluation))
+    evidence.accuracies.push_back(
+        {.path = accuracy.of == "K" ? std::string(evaluation.info.name)
+                                    : fmt::format("{} {}", evaluation.info.name, accuracy.of),
+         .relative_uncertainty = accuracy.relative_uncertainty,
+         .source = std::string(evaluation.info.accuracy)});
   evidence.verdict = verdict_of(evidence.unusable_because, evidence.notes);
   return evidence;
 }

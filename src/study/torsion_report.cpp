@@ -16,6 +16,7 @@
 #include "strainwave/core/quantile.hpp"
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/model/result/input_notes.hpp"
 
 namespace strainwave {
 namespace {
@@ -160,6 +161,7 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
                             "cube of the pitch diameter, as catalogues choose them",
                             "rating", "TC-14", Severity::information,
                             "Give rating.T1 and rating.T2 to use the maker's torques."});
+  add_once(report.notes, input_notes(gear));
   add_once(report.notes, report.curve.notes);
   add_once(report.notes, report.curve_negative.notes);
   if (gear.mesh->friction_coefficient > 0 && (!gear.rating || gear.rating->friction_torque == 0))

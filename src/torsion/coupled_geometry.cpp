@@ -122,10 +122,6 @@ void check_coupled(const GearSet& gear, const CoupledOptions& options) {
     throw InputError("wave_generator.bearing.outer_raceway_diameter",
                      bearing.outer_raceway_diameter, "m",
                      "inside the outer ring, whose outer diameter is 2 mean_radius + thickness");
-  const double circle = (bearing.inner_raceway_diameter + bearing.outer_raceway_diameter) / 2;
-  require(*bearing.ball_count * bearing.ball_diameter < pi * circle,
-          "wave_generator.bearing.ball_count", *bearing.ball_count, "1",
-          "ball_count times ball_diameter < circumference of the balls' circle");
   require(bearing.clearance < drive.radial_displacement, "wave_generator.bearing.clearance",
           bearing.clearance, "m", "clearance < drive.radial_displacement");
   require(wg.cam_flattening <= kMostFlattening, "wave_generator.cam_flattening", wg.cam_flattening,

@@ -205,5 +205,15 @@ TEST(Audit, IdentityRatioIsPrintedOverOwnElseOwnOverCorrected) {
   EXPECT_FALSE(r.ratio());
 }
 
+TEST(Audit, BehaviourANumberFromElsewhereIsAnInput) {
+  // K_G0 of B10 is estimated from literature: there is nothing to reproduce.
+  const std::vector<AuditRow> rows = audit();
+  const auto row = std::ranges::find(rows, "B10", &AuditRow::id);
+  ASSERT_NE(row, rows.end());
+  EXPECT_EQ(row->verdict, AuditVerdict::input);
+  EXPECT_EQ(enum_name(row->verdict), "input");
+  EXPECT_EQ(std::ranges::count(rows, AuditVerdict::input, &AuditRow::verdict), 1);
+}
+
 }  // namespace
 }  // namespace strainwave

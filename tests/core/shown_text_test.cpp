@@ -27,6 +27,11 @@ TEST(Percent, BehaviourDigitsAndSigns) {
   EXPECT_EQ(percent_change(-0.01234), "-1.23 %");
   EXPECT_EQ(percent_change(1.176), "+118 %");
   EXPECT_EQ(percent_change(-1e-12), "0 %");
+  // Beyond sense in per cent.
+  EXPECT_EQ(percent(99.9), "9990 %");
+  EXPECT_EQ(percent(123.4), "123 times");
+  EXPECT_EQ(percent_change(99.0), "+9900 %");
+  EXPECT_EQ(percent_change(990476189.47), "9.9e+08 times as much");
 }
 
 TEST(WarrantedDigits, BehaviourTwoMoreThanTheUncertainty) {

@@ -134,7 +134,8 @@ TEST(DriveCracks, InputReferenceStressNeedsASection) {
   through.angle = 90 * deg;
   EXPECT_EQ(refused(gear, 0.125), "flexspline.crack[0].half_length = 0.125 m");
   through.angle = 0;
-  EXPECT_EQ(refused(gear, gear.flexspline->length / 2), "flexspline.crack[0].half_length = 0.08 m");
+  EXPECT_EQ(refused(gear, *gear.flexspline->length / 2),
+            "flexspline.crack[0].half_length = 0.08 m");
 }
 
 TEST(DriveCracks, IdentityAssemblyOverTheWaveAngle) {

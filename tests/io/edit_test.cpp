@@ -115,6 +115,12 @@ TEST(Edit, ReferenceAFieldIsInsertedInTheOrderOfTheDescription) {
             "[drive]\n  ratio = 1\n  wave_number = 2\n");
 }
 
+TEST(Edit, ReferenceAMaterialOfTheLibraryIsCompleted) {
+  const std::string based = edit("", "material.own.based_on", "\"40CrNiMoA QT\"");
+  EXPECT_EQ(edit(based, "material.own.fracture_toughness", "\"90 MPa*m^0.5\""),
+            "[material.own]\nbased_on = \"40CrNiMoA QT\"\nfracture_toughness = \"90 MPa*m^0.5\"\n");
+}
+
 TEST(Edit, ReferenceAMissingTableIsMade) {
   expect_change("load.torque", "\"1 N*m\"", "# as measured\n\n",
                 "# as measured\n\n[load]\ntorque = \"1 N*m\"\n\n");

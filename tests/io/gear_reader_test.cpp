@@ -467,6 +467,37 @@ TEST(GearReader, BehaviourATableOfTheFileWinsOverTheLibrary) {
             "[Pa])");
 }
 
+TEST(GearReader, BehaviourATableCompletesARecordOfTheLibrary) {
+  const std::string own =
+      "[material.steel]\nbased_on = \"40CrNiMoA QT\"\nfracture_toughness = \"90 MPa*m^0.5\"\n";
+  const std::string whole =
+      "[material.steel]\nyoungs_modulus = \"210 GPa\"\nshear_modulus = \"80 GPa\"\npoissons_ratio "
+      "= 0.3\n";
+  const GearSet gear = read_gear_set(with(whole, own), "gear.toml");
+  const Material& steel = gear.material.at("steel");
+  const MaterialRecord& record = require_material("40CrNiMoA QT");
+  EXPECT_EQ(steel.youngs_modulus, record.youngs_modulus->value);
+  EXPECT_EQ(steel.yield_strength, record.yield_strength->value);
+  EXPECT_EQ(steel.fracture_toughness, 90e6);
+  EXPECT_NE(steel.origin.find("own: fracture_toughness 90 MPa*m^0.5"), std::string::npos)
+      << steel.origin;
+  // Sweep and solve may set a number that the library gives; it is the file's own then.
+  GearSet swept = gear;
+  set_number(swept, "material.steel.yield_strength", 1e9);
+  EXPECT_EQ(std::ranges::count(swept.material.at("steel").from_library, "yield_strength"), 0);
+  EXPECT_EQ(std::ranges::count(steel.from_library, "yield_strength"), 1);
+  // Faults: no such steel, a contradiction between the file's number and the library's.
+  EXPECT_EQ(
+      refusal(with(whole, "[material.steel]\nbased_on = \"40CrNiMoA\"\n")),
+      "gear.toml:5:12: material.steel.based_on: \"40CrNiMoA\" is not in the material library; "
+      "did you mean 40CrNiMoA QT?");
+  EXPECT_NE(refusal(with(whole,
+                         "[material.steel]\nbased_on = \"40CrNiMoA QT\"\nyield_strength = "
+                         "\"3 GPa\"\n"))
+                .find("ultimate_strength >= yield_strength"),
+            std::string::npos);
+}
+
 TEST(GearReader, InputATableOfTheFileIsNotPassedOver) {
   // Half the members name the table, one writes an alias of the same steel.
   std::string text = with("[material.steel]", "[material.\"52100 hardened\"]");

@@ -68,6 +68,24 @@ TEST(GearWriter, BehaviourAMaterialOfTheLibraryIsWrittenOut) {
   EXPECT_EQ(gear_text(again), text);
 }
 
+TEST(GearWriter, BehaviourAMaterialBasedOnTheLibraryKeepsItsOwnNumbers) {
+  const std::string own =
+      "[material.steel]\nbased_on = \"40CrNiMoA QT\"\nfracture_toughness = \"90 MPa*m^0.5\"\n";
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/solid_shaft.toml");
+  gear.material.clear();
+  std::string text = gear_text(gear);
+  const std::size_t at = text.find("\n[drive]");
+  text.insert(at + 1, own + "\n");
+  const std::size_t named = text.find("material = \"");
+  text.replace(named, text.find('\n', named) - named, "material = \"steel\"");
+  const GearSet first = read_gear_set(text, "first.toml");
+  const std::string written = gear_text(first);
+  EXPECT_NE(written.find(own + "\n"), std::string::npos) << written;
+  const GearSet again = read_gear_set(written, "again.toml");
+  EXPECT_EQ(numbers(again), numbers(first));
+  EXPECT_EQ(again.material.at("steel").origin, first.material.at("steel").origin);
+}
+
 TEST(GearWriter, BehaviourTextsAndMaterialNames) {
   GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/solid_shaft.toml");
   gear.name = R"(a "name" with \ and ü)";

@@ -461,7 +461,10 @@ TEST(InputFormat, CrosscheckRequiredFieldsAreThoseThatTheReaderMisses) {
       {"wave_generator.radial_stiffness", "must be given (K_G0 of one lobe [N/m]), or"},
       // the template has a crack in the ring, stressed by the contact
       {"wave_generator.contact_semi_axes", "stress_driver = \"orthogonal_shear\" needs it"},
-      {"wave_generator.inner_ring_thickness", "must be given for wave_generator.crack[0]"}};
+      {"wave_generator.inner_ring_thickness", "must be given for wave_generator.crack[0]"},
+      // the template's cup is a tube with a factor
+      {"flexspline.wall_thickness", "must be given where crack_free = \"factor\""},
+      {"flexspline.length", "must be given where crack_free = \"factor\""}};
   const std::set<std::string> required = required_paths();
   std::set<std::string> seen;
   const std::vector<std::string> lines = lines_of(input_template());
@@ -607,7 +610,8 @@ TEST(InputSchema, BehaviourRequiredIsWhatTheReaderDemands) {
         const std::size_t dot = path.rfind('.');
         const Json& table = dot == std::string::npos ? s : schema_at(s, path.substr(0, dot));
         const Json names = table.value("required", Json::array());
-        EXPECT_EQ(std::ranges::find(names, field.name) != names.end(), is_required<Value>(field))
+        EXPECT_EQ(std::ranges::find(names, field.name) != names.end(),
+                  is_required<Value>(field) && field.unless.empty())
             << path;
         // An optional field without a fallback has no default, and the other way round.
         EXPECT_EQ(schema_at(s, path).contains("default"), !field.fallback.empty()) << path;
@@ -732,6 +736,16 @@ TEST(InputReference, BehaviourThePageOfTheGuideIsUpToDate) {
   text << std::ifstream(page, std::ios::binary).rdbuf();
   EXPECT_EQ(text.str(), input_reference())
       << "write it anew: strainwave schema --format markdown > docs/guide/input_file.md";
+}
+
+TEST(InputFormat, BehaviourAMaterialNeedsYoungsModulusOrARecord) {
+  const auto schema = nlohmann::json::parse(input_schema());
+  const auto& material = schema["properties"]["material"]["additionalProperties"];
+  EXPECT_EQ(
+      material["anyOf"],
+      nlohmann::json::parse(R"([{"required":["youngs_modulus"]},{"required":["based_on"]}])"));
+  EXPECT_FALSE(material.contains("required"));
+  EXPECT_NE(input_reference().find("required unless `based_on` is given"), std::string::npos);
 }
 
 }  // namespace

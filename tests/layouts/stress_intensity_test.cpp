@@ -145,5 +145,19 @@ TEST(SifPlot, InputImpossibleGeometryIsRefused) {
   EXPECT_THROW((void)sif_plot(sif::solution("plate-surface"), {{"depth", 1.0}}), InputError);
 }
 
+TEST(SifText, BehaviourAccuracyOfEachModeAndTheReferenceStress) {
+  const sif::Row& bar = sif::solution("bar-surface");
+  const std::string all = sif_solution_text({&bar});
+  EXPECT_TRUE(contains(all, "accuracy   K_I to 3 %, K_II and K_III to 5 %;")) << all;
+  EXPECT_TRUE(contains(all, "sigma: P/A, M r/I, T r/(2I) of the uncracked bar at the surface"))
+      << all;
+  const std::string sheared = sif_evaluation_text(sif::evaluate(bar, {{"torque", 10.0}}));
+  EXPECT_TRUE(contains(sheared, "Accuracy: K_II and K_III to 5 %;")) << sheared;
+  const ResultEvidence evidence = sif::evidence_of(sif::evaluate(bar, {{"torque", 10.0}}));
+  ASSERT_EQ(evidence.accuracies.size(), 1U);
+  EXPECT_EQ(evidence.accuracies[0].relative_uncertainty, 0.05);
+  EXPECT_EQ(evidence.accuracies[0].path, "bar-surface K_II and K_III");
+}
+
 }  // namespace
 }  // namespace strainwave

@@ -491,6 +491,28 @@ const std::vector<Broken> kBroken = {
      [](GearSet& g) { rim_crack(g).half_length = 0.99 * mm; }, "flexspline.crack[0].half_length",
      "half_length >= depth", ""},
 
+    {"RaceCrackLongerThanTheRingIsWide", sections_gear,
+     [](GearSet& g) { race_crack(g).aspect_ratio = 0.05; }, "wave_generator.crack[0].aspect_ratio",
+     ">= 0.1: the crack runs along the axis, and its length 2c = 2 depth/aspect_ratio = 40 mm must "
+     "fit into the ring, 20 mm wide (inner_ring_width)",
+     ""},
+    {"RaceCrackLongerThanTheRingIsRound", article,
+     [](GearSet& g) { race_crack(g).aspect_ratio = 3.9e-4; }, "wave_generator.crack[0].aspect_ratio",
+     ">= 0.0003979: the crack runs along the axis, and its length 2c = 2 depth/aspect_ratio = 512.8 "
+     "mm must fit into the ring, 502.7 mm round (no inner_ring_width is given)",
+     ""},
+    {"LengthMissing", article, [](GearSet& g) { flexspline(g).length.reset(); },
+     "flexspline.length", "", "must be given where crack_free = \"factor\" [m]"},
+    {"WallThicknessMissing", article, [](GearSet& g) { flexspline(g).wall_thickness.reset(); },
+     "flexspline.wall_thickness", "", "must be given where crack_free = \"factor\" [m]"},
+    {"BallsThatOverlap", coupled_gear,
+     [](GearSet& g) { wave_generator(g).bearing->ball_count = 31; },
+     "wave_generator.bearing.ball_count",
+     "<= 30: more balls of 12.7 mm overlap on their pitch circle of 122.7 mm", ""},
+    {"MoreLoadedBallsThanBalls", coupled_gear,
+     [](GearSet& g) { wave_generator(g).bearing->loaded_balls = 23.5; },
+     "wave_generator.bearing.loaded_balls", "<= ball_count, 23", ""},
+
     // coupled drive: balls and rings
     {"TwoBalls", coupled_gear, [](GearSet& g) { wave_generator(g).bearing->ball_count = 2; },
      "wave_generator.bearing.ball_count", ">= 3 and <= 200", ""},
@@ -879,7 +901,20 @@ const std::vector<Accepted> kAccepted = {
      }},
     {"ThreeBalls", coupled_gear, [](GearSet& g) { wave_generator(g).bearing->ball_count = 3; }},
     {"TwoHundredBalls", coupled_gear,
-     [](GearSet& g) { wave_generator(g).bearing->ball_count = 200; }},
+     [](GearSet& g) {
+       wave_generator(g).bearing->ball_count = 200;
+       wave_generator(g).bearing->ball_diameter = 1 * mm;
+     }},
+    {"BallsSideBySide", coupled_gear,
+     [](GearSet& g) { wave_generator(g).bearing->ball_count = 30; }},
+    {"AllBallsLoaded", coupled_gear,
+     [](GearSet& g) { wave_generator(g).bearing->loaded_balls = 23; }},
+    {"RaceCrackOverTheWidth", sections_gear, [](GearSet& g) { race_crack(g).aspect_ratio = 0.1; }},
+    {"SectionsWithoutLengthAndThickness", sections_gear,
+     [](GearSet& g) {
+       flexspline(g).length.reset();
+       flexspline(g).wall_thickness.reset();
+     }},
     {"GroovesSideBySide", coupled_gear,
      [](GearSet& g) {
        flexspline(g).crack.emplace_back(groove(g));

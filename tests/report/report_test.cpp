@@ -245,6 +245,28 @@ TEST(Report, ReferenceInputsSayWhoGaveThem) {
   EXPECT_NE(html.find("few samples, mostly tapered: a mean"), std::string::npos);
 }
 
+TEST(Report, BehaviourACompletedMaterialIsMarkedFieldByField) {
+  std::string text = text_of("solid_shaft");
+  const std::size_t table = text.find("[material.");
+  const std::size_t end = text.find("\n[", table);
+  const std::string head = text.substr(table, text.find('\n', table) - table);
+  text.replace(table, end - table,
+               head + "\nbased_on = \"40CrNiMoA QT\"\nfracture_toughness = \"90 MPa*m^0.5\"\n");
+  const Report report = report_on(text);
+  const std::string& html = section(report, "inputs").html;
+  const std::string name = head.substr(10, head.size() - 11);
+  const auto cells = [&](const std::string& field) {
+    const std::size_t row = html.find("data-field=\"material." + name + '.' + field + '"');
+    EXPECT_NE(row, std::string::npos) << field;
+    return html.substr(row, html.find("</tr>", row) - row);
+  };
+  EXPECT_NE(cells("based_on").find("in the file"), std::string::npos);
+  EXPECT_NE(cells("fracture_toughness").find("in the file"), std::string::npos);
+  EXPECT_NE(cells("yield_strength").find("material library"), std::string::npos);
+  const auto& yield = *require_material("40CrNiMoA QT").yield_strength;
+  EXPECT_NE(cells("yield_strength").find("source " + yield.source), std::string::npos);
+}
+
 TEST(Report, ReferenceMaterialsOfTheLibraryAreNamedAsSuch) {
   const Report report = report_on(text_of("library_material"));
   const std::string& html = section(report, "inputs").html;

@@ -353,12 +353,12 @@ TEST(HollowSurface, IdentityShearOfMidDepth) {
 TEST(BarOneSided, InputRulesAndValidity) {
   EXPECT_EQ(rules_broken(straight(0.499)), Texts{});
   EXPECT_EQ(rules_broken(straight(0.5)), Texts{"depth"});
-  EXPECT_EQ(limits_broken(straight(0.05)).size(), 0U);
-  EXPECT_EQ(limits_broken(straight(0.049)).size(), 1U);
+  EXPECT_EQ(limits_broken(straight(0.1)).size(), 0U);
+  EXPECT_EQ(limits_broken(straight(0.099)).size(), 1U);
   EXPECT_EQ(rules_broken(ellipse(0.499, 1.0)), Texts{});
   EXPECT_EQ(rules_broken(ellipse(0.5, 1.01)), (Texts{"depth", "aspect_ratio"}));
-  EXPECT_EQ(limits_broken(ellipse(0.05, 1.0)).size(), 0U);
-  EXPECT_EQ(limits_broken(ellipse(0.049, 1.0)).size(), 1U);
+  EXPECT_EQ(limits_broken(ellipse(0.1, 1.0)).size(), 0U);
+  EXPECT_EQ(limits_broken(ellipse(0.099, 1.0)).size(), 1U);
   EXPECT_EQ(rules_broken(arc(0.499)), Texts{});
   EXPECT_EQ(rules_broken(arc(0.5)), Texts{"depth"});
   EXPECT_EQ(limits_broken(arc(0.45)).size(), 0U);

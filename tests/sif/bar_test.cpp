@@ -15,6 +15,7 @@
 #include "strainwave/sif/bar/hollow_annular_inner.hpp"
 #include "strainwave/sif/bar/hollow_annular_outer.hpp"
 #include "strainwave/sif/bar/penny_crack.hpp"
+#include "strainwave/sif/evaluation.hpp"
 #include "strainwave/sif/library.hpp"
 #include "strainwave/sif/member/ring_edge.hpp"
 #include "strainwave/sif/member/shaft_annular.hpp"
@@ -305,7 +306,7 @@ TEST(BarAnnular, InputValidity) {
   EXPECT_EQ(limits_broken(inner(0.985, 0.5)).size(), 1U);
 }
 
-// (SB-1): nominal stress at the surface that Y refers to.
+// (SB-1): the nominal stress that Y refers to, at the surface or at the front.
 TEST(BarAnnular, IdentityGrossStress) {
   const double area = pi * 0.75;
   const double inertia = pi / 4 * 0.9375;
@@ -313,10 +314,44 @@ TEST(BarAnnular, IdentityGrossStress) {
   test::expect_relative(outer(0.5, 0.1).gross_stress(kMoment), 1 / inertia, 1e-14);
   test::expect_relative(outer(0.5, 0.1).gross_stress(kTorque), 0.5 / inertia, 1e-14);
   test::expect_relative(inner(0.5, 0.1).gross_stress(kForce), 1 / area, 1e-14);
-  test::expect_relative(inner(0.5, 0.1).gross_stress(kMoment), 0.5 / inertia, 1e-14);
-  test::expect_relative(inner(0.5, 0.1).gross_stress(kTorque), 0.25 / inertia, 1e-14);
-  for (const double load : {solid(0.1).gross_stress(kMoment), penny(0.1).gross_stress(kMoment)})
-    test::expect_relative(load, 4 / pi, 1e-14);
+  test::expect_relative(inner(0.5, 0.1).gross_stress(kMoment), 0.55 / inertia, 1e-14);
+  test::expect_relative(inner(0.5, 0.1).gross_stress(kTorque), 0.275 / inertia, 1e-14);
+  test::expect_relative(inner(0.5, 0.1).gross_stress(kTorque, 0.2), 0.35 / inertia, 1e-14);
+  test::expect_relative(solid(0.1).gross_stress(kMoment), 4 / pi, 1e-14);
+  test::expect_relative(penny(0.1).gross_stress(kMoment), 0.4 / pi, 1e-14);
+}
+
+// (SB-5), (SB-6): what is printed as Y is the factor of the manual's equation, on the stress at the
+// front, for every load and at every size.
+TEST(BarAnnular, IdentityYIsTheFactorOfTheManual) {
+  for (const double x : {0.05, 0.2, 0.5, 0.9}) {
+    const Evaluation e =
+        evaluate(solution("bar-penny"), {{"radius", x * 0.01}, {"diameter", 0.02}});
+    const std::array<double, 3> F = penny_in_bar(x);
+    for (const GeometryFactors& factor : e.factors) {
+      if (factor.point != "pulled") continue;
+      const std::size_t load = factor.load == "force"    ? kForce
+                               : factor.load == "moment" ? kMoment
+                                                         : kTorque;
+      test::expect_relative(load == kTorque ? factor.Y_III : factor.Y_I, F[load], 1e-12);
+    }
+  }
+  for (const double alpha : {0.1, 0.5, 0.8}) {
+    const Evaluation e =
+        evaluate(solution("hollow-annular-inner"),
+                 {{"depth", alpha * 0.01}, {"outer_diameter", 0.04}, {"inner_diameter", 0.02}});
+    const std::array<double, 3> F = annular_inner(alpha, 0.5);
+    for (const GeometryFactors& factor : e.factors) {
+      if (factor.point != "pulled") continue;
+      const std::size_t load = factor.load == "force"    ? kForce
+                               : factor.load == "moment" ? kMoment
+                                                         : kTorque;
+      test::expect_relative(load == kTorque ? factor.Y_III : factor.Y_I, F[load], 1e-12);
+    }
+  }
+  // Both say where the stress is taken; K is what it was.
+  for (const char* const name : {"bar-penny", "hollow-annular-inner"})
+    EXPECT_NE(solution(name).info.reference_stress.find("at the front"), std::string_view::npos);
 }
 
 }  // namespace

@@ -133,6 +133,24 @@ TEST(Evaluation, ReferenceOnePoissonsRatio) {
   }
 }
 
+TEST(Evaluation, BehaviourAccuracyOfTheModesThatAreThere) {
+  const auto modes = [](const char* name, const Assignments& loads) {
+    std::string text;
+    for (const ModeAccuracy& accuracy : mode_accuracies(evaluate(solution(name), loads)))
+      text += std::string(accuracy.of) + " " +
+              std::to_string(accuracy.relative_uncertainty).substr(0, 4) + "; ";
+    return text;
+  };
+  for (const char* const bar : {"bar-surface", "bar-straight"}) {
+    EXPECT_EQ(modes(bar, {{"torque", 100.0}}), "K_II and K_III 0.05; ");
+    EXPECT_EQ(modes(bar, {{"force", 100.0}}), "K_I 0.03; ");
+    EXPECT_EQ(modes(bar, {{"torque", 100.0}, {"moment", 5.0}}), "K_I 0.03; K_II and K_III 0.05; ");
+    EXPECT_EQ(modes(bar, {{"torque", 100.0}, {"moment", 0.0}}), "K_II and K_III 0.05; ");
+    EXPECT_EQ(modes(bar, {}), "K_I 0.03; K_II and K_III 0.05; ");
+  }
+  EXPECT_EQ(modes("bar-penny", {{"torque", 100.0}}), "K 0.00; ");
+}
+
 TEST(Evaluation, InputAbsurdNumbersHaveNoAnswer) {
   EXPECT_THROW((void)evaluate(through(), {{"tension", 1e200}}), SolverError);
 }

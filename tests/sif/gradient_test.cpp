@@ -551,7 +551,7 @@ TEST(GradientFamily, IdentitySweptArea) {
   expect_half_ellipse(
       RaceHoopSurfaceCrack{.depth = 2, .half_length = 3, .thickness = 9, .angle = 0, .lobes = 2});
   for (const std::string& name : kEdgeSolutions)
-    EXPECT_EQ(solution(name).make({})->gross_stress(0), 1);
+    EXPECT_EQ(solution(name).make({})->gross_stress(0, 1 * mm), 1);
   const ContactEdgeCrack contact{.depth = 2, .contact_half_width = 3, .position = 4, .width = 5};
   EXPECT_EQ(contact.swept_area(1, 0), 5);
   EXPECT_EQ(contact.gross_stress(1), 1);

@@ -363,6 +363,20 @@ sif::SurfaceCrack<2>::Parameters two_loads() {
           .shear_stress = {5.0, -7.0}};
 }
 
+TEST(SurfaceCrack, CrosscheckBendingByThePlate) {
+  // (SP-3) in the member's crack and in the plate of the library.
+  sif::SurfaceCrack<2>::Parameters parameters = two_loads();
+  parameters.loading = sif::StripLoading::bending;
+  const sif::NewmanRajuPlate plate(0.5);
+  for (const double a : {0.1 * mm, 1 * mm, 3 * mm})
+    for (const double phi : {0.0, 0.3, 1.0, std::numbers::pi / 2})
+      test::expect_relative(sif::SurfaceCrack<2>(parameters).stress_intensity(a, phi).I[1],
+                            3 * plate.tension(a / (4 * mm), phi) *
+                                plate.bending_ratio(a / (4 * mm), phi) *
+                                std::sqrt(std::numbers::pi * a),
+                            1e-13);
+}
+
 TEST(SurfaceCrack, IdentityEachModeHasItsStress) {
   const sif::SurfaceCrack<2> crack(two_loads());
   const double root = std::sqrt(pi * 0.8 * mm);

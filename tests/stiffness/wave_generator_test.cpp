@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "stiffness/members_support.hpp"
@@ -16,6 +17,7 @@
 #include "strainwave/sif/member/ring_edge.hpp"
 #include "strainwave/sif/member/semi_ellipse.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
+#include "strainwave/stiffness/series_stiffness.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "support/article_gear.hpp"
 #include "support/expect.hpp"
@@ -99,12 +101,14 @@ double added_lobe_compliance(const GearSet& gear) {
 }
 
 /// The same by the fracture module alone, for a stress per lobe force.
-double surface_lobe_compliance(const GearSet& gear, double unit_stress) {
+double surface_lobe_compliance(const GearSet& gear, double unit_stress,
+                               sif::StripLoading loading = sif::StripLoading::tension) {
   const RaceSurfaceCrack& crack = std::get<RaceSurfaceCrack>(gear.wave_generator->crack.at(0));
   const sif::SurfaceCrack<1> model({.depth = crack.depth,
                                     .aspect_ratio = crack.aspect_ratio,
                                     .thickness = *gear.wave_generator->inner_ring_thickness,
-                                    .normal_stress = {unit_stress}});
+                                    .normal_stress = {unit_stress},
+                                    .loading = loading});
   return added_compliance(model, {.opening = kPlaneStrain, .shear = 1.0}).matrix(0, 0);
 }
 
@@ -336,9 +340,11 @@ TEST(RaceCrack, ReferenceLobeCompliance) {
     test::expect_reference(
         added_lobe_compliance(driven_by(StressDriver::contact_edge, c.depth * mm)) / mm_per_N,
         race_digits(c.edge, "mm/N"));
-    test::expect_reference(
-        added_lobe_compliance(driven_by(StressDriver::ring_bending, c.depth * mm)) / mm_per_N,
-        race_digits(c.ring, "mm/N"));
+    // The stress of ring bending, taken as uniform over the thickness.
+    GearSet uniform = driven_by(StressDriver::given, c.depth * mm);
+    const double stress = 6 / pi * 60 * mm / (20 * mm * std::pow(10 * mm, 2));
+    surface_crack(uniform).stress = stress * force_per_torque(uniform) * uniform.load.torque;
+    test::expect_reference(added_lobe_compliance(uniform) / mm_per_N, race_digits(c.ring, "mm/N"));
   }
 }
 
@@ -393,8 +399,45 @@ TEST(RaceCrack, IdentityRingBendingStress) {
     GearSet gear = driven_by(StressDriver::ring_bending, 1 * mm);
     gear.drive.wave_number = U;
     const double stress = 6 * factor * 60 * mm / (20 * mm * std::pow(10 * mm, 2));
-    test::expect_relative(added_lobe_compliance(gear), surface_lobe_compliance(gear, stress),
-                          1e-10);
+    test::expect_relative(added_lobe_compliance(gear),
+                          surface_lobe_compliance(gear, stress, sif::StripLoading::bending), 1e-10);
+    EXPECT_TRUE(test::uses_equation(wave_generator_compliance(gear).equations, "SP-3"));
+  }
+}
+
+TEST(RaceCrack, LimitSurfaceCrackStifferThanTheEdgeCrackOfItsDepth) {
+  // A surface crack that fits into the ring, at most as long as the ring is wide, leaves more of
+  // the ring whole than an edge crack of its depth over the whole width.  No model makes it softer.
+  for (const StressDriver driver : {StressDriver::orthogonal_shear, StressDriver::contact_edge,
+                                    StressDriver::ring_bending, StressDriver::given})
+    for (const double aspect_ratio : {1e-3, 0.01, 0.03, 0.1, 0.3, 1.0})
+      for (const double depth : {0.01, 0.1, 0.3, 0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9}) {
+        GearSet surface = driven_by(driver, depth * 10 * mm);
+        GearSet edge = edge_crack_driven_by(driver, depth * 10 * mm);
+        surface_crack(surface).aspect_ratio = aspect_ratio;
+        for (GearSet* const gear : {&surface, &edge})
+          gear->wave_generator->inner_ring_width = 2 * depth * 10 * mm / aspect_ratio;
+        EXPECT_LT(added_lobe_compliance(surface), added_lobe_compliance(edge))
+            << enum_name(driver) << ", a/c = " << aspect_ratio << ", a/t = " << depth;
+      }
+}
+
+TEST(RaceCrack, BehaviourNearTheFullThicknessOfTheRing) {
+  // 0.8 is where the fit of the surface crack ends, 0.9 where neither crack has an answer.
+  for (const auto& [depth, extrapolated, usable] :
+       {std::tuple{8.0, 0, true}, {8.01, 1, true}, {9.0, 1, true}, {9.01, 1, false}}) {
+    GearSet surface = driven_by(StressDriver::given, depth * mm);
+    surface.wave_generator->inner_ring_width = 100 * mm;
+    GearSet edge = edge_crack_driven_by(StressDriver::given, depth * mm);
+    for (const auto& [gear, code] :
+         {std::pair{&surface, "crack.surface_range"}, {&edge, "crack.edge_range"}}) {
+      const MemberCompliance member = wave_generator_compliance(*gear);
+      EXPECT_EQ(test::count_notes(member.notes, code, "wave_generator.crack[0]"), extrapolated)
+          << depth;
+      EXPECT_EQ(member.unusable_because.empty(), usable) << depth;
+      EXPECT_EQ(torsional_stiffness(*gear).usable(), usable) << depth;
+      EXPECT_EQ(series_compliance<double>(*gear).usable, usable) << depth;
+    }
   }
 }
 

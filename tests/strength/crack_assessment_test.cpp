@@ -262,6 +262,13 @@ TEST(StrengthNotes, InputWhichFieldWouldTell) {
   ASSERT_NE(note, notes.end());
   EXPECT_EQ(note->severity, Severity::cannot_tell);
   EXPECT_EQ(note->next_step, "Give fracture_toughness of material.steel in the file.");
+  // A steel of the library has no table in the file yet.
+  gear.material["steel"].origin = "taken from the material library";
+  EXPECT_EQ(of_shaft(gear).next_step,
+            "Add [material.\"steel\"] with based_on = \"steel\" and your fracture_toughness to the "
+            "file.");
+  gear.material["steel"].based_on = "steel";
+  EXPECT_EQ(of_shaft(gear).next_step, "Give fracture_toughness of material.steel in the file.");
   gear.material["steel"].yield_strength.reset();
   EXPECT_EQ(of_shaft(gear).next_step,
             "Give fracture_toughness and yield_strength of material.steel in the file.");
@@ -281,7 +288,7 @@ TEST(CrackStrength, IdentityLigamentOfAThroughCrack) {
       GearSet gear = article();
       wall(gear).half_length = half_length;
       wall(gear).angle = degrees * deg;
-      const double along = gear.flexspline->length / 2 - half_length * std::cos(degrees * deg);
+      const double along = *gear.flexspline->length / 2 - half_length * std::cos(degrees * deg);
       const double round = pi * 78.88 * mm - half_length * std::sin(degrees * deg);
       EXPECT_NEAR(*of_wall(gear).ligament, std::min(along, round), 1e-14);
     }

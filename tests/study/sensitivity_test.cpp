@@ -356,7 +356,7 @@ TEST(Sensitivity, BehaviourAStepIsSaid) {
   // sigma_n = P sin^2(b)/(2 pi r t) + T sin(2b)/(2 pi r^2 t) = 0 at 45 degrees: P r = -2 T.
   GearSet gear = article_gear();
   gear.flexspline->stress_nonuniformity = 1.0;
-  const double r = (gear.drive.pitch_diameter - gear.flexspline->wall_thickness) / 2;
+  const double r = (gear.drive.pitch_diameter - *gear.flexspline->wall_thickness) / 2;
   EXPECT_EQ(test::count_notes(sensitivity_of(gear).notes, "sensitivity.step"), 0);
   gear.load.axial_force = -2 * gear.load.torque / r;
   EXPECT_EQ(test::count_notes(sensitivity_of(gear).notes, "sensitivity.step"), 1);

@@ -308,6 +308,21 @@ TEST(Solve, InputEveryRuleOfTheFunctionItself) {
             std::string::npos);
 }
 
+TEST(Solve, BehaviourARangeEndsWhereTheCrackNoLongerFits) {
+  // 0.1 mm deep in a ring 20 mm wide: the crack is as long as the ring is wide at a/c = 0.01.
+  GearSet gear = test::article_gear();
+  gear.wave_generator->inner_ring_width = 0.02;
+  const SolveResult result = solved(gear, "wave_generator.crack[0].aspect_ratio",
+                                    "cracked.positive.stiffness_change=-50 %");
+  EXPECT_TRUE(result.solutions.empty());
+  ASSERT_FALSE(result.excluded.empty());
+  EXPECT_TRUE(result.excluded.front().refused);
+  EXPECT_NEAR(result.excluded.front().to, 0.01, 1e-9);
+  EXPECT_NE(result.excluded.front().reason.find("must fit into the ring, 20 mm wide"),
+            std::string::npos)
+      << result.excluded.front().reason;
+}
+
 TEST(Solve, BehaviourJsonCarriesTheSolution) {
   const SolveResult result = solved(test::article_gear(), "output_shaft.crack[0].depth",
                                     "cracked.positive.stiffness_change=-1 %");

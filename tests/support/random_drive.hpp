@@ -107,7 +107,7 @@ inline Flexspline random_flexspline(Dice& dice, const Transmission& drive) {
   fs.length = dice.uniform(0.5, 1.2) * d;
   fs.shape = dice.chance(0.5) ? FlexsplineShape::cup : FlexsplineShape::cylinder;
   fs.stress_nonuniformity = dice.uniform(0.9, 1.5);
-  TubeSection wall{.outer_diameter = d, .wall_thickness = fs.wall_thickness, .length = fs.length};
+  TubeSection wall{.outer_diameter = d, .wall_thickness = *fs.wall_thickness, .length = *fs.length};
   if (dice.chance(0.4)) {
     fs.crack_free = CrackFree::sections;
     wall.wall_thickness *= dice.uniform(0.5, 1);
@@ -121,7 +121,7 @@ inline Flexspline random_flexspline(Dice& dice, const Transmission& drive) {
     fs.length = fs.barrel->length + (fs.rim ? fs.rim->length : 0.0);
     fs.diaphragm = Diaphragm{.outer_diameter = 0.95 * d,
                              .inner_diameter = dice.uniform(0.3, 0.6) * d,
-                             .thickness = fs.wall_thickness,
+                             .thickness = *fs.wall_thickness,
                              .profile = {}};
   } else if (dice.chance(0.5)) {
     fs.shape_factor = dice.uniform(0.5, 3);

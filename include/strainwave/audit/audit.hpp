@@ -19,11 +19,12 @@ enum class AuditVerdict {
   physics,           ///< the equation is wrong, whatever its numbers
   not_reproducible,  ///< the number does not follow from anything printed
   ambiguous,         ///< the text leaves open what is meant
+  input,             ///< the article takes it from elsewhere; there is nothing to reproduce
 };
 template <>
 struct EnumNames<AuditVerdict> {
-  static constexpr std::array<std::string_view, 6> names = {
-      "reproduced", "misprint", "dimension", "physics", "not reproducible", "ambiguous"};
+  static constexpr std::array<std::string_view, 7> names = {
+      "reproduced", "misprint", "dimension", "physics", "not reproducible", "ambiguous", "input"};
 };
 
 /// The value of an input for which the printed equation gives the printed number.

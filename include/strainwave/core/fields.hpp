@@ -71,7 +71,15 @@ struct Field {
   /// Of an option: what its text names, such as "field path" or "material"; empty: nothing that
   /// can be listed.  "attachment": a file, whose text the command reads.
   std::string_view names = {};
+  /// Of a number of the input: what its size is as a rule; kFinite: that of its unit.
+  Range usual = kFinite;
+  /// Of a required field of the input: the field beside it that makes it optional, if given.
+  std::string_view unless = {};
 };
+
+/// What the size of a number is as a rule: `usual` of its field, else that of its unit; kFinite
+/// where nothing is unusual.  Outside of it a value, or its unit, is probably a slip.
+[[nodiscard]] Range usual_range(const Field& field);
 
 /// A struct that describes itself.
 template <class T>

@@ -126,7 +126,8 @@ class TomlReader {
   template <class Value>
   void require_optional(const Field& field, const Value&, const toml::table& table,
                         const FieldPath& path) const {
-    if (is_optional<Value> || is_vector<Value> || is_string_map<Value> || !field.fallback.empty())
+    if (is_optional<Value> || is_vector<Value> || is_string_map<Value> || !field.fallback.empty() ||
+        (!field.unless.empty() && table.contains(field.unless)))
       return;
     const std::string unit =
         field.unit.empty() || field.unit == "1" ? "" : fmt::format(" [{}]", field.unit);

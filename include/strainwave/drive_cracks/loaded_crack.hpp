@@ -141,27 +141,28 @@ class CrackLoads {
   [[nodiscard]] Loaded<sif::SurfaceCrack<1, Real>> loaded(const RaceSurfaceCrack& crack) const {
     const Elastic steel = ring_steel();
     const Real stress = unit_stress(crack);
-    return {.solution = sif::SurfaceCrack<1, Real>(
-                {.depth = lift_(crack.depth),
-                 .aspect_ratio = lift_(crack.aspect_ratio),
-                 .thickness = lift_(*gear_.wave_generator->inner_ring_thickness),
-                 .poissons_ratio = steel.nu,
-                 .normal_stress = {stress}}),
+    const double& thickness = *gear_.wave_generator->inner_ring_thickness;
+    return {.solution = sif::SurfaceCrack<1, Real>({.depth = lift_(crack.depth),
+                                                    .aspect_ratio = lift_(crack.aspect_ratio),
+                                                    .thickness = lift_(thickness),
+                                                    .poissons_ratio = steel.nu,
+                                                    .normal_stress = {stress},
+                                                    .loading = race_loading(crack)}),
             .moduli = plane_strain(steel),
-            .faces = race_faces(stress)};
+            .faces = race_faces(stress),
+            .in_range = not_too_deep(crack.depth, thickness)};
   }
   [[nodiscard]] Loaded<sif::BasicEdgeCrack<Real>> loaded(const RaceEdgeCrack& crack) const {
     const WaveGenerator& wg = *gear_.wave_generator;
-    const bool bending = crack.stress_driver == StressDriver::ring_bending;
     const Real stress = unit_stress(crack);
-    return {
-        .solution = {.depth = lift_(crack.depth),
-                     .thickness = lift_(*wg.inner_ring_thickness),
-                     .width = lift_(*wg.inner_ring_width),
-                     .unit_stress = stress,
-                     .loading = bending ? sif::StripLoading::bending : sif::StripLoading::tension},
-        .moduli = plane_strain(ring_steel()),
-        .faces = race_faces(stress)};
+    return {.solution = {.depth = lift_(crack.depth),
+                         .thickness = lift_(*wg.inner_ring_thickness),
+                         .width = lift_(*wg.inner_ring_width),
+                         .unit_stress = stress,
+                         .loading = race_loading(crack)},
+            .moduli = plane_strain(ring_steel()),
+            .faces = race_faces(stress),
+            .in_range = not_too_deep(crack.depth, *wg.inner_ring_thickness)};
   }
 
   // --- Flexspline -------------------------------------------------------------------------------
@@ -226,15 +227,17 @@ class CrackLoads {
   [[nodiscard]] Loaded<sif::SurfaceCrack<2, Real>> loaded(const WallSurfaceCrack& crack) const {
     const Elastic steel = flexspline_steel();
     const sif::BasicCrackPlaneStress<Real> stress = plane_of(crack);
+    const Real thickness = wall_of(crack.section).thickness;
     return {.solution = sif::SurfaceCrack<2, Real>(
                 {.depth = lift_(crack.depth),
                  .aspect_ratio = lift_(crack.depth) / lift_(crack.half_length),
-                 .thickness = wall_of(crack.section).thickness,
+                 .thickness = thickness,
                  .poissons_ratio = steel.nu,
                  .normal_stress = stress.normal,
                  .shear_stress = stress.shear}),
             .moduli = plane_strain(steel),
-            .faces = faces_of(crack)};
+            .faces = faces_of(crack),
+            .in_range = not_too_deep(crack.depth, value_of(thickness))};
   }
   /// An arc crack of the diaphragm slides under torque: a flat through crack in pure mode II.
   [[nodiscard]] Loaded<sif::BasicThroughCrackInTube<Real>> loaded(
@@ -313,6 +316,14 @@ class CrackLoads {
                                 crack_parameters(lift_, gear_, crack));
   }
 
+  [[nodiscard]] static bool not_too_deep(double depth, double thickness) {
+    return !clearly_less(sif::kUsableDepthRatio * thickness, depth);
+  }
+  template <class Crack>
+  [[nodiscard]] static sif::StripLoading race_loading(const Crack& crack) {
+    return crack.stress_driver == StressDriver::ring_bending ? sif::StripLoading::bending
+                                                             : sif::StripLoading::tension;
+  }
   /// The lobe force has one sense, whatever the sense of the torque.
   static BothSenses race_faces(const Real& stress) {
     const double value = value_of(stress);

@@ -79,7 +79,7 @@ struct Wall {
 /// The wall under the teeth of the flexspline, where the wave generator deflects it; eq. (ST-11).
 template <class Real>
 [[nodiscard]] Wall<Real> tooth_ring(const Lift<Real>& lift, const GearSet& gear) {
-  const Real delta = lift(gear.flexspline->wall_thickness);
+  const Real delta = lift(gear.flexspline->ring_thickness());
   return {(lift(gear.drive.pitch_diameter) - delta) / 2, delta};  // (ST-11)
 }
 

@@ -75,6 +75,16 @@ struct MaterialLibrary {
 /// The record as a material of a drive; its origin says which numbers are unverified.
 [[nodiscard]] Material as_material(const MaterialRecord& record);
 
+/// A material with what it does not give itself taken from a record.  Its origin says what is taken
+/// and what is its own; `from_library` names the fields taken.
+///
+/// Two of E, G and nu define a material: a shear modulus of its own stands in place of the record's
+/// Poisson's ratio, and any of the three in place of the record's shear modulus.
+///
+/// @param own     E of 0 is not given
+/// @param record  of the library
+[[nodiscard]] Material completed(const Material& own, const MaterialRecord& record);
+
 /// Growth per cycle of a power law, C (Delta K/1 MPa*m^0.5)^m, without regard to the range that it
 /// is stated for.  (MA-1)
 ///

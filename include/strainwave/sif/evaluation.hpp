@@ -127,6 +127,16 @@ struct Evaluation {
   }
 };
 
+/// One standard relative uncertainty of some modes of K.
+struct ModeAccuracy {
+  std::string_view of;                ///< "K", "K_I", or "K_II and K_III"
+  double relative_uncertainty = 0.0;  ///< [-]
+};
+/// Of all modes that a solution gives.
+[[nodiscard]] std::vector<ModeAccuracy> mode_accuracies(const SolutionInfo& info);
+/// Of the modes that the loads of an evaluation make; of any load, if none is given.
+[[nodiscard]] std::vector<ModeAccuracy> mode_accuracies(const Evaluation& evaluation);
+
 /// Number of points at which a front is scanned for its largest stress intensity.
 inline constexpr int kFrontScan = 65;
 

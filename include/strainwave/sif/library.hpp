@@ -67,7 +67,8 @@ class AnyCrack {
                                                       double s) const = 0;
   /// Area that the front sweeps per da and ds (per da, where it is one point) [m].
   [[nodiscard]] virtual double swept_area(double a, double s) const = 0;
-  [[nodiscard]] virtual double gross_stress(std::size_t load) const = 0;
+  /// Reference stress of Y at the size a, per unit of a load [1; 1/m^2, 1/m^3].
+  [[nodiscard]] virtual double gross_stress(std::size_t load, double a) const = 0;
   [[nodiscard]] virtual std::vector<ValidityLimit> validity() const = 0;
   /// Rules between fields; a crack that breaks one is refused.
   [[nodiscard]] virtual std::vector<std::string_view> rules() const = 0;

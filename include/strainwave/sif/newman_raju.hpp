@@ -29,6 +29,18 @@ class BasicNewmanRaju {
   /// @param phi          parametric angle from the surface; pi/2 is the deepest point [rad]
   [[nodiscard]] Real factor(const Real& depth_ratio, double phi) const;
 
+  /// H, K of bending over K of tension of the same surface stress [-]; (SP-3).
+  /// @param depth_ratio  alpha = a/t [-]
+  /// @param phi          as in `factor` [rad]
+  [[nodiscard]] Real bending_ratio(const Real& depth_ratio, double phi) const;
+
+  /// H = 1 + alpha h at the surface and at the deepest point, and the exponent of sin(phi) with
+  /// which it goes from one to the other [-]; (SP-3).
+  struct BendingEnds {
+    Real h1, h2, p;
+  };
+  [[nodiscard]] BendingEnds bending_ends(const Real& depth_ratio) const;
+
   /// Q, approximates the square of the elliptic integral of the second kind [-]; (FR-5).
   [[nodiscard]] Real shape_parameter() const { return Q_; }
 
@@ -89,17 +101,9 @@ class NewmanRajuPlate {
   }
 
  private:
-  /// H = 1 + alpha h at the surface and at the deepest point, and the exponent between them.
-  struct Ends {
-    double h1, h2, p;
-  };
+  using Ends = NewmanRaju::BendingEnds;
   [[nodiscard]] Ends ends(double alpha) const {
-    if (rho_ <= 1) {
-      const double r = rho_;
-      const double G1 = -1.22 - 0.12 * r;
-      const double G2 = 0.55 - 1.05 * std::pow(r, 0.75) + 0.47 * std::pow(r, 1.5);
-      return {.h1 = -0.34 - 0.11 * r, .h2 = G1 + G2 * alpha, .p = 0.2 + r + 0.6 * alpha};  // (SP-3)
-    }
+    if (rho_ <= 1) return shallow_.bending_ends(alpha);
     const double q = 1 / rho_;
     const double G11 = -0.04 - 0.41 * q;
     const double G12 = 0.55 - 1.93 * std::pow(q, 0.75) + 1.38 * std::pow(q, 1.5);

@@ -6,6 +6,7 @@
 #include <concepts>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -59,8 +60,12 @@ struct SolutionInfo {
   std::string_view source;    ///< keys of docs/references.bib; "-" where derived
   Basis basis = Basis::secondary;
   double relative_uncertainty = 0.0;  ///< one standard, of K, inside the validity range [-]
-  std::string_view accuracy;          ///< what was compared with what, and how it came out
+  /// The same of K_II and K_III, where it is not that of K_I [-].
+  std::optional<double> shear_uncertainty = {};
+  std::string_view accuracy;  ///< what was compared with what, and how it came out
   Constraint constraint = Constraint::plane_strain;
+  /// sigma of Y = K/(sigma sqrt(pi a)): a stress of the uncracked body, and where.
+  std::string_view reference_stress = "the load itself";
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -71,11 +76,16 @@ struct SolutionInfo {
     field({"equation", "", "first tag in the theory manual"}, &SolutionInfo::equation);
     field({"source", "", "keys of the references; - where derived"}, &SolutionInfo::source);
     field({"basis", "", "what holds the formula up"}, &SolutionInfo::basis);
-    field({"relative_uncertainty", "1", "one standard, of K, inside the validity range"},
+    field({"relative_uncertainty", "1",
+           "one standard, of K, inside the validity range; of K_I, if shear_uncertainty is there"},
           &SolutionInfo::relative_uncertainty);
+    field({"shear_uncertainty", "1", "the same of K_II and K_III, if it is not that of K_I"},
+          &SolutionInfo::shear_uncertainty);
     field({"accuracy", "", "what was compared with what, and how it came out"},
           &SolutionInfo::accuracy);
     field({"constraint", "", "plane strain or plane stress"}, &SolutionInfo::constraint);
+    field({"reference_stress", "", "sigma of Y = K/(sigma sqrt(pi a)), and where it is taken"},
+          &SolutionInfo::reference_stress);
   }
 };
 
@@ -114,7 +124,8 @@ struct FrontPoint {
 ///   - `validity(range)` calls `range(inside, text)` for each limit of the range in which the
 ///     stated accuracy holds;
 ///   - `gross_stress(load)`: nominal stress of the uncracked section per unit of a load, which
-///     makes K dimensionless, Y = K/(sigma sqrt(pi a)) [1 for a stress; 1/m^2, 1/m^3].
+///     makes K dimensionless, Y = K/(sigma sqrt(pi a)) [1 for a stress; 1/m^2, 1/m^3].  Where it is
+///     that at the front, `gross_stress(load, a)` is that at the size a.
 template <class S>
 concept Solution = SweptCrack<S> && Described<S> && requires(const S& s, std::size_t load) {
   { S::kInfo } -> std::convertible_to<const SolutionInfo&>;

@@ -84,8 +84,29 @@ void check_race_crack(const FieldPath& at, const GearSet& gear, const Crack& cra
                      "is read only with stress_driver = \"orthogonal_shear\"");
 }
 
+/// A crack of the inner ring lies across the hoop stress that opens it: its length runs along the
+/// axis of the drive, over the width of the ring.  A ring without a width is at least no wider than
+/// its circumference.
+void check_length_in_ring(const FieldPath& at, const GearSet& gear, const RaceSurfaceCrack& crack) {
+  const WaveGenerator& wg = *gear.wave_generator;
+  const double length = 2 * crack.depth / crack.aspect_ratio;
+  const double radius = wg.inner_ring_mean_radius ? *wg.inner_ring_mean_radius
+                        : wg.bearing              ? wg.bearing->inner_raceway_diameter / 2
+                                                  : gear.drive.pitch_diameter / 2;
+  const double room = wg.inner_ring_width.value_or(2 * std::numbers::pi * radius);
+  if (!clearly_less(room, length)) return;
+  throw InputError(
+      (at / "aspect_ratio").text(), crack.aspect_ratio, "1",
+      fmt::format(">= {:.4g}: the crack runs along the axis, and its length 2c = 2 "
+                  "depth/aspect_ratio = {:.4g} mm must fit into the ring, {:.4g} mm {}",
+                  2 * crack.depth / room, length / units::mm, room / units::mm,
+                  wg.inner_ring_width ? "wide (inner_ring_width)"
+                                      : "round (no inner_ring_width is given)"));
+}
+
 void check_crack(const FieldPath& at, const GearSet& gear, const RaceSurfaceCrack& crack) {
   check_race_crack(at, gear, crack);
+  check_length_in_ring(at, gear, crack);
   if (crack.stress_driver == StressDriver::ring_bending) check_waves_that_bend(gear);
 }
 
@@ -159,8 +180,8 @@ void check_crack(const FieldPath& at, const GearSet& gear, const DiaphragmGroove
 template <class Crack>
 double check_wall_crack(const FieldPath& at, const GearSet& gear, const Crack& crack) {
   const Flexspline& fs = *gear.flexspline;
-  double wall = fs.wall_thickness;
-  double length = fs.length;
+  double wall = fs.ring_thickness();
+  double length = fs.tube_length();
   double diameter = gear.drive.pitch_diameter;
   if (fs.crack_free == CrackFree::sections) {
     if (crack.section == WallSection::rim && !fs.rim)
@@ -232,6 +253,21 @@ void check_cracks(const GearSet& gear, const FieldPath& member, const Cracks& cr
                cracks[i]);
 }
 
+/// Balls fit side by side on the pitch circle, and no more carry a lobe than there are.
+void check_balls(const FieldPath& path, const Bearing& bearing) {
+  if (!bearing.ball_count) return;
+  const int count = *bearing.ball_count;
+  const double pitch_radius = (bearing.inner_raceway_diameter + bearing.outer_raceway_diameter) / 4;
+  const double half_angle = std::asin(std::min(1.0, bearing.ball_diameter / (2 * pitch_radius)));
+  const double room = std::numbers::pi / half_angle;
+  require(!clearly_less(room, count), (path / "ball_count").text(), count, "1",
+          fmt::format(
+              "<= {:.0f}: more balls of {:.4g} mm overlap on their pitch circle of {:.4g} mm",
+              std::floor(room), bearing.ball_diameter / units::mm, 2 * pitch_radius / units::mm));
+  require(!clearly_less(count, bearing.loaded_balls), (path / "loaded_balls").text(),
+          bearing.loaded_balls, "1", fmt::format("<= ball_count, {}", count));
+}
+
 void check_wave_generator(const GearSet& gear) {
   const WaveGenerator& wg = *gear.wave_generator;
   const FieldPath path("wave_generator");
@@ -276,6 +312,7 @@ void check_wave_generator(const GearSet& gear) {
     if (wg.bearing->ball_count)
       require(*wg.bearing->ball_count >= 3 && *wg.bearing->ball_count <= 200,
               (bearing / "ball_count").text(), *wg.bearing->ball_count, "1", ">= 3 and <= 200");
+    check_balls(bearing, *wg.bearing);
     if (wg.bearing->outer_ring) {
       const BearingRing& ring = *wg.bearing->outer_ring;
       require(ring.thickness < ring.mean_radius, (bearing / "outer_ring" / "thickness").text(),
@@ -335,8 +372,9 @@ void check_flexspline(const GearSet& gear) {
   const Flexspline& fs = *gear.flexspline;
   const FieldPath path("flexspline");
   (void)material_of(gear, fs.material, (path / "material").text());
-  require(fs.wall_thickness < gear.drive.pitch_diameter / 2, (path / "wall_thickness").text(),
-          fs.wall_thickness, "m", "wall_thickness < drive.pitch_diameter/2");
+  if (fs.wall_thickness)
+    require(*fs.wall_thickness < gear.drive.pitch_diameter / 2, (path / "wall_thickness").text(),
+            *fs.wall_thickness, "m", "wall_thickness < drive.pitch_diameter/2");
   if (fs.rim) check_tube(path / "rim", *fs.rim);
   if (fs.barrel) check_tube(path / "barrel", *fs.barrel);
   if (fs.boss) check_tube(path / "boss", *fs.boss);
@@ -345,9 +383,9 @@ void check_flexspline(const GearSet& gear) {
     if (!fs.barrel)
       throw InputError((path / "barrel").text(),
                        "must be given where crack_free = \"sections\" (smooth tube)");
-    const double tubes = fs.barrel->length + (fs.rim ? fs.rim->length : 0.0);
-    require(!clearly_less(fs.length, tubes), (path / "length").text(), fs.length, "m",
-            "length >= barrel.length + rim.length");
+    if (fs.length)
+      require(!clearly_less(*fs.length, fs.tube_length()), (path / "length").text(), *fs.length,
+              "m", "length >= barrel.length + rim.length");
     if (fs.shape_factor)
       throw InputError((path / "shape_factor").text(),
                        "is read only where crack_free = \"factor\"");
@@ -362,6 +400,11 @@ void check_flexspline(const GearSet& gear) {
                                              : "flange_compliance";
     throw InputError((path / given).text(), "is read only where crack_free = \"sections\"");
   }
+  if (fs.crack_free == CrackFree::factor)
+    for (const auto& [field, value] :
+         {std::pair{"wall_thickness", fs.wall_thickness}, {"length", fs.length}})
+      if (!value)
+        throw InputError((path / field).text(), "must be given where crack_free = \"factor\" [m]");
   check_cracks(gear, path, fs.crack);
   check_overlaps(path / "crack", fs);
   if (fs.rim)

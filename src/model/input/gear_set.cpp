@@ -68,6 +68,7 @@ void set_number(GearSet& gear, std::string_view path, double value) {
     if (field.find('.') != std::string_view::npos) continue;  // "a" is no part of the name "a.b"
     const std::string remark = fmt::format("; {} was set since", field);
     if (material.origin.find(remark) == std::string::npos) material.origin += remark;
+    std::erase(material.from_library, field);
   }
 }
 

@@ -93,7 +93,8 @@ struct RaceSurfaceCrack {
     field(kCrackDepthField, &RaceSurfaceCrack::depth);
     field(Field{.name = "aspect_ratio",
                 .unit = "1",
-                .doc = "a/c, depth per half length",
+                .doc = "a/c, depth per half length; the length 2c runs along the axis, within the "
+                       "ring's width",
                 .range = {.lower = 0.0, .upper = 1.0, .upper_open = false},
                 .example = "0.5"},
           &RaceSurfaceCrack::aspect_ratio);

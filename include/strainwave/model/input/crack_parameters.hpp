@@ -23,8 +23,8 @@ template <class Real>
                                                     {"angle", "rad", lift(crack.angle)}};
   if (fs.crack_free == CrackFree::factor) {
     numbers.push_back({"outer_diameter", "m", lift(gear.drive.pitch_diameter)});
-    numbers.push_back({"wall_thickness", "m", lift(fs.wall_thickness)});
-    numbers.push_back({"length", "m", lift(fs.length)});
+    numbers.push_back({"wall_thickness", "m", lift(*fs.wall_thickness)});
+    numbers.push_back({"length", "m", lift(*fs.length)});
   } else {
     const TubeSection& wall = crack.section == WallSection::rim ? *fs.rim : *fs.barrel;
     numbers.push_back({"outer_diameter", "m", lift(wall.outer_diameter)});

@@ -28,6 +28,9 @@ struct EnumNames<CrackFree> {
   static constexpr std::array<std::string_view, 2> names = {"factor", "sections"};
 };
 
+/// What walls and rings are as a rule [m].
+inline constexpr Range kUsualThickness{.lower = 5e-5, .upper = 0.2};
+
 /// A round tube: rim, barrel or boss of a flexspline.
 struct TubeSection {
   double outer_diameter = 0.0;  ///< D [m]; > 0
@@ -46,7 +49,8 @@ struct TubeSection {
                 .unit = "m",
                 .doc = "wall thickness",
                 .range = kPositive,
-                .example = R"("2.24 mm")"},
+                .example = R"("2.24 mm")",
+                .usual = kUsualThickness},
           &TubeSection::wall_thickness);
     field(Field{.name = "length",
                 .unit = "m",
@@ -106,7 +110,8 @@ struct Diaphragm {
                 .unit = "m",
                 .doc = "constant thickness; with a profile, that at the outer diameter",
                 .range = kPositive,
-                .example = R"("3 mm")"},
+                .example = R"("3 mm")",
+                .usual = kUsualThickness},
           &Diaphragm::thickness);
     field(Field{.name = "profile",
                 .unit = "",
@@ -149,8 +154,10 @@ template <class Real>
 struct Flexspline {
   std::string material;
   FlexsplineShape shape = FlexsplineShape::cup;
-  double wall_thickness = 0.0;  ///< delta, at the tooth ring [m]; > 0
-  double length = 0.0;          ///< L [m]; > 0
+  /// delta, at the tooth ring [m]; > 0.  `factor` needs it; of `sections` it is that of the rim.
+  std::optional<double> wall_thickness = {};
+  /// L [m]; > 0.  `factor` needs it; of `sections` it is that of rim and barrel.
+  std::optional<double> length = {};
   CrackFree crack_free = CrackFree::factor;
   std::optional<double> shape_factor;  ///< k of `factor` [-]; else 0.83 for a cup, 1 for a cylinder
   double stress_nonuniformity = 1.0;   ///< K_u, multiplies the shear stress of torque [-]; > 0
@@ -161,6 +168,16 @@ struct Flexspline {
   std::optional<TubeSection> boss;     ///< of `sections`
   double flange_compliance = 0.0;      ///< of boss bolts and output flange [rad/(N*m)]; >= 0
   std::vector<FlexsplineCrack> crack;
+
+  /// Length of the toothed and the smooth tube together [m].
+  [[nodiscard]] double tube_length() const {
+    return crack_free == CrackFree::factor ? *length : (rim ? rim->length : 0.0) + barrel->length;
+  }
+  /// Thickness of the wall that the wave generator bends: of the rim, if there is one [m].
+  [[nodiscard]] const double& ring_thickness() const {
+    if (crack_free == CrackFree::factor) return *wall_thickness;
+    return rim ? rim->wall_thickness : wall_thickness ? *wall_thickness : barrel->wall_thickness;
+  }
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -177,13 +194,14 @@ struct Flexspline {
           &Flexspline::shape);
     field(Field{.name = "wall_thickness",
                 .unit = "m",
-                .doc = "delta, at the tooth ring",
+                .doc = "delta, at the tooth ring; not needed with sections, whose rim gives it",
                 .range = kPositive,
-                .example = R"("2.24 mm")"},
+                .example = R"("2.24 mm")",
+                .usual = kUsualThickness},
           &Flexspline::wall_thickness);
     field(Field{.name = "length",
                 .unit = "m",
-                .doc = "L, of the cylinder",
+                .doc = "L, of the cylinder; not needed with sections, whose rim and barrel give it",
                 .range = kPositive,
                 .example = R"("160 mm")"},
           &Flexspline::length);

@@ -36,7 +36,8 @@ struct Transmission {
                 .unit = "1",
                 .doc = "i_h, with the circular spline fixed",
                 .range = kPositive,
-                .example = "100"},
+                .example = "100",
+                .usual = {.lower = 10.0, .upper = 1000.0}},
           &Transmission::ratio);
     field(Field{.name = "wave_number",
                 .unit = "1",
@@ -49,13 +50,15 @@ struct Transmission {
                 .unit = "m",
                 .doc = "d_1, of the flexspline",
                 .range = kPositive,
-                .example = R"("160 mm")"},
+                .example = R"("160 mm")",
+                .usual = {.lower = 2e-3, .upper = 2.0}},
           &Transmission::pitch_diameter);
     field(Field{.name = "radial_displacement",
                 .unit = "m",
                 .doc = "w_0, amplitude of the flexspline's deflection",
                 .range = kPositive,
-                .example = R"("0.8 mm")"},
+                .example = R"("0.8 mm")",
+                .usual = {.lower = 5e-6, .upper = 0.05}},
           &Transmission::radial_displacement);
   }
 };

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/fields.hpp"
@@ -15,6 +16,8 @@ namespace strainwave {
 /// Two of E, G, nu define it.  All three may be given, because published examples do so; then E,
 /// G and nu are used where a formula asks for them, and a note reports a contradiction.
 struct Material {
+  /// A record of the material library that gives what this table does not.
+  std::optional<std::string> based_on = {};
   double youngs_modulus = 0.0;           ///< E, Young's modulus [Pa]; > 0
   std::optional<double> shear_modulus;   ///< G (mu in the manual), shear modulus [Pa]; > 0
   std::optional<double> poissons_ratio;  ///< nu, Poisson's ratio [-]; in (-1, 0.5)
@@ -26,45 +29,62 @@ struct Material {
   /// result.  Empty: the input gives them.  No field of the input file.
   std::string origin = {};
   bool verified = true;  ///< false: that sentence names numbers that nobody has checked
+  /// Fields that the material library gives.  No field of the input file.
+  std::vector<std::string> from_library = {};
+
+  /// A table of the input file, if only to complete a record of the library.
+  [[nodiscard]] bool in_file() const { return origin.empty() || based_on; }
 
   template <class Visitor>
   static void describe(Visitor&& field) {
+    field(Field{.name = "based_on",
+                .unit = "",
+                .doc = "steel of the material library that gives the fields left out here",
+                .example = R"("40CrNiMoA QT")",
+                .in_template = InTemplate::commented},
+          &Material::based_on);
     field(Field{.name = "youngs_modulus",
                 .unit = "Pa",
                 .doc = "Young's modulus E",
                 .range = kPositive,
-                .example = R"("210 GPa")"},
+                .example = R"("210 GPa")",
+                .usual = {.lower = 20e9, .upper = 800e9},
+                .unless = "based_on"},
           &Material::youngs_modulus);
     field(Field{.name = "shear_modulus",
                 .unit = "Pa",
                 .doc = "shear modulus G; E/(2(1+nu)) when left out",
                 .range = kPositive,
                 .example = R"("80.77 GPa")",
-                .in_template = InTemplate::commented},
+                .in_template = InTemplate::commented,
+                .usual = {.lower = 8e9, .upper = 320e9}},
           &Material::shear_modulus);
     field(Field{.name = "poissons_ratio",
                 .unit = "1",
                 .doc = "Poisson's ratio nu; E/(2G)-1 when left out",
                 .range = {.lower = -1.0, .upper = 0.5},
-                .example = "0.3"},
+                .example = "0.3",
+                .usual = {.lower = 0.05, .upper = 0.49}},
           &Material::poissons_ratio);
     field(Field{.name = "yield_strength",
                 .unit = "Pa",
-                .doc = "yield strength; needed for plastic zone sizes",
+                .doc = "yield strength; strength and plastic zone of a crack need it",
                 .range = kPositive,
                 .example = R"("900 MPa")",
-                .in_template = InTemplate::commented},
+                .in_template = InTemplate::commented,
+                .usual = {.lower = 50e6, .upper = 5e9}},
           &Material::yield_strength);
     field(Field{.name = "ultimate_strength",
                 .unit = "Pa",
                 .doc = "tensile strength; not below yield_strength",
                 .range = kPositive,
                 .example = R"("1000 MPa")",
-                .in_template = InTemplate::commented},
+                .in_template = InTemplate::commented,
+                .usual = {.lower = 50e6, .upper = 7e9}},
           &Material::ultimate_strength);
     field(Field{.name = "fracture_toughness",
                 .unit = "Pa*m^0.5",
-                .doc = "fracture toughness K_Ic; needed for utilisations",
+                .doc = "fracture toughness K_Ic; strength and utilisation of a crack need it",
                 .range = kPositive,
                 .example = R"("60 MPa*m^0.5")",
                 .in_template = InTemplate::commented},

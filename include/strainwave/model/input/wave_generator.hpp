@@ -235,7 +235,7 @@ struct WaveGenerator {
           &WaveGenerator::inner_ring_thickness);
     field(Field{.name = "inner_ring_width",
                 .unit = "m",
-                .doc = "axial; edge cracks and ring_bending need it",
+                .doc = "axial; edge cracks and ring_bending need it, surface cracks fit into it",
                 .range = kPositive,
                 .example = R"("20 mm")",
                 .in_template = InTemplate::commented},

@@ -25,7 +25,8 @@ struct BarAnnularCrack {
       .accuracy =
           "fits within 0.1 % of axisymmetric finite elements (first harmonic in bending); exact "
           "for shallow and for deep cracks",
-      .constraint = Constraint::plane_strain};
+      .constraint = Constraint::plane_strain,
+      .reference_stress = "P/A, M r/I, T r/(2I) of the uncracked bar at the surface, r = d/2"};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo = kAnnularLoads;
   static constexpr auto kPoints = kAnnularPoints;

@@ -11,18 +11,20 @@ namespace strainwave::sif {
 /// Implements theory manual eq. (SB-5): factors on the nominal stress at the front.
 /// K_I of the moment varies as cos(theta) along the front and is negative on the pressed side.
 struct HollowAnnularInnerCrack {
-  static constexpr SolutionInfo kInfo{.name = "hollow-annular-inner",
-                                      .family = "bar",
-                                      .title = "Annular crack in the inner surface of a hollow bar",
-                                      .modes = "I, III",
-                                      .equation = "SB-5",
-                                      .source = "-",
-                                      .basis = Basis::computed,
-                                      .relative_uncertainty = 0.005,
-                                      .accuracy =
-                                          "within 0.12 % of axisymmetric finite elements, energies "
-                                          "within 0.1 %",
-                                      .constraint = Constraint::plane_strain};
+  static constexpr SolutionInfo kInfo{
+      .name = "hollow-annular-inner",
+      .family = "bar",
+      .title = "Annular crack in the inner surface of a hollow bar",
+      .modes = "I, III",
+      .equation = "SB-5",
+      .source = "-",
+      .basis = Basis::computed,
+      .relative_uncertainty = 0.005,
+      .accuracy =
+          "within 0.12 % of axisymmetric finite elements, energies "
+          "within 0.1 %",
+      .constraint = Constraint::plane_strain,
+      .reference_stress = "P/A, M r/I, T r/(2I) of the uncracked bar at the front, r = r_i + a"};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo = kAnnularLoads;
   static constexpr auto kPoints = kAnnularPoints;
@@ -50,9 +52,11 @@ struct HollowAnnularInnerCrack {
   void validity(Limit&& limit) const {
     limit(inner_diameter <= 0.98 * outer_diameter, "r_i/r_o <= 0.98");
   }
-  [[nodiscard]] double gross_stress(std::size_t load) const {
-    return section().stress(load, inner_diameter / 2);
+  /// At the front, r = r_i + a; (SB-5).
+  [[nodiscard]] double gross_stress(std::size_t load, double a) const {
+    return section().stress(load, inner_diameter / 2 + a);
   }
+  [[nodiscard]] double gross_stress(std::size_t load) const { return gross_stress(load, depth); }
 
   [[nodiscard]] double size() const { return depth; }
   /// Half of the front, theta from the most pulled fibre.

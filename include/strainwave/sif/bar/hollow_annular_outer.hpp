@@ -12,18 +12,21 @@ namespace strainwave::sif {
 /// Implements theory manual eqs. (FR-14) to (FR-16) in torsion and tension, (SB-4) in bending.
 /// K_I of the moment varies as cos(theta) along the front and is negative on the pressed side.
 struct HollowAnnularOuterCrack {
-  static constexpr SolutionInfo kInfo{.name = "hollow-annular-outer",
-                                      .family = "bar",
-                                      .title = "Annular crack in the outer surface of a hollow bar",
-                                      .modes = "I, III",
-                                      .equation = "SB-4",
-                                      .source = "-",
-                                      .basis = Basis::computed,
-                                      .relative_uncertainty = 0.005,
-                                      .accuracy =
-                                          "within 0.3 % of axisymmetric finite elements: tension "
-                                          "and torsion by (FR-14), (FR-15), bending within 0.1 %",
-                                      .constraint = Constraint::plane_strain};
+  static constexpr SolutionInfo kInfo{
+      .name = "hollow-annular-outer",
+      .family = "bar",
+      .title = "Annular crack in the outer surface of a hollow bar",
+      .modes = "I, III",
+      .equation = "SB-4",
+      .source = "-",
+      .basis = Basis::computed,
+      .relative_uncertainty = 0.005,
+      .accuracy =
+          "within 0.3 % of axisymmetric finite elements: tension "
+          "and torsion by (FR-14), (FR-15), bending within 0.1 %",
+      .constraint = Constraint::plane_strain,
+      .reference_stress =
+          "P/A, M r/I, T r/(2I) of the uncracked bar at the outer surface, r = r_o"};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo = kAnnularLoads;
   static constexpr auto kPoints = kAnnularPoints;

@@ -22,7 +22,9 @@ struct HollowSurfaceInnerCrack {
       .accuracy =
           "finite elements of the bar: K_I of the plate 3 % low to 17 % high, K_II and K_III "
           "within 0.12 tau sqrt(pi a)",
-      .constraint = Constraint::plane_strain};
+      .constraint = Constraint::plane_strain,
+      .reference_stress =
+          "P/A, M r/I, T r/(2I) of the uncracked bar at the cracked surface, r = r_i"};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo = kOneSidedLoads;
   static constexpr std::array<FrontPoint, 2> kPoints{FrontPoint{"surface", 0.0},

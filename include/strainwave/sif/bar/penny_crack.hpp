@@ -11,18 +11,20 @@ namespace strainwave::sif {
 /// Implements theory manual eq. (SB-6): factors on the nominal stress at the front, exact for a
 /// small crack.  K_I of the moment varies as cos(theta) and is negative on the pressed side.
 struct BarPennyCrack {
-  static constexpr SolutionInfo kInfo{.name = "bar-penny",
-                                      .family = "bar",
-                                      .title = "Penny-shaped crack in the middle of a solid bar",
-                                      .modes = "I, III",
-                                      .equation = "SB-6",
-                                      .source = "sneddon1946",
-                                      .basis = Basis::computed,
-                                      .relative_uncertainty = 0.002,
-                                      .accuracy =
-                                          "table and interpolation within 0.1 % of axisymmetric "
-                                          "finite elements; exact for a small crack",
-                                      .constraint = Constraint::plane_strain};
+  static constexpr SolutionInfo kInfo{
+      .name = "bar-penny",
+      .family = "bar",
+      .title = "Penny-shaped crack in the middle of a solid bar",
+      .modes = "I, III",
+      .equation = "SB-6",
+      .source = "sneddon1946",
+      .basis = Basis::computed,
+      .relative_uncertainty = 0.002,
+      .accuracy =
+          "table and interpolation within 0.1 % of axisymmetric "
+          "finite elements; exact for a small crack",
+      .constraint = Constraint::plane_strain,
+      .reference_stress = "P/A, M r/I, T r/(2I) of the uncracked bar at the front, r = a"};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo = kAnnularLoads;
   static constexpr auto kPoints = kAnnularPoints;
@@ -48,10 +50,11 @@ struct BarPennyCrack {
   void validity(Limit&& limit) const {
     limit(radius <= 0.45 * diameter, "2a/d <= 0.9");
   }
-  /// At the surface of the bar.
-  [[nodiscard]] double gross_stress(std::size_t load) const {
-    return section().stress(load, diameter / 2);
+  /// At the front, r = a; (SB-6).
+  [[nodiscard]] double gross_stress(std::size_t load, double a) const {
+    return section().stress(load, a);
   }
+  [[nodiscard]] double gross_stress(std::size_t load) const { return gross_stress(load, radius); }
 
   [[nodiscard]] double size() const { return radius; }
   /// Half of the front, theta from the most pulled point.

@@ -20,10 +20,12 @@ struct BarStraightCrack {
       .source = "shincai2004",
       .basis = Basis::computed,
       .relative_uncertainty = 0.03,
+      .shear_uncertainty = 0.05,
       .accuracy =
           "finite elements; K_I in the middle within 1 % of shincai2004 in bending, K_II, K_III 5 "
           "%; not at the surface itself; nu = 0.3",
-      .constraint = Constraint::plane_strain};
+      .constraint = Constraint::plane_strain,
+      .reference_stress = "P/A, M r/I, T r/(2I) of the uncracked bar at the surface, r = d/2"};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo = kOneSidedLoads;
   static constexpr auto kPoints = kOneSidedPoints;
@@ -42,7 +44,7 @@ struct BarStraightCrack {
   }
   template <class Limit>
   void validity(Limit&& limit) const {
-    limit(depth >= 0.05 * diameter, "a/d >= 0.05");
+    limit(depth >= 0.1 * diameter, "a/d >= 0.1");
   }
   [[nodiscard]] double gross_stress(std::size_t load) const {
     return RoundSection{.outer_radius = diameter / 2}.stress(load, diameter / 2);

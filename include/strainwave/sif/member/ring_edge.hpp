@@ -25,6 +25,15 @@ enum class StripLoading {
 /// @param depth_ratio  alpha = a/t [-]; in [0, 1)
 [[nodiscard]] double edge_crack_factor(StripLoading loading, double depth_ratio);
 
+/// a/t beyond which a crack that a deeper one would cut through has no answer, neither an edge
+/// crack nor a surface crack [-].
+///
+/// Newman and Raju's fit (FR-4) stays finite where the ligament vanishes.  A long crack shows where
+/// that begins to tell, for each slice of it is an edge crack: the fit's energy is above the sum of
+/// the slices up to a/t = 0.91, and half of it at 0.95.  Of a ring with an edge crack little but a
+/// hinge is left there, and what holds the ring decides.
+inline constexpr double kUsableDepthRatio = 0.9;
+
 /// Edge crack through the whole width of a ring, load [lobe force].
 template <class Real>
 struct BasicEdgeCrack {

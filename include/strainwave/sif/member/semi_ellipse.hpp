@@ -8,9 +8,14 @@
 
 #include "strainwave/fracture/crack_compliance.hpp"
 #include "strainwave/sif/kassir_sih.hpp"
+#include "strainwave/sif/member/ring_edge.hpp"
 #include "strainwave/sif/newman_raju.hpp"
 
 namespace strainwave::sif {
+
+/// a/t and a/c to which the finite elements behind Newman and Raju's fit reach [-]; (FR-4).
+inline constexpr double kFittedDepthRatio = 0.8;
+inline constexpr double kFittedAspectRatio = 0.2;
 
 /// Semi-elliptical surface crack under N generalised loads, growing at a constant aspect ratio.
 ///
@@ -27,7 +32,9 @@ class SurfaceCrack {
     Real poissons_ratio{0.3};
     std::array<Real, N> normal_stress{};  ///< on the crack plane, per unit of load [1/m^2 ...]
     std::array<Real, N> shear_stress{};   ///< along the surface, per unit of load
-    bool open = true;                     ///< false: the faces touch, K_I = 0 (FR-17)
+    /// How the normal stress varies over the thickness; it is that of the cracked surface.
+    StripLoading loading = StripLoading::tension;
+    bool open = true;  ///< false: the faces touch, K_I = 0 (FR-17)
   };
 
   explicit SurfaceCrack(const Parameters& parameters)
@@ -59,7 +66,7 @@ class SurfaceCrack {
   [[nodiscard]] UnitStressIntensity<N, Real> stress_intensity(const Real& a, double phi) const {
     using std::sqrt;
     const Real root = sqrt(std::numbers::pi * a);
-    const Real F_I = p_.open ? Real(tension_.factor(a / p_.thickness, phi) * root) : Real(0.0);
+    const Real F_I = p_.open ? Real(opening_factor(a / p_.thickness, phi) * root) : Real(0.0);
     const Real F_II = sheared_ ? Real(shear_.factor_II(phi) * root) : Real(0.0);
     const Real F_III = sheared_ ? Real(shear_.factor_III(phi) * root) : Real(0.0);
     UnitStressIntensity<N, Real> k;
@@ -72,6 +79,13 @@ class SurfaceCrack {
   }
 
  private:
+  /// K_I/(sigma sqrt(pi a)) [-]; (FR-4), in bending times (SP-3).
+  [[nodiscard]] Real opening_factor(const Real& alpha, double phi) const {
+    const Real tension = tension_.factor(alpha, phi);
+    return p_.loading == StripLoading::tension ? tension
+                                               : Real(tension * tension_.bending_ratio(alpha, phi));
+  }
+
   Parameters p_;
   BasicNewmanRaju<Real> tension_;
   BasicKassirSih<Real> shear_;

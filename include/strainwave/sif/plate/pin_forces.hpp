@@ -24,7 +24,8 @@ struct PlatePinForces {
       .basis = Basis::exact,
       .relative_uncertainty = 0.0,
       .accuracy = "exact for point forces in an infinite plate; derived",
-      .constraint = Constraint::plane_stress};
+      .constraint = Constraint::plane_stress,
+      .reference_stress = "stress of the uncracked plate midway between the pins"};
   static constexpr std::size_t kLoads = 1;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
       LoadInfo{"force", "N", "of each pin, away from the crack and normal to it"}};

@@ -26,7 +26,9 @@ struct TubeEdgeAxial {
       .basis = Basis::computed,
       .relative_uncertainty = 0.01,
       .accuracy = "plane-strain finite elements of rings, r/t 5 to 20, a/t 0.2 to 0.6: 0.7 %",
-      .constraint = Constraint::plane_strain};
+      .constraint = Constraint::plane_strain,
+      .reference_stress =
+          "mean over the wall of the hoop stress of the pressure; a stress is itself"};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
       LoadInfo{"pressure", "Pa",

@@ -23,7 +23,9 @@ struct AxialSurfaceCase {
       .basis = Basis::secondary,
       .relative_uncertainty = 0.07,
       .accuracy = "plate fit within 5 %; 0 to 9 % above the cylinder factor of newmanraju1980",
-      .constraint = Constraint::plane_strain};
+      .constraint = Constraint::plane_strain,
+      .reference_stress =
+          "mean over the wall of the hoop stress of the pressure; a stress is itself"};
   static constexpr std::array<LoadInfo, 2> kLoadInfo{
       LoadInfo{"pressure", "Pa",
                face == Face::inner ? "inside, also on the crack's faces" : "inside"},

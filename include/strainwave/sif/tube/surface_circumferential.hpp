@@ -24,7 +24,9 @@ struct CircumferentialSurfaceCase {
       .basis = Basis::secondary,
       .relative_uncertainty = 0.1,
       .accuracy = "plate fit within 5 %; the curvature is not in it",
-      .constraint = Constraint::plane_strain};
+      .constraint = Constraint::plane_strain,
+      .reference_stress =
+          "axial stress, and bending stress at the cracked face, of the uncracked tube"};
   static constexpr std::array<LoadInfo, 2> kLoadInfo{
       LoadInfo{"axial_force", "N", "tension"},
       LoadInfo{"bending_moment", "N*m", "tension in the middle of the crack"}};

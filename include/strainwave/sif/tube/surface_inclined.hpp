@@ -25,7 +25,8 @@ struct TubeSurfaceInclined {
       .relative_uncertainty = 0.1,
       .accuracy =
           "K_I: fit within 5 %, finite elements 2.6 %; K_II, K_III: exact without free faces",
-      .constraint = Constraint::plane_strain};
+      .constraint = Constraint::plane_strain,
+      .reference_stress = "mean over the wall of the axial and shear stress of the uncracked tube"};
   static constexpr std::size_t kLoads = 2;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
       LoadInfo{"axial_force", "N", "tension"},

@@ -23,7 +23,10 @@ struct TubeThroughAxial {
                                           "table to 0.1 % of shallow-shell theory, whose energy at "
                                           "45 deg is within 1.6 % of finite "
                                           "elements; within 3 % of Folias' fit for long cracks",
-                                      .constraint = Constraint::plane_stress};
+                                      .constraint = Constraint::plane_stress,
+                                      .reference_stress =
+                                          "mean over the wall of the hoop and shear stress of the "
+                                          "uncracked tube; a stress is itself"};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
       LoadInfo{"pressure", "Pa", "inside; not on the crack's faces"},

@@ -24,7 +24,10 @@ struct TubeThroughCircumferential {
       .accuracy =
           "table to 0.3 % of Sanders' shell; zahoor1985, a fit of finite elements, within 4 % to "
           "72 deg and 10 % to 180 deg of crack",
-      .constraint = Constraint::plane_stress};
+      .constraint = Constraint::plane_stress,
+      .reference_stress =
+          "axial, largest bending and shear stress of the uncracked tube, in the middle of the "
+          "wall"};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
       LoadInfo{"axial_force", "N", "tension, on the axis of the tube"},

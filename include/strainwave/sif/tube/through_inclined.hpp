@@ -24,7 +24,9 @@ struct TubeThroughInclined {
       .accuracy =
           "table to 0.1 % of shallow-shell theory; finite elements have up to 3 % more K "
           "(r/t 20 to 60, lambda <= 4)",
-      .constraint = Constraint::plane_stress};
+      .constraint = Constraint::plane_stress,
+      .reference_stress =
+          "mean over the wall of the axial, shear and hoop stress of the uncracked tube"};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
       LoadInfo{"axial_force", "N", "tension"},

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/model/result/input_notes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "strainwave/core/units.hpp"
+#include "support/article_gear.hpp"
+
+namespace strainwave {
+namespace {
+
+using namespace units;  // NOLINT(google-build-using-namespace): 3 * mm reads as it should
+
+GearSet gear_of_sections() {
+  GearSet gear = test::article_gear();
+  Flexspline& fs = *gear.flexspline;
+  fs.crack_free = CrackFree::sections;
+  fs.rim = TubeSection{.outer_diameter = 160 * mm, .wall_thickness = 3 * mm, .length = 30 * mm};
+  fs.barrel = TubeSection{.outer_diameter = 158 * mm, .wall_thickness = 2 * mm, .length = 100 * mm};
+  fs.diaphragm = Diaphragm{
+      .outer_diameter = 154 * mm, .inner_diameter = 80 * mm, .thickness = 3 * mm, .profile = {}};
+  fs.length.reset();
+  fs.wall_thickness.reset();
+  return gear;
+}
+
+/// The text of the only note of a code at a field; empty if there is not exactly one.
+std::string text_of(const GearSet& gear, std::string_view code, std::string_view path) {
+  std::string text;
+  int count = 0;
+  for (const Note& note : input_notes(gear)) {
+    if (note.code != code || note.path != path) continue;
+    EXPECT_EQ(note.severity, Severity::care);
+    EXPECT_FALSE(note.next_step.empty());
+    text = note.text;
+    ++count;
+  }
+  return count == 1 ? text : std::string();
+}
+
+TEST(InputNotes, BehaviourOrdinaryDrivesHaveNone) {
+  EXPECT_TRUE(input_notes(test::article_gear()).empty());
+  EXPECT_TRUE(input_notes(gear_of_sections()).empty());
+}
+
+TEST(InputNotes, InputOutOfProportion) {
+  const auto noted = [](std::string_view path, double value) {
+    GearSet gear = test::article_gear();
+    set_number(gear, path, value);
+    return text_of(gear, "input.implausible", path);
+  };
+  EXPECT_EQ(noted("material.steel.youngs_modulus", 210),
+            "0.00021 MPa is out of proportion; usual is 20 GPa to 800 GPa");
+  EXPECT_EQ(noted("flexspline.wall_thickness", 2.24e-6),
+            "0.00224 mm is out of proportion; usual is 0.05 mm to 200 mm");
+  EXPECT_EQ(noted("drive.ratio", 1e-9), "1e-09 is out of proportion; usual is 10 to 1000");
+  // By the unit alone, and whatever the sign.
+  EXPECT_FALSE(noted("load.torque", 1e12).empty());
+  EXPECT_FALSE(noted("load.torque", -1e12).empty());
+  EXPECT_FALSE(noted("output_shaft.length", 100).empty());
+  EXPECT_TRUE(noted("load.axial_force", 0).empty());
+  EXPECT_TRUE(noted("load.torque", -100).empty());
+}
+
+TEST(InputNotes, InputLengthsThatTheSectionsContradict) {
+  GearSet gear = gear_of_sections();
+  gear.flexspline->length = 145 * mm;
+  gear.flexspline->wall_thickness = 0.6 * mm;
+  EXPECT_EQ(text_of(gear, "flexspline.contradiction", "flexspline.length"),
+            "145 mm is given here and 130 mm by rim.length + barrel.length, which holds");
+  EXPECT_EQ(text_of(gear, "flexspline.contradiction", "flexspline.wall_thickness"),
+            "0.6 mm is given here and 3 mm by rim.wall_thickness, which holds");
+  gear.flexspline->length = 130.1 * mm;  // rounded
+  gear.flexspline->wall_thickness = 3 * mm;
+  EXPECT_TRUE(input_notes(gear).empty());
+}
+
+TEST(InputNotes, IdentityEveryUsualRangeContainsItsExample) {
+  // The template of an input file is a drive in proportion: its examples are usual.
+  const GearSet gear = test::article_gear();
+  for_each_number(gear, [](const FieldPath& path, const Field& field, const double& value) {
+    const Range usual = usual_range(field);
+    EXPECT_TRUE(value == 0 || usual.contains(std::abs(value))) << path.text();
+  });
+}
+
+}  // namespace
+}  // namespace strainwave
