@@ -128,6 +128,21 @@ std::string no_assembly(const CoupledDrive& drive) {
                    state.residual, state.iterations);
 }
 
+/// Flanks that press on each other without torque.
+void note_interference(const CoupledDrive& drive, std::vector<Note>& notes) {
+  const double jam = drive.largest_flank_force(drive.assembled());
+  if (!(jam > 0)) return;
+  const double lobe_gap = drive.geometry().lobe_gap;
+  notes.push_back(
+      {"torsion.interference",
+       fmt::format("the flanks press on each other without torque, with up to {:.3g} N: {}", jam,
+                   lobe_gap < 0
+                       ? fmt::format("the lobe gap of {:.4g} um is an interference", 1e6 * lobe_gap)
+                       : std::string("the assembled ring bulges beside the lobes; see clearance, "
+                                     "cam_flattening, ball_count, flank_angle")),
+       "mesh.lobe_gap", "TC-6", Severity::care, "Check mesh.lobe_gap and the fields named here."});
+}
+
 /// Puts the cracks into the sound drive, on its cam, if it has one.
 void crack(AssembledDrive::Contents& into) {
   const ContactCracks& cracks = into.cracks;
@@ -219,6 +234,12 @@ AssembledDrive AssembledDrive::turned(double angle) const {
 
 const GearSet& AssembledDrive::gear() const { return contents_->gear; }
 const CoupledOptions& AssembledDrive::options() const { return contents_->options; }
+std::vector<Note> AssembledDrive::notes() const {
+  std::vector<Note> notes = contents_->notes;
+  if (contents_->fails_because.empty()) note_interference(contents_->drive, notes);
+  return notes;
+}
+const std::vector<std::string>& AssembledDrive::equations() const { return contents_->equations; }
 const std::string& AssembledDrive::fails_because() const { return contents_->fails_because; }
 double AssembledDrive::cam_amplitude() const { return contents_->drive.cam_amplitude(); }
 

@@ -28,27 +28,44 @@ constexpr double kMostDisplacement = 2;     //   and has a note beyond 0.6 to 1.
 constexpr int kLeastTeeth = 20;             // [-]: a tooth is small against the wave
 constexpr double kWhole = 1e-9;             // of a number of teeth [-]: rounding
 
-/// What the coupled drive needs beyond what `check` asks for: field and meaning of the first thing
-/// that is missing.
+/// A field that the coupled drive needs and `check` does not ask for, and its meaning.
 struct Missing {
   std::string field;
   std::string what;
 };
 
-std::optional<Missing> missing(const GearSet& gear) {
-  if (!gear.wave_generator) return Missing{"wave_generator", "the cam and its bearing"};
-  if (!gear.wave_generator->bearing) return Missing{"wave_generator.bearing", "balls and raceways"};
-  if (!gear.wave_generator->bearing->ball_count)
-    return Missing{"wave_generator.bearing.ball_count", "balls all round"};
-  if (!gear.wave_generator->bearing->outer_ring)
-    return Missing{"wave_generator.bearing.outer_ring", "it bends with the rim"};
-  if (!gear.flexspline) return Missing{"flexspline", "the cup"};
-  if (gear.flexspline->crack_free != CrackFree::sections)
-    return Missing{"flexspline.crack_free", "\"sections\", with rim, barrel and diaphragm"};
-  if (!gear.flexspline->rim) return Missing{"flexspline.rim", "the toothed ring"};
-  if (!gear.flexspline->diaphragm) return Missing{"flexspline.diaphragm", "the bottom of the cup"};
-  if (!gear.mesh) return Missing{"mesh", "tooth engagement"};
-  return std::nullopt;
+/// Everything that is missing for the coupled drive, in the order of the file.
+std::vector<Missing> missing(const GearSet& gear) {
+  std::vector<Missing> fields;
+  const auto need = [&](bool given, const char* field, const char* what) {
+    if (!given) fields.push_back({field, what});
+    return given;
+  };
+  if (need(gear.wave_generator.has_value(), "wave_generator", "the cam and its bearing") &&
+      need(gear.wave_generator->bearing.has_value(), "wave_generator.bearing",
+           "balls and raceways")) {
+    const Bearing& bearing = *gear.wave_generator->bearing;
+    need(bearing.ball_count.has_value(), "wave_generator.bearing.ball_count", "balls all round");
+    need(bearing.outer_ring.has_value(), "wave_generator.bearing.outer_ring",
+         "it bends with the rim");
+  }
+  if (need(gear.flexspline.has_value(), "flexspline", "the cup")) {
+    const Flexspline& fs = *gear.flexspline;
+    need(fs.crack_free == CrackFree::sections, "flexspline.crack_free",
+         "\"sections\", with rim, barrel and diaphragm");
+    need(fs.rim.has_value(), "flexspline.rim", "the toothed ring");
+    need(fs.diaphragm.has_value(), "flexspline.diaphragm", "the bottom of the cup");
+  }
+  need(gear.mesh.has_value(), "mesh", "tooth engagement");
+  return fields;
+}
+
+/// "must be given for the torsion curve (balls and raceways), as must mesh": of the first of them.
+std::string rule_of(const std::vector<Missing>& gaps) {
+  std::string rule = fmt::format("must be given for the torsion curve ({})", gaps.front().what);
+  for (std::size_t i = 1; i < gaps.size(); ++i)
+    rule += fmt::format("{}{}", i == 1 ? ", as must " : ", ", gaps[i].field);
+  return rule;
 }
 
 /// Bending stiffness of a section, E b t^3/12 times a factor [N*m^2].
@@ -90,9 +107,8 @@ double race_crack_compliance(const GearSet& gear, const std::string& path, doubl
 /// The rules of the coupled drive, beyond those of `check`.
 void check_coupled(const GearSet& gear, const CoupledOptions& options) {
   check(gear);
-  if (const auto gap = missing(gear))
-    throw InputError(gap->field,
-                     fmt::format("must be given for the torsion curve ({})", gap->what));
+  if (const auto gaps = missing(gear); !gaps.empty())
+    throw InputError(gaps.front().field, rule_of(gaps));
   require(options.harmonics >= 8 && options.harmonics <= 128, "harmonics", options.harmonics, "1",
           ">= 8 and <= 128");
   const Transmission& drive = gear.drive;
@@ -267,9 +283,8 @@ class ContactCracksOf {
 }  // namespace
 
 std::string missing_for_torsion_curve(const GearSet& gear) {
-  const auto gap = missing(gear);
-  return gap ? fmt::format("{}: must be given for the torsion curve ({})", gap->field, gap->what)
-             : std::string();
+  const std::vector<Missing> gaps = missing(gear);
+  return gaps.empty() ? std::string() : fmt::format("{}: {}", gaps.front().field, rule_of(gaps));
 }
 
 CoupledGeometry coupled_geometry(const GearSet& gear, const CoupledOptions& options) {
