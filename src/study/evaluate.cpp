@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "coupled.hpp"
 #include "strainwave/article/as_printed.hpp"
 #include "strainwave/article/repaired.hpp"
 #include "strainwave/core/error.hpp"
@@ -25,13 +26,6 @@ void use_equations(std::vector<std::string>& equations, const std::vector<std::s
   for (const std::string& tag : tags)
     if (std::ranges::find(equations, tag) == equations.end()) equations.push_back(tag);
 }
-
-/// The coupled drive, and what limits its answers.
-struct Coupled {
-  std::optional<CurveResult> curve;  ///< absent where it cannot be solved; a note says why
-  std::vector<Note> notes;
-  std::vector<std::string> equations;
-};
 
 /// K1, K2, K3 and the wind-up under one sense of torque, +1 or -1.
 CurveStiffness lines_of(const AssembledDrive& drive, int sense, std::vector<Note>& notes) {
@@ -70,40 +64,6 @@ CrackedCurve cracked_lines_of(const AssembledDrive& drive, int sense, const Curv
   return curve;
 }
 
-Coupled coupled_drive(const GearSet& gear) {
-  Coupled coupled;
-  if (const std::string missing = missing_for_torsion_curve(gear); !missing.empty()) {
-    coupled.notes.push_back(
-        {.code = "curve.missing",
-         .text = "the coupled drive is not solved; " + missing,
-         .path = "",
-         .equation = "TC-1",
-         .severity = Severity::information,
-         .next_step = "Give these fields; strainwave new --size SIZE --ratio RATIO writes a file "
-                      "that has them all."});
-    return coupled;
-  }
-  try {
-    const AssembledDrive drive(gear);
-    std::vector<Note> notes = drive.notes();
-    const AssembledDrive sound = drive.without_cracks();
-    CurveResult curve{.torques = makers_torques(gear),
-                      .intact = lines_of(sound, +1, notes),
-                      .positive = {},
-                      .negative = {}};
-    curve.positive = cracked_lines_of(drive, +1, curve.intact, notes);
-    curve.negative = cracked_lines_of(drive, -1, lines_of(sound, -1, notes), notes);
-    coupled = {std::move(curve), std::move(notes), drive.equations()};
-  } catch (const Error& error) {
-    coupled.notes = {{.code = "curve.none",
-                      .text = std::string("no torsion curve of the coupled drive: ") + error.what(),
-                      .path = "",
-                      .equation = "TC-11",
-                      .severity = Severity::care}};
-  }
-  return coupled;
-}
-
 /// Strength of the cracks beside the stiffness; a note says what is missing where there is none.
 void add_strength(StiffnessResult& result, const GearSet& gear) {
   std::vector<CrackStrength> strength = crack_strength(gear, result.cracks);
@@ -128,6 +88,40 @@ void add_strength(StiffnessResult& result, const GearSet& gear) {
 }
 
 }  // namespace
+
+Coupled coupled_drive(const GearSet& gear) {
+  Coupled coupled;
+  if (const std::string missing = missing_for_torsion_curve(gear); !missing.empty()) {
+    coupled.notes.push_back(
+        {.code = "curve.missing",
+         .text = "the coupled drive is not solved; " + missing,
+         .path = "",
+         .equation = "TC-1",
+         .severity = Severity::information,
+         .next_step = "Give these fields; strainwave new --size SIZE --ratio RATIO writes a file "
+                      "that has them all."});
+    return coupled;
+  }
+  try {
+    const AssembledDrive drive(gear);
+    std::vector<Note> notes = drive.notes();
+    const AssembledDrive sound = drive.without_cracks();
+    CurveResult curve{.torques = makers_torques(gear),
+                      .intact = lines_of(sound, +1, notes),
+                      .positive = {},
+                      .negative = {}};
+    curve.positive = cracked_lines_of(drive, +1, curve.intact, notes);
+    curve.negative = cracked_lines_of(drive, -1, lines_of(sound, -1, notes), notes);
+    coupled = {drive, std::move(curve), std::move(notes), drive.equations()};
+  } catch (const Error& error) {
+    coupled.notes = {{.code = "curve.none",
+                      .text = std::string("no torsion curve of the coupled drive: ") + error.what(),
+                      .path = "",
+                      .equation = "TC-11",
+                      .severity = Severity::care}};
+  }
+  return coupled;
+}
 
 bool is_of_coupled_drive(std::string_view output) { return output.starts_with("curve."); }
 

@@ -10,7 +10,6 @@
 
 #include "assembled_drive_contents.hpp"
 #include "strainwave/core/error.hpp"
-#include "strainwave/stiffness/elastic_members.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/torsion/compare.hpp"
 
@@ -19,25 +18,11 @@ namespace {
 
 using std::numbers::pi;
 
-double tube_compliance(const TubeSection& section, double length, double G) {
-  return torsional_compliance(
-      Tube{.outer_diameter = section.outer_diameter,
-           .inner_diameter = section.outer_diameter - 2 * section.wall_thickness,
-           .length = length},
-      G);
-}
-
 void add_series_members(AssembledDrive::Contents& into) {
   const GearSet& gear = into.gear;
   const Flexspline& fs = *gear.flexspline;
-  const double G = elastic_constants(material_of(gear, fs.material, "flexspline.material")).G;
   SeriesMembers& series = into.series;
-  series.barrel = tube_compliance(*fs.barrel, fs.barrel->length, G);
-  series.diaphragm = torsional_compliance(*fs.diaphragm, G);  // (TC-13)
-  // (TC-13): traction spread evenly over the teeth twists the rim like a third of its length.
-  series.rim = tube_compliance(*fs.rim, fs.rim->length / 3, G);
-  if (fs.boss) series.boss_and_flange += tube_compliance(*fs.boss, fs.boss->length, G);
-  series.boss_and_flange += fs.flange_compliance;
+  series = cup_members(gear, Lift<double>());
   const auto take = [&](const MemberCompliance& member) {
     for (const CrackReport& crack : member.cracks) {
       series.cracks_positive += crack.positive.at_output.value;
@@ -94,23 +79,6 @@ void note_geometry(const GearSet& gear, const CoupledGeometry& g, std::vector<No
                      "too stiff",
                      "circular_spline", "TC-10", Severity::care,
                      "Give the table circular_spline."});
-}
-
-/// The larger force of the ball nearest to a position, of both senses of torque at T2, in the
-/// sound drive [N].
-double sound_ball_force(const CoupledDrive& sound, double torque, double position) {
-  double largest = 0.0;
-  for (const double sense : {1.0, -1.0}) {
-    const Equilibrium state = sound.solve(sense * torque, sound.assembled());
-    int nearest = 0;
-    const auto distance = [&](int ball) {
-      return std::abs(std::remainder(sound.position_of(ball) - position, 2 * pi));
-    };
-    for (int ball = 1; ball < sound.balls(); ++ball)
-      if (distance(ball) < distance(nearest)) nearest = ball;
-    largest = std::max(largest, state.force[nearest]);
-  }
-  return largest;
 }
 
 std::string no_assembly(const CoupledDrive& drive) {
@@ -194,9 +162,10 @@ AssembledDrive::Contents assembled(const GearSet& gear, const CoupledOptions& op
     return contents;
   }
   const double T2 = makers_torques(gear).T2;
-  contents.cracks = contact_cracks(
-      gear, geometry, [&](double position) { return sound_ball_force(sound, T2, position); },
-      contents.notes);
+  const BallForce ball_force = [&](double position) {
+    return worst_of_ball(sound, T2, position).force[sound.ball_nearest_to(position)];
+  };
+  contents.cracks = contact_cracks(gear, Lift<double>(), geometry, ball_force, contents.notes);
   if (!contents.cracks.teeth.empty()) contents.equations.emplace_back("TC-21");
   if (!contents.cracks.hinges.empty()) contents.equations.emplace_back("TC-22");
   if (!contents.cracks.balls.empty()) contents.equations.emplace_back("TC-23");
@@ -205,6 +174,13 @@ AssembledDrive::Contents assembled(const GearSet& gear, const CoupledOptions& op
 }
 
 }  // namespace
+
+Equilibrium worst_of_ball(const CoupledDrive& sound, double torque, double position) {
+  const int ball = sound.ball_nearest_to(position);
+  Equilibrium worst = sound.solve(torque, sound.assembled());
+  Equilibrium other = sound.solve(-torque, sound.assembled());
+  return other.force[ball] > worst.force[ball] ? other : worst;
+}
 
 AssembledDrive::AssembledDrive(const GearSet& gear, const CoupledOptions& options)
     : contents_(std::make_shared<const Contents>(assembled(gear, options))) {}

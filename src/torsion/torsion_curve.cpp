@@ -8,19 +8,13 @@
 #include <numbers>
 
 #include "assembled_drive_contents.hpp"
+#include "line_torques.hpp"
 #include "strainwave/core/error.hpp"
 
 namespace strainwave {
 namespace {
 
 using std::numbers::pi;
-
-// The maker's torques where the file gives none, from catalogues (TC-14): T1 and T2 over the cube
-// of the pitch diameter [Pa], T3 and rated torque over T2.
-constexpr double kConventionT1 = 0.0517e6;
-constexpr double kConventionT2 = 0.187e6;
-constexpr double kConventionT3 = 1.6;
-constexpr double kConventionRated = 1.8;
 
 /// Shares of the members in the tangent compliance, those of the contact problem and in series.
 void set_shares(CurvePoint& point, const AssembledDrive::Contents& contents,
@@ -202,18 +196,15 @@ double curve_uncertainty(const GearSet& gear) {
 }
 
 MakersTorques makers_torques(const GearSet& gear) {
-  const double d3 = std::pow(gear.drive.pitch_diameter, 3);
-  MakersTorques torques{.T1 = kConventionT1 * d3, .T2 = kConventionT2 * d3, .by_convention = true};
+  const auto [T1, T2, T3] = line_torques(gear, Lift<double>());
   const Rating rating = gear.rating.value_or(Rating{});
-  if (gear.rating) {
-    torques.T1 = rating.T1;
-    torques.T2 = rating.T2;
-    torques.by_convention = false;
-  }
-  torques.T3 = rating.T3.value_or(kConventionT3 * torques.T2);
-  torques.rated = rating.rated_torque.value_or(kConventionRated * torques.T2);
-  torques.lost_motion = rating.lost_motion_share * torques.rated;
-  return torques;
+  const double rated = rating.rated_torque.value_or(kConventionRated * T2);
+  return {.T1 = T1,
+          .T2 = T2,
+          .T3 = T3,
+          .rated = rated,
+          .lost_motion = rating.lost_motion_share * rated,
+          .by_convention = !gear.rating};
 }
 
 MakersLines makers_lines(const AssembledDrive& drive, int sense) {
