@@ -74,9 +74,14 @@ struct Tick {
 class Axis {
  public:
   /// @param label  of the axis: angles of about a turn are divided by 60 deg
+  /// @param steps  how many the ticks of a linear axis make, about
   Axis(ValueRange values, AxisScale scale, double from_px, double to_px,
-       std::string_view label = {})
-      : scale_(scale), from_px_(from_px), to_px_(to_px), in_degrees_(label.ends_with("[deg]")) {
+       std::string_view label = {}, int steps = 6)
+      : scale_(scale),
+        from_px_(from_px),
+        to_px_(to_px),
+        in_degrees_(label.ends_with("[deg]")),
+        steps_(steps) {
     if (values.empty()) values = {scale == AxisScale::linear ? 0.0 : 1.0, 1.0};
     if (scale == AxisScale::linear)
       place_linear_ticks(widened(values));
@@ -102,9 +107,9 @@ class Axis {
     return {values.lower - lacking / 2, values.upper + lacking / 2};
   }
 
-  /// Steps of 1, 2 or 5 times a power of ten, about six of them; the axis ends at ticks.
+  /// Steps of 1, 2 or 5 times a power of ten; the axis ends at ticks.
   void place_linear_ticks(const ValueRange& values) {
-    const double raw = (values.upper - values.lower) / 6;
+    const double raw = (values.upper - values.lower) / steps_;
     const double decade = std::pow(10.0, std::floor(std::log10(raw)));
     double step = 10 * decade;
     for (const double factor : {1.0, 2.0, 5.0}) {
@@ -174,6 +179,7 @@ class Axis {
   AxisScale scale_;
   double from_px_, to_px_;
   bool in_degrees_ = false;
+  int steps_ = 6;
   double lower_ = 0.0, upper_ = 1.0;  ///< of the values, or of their logarithms
   std::vector<Tick> ticks_;
   std::string factor_;
@@ -467,7 +473,8 @@ std::string contour_panel_svg(const ContourPanel& panel, double top) {
     return svg + words(right + 14, label_y, "tick", same);
   }
   // The ticks of an axis are round numbers; those inside are levels.
-  const Axis levels(values, AxisScale::linear, 0.0, 1.0);
+  constexpr int kLevels = 10;
+  const Axis levels(values, AxisScale::linear, 0.0, 1.0, {}, kLevels);
   if (!levels.factor().empty()) {
     svg += words(right + 14, label_y, "tick", levels.factor());
     label_y += kLabelHeight;
