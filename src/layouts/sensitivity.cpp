@@ -126,8 +126,7 @@ std::vector<TitledTable> elasticity_tables(const Sensitivity& sensitivity) {
                 return std::abs(e) < kNoise ? std::string("0") : fmt::format("{:+.4g}", e);
               });
     tables.push_back(
-        {fmt::format("Elasticities of the {}: per cent that it changes per per cent of "
-                     "the input (SN-1)",
+        {fmt::format("Elasticities of the {}: per cent of change per per cent of input (SN-1)",
                      group.what),
          std::move(table)});
   }
@@ -218,7 +217,7 @@ std::string sensitivity_csv(const SensitivityReport& report) {
       auto& row = table.rows.emplace_back(cells(sensitivity.outputs[y].name, input.path, input.unit,
                                                 input.value, input.influence[y].derivative,
                                                 input.influence[y].elasticity));
-      if (!report.scatter) continue;
+      if (!report.scatter || y >= report.scatter->outputs.size()) continue;  // not drawn
       const auto& inputs = report.scatter->inputs;
       const auto at = std::ranges::find(inputs, input.path, &InputScatter::path);
       if (at == inputs.end()) continue;
@@ -237,6 +236,8 @@ std::string sensitivity_plot(const SensitivityReport& report, const GearSet& gea
     if (!group.is_loss() && group.outputs.size() > 1) group.outputs.erase(group.outputs.begin());
     TornadoPanel panel = panel_of(sensitivity, group);
     panel.title = group.what;
+    if (group.symbol == "K" || group.is_loss())
+      panel.title[0] = group.is_loss() ? 'L' : 'S';  // not the name of a line
     if (panels.empty() && !gear.name.empty()) panel.title += ": " + gear.name;
     panel.x_label = group.is_loss() ? "elasticity of the loss, ∂ ln(−ΔK/K)/∂ ln x"
                                     : fmt::format("elasticity, ∂ ln {0}/∂ ln x", group.symbol);

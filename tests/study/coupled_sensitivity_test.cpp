@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "strainwave/io/gear_reader.hpp"
+#include "strainwave/layouts/sensitivity.hpp"
 #include "strainwave/study/scatter.hpp"
 #include "strainwave/study/sensitivity.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
@@ -151,14 +152,20 @@ TEST(CoupledSensitivity, BehaviourWhatHasNoDerivativeIsListed) {
 
 TEST(CoupledSensitivity, BehaviourScatterIsOfTheSumAlone) {
   GearSet gear = example_drive("catalogue_size25");
-  gear.scatter.push_back(
-      {.path = "flexspline.barrel.wall_thickness", .relative_standard_deviation = 0.02});
+  InputScatter& scattered = gear.scatter.emplace_back();
+  scattered.path = "flexspline.barrel.wall_thickness";
+  scattered.relative_standard_deviation = 0.02;
   const Sensitivity s = sensitivity_of(gear);
   const Scatter scatter = scatter_of(gear, s, {.samples = 50, .threads = 1});
   ASSERT_FALSE(scatter.outputs.empty());
   for (std::size_t y = 0; y < scatter.outputs.size(); ++y)
     EXPECT_EQ(scatter.outputs[y].name, s.outputs[y].name);
   EXPECT_EQ(test::count_notes(scatter.notes, "scatter.sum_alone"), 1);
+  // Outputs that are not drawn have no share in the CSV, and no table of their scatter.
+  const SensitivityReport report{.sensitivity = s, .scatter = scatter};
+  const std::string csv = sensitivity_csv(report);
+  EXPECT_NE(csv.find("curve.intact.K1,flexspline.barrel.wall_thickness,"), std::string::npos);
+  EXPECT_EQ(sensitivity_text(report, gear).find("Scatter of the outputs: K1"), std::string::npos);
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ using Json = nlohmann::json;
 GearSet drive() {
   GearSet gear = test::typical_drive(25, 100);
   gear.rating = Rating{.T1 = 14, .T2 = 48, .T3 = {}, .rated_torque = 87};
+  gear.load.torque = 48;
   return gear;
 }
 
@@ -48,7 +49,8 @@ TEST(TorsionReport, IdentityItsNumbersAreThoseOfTheModule) {
   EXPECT_EQ(report.lost_motion, lost_motion(drive()));
   EXPECT_EQ(report.loop.amplitude, 87.0);
   ASSERT_EQ(report.shown.size(), 3U);
-  // T1, T2 and T_N are points of the curve, so its lines can be checked by hand.
+  // T1, T2, which is the load, and T_N are points of the curve, so its lines can be checked by
+  // hand.
   const auto at = [&](std::size_t i) { return report.curve.points[report.shown[i]]; };
   EXPECT_EQ(at(0).torque, 14.0);
   EXPECT_EQ(at(1).torque, 48.0);
