@@ -24,6 +24,7 @@ struct Group {
   std::vector<std::size_t> outputs;  ///< by index
 
   [[nodiscard]] bool is_loss() const { return symbol == "loss"; }
+  [[nodiscard]] bool is_of_sum() const { return is_loss() || symbol == "K"; }
 };
 
 /// K1, K2, K3 of the coupled drive, then stiffness of the sum and its loss.
@@ -126,8 +127,8 @@ std::vector<TitledTable> elasticity_tables(const Sensitivity& sensitivity) {
                 return std::abs(e) < kNoise ? std::string("0") : fmt::format("{:+.4g}", e);
               });
     tables.push_back(
-        {fmt::format("Elasticities of the {}: per cent of change per per cent of input (SN-1)",
-                     group.what),
+        {fmt::format("Elasticities of {}{}: per cent of change per per cent of input (SN-1)",
+                     group.is_of_sum() ? "the " : "", group.what),
          std::move(table)});
   }
   return tables;
@@ -236,8 +237,7 @@ std::string sensitivity_plot(const SensitivityReport& report, const GearSet& gea
     if (!group.is_loss() && group.outputs.size() > 1) group.outputs.erase(group.outputs.begin());
     TornadoPanel panel = panel_of(sensitivity, group);
     panel.title = group.what;
-    if (group.symbol == "K" || group.is_loss())
-      panel.title[0] = group.is_loss() ? 'L' : 'S';  // not the name of a line
+    if (group.is_of_sum()) panel.title[0] = group.is_loss() ? 'L' : 'S';
     if (panels.empty() && !gear.name.empty()) panel.title += ": " + gear.name;
     panel.x_label = group.is_loss() ? "elasticity of the loss, ∂ ln(−ΔK/K)/∂ ln x"
                                     : fmt::format("elasticity, ∂ ln {0}/∂ ln x", group.symbol);

@@ -155,7 +155,7 @@ std::vector<PlotPanel> panels_over_one(const SweepResult& result, const GearSet&
   const std::vector<double> total = negated(table.output("cracked.positive.stiffness_change"));
   const bool positive = std::ranges::none_of(total, [](double loss) { return loss <= 0; });
   PlotPanel loss{
-      .title = "Loss of stiffness by cracks",
+      .title = "Loss of stiffness of the sum by cracks",
       .subtitle = "and what the cracks of each member contribute to it under T > 0",
       .x_label = table.axis_label(0),
       .y_label = "loss of stiffness −ΔK/K [%]",
@@ -230,8 +230,7 @@ std::vector<ContourPanel> panels_over_two(const SweepResult& result, const GearS
     add("intact.stiffness", "Stiffness of the sum of the members", "K [N·m/arcmin]");
   }
   if (!panels.empty()) {
-    if (!gear.name.empty()) panels[0].title = gear.name + ": " + panels[0].title;
-    panels[0].subtitle = subtitle(result);
+    panels[0].subtitle = (gear.name.empty() ? "" : gear.name + "; ") + subtitle(result);
   }
   return panels;
 }

@@ -112,7 +112,8 @@ TEST(Plot, BehaviourSweepOverTwoNumbersHasContours) {
   const std::string svg = sweep_plot(sweep(gear, Method::corrected, two), gear);
   for (const char* const label :
        {"output_shaft.inner_diameter [mm]<", "output_shaft.crack[0].depth [mm]<", ">ΔK/K [%]<",
-        "<title>Article example", "<desc>Lines of equal value. ΔK/K [%] over"})
+        "<title>Change of stiffness", ">Article example",
+        "<desc>Lines of equal value. ΔK/K [%] over"})
     EXPECT_NE(svg.find(label), std::string::npos) << label;
   EXPECT_EQ(svg.find("T &lt; 0"), std::string::npos) << "the same under negative torque";
 }
