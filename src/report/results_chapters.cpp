@@ -124,7 +124,7 @@ ReportSection shares_chapter(const Draft& draft) {
   const StiffnessResult& r = draft.result;
   const double total = r.intact.compliance.total.value;
   BarChart members{.id = "shares-members",
-                   .title = "Shares of the members in the compliance of the sound drive",
+                   .title = "Shares of the members in the compliance of their sum, sound",
                    .axis = "share of the sound drive's compliance [%]"};
   for (const SeriesMember& member : members_of(draft.gear)) {
     const Quantity& q = r.intact.compliance.*member.compliance;
@@ -134,7 +134,9 @@ ReportSection shares_chapter(const Draft& draft) {
                             .style = {}});
   }
   std::string html = figure(
-      bar_chart(members), "Where the compliance of the sound drive is: members in series.", "bars");
+      bar_chart(members),
+      "Where the compliance of the sum is: members of the sound drive in series, without contacts.",
+      "bars");
   if (!r.cracks.empty()) {
     BarChart cracks{.id = "shares-cracks",
                     .title = "What each crack adds to the compliance",
