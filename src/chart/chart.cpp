@@ -9,6 +9,7 @@
 #include <limits>
 #include <string_view>
 
+#include "contour_lines.hpp"
 #include "strainwave/chart/svg_text.hpp"
 
 namespace strainwave {
@@ -73,9 +74,14 @@ struct Tick {
 class Axis {
  public:
   /// @param label  of the axis: angles of about a turn are divided by 60 deg
+  /// @param steps  how many the ticks of a linear axis make, about
   Axis(ValueRange values, AxisScale scale, double from_px, double to_px,
-       std::string_view label = {})
-      : scale_(scale), from_px_(from_px), to_px_(to_px), in_degrees_(label.ends_with("[deg]")) {
+       std::string_view label = {}, int steps = 6)
+      : scale_(scale),
+        from_px_(from_px),
+        to_px_(to_px),
+        in_degrees_(label.ends_with("[deg]")),
+        steps_(steps) {
     if (values.empty()) values = {scale == AxisScale::linear ? 0.0 : 1.0, 1.0};
     if (scale == AxisScale::linear)
       place_linear_ticks(widened(values));
@@ -101,9 +107,9 @@ class Axis {
     return {values.lower - lacking / 2, values.upper + lacking / 2};
   }
 
-  /// Steps of 1, 2 or 5 times a power of ten, about six of them; the axis ends at ticks.
+  /// Steps of 1, 2 or 5 times a power of ten; the axis ends at ticks.
   void place_linear_ticks(const ValueRange& values) {
-    const double raw = (values.upper - values.lower) / 6;
+    const double raw = (values.upper - values.lower) / steps_;
     const double decade = std::pow(10.0, std::floor(std::log10(raw)));
     double step = 10 * decade;
     for (const double factor : {1.0, 2.0, 5.0}) {
@@ -173,6 +179,7 @@ class Axis {
   AxisScale scale_;
   double from_px_, to_px_;
   bool in_degrees_ = false;
+  int steps_ = 6;
   double lower_ = 0.0, upper_ = 1.0;  ///< of the values, or of their logarithms
   std::vector<Tick> ticks_;
   std::string factor_;
@@ -390,6 +397,122 @@ std::string svg_head(double height) {
       kPlotWidth, height);
 }
 
+/// A colour between blue and vermilion, both dark enough on white; `share` from 0 to 1.
+std::string level_colour(double share) {
+  constexpr std::array<std::array<double, 3>, 3> kColours = {
+      {{0x00, 0x4C, 0x99}, {0x6A, 0x3D, 0x7C}, {0xB8, 0x3A, 0x00}}};
+  const double at = 2 * std::clamp(share, 0.0, 1.0);
+  const std::size_t low = at < 1 ? 0 : 1;
+  const double part = at - static_cast<double>(low);
+  std::string colour = "#";
+  for (std::size_t c = 0; c < 3; ++c)
+    colour += fmt::format("{:02X}", static_cast<int>(std::lround(kColours[low][c] * (1 - part) +
+                                                                 kColours[low + 1][c] * part)));
+  return colour;
+}
+
+/// A number at a point of the grid's axis, between its neighbours on the scale of the axis.
+double between(const std::vector<double>& values, double at, AxisScale scale) {
+  const auto first = std::min(static_cast<std::size_t>(at), values.size() - 1);
+  const std::size_t second = std::min(first + 1, values.size() - 1);
+  const double share = at - static_cast<double>(first);
+  if (scale == AxisScale::logarithmic)
+    return values[first] * std::pow(values[second] / values[first], share);
+  return values[first] + share * (values[second] - values[first]);
+}
+
+/// Ticks of both axes, their labels and the grid of a panel.
+std::string frame_svg(const Axis& x, const Axis& y, const ContourPanel& panel, double left,
+                      double right, double upper, double lower) {
+  std::string svg;
+  for (const Tick& tick : x.ticks()) {
+    svg += line(x.px(tick.value), upper, x.px(tick.value), lower,
+                tick.label.empty() ? "minor" : "grid");
+    if (!tick.label.empty()) svg += words(x.px(tick.value), lower + 18, "tick middle", tick.label);
+  }
+  for (const Tick& tick : y.ticks()) {
+    svg += line(left, y.px(tick.value), right, y.px(tick.value),
+                tick.label.empty() ? "minor" : "grid");
+    if (!tick.label.empty()) svg += words(left - 8, y.px(tick.value) + 4, "tick end", tick.label);
+  }
+  svg += line(left, lower, right, lower, "axis") + line(left, upper, left, lower, "axis");
+  if (!x.factor().empty()) svg += words(right, lower + 42, "tick end", x.factor());
+  if (!y.factor().empty()) svg += words(left - 8, upper - 10, "tick end", y.factor());
+  svg += words((left + right) / 2, lower + 42, "label middle", panel.x_label);
+  const double middle = (upper + lower) / 2;
+  return svg + words(16, middle, "label middle", panel.y_label,
+                     fmt::format(" transform=\"rotate(-90 16 {:.1f})\"", middle));
+}
+
+ValueRange range_of(const std::vector<double>& values, AxisScale scale) {
+  ValueRange range;
+  for (const double value : values)
+    if (drawable(scale, value)) range.include(value);
+  return range;
+}
+
+/// Draws one panel of contour lines with its upper edge at `top`.
+std::string contour_panel_svg(const ContourPanel& panel, double top) {
+  const double left = kLeft;
+  const double right = kPlotWidth - kRight;
+  const double upper = top + kTop;
+  const double lower = top + kPanelHeight - kBottom;
+  const Axis x(range_of(panel.x, panel.x_scale), panel.x_scale, left, right, panel.x_label);
+  const Axis y(range_of(panel.y, panel.y_scale), panel.y_scale, lower, upper);
+  const ValueRange values = range_of(panel.values, AxisScale::linear);
+
+  std::string svg = words(left, top + 28, "title", shortened(panel.title, 76));
+  if (!panel.subtitle.empty())
+    svg += words(left, top + 46, "small", shortened(panel.subtitle, 110));
+  svg += frame_svg(x, y, panel, left, right, upper, lower);
+  double label_y = upper + 12;
+  svg += margin_words(right + 14, label_y, panel.value_label);
+  if (values.empty() || values.lower == values.upper) {
+    const std::string same =
+        values.empty() ? "no value" : fmt::format("{:.6g} everywhere", values.lower);
+    return svg + words(right + 14, label_y, "tick", same);
+  }
+  // The ticks of an axis are round numbers; those inside are levels.
+  constexpr int kLevels = 10;
+  const Axis levels(values, AxisScale::linear, 0.0, 1.0, {}, kLevels);
+  if (!levels.factor().empty()) {
+    svg += words(right + 14, label_y, "tick", levels.factor());
+    label_y += kLabelHeight;
+  }
+  std::string labels;  // above all lines
+  for (auto tick = levels.ticks().rbegin(); tick != levels.ticks().rend(); ++tick) {
+    if (tick->value <= values.lower || tick->value >= values.upper) continue;
+    const std::string colour =
+        level_colour((tick->value - values.lower) / (values.upper - values.lower));
+    std::size_t longest = 0;
+    double label_at_x = 0.0;
+    double label_at_y = 0.0;
+    std::string path;
+    for (const GridLine& one :
+         contour_lines(panel.values, panel.x.size(), panel.y.size(), tick->value)) {
+      for (std::size_t p = 0; p < one.size(); ++p) {
+        const double at_x = x.px(between(panel.x, one[p].i, panel.x_scale));
+        const double at_y = y.px(between(panel.y, one[p].j, panel.y_scale));
+        path += fmt::format("{}{:.2f},{:.2f} ", p == 0 ? "M" : "L", at_x, at_y);
+        if (one.size() <= longest || p != one.size() / 2) continue;
+        label_at_x = at_x;
+        label_at_y = at_y;
+      }
+      longest = std::max(longest, one.size());
+    }
+    svg += fmt::format("<path d=\"{}\" class=\"series\" stroke=\"{}\" stroke-width=\"2\"/>\n", path,
+                       colour);
+    labels += words(label_at_x, label_at_y + 4, "tick middle halo", tick->label);
+    svg += fmt::format(
+        "<path d=\"M{:.1f},{:.1f} h26\" class=\"series\" stroke=\"{}\" "
+        "stroke-width=\"2\"/>\n",
+        right + 14, label_y - 4, colour);
+    svg += words(right + 46, label_y, "tick", tick->label);
+    label_y += kLabelHeight;
+  }
+  return svg + labels;
+}
+
 }  // namespace
 
 std::string svg_plot(std::span<const PlotPanel> panels) {
@@ -410,6 +533,27 @@ std::string tornado_svg(std::span<const TornadoPanel> panels) {
   for (const TornadoPanel& panel : panels) {
     svg += tornado_panel_svg(panel, top);
     top += tornado_height(panel);
+  }
+  return svg + "</svg>\n";
+}
+
+std::string contour_svg(std::span<const ContourPanel> panels) {
+  std::string svg = svg_head(kPanelHeight * static_cast<double>(panels.size()));
+  std::string title = "<title>";
+  std::string description = "<desc>Lines of equal value.";
+  for (const ContourPanel& panel : panels) {
+    title += (&panel == panels.data() ? "" : "; ") + svg_text(panel.title);
+    description += svg_text(
+        fmt::format(" {} over {} and {}.", panel.value_label, panel.x_label, panel.y_label));
+  }
+  svg.insert(svg.find('\n') + 1,
+             title + "</title>\n" + description +
+                 "</desc>\n<style>.halo { paint-order: stroke; stroke: white; stroke-width: 4px }"
+                 "</style>\n");
+  double top = 0.0;
+  for (const ContourPanel& panel : panels) {
+    svg += contour_panel_svg(panel, top);
+    top += kPanelHeight;
   }
   return svg + "</svg>\n";
 }

@@ -95,8 +95,10 @@ DisplayUnit display_unit(std::string_view name, std::string_view si) {
       {"N*m/rad", {"N*m/arcmin", 1 / units::arcmin}},
       {"Pa*m^0.5", {"MPa*m^0.5", units::MPa}},
   };
-  if (name.ends_with("wind_up")) return {"arcmin", units::arcmin};
-  if (name.ends_with("_change") || name.ends_with("_loss")) return {"%", 0.01};
+  if (name.ends_with("_change") || name.ends_with("_loss") ||
+      name.find(".change.") != std::string_view::npos)
+    return {"%", 0.01};
+  if (name.find("wind_up") != std::string_view::npos) return {"arcmin", units::arcmin};
   const auto* const found = std::ranges::find(kShown, si, &Entry::si);
   return found != std::end(kShown) ? found->shown : DisplayUnit{si, 1.0};
 }

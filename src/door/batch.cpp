@@ -67,7 +67,12 @@ class RowEvaluator {
  public:
   RowEvaluator(const GearSet& gear, const BatchTask& task, const Columns& columns,
                BatchResult& result, FirstFaults& faults)
-      : gear_(gear), task_(task), columns_(columns), result_(result), faults_(faults) {}
+      : gear_(gear),
+        task_(task),
+        columns_(columns),
+        coupled_drive_(std::ranges::any_of(task.outputs, is_of_coupled_drive)),
+        result_(result),
+        faults_(faults) {}
 
   void operator()(std::size_t row) {
     Outcome outcome = evaluated(row);
@@ -86,7 +91,8 @@ class RowEvaluator {
       const std::size_t n_paths = task_.paths.size();
       for (std::size_t i = 0; i < n_paths; ++i)
         set_number(gear_, task_.paths[i], task_.values[row * n_paths + i]);
-      const StiffnessResult at_row = evaluate(gear_, task_.method);
+      const StiffnessResult at_row =
+          evaluate(gear_, task_.method, {.coupled_drive = coupled_drive_});
       std::vector<std::optional<double>> found(columns_.size());
       for_each_quantity(at_row, [&](const std::string& name, const Quantity& quantity) {
         if (const auto column = columns_.find(name); column != columns_.end())
@@ -109,6 +115,7 @@ class RowEvaluator {
   GearSet gear_;
   const BatchTask& task_;
   const Columns& columns_;
+  bool coupled_drive_ = false;  // whether an output needs it
   BatchResult& result_;
   FirstFaults& faults_;
 };

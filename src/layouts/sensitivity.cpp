@@ -17,17 +17,31 @@ namespace {
 
 constexpr double kNoise = 1e-12;  // of the arithmetic; elasticities are of the order of one
 
-bool is_loss(const std::string& output) { return output.ends_with("_loss"); }
+/// The outputs of one kind: they stand in a table of their own.
+struct Group {
+  std::string what;                  ///< "stiffness of the sum"
+  std::string symbol;                ///< "K", for the head of a column
+  std::vector<std::size_t> outputs;  ///< by index
 
-/// The outputs of one kind, by index: they stand in a table of their own.
-using Group = std::vector<std::size_t>;
+  [[nodiscard]] bool is_loss() const { return symbol == "loss"; }
+  [[nodiscard]] bool is_of_sum() const { return is_loss() || symbol == "K"; }
+};
 
-/// Stiffness, then its loss.
+/// K1, K2, K3 of the coupled drive, then stiffness of the sum and its loss.
 std::vector<Group> groups_of(const Sensitivity& sensitivity) {
-  std::vector<Group> groups(2);
-  for (std::size_t y = 0; y < sensitivity.outputs.size(); ++y)
-    groups[is_loss(sensitivity.outputs[y].name) ? 1 : 0].push_back(y);
-  std::erase_if(groups, [](const Group& group) { return group.empty(); });
+  std::vector<Group> groups;
+  for (const char* const line : {"K1", "K2", "K3"})
+    groups.push_back({fmt::format("{} of the coupled drive", line), line, {}});
+  groups.push_back({"stiffness of the sum", "K", {}});
+  groups.push_back({"loss of stiffness of the sum", "loss", {}});
+  for (std::size_t y = 0; y < sensitivity.outputs.size(); ++y) {
+    const std::string& name = sensitivity.outputs[y].name;
+    const std::string symbol = name.starts_with("curve.") ? name.substr(name.rfind('.') + 1)
+                               : name.ends_with("_loss")  ? "loss"
+                                                          : "K";
+    std::ranges::find(groups, symbol, &Group::symbol)->outputs.push_back(y);
+  }
+  std::erase_if(groups, [](const Group& group) { return group.outputs.empty(); });
   return groups;
 }
 
@@ -35,7 +49,7 @@ std::vector<Group> groups_of(const Sensitivity& sensitivity) {
 std::vector<const SensitivityInput*> inputs_of(const Sensitivity& sensitivity, const Group& group) {
   const auto largest = [&](const SensitivityInput* input) {
     double most = 0.0;
-    for (const std::size_t y : group)
+    for (const std::size_t y : group.outputs)
       most = std::max(most, std::abs(input->influence[y].elasticity));
     return most;
   };
@@ -51,15 +65,14 @@ template <class Cell>
 void add_row(Table& table, std::string label, std::string value, const Group& group,
              const Cell& cell) {
   auto& row = table.rows.emplace_back(std::vector{std::move(label), std::move(value)});
-  for (const std::size_t y : group) row.push_back(cell(y));
+  for (const std::size_t y : group.outputs) row.push_back(cell(y));
 }
 
 Table table_of(const Sensitivity& sensitivity, const Group& group) {
   Table table{.head = {"", ""}};
-  for (const std::size_t y : group) {
+  for (const std::size_t y : group.outputs) {
     std::string head = output_words(sensitivity.outputs[y].name);
-    table.head.push_back(
-        head.replace(0, head.find(','), is_loss(sensitivity.outputs[y].name) ? "loss" : "K"));
+    table.head.push_back(head.replace(0, head.find(','), group.symbol));
   }
   return table;
 }
@@ -76,7 +89,7 @@ TornadoPanel panel_of(const Sensitivity& sensitivity, const Group& group) {
   const std::size_t shown = std::min(kMostBars, inputs.size());
   if (shown < inputs.size())
     panel.subtitle = fmt::format("the {} largest of {}", shown, inputs.size());
-  for (const std::size_t y : group) {
+  for (const std::size_t y : group.outputs) {
     const std::string words = output_words(sensitivity.outputs[y].name);
     TornadoSeries series{.label = words.substr(words.find(", ") + 2), .values = {}};
     for (std::size_t i = 0; i < shown; ++i)
@@ -100,10 +113,10 @@ std::vector<TitledTable> elasticity_tables(const Sensitivity& sensitivity) {
   std::vector<TitledTable> tables;
   for (const Group& group : groups_of(sensitivity)) {
     Table table = table_of(sensitivity, group);
-    const SensitivityOutput& first = sensitivity.outputs[group[0]];
-    const char* const what = is_loss(first.name) ? "loss of stiffness" : "stiffness";
-    add_row(table, fmt::format("{} [{}]", what, display_unit(first.name, first.value.unit).text),
-            "", group, [&](std::size_t y) {
+    const SensitivityOutput& first = sensitivity.outputs[group.outputs[0]];
+    add_row(table,
+            fmt::format("{} [{}]", group.what, display_unit(first.name, first.value.unit).text), "",
+            group, [&](std::size_t y) {
               const SensitivityOutput& output = sensitivity.outputs[y];
               return digits_of(output.value.value, output.value.unit, output.name);
             });
@@ -114,9 +127,8 @@ std::vector<TitledTable> elasticity_tables(const Sensitivity& sensitivity) {
                 return std::abs(e) < kNoise ? std::string("0") : fmt::format("{:+.4g}", e);
               });
     tables.push_back(
-        {fmt::format("Elasticities of the {}: per cent that it changes per per cent of "
-                     "the input (SN-1)",
-                     what),
+        {fmt::format("Elasticities of {}{}: per cent of change per per cent of input (SN-1)",
+                     group.is_of_sum() ? "the " : "", group.what),
          std::move(table)});
   }
   return tables;
@@ -125,6 +137,7 @@ std::vector<TitledTable> elasticity_tables(const Sensitivity& sensitivity) {
 std::vector<TitledTable> scatter_tables(const Scatter& scatter, const Sensitivity& sensitivity) {
   std::vector<TitledTable> tables;
   for (const Group& group : groups_of(sensitivity)) {
+    if (group.outputs[0] >= scatter.outputs.size()) continue;  // not drawn
     Table table = table_of(sensitivity, group);
     const auto share = [&](const char* label, double ScatterOutput::*member) {
       add_row(table, label, "", group,
@@ -150,16 +163,16 @@ std::vector<TitledTable> scatter_tables(const Scatter& scatter, const Sensitivit
     table.rows.push_back({"deviation of each input, and its share of the variance, first order"});
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < scatter.inputs.size(); ++i) order.push_back(i);
-    std::ranges::stable_sort(order, std::ranges::greater{},
-                             [&](std::size_t i) { return scatter.outputs[group[0]].share[i]; });
+    std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) {
+      return scatter.outputs[group.outputs[0]].share[i];
+    });
     for (const std::size_t i : order)
       add_row(table, scatter.inputs[i].path,
               percent(scatter.inputs[i].relative_standard_deviation, 3), group, [&](std::size_t y) {
                 return fmt::format("{:.1f} %", 100 * scatter.outputs[y].share[i]);
               });
-    const SensitivityOutput& first = sensitivity.outputs[group[0]];
-    tables.push_back({fmt::format("Scatter of the outputs: {} [{}]",
-                                  is_loss(first.name) ? "loss of stiffness" : "stiffness",
+    const SensitivityOutput& first = sensitivity.outputs[group.outputs[0]];
+    tables.push_back({fmt::format("Scatter of the outputs: {} [{}]", group.what,
                                   display_unit(first.name, first.value.unit).text),
                       std::move(table)});
   }
@@ -169,7 +182,7 @@ std::vector<TitledTable> scatter_tables(const Scatter& scatter, const Sensitivit
 std::string sensitivity_text(const SensitivityReport& report, const GearSet& gear) {
   const Sensitivity& sensitivity = report.sensitivity;
   std::string text = name_of(gear) +
-                     "\nSensitivity of the torsional stiffness, method corrected, series model\n" +
+                     "\nSensitivity of the torsional stiffness, method corrected\n" +
                      text_tables(elasticity_tables(sensitivity));
   std::string zeros;
   for (const SensitivityInput& input : sensitivity.inputs) {
@@ -183,6 +196,9 @@ std::string sensitivity_text(const SensitivityReport& report, const GearSet& gea
   if (!sensitivity.no_influence.empty())
     text += '\n' +
             paragraph(fmt::format("No influence: {}", fmt::join(sensitivity.no_influence, ", ")));
+  for (const CurveStep& step : sensitivity.not_differentiated)
+    text +=
+        paragraph(fmt::format("K1, K2, K3 have no derivative to {}: {}", step.path, step.reason));
   text += fmt::format("\nDimensions hold to {:.1g}, at most {:.0g} is accepted (SN-6)\n",
                       sensitivity.homogeneity_residual(), kMaxHomogeneityResidual);
   if (const auto& scatter = report.scatter)
@@ -202,7 +218,7 @@ std::string sensitivity_csv(const SensitivityReport& report) {
       auto& row = table.rows.emplace_back(cells(sensitivity.outputs[y].name, input.path, input.unit,
                                                 input.value, input.influence[y].derivative,
                                                 input.influence[y].elasticity));
-      if (!report.scatter) continue;
+      if (!report.scatter || y >= report.scatter->outputs.size()) continue;  // not drawn
       const auto& inputs = report.scatter->inputs;
       const auto at = std::ranges::find(inputs, input.path, &InputScatter::path);
       if (at == inputs.end()) continue;
@@ -217,13 +233,14 @@ std::string sensitivity_plot(const SensitivityReport& report, const GearSet& gea
   const Sensitivity& sensitivity = report.sensitivity;
   std::vector<TornadoPanel> panels;
   for (Group group : groups_of(sensitivity)) {
-    const bool loss = is_loss(sensitivity.outputs[group[0]].name);
-    if (!loss) group.erase(group.begin());  // the sound drive: both cracked ones show it too
+    // The sound drive: both cracked ones show it too.
+    if (!group.is_loss() && group.outputs.size() > 1) group.outputs.erase(group.outputs.begin());
     TornadoPanel panel = panel_of(sensitivity, group);
-    panel.title = loss ? "Loss of stiffness by cracks" : "Stiffness K at the output";
+    panel.title = group.what;
+    if (group.is_of_sum()) panel.title[0] = group.is_loss() ? 'L' : 'S';
     if (panels.empty() && !gear.name.empty()) panel.title += ": " + gear.name;
-    panel.x_label =
-        loss ? "elasticity of the loss, ∂ ln(−ΔK/K)/∂ ln x" : "elasticity, ∂ ln K/∂ ln x";
+    panel.x_label = group.is_loss() ? "elasticity of the loss, ∂ ln(−ΔK/K)/∂ ln x"
+                                    : fmt::format("elasticity, ∂ ln {0}/∂ ln x", group.symbol);
     panels.push_back(std::move(panel));
   }
   return tornado_svg(panels);

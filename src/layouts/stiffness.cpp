@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
@@ -20,7 +22,24 @@ std::string digits_in(const Quantity& q, double unit_in_si) {
   return warranted_digits({q.value / unit_in_si, q.unit, q.relative_uncertainty});
 }
 
-/// Compliances, stiffness and wind-up of the drive.
+/// The coupled drive: what it answers, and what the cracks change.
+Table coupled_table(const CurveResult& curve, const GearSet& gear) {
+  Table table{{"", "sound", "cracked, T > 0", "cracked, T < 0", "accuracy"}};
+  for (const CoupledRow& row : coupled_rows(curve, gear)) {
+    table.rows.push_back({fmt::format("{} [{}]", row.label, row.unit),
+                          digits_in(row.sound, row.unit_in_si),
+                          digits_in(row.positive, row.unit_in_si),
+                          digits_in(row.negative, row.unit_in_si), accuracy(row.sound)});
+    if (!row.positive_change || !row.negative_change) continue;
+    const std::string positive = percent_change(row.positive_change->value);
+    const std::string negative = percent_change(row.negative_change->value);
+    if (positive != "0 %" || negative != "0 %")
+      table.rows.push_back({"  change", "", positive, negative});
+  }
+  return table;
+}
+
+/// Compliances, stiffness and wind-up of the sum of the members.
 Table drive_table(const StiffnessResult& result, const GearSet& gear) {
   Table table{{"", "sound", "share", "cracked, T > 0", "cracked, T < 0", "accuracy"}};
   const auto row = [&](std::string label, const Quantity& sound, std::string share,
@@ -44,7 +63,7 @@ Table drive_table(const StiffnessResult& result, const GearSet& gear) {
     row(std::move(label), result.intact.*sound, "", result.positive.*cracked,
         result.negative.*cracked, unit_in_si);
   };
-  heading("Torsional stiffness K_HD");
+  heading("Torsional stiffness K_HD of the sum");
   drive("N*m/rad", &IntactDrive::stiffness, &CrackedDrive::stiffness, 1);
   drive("N*m/arcmin", &IntactDrive::stiffness, &CrackedDrive::stiffness, 1 / units::arcmin);
   const Quantity& change = result.positive.stiffness_change;
@@ -53,22 +72,6 @@ Table drive_table(const StiffnessResult& result, const GearSet& gear) {
                         accuracy(change)});
   drive(fmt::format("wind-up at {} N*m [arcmin]", std::abs(gear.load.torque)),
         &IntactDrive::wind_up, &CrackedDrive::wind_up, units::arcmin);
-  if (!result.curve) return table;
-  heading("Torsion curve of the coupled drive, with balls, teeth and rings [N*m/rad]");
-  const auto& curve = *result.curve;
-  const auto line = [&](const char* label, Quantity CurveStiffness::*K) {
-    row(label, curve.intact.*K, "", curve.positive.*K, curve.negative.*K, 1);
-    const auto changed = [&](const CurveStiffness& cracked) {
-      return percent_change((cracked.*K).value / (curve.intact.*K).value - 1);
-    };
-    const std::string positive = changed(curve.positive);
-    const std::string negative = changed(curve.negative);
-    if (positive != "0 %" || negative != "0 %")
-      table.rows.push_back({"    change", "", "", positive, negative});
-  };
-  line("K1, up to T1", &CurveStiffness::K1);
-  line("K2, T1 to T2", &CurveStiffness::K2);
-  line("K3, from T2", &CurveStiffness::K3);
   return table;
 }
 
@@ -132,6 +135,52 @@ Table strength_table(const std::vector<CrackStrength>& strength) {
 
 }  // namespace
 
+std::vector<CoupledRow> coupled_rows(const CurveResult& curve, const GearSet& gear) {
+  std::vector<CoupledRow> rows;
+  const auto line = [&](std::string label, const char* name, Quantity CurveStiffness::*of,
+                        std::string unit, double unit_in_si) -> CoupledRow& {
+    return rows.emplace_back(CoupledRow{.label = std::move(label),
+                                        .name = name,
+                                        .unit = std::move(unit),
+                                        .unit_in_si = unit_in_si,
+                                        .sound = curve.intact.*of,
+                                        .positive = curve.positive.*of,
+                                        .negative = curve.negative.*of});
+  };
+  const MakersTorques& at = curve.torques;
+  const auto torque = [](double T) { return shown_number(T, 5) + " N*m"; };
+  struct Line {
+    const char* name;
+    std::string label;
+    Quantity CurveStiffness::*of;
+    Quantity CurveChange::*change;
+  };
+  const std::array<Line, 3> lines = {
+      {{"K1", "K1, up to T1 = " + torque(at.T1), &CurveStiffness::K1, &CurveChange::K1},
+       {"K2", "K2, up to T2 = " + torque(at.T2), &CurveStiffness::K2, &CurveChange::K2},
+       {"K3", "K3, up to T3 = " + torque(at.T3), &CurveStiffness::K3, &CurveChange::K3}}};
+  for (const Line& of : lines) {
+    CoupledRow& row = line(of.label, of.name, of.of, "N*m/rad", 1);
+    row.positive_change = curve.positive.change.*of.change;
+    row.negative_change = curve.negative.change.*of.change;
+  }
+  for (const Line& of : lines) line(of.name, of.name, of.of, "N*m/arcmin", 1 / units::arcmin);
+  if (curve.intact.wind_up && curve.positive.wind_up && curve.negative.wind_up)
+    rows.push_back({.label = "wind-up at " + torque(std::abs(gear.load.torque)),
+                    .name = "wind_up",
+                    .unit = "arcmin",
+                    .unit_in_si = units::arcmin,
+                    .sound = *curve.intact.wind_up,
+                    .positive = *curve.positive.wind_up,
+                    .negative = *curve.negative.wind_up,
+                    .positive_change = curve.positive.change.wind_up,
+                    .negative_change = curve.negative.change.wind_up});
+  line("  at T1", "wind_up_at_T1", &CurveStiffness::wind_up_at_T1, "arcmin", units::arcmin);
+  line("  at T2", "wind_up_at_T2", &CurveStiffness::wind_up_at_T2, "arcmin", units::arcmin);
+  line("  at T3", "wind_up_at_T3", &CurveStiffness::wind_up_at_T3, "arcmin", units::arcmin);
+  return rows;
+}
+
 std::string stiffness_text(const StiffnessResult& result, const GearSet& gear,
                            const Provenance& provenance) {
   std::string text =
@@ -143,7 +192,13 @@ std::string stiffness_text(const StiffnessResult& result, const GearSet& gear,
     if (crack.breaks()) text += paragraph("WARNING: " + crack.path + " " + crack.sentence);
   if (std::ranges::any_of(result.strength, &CrackStrength::breaks))
     text += "The stiffness below is that of the cracks as they stand.\n\n";
-  text += text_table(drive_table(result, gear));
+  text += verdict_text(evidence_of(result).verdict) + '\n';
+  if (result.curve) {
+    text += fmt::format("{}{}\n", kCoupledTitle,
+                        result.curve->torques.by_convention ? "; T1, T2, T3 by convention" : "") +
+            text_table(coupled_table(*result.curve, gear)) + '\n';
+  }
+  text += fmt::format("{}\n", kSumTitle) + text_table(drive_table(result, gear));
   if (!result.cracks.empty()) text += "\nCracks\n" + text_table(crack_table(result.cracks));
   if (!result.strength.empty())
     text += "\nStrength at the given load: failure assessment, option 1 of BS 7910\n" +

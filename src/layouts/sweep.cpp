@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include "strainwave/chart/chart.hpp"
 #include "strainwave/core/shown_text.hpp"
@@ -90,24 +92,70 @@ std::string subtitle(const SweepResult& result) {
   return text;
 }
 
+/// Whether any point has an output.
+bool any(const std::vector<double>& values) {
+  return std::ranges::any_of(values, [](double value) { return std::isfinite(value); });
+}
+
+constexpr std::array<const char*, 3> kLines = {"K1", "K2", "K3"};
+
+/// K1, K2, K3 of the coupled drive, and what cracks change in them; none where it is not solved.
+std::vector<PlotPanel> coupled_panels(const SweepResult& result, const SweepTable& table,
+                                      const std::string& title) {
+  const std::vector<double> x = table.input(0);
+  const auto panel = [&](std::string name, std::string y_label) {
+    return PlotPanel{.title = std::move(name),
+                     .subtitle = {},
+                     .x_label = table.axis_label(0),
+                     .y_label = std::move(y_label),
+                     .x_scale = scale_of(result.variations[0])};
+  };
+  PlotPanel stiffness = panel(title, "K1, K2, K3 of the coupled drive [N·m/arcmin]");
+  stiffness.subtitle = subtitle(result);
+  PlotPanel change = panel("What cracks change in the coupled drive", "change ΔK/K [%]");
+  const bool cracked = !result.crack_paths.empty();
+  const auto add = [&](PlotPanel& to, std::string label, const std::string& output) {
+    std::vector<double> values = table.output(output);
+    if (any(values)) to.series.push_back({std::move(label), x, std::move(values)});
+  };
+  for (const char* const line : kLines) {
+    add(stiffness, fmt::format("{}, sound", line), fmt::format("curve.intact.{}", line));
+    if (cracked) {
+      add(stiffness, fmt::format("{}, cracked, T > 0", line),
+          fmt::format("curve.positive.{}", line));
+      for (const char* const sense : {"positive", "negative"})
+        add(change, fmt::format("{}, T {} 0", line, sense[0] == 'p' ? '>' : '<'),
+            fmt::format("curve.{}.change.{}", sense, line));
+    }
+  }
+  std::vector<PlotPanel> panels;
+  for (PlotPanel* const one : {&stiffness, &change})
+    if (!one->series.empty()) panels.push_back(std::move(*one));
+  return panels;
+}
+
 std::vector<PlotPanel> panels_over_one(const SweepResult& result, const GearSet& gear) {
   const SweepTable table(result);
   const std::vector<double> x = table.input(0);
-  std::vector<PlotPanel> panels{
-      {.title = gear.name.empty() ? "Torsional stiffness" : gear.name,
-       .subtitle = subtitle(result),
-       .x_label = table.axis_label(0),
-       .y_label = "stiffness K at the output [N·m/arcmin]",
-       .x_scale = scale_of(result.variations[0]),
-       .series = {{"sound", x, table.output("intact.stiffness")},
-                  {"cracked, T > 0", x, table.output("cracked.positive.stiffness")},
-                  {"cracked, T < 0", x, table.output("cracked.negative.stiffness")}}}};
+  std::vector<PlotPanel> panels =
+      coupled_panels(result, table, gear.name.empty() ? "Torsional stiffness" : gear.name);
+  const bool first = panels.empty();
+  panels.push_back({.title = !first              ? "Sum of the members, without contacts"
+                             : gear.name.empty() ? "Torsional stiffness"
+                                                 : gear.name,
+                    .subtitle = first ? subtitle(result) : "",
+                    .x_label = table.axis_label(0),
+                    .y_label = "stiffness K of the sum [N·m/arcmin]",
+                    .x_scale = scale_of(result.variations[0]),
+                    .series = {{"sound", x, table.output("intact.stiffness")},
+                               {"cracked, T > 0", x, table.output("cracked.positive.stiffness")},
+                               {"cracked, T < 0", x, table.output("cracked.negative.stiffness")}}});
   if (result.crack_paths.empty()) return panels;
 
   const std::vector<double> total = negated(table.output("cracked.positive.stiffness_change"));
   const bool positive = std::ranges::none_of(total, [](double loss) { return loss <= 0; });
   PlotPanel loss{
-      .title = "Loss of stiffness by cracks",
+      .title = "Loss of stiffness of the sum by cracks",
       .subtitle = "and what the cracks of each member contribute to it under T > 0",
       .x_label = table.axis_label(0),
       .y_label = "loss of stiffness −ΔK/K [%]",
@@ -127,54 +175,62 @@ std::vector<PlotPanel> panels_over_one(const SweepResult& result, const GearSet&
   return panels;
 }
 
-/// Change of stiffness over the first number, a line for each value of the second.
-PlotPanel panel_over_two(const SweepResult& result, const SweepTable& table,
-                         const std::vector<double>& change) {
-  constexpr std::size_t kMostLines = kDistinctLines;
-  const std::vector<double> x = table.input(0);
-  const std::vector<double> second = table.input(1);
-  const auto n_values = static_cast<std::size_t>(result.variations[1].n_points);
-  const std::size_t n_lines = std::min(n_values, kMostLines);
-  const std::string unit = typeset_unit(table.shown(1).text);
-  PlotPanel panel{.title = {},
-                  .x_label = table.axis_label(0),
-                  .y_label = {},
-                  .legend_title = result.inputs[1].name,
-                  .x_scale = scale_of(result.variations[0])};
-  for (std::size_t line = 0; line < n_lines; ++line) {
-    // Evenly chosen where there are more values than lines; the first and the last are among them.
-    const std::size_t at = line * (n_values - 1) / (n_lines - 1);
-    PlotSeries series{.label = fmt::format("{}{:.4g}{}{}", second[at] < 0 ? "−" : "",
-                                           std::abs(second[at]), unit.empty() ? "" : " ", unit)};
-    for (std::size_t i = at; i < x.size(); i += n_values) {
-      series.x.push_back(x[i]);
-      series.y.push_back(change[i]);
-    }
-    panel.series.push_back(std::move(series));
+/// Whether two outputs differ so far that both are worth a panel.
+bool differ(const std::vector<double>& one, const std::vector<double>& other) {
+  double largest = 0.0;
+  double difference = 0.0;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    if (!std::isfinite(one[i])) continue;
+    largest = std::max(largest, std::abs(one[i]));
+    difference = std::max(difference, std::abs(one[i] - other[i]));
   }
+  return difference > 0.005 * largest;  // visible
+}
+
+/// One output over both numbers.
+ContourPanel panel_over_two(const SweepResult& result, const SweepTable& table,
+                            const std::string& output) {
+  ContourPanel panel{.title = {},
+                     .x_label = table.axis_label(0),
+                     .y_label = table.axis_label(1),
+                     .value_label = {},
+                     .x_scale = scale_of(result.variations[0]),
+                     .y_scale = scale_of(result.variations[1])};
+  const std::vector<double> first = table.input(0);
+  const std::vector<double> second = table.input(1);
+  const auto n = static_cast<std::size_t>(result.variations[1].n_points);
+  for (std::size_t i = 0; i < first.size(); i += n) panel.x.push_back(first[i]);
+  panel.y.assign(second.begin(), second.begin() + static_cast<std::ptrdiff_t>(n));
+  panel.values = table.output(output);
   return panel;
 }
 
-std::vector<PlotPanel> panels_over_two(const SweepResult& result, const GearSet& gear) {
+std::vector<ContourPanel> panels_over_two(const SweepResult& result, const GearSet& gear) {
   const SweepTable table(result);
-  const std::vector<double> positive = table.output("cracked.positive.stiffness_change");
-  const std::vector<double> negative = table.output("cracked.negative.stiffness_change");
-  std::vector<PlotPanel> panels{panel_over_two(result, table, positive)};
-  panels[0].title = gear.name.empty() ? "Change of stiffness" : gear.name;
-  panels[0].subtitle = subtitle(result);
-  panels[0].y_label = "change of stiffness ΔK/K, T > 0 [%]";
-
-  double largest = 0.0;
-  double difference = 0.0;
-  for (std::size_t i = 0; i < positive.size(); ++i) {
-    if (!std::isfinite(positive[i])) continue;
-    largest = std::max(largest, std::abs(positive[i]));
-    difference = std::max(difference, std::abs(positive[i] - negative[i]));
+  std::vector<ContourPanel> panels;
+  const auto add = [&](const std::string& output, std::string title, std::string value_label) {
+    ContourPanel panel = panel_over_two(result, table, output);
+    if (!any(panel.values)) return;
+    panel.title = std::move(title);
+    panel.value_label = std::move(value_label);
+    panels.push_back(std::move(panel));
+  };
+  const bool cracked = !result.crack_paths.empty();
+  for (const char* const line : kLines)
+    add(fmt::format("curve.{}.{}", cracked ? "positive" : "intact", line),
+        fmt::format("{} of the coupled drive{}", line, cracked ? ", cracked, T > 0" : ""),
+        fmt::format("{} [N·m/arcmin]", line));
+  if (cracked) {
+    const std::string positive = "cracked.positive.stiffness_change";
+    const std::string negative = "cracked.negative.stiffness_change";
+    add(positive, "Change of stiffness of the sum of the members, T > 0", "ΔK/K [%]");
+    if (differ(table.output(positive), table.output(negative)))
+      add(negative, "Change of stiffness of the sum of the members, T < 0", "ΔK/K [%]");
+  } else {
+    add("intact.stiffness", "Stiffness of the sum of the members", "K [N·m/arcmin]");
   }
-  if (difference > 0.005 * largest) {  // visible
-    panels.push_back(panel_over_two(result, table, negative));
-    panels[1].title = "Under negative torque";
-    panels[1].y_label = "change of stiffness ΔK/K, T < 0 [%]";
+  if (!panels.empty()) {
+    panels[0].subtitle = (gear.name.empty() ? "" : gear.name + "; ") + subtitle(result);
   }
   return panels;
 }
@@ -199,8 +255,8 @@ std::string sweep_csv(const SweepResult& result) {
 }
 
 std::string sweep_plot(const SweepResult& result, const GearSet& gear) {
-  return svg_plot(result.variations.size() == 1 ? panels_over_one(result, gear)
-                                                : panels_over_two(result, gear));
+  if (result.variations.size() == 1) return svg_plot(panels_over_one(result, gear));
+  return contour_svg(panels_over_two(result, gear));
 }
 
 }  // namespace strainwave

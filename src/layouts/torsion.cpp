@@ -34,6 +34,12 @@ TitledTable lines_table(const TorsionReport& report, const GearSet& gear) {
   both("K3 [N*m/rad]", &MakersLines::K3, &LineBands::K3, 1);
   both("twist at T1 [arcmin]", &MakersLines::phi1, nullptr, units::arcmin);
   both("twist at T2 [arcmin]", &MakersLines::phi2, nullptr, units::arcmin);
+  const auto reached = [](const std::optional<double>& twist) {
+    return twist ? arcmin(*twist) : std::string("not reached");
+  };
+  table.rows.push_back(
+      cells(fmt::format("twist at {} N*m, the load [arcmin]", shown_number(report.at_load.torque)),
+            reached(report.at_load.positive), reached(report.at_load.negative)));
   const HysteresisLoop& loop = report.loop;
   table.rows.push_back(cells(
       fmt::format("lost motion [arcmin], at +-{} N*m", shown_number(report.torques.lost_motion)),
@@ -160,13 +166,39 @@ std::string torsion_text(const TorsionReport& report, const GearSet& gear) {
 std::string torsion_csv(const TorsionReport& report) {
   Table table{.head = {"torque [N*m]", "twist [rad]", "tangent_stiffness [N*m/rad]",
                        "teeth_in_contact", "balls_in_contact"}};
-  const auto add = [&](const CurvePoint& p) {
-    table.rows.push_back(
+  const bool compare = report.comparison.has_value();
+  const std::size_t of_curve = table.head.size();
+  if (compare) {
+    table.head.insert(table.head.begin(), "part");
+    table.head.insert(table.head.end(),
+                      {"sound_twist [rad]", "sound_tangent_stiffness [N*m/rad]", "angle [rad]"});
+    for (const char* const sense : {"positive", "negative"})
+      for (const char* const line : {"K1", "K2", "K3"})
+        table.head.push_back(fmt::format("{}.{}_change [1]", sense, line));
+  }
+  const auto add = [&](const TorsionCurve& curve, const TorsionCurve& sound, std::size_t i) {
+    const CurvePoint& p = curve.points[i];
+    auto& row = table.rows.emplace_back(
         cells(p.torque, p.twist, p.tangent_stiffness(), p.teeth_in_contact, p.balls_in_contact));
+    if (!compare) return;
+    const CurvePoint& s = sound.points[i];
+    row.insert(row.begin(), "curve");
+    for (std::string& one : cells(s.twist, s.tangent_stiffness())) row.push_back(std::move(one));
+    row.resize(table.head.size());
   };
-  const std::vector<CurvePoint>& negative = report.curve_negative.points;
-  std::for_each(negative.rbegin(), negative.rend(), add);
-  std::ranges::for_each(report.curve.points, add);
+  for (std::size_t i = report.curve_negative.points.size(); i-- > 0;)
+    add(report.curve_negative, report.sound_negative, i);
+  for (std::size_t i = 0; i < report.curve.points.size(); ++i) add(report.curve, report.sound, i);
+  if (!compare) return csv_table(table);
+  const CurveComparison& c = *report.comparison;
+  for (std::size_t i = 0; i < c.angles.size(); ++i) {
+    const LineChanges& p = c.positive.at_angle[i];
+    const LineChanges& n = c.negative.at_angle[i];
+    auto& row = table.rows.emplace_back(std::vector<std::string>{"turn"});
+    row.resize(1 + of_curve + 2);
+    for (std::string& one : cells(c.angles[i], p.K1, p.K2, p.K3, n.K1, n.K2, n.K3))
+      row.push_back(std::move(one));
+  }
   return csv_table(table);
 }
 

@@ -32,10 +32,10 @@ std::vector<PlotPanel> torsion_panels(const TorsionReport& report, const GearSet
     add(sound, p.torque, p.twist / units::arcmin);
     add(tangent_sound, p.torque, units::arcmin / p.tangent_compliance);
   }
-  const double phi3 = report.positive.phi2 + (at.T3 - at.T2) / report.positive.K3;
-  const PlotSeries lines{.label = "K1, K2, K3",
-                         .x = {0.0, at.T1, at.T2, at.T3},
-                         .y = in_arcmin({0.0, report.positive.phi1, report.positive.phi2, phi3})};
+  const PlotSeries lines{
+      .label = "K1, K2, K3",
+      .x = {0.0, at.T1, at.T2, at.T3},
+      .y = in_arcmin({0.0, report.positive.phi1, report.positive.phi2, report.positive.phi3})};
   const PlotSeries loop{
       .label = "loop, friction", .x = report.loop.torque, .y = in_arcmin(report.loop.twist)};
   std::vector<PlotPanel> panels;

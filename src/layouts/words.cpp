@@ -33,8 +33,12 @@ std::string words_of(const StrengthState& state) {
 }
 
 std::string output_words(std::string_view output) {
-  return fmt::format("{}, {}", output.ends_with("_loss") ? "loss of stiffness" : "stiffness",
-                     output.starts_with("intact") ? "sound"
+  const bool sound = output.starts_with("intact") || output.starts_with("curve.intact");
+  return fmt::format("{}, {}",
+                     output.starts_with("curve.") ? output.substr(output.rfind('.') + 1)
+                     : output.ends_with("_loss")  ? "loss of stiffness"
+                                                  : "stiffness",
+                     sound ? "sound"
                      : output.find("negative") == std::string_view::npos
                          ? words_of(TorqueSense::positive)
                          : words_of(TorqueSense::negative));

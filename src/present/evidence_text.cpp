@@ -18,6 +18,12 @@ std::string notes_text(std::span<const Note> notes) {
   return text;
 }
 
+std::string verdict_text(const Verdict& verdict) {
+  std::string line = fmt::format("Verdict: {}. {}", enum_name(verdict.judgement), verdict.reason);
+  if (!verdict.next_step.empty()) line += ". " + verdict.next_step;
+  return paragraph(line, 2);
+}
+
 std::string equations_text(std::span<const std::string> equations) {
   return paragraph(fmt::format("Equations of the theory manual: {}", fmt::join(equations, ", ")));
 }

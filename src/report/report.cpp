@@ -118,29 +118,43 @@ std::string verdict_html(const Draft& draft) {
   const auto stiffness = [&](const std::string& path, const Quantity& K) {
     return quantity(path, K, 1 / units::arcmin);
   };
-  html += key_number("Stiffness, sound", stiffness("intact.stiffness", r.intact.stiffness),
+  const bool positive = draft.gear.load.torque > 0;
+  const std::string wind_up = fmt::format("Wind-up at {} N·m", number(draft.gear.load.torque));
+  const std::string state = draft.cracks.empty() ? "sound" : "cracked";
+  if (r.curve) {
+    const std::string sense = positive ? "curve.positive." : "curve.negative.";
+    const CrackedCurve& curve = positive ? r.curve->positive : r.curve->negative;
+    const auto line = [&](const char* label, const char* name, const Quantity& K,
+                          const Quantity& change) {
+      html += key_number(
+          label, stiffness(sense + name, K), "N·m/arcmin",
+          "accuracy " + accuracy(K) +
+              (draft.cracks.empty() ? std::string()
+                                    : ", by cracks " + typeset(percent_change(change.value))));
+    };
+    line("<i>K</i><sub>1</sub>", "K1", curve.K1, curve.change.K1);
+    line("<i>K</i><sub>2</sub>", "K2", curve.K2, curve.change.K2);
+    line("<i>K</i><sub>3</sub>", "K3", curve.K3, curve.change.K3);
+    if (curve.wind_up)
+      html += key_number(wind_up, quantity(sense + "wind_up", *curve.wind_up, units::arcmin),
+                         "arcmin", state + ", accuracy " + accuracy(*curve.wind_up));
+  }
+  html += key_number("Sum of the members, sound", stiffness("intact.stiffness", r.intact.stiffness),
                      "N·m/arcmin", "accuracy " + accuracy(r.intact.stiffness));
   const auto cracked = [&](const char* label, const std::string& path, const CrackedDrive& drive) {
     html += key_number(
         label, stiffness(path + ".stiffness", drive.stiffness), "N·m/arcmin",
         "change " + quantity(path + ".stiffness_change", drive.stiffness_change, 0.01) + " %");
   };
-  if (!draft.cracks.empty()) {
-    cracked("Cracked, <i>T</i> &gt; 0", "cracked.positive", r.positive);
-    cracked("Cracked, <i>T</i> &lt; 0", "cracked.negative", r.negative);
+  if (!draft.cracks.empty() && !r.curve) {
+    cracked("Sum, cracked, <i>T</i> &gt; 0", "cracked.positive", r.positive);
+    cracked("Sum, cracked, <i>T</i> &lt; 0", "cracked.negative", r.negative);
   }
-  const bool positive = draft.gear.load.torque > 0;
-  html += key_number(fmt::format("Wind-up at {} N·m", number(draft.gear.load.torque)),
-                     quantity(positive ? "cracked.positive.wind_up" : "cracked.negative.wind_up",
-                              positive ? r.positive.wind_up : r.negative.wind_up, units::arcmin),
-                     "arcmin", draft.cracks.empty() ? "sound" : "cracked");
-  if (r.curve)
-    html += key_number(
-        "<i>K</i><sub>1</sub> / <i>K</i><sub>2</sub> / <i>K</i><sub>3</sub>",
-        quantity("curve.positive.K1", r.curve->positive.K1, 1 / units::arcmin) + " / " +
-            quantity("curve.positive.K2", r.curve->positive.K2, 1 / units::arcmin) + " / " +
-            quantity("curve.positive.K3", r.curve->positive.K3, 1 / units::arcmin),
-        "N·m/arcmin", "torsion curve, accuracy " + accuracy(r.curve->positive.K1));
+  if (!r.curve)
+    html += key_number(wind_up + ", of the sum",
+                       quantity(positive ? "cracked.positive.wind_up" : "cracked.negative.wind_up",
+                                positive ? r.positive.wind_up : r.negative.wind_up, units::arcmin),
+                       "arcmin", state);
   html += strength_number(draft);
   return html + "</dl>\n</div>\n";
 }

@@ -9,6 +9,7 @@
 #include "markup.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/layouts/stiffness.hpp"
 #include "strainwave/layouts/words.hpp"
 
 namespace strainwave::report {
@@ -46,28 +47,23 @@ Row compliance_row(const StiffnessResult& result, std::string label, const std::
       name == "total" ? "sum" : ""};
 }
 
-std::vector<Row> curve_rows(const StiffnessResult& result) {
-  std::vector<Row> rows;
-  const auto add = [&](const std::string& name, const char* label, Quantity CurveStiffness::*K) {
-    const Quantity& sound = result.curve->intact.*K;
-    rows.push_back(
-        {{label, quantity("curve.intact." + name, sound), "",
-          quantity("curve.positive." + name, result.curve->positive.*K),
-          quantity("curve.negative." + name, result.curve->negative.*K), accuracy(sound)},
-         {}});
-    const auto change = [&](const CurveStiffness& cracked) {
-      return typeset(percent_change((cracked.*K).value / sound.value - 1));
-    };
-    if (!result.cracks.empty() || result.curve->positive.*K != sound)
-      rows.push_back(
-          {{"change", "", "", change(result.curve->positive), change(result.curve->negative), ""},
-           "change"});
-  };
-  add("K1", "<i>K</i><sub>1</sub>, up to <i>T</i><sub>1</sub>", &CurveStiffness::K1);
-  add("K2", "<i>K</i><sub>2</sub>, <i>T</i><sub>1</sub> to <i>T</i><sub>2</sub>",
-      &CurveStiffness::K2);
-  add("K3", "<i>K</i><sub>3</sub>, from <i>T</i><sub>2</sub>", &CurveStiffness::K3);
-  return rows;
+RowGroup coupled_group(const CurveResult& curve, const GearSet& gear) {
+  RowGroup group{std::string(kCoupledTitle) +
+                     (curve.torques.by_convention ? "; T1, T2, T3 by convention" : ""),
+                 {}};
+  for (const CoupledRow& row : coupled_rows(curve, gear)) {
+    group.rows.push_back({{label(fmt::format("{} [{}]", row.label, row.unit)),
+                           quantity("curve.intact." + row.name, row.sound, row.unit_in_si), "",
+                           quantity("curve.positive." + row.name, row.positive, row.unit_in_si),
+                           quantity("curve.negative." + row.name, row.negative, row.unit_in_si),
+                           accuracy(row.sound)},
+                          {}});
+    if (!row.positive_change || !row.negative_change) continue;
+    group.rows.push_back({{"change", "", "", typeset(percent_change(row.positive_change->value)),
+                           typeset(percent_change(row.negative_change->value)), ""},
+                          "change"});
+  }
+  return group;
 }
 
 /// A zero but for the noise of the arithmetic, which stays in `value`.
@@ -85,8 +81,9 @@ std::string crack_mark(const Draft& draft, const std::string& path) {
 ReportSection results_chapter(const Draft& draft) {
   const StiffnessResult& r = draft.result;
   std::vector<RowGroup> groups;
-  RowGroup& compliances =
-      groups.emplace_back(RowGroup{"Compliance at the output, input locked [rad/(N·m)]", {}});
+  if (r.curve) groups.push_back(coupled_group(*r.curve, draft.gear));
+  RowGroup& compliances = groups.emplace_back(RowGroup{
+      std::string(kSumTitle) + ": compliance at the output, input locked [rad/(N·m)]", {}});
   for (const SeriesMember& member : members_of(draft.gear))
     compliances.rows.push_back(compliance_row(r, member.label, member.name, member.compliance));
   compliances.rows.push_back(compliance_row(r, "total", "total", &Compliances::total));
@@ -99,7 +96,7 @@ ReportSection results_chapter(const Draft& draft) {
                {}};
   };
   groups.push_back(
-      {"Torsional stiffness",
+      {std::string(kSumTitle) + ": torsional stiffness",
        {drive("<i>K</i><sub>HD</sub> [N·m/rad]", &IntactDrive::stiffness, &CrackedDrive::stiffness,
               "stiffness", 1),
         drive("<i>K</i><sub>HD</sub> [N·m/arcmin]", &IntactDrive::stiffness,
@@ -113,9 +110,6 @@ ReportSection results_chapter(const Draft& draft) {
             "change"},
         drive(fmt::format("wind-up at {} N·m [arcmin]", number(std::abs(draft.gear.load.torque))),
               &IntactDrive::wind_up, &CrackedDrive::wind_up, "wind_up", units::arcmin)}});
-  if (r.curve)
-    groups.push_back({"Torsion curve of the coupled drive, with balls, teeth and rings [N·m/rad]",
-                      curve_rows(r)});
   std::string html = paragraph(fmt::format(
       "Load at the output: T = {} N·m, P = {} N. Both senses of torque are computed. Accuracy is "
       "one standard relative uncertainty of the model's form; the inputs are taken as they stand.",
@@ -130,7 +124,7 @@ ReportSection shares_chapter(const Draft& draft) {
   const StiffnessResult& r = draft.result;
   const double total = r.intact.compliance.total.value;
   BarChart members{.id = "shares-members",
-                   .title = "Shares of the members in the compliance of the sound drive",
+                   .title = "Shares of the members in the compliance of their sum, sound",
                    .axis = "share of the sound drive's compliance [%]"};
   for (const SeriesMember& member : members_of(draft.gear)) {
     const Quantity& q = r.intact.compliance.*member.compliance;
@@ -140,7 +134,9 @@ ReportSection shares_chapter(const Draft& draft) {
                             .style = {}});
   }
   std::string html = figure(
-      bar_chart(members), "Where the compliance of the sound drive is: members in series.", "bars");
+      bar_chart(members),
+      "Where the compliance of the sum is: members of the sound drive in series, without contacts.",
+      "bars");
   if (!r.cracks.empty()) {
     BarChart cracks{.id = "shares-cracks",
                     .title = "What each crack adds to the compliance",

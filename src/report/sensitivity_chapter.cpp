@@ -77,14 +77,14 @@ ReportSection sensitivity_chapter(Draft& draft) {
     const Sensitivity s = sensitivity_of(draft.gear);
     if (!s.usable()) return absent("No sensitivity: " + s.unusable_because + ".");
     std::string html = paragraph(
-        "Exact first derivatives of the sum of compliances, as elasticities: by how many percent "
-        "an "
-        "output changes for one percent more of an input, all others kept. The torsion curve is "
-        "not "
-        "in them.");
+        "Exact first derivatives, of K1, K2, K3 where the coupled drive is solved and of the sum "
+        "of the members, as elasticities: by how many percent an output changes for one percent "
+        "more of an input, all others kept.");
     const std::string sense = draft.gear.load.torque > 0 ? "positive" : "negative";
+    const std::string coupled = draft.cracks.empty() ? "curve.intact." : "curve." + sense + ".";
     std::size_t charts = 0;
-    for (const std::string& name : {draft.cracks.empty() ? std::string("intact.stiffness")
+    for (const std::string& name : {coupled + "K1", coupled + "K2", coupled + "K3",
+                                    draft.cracks.empty() ? std::string("intact.stiffness")
                                                          : "cracked." + sense + ".stiffness",
                                     "cracked." + sense + ".stiffness_loss"}) {
       const auto output = std::ranges::find(s.outputs, name, &SensitivityOutput::name);
@@ -100,12 +100,16 @@ ReportSection sensitivity_chapter(Draft& draft) {
       html += table(one);
     }
     if (!s.no_influence.empty())
+      html +=
+          paragraph(fmt::format("{} numbers of the file have no influence on any of these outputs.",
+                                s.no_influence.size()),
+                    "remark");
+    for (const CurveStep& step : s.not_differentiated)
       html += paragraph(
-          fmt::format("{} numbers of the file have no influence on this sum of compliances.",
-                      s.no_influence.size()),
+          fmt::format("K1, K2, K3 have no derivative to {}: {}.", escaped(step.path), step.reason),
           "remark");
     draft.add(s.notes);
-    draft.add(std::vector<std::string>{"SN-1", "SN-2", "SN-6"});
+    draft.add(std::vector<std::string>{"SN-1", "SN-2", "SN-6", "TC-27"});
     if (!draft.gear.scatter.empty()) html += scatter_html(draft, s);
     return {"sensitivity", draft.gear.scatter.empty() ? "Sensitivity" : "Sensitivity and scatter",
             html};

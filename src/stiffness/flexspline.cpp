@@ -159,7 +159,7 @@ void share_between_modes(CrackReport& report) {
 }
 
 /// Reports the cracks of a flexspline, each kind in its own words.
-class FlexsplineCracks : CrackAdder {
+class FlexsplineCracks : public CrackAdder {
  public:
   explicit FlexsplineCracks(const CrackAdder& adder) : CrackAdder(adder) {}
 

@@ -202,7 +202,7 @@ void add_cracks(MemberCompliance& member, const CrackLoads<double>& loads, std::
                    "crack acts: it adds no compliance here",
            .path = path,
            .equation = "ST-1",
-           .severity = Severity::care,
+           .severity = adder.options.left_out(),
            .next_step = "Run strainwave torsion, whose coupled drive contains this crack."});
     else
       loads.load(crack, [&](const auto& loaded) {

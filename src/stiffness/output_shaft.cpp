@@ -30,7 +30,7 @@ AnnularAccuracy annular_accuracy(const ElasticConstants& steel) {
 }
 
 /// Reports the cracks of an output shaft.
-class ShaftCracks : CrackAdder {
+class ShaftCracks : public CrackAdder {
  public:
   explicit ShaftCracks(const CrackAdder& adder) : CrackAdder(adder) {}
 

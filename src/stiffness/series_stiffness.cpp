@@ -68,7 +68,7 @@ SeriesCompliance<Real> series_compliance(const GearSet& gear, const Lift<Real>& 
                                          const StiffnessOptions& options) {
   const SeriesModel<Real> model(gear, lift);
   SeriesCompliance<Real> total;
-  const auto add = [&](const Real& intact, const auto& cracks) {
+  const auto add = [&](const Real& intact, const auto& cracks) -> CrackSum<Real> {
     const auto sum = sum_of(cracks, model, options.quadrature);
     total.intact += intact;
     total.positive += intact + sum.positive;
@@ -76,11 +76,20 @@ SeriesCompliance<Real> series_compliance(const GearSet& gear, const Lift<Real>& 
     total.positive_added += sum.positive;
     total.negative_added += sum.negative;
     total.usable = total.usable && sum.usable;
+    return sum;
+  };
+  const auto add_in_line = [&](const Real& intact, const auto& cracks) {
+    const auto sum = add(intact, cracks);
+    total.positive_in_line += sum.positive;
+    total.negative_in_line += sum.negative;
   };
   if (gear.wave_generator)
     add(model.conversion().all_lobes * model.lobe_compliance(), gear.wave_generator->crack);
-  if (gear.flexspline) add(model.sound_flexspline(), gear.flexspline->crack);
-  if (gear.output_shaft) add(model.sound_shaft(), gear.output_shaft->crack);
+  if (gear.flexspline) add_in_line(model.sound_flexspline(), gear.flexspline->crack);
+  if (gear.output_shaft) {
+    total.output_shaft = model.sound_shaft();
+    add_in_line(total.output_shaft, gear.output_shaft->crack);
+  }
   return total;
 }
 

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "member_support.hpp"
@@ -93,6 +95,104 @@ CrackedDrive cracked_drive(const Members& intact, const Members& added, double t
 
 /// From here on a change is said as a multiple [-].
 constexpr double kManifold = 9.0;
+/// What the sum of the members leaves out, over the quantities of the sum (ST-18): how far those of
+/// the drive may lie from them.
+struct LeftOut {
+  double compliance = 0.0;
+  double stiffness = 0.0;
+  double wind_up = 0.0;
+  std::optional<double> change = 0.0;  ///< absent if nobody can state it
+};
+
+/// From the ground of catalogues: a share of the compliance of the members that the mesh connects.
+LeftOut left_out_of(const GearSet& gear, const Members& intact, const Quantity& compliance) {
+  if (!gear.wave_generator || !gear.flexspline) return {};  // no mesh between them
+  const double left =
+      accuracy::kContactsLeftOut * (intact.wave_generator.value() + intact.flexspline.value());
+  const double of_drive = left / (compliance.value + left);
+  return {.compliance = left / compliance.value,
+          .stiffness = of_drive,
+          .wind_up = left / compliance.value,
+          .change = of_drive};  // (ST-18)
+}
+
+/// From the coupled drive itself.
+LeftOut left_out_of(const CurveStiffness& coupled, const Quantity& compliance,
+                    const Quantity& wind_up) {
+  LeftOut left;
+  for (const Quantity& K : {coupled.K1, coupled.K2, coupled.K3}) {
+    const double ratio = K.value * compliance.value;
+    left.compliance = std::max(left.compliance, std::abs(1 / ratio - 1));
+    left.stiffness = std::max(left.stiffness, std::abs(ratio - 1));
+  }
+  left.wind_up = left.compliance;
+  if (coupled.wind_up && wind_up.value > 0)
+    left.wind_up = std::abs(coupled.wind_up->value / wind_up.value - 1);  // (ST-18)
+  return left;
+}
+
+std::optional<double> left_out_of(const CurveChange& coupled, const Quantity& change) {
+  double largest = 0.0;
+  for (const Quantity& K : {coupled.K1, coupled.K2, coupled.K3}) {
+    if (change.value == 0 && K.value != 0) return std::nullopt;
+    if (change.value != 0) largest = std::max(largest, std::abs(K.value / change.value - 1));
+  }
+  return largest;
+}
+
+void widen(Quantity& quantity, std::optional<double> left_out) {
+  if (left_out && quantity.relative_uncertainty)
+    quantity.relative_uncertainty = accuracy::combined(*quantity.relative_uncertainty, *left_out);
+  else
+    quantity.relative_uncertainty.reset();
+}
+
+template <class Drive>
+void widen(Drive& drive, const LeftOut& left_out) {
+  widen(drive.compliance.total, left_out.compliance);
+  widen(drive.stiffness, left_out.stiffness);
+  widen(drive.wind_up, left_out.wind_up);
+  if constexpr (requires { drive.stiffness_change; })
+    widen(drive.stiffness_change, left_out.change);
+}
+
+/// Makes the accuracies of the sum contain what it leaves out, and says so.
+void contain_left_out(StiffnessResult& result, const GearSet& gear, const Members& intact,
+                      const CurveResult* coupled) {
+  const auto of = [&](const auto& drive, auto curve) {
+    LeftOut left = coupled == nullptr
+                       ? left_out_of(gear, intact, drive.compliance.total)
+                       : left_out_of(coupled->*curve, drive.compliance.total, drive.wind_up);
+    if constexpr (requires { drive.stiffness_change; })
+      if (coupled != nullptr)
+        left.change = left_out_of((coupled->*curve).change, drive.stiffness_change);
+    return left;
+  };
+  const LeftOut sound = of(result.intact, &CurveResult::intact);
+  widen(result.positive, of(result.positive, &CurveResult::positive));
+  widen(result.negative, of(result.negative, &CurveResult::negative));
+  widen(result.intact, sound);
+  if (sound.compliance == 0) return;
+  result.accuracies.push_back(
+      {"total", sound.compliance,
+       std::string(coupled == nullptr ? accuracy::kContactsLeftOut.source
+                                      : "contacts, rings and coning are left out: the "
+                                        "coupled drive lies so far away")});
+  use_equations(result.equations, {"ST-18"});
+  result.notes.push_back(
+      {.code = "sum.left_out",
+       .text = fmt::format(
+           "the sum of the members leaves out the contacts of balls and teeth, the rings and the "
+           "coning of the cup: its stiffness is an upper bound, and the drive is softer; the "
+           "accuracy of the sum contains {}",
+           coupled == nullptr
+               ? "this, as catalogues show it: the sum is 2 to 5 times too stiff without a shaft"
+               : "the coupled drive, which is the answer"),
+       .path = "",
+       .equation = "ST-18",
+       .severity = coupled == nullptr ? Severity::care : Severity::information,
+       .next_step = coupled == nullptr ? "Give what the coupled drive needs." : ""});
+}
 
 void note_materials(const GearSet& gear, std::vector<Note>& notes) {
   for (const auto& [name, material] : gear.material) {
@@ -168,6 +268,7 @@ StiffnessResult torsional_stiffness(const GearSet& gear, const StiffnessOptions&
                    .wind_up = wind_up_of(total, gear.load.torque)};
   result.positive = cracked_drive(intact, positive, gear.load.torque);
   result.negative = cracked_drive(intact, negative, gear.load.torque);
+  contain_left_out(result, gear, intact, options.coupled);
   if (gear.article)
     result.notes.push_back(
         {.code = "article.ignored",

@@ -22,8 +22,9 @@ struct Estimate {
 };
 
 /// Radial compliance of one lobe by Hertz contacts, C_0 [m/N].
+/// @param left_out  severity of what the coupled drive contains and this sum leaves out
 Estimate hertz_compliance(const GearSet& gear, const SeriesModel<double>& model,
-                          MemberCompliance& member) {
+                          MemberCompliance& member, Severity left_out) {
   use_equations(member.equations, {"ST-9", "CO-1", "CO-2", "CO-3", "CO-4"});
   member.notes.push_back(
       {.code = "wave_generator.hertz",
@@ -34,7 +35,7 @@ Estimate hertz_compliance(const GearSet& gear, const SeriesModel<double>& model,
            model.ball_contacts().inner.peak_pressure / units::MPa),
        .path = "wave_generator.bearing",
        .equation = "ST-9",
-       .severity = Severity::care});
+       .severity = left_out});
   if (model.free_outer_ring()) {
     use_equations(member.equations, {"ST-10"});
     member.notes.push_back({.code = "wave_generator.free_ring",
@@ -51,7 +52,7 @@ Estimate hertz_compliance(const GearSet& gear, const SeriesModel<double>& model,
                  "here, since a ring free between the lobes would be many times too soft",
          .path = "wave_generator.bearing.outer_ring",
          .equation = "ST-10",
-         .severity = Severity::care,
+         .severity = left_out,
          .next_step = "Run strainwave torsion, which has the ring as it is held."});
   }
   return {model.lobe_compliance(), accuracy::kLoadSharing, -1.0 / 3};  // (CO-4): ~ force^(-1/3)
@@ -59,10 +60,10 @@ Estimate hertz_compliance(const GearSet& gear, const SeriesModel<double>& model,
 
 /// Radial compliance of one lobe, C_0 [m/N].
 Estimate lobe_compliance(const GearSet& gear, const SeriesModel<double>& model,
-                         MemberCompliance& member) {
+                         MemberCompliance& member, Severity left_out) {
   const WaveGenerator& wg = *gear.wave_generator;
   if (wg.radial_stiffness) return {model.lobe_compliance(), {}};
-  if (!wg.displacements) return hertz_compliance(gear, model, member);
+  if (!wg.displacements) return hertz_compliance(gear, model, member, left_out);
   if (wg.displacements->shaft > 0 && gear.drive.wave_number >= 2)
     member.notes.push_back({.code = "wave_generator.shaft_bending",
                             .text = "the forces of evenly spaced lobes balance: the shaft does not "
@@ -132,7 +133,7 @@ Driver driver_of(const Crack& crack, const std::string& path) {
 constexpr double kDeepEdgeCrack = 0.8;
 
 /// Reports the cracks of the bearing's races, each kind in its own words.
-class RaceCracks : CrackAdder {
+class RaceCracks : public CrackAdder {
  public:
   explicit RaceCracks(const CrackAdder& adder) : CrackAdder(adder) {}
 
@@ -217,9 +218,9 @@ void RaceCracks::add_race_crack(CrackReport report, const Crack& crack,
 
 /// The sound wave generator: lobe compliance times conversion.
 void add_sound_wave_generator(const GearSet& gear, const SeriesModel<double>& model,
-                              MemberCompliance& member) {
+                              MemberCompliance& member, Severity left_out) {
   use_equations(member.equations, {"ST-5"});
-  const Estimate C_0 = lobe_compliance(gear, model, member);
+  const Estimate C_0 = lobe_compliance(gear, model, member, left_out);
   const bool cam = gear.wave_generator->conversion == Conversion::cam;
   if (cam)
     member.notes.push_back(
@@ -250,7 +251,7 @@ void add_sound_wave_generator(const GearSet& gear, const SeriesModel<double>& mo
 MemberCompliance wave_generator_compliance(const GearSet& gear, const StiffnessOptions& options) {
   const SeriesModel<double> model(gear);
   MemberCompliance member;
-  add_sound_wave_generator(gear, model, member);
+  add_sound_wave_generator(gear, model, member, options.left_out());
   add_cracks(member, model.loads(), "wave_generator", gear.wave_generator->crack,
              RaceCracks({gear, model, options, member}));
   if (!member.cracks.empty())

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/study/evaluate.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "coupled.hpp"
 #include "strainwave/article/as_printed.hpp"
 #include "strainwave/article/repaired.hpp"
 #include "strainwave/core/error.hpp"
@@ -15,30 +22,46 @@
 namespace strainwave {
 namespace {
 
-CurveStiffness lines_of(const AssembledDrive& drive, int sense) {
-  const MakersLines lines = makers_lines(drive, sense);
-  const auto quantity = [&](double K) {
-    return Quantity{K, "N*m/rad", curve_uncertainty(drive.gear())};
-  };
-  return {quantity(lines.K1), quantity(lines.K2), quantity(lines.K3)};
+void use_equations(std::vector<std::string>& equations, const std::vector<std::string>& tags) {
+  for (const std::string& tag : tags)
+    if (std::ranges::find(equations, tag) == equations.end()) equations.push_back(tag);
 }
 
-/// The maker's stiffnesses beside the series model; a note says why where there are none.
-void add_curve(StiffnessResult& result, const GearSet& gear) {
-  try {
-    const AssembledDrive drive(gear);
-    result.curve = {.intact = lines_of(drive.without_cracks(), +1),
-                    .positive = lines_of(drive, +1),
-                    .negative = lines_of(drive, -1)};
-    result.equations.emplace_back("TC-14");
-  } catch (const Error& error) {
-    result.notes.push_back(
-        {.code = "curve.none",
-         .text = std::string("no torsion curve of the coupled drive: ") + error.what(),
-         .path = "",
-         .equation = "TC-11",
-         .severity = Severity::care});
-  }
+/// K1, K2, K3 and the wind-up under one sense of torque, +1 or -1.
+CurveStiffness lines_of(const AssembledDrive& drive, int sense, std::vector<Note>& notes) {
+  const GearSet& gear = drive.gear();
+  const double uncertainty = curve_uncertainty(gear);
+  const MakersLines lines = makers_lines(drive, sense);
+  const auto stiffness = [&](double K) { return Quantity{K, "N*m/rad", uncertainty}; };
+  const auto angle = [&](double phi) { return Quantity{phi, "rad", uncertainty}; };
+  CurveStiffness result{.K1 = stiffness(lines.K1),
+                        .K2 = stiffness(lines.K2),
+                        .K3 = stiffness(lines.K3),
+                        .wind_up = {},
+                        .wind_up_at_T1 = angle(lines.phi1),
+                        .wind_up_at_T2 = angle(lines.phi2),
+                        .wind_up_at_T3 = angle(lines.phi3)};
+  if (const auto twist = reached_twist(drive, sense * std::abs(gear.load.torque), notes))
+    result.wind_up = angle(std::abs(*twist));
+  return result;
+}
+
+/// What the cracks change.  The form of the model is the same with and without them; how far off
+/// the effect of a crack in the contacts is, nobody can state.
+Quantity change_of(const Quantity& cracked, const Quantity& sound) {
+  return {sound.value == 0 ? 0.0 : cracked.value / sound.value - 1, "1"};
+}
+
+CrackedCurve cracked_lines_of(const AssembledDrive& drive, int sense, const CurveStiffness& sound,
+                              std::vector<Note>& notes) {
+  CrackedCurve curve{lines_of(drive, sense, notes), {}};
+  curve.change = {.K1 = change_of(curve.K1, sound.K1),
+                  .K2 = change_of(curve.K2, sound.K2),
+                  .K3 = change_of(curve.K3, sound.K3),
+                  .wind_up = {}};
+  if (curve.wind_up && sound.wind_up)
+    curve.change.wind_up = change_of(*curve.wind_up, *sound.wind_up);
+  return curve;
 }
 
 /// Strength of the cracks beside the stiffness; a note says what is missing where there is none.
@@ -60,16 +83,49 @@ void add_strength(StiffnessResult& result, const GearSet& gear) {
     return;
   }
   for (Note& note : strength_notes(strength)) result.notes.push_back(std::move(note));
-  for (const CrackStrength& crack : strength)
-    for (const std::string& tag : crack.equations)
-      if (std::ranges::find(result.equations, tag) == result.equations.end())
-        result.equations.push_back(tag);
+  for (const CrackStrength& crack : strength) use_equations(result.equations, crack.equations);
   result.strength = std::move(strength);
 }
 
 }  // namespace
 
-StiffnessResult evaluate(const GearSet& gear, Method method) {
+Coupled coupled_drive(const GearSet& gear) {
+  Coupled coupled;
+  if (const std::string missing = missing_for_torsion_curve(gear); !missing.empty()) {
+    coupled.notes.push_back(
+        {.code = "curve.missing",
+         .text = "the coupled drive is not solved; " + missing,
+         .path = "",
+         .equation = "TC-1",
+         .severity = Severity::information,
+         .next_step = "Give these fields; strainwave new --size SIZE --ratio RATIO writes a file "
+                      "that has them all."});
+    return coupled;
+  }
+  try {
+    const AssembledDrive drive(gear);
+    std::vector<Note> notes = drive.notes();
+    const AssembledDrive sound = drive.without_cracks();
+    CurveResult curve{.torques = makers_torques(gear),
+                      .intact = lines_of(sound, +1, notes),
+                      .positive = {},
+                      .negative = {}};
+    curve.positive = cracked_lines_of(drive, +1, curve.intact, notes);
+    curve.negative = cracked_lines_of(drive, -1, lines_of(sound, -1, notes), notes);
+    coupled = {drive, std::move(curve), std::move(notes), drive.equations()};
+  } catch (const Error& error) {
+    coupled.notes = {{.code = "curve.none",
+                      .text = std::string("no torsion curve of the coupled drive: ") + error.what(),
+                      .path = "",
+                      .equation = "TC-11",
+                      .severity = Severity::care}};
+  }
+  return coupled;
+}
+
+bool is_of_coupled_drive(std::string_view output) { return output.starts_with("curve."); }
+
+StiffnessResult evaluate(const GearSet& gear, Method method, const EvaluationOptions& options) {
   switch (method) {
     case Method::as_printed:
       return torsional_stiffness_as_printed(gear);
@@ -79,9 +135,18 @@ StiffnessResult evaluate(const GearSet& gear, Method method) {
       break;
   }
   assert(method == Method::corrected);
-  StiffnessResult result = torsional_stiffness(gear);
+  check(gear);
+  Coupled coupled = options.coupled_drive ? coupled_drive(gear) : Coupled{};
+  StiffnessResult result =
+      torsional_stiffness(gear, {.coupled = coupled.curve ? &*coupled.curve : nullptr});
+  result.curve = std::move(coupled.curve);
+  // What limits the answer comes first.
+  for (Note& note : result.notes)
+    if (std::ranges::find(coupled.notes, note) == coupled.notes.end())
+      coupled.notes.push_back(std::move(note));
+  result.notes = std::move(coupled.notes);
+  use_equations(result.equations, coupled.equations);
   add_strength(result, gear);
-  if (missing_for_torsion_curve(gear).empty()) add_curve(result, gear);
   return result;
 }
 

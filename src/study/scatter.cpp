@@ -176,16 +176,21 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
         "of {} draws {} break a rule of the input and {} are beyond the validity of the model",
         scatter.samples, scatter.refused, scatter.unusable));
 
+  bool coupled = false;
   for (std::size_t y = 0; y < sensitivity.outputs.size(); ++y) {
     const SensitivityOutput& of = sensitivity.outputs[y];
+    const auto name = std::ranges::find(kNames, of.name);
+    if (name == kNames.end()) {  // of the coupled drive, which is not drawn
+      coupled = true;
+      continue;
+    }
     ScatterOutput output{.name = of.name,
                          .unit = of.value.unit,
                          .value = of.value.value,
                          .share = {},
                          .model_uncertainty = of.value.relative_uncertainty};
     fill_first_order(output, sensitivity, y, gear.scatter);
-    const auto index =
-        static_cast<std::size_t>(std::ranges::find(kNames, of.name) - kNames.begin());
+    const auto index = static_cast<std::size_t>(name - kNames.begin());
     std::vector<double> values;
     for (const Draw& draw : draws)
       if (draw.fate == Fate::evaluated) values.push_back(draw.value[index]);
@@ -204,6 +209,13 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
              "other {}",
              scatter.refused, scatter.unusable, scatter.evaluated),
          "scatter", "SN-8", Severity::care});
+  if (coupled)
+    scatter.notes.push_back(
+        {"scatter.sum_alone",
+         "the scatter is that of the sum of the members; that of K1, K2, K3 of the coupled drive "
+         "is not drawn",
+         "scatter", "SN-8", Severity::information,
+         "Give [[range]] tables and run strainwave torsion, which draws bands of K1, K2, K3."});
   scatter.notes.push_back(
       {"scatter.model_form",
        "the uncertainty of the model's form is beside, not in, the scatter by the inputs",

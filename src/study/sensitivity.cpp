@@ -6,13 +6,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
+#include "coupled.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/model/input/crack_parameters.hpp"
 #include "strainwave/stiffness/series_stiffness.hpp"
+#include "strainwave/torsion/curve_derivatives.hpp"
+#include "strainwave/torsion/torsion_curve.hpp"
 
 namespace strainwave {
 namespace {
@@ -40,6 +45,68 @@ std::vector<Number> numbers_of(const GearSet& gear) {
   });
   return numbers;
 }
+
+/// K1, K2, K3 of the coupled drive as outputs, with their derivatives.
+class CoupledOutputs {
+ public:
+  /// None where the coupled drive is not solved.
+  CoupledOutputs(const GearSet& gear, const Coupled& coupled) {
+    if (!coupled.curve || !coupled.drive) return;
+    differentiator_.emplace(*coupled.drive);
+    bool cracked = false;
+    for_each_crack(gear, [&](const std::string&, const auto&) { cracked = true; });
+    add("intact", coupled.curve->intact, &CurveDerivatives::intact);
+    if (cracked) {
+      add("positive", coupled.curve->positive, &CurveDerivatives::positive);
+      add("negative", coupled.curve->negative, &CurveDerivatives::negative);
+    }
+    if (!gear.rating) add_pressures(gear);
+  }
+
+  [[nodiscard]] const std::vector<SensitivityOutput>& outputs() const { return outputs_; }
+  /// Of the outputs, in their order.
+  [[nodiscard]] std::vector<DualReal> values(const GearSet& gear, const Lift<DualReal>& lift,
+                                             const SeriesCompliance<DualReal>& series) const {
+    std::vector<DualReal> values;
+    if (!differentiator_) return values;
+    const CurveDerivatives curve = differentiator_->of(gear, lift, series);
+    for (const auto& [which, line] : lines_) values.push_back(curve.*which.*line);
+    return values;
+  }
+
+ private:
+  using Which = LineValues<DualReal> CurveDerivatives::*;
+  using Line = DualReal LineValues<DualReal>::*;
+
+  void add(const std::string& name, const CurveStiffness& curve, Which which) {
+    const auto line = [&](const char* of, const Quantity& K, Line member) {
+      outputs_.push_back({fmt::format("curve.{}.{}", name, of), K});
+      lines_.emplace_back(which, member);
+    };
+    line("K1", curve.K1, &LineValues<DualReal>::K1);
+    line("K2", curve.K2, &LineValues<DualReal>::K2);
+    line("K3", curve.K3, &LineValues<DualReal>::K3);
+  }
+  /// Torques by convention contain a pressure (TC-14): the same drive with the torques given.
+  void add_pressures(const GearSet& gear) {
+    GearSet given = gear;
+    const MakersTorques at = makers_torques(gear);
+    Rating& rating = given.rating.emplace();
+    rating.T1 = at.T1;
+    rating.T2 = at.T2;
+    rating.T3 = at.T3;
+    const std::array<const double*, 3> torques = {&rating.T1, &rating.T2, &*rating.T3};
+    const Lift<DualReal> lift(torques);
+    const auto of = values(given, lift, series_compliance(given, lift));
+    for (std::size_t y = 0; y < of.size(); ++y)
+      outputs_[y].of_pressures =
+          (of[y].partial[0] + of[y].partial[1] + of[y].partial[2]) / of[y].value;
+  }
+
+  std::optional<CurveDifferentiator> differentiator_;
+  std::vector<SensitivityOutput> outputs_;
+  std::vector<std::pair<Which, Line>> lines_;
+};
 
 Quantity loss_of(const Quantity& change) {
   return {change.value == 0 ? 0.0 : -change.value, change.unit, change.relative_uncertainty};
@@ -70,7 +137,12 @@ LengthAndForce length_and_force(std::string_view unit) {
 }
 
 Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options) {
-  const StiffnessResult result = torsional_stiffness(gear, options);
+  check(gear);
+  const Coupled coupled = coupled_drive(gear);
+  StiffnessOptions beside = options;
+  beside.coupled = coupled.curve ? &*coupled.curve : nullptr;
+  const StiffnessResult result = torsional_stiffness(gear, beside);
+  const CoupledOutputs of_coupled(gear, coupled);
   Sensitivity sensitivity;
   sensitivity.unusable_because = result.unusable_because;
   for_each_tabulated_kind(gear, [&](const std::string& path, const auto& crack) {
@@ -104,6 +176,9 @@ Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options)
     }
   }
 
+  for (const SensitivityOutput& output : of_coupled.outputs())
+    sensitivity.outputs.push_back(output);
+
   std::vector<Number> numbers = numbers_of(gear);
   bool converged = true;
   for (std::size_t first = 0; first < numbers.size(); first += kDualWidth) {
@@ -114,23 +189,28 @@ Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options)
     const Lift<DualReal> lift(inputs);
     const auto series = series_compliance(gear, lift, options);
     const auto outputs = outputs_of(series);
+    const std::vector<DualReal> lines = of_coupled.values(gear, lift, series);
     converged = converged && series.usable;
     for (std::size_t k = 0; k < n; ++k) {
       SensitivityInput& input = numbers[first + k].input;
-      for (const std::size_t y : kept) {
-        const double partial = outputs[y].partial[k];
-        const double derivative = partial / Lift<DualReal>::seed(input.value);
-        input.influence.push_back(
-            {derivative, derivative * input.value / outputs[y].value});  // (SN-1)
-      }
+      const auto add = [&](const DualReal& output) {
+        const double derivative = output.partial[k] / Lift<DualReal>::seed(input.value);
+        input.influence.push_back({derivative, derivative * input.value / output.value});  // (SN-1)
+      };
+      for (const std::size_t y : kept) add(outputs[y]);
+      for (const DualReal& line : lines) add(line);
     }
   }
   if (sensitivity.usable() && !converged)
     sensitivity.unusable_because = "the derivative of a crack integral did not converge";
 
+  if (!of_coupled.outputs().empty()) sensitivity.not_differentiated = curve_steps(gear);
   for (Number& number : numbers) {
+    const bool step = std::ranges::find(sensitivity.not_differentiated, number.input.path,
+                                        &CurveStep::path) != sensitivity.not_differentiated.end();
     const bool none = std::ranges::all_of(number.input.influence,
                                           [](const Influence& i) { return i.derivative == 0.0; });
+    if (none && step) continue;
     if (none)
       sensitivity.no_influence.push_back(std::move(number.input.path));
     else
@@ -141,10 +221,8 @@ Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options)
   sensitivity.notes.push_back({"sensitivity.whole_numbers",
                                "whole numbers, such as the wave number, have no derivative", "",
                                "SN-1", Severity::information});
-  sensitivity.notes.push_back({"sensitivity.series_model",
-                               "of the series model; the maker's K1, K2, K3 of the torsion curve "
-                               "are not differentiated",
-                               "", "ST-1", Severity::information});
+  if (of_coupled.outputs().empty())
+    for (const Note& note : coupled.notes) sensitivity.notes.push_back(note);
   return held_to_dimensions(std::move(sensitivity));
 }
 
@@ -154,6 +232,8 @@ Sensitivity held_to_dimensions(Sensitivity sensitivity) {
     const LengthAndForce of_output = length_and_force(output.value.unit);
     output.length_residual = -of_output.length;
     output.force_residual = -of_output.force;
+    output.length_residual -= 2 * output.of_pressures;  // N/m^2
+    output.force_residual += output.of_pressures;
     for (const SensitivityInput& input : sensitivity.inputs) {
       const LengthAndForce of_input = length_and_force(input.unit);
       output.length_residual += input.influence[y].elasticity * of_input.length;  // (SN-6)

@@ -51,16 +51,17 @@ class Probe {
         n_scan_(n_scan),
         progress_(progress) {}
 
-  [[nodiscard]] StiffnessResult result(double x) {
+  [[nodiscard]] StiffnessResult result(double x, const EvaluationOptions& options = {}) {
     set_number(gear_, path_, x);
-    return evaluate(gear_, method_);
+    return evaluate(gear_, method_, options);
   }
 
   [[nodiscard]] Sample sample(double x) {
     // The scan, and about as many evaluations where it is refined.
     progress_.at(std::min(1.0, ++n_samples_ / (2.0 * n_scan_)));
     try {
-      const StiffnessResult at_x = result(x);
+      const StiffnessResult at_x =
+          result(x, {.coupled_drive = is_of_coupled_drive(target_.output)});
       const std::optional<Quantity> output = output_named(at_x, target_.output);
       if (!output || !std::isfinite(output->value))
         return {.x = x, .reason = target_.output + " has no finite value"};

@@ -24,9 +24,10 @@ namespace {
 constexpr int kRimPositions = 180;
 constexpr int kCurvePoints = 40;  // on each side, evenly spaced in the root of the torque
 
-std::vector<double> curve_torques(const MakersTorques& at) {
+std::vector<double> curve_torques(const MakersTorques& at, const TwistAtLoad& at_load) {
   const double most = std::max(at.T3, at.rated);
   std::vector<double> torques = {at.T1, at.T2, at.T3, at.rated};
+  if (at_load.torque > 0 && at_load.positive && at_load.negative) torques.push_back(at_load.torque);
   for (int i = 1; i <= kCurvePoints; ++i) {
     const double share = static_cast<double>(i) / kCurvePoints;
     torques.push_back(most * share * share);
@@ -42,6 +43,18 @@ TorsionCurve usable_curve(const AssembledDrive& drive, std::vector<double> torqu
   TorsionCurve curve = torsion_curve(drive, torques);
   if (!curve.usable()) throw SolverError(curve.unusable_because);
   return curve;
+}
+
+/// The twist at the load's torque, with a note if the drive does not reach it.
+TwistAtLoad twist_at_load(const AssembledDrive& drive, std::vector<Note>& notes) {
+  TwistAtLoad at{.torque = std::abs(drive.gear().load.torque), .positive = {}, .negative = {}};
+  const auto reach = [&](std::optional<double>& twist, double sense) {
+    const auto reached = reached_twist(drive, sense * at.torque, notes);
+    if (reached) twist = std::abs(*reached);
+  };
+  reach(at.positive, +1);
+  reach(at.negative, -1);
+  return at;
 }
 
 void add_once(std::vector<Note>& notes, const std::vector<Note>& more) {
@@ -127,7 +140,9 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   const AssembledDrive drive(gear);
   const SlidingDrive sliding(gear);
   report.torques = makers_torques(gear);
-  const std::vector<double> torques = curve_torques(report.torques);
+  std::vector<Note> unreached;
+  report.at_load = twist_at_load(drive, unreached);
+  const std::vector<double> torques = curve_torques(report.torques, report.at_load);
   const std::array<std::function<void()>, 3> parts = {
       [&] { report.curve = usable_curve(drive, torques, +1); },
       [&] { report.curve_negative = usable_curve(drive, torques, -1); },
@@ -137,7 +152,11 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
       }};
   for_each_index(parts.size(), {}, progress.part(0.0, curve_ends),
                  [&] { return [&](std::size_t i) { parts[i](); }; });
-  for (const double at : {report.torques.T1, report.torques.T2, report.torques.rated}) {
+  std::vector<double> shown = {report.torques.T1, report.torques.T2, report.torques.rated};
+  if (report.at_load.torque > 0 && report.at_load.positive && report.at_load.negative)
+    shown.push_back(report.at_load.torque);
+  std::ranges::sort(shown);
+  for (const double at : shown) {
     const auto point = std::ranges::min_element(
         report.curve.points, {}, [&](const CurvePoint& p) { return std::abs(p.torque - at); });
     const auto index = static_cast<std::size_t>(point - report.curve.points.begin());
@@ -153,7 +172,9 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   if (options.compare) {
     report.comparison =
         compare_curves(drive, sliding, options.angles, progress.part(draws_end, 1.0));
-    report.sound = usable_curve(drive.without_cracks(), torques, +1);
+    const AssembledDrive sound = drive.without_cracks();
+    report.sound = usable_curve(sound, torques, +1);
+    report.sound_negative = usable_curve(sound, torques, -1);
   }
   if (report.torques.by_convention)
     report.notes.push_back({"rating.convention",
@@ -162,6 +183,7 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
                             "rating", "TC-14", Severity::information,
                             "Give rating.T1 and rating.T2 to use the maker's torques."});
   add_once(report.notes, input_notes(gear));
+  add_once(report.notes, unreached);
   add_once(report.notes, report.curve.notes);
   add_once(report.notes, report.curve_negative.notes);
   if (gear.mesh->friction_coefficient > 0 && (!gear.rating || gear.rating->friction_torque == 0))

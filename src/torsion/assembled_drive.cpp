@@ -10,7 +10,6 @@
 
 #include "assembled_drive_contents.hpp"
 #include "strainwave/core/error.hpp"
-#include "strainwave/stiffness/elastic_members.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/torsion/compare.hpp"
 
@@ -19,25 +18,11 @@ namespace {
 
 using std::numbers::pi;
 
-double tube_compliance(const TubeSection& section, double length, double G) {
-  return torsional_compliance(
-      Tube{.outer_diameter = section.outer_diameter,
-           .inner_diameter = section.outer_diameter - 2 * section.wall_thickness,
-           .length = length},
-      G);
-}
-
 void add_series_members(AssembledDrive::Contents& into) {
   const GearSet& gear = into.gear;
   const Flexspline& fs = *gear.flexspline;
-  const double G = elastic_constants(material_of(gear, fs.material, "flexspline.material")).G;
   SeriesMembers& series = into.series;
-  series.barrel = tube_compliance(*fs.barrel, fs.barrel->length, G);
-  series.diaphragm = torsional_compliance(*fs.diaphragm, G);  // (TC-13)
-  // (TC-13): traction spread evenly over the teeth twists the rim like a third of its length.
-  series.rim = tube_compliance(*fs.rim, fs.rim->length / 3, G);
-  if (fs.boss) series.boss_and_flange += tube_compliance(*fs.boss, fs.boss->length, G);
-  series.boss_and_flange += fs.flange_compliance;
+  series = cup_members(gear, Lift<double>());
   const auto take = [&](const MemberCompliance& member) {
     for (const CrackReport& crack : member.cracks) {
       series.cracks_positive += crack.positive.at_output.value;
@@ -96,23 +81,6 @@ void note_geometry(const GearSet& gear, const CoupledGeometry& g, std::vector<No
                      "Give the table circular_spline."});
 }
 
-/// The larger force of the ball nearest to a position, of both senses of torque at T2, in the
-/// sound drive [N].
-double sound_ball_force(const CoupledDrive& sound, double torque, double position) {
-  double largest = 0.0;
-  for (const double sense : {1.0, -1.0}) {
-    const Equilibrium state = sound.solve(sense * torque, sound.assembled());
-    int nearest = 0;
-    const auto distance = [&](int ball) {
-      return std::abs(std::remainder(sound.position_of(ball) - position, 2 * pi));
-    };
-    for (int ball = 1; ball < sound.balls(); ++ball)
-      if (distance(ball) < distance(nearest)) nearest = ball;
-    largest = std::max(largest, state.force[nearest]);
-  }
-  return largest;
-}
-
 std::string no_assembly(const CoupledDrive& drive) {
   const CoupledGeometry& g = drive.geometry();
   const Equilibrium& state = drive.assembled();
@@ -126,6 +94,21 @@ std::string no_assembly(const CoupledDrive& drive) {
                    "the assembled state was not found: residual {:.2g} of the largest "
                    "contact force after {} steps",
                    state.residual, state.iterations);
+}
+
+/// Flanks that press on each other without torque.
+void note_interference(const CoupledDrive& drive, std::vector<Note>& notes) {
+  const double jam = drive.largest_flank_force(drive.assembled());
+  if (!(jam > 0)) return;
+  const double lobe_gap = drive.geometry().lobe_gap;
+  notes.push_back(
+      {"torsion.interference",
+       fmt::format("the flanks press on each other without torque, with up to {:.3g} N: {}", jam,
+                   lobe_gap < 0
+                       ? fmt::format("the lobe gap of {:.4g} um is an interference", 1e6 * lobe_gap)
+                       : std::string("the assembled ring bulges beside the lobes; see clearance, "
+                                     "cam_flattening, ball_count, flank_angle")),
+       "mesh.lobe_gap", "TC-6", Severity::care, "Check mesh.lobe_gap and the fields named here."});
 }
 
 /// Puts the cracks into the sound drive, on its cam, if it has one.
@@ -179,9 +162,10 @@ AssembledDrive::Contents assembled(const GearSet& gear, const CoupledOptions& op
     return contents;
   }
   const double T2 = makers_torques(gear).T2;
-  contents.cracks = contact_cracks(
-      gear, geometry, [&](double position) { return sound_ball_force(sound, T2, position); },
-      contents.notes);
+  const BallForce ball_force = [&](double position) {
+    return worst_of_ball(sound, T2, position).force[sound.ball_nearest_to(position)];
+  };
+  contents.cracks = contact_cracks(gear, Lift<double>(), geometry, ball_force, contents.notes);
   if (!contents.cracks.teeth.empty()) contents.equations.emplace_back("TC-21");
   if (!contents.cracks.hinges.empty()) contents.equations.emplace_back("TC-22");
   if (!contents.cracks.balls.empty()) contents.equations.emplace_back("TC-23");
@@ -190,6 +174,13 @@ AssembledDrive::Contents assembled(const GearSet& gear, const CoupledOptions& op
 }
 
 }  // namespace
+
+Equilibrium worst_of_ball(const CoupledDrive& sound, double torque, double position) {
+  const int ball = sound.ball_nearest_to(position);
+  Equilibrium worst = sound.solve(torque, sound.assembled());
+  Equilibrium other = sound.solve(-torque, sound.assembled());
+  return other.force[ball] > worst.force[ball] ? other : worst;
+}
 
 AssembledDrive::AssembledDrive(const GearSet& gear, const CoupledOptions& options)
     : contents_(std::make_shared<const Contents>(assembled(gear, options))) {}
@@ -219,6 +210,12 @@ AssembledDrive AssembledDrive::turned(double angle) const {
 
 const GearSet& AssembledDrive::gear() const { return contents_->gear; }
 const CoupledOptions& AssembledDrive::options() const { return contents_->options; }
+std::vector<Note> AssembledDrive::notes() const {
+  std::vector<Note> notes = contents_->notes;
+  if (contents_->fails_because.empty()) note_interference(contents_->drive, notes);
+  return notes;
+}
+const std::vector<std::string>& AssembledDrive::equations() const { return contents_->equations; }
 const std::string& AssembledDrive::fails_because() const { return contents_->fails_because; }
 double AssembledDrive::cam_amplitude() const { return contents_->drive.cam_amplitude(); }
 

@@ -5,28 +5,59 @@
 #include <vector>
 
 #include "coupled_drive.hpp"
+#include "strainwave/core/lift.hpp"
 #include "strainwave/model/result/evidence.hpp"
+#include "strainwave/stiffness/elastic_members.hpp"
 #include "strainwave/torsion/assembled_drive.hpp"
 
 namespace strainwave {
 
-/// The members beside the ring, in series with it.
-struct SeriesMembers {
-  double barrel = 0.0;
-  double diaphragm = 0.0;
-  double rim = 0.0;
-  double boss_and_flange = 0.0;
-  double output_shaft = 0.0;
-  double cracks_positive = 0.0;
-  double cracks_negative = 0.0;
+/// The members beside the ring, in series with it [rad/(N*m)].
+template <class Real>
+struct BasicSeriesMembers {
+  Real barrel{};
+  Real diaphragm{};
+  Real rim{};
+  Real boss_and_flange{};
+  Real output_shaft{};
+  Real cracks_positive{};
+  Real cracks_negative{};
 
-  [[nodiscard]] double cracks(double torque) const {
+  [[nodiscard]] Real cracks(double torque) const {
     return torque < 0 ? cracks_negative : cracks_positive;
   }
-  [[nodiscard]] double sound() const {
+  [[nodiscard]] Real sound() const {
     return barrel + diaphragm + rim + boss_and_flange + output_shaft;
   }
 };
+using SeriesMembers = BasicSeriesMembers<double>;
+
+/// The members of the flexspline beside the ring, without cracks.
+template <class Real>
+[[nodiscard]] BasicSeriesMembers<Real> cup_members(const GearSet& gear, const Lift<Real>& lift) {
+  const Flexspline& fs = *gear.flexspline;
+  const Real G = elastic_constants(lift, material_of(gear, fs.material, "flexspline.material")).G;
+  const auto tube = [&](const TubeSection& section, const Real& length) {
+    const Real D = lift(section.outer_diameter);
+    return torsional_compliance(
+        BasicTube<Real>{.outer_diameter = D,
+                        .inner_diameter = D - 2 * lift(section.wall_thickness),
+                        .length = length},
+        G);
+  };
+  BasicSeriesMembers<Real> series;
+  series.barrel = tube(*fs.barrel, lift(fs.barrel->length));
+  series.diaphragm = torsional_compliance(lift, *fs.diaphragm, G);  // (TC-13)
+  // (TC-13): traction spread evenly over the teeth twists the rim like a third of its length.
+  series.rim = tube(*fs.rim, lift(fs.rim->length) / 3);
+  if (fs.boss) series.boss_and_flange += tube(*fs.boss, lift(fs.boss->length));
+  series.boss_and_flange += lift(fs.flange_compliance);
+  return series;
+}
+
+/// The state of the sound drive, of both senses of a torque, in which the ball nearest to a
+/// position carries more.
+[[nodiscard]] Equilibrium worst_of_ball(const CoupledDrive& sound, double torque, double position);
 
 struct AssembledDrive::Contents {
   GearSet gear;

@@ -6,14 +6,14 @@
 #include <limits>
 #include <numbers>
 
+#include "contact_laws.hpp"
+
 namespace strainwave {
 namespace {
 
 using std::numbers::pi;
 
 constexpr double kToothSpan = pi / 4;  // teeth farther from a lobe never touch
-
-double angle_from_lobe(double theta) { return std::remainder(theta, pi); }
 
 /// Balls all round, and the teeth near the lobes.
 ContactPlaces contact_places(int balls, int teeth) {
@@ -25,31 +25,13 @@ ContactPlaces contact_places(int balls, int teeth) {
   return places;
 }
 
-/// How a drive flank sees the rings (TC-6): the circular spline's tooth moves away under the same
-/// force.
-ContactDirection flank_direction(const CoupledGeometry& g) {
-  const double reach = (g.pitch_radius - g.ring_radius) / g.ring_radius;
-  const double spline_reach =
-      g.support > 0 ? (g.pitch_radius - g.spline_radius) / g.spline_radius : 0.0;
-  const double up = std::sin(g.force_angle);
-  const double across = std::cos(g.force_angle);
-  return {.radial = up,
-          .tangential = across * (1 + reach),
-          .slope = -across * reach,
-          .spline_radial = -up,
-          .spline_tangential = -across * (1 + spline_reach),
-          .spline_slope = across * spline_reach};
-}
-
 }  // namespace
 
 CoupledDrive::CoupledDrive(const GearSet& gear, const CoupledGeometry& geometry,
                            const CoupledOptions& options)
     : g_(geometry), tolerance_(options.tolerance), max_iterations_(options.max_iterations) {
   const ContactPlaces places = contact_places(g_.balls, g_.teeth);
-  const ContactDirection flank = flank_direction(g_);
-  rings_ = std::make_shared<const ElasticRings>(gear, g_, options, places,
-                                                ContactDirection{.radial = -1.0}, flank);
+  rings_ = std::make_shared<const ElasticRings>(gear, g_, options, places);
   tooth_count_ = static_cast<int>(places.teeth.size());
   const int count = rings_->contacts();
   free_.setZero(count);
@@ -58,7 +40,7 @@ CoupledDrive::CoupledDrive(const GearSet& gear, const CoupledGeometry& geometry,
   multiplier_.setOnes(count);
   own_.setZero(count);
   place_balls();
-  place_flanks(flank.tangential);
+  place_flanks();
 }
 
 CoupledDrive CoupledDrive::cracked(const ContactCracks& cracks) const {
@@ -71,52 +53,52 @@ CoupledDrive CoupledDrive::cracked(const ContactCracks& cracks) const {
 
 void CoupledDrive::place_balls() {
   for (int k = 0; k < g_.balls; ++k) {
-    const double psi = position_of(k);
-    const double s2 = std::sin(2 * psi);
-    cam_[k] = std::cos(2 * psi);  // (TC-5)
-    free_[k] = -g_.clearance - g_.cam_flattening * g_.radial_displacement * g_.radial_displacement /
-                                   g_.ring_radius * s2 * s2;  // (TC-5)
+    cam_[k] = std::cos(2 * position_of(k));  // (TC-5)
+    free_[k] = free_ball(g_, position_of(k));
   }
 }
 
-void CoupledDrive::place_flanks(double tangential) {
-  const double w0 = g_.radial_displacement;
+void CoupledDrive::place_flanks() {
+  const auto [ball, drive, coast] = rings_->model().directions();
   for (int i = g_.balls; i < contacts(); ++i) {
-    const int side = i < g_.balls + tooth_count_ ? +1 : -1;
-    rotation_[i] = side * tangential;
-    free_[i] =
-        -rings_->of_nominal_wave(i, w0) -
-        flank_gap(side * angle_from_lobe(position_of(i)), w0, g_.flank_angle, g_.gap_factor) -
-        g_.lobe_gap;  // (TC-6)
+    const int side = side_of(i);
+    rotation_[i] = side * drive.tangential;
+    free_[i] = free_flank(g_, side > 0 ? drive : coast, position_of(i), side);
   }
 }
 
 void CoupledDrive::soften_contacts(const ContactCracks& cracks) {
-  const auto distance = [&](int contact, double position) {
+  for (const SoftBall& soft : cracks.balls)
+    own_[ball_nearest_to(soft.position)] += soft.compliance;  // (TC-23)
+  for (const SoftTooth& soft : cracks.teeth)
+    if (const auto nearest = drive_flank_at(soft.position)) {
+      multiplier_[*nearest] *= 1 - soft.stiffness_loss;  // (TC-21)
+      multiplier_[*nearest + tooth_count_] *= 1 - soft.stiffness_loss;
+    }
+}
+
+int CoupledDrive::nearest_of(int first, int count, double position) const {
+  const auto distance = [&](int contact) {
     return std::abs(std::remainder(position_of(contact) - position, 2 * pi));
   };
-  for (const SoftBall& soft : cracks.balls) {
-    int nearest = 0;
-    for (int k = 1; k < g_.balls; ++k)
-      if (distance(k, soft.position) < distance(nearest, soft.position)) nearest = k;
-    own_[nearest] += soft.compliance;  // (TC-23)
-  }
-  for (const SoftTooth& soft : cracks.teeth) {
-    if (tooth_count_ == 0) continue;
-    int nearest = g_.balls;
-    for (int i = g_.balls; i < g_.balls + tooth_count_; ++i)
-      if (distance(i, soft.position) < distance(nearest, soft.position)) nearest = i;
-    if (distance(nearest, soft.position) > pi / g_.teeth * (1 + 1e-9)) continue;  // never loaded
-    multiplier_[nearest] *= 1 - soft.stiffness_loss;                              // (TC-21)
-    multiplier_[nearest + tooth_count_] *= 1 - soft.stiffness_loss;
-  }
+  int nearest = first;
+  for (int i = first; i < first + count; ++i)
+    if (distance(i) < distance(nearest)) nearest = i;
+  return nearest;
+}
+
+std::optional<int> CoupledDrive::drive_flank_at(double position) const {
+  if (tooth_count_ == 0) return std::nullopt;
+  const int nearest = nearest_of(g_.balls, tooth_count_, position);
+  const double distance = std::abs(std::remainder(position_of(nearest) - position, 2 * pi));
+  if (distance > pi / g_.teeth * (1 + 1e-9)) return std::nullopt;  // never loaded
+  return nearest;
 }
 
 CoupledDrive::Law CoupledDrive::pressed_law(int contact, double closing) const {
   if (contact < g_.balls) {
-    const double root = std::sqrt(closing);
-    const double force = g_.ball_stiffness * closing * root;  // (TC-5)
-    return {force, 1.5 * g_.ball_stiffness * root, 0.4 * force * closing};
+    const double force = ball_force(g_, closing);
+    return {force, 1.5 * g_.ball_stiffness * std::sqrt(closing), 0.4 * force * closing};
   }
   const double m = multiplier_[contact];
   return {m * g_.flank.force(closing), m * g_.flank.stiffness(closing),

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "coupled_geometry.hpp"
@@ -73,11 +74,23 @@ class CoupledDrive {
   [[nodiscard]] int tooth_count() const { return tooth_count_; }
   [[nodiscard]] double position_of(int contact) const { return rings_->position_of(contact); }
   [[nodiscard]] const CoupledGeometry& geometry() const { return g_; }
+  /// +1 for a drive flank, -1 for a coast flank.
+  [[nodiscard]] int side_of(int flank) const { return flank < g_.balls + tooth_count_ ? +1 : -1; }
+  [[nodiscard]] int ball_nearest_to(double position) const {
+    return nearest_of(0, g_.balls, position);
+  }
+  /// The drive flank of the tooth at a position; none if that tooth is never loaded.
+  [[nodiscard]] std::optional<int> drive_flank_at(double position) const;
+  /// Stiffness of a contact that is pressed [N/m]; 0 if it is not.
+  [[nodiscard]] double stiffness_of(const Equilibrium& state, int contact) const {
+    return law(contact, state.closing[contact]).stiffness;
+  }
 
  private:
   void place_balls();
-  void place_flanks(double tangential);
+  void place_flanks();
   void soften_contacts(const ContactCracks& cracks);
+  [[nodiscard]] int nearest_of(int first, int count, double position) const;
   struct Law {
     double force = 0.0;
     double stiffness = 0.0;

@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/drive_cracks/loaded_crack.hpp"
 #include "strainwave/drive_cracks/member_loads.hpp"
 #include "strainwave/sif/member/ring_edge.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
@@ -28,57 +30,84 @@ constexpr double kMostDisplacement = 2;     //   and has a note beyond 0.6 to 1.
 constexpr int kLeastTeeth = 20;             // [-]: a tooth is small against the wave
 constexpr double kWhole = 1e-9;             // of a number of teeth [-]: rounding
 
-/// What the coupled drive needs beyond what `check` asks for: field and meaning of the first thing
-/// that is missing.
+/// A field that the coupled drive needs and `check` does not ask for, and its meaning.
 struct Missing {
   std::string field;
   std::string what;
 };
 
-std::optional<Missing> missing(const GearSet& gear) {
-  if (!gear.wave_generator) return Missing{"wave_generator", "the cam and its bearing"};
-  if (!gear.wave_generator->bearing) return Missing{"wave_generator.bearing", "balls and raceways"};
-  if (!gear.wave_generator->bearing->ball_count)
-    return Missing{"wave_generator.bearing.ball_count", "balls all round"};
-  if (!gear.wave_generator->bearing->outer_ring)
-    return Missing{"wave_generator.bearing.outer_ring", "it bends with the rim"};
-  if (!gear.flexspline) return Missing{"flexspline", "the cup"};
-  if (gear.flexspline->crack_free != CrackFree::sections)
-    return Missing{"flexspline.crack_free", "\"sections\", with rim, barrel and diaphragm"};
-  if (!gear.flexspline->rim) return Missing{"flexspline.rim", "the toothed ring"};
-  if (!gear.flexspline->diaphragm) return Missing{"flexspline.diaphragm", "the bottom of the cup"};
-  if (!gear.mesh) return Missing{"mesh", "tooth engagement"};
-  return std::nullopt;
+/// Everything that is missing for the coupled drive, in the order of the file.
+std::vector<Missing> missing(const GearSet& gear) {
+  std::vector<Missing> fields;
+  const auto need = [&](bool given, const char* field, const char* what) {
+    if (!given) fields.push_back({field, what});
+    return given;
+  };
+  if (need(gear.wave_generator.has_value(), "wave_generator", "the cam and its bearing") &&
+      need(gear.wave_generator->bearing.has_value(), "wave_generator.bearing",
+           "balls and raceways")) {
+    const Bearing& bearing = *gear.wave_generator->bearing;
+    need(bearing.ball_count.has_value(), "wave_generator.bearing.ball_count", "balls all round");
+    need(bearing.outer_ring.has_value(), "wave_generator.bearing.outer_ring",
+         "it bends with the rim");
+  }
+  if (need(gear.flexspline.has_value(), "flexspline", "the cup")) {
+    const Flexspline& fs = *gear.flexspline;
+    need(fs.crack_free == CrackFree::sections, "flexspline.crack_free",
+         "\"sections\", with rim, barrel and diaphragm");
+    need(fs.rim.has_value(), "flexspline.rim", "the toothed ring");
+    need(fs.diaphragm.has_value(), "flexspline.diaphragm", "the bottom of the cup");
+  }
+  need(gear.mesh.has_value(), "mesh", "tooth engagement");
+  return fields;
+}
+
+/// "must be given for the torsion curve (balls and raceways), as must mesh": of the first of them.
+std::string rule_of(const std::vector<Missing>& gaps) {
+  std::string rule = fmt::format("must be given for the torsion curve ({})", gaps.front().what);
+  for (std::size_t i = 1; i < gaps.size(); ++i)
+    rule += fmt::format("{}{}", i == 1 ? ", as must " : ", ", gaps[i].field);
+  return rule;
 }
 
 /// Bending stiffness of a section, E b t^3/12 times a factor [N*m^2].
-double third_power_bending(double E, double width, double thickness, double factor) {
+template <class Real>
+Real third_power_bending(const Real& E, const Real& width, const Real& thickness,
+                         const Real& factor) {
   return E * width * thickness * thickness * thickness / 12 * factor;
 }
 
 /// Rotation of a hinge per unit of moment, c_M: an edge crack in bending [rad/(N*m)].
-double hinge_compliance(double depth, double thickness, double width,
-                        const ElasticConstants& steel) {
-  const sif::EdgeCrack crack{.depth = depth,
-                             .thickness = thickness,
-                             .width = width,
-                             .unit_stress = 6 / (width * thickness * thickness),
-                             .loading = sif::StripLoading::bending};
-  return added_compliance(crack, {.opening = steel.plane_strain_modulus(), .shear = steel.G})
+template <class Real>
+Real hinge_compliance(const Real& depth, const Real& thickness, const Real& width,
+                      const BasicElasticConstants<Real>& steel) {
+  const sif::BasicEdgeCrack<Real> crack{.depth = depth,
+                                        .thickness = thickness,
+                                        .width = width,
+                                        .unit_stress = 6 / (width * thickness * thickness),
+                                        .loading = sif::StripLoading::bending};
+  return added_compliance(crack, BasicCrackModuli<Real>{.opening = steel.plane_strain_modulus(),
+                                                        .shear = steel.G})
       .matrix(0, 0);  // (TC-22)
 }
 
-/// Radial compliance of a race crack under the force of one ball [m/N], with the notes of its
-/// stress.
-double race_crack_compliance(const GearSet& gear, const std::string& path, double ball_force,
-                             std::vector<Note>& notes) {
-  // The series model's crack under one lobe, whose force is made that of this ball.
+/// The series model's drive whose one lobe carries the force of one ball, in place of the torque.
+GearSet under_one_ball(const GearSet& gear, double ball_force) {
   GearSet single = gear;
   WaveGenerator& wg = *single.wave_generator;
   wg.conversion = Conversion::reciprocity;
   if (wg.bearing) wg.bearing->loaded_balls = 1;
-  const double f = lobe_force_per_torque(gear.drive, wg);
-  single.load.torque = ball_force / f;
+  single.load.torque = ball_force / lobe_force_per_torque(gear.drive, wg);
+  return single;
+}
+
+/// Radial compliance of a race crack under the force of one ball [m/N], with the notes of its
+/// stress.
+template <class Crack>
+double race_crack_compliance(const GearSet& gear, const Lift<double>&, const std::string& path,
+                             const Crack&, double ball_force, std::vector<Note>& notes) {
+  const GearSet single = under_one_ball(gear, ball_force);
+  const double f = lobe_force_per_torque(single.drive, *single.wave_generator);
   const MemberCompliance member = wave_generator_compliance(single);
   for (const Note& note : member.notes)
     if (note.path == path) notes.push_back(note);
@@ -87,12 +116,197 @@ double race_crack_compliance(const GearSet& gear, const std::string& path, doubl
   return 0.0;
 }
 
-/// The rules of the coupled drive, beyond those of `check`.
+/// The same with its derivatives, at a fixed torque and by the torque; (SN-2).
+template <class Crack>
+DualReal race_crack_compliance(const GearSet& gear, const Lift<DualReal>& lift,
+                               const std::string& path, const Crack&, const DualReal& ball_force,
+                               std::vector<Note>&) {
+  const GearSet single = under_one_ball(gear, ball_force.value);
+  // The copy has addresses of its own.  Torque and number of balls are not those of the drive.
+  std::array<const double*, kDualWidth> inputs{};
+  std::vector<const double*> of_drive;
+  for_each_number(gear, [&](const FieldPath&, const Field&, const double& number) {
+    of_drive.push_back(&number);
+  });
+  std::size_t at = 0;
+  for_each_number(single, [&](const FieldPath&, const Field&, const double& number) {
+    const bool replaced =
+        &number == &single.load.torque || &number == &single.wave_generator->bearing->loaded_balls;
+    const auto found = std::ranges::find(lift.inputs(), of_drive[at++]);
+    if (!replaced && found != lift.inputs().end())
+      inputs[static_cast<std::size_t>(found - lift.inputs().begin())] = &number;
+  });
+  const auto compliance = [&](const Lift<DualReal>& reads) {
+    DualReal result;
+    const CrackLoads<DualReal> loads(single, reads);
+    for_each_crack("wave_generator", single.wave_generator->crack,
+                   [&](const std::string& of, const auto& crack) {
+                     if constexpr (std::is_same_v<std::decay_t<decltype(crack)>, Crack>)
+                       if (of == path) {
+                         const auto loaded = loads.loaded(crack);
+                         result = added_compliance(loaded.with_faces(loaded.faces.positive),
+                                                   loaded.moduli)
+                                      .matrix(0, 0);
+                       }
+                   });
+    return result;
+  };
+  const DualReal at_force = compliance(Lift<DualReal>(inputs));
+  std::array<const double*, 1> torque = {&single.load.torque};
+  const DualReal by_force = compliance(Lift<DualReal>(torque));
+  // The force of the ball, not the torque that stands for it, is what the crack is under.
+  const DualReal of_torque =
+      ball_force / lobe_force_per_torque(lift, gear.drive, *gear.wave_generator);
+  return at_force + chain(of_torque / of_torque.value, 0.0, by_force.partial[0]);  // (TC-23)
+}
+
+/// Flank angle, turned by friction, gaps and stiffness of the tooth pairs.
+template <class Real>
+void add_mesh(BasicCoupledGeometry<Real>& g, const ToothMesh& mesh, const Lift<Real>& lift,
+              FlankFriction friction) {
+  using std::atan, std::sin;
+  g.flank_angle = lift(mesh.flank_angle);
+  const Real turn = atan(lift(mesh.friction_coefficient));
+  g.force_angle = g.flank_angle;
+  if (friction == FlankFriction::loading) g.force_angle -= turn;    // (TC-16)
+  if (friction == FlankFriction::unloading) g.force_angle += turn;  // (TC-16)
+  require(g.force_angle > 0, "mesh.friction_coefficient", mesh.friction_coefficient, "1",
+          "less than the tangent of mesh.flank_angle: else the flanks lock themselves");
+  g.gap_factor = lift(mesh.gap_factor);
+  g.lobe_gap = lift(mesh.lobe_gap);
+  g.flank = {.pair_stiffness = mesh.pair_stiffness
+                                   ? Real(lift(*mesh.pair_stiffness))
+                                   : tooth_pair_stiffness(g.rim_steel.E, g.module, g.rim_thickness),
+             .face_width = g.rim_width,
+             .slope = lift(mesh.coning) * sin(g.flank_angle) * g.radial_displacement /
+                      (g.length - g.rim_width / 2)};  // (TC-8)
+}
+
+/// A ring that a crack softens.
+template <class Real>
+struct CrackedRing {
+  RingHinge::Ring ring{};
+  Real thickness{};   // [m]
+  Real width{};       // [m]
+  Real bending{};     // EI, of the circular spline over its support [N*m^2]
+  Real support{1.0};  // share of the ring's compliance that its housing leaves [-]
+  BasicElasticConstants<Real> steel;
+};
+
+/// Turns cracks into what they change inside the contact problem: one overload of `add` for each
+/// way in which a crack does so.
+template <class Real>
+class ContactCracksOf {
+ public:
+  ContactCracksOf(const GearSet& gear, const Lift<Real>& lift,
+                  const BasicCoupledGeometry<Real>& geometry,
+                  const BasicBallForce<Real>& ball_force, std::vector<Note>& notes)
+      : gear_(gear), lift_(lift), geometry_(geometry), ball_force_(ball_force), notes_(notes) {}
+
+  void add(const std::string&, const ToothCrack& crack) {
+    result.teeth.push_back({crack.position, lift_(crack.stiffness_loss)});
+  }
+
+  template <CrackedPart part, bool from_inside>
+  void add(const std::string&, const RingCrack<part, from_inside>& crack) {
+    if (part == CrackedPart::circular_spline && !(geometry_.support > 0)) {
+      note_rigid_spline();
+      return;
+    }
+    const CrackedRing<Real> ring = ring_of(part);
+    const Real c_M = ring.support * hinge_compliance<Real>(lift_(crack.depth), ring.thickness,
+                                                           ring.width, ring.steel);
+    const Real length = crack.softened_length(ring.thickness);
+    const Real left = ring.bending / (1 + c_M * ring.bending / length);
+    result.hinges.push_back({.ring = ring.ring,
+                             .position = lift_(crack.position),
+                             .length = length,
+                             .softening = (ring.bending - left) * length});  // (TC-22)
+  }
+
+  /// A crack of the inner race, which the balls load.
+  template <class Crack>
+  requires requires(const Crack& crack) { crack.stress_driver; }
+  void add(const std::string& path, const Crack& crack) {
+    if (crack.stress_driver != StressDriver::orthogonal_shear &&
+        crack.stress_driver != StressDriver::contact_edge) {
+      notes_.push_back({"crack.not_of_a_ball",
+                        "its stress does not follow from the force of the ball over it: it is "
+                        "left out of the torsion curve",
+                        path, "TC-23", Severity::care,
+                        "Choose a stress_driver of the ball, orthogonal_shear or contact_edge."});
+    } else if (const Real force = ball_force_(crack.position); force > 0) {
+      result.balls.push_back(
+          {crack.position, race_crack_compliance(gear_, lift_, path, crack, force, notes_)});
+      notes_.push_back({"crack.under_a_ball",
+                        fmt::format("taken with the nearest ball exactly over it, the worst "
+                                    "place, linear at {:.3g} N; the balls roll over it, so its "
+                                    "effect comes and goes at ball-pass frequency",
+                                    value_of(force)),
+                        path, "TC-23", Severity::care});
+    } else {
+      notes_.push_back({"crack.unloaded_ball", "no ball that carries is near it: no effect", path,
+                        "TC-23", Severity::information});
+    }
+  }
+
+  BasicContactCracks<Real> result;
+
+ private:
+  [[nodiscard]] CrackedRing<Real> ring_of(CrackedPart part) const {
+    const BasicCoupledGeometry<Real>& g = geometry_;
+    if (part == CrackedPart::rim)
+      return {.ring = RingHinge::Ring::rim,
+              .thickness = g.rim_thickness,
+              .width = g.rim_width,
+              .bending = g.rim_bending,
+              .steel = g.rim_steel};
+    if (part == CrackedPart::outer_ring)
+      return {.ring = RingHinge::Ring::outer,
+              .thickness = g.outer_thickness,
+              .width = g.outer_width,
+              .bending = g.outer_bending,
+              .steel = g.ball_steel};
+    const CircularSpline& spline = *gear_.circular_spline;
+    return {.ring = RingHinge::Ring::spline,
+            .thickness = (lift_(spline.outer_diameter) - lift_(spline.inner_diameter)) / 2,
+            .width = lift_(spline.width),
+            .bending = g.spline_bending / g.support,
+            .support = g.support,
+            .steel = elastic_constants(
+                lift_, material_of(gear_, spline.material, "circular_spline.material"))};
+  }
+
+  void note_rigid_spline() {
+    const Note note{.code = "crack.rigid_ring",
+                    .text =
+                        "the circular spline is held rigidly (support = 0): a crack in it has "
+                        "no effect",
+                    .path = "circular_spline.support",
+                    .equation = "TC-10",
+                    .severity = Severity::care,
+                    .next_step = "Give a support above 0."};
+    if (std::ranges::find(notes_, note) == notes_.end()) notes_.push_back(note);
+  }
+
+  const GearSet& gear_;
+  const Lift<Real>& lift_;
+  const BasicCoupledGeometry<Real>& geometry_;
+  const BasicBallForce<Real>& ball_force_;
+  std::vector<Note>& notes_;
+};
+
+}  // namespace
+
+std::string missing_for_torsion_curve(const GearSet& gear) {
+  const std::vector<Missing> gaps = missing(gear);
+  return gaps.empty() ? std::string() : fmt::format("{}: {}", gaps.front().field, rule_of(gaps));
+}
+
 void check_coupled(const GearSet& gear, const CoupledOptions& options) {
   check(gear);
-  if (const auto gap = missing(gear))
-    throw InputError(gap->field,
-                     fmt::format("must be given for the torsion curve ({})", gap->what));
+  if (const auto gaps = missing(gear); !gaps.empty())
+    throw InputError(gaps.front().field, rule_of(gaps));
   require(options.harmonics >= 8 && options.harmonics <= 128, "harmonics", options.harmonics, "1",
           ">= 8 and <= 128");
   const Transmission& drive = gear.drive;
@@ -133,194 +347,71 @@ void check_coupled(const GearSet& gear, const CoupledOptions& options) {
           drive.radial_displacement, "m", "0.3 to 2 modules for the torsion curve");
 }
 
-/// Flank angle, turned by friction, gaps and stiffness of the tooth pairs.
-void add_mesh(CoupledGeometry& g, const ToothMesh& mesh, FlankFriction friction) {
-  g.flank_angle = mesh.flank_angle;
-  const double turn = std::atan(mesh.friction_coefficient);
-  g.force_angle = g.flank_angle;
-  if (friction == FlankFriction::loading) g.force_angle -= turn;    // (TC-16)
-  if (friction == FlankFriction::unloading) g.force_angle += turn;  // (TC-16)
-  require(g.force_angle > 0, "mesh.friction_coefficient", mesh.friction_coefficient, "1",
-          "less than the tangent of mesh.flank_angle: else the flanks lock themselves");
-  g.gap_factor = mesh.gap_factor;
-  g.lobe_gap = mesh.lobe_gap;
-  g.flank = {.pair_stiffness = mesh.pair_stiffness.value_or(
-                 tooth_pair_stiffness(g.rim_steel.E, g.module, g.rim_thickness)),
-             .face_width = g.rim_width,
-             .slope = mesh.coning * std::sin(g.flank_angle) * g.radial_displacement /
-                      (g.length - g.rim_width / 2)};  // (TC-8)
-}
-
-/// A ring that a crack softens.
-struct CrackedRing {
-  RingHinge::Ring ring{};
-  double thickness = 0.0;  // [m]
-  double width = 0.0;      // [m]
-  double bending = 0.0;    // EI, of the circular spline over its support [N*m^2]
-  double support = 1.0;    // share of the ring's compliance that its housing leaves [-]
-  ElasticConstants steel;
-};
-
-/// Turns cracks into what they change inside the contact problem: one overload of `add` for each
-/// way in which a crack does so.
-class ContactCracksOf {
- public:
-  ContactCracksOf(const GearSet& gear, const CoupledGeometry& geometry, const BallForce& ball_force,
-                  std::vector<Note>& notes)
-      : gear_(gear), geometry_(geometry), ball_force_(ball_force), notes_(notes) {}
-
-  void add(const std::string&, const ToothCrack& crack) {
-    result.teeth.push_back({crack.position, crack.stiffness_loss});
-  }
-
-  template <CrackedPart part, bool from_inside>
-  void add(const std::string&, const RingCrack<part, from_inside>& crack) {
-    if (part == CrackedPart::circular_spline && !(geometry_.support > 0)) {
-      note_rigid_spline();
-      return;
-    }
-    const CrackedRing ring = ring_of(part);
-    const double c_M =
-        ring.support * hinge_compliance(crack.depth, ring.thickness, ring.width, ring.steel);
-    const double length = crack.softened_length(ring.thickness);
-    const double left = ring.bending / (1 + c_M * ring.bending / length);
-    result.hinges.push_back({.ring = ring.ring,
-                             .position = crack.position,
-                             .length = length,
-                             .softening = (ring.bending - left) * length});  // (TC-22)
-  }
-
-  /// A crack of the inner race, which the balls load.
-  template <class Crack>
-  requires requires(const Crack& crack) { crack.stress_driver; }
-  void add(const std::string& path, const Crack& crack) {
-    if (crack.stress_driver != StressDriver::orthogonal_shear &&
-        crack.stress_driver != StressDriver::contact_edge) {
-      notes_.push_back({"crack.not_of_a_ball",
-                        "its stress does not follow from the force of the ball over it: it is "
-                        "left out of the torsion curve",
-                        path, "TC-23", Severity::care,
-                        "Choose a stress_driver of the ball, orthogonal_shear or contact_edge."});
-    } else if (const double force = ball_force_(crack.position); force > 0) {
-      result.balls.push_back({crack.position, race_crack_compliance(gear_, path, force, notes_)});
-      notes_.push_back({"crack.under_a_ball",
-                        fmt::format("taken with the nearest ball exactly over it, the worst "
-                                    "place, linear at {:.3g} N; the balls roll over it, so its "
-                                    "effect comes and goes at ball-pass frequency",
-                                    force),
-                        path, "TC-23", Severity::care});
-    } else {
-      notes_.push_back({"crack.unloaded_ball", "no ball that carries is near it: no effect", path,
-                        "TC-23", Severity::information});
-    }
-  }
-
-  ContactCracks result;
-
- private:
-  [[nodiscard]] CrackedRing ring_of(CrackedPart part) const {
-    const CoupledGeometry& g = geometry_;
-    if (part == CrackedPart::rim)
-      return {.ring = RingHinge::Ring::rim,
-              .thickness = g.rim_thickness,
-              .width = g.rim_width,
-              .bending = g.rim_bending,
-              .steel = g.rim_steel};
-    if (part == CrackedPart::outer_ring)
-      return {.ring = RingHinge::Ring::outer,
-              .thickness = g.outer_thickness,
-              .width = g.outer_width,
-              .bending = g.outer_bending,
-              .steel = g.ball_steel};
-    const CircularSpline& spline = *gear_.circular_spline;
-    return {.ring = RingHinge::Ring::spline,
-            .thickness = (spline.outer_diameter - spline.inner_diameter) / 2,
-            .width = spline.width,
-            .bending = g.spline_bending / g.support,
-            .support = g.support,
-            .steel =
-                elastic_constants(material_of(gear_, spline.material, "circular_spline.material"))};
-  }
-
-  void note_rigid_spline() {
-    const Note note{.code = "crack.rigid_ring",
-                    .text =
-                        "the circular spline is held rigidly (support = 0): a crack in it has "
-                        "no effect",
-                    .path = "circular_spline.support",
-                    .equation = "TC-10",
-                    .severity = Severity::care,
-                    .next_step = "Give a support above 0."};
-    if (std::ranges::find(notes_, note) == notes_.end()) notes_.push_back(note);
-  }
-
-  const GearSet& gear_;
-  const CoupledGeometry& geometry_;
-  const BallForce& ball_force_;
-  std::vector<Note>& notes_;
-};
-
-}  // namespace
-
-std::string missing_for_torsion_curve(const GearSet& gear) {
-  const auto gap = missing(gear);
-  return gap ? fmt::format("{}: must be given for the torsion curve ({})", gap->field, gap->what)
-             : std::string();
-}
-
-CoupledGeometry coupled_geometry(const GearSet& gear, const CoupledOptions& options) {
-  check_coupled(gear, options);
+template <class Real>
+BasicCoupledGeometry<Real> coupled_geometry(const GearSet& gear, const CoupledOptions& options,
+                                            const Lift<Real>& lift) {
+  using std::pow;
   const Transmission& drive = gear.drive;
   const Flexspline& fs = *gear.flexspline;
   const WaveGenerator& wg = *gear.wave_generator;
   const Bearing& bearing = *wg.bearing;
   const BearingRing& outer = *bearing.outer_ring;
   const double teeth = drive.wave_number * drive.ratio;
-  CoupledGeometry g;
-  g.rim_steel = elastic_constants(material_of(gear, fs.material, "flexspline.material"));
-  g.ball_steel = elastic_constants(material_of(gear, wg.material, "wave_generator.material"));
-  g.pitch_radius = drive.pitch_diameter / 2;
-  g.radial_displacement = drive.radial_displacement;
+  BasicCoupledGeometry<Real> g;
+  g.rim_steel = elastic_constants(lift, material_of(gear, fs.material, "flexspline.material"));
+  g.ball_steel = elastic_constants(lift, material_of(gear, wg.material, "wave_generator.material"));
+  g.pitch_radius = lift(drive.pitch_diameter) / 2;
+  g.radial_displacement = lift(drive.radial_displacement);
   g.teeth = static_cast<int>(std::lround(teeth));
-  g.module = drive.pitch_diameter / teeth;
-  g.rim_thickness = fs.rim->wall_thickness;
-  g.rim_width = fs.rim->length;
-  g.ring_radius = (fs.rim->outer_diameter - fs.rim->wall_thickness) / 2;
-  g.rim_bending =
-      third_power_bending(g.rim_steel.E, g.rim_width, g.rim_thickness, gear.mesh->rim_stiffening);
-  g.outer_thickness = outer.thickness;
-  g.outer_width = outer.width;
-  g.outer_bending =
-      third_power_bending(g.ball_steel.E, outer.width, outer.thickness, outer.groove_factor);
+  g.module = lift(drive.pitch_diameter) / teeth;
+  g.rim_thickness = lift(fs.rim->wall_thickness);
+  g.rim_width = lift(fs.rim->length);
+  g.ring_radius = (lift(fs.rim->outer_diameter) - lift(fs.rim->wall_thickness)) / 2;
+  g.rim_bending = third_power_bending<Real>(g.rim_steel.E, g.rim_width, g.rim_thickness,
+                                            lift(gear.mesh->rim_stiffening));
+  g.outer_thickness = lift(outer.thickness);
+  g.outer_width = lift(outer.width);
+  g.outer_bending = third_power_bending<Real>(g.ball_steel.E, lift(outer.width),
+                                              lift(outer.thickness), lift(outer.groove_factor));
   g.extension = g.rim_steel.E * g.rim_width * g.rim_thickness;
-  g.barrel_length = fs.barrel->length;
-  g.barrel_thickness = fs.barrel->wall_thickness;
+  g.barrel_length = lift(fs.barrel->length);
+  g.barrel_thickness = lift(fs.barrel->wall_thickness);
   g.length = g.barrel_length + g.rim_width;
 
-  const RaceContacts races = race_contacts(bearing, g.ball_steel);
+  const BasicRaceContacts<Real> races = race_contacts(lift, bearing, g.ball_steel);
   // delta = c Q^(2/3) at each race: c is the approach at 1 N.
-  const double c =
-      hertz_contact(races.inner, 1.0).approach + hertz_contact(races.outer, 1.0).approach;
-  g.ball_stiffness = std::pow(c, -1.5);  // (TC-5)
+  const Real c = hertz_contact(races.inner, Real(1.0)).approach +
+                 hertz_contact(races.outer, Real(1.0)).approach;
+  g.ball_stiffness = pow(c, -1.5);  // (TC-5)
   g.balls = *bearing.ball_count;
-  g.clearance = bearing.clearance;
-  g.cam_flattening = wg.cam_flattening;
-  add_mesh(g, *gear.mesh, options.friction);
+  g.clearance = lift(bearing.clearance);
+  g.cam_flattening = lift(wg.cam_flattening);
+  add_mesh(g, *gear.mesh, lift, options.friction);
   if (gear.circular_spline) {
     const CircularSpline& spline = *gear.circular_spline;
-    const double E =
-        elastic_constants(material_of(gear, spline.material, "circular_spline.material")).E;
-    g.support = spline.support;
-    g.spline_radius = (spline.outer_diameter + spline.inner_diameter) / 4;
-    g.spline_bending = third_power_bending(
-        E, spline.width, (spline.outer_diameter - spline.inner_diameter) / 2, 1.0);
+    const Real E =
+        elastic_constants(lift, material_of(gear, spline.material, "circular_spline.material")).E;
+    const Real outside = lift(spline.outer_diameter);
+    const Real inside = lift(spline.inner_diameter);
+    g.support = lift(spline.support);
+    g.spline_radius = (outside + inside) / 4;
+    g.spline_bending =
+        third_power_bending<Real>(E, lift(spline.width), (outside - inside) / 2, 1.0);
   }
   return g;
 }
 
-ContactCracks contact_cracks(const GearSet& gear, const CoupledGeometry& geometry,
-                             const BallForce& ball_force, std::vector<Note>& notes) {
-  ContactCracksOf cracks(gear, geometry, ball_force, notes);
+CoupledGeometry coupled_geometry(const GearSet& gear, const CoupledOptions& options) {
+  check_coupled(gear, options);
+  return coupled_geometry(gear, options, Lift<double>());
+}
+
+template <class Real>
+BasicContactCracks<Real> contact_cracks(const GearSet& gear, const Lift<Real>& lift,
+                                        const BasicCoupledGeometry<Real>& geometry,
+                                        const BasicBallForce<Real>& ball_force,
+                                        std::vector<Note>& notes) {
+  ContactCracksOf<Real> cracks(gear, lift, geometry, ball_force, notes);
   const auto add = [&]<class Crack>(const std::string& path, const Crack& crack) {
     if constexpr (ContactCrack<Crack> || requires { crack.stress_driver; }) cracks.add(path, crack);
   };
@@ -331,5 +422,16 @@ ContactCracks contact_cracks(const GearSet& gear, const CoupledGeometry& geometr
   for_each_crack("wave_generator", gear.wave_generator->crack, add);
   return std::move(cracks.result);
 }
+
+template CoupledGeometry coupled_geometry(const GearSet&, const CoupledOptions&,
+                                          const Lift<double>&);
+template BasicCoupledGeometry<DualReal> coupled_geometry(const GearSet&, const CoupledOptions&,
+                                                         const Lift<DualReal>&);
+template ContactCracks contact_cracks(const GearSet&, const Lift<double>&, const CoupledGeometry&,
+                                      const BallForce&, std::vector<Note>&);
+template BasicContactCracks<DualReal> contact_cracks(const GearSet&, const Lift<DualReal>&,
+                                                     const BasicCoupledGeometry<DualReal>&,
+                                                     const BasicBallForce<DualReal>&,
+                                                     std::vector<Note>&);
 
 }  // namespace strainwave

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "strainwave/core/lift.hpp"
 #include "strainwave/torsion/flank.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
@@ -13,69 +14,93 @@
 namespace strainwave {
 
 /// The numbers of the model, taken from the file [SI].
-struct CoupledGeometry {
+template <class Real>
+struct BasicCoupledGeometry {
   // transmission
-  double pitch_radius = 0.0;         // R_p
-  double radial_displacement = 0.0;  // w_0
-  int teeth = 0;                     // z
-  double module = 0.0;               // m
+  Real pitch_radius{};         // R_p
+  Real radial_displacement{};  // w_0
+  int teeth = 0;               // z
+  Real module{};               // m
   // rim and outer ring, as one ring
-  double ring_radius = 0.0;    // R
-  double rim_thickness = 0.0;  // t_r
-  double rim_width = 0.0;      // b
-  double rim_bending = 0.0;    // EI of the rim
-  double outer_bending = 0.0;  // EI of the outer ring
-  double extension = 0.0;      // EA
-  double outer_thickness = 0.0;
-  double outer_width = 0.0;
-  ElasticConstants rim_steel;
-  ElasticConstants ball_steel;
+  Real ring_radius{};    // R
+  Real rim_thickness{};  // t_r
+  Real rim_width{};      // b
+  Real rim_bending{};    // EI of the rim
+  Real outer_bending{};  // EI of the outer ring
+  Real extension{};      // EA
+  Real outer_thickness{};
+  Real outer_width{};
+  BasicElasticConstants<Real> rim_steel;
+  BasicElasticConstants<Real> ball_steel;
   // barrel and diaphragm
-  double barrel_length = 0.0;
-  double barrel_thickness = 0.0;
-  double length = 0.0;  // L, from the bottom to the open end
+  Real barrel_length{};
+  Real barrel_thickness{};
+  Real length{};  // L, from the bottom to the open end
   // bearing
-  double ball_stiffness = 0.0;  // K_h, Q = K_h d^1.5
+  Real ball_stiffness{};  // K_h, Q = K_h d^1.5
   int balls = 0;
-  double clearance = 0.0;
-  double cam_flattening = 0.0;  // c_cam
+  Real clearance{};
+  Real cam_flattening{};  // c_cam
   // mesh
-  double flank_angle = 0.0;  // geometric alpha
-  double force_angle = 0.0;  // alpha turned by friction
-  double gap_factor = 0.0;
-  double lobe_gap = 0.0;
-  FlankLaw flank;
+  Real flank_angle{};  // geometric alpha
+  Real force_angle{};  // alpha turned by friction
+  Real gap_factor{};
+  Real lobe_gap{};
+  BasicFlankLaw<Real> flank;
   // circular spline; support 0: rigid
-  double spline_radius = 0.0;   // R_c
-  double spline_bending = 0.0;  // E I_c
-  double support = 0.0;         // s_h
+  Real spline_radius{};   // R_c
+  Real spline_bending{};  // E I_c
+  Real support{};         // s_h
 };
+using CoupledGeometry = BasicCoupledGeometry<double>;
 
 /// What a crack changes inside the contact problem.
-struct RingHinge {
-  enum class Ring { rim, outer, spline } ring = Ring::rim;
-  double position = 0.0;   // theta_c
-  double length = 0.0;     // l, over which the crack softens the ring [m]
-  double softening = 0.0;  // alpha, bending stiffness lost times length (TC-22) [N*m^3]
+enum class HingedRing { rim, outer, spline };
+template <class Real>
+struct BasicRingHinge {
+  using Ring = HingedRing;
+  Ring ring = Ring::rim;
+  Real position{};   // theta_c
+  Real length{};     // l, over which the crack softens the ring [m]
+  Real softening{};  // alpha, bending stiffness lost times length (TC-22) [N*m^3]
 };
-struct SoftTooth {
+template <class Real>
+struct BasicSoftTooth {
   double position = 0.0;
-  double stiffness_loss = 0.0;
+  Real stiffness_loss{};
 };
-struct SoftBall {
+template <class Real>
+struct BasicSoftBall {
   double position = 0.0;
-  double compliance = 0.0;  // in series with the contact [m/N]
+  Real compliance{};  // in series with the contact [m/N]
 };
-struct ContactCracks {
-  std::vector<RingHinge> hinges;
-  std::vector<SoftTooth> teeth;
-  std::vector<SoftBall> balls;
+template <class Real>
+struct BasicContactCracks {
+  std::vector<BasicRingHinge<Real>> hinges;
+  std::vector<BasicSoftTooth<Real>> teeth;
+  std::vector<BasicSoftBall<Real>> balls;
 };
+using RingHinge = BasicRingHinge<double>;
+using SoftTooth = BasicSoftTooth<double>;
+using SoftBall = BasicSoftBall<double>;
+using ContactCracks = BasicContactCracks<double>;
 
+/// @throws InputError  if a rule of `check` or of the coupled drive is broken
+void check_coupled(const GearSet& gear, const CoupledOptions& options);
+/// @param gear  has passed `check_coupled`
+template <class Real>
+[[nodiscard]] BasicCoupledGeometry<Real> coupled_geometry(const GearSet& gear,
+                                                          const CoupledOptions& options,
+                                                          const Lift<Real>& lift);
 [[nodiscard]] CoupledGeometry coupled_geometry(const GearSet& gear, const CoupledOptions& options);
 /// Force of the ball nearest to a position, in the sound drive [N].
-using BallForce = std::function<double(double position)>;
-[[nodiscard]] ContactCracks contact_cracks(const GearSet& gear, const CoupledGeometry& geometry,
-                                           const BallForce& ball_force, std::vector<Note>& notes);
+template <class Real>
+using BasicBallForce = std::function<Real(double position)>;
+using BallForce = BasicBallForce<double>;
+template <class Real>
+[[nodiscard]] BasicContactCracks<Real> contact_cracks(const GearSet& gear, const Lift<Real>& lift,
+                                                      const BasicCoupledGeometry<Real>& geometry,
+                                                      const BasicBallForce<Real>& ball_force,
+                                                      std::vector<Note>& notes);
 
 }  // namespace strainwave

@@ -3,37 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-
-#include "strainwave/core/error.hpp"
-#include "strainwave/torsion/plate_edge.hpp"
 
 namespace strainwave {
-namespace {
-
-using std::numbers::pi;
-
-/// Up to this harmonic the whole barrel follows its end.  Beyond, the part that follows shrinks
-/// like 1/n: short waves stay near the rim.  The number has no derivation (TC-2); the ring's own
-/// bending rules there.
-constexpr double kDecay = 2.5;
-
-double sinc(double x) { return std::sin(x) / x; }
-
-/// Mean over the radius: the plate's own thickness law matters little here.
-double mean_thickness(const Diaphragm& diaphragm) {
-  if (diaphragm.profile.empty()) return diaphragm.thickness;
-  constexpr int kPoints = 64;
-  const double width = diaphragm.outer_diameter - diaphragm.inner_diameter;
-  double h = 0.0;
-  for (int i = 0; i < kPoints; ++i)
-    h += diaphragm_thickness(diaphragm,
-                             (diaphragm.inner_diameter + width * (i + 0.5) / kPoints) / 2) /
-         kPoints;
-  return h;
-}
-
-}  // namespace
 
 Waves::Waves(const std::vector<double>& positions, int harmonics) {
   const Eigen::Map<const Eigen::ArrayXd> angle(positions.data(),
@@ -58,98 +29,47 @@ std::vector<double> ContactPlaces::positions() const {
 }
 
 ElasticRings::ElasticRings(const GearSet& gear, const CoupledGeometry& geometry,
-                           const CoupledOptions& options, const ContactPlaces& places,
-                           const ContactDirection& ball, const ContactDirection& drive_flank)
-    : N_(options.harmonics),
-      has_spline_(geometry.support > 0),
-      ring_radius_(geometry.ring_radius),
-      spline_radius_(geometry.spline_radius),
+                           const CoupledOptions& options, const ContactPlaces& places)
+    : model_(gear, Lift<double>(), geometry, options),
       balls_(static_cast<int>(places.balls.size())),
       teeth_(static_cast<int>(places.teeth.size())),
-      ball_(ball),
-      drive_flank_(drive_flank),
       position_(places.positions()),
-      at_balls_({position_.begin(), position_.begin() + balls_}, N_),
-      at_teeth_({position_.begin() + balls_, position_.begin() + balls_ + teeth_}, N_) {
-  make_modes(gear, geometry, options);
+      at_balls_({position_.begin(), position_.begin() + balls_}, options.harmonics),
+      at_teeth_({position_.begin() + balls_, position_.begin() + balls_ + teeth_},
+                options.harmonics) {
   fill_flexibility(places);
   fill_lobe();
 }
 
-void ElasticRings::make_modes(const GearSet& gear, const CoupledGeometry& g,
-                              const CoupledOptions& options) {
-  const Flexspline& fs = *gear.flexspline;
-  const double R = g.ring_radius;
-  const double L = g.barrel_length;
-  const auto& [E, G, nu] = g.rim_steel;
-  const double plate = E * std::pow(g.barrel_thickness, 3) / (12 * (1 - nu * nu));
-  const ClampedPlate bottom{.outer_radius = fs.diaphragm->outer_diameter / 2,
-                            .inner_radius = fs.diaphragm->inner_diameter / 2,
-                            .thickness = mean_thickness(*fs.diaphragm),
-                            .youngs_modulus = E,
-                            .poissons_ratio = nu};
-  modes_.assign(static_cast<std::size_t>(N_) + 1, {});
-  modes_[0].extension = 2 * pi * g.extension / R;  // (TC-1)
-  modes_[0].rim_bending = 2 * pi * g.rim_bending / (R * R * R);
-  modes_[0].outer_bending = 2 * pi * g.outer_bending / (R * R * R);
-  for (int n = 1; n <= N_; ++n) {
-    Mode& mode = modes_[static_cast<std::size_t>(n)];
-    const double n2 = n * n;
-    const double bent = (n2 - 1) * (n2 - 1);
-    mode.rim_bending = pi * g.rim_bending / (R * R * R) * bent;      // (TC-1)
-    mode.outer_bending = pi * g.outer_bending / (R * R * R) * bent;  // (TC-1)
-    mode.extension = pi * g.extension / R;                           // (TC-1)
-    if (n == 1) {
-      mode.lateral = 0.5 * pi * G * R * g.barrel_thickness / L;  // (TC-2)
-      continue;
-    }
-    const double twist = (n - 1.0 / n) * (n - 1.0 / n);
-    mode.barrel = plate * pi * R * (L / 3) *
-                  (bent / std::pow(R, 4) + 6 * (1 - nu) * twist / (R * R * L * L)) *
-                  std::min(1.0, kDecay / n);  // (TC-2)
-    if (options.diaphragm_warping)
-      mode.diaphragm = plate_edge_stiffness(bottom, n) * std::pow(R / (n2 * L), 2);  // (TC-2)
-    if (g.support > 0)
-      mode.spline =
-          pi * g.spline_bending / std::pow(g.spline_radius, 3) * bent / g.support;  // (TC-10)
-  }
-  for (int n = 0; n <= N_; ++n) {
-    Mode& mode = modes_[static_cast<std::size_t>(n)];
-    mode.inverse = mode.inverted(n);
-  }
-}
-
-ElasticRings::Mode::Inverse ElasticRings::Mode::inverted(int n) const {
-  if (n == 0) return {.ww = 1 / (extension + rim_bending + outer_bending)};
-  if (n == 1) {
-    const double ke = extension;
-    const double kl = lateral;
-    const double det = kl * (kl + 2 * ke);
-    const double ww = (ke + kl) / det;
-    return {.ww = ww, .wv = -ke / det, .vv = ww};
-  }
-  const double bend = rim_bending + outer_bending + barrel + diaphragm;
-  return {.ww = 1 / bend, .wv = -1 / (n * bend), .vv = (1 / extension + 1 / bend) / (n * n)};
-}
-
 std::array<ElasticRings::Group, 3> ElasticRings::groups() const {
-  return {{{0, at_balls_, ball_},
-           {balls_, at_teeth_, drive_flank_},
-           {balls_ + teeth_, at_teeth_, drive_flank_.mirrored()}}};
+  const auto [ball, drive, coast] = model_.directions();
+  return {{{0, at_balls_, ball}, {balls_, at_teeth_, drive}, {balls_ + teeth_, at_teeth_, coast}}};
+}
+
+ForceWaves ElasticRings::waves_of(const Eigen::VectorXd& force) const {
+  ForceWaves sums;
+  std::size_t group = 0;
+  for (const auto& [first, waves, d] : groups()) {
+    const auto of_group = force.segment(first, waves.cosine.rows());
+    sums.even[group] = waves.cosine.transpose() * of_group;
+    sums.odd[group] = waves.sine.transpose() * of_group;
+    ++group;
+  }
+  return sums;
 }
 
 Eigen::VectorXd ElasticRings::closings_of(const Eigen::VectorXd& x) const {
   Eigen::VectorXd closings(contacts());
   for (const auto& [first, waves, d] : groups()) {
-    Eigen::VectorXd even = Eigen::VectorXd::Zero(N_ + 1);
+    Eigen::VectorXd even = Eigen::VectorXd::Zero(model_.harmonics() + 1);
     Eigen::VectorXd odd = even;
     even[0] = d.radial * x[0];
-    for (int n = 1; n <= N_; ++n) {
-      const int i = at(n);
+    for (int n = 1; n <= model_.harmonics(); ++n) {
+      const int i = model_.at(n);
       even[n] = d.radial * x[i] + d.slope * n * x[i + 1] + d.tangential * x[i + 2];
       odd[n] = d.radial * x[i + 1] - d.slope * n * x[i] + d.tangential * x[i + 3];
-      if (!has_spline_ || n < 2) continue;
-      const int j = spline_at(n);
+      if (!model_.has_spline() || n < 2) continue;
+      const int j = model_.spline_at(n);
       even[n] += d.spline_radial * x[j] + d.spline_turn(n) * x[j + 1];
       odd[n] += d.spline_radial * x[j + 1] - d.spline_turn(n) * x[j];
     }
@@ -158,54 +78,11 @@ Eigen::VectorXd ElasticRings::closings_of(const Eigen::VectorXd& x) const {
   return closings;
 }
 
-Eigen::VectorXd ElasticRings::load_of(const Eigen::VectorXd& force) const {
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(coefficients());
-  for (const auto& [first, waves, d] : groups()) {
-    const auto of_group = force.segment(first, waves.cosine.rows());
-    const Eigen::VectorXd even = waves.cosine.transpose() * of_group;
-    const Eigen::VectorXd odd = waves.sine.transpose() * of_group;
-    load[0] -= d.radial * even[0];
-    for (int n = 1; n <= N_; ++n) {
-      const int i = at(n);
-      load[i] -= d.radial * even[n] - d.slope * n * odd[n];
-      load[i + 1] -= d.radial * odd[n] + d.slope * n * even[n];
-      load[i + 2] -= d.tangential * even[n];
-      load[i + 3] -= d.tangential * odd[n];
-      if (!has_spline_ || n < 2) continue;
-      const int j = spline_at(n);
-      load[j] -= d.spline_radial * even[n] - d.spline_turn(n) * odd[n];
-      load[j + 1] -= d.spline_radial * odd[n] + d.spline_turn(n) * even[n];
-    }
-  }
-  return load;
-}
-
-Eigen::VectorXd ElasticRings::response_to(const Eigen::VectorXd& load) const {
-  Eigen::VectorXd out(coefficients());
-  out[0] = modes_[0].inverse.ww * load[0];
-  for (int n = 1; n <= N_; ++n) {
-    const Mode& mode = modes_[static_cast<std::size_t>(n)];
-    const auto& [ww, wv, vv] = mode.inverse;
-    const int i = at(n);
-    out[i] = ww * load[i] + wv * load[i + 3];
-    out[i + 3] = wv * load[i] + vv * load[i + 3];
-    out[i + 1] = ww * load[i + 1] - wv * load[i + 2];
-    out[i + 2] = -wv * load[i + 1] + vv * load[i + 2];
-    if (mode.spline > 0) {
-      out[spline_at(n)] = load[spline_at(n)] / mode.spline;
-      out[spline_at(n) + 1] = load[spline_at(n) + 1] / mode.spline;
-    }
-  }
-  for (const Softening& soft : softenings_)
-    out += soft.factor * soft.response.dot(load) * soft.response;  // (TC-22)
-  return out;
-}
-
 ElasticRings::Kernel ElasticRings::kernel(const ContactDirection& of,
                                           const ContactDirection& by) const {
-  Kernel kernel{Eigen::VectorXd(N_ + 1), Eigen::VectorXd(N_ + 1)};
-  for (int n = 0; n <= N_; ++n) {
-    const Mode& mode = modes_[static_cast<std::size_t>(n)];
+  Kernel kernel{Eigen::VectorXd(model_.harmonics() + 1), Eigen::VectorXd(model_.harmonics() + 1)};
+  for (int n = 0; n <= model_.harmonics(); ++n) {
+    const RingMode<double>& mode = model_.mode(n);
     const auto& [ww, wv, vv] = mode.inverse;
     double even = ww * (of.radial * by.radial + n * n * of.slope * by.slope) -
                   wv * n * (of.slope * by.tangential + of.tangential * by.slope) +
@@ -226,13 +103,13 @@ ElasticRings::Kernel ElasticRings::kernel(const ContactDirection& of,
 
 void ElasticRings::fill_flexibility(const ContactPlaces& places) {
   flexibility_.resize(contacts(), contacts());
-  const Kernel balls = kernel(ball_, ball_);
+  const Kernel balls = kernel(model_.ball(), model_.ball());
   flexibility_.topLeftCorner(balls_, balls_) =
       at_balls_.cosine * (at_balls_.cosine * balls.even.asDiagonal()).transpose() +
       at_balls_.sine * (at_balls_.sine * balls.even.asDiagonal()).transpose();
 
   // A ball sees a coast flank as it sees the drive flank on its other side.
-  const Kernel mixed = kernel(ball_, drive_flank_);
+  const Kernel mixed = kernel(model_.ball(), model_.drive_flank());
   const Eigen::MatrixXd even =
       at_balls_.cosine * (at_teeth_.cosine * mixed.even.asDiagonal()).transpose() +
       at_balls_.sine * (at_teeth_.sine * mixed.even.asDiagonal()).transpose();
@@ -247,9 +124,9 @@ void ElasticRings::fill_flexibility(const ContactPlaces& places) {
   // Between teeth only the number of pitches counts.
   std::vector<double> apart;
   for (int k = 0; k < places.pitches; ++k) apart.push_back(k * places.pitch());
-  const Waves waves(apart, N_);
-  const Kernel like = kernel(drive_flank_, drive_flank_);
-  const Kernel facing = kernel(drive_flank_, drive_flank_.mirrored());
+  const Waves waves(apart, model_.harmonics());
+  const Kernel like = kernel(model_.drive_flank(), model_.drive_flank());
+  const Kernel facing = kernel(model_.drive_flank(), model_.drive_flank().mirrored());
   const Eigen::VectorXd like_flanks = waves.cosine * like.even;
   const Eigen::VectorXd drive_by_coast = waves.cosine * facing.even + waves.sine * facing.odd;
   const Eigen::VectorXd coast_by_drive = waves.cosine * facing.even - waves.sine * facing.odd;
@@ -267,55 +144,30 @@ void ElasticRings::fill_flexibility(const ContactPlaces& places) {
 }
 
 void ElasticRings::fill_lobe() {
-  Eigen::VectorXd mean = Eigen::VectorXd::Zero(coefficients());
-  mean[0] = 1.0;  // of w at 0 and pi: the even cosines
-  for (int n = 2; n <= N_; n += 2) mean[at(n)] = 1.0;
-  lobe_ = -closings_of(response_to(mean));  // by reciprocity
+  lobe_ = -closings_of(model_.response_to(model_.lobe_load()));  // by reciprocity
 }
 
 ElasticRings ElasticRings::softened(const std::vector<RingHinge>& hinges) const {
   ElasticRings soft_rings = *this;
   for (const RingHinge& hinge : hinges) {
-    const bool spline = hinge.ring == RingHinge::Ring::spline;
-    if (spline && !has_spline_) continue;  // a rigid ring does not bend
-    const double R = spline ? spline_radius_ : ring_radius_;
-    Softening soft{.ring = hinge.ring,
-                   .softening = hinge.softening,
-                   .curvature = Eigen::VectorXd::Zero(coefficients()),
-                   .response = {}};
-    for (int n = 2; n <= N_; ++n) {
-      const double amplitude =
-          (1.0 - n * n) / (R * R) * sinc(n * hinge.length / (2 * R));  // (TC-22)
-      const int i = spline ? spline_at(n) : at(n);
-      soft.curvature[i] = amplitude * std::cos(n * hinge.position);
-      soft.curvature[i + 1] = amplitude * std::sin(n * hinge.position);
-    }
-    soft.response = soft_rings.response_to(soft.curvature);
-    const double left = 1 - soft.softening * soft.curvature.dot(soft.response);
-    if (!(left > 0))
-      throw SolverError(
-          "two cracks of a ring soften the same length of it, which leaves it no stiffness there "
-          "(TC-22): give one crack in place of both");
-    soft.factor = soft.softening / left;
+    if (!soft_rings.model_.soften(hinge)) continue;
+    const auto& soft = soft_rings.model_.softenings().back();
     const Eigen::VectorXd closings = closings_of(soft.response);
     soft_rings.flexibility_ += soft.factor * closings * closings.transpose();  // (TC-22)
-    soft_rings.softenings_.push_back(std::move(soft));
   }
   soft_rings.fill_lobe();
   return soft_rings;
 }
 
 double ElasticRings::of_nominal_wave(int contact, double amplitude) const {
-  const ContactDirection d = contact < balls_            ? ball_
-                             : contact < balls_ + teeth_ ? drive_flank_
-                                                         : drive_flank_.mirrored();
-  const double theta = position_of(contact);
-  return amplitude *
-         (d.radial * std::cos(2 * theta) - (2 * d.slope + d.tangential / 2) * std::sin(2 * theta));
+  const auto group = static_cast<std::size_t>(contact < balls_            ? 0
+                                              : contact < balls_ + teeth_ ? 1
+                                                                          : 2);
+  return strainwave::of_nominal_wave(model_.directions()[group], position_of(contact), amplitude);
 }
 
 Eigen::VectorXd ElasticRings::coefficients_of(const Eigen::VectorXd& force) const {
-  return response_to(load_of(force));
+  return model_.response_to(model_.load_of(waves_of(force)));
 }
 
 Eigen::VectorXd ElasticRings::closings(const Eigen::VectorXd& force) const {
@@ -337,12 +189,12 @@ void ElasticRings::add_shares(const Eigen::VectorXd& x,
     share[static_cast<std::size_t>(member)] += value;
   };
   const auto square = [&](int i) { return x[i] * x[i] + x[i + 1] * x[i + 1]; };
-  add(CurveMember::rim_extension, modes_[0].extension * x[0] * x[0]);
-  add(CurveMember::rim_bending, modes_[0].rim_bending * x[0] * x[0]);
-  add(CurveMember::outer_ring_bending, modes_[0].outer_bending * x[0] * x[0]);
-  for (int n = 1; n <= N_; ++n) {
-    const Mode& mode = modes_[static_cast<std::size_t>(n)];
-    const int i = at(n);
+  add(CurveMember::rim_extension, model_.mode(0).extension * x[0] * x[0]);
+  add(CurveMember::rim_bending, model_.mode(0).rim_bending * x[0] * x[0]);
+  add(CurveMember::outer_ring_bending, model_.mode(0).outer_bending * x[0] * x[0]);
+  for (int n = 1; n <= model_.harmonics(); ++n) {
+    const RingMode<double>& mode = model_.mode(n);
+    const int i = model_.at(n);
     const double bent = square(i);
     add(CurveMember::rim_bending, mode.rim_bending * bent);
     add(CurveMember::outer_ring_bending, mode.outer_bending * bent);
@@ -350,9 +202,10 @@ void ElasticRings::add_shares(const Eigen::VectorXd& x,
     add(CurveMember::diaphragm_warping, mode.diaphragm * bent);
     add(CurveMember::rim_extension,
         mode.extension * (std::pow(x[i] + n * x[i + 3], 2) + std::pow(x[i + 1] - n * x[i + 2], 2)));
-    if (mode.spline > 0) add(CurveMember::circular_spline, mode.spline * square(spline_at(n)));
+    if (mode.spline > 0)
+      add(CurveMember::circular_spline, mode.spline * square(model_.spline_at(n)));
   }
-  for (const Softening& soft : softenings_) {
+  for (const auto& soft : model_.softenings()) {
     const double lost = soft.softening * std::pow(soft.curvature.dot(x), 2);
     add(soft.ring == RingHinge::Ring::rim     ? CurveMember::rim_bending
         : soft.ring == RingHinge::Ring::outer ? CurveMember::outer_ring_bending
@@ -363,33 +216,33 @@ void ElasticRings::add_shares(const Eigen::VectorXd& x,
 
 double ElasticRings::radial(const Eigen::VectorXd& x, double theta) const {
   double w = x[0];
-  for (int n = 1; n <= N_; ++n)
-    w += x[at(n)] * std::cos(n * theta) + x[at(n) + 1] * std::sin(n * theta);
+  for (int n = 1; n <= model_.harmonics(); ++n)
+    w += x[model_.at(n)] * std::cos(n * theta) + x[model_.at(n) + 1] * std::sin(n * theta);
   return w;
 }
 
 double ElasticRings::tangential(const Eigen::VectorXd& x, double theta) const {
   double v = 0.0;
-  for (int n = 1; n <= N_; ++n)
-    v += x[at(n) + 2] * std::cos(n * theta) + x[at(n) + 3] * std::sin(n * theta);
+  for (int n = 1; n <= model_.harmonics(); ++n)
+    v += x[model_.at(n) + 2] * std::cos(n * theta) + x[model_.at(n) + 3] * std::sin(n * theta);
   return v;
 }
 
 double ElasticRings::curvature(const Eigen::VectorXd& x, double theta) const {
-  const double R2 = ring_radius_ * ring_radius_;
+  const double R2 = model_.ring_radius() * model_.ring_radius();
   double kappa = 0.0;  // -(w'' + w)/R^2, positive where the ring bends more
-  for (int n = 2; n <= N_; ++n)
-    kappa +=
-        (n * n - 1.0) / R2 * (x[at(n)] * std::cos(n * theta) + x[at(n) + 1] * std::sin(n * theta));
+  for (int n = 2; n <= model_.harmonics(); ++n)
+    kappa += (n * n - 1.0) / R2 *
+             (x[model_.at(n)] * std::cos(n * theta) + x[model_.at(n) + 1] * std::sin(n * theta));
   return kappa - x[0] / R2;
 }
 
 double ElasticRings::hoop_strain(const Eigen::VectorXd& x, double theta) const {
   double strain = x[0];
-  for (int n = 1; n <= N_; ++n)
-    strain += (x[at(n)] + n * x[at(n) + 3]) * std::cos(n * theta) +
-              (x[at(n) + 1] - n * x[at(n) + 2]) * std::sin(n * theta);
-  return strain / ring_radius_;
+  for (int n = 1; n <= model_.harmonics(); ++n)
+    strain += (x[model_.at(n)] + n * x[model_.at(n) + 3]) * std::cos(n * theta) +
+              (x[model_.at(n) + 1] - n * x[model_.at(n) + 2]) * std::sin(n * theta);
+  return strain / model_.ring_radius();
 }
 
 }  // namespace strainwave

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "coupled_geometry.hpp"
+#include "ring_model.hpp"
 
 // The elastic side of the contact problem: flexspline, outer ring and circular spline.
 //
@@ -14,24 +14,6 @@
 // flexibility between any two contacts is a sum over modes.
 
 namespace strainwave {
-
-/// How a contact sees the rings: closing per unit of displacement at its position.
-struct ContactDirection {
-  double radial = 0.0;
-  double tangential = 0.0;
-  double slope = 0.0;  ///< of the wall, w'
-  double spline_radial = 0.0;
-  double spline_tangential = 0.0;
-  double spline_slope = 0.0;
-
-  /// Closing per unit of the n-th amplitude by tilt and shift of the circular spline, whose ring
-  /// does not stretch.
-  [[nodiscard]] double spline_turn(int n) const { return n * spline_slope + spline_tangential / n; }
-  /// That of the other flank of a tooth.
-  [[nodiscard]] ContactDirection mirrored() const {
-    return {radial, -tangential, -slope, spline_radial, -spline_tangential, -spline_slope};
-  }
-};
 
 /// Cosines and sines of the harmonics 0 to N at some positions, a row each.
 struct Waves {
@@ -55,8 +37,7 @@ class ElasticRings {
   /// Contacts are the balls, the drive flanks of the teeth and their coast flanks, which see the
   /// rings as the drive flanks do in a mirror.
   ElasticRings(const GearSet& gear, const CoupledGeometry& geometry, const CoupledOptions& options,
-               const ContactPlaces& places, const ContactDirection& ball,
-               const ContactDirection& drive_flank);
+               const ContactPlaces& places);
 
   /// The same rings, softened by cracks.
   /// @throws SolverError  if hinges of one ring overlap so far that nothing of it is left
@@ -68,6 +49,12 @@ class ElasticRings {
   }
   /// What a contact sees of the nominal wave w_0 cos(2 theta) of an inextensional ring.
   [[nodiscard]] double of_nominal_wave(int contact, double amplitude) const;
+  /// The rings in their coefficients.
+  [[nodiscard]] const RingModel<double>& model() const { return model_; }
+  /// Contact forces as the rings see them.
+  [[nodiscard]] ForceWaves waves_of(const Eigen::VectorXd& force) const;
+  /// Mean of w over the lobes per unit of the force of each contact.
+  [[nodiscard]] const Eigen::VectorXd& lobe_of_forces() const { return lobe_; }
   /// Closing of contact i under a unit force of contact j, by the rings [m/N] (TC-4).
   [[nodiscard]] const Eigen::MatrixXd& flexibility() const { return flexibility_; }
   /// Closings of all contacts that contact forces make.
@@ -87,41 +74,11 @@ class ElasticRings {
   [[nodiscard]] double hoop_strain(const Eigen::VectorXd& x, double theta) const;
 
  private:
-  struct Mode {  // stiffness per unit of amplitude squared, of both phases
-    double rim_bending = 0.0;
-    double outer_bending = 0.0;
-    double barrel = 0.0;
-    double diaphragm = 0.0;
-    double extension = 0.0;  // of a + n d
-    double lateral = 0.0;    // n = 1
-    double spline = 0.0;
-
-    struct Inverse {  // (TC-4): of [[bend + ke, n ke], [n ke, n^2 ke]]
-      double ww = 0.0;
-      double wv = 0.0;
-      double vv = 0.0;
-    };
-    Inverse inverse;
-    [[nodiscard]] Inverse inverted(int n) const;
-  };
-  struct Softening {
-    RingHinge::Ring ring = RingHinge::Ring::rim;
-    double softening = 0.0;     // alpha
-    Eigen::VectorXd curvature;  // mean over the length, as a row
-    Eigen::VectorXd response;   // coefficients that a unit of its conjugate makes
-    double factor = 0.0;        // alpha/(1 - alpha curvature.response)
-  };
-
   /// Closing of one contact by another as a Fourier series in the angle between them (TC-4).
   struct Kernel {
     Eigen::VectorXd even;
     Eigen::VectorXd odd;
   };
-  [[nodiscard]] int at(int n) const { return 4 * n - 3; }  // a_n, b_n, c_n, d_n of the ring
-  [[nodiscard]] int spline_at(int n) const { return 1 + 4 * N_ + 2 * (n - 2); }  // a_n, b_n
-  [[nodiscard]] int coefficients() const { return 1 + 4 * N_ + (has_spline_ ? 2 * (N_ - 1) : 0); }
-  void make_modes(const GearSet& gear, const CoupledGeometry& geometry,
-                  const CoupledOptions& options);
   [[nodiscard]] Kernel kernel(const ContactDirection& of, const ContactDirection& by) const;
   void fill_flexibility(const ContactPlaces& places);
   void fill_lobe();
@@ -132,25 +89,14 @@ class ElasticRings {
     ContactDirection direction;
   };
   [[nodiscard]] std::array<Group, 3> groups() const;
-  /// Generalised forces of contact forces: the transposed operation, with the other sign.
-  [[nodiscard]] Eigen::VectorXd load_of(const Eigen::VectorXd& force) const;
-  /// Coefficients that generalised forces make (TC-4).
-  [[nodiscard]] Eigen::VectorXd response_to(const Eigen::VectorXd& load) const;
 
-  int N_ = 0;
-  bool has_spline_ = false;
-  double ring_radius_ = 0.0;
-  double spline_radius_ = 0.0;
-  std::vector<Mode> modes_;  // 0 to N
+  RingModel<double> model_;
   int balls_ = 0;
   int teeth_ = 0;
-  ContactDirection ball_;
-  ContactDirection drive_flank_;
   std::vector<double> position_;  // of balls, drive flanks, coast flanks
   Waves at_balls_;
   Waves at_teeth_;
   Eigen::VectorXd lobe_;  // per unit of the force of each contact
-  std::vector<Softening> softenings_;
   Eigen::MatrixXd flexibility_;
 };
 

@@ -10,36 +10,89 @@
 
 namespace strainwave {
 
-double plate_edge_stiffness(const ClampedPlate& plate, int harmonic) {
+namespace {
+
+/// Amplitudes of the four powers of the radius that meet the conditions of the edges.
+std::array<double, 4> amplitudes_of(const std::array<std::array<double, 4>, 4>& conditions,
+                                    const std::array<double, 4>& wanted) {
+  Eigen::Matrix4d matrix;
+  Eigen::Vector4d right;
+  for (int i = 0; i < 4; ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    for (int j = 0; j < 4; ++j) matrix(i, j) = conditions[row][static_cast<std::size_t>(j)];
+    right(i) = wanted[row];
+  }
+  const Eigen::Vector4d x = matrix.fullPivLu().solve(right);
+  return {x(0), x(1), x(2), x(3)};
+}
+std::array<DualReal, 4> amplitudes_of(const std::array<std::array<DualReal, 4>, 4>& conditions,
+                                      const std::array<double, 4>& wanted) {
+  Eigen::Matrix4d matrix;
+  Eigen::Vector4d right;
+  for (int i = 0; i < 4; ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    for (int j = 0; j < 4; ++j) matrix(i, j) = conditions[row][static_cast<std::size_t>(j)].value;
+    right(i) = wanted[row];
+  }
+  const auto factor = matrix.fullPivLu();
+  const Eigen::Vector4d x = factor.solve(right);
+  std::array<DualReal, 4> result;
+  for (std::size_t i = 0; i < 4; ++i) result[i] = DualReal(x(static_cast<Eigen::Index>(i)));
+  for (std::size_t k = 0; k < kDualWidth; ++k) {
+    Eigen::Vector4d moved;  // M dx = -dM x: (SN-3) of a linear system
+    for (std::size_t i = 0; i < 4; ++i) {
+      double sum = 0.0;
+      for (std::size_t j = 0; j < 4; ++j)
+        sum -= conditions[i][j].partial[k] * result[j].value;  // (SN-3)
+      moved(static_cast<Eigen::Index>(i)) = sum;
+    }
+    const Eigen::Vector4d dx = factor.solve(moved);
+    for (std::size_t i = 0; i < 4; ++i) result[i].partial[k] = dx(static_cast<Eigen::Index>(i));
+  }
+  return result;
+}
+
+template <class Real>
+Real edge_stiffness(const BasicClampedPlate<Real>& plate, int harmonic) {
+  using std::pow;
   const double n = harmonic;
-  const double nu = plate.poissons_ratio;
-  const double rho = plate.inner_radius / plate.outer_radius;
+  const Real nu = plate.poissons_ratio;
+  const Real rho = plate.inner_radius / plate.outer_radius;
   require(harmonic >= 2, "harmonic", n, "1", "harmonic >= 2");
-  require(plate.inner_radius > 0 && rho < 1, "inner_radius", plate.inner_radius, "m",
+  require(plate.inner_radius > 0 && rho < 1, "inner_radius", value_of(plate.inner_radius), "m",
           "0 < inner_radius < outer_radius");
-  require(plate.thickness > 0, "thickness", plate.thickness, "m", "thickness > 0");
-  const double D =
-      plate.youngs_modulus * std::pow(plate.thickness, 3) / (12 * (1 - nu * nu));  // (TC-3)
+  require(plate.thickness > 0, "thickness", value_of(plate.thickness), "m", "thickness > 0");
+  const Real D = plate.youngs_modulus * pow(plate.thickness, 3.0) / (12 * (1 - nu * nu));  // (TC-3)
   // Deflection r^p cos(n theta), r over the outer radius.  The negative powers are scaled to 1 at
   // the inner edge, where they matter: a high n would overflow otherwise.
   const std::array<double, 4> powers = {n, -n, n + 2, 2 - n};
-  Eigen::Matrix4d conditions;
-  Eigen::Vector4d edge_shear;
-  for (int i = 0; i < 4; ++i) {
-    const double p = powers[static_cast<std::size_t>(i)];
-    const double at_inner = p < 0 ? 1.0 : std::pow(rho, p);
-    const double at_outer = p < 0 ? std::pow(rho, -p) : 1.0;
-    conditions(0, i) = at_inner;
-    conditions(1, i) = p * at_inner;                                 // slope, times r_i
-    conditions(2, i) = at_outer;                                     // deflection
-    conditions(3, i) = (p * (p - 1) + nu * (p - n * n)) * at_outer;  // moment M_r
-    edge_shear(i) =
+  std::array<std::array<Real, 4>, 4> conditions;
+  std::array<Real, 4> edge_shear;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double p = powers[i];
+    const Real at_inner = p < 0 ? Real(1.0) : Real(pow(rho, p));
+    const Real at_outer = p < 0 ? Real(pow(rho, -p)) : Real(1.0);
+    conditions[0][i] = at_inner;
+    conditions[1][i] = p * at_inner;                                 // slope, times r_i
+    conditions[2][i] = at_outer;                                     // deflection
+    conditions[3][i] = (p * (p - 1) + nu * (p - n * n)) * at_outer;  // moment M_r
+    edge_shear[i] =
         -((p * p - n * n) * (p - 2) - (1 - nu) * n * n * (p - 1)) * at_outer;  // Kirchhoff's V_r
   }
-  const Eigen::Vector4d amplitudes =
-      conditions.fullPivLu().solve(Eigen::Vector4d(0.0, 0.0, 1.0, 0.0));
-  const double R = plate.outer_radius;
-  return std::numbers::pi * D / (R * R) * edge_shear.dot(amplitudes);  // (TC-3)
+  const std::array<Real, 4> amplitudes = amplitudes_of(conditions, {0.0, 0.0, 1.0, 0.0});
+  Real shear(0.0);
+  for (std::size_t i = 0; i < 4; ++i) shear += edge_shear[i] * amplitudes[i];
+  const Real R = plate.outer_radius;
+  return std::numbers::pi * D / (R * R) * shear;  // (TC-3)
+}
+
+}  // namespace
+
+double plate_edge_stiffness(const ClampedPlate& plate, int harmonic) {
+  return edge_stiffness(plate, harmonic);
+}
+DualReal plate_edge_stiffness(const BasicClampedPlate<DualReal>& plate, int harmonic) {
+  return edge_stiffness(plate, harmonic);
 }
 
 }  // namespace strainwave

@@ -8,19 +8,13 @@
 #include <numbers>
 
 #include "assembled_drive_contents.hpp"
+#include "line_torques.hpp"
 #include "strainwave/core/error.hpp"
 
 namespace strainwave {
 namespace {
 
 using std::numbers::pi;
-
-// The maker's torques where the file gives none, from catalogues (TC-14): T1 and T2 over the cube
-// of the pitch diameter [Pa], T3 and rated torque over T2.
-constexpr double kConventionT1 = 0.0517e6;
-constexpr double kConventionT2 = 0.187e6;
-constexpr double kConventionT3 = 1.6;
-constexpr double kConventionRated = 1.8;
 
 /// Shares of the members in the tangent compliance, those of the contact problem and in series.
 void set_shares(CurvePoint& point, const AssembledDrive::Contents& contents,
@@ -106,21 +100,6 @@ std::string walk(const AssembledDrive::Contents& contents, std::span<const doubl
   return contents.series_unusable;
 }
 
-/// Flanks that press on each other without torque.
-void note_interference(const CoupledDrive& drive, std::vector<Note>& notes) {
-  const double jam = drive.largest_flank_force(drive.assembled());
-  if (!(jam > 0)) return;
-  const double lobe_gap = drive.geometry().lobe_gap;
-  notes.push_back(
-      {"torsion.interference",
-       fmt::format("the flanks press on each other without torque, with up to {:.3g} N: {}", jam,
-                   lobe_gap < 0
-                       ? fmt::format("the lobe gap of {:.4g} um is an interference", 1e6 * lobe_gap)
-                       : std::string("the assembled ring bulges beside the lobes; see clearance, "
-                                     "cam_flattening, ball_count, flank_angle")),
-       "mesh.lobe_gap", "TC-6", Severity::care, "Check mesh.lobe_gap and the fields named here."});
-}
-
 void require_finite(std::span<const double> torques) {
   for (const double torque : torques)
     require(std::isfinite(torque), "torque", torque, "N*m", "a finite number");
@@ -135,14 +114,13 @@ TorsionCurve torsion_curve(const AssembledDrive& assembled, std::span<const doub
   TorsionCurve curve;
   curve.teeth = contents.geometry.teeth;
   curve.series_compliance = contents.series.sound();
-  curve.notes = contents.notes;
-  curve.equations = contents.equations;
+  curve.notes = assembled.notes();
+  curve.equations = assembled.equations();
   if (contents.fails_because.empty()) {
     const CoupledDrive& drive = contents.drive;
     curve.cam_amplitude = drive.cam_amplitude();
     for (int k = 0; k < drive.balls(); ++k)
       curve.assembly_ball_force = std::max(curve.assembly_ball_force, drive.assembled().force[k]);
-    note_interference(drive, curve.notes);
   }
   curve.unusable_because = walk(contents, torques, progress, [&](const Equilibrium& state) {
     curve.points.push_back(point_of(contents, state));
@@ -160,6 +138,24 @@ std::vector<double> twists(const AssembledDrive& assembled, std::span<const doub
            [&](const Equilibrium& state) { twist.push_back(contents.twist(state)); });
   if (!unusable_because.empty()) throw SolverError(unusable_because);
   return twist;
+}
+
+std::optional<double> reached_twist(const AssembledDrive& drive, double torque,
+                                    std::vector<Note>& notes) {
+  try {
+    return twists(drive, std::span(&torque, 1)).front();
+  } catch (const SolverError& error) {
+    Note note{.code = "curve.no_wind_up",
+              .text = fmt::format("the coupled drive does not reach the torque of the load: {}",
+                                  error.what()),
+              .path = "load.torque",
+              .equation = "TC-11",
+              .severity = Severity::care,
+              .next_step = "Check load.torque against the maker's torques."};
+    if (std::ranges::find(notes, note.code, &Note::code) == notes.end())
+      notes.push_back(std::move(note));
+    return std::nullopt;
+  }
 }
 
 std::vector<RimState> rim_states(const AssembledDrive& assembled, double torque, int positions) {
@@ -200,18 +196,15 @@ double curve_uncertainty(const GearSet& gear) {
 }
 
 MakersTorques makers_torques(const GearSet& gear) {
-  const double d3 = std::pow(gear.drive.pitch_diameter, 3);
-  MakersTorques torques{.T1 = kConventionT1 * d3, .T2 = kConventionT2 * d3, .by_convention = true};
+  const auto [T1, T2, T3] = line_torques(gear, Lift<double>());
   const Rating rating = gear.rating.value_or(Rating{});
-  if (gear.rating) {
-    torques.T1 = rating.T1;
-    torques.T2 = rating.T2;
-    torques.by_convention = false;
-  }
-  torques.T3 = rating.T3.value_or(kConventionT3 * torques.T2);
-  torques.rated = rating.rated_torque.value_or(kConventionRated * torques.T2);
-  torques.lost_motion = rating.lost_motion_share * torques.rated;
-  return torques;
+  const double rated = rating.rated_torque.value_or(kConventionRated * T2);
+  return {.T1 = T1,
+          .T2 = T2,
+          .T3 = T3,
+          .rated = rated,
+          .lost_motion = rating.lost_motion_share * rated,
+          .by_convention = !gear.rating};
 }
 
 MakersLines makers_lines(const AssembledDrive& drive, int sense) {
@@ -224,7 +217,8 @@ MakersLines makers_lines(const AssembledDrive& drive, int sense) {
           .K2 = (at.T2 - at.T1) / (twist(2) - twist(1)),
           .K3 = (at.T3 - at.T2) / (twist(3) - twist(2)),
           .phi1 = twist(1),
-          .phi2 = twist(2)};
+          .phi2 = twist(2),
+          .phi3 = twist(3)};
 }
 
 }  // namespace strainwave

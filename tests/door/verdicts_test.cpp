@@ -27,10 +27,21 @@ std::shared_ptr<const Drive> sound_shaft() {
   return read_drive(text, "sound.toml");
 }
 
+/// The whole drive of the examples with what its hysteresis loop needs.
+std::shared_ptr<const Drive> sound_drive() {
+  std::string text = test::example_drives().at("catalogue_size25")->text;
+  const std::string rating = "[rating]\n";
+  text.insert(text.find(rating) + rating.size(), "friction_torque = \"0.5 N*m\"\n");
+  return read_drive(text, "sound_drive.toml");
+}
+
 TEST(Verdicts, ReferenceEachOfTheFourIsReached) {
   const auto example = [](const char* name) { return test::example_drives().at(name); };
   EXPECT_EQ(judged("stiffness", sound_shaft()), Judgement::good);
   EXPECT_EQ(judged("sensitivity", sound_shaft()), Judgement::good);
+  // A whole drive whose coupled drive is solved: what the sum leaves out raises no doubt.
+  EXPECT_EQ(judged("stiffness", example("catalogue_size25")), Judgement::good);
+  EXPECT_EQ(judged("stiffness", example("cracked_size25")), Judgement::cannot_be_told);
   EXPECT_EQ(judged("stiffness", example("solid_shaft")), Judgement::with_care);
   EXPECT_EQ(judged("stiffness", example("critical_crack")), Judgement::critical);
   EXPECT_EQ(judged("stiffness", example("article")), Judgement::cannot_be_told);
@@ -43,6 +54,7 @@ TEST(Verdicts, ReferenceTheReportSaysTheVerdictInWords) {
     return html.substr(at, html.find('<', at) - at);
   };
   EXPECT_EQ(words(sound_shaft()), "Usable");
+  EXPECT_EQ(words(sound_drive()), "Usable");
   EXPECT_EQ(words(test::example_drives().at("solid_shaft")), "Usable with care");
   EXPECT_EQ(words(test::example_drives().at("critical_crack")), "Critical");
   EXPECT_EQ(words(test::example_drives().at("article")), "Cannot be told");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -103,30 +104,88 @@ TEST(Plot, BehaviourSweepOverOneNumberShowsStiffnessAndLoss) {
   EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
-TEST(Plot, BehaviourSweepOverTwoNumbersHasALineForEachValueOfTheSecond) {
+TEST(Plot, BehaviourSweepOverTwoNumbersHasContours) {
   const GearSet gear = test::article_gear();
   const std::vector<Variation> two{
       parse_variation(gear, "output_shaft.crack[0].depth=0.05 mm..8 mm:9:log"),
       parse_variation(gear, "output_shaft.inner_diameter=0 mm..50 mm:3")};
   const std::string svg = sweep_plot(sweep(gear, Method::corrected, two), gear);
-  for (const char* const label : {">0 mm<", ">25 mm<", ">50 mm<", ">output_shaft.inner_diameter<"})
+  for (const char* const label :
+       {"output_shaft.inner_diameter [mm]<", "output_shaft.crack[0].depth [mm]<", ">ΔK/K [%]<",
+        "<title>Change of stiffness", ">Article example",
+        "<desc>Lines of equal value. ΔK/K [%] over"})
     EXPECT_NE(svg.find(label), std::string::npos) << label;
+  EXPECT_EQ(svg.find("T &lt; 0"), std::string::npos) << "the same under negative torque";
 }
 
-TEST(Plot, BehaviourAtMostSevenLinesAndNegativeTorqueWhereItDiffers) {
+TEST(Plot, BehaviourContoursUnderNegativeTorqueWhereItDiffers) {
   const GearSet gear = test::article_gear();
-  std::vector<Variation> two{parse_variation(gear, "output_shaft.crack[0].depth=1 mm..8 mm:3"),
-                             parse_variation(gear, "output_shaft.inner_diameter=0 mm..50 mm:11")};
-  std::string svg = sweep_plot(sweep(gear, Method::corrected, two), gear);
-  EXPECT_EQ(count(svg, "class=\"series\""), 14U);  // seven lines and their keys
-  EXPECT_NE(svg.find(">0 mm<"), std::string::npos);
-  EXPECT_NE(svg.find(">50 mm<"), std::string::npos);
-  EXPECT_EQ(svg.find("negative torque"), std::string::npos);
-  two = {parse_variation(gear, "flexspline.crack[0].half_length=1 mm..5 mm:3"),
-         parse_variation(gear, "flexspline.crack[0].angle=-45 deg..45 deg:2")};
-  svg = sweep_plot(sweep(gear, Method::corrected, two), gear);
-  EXPECT_NE(svg.find("negative torque"), std::string::npos);
-  EXPECT_NE(svg.find(">−45 deg<"), std::string::npos);
+  const std::vector<Variation> two{
+      parse_variation(gear, "flexspline.crack[0].half_length=1 mm..5 mm:3"),
+      parse_variation(gear, "flexspline.crack[0].angle=-45 deg..45 deg:2")};
+  EXPECT_NE(sweep_plot(sweep(gear, Method::corrected, two), gear).find("T &lt; 0"),
+            std::string::npos);
+}
+
+TEST(Contour, ReferenceLinesOfAPlane) {
+  // z = x + 10 y over 0..4 and 0..1: the line z = 6 leads from (4, 0.2) to (0, 0.6).
+  ContourPanel panel{.title = "plane",
+                     .x_label = "x [mm]",
+                     .y_label = "y [mm]",
+                     .value_label = "z [N]",
+                     .x = {0, 1, 2, 3, 4},
+                     .y = {0, 0.25, 0.5, 0.75, 1},
+                     .values = {}};
+  for (const double x : panel.x)
+    for (const double y : panel.y) panel.values.push_back(x + 10 * y);
+  const std::string svg = contour_svg(std::vector{panel});
+  // Each level is a line and its key in the margin, and is labelled at both.
+  for (const char* const level : {">2<", ">4<", ">6<", ">8<", ">10<", ">12<"})
+    EXPECT_EQ(count(svg, level),
+              level == std::string_view(">2<") || level == std::string_view(">4<") ? 3U : 2U)
+        << level;
+  EXPECT_EQ(count(svg, "class=\"series\""), 12U);
+  EXPECT_NE(svg.find(">z [N]<"), std::string::npos);
+  EXPECT_NE(svg.find("<title>plane</title>"), std::string::npos);
+  // The plot is 562 px wide for 4, 282 px high for 1.
+  const auto px = [](double x, double y) {
+    return fmt::format("{:.2f},{:.2f} ", 98 + 562 * x / 4, 342 - 282 * y);
+  };
+  EXPECT_NE(svg.find(px(4, 0.2)), std::string::npos);
+  EXPECT_NE(svg.find(px(0, 0.6)), std::string::npos);
+  EXPECT_EQ(svg.find(px(0, 0.65)), std::string::npos);
+}
+
+TEST(Contour, IdentityAClosedLineEndsWhereItBegan) {
+  ContourPanel panel{.title = "hill", .x_label = "x", .y_label = "y", .value_label = "z"};
+  for (int i = 0; i < 21; ++i) panel.x.push_back(i);
+  panel.y = panel.x;
+  for (const double x : panel.x)
+    for (const double y : panel.y)
+      panel.values.push_back(100 - (x - 10) * (x - 10) - (y - 10) * (y - 10));
+  const std::string svg = contour_svg(std::vector{panel});
+  const std::size_t begin = svg.find("<path d=\"M") + 10;  // of the highest level
+  const std::string first = svg.substr(begin, svg.find(' ', begin) - begin);
+  const std::string path = svg.substr(begin, svg.find('"', begin) - begin);
+  EXPECT_TRUE(path.ends_with("L" + first.substr(0) + " ")) << path;
+}
+
+TEST(Contour, LimitGapsAndConstants) {
+  ContourPanel panel{.title = "t",
+                     .x_label = "x",
+                     .y_label = "y",
+                     .value_label = "z",
+                     .x = {1, 2},
+                     .y = {1, 2},
+                     .values = {5, 5, 5, 5}};
+  EXPECT_NE(contour_svg(std::vector{panel}).find(">5 everywhere<"), std::string::npos);
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  panel.values = {nothing, nothing, nothing, nothing};
+  EXPECT_NE(contour_svg(std::vector{panel}).find(">no value<"), std::string::npos);
+  panel.values = {1, 2, 3, nothing};  // the only cell has a gap
+  const std::string svg = contour_svg(std::vector{panel});
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_NE(svg.find("<path d=\"\""), std::string::npos);
 }
 
 TEST(Plot, BehaviourWhatIsLeftOutIsCounted) {

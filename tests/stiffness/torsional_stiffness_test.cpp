@@ -518,8 +518,13 @@ TEST(TorsionalStiffness, IdentityUncertaintiesAddInSquares) {
   EXPECT_EQ(*c.output_shaft.relative_uncertainty, 0.01);
   const double intact =
       std::hypot(absolute(c.wave_generator), absolute(c.flexspline), absolute(c.output_shaft));
-  test::expect_relative(*c.total.relative_uncertainty, intact / c.total.value, 1e-13);
-  EXPECT_EQ(*result.intact.stiffness.relative_uncertainty, *c.total.relative_uncertainty);
+  // (ST-18): what the sum leaves out, four times the members that the mesh connects.
+  const double left = 4 * (c.wave_generator.value + c.flexspline.value);
+  const double of_drive = left / (c.total.value + left);
+  test::expect_relative(*c.total.relative_uncertainty, std::hypot(intact, left) / c.total.value,
+                        1e-13);
+  test::expect_relative(*result.intact.stiffness.relative_uncertainty,
+                        std::hypot(intact / c.total.value, of_drive), 1e-13);
   EXPECT_EQ(*result.intact.wind_up.relative_uncertainty, *c.total.relative_uncertainty);
 
   double extra = 0.0;
@@ -530,10 +535,11 @@ TEST(TorsionalStiffness, IdentityUncertaintiesAddInSquares) {
   }
   const CrackedDrive& cracked = result.positive;
   const double total = std::sqrt(intact * intact + extra_squared);
+  const double sum = cracked.compliance.total.value;
   test::expect_relative(*cracked.compliance.total.relative_uncertainty,
-                        total / cracked.compliance.total.value, 1e-12);
-  EXPECT_EQ(*cracked.stiffness.relative_uncertainty,
-            *cracked.compliance.total.relative_uncertainty);
+                        std::hypot(total, left) / sum, 1e-12);
+  test::expect_relative(*cracked.stiffness.relative_uncertainty,
+                        std::hypot(total / sum, left / (sum + left)), 1e-12);
   EXPECT_EQ(*cracked.wind_up.relative_uncertainty, *cracked.compliance.total.relative_uncertainty);
   // The change is -x/(y + x).  Its uncertainty to first order, by perturbing x and y.
   const double x = extra;
@@ -544,8 +550,76 @@ TEST(TorsionalStiffness, IdentityUncertaintiesAddInSquares) {
   const double by_y = (change(x, y * (1 + h)) - change(x, y * (1 - h))) / (2 * h);
   const double u_x = std::sqrt(extra_squared) / x;
   const double u_y = intact / y;
-  test::expect_relative(*cracked.stiffness_change.relative_uncertainty,
-                        std::hypot(by_x * u_x, by_y * u_y) / std::abs(change(x, y)), 1e-8);
+  test::expect_relative(
+      *cracked.stiffness_change.relative_uncertainty,
+      std::hypot(std::hypot(by_x * u_x, by_y * u_y) / change(x, y), left / (sum + left)), 1e-8);
+}
+
+// --- (ST-18): what the sum leaves out
+
+TEST(TorsionalStiffness, IdentityWithoutAMeshNothingIsLeftOut) {
+  for (const auto& drop : {+[](GearSet& gear) { gear.wave_generator.reset(); },
+                           +[](GearSet& gear) { gear.flexspline.reset(); }}) {
+    GearSet gear = article_drive();
+    drop(gear);
+    const StiffnessResult result = torsional_stiffness(gear);
+    EXPECT_EQ(test::count_notes(result.notes, "sum.left_out"), 0);
+    EXPECT_EQ(*result.intact.stiffness.relative_uncertainty,
+              *result.intact.compliance.total.relative_uncertainty);
+  }
+  const StiffnessResult whole = torsional_stiffness(article_drive());
+  ASSERT_EQ(test::count_notes(whole.notes, "sum.left_out"), 1);
+  EXPECT_EQ(std::ranges::find(whole.notes, "sum.left_out", &Note::code)->severity, Severity::care);
+}
+
+TEST(TorsionalStiffness, IdentityTheAccuracyContainsACoupledDrive) {
+  // (ST-18): whatever coupled drive stands beside it, softer or stiffer, with or without an effect
+  // of the cracks.
+  const GearSet gear = article_drive(2 * mm);
+  const double K = torsional_stiffness(gear).intact.stiffness.value;
+  for (const double share : {0.2, 0.7, 1.5}) {
+    const auto stiffness = [&](double times) {
+      return Quantity{times * share * K, "N*m/rad", 0.15};
+    };
+    CurveResult coupled;
+    coupled.intact.K1 = stiffness(0.6);
+    coupled.intact.K2 = stiffness(0.8);
+    coupled.intact.K3 = stiffness(1.0);
+    coupled.intact.wind_up = Quantity{gear.load.torque / (0.9 * share * K), "rad", 0.15};
+    static_cast<CurveStiffness&>(coupled.positive) = coupled.intact;
+    coupled.positive.change = {{-1e-4, "1"}, {-2e-3, "1"}, {-3e-3, "1"}, {}};
+    coupled.negative = coupled.positive;
+    const StiffnessResult result = torsional_stiffness(gear, {.coupled = &coupled});
+    const auto contains = [](const Quantity& sum, double value) {
+      return std::abs(sum.value - value) <=
+             *sum.relative_uncertainty * std::abs(sum.value) * (1 + 1e-12);
+    };
+    for (const Quantity& line : {coupled.intact.K1, coupled.intact.K2, coupled.intact.K3}) {
+      EXPECT_TRUE(contains(result.intact.stiffness, line.value)) << share;
+      EXPECT_TRUE(contains(result.positive.stiffness, line.value)) << share;
+      EXPECT_TRUE(contains(result.intact.compliance.total, 1 / line.value)) << share;
+    }
+    EXPECT_TRUE(contains(result.intact.wind_up, coupled.intact.wind_up->value)) << share;
+    for (const Quantity& change :
+         {coupled.positive.change.K1, coupled.positive.change.K2, coupled.positive.change.K3})
+      EXPECT_TRUE(contains(result.positive.stiffness_change, change.value)) << share;
+    ASSERT_EQ(test::count_notes(result.notes, "sum.left_out"), 1);
+    EXPECT_EQ(std::ranges::find(result.notes, "sum.left_out", &Note::code)->severity,
+              Severity::information);
+  }
+}
+
+TEST(TorsionalStiffness, LimitAChangeThatTheSumDoesNotSeeHasNoAccuracy) {
+  // Cracks that act on contacts alone: 0 of the sum cannot contain what they change.
+  CurveResult coupled;
+  for (Quantity* const K : {&coupled.intact.K1, &coupled.intact.K2, &coupled.intact.K3})
+    *K = {1e5, "N*m/rad", 0.15};
+  static_cast<CurveStiffness&>(coupled.positive) = coupled.intact;
+  static_cast<CurveStiffness&>(coupled.negative) = coupled.intact;
+  coupled.positive.change.K1.value = -1e-3;
+  const StiffnessResult result = torsional_stiffness(sound_drive(), {.coupled = &coupled});
+  EXPECT_FALSE(result.positive.stiffness_change.relative_uncertainty);
+  EXPECT_TRUE(result.negative.stiffness_change.relative_uncertainty);
 }
 
 TEST(Accuracy, IdentityCombined) {
@@ -562,6 +636,7 @@ TEST(Accuracy, RegressionTable) {
                                      {kSections, 0.05},
                                      {kLobeForce, 0.15},
                                      {kCamConversion, 0.70},
+                                     {kContactsLeftOut, 4.0},
                                      {kLoadSharing, 0.30},
                                      {kSurfaceCrack, 0.10},
                                      {kSurfaceCrackDeep, 0.16},
@@ -599,14 +674,14 @@ TEST(TorsionalStiffness, BehaviourNotesOfEachCase) {
   gear.flexspline->shape = FlexsplineShape::cylinder;
   gear.flexspline->dynamic_load = 1;
   gear.material["steel"].shear_modulus.reset();
-  EXPECT_EQ(codes(gear), Codes{});
+  EXPECT_EQ(codes(gear), Codes{"sum.left_out"});
   gear.article = ArticleOverrides{};
-  EXPECT_EQ(codes(gear), Codes{"article.ignored"});
-  EXPECT_EQ(torsional_stiffness(gear).notes.at(0).path, "article");
+  EXPECT_EQ(codes(gear), (Codes{"article.ignored", "sum.left_out"}));
+  EXPECT_EQ(torsional_stiffness(gear).notes.at(1).path, "article");
   EXPECT_EQ(codes(test::article_gear()),
             (Codes{"article.ignored", "crack.closed", "crack.orthogonal_shear",
                    "flexspline.dynamic_load", "flexspline.ovalisation", "flexspline.shape_factor",
-                   "material.contradiction", "wave_generator.crack_under_lobe"}));
+                   "material.contradiction", "sum.left_out", "wave_generator.crack_under_lobe"}));
 }
 
 TEST(TorsionalStiffness, InputOutOfProportionIsNoted) {
@@ -668,8 +743,10 @@ TEST(TorsionalStiffness, BehaviourEvidenceOfTheMembersIsKept) {
     for (const Note& note : member.notes)
       EXPECT_NE(std::ranges::find(result.notes, note), result.notes.end()) << note.code;
   }
-  for (const char* const tag : {"ST-1", "ST-14", "ST-15", "ST-16"}) tags.emplace_back(tag);
+  for (const char* const tag : {"ST-1", "ST-14", "ST-15", "ST-16", "ST-18"}) tags.emplace_back(tag);
   EXPECT_EQ(result.equations, tags);
+  ASSERT_EQ(result.accuracies.back().path, "total");
+  accuracies.push_back(result.accuracies.back());
   EXPECT_EQ(result.accuracies, accuracies);
 }
 

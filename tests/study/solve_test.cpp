@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/study/solve.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,6 +11,7 @@
 #include <string>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/io/gear_reader.hpp"
 #include "strainwave/layouts/solve.hpp"
 #include "strainwave/present/json.hpp"
 #include "strainwave/study/evaluate.hpp"
@@ -348,6 +350,21 @@ TEST(Solve, BehaviourTextCarriesTheSolution) {
       solve_text(solved(test::article_gear(), kDepth, "cracked.positive.stiffness_change=-1.2 %"));
   EXPECT_NE(text.find("output_shaft.crack[0].depth = 3.66 mm"), std::string::npos) << text;
   EXPECT_EQ(text.find("NO SOLUTION"), std::string::npos) << text;
+}
+
+TEST(Solve, CrosscheckATargetOfTheCoupledDrive) {
+  const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/catalogue_size25.toml");
+  const double K2 = evaluate(gear, Method::corrected).curve->intact.K2.value;
+  GearSet thin = gear;
+  thin.range.clear();
+  const SolveResult found = solve(
+      thin, Method::corrected, parse_unknown(thin, "mesh.gap_factor=0.5..2"),
+      parse_target(thin, Method::corrected, fmt::format("curve.intact.K2={:.17g} N*m/rad", K2)),
+      {.n_scan = 7});
+  ASSERT_EQ(found.solutions.size(), 1U) << found.reason;
+  // The value that the file has gives this stiffness; the curve is solved to 1e-11.
+  EXPECT_NEAR(found.solutions[0].value.value, gear.mesh->gap_factor, 1e-7);
+  EXPECT_TRUE(found.solutions[0].result.curve);
 }
 
 }  // namespace

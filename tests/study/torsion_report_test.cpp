@@ -2,17 +2,20 @@
 // What `strainwave torsion` tells: text, JSON, CSV, plot, bands.
 #include "strainwave/study/torsion_report.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/layouts/torsion.hpp"
 #include "strainwave/present/json.hpp"
+#include "strainwave/present/table.hpp"
 #include "support/expect.hpp"
 #include "torsion/typical_drive.hpp"
 
@@ -24,6 +27,7 @@ using Json = nlohmann::json;
 GearSet drive() {
   GearSet gear = test::typical_drive(25, 100);
   gear.rating = Rating{.T1 = 14, .T2 = 48, .T3 = {}, .rated_torque = 87};
+  gear.load.torque = 48;
   return gear;
 }
 
@@ -45,7 +49,8 @@ TEST(TorsionReport, IdentityItsNumbersAreThoseOfTheModule) {
   EXPECT_EQ(report.lost_motion, lost_motion(drive()));
   EXPECT_EQ(report.loop.amplitude, 87.0);
   ASSERT_EQ(report.shown.size(), 3U);
-  // T1, T2 and T_N are points of the curve, so its lines can be checked by hand.
+  // T1, T2, which is the load, and T_N are points of the curve, so its lines can be checked by
+  // hand.
   const auto at = [&](std::size_t i) { return report.curve.points[report.shown[i]]; };
   EXPECT_EQ(at(0).torque, 14.0);
   EXPECT_EQ(at(1).torque, 48.0);
@@ -193,6 +198,51 @@ TEST(TorsionCsv, BehaviourBothSensesInOrder) {
   EXPECT_EQ(lines, 1 + report.curve.points.size() + report.curve_negative.points.size());
   EXPECT_TRUE(csv.starts_with("torque [N*m],twist [rad],"));
   EXPECT_NE(csv.find("\n-87,"), std::string::npos);
+}
+
+TEST(TorsionCsv, BehaviourAComparisonIsInIt) {
+  const TorsionReport report = torsion_report(cracked(), {.compare = true, .angles = 3});
+  const std::string csv = torsion_csv(report);
+  EXPECT_TRUE(csv.starts_with(
+      "part,torque [N*m],twist [rad],tangent_stiffness [N*m/rad],teeth_in_contact,balls_in_contact,"
+      "sound_twist [rad],sound_tangent_stiffness [N*m/rad],angle [rad],positive.K1_change [1],"));
+  const CurvePoint& sound = report.sound.points.back();
+  EXPECT_NE(csv.find(fmt::format(",{},{},,,", exact_text(sound.twist),
+                                 exact_text(sound.tangent_stiffness()))),
+            std::string::npos)
+      << csv;
+  const LineChanges& change = report.comparison->negative.at_angle.at(0);
+  EXPECT_NE(csv.find(fmt::format("{},{},{}\n", exact_text(change.K1), exact_text(change.K2),
+                                 exact_text(change.K3))),
+            std::string::npos);
+  // Every row has as many cells as the head.
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);)
+    EXPECT_EQ(std::ranges::count(line, ','), 14) << line;
+}
+
+TEST(TorsionReport, IdentityTwistAtTheLoad) {
+  GearSet gear = drive();
+  gear.load.torque = -31;
+  const TorsionReport report = torsion_report(gear, {.draws = 0});
+  EXPECT_EQ(report.at_load.torque, 31);
+  test::expect_relative(report.at_load.positive.value(), twists(AssembledDrive(gear), {{31.0}})[0],
+                        1e-12);
+  test::expect_relative(report.at_load.negative.value(),
+                        -twists(AssembledDrive(gear), {{-31.0}})[0], 1e-12);
+  EXPECT_NE(torsion_text(report, gear).find("twist at 31 N*m, the load [arcmin]"),
+            std::string::npos);
+  EXPECT_NE(torsion_csv(report).find("\n31,"), std::string::npos);
+  EXPECT_NE(torsion_csv(report).find("\n-31,"), std::string::npos);
+}
+
+TEST(TorsionReport, InputALoadThatIsNotReachedIsSaid) {
+  GearSet gear = drive();
+  gear.load.torque = 1e5;
+  const TorsionReport report = torsion_report(gear, {.draws = 0});
+  EXPECT_FALSE(report.at_load.positive);
+  EXPECT_EQ(test::count_notes(report.notes, "curve.no_wind_up", "load.torque"), 1);
+  EXPECT_NE(torsion_text(report, gear).find("not reached"), std::string::npos);
 }
 
 TEST(TorsionPlot, BehaviourPanels) {

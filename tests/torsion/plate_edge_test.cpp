@@ -143,11 +143,11 @@ TEST(PlateEdge, ScalingIsForcePerLength) {
     test::expect_dimensionally_consistent(
         "N/m",
         [=](double r_o, double r_i, double h, double E) {
-          return plate_edge_stiffness({.outer_radius = r_o,
-                                       .inner_radius = r_i,
-                                       .thickness = h,
-                                       .youngs_modulus = E,
-                                       .poissons_ratio = 0.3},
+          return plate_edge_stiffness(ClampedPlate{.outer_radius = r_o,
+                                                   .inner_radius = r_i,
+                                                   .thickness = h,
+                                                   .youngs_modulus = E,
+                                                   .poissons_ratio = 0.3},
                                       n);
         },
         Arg{kPlate.outer_radius, "m"}, Arg{kPlate.inner_radius, "m"}, Arg{kPlate.thickness, "m"},

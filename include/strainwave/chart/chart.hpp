@@ -61,4 +61,22 @@ struct TornadoPanel {
 /// Panels of bars below each other as one SVG document; the number stands at the end of each bar.
 [[nodiscard]] std::string tornado_svg(std::span<const TornadoPanel> panels);
 
+/// A quantity over two others, as lines of equal value.
+struct ContourPanel {
+  std::string title;
+  std::string subtitle = {};  ///< smaller, below the title
+  std::string x_label;
+  std::string y_label;
+  std::string value_label;  ///< of what the lines show, with its unit: "K1 [N·m/arcmin]"
+  AxisScale x_scale = AxisScale::linear;
+  AxisScale y_scale = AxisScale::linear;
+  std::vector<double> x = {};
+  std::vector<double> y = {};
+  std::vector<double> values = {};  ///< shape (n x, n y), y runs fastest; not finite: a gap
+};
+
+/// Panels of contour lines below each other as one SVG document.  Levels are round numbers, each
+/// line is labelled where there is room, and the margin lists all levels with the unit.
+[[nodiscard]] std::string contour_svg(std::span<const ContourPanel> panels);
+
 }  // namespace strainwave

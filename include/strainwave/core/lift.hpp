@@ -46,6 +46,8 @@ class Lift<Dual<N>> {
   /// A copy has lost its address.
   Dual<N> operator()(const double&&) const = delete;
 
+  /// Addresses of the inputs, in the order of the derivatives; the rest is null.
+  [[nodiscard]] const std::array<const double*, N>& inputs() const { return inputs_; }
   /// What the derivative to an input is multiplied by.
   [[nodiscard]] static double seed(double input) { return input != 0 ? input : 1.0; }
 

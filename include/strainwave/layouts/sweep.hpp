@@ -15,11 +15,12 @@ namespace strainwave {
 
 /// The picture of a sweep.
 ///
-/// Over one number: stiffness sound and cracked for both senses of torque, and below it, if there
-/// are cracks, the loss of stiffness -Delta K/K and what the cracks of each member contribute to
-/// it, on a log axis if all of it is positive.  Over two: the change of stiffness, a line for each
-/// value of the second number, at most seven of them; a second panel for negative torque where it
-/// differs.  Points that were refused or may not be used are gaps, and the subtitle counts them.
+/// Over one number: K1, K2, K3 of the coupled drive, where it is solved, and what cracks change in
+/// them; stiffness of the sum of the members, sound and cracked for both senses of torque, and
+/// below it, if there are cracks, the loss of stiffness -Delta K/K and what the cracks of each
+/// member contribute to it, on a log axis if all of it is positive.  Over two: contour lines of K1,
+/// K2, K3 and of the change of the sum, under negative torque too where it differs.  Points that
+/// were refused or may not be used are gaps, and the subtitle counts them.
 [[nodiscard]] std::string sweep_plot(const SweepResult& result, const GearSet& gear);
 
 }  // namespace strainwave

@@ -14,7 +14,9 @@ namespace strainwave {
 [[nodiscard]] std::vector<TitledTable> torsion_tables(const TorsionReport& report,
                                                       const GearSet& gear);
 [[nodiscard]] std::string torsion_text(const TorsionReport& report, const GearSet& gear);
-/// Both senses of torque, from the least torque on.
+/// Both senses of torque, from the least torque on.  With a comparison the first column, `part`,
+/// says what a row is: "curve", with the sound drive beside, or "turn", with the changes of K1, K2,
+/// K3 after the wave generator has turned by `angle`.
 [[nodiscard]] std::string torsion_csv(const TorsionReport& report);
 /// Curve with its three lines and loop; tangent stiffness; changes over a turn if compared.
 [[nodiscard]] std::vector<PlotPanel> torsion_panels(const TorsionReport& report,

@@ -23,7 +23,7 @@ namespace strainwave {
 [[nodiscard]] std::string_view words_of(StrengthVerdict verdict);
 /// "T > 0, with the assembly"
 [[nodiscard]] std::string words_of(const StrengthState& state);
-/// "stiffness, T > 0" for "cracked.positive.stiffness".
+/// "stiffness, T > 0" for "cracked.positive.stiffness", "K1, sound" for "curve.intact.K1".
 [[nodiscard]] std::string output_words(std::string_view output);
 
 /// The critical size of the assessment, else that of K alone.

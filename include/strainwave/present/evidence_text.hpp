@@ -11,6 +11,9 @@ namespace strainwave {
 /// Notes as a list, one item each: field, sentence, equation, what to do next.
 [[nodiscard]] std::string notes_text(std::span<const Note> notes);
 
+/// "Verdict: with care.  REASON.  NEXT STEP"
+[[nodiscard]] std::string verdict_text(const Verdict& verdict);
+
 /// The tags of the theory manual as a sentence.
 [[nodiscard]] std::string equations_text(std::span<const std::string> equations);
 

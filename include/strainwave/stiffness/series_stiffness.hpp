@@ -19,7 +19,11 @@ struct SeriesCompliance {
   Real negative{};        ///< cracked, torque about -z [rad/(N*m)]
   Real positive_added{};  ///< what the cracks add, torque about +z [rad/(N*m)]
   Real negative_added{};  ///< what the cracks add, torque about -z [rad/(N*m)]
-  bool usable = true;     ///< as StiffnessResult::usable
+  Real output_shaft{};    ///< of the sound shaft, part of `intact` [rad/(N*m)]
+  /// What the cracks of flexspline and shaft add, which are in line with the teeth [rad/(N*m)].
+  Real positive_in_line{};
+  Real negative_in_line{};
+  bool usable = true;  ///< as StiffnessResult::usable
 
   /// K_HD of the sound drive [N*m/rad]; eq. (ST-1).
   [[nodiscard]] Real intact_stiffness() const { return 1 / intact; }

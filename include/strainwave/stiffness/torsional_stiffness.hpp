@@ -12,7 +12,15 @@ namespace strainwave {
 
 struct StiffnessOptions {
   /// Of the crack integrals.
-  QuadratureOptions quadrature;
+  QuadratureOptions quadrature = {};
+  /// The coupled drive of the same gear, if it is solved and given beside the sum of the members:
+  /// the accuracy of the sum contains it, and notes on what the sum leaves out are information.
+  const CurveResult* coupled = nullptr;
+
+  /// Of a note on something that the sum of the members leaves out and the coupled drive contains.
+  [[nodiscard]] Severity left_out() const {
+    return coupled != nullptr ? Severity::information : Severity::care;
+  }
 };
 
 /// Compliance of one member at the output, with its cracks.
@@ -46,7 +54,8 @@ struct MemberCompliance {
 ///
 /// each lambda the compliance of a sound member plus what its cracks add.  The tooth mesh, the
 /// circular spline and the diaphragm (unless sections are given) add compliance that is not in
-/// it: without an output shaft it is 2 to 5 times too stiff against catalogue values.
+/// it: without an output shaft it is 2 to 5 times too stiff against catalogue values.  The accuracy
+/// of the sum contains this, eq. (ST-18).
 ///
 /// @param gear     drive, cracks, load; checked by `check`
 /// @param options  tolerance of the crack integrals

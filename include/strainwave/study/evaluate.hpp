@@ -1,14 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string_view>
+
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/stiffness_result.hpp"
 
 namespace strainwave {
 
-/// Torsional stiffness of a drive by one of the three methods.
+/// What is computed besides the sum of the members.
+struct EvaluationOptions {
+  /// The coupled drive, where the file gives enough for it; some milliseconds.  Without it the
+  /// accuracies of the sum are those of a drive that does not have it.
+  bool coupled_drive = true;
+};
+
+/// Whether an output, such as "curve.positive.K1", is one of the coupled drive.
+[[nodiscard]] bool is_of_coupled_drive(std::string_view output);
+
+/// Torsional stiffness of a drive by one of the three methods: the coupled drive where it can be
+/// solved, and the sum of the members.
 ///
 /// @throws InputError  if the gear breaks a rule, or holds what the method cannot treat
-[[nodiscard]] StiffnessResult evaluate(const GearSet& gear, Method method);
+[[nodiscard]] StiffnessResult evaluate(const GearSet& gear, Method method,
+                                       const EvaluationOptions& options = {});
 
 }  // namespace strainwave

@@ -9,6 +9,7 @@
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/stiffness_result.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/torsion/curve_derivatives.hpp"
 
 /// @file
 /// What `strainwave sensitivity` tells: how stiffness and its loss depend on each input.
@@ -23,6 +24,9 @@ struct SensitivityOutput {
   /// force; 0 but for rounding unless a number was read without its derivative.
   double length_residual = 0.0;
   double force_residual = 0.0;
+  /// Elasticity to constants of the model that are pressures, which (SN-6) counts: the maker's
+  /// torques by convention, (TC-14).  Not part of documents.
+  double of_pressures = 0.0;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -68,13 +72,17 @@ struct SensitivityInput {
   }
 };
 
-/// Exact first derivatives of the series model at one drive.
+/// Exact first derivatives at one drive: of the sum of the members, and of the coupled drive where
+/// it is solved.
 struct Sensitivity {
-  /// Stiffness sound and cracked under both senses of torque, then the losses that are not zero.
+  /// Stiffness of the sum, sound and cracked under both senses of torque; its losses that are not
+  /// zero; then K1, K2, K3 of the coupled drive, sound, and cracked if there are cracks.
   std::vector<SensitivityOutput> outputs;
   /// Numbers that any output depends on, the largest elasticity first.
   std::vector<SensitivityInput> inputs;
   std::vector<std::string> no_influence;  ///< paths of all other numbers: every derivative is 0
+  /// Numbers to which K1, K2, K3 have no derivative; of the coupled drive, where it is solved.
+  std::vector<CurveStep> not_differentiated;
   std::vector<Note> notes;
   std::string unusable_because;  ///< empty if usable
 
@@ -88,6 +96,8 @@ struct Sensitivity {
     field({"inputs", "", "fields with an influence, the largest elasticity first"},
           &Sensitivity::inputs);
     field({"no_influence", "", "all other numbers of the file"}, &Sensitivity::no_influence);
+    field({"not_differentiated", "", "fields to which K1, K2, K3 have no derivative"},
+          &Sensitivity::not_differentiated);
     field({"homogeneity_residual", "1", "largest residual of the dimensions"},
           &Sensitivity::homogeneity_residual);
   }
@@ -96,10 +106,12 @@ struct Sensitivity {
 /// A residual beyond this makes a sensitivity not usable; rounding leaves less than 1e-12.
 inline constexpr double kMaxHomogeneityResidual = 1e-9;
 
-/// Derivatives and elasticities of stiffness K_HD and of stiffness loss to every number of a drive.
+/// Derivatives and elasticities of stiffness K_HD, of stiffness loss, and of K1, K2, K3 of the
+/// coupled drive where it is solved, to every number of a drive.
 ///
-/// Implements theory manual eqs. (SN-1), (SN-2), (SN-6): forward-mode automatic differentiation of
-/// the corrected series model, exact but for rounding and the tolerance of the crack integrals.
+/// Implements theory manual eqs. (SN-1), (SN-2), (SN-6), (TC-27): forward-mode automatic
+/// differentiation of the corrected series model and of the equilibrium of the coupled drive, exact
+/// but for rounding and the tolerance of the crack integrals.
 /// Whole numbers, such as the wave number, are not differentiated.  At a crack whose faces just
 /// touch the derivative does not exist; a note says so.
 ///

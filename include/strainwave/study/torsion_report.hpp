@@ -55,25 +55,43 @@ struct LineBands {
   }
 };
 
+/// Twist at the torque of the file's load, in size.
+struct TwistAtLoad {
+  double torque = 0.0;             ///< in size [N*m]
+  std::optional<double> positive;  ///< under torque about +z [rad]; absent if it is not reached
+  std::optional<double> negative;  ///< [rad]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"torque", "N*m", "load.torque, in size"}, &TwistAtLoad::torque);
+    field({"positive", "rad", "twist under torque about +z; null if it is not reached"},
+          &TwistAtLoad::positive);
+    field({"negative", "rad", "twist under torque about -z"}, &TwistAtLoad::negative);
+  }
+};
+
 struct TorsionReport {
   MakersTorques torques;
+  TwistAtLoad at_load;
   MakersLines positive;  ///< with the cracks of the file, at their positions
   MakersLines negative;
-  TorsionCurve curve;  ///< positive, at points of the plot; T1, T2, T_N are among them
+  TorsionCurve curve;  ///< positive, at points of the plot; T1, T2, T_N and the load among them
   TorsionCurve curve_negative;
-  std::vector<std::size_t> shown;  ///< points of `curve` for the table: T1, T2, T_N
+  std::vector<std::size_t> shown;  ///< points of `curve` for the table: T1, T2, T_N, load
   HysteresisLoop loop;             ///< at rated torque
   double lost_motion = 0.0;        ///< [rad]
   std::vector<RimState> rim;       ///< over a turn of the wave generator, at rated torque
   std::optional<LineBands> bands;
   std::optional<CurveComparison> comparison;
-  TorsionCurve sound;  ///< for the plot of a comparison; empty without
+  TorsionCurve sound;  ///< of a comparison, at the points of `curve`; empty without
+  TorsionCurve sound_negative;
   std::vector<Note> notes;
   std::vector<std::string> equations;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"torques", "", "the maker's torques"}, &TorsionReport::torques);
+    field({"at_load", "", "twist at the torque of the load"}, &TorsionReport::at_load);
     field({"positive", "", "the maker's lines under torque about +z"}, &TorsionReport::positive);
     field({"negative", "", "the maker's lines under torque about -z"}, &TorsionReport::negative);
     field({"lost_motion", "rad", "between both senses of torque"}, &TorsionReport::lost_motion);

@@ -3,8 +3,10 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/result/evidence.hpp"
 #include "strainwave/torsion/coupled_options.hpp"
 
 /// @file
@@ -36,6 +38,11 @@ class AssembledDrive {
   [[nodiscard]] const CoupledOptions& options() const;
   /// Why there is no state without torque; empty if there is one.
   [[nodiscard]] const std::string& fails_because() const;
+  /// What limits its answers; of the model's ground, of the cracks, of flanks that press on each
+  /// other without torque.
+  [[nodiscard]] std::vector<Note> notes() const;
+  /// Tags of the equations that describe it.
+  [[nodiscard]] const std::vector<std::string>& equations() const;
   /// A that lifts the lobes to w_0 (TC-12) [m]
   [[nodiscard]] double cam_amplitude() const;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "strainwave/core/dual.hpp"
+
 /// @file
 /// How a pair of teeth meets: gap of the flanks, force of the pair.
 
@@ -19,6 +21,8 @@ namespace strainwave {
 /// @param gap_factor           k_g [-]; >= 0
 [[nodiscard]] double flank_gap(double t, double radial_displacement, double flank_angle,
                                double gap_factor);
+[[nodiscard]] DualReal flank_gap(double t, const DualReal& radial_displacement,
+                                 const DualReal& flank_angle, const DualReal& gap_factor);
 
 /// Least flank angle that a tooth path of amplitude w_0 = kappa m needs [rad].
 ///
@@ -37,19 +41,26 @@ namespace strainwave {
 /// @param rim_thickness   t_r [m]; > 0
 [[nodiscard]] double tooth_pair_stiffness(double youngs_modulus, double module,
                                           double rim_thickness);
+[[nodiscard]] DualReal tooth_pair_stiffness(const DualReal& youngs_modulus, const DualReal& module,
+                                            const DualReal& rim_thickness);
 
 /// Force of a pair over its closing, where the tilt of the cup opens the gap along the face.
 ///
 /// Implements theory manual eq. (TC-8): F = c' u^2/(2 s) while part of the face touches, u < s b,
 /// and c' b (u - s b/2) after; 0 for u <= 0.
-struct FlankLaw {
-  double pair_stiffness = 0.0;  ///< c' [Pa]; > 0
-  double face_width = 0.0;      ///< b [m]; > 0
-  double slope = 0.0;           ///< s, of the gap along the face [-]; >= 0
+template <class Real>
+struct BasicFlankLaw {
+  Real pair_stiffness{};  ///< c' [Pa]; > 0
+  Real face_width{};      ///< b [m]; > 0
+  Real slope{};           ///< s, of the gap along the face [-]; >= 0
 
-  [[nodiscard]] double force(double closing) const;      ///< F [N]
-  [[nodiscard]] double stiffness(double closing) const;  ///< dF/du [N/m]
-  [[nodiscard]] double energy(double closing) const;     ///< integral of F [J]
+  [[nodiscard]] Real force(const Real& closing) const;      ///< F [N]
+  [[nodiscard]] Real stiffness(const Real& closing) const;  ///< dF/du [N/m]
+  [[nodiscard]] Real energy(const Real& closing) const;     ///< integral of F [J]
 };
+using FlankLaw = BasicFlankLaw<double>;
+
+extern template struct BasicFlankLaw<double>;
+extern template struct BasicFlankLaw<DualReal>;
 
 }  // namespace strainwave

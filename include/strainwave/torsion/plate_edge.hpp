@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "strainwave/core/dual.hpp"
+
 namespace strainwave {
 
 /// A flat annular plate, clamped at its inner edge.
-struct ClampedPlate {
-  double outer_radius = 0.0;  ///< r_o [m]; > inner_radius
-  double inner_radius = 0.0;  ///< r_i [m]; > 0
-  double thickness = 0.0;     ///< h [m]; > 0
-  double youngs_modulus = 0.0;
-  double poissons_ratio = 0.3;
+template <class Real>
+struct BasicClampedPlate {
+  Real outer_radius{};    ///< r_o [m]; > inner_radius
+  Real inner_radius{};    ///< r_i [m]; > 0
+  Real thickness{};       ///< h [m]; > 0
+  Real youngs_modulus{};  ///< E [Pa]; > 0
+  Real poissons_ratio{0.3};
 };
+using ClampedPlate = BasicClampedPlate<double>;
 
 /// Stiffness of the plate's outer edge against an axial displacement u cos(n theta) [N/m].
 ///
@@ -19,5 +23,6 @@ struct ClampedPlate {
 /// @param harmonic     n [-]; >= 2
 /// @throws InputError  if a dimension or n is out of range
 [[nodiscard]] double plate_edge_stiffness(const ClampedPlate& plate, int harmonic);
+[[nodiscard]] DualReal plate_edge_stiffness(const BasicClampedPlate<DualReal>& plate, int harmonic);
 
 }  // namespace strainwave

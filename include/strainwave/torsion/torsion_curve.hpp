@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 #include "strainwave/core/fields.hpp"
 #include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/model/result/coupled_result.hpp"
 #include "strainwave/model/result/evidence.hpp"
 #include "strainwave/torsion/assembled_drive.hpp"
 
@@ -142,7 +144,7 @@ struct TorsionCurve {
 };
 
 /// Whether a drive says enough for a torsion curve: bearing with balls and outer ring, cup by
-/// sections, tooth mesh.  Empty if it does; else one sentence with the field that is missing.
+/// sections, tooth mesh.  Empty if it does; else one sentence with the fields that are missing.
 [[nodiscard]] std::string missing_for_torsion_curve(const GearSet& gear);
 
 /// Twist of the output over the torque, from the assembled state, input locked.
@@ -176,6 +178,12 @@ struct TorsionCurve {
 [[nodiscard]] std::vector<double> twists(const AssembledDrive& drive,
                                          std::span<const double> torques,
                                          const Progress& progress = {});
+
+/// The twist at one torque [rad]; absent, with one note `curve.no_wind_up`, if the drive does not
+/// reach it.
+/// @param torque  T at the output [N*m], finite
+[[nodiscard]] std::optional<double> reached_twist(const AssembledDrive& drive, double torque,
+                                                  std::vector<Note>& notes);
 
 /// Displacements of the rim and its stresses at the line of the tooth roots, at one torque.
 struct RimState {
@@ -228,6 +236,7 @@ struct MakersLines {
   double K3 = 0.0;    ///< (T3 - T2)/(phi(T3) - phi(T2)) [N*m/rad]
   double phi1 = 0.0;  ///< at T1 [rad]
   double phi2 = 0.0;  ///< at T2 [rad]
+  double phi3 = 0.0;  ///< at T3 [rad]
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -236,6 +245,7 @@ struct MakersLines {
     field({"K3", "N*m/rad", "slope from T2 to T3"}, &MakersLines::K3);
     field({"phi1", "rad", "twist at T1"}, &MakersLines::phi1);
     field({"phi2", "rad", "twist at T2"}, &MakersLines::phi2);
+    field({"phi3", "rad", "twist at T3"}, &MakersLines::phi3);
   }
 };
 
@@ -244,24 +254,6 @@ struct MakersLines {
 [[nodiscard]] double curve_uncertainty(const GearSet& gear);
 
 /// The maker's torques with their defaults filled in.
-struct MakersTorques {
-  double T1 = 0.0;             ///< [N*m]
-  double T2 = 0.0;             ///< [N*m]
-  double T3 = 0.0;             ///< [N*m]
-  double rated = 0.0;          ///< T_N [N*m]
-  double lost_motion = 0.0;    ///< where lost motion is measured [N*m]
-  bool by_convention = false;  ///< T1 and T2 were not given: 0.0517 d^3 and 0.187 d^3 N/mm^2
-
-  template <class Visitor>
-  static void describe(Visitor&& field) {
-    field({"T1", "N*m", "up to which K1 holds"}, &MakersTorques::T1);
-    field({"T2", "N*m", "up to which K2 holds"}, &MakersTorques::T2);
-    field({"T3", "N*m", "up to which K3 is taken"}, &MakersTorques::T3);
-    field({"rated", "N*m", "T_N"}, &MakersTorques::rated);
-    field({"lost_motion", "N*m", "where lost motion is measured"}, &MakersTorques::lost_motion);
-    field({"by_convention", "", "whether T1 and T2 were not given"}, &MakersTorques::by_convention);
-  }
-};
 [[nodiscard]] MakersTorques makers_torques(const GearSet& gear);
 
 /// K1, K2, K3 by eq. (TC-14), for torque of the given sense (+1 or -1).

@@ -56,10 +56,13 @@ Command sensitivity_command() {
       .name = "sensitivity",
       .summary = "What stiffness and its loss depend on, and how much",
       .description =
-          "Prints the elasticities of the stiffness K_HD, sound and cracked under both senses of "
-          "torque, and of its loss by cracks, to every number of the file: per cent of output per "
-          "per cent of input, exact by automatic differentiation of the corrected method, the "
-          "largest first. Their sums must reproduce the dimensions of the outputs; if not, the "
+          "Prints the elasticities of K1, K2, K3 of the coupled drive, where it is solved, of the "
+          "stiffness K_HD of the sum of the members, sound and cracked under both senses of "
+          "torque, "
+          "and of its loss by cracks, to every number of the file: per cent of output per per cent "
+          "of input, exact by automatic differentiation of the corrected method and of the "
+          "equilibrium of the contacts, the largest first. Their sums must reproduce the "
+          "dimensions of the outputs; if not, the "
           "answer is refused. With --scatter, the relative standard deviations that the file "
           "gives under [[scatter]] are propagated by first order and by Monte Carlo, with the "
           "share of each input; draws that break a rule of the input are counted.",

@@ -29,10 +29,13 @@ Command stiffness_command() {
       .name = "stiffness",
       .summary = "Torsional stiffness of a drive, sound and cracked",
       .description =
-          "Reads a drive and its cracks and prints the compliance of each member at the output "
-          "with the input locked, without and with its cracks, the stiffness K_HD for both senses "
-          "of torque, what the cracks changed, the accuracy of each number, the validity notes "
-          "and the equations of the theory manual. Where a material gives toughness and yield "
+          "Reads a drive and its cracks and prints the verdict; where the file gives enough for "
+          "the "
+          "coupled drive, K1, K2, K3, the wind-up and what the cracks change in them, for both "
+          "senses of torque; then the sum of the members without contacts: the compliance of each "
+          "member at the output with the input locked, without and with its cracks, the stiffness "
+          "K_HD and its change; the accuracy of each number, the validity notes and the equations "
+          "of the theory manual. Where a material gives toughness and yield "
           "strength, also the strength of each crack at the given load: stress intensity against "
           "toughness, net section against yield, reserve and critical size by a failure "
           "assessment diagram (option 1 of BS 7910), which --plot draws and --fad tabulates; a "

@@ -45,7 +45,7 @@ Command sweep_command() {
           "Varies one or two fields of the input over a range and tabulates all outputs. A field "
           "is named by its path, such as output_shaft.crack[0].depth; the ends of the range carry "
           "units. The first field varies slowest. Points that a method refuses stay in the table "
-          "with the reason.",
+          "with the reason. --plot draws lines over one field and contours over two.",
       .example = "strainwave sweep examples/article.toml --vary 'output_shaft.crack[0].depth=0.05 "
                  "mm..8 mm:60:log' --plot sweep.svg --output sweep.csv",
       .function = swept,

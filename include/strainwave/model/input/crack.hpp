@@ -297,7 +297,10 @@ struct RingCrack {
   double position = 0.0;  ///< angle from the wave generator's major axis, toward +theta [rad]
 
   /// Length of a ring of a thickness [m] over which the crack softens it, l = 2t [m].
-  [[nodiscard]] static double softened_length(double thickness) { return 2 * thickness; }
+  template <class Real>
+  [[nodiscard]] static Real softened_length(const Real& thickness) {
+    return 2 * thickness;
+  }
   [[nodiscard]] CrackPlace place() const {
     return {.part = part_,
             .shape = CrackShape::over_width,

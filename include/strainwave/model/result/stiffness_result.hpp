@@ -11,6 +11,7 @@
 
 #include "strainwave/core/quantity.hpp"
 #include "strainwave/model/input/method.hpp"
+#include "strainwave/model/result/coupled_result.hpp"
 #include "strainwave/model/result/crack_strength.hpp"
 #include "strainwave/model/result/evidence.hpp"
 
@@ -33,21 +34,22 @@ struct Compliances {
   }
 };
 
-/// The sound drive.
+/// Sum of the members of the sound drive, without contacts.
 struct IntactDrive {
   Compliances compliance;
-  Quantity stiffness;  ///< K_HD at the output, input locked [N*m/rad]
+  Quantity stiffness;  ///< K_HD of the sum at the output, input locked [N*m/rad]
   Quantity wind_up;    ///< at the given torque [rad]
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"compliance", "", "compliances at the output"}, &IntactDrive::compliance);
-    field({"stiffness", "N*m/rad", "K_HD at the output, input locked"}, &IntactDrive::stiffness);
+    field({"stiffness", "N*m/rad", "K_HD of the sum at the output, input locked"},
+          &IntactDrive::stiffness);
     field({"wind_up", "rad", "twist at the given torque"}, &IntactDrive::wind_up);
   }
 };
 
-/// The cracked drive under one sense of torque.
+/// Sum of the members of the cracked drive under one sense of torque, without contacts.
 struct CrackedDrive {
   Compliances compliance;
   Quantity stiffness;         ///< [N*m/rad]
@@ -57,7 +59,8 @@ struct CrackedDrive {
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"compliance", "", "compliances at the output"}, &CrackedDrive::compliance);
-    field({"stiffness", "N*m/rad", "K_HD at the output, input locked"}, &CrackedDrive::stiffness);
+    field({"stiffness", "N*m/rad", "K_HD of the sum at the output, input locked"},
+          &CrackedDrive::stiffness);
     field({"stiffness_change", "1", "K/K_intact - 1; negative means softer"},
           &CrackedDrive::stiffness_change);
     field({"wind_up", "rad", "twist at the given torque"}, &CrackedDrive::wind_up);
@@ -133,34 +136,6 @@ struct CrackReport {
   std::optional<double> intensity_uncertainty = {};
 };
 
-/// The maker's stiffnesses of the coupled drive, cracks at the positions of the file [N*m/rad].
-struct CurveStiffness {
-  Quantity K1;
-  Quantity K2;
-  Quantity K3;
-
-  template <class Visitor>
-  static void describe(Visitor&& field) {
-    field({"K1", "N*m/rad", "up to T1"}, &CurveStiffness::K1);
-    field({"K2", "N*m/rad", "from T1 to T2"}, &CurveStiffness::K2);
-    field({"K3", "N*m/rad", "from T2"}, &CurveStiffness::K3);
-  }
-};
-
-/// The coupled drive beside the series model, where the file gives enough for it.
-struct CurveResult {
-  CurveStiffness intact;
-  CurveStiffness positive;  ///< cracked, torque about +z
-  CurveStiffness negative;  ///< cracked, torque about -z
-
-  template <class Visitor>
-  static void describe(Visitor&& field) {
-    field({"intact", "", "without the cracks"}, &CurveResult::intact);
-    field({"positive", "", "cracked, torque about +z"}, &CurveResult::positive);
-    field({"negative", "", "cracked, torque about -z"}, &CurveResult::negative);
-  }
-};
-
 /// A value for each sense of torque.
 template <class T>
 struct BySense {
@@ -222,10 +197,10 @@ struct CrackOutputs {
 /// Torsional stiffness of a drive, sound and cracked, by one method, with its evidence.
 struct StiffnessResult {
   Method method = Method::corrected;
-  IntactDrive intact;
-  CrackedDrive positive;  ///< torque about +z
-  CrackedDrive negative;  ///< torque about -z
-  std::optional<CurveResult> curve;
+  std::optional<CurveResult> curve;  ///< the answer, where the coupled drive is solved
+  IntactDrive intact;                ///< sum of the members
+  CrackedDrive positive;             ///< sum of the members, torque about +z
+  CrackedDrive negative;             ///< sum of the members, torque about -z
   std::vector<CrackReport> cracks;
   /// Of all cracks, where a material gives toughness or yield strength; corrected method only.
   std::vector<CrackStrength> strength;
@@ -243,11 +218,11 @@ struct StiffnessResult {
   static void describe(Visitor&& field) {
     using R = StiffnessResult;
     field({"method", "", "as-printed, repaired or corrected"}, &R::method);
-    field({"intact", "", "the sound drive"}, &R::intact);
-    field({"cracked", "", "the drive with its cracks"}, [](const R& r) {
+    field({"curve", "", "the coupled drive: the maker's stiffnesses and the wind-up"}, &R::curve);
+    field({"intact", "", "sum of the members without contacts, sound"}, &R::intact);
+    field({"cracked", "", "sum of the members without contacts, with cracks"}, [](const R& r) {
       return BySense<CrackedDrive>{r.positive, r.negative};
     });
-    field({"curve", "", "the maker's stiffnesses of the coupled drive"}, &R::curve);
     field({"cracks", "", "each crack"}, &R::crack_outputs);
   }
 };

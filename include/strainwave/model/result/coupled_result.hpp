@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "strainwave/core/quantity.hpp"
+
+/// @file
+/// What the coupled drive answers where it is solved: the maker's stiffnesses and the wind-up.
+
+namespace strainwave {
+
+/// The maker's torques with their defaults filled in.
+struct MakersTorques {
+  double T1 = 0.0;             ///< [N*m]
+  double T2 = 0.0;             ///< [N*m]
+  double T3 = 0.0;             ///< [N*m]
+  double rated = 0.0;          ///< T_N [N*m]
+  double lost_motion = 0.0;    ///< where lost motion is measured [N*m]
+  bool by_convention = false;  ///< T1 and T2 were not given: 0.0517 d^3 and 0.187 d^3 N/mm^2
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"T1", "N*m", "up to which K1 holds"}, &MakersTorques::T1);
+    field({"T2", "N*m", "up to which K2 holds"}, &MakersTorques::T2);
+    field({"T3", "N*m", "up to which K3 is taken"}, &MakersTorques::T3);
+    field({"rated", "N*m", "T_N"}, &MakersTorques::rated);
+    field({"lost_motion", "N*m", "where lost motion is measured"}, &MakersTorques::lost_motion);
+    field({"by_convention", "", "whether T1 and T2 were not given"}, &MakersTorques::by_convention);
+  }
+};
+
+/// The maker's stiffnesses and the wind-up of the coupled drive, cracks at the positions of the
+/// file; eq. (TC-14).
+struct CurveStiffness {
+  Quantity K1;                      ///< [N*m/rad]
+  Quantity K2;                      ///< [N*m/rad]
+  Quantity K3;                      ///< [N*m/rad]
+  std::optional<Quantity> wind_up;  ///< at the given torque [rad]; absent if it is not reached
+  Quantity wind_up_at_T1;           ///< [rad]
+  Quantity wind_up_at_T2;           ///< [rad]
+  Quantity wind_up_at_T3;           ///< [rad]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"K1", "N*m/rad", "up to T1"}, &CurveStiffness::K1);
+    field({"K2", "N*m/rad", "from T1 to T2"}, &CurveStiffness::K2);
+    field({"K3", "N*m/rad", "from T2"}, &CurveStiffness::K3);
+    field({"wind_up", "rad", "twist at the given torque"}, &CurveStiffness::wind_up);
+    field({"wind_up_at_T1", "rad", "twist at T1"}, &CurveStiffness::wind_up_at_T1);
+    field({"wind_up_at_T2", "rad", "twist at T2"}, &CurveStiffness::wind_up_at_T2);
+    field({"wind_up_at_T3", "rad", "twist at T3"}, &CurveStiffness::wind_up_at_T3);
+  }
+};
+
+/// What the cracks change in the coupled drive, cracked/sound - 1 [-].
+struct CurveChange {
+  Quantity K1;
+  Quantity K2;
+  Quantity K3;
+  std::optional<Quantity> wind_up;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"K1", "1", "cracked/sound - 1 of K1; negative means softer"}, &CurveChange::K1);
+    field({"K2", "1", "cracked/sound - 1 of K2"}, &CurveChange::K2);
+    field({"K3", "1", "cracked/sound - 1 of K3"}, &CurveChange::K3);
+    field({"wind_up", "1", "cracked/sound - 1 of the wind-up at the given torque"},
+          &CurveChange::wind_up);
+  }
+};
+
+/// The coupled drive with its cracks under one sense of torque.
+struct CrackedCurve : CurveStiffness {
+  CurveChange change;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    CurveStiffness::describe(field);
+    field({"change", "", "what the cracks change"}, &CrackedCurve::change);
+  }
+};
+
+/// The coupled drive, balls, teeth and elastic rings as one system, where the file gives enough for
+/// it: the answer that comes before the sum of the members.
+struct CurveResult {
+  MakersTorques torques;
+  CurveStiffness intact;
+  CrackedCurve positive;  ///< torque about +z
+  CrackedCurve negative;  ///< torque about -z
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"torques", "", "the maker's torques"}, &CurveResult::torques);
+    field({"intact", "", "without the cracks"}, &CurveResult::intact);
+    field({"positive", "", "cracked, torque about +z"}, &CurveResult::positive);
+    field({"negative", "", "cracked, torque about -z"}, &CurveResult::negative);
+  }
+};
+
+}  // namespace strainwave

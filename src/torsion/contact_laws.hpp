@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "ring_model.hpp"
+#include "strainwave/torsion/flank.hpp"
+
+// Gaps and forces of balls and flanks, each once, for double and for dual numbers.
+
+namespace strainwave {
+
+/// Angle from the nearest lobe [rad].
+[[nodiscard]] inline double angle_from_lobe(double theta) {
+  return std::remainder(theta, std::numbers::pi);
+}
+
+/// Closing of a ball without forces, rotation and cam amplitude [m].
+template <class Real>
+[[nodiscard]] Real free_ball(const BasicCoupledGeometry<Real>& g, double psi) {
+  const double s2 = std::sin(2 * psi);
+  return -g.clearance - g.cam_flattening * g.radial_displacement * g.radial_displacement /
+                            g.ring_radius * (s2 * s2);  // (TC-5)
+}
+
+/// Closing of a flank without forces and rotation [m]; side +1 is a drive flank, -1 a coast flank.
+template <class Real>
+[[nodiscard]] Real free_flank(const BasicCoupledGeometry<Real>& g,
+                              const BasicContactDirection<Real>& direction, double theta,
+                              int side) {
+  const Real& w0 = g.radial_displacement;
+  return -of_nominal_wave(direction, theta, w0) -
+         flank_gap(side * angle_from_lobe(theta), w0, g.flank_angle, g.gap_factor) -
+         g.lobe_gap;  // (TC-6)
+}
+
+/// Force of a ball that is pressed by a closing [N].
+template <class Real>
+[[nodiscard]] Real ball_force(const BasicCoupledGeometry<Real>& g, double closing) {
+  return g.ball_stiffness * (closing * std::sqrt(closing));  // (TC-5)
+}
+
+}  // namespace strainwave

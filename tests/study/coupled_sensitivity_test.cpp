@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "strainwave/io/gear_reader.hpp"
+#include "strainwave/layouts/sensitivity.hpp"
+#include "strainwave/study/scatter.hpp"
+#include "strainwave/study/sensitivity.hpp"
+#include "strainwave/torsion/torsion_curve.hpp"
+#include "support/expect.hpp"
+
+namespace strainwave {
+namespace {
+
+GearSet example_drive(const char* name) {
+  return read_gear_set_file(std::string(STRAINWAVE_EXAMPLES "/") + name + ".toml");
+}
+
+/// K1, K2, K3 of the sound drive, then cracked under both senses.
+std::array<double, 9> all_lines(const GearSet& gear) {
+  CoupledOptions options;
+  options.tolerance = 1e-13;  // so that differences over small steps mean something
+  const AssembledDrive drive(gear, options);
+  std::array<double, 9> K{};
+  std::size_t i = 0;
+  const auto add = [&](const MakersLines& lines) {
+    for (const double line : {lines.K1, lines.K2, lines.K3}) K[i++] = line;
+  };
+  add(makers_lines(drive.without_cracks(), +1));
+  add(makers_lines(drive, +1));
+  add(makers_lines(drive, -1));
+  return K;
+}
+
+constexpr std::array<const char*, 9> kLineNames = {
+    "curve.intact.K1",   "curve.intact.K2",   "curve.intact.K3",
+    "curve.positive.K1", "curve.positive.K2", "curve.positive.K3",
+    "curve.negative.K1", "curve.negative.K2", "curve.negative.K3"};
+
+/// Derivatives to ln x, or to x where it is 0, by central differences of two steps and one step of
+/// Richardson's extrapolation.
+std::array<double, 9> line_differences(const GearSet& gear, const std::string& path, double step) {
+  const double x = number_at(gear, path).value;
+  const auto central = [&](double h) {
+    const auto at = [&](double change) {
+      GearSet moved = gear;
+      set_number(moved, path, x == 0 ? change * 1e-3 : x * (1 + change));
+      return all_lines(moved);
+    };
+    const std::array<double, 9> above = at(+h);
+    const std::array<double, 9> below = at(-h);
+    std::array<double, 9> slope{};
+    for (std::size_t i = 0; i < 9; ++i) slope[i] = (above[i] - below[i]) / (2 * h);
+    return slope;
+  };
+  const std::array<double, 9> wide = central(step);
+  std::array<double, 9> slope = central(step / 2);
+  for (std::size_t i = 0; i < 9; ++i) slope[i] += (slope[i] - wide[i]) / 3;
+  return slope;
+}
+
+void expect_differences(const GearSet& gear, double step, double tolerance) {
+  const Sensitivity s = sensitivity_of(gear);
+  ASSERT_TRUE(s.usable()) << s.unusable_because;
+  const std::array<double, 9> K = all_lines(gear);
+  std::size_t compared = 0;
+  for (const SensitivityInput& input : s.inputs) {
+    if (std::ranges::find(s.not_differentiated, input.path, &CurveStep::path) !=
+        s.not_differentiated.end())
+      continue;
+    const std::array<double, 9> slope = line_differences(gear, input.path, step);
+    for (std::size_t i = 0; i < 9; ++i) {
+      const auto output = std::ranges::find(s.outputs, kLineNames[i], &SensitivityOutput::name);
+      if (output == s.outputs.end()) continue;
+      const Influence& exact =
+          input.influence[static_cast<std::size_t>(output - s.outputs.begin())];
+      const double by_log = input.value == 0 ? exact.derivative * 1e-3 / K[i] : exact.elasticity;
+      EXPECT_NEAR(by_log, slope[i] / K[i], tolerance) << input.path << ' ' << kLineNames[i];
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 100U);
+}
+
+/// The drive moved off the limits of its fields, so that differences can be taken on both sides.
+GearSet inside(GearSet gear) {
+  gear.range.clear();
+  gear.wave_generator->bearing->ball_diameter *= 0.999;
+  gear.wave_generator->bearing->clearance = 2e-6;
+  gear.wave_generator->cam_flattening = 0.3;
+  gear.flexspline->length += 1e-4;
+  gear.flexspline->flange_compliance = 1e-7;
+  gear.mesh->lobe_gap = 1.5e-6;
+  if (gear.rating) gear.rating->friction_torque = 0.3;
+  if (gear.output_shaft) gear.output_shaft->inner_diameter = 3e-3;
+  return gear;
+}
+
+// Kind: crosscheck of derivatives of the equilibrium (TC-27) with central differences of the whole
+// model, solved to 1e-13.  Tolerance 1e-8 of an elasticity: rounding of the differences, 1e-9, and
+// what is left of their truncation.  No contact opens or closes within the steps.
+constexpr double kStep = 3e-5;
+constexpr double kTolerance = 1e-8;
+
+TEST(CoupledSensitivity, CrosscheckDifferencesOfASoundDrive) {
+  expect_differences(inside(example_drive("catalogue_size25")), kStep, kTolerance);
+}
+
+TEST(CoupledSensitivity, CrosscheckDifferencesOfADriveWithEveryCrack) {
+  expect_differences(inside(example_drive("cracked_size25")), kStep, kTolerance);
+}
+
+TEST(CoupledSensitivity, CrosscheckDifferencesWhereFlanksHoldTheRestingRing) {
+  // An interference at the lobes, and torques by convention, which contain a pressure (TC-14).
+  GearSet gear = inside(example_drive("cracked_size25"));
+  gear.rating.reset();
+  gear.mesh->lobe_gap = -3e-6;
+  expect_differences(gear, kStep, kTolerance);
+}
+
+// (SN-6): no number is read without its derivative.
+TEST(CoupledSensitivity, IdentityDimensionsHold) {
+  GearSet convention = example_drive("cracked_size25");
+  convention.rating.reset();
+  for (const GearSet& gear :
+       {example_drive("catalogue_size25"), example_drive("cracked_size25"), convention}) {
+    const Sensitivity s = sensitivity_of(gear);
+    EXPECT_TRUE(s.usable()) << s.unusable_because;
+    EXPECT_LT(s.homogeneity_residual(), 1e-10);
+  }
+}
+
+TEST(CoupledSensitivity, BehaviourWhatHasNoDerivativeIsListed) {
+  const Sensitivity s = sensitivity_of(example_drive("cracked_size25"));
+  std::vector<std::string> paths;
+  for (const CurveStep& step : s.not_differentiated) paths.push_back(step.path);
+  EXPECT_EQ(paths, (std::vector<std::string>{"drive.ratio", "wave_generator.crack[0].position",
+                                             "mesh.crack[0].position"}));
+  for (const std::string& path : paths)
+    EXPECT_EQ(std::ranges::find(s.no_influence, path), s.no_influence.end()) << path;
+  // A drive without the coupled one has none of it, and says what is missing.
+  const Sensitivity article = sensitivity_of(example_drive("article"));
+  EXPECT_TRUE(article.not_differentiated.empty());
+  EXPECT_EQ(test::count_notes(article.notes, "curve.missing"), 1);
+}
+
+TEST(CoupledSensitivity, BehaviourScatterIsOfTheSumAlone) {
+  GearSet gear = example_drive("catalogue_size25");
+  InputScatter& scattered = gear.scatter.emplace_back();
+  scattered.path = "flexspline.barrel.wall_thickness";
+  scattered.relative_standard_deviation = 0.02;
+  const Sensitivity s = sensitivity_of(gear);
+  const Scatter scatter = scatter_of(gear, s, {.samples = 50, .threads = 1});
+  ASSERT_FALSE(scatter.outputs.empty());
+  for (std::size_t y = 0; y < scatter.outputs.size(); ++y)
+    EXPECT_EQ(scatter.outputs[y].name, s.outputs[y].name);
+  EXPECT_EQ(test::count_notes(scatter.notes, "scatter.sum_alone"), 1);
+  // Outputs that are not drawn have no share in the CSV, and no table of their scatter.
+  const SensitivityReport report{.sensitivity = s, .scatter = scatter};
+  const std::string csv = sensitivity_csv(report);
+  EXPECT_NE(csv.find("curve.intact.K1,flexspline.barrel.wall_thickness,"), std::string::npos);
+  EXPECT_EQ(sensitivity_text(report, gear).find("Scatter of the outputs: K1"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace strainwave

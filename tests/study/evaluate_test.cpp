@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// The coupled drive beside the sum of the members.
+#include "strainwave/study/evaluate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "strainwave/io/gear_reader.hpp"
+#include "strainwave/layouts/stiffness.hpp"
+#include "strainwave/study/outputs.hpp"
+#include "strainwave/torsion/torsion_curve.hpp"
+#include "support/expect.hpp"
+
+namespace strainwave {
+namespace {
+
+GearSet drive_of(const char* name) {
+  return read_gear_set_file(std::string(STRAINWAVE_EXAMPLES "/") + name + ".toml");
+}
+
+const Note& note_of(const StiffnessResult& result, const char* code) {
+  return *std::ranges::find(result.notes, code, &Note::code);
+}
+
+TEST(Evaluate, CrosscheckTheCoupledDriveIsThatOfTheModule) {
+  const GearSet gear = drive_of("cracked_size25");
+  const StiffnessResult result = evaluate(gear, Method::corrected);
+  ASSERT_TRUE(result.curve);
+  const AssembledDrive drive(gear);
+  for (const int sense : {+1, -1}) {
+    const CrackedCurve& curve = sense > 0 ? result.curve->positive : result.curve->negative;
+    const MakersLines lines = makers_lines(drive, sense);
+    const MakersLines sound = makers_lines(drive.without_cracks(), sense);
+    EXPECT_EQ(curve.K1.value, lines.K1);
+    EXPECT_EQ(curve.K2.value, lines.K2);
+    EXPECT_EQ(curve.K3.value, lines.K3);
+    EXPECT_EQ(curve.wind_up_at_T1.value, lines.phi1);
+    EXPECT_EQ(curve.wind_up_at_T3.value, lines.phi3);
+    // The load of the example is T2: the same state by another path of the torque.
+    test::expect_relative(curve.wind_up.value().value, lines.phi2, 1e-8);
+    test::expect_relative(curve.change.K1.value, lines.K1 / sound.K1 - 1, 1e-12);
+    test::expect_relative(curve.change.K3.value, lines.K3 / sound.K3 - 1, 1e-12);
+    EXPECT_LT(curve.change.K2.value, 0);
+    EXPECT_GT(curve.change.wind_up->value, 0);
+  }
+  EXPECT_EQ(*result.curve->intact.K1.relative_uncertainty, curve_uncertainty(gear));
+  // Twist and lines fit each other: K1 is a secant, K2 and K3 slopes between the torques.
+  const CurveStiffness& sound = result.curve->intact;
+  const MakersTorques& at = result.curve->torques;
+  test::expect_relative(at.T1 / sound.wind_up_at_T1.value, sound.K1.value, 1e-14);
+  test::expect_relative((at.T3 - at.T2) / (sound.wind_up_at_T3.value - sound.wind_up_at_T2.value),
+                        sound.K3.value, 1e-12);
+}
+
+TEST(Evaluate, IdentityTheAccuracyOfTheSumContainsTheCoupledDrive) {
+  for (const char* const name : {"catalogue_size25", "cracked_size25", "calibrated_size25"}) {
+    const StiffnessResult result = evaluate(drive_of(name), Method::corrected);
+    ASSERT_TRUE(result.curve) << name;
+    const auto contains = [](const Quantity& sum, const Quantity& coupled) {
+      return std::abs(sum.value - coupled.value) <=
+             *sum.relative_uncertainty * std::abs(sum.value) * (1 + 1e-12);
+    };
+    const auto expect_contained = [&](const auto& sum, const CurveStiffness& coupled) {
+      for (const Quantity& K : {coupled.K1, coupled.K2, coupled.K3})
+        EXPECT_TRUE(contains(sum.stiffness, K)) << name;
+      EXPECT_TRUE(contains(sum.wind_up, coupled.wind_up.value())) << name;
+    };
+    expect_contained(result.intact, result.curve->intact);
+    expect_contained(result.positive, result.curve->positive);
+    expect_contained(result.negative, result.curve->negative);
+  }
+}
+
+TEST(Evaluate, BehaviourNotesOnWhatTheCoupledDriveContainsAreInformation) {
+  const StiffnessResult coupled = evaluate(drive_of("cracked_size25"), Method::corrected);
+  const StiffnessResult sum =
+      evaluate(drive_of("cracked_size25"), Method::corrected, {.coupled_drive = false});
+  EXPECT_FALSE(sum.curve);
+  for (const char* const code :
+       {"sum.left_out", "wave_generator.hertz", "wave_generator.held_ring", "crack.contact_path"}) {
+    EXPECT_EQ(note_of(coupled, code).severity, Severity::information) << code;
+    EXPECT_EQ(note_of(sum, code).severity, Severity::care) << code;
+  }
+  // The members are the same, with and without it.
+  EXPECT_EQ(coupled.intact.stiffness.value, sum.intact.stiffness.value);
+  EXPECT_EQ(coupled.positive.compliance.flexspline, sum.positive.compliance.flexspline);
+}
+
+TEST(Evaluate, BehaviourWhatIsMissingForTheCoupledDriveIsListed) {
+  const StiffnessResult result = evaluate(drive_of("article"), Method::corrected);
+  EXPECT_FALSE(result.curve);
+  ASSERT_EQ(test::count_notes(result.notes, "curve.missing"), 1);
+  const Note& note = note_of(result, "curve.missing");
+  EXPECT_EQ(note.severity, Severity::information);
+  for (const char* const field : {"wave_generator.bearing", "flexspline.crack_free",
+                                  "flexspline.rim", "flexspline.diaphragm", "mesh"})
+    EXPECT_NE(note.text.find(field), std::string::npos) << note.text;
+  EXPECT_NE(note.next_step.find("strainwave new"), std::string::npos);
+}
+
+TEST(Evaluate, InputALoadBeyondTheFlanksHasNoWindUp) {
+  GearSet gear = drive_of("catalogue_size25");
+  gear.load.torque = 1e5;
+  const StiffnessResult result = evaluate(gear, Method::corrected);
+  ASSERT_TRUE(result.curve);
+  EXPECT_FALSE(result.curve->intact.wind_up);
+  EXPECT_GT(result.curve->intact.K1.value, 0);
+  EXPECT_EQ(test::count_notes(result.notes, "curve.no_wind_up", "load.torque"), 1);
+}
+
+TEST(Evaluate, BehaviourTheCoupledDriveComesFirstInTheText) {
+  const GearSet gear = drive_of("cracked_size25");
+  const std::string text = stiffness_text(evaluate(gear, Method::corrected), gear, Provenance{});
+  const std::size_t verdict = text.find("Verdict: ");
+  const std::size_t coupled = text.find("Coupled drive: balls, teeth");
+  const std::size_t sum = text.find("Sum of the members, without contacts");
+  EXPECT_LT(verdict, coupled);
+  EXPECT_LT(coupled, sum);
+  EXPECT_NE(sum, std::string::npos);
+  EXPECT_NE(text.find("K1, up to T1 = 14 N*m [N*m/rad]"), std::string::npos) << text;
+  EXPECT_NE(text.find("wind-up at 48 N*m [arcmin]"), std::string::npos);
+}
+
+TEST(Evaluate, BehaviourOutputsOfTheCoupledDriveHaveNames) {
+  const StiffnessResult result = evaluate(drive_of("cracked_size25"), Method::corrected);
+  for (const char* const output : {"curve.intact.K1", "curve.positive.wind_up",
+                                   "curve.negative.change.K3", "curve.torques.T3"}) {
+    EXPECT_TRUE(output_named(result, output)) << output;
+    EXPECT_TRUE(is_of_coupled_drive(output));
+  }
+  EXPECT_FALSE(is_of_coupled_drive("intact.stiffness"));
+}
+
+}  // namespace
+}  // namespace strainwave
