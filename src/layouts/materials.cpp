@@ -129,7 +129,8 @@ std::string material_list_markdown(const MaterialData& data) {
     text += fmt::format("\n## {}\n\nFor: {}. Treatment: {}.", record.name, use_text(record),
                         record.treatment);
     if (!record.aliases.empty()) text += fmt::format(" Also: {}.", fmt::join(record.aliases, ", "));
-    if (!record.remark.empty()) text += fmt::format(" Remark: {}.", record.remark);
+    if (!record.remark.empty())
+      text += fmt::format(" Remark: {}{}", record.remark, record.remark.ends_with('.') ? "" : ".");
     Table table{.head = {"what", "value", "confidence", "scatter", "source", "remark"}};
     for (const Datum& datum : data_of(record))
       table.rows.push_back(

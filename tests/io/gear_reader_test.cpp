@@ -626,10 +626,10 @@ const std::vector<Wrong> kWrong = {
      "25:30: wave_generator.contact_semi_axes[1]: \"2 mm^2\" is not convertible to m"},
     {"UnknownUnit", "\"160 mm\"", "\"160 inch\"",
      "12:18: drive.pitch_diameter: \"160 inch\" has the unknown unit \"inch\"; known are products "
-     "such as mm, N*m/rad or MPa*m^0.5"},
+     "such as mm, N*m/rad or MPa*m^0.5; strainwave units lists all"},
     {"UnitOfTwoLines", "\"160 mm\"", "\"160\\nmm\"",
      "12:18: drive.pitch_diameter: \"160\\nmm\" has the unknown unit \"\\nmm\"; known are products "
-     "such as mm, N*m/rad or MPa*m^0.5"},
+     "such as mm, N*m/rad or MPa*m^0.5; strainwave units lists all"},
     {"DecimalComma", "\"2.24 mm\"", "\"2,24 mm\"",
      "37:18: flexspline.wall_thickness: \"2,24 mm\" has a comma; write a decimal point"},
     {"NaN", "\"2.24 mm\"", "\"nan mm\"",

@@ -142,7 +142,7 @@ TEST(TorsionText, BehaviourTablesAndUnits) {
   gear.name = "My drive";
   gear.range.push_back(range("mesh.coning", "0.5", "1"));
   const TorsionReport report = torsion_report(gear, {.compare = true, .angles = 2, .draws = 10});
-  const std::string text = torsion_text(report, gear);
+  const std::string text = torsion_text(report, gear, {});
   for (const char* const part :
        {"My drive\n", "T1 = 14, T2 = 48, T3 = 76.8, rated 87 N*m\n", "K1 [N*m/rad]",
         "90 % of the ranges", "10 drives drawn from 1 ranges", "lost motion [arcmin]",

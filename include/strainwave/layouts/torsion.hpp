@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "strainwave/chart/chart.hpp"
+#include "strainwave/model/result/provenance.hpp"
 #include "strainwave/present/table.hpp"
 #include "strainwave/study/torsion_report.hpp"
 
@@ -13,7 +14,8 @@ namespace strainwave {
 /// The maker's numbers, changes by cracks if compared, points of the curve, stress over a turn.
 [[nodiscard]] std::vector<TitledTable> torsion_tables(const TorsionReport& report,
                                                       const GearSet& gear);
-[[nodiscard]] std::string torsion_text(const TorsionReport& report, const GearSet& gear);
+[[nodiscard]] std::string torsion_text(const TorsionReport& report, const GearSet& gear,
+                                       const Provenance& provenance);
 /// Both senses of torque, from the least torque on.
 [[nodiscard]] std::string torsion_csv(const TorsionReport& report);
 /// Curve with its three lines and loop; tangent stiffness; changes over a turn if compared.
