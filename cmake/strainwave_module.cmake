@@ -185,6 +185,10 @@ function(strainwave_install)
     PATTERN "strainwave/fem" EXCLUDE
     PATTERN "strainwave/gear_fem" EXCLUDE
     PATTERN "strainwave/fe_study" EXCLUDE)
+  install(FILES LICENSE README.md CHANGELOG.md CITATION.cff DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+  # The guides lead to the manual and its pictures, and run the examples.
+  install(DIRECTORY docs/guide docs/theory docs/images DESTINATION "${CMAKE_INSTALL_DOCDIR}/docs")
+  install(DIRECTORY examples DESTINATION "${CMAKE_INSTALL_DOCDIR}" PATTERN CMakeLists.txt EXCLUDE)
   install(EXPORT strainwaveTargets NAMESPACE strainwave:: DESTINATION "${package_dir}")
   configure_package_config_file(cmake/strainwaveConfig.cmake.in strainwaveConfig.cmake
     INSTALL_DESTINATION "${package_dir}")

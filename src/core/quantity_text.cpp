@@ -288,15 +288,47 @@ double parse_quantity(std::string_view field, std::string_view text, std::string
   return value;
 }
 
+namespace {
+
+/// A number in plain digits, or in those of an exponent where it is far from 1.
+/// @param text  a number as number_length knows it, such as "0.0102e3"
+std::string plain_digits(std::string_view text) {
+  const std::size_t e = std::min(text.find('e'), text.size());
+  int exponent = 0;
+  if (e < text.size()) std::from_chars(text.data() + e + 1, text.data() + text.size(), exponent);
+  std::string digits(text.substr(0, e));
+  const bool negative = digits.starts_with('-');
+  if (negative) digits.erase(0, 1);
+  const std::size_t point = std::min(digits.find('.'), digits.size());
+  int before = static_cast<int>(point) + exponent;  // digits before the point
+  if (point < digits.size()) digits.erase(point, 1);
+  const std::size_t zeros = std::min(digits.find_first_not_of('0'), digits.size() - 1);
+  digits.erase(0, zeros);
+  before -= static_cast<int>(zeros);
+  std::string plain;
+  if (before > 16 || before < -3)
+    plain = fmt::format("{}{}{}e{:+03}", digits[0], digits.size() > 1 ? "." : "", digits.substr(1),
+                        before - 1);
+  else if (before <= 0)
+    plain = "0." + std::string(static_cast<std::size_t>(-before), '0') + digits;
+  else if (digits.size() <= static_cast<std::size_t>(before))
+    plain = digits + std::string(static_cast<std::size_t>(before) - digits.size(), '0');
+  else
+    plain = digits.insert(static_cast<std::size_t>(before), 1, '.');
+  return negative ? '-' + plain : plain;
+}
+
+}  // namespace
+
 std::string number_in(double value, const Unit& unit) {
   const std::string si = fmt::format("{}", value);
   if (value == 0.0 || !std::isfinite(value)) return si;
   if (unit.power_of_ten) {
-    std::string exact = shifted_text(si, -*unit.power_of_ten);
+    const std::string exact = shifted_text(si, -*unit.power_of_ten);
     const std::optional<double> number = parse_number(exact);
-    if (!number) return exact;
-    std::string text = fmt::format("{}", *number);
-    return parse_number(shifted_text(text, *unit.power_of_ten)) == value ? text : exact;
+    std::string text = number ? fmt::format("{}", *number) : std::string();
+    const bool reads_back = number && parse_number(shifted_text(text, *unit.power_of_ten)) == value;
+    return reads_back ? text : plain_digits(exact);
   }
   const double number = value / unit.factor;
   for (int digits = 1; digits <= 17; ++digits) {

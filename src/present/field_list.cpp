@@ -86,7 +86,8 @@ std::vector<ListedField> list_of_fields(TypeWalk walk) {
 bool is_path(std::string_view written, std::string_view listed) {
   const auto of_writer = steps_of(written);
   const auto of_list = steps_of(listed);
-  return of_writer.size() <= of_list.size() &&
+  const bool any_name = of_writer.size() == 1 && of_list.back() == "<name>";
+  return of_writer.size() <= of_list.size() && !any_name &&
          std::equal(of_writer.rbegin(), of_writer.rend(), of_list.rbegin(),
                     [](std::string_view a, std::string_view b) { return a == b || b == "<name>"; });
 }

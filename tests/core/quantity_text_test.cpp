@@ -150,6 +150,9 @@ TEST(QuantityText, BehaviourANumberInAUnitIsShort) {
   EXPECT_EQ(number_in(0.0254, parse_unit("in")), "1");
   EXPECT_EQ(number_in(-0.01, parse_unit("%")), "-1");
   EXPECT_EQ(number_in(0.0, parse_unit("mm")), "0");
+  // No double near 10.2 gives this one when it is divided by 1000.
+  EXPECT_EQ(number_in(0.010199999999999999, parse_unit("mm")), "10.199999999999999");
+  EXPECT_EQ(number_in(1.0199999999999999e-20, parse_unit("mm")), "1.0199999999999999e-17");
 }
 
 TEST(QuantityText, IdentityANumberInAUnitReadsBackBitForBit) {

@@ -8,8 +8,10 @@
 #include <set>
 
 #include "commands/method_option.hpp"
+#include "strainwave/core/number_text.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/door/door.hpp"
+#include "strainwave/layouts/words.hpp"
 #include "strainwave/model/input/method.hpp"
 #include "strainwave/present/evidence_text.hpp"
 #include "strainwave/present/table.hpp"
@@ -425,13 +427,32 @@ Difference difference(const Request& request, const DiffOptions& options) {
   return difference;
 }
 
+/// An input in the unit for people: "0.1 mm" for "0.0001 m".
+std::string shown_input(const std::string& path, const std::string& text) {
+  if (text.empty()) return "-";
+  const std::size_t length = number_length(text);
+  const std::optional<double> value = parse_number(text.substr(0, length));
+  if (!value || length + 1 >= text.size() || text[length] != ' ') return text;
+  return shown_quantity(*value, text.substr(length + 1), 9, path);
+}
+
+/// The drives' parts that outputs belong to, such as cracks; an output of none as it is.
+std::set<std::string> parts_with(const std::vector<std::string>& paths) {
+  std::set<std::string> parts;
+  for (const std::string& path : paths) {
+    const std::size_t at = path.find("].");
+    parts.insert(at == std::string::npos ? path : path.substr(0, at + 1));
+  }
+  return parts;
+}
+
 std::string difference_text(const Difference& difference) {
   std::string text = fmt::format("first:  {}\nsecond: {}\n", difference.first, difference.second);
   if (!difference.unusable_because.empty())
     text += paragraph("NOT USABLE: " + difference.unusable_because);
   Table inputs{.head = {"field", "first", "second"}, .align = "lll"};
   for (const auto& [path, first, second] : difference.inputs)
-    inputs.rows.push_back(cells(path, first.empty() ? "-" : first, second.empty() ? "-" : second));
+    inputs.rows.push_back(cells(path, shown_input(path, first), shown_input(path, second)));
   text += "\nInputs that differ\n" +
           (inputs.rows.empty() ? std::string("  none\n") : text_table(inputs));
   Table outputs{.head = {"output", "first", "second", "difference", "uncertainty", "unit"},
@@ -451,13 +472,15 @@ std::string difference_text(const Difference& difference) {
           (outputs.rows.empty() ? std::string("  none\n") : text_table(outputs));
   const auto only = [&](std::string_view which, const std::vector<std::string>& paths) {
     if (!paths.empty())
-      text += paragraph(fmt::format("Only the {} has {}", which, fmt::join(paths, ", ")));
+      text +=
+          paragraph(fmt::format("Only the {} has {} of {}", which, counted(paths.size(), "output"),
+                                fmt::join(parts_with(paths), ", ")));
   };
   text += '\n';
   only("first", difference.only_first);
   only("second", difference.only_second);
-  text += fmt::format("{} outputs differ by less, {} are the same.\n", difference.within.size(),
-                      difference.equal);
+  text += fmt::format("Of the others, {} differ by less and {} are the same.\n",
+                      difference.within.size(), difference.equal);
   return text + equations_text(difference.equations);
 }
 
