@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <regex>
 #include <set>
@@ -31,7 +32,8 @@ double contrast(const std::string& one, const std::string& other) {
 std::string plot_of_lines(std::size_t n) {
   PlotPanel panel{.title = "Stiffness < K >", .x_label = "depth", .y_label = "K"};
   for (std::size_t i = 0; i < n; ++i)
-    panel.series.push_back({.label = "line " + std::to_string(i), .x = {0, 1}, .y = {0, 1.0 + i}});
+    panel.series.push_back(
+        {.label = "line " + std::to_string(i), .x = {0, 1}, .y = {0, static_cast<double>(i)}});
   return svg_plot(std::span(&panel, 1));
 }
 

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/core/shown_text.hpp"
@@ -23,7 +25,7 @@ struct UnitRow {
   std::string dimension;  ///< "length"
   bool prefixed = false;  ///< it takes prefixes
   double factor = 0.0;    ///< value in SI of one of this unit
-  std::string si;         ///< unit of the factor; empty where no field has the dimension
+  std::string si;         ///< unit of the factor
   std::string written;    ///< a field of the input that takes it; empty: none by itself
 
   static constexpr bool kTableRow = true;
@@ -61,6 +63,22 @@ struct UnitList {
   }
 };
 
+/// "kg*m^2/s^2" of the dimension of a unit.
+std::string si_text(const Unit& unit) {
+  static constexpr std::array<std::string_view, 5> kBase = {"m", "kg", "s", "K", "rad"};
+  std::string above;
+  std::string below;
+  for (std::size_t i = 0; i < kBase.size(); ++i) {
+    const double power = unit.dimension[i];
+    if (power == 0) continue;
+    std::string& side = power > 0 ? above : below;
+    side += (power > 0 && side.empty() ? "" : power > 0 ? "*" : "/");
+    side += kBase[i];
+    if (std::abs(power) != 1) side += fmt::format("^{:g}", std::abs(power));
+  }
+  return (above.empty() ? "1" : above) + below;
+}
+
 UnitList unit_list() {
   const std::vector<ListedField> fields = list_of_fields(visit_type<GearSet>);
   UnitList list;
@@ -80,10 +98,11 @@ UnitList unit_list() {
     }
     if (n > 1) row.written += fmt::format(" and {} more", n - 1);
     // A unit that no field has alone stands in products, such as the second.
+    const auto alone = std::ranges::find_if(known_units(), [&](const KnownUnit& base) {
+      return base.unit.factor == 1.0 && same_dimension(base.unit, known.unit);
+    });
     if (n == 0)
-      for (const KnownUnit& base : known_units())
-        if (row.si.empty() && base.unit.factor == 1.0 && same_dimension(base.unit, known.unit))
-          row.si = base.symbol;
+      row.si = alone != known_units().end() ? std::string(alone->symbol) : si_text(known.unit);
     list.units.push_back(std::move(row));
   }
   for (const auto& [symbol, power] : unit_prefixes())
