@@ -7,6 +7,7 @@
 namespace strainwave::cli {
 
 using ExitCode = ExitStatus;
+using enum ExitStatus;
 
 /// The command line itself cannot be understood.
 class UsageError : public Error {

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "strainwave/core/error.hpp"
-#include "strainwave/core/number_text.hpp"
 #include "strainwave/model/input/vary_option.hpp"
 
 namespace strainwave {
@@ -31,10 +30,7 @@ double Variation::value(int i) const {
   if (i == 0) return from;
   if (i == n_points - 1) return to;
   const double t = static_cast<double>(i) / (n_points - 1);
-  const double exact =
-      spacing == Spacing::linear ? std::lerp(from, to, t) : from * std::pow(to / from, t);
-  // Without the digits of rounding, which nobody asked for: 0.0102, not 0.010199999999999999.
-  return parse_number(fmt::format("{:.15g}", exact)).value_or(exact);
+  return spacing == Spacing::linear ? std::lerp(from, to, t) : from * std::pow(to / from, t);
 }
 
 Variation parse_variation(const GearSet& gear, std::string_view text,
