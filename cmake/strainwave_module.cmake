@@ -149,6 +149,18 @@ function(strainwave_equation_titles module)
   target_sources(strainwave_${module} PRIVATE "${output}")
 endfunction()
 
+# strainwave_note_texts(<module>)
+# Adds note_texts.cpp, made from the sources, where each note is written.
+function(strainwave_note_texts module)
+  set(output "${PROJECT_BINARY_DIR}/generated/note_texts.cpp")
+  set(script "${PROJECT_SOURCE_DIR}/cmake/write_note_texts.cmake")
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/*.cpp"
+    "${PROJECT_SOURCE_DIR}/src/*.hpp")
+  add_custom_command(OUTPUT "${output}" DEPENDS ${sources} "${script}" VERBATIM COMMAND
+    "${CMAKE_COMMAND}" "-DSOURCES=${PROJECT_SOURCE_DIR}/src" "-DOUTPUT=${output}" -P "${script}")
+  target_sources(strainwave_${module} PRIVATE "${output}")
+endfunction()
+
 # strainwave_material_data(<module>)
 # Adds material_data.cpp, written at build time from data/materials.toml; the file is installed too.
 function(strainwave_material_data module)
@@ -173,6 +185,10 @@ function(strainwave_install)
     PATTERN "strainwave/fem" EXCLUDE
     PATTERN "strainwave/gear_fem" EXCLUDE
     PATTERN "strainwave/fe_study" EXCLUDE)
+  install(FILES LICENSE README.md CHANGELOG.md CITATION.cff DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+  # The guides lead to the manual and its pictures, and run the examples.
+  install(DIRECTORY docs/guide docs/theory docs/images DESTINATION "${CMAKE_INSTALL_DOCDIR}/docs")
+  install(DIRECTORY examples DESTINATION "${CMAKE_INSTALL_DOCDIR}" PATTERN CMakeLists.txt EXCLUDE)
   install(EXPORT strainwaveTargets NAMESPACE strainwave:: DESTINATION "${package_dir}")
   configure_package_config_file(cmake/strainwaveConfig.cmake.in strainwaveConfig.cmake
     INSTALL_DESTINATION "${package_dir}")

@@ -16,9 +16,9 @@ if(entries STREQUAL "")
   message(FATAL_ERROR "no equation found in ${MANUAL}")
 endif()
 file(WRITE "${OUTPUT}" "// Made from docs/theory by cmake/write_equation_titles.cmake.
-#include \"equation_titles.hpp\"
+#include \"strainwave/present/equation_titles.hpp\"
 
-namespace strainwave::report {
+namespace strainwave {
 namespace {
 
 constexpr EquationTitle kTitles[] = {
@@ -28,5 +28,5 @@ ${entries}};
 
 std::span<const EquationTitle> equation_titles() { return kTitles; }
 
-}  // namespace strainwave::report
+}  // namespace strainwave
 ")

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <iterator>
+
 #include "files.hpp"
 #include "strainwave/catalogue/factors.hpp"
+#include "strainwave/core/quantity_text.hpp"
 #include "strainwave/door/door.hpp"
 #include "strainwave/materials/material_library.hpp"
 #include "strainwave/model/result/result_fields.hpp"
+#include "strainwave/present/equation_titles.hpp"
+#include "strainwave/present/note_texts.hpp"
 #include "strainwave/sif/library.hpp"
 #include "strainwave/study/evaluate.hpp"
 #include "strainwave_program.hpp"
@@ -15,6 +21,17 @@ std::vector<std::string> names_of(std::string_view what, const std::string& file
   if (what == "material") return material_names();
   if (what == "solution")
     for (const sif::Row& row : sif::library()) names.emplace_back(row.info.name);
+  if (what == "unit" || what == "explained")
+    for (const KnownUnit& unit : known_units()) names.emplace_back(unit.symbol);
+  if (what == "explained") {
+    for (const Command& command : commands()) names.emplace_back(command.name);
+    for (const NoteText& note : note_texts()) names.emplace_back(note.code);
+    for (const EquationTitle& equation : equation_titles()) names.emplace_back(equation.tag);
+    for (const sif::Row& row : sif::library()) names.emplace_back(row.info.name);
+    std::ranges::copy(material_names(), std::back_inserter(names));
+    std::ranges::sort(names);
+    names.erase(std::ranges::unique(names).begin(), names.end());
+  }
   if (what == "factor")
     names.assign(EnumNames<Factor>::names.begin(), EnumNames<Factor>::names.end());
   if (what != "output" || file.empty() || file == "-") return names;

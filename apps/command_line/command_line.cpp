@@ -2,6 +2,7 @@
 #include "command_line.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -13,6 +14,7 @@
 #include <filesystem>
 #include <functional>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <new>
 #include <optional>
@@ -22,7 +24,9 @@
 #include "exit_code.hpp"
 #include "files.hpp"
 #include "interrupt.hpp"
+#include "several.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/nearest.hpp"
 #include "strainwave/core/version.hpp"
 #include "strainwave/io/write_file.hpp"
 
@@ -112,49 +116,162 @@ void require_distinct_files(const Given& given) {
   }
 }
 
-ExitCode run_command(const Given& given) {
-  const Command& command = given.command;
-  const Ranks& ranks = given.program.ranks != nullptr ? *given.program.ranks : kAlone;
-  OptionValues options(command.options);
-  OptionTexts attached;
-  std::shared_ptr<const Drive> drive;
+/// What stands between the commas of a text.
+std::vector<std::string> parts_of(std::string_view text) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    parts.emplace_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+/// What the words of a command line ask for.
+struct Asked {
+  OptionValues options;
+  OptionTexts attached = {};
+  std::shared_ptr<const Drive> drive = nullptr;
   std::string main = "json";
-  std::string main_path;
-  std::vector<std::pair<std::string, std::string_view>> beside;  // path, document
-  std::optional<FileJournal> journal;
+  std::string main_path = {};
+  std::vector<std::pair<std::string, std::string_view>> beside = {};  // path, document
+  std::string journal = {};                                           // its path; empty: none
+  AskedUnits units = {};
+  std::vector<std::string> columns = {};
+};
+
+/// Takes the words in, and reads the files that they name.
+/// @param file  of the drive; null: none is read
+Asked asked_by(const Given& given, const std::string* file) {
+  const Command& command = given.command;
+  Asked asked{.options = OptionValues(command.options)};
   const auto take = [&](const Argument& argument, std::vector<std::string> texts) {
+    if (argument.role == Role::input) return;
     if (texts.empty() && argument.role == Role::option) texts = told_by_surroundings(argument);
     for (const std::string& text : texts) switch (argument.role) {
         case Role::input:
-          if (text == "-" && ranks.size() > 1)
-            throw InputError(argument.name,
-                             "standard input reaches the first rank only: name a file");
-          drive = read_drive(text_of(text), shown_name(text), attachments_beside(text));
           break;
         case Role::option:
-          options.set(argument.key, text);
-          if (argument.names == "attachment") attached[text] = text_of(text);
+          asked.options.set(argument.key, text);
+          if (argument.names == "attachment") asked.attached[text] = text_of(text);
           break;
         case Role::format:
-          main = text;
+          asked.main = text;
           break;
         case Role::output:
-          main_path = text;
+          asked.main_path = text;
+          break;
+        case Role::units:
+          asked.units = from_option([&] { return AskedUnits(text); });
+          break;
+        case Role::columns:
+          asked.columns = parts_of(text);
           break;
         case Role::journal:
-          journal.emplace(text);
+          asked.journal = text;
           break;
         case Role::document:
-          beside.emplace_back(text, argument.key);
+          asked.beside.emplace_back(text, argument.key);
           break;
       }
-    if (texts.empty() && argument.role == Role::format) main = argument.fallback;
+    if (texts.empty() && argument.role == Role::format) asked.main = argument.fallback;
   };
+  if (file != nullptr)
+    asked.drive = read_drive(text_of(*file), shown_name(*file), attachments_beside(*file));
+  for (std::size_t i = 0; i < given.arguments.size(); ++i) take(given.arguments[i], given.texts[i]);
+  const auto chosen = std::ranges::find(command.documents, asked.main, &Document::name);
+  if (!asked.columns.empty() &&
+      (chosen == command.documents.end() || chosen->format != Format::csv))
+    throw UsageError("--columns chooses columns of a table: add --format csv");
+  return asked;
+}
+
+/// The files of the drives.  Among the words of a positional option, those that name a file are
+/// files too: `require a.toml b.toml 'OUTPUT >= VALUE'`.
+std::vector<std::string> take_files(Given& given) {
+  std::vector<std::string> files;
+  const bool several = answers_several(given.command);
+  for (std::size_t i = 0; i < given.arguments.size(); ++i) {
+    const Argument& argument = given.arguments[i];
+    std::vector<std::string>& texts = given.texts[i];
+    if (argument.role == Role::input) {
+      files.insert(files.end(), texts.begin(), texts.end());
+    } else if (several && argument.positional()) {
+      std::error_code unseen;
+      const auto is_file = [&](const std::string& text) {
+        return std::filesystem::is_regular_file(text, unseen);
+      };
+      std::ranges::copy_if(texts, std::back_inserter(files), is_file);
+      std::erase_if(texts, is_file);
+    }
+  }
+  return files;
+}
+
+/// The answer for one of several files; what is wrong with it does not stop the others.
+FileAnswer answer_for(const Given& given, const std::string& file, const Progress& progress) {
+  FileAnswer of{.file = file, .answer = {}, .fault = {}};
+  try {
+    const Asked asked = asked_by(given, &file);
+    of.answer.emplace(run(given.command, asked.drive, asked.options, asked.attached, progress,
+                          {.units = asked.units, .beside = attachments_beside}));
+    const ResultEvidence& evidence = of.answer->evidence();
+    of.fault = evidence.unusable_because;
+    of.code = !of.answer->usable()
+                  ? (evidence.refused ? kInput : kNotUsable)
+                  : exit_code_of(evidence.requirement.value_or(RequirementOutcome::met));
+  } catch (const OptionError& error) {
+    of.fault = error.what();
+    of.code = kUsage;
+  } catch (const InputError& error) {
+    of.fault = error.what();
+    of.code = kInput;
+  } catch (const SolverError& error) {
+    of.fault = error.what();
+    of.code = kNotUsable;
+  }
+  return of;
+}
+
+ExitCode run_several(const Given& given, const std::vector<std::string>& files) {
+  const Asked asked = asked_by(given, nullptr);
+  if (given.program.ranks != nullptr || !asked.journal.empty() || !answers_several(given.command))
+    throw UsageError(fmt::format("{} answers for one FILE at a time", given.command.name));
+  if (!asked.beside.empty())
+    throw UsageError(fmt::format("--{} shows one drive: name one FILE", asked.beside[0].second));
+  if (asked.main != "text" && asked.main != "csv" && asked.main != "json")
+    throw UsageError(fmt::format("--format {} shows one drive: name one FILE", asked.main));
+  const Interrupt interrupt;
+  std::vector<FileAnswer> answers;
+  for (const std::string& file : files) {
+    const Progress progress([&](double share) { return interrupt(share); },
+                            [&](const std::string& line) { warn(given.program, line); });
+    answers.push_back(answer_for(given, file, progress));
+  }
+  deliver({{asked.main_path, several_document(asked.main, answers, asked.units, asked.columns)}});
+  for (const FileAnswer& of : answers)
+    if (!of.fault.empty())
+      warn(given.program, of.fault.starts_with(of.file) ? of.fault : of.file + ": " + of.fault);
+  return worst_of(answers);
+}
+
+ExitCode run_command(Given given) {
+  const Command& command = given.command;
+  const Ranks& ranks = given.program.ranks != nullptr ? *given.program.ranks : kAlone;
+  ranks.together([&] { require_distinct_files(given); });
+  const std::vector<std::string> inputs = take_files(given);
+  if (inputs.size() > 1) return run_several(given, inputs);
+  std::optional<Asked> read;
   ranks.together([&] {
-    require_distinct_files(given);
-    for (std::size_t i = 0; i < given.arguments.size(); ++i)
-      take(given.arguments[i], given.texts[i]);
+    if (!inputs.empty() && inputs[0] == "-" && ranks.size() > 1)
+      throw InputError("FILE", "standard input reaches the first rank only: name a file");
+    read = asked_by(given, inputs.empty() ? nullptr : &inputs[0]);
   });
+  OptionValues& options = read->options;
+  std::optional<FileJournal> journal;
+  if (!read->journal.empty()) journal.emplace(read->journal);
+  const std::string& main = read->main;
+  const std::string& main_path = read->main_path;
   const auto chosen = std::ranges::find(command.documents, main, &Document::name);
   const bool folder = chosen != command.documents.end() && chosen->folder;
   if (folder && main_path.empty())
@@ -174,11 +291,15 @@ ExitCode run_command(const Given& given) {
   std::vector<OutputFile> files;
   std::vector<std::pair<std::string, std::string>> texts;  // path, document
   ranks.together([&] {
-    answer.emplace(run(command, drive, options, attached, progress,
-                       {.ranks = ranks, .journal = journal ? &*journal : nullptr}));
+    answer.emplace(run(command, read->drive, options, read->attached, progress,
+                       {.ranks = ranks,
+                        .journal = journal ? &*journal : nullptr,
+                        .units = read->units,
+                        .columns = read->columns,
+                        .beside = attachments_beside}));
     if (folder) files = answer->files(main);
     if (!ranks.first() || command.documents.empty()) return;
-    for (const auto& [path, document] : beside)
+    for (const auto& [path, document] : read->beside)
       texts.emplace_back(path, answer->document(document));
     if (!folder) texts.emplace_back(main_path, answer->document(main));
     progress.at(1.0);
@@ -192,7 +313,8 @@ ExitCode run_command(const Given& given) {
 std::string as_typed(const OptionError& error, const std::vector<Argument>& arguments) {
   const std::string message = error.what();
   for (const Argument& argument : arguments)
-    if (argument.role == Role::option && argument.key == error.field())
+    if (argument.name == "--" + error.field() ||
+        (argument.role == Role::option && argument.key == error.field()))
       return argument.name + message.substr(error.field().size());
   return message;
 }
@@ -246,6 +368,34 @@ void add_command(CLI::App& parent, std::string_view word, const Program& program
   });
 }
 
+/// @throws UsageError  the line names no command; the message suggests the nearest
+void require_command(const Program& program, std::span<const std::string> words) {
+  const auto refuse = [&](std::string_view what, std::string_view word,
+                          const std::vector<std::string>& known) {
+    const std::string near = nearest_word(word, known);
+    throw UsageError(near.empty() ? fmt::format("{} is no command; {}{} --help lists them",
+                                                shown(word), program.name, what)
+                                  : fmt::format("{} is no command; did you mean {}{} {}?",
+                                                shown(word), program.name, what, near));
+  };
+  if (words.empty())
+    throw UsageError(fmt::format("name a command; {} --help lists them", program.name));
+  const std::string& first = words.front();
+  if (first.starts_with('-') || means_unnamed(program, first)) return;
+  const auto commands = commands_of(program, first);
+  std::vector<std::string> known;
+  if (commands.empty()) {
+    for (const std::string_view word : first_words(program)) known.emplace_back(word);
+    refuse("", first, known);
+  }
+  if (second_word(*commands.front()).empty()) return;
+  for (const Command* const command : commands) known.emplace_back(second_word(*command));
+  if (words.size() == 1)
+    throw UsageError(fmt::format("{} needs a second word: {}", first, fmt::join(known, ", ")));
+  if (!words[1].starts_with('-') && std::ranges::find(known, words[1]) == known.end())
+    refuse(fmt::format(" {}", first), words[1], known);
+}
+
 ExitCode parse_and_run(const Program& program, std::span<const std::string> words) {
   CLI::App app{std::string(program.summary), std::string(program.name)};
   app.set_version_flag("--version",
@@ -256,6 +406,7 @@ ExitCode parse_and_run(const Program& program, std::span<const std::string> word
     app.footer(fmt::format("{0} FILE is {0} {1} FILE", program.name, program.unnamed));
   app.get_formatter()->column_width(34);
   Work chosen;
+  require_command(program, words);
   for (const std::string_view word : first_words(program)) {
     const auto commands = commands_of(program, word);
     if (second_word(*commands.front()).empty()) {

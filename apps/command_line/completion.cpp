@@ -83,7 +83,7 @@ std::vector<std::string> values(const Program& program, const Argument& argument
   if (!argument.names.empty()) {
     known = names_of(program, argument.names, file);
     // Of a list with commas, the last name is completed.
-    if (argument.names == "factor")
+    if (argument.names == "factor" || argument.names == "unit")
       if (const std::size_t comma = line.current.rfind(','); comma != std::string::npos) {
         line.kept += line.current.substr(0, comma + 1);
         line.current.erase(0, comma + 1);

@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "strainwave/command/exit_status.hpp"
 #include "strainwave/core/error.hpp"
 
 namespace strainwave::cli {
 
-/// What a program tells its caller; docs/adr/0002.
-enum ExitCode : int {
-  kOk = 0,
-  kUsage = 2,          ///< the command line is wrong
-  kInput = 3,          ///< the input breaks a rule
-  kNotUsable = 4,      ///< there is no answer, or none that may be used
-  kNotMet = 5,         ///< a requirement is not met
-  kCannotTell = 6,     ///< a requirement cannot be told within the uncertainty of the answer
-  kUnwritable = 7,     ///< the output cannot be written
-  kInternal = 70,      ///< our own mistake
-  kNoMemory = 71,      ///< there is not enough memory
-  kInterrupted = 130,  ///< stopped by SIGINT, as a shell reports it
-};
+using ExitCode = ExitStatus;
+using enum ExitStatus;
 
 /// The command line itself cannot be understood.
 class UsageError : public Error {

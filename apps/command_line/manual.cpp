@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "strainwave/command/exit_status.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/version.hpp"
 
@@ -72,18 +73,12 @@ std::string documents(const Command& command) {
                             "of all results\n";
 }
 
-constexpr std::string_view kExitStatus =
-    ".SH EXIT STATUS\n"
-    ".TP\n0\nan answer was printed, and all requirements are met\n"
-    ".TP\n2\nthe command line is wrong\n"
-    ".TP\n3\nthe input breaks a rule; the message names file, line, field, value and rule\n"
-    ".TP\n4\nthere is no answer, or none that may be used; the message says why\n"
-    ".TP\n5\na requirement is not met\n"
-    ".TP\n6\na requirement cannot be told within the uncertainty of the answer\n"
-    ".TP\n7\nthe output cannot be written\n"
-    ".TP\n70\ninternal error: please report it\n"
-    ".TP\n71\nthere is not enough memory\n"
-    ".TP\n130\ninterrupted; nothing was written\n";
+std::string exit_status() {
+  std::string section = ".SH EXIT STATUS\n";
+  for (const auto& [status, meaning] : kExitStatuses)
+    section += fmt::format(".TP\n{}\n{}\n", static_cast<int>(status), meaning);
+  return section;
+}
 
 }  // namespace
 
@@ -98,7 +93,7 @@ std::string program_page(const Program& program) {
   page +=
       ".SH OPTIONS\n.TP\n\\fB\\-\\-help\\fR\nprint help, also of a command\n"
       ".TP\n\\fB\\-\\-version\\fR\nprint version and revision\n";
-  page += kExitStatus;
+  page += exit_status();
   std::vector<std::string> pages;
   for (const std::string_view word : first_words(program))
     pages.push_back(fmt::format(".BR {}\\-{} (1)", program.name, word));
@@ -131,7 +126,7 @@ std::string command_page(const Program& program, std::string_view first_word) {
   page += ".SH DESCRIPTION\n" + escaped(first.description) + '\n';
   page += ".SH OPTIONS\n" + lists;
   if (!made.empty()) page += ".SH DOCUMENTS\n" + made;
-  page += kExitStatus;
+  page += exit_status();
   page += ".SH EXAMPLE\n.nf\n" + examples + ".fi\n";
   return page + fmt::format(".SH SEE ALSO\n.BR {} (1)\n", program.name);
 }

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "several.hpp"
+
 namespace strainwave::cli {
 namespace {
 
@@ -59,6 +61,41 @@ Argument path_argument(Role role, std::string_view option, std::string_view key,
           .fallback = {}};
 }
 
+/// Whether a type holds a number that has a unit.
+class UnitSeeker : public TypeVisitor {
+ public:
+  [[nodiscard]] bool found() const { return found_; }
+
+  void begin_record() override {}
+  void end_record() override {}
+  void field(const Field&, Presence) override {}
+  void begin_list() override {}
+  void end_list() override {}
+  void begin_map() override {}
+  void end_map() override {}
+  void begin_alternatives() override {}
+  void end_alternatives() override {}
+  void kind(std::string_view) override {}
+  void column(const Field& field) override { number(field); }
+  void number(const Field& field) override {
+    found_ = found_ || (!field.unit.empty() && field.unit != "1");
+  }
+  void quantity(const Field& field) override { number(field); }
+  void whole(const Field&) override {}
+  void flag() override {}
+  void text() override {}
+  void choice(std::span<const std::string_view>) override {}
+
+ private:
+  bool found_ = false;
+};
+
+bool has_units(const Command& command) {
+  UnitSeeker seeker;
+  command.walk({}, seeker);
+  return seeker.found();
+}
+
 }  // namespace
 
 bool means_unnamed(const Program& program, std::string_view first) {
@@ -94,14 +131,22 @@ std::string_view second_word(const Command& command) {
 
 std::vector<Argument> arguments_of(const Command& command) {
   std::vector<Argument> arguments;
-  if (command.takes == Takes::drive)
+  if (command.takes == Takes::drive) {
+    // Behind another positional argument the words themselves tell which are files.
+    const bool alone = std::ranges::none_of(
+        command.options.options, [](const Option& option) { return option.field.positional; });
+    const bool several = answers_several(command);
     arguments.push_back({.role = Role::input,
                          .name = "FILE",
                          .key = {},
                          .type = "PATH",
+                         .repeatable = several && alone,
                          .required = true,
-                         .doc = "input file, or - for standard input",
+                         .doc = several ? "input file, or - for standard input; of several files "
+                                          "a table, one row for each"
+                                        : "input file, or - for standard input",
                          .fallback = {}});
+  }
   for (const Option& option : command.options.options) arguments.push_back(argument_of(option));
   if (command.documents.empty()) return arguments;
 
@@ -133,6 +178,23 @@ std::vector<Argument> arguments_of(const Command& command) {
   format.choices.push_back("json");
   arguments.push_back(std::move(format));
   arguments.push_back(std::move(output));
+  if (has_units(command))
+    arguments.push_back({.role = Role::units,
+                         .name = "--units",
+                         .key = {},
+                         .type = "TEXT",
+                         .doc = "of the answer, such as mm,N*m/rad; si for SI throughout",
+                         .fallback = {},
+                         .names = "unit"});
+  if (std::ranges::any_of(command.documents, [](const Document& document) {
+        return document.format == Format::csv && document.option.empty();
+      }))
+    arguments.push_back({.role = Role::columns,
+                         .name = "--columns",
+                         .key = {},
+                         .type = "TEXT",
+                         .doc = "of the csv format, names separated by commas",
+                         .fallback = {}});
   arguments.insert(arguments.end(), beside.begin(), beside.end());
   return arguments;
 }

@@ -55,6 +55,8 @@ enum class Role {
   option,    ///< sets an option of the command
   format,    ///< chooses the main document
   output,    ///< takes the path of the main document
+  units,     ///< chooses the units of the documents
+  columns,   ///< chooses the columns of a CSV table
   journal,   ///< takes the path of the journal
   document,  ///< takes the path of a document beside the main one
 };

@@ -64,10 +64,25 @@ local function unbroken(list)
   return out
 end
 
+local letters = {text = "", alpha = "α", beta = "β", gamma = "γ", theta = "θ", lambda = "λ", nu = "ν", sigma = "σ",
+                 tau = "τ", phi = "φ", varphi = "φ", pi = "π", circ = "°", cdot = "·", times = "×", le = "≤", ge = "≥"}
+
+-- What a reader who does not see a picture is told: its caption without TeX.
+local function spoken(image)
+  local text = pandoc.utils.stringify(pandoc.walk_inline(image, {Math = function(math)
+    local plain = math.text:gsub("\\(%a+)", function(name) return letters[name] or error("the caption of a picture has \\" .. name .. ", which has no letter here")
+    end)
+    return pandoc.Str((plain:gsub("[{}\\]", ""):gsub("%^°", "°"):gsub("~", " ")))
+  end}).caption)
+  image.attributes.alt = text
+  return image
+end
+
 function Pandoc(doc)
   for i, block in ipairs(doc.blocks) do
     if block.t ~= "Header" then doc.blocks[i] = pandoc.walk_block(pandoc.walk_block(block, {Inlines = inlines}), {Inlines = unbroken}) end
   end
+  doc = doc:walk({Image = spoken})
   local collector = {Header = note, Span = note, Div = note, Image = note, Link = function(element)
     if element.target:sub(1, 1) == "#" then wanted[element.target] = true end
   end}

@@ -8,17 +8,41 @@
 #include <nlohmann/json.hpp>
 
 #include "strainwave/core/nearest.hpp"
+#include "strainwave/core/number_text.hpp"
 #include "strainwave/core/quadrature.hpp"
 #include "strainwave/core/version.hpp"
 #include "strainwave/io/gear_reader.hpp"
+#include "strainwave/model/input/vary_option.hpp"
 #include "strainwave/present/json.hpp"
 #include "strainwave/present/reference.hpp"
 #include "strainwave/present/schema.hpp"
+#include "strainwave/present/table.hpp"
 
 namespace strainwave {
 namespace {
 
 constexpr std::string_view kEnvelope = "strainwave-result/1";
+
+/// The unit of "PATH=FROM..TO:N" or "OUTPUT >= VALUE"; asks for nothing where there is none.  What
+/// is wrong with the text, the command says.
+void ask_as_typed(AskedUnits& units, std::string_view text) {
+  const std::size_t sign = text.find_first_of("<>");
+  const std::size_t at = sign != std::string_view::npos ? sign : text.rfind('=');
+  if (at == std::string_view::npos) return;
+  const std::string_view name = without_blanks(text.substr(0, at));
+  std::string_view value = text.substr(at + 1);
+  if (value.starts_with('=')) value.remove_prefix(1);
+  value = value.substr(0, value.find(':'));
+  if (const std::size_t dots = value.rfind(".."); dots != std::string_view::npos)
+    value.remove_prefix(dots + 2);
+  value = without_blanks(value);
+  if (value.starts_with('+')) value.remove_prefix(1);
+  const std::string_view unit = without_blanks(value.substr(number_length(value)));
+  try {
+    if (!unit.empty()) units.ask_for(name, unit);
+  } catch (const InputError&) {
+  }
+}
 
 Field named(std::string_view name) { return {.name = name, .unit = {}, .doc = {}}; }
 
@@ -56,20 +80,34 @@ Answer run(const Command& command, const std::shared_ptr<const Drive>& drive,
 Answer::Answer(const Command& command, std::shared_ptr<const Drive> drive,
                const OptionValues& options, const OptionTexts& texts, const Progress& progress,
                const Host& host)
-    : command_(&command), drive_(std::move(drive)), options_(options), ranks_(&host.ranks) {
+    : command_(&command),
+      drive_(std::move(drive)),
+      options_(options),
+      ranks_(&host.ranks),
+      units_(host.units),
+      json_units_(host.units),
+      columns_(host.columns) {
   options_.require_complete();
+  for (const auto& [name, text] : options_.texts())
+    for (const Option& option : command.options.options)
+      if (option.field.name == name &&
+          (option.field.names == "output" || option.field.names == "field path"))
+        ask_as_typed(units_, text);
+  const AskedUnitsScope scope(units_);
   result_ = command.run(command,
                         {.drive = *drive_,
                          .texts = texts,
                          .progress = progress,
                          .ranks = host.ranks,
-                         .journal = host.journal},
+                         .journal = host.journal,
+                         .beside = host.beside},
                         options_.get());
   evidence_ = command.evidence(result_.get());
 }
 
 std::string Answer::json() const {
   JsonWriter to;
+  to.write_units(json_units_);
   const auto part = [&](std::string_view name, const auto& value) {
     if (to.field(named(name))) visit_value(value, {}, to);
   };
@@ -117,9 +155,17 @@ std::vector<OutputFile> Answer::files(std::string_view name) const {
     throw OptionError("document", fmt::format("{} makes no {}; it makes {}", command_->name,
                                               shown(name), fmt::join(names, ", ")));
   }
-  return command_->write(
+  const AskedUnitsScope scope(units_);
+  std::vector<OutputFile> made = command_->write(
       *command_, static_cast<std::size_t>(found - command_->documents.begin()), result_.get(),
       {.drive = *drive_, .provenance = provenance_of(*drive_), .ranks = *ranks_, .answer = *this});
+  if (found->format == Format::csv)
+    for (OutputFile& file : made) {
+      if (!units_.empty()) file.text = csv_in_units(file.text, units_);
+      if (!columns_.empty() && found->option.empty())
+        file.text = from_option([&] { return csv_columns(file.text, columns_); });
+    }
+  return made;
 }
 
 std::string result_schema(const Command& command) {

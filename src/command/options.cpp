@@ -65,17 +65,17 @@ void refuse_unknown_option(std::string_view name, std::span<const Option> known)
 }  // namespace detail
 
 bool OptionValues::given(std::string_view name) const {
-  return std::ranges::find(given_, name) != given_.end();
+  return std::ranges::find(given_, name, &std::pair<std::string, std::string>::first) !=
+         given_.end();
 }
 
 void OptionValues::set(std::string_view name, std::string_view text) {
   const auto found = std::ranges::find(type_->options, name,
                                        [](const Option& option) { return option.field.name; });
   if (found == type_->options.end()) detail::refuse_unknown_option(name, type_->options);
-  const bool again = given(name);
-  if (again && !found->repeatable) throw OptionError(name, "is given twice; give it once");
+  if (given(name) && !found->repeatable) throw OptionError(name, "is given twice; give it once");
   type_->set(values_.get(), name, text);
-  if (!again) given_.emplace_back(name);
+  given_.emplace_back(name, text);
 }
 
 void OptionValues::set_from_json(std::string_view json) {

@@ -5,13 +5,17 @@
 
 #include <utility>
 
+#include "strainwave/core/asked_units.hpp"
+#include "strainwave/core/shown_text.hpp"
+
 namespace strainwave {
 namespace {
 
 /// A field may be a whole file name, or a key that is no name at all; it is never cut in practice.
 std::string shown_field(std::string_view field) { return shown(field, 5000); }
 
-std::string shown_value(double value, std::string_view unit) {
+std::string shown_value(std::string_view field, double value, std::string_view unit) {
+  if (within_asked_units()) return shown_quantity(value, unit, 9, field);
   const std::string_view shown_unit = unit == "1" ? "" : unit;
   return fmt::format("{:.9g}{}{}", value, shown_unit.empty() ? "" : " ", shown_unit);
 }
@@ -38,9 +42,9 @@ InputError::InputError(const std::string& message, Parts parts)
 
 InputError::InputError(std::string_view field, double value, std::string_view unit,
                        std::string_view rule)
-    : Error(violation(field, shown_value(value, unit), rule)),
+    : Error(violation(field, shown_value(field, value, unit), rule)),
       field_(field),
-      value_(shown_value(value, unit)),
+      value_(shown_value(field, value, unit)),
       rule_(rule) {}
 
 InputError::InputError(std::string_view field, std::string_view problem)

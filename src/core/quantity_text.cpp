@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <system_error>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/number_text.hpp"
@@ -12,12 +14,6 @@
 
 namespace strainwave {
 namespace {
-
-struct NamedUnit {
-  std::string_view symbol;
-  Unit unit;
-  bool takes_prefix;
-};
 
 constexpr Dimension kOne = {};
 constexpr Dimension kLength = {1, 0, 0, 0, 0, 0};
@@ -34,39 +30,112 @@ constexpr Dimension kEnergy = {2, 1, -2, 0, 0, 1};
 constexpr Dimension kPower = {2, 1, -3, 0, 0, 1};
 
 // One line per unit: to support a new unit, add a line here.
-constexpr NamedUnit kUnits[] = {
-    {"1", {1.0, kOne}, false},
-    {"%", {0.01, kOne}, false},
-    {"m", {1.0, kLength}, true},
-    {"g", {1e-3, kMass}, true},
-    {"s", {1.0, kTime}, true},
-    {"min", {60.0, kTime}, false},
-    {"h", {3600.0, kTime}, false},
-    {"K", {1.0, kTemperature}, true},
-    {"rad", {1.0, kAngle}, true},
-    {"deg", {units::deg, kAngle}, false},
-    {"arcmin", {units::arcmin, kAngle}, false},
-    {"arcsec", {units::arcsec, kAngle}, false},
-    {"Hz", {1.0, kFrequency}, true},
-    {"rpm", {units::rpm, kSpeed}, false},
-    {"N", {1.0, kForce}, true},
-    {"Nm", {1.0, kTorque}, true},
-    {"Pa", {1.0, kStress}, true},
-    {"J", {1.0, kEnergy}, true},
-    {"W", {1.0, kPower}, true},
+constexpr KnownUnit kUnits[] = {
+    {"1", {1.0, kOne, 0}, "pure number", false},
+    {"%", {0.01, kOne, -2}, "pure number", false},
+    {"m", {1.0, kLength, 0}, "length", true},
+    {"in", {0.0254, kLength, {}}, "length", false},
+    {"ft", {0.3048, kLength, {}}, "length", false},
+    {"g", {1e-3, kMass, -3}, "mass", true},
+    {"s", {1.0, kTime, 0}, "time", true},
+    {"min", {60.0, kTime, {}}, "time", false},
+    {"h", {3600.0, kTime, {}}, "time", false},
+    {"K", {1.0, kTemperature, 0}, "temperature", true},
+    {"rad", {1.0, kAngle, 0}, "angle", true},
+    {"deg", {units::deg, kAngle, {}}, "angle", false},
+    {"\xC2\xB0", {units::deg, kAngle, {}}, "angle", false},
+    {"arcmin", {units::arcmin, kAngle, {}}, "angle", false},
+    {"\xE2\x80\xB2", {units::arcmin, kAngle, {}}, "angle", false},
+    {"arcsec", {units::arcsec, kAngle, {}}, "angle", false},
+    {"\xE2\x80\xB3", {units::arcsec, kAngle, {}}, "angle", false},
+    {"Hz", {1.0, kFrequency, 0}, "frequency", true},
+    {"rpm", {units::rpm, kSpeed, {}}, "rotational speed", false},
+    {"N", {1.0, kForce, 0}, "force", true},
+    {"lbf", {units::lbf, kForce, {}}, "force", false},
+    {"Nm", {1.0, kTorque, 0}, "torque", true},
+    {"Pa", {1.0, kStress, 0}, "stress", true},
+    {"psi", {units::psi, kStress, {}}, "stress", false},
+    {"ksi", {1e3 * units::psi, kStress, {}}, "stress", false},
+    {"J", {1.0, kEnergy, 0}, "energy", true},
+    {"W", {1.0, kPower, 0}, "power", true},
 };
 
-struct Prefix {
-  std::string_view symbol;
-  double factor;
-};
+constexpr UnitPrefix kPrefixes[] = {{"n", -9},        {"u", -6}, {"\xC2\xB5", -6},
+                                    {"\xCE\xBC", -6}, {"m", -3}, {"c", -2},
+                                    {"k", 3},         {"M", 6},  {"G", 9}};
 
-constexpr Prefix kPrefixes[] = {{"n", 1e-9},        {"u", 1e-6}, {"\xC2\xB5", 1e-6},
-                                {"\xCE\xBC", 1e-6}, {"m", 1e-3}, {"c", 1e-2},
-                                {"k", 1e3},         {"M", 1e6},  {"G", 1e9}};
+/// A sign of typeset text and how a unit is written without it.
+struct TypesetSign {
+  std::string_view sign;
+  std::string_view plain;
+};
+constexpr TypesetSign kSigns[] = {
+    {"\xC2\xB7", "*"},           // middle dot
+    {"\xE2\x8B\x85", "*"},       // dot operator
+    {"\xC3\x97", "*"},           // multiplication sign
+    {"\xE2\x88\x92", "-"},       // minus
+    {"\xE2\x88\x9Am", "m^0.5"},  // root of a metre
+    {"\xC2\xA0", " "},          {"\xE2\x80\x89", " "}, {"\xE2\x80\xAF", " "},  // narrow blanks
+};
+constexpr TypesetSign kRaised[] = {
+    {"\xE2\x81\xBB", "-"}, {"\xE2\x81\xB0", "0"}, {"\xC2\xB9", "1"},     {"\xC2\xB2", "2"},
+    {"\xC2\xB3", "3"},     {"\xE2\x81\xB4", "4"}, {"\xE2\x81\xB5", "5"}, {"\xE2\x81\xB6", "6"},
+    {"\xE2\x81\xB7", "7"}, {"\xE2\x81\xB8", "8"}, {"\xE2\x81\xB9", "9"}};
+
+/// The text with plain characters for typeset signs: "MPa*m^0.5", "m^-2".
+std::string plainly_written(std::string_view text) {
+  std::string plain;
+  bool raised = false;
+  const auto take = [&](std::span<const TypesetSign> signs) -> const TypesetSign* {
+    const auto found = std::ranges::find_if(
+        signs, [&](const TypesetSign& sign) { return text.starts_with(sign.sign); });
+    if (found == signs.end()) return nullptr;
+    text.remove_prefix(found->sign.size());
+    return &*found;
+  };
+  while (!text.empty()) {
+    if (const TypesetSign* const digit = take(kRaised)) {
+      if (!raised) plain += '^';
+      plain += digit->plain;
+      raised = true;
+      continue;
+    }
+    raised = false;
+    if (const TypesetSign* const sign = take(kSigns)) {
+      plain += sign->plain;
+    } else {
+      plain += text.front();
+      text.remove_prefix(1);
+    }
+  }
+  return plain;
+}
+
+/// A decimal number times a power of ten, as text: exact.
+/// @param text  a number as number_length knows it
+std::string shifted_text(std::string_view text, int power) {
+  const std::size_t e = text.find_first_of("eE");
+  int exponent = 0;
+  if (e != std::string_view::npos) {
+    std::string_view digits = text.substr(e + 1);
+    if (digits.starts_with('+')) digits.remove_prefix(1);
+    const auto [end, fault] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+    // A number with such an exponent is too large or too small in any unit.
+    if (fault != std::errc() || std::abs(exponent) > 100'000) return std::string(text);
+  }
+  return power == 0 ? std::string(text) : fmt::format("{}e{}", text.substr(0, e), exponent + power);
+}
+
+double power_of_ten(int power) {
+  constexpr int kExact = 22;  // largest power of ten that a double holds exactly
+  const double size = std::pow(10.0, std::min(std::abs(power), kExact));
+  if (std::abs(power) <= kExact) return power < 0 ? 1 / size : size;
+  return *parse_number(fmt::format("1e{}", power));
+}
 
 const Unit* known_unit(std::string_view symbol, bool prefixed) {
-  const auto* const found = std::ranges::find(kUnits, symbol, &NamedUnit::symbol);
+  const auto* const found = std::ranges::find(kUnits, symbol, &KnownUnit::symbol);
   return found != std::end(kUnits) && (!prefixed || found->takes_prefix) ? &found->unit : nullptr;
 }
 
@@ -130,20 +199,30 @@ class UnitParser {
     const std::string_view symbol = rest_.substr(0, n);
     rest_.remove_prefix(n);
     if (const Unit* const unit = known_unit(symbol, false)) return *unit;
-    for (const auto& [prefix, scale] : kPrefixes) {
-      if (!symbol.starts_with(prefix)) continue;
-      if (const Unit* const unit = known_unit(symbol.substr(prefix.size()), true))
-        return {scale * unit->factor, unit->dimension};
+    for (const UnitPrefix& prefix : kPrefixes) {
+      if (!symbol.starts_with(prefix.symbol)) continue;
+      if (const Unit* const unit = known_unit(symbol.substr(prefix.symbol.size()), true))
+        return {power_of_ten(prefix.power + *unit->power_of_ten), unit->dimension,
+                prefix.power + *unit->power_of_ten};
     }
     refuse(symbol.empty()
                ? "lacks a unit where one is due"
                : fmt::format("has the unknown unit \"{}\"; known are products such as mm, N*m/rad "
-                             "or MPa*m^0.5",
+                             "or MPa*m^0.5; strainwave units lists all",
                              shown(symbol)));
   }
 
   static void multiply(Unit& result, const Unit& by, double exponent) {
-    result.factor *= std::pow(by.factor, exponent);
+    const double power = by.power_of_ten && result.power_of_ten
+                             ? *result.power_of_ten + *by.power_of_ten * exponent
+                             : 0.5;
+    if (power == std::round(power) && std::abs(power) < 300) {
+      result.power_of_ten = static_cast<int>(power);
+      result.factor = strainwave::power_of_ten(*result.power_of_ten);
+    } else {
+      result.power_of_ten.reset();
+      result.factor *= std::pow(by.factor, exponent);
+    }
     for (std::size_t i = 0; i < result.dimension.size(); ++i)
       result.dimension[i] += exponent * by.dimension[i];
   }
@@ -153,10 +232,6 @@ class UnitParser {
   std::string_view rest_;
 };
 
-bool same_dimension(const Dimension& a, const Dimension& b) {
-  return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) < 1e-9; });
-}
-
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
@@ -165,29 +240,102 @@ std::string_view trimmed(std::string_view text) {
 
 }  // namespace
 
-Unit parse_unit(std::string_view text) { return UnitParser("unit", text, text).parse(); }
+std::span<const KnownUnit> known_units() { return kUnits; }
+
+std::span<const UnitPrefix> unit_prefixes() { return kPrefixes; }
+
+Unit parse_unit(std::string_view text) {
+  return UnitParser("unit", text, plainly_written(text)).parse();
+}
+
+bool same_dimension(const Unit& a, const Unit& b) {
+  return std::ranges::equal(a.dimension, b.dimension,
+                            [](double x, double y) { return std::abs(x - y) < 1e-9; });
+}
 
 double parse_quantity(std::string_view field, std::string_view text, std::string_view unit) {
   const auto refuse = [&](std::string_view why) {
     throw InputError(field, fmt::format("\"{}\" {}", shown(text), why));
   };
-  std::string_view rest = trimmed(text);
+  const std::string plain = plainly_written(text);
+  std::string_view rest = trimmed(plain);
   if (rest.starts_with('+') && !rest.starts_with("+-")) rest.remove_prefix(1);
   const std::size_t length = number_length(rest);
   if (length == 0) refuse("must start with a finite number, such as 2.24 or 1.2e5");
-  const std::optional<double> number = parse_number(rest.substr(0, length));
-  if (!number) refuse("has a number that is too large or too small");
+  const std::string_view digits = rest.substr(0, length);
   rest.remove_prefix(length);
   if (rest.starts_with(',')) refuse("has a comma; write a decimal point");
+  int power = 0;
+  if (rest.starts_with("*10^")) {  // as a report prints it
+    const std::string_view exponent = rest.substr(4);
+    const auto [end, fault] =
+        std::from_chars(exponent.data(), exponent.data() + exponent.size(), power);
+    if (fault != std::errc() || std::abs(power) > 1000) refuse("needs a whole number after 10^");
+    rest.remove_prefix(4 + static_cast<std::size_t>(end - exponent.data()));
+  }
   rest = trimmed(rest);
+  if (!parse_number(digits)) refuse("has a number that is too large or too small");
   if (rest.empty() && unit != "1")
     refuse(fmt::format("has no unit; it must be convertible to {}", unit));
   const Unit given = rest.empty() ? Unit{} : UnitParser(field, text, rest).parse();
-  if (!same_dimension(given.dimension, parse_unit(unit).dimension))
+  if (!same_dimension(given, parse_unit(unit)))
     refuse(fmt::format("is not convertible to {}", unit));
-  const double value = *number * given.factor;
+  const std::optional<double> number =
+      parse_number(shifted_text(digits, power + given.power_of_ten.value_or(0)));
+  if (!number) refuse(power + *given.power_of_ten > 0 ? "is too large" : "is too small");
+  const double value = given.power_of_ten ? *number : *number * given.factor;
   if (!std::isfinite(value)) refuse("is too large");
   return value;
+}
+
+namespace {
+
+/// A number in plain digits, or in those of an exponent where it is far from 1.
+/// @param text  a number as number_length knows it, such as "0.0102e3"
+std::string plain_digits(std::string_view text) {
+  const std::size_t e = std::min(text.find('e'), text.size());
+  int exponent = 0;
+  if (e < text.size()) std::from_chars(text.data() + e + 1, text.data() + text.size(), exponent);
+  std::string digits(text.substr(0, e));
+  const bool negative = digits.starts_with('-');
+  if (negative) digits.erase(0, 1);
+  const std::size_t point = std::min(digits.find('.'), digits.size());
+  int before = static_cast<int>(point) + exponent;  // digits before the point
+  if (point < digits.size()) digits.erase(point, 1);
+  const std::size_t zeros = std::min(digits.find_first_not_of('0'), digits.size() - 1);
+  digits.erase(0, zeros);
+  before -= static_cast<int>(zeros);
+  std::string plain;
+  if (before > 16 || before < -3)
+    plain = fmt::format("{}{}{}e{:+03}", digits[0], digits.size() > 1 ? "." : "", digits.substr(1),
+                        before - 1);
+  else if (before <= 0)
+    plain = "0." + std::string(static_cast<std::size_t>(-before), '0') + digits;
+  else if (digits.size() <= static_cast<std::size_t>(before))
+    plain = digits + std::string(static_cast<std::size_t>(before) - digits.size(), '0');
+  else
+    plain = digits.insert(static_cast<std::size_t>(before), 1, '.');
+  return negative ? '-' + plain : plain;
+}
+
+}  // namespace
+
+std::string number_in(double value, const Unit& unit) {
+  const std::string si = fmt::format("{}", value);
+  if (value == 0.0 || !std::isfinite(value)) return si;
+  if (unit.power_of_ten) {
+    const std::string exact = shifted_text(si, -*unit.power_of_ten);
+    const std::optional<double> number = parse_number(exact);
+    std::string text = number ? fmt::format("{}", *number) : std::string();
+    const bool reads_back = number && parse_number(shifted_text(text, *unit.power_of_ten)) == value;
+    return reads_back ? text : plain_digits(exact);
+  }
+  const double number = value / unit.factor;
+  for (int digits = 1; digits <= 17; ++digits) {
+    const double rounded = *parse_number(fmt::format("{:.{}g}", number, digits));
+    if (rounded * unit.factor == value) return fmt::format("{}", rounded);
+  }
+  return fmt::format("{}", number);  // no number in this unit is the value: the nearest
 }
 
 std::string quantity_text(double value, std::string_view unit) {

@@ -95,6 +95,7 @@ DisplayUnit display_unit(std::string_view name, std::string_view si) {
       {"N*m/rad", {"N*m/arcmin", 1 / units::arcmin}},
       {"Pa*m^0.5", {"MPa*m^0.5", units::MPa}},
   };
+  if (const auto asked = asked_units().of(name, si)) return *asked;
   if (name.ends_with("_change") || name.ends_with("_loss") ||
       name.find(".change.") != std::string_view::npos)
     return {"%", 0.01};
@@ -105,8 +106,8 @@ DisplayUnit display_unit(std::string_view name, std::string_view si) {
 
 std::string shown_quantity(double value, std::string_view si, int digits, std::string_view name) {
   constexpr double kStiff = 10 * units::GPa;  // moduli are above, stresses below
-  const DisplayUnit unit = si == "Pa" && std::abs(value) >= kStiff ? DisplayUnit{"GPa", units::GPa}
-                                                                   : display_unit(name, si);
+  const bool stiff = si == "Pa" && std::abs(value) >= kStiff && !asked_units().of(name, si);
+  const DisplayUnit unit = stiff ? DisplayUnit{"GPa", units::GPa} : display_unit(name, si);
   const std::string number = fmt::format("{:.{}g}", value / unit.in_si, digits);
   return unit.text == "1" ? number : fmt::format("{} {}", number, unit.text);
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "strainwave/core/quantity_text.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/present/table.hpp"
 
@@ -13,11 +12,14 @@ std::string requirements_text(const RequirementReport& report) {
   Table table{.head = {"requirement", "answer", "value", "with its uncertainty"}, .align = "llrl"};
   for (const RequirementAnswer& answer : report.answers) {
     const Requirement& asked = answer.requirement;
+    const auto number = [&](double value) {
+      return shown_quantity(value, asked.unit, 6, asked.output);
+    };
     table.rows.push_back(
         cells(fmt::format("{} {} {}", asked.output, enum_name(asked.comparison),
-                          quantity_text(asked.bound, asked.unit)),
-              answer.outcome, fmt::format("{:.6g}", answer.value.value),
-              answer.low ? fmt::format("{:.6g} to {:.6g}", *answer.low, *answer.high) : "unknown"));
+                          shown_quantity(asked.bound, asked.unit, 9, asked.output)),
+              answer.outcome, number(answer.value.value),
+              answer.low ? number(*answer.low) + " to " + number(*answer.high) : "unknown"));
   }
   std::string text = text_table(table);
   if (!report.unusable_because.empty()) text += paragraph("NOT USABLE: " + report.unusable_because);

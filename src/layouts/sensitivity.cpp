@@ -209,14 +209,26 @@ std::string sensitivity_text(const SensitivityReport& report, const GearSet& gea
   return text + "\nNotes\n" + notes_text(evidence_of(report).notes);
 }
 
+namespace {
+
+/// "N*m/rad/(m)": unit of the output over that of the input.
+std::string derivative_unit(const SensitivityOutput& output, const SensitivityInput& input) {
+  return input.unit == "1" ? std::string(output.value.unit)
+                           : fmt::format("{}/({})", output.value.unit, input.unit);
+}
+
+}  // namespace
+
 std::string sensitivity_csv(const SensitivityReport& report) {
   const Sensitivity& sensitivity = report.sensitivity;
-  Table table{.head = {"output", "path", "unit", "value", "derivative", "elasticity"}};
+  Table table{
+      .head = {"output", "path", "unit", "value", "derivative", "derivative_unit", "elasticity"}};
   if (report.scatter) table.head.insert(table.head.end(), {"relative_standard_deviation", "share"});
   for (std::size_t y = 0; y < sensitivity.outputs.size(); ++y)
     for (const SensitivityInput& input : sensitivity.inputs) {
       auto& row = table.rows.emplace_back(cells(sensitivity.outputs[y].name, input.path, input.unit,
                                                 input.value, input.influence[y].derivative,
+                                                derivative_unit(sensitivity.outputs[y], input),
                                                 input.influence[y].elasticity));
       if (!report.scatter || y >= report.scatter->outputs.size()) continue;  // not drawn
       const auto& inputs = report.scatter->inputs;

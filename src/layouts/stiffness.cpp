@@ -93,7 +93,9 @@ Table crack_table(const std::vector<CrackReport>& cracks) {
          warranted_digits(crack.positive.at_output), warranted_digits(crack.negative.at_output),
          accuracy(crack.positive.at_output)});
     if (!crack.deepest) continue;
-    table.rows.push_back({"  at the given load, deepest point: " + modes(*crack.deepest)});
+    table.rows.push_back({fmt::format(
+        "  {:<34}{}", fmt::format("at the given load, {}:", place_of_intensity(crack.kind)),
+        modes(*crack.deepest))});
     if (crack.largest && crack.largest != crack.deepest)
       table.rows.push_back({"  largest along the front:          " + modes(*crack.largest)});
   }

@@ -70,7 +70,7 @@ std::vector<double> loss_by_member(const SweepResult& result, const SweepTable& 
   for (std::size_t n = 0; n < result.crack_paths.size(); ++n) {
     if (!result.crack_paths[n].starts_with(member)) continue;
     const std::vector<double> added =
-        table.output(fmt::format("cracks[{}].added_compliance.positive.at_output", n));
+        table.output(result.crack_paths[n] + ".added_compliance.positive.at_output");
     for (std::size_t i = 0; i < loss.size(); ++i) loss[i] += 100 * added[i] / total[i];
   }
   return loss;

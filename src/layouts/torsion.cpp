@@ -50,7 +50,9 @@ TitledTable lines_table(const TorsionReport& report, const GearSet& gear) {
   table.rows.push_back(cells("loop width at zero torque [arcmin]", arcmin(loop.width_at_zero)));
   std::string remark;
   if (report.bands) {
-    remark = fmt::format("{} drives drawn from {} ranges", report.bands->draws, gear.range.size());
+    remark = fmt::format("{} drawn from {}",
+                         counted(static_cast<std::size_t>(report.bands->draws), "drive"),
+                         counted(gear.range.size(), "range"));
     if (report.bands->rejected > 0)
       remark += fmt::format(", {} more could not be built", report.bands->rejected);
   }
@@ -152,12 +154,14 @@ std::vector<TitledTable> torsion_tables(const TorsionReport& report, const GearS
   return tables;
 }
 
-std::string torsion_text(const TorsionReport& report, const GearSet& gear) {
+std::string torsion_text(const TorsionReport& report, const GearSet& gear,
+                         const Provenance& provenance) {
   const MakersTorques& at = report.torques;
   std::string text = fmt::format(
-      "{}\nTorsion curve of the coupled drive, output against locked input\n\n"
+      "{}\n{}, strainwave {}\nTorsion curve of the coupled drive, output against locked input\n\n"
       "T1 = {:.5g}, T2 = {:.5g}, T3 = {:.5g}, rated {:.5g} N*m{}\n",
-      name_of(gear), at.T1, at.T2, at.T3, at.rated, at.by_convention ? " (by convention)" : "");
+      name_of(gear), provenance.input_file, provenance.version, at.T1, at.T2, at.T3, at.rated,
+      at.by_convention ? " (by convention)" : "");
   text += text_tables(torsion_tables(report, gear));
   if (!report.notes.empty()) text += "\nNotes\n" + notes_text(report.notes);
   return text + '\n' + equations_text(report.equations);

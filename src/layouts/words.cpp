@@ -44,6 +44,15 @@ std::string output_words(std::string_view output) {
                          : words_of(TorqueSense::negative));
 }
 
+std::string_view place_of_intensity(std::string_view kind) {
+  return kind == WallThroughCrack::kKind || kind == DiaphragmArcCrack::kKind ? "tip"
+                                                                             : "deepest point";
+}
+
+std::string counted(std::size_t n, std::string_view thing) {
+  return fmt::format("{} {}{}", n, thing, n == 1 ? "" : "s");
+}
+
 const std::optional<CriticalSize>& critical_size(const StrengthState& state) {
   return state.critical_size ? state.critical_size : state.brittle_size;
 }

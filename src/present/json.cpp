@@ -11,7 +11,7 @@
 namespace strainwave {
 namespace {
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   using Json = nlohmann::json;
   return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -51,14 +51,33 @@ void JsonWriter::close(char bracket) {
   text_ += bracket;
 }
 
-void JsonWriter::begin_record() { open('{'); }
-void JsonWriter::end_record() { close('}'); }
+JsonWriter::Change JsonWriter::change_of(std::string_view unit) const {
+  if (unit == kUnitBeside) return records_.empty() ? Change{} : records_.back();
+  const auto asked = units_ == nullptr ? std::nullopt : units_->of({}, unit);
+  return {std::string(unit), std::string(asked ? asked->text : unit)};
+}
+
+std::string JsonWriter::written(double value, const Change& change) const {
+  if (!std::isfinite(value) || change.from == change.to) return bare(value);
+  return number_in(value, change.from, change.to);
+}
+
+void JsonWriter::begin_record() {
+  open('{');
+  records_.push_back(records_.empty() ? Change{} : records_.back());
+}
+
+void JsonWriter::end_record() {
+  close('}');
+  records_.pop_back();
+}
 void JsonWriter::begin_list() { open('['); }
 void JsonWriter::end_list() { close(']'); }
 
 bool JsonWriter::field(const Field& field) {
   separate();
-  text_ += quoted(field.name) + ": ";
+  text_ += in_quotes(field.name) + ": ";
+  key_ = field.name;
   keyed_ = true;
   return true;
 }
@@ -76,9 +95,10 @@ void JsonWriter::member(std::string_view name, bool value) {
 void JsonWriter::begin_column(const Field& field) {
   if (columns_ == 0 && numbers_ == JsonNumbers::with_unit) {
     separate();
+    column_ = change_of(field.unit);
     text_ += '{';
     if (!field.unit.empty() && field.unit != kUnitBeside)
-      text_ += fmt::format("\"unit\": {}, ", quoted(field.unit));
+      text_ += fmt::format("\"unit\": {}, ", in_quotes(column_.to));
     text_ += "\"values\": ";
     keyed_ = true;
   }
@@ -97,21 +117,24 @@ void JsonWriter::number(double value, const Field& field) {
     text(quantity_text(value, field.unit));
   } else if (columns_ > 0 || field.unit == kUnitBeside || numbers_ == JsonNumbers::as_input) {
     separate();
-    text_ += bare(value);
+    text_ += columns_ > 0 ? written(value, column_) : written(value, change_of(field.unit));
   } else {
     separate();
-    text_ += fmt::format(R"({{"value": {}, "unit": {}}})", bare(value), quoted(field.unit));
+    const Change change = change_of(field.unit);
+    text_ +=
+        fmt::format(R"({{"value": {}, "unit": {}}})", written(value, change), in_quotes(change.to));
   }
 }
 
 void JsonWriter::quantity(const Quantity& value) {
   separate();
+  const Change change = columns_ > 0 ? column_ : change_of(value.unit);
   if (columns_ > 0)
-    text_ += bare(value.value);
+    text_ += written(value.value, change);
   else
     text_ += fmt::format(
-        R"({{"value": {}, "unit": {}, "relative_uncertainty": {}}})", bare(value.value),
-        quoted(value.unit),
+        R"({{"value": {}, "unit": {}, "relative_uncertainty": {}}})", written(value.value, change),
+        in_quotes(change.to),
         value.relative_uncertainty ? bare(*value.relative_uncertainty) : std::string("null"));
 }
 
@@ -127,7 +150,12 @@ void JsonWriter::flag(bool value) {
 
 void JsonWriter::text(std::string_view value) {
   separate();
-  text_ += quoted(value);
+  if (key_ == "unit" && columns_ == 0 && !records_.empty()) {
+    records_.back() = change_of(value);
+    text_ += in_quotes(records_.back().to);
+    return;
+  }
+  text_ += in_quotes(value);
 }
 
 void JsonWriter::nothing() {

@@ -2,9 +2,15 @@
 #include "strainwave/present/table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/nearest.hpp"
+#include "strainwave/core/number_text.hpp"
 #include "strainwave/core/shown_text.hpp"
 
 namespace strainwave {
@@ -23,6 +29,39 @@ std::string markdown_field(const std::string& text) {
   std::string field;
   for (const char c : text) field += c == '|' ? std::string("\\|") : std::string(1, c);
   return field;
+}
+
+/// The rows of a table that csv_table wrote.
+std::vector<Cells> csv_rows(const std::string& csv) {
+  std::vector<Cells> rows;
+  Cells row(1);
+  bool quoted = false;
+  for (const char c : csv) {
+    if (c == '"') {
+      // Of a doubled quote the second one begins another quoted part.
+      if (!quoted && !row.back().empty()) row.back() += c;
+      quoted = !quoted;
+    } else if (quoted || (c != ',' && c != '\n')) {
+      row.back() += c;
+    } else if (c == ',') {
+      row.emplace_back();
+    } else {
+      rows.push_back(std::exchange(row, Cells(1)));
+    }
+  }
+  return rows;
+}
+
+/// The head of a column without and with its unit: "depth", "m".
+std::pair<std::string, std::string> name_and_unit(const std::string& head) {
+  const std::size_t at = head.rfind(" [");
+  if (at == std::string::npos || !head.ends_with(']')) return {head, {}};
+  return {head.substr(0, at), head.substr(at + 2, head.size() - at - 3)};
+}
+
+void change_cell(std::string& cell, std::string_view from, std::string_view to) {
+  if (const std::optional<double> value = parse_number(cell); value && from != to)
+    cell = number_in(*value, from, to);
 }
 
 }  // namespace
@@ -90,6 +129,58 @@ std::string csv_table(const Table& table) {
   for (Cells row : table.rows) {
     row.resize(table.head.size());
     text += csv_line(row);
+  }
+  return text;
+}
+
+std::string csv_in_units(const std::string& csv, const AskedUnits& units) {
+  std::vector<Cells> rows = csv_rows(csv);
+  if (rows.empty()) return csv;
+  const Cells head = rows.front();
+  for (std::size_t i = 0; i < head.size(); ++i) {
+    const auto [name, unit] = name_and_unit(head[i]);
+    if (const auto asked = units.of(name, unit)) {
+      rows.front()[i] = fmt::format("{} [{}]", name, asked->text);
+      for (std::size_t n = 1; n < rows.size(); ++n) change_cell(rows[n][i], unit, asked->text);
+    }
+    const std::string beside = name == "value" ? "unit" : name + "_unit";
+    const auto at = static_cast<std::size_t>(std::ranges::find(head, beside) - head.begin());
+    if (at == head.size()) continue;
+    for (std::size_t n = 1; n < rows.size(); ++n) {
+      Cells& row = rows[n];
+      const auto to = units.of(row.front(), row[at]);
+      if (!to) continue;
+      change_cell(row[i], row[at], to->text);
+      row[at] = to->text;
+    }
+  }
+  std::string text;
+  for (const Cells& row : rows) text += csv_line(row);
+  return text;
+}
+
+std::string csv_columns(const std::string& csv, const std::vector<std::string>& names) {
+  const std::vector<Cells> rows = csv_rows(csv);
+  std::vector<std::string> known;
+  if (!rows.empty())
+    for (const std::string& head : rows.front()) known.push_back(name_and_unit(head).first);
+  std::vector<std::size_t> chosen;
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(known, name);
+    if (found == known.end()) {
+      const std::string near = nearest_word(name, known);
+      throw InputError("columns",
+                       fmt::format("{} is not a column of this table; {}", shown(name),
+                                   near.empty() ? fmt::format("it has {}", fmt::join(known, ", "))
+                                                : fmt::format("did you mean {}?", near)));
+    }
+    chosen.push_back(static_cast<std::size_t>(found - known.begin()));
+  }
+  std::string text;
+  for (const Cells& row : rows) {
+    Cells line;
+    for (const std::size_t i : chosen) line.push_back(row[i]);
+    text += csv_line(line);
   }
   return text;
 }

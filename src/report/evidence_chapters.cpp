@@ -5,11 +5,11 @@
 #include <array>
 
 #include "chapters.hpp"
-#include "equation_titles.hpp"
 #include "html.hpp"
 #include "markup.hpp"
 #include "strainwave/core/sha256.hpp"
 #include "strainwave/core/shown_text.hpp"
+#include "strainwave/present/equation_titles.hpp"
 
 namespace strainwave::report {
 namespace {

@@ -153,8 +153,7 @@ ReportSection shares_chapter(const Draft& draft) {
       const bool alike = crack.positive.at_output.value == crack.negative.at_output.value;
       bar(alike ? "" : ", T > 0", crack.positive.at_output);
       if (!alike) bar(", T < 0", crack.negative.at_output);
-      const std::size_t index = static_cast<std::size_t>(&crack - r.cracks.data());
-      const std::string path = fmt::format("cracks[{}].added_compliance", index);
+      const std::string path = crack.path + ".added_compliance";
       rows.push_back({{fmt::format("<span class=\"crack-number\">{}</span> <code>{}</code>", mark,
                                    escaped(crack.path)),
                        escaped(crack.kind), escaped(words_of(crack.opens_under)),
@@ -184,12 +183,11 @@ ReportSection intensities_chapter(const Draft& draft) {
   const StiffnessResult& r = draft.result;
   std::vector<Row> rows;
   std::string html;
-  for (std::size_t i = 0; i < r.cracks.size(); ++i) {
-    const CrackReport& crack = r.cracks[i];
+  for (const CrackReport& crack : r.cracks) {
     const std::string mark = crack_mark(draft, crack.path);
-    const std::string path = fmt::format("cracks[{}]", i);
-    const auto row = [&](const char* where, const StressIntensities& K, const std::string& name,
-                         bool first) {
+    const std::string& path = crack.path;
+    const auto row = [&](std::string_view where, const StressIntensities& K,
+                         const std::string& name, bool first) {
       const std::string at = path + ".stress_intensity." + name;
       const double largest = std::abs(K.largest().value);
       // Noise of the arithmetic against the largest mode is none.
@@ -200,11 +198,11 @@ ReportSection intensities_chapter(const Draft& draft) {
       rows.push_back({{first ? fmt::format("<span class=\"crack-number\">{}</span> <code>{}</code>",
                                            mark, escaped(crack.path))
                              : std::string(),
-                       where, mode(".K_I", K.K_I), mode(".K_II", K.K_II), mode(".K_III", K.K_III),
-                       first ? accuracy(K.largest()) : std::string()},
+                       std::string(where), mode(".K_I", K.K_I), mode(".K_II", K.K_II),
+                       mode(".K_III", K.K_III), first ? accuracy(K.largest()) : std::string()},
                       {}});
     };
-    if (crack.deepest) row("deepest point", *crack.deepest, "deepest", true);
+    if (crack.deepest) row(place_of_intensity(crack.kind), *crack.deepest, "deepest", true);
     if (crack.largest && crack.largest != crack.deepest)
       row("largest on the front", *crack.largest, "largest", !crack.deepest);
   }

@@ -8,6 +8,7 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/model/input/vary_option.hpp"
 #include "strainwave/study/outputs.hpp"
 
@@ -61,15 +62,17 @@ RequirementAnswer answer_of(Requirement requirement, const Quantity& value, doub
 }
 
 std::string sentence(const RequirementAnswer& answer) {
-  const auto number = [&](double value) { return quantity_text(value, answer.requirement.unit); };
+  const auto number = [&](double value, int digits = 6) {
+    return shown_quantity(value, answer.requirement.unit, digits, answer.requirement.output);
+  };
   const std::string asked =
       fmt::format("{} {} {}", answer.requirement.output, enum_name(answer.requirement.comparison),
-                  number(answer.requirement.bound));
+                  number(answer.requirement.bound, 9));
   const std::string between =
-      answer.low ? fmt::format(", between {:.6g} and {:.6g}", *answer.low, *answer.high)
+      answer.low ? fmt::format(", between {} and {}", number(*answer.low), number(*answer.high))
                  : std::string(", of unknown uncertainty");
-  return fmt::format("{}: {}; the value is {:.6g}{}", asked, enum_name(answer.outcome),
-                     answer.value.value, between);
+  return fmt::format("{}: {}; the value is {}{}", asked, enum_name(answer.outcome),
+                     number(answer.value.value), between);
 }
 
 Note note_of(const RequirementAnswer& answer) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/number_text.hpp"
 #include "strainwave/model/input/vary_option.hpp"
 #include "strainwave/model/result/result_fields.hpp"
 #include "strainwave/study/evaluate.hpp"
@@ -54,6 +55,14 @@ void gather_notes(std::vector<SweepNote>& gathered, const std::vector<Note>& not
     else
       ++known->n_rows;
   }
+}
+
+/// A value without the digits of rounding, which nobody asked for: 0.0102, not
+/// 0.010199999999999999.
+double short_value(const Variation& variation, int i) {
+  const double exact = variation.value(i);
+  if (i == 0 || i == variation.n_points - 1) return exact;
+  return parse_number(fmt::format("{:.15g}", exact)).value_or(exact);
 }
 
 }  // namespace
@@ -109,11 +118,11 @@ SweepResult sweep(const GearSet& gear, Method method, std::span<const Variation>
   };
   for (int i = 0; i < variations[0].n_points; ++i) {
     if (variations.size() == 1) {
-      add_row({variations[0].value(i)});
+      add_row({short_value(variations[0], i)});
       continue;
     }
     for (int j = 0; j < variations[1].n_points; ++j)
-      add_row({variations[0].value(i), variations[1].value(j)});
+      add_row({short_value(variations[0], i), short_value(variations[1], j)});
   }
   if (all_refused) std::rethrow_exception(first_fault);
   for (SweepRow& row : result.rows)

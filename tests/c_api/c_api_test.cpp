@@ -87,10 +87,12 @@ DriveHandle read(std::string_view toml, std::string_view name = "drive.toml") {
 }
 
 AnswerHandle answer_of(const DriveHandle& drive, std::string_view command,
-                       std::string_view options = "") {
+                       std::string_view options = "", const OptionTexts& texts = {}) {
   sw_answer* answer = nullptr;
-  EXPECT_TRUE(
-      succeeded(sw_run(drive.get(), text(command), text(options), nullptr, 0, nullptr, &answer)));
+  std::vector<sw_attachment> given;
+  for (const auto& [name, of] : texts) given.push_back({.name = text(name), .text = text(of)});
+  EXPECT_TRUE(succeeded(sw_run(drive.get(), text(command), text(options), given.data(),
+                               given.size(), nullptr, &answer)));
   return AnswerHandle(answer);
 }
 
@@ -255,6 +257,9 @@ const std::map<std::string, Example, std::less<>>& examples() {
       {"audit", {}},
       {"new", {}},
       {"schema", {}},
+      {"explain", {"", R"({"word": "crack.closed"})"}},
+      {"units", {}},
+      {"diff", {"", R"({"first": "article.toml", "second": "through_crack.toml"})"}},
   };
   return all;
 }
@@ -266,13 +271,15 @@ TEST(CApi, BehaviourEveryCommandAnswersAsTheFacade) {
     ASSERT_NE(example, examples().end()) << command.name << " has no example here; add one";
     const auto& [file, options] = example->second;
     const std::string toml = file.empty() ? "" : file_text(file);
+    const OptionTexts texts = {{"article.toml", file_text("article.toml")},
+                               {"through_crack.toml", file_text("through_crack.toml")}};
     const AnswerHandle answer =
-        answer_of(file.empty() ? DriveHandle() : read(toml), command.name, options);
+        answer_of(file.empty() ? DriveHandle() : read(toml), command.name, options, texts);
     ASSERT_TRUE(answer) << command.name;
     OptionValues values(command.options);
     if (!options.empty()) values.set_from_json(options);
     const Answer expected =
-        run(command, file.empty() ? nullptr : read_drive(toml, "drive.toml"), values);
+        run(command, file.empty() ? nullptr : read_drive(toml, "drive.toml"), values, texts);
     EXPECT_EQ(document(answer, "json"), expected.json()) << command.name;
     EXPECT_EQ(sw_answer_usable(answer.get()), expected.usable() ? 1 : 0);
     const std::string_view first = command.documents.front().name;

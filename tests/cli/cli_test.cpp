@@ -397,7 +397,7 @@ TEST_F(Program, BehaviourLibraryMaterialIsNotedAndCanBeVaried) {
   const Outcome sweep =
       run("sweep " + file + " --vary 'material.17-4PH H900.youngs_modulus=190 GPa..200 GPa:3'");
   EXPECT_EQ(sweep.exit_code, 0) << sweep.err;
-  EXPECT_EQ(sweep.out.rfind("material.17-4PH H900.youngs_modulus [Pa],", 0), 0U) << sweep.out;
+  EXPECT_EQ(sweep.out.rfind("material.17-4PH H900.youngs_modulus [GPa],", 0), 0U) << sweep.out;
 }
 
 TEST_F(Program, BehaviourManualPagesNameEveryOption) {
@@ -692,7 +692,8 @@ TEST_F(Program, BehaviourSensitivityInEveryForm) {
   EXPECT_EQ(report["result"]["scatter"]["samples"], 200);
   EXPECT_EQ(report["provenance"]["program"], "strainwave");
   const Outcome csv = run("sensitivity " + file + " --format csv");
-  EXPECT_TRUE(csv.out.starts_with("output,path,unit,value,derivative,elasticity\n"));
+  EXPECT_TRUE(
+      csv.out.starts_with("output,path,unit,value,derivative,derivative_unit,elasticity\n"));
   // One thread or three, the same bytes.
   const std::string scatter = "sensitivity " + file + " --scatter --samples 600 --threads ";
   EXPECT_EQ(run(scatter + "1").out, run(scatter + "3").out);

@@ -79,10 +79,94 @@ TEST(QuantityText, ReferenceFactorsOfUnits) {
            {"Pa", 1, "N/m^2"},
            {"J", 1, "J"},
            {"W", 1, "J/s"},
+           {"\u00B0", pi / 180, "rad"},
+           {"\u2032", pi / 10800, "rad"},
+           {"\u2033", pi / 648000, "rad"},
        }) {
     EXPECT_NEAR(parse_quantity("x", "1 " + std::string(symbol), base) / factor, kReference.value,
                 kReference.relative_tolerance)
         << symbol;
+  }
+}
+
+TEST(QuantityText, ReferenceFactorsOfInchAndPound) {
+  constexpr test::Reference kReference{
+      .value = 1.0,
+      .unit = "1",
+      .relative_tolerance = 1e-9,
+      .source =
+          "NIST Special Publication 811 (2008), appendix B.8, factors for units listed "
+          "alphabetically; seven digits and the exact definitions of inch, foot and pound",
+      .tolerance_is = "digits of lbf that SP 811 prints, 4.448 221 615 260 5, and of products"};
+  for (const auto& [symbol, factor, base] : std::vector<NamedUnit>{
+           {"in", 0.0254, "m"},
+           {"ft", 0.3048, "m"},
+           {"lbf", 4.4482216152605, "N"},
+           {"psi", 6894.757293168361, "Pa"},
+           {"ksi", 6894757.293168361, "Pa"},
+           {"lbf*in", 0.1129848290276167, "N*m"},
+           {"lbf*ft", 1.3558179483314004, "N*m"},
+           {"lbf/in", 175.12683524647636, "N/m"},
+           {"lbf*in/arcmin", 0.1129848290276167 * 10800 / pi, "N*m/rad"},
+           {"ksi*in^0.5", 1098843.4941087547, "Pa*m^0.5"},
+       })
+    EXPECT_NEAR(parse_quantity("x", "1 " + std::string(symbol), base) / factor, kReference.value,
+                kReference.relative_tolerance)
+        << symbol;
+}
+
+TEST(QuantityText, BehaviourReadsWhatAReportPrints) {
+  EXPECT_EQ(parse_quantity("x", "25 N\u00B7m", "N*m"), 25);
+  EXPECT_DOUBLE_EQ(parse_quantity("x", "21.87 N\u00B7m/arcmin", "N*m/rad"), 21.87 * 10800 / pi);
+  EXPECT_EQ(parse_quantity("x", "60 MPa\u00B7\u221Am", "Pa*m^0.5"), 60e6);
+  EXPECT_EQ(parse_quantity("x", "45\u00B0", "rad"), pi / 4);
+  EXPECT_EQ(parse_quantity("x", "2.41\u2032", "rad"), parse_quantity("x", "2.41 arcmin", "rad"));
+  EXPECT_EQ(parse_quantity("x", "\u22123.5 mm", "m"), -3.5e-3);
+  EXPECT_EQ(parse_quantity("x", "1.03\u00B710\u207B\u2076 rad/(N\u00B7m)", "rad/(N*m)"), 1.03e-6);
+  EXPECT_EQ(parse_quantity("x", "7.518\u00D710\u2074 N\u00B7m/rad", "N*m/rad"), 75180);
+  EXPECT_EQ(parse_quantity("x", "3\u202Fmm\u00B2", "m^2"), 3e-6);
+  EXPECT_EQ(refusal("3\u00B710\u207B mm", "m"),
+            "field: \"3\u00B710\u207B mm\" needs a whole number after 10^");
+}
+
+TEST(QuantityText, RegressionADecimalPointIsMovedWithoutRounding) {
+  // 0.4 * 1e-3 is 0.00039999999999999996 or 0.0004, as the multiplication rounds.
+  for (int i = 1; i < 2000; ++i) {
+    const std::string digits = std::to_string(i);
+    const double metres = std::stod(digits + "e-4");
+    ASSERT_EQ(parse_quantity("x", digits + "e-1 mm", "m"), metres);
+    ASSERT_EQ(parse_quantity("x", digits + "e-7 km", "m"), metres);
+    ASSERT_EQ(parse_quantity("x", digits + "e-2 %", "1"), metres);
+  }
+  EXPECT_EQ(parse_quantity("x", "0.3 MPa*m^0.5", "Pa*m^0.5"), 3e5);
+  EXPECT_EQ(parse_quantity("x", "0.7 N/mm", "N/m"), 700);
+}
+
+TEST(QuantityText, BehaviourANumberInAUnitIsShort) {
+  EXPECT_EQ(number_in(0.0004, parse_unit("mm")), "0.4");
+  EXPECT_EQ(number_in(units::arcmin, parse_unit("arcmin")), "1");
+  EXPECT_EQ(number_in(parse_quantity("K", "47 N*m/arcmin", "N*m/rad"), parse_unit("N*m/arcmin")),
+            "47");
+  EXPECT_EQ(number_in(0.0254, parse_unit("in")), "1");
+  EXPECT_EQ(number_in(-0.01, parse_unit("%")), "-1");
+  EXPECT_EQ(number_in(0.0, parse_unit("mm")), "0");
+  // No double near 10.2 gives this one when it is divided by 1000.
+  EXPECT_EQ(number_in(0.010199999999999999, parse_unit("mm")), "10.199999999999999");
+  EXPECT_EQ(number_in(1.0199999999999999e-20, parse_unit("mm")), "1.0199999999999999e-17");
+}
+
+TEST(QuantityText, IdentityANumberInAUnitReadsBackBitForBit) {
+  std::mt19937_64 random(20261122);
+  std::uniform_real_distribution<double> exponent(-12.0, 12.0);
+  for (const char* const unit : {"mm", "um", "GPa", "%", "MPa*m^0.5", "rad/(N*mm)"}) {
+    const Unit to = parse_unit(unit);
+    for (int i = 0; i < 2000; ++i) {
+      const double value = std::pow(10.0, exponent(random));
+      std::string si = "m";
+      for (const char* const base : {"m", "Pa", "1", "Pa*m^0.5", "rad/(N*m)"})
+        if (same_dimension(to, parse_unit(base))) si = base;
+      ASSERT_EQ(parse_quantity("x", number_in(value, to) + " " + unit, si), value) << unit;
+    }
   }
 }
 
@@ -231,14 +315,14 @@ TEST(QuantityText, InputRefusalsSayWhatIsWrong) {
            // a unit that does not exist
            {"2 furlong", "m",
             "field: \"2 furlong\" has the unknown unit \"furlong\"; known are products such as mm, "
-            "N*m/rad or MPa*m^0.5"},
+            "N*m/rad or MPa*m^0.5; strainwave units lists all"},
            {"0x10 mm", "m",
             "field: \"0x10 mm\" has the unknown unit \"x10 mm\"; known are products such as mm, "
-            "N*m/rad or MPa*m^0.5"},
+            "N*m/rad or MPa*m^0.5; strainwave units lists all"},
            {"1,5 mm", "m", "field: \"1,5 mm\" has a comma; write a decimal point"},
            {"100\tN*m", "N*m",
             "field: \"100\\tN*m\" has the unknown unit \"\\tN\"; known are products such as mm, "
-            "N*m/rad or MPa*m^0.5"},
+            "N*m/rad or MPa*m^0.5; strainwave units lists all"},
            // no number, or one that no measurement gives
            {"", "m", "field: \"\" must start with a finite number, such as 2.24 or 1.2e5"},
            {" ", "m", "field: \" \" must start with a finite number, such as 2.24 or 1.2e5"},
@@ -308,14 +392,14 @@ TEST(QuantityText, InputHostileLengthsAreRefusedBriefly) {
 TEST(QuantityText, InputRefusedUnitsNameThemselves) {
   EXPECT_EQ(unit_refusal("parsec/s"),
             "unit: \"parsec/s\" has the unknown unit \"parsec\"; known are products such as mm, "
-            "N*m/rad or MPa*m^0.5");
+            "N*m/rad or MPa*m^0.5; strainwave units lists all");
   EXPECT_EQ(unit_refusal(""), "unit: \"\" lacks a unit where one is due");
   EXPECT_EQ(unit_refusal("2"),
             "unit: \"2\" has the unknown unit \"2\"; known are products such as mm, N*m/rad or "
-            "MPa*m^0.5");
+            "MPa*m^0.5; strainwave units lists all");
   EXPECT_EQ(unit_refusal("m "),
             "unit: \"m \" has the unknown unit \"m \"; known are products such as mm, N*m/rad or "
-            "MPa*m^0.5");
+            "MPa*m^0.5; strainwave units lists all");
 }
 
 // --- Writing -------------------------------------------------------------------------------------

@@ -71,8 +71,19 @@ inline const std::multimap<std::string_view, std::string_view>& trial_options() 
       {"new", R"({"size": 25, "ratio": 100})"},
       {"schema", "{}"},
       {"schema", R"({"of": "options", "command": "sif eval"})"},
-      {"schema", R"({"of": "result", "command": "torsion"})"}};
+      {"schema", R"({"of": "result", "command": "torsion"})"},
+      {"explain", R"({"word": "half_length"})"},
+      {"units", "{}"},
+      {"diff", R"({"first": "article.toml", "second": "through_crack.toml"})"}};
   return options;
+}
+
+/// The texts that they name.
+inline OptionTexts trial_texts() {
+  OptionTexts texts;
+  for (const char* const name : {"article.toml", "through_crack.toml"})
+    texts[name] = contents(std::filesystem::path(STRAINWAVE_EXAMPLES) / name);
+  return texts;
 }
 
 }  // namespace strainwave::test

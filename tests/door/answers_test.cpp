@@ -128,7 +128,8 @@ TEST_P(Answers, IdentityEveryAnswerKeepsItsSchemaItsUnitsAndItsDocuments) {
         return true;
       });
       try {
-        const Answer answer = test::run_command(row.name, drive, trial->second, {}, progress);
+        const Answer answer =
+            test::run_command(row.name, drive, trial->second, test::trial_texts(), progress);
         ++n_answers;
         const Json envelope = Json::parse(answer.json());
         expect_keeps(result, envelope);

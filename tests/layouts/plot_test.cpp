@@ -26,7 +26,7 @@ TEST(Plot, BehaviourPanelsSeriesAndLabelsAreDrawn) {
                         .y_label = "y",
                         .series = {{"first", {0, 1, 2}, {1, 2, 3}}, {"second", {0, 2}, {3, 1}}}};
   const std::string svg = svg_plot(std::vector{panel, panel});
-  EXPECT_EQ(count(svg, "a &lt;b&gt; &amp; c"), 2U);
+  EXPECT_EQ(count(svg, "class=\"title\">a &lt;b&gt; &amp; c<"), 2U);
   EXPECT_EQ(count(svg, ">first<"), 2U);
   EXPECT_EQ(count(svg, ">x [mm]<"), 2U);
   EXPECT_EQ(count(svg, "<path d=\"M"), 8U);  // a line and its key for each series

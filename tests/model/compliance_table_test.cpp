@@ -109,7 +109,7 @@ TEST(ComplianceTable, InputRulesBrokenOnce) {
   gear.compliance_tables["made_up.csv"].kind = "annular";
   refused(gear, "is of cracks of kind \"annular\", not \"through\"");
   refused(tabulated_gear(0.0999 * mm), "reaches from");
-  refused(tabulated_gear(0.0405), "in half_length, and the drive has 0.0405 m");
+  refused(tabulated_gear(0.0405), "in half_length, and the drive has 40.5 mm");
   gear = tabulated_gear();
   gear.load.axial_force = 1;
   refused(gear, "load.axial_force must be 0");

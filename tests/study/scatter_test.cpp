@@ -207,8 +207,9 @@ TEST(SensitivityReport, BehaviourFormsAgree) {
   EXPECT_EQ(lines(csv), 1 + static_cast<long>(report.sensitivity.inputs.size() *
                                               report.sensitivity.outputs.size()));
   EXPECT_EQ(lines(plain_csv), lines(csv));
-  EXPECT_TRUE(csv.starts_with(
-      "output,path,unit,value,derivative,elasticity,relative_standard_deviation,share\n"));
+  EXPECT_TRUE(
+      csv.starts_with("output,path,unit,value,derivative,derivative_unit,elasticity,"
+                      "relative_standard_deviation,share\n"));
   const std::string text = sensitivity_text(report, gear);
   for (const SensitivityInput& input : report.sensitivity.inputs) {
     EXPECT_NE(text.find(input.path), std::string::npos) << input.path;

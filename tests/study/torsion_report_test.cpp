@@ -147,14 +147,17 @@ TEST(TorsionText, BehaviourTablesAndUnits) {
   gear.name = "My drive";
   gear.range.push_back(range("mesh.coning", "0.5", "1"));
   const TorsionReport report = torsion_report(gear, {.compare = true, .angles = 2, .draws = 10});
-  const std::string text = torsion_text(report, gear);
+  const std::string text = torsion_text(
+      report, gear,
+      {.version = "1.2", .revision = {}, .input_file = "my.toml", .quadrature_tolerance = 0});
   for (const char* const part :
        {"My drive\n", "T1 = 14, T2 = 48, T3 = 76.8, rated 87 N*m\n", "K1 [N*m/rad]",
-        "90 % of the ranges", "10 drives drawn from 1 ranges", "lost motion [arcmin]",
-        "largest loop width [arcmin]", "tangent K [N*m/rad]", "teeth in contact of 200",
-        "share of the tangent compliance", "rim at the tooth roots, hoop",
-        "over a turn of the wave generator at 87 N*m", "series cracks",
-        "Change of stiffness by the cracks, at 1 position", "a member in series", "(TC-26)"})
+        "90 % of the ranges", "10 drives drawn from 1 range\n", "my.toml, strainwave 1.2\n",
+        "lost motion [arcmin]", "largest loop width [arcmin]", "tangent K [N*m/rad]",
+        "teeth in contact of 200", "share of the tangent compliance",
+        "rim at the tooth roots, hoop", "over a turn of the wave generator at 87 N*m",
+        "series cracks", "Change of stiffness by the cracks, at 1 position", "a member in series",
+        "(TC-26)"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   EXPECT_EQ(text.find(" \n"), std::string::npos);  // no trailing blanks
   std::size_t begin = 0;

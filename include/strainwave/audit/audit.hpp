@@ -36,9 +36,9 @@ struct ReproducingInput {
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"input", "", "name of the input, by its symbol"}, &ReproducingInput::name);
-    field({"value", kUnitBeside, "its value, in the unit beside it"}, &ReproducingInput::value);
     field({"unit", "", "unit of the article: mm, N, MPa, rad, \"1\" if pure"},
           &ReproducingInput::unit);
+    field({"value", kUnitBeside, "its value, in the unit beside it"}, &ReproducingInput::value);
   }
 };
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "strainwave/command/options.hpp"
+#include "strainwave/core/asked_units.hpp"
 #include "strainwave/core/progress.hpp"
 #include "strainwave/core/ranks.hpp"
 #include "strainwave/io/attachments.hpp"
@@ -71,6 +72,14 @@ inline const Ranks kAlone;
 struct Host {
   const Ranks& ranks = kAlone;  ///< that all run the same command
   Journal* journal = nullptr;
+  /// Texts, tables and JSON have these units.  Texts and tables have first of all the units that
+  /// options name: a target "x=1 mm" is answered in mm.
+  AskedUnits units = {};
+  std::vector<std::string> columns = {};  ///< of CSV tables, by name; empty: all
+  /// The attachments of a drive that an option names; of its name.
+  std::function<Attachments(const std::string& name)> beside = [](const std::string&) {
+    return Attachments();
+  };
 };
 
 /// What a command gets besides its options.
@@ -80,6 +89,7 @@ struct Request {
   const Progress& progress;
   const Ranks& ranks;
   Journal* journal;  ///< of a command that keeps one; on the first rank
+  const std::function<Attachments(const std::string& name)>& beside;  ///< as of Host
 };
 
 /// Whether a command works on a drive.
@@ -259,6 +269,9 @@ class Answer {
   std::shared_ptr<const void> result_;
   ResultEvidence evidence_;
   const Ranks* ranks_;
+  AskedUnits units_;       // with those that options name
+  AskedUnits json_units_;  // without them
+  std::vector<std::string> columns_;
 };
 
 /// Runs a command.

@@ -171,12 +171,16 @@ class OptionValues {
   void require_complete() const;
 
   [[nodiscard]] bool given(std::string_view name) const;
+  /// Names and texts as they were set, in their order.
+  [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& texts() const {
+    return given_;
+  }
   [[nodiscard]] const void* get() const { return values_.get(); }
 
  private:
   const OptionsType* type_;
   std::shared_ptr<void> values_;
-  std::vector<std::string> given_;
+  std::vector<std::pair<std::string, std::string>> given_;
 };
 
 }  // namespace strainwave

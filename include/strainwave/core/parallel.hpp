@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "strainwave/core/asked_units.hpp"
 #include "strainwave/core/progress.hpp"
 
 namespace strainwave {
@@ -34,7 +35,9 @@ void for_each_index(std::size_t n, const Parallel& parallel, const Progress& pro
   std::exception_ptr fault;
   std::size_t fault_at = n;
   std::mutex fault_mutex;
+  const AskedUnits& units = asked_units();
   const auto work = [&](const Progress& told) {
+    const AskedUnitsScope scope(units);
     std::size_t first = 0;
     try {
       auto evaluate = make();

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -18,10 +20,33 @@ using Dimension = std::array<double, 6>;
 struct Unit {
   double factor = 1.0;  ///< value in strainwave units = factor * value in this unit
   Dimension dimension = {};
+  /// Of the factor where it is a power of ten: such a unit moves the decimal point, exactly.
+  std::optional<int> power_of_ten = 0;
 };
 
-/// Reads a product of known units: SI with prefixes, N*m or Nm, rad deg arcmin arcsec, rpm, Hz,
-/// min, h, %, with `*`, `/`, `^`, and parentheses.
+/// A unit that texts can name.
+struct KnownUnit {
+  std::string_view symbol;
+  Unit unit;
+  std::string_view kind;      ///< "length"
+  bool takes_prefix = false;  ///< those of unit_prefixes
+};
+
+/// A prefix of units: "k" for 10^3.
+struct UnitPrefix {
+  std::string_view symbol;
+  int power = 0;  ///< of ten
+};
+
+/// All units that `parse_unit` knows, without prefixes.
+[[nodiscard]] std::span<const KnownUnit> known_units();
+[[nodiscard]] std::span<const UnitPrefix> unit_prefixes();
+
+/// Whether values of one unit can be told in the other.
+[[nodiscard]] bool same_dimension(const Unit& a, const Unit& b);
+
+/// Reads a product of known units with `*`, `/`, `^` and parentheses, or as it is typeset: "N·m",
+/// "MPa·√m", "m²", "°".
 /// @throws InputError if `text` is anything else.
 [[nodiscard]] Unit parse_unit(std::string_view text);
 
@@ -34,6 +59,10 @@ struct Unit {
 /// @throws InputError if the text does not parse, has another dimension, or is not finite.
 [[nodiscard]] double parse_quantity(std::string_view field, std::string_view text,
                                     std::string_view unit);
+
+/// The number of a value in a unit, in the shortest digits that `parse_quantity` reads back.
+/// @param value  in strainwave units
+[[nodiscard]] std::string number_in(double value, const Unit& unit);
 
 /// Writes a value so that `parse_quantity` reads back the same double: "0.00224 m".
 [[nodiscard]] std::string quantity_text(double value, std::string_view unit);

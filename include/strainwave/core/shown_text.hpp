@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "strainwave/core/asked_units.hpp"
 #include "strainwave/core/quantity.hpp"
 
 /// @file
@@ -36,12 +37,8 @@ inline constexpr std::size_t kTextWidth = 100;
 /// One standard relative uncertainty: "5 %"; "none" where nobody can state it, "-" for a zero.
 [[nodiscard]] std::string accuracy(const Quantity& quantity);
 
-/// A unit for people.
-struct DisplayUnit {
-  std::string_view text;  ///< as `parse_unit` reads it
-  double in_si = 1.0;     ///< divide a value in SI by it
-};
-/// The unit for an output or a field of this name and SI unit.
+/// The unit for an output or a field of this name and SI unit: the one that was asked for, or that
+/// of drawings.
 [[nodiscard]] DisplayUnit display_unit(std::string_view name, std::string_view si);
 
 /// A value in the unit for people: "2 mm", "210 GPa".

@@ -23,6 +23,8 @@ inline constexpr double rad = 1.0;
 inline constexpr double deg = std::numbers::pi / 180.0;
 inline constexpr double arcmin = deg / 60.0;
 inline constexpr double arcsec = arcmin / 60.0;
+inline constexpr double lbf = 4.4482216152605;  // 0.45359237 kg * 9.80665 m/s^2
+inline constexpr double psi = lbf / (0.0254 * 0.0254);
 inline constexpr double rpm = 2.0 * std::numbers::pi / 60.0;
 
 }  // namespace strainwave::units

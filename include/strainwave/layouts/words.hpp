@@ -26,6 +26,12 @@ namespace strainwave {
 /// "stiffness, T > 0" for "cracked.positive.stiffness", "K1, sound" for "curve.intact.K1".
 [[nodiscard]] std::string output_words(std::string_view output);
 
+/// Where the first stress intensity of a crack is: "deepest point", or "tip" of one that goes
+/// through its wall.
+[[nodiscard]] std::string_view place_of_intensity(std::string_view kind);
+/// "1 range", "2 ranges".
+[[nodiscard]] std::string counted(std::size_t n, std::string_view thing);
+
 /// The critical size of the assessment, else that of K alone.
 [[nodiscard]] const std::optional<CriticalSize>& critical_size(const StrengthState& state);
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "strainwave/core/asked_units.hpp"
 #include "strainwave/core/described.hpp"
 
 namespace strainwave {
@@ -24,6 +25,10 @@ class JsonWriter : public ValueVisitor {
   [[nodiscard]] std::string document() const { return text_ + '\n'; }
   /// Other numbers from here on.
   void write_numbers(JsonNumbers numbers) { numbers_ = numbers; }
+  /// Numbers with a unit from here on in these units, by dimension.  A table by columns keeps the
+  /// units that stand in a column of their own.
+  /// @param units  outlive the writer
+  void write_units(const AskedUnits& units) { units_ = &units; }
   /// A field and its text, flag or null.
   void member(std::string_view name, std::string_view value);
   void member(std::string_view name, const char* value) { member(name, std::string_view(value)); }
@@ -44,6 +49,14 @@ class JsonWriter : public ValueVisitor {
   void nothing() override;
 
  private:
+  /// The unit of a value and the one to write it in; equal texts: as it is.
+  struct Change {
+    std::string from;
+    std::string to;
+  };
+  [[nodiscard]] Change change_of(std::string_view unit) const;
+  [[nodiscard]] std::string written(double value, const Change& change) const;
+
   void open(char bracket);
   void close(char bracket);
   void separate();
@@ -54,6 +67,10 @@ class JsonWriter : public ValueVisitor {
   std::vector<bool> empty_;  // of each open bracket
   int columns_ = 0;          // open columns: what is inside stays on the line
   bool keyed_ = false;       // a key was written, and its value comes next
+  const AskedUnits* units_ = nullptr;
+  std::string key_;              // the last one
+  std::vector<Change> records_;  // of each open record, by its field `unit`
+  Change column_;                // of the open column
 };
 
 /// A described value as a JSON document.

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "strainwave/core/asked_units.hpp"
 #include "strainwave/core/fields.hpp"
 
 namespace strainwave {
@@ -56,5 +57,16 @@ template <class... Values>
 /// RFC 4180, lines ended by a line feed.
 [[nodiscard]] std::string csv_line(const std::vector<std::string>& row);
 [[nodiscard]] std::string csv_table(const Table& table);
+
+/// A CSV table with its numbers in other units: those of a column "name [unit]", and those in a
+/// column "value" with a unit in a column "unit", "x" with "x_unit", of the output or field that
+/// the first column names.
+/// @param csv  as csv_table writes it
+[[nodiscard]] std::string csv_in_units(const std::string& csv, const AskedUnits& units);
+/// Some columns of a CSV table, in the order asked.
+/// @param names  of columns, without their units
+/// @throws InputError  there is no such column; the message names the nearest
+[[nodiscard]] std::string csv_columns(const std::string& csv,
+                                      const std::vector<std::string>& names);
 
 }  // namespace strainwave

@@ -34,8 +34,8 @@ struct Input {
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"name", "", "of the field or load"}, &Input::name);
-    field({"value", kUnitBeside, "its value"}, &Input::value);
     field({"unit", "", "SI unit"}, &Input::unit);
+    field({"value", kUnitBeside, "its value"}, &Input::value);
     field({"given", "", "by the caller; else the example of a field, 0 of a load"}, &Input::given);
   }
 };
@@ -71,8 +71,8 @@ struct ComplianceEntry {
   static void describe(Visitor&& field) {
     field({"load_i", "", "whose displacement"}, &ComplianceEntry::load_i);
     field({"load_j", "", "per unit of this load"}, &ComplianceEntry::load_j);
-    field({"value", kUnitBeside, "added compliance"}, &ComplianceEntry::value);
     field({"unit", "", "SI unit"}, &ComplianceEntry::unit);
+    field({"value", kUnitBeside, "added compliance"}, &ComplianceEntry::value);
   }
 };
 

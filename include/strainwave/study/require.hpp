@@ -73,7 +73,7 @@ struct RequirementReport {
     field({"method", "", "as-printed, repaired or corrected"}, &R::method);
     field({"coverage", "1", "standard uncertainties that count"}, &R::coverage);
     field({"requirements", "", "each requirement and its answer"}, &R::answers);
-    field({"outcome", "", "of all together"}, &R::outcome);
+    field({.name = "outcome", .unit = "", .doc = "of all together", .headline = true}, &R::outcome);
   }
 };
 

@@ -42,8 +42,8 @@ struct Target {
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"output", "", "name of the output"}, &Target::output);
-    field({"value", kUnitBeside, "the wanted value"}, &Target::value);
     field({"unit", "", "SI unit of the output"}, &Target::unit);
+    field({"value", kUnitBeside, "the wanted value"}, &Target::value);
   }
 };
 

@@ -92,7 +92,7 @@ struct SweepResult {
   std::vector<SweepColumn> outputs;      ///< all quantities of a result (model/result_fields.hpp)
   std::vector<SweepRow> rows;            ///< the first variation varies slowest
   std::vector<SweepNote> notes;          ///< of all rows, each once
-  std::vector<std::string> crack_paths;  ///< of cracks[0], cracks[1], ... in the outputs
+  std::vector<std::string> crack_paths;  ///< of the cracks in the outputs
 
   /// The table by columns: varied numbers, then outputs.
   [[nodiscard]] std::vector<SweepValues> columns() const;
@@ -104,7 +104,7 @@ struct SweepResult {
           &SweepResult::columns);
     field({"rows", "", "the points; the first varied field varies slowest"}, &SweepResult::rows);
     field({"note_rows", "", "which points each note was given for"}, &SweepResult::notes);
-    field({"crack_paths", "", "fields of cracks[0], cracks[1], ..."}, &SweepResult::crack_paths);
+    field({"crack_paths", "", "fields of the cracks"}, &SweepResult::crack_paths);
   }
 };
 

@@ -240,9 +240,12 @@ struct MakersLines {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"K1", "N*m/rad", "T1/phi(T1)"}, &MakersLines::K1);
-    field({"K2", "N*m/rad", "slope from T1 to T2"}, &MakersLines::K2);
-    field({"K3", "N*m/rad", "slope from T2 to T3"}, &MakersLines::K3);
+    field({.name = "K1", .unit = "N*m/rad", .doc = "T1/phi(T1)", .headline = true},
+          &MakersLines::K1);
+    field({.name = "K2", .unit = "N*m/rad", .doc = "slope from T1 to T2", .headline = true},
+          &MakersLines::K2);
+    field({.name = "K3", .unit = "N*m/rad", .doc = "slope from T2 to T3", .headline = true},
+          &MakersLines::K3);
     field({"phi1", "rad", "twist at T1"}, &MakersLines::phi1);
     field({"phi2", "rad", "twist at T2"}, &MakersLines::phi2);
     field({"phi3", "rad", "twist at T3"}, &MakersLines::phi3);

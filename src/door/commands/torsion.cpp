@@ -8,7 +8,7 @@ namespace {
 
 struct TorsionOptions {
   bool compare = false;
-  int angles = 0;
+  std::optional<int> angles;
   int draws = 200;
 
   template <class Visitor>
@@ -47,11 +47,17 @@ Command torsion_command() {
       .example = "strainwave torsion examples/catalogue_size25.toml --plot torsion.svg",
       .function =
           [](const Request& request, const TorsionOptions& o) {
-            return torsion_report(request.drive.gear,
-                                  {.compare = o.compare, .angles = o.angles, .draws = o.draws},
-                                  request.progress);
+            if (o.angles && !o.compare)
+              throw OptionError("compare", "angles needs it; give --compare too");
+            return torsion_report(
+                request.drive.gear,
+                {.compare = o.compare, .angles = o.angles.value_or(0), .draws = o.draws},
+                request.progress);
           },
-      .documents = {{Format::text, torsion_text},
+      .documents = {{Format::text,
+                     [](const TorsionReport& report, const Rendering& to) {
+                       return torsion_text(report, to.drive.gear, to.provenance);
+                     }},
                     {Format::csv, torsion_csv},
                     {{.name = "plot",
                       .format = Format::svg,

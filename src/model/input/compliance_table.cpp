@@ -5,6 +5,7 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/model/input/crack_parameters.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 
@@ -96,9 +97,9 @@ void check_one(const GearSet& gear, const std::string& path, const Crack& crack)
       same_unit(*axis, number);
       if (!(number.value >= axis->nodes.front() && number.value <= axis->nodes.back()))
         refuse(fmt::format("reaches from {} to {} in {}, and the drive has {}",
-                           quantity_text(axis->nodes.front(), number.unit),
-                           quantity_text(axis->nodes.back(), number.unit), number.name,
-                           quantity_text(number.value, number.unit)));
+                           shown_quantity(axis->nodes.front(), number.unit, 9, number.name),
+                           shown_quantity(axis->nodes.back(), number.unit, 9, number.name),
+                           number.name, shown_quantity(number.value, number.unit, 9, number.name)));
       continue;
     }
     const auto fixed = std::ranges::find(table.fixed, number.name, &TableParameter::name);
@@ -107,8 +108,8 @@ void check_one(const GearSet& gear, const std::string& path, const Crack& crack)
     same_unit(*fixed, number);
     if (!agree(fixed->value, number.value))
       refuse(fmt::format("was made with {} = {}, and the drive has {}", number.name,
-                         quantity_text(fixed->value, number.unit),
-                         quantity_text(number.value, number.unit)));
+                         shown_quantity(fixed->value, number.unit, 9, number.name),
+                         shown_quantity(number.value, number.unit, 9, number.name)));
   }
   if constexpr (requires { crack.angle; })
     if (gear.load.axial_force != 0)

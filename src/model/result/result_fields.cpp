@@ -7,31 +7,31 @@ namespace strainwave {
 void OutputWalk::element() {
   if (levels_.empty() || !levels_.back().list) return;
   Level& list = levels_.back();
-  path_.resize(list.length);
-  path_ += '[' + std::to_string(list.next++) + ']';
+  path_ = list.path + '[' + std::to_string(list.next++) + ']';
 }
 
 void OutputWalk::begin_record() {
   element();
-  levels_.push_back({.length = path_.size()});
+  levels_.push_back({.path = path_});
 }
 
 void OutputWalk::end_record() {
-  path_.resize(levels_.back().length);
+  path_ = levels_.back().path;
   levels_.pop_back();
 }
 
 bool OutputWalk::field(const Field& field) {
   if (field.detail) return false;
-  path_.resize(levels_.back().length);
+  path_ = levels_.back().path;
   if (!path_.empty()) path_ += '.';
   path_ += field.name;
+  name_ = field.name;
   return true;
 }
 
 void OutputWalk::begin_list() {
   element();
-  levels_.push_back({.length = path_.size(), .list = true});
+  levels_.push_back({.path = path_, .list = true});
 }
 
 void OutputWalk::end_list() { end_record(); }
@@ -52,8 +52,12 @@ void OutputWalk::quantity(const Quantity& value) {
 
 void OutputWalk::whole(std::int64_t) {}
 void OutputWalk::flag(bool) {}
-void OutputWalk::text(std::string_view) {
-  if (columns_ == 0) element();
+void OutputWalk::text(std::string_view value) {
+  if (columns_ > 0) return;
+  element();
+  const std::size_t depth = levels_.size();
+  if (name_ == "path" && depth > 1 && !levels_[depth - 1].list && levels_[depth - 2].list)
+    levels_.back().path = value;
 }
 void OutputWalk::nothing() {}
 

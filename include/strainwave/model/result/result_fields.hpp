@@ -13,7 +13,8 @@ using QuantityReader = std::function<void(const std::string& path, const Quantit
 
 /// Walks the outputs of a described result: numbers that are no detail and stand in no column, in
 /// the order of the JSON document, with paths such as "cracked.positive.stiffness".  CSV, sweep,
-/// solve and require name their outputs by this walk.
+/// solve and require name their outputs by this walk.  Outputs of an element that has a field
+/// `path` begin with it: "flexspline.crack[0].added_compliance.positive.at_output".
 class OutputWalk : public ValueVisitor {
  public:
   explicit OutputWalk(QuantityReader read) : read_(std::move(read)) {}
@@ -34,14 +35,15 @@ class OutputWalk : public ValueVisitor {
 
  private:
   struct Level {
-    std::size_t length = 0;  ///< of the path of the record or list
-    std::size_t next = 0;    ///< index of the next element; of a list
+    std::string path;      ///< of the record or list
+    std::size_t next = 0;  ///< index of the next element; of a list
     bool list = false;
   };
   void element();
 
   QuantityReader read_;
   std::string path_;
+  std::string_view name_;  ///< of the last field
   std::vector<Level> levels_;
   int columns_ = 0;
 };

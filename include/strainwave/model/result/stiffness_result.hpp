@@ -59,9 +59,15 @@ struct CrackedDrive {
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"compliance", "", "compliances at the output"}, &CrackedDrive::compliance);
-    field({"stiffness", "N*m/rad", "K_HD of the sum at the output, input locked"},
+    field({.name = "stiffness",
+           .unit = "N*m/rad",
+           .doc = "K_HD of the sum at the output, input locked",
+           .headline = true},
           &CrackedDrive::stiffness);
-    field({"stiffness_change", "1", "K/K_intact - 1; negative means softer"},
+    field({.name = "stiffness_change",
+           .unit = "1",
+           .doc = "K/K_intact - 1; negative means softer",
+           .headline = true},
           &CrackedDrive::stiffness_change);
     field({"wind_up", "rad", "twist at the given torque"}, &CrackedDrive::wind_up);
   }

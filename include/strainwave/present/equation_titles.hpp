@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-namespace strainwave::report {
+namespace strainwave {
 
 /// Heading of an equation in the theory manual.
 struct EquationTitle {
@@ -15,4 +15,4 @@ struct EquationTitle {
 /// All equations of the manual; made from docs/theory when the library is built.
 [[nodiscard]] std::span<const EquationTitle> equation_titles();
 
-}  // namespace strainwave::report
+}  // namespace strainwave

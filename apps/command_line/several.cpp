@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "several.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "strainwave/core/shown_text.hpp"
+#include "strainwave/model/result/result_fields.hpp"
+#include "strainwave/present/json.hpp"
+#include "strainwave/present/table.hpp"
+
+namespace strainwave::cli {
+namespace {
+
+/// Reads the outputs whose fields are headlines.
+class HeadlineWalk : public OutputWalk {
+ public:
+  using OutputWalk::OutputWalk;
+
+  bool field(const Field& field) override {
+    headline_ = field.headline;
+    return OutputWalk::field(field);
+  }
+  void quantity(const Quantity& value) override {
+    if (headline_) OutputWalk::quantity(value);
+  }
+
+ private:
+  bool headline_ = false;
+};
+
+/// Whether a type has a field that is a headline.
+class HeadlineSeeker : public TypeVisitor {
+ public:
+  [[nodiscard]] bool found() const { return found_; }
+
+  void begin_record() override {}
+  void end_record() override {}
+  void field(const Field& field, Presence) override { found_ = found_ || field.headline; }
+  void begin_list() override {}
+  void end_list() override {}
+  void begin_map() override {}
+  void end_map() override {}
+  void begin_alternatives() override {}
+  void end_alternatives() override {}
+  void kind(std::string_view) override {}
+  void column(const Field&) override {}
+  void number(const Field&) override {}
+  void quantity(const Field&) override {}
+  void whole(const Field&) override {}
+  void flag() override {}
+  void text() override {}
+  void choice(std::span<const std::string_view>) override {}
+
+ private:
+  bool found_ = false;
+};
+
+struct Output {
+  std::string name;
+  std::string unit;
+};
+
+/// The outputs of all answers as columns, and the value of each answer in each.
+struct Outputs {
+  std::vector<Output> columns;
+  std::vector<std::vector<std::optional<Quantity>>> rows;
+};
+
+template <class Walk>
+Outputs outputs_of(std::span<const FileAnswer> answers) {
+  Outputs outputs;
+  for (const FileAnswer& of : answers) {
+    auto& row = outputs.rows.emplace_back();
+    Walk walk([&](const std::string& name, const Quantity& value) {
+      auto found = std::ranges::find(outputs.columns, name, &Output::name);
+      if (found == outputs.columns.end())
+        found = outputs.columns.insert(found, {name, std::string(value.unit)});
+      const auto at = static_cast<std::size_t>(found - outputs.columns.begin());
+      row.resize(std::max(row.size(), at + 1));
+      row[at] = value;
+    });
+    if (of.answer) of.answer->visit(walk);
+  }
+  for (auto& row : outputs.rows) row.resize(outputs.columns.size());
+  return outputs;
+}
+
+std::string verdict_of(const FileAnswer& of) {
+  if (!of.answer) return "no answer";
+  const ResultEvidence& evidence = of.answer->evidence();
+  if (!of.answer->usable()) return "not usable";
+  return evidence.requirement ? std::string(enum_name(*evidence.requirement))
+                              : std::string(enum_name(evidence.verdict.judgement));
+}
+
+std::string text_of_several(std::span<const FileAnswer> answers) {
+  const Outputs outputs = outputs_of<HeadlineWalk>(answers);
+  Table table{.head = {"file", "verdict"}, .align = "ll"};
+  for (const auto& [name, unit] : outputs.columns) {
+    const DisplayUnit shown = display_unit(name, unit);
+    table.head.push_back(shown.text == "1" ? name : fmt::format("{} [{}]", name, shown.text));
+  }
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    auto& row = table.rows.emplace_back(cells(answers[i].file, verdict_of(answers[i])));
+    for (std::size_t n = 0; n < outputs.columns.size(); ++n) {
+      const auto& value = outputs.rows[i][n];
+      const DisplayUnit shown = display_unit(outputs.columns[n].name, outputs.columns[n].unit);
+      row.push_back(value ? warranted_digits({value->value / shown.in_si, shown.text,
+                                              value->relative_uncertainty})
+                          : std::string());
+    }
+  }
+  return text_table(table);
+}
+
+std::string csv_of_several(std::span<const FileAnswer> answers, const AskedUnits& units,
+                           const std::vector<std::string>& columns) {
+  const Outputs outputs = outputs_of<OutputWalk>(answers);
+  Table table{.head = {"file", "verdict", "exit_status"}};
+  for (const auto& [name, unit] : outputs.columns)
+    table.head.push_back(fmt::format("{} [{}]", name, unit));
+  table.head.emplace_back("fault");
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    auto& row = table.rows.emplace_back(
+        cells(answers[i].file, verdict_of(answers[i]), static_cast<int>(answers[i].code)));
+    for (const auto& value : outputs.rows[i])
+      row.push_back(value ? cell(value->value) : std::string());
+    row.push_back(answers[i].fault);
+  }
+  const std::string csv = csv_in_units(csv_table(table), units);
+  return columns.empty() ? csv : from_option([&] { return csv_columns(csv, columns); });
+}
+
+/// A list of envelopes; each has the file among its provenance.
+std::string json_of_several(std::span<const FileAnswer> answers) {
+  std::string text = "{\n\"format\": \"strainwave-results/1\",\n\"answers\": [\n";
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const FileAnswer& of = answers[i];
+    JsonWriter head;
+    head.begin_record();
+    head.member("file", of.file);
+    head.member("fault", of.fault);
+    head.end_record();
+    std::string record = head.document();
+    record.resize(record.rfind('\n', record.size() - 2));  // without the bracket that closes it
+    text += fmt::format("{},\n  \"exit_status\": {},\n  \"answer\": {}}}{}\n", record,
+                        static_cast<int>(of.code), of.answer ? of.answer->json() : "null",
+                        i + 1 < answers.size() ? "," : "");
+  }
+  return text + "]\n}\n";
+}
+
+}  // namespace
+
+bool answers_several(const Command& command) {
+  HeadlineSeeker seeker;
+  command.walk({}, seeker);
+  return command.takes == Takes::drive && seeker.found();
+}
+
+ExitCode worst_of(std::span<const FileAnswer> answers) {
+  static constexpr std::array<ExitCode, 6> kBetterFirst = {kOk,        kCannotTell, kNotMet,
+                                                           kNotUsable, kInput,      kUsage};
+  ExitCode worst = kOk;
+  for (const FileAnswer& of : answers)
+    if (std::ranges::find(kBetterFirst, of.code) > std::ranges::find(kBetterFirst, worst))
+      worst = of.code;
+  return worst;
+}
+
+std::string several_document(std::string_view format, std::span<const FileAnswer> answers,
+                             const AskedUnits& units, const std::vector<std::string>& columns) {
+  const AskedUnitsScope scope(units);
+  if (format == "csv") return csv_of_several(answers, units, columns);
+  return format == "json" ? json_of_several(answers) : text_of_several(answers);
+}
+
+}  // namespace strainwave::cli

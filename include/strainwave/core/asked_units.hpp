@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "strainwave/core/quantity_text.hpp"
+
+/// @file
+/// The units that a reader asked for.  Computations and results are in SI; texts and documents are
+/// written within an `AskedUnitsScope`, which `display_unit` and the writers of documents consult.
+
+namespace strainwave {
+
+/// A unit for people.
+struct DisplayUnit {
+  std::string_view text;  ///< as `parse_unit` reads it
+  double in_si = 1.0;     ///< divide a value in SI by it
+};
+
+/// Units that a reader asked for: some for all values of their dimension, some for one name.
+class AskedUnits {
+ public:
+  AskedUnits() = default;
+  /// @param text  units separated by commas, such as "mm,N*m/rad"; "si" for SI throughout
+  /// @throws InputError  a unit is not known, is of a pure number, or two have one dimension
+  explicit AskedUnits(std::string_view text);
+
+  /// Asks for a unit of one output or field.
+  /// @throws InputError  the unit is not known
+  void ask_for(std::string_view name, std::string_view unit);
+  /// What was asked for an output or a field of this name and unit; nothing: the choice is free.
+  /// The text lives as long as this.
+  /// @param unit  of the values, such as "m"; text that is no unit has no other
+  [[nodiscard]] std::optional<DisplayUnit> of(std::string_view name, std::string_view unit) const;
+
+  [[nodiscard]] bool empty() const { return asked_.empty() && !si_; }
+
+ private:
+  struct Asked {
+    std::string name;  ///< empty: any of this dimension
+    std::string text;
+    Unit unit;
+  };
+  std::vector<Asked> asked_;
+  bool si_ = false;
+};
+
+/// The number of a value, told in one unit, in another: the shortest digits that read back.
+/// @param from, to  as `parse_unit` reads them; of one dimension
+[[nodiscard]] std::string number_in(double value, std::string_view from, std::string_view to);
+
+/// While it lives, texts that this thread writes have the units asked for.
+class AskedUnitsScope {
+ public:
+  /// @param units  outlive the scope
+  explicit AskedUnitsScope(const AskedUnits& units);
+  ~AskedUnitsScope();
+  AskedUnitsScope(const AskedUnitsScope&) = delete;
+  AskedUnitsScope& operator=(const AskedUnitsScope&) = delete;
+  AskedUnitsScope(AskedUnitsScope&&) = delete;
+  AskedUnitsScope& operator=(AskedUnitsScope&&) = delete;
+
+ private:
+  const AskedUnits* before_;
+};
+
+/// The units asked for in the innermost scope; none outside of all.
+[[nodiscard]] const AskedUnits& asked_units();
+/// Whether a scope lives: somebody reads what this thread writes, who typed units.  A caller from
+/// code has SI.
+[[nodiscard]] bool within_asked_units();
+
+}  // namespace strainwave

@@ -1,0 +1,521 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "commands/method_option.hpp"
+#include "strainwave/core/number_text.hpp"
+#include "strainwave/core/shown_text.hpp"
+#include "strainwave/door/door.hpp"
+#include "strainwave/layouts/words.hpp"
+#include "strainwave/model/input/method.hpp"
+#include "strainwave/present/evidence_text.hpp"
+#include "strainwave/present/table.hpp"
+
+namespace strainwave {
+
+Command stiffness_command();
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct DiffOptions {
+  std::string first;
+  std::string second;
+  Method method = Method::corrected;
+  double coverage = 1.0;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({.name = "first",
+           .unit = "",
+           .doc = "a drive, or a result that --format json wrote",
+           .positional = true,
+           .names = "attachment"},
+          &DiffOptions::first);
+    field({.name = "second",
+           .unit = "",
+           .doc = "what it is compared with, likewise",
+           .positional = true,
+           .names = "attachment"},
+          &DiffOptions::second);
+    field(kMethodOption, &DiffOptions::method);
+    field({.name = "coverage",
+           .unit = "1",
+           .doc = "standard uncertainties of a difference that count",
+           .range = kPositive,
+           .fallback = "1"},
+          &DiffOptions::coverage);
+  }
+};
+
+/// A value with its unit, which the difference keeps.
+struct Output {
+  double value = 0.0;
+  std::string unit;
+  std::optional<double> relative_uncertainty;
+};
+using Outputs = std::map<std::string, Output>;
+using Inputs = std::map<std::string, std::string>;  // text by path
+
+/// One of the two that are compared.
+struct Side {
+  std::string command;
+  std::string unusable_because;
+  Inputs inputs;
+  Outputs outputs;
+  std::vector<std::string> order;  // of the outputs
+};
+
+void read_inputs(const Json& value, const std::string& path, Inputs& to) {
+  if (value.is_object()) {
+    for (const auto& [name, member] : value.items())
+      read_inputs(member, path.empty() ? name : path + "." + name, to);
+  } else if (value.is_array()) {
+    for (std::size_t i = 0; i < value.size(); ++i)
+      read_inputs(value[i], fmt::format("{}[{}]", path, i), to);
+  } else {
+    to[path] = value.is_string() ? value.get<std::string>() : value.dump();
+  }
+}
+
+/// The numbers of a result that stand in no column, named as for_each_quantity names them.
+void read_outputs(const Json& value, const std::string& path, Side& to) {
+  if (value.is_array()) {
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      const bool named = value[i].is_object() && value[i].contains("path");
+      read_outputs(value[i],
+                   named ? value[i]["path"].get<std::string>() : fmt::format("{}[{}]", path, i),
+                   to);
+    }
+  } else if (value.is_object() && value.contains("value") && value.contains("unit")) {
+    if (!value["value"].is_number()) return;
+    const auto u = value.find("relative_uncertainty");
+    const bool stated = u != value.end() && u->is_number();
+    to.outputs[path] = {.value = value["value"],
+                        .unit = value["unit"],
+                        .relative_uncertainty = stated ? std::optional<double>(*u) : std::nullopt};
+    to.order.push_back(path);
+  } else if (value.is_object()) {
+    for (const auto& [name, member] : value.items())
+      read_outputs(member, path.empty() ? name : path + "." + name, to);
+  }
+}
+
+Side side_of_result(const std::string& text, const std::string& name) {
+  const Json document = Json::parse(text, nullptr, false);
+  try {
+    if (document.at("format") != "strainwave-result/1") throw InputError(name, "another format");
+    Side side{.command = document.at("command"),
+              .unusable_because = document.at("unusable_because"),
+              .inputs = {},
+              .outputs = {},
+              .order = {}};
+    if (const auto input = document.at("provenance").find("input");
+        input != document.at("provenance").end())
+      read_inputs(*input, "", side.inputs);
+    read_outputs(document.at("result"), "", side);
+    return side;
+  } catch (const Json::exception&) {
+  } catch (const InputError&) {
+  }
+  throw InputError(name,
+                   "is neither a drive nor a result: write one with strainwave stiffness FILE "
+                   "--format json --output RESULT");
+}
+
+Side side_of(const std::string& name, Method method, const Request& request) {
+  const auto given = request.texts.find(name);
+  if (given == request.texts.end()) throw OptionError(name, "its text is not given");
+  const std::string& text = given->second;
+  if (text.find_first_not_of(" \t\r\n") != std::string::npos &&
+      text[text.find_first_not_of(" \t\r\n")] == '{')
+    return side_of_result(text, name);
+  static const Command stiffness = stiffness_command();
+  OptionValues options(stiffness.options);
+  options.set("method", enum_name(method));
+  return side_of_result(
+      run(stiffness, read_drive(text, name, request.beside(name)), options).json(), name);
+}
+
+/// What two texts say of one input.
+struct InputDifference {
+  std::string path;
+  std::string first;  ///< empty: it is not there
+  std::string second;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"path", "", "field of the input"}, &InputDifference::path);
+    field({"first", "", "of the first; empty: not there"}, &InputDifference::first);
+    field({"second", "", "of the second; empty: not there"}, &InputDifference::second);
+  }
+};
+
+/// An output that differs.
+struct OutputDifference {
+  std::string path;
+  std::string unit;
+  double first = 0.0;
+  double second = 0.0;
+  double difference = 0.0;            ///< second - first
+  std::optional<double> uncertainty;  ///< one standard, of the difference; absent: not stated
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using D = OutputDifference;
+    field({"output", "", "name of the output"}, &D::path);
+    field({"unit", "", "of the numbers"}, &D::unit);
+    field({"first", kUnitBeside, "of the first"}, &D::first);
+    field({"second", kUnitBeside, "of the second"}, &D::second);
+    field({"difference", kUnitBeside, "second less first"}, &D::difference);
+    field({"uncertainty", kUnitBeside, "one standard uncertainty of the difference"},
+          &D::uncertainty);
+  }
+};
+
+struct Difference {
+  std::string first;
+  std::string second;
+  double coverage = 1.0;
+  std::vector<InputDifference> inputs;
+  std::vector<OutputDifference> outputs;  ///< beyond the uncertainty of their difference
+  std::vector<OutputDifference> within;   ///< others that differ
+  std::vector<std::string> only_first;
+  std::vector<std::string> only_second;
+  std::size_t equal = 0;
+  std::string unusable_because;
+  std::vector<std::string> equations = {"ST-19"};
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    using D = Difference;
+    field({"first", "", "a drive or a result"}, &D::first);
+    field({"second", "", "what it is compared with"}, &D::second);
+    field({"coverage", "1", "standard uncertainties of a difference that count"}, &D::coverage);
+    field({"inputs", "", "that differ"}, &D::inputs);
+    field({"outputs", "", "that differ by more than the uncertainty of their difference"},
+          &D::outputs);
+    field({"within_uncertainty", "", "outputs that differ by less"}, &D::within);
+    field({"only_first", "", "outputs that the second has not"}, &D::only_first);
+    field({"only_second", "", "outputs that the first has not"}, &D::only_second);
+    field({"equal", "", "number of outputs that are the same"}, &D::equal);
+  }
+};
+
+constexpr std::array<std::string_view, 3> kMembers = {"wave_generator", "flexspline",
+                                                      "output_shaft"};
+constexpr std::array<std::string_view, 3> kDrives = {"intact", "cracked.positive",
+                                                     "cracked.negative"};
+
+/// Which parts of two drives are the same, by the inputs that differ.
+class SameParts {
+ public:
+  SameParts(const Side& first, const Side& second, const std::vector<InputDifference>& differing) {
+    std::set<std::string> materials;
+    for (const InputDifference& input : differing) {
+      const std::string& path = input.path;
+      const bool says_nothing = path == "name" || path == "format" || path.starts_with("scatter") ||
+                                path.starts_with("range") || path.starts_with("article.");
+      if (says_nothing) continue;
+      if (const auto member = std::ranges::find_if(
+              kMembers, [&](std::string_view m) { return path.starts_with(std::string(m) + "."); });
+          member != kMembers.end()) {
+        const bool crack = path.starts_with(fmt::format("{}.crack[", *member));
+        changed_.insert(crack ? path.substr(0, path.find(']') + 1) : std::string(*member));
+        body_ = body_ && crack;
+      } else if (path.starts_with("material.")) {
+        materials.insert(path.substr(9, path.rfind('.') - 9));
+        body_ = false;
+      } else {
+        body_ = false;
+        changed_.insert(kMembers.begin(), kMembers.end());
+      }
+    }
+    for (const std::string_view member : kMembers)
+      for (const Side* const side : {&first, &second})
+        if (const auto used = side->inputs.find(fmt::format("{}.material", member));
+            used != side->inputs.end() && materials.contains(used->second))
+          changed_.insert(std::string(member));
+  }
+
+  /// @param part  a member, or a crack of one
+  [[nodiscard]] bool same(const std::string& part) const {
+    return !changed_.contains(part) && !changed_.contains(part.substr(0, part.find('.')));
+  }
+  /// Whether at most cracks differ.
+  [[nodiscard]] bool same_body() const { return body_; }
+
+ private:
+  std::set<std::string> changed_;
+  bool body_ = true;
+};
+
+/// How the error of each part, relative to its compliance, moves an output: by part.
+using Slopes = std::map<std::string, double>;
+
+/// Compliances of members and cracks with their uncertainties, of one sense of torque.
+struct Parts {
+  std::map<std::string, Output> sound;
+  std::map<std::string, Output> added;
+  double total = 0.0;
+};
+
+Parts parts_of(const Side& side, std::string_view drive) {
+  Parts parts;
+  for (const std::string_view member : kMembers)
+    if (const auto found = side.outputs.find(fmt::format("intact.compliance.{}", member));
+        found != side.outputs.end())
+      parts.sound[std::string(member)] = found->second;
+  const std::string sense(drive.substr(drive.find('.') + 1));
+  const std::string ending = fmt::format(".added_compliance.{}.at_output", sense);
+  if (drive != "intact")
+    for (const auto& [path, output] : side.outputs)
+      if (path.ends_with(ending)) parts.added[path.substr(0, path.size() - ending.size())] = output;
+  for (const auto* const group : {&parts.sound, &parts.added})
+    for (const auto& [part, output] : *group) parts.total += output.value;
+  return parts;
+}
+
+/// The slopes of an output of the series model; none of any other output (ST-19).
+Slopes slopes_of(const Side& side, const std::string& path) {
+  Slopes slopes;
+  for (const std::string_view drive : kDrives) {
+    if (!path.starts_with(std::string(drive) + ".")) continue;
+    const std::string_view output = std::string_view(path).substr(drive.size() + 1);
+    const Parts parts = parts_of(side, drive);
+    const double y = side.outputs.at(path).value;
+    double sound = 0.0;
+    for (const auto& [part, of] : parts.sound) sound += of.value;
+    const auto each = [&](const auto& slope) {
+      for (const auto& [part, of] : parts.sound) slopes[part] = slope(part, of.value, false);
+      for (const auto& [part, of] : parts.added) slopes[part] = slope(part, of.value, true);
+    };
+    if (output == "stiffness")
+      each([&](const std::string&, double c, bool) { return -y * c / parts.total; });
+    else if (output == "wind_up" || output == "compliance.total")
+      each([&](const std::string&, double c, bool) { return y * c / parts.total; });
+    else if (output == "stiffness_change")
+      // Of sound/total - 1.
+      each([&](const std::string&, double c, bool crack) {
+        return (crack ? 0.0 : c / parts.total) - sound * c / (parts.total * parts.total);
+      });
+    else if (output.starts_with("compliance."))
+      each([&](const std::string& part, double c, bool) {
+        return part.substr(0, part.find('.')) == output.substr(11) ? c : 0.0;
+      });
+  }
+  return slopes;
+}
+
+std::optional<double> part_uncertainty(const Side& side, const std::string& path,
+                                       const std::string& part) {
+  const std::string_view sense = path.starts_with("cracked.negative") ? "negative" : "positive";
+  const auto found =
+      side.outputs.find(part.find('.') == std::string::npos
+                            ? fmt::format("intact.compliance.{}", part)
+                            : fmt::format("{}.added_compliance.{}.at_output", part, sense));
+  return found != side.outputs.end() ? found->second.relative_uncertainty : std::nullopt;
+}
+
+/// One standard uncertainty of second - first: the model error of a part that is the same in both
+/// is one error, which cancels; those of a part that differs are two (ST-19).
+std::optional<double> uncertainty_of(const Side& first, const Side& second, const std::string& path,
+                                     const SameParts& same) {
+  const Output& a = first.outputs.at(path);
+  const Output& b = second.outputs.at(path);
+  if (!a.relative_uncertainty || !b.relative_uncertainty) return std::nullopt;
+  const Slopes of_a = slopes_of(first, path);
+  const Slopes of_b = slopes_of(second, path);
+  if (of_a.empty() || of_b.empty()) {
+    const std::size_t crack = path.find("].");
+    const bool one = path.find(".crack[") != std::string::npos && crack != std::string::npos
+                         ? same.same(path.substr(0, crack + 1))
+                         : same.same_body();
+    const double u_a = *a.relative_uncertainty * std::abs(a.value);
+    const double u_b = *b.relative_uncertainty * std::abs(b.value);
+    return one ? std::abs(u_b - u_a) : std::hypot(u_a, u_b);
+  }
+  std::set<std::string> parts;
+  for (const Slopes* const slopes : {&of_a, &of_b})
+    for (const auto& [part, slope] : *slopes) parts.insert(part);
+  double variance = 0.0;
+  for (const std::string& part : parts) {
+    const auto error = [&](const Side& side, const Slopes& slopes) {
+      const auto slope = slopes.find(part);
+      return slope == slopes.end()
+                 ? 0.0
+                 : slope->second * part_uncertainty(side, path, part).value_or(0.0);
+    };
+    const double e_a = error(first, of_a);
+    const double e_b = error(second, of_b);
+    variance += same.same(part) ? std::pow(e_b - e_a, 2) : e_a * e_a + e_b * e_b;
+  }
+  return std::sqrt(variance);
+}
+
+std::vector<InputDifference> differing_inputs(const Side& first, const Side& second) {
+  std::vector<InputDifference> differing;
+  std::set<std::string> paths;
+  for (const Inputs* const inputs : {&first.inputs, &second.inputs})
+    for (const auto& [path, text] : *inputs) paths.insert(path);
+  const auto text_of = [](const Side& side, const std::string& path) {
+    const auto found = side.inputs.find(path);
+    return found != side.inputs.end() ? found->second : std::string();
+  };
+  for (const std::string& path : paths)
+    if (text_of(first, path) != text_of(second, path))
+      differing.push_back({path, text_of(first, path), text_of(second, path)});
+  return differing;
+}
+
+Difference difference(const Request& request, const DiffOptions& options) {
+  const Side first = side_of(options.first, options.method, request);
+  const Side second = side_of(options.second, options.method, request);
+  if (first.command != second.command)
+    throw InputError(options.second,
+                     fmt::format("is a result of {}, and {} one of {}: compare results of one "
+                                 "command",
+                                 second.command, options.first, first.command));
+  Difference difference{.first = options.first,
+                        .second = options.second,
+                        .coverage = options.coverage,
+                        .inputs = differing_inputs(first, second),
+                        .outputs = {},
+                        .within = {},
+                        .only_first = {},
+                        .only_second = {},
+                        .unusable_because = {}};
+  for (const auto& [side, name] : {std::pair(&first, &options.first), {&second, &options.second}})
+    if (!side->unusable_because.empty() && difference.unusable_because.empty())
+      difference.unusable_because = fmt::format("{}: {}", *name, side->unusable_because);
+  const SameParts same(first, second, difference.inputs);
+  for (const std::string& path : second.order)
+    if (!first.outputs.contains(path)) difference.only_second.push_back(path);
+  for (const std::string& path : first.order) {
+    const auto other = second.outputs.find(path);
+    if (other == second.outputs.end()) {
+      difference.only_first.push_back(path);
+      continue;
+    }
+    const Output& a = first.outputs.at(path);
+    const Output& b = other->second;
+    if (a.unit != b.unit)
+      throw InputError(options.second, fmt::format("has {} in {}, and {} in {}: write both without "
+                                                   "--units",
+                                                   path, b.unit, options.first, a.unit));
+    OutputDifference differing{.path = path,
+                               .unit = a.unit,
+                               .first = a.value,
+                               .second = b.value,
+                               .difference = b.value - a.value,
+                               .uncertainty = uncertainty_of(first, second, path, same)};
+    const double rounding = 1e-12 * std::max(std::abs(a.value), std::abs(b.value));
+    if (std::abs(differing.difference) <= rounding) {
+      ++difference.equal;
+      continue;
+    }
+    const double counts = options.coverage * differing.uncertainty.value_or(0.0);
+    (std::abs(differing.difference) > counts ? difference.outputs : difference.within)
+        .push_back(std::move(differing));
+  }
+  return difference;
+}
+
+/// An input in the unit for people: "0.1 mm" for "0.0001 m".
+std::string shown_input(const std::string& path, const std::string& text) {
+  if (text.empty()) return "-";
+  const std::size_t length = number_length(text);
+  const std::optional<double> value = parse_number(text.substr(0, length));
+  if (!value || length + 1 >= text.size() || text[length] != ' ') return text;
+  return shown_quantity(*value, text.substr(length + 1), 9, path);
+}
+
+/// The drives' parts that outputs belong to, such as cracks; an output of none as it is.
+std::set<std::string> parts_with(const std::vector<std::string>& paths) {
+  std::set<std::string> parts;
+  for (const std::string& path : paths) {
+    const std::size_t at = path.find("].");
+    parts.insert(at == std::string::npos ? path : path.substr(0, at + 1));
+  }
+  return parts;
+}
+
+std::string difference_text(const Difference& difference) {
+  std::string text = fmt::format("first:  {}\nsecond: {}\n", difference.first, difference.second);
+  if (!difference.unusable_because.empty())
+    text += paragraph("NOT USABLE: " + difference.unusable_because);
+  Table inputs{.head = {"field", "first", "second"}, .align = "lll"};
+  for (const auto& [path, first, second] : difference.inputs)
+    inputs.rows.push_back(cells(path, shown_input(path, first), shown_input(path, second)));
+  text += "\nInputs that differ\n" +
+          (inputs.rows.empty() ? std::string("  none\n") : text_table(inputs));
+  Table outputs{.head = {"output", "first", "second", "difference", "uncertainty", "unit"},
+                .align = "lrrrrl"};
+  for (const OutputDifference& output : difference.outputs) {
+    const DisplayUnit unit = display_unit(output.path, output.unit);
+    const auto number = [&](double value, int digits) {
+      return fmt::format("{:.{}g}", value / unit.in_si, digits);
+    };
+    outputs.rows.push_back(
+        cells(output.path, number(output.first, 6), number(output.second, 6),
+              number(output.difference, 3),
+              output.uncertainty ? number(*output.uncertainty, 2) : std::string("not stated"),
+              unit.text == "1" ? std::string_view() : unit.text));
+  }
+  text += "\nOutputs that differ by more than the uncertainty of their difference\n" +
+          (outputs.rows.empty() ? std::string("  none\n") : text_table(outputs));
+  const auto only = [&](std::string_view which, const std::vector<std::string>& paths) {
+    if (!paths.empty())
+      text +=
+          paragraph(fmt::format("Only the {} has {} of {}", which, counted(paths.size(), "output"),
+                                fmt::join(parts_with(paths), ", ")));
+  };
+  text += '\n';
+  only("first", difference.only_first);
+  only("second", difference.only_second);
+  text += fmt::format("Of the others, {} differ by less and {} are the same.\n",
+                      difference.within.size(), difference.equal);
+  return text + equations_text(difference.equations);
+}
+
+std::string difference_csv(const Difference& difference) {
+  Table table{.head = {"path", "what", "first", "first_unit", "second", "second_unit", "difference",
+                       "difference_unit", "uncertainty", "uncertainty_unit"}};
+  for (const auto& [path, first, second] : difference.inputs)
+    table.rows.push_back(cells(path, "input", first, "", second, ""));
+  const auto add = [&](const std::vector<OutputDifference>& outputs, std::string_view what) {
+    for (const OutputDifference& o : outputs)
+      table.rows.push_back(cells(o.path, what, o.first, o.unit, o.second, o.unit, o.difference,
+                                 o.unit, o.uncertainty, o.uncertainty ? o.unit : ""));
+  };
+  add(difference.outputs, "output");
+  add(difference.within, "within uncertainty");
+  return csv_table(table);
+}
+
+}  // namespace
+
+Command diff_command() {
+  return command<DiffOptions, Difference>({
+      .name = "diff",
+      .summary = "What differs between two drives or two results",
+      .description =
+          "Compares two drives, or two results that --format json wrote. Prints the inputs that "
+          "differ, and the outputs that differ by more than the uncertainty of their difference: "
+          "the model error of a member or crack that is the same in both cancels, that of one "
+          "whose inputs differ does not. The csv and json formats have also the outputs that "
+          "differ by less.",
+      .example = "strainwave diff examples/article.toml examples/through_crack.toml",
+      .takes = Takes::nothing,
+      .function = difference,
+      .documents = {{Format::text, difference_text}, {Format::csv, difference_csv}},
+  });
+}
+
+}  // namespace strainwave

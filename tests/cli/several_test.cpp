@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+// Several files, words that are no command, and what help says.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "support/program.hpp"
+
+namespace strainwave {
+namespace {
+
+using test::Outcome;
+
+class SeveralFiles : public test::ProgramTest {
+ protected:
+  [[nodiscard]] Outcome run(const std::string& arguments) const {
+    return execute(test::quoted(STRAINWAVE_CLI) + " " + arguments);
+  }
+  [[nodiscard]] static std::string example(const std::string& name) {
+    return test::quoted(std::string(STRAINWAVE_EXAMPLES) + "/" + name + ".toml");
+  }
+  /// A file that breaks a rule.
+  [[nodiscard]] std::string wrong_file() const {
+    const auto file = in_folder("wrong.toml");
+    std::ofstream(file) << "format = \"strainwave-drive/1\"\nratio = 1\n";
+    return test::quoted(file.string());
+  }
+};
+
+TEST_F(SeveralFiles, BehaviourOneRowForEachAndTheStatusOfTheWorst) {
+  const Outcome both = run("stiffness " + example("article") + " " + example("through_crack"));
+  EXPECT_EQ(both.exit_code, 0) << both.err;
+  EXPECT_EQ(std::ranges::count(both.out, '\n'), 3) << both.out;
+  EXPECT_NE(both.out.find("cracked.positive.stiffness [N*m/arcmin]"), std::string::npos);
+  // A file that is wrong does not stop the one behind it.
+  const Outcome wrong = run("stiffness " + wrong_file() + " " + example("article"));
+  EXPECT_EQ(wrong.exit_code, 3);
+  EXPECT_NE(wrong.err.find("wrong.toml:2:1: ratio: is not known here"), std::string::npos)
+      << wrong.err;
+  EXPECT_NE(wrong.out.find("no answer"), std::string::npos) << wrong.out;
+  EXPECT_NE(wrong.out.find("179"), std::string::npos) << wrong.out;
+}
+
+TEST_F(SeveralFiles, BehaviourRequireTakesFilesAmongItsRequirements) {
+  const std::string bound = "'cracked.positive.stiffness >= 4e5 N*m/rad'";
+  const std::string too_much = "'cracked.positive.stiffness >= 9e5 N*m/rad'";
+  const std::string files = example("article") + " " + example("through_crack") + " ";
+  EXPECT_EQ(run("require " + files + bound).exit_code, 0);
+  const Outcome broken = run("require " + files + too_much);
+  EXPECT_EQ(broken.exit_code, 5) << broken.out << broken.err;
+  EXPECT_NE(broken.out.find("not met"), std::string::npos);
+  EXPECT_EQ(run("require " + files + bound + " " + wrong_file()).exit_code, 3);
+}
+
+TEST_F(SeveralFiles, IdentityCsvAndJsonHaveTheOutputsOfEachFile) {
+  const std::string files =
+      example("article") + " " + wrong_file() + " " + example("through_crack");
+  const Outcome csv = run("stiffness " + files +
+                          " --format csv --units N*m/arcmin --columns "
+                          "file,exit_status,cracked.positive.stiffness,fault");
+  EXPECT_EQ(csv.exit_code, 3);
+  EXPECT_TRUE(
+      csv.out.starts_with("file,exit_status,cracked.positive.stiffness [N*m/arcmin],fault\n"))
+      << csv.out;
+  const Outcome text = run("stiffness " + files + " --format json");
+  const auto json = nlohmann::json::parse(text.out);
+  EXPECT_EQ(json["format"], "strainwave-results/1");
+  ASSERT_EQ(json["answers"].size(), 3U);
+  const auto alone =
+      nlohmann::json::parse(run("stiffness " + example("article") + " --format json").out);
+  EXPECT_EQ(json["answers"][0]["answer"], alone);
+  EXPECT_EQ(json["answers"][1]["exit_status"], 3);
+  EXPECT_TRUE(json["answers"][1]["answer"].is_null());
+  EXPECT_FALSE(json["answers"][1]["fault"].get<std::string>().empty());
+}
+
+TEST_F(SeveralFiles, InputWhatShowsOneDriveIsRefusedForSeveral) {
+  const std::string files = example("article") + " " + example("through_crack");
+  const Outcome plot = run("stiffness " + files + " --plot x.svg");
+  EXPECT_EQ(plot.exit_code, 2);
+  EXPECT_NE(plot.err.find("--plot shows one drive: name one FILE"), std::string::npos) << plot.err;
+  EXPECT_EQ(run("sweep " + files + " --vary drive.ratio=50..60:2").exit_code, 2);
+}
+
+TEST_F(SeveralFiles, InputAWordThatIsNoCommandIsNamed) {
+  for (const auto& [line, says] : std::vector<std::pair<std::string, std::string>>{
+           {"stifness f.toml", "stifness is no command; did you mean strainwave stiffness?"},
+           {"sif lst", "lst is no command; did you mean strainwave sif list?"},
+           {"sif", "sif needs a second word: list, show, eval, plot"},
+           {"xyzzyxyzzy", "xyzzyxyzzy is no command; strainwave --help lists them"},
+           {"", "name a command; strainwave --help lists them"}}) {
+    const Outcome outcome = run(line);
+    EXPECT_EQ(outcome.exit_code, 2) << line;
+    EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err;
+  }
+}
+
+TEST_F(SeveralFiles, InputLikeFaultsEndAlike) {
+  // An option that needs another one.
+  for (const std::string& line : {"torsion " + example("catalogue_size25") + " --angles 3",
+                                  "sensitivity " + example("article_scatter") + " --seed 3",
+                                  "stiffness " + example("article") + " --columns path"}) {
+    const Outcome outcome = run(line);
+    EXPECT_EQ(outcome.exit_code, 2) << line;
+    EXPECT_NE(outcome.err.find(" --"), std::string::npos) << outcome.err;
+  }
+  // A name that is not known, in an option or in place of one.
+  for (const std::string line :
+       {"material show nothing", "sif show nothing", "sif plot nothing", "sif eval nothing",
+        "sif list --family nothing", "explain nothingg", "man nothing", "catalogue --size 1"})
+    EXPECT_EQ(run(line).exit_code, 2) << line;
+}
+
+TEST_F(SeveralFiles, RegressionANegativeSeedIsRefusedBriefly) {
+  const Outcome outcome = run("sensitivity " + example("article_scatter") + " --scatter --seed -1");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_LT(outcome.err.size(), 80U) << outcome.err;
+}
+
+TEST_F(SeveralFiles, RegressionTorsionNamesVersionAndFile) {
+  const Outcome outcome = run("torsion " + example("catalogue_size25") + " --draws 0");
+  EXPECT_NE(outcome.out.find("catalogue_size25.toml, strainwave "), std::string::npos);
+}
+
+TEST_F(SeveralFiles, RegressionTheVersionIsInEveryJson) {
+  for (const std::string line : {"validate", "sif eval plate-surface", "units", "catalogue"}) {
+    const auto json = nlohmann::json::parse(run(line + " --format json").out);
+    EXPECT_FALSE(json["provenance"]["version"].get<std::string>().empty()) << line;
+  }
+}
+
+TEST_F(SeveralFiles, RegressionExamplesOfHelpShowTheirCommand) {
+  for (const std::string command : {"sif list", "sif show", "sif plot", "sif eval", "material list",
+                                    "material show", "units", "explain", "diff"}) {
+    const std::string help = run(command + " --help").out;
+    EXPECT_NE(help.find("Example:\n  strainwave " + command), std::string::npos) << help;
+  }
+}
+
+TEST_F(SeveralFiles, RegressionManualPagesTellTheShortOption) {
+  EXPECT_NE(run("man stiffness").out.find("\\fB\\-o\\fR, \\fB\\-\\-output\\fR"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace strainwave

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: Apache-2.0
+// What units, explain and diff answer, and in which units all commands answer.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "door/answers.hpp"
+#include "strainwave/command/exit_status.hpp"
+#include "strainwave/core/quantity_text.hpp"
+#include "strainwave/core/units.hpp"
+#include "strainwave/model/result/result_fields.hpp"
+#include "support/expect.hpp"
+
+namespace strainwave {
+namespace {
+
+using AnyJson = nlohmann::json;
+
+Answer answer_in(std::string_view command, std::string_view example, std::string_view options,
+                 std::string_view units, std::vector<std::string> columns = {}) {
+  const Command& row = command_named(commands(), command);
+  OptionValues values(row.options);
+  values.set_from_json(options);
+  return run(
+      row, example.empty() ? nullptr : test::example_drives().at(std::string(example)), values, {},
+      {},
+      {.units = units.empty() ? AskedUnits() : AskedUnits(units), .columns = std::move(columns)});
+}
+
+std::string explained(const std::string& word) {
+  return answer_in("explain", "", AnyJson{{"word", word}}.dump(), "").document("text");
+}
+
+// --- Units ---------------------------------------------------------------------------------------
+
+TEST(AskedUnits, BehaviourDocumentsHaveTheUnitsAskedFor) {
+  const Answer si = answer_in("stiffness", "article", "{}", "");
+  const Answer asked = answer_in("stiffness", "article", "{}", "lbf*in/arcmin,um,arcsec");
+  const double factor = parse_unit("lbf*in/arcmin").factor;
+  const AnyJson one = AnyJson::parse(si.json())["result"]["intact"]["stiffness"];
+  const AnyJson other = AnyJson::parse(asked.json())["result"]["intact"]["stiffness"];
+  EXPECT_EQ(one["unit"], "N*m/rad");
+  EXPECT_EQ(other["unit"], "lbf*in/arcmin");
+  EXPECT_DOUBLE_EQ(other["value"].get<double>() * factor, one["value"].get<double>());
+  EXPECT_EQ(other["relative_uncertainty"], one["relative_uncertainty"]);
+  const std::string csv = asked.document("csv");
+  EXPECT_NE(csv.find("\nintact.wind_up,33.5"), std::string::npos) << csv.substr(0, 800);
+  EXPECT_NE(csv.find(",arcsec,"), std::string::npos);
+  EXPECT_NE(csv.find(",lbf*in/arcmin,"), std::string::npos);
+  EXPECT_EQ(csv.find(",N*m/rad,"), std::string::npos);
+}
+
+TEST(AskedUnits, BehaviourSiIsSiThroughout) {
+  EXPECT_NE(answer_in("solve", "article",
+                      R"({"vary": "output_shaft.crack[0].depth",
+                          "target": "cracked.positive.stiffness_change=-1 %"})",
+                      "si")
+                .document("text")
+                .find("output_shaft.crack[0].depth = 0.003354 m"),
+            std::string::npos);
+}
+
+TEST(AskedUnits, BehaviourAnAnswerHasTheUnitThatWasTyped) {
+  const Answer solved = answer_in("solve", "article",
+                                  R"({"vary": "output_shaft.crack[0].depth=0.1 mm..8000 um",
+                                      "target": "cracked.positive.stiffness=6e5 N*m/rad"})",
+                                  "");
+  const std::string text = solved.document("text");
+  EXPECT_NE(text.find("cracked.positive.stiffness = 600000 N*m/rad"), std::string::npos) << text;
+  EXPECT_NE(text.find("searched from 100 um to 8000 um; at present 100 um"), std::string::npos)
+      << text;
+  const std::string required =
+      answer_in("require", "article",
+                R"({"requirements": ["intact.stiffness >= 1000 lbf*in/arcmin"]})", "")
+          .document("text");
+  EXPECT_NE(required.find("intact.stiffness >= 1000 lbf*in/arcmin"), std::string::npos) << required;
+  EXPECT_NE(required.find("1584.58 lbf*in/arcmin"), std::string::npos) << required;
+  const Answer swept = answer_in(
+      "sweep", "article", R"({"vary": ["output_shaft.crack[0].depth=0.4 mm..13.5 mm:2"]})", "");
+  const std::string csv = swept.document("csv");
+  EXPECT_TRUE(csv.starts_with("output_shaft.crack[0].depth [mm],")) << csv.substr(0, 60);
+  EXPECT_NE(csv.find("\n0.4,"), std::string::npos);
+  // The refused point speaks of millimetres too.
+  EXPECT_NE(csv.find("output_shaft.crack[0].depth = 13.5 mm violates"), std::string::npos);
+  EXPECT_EQ(AnyJson::parse(swept.json())["result"]["columns"][0]["unit"], "m");
+}
+
+TEST(AskedUnits, IdentityColumnsOfJsonAreConvertedWithTheirUnit) {
+  constexpr std::string_view kSweep = R"({"vary": ["output_shaft.crack[0].depth=1 mm..2 mm:2"]})";
+  const AnyJson si = AnyJson::parse(answer_in("sweep", "article", kSweep, "").json());
+  const AnyJson mm = AnyJson::parse(answer_in("sweep", "article", kSweep, "mm").json());
+  const AnyJson& one = si["result"]["columns"][0];
+  const AnyJson& other = mm["result"]["columns"][0];
+  EXPECT_EQ(other["unit"], "mm");
+  EXPECT_EQ(other["values"], AnyJson::parse(R"({"values": [1, 2]})"));
+  EXPECT_EQ(one["values"], AnyJson::parse(R"({"values": [0.001, 0.002]})"));
+  // Another column keeps the unit that nobody asked to change.
+  EXPECT_EQ(si["result"]["columns"][1], mm["result"]["columns"][1]);
+}
+
+TEST(AskedUnits, BehaviourColumnsOfATableInTheOrderAsked) {
+  const Answer answer =
+      answer_in("torsion", "catalogue_size25", R"({"draws": 0})", "arcmin", {"twist", "torque"});
+  std::istringstream csv(answer.document("csv"));
+  std::string line;
+  std::getline(csv, line);
+  EXPECT_EQ(line, "twist [arcmin],torque [N*m]");
+  EXPECT_EQ(test::broken_rule([&] {
+              return answer_in("torsion", "catalogue_size25", R"({"draws": 0})", "", {"twits"})
+                  .document("csv");
+            }),
+            "columns: twits is not a column of this table; did you mean twist?");
+}
+
+TEST(AskedUnits, InputUnitsThatCannotBeAskedForAreRefused) {
+  const auto refusal = [](std::string_view units) {
+    return test::broken_rule([&] { return AskedUnits(units); });
+  };
+  EXPECT_EQ(refusal("mm,in"), "units: mm and in have one dimension: choose one of them");
+  EXPECT_EQ(refusal("%"),
+            "units: % is of pure numbers, which are always told as they are: leave it out");
+  EXPECT_NE(refusal("furlong").find("units: \"furlong\" has the unknown unit"), std::string::npos);
+}
+
+TEST(UnitsCommand, IdentityEveryUnitIsListedWithWhatTheReaderMakesOfIt) {
+  const AnyJson result = AnyJson::parse(answer_in("units", "", "{}", "").json())["result"]["units"];
+  const AnyJson units = result["unit"]["values"];
+  const AnyJson factors = result["factor"]["values"];
+  const AnyJson si = result["si"]["values"];
+  EXPECT_GE(units.size(), 27U);
+  for (std::size_t i = 0; i < units.size(); ++i)
+    EXPECT_DOUBLE_EQ(
+        parse_quantity("x", "1 " + units[i].get<std::string>(), si[i].get<std::string>()),
+        factors[i].get<double>())
+        << units[i];
+  const std::string text = answer_in("units", "", "{}", "").document("text");
+  EXPECT_NE(text.find("drive.pitch_diameter and"), std::string::npos) << text;
+}
+
+// --- Explain -------------------------------------------------------------------------------------
+
+TEST(Explain, BehaviourEachKindOfWordIsExplained) {
+  for (const auto& [word, kind, says] :
+       std::vector<std::tuple<std::string, std::string, std::string>>{
+           {"output_shaft.crack[0].depth", "field of the input", "in m; > 0"},
+           {"material.steel.yield_strength", "field of the input", "in Pa"},
+           {"half_length", "field of the input", "flexspline.crack[].half_length"},
+           {"ksi", "unit", "1 ksi = 6894757.29316836 Pa"},
+           {"N*m/arcmin", "unit", "a product of units"},
+           {"crack.thick_wall", "note", "the wall is thicker than a tenth of its radius"},
+           {"FR-9", "equation of the theory manual", "Shell correction"},
+           {"6", "exit status", "cannot be told within the uncertainty"},
+           {"17-4PH H900", "material", "material show '17-4PH H900'"},
+           {"1.4542 H900", "material", "another name of 17-4PH H900"},
+           {"plate-surface", "stress intensity solution", "sif show plate-surface"},
+           {"cracked.positive.stiffness", "output of", "in N*m/rad"},
+           {"stiffness", "command", "strainwave stiffness --help"},
+           {"--vary", "option of sweep", "FROM..TO"},
+           {"all_sets", "option of validate", "leave-one-size-out"}}) {
+    const std::string text = explained(word);
+    EXPECT_NE(text.find(kind), std::string::npos) << word << '\n' << text;
+    std::string joined = text;
+    for (std::size_t at = joined.find('\n'); at != std::string::npos; at = joined.find('\n', at))
+      joined.replace(
+          at, 1 + std::min(joined.find_first_not_of(' ', at + 1), joined.size()) - at - 1, " ");
+    EXPECT_NE(joined.find(says), std::string::npos) << word << '\n' << joined;
+    EXPECT_LE(std::ranges::count(text, '\n'), 50) << word;
+  }
+}
+
+TEST(Explain, InputAnUnknownWordGetsTheNearest) {
+  EXPECT_EQ(test::broken_rule([] { return explained("stifness"); }),
+            "word: stifness names nothing that strainwave knows; did you mean stiffness?");
+  EXPECT_EQ(test::broken_rule([] { return explained("crack.thick_walls"); }),
+            "word: crack.thick_walls names nothing that strainwave knows; did you mean "
+            "crack.thick_wall?");
+}
+
+TEST(Explain, IdentityEveryListedNoteAndExitStatusIsExplained) {
+  std::ifstream file(STRAINWAVE_TEST_DATA "/note_codes.txt");
+  int n_codes = 0;
+  for (std::string line; std::getline(file, line);) {
+    if (line.empty() || line.starts_with('#')) continue;
+    const std::string code = line.substr(0, line.find(" | "));
+    EXPECT_NO_THROW((void)explained(code)) << code;
+    ++n_codes;
+  }
+  EXPECT_GT(n_codes, 80);
+  for (const auto& [status, meaning] : kExitStatuses)
+    EXPECT_NE(explained(std::to_string(static_cast<int>(status))).find("exit status"),
+              std::string::npos);
+}
+
+// --- Diff ----------------------------------------------------------------------------------------
+
+/// The article's drive with one text in place of another.
+std::string article_with(const std::string& from, const std::string& to) {
+  std::string text = test::contents(STRAINWAVE_EXAMPLES "/article.toml");
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+Answer diff(const std::string& first, const std::string& second, double coverage = 1) {
+  return test::run_command("diff", nullptr,
+                           AnyJson{{"first", "a"}, {"second", "b"}, {"coverage", coverage}}.dump(),
+                           {{"a", first}, {"b", second}});
+}
+
+AnyJson diff_result(const Answer& answer) { return AnyJson::parse(answer.json())["result"]; }
+
+/// The difference of an output, among those that count and those that do not.
+AnyJson difference_of(const AnyJson& result, const std::string& output) {
+  for (const char* const group : {"outputs", "within_uncertainty"})
+    for (const AnyJson& one : result[group])
+      if (one["output"] == output) return one;
+  ADD_FAILURE() << output;
+  return {};
+}
+
+TEST(Diff, IdentityADriveDoesNotDifferFromItself) {
+  const std::string text = test::contents(STRAINWAVE_EXAMPLES "/article.toml");
+  const AnyJson result = diff_result(diff(text, text));
+  EXPECT_TRUE(result["inputs"].empty());
+  EXPECT_TRUE(result["outputs"].empty());
+  EXPECT_TRUE(result["within_uncertainty"].empty());
+  EXPECT_GT(result["equal"].get<int>(), 40);
+}
+
+TEST(Diff, ReferenceASharedErrorCancelsByST19) {
+  // Only the shaft differs: wave generator and flexspline have one error in both, (ST-19).
+  const std::string first = test::contents(STRAINWAVE_EXAMPLES "/article.toml");
+  const std::string second = article_with("length = \"200 mm\"", "length = \"150 mm\"");
+  const AnyJson result = diff_result(diff(first, second));
+  ASSERT_EQ(result["inputs"].size(), 1U);
+  EXPECT_EQ(result["inputs"][0]["path"], "output_shaft.length");
+  const AnyJson difference = difference_of(result, "intact.stiffness");
+  const auto outputs = [](const std::string& text) {
+    std::map<std::string, Quantity> named;
+    const Answer answer = test::run_command("stiffness", read_drive(text, "x.toml"));
+    OutputWalk walk([&](const std::string& name, const Quantity& q) { named[name] = q; });
+    answer.visit(walk);
+    return named;
+  };
+  const auto a = outputs(first);
+  const auto b = outputs(second);
+  const double K_a = a.at("intact.stiffness").value;
+  const double K_b = b.at("intact.stiffness").value;
+  double variance = 0.0;
+  for (const std::string member : {"wave_generator", "flexspline"}) {
+    const Quantity& c = a.at("intact.compliance." + member);
+    variance += std::pow(*c.relative_uncertainty * c.value * (K_b * K_b - K_a * K_a), 2);
+  }
+  for (const auto* const side : {&a, &b}) {
+    const Quantity& c = side->at("intact.compliance.output_shaft");
+    const double K = side->at("intact.stiffness").value;
+    variance += std::pow(*c.relative_uncertainty * c.value * K * K, 2);
+  }
+  const test::Reference reference{.value = std::sqrt(variance),
+                                  .unit = "N*m/rad",
+                                  .relative_tolerance = 1e-12,
+                                  .source = "the formula (ST-19), written out for three members",
+                                  .tolerance_is = "rounding"};
+  test::expect_reference(difference["uncertainty"].get<double>(), reference);
+  EXPECT_DOUBLE_EQ(difference["difference"].get<double>(), K_b - K_a);
+  // Without what the drives share, the difference would be lost in their uncertainties.
+  const double apart = std::hypot(*a.at("intact.stiffness").relative_uncertainty * K_a,
+                                  *b.at("intact.stiffness").relative_uncertainty * K_b);
+  EXPECT_LT(difference["uncertainty"].get<double>(), apart);
+}
+
+TEST(Diff, LimitOfOneDriveTheUncertaintyIsItsOwn) {
+  // Everything differs by a load that moves nothing but wind-up: no error is shared, and the
+  // variance is that of both sides (ST-19).
+  const std::string first = test::contents(STRAINWAVE_EXAMPLES "/article.toml");
+  const AnyJson result =
+      diff_result(diff(first, article_with("torque = \"100 N*m\"", "torque = \"200 N*m\"")));
+  const AnyJson difference = difference_of(result, "intact.wind_up");
+  const Answer answer = test::run_on_example("stiffness", "article");
+  double u = 0.0;
+  OutputWalk walk([&](const std::string& name, const Quantity& q) {
+    if (name == "intact.wind_up") u = *q.relative_uncertainty;
+  });
+  answer.visit(walk);
+  const auto a = difference["first"].get<double>();
+  const auto b = difference["second"].get<double>();
+  EXPECT_NEAR(difference["uncertainty"].get<double>() / (u * std::hypot(a, b)), 1, 1e-12);
+}
+
+TEST(Diff, BehaviourADeeperCrackIsTold) {
+  const Answer answer = diff(test::contents(STRAINWAVE_EXAMPLES "/article.toml"),
+                             article_with("kind = \"annular\"\ndepth = \"0.1 mm\"",
+                                          "kind = \"annular\"\ndepth = \"4 mm\""));
+  const std::string text = answer.document("text");
+  EXPECT_NE(text.find("output_shaft.crack[0].depth"), std::string::npos) << text;
+  EXPECT_NE(text.find("cracked.positive.stiffness "), std::string::npos) << text;
+  EXPECT_EQ(text.find("intact.stiffness "), std::string::npos) << text;
+  EXPECT_NE(text.find("are the same."), std::string::npos);
+  EXPECT_TRUE(answer.document("csv").starts_with("path,what,first,first_unit,"));
+}
+
+TEST(Diff, IdentityResultsDifferAsTheirDrivesDo) {
+  const std::string first = test::contents(STRAINWAVE_EXAMPLES "/article.toml");
+  const std::string second = article_with("length = \"200 mm\"", "length = \"150 mm\"");
+  const auto saved = [](const std::string& text) {
+    return test::run_command("stiffness", read_drive(text, "x.toml")).json();
+  };
+  EXPECT_EQ(diff_result(diff(first, second)), diff_result(diff(saved(first), saved(second))));
+}
+
+TEST(Diff, InputWhatCannotBeComparedIsRefused) {
+  const std::string drive = test::contents(STRAINWAVE_EXAMPLES "/article.toml");
+  EXPECT_EQ(test::broken_rule([&] { return diff(drive, "{\"a\": 1}"); }),
+            "b: is neither a drive nor a result: write one with strainwave stiffness FILE --format "
+            "json --output RESULT");
+  EXPECT_EQ(test::broken_rule([&] {
+              return diff(drive, test::run_on_example("audit", "article").json());
+            }).substr(0, 3),
+            "b: ");
+}
+
+}  // namespace
+}  // namespace strainwave
