@@ -108,14 +108,8 @@ GearSet component_set(const GearSet& gear) {
   GearSet set = without_cracks(gear);
   set.output_shaft.reset();
   if (set.flexspline) set.flexspline->flange_compliance = 0.0;
+  drop_lost_paths(set, gear);
   return set;
-}
-
-/// A number that was fitted has its value, no longer its range from before.
-void drop_ranges_of_fitted(GearSet& gear, const GearSet& before) {
-  std::erase_if(gear.range, [&](const InputRange& range) {
-    return number_at(gear, range.path).value != number_at(before, range.path).value;
-  });
 }
 
 /// Which combinations of factors the values tell, and how well each factor is known.
@@ -239,9 +233,9 @@ Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
   const GearSet compared = target.component_set_only ? component_set(gear) : gear;
   const auto changed = [&](const GearSet& drive, const std::vector<double>& values) {
     GearSet other = drive;
-    other.range.clear();
     for (std::size_t i = 0; i < factors.size(); ++i)
       other = with_factor(std::move(other), factors[i], values[i]);
+    drop_lost_paths(other, drive);
     return other;
   };
   const auto n_values = static_cast<Eigen::Index>(target.values.size());
@@ -272,8 +266,6 @@ Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
         {target.values[i], before[i],
          target.values[i].stiffness * std::exp(fit.residuals(static_cast<Eigen::Index>(i)))});
   result.gear = changed(gear, fit.values);
-  result.gear.range = gear.range;
-  drop_ranges_of_fitted(result.gear, gear);
   check(result.gear);
   return result;
 }

@@ -58,13 +58,20 @@ Answer::Answer(const Command& command, std::shared_ptr<const Drive> drive,
                const Host& host)
     : command_(&command), drive_(std::move(drive)), options_(options), ranks_(&host.ranks) {
   options_.require_complete();
-  result_ = command.run(command,
-                        {.drive = *drive_,
-                         .texts = texts,
-                         .progress = progress,
-                         .ranks = host.ranks,
-                         .journal = host.journal},
-                        options_.get());
+  try {
+    result_ = command.run(command,
+                          {.drive = *drive_,
+                           .texts = texts,
+                           .progress = progress,
+                           .ranks = host.ranks,
+                           .journal = host.journal},
+                          options_.get());
+  } catch (const OptionError&) {
+    throw;
+  } catch (const InputError& fault) {
+    if (drive_->text.empty()) throw;
+    throw located(fault, drive_->text, drive_->name);
+  }
   evidence_ = command.evidence(result_.get());
 }
 

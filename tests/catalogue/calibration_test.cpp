@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -76,13 +77,17 @@ TEST(Calibration, IdentityUncertaintyOfOneFactor) {
 }
 
 TEST(Calibration, BehaviourFittedNumbersHaveNoRangeAnyMore) {
-  const GearSet gear = starting_drive(25, 100).gear;
+  GearSet gear = starting_drive(25, 100).gear;
+  for (const char* const path : {"mesh.coning", "flexspline.wall_thickness"})
+    gear.scatter.push_back({.path = path, .relative_standard_deviation = 0.1, .source = {}});
   GearSet truth = with_factor(gear, Factor::coning, 1.6);
   truth.range.clear();
   const Calibration c = calibrate(gear, lines_of(truth), {Factor::coning});
   EXPECT_GT(c.gear.mesh->coning, 1.5);
   EXPECT_EQ(c.gear.range.size() + 1, gear.range.size());
   for (const InputRange& range : c.gear.range) EXPECT_NE(range.path, "mesh.coning");
+  ASSERT_EQ(c.gear.scatter.size(), 1U);
+  EXPECT_EQ(c.gear.scatter[0].path, "flexspline.wall_thickness");
   EXPECT_NO_THROW(check(c.gear));
 }
 
@@ -97,7 +102,17 @@ TEST(Calibration, IdentityCatalogueStiffnessIsOfTheComponentSet) {
   gear.output_shaft = shaft;
   gear.flexspline->flange_compliance = 1e-6;
   gear.flexspline->crack.push_back(WallThroughCrack{.half_length = 2e-3});
+  // What the drive says of numbers of the customer's parts stays in the drive, too.
+  for (const auto& [path, lower, upper] :
+       {std::array{"output_shaft.length", "30 mm", "50 mm"},
+        std::array{"flexspline.flange_compliance", "0.5e-6 rad/(N*m)", "2e-6 rad/(N*m)"},
+        std::array{"flexspline.crack[0].half_length", "1 mm", "3 mm"}}) {
+    gear.range.push_back({.path = path, .lower = lower, .upper = upper, .source = {}});
+    gear.scatter.push_back({.path = path, .relative_standard_deviation = 0.1, .source = {}});
+  }
   const Calibration customer = calibrate(gear, catalogue_target(gear), {Factor::coning});
+  EXPECT_EQ(customer.gear.range.size(), plain.gear.range.size() + 3);
+  EXPECT_EQ(customer.gear.scatter.size(), 3U);
   EXPECT_EQ(customer.gear.mesh->coning, plain.gear.mesh->coning);
   EXPECT_TRUE(customer.gear.output_shaft.has_value());
   EXPECT_EQ(customer.gear.flexspline->crack.size(), 1U);
