@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -19,12 +20,13 @@
 #include <system_error>
 #include <utility>
 
+#include "converter.hpp"
 #include "exit_code.hpp"
 #include "files.hpp"
 #include "interrupt.hpp"
+#include "progress_line.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/version.hpp"
-#include "strainwave/io/write_file.hpp"
 
 namespace strainwave::cli {
 namespace {
@@ -57,12 +59,32 @@ std::string build_date() {
                      static_cast<unsigned>(day.month()), static_cast<unsigned>(day.day()));
 }
 
+/// Whether there is a value of this role.
+bool has(const Given& given, Role role) {
+  for (std::size_t i = 0; i < given.arguments.size(); ++i)
+    if (given.arguments[i].role == role && !given.texts[i].empty()) return true;
+  return false;
+}
+
+bool on_terminal() { return ::isatty(STDERR_FILENO) == 1; }
+
 /// What an option that is left out gets from where the program runs.
-std::vector<std::string> told_by_surroundings(const Argument& argument) {
+std::vector<std::string> told_by_surroundings(const Given& given, const Argument& argument) {
   if (argument.names == "date")
     if (std::string date = build_date(); !date.empty()) return {std::move(date)};
-  if (argument.names == "watched" && ::isatty(STDERR_FILENO) == 1) return {"true"};
+  if (argument.names == "watched" && on_terminal() && !has(given, Role::quiet)) return {"true"};
   return {};
+}
+
+/// @throws UsageError  progress is both wanted and not wanted
+ProgressLine::Style progress_style(const Given& given) {
+  const bool wanted = has(given, Role::progress);
+  const bool quiet = has(given, Role::quiet);
+  if (wanted && quiet)
+    throw UsageError("--progress and --quiet contradict each other: give one of them");
+  const bool first = given.program.ranks == nullptr || given.program.ranks->first();
+  if (quiet || !first || (!wanted && !on_terminal())) return ProgressLine::Style::none;
+  return on_terminal() ? ProgressLine::Style::rewritten : ProgressLine::Style::appended;
 }
 
 ExitCode exit_code_of(RequirementOutcome outcome) {
@@ -93,23 +115,90 @@ ExitCode judged(const Program& program, const Answer& answer, std::string_view m
   return exit_code_of(evidence.requirement.value_or(RequirementOutcome::met));
 }
 
-/// @throws UsageError  a file would be written twice, or written over what is read
-void require_distinct_files(const Given& given) {
-  std::map<std::filesystem::path, std::string_view> known;  // argument by file
-  for (std::size_t i = 0; i < given.arguments.size(); ++i) {
-    const Argument& argument = given.arguments[i];
-    const bool writes = argument.role == Role::output || argument.role == Role::journal ||
-                        argument.role == Role::document;
-    if (!writes && argument.role != Role::input && argument.names != "attachment") continue;
-    for (const std::string& text : given.texts[i]) {
-      const auto file = file_behind(text);
-      if (!file || (!writes && text == "-")) continue;
-      const auto [other, fresh] = known.try_emplace(*file, argument.name);
-      if (writes && !fresh)
-        throw UsageError(fmt::format("{} and {} name the same file, {}: write to another file",
-                                     other->second, argument.name, shown(text)));
+bool writes(const Argument& argument) {
+  return argument.role == Role::output || argument.role == Role::journal ||
+         argument.role == Role::document;
+}
+
+/// The files of a command line, each known by what names it.
+class KnownFiles {
+ public:
+  /// @throws UsageError  an output has no name, or would be written twice, or over what is read
+  explicit KnownFiles(const Given& given) {
+    for (std::size_t i = 0; i < given.arguments.size(); ++i) {
+      const Argument& argument = given.arguments[i];
+      for (const std::string& path : given.texts[i])
+        if (writes(argument))
+          add_output(argument.name, path);
+        else if (argument.role == Role::input || argument.names == "attachment")
+          add_input(argument.name, path);
     }
+    if (!has(given, Role::output)) add_output("the main document", "/dev/stdout");
+    for (const auto& [name, path] : outputs_) require_free(name, path);
   }
+
+  /// @throws UsageError  an output would be written over a table that the drive names
+  void add_tables_of(const Drive& drive, const std::string& file) {
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    for (const auto& [name, table] : drive.gear.compliance_tables)
+      add_input("compliance_table", (folder / name).string());
+    for (const auto& [name, path] : outputs_) require_not_read(name, path);
+  }
+
+  /// @throws UsageError  the file is one that is read
+  void require_not_read(const std::string& name, const std::string& path) const {
+    const auto input = inputs_.find(identity_of(path));
+    if (input != inputs_.end()) refuse(input->second, name, path);
+  }
+
+ private:
+  [[noreturn]] static void refuse(const std::string& one, const std::string& other,
+                                  const std::string& path) {
+    throw UsageError(fmt::format("{} and {} name the same file, {}: write to another file", one,
+                                 other, shown(path)));
+  }
+
+  void add_input(const std::string& name, const std::string& path) {
+    if (std::string file = identity_of(path); !file.empty())
+      inputs_.try_emplace(std::move(file), name);
+  }
+
+  void add_output(const std::string& name, const std::string& path) {
+    if (path.empty())
+      throw UsageError(
+          fmt::format("{} must name a file; leave it out for standard output, or give -", name));
+    outputs_.emplace_back(name, path);
+  }
+
+  void require_free(const std::string& name, const std::string& path) {
+    if (is_standard_output(path)) {
+      if (!to_standard_output_.empty())
+        throw UsageError(fmt::format("{} and {} both go to standard output: name a file",
+                                     to_standard_output_, name));
+      to_standard_output_ = name;
+      return;
+    }
+    require_not_read(name, path);
+    const std::string file = identity_of(path);
+    const auto [other, fresh] = written_.try_emplace(file, name);
+    if (!file.empty() && !fresh) refuse(other->second, name, path);
+  }
+
+  std::vector<std::pair<std::string, std::string>> outputs_;  // argument, path
+  std::map<std::string, std::string> inputs_;                 // argument by identity
+  std::map<std::string, std::string> written_;
+  std::string to_standard_output_;
+};
+
+/// @throws UsageError       a drive would take the place of a file, and nobody said so
+/// @throws UnwritableError  there is no program that makes the document what its name says
+std::optional<Converter> prepared(const Document& document, const std::string& path, bool force) {
+  std::error_code unseen;
+  if (document.format == Format::toml && !force && !is_standard_output(path) &&
+      std::filesystem::is_regular_file(path, unseen))
+    throw UsageError(fmt::format(
+        "{} exists already: give --force to replace it, or name another file", shown(path)));
+  return converter_for(document.format, path);
 }
 
 ExitCode run_command(const Given& given) {
@@ -122,18 +211,21 @@ ExitCode run_command(const Given& given) {
   std::string main_path;
   std::vector<std::pair<std::string, std::string_view>> beside;  // path, document
   std::optional<FileJournal> journal;
+  std::optional<KnownFiles> known;
   const auto take = [&](const Argument& argument, std::vector<std::string> texts) {
-    if (texts.empty() && argument.role == Role::option) texts = told_by_surroundings(argument);
+    if (texts.empty() && argument.role == Role::option)
+      texts = told_by_surroundings(given, argument);
     for (const std::string& text : texts) switch (argument.role) {
         case Role::input:
           if (text == "-" && ranks.size() > 1)
             throw InputError(argument.name,
                              "standard input reaches the first rank only: name a file");
           drive = read_drive(text_of(text), shown_name(text), attachments_beside(text));
+          known->add_tables_of(*drive, text);
           break;
         case Role::option:
           options.set(argument.key, text);
-          if (argument.names == "attachment") attached[text] = text_of(text);
+          if (argument.names == "attachment") attached[text] = text_of(text, kMaxTableSize);
           break;
         case Role::format:
           main = text;
@@ -147,28 +239,54 @@ ExitCode run_command(const Given& given) {
         case Role::document:
           beside.emplace_back(text, argument.key);
           break;
+        case Role::force:
+        case Role::progress:
+        case Role::quiet:
+          break;
       }
     if (texts.empty() && argument.role == Role::format) main = argument.fallback;
   };
   ranks.together([&] {
-    require_distinct_files(given);
+    known.emplace(given);
     for (std::size_t i = 0; i < given.arguments.size(); ++i)
       take(given.arguments[i], given.texts[i]);
   });
-  const auto chosen = std::ranges::find(command.documents, main, &Document::name);
-  const bool folder = chosen != command.documents.end() && chosen->folder;
-  if (folder && main_path.empty())
+  const auto document_named = [&](std::string_view name) {
+    const auto found = std::ranges::find(command.documents, name, &Document::name);
+    return found != command.documents.end() ? *found
+                                            : Document{.name = name, .format = Format::json};
+  };
+  const Document chosen = document_named(main);
+  if (chosen.folder && is_standard_output(main_path))
     throw UsageError(fmt::format("--format {} writes several files: name a folder with -o", main));
-  if (folder) ranks.together([&] { require_folder(main_path); });
-  if (folder && !chosen->needs.empty() && !options.given(chosen->needs))
-    options.set(chosen->needs, "true");
+  if (!chosen.needs.empty() && chosen.folder && !options.given(chosen.needs))
+    options.set(chosen.needs, "true");
+  // What cannot be written is refused before the work.
+  std::map<std::string, Converter> converters;  // by the path of what they make
+  ranks.together([&] {
+    if (chosen.folder) return require_folder(main_path);
+    if (!ranks.first() || command.documents.empty()) return;
+    const auto prepare = [&](const std::string& path, const Document& document) {
+      if (auto converter = prepared(document, path, has(given, Role::force)))
+        converters.emplace(path, std::move(*converter));
+      require_writable(path);
+    };
+    for (const auto& [path, document] : beside) prepare(path, document_named(document));
+    prepare(main_path, chosen);
+  });
 
   std::optional<Interrupt> interrupt;
   if (given.program.ranks == nullptr) interrupt.emplace();
-  const Progress progress([&](double share) { return !interrupt || (*interrupt)(share); },
-                          [&](const std::string& line) {
-                            if (ranks.first()) warn(given.program, line);
-                          });
+  ProgressLine line(std::string(given.program.name), progress_style(given));
+  const Progress progress(
+      [&](double share) {
+        line.at(share);
+        return !interrupt || (*interrupt)(share);
+      },
+      [&](const std::string& words) {
+        line.clear();
+        if (ranks.first()) warn(given.program, words);
+      });
   // All documents are made before any file is written: a failure leaves nothing behind.
   std::optional<Answer> answer;
   std::vector<OutputFile> files;
@@ -176,15 +294,21 @@ ExitCode run_command(const Given& given) {
   ranks.together([&] {
     answer.emplace(run(command, drive, options, attached, progress,
                        {.ranks = ranks, .journal = journal ? &*journal : nullptr}));
-    if (folder) files = answer->files(main);
+    if (chosen.folder) files = answer->files(main);
+    for (const OutputFile& file : files)
+      known->require_not_read("--output", (std::filesystem::path(main_path) / file.name).string());
     if (!ranks.first() || command.documents.empty()) return;
     for (const auto& [path, document] : beside)
       texts.emplace_back(path, answer->document(document));
-    if (!folder) texts.emplace_back(main_path, answer->document(main));
+    if (!chosen.folder) texts.emplace_back(main_path, answer->document(main));
     progress.at(1.0);
+    for (auto& [path, text] : texts)
+      if (const auto converter = converters.find(path); converter != converters.end())
+        text = converted(converter->second, text);
   });
+  line.clear();
   ranks.together([&] { deliver(texts); });
-  if (folder) deliver(files, main_path, ranks);
+  if (chosen.folder) deliver(files, main_path, ranks);
   return ranks.first() ? judged(given.program, *answer, main) : kOk;
 }
 
@@ -277,9 +401,10 @@ ExitCode parse_and_run(const Program& program, std::span<const std::string> word
     std::ostream nowhere(nullptr);
     const bool speaks = program.ranks == nullptr || program.ranks->first();
     // CLI11 prints help and version through an "error" of code 0.
-    return app.exit(error, speaks ? std::cout : nowhere, speaks ? std::cerr : nowhere) == 0
-               ? kOk
-               : kUsage;
+    if (app.exit(error, speaks ? std::cout : nowhere, speaks ? std::cerr : nowhere) != 0)
+      return kUsage;
+    if (!std::cout.flush()) throw UnwritableError("standard output cannot be written");
+    return kOk;
   }
   return chosen();
 }
@@ -287,6 +412,8 @@ ExitCode parse_and_run(const Program& program, std::span<const std::string> word
 }  // namespace
 
 int run_command_line(const Program& program, std::span<const std::string> words) {
+  // A file that grows beyond the limit of the shell is a fault like a full disk, no end by signal.
+  (void)std::signal(SIGXFSZ, SIG_IGN);
   const Ranks& ranks = program.ranks != nullptr ? *program.ranks : kAlone;
   // All ranks end with one word, of the first that has something to complain about.
   const auto complain = [&](std::string_view message, ExitCode code) {

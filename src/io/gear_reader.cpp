@@ -70,7 +70,8 @@ GearSet read_gear_set(std::string_view text, std::string_view file_name,
 InputError located(const InputError& fault, std::string_view text, std::string_view file_name) {
   const std::string section = fault.field().substr(0, fault.field().find_first_of(".["));
   bool of_drive = false;
-  GearSet::describe([&](const Field& field, auto) { of_drive = of_drive || field.name == section; });
+  GearSet::describe(
+      [&](const Field& field, auto) { of_drive = of_drive || field.name == section; });
   if (!of_drive || !fault.place().file.empty()) return fault;
   TomlReader reader(file_name);
   GearSet gear;

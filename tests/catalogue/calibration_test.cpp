@@ -140,6 +140,29 @@ TEST(MeasuredCurve, BehaviourUnitsAndColumns) {
   test::expect_relative(points[1].torque, -14, 1e-12);
 }
 
+TEST(MeasuredCurve, IdentityDialectsOfSpreadsheets) {
+  const auto plain =
+      parse_measured_curve("torque [N*m],twist [arcmin]\n14,1.5\n48.25,2.75\n", "bench.csv");
+  ASSERT_EQ(plain.size(), 2U);
+  for (const std::string text :
+       {"\xEF\xBB\xBFtorque [N*m],twist [arcmin]\n14,1.5\n48.25,2.75\n",  // byte order mark
+        "torque [N*m];twist [arcmin]\r\n14;1,5\r\n48,25;2,75\r\n",
+        "torque [N*m];twist [arcmin]\n14;1.5\n48.25;2.75\n",
+        "sep=;\nTorque [N*m];Twist [arcmin]\n14;1,5\n48,25;2,75",
+        "torque [N*m]\ttwist [arcmin]\n14\t1,5\n48,25\t2,75\n",
+        "torque [N*m]\ttwist [arcmin]\r14\t1.5\r48.25\t2.75\r",
+        "\"torque [N*m]\",\"twist [arcmin]\"\n\"14\",\"1,5\"\n\"48,25\" , \"2,75\"\n",
+        "\"remark; \"\"a\"\", b\";\"torque [N*m]\";twist "
+        "[arcmin];;\n\"x;y\";14;1,5;;\n;;;;\n;48,25;2,75;;\n;;;;\n"}) {
+    const auto points = parse_measured_curve(text, "bench.csv");
+    ASSERT_EQ(points.size(), 2U) << text;
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(points[i].torque, plain[i].torque) << text;
+      EXPECT_EQ(points[i].twist, plain[i].twist) << text;
+    }
+  }
+}
+
 TEST(MeasuredCurve, CrosscheckCalibratesBothSenses) {
   const GearSet gear = typical_drive_of_size(25, 100);
   const GearSet truth = with_factor(gear, Factor::support, 0.8);
@@ -163,9 +186,25 @@ TEST(MeasuredCurve, InputRefusals) {
   EXPECT_NE(message("torque,twist [rad]\n").find("has no unit"), std::string::npos);
   EXPECT_NE(message("torque [N],twist [rad]\n").find("bench.csv:1"), std::string::npos);
   EXPECT_NE(message("torque [N*m],twist [rad]\n").find("no point under torque"), std::string::npos);
-  EXPECT_NE(message("torque [N*m],twist [rad]\n1\n").find("bench.csv:2: \"1\" has too few"),
-            std::string::npos);
-  EXPECT_NE(message("torque [N*m],twist [rad]\n1,x\n").find("bench.csv:2"), std::string::npos);
+  const std::string head = "torque [N*m];twist [rad]\n";
+  for (const auto& [text, sentence] : std::map<std::string, std::string>{
+           {head + "1\n", "bench.csv:2:2: has too few columns: twist is the column 2"},
+           {head + "1;x\n", "bench.csv:2:3: twist = \"x\" is not a number, such as 12.5 or 12,5"},
+           {head + "1;\n", "bench.csv:2:3: twist = \"\" is not a number, such as 12.5 or 12,5"},
+           {head + "\n 1.234,5; 1\n",
+            "bench.csv:3:2: torque = \"1.234,5\" has separators of thousands; write the number "
+            "without them"},
+           {head + "1,5;1\n2.5;2\n",
+            "bench.csv:3:1: torque = \"2.5\" has a decimal point, but line 2 has a decimal comma; "
+            "use one of the two"},
+           {head + "1;\"2\n", "bench.csv:2:3: has a quote that is not closed before the next cell"},
+           {head + "\"1\"0;2\n",
+            "bench.csv:2:1: has a quote that is not closed before the next cell"},
+           {"a;torque [N*m];torque [N*m]\n", "bench.csv:1:16: names the column torque twice"},
+           {"a;torque [kg];twist [rad]\n", "bench.csv:1:3: torque"},
+           {std::string("\xFF\xFEt\0o\0", 6),
+            "bench.csv: is no CSV text in UTF-8; save the table as \"CSV UTF-8\""}})
+    EXPECT_EQ(message(text).substr(0, sentence.size()), sentence) << text;
   EXPECT_NE(message("torque [N*m],twist [rad]\n1,-1\n").find("same sign"), std::string::npos);
   EXPECT_NE(broken_rule([] {
               return measured_target({{1, 1}}, "x", 0.0);

@@ -558,7 +558,7 @@ TEST_F(Program, BehaviourWhatIsSaidOfCracksStopsNoCommand) {
   EXPECT_EQ(lines(file), lines(plain));
   for (const char* const command :
        {"torsion --compare --angles 2 FILE", "torsion --draws 3 FILE",
-        "calibrate FILE --catalogue --factors coning --format toml", "sensitivity FILE",
+        "calibrate FILE --catalogue --factors coning", "sensitivity FILE",
         "sensitivity FILE --scatter --samples 20", "report FILE",
         "sweep FILE --vary 'output_shaft.crack[0].depth=0.5 mm..4 mm:3'",
         "sweep FILE --vary 'mesh.crack[0].position=-5 deg..5 deg:3'"}) {

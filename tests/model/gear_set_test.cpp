@@ -53,7 +53,8 @@ TEST(PathLists, IdentityAllListsWithPathsAreKnown) {
       });
   });
   std::set<std::string_view> known;
-  for_each_path_list(GearSet(), [&](std::string_view name, const auto&) { known.insert(name); });
+  const GearSet gear;
+  for_each_path_list(gear, [&](std::string_view name, const auto&) { known.insert(name); });
   EXPECT_EQ(known, described);
   EXPECT_EQ(known, (std::set<std::string_view>{"range", "scatter"}));
 }
