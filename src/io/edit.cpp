@@ -746,11 +746,13 @@ std::optional<Steps> after_removal(Steps path, const Steps& removed) {
   return path;
 }
 
-/// The lists that name numbers by their paths follow a change: an entry goes with the number that
-/// it names, and gets the new path of one that has moved.
+/// The lists that name numbers by their paths follow a change of a table or a list: an entry goes
+/// with the number that it names, and gets the new path of one that has moved.
 /// @param before  the document without the change
 std::string with_paths_after(std::string text, const toml::table& before, const Steps& change,
                              bool removes) {
+  const toml::node* const changes = node_at(before, change);
+  if (changes == nullptr || changes->is_value()) return text;
   const GearSet lists;
   for_each_path_list(lists, [&](std::string_view list, const auto&) {
     const toml::table now = parse_toml(text, "text");

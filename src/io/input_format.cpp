@@ -307,7 +307,11 @@ class ReferenceWriter {
           head, doc);
     else
       text_ += fmt::format(".SS {}\n\\&{}\n", as_roff(head), as_roff(doc));
-    if (!kind.empty()) row("kind", "", fmt::format("`\"{}\"`", kind), "required", "");
+    const std::string rule_of_kind = fmt::format("`\"{}\"`", kind);
+    if (!kind.empty() && form_ == Form::markdown)
+      text_ += fmt::format("| `kind` | | {} | required | |\n", rule_of_kind);
+    else if (!kind.empty())
+      row("kind", "", rule_of_kind, "required", "");
     T::describe([&](const Field& field, auto member) {
       using Value = ValueOf<decltype(member)>;
       if constexpr (!is_section<Value>)

@@ -32,6 +32,9 @@ std::string word(const std::string& text) {
   return result + "'";
 }
 
+/// A quick command with a plot.
+const std::string kPlotted = "sweep " + word(kDrive) + " --vary 'load.axial_force=0 N..9 N:2'";
+
 class Files : public test::ProgramTest {
  protected:
   [[nodiscard]] Outcome run(const std::string& arguments, const std::string& before = {}) const {
@@ -204,7 +207,7 @@ TEST_F(Files, InputAnOutputThatIsRead) {
 }
 
 TEST_F(Files, InputOutputsThatAreOne) {
-  const std::string command = "stiffness " + word(kDrive);
+  const std::string command = kPlotted;
   write("a.txt", "old");
   fs::create_symlink("new.txt", in_folder("to new.txt"));
   fs::create_hard_link(in_folder("a.txt"), in_folder("b.txt"));
@@ -246,7 +249,7 @@ TEST_F(Files, BehaviourDrivesAreReplacedOnlyByForce) {
 // --- Pictures
 
 TEST_F(Files, InputAPictureNeedsItsConverter) {
-  const std::string command = "stiffness " + word(kDrive) + " -o /dev/null --plot ";
+  const std::string command = kPlotted + " -o /dev/null --plot ";
   for (const char* const name : {"x.png", "X.PDF"})
     expect_refused(command + at(name), 7,
                    "needs rsvg-convert, which is not installed: install the Debian package "
@@ -272,11 +275,10 @@ TEST_F(Files, BehaviourAConverterIsCalledWithoutAShell) {
     fs::permissions(in_folder(name), fs::perms::owner_all);
   const std::string before =
       "TOLD=" + at("told") + " PATH=" + word(in_folder("bin").string() + ":/usr/bin:/bin") + " ";
-  const std::string svg = run("stiffness " + word(kDrive) + " -o /dev/null --plot -").out;
+  const std::string svg = run(kPlotted + " -o /dev/null --plot -").out;
   ASSERT_NE(svg.find("<svg"), std::string::npos);
   for (const std::string name : {"a b.png", "$(touch x).png", "a'\n.png", "-.pdf"}) {
-    const Outcome outcome =
-        run("stiffness " + word(kDrive) + " -o /dev/null --plot " + at(name), before);
+    const Outcome outcome = run(kPlotted + " -o /dev/null --plot " + at(name), before);
     EXPECT_EQ(outcome.exit_code, 0) << name << outcome.err;
     EXPECT_EQ(contents(in_folder(name)), svg) << name;
   }
@@ -286,7 +288,7 @@ TEST_F(Files, BehaviourAConverterIsCalledWithoutAShell) {
   EXPECT_NE(contents(in_folder("page.pdf")).find("<html"), std::string::npos);
   // One that fails leaves nothing and is quoted.
   write("bin/rsvg-convert", "#!/bin/sh\necho 'no such font'\nexit 3\n");
-  expect_refused("stiffness " + word(kDrive) + " -o " + at("y.txt") + " --plot " + at("y.png"), 7,
+  expect_refused(kPlotted + " -o " + at("y.txt") + " --plot " + at("y.png"), 7,
                  "failed with exit code 3: no such font", before);
   EXPECT_FALSE(fs::exists(in_folder("y.png")));
   EXPECT_FALSE(fs::exists(in_folder("y.txt")));
@@ -300,7 +302,7 @@ const std::array kLong = {
         " --vary 'load.torque=1 N*m..9 N*m:300' --vary 'load.axial_force=0 N..9 N:300'",
     "sensitivity " + word(kTables + "/article_scatter.toml") + " --scatter --samples 1000000",
     "torsion " + word(kTables + "/cracked_size25.toml") + " --compare",
-    std::string("validate"),
+    std::string("validate --mode leave-one-size-out --all-sets"),
     "calibrate " + word(kTables + "/catalogue_size25.toml") + " --catalogue",
     "report " + word(kTables + "/cracked_size25.toml")};
 
@@ -315,7 +317,7 @@ TEST_F(Files, BehaviourAnInterruptEndsAllLongWorkAndLeavesNothing) {
 
 TEST_F(Files, BehaviourAnInterruptEndsTheWaitForAReader) {
   ASSERT_EQ(::mkfifo(in_folder("pipe").c_str(), 0600), 0);
-  const std::string command = "stiffness " + word(kDrive) + " --plot " + at("x.svg") + " -o ";
+  const std::string command = kPlotted + " --plot " + at("x.svg") + " -o ";
   const auto begin = std::chrono::steady_clock::now();
   const Outcome outcome =
       execute("timeout --signal=INT 3 " + word(STRAINWAVE_CLI) + " " + command + at("pipe"));

@@ -171,7 +171,7 @@ TEST(Edit, ReferencePathsFollowTheirCracks) {
             edit(kShaft, "output_shaft.crack", std::nullopt) + length);
   EXPECT_EQ(edit(text, "output_shaft", std::nullopt), edit(kShaft, "output_shaft", std::nullopt));
   // A crack of another kind has other numbers.
-  const std::string other = "{ kind = \"penny\", radius = \"2 mm\" }";
+  const std::string other = "{ kind = \"annular\", solution = \"tada\" }";
   EXPECT_EQ(edit(text, "output_shaft.crack[1]", other),
             edit(kShaft, "output_shaft.crack[1]", other) + first + length + scatters);
   // An inline list follows as well; what names nothing of the text is left alone.

@@ -14,7 +14,8 @@ namespace strainwave {
 /// of the fields that stay.  A new field stands behind the fields that the description of its table
 /// has before it; a new section, behind the sections before it.  What is removed takes its comment
 /// with it: behind it or, where there is none, directly above it.  A range or a scatter of a number
-/// that the change removes goes too; where a crack moves up, the paths that name it follow.
+/// goes with the crack or the section that has the number; where a crack moves up, the paths that
+/// name it follow.
 ///
 /// The text need not be a complete drive, before or after.
 ///

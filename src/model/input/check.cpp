@@ -445,7 +445,7 @@ void check_output_shaft(const GearSet& gear) {
 }
 
 /// Far beyond every drive; beyond it, lengths cannot be told from their sums and differences.
-constexpr double kLongest = 1000.0;  // m
+constexpr double kLongest = 1e6;  // m
 
 bool too_long(const Field& field, double value) {
   return field.unit == "m" && std::abs(value) > kLongest;
@@ -461,7 +461,7 @@ void check_ranges(const GearSet& gear) {
   for_each_number(gear, [](const FieldPath& path, const Field& field, const double& value) {
     require(field.range.contains(value), path.text(), value, field.unit,
             std::isfinite(value) ? rule_text(field.range, field.unit) : "a finite number");
-    require(!too_long(field, value), path.text(), value, field.unit, "at most 1 km");
+    require(!too_long(field, value), path.text(), value, field.unit, "at most 1000 km");
   });
 }
 
