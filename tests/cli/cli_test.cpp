@@ -817,7 +817,7 @@ TEST_F(Program, BehaviourCompletionOfCommandsOptionsAndValues) {
   EXPECT_EQ(offered("sti"), "stiffness\n");
   EXPECT_EQ(offered("sif e"), "eval\n");
   EXPECT_EQ(offered("nothing ''"), "");
-  EXPECT_EQ(offered("stiffness x.toml --p"), "--plot\n");
+  EXPECT_EQ(offered("stiffness x.toml --pl"), "--plot\n");
   EXPECT_EQ(offered("stiffness x.toml --method r"), "repaired\n");
   EXPECT_EQ(offered("stiffness x.toml --method=r"), "--method=repaired\n");
   EXPECT_EQ(offered("stiffness x.toml --method = r"), "repaired\n");   // as bash splits it

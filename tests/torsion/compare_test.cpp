@@ -167,6 +167,7 @@ TEST(AfterTurn, BehaviourWhatIsSaidOfAMovedPositionGoes) {
   GearSet gear = with_tooth(0.5, 0.25);
   gear.wave_generator->crack.push_back(RaceSurfaceCrack{
       .depth = 0.1 * mm, .aspect_ratio = 0.5, .contact_factor = {}, .stress = {}, .position = 0.4});
+  gear.wave_generator->inner_ring_thickness = 3 * mm;
   for (const char* const path : {"mesh.crack[0].position", "wave_generator.crack[0].position"}) {
     gear.range.push_back({.path = path, .lower = "0.1 rad", .upper = "0.5 rad", .source = {}});
     gear.scatter.push_back({.path = path, .relative_standard_deviation = 0.1, .source = {}});
