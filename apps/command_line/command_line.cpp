@@ -266,6 +266,7 @@ ExitCode run_command(const Given& given) {
   ranks.together([&] {
     if (chosen.folder) return require_folder(main_path);
     if (!ranks.first() || command.documents.empty()) return;
+    if (journal) require_writable(journal->name());
     const auto prepare = [&](const std::string& path, const Document& document) {
       if (auto converter = prepared(document, path, has(given, Role::force)))
         converters.emplace(path, std::move(*converter));
