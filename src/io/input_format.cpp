@@ -180,7 +180,7 @@ std::map<std::string_view, std::string> unit_patterns() {
           {"N/m", fmt::format("{}/{}", force, length)},
           {"Pa*m^0.5", any({fmt::format("{}{}{}\\^0?\\.5", stress, times, length),
                             fmt::format("{}/{}\\^1\\.5", force, length)})},
-          {"rad/(N*m)", fmt::format("({}|1)/(\\({}\\)|{})", angle, torque, words_like("N*m"))}};
+          {"rad/(N*m)", fmt::format("{}/(\\({}\\)|{})", angle, torque, words_like("N*m"))}};
 }
 
 /// The texts of quantities that the reader accepts: sign and dimension as the field has them.  Of
