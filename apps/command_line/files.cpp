@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "files.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <deque>
 #include <filesystem>
@@ -9,6 +12,7 @@
 #include <iostream>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 #include "exit_code.hpp"
 #include "strainwave/io/attachments.hpp"
@@ -18,34 +22,105 @@ namespace strainwave::cli {
 
 namespace fs = std::filesystem;
 
-std::string text_of(const std::string& file) {
-  std::string text = file == "-" ? read_text(std::cin, file) : read_text_file(file);
-  if (text.size() > kMaxTextSize) throw InputError(file, "is larger than 1 MiB");
-  return text;
+namespace {
+
+/// Whether a path leads to a descriptor that the caller has opened, such as /dev/fd/63.
+bool opened_by_caller(fs::path path) {
+  std::error_code fault;
+  constexpr int kMostLinks = 16;
+  for (int i = 0; i < kMostLinks && !fault; ++i) {
+    const fs::path folder = fs::weakly_canonical(path.parent_path(), fault);
+    if (folder.string().starts_with("/proc/") && folder.filename() == "fd") return true;
+    path = folder / path.filename();
+    if (fs::symlink_status(path, fault).type() != fs::file_type::symlink) return false;
+    path = folder / fs::read_symlink(path, fault);
+  }
+  return false;
+}
+
+void require_that_it_ends(const std::string& file) {
+  std::error_code unseen;
+  const fs::file_type type = fs::status(file, unseen).type();
+  if (type == fs::file_type::directory) throw InputError(file, "is a directory");
+  const bool pipe = type == fs::file_type::fifo && opened_by_caller(file);
+  if (fs::exists(file, unseen) && type != fs::file_type::regular && !pipe)
+    throw InputError(file,
+                     "is a device, a socket or a named pipe, which may never end: name a regular "
+                     "file, or - for standard input");
+}
+
+/// Runs `write`, whose faults are those of an output.
+template <class Write>
+void as_output(const Write& write) {
+  try {
+    write();
+  } catch (const Error& error) {
+    throw UnwritableError(error.what());
+  }
+}
+
+}  // namespace
+
+std::string text_of(const std::string& file, std::size_t most) {
+  std::ifstream opened;
+  if (file == "-" && ::fcntl(STDIN_FILENO, F_GETFD) < 0)
+    throw InputError(file, "standard input is closed");
+  if (file != "-") {
+    require_that_it_ends(file);
+    opened.open(file, std::ios::binary);
+    if (!opened) throw InputError(file, "cannot be opened for reading");
+  }
+  std::string text;
+  for (std::size_t before = 0; text.size() <= most; before = text.size()) {
+    text += read_text(file == "-" ? std::cin : opened, file);
+    if (text.size() - before <= kMaxTextSize) return text;
+  }
+  throw InputError(file, fmt::format("is larger than {} MiB", most >> 20));
+}
+
+bool is_standard_output(std::string_view path) {
+  return path.empty() || path == "-" || path == "/dev/stdout";
+}
+
+std::string identity_of(const std::string& path) {
+  struct stat file {};
+  if ((path == "-" ? ::fstat(STDIN_FILENO, &file) : ::stat(path.c_str(), &file)) == 0)
+    return S_ISREG(file.st_mode) ? fmt::format("{}:{}", file.st_dev, file.st_ino) : std::string();
+  return file_behind(path).value_or(fs::path()).string();
+}
+
+void require_writable(const std::string& path) {
+  as_output([&] {
+    if (is_standard_output(path)) {
+      if (::fcntl(STDOUT_FILENO, F_GETFD) < 0)
+        throw Error("standard output is closed: name a file with -o");
+    } else if (file_behind(path)) {
+      const WaitingFile trial(path, "");
+    } else {
+      require_open_end(path);
+    }
+  });
 }
 
 std::string shown_name(const std::string& file) { return file == "-" ? "standard input" : file; }
 
 void deliver(const std::vector<std::pair<std::string, std::string>>& texts) {
-  try {
+  as_output([&] {
     std::deque<WaitingFile> files;
     // What goes to a stream or a device cannot be taken back: it goes when all files wait.
     std::vector<std::pair<std::string, std::string>> streams;
     for (const auto& [path, text] : texts)
-      if (!path.empty() && file_behind(path))
+      if (!is_standard_output(path) && file_behind(path))
         files.emplace_back(path, text);
       else
         streams.emplace_back(path, text);
-    for (const auto& [path, text] : streams) {
-      if (!path.empty())
+    for (const auto& [path, text] : streams)
+      if (is_standard_output(path))
+        write_to(STDOUT_FILENO, "standard output", text);
+      else
         append_to(path, text);
-      else if (!(std::cout << text << std::flush))
-        throw Error("standard output cannot be written");
-    }
     for (WaitingFile& file : files) file.replace();
-  } catch (const Error& error) {
-    throw UnwritableError(error.what());
-  }
+  });
 }
 
 void require_folder(const std::string& path) {
@@ -88,6 +163,12 @@ void deliver(const std::vector<OutputFile>& files, const std::string& folder, co
   throw UnwritableError(problem.empty() ? folder + ": another rank cannot write there" : problem);
 }
 
+FileJournal::FileJournal(std::string path) : path_(std::move(path)) {
+  if (!file_behind(path_))
+    throw UnwritableError(
+        path_ + ": must be a regular file, because a run that was stopped goes on from it");
+}
+
 std::optional<std::string> FileJournal::text() const {
   std::error_code fault;
   if (!fs::exists(path_, fault)) {
@@ -100,11 +181,7 @@ std::optional<std::string> FileJournal::text() const {
 }
 
 void FileJournal::append(const std::string& line) {
-  try {
-    append_to(path_, line);
-  } catch (const Error& error) {
-    throw UnwritableError(error.what());
-  }
+  as_output([&] { append_to(path_, line); });
 }
 
 }  // namespace strainwave::cli

@@ -12,15 +12,34 @@
 
 namespace strainwave::cli {
 
-/// The text of a file of at most 1 MiB, or of standard input, whose name is "-".
-/// @throws InputError  if it cannot be read, or is larger
-[[nodiscard]] std::string text_of(const std::string& file);
+/// The largest table that an option may name [bytes].
+inline constexpr std::size_t kMaxTableSize = std::size_t{64} << 20;  // 64 MiB
+
+/// The text of a file, or of standard input, whose name is "-".
+///
+/// A device, a socket and a named pipe may never end, and are not read; a pipe that the caller has
+/// opened is, such as /dev/stdin or /dev/fd/63.
+/// @param most  its largest size [bytes]
+/// @throws InputError  if it cannot be read, is larger, or is not read
+[[nodiscard]] std::string text_of(const std::string& file, std::size_t most = kMaxTextSize);
 
 /// The name of an input in messages: "standard input" for "-".
 [[nodiscard]] std::string shown_name(const std::string& file);
 
-/// Writes all texts, each behind its path, or none; to standard output where the path is empty.
+/// Whether a path means standard output: none, "-" or /dev/stdout.
+[[nodiscard]] bool is_standard_output(std::string_view path);
+
+/// Two paths with one identity lead to one file, by links of either kind; "-" is standard input.
+/// @return  empty where the path leads to no regular file, nor to a place where one can be made
+[[nodiscard]] std::string identity_of(const std::string& path);
+
+/// Tries an output before the work whose result will go there.  Nothing is changed.
+/// @throws UnwritableError  it cannot be written
+void require_writable(const std::string& path);
+
+/// Writes all texts, each behind its path, or none; to standard output where the path means it.
 /// @throws UnwritableError  if one of them cannot be written
+/// @throws Stopped          SIGINT came while a reader of a pipe kept it waiting
 void deliver(const std::vector<std::pair<std::string, std::string>>& texts);
 
 /// @throws UnwritableError  the path is that of a file
@@ -34,7 +53,8 @@ void deliver(const std::vector<OutputFile>& files, const std::string& folder, co
 /// A journal in a file; where that cannot be written, `begin` and `append` throw UnwritableError.
 class FileJournal : public Journal {
  public:
-  explicit FileJournal(std::string path) : path_(std::move(path)) {}
+  /// @throws UnwritableError  it could not be read back: a device, a pipe, a folder
+  explicit FileJournal(std::string path);
 
   [[nodiscard]] std::string name() const override { return path_; }
   [[nodiscard]] std::optional<std::string> text() const override;

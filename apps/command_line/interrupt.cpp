@@ -15,7 +15,8 @@ Interrupt::Interrupt() {
   if (before_.sa_handler == SIG_IGN) return;  // of a job in the background
   struct sigaction action {};
   action.sa_handler = remember;
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  // Without SA_RESTART: what waits for the reader of a pipe is told.
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
   ::sigaction(SIGINT, &action, nullptr);
 }
 

@@ -10,6 +10,7 @@
 #include "strainwave/command/exit_status.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/version.hpp"
+#include "strainwave/io/input_format.hpp"
 
 namespace strainwave::cli {
 namespace {
@@ -29,11 +30,12 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-std::string head(std::string page, std::string_view summary) {
+std::string head(std::string page, std::string_view summary, int section = 1) {
   const std::string name = escaped(page);
   std::ranges::transform(page, page.begin(), [](unsigned char c) { return std::toupper(c); });
-  return fmt::format(".TH {} 1 \"\" \"strainwave {}\" \"strainwave manual\"\n.SH NAME\n{} \\- {}\n",
-                     page, version(), name, escaped(summary));
+  return fmt::format(
+      ".TH {} {} \"\" \"strainwave {}\" \"strainwave manual\"\n.SH NAME\n{} \\- {}\n", page,
+      section, version(), name, escaped(summary));
 }
 
 /// "--method TEXT", as the synopsis and the list of options show it.
@@ -98,6 +100,24 @@ std::string program_page(const Program& program) {
   for (const std::string_view word : first_words(program))
     pages.push_back(fmt::format(".BR {}\\-{} (1)", program.name, word));
   return page + fmt::format(".SH SEE ALSO\n{}\n", fmt::join(pages, ",\n"));
+}
+
+std::string format_page() {
+  return head(std::string(kFormatPage),
+              "input file of strainwave: a strain wave gear with its cracks", 5) +
+         ".SH DESCRIPTION\n" +
+         escaped(
+             "A drive is a text file in TOML. Quantities are text with any unit that can be "
+             "converted, such as \"2.24 mm\"; pure numbers are bare. Every field is addressed "
+             "by its path, such as output_shaft.crack[0].depth. Members that are left out add "
+             "no compliance. The command strainwave new prints a file to begin with.\n") +
+         ".SH FIELDS\n" + input_manual() + ".SH EDITORS\n" +
+         escaped(
+             "The command strainwave schema prints a JSON Schema. Editors take it where the "
+             "first line of a drive names its file:\n") +
+         ".PP\n.nf\n#:schema ./strainwave\\-drive\\-1.schema.json\n.fi\n" +
+         ".SH SEE ALSO\n.BR strainwave (1),\n.BR strainwave\\-new (1),\n.BR strainwave\\-schema "
+         "(1)\n";
 }
 
 std::string command_page(const Program& program, std::string_view first_word) {

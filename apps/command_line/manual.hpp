@@ -6,11 +6,16 @@
 
 #include "program.hpp"
 
-// Manual pages, in roff: one of the program, and one for each first word of its commands.
+// Manual pages, in roff: one of the program, one for each first word of its commands, and one of
+// the input file.
 
 namespace strainwave::cli {
 
 [[nodiscard]] std::string program_page(const Program& program);
+
+/// The name of the page of the input file, of section 5.
+inline constexpr std::string_view kFormatPage = "strainwave-drive";
+[[nodiscard]] std::string format_page();
 
 /// @param first_word  of a command or a group
 /// @throws OptionError  no command begins with this word

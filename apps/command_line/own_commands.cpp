@@ -42,7 +42,7 @@ struct ManOptions {
   static void describe(Visitor&& field) {
     field({.name = "command",
            .unit = "",
-           .doc = "a command; the program itself if left out",
+           .doc = "a command, or strainwave-drive for the input file; the program if left out",
            .positional = true,
            .names = "command"},
           &ManOptions::command);
@@ -52,6 +52,7 @@ struct ManOptions {
 
 PrintedText manual(const Program& program, const ManOptions& options) {
   if (options.list) return {fmt::format("{}\n", fmt::join(first_words(program), "\n"))};
+  if (options.command == kFormatPage) return {format_page()};
   return {options.command ? command_page(program, *options.command) : program_page(program)};
 }
 

@@ -50,6 +50,15 @@ Argument argument_of(const Option& option) {
           .names = option.field.names};
 }
 
+Argument flag_argument(Role role, std::string_view name, std::string_view doc) {
+  return {.role = role,
+          .name = std::string(name),
+          .key = {},
+          .type = {},
+          .doc = std::string(doc),
+          .fallback = {}};
+}
+
 Argument path_argument(Role role, std::string_view option, std::string_view key,
                        std::string_view doc) {
   return {.role = role,
@@ -196,6 +205,17 @@ std::vector<Argument> arguments_of(const Command& command) {
                          .doc = "of the csv format, names separated by commas",
                          .fallback = {}});
   arguments.insert(arguments.end(), beside.begin(), beside.end());
+  if (std::ranges::find(command.documents, Format::toml, &Document::format) !=
+      command.documents.end())
+    arguments.push_back(
+        flag_argument(Role::force, "--force", "replace a drive that is in the file already"));
+  const bool own = std::ranges::any_of(
+      command.options.options, [](const Option& one) { return one.field.name == "progress"; });
+  if (!own)
+    arguments.push_back(flag_argument(
+        Role::progress, "--progress",
+        "say how far the work is, with rate and time left, as on a terminal after one second"));
+  arguments.push_back(flag_argument(Role::quiet, "--quiet", "do not say how far the work is"));
   return arguments;
 }
 

@@ -59,6 +59,9 @@ enum class Role {
   columns,   ///< chooses the columns of a CSV table
   journal,   ///< takes the path of the journal
   document,  ///< takes the path of a document beside the main one
+  force,     ///< a drive may take the place of a file that exists
+  progress,  ///< says how far it is, wherever standard error goes
+  quiet,     ///< does not say how far it is
 };
 
 /// An argument of a command as the command line spells it.  Parser, help, manual and completion are

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "least_squares.hpp"
 #include "strainwave/core/error.hpp"
-#include "strainwave/core/quantity_text.hpp"
 #include "strainwave/torsion/compare.hpp"
 
 namespace strainwave {
@@ -17,56 +17,26 @@ namespace {
 
 constexpr double kMostUncertainty = 0.5;  // of an identified factor
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlank = " \t\r";
-  const std::size_t first = text.find_first_not_of(kBlank);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
+/// Most torques of one sense that a drive is solved at; a bench writes more of them.  Straight
+/// lines between so many err by less than a tenth of what a measurement does.
+constexpr std::size_t kMostTorques = 200;
+
+/// Evenly chosen from sorted torques, with the first and the last; all of them if they are few.
+std::vector<double> chosen(const std::vector<double>& torques) {
+  if (torques.size() <= kMostTorques) return torques;
+  std::vector<double> some;
+  for (std::size_t i = 0; i < kMostTorques; ++i)
+    some.push_back(torques[i * (torques.size() - 1) / (kMostTorques - 1)]);
+  return some;
 }
 
-std::vector<std::string_view> cells(std::string_view line) {
-  std::vector<std::string_view> result;
-  while (true) {
-    const std::size_t comma = std::min(line.find(','), line.size());
-    result.push_back(trimmed(line.substr(0, comma)));
-    if (comma == line.size()) return result;
-    line.remove_prefix(comma + 1);
-  }
-}
-
-/// Where torque and twist stand in a line, and in which units.
-struct Columns {
-  std::size_t torque = 0;
-  std::size_t twist = 1;
-  std::string torque_unit;
-  std::string twist_unit;
-};
-
-Columns parse_header(std::string_view line, const std::string& place) {
-  Columns columns;
-  bool has_torque = false;
-  bool has_twist = false;
-  const auto names = cells(line);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const std::size_t open = names[i].find('[');
-    const std::size_t close = names[i].rfind(']');
-    const std::string_view name = trimmed(names[i].substr(0, std::min(open, names[i].size())));
-    if (name != "torque" && name != "twist") continue;
-    const bool torque = name == "torque";
-    if (open == std::string_view::npos || close == std::string_view::npos || close < open)
-      throw InputError(place, fmt::format("the column {0} has no unit; write {0} [{1}]", name,
-                                          torque ? "N*m" : "arcmin"));
-    const std::string unit(names[i].substr(open + 1, close - open - 1));
-    (void)parse_quantity(place, "1 " + unit, torque ? "N*m" : "rad");
-    (torque ? columns.torque : columns.twist) = i;
-    (torque ? columns.torque_unit : columns.twist_unit) = unit;
-    (torque ? has_torque : has_twist) = true;
-  }
-  if (!has_torque || !has_twist)
-    throw InputError(place,
-                     "must name the columns torque and twist with their units, such as "
-                     "\"torque [N*m],twist [arcmin]\"");
-  return columns;
+/// The twist at a torque on the straight line between its neighbours.
+double between(const std::map<double, double>& twist, double torque) {
+  const auto above = twist.lower_bound(torque);
+  if (above->first == torque) return above->second;
+  const auto below = std::prev(above);
+  return std::lerp(below->second, above->second,
+                   (torque - below->first) / (above->first - below->first));
 }
 
 /// phi at each torque, which may have both senses.
@@ -80,6 +50,7 @@ std::map<double, double> twists_at(const AssembledDrive& drive,
     if (loads.empty()) continue;
     std::ranges::sort(loads);
     loads.erase(std::unique(loads.begin(), loads.end()), loads.end());
+    loads = chosen(loads);
     loads.insert(loads.begin(), loads.front() / 3);
     for (double& load : loads) load *= sense;
     const std::vector<double> solved = twists(drive, loads);
@@ -99,7 +70,7 @@ std::vector<double> stiffnesses(const GearSet& gear, const CalibrationTarget& ta
   std::vector<double> K;
   for (const StiffnessTarget& value : target.values)
     K.push_back((value.to_torque - value.from_torque) /
-                (twist.at(value.to_torque) - twist.at(value.from_torque)));
+                (between(twist, value.to_torque) - between(twist, value.from_torque)));
   return K;
 }
 
@@ -108,14 +79,8 @@ GearSet component_set(const GearSet& gear) {
   GearSet set = without_cracks(gear);
   set.output_shaft.reset();
   if (set.flexspline) set.flexspline->flange_compliance = 0.0;
+  drop_lost_paths(set, gear);
   return set;
-}
-
-/// A number that was fitted has its value, no longer its range from before.
-void drop_ranges_of_fitted(GearSet& gear, const GearSet& before) {
-  std::erase_if(gear.range, [&](const InputRange& range) {
-    return number_at(gear, range.path).value != number_at(before, range.path).value;
-  });
 }
 
 /// Which combinations of factors the values tell, and how well each factor is known.
@@ -159,39 +124,6 @@ void tell_identified(Calibration& result, const FactorProblem& problem, const Fa
 }
 
 }  // namespace
-
-std::vector<MeasuredPoint> parse_measured_curve(std::string_view text, std::string_view file_name) {
-  std::vector<MeasuredPoint> points;
-  std::optional<Columns> columns;
-  for (int number = 1; !text.empty(); ++number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = trimmed(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (line.empty() || line.starts_with('#')) continue;
-    const std::string place = fmt::format("{}:{}", file_name, number);
-    if (!columns) {
-      columns = parse_header(line, place);
-      continue;
-    }
-    const auto values = cells(line);
-    if (values.size() <= std::max(columns->torque, columns->twist))
-      throw InputError(place, fmt::format("\"{}\" has too few columns", shown(line)));
-    const auto quantity = [&](std::size_t column, const std::string& unit, std::string_view si) {
-      return parse_quantity(place, fmt::format("{} {}", values[column], unit), si);
-    };
-    const MeasuredPoint point{quantity(columns->torque, columns->torque_unit, "N*m"),
-                              quantity(columns->twist, columns->twist_unit, "rad")};
-    if (point.torque == 0.0 && point.twist == 0.0) continue;
-    if (!(point.torque * point.twist > 0))
-      throw InputError(place,
-                       "torque and twist must have the same sign: count the twist from the "
-                       "unloaded state");
-    points.push_back(point);
-  }
-  if (!columns) throw InputError(file_name, "is empty");
-  if (points.empty()) throw InputError(file_name, "has no point under torque");
-  return points;
-}
 
 CalibrationTarget catalogue_target(const GearSet& gear) {
   const double d = gear.drive.pitch_diameter;
@@ -239,9 +171,9 @@ Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
   const GearSet compared = target.component_set_only ? component_set(gear) : gear;
   const auto changed = [&](const GearSet& drive, const std::vector<double>& values) {
     GearSet other = drive;
-    other.range.clear();
     for (std::size_t i = 0; i < factors.size(); ++i)
       other = with_factor(std::move(other), factors[i], values[i]);
+    drop_lost_paths(other, drive);
     return other;
   };
   const auto n_values = static_cast<Eigen::Index>(target.values.size());
@@ -272,8 +204,6 @@ Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
         {target.values[i], before[i],
          target.values[i].stiffness * std::exp(fit.residuals(static_cast<Eigen::Index>(i)))});
   result.gear = changed(gear, fit.values);
-  result.gear.range = gear.range;
-  drop_ranges_of_fitted(result.gear, gear);
   check(result.gear);
   return result;
 }

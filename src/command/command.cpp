@@ -94,14 +94,21 @@ Answer::Answer(const Command& command, std::shared_ptr<const Drive> drive,
           (option.field.names == "output" || option.field.names == "field path"))
         ask_as_typed(units_, text);
   const AskedUnitsScope scope(units_);
-  result_ = command.run(command,
-                        {.drive = *drive_,
-                         .texts = texts,
-                         .progress = progress,
-                         .ranks = host.ranks,
-                         .journal = host.journal,
-                         .beside = host.beside},
-                        options_.get());
+  try {
+    result_ = command.run(command,
+                          {.drive = *drive_,
+                           .texts = texts,
+                           .progress = progress,
+                           .ranks = host.ranks,
+                           .journal = host.journal,
+                           .beside = host.beside},
+                          options_.get());
+  } catch (const OptionError&) {
+    throw;
+  } catch (const InputError& fault) {
+    if (drive_->text.empty()) throw;
+    throw located(fault, drive_->text, drive_->name);
+  }
   evidence_ = command.evidence(result_.get());
 }
 

@@ -699,6 +699,81 @@ void settle(const toml::node& document, Steps& path) {
   }
 }
 
+/// The text with this change and no other.
+/// @param value  null: remove
+std::string with_change(const std::string& text, const KnownPath& path, const NewValue* value) {
+  const toml::table before = parse_toml(text, "text");
+  std::string result = value != nullptr ? changed(text, path, *value) : removed(text, path.steps);
+  bool good = false;
+  try {
+    const toml::table now = parse_toml(result, "text");
+    good = changed_only(&before, &now, path.steps, 0, value != nullptr ? &value->node() : nullptr);
+  } catch (const InputError&) {
+    good = false;
+  }
+  if (!good)
+    throw InputError(path_text(path.steps),
+                     "cannot be changed as this text is written; write its table as [section]");
+  return result;
+}
+
+/// A path as the program prints it.
+std::string printed_path(const Steps& path) {
+  FieldPath text;
+  for (const Step& step : path) text = step.is_index ? text[step.index] : text / step.key;
+  return text.text();
+}
+
+/// The steps of a path that a list of the drive has in its text; none if it has other text there.
+Steps named_steps(const toml::node* entry) {
+  const toml::node* const path = child(entry, key_step("path"));
+  const auto text = path != nullptr ? path->value<std::string>() : std::nullopt;
+  try {
+    return text ? PathReader(*text).read().steps : Steps();
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+/// Where a path leads after an element of a list has been removed; nothing if it led into it.
+std::optional<Steps> after_removal(Steps path, const Steps& removed) {
+  if (!removed.back().is_index || !begins_with(path, part(removed, removed.size() - 1)) ||
+      path.size() < removed.size())
+    return path;
+  Step& element = path[removed.size() - 1];
+  if (element.index == removed.back().index) return std::nullopt;
+  if (element.index > removed.back().index) --element.index;
+  return path;
+}
+
+/// The lists that name numbers by their paths follow a change of a table or a list: an entry goes
+/// with the number that it names, and gets the new path of one that has moved.
+/// @param before  the document without the change
+std::string with_paths_after(std::string text, const toml::table& before, const Steps& change,
+                             bool removes) {
+  const toml::node* const changes = node_at(before, change);
+  if (changes == nullptr || changes->is_value()) return text;
+  const GearSet lists;
+  for_each_path_list(lists, [&](std::string_view list, const auto&) {
+    const toml::table now = parse_toml(text, "text");
+    const auto* const entries = now.get(list) != nullptr ? now.get(list)->as_array() : nullptr;
+    for (std::size_t i = entries != nullptr ? entries->size() : 0; i-- > 0;) {
+      const Steps named = named_steps(entries->get(i));
+      if (named.empty() || node_at(before, named) == nullptr) continue;
+      const std::optional<Steps> follows = removes ? after_removal(named, change) : named;
+      Steps at = {key_step(std::string(list)), index_step(i)};
+      if (!follows || node_at(now, *follows) == nullptr) {
+        text = with_change(text, known_path(at), nullptr);
+      } else if (*follows != named) {
+        at.push_back(key_step("path"));
+        const NewValue path = value_of(fmt::format("\"{}\"", printed_path(*follows)));
+        text = with_change(text, known_path(at), &path);
+      }
+    }
+  });
+  return text;
+}
+
 }  // namespace
 
 std::string edit(std::string_view text, std::string_view path,
@@ -707,24 +782,13 @@ std::string edit(std::string_view text, std::string_view path,
   KnownPath known = PathReader(path).read();
   const toml::table before = parse_toml(text, "text");
   settle(before, known.steps);
-  const std::string at = path_text(known.steps);
   std::optional<NewValue> wanted;
   if (value)
     wanted = value_of(*value);
   else if (node_at(before, known.steps) == nullptr)
-    throw InputError(at, "is not in the text, so it cannot be removed");
-  std::string result =
-      wanted ? changed(std::string(text), known, *wanted) : removed(std::string(text), known.steps);
-  bool good = false;
-  try {
-    const toml::table now = parse_toml(result, "text");
-    good = changed_only(&before, &now, known.steps, 0, wanted ? &wanted->node() : nullptr);
-  } catch (const InputError&) {
-    good = false;
-  }
-  if (!good)
-    throw InputError(at, "cannot be changed as this text is written; write its table as [section]");
-  return result;
+    throw InputError(path_text(known.steps), "is not in the text, so it cannot be removed");
+  return with_paths_after(with_change(std::string(text), known, wanted ? &*wanted : nullptr),
+                          before, known.steps, !wanted);
 }
 
 }  // namespace strainwave

@@ -84,6 +84,24 @@ GearSet read_gear_set(std::string_view text, std::string_view file_name,
   return gear;
 }
 
+InputError located(const InputError& fault, std::string_view text, std::string_view file_name) {
+  const std::string section = fault.field().substr(0, fault.field().find_first_of(".["));
+  bool of_drive = false;
+  GearSet::describe(
+      [&](const Field& field, auto) { of_drive = of_drive || field.name == section; });
+  if (!of_drive || !fault.place().file.empty()) return fault;
+  TomlReader reader(file_name);
+  GearSet gear;
+  reader.read_table(parse_toml(text, file_name), FieldPath(), gear);
+  bool same = true;
+  if (!fault.rule().empty())
+    for_each_number(gear, [&](const FieldPath& path, const Field& field, double value) {
+      if (path.text() == fault.field())
+        same = InputError(fault.field(), value, field.unit, fault.rule()).value() == fault.value();
+    });
+  return same ? reader.located(fault) : fault;
+}
+
 GearSet read_gear_set_file(const std::filesystem::path& file) {
   return read_gear_set(read_text_file(file), file.string(), attachments_beside(file));
 }

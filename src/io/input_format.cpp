@@ -4,11 +4,15 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <initializer_list>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <type_traits>
 
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/quantity_text.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 
 namespace strainwave {
@@ -135,12 +139,72 @@ class TemplateWriter {
 
 using Json = nlohmann::ordered_json;
 
+bool is_unit(const std::string& text) {
+  try {
+    (void)parse_unit(text);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// The units of one word that have the dimension of a unit, as a group of a pattern: "(mm|m|in)".
+std::string words_like(std::string_view unit) {
+  const Dimension dimension = parse_unit(unit).dimension;
+  std::string group;
+  for (const std::string_view word :
+       {"m", "g",  "s",  "min", "h", "K",  "rad",  "deg", "°",  "arcmin", "arcsec", "Hz",  "rpm",
+        "N", "Nm", "Pa", "J",   "W", "in", "inch", "ft",  "lb", "lbf",    "kip",    "psi", "ksi"})
+    for (const std::string_view prefix :
+         {"", "n", "u", "\xC2\xB5", "\xCE\xBC", "m", "c", "k", "M", "G"}) {
+      const std::string symbol = fmt::format("{}{}", prefix, word);
+      if (is_unit(symbol) && parse_unit(symbol).dimension == dimension)
+        group += (group.empty() ? "" : "|") + symbol;
+    }
+  return '(' + group + ')';
+}
+
+/// The units that quantities of a unit may have, as patterns: words, and usual products of words.
+std::map<std::string_view, std::string> unit_patterns() {
+  const std::string length = words_like("m");
+  const std::string force = words_like("N");
+  const std::string angle = words_like("rad");
+  const std::string times = is_unit("N·m") ? "(\\*|·)" : "\\*";
+  const auto any = [](std::initializer_list<std::string> forms) {
+    return fmt::format("({})", fmt::join(forms, "|"));
+  };
+  const std::string torque =
+      any({words_like("N*m"), force + times + length, length + times + force});
+  const std::string stress = any({words_like("Pa"), fmt::format("{}/{}\\^2", force, length),
+                                  fmt::format("{0}/{1}/{1}", force, length)});
+  return {{"m", length},
+          {"N", force},
+          {"rad", angle},
+          {"N*m", torque},
+          {"Pa", stress},
+          {"N/m", fmt::format("{}/{}", force, length)},
+          {"Pa*m^0.5", any({fmt::format("{}{}{}\\^0?\\.5", stress, times, length),
+                            fmt::format("{}/{}\\^1\\.5", force, length)})},
+          {"rad/(N*m)", fmt::format("{}/(\\({}\\)|{})", angle, torque, words_like("N*m"))}};
+}
+
+/// The texts of quantities that the reader accepts: sign and dimension as the field has them.  Of
+/// the products that are no usual unit, such as kg*m/s^2, the pattern knows none.
+std::string quantity_pattern(const Field& field) {
+  static const std::map<std::string_view, std::string> kUnits = unit_patterns();
+  const Range& range = field.range;
+  const bool never_negative = range.lower >= 0;
+  const bool never_zero = range.lower == 0 && range.lower_open;
+  return fmt::format("^ *{}{}([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][-+]?[0-9]+)? *{} *$",
+                     never_negative ? "\\+?" : "[-+]?", never_zero ? "(?=[0-9.]*[1-9])" : "",
+                     kUnits.at(field.unit));
+}
+
 Json number_schema(const Field& field) {
   Json schema;
   if (field.unit != "1") {
     schema["type"] = "string";
-    // The reader checks the unit; the pattern catches bare numbers and forgotten units.
-    schema["pattern"] = R"(^ *[-+]?[0-9.]+([eE][-+]?[0-9]+)? *(1/)?[^-+0-9.eE\s].*$)";
+    schema["pattern"] = quantity_pattern(field);
     return schema;
   }
   schema["type"] = "number";
@@ -220,22 +284,42 @@ Json table_schema(std::string_view kind) {
 // ---------------------------------------------------------------------------------------------
 // Reference
 
+/// How a page shows its tables of fields.
+enum class Form { markdown, roff };
+
+/// Text as roff shows it.
+std::string as_roff(std::string_view text) {
+  std::string result;
+  for (const char c : text)
+    if (c == '\\')
+      result += "\\e";
+    else if (c == '-')
+      result += "\\-";
+    else if (c != '`')
+      result += c;
+  return result;
+}
+
 class ReferenceWriter {
  public:
+  explicit ReferenceWriter(Form form) : form_(form) {}
+
   std::string text() && { return std::move(text_); }
 
   template <class T>
   void table(const std::string& head, std::string_view doc, std::string_view kind) {
-    text_ += fmt::format(
-        "\n## `{}`: {}\n\n| field | unit | rule | default | meaning |\n"
-        "|---|---|---|---|---|\n",
-        head, doc);
-    if (!kind.empty()) text_ += fmt::format("| `kind` | | `\"{}\"` | required | |\n", kind);
+    if (form_ == Form::markdown)
+      text_ += fmt::format(
+          "\n## `{}`: {}\n\n| field | unit | rule | default | meaning |\n"
+          "|---|---|---|---|---|\n",
+          head, doc);
+    else
+      text_ += fmt::format(".SS {}\n\\&{}\n", as_roff(head), as_roff(doc));
+    if (!kind.empty()) row("kind", "", fmt::format("`\"{}\"`", kind), "required", "");
     T::describe([&](const Field& field, auto member) {
       using Value = ValueOf<decltype(member)>;
       if constexpr (!is_section<Value>)
-        text_ += fmt::format("| `{}` | {} | {} | {} | {} |\n", field.name, unit(field),
-                             rule<Value>(field), fallback<Value>(field), field.doc);
+        row(field.name, unit(field), rule<Value>(field), fallback<Value>(field), field.doc);
     });
   }
 
@@ -262,6 +346,21 @@ class ReferenceWriter {
   }
 
  private:
+  void row(std::string_view name, const std::string& unit, const std::string& rule,
+           const std::string& fallback, std::string_view doc) {
+    if (form_ == Form::markdown) {
+      text_ += fmt::format("| `{}` | {} | {} | {} | {} |\n", name, unit, rule, fallback, doc);
+      return;
+    }
+    text_ += fmt::format(".TP\n\\fB{}\\fR{}\n\\&{}\n", as_roff(name),
+                         unit.empty() ? "" : as_roff(fmt::format(" [{}]", unit)), as_roff(doc));
+    if (!rule.empty()) text_ += fmt::format(".br\nrule: {}\n", as_roff(rule));
+    if (fallback == "required")
+      text_ += ".br\nrequired\n";
+    else if (fallback != "none")
+      text_ += fmt::format(".br\ndefault: {}\n", as_roff(fallback));
+  }
+
   static std::string unit(const Field& field) {
     return field.unit.empty() || field.unit == "1" ? "" : fmt::format("`{}`", field.unit);
   }
@@ -282,8 +381,16 @@ class ReferenceWriter {
     return field.fallback.empty() ? "none" : fmt::format("`{}`", field.fallback);
   }
 
+  Form form_;
   std::string text_;
 };
+
+std::string reference_in(Form form) {
+  ReferenceWriter writer(form);
+  writer.table<GearSet>("top of the file", "Format and name.", {});
+  writer.tables_below<GearSet>("");
+  return std::move(writer).text();
+}
 
 }  // namespace
 
@@ -305,15 +412,14 @@ std::string input_schema() {
 }
 
 std::string input_reference() {
-  ReferenceWriter writer;
-  writer.table<GearSet>("top of the file", "format and name", {});
-  writer.tables_below<GearSet>("");
   return "# Input file reference\n\n`strainwave schema --format markdown` writes this page from "
          "the descriptions that the reader uses.\nA quantity is text with any convertible unit, "
          "such as `\"2.24 mm\"`. A number without dimension has\nneither unit nor quotes. The path "
          "of a field names it, such as `output_shaft.crack[0].depth`. The\n[glossary](glossary.md) "
          "explains the terms.\n" +
-         std::move(writer).text();
+         reference_in(Form::markdown);
 }
+
+std::string input_manual() { return reference_in(Form::roff); }
 
 }  // namespace strainwave

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/progress.hpp"
 
 namespace strainwave {
 namespace {
@@ -23,17 +24,20 @@ namespace fs = std::filesystem;
 /// Why the last call of the system failed.
 std::error_code last_fault() { return {errno, std::system_category()}; }
 
+/// Writes all of a text; a signal ends it with EINTR if it waits.
+std::error_code write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t n = ::write(descriptor, text.data(), text.size());
+    if (n < 0) return last_fault();
+    text.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return {};
+}
+
 /// Writes all of a text and closes the file.
 /// @param safe  the text is on the disk when this returns
 std::error_code write_and_close(int descriptor, std::string_view text, bool safe) {
-  std::error_code fault;
-  while (!fault && !text.empty()) {
-    const ssize_t n = ::write(descriptor, text.data(), text.size());
-    if (n >= 0)
-      text.remove_prefix(static_cast<std::size_t>(n));
-    else if (errno != EINTR)
-      fault = last_fault();
-  }
+  std::error_code fault = write_all(descriptor, text);
   // A device and a pipe have nothing to make safe, and say EINVAL.
   if (!fault && safe && ::fsync(descriptor) != 0 && errno != EINVAL) fault = last_fault();
   if (::close(descriptor) != 0 && !fault) fault = last_fault();
@@ -63,6 +67,12 @@ WaitingFile::WaitingFile(const fs::path& path, std::string_view text)
   const fs::file_status old = fs::status(file_, fault);
   const auto mode = fs::exists(old) ? static_cast<mode_t>(old.permissions()) : mode_t{0666};
   if (fs::is_directory(old)) refuse(path, "it is a directory");
+  // Its folder would allow another file in its place, whoever may write.
+  constexpr fs::perms kWritable =
+      fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+  if (fs::exists(old) &&
+      ((old.permissions() & kWritable) == fs::perms::none || ::access(file_.c_str(), W_OK) != 0))
+    refuse(path, "it is write-protected");
   int descriptor = -1;
   for (int n = 1; descriptor < 0; ++n) {
     waiting_ = file_;
@@ -90,10 +100,30 @@ void WaitingFile::replace() {
   waiting_.clear();
 }
 
+void require_open_end(const fs::path& path) {
+  std::error_code fault;
+  const fs::file_type type = fs::status(path, fault).type();
+  if (fault) refuse(path, fault.message());
+  if (type == fs::file_type::directory) refuse(path, "it is a directory");
+  if (::access(path.c_str(), W_OK) != 0) refuse(path, last_fault().message());
+  // Opening a pipe and closing it again would tell its reader that all is said.
+  if (type != fs::file_type::character) return;
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  if (descriptor < 0) refuse(path, last_fault().message());
+  (void)::close(descriptor);
+}
+
+void write_to(int descriptor, std::string_view name, std::string_view text) {
+  const std::error_code fault = write_all(descriptor, text);
+  if (fault == std::errc::interrupted) throw Stopped();
+  if (fault) refuse(name, fault.message());
+}
+
 void append_to(const fs::path& path, std::string_view text) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   const std::error_code fault =
       descriptor < 0 ? last_fault() : write_and_close(descriptor, text, true);
+  if (fault == std::errc::interrupted) throw Stopped();
   if (fault) refuse(path, fault.message());
 }
 

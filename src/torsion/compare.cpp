@@ -111,10 +111,7 @@ void diagnose(CurveComparison& comparison) {
 GearSet without_cracks(const GearSet& gear) {
   GearSet sound = gear;
   for_each_cracked_member(sound, [](std::string_view, auto& member) { member.crack.clear(); });
-  // Ranges of fields that are gone would not be found.
-  std::erase_if(sound.range, [](const InputRange& range) {
-    return range.path.find(".crack[") != std::string::npos;
-  });
+  drop_lost_paths(sound, gear);
   return sound;
 }
 
@@ -135,9 +132,7 @@ GearSet after_turn(const GearSet& gear, double angle) {
   for_each_crack(turned, [&]<class Crack>(const std::string&, Crack& crack) {
     if constexpr (ContactCrack<Crack>) crack.position = turned_position(crack.position, angle);
   });
-  std::erase_if(turned.range, [](const InputRange& range) {
-    return range.path.find(".position") != std::string::npos;
-  });
+  drop_lost_paths(turned, gear);
   return turned;
 }
 

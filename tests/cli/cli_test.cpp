@@ -534,6 +534,43 @@ TEST_F(Program, BehaviourAuditPrintsItsRowsInAllForms) {
   EXPECT_NE(run("audit --format markdown").out.find('|'), std::string::npos);
 }
 
+// Every number of every crack may have a range and a scatter, whatever is asked of the drive.
+TEST_F(Program, BehaviourWhatIsSaidOfCracksStopsNoCommand) {
+  const std::string text = contents(STRAINWAVE_EXAMPLES "/cracked_size25.toml");
+  std::string said;
+  for (const char* const path : {"mesh.crack[0].stiffness_loss", "flexspline.crack[0].half_length",
+                                 "wave_generator.crack[0].depth", "circular_spline.crack[0].depth",
+                                 "output_shaft.crack[0].depth", "mesh.crack[0].position"})
+    said +=
+        std::string("[[scatter]]\npath = \"") + path + "\"\nrelative_standard_deviation = 0.1\n";
+  for (const auto& [path, lower, upper] :
+       {std::array{"mesh.crack[0].position", "\"1 deg\"", "\"9 deg\""},
+        std::array{"output_shaft.crack[0].depth", "\"1 mm\"", "\"3 mm\""},
+        std::array{"output_shaft.length", "\"10 mm\"", "\"80 mm\""}})
+    said += std::string("[[range]]\npath = \"") + path + "\"\nlower = " + lower +
+            "\nupper = " + upper + "\n";
+  const std::string plain = write("plain.toml", text);
+  const std::string file = write("said.toml", text + "\n" + said);
+  const auto lines = [&](const std::string& drive) {
+    const Json result = result_of("stiffness " + drive);
+    return result.at("curve");
+  };
+  EXPECT_EQ(lines(file), lines(plain));
+  for (const char* const command :
+       {"torsion --compare --angles 2 FILE", "torsion --draws 3 FILE",
+        "calibrate FILE --catalogue --factors coning", "sensitivity FILE",
+        "sensitivity FILE --scatter --samples 20", "report FILE",
+        "sweep FILE --vary 'output_shaft.crack[0].depth=0.5 mm..4 mm:3'",
+        "sweep FILE --vary 'mesh.crack[0].position=-5 deg..5 deg:3'"}) {
+    std::string words = command;
+    words.replace(words.find("FILE"), 4, file);
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.exit_code, 0) << command << outcome.err;
+    EXPECT_EQ(outcome.out.find("scatter["), std::string::npos) << command;
+    EXPECT_EQ(outcome.out.find("range["), std::string::npos) << command;
+  }
+}
+
 TEST_F(Program, BehaviourTypicalDriveOfACatalogueSize) {
   const Outcome drive = run("new --size 32 --ratio 50 --cup standard");
   ASSERT_EQ(drive.exit_code, 0) << drive.err;
@@ -781,7 +818,7 @@ TEST_F(Program, BehaviourCompletionOfCommandsOptionsAndValues) {
   EXPECT_EQ(offered("sti"), "stiffness\n");
   EXPECT_EQ(offered("sif e"), "eval\n");
   EXPECT_EQ(offered("nothing ''"), "");
-  EXPECT_EQ(offered("stiffness x.toml --p"), "--plot\n");
+  EXPECT_EQ(offered("stiffness x.toml --pl"), "--plot\n");
   EXPECT_EQ(offered("stiffness x.toml --method r"), "repaired\n");
   EXPECT_EQ(offered("stiffness x.toml --method=r"), "--method=repaired\n");
   EXPECT_EQ(offered("stiffness x.toml --method = r"), "repaired\n");   // as bash splits it

@@ -159,6 +159,37 @@ TEST(Edit, ReferenceACrackIsAppendedAndRemoved) {
                 "");
 }
 
+TEST(Edit, ReferencePathsFollowTheirCracks) {
+  // Ranges and scatters of a crack that goes go too; those of the next crack name it where it is.
+  const std::string first =
+      "\n[[range]]\npath = \"output_shaft.crack[0].depth\"\nlower = \"2 mm\"\nupper = \"4 mm\"\n";
+  const std::string length = "\n[[range]]\npath = \"output_shaft.length\"\nlower = \"1 mm\"\n";
+  const auto second = [](const std::string& index) {
+    return "\n[[scatter]]\npath = \"output_shaft.crack[" + index + "].depth\"   # by ultrasound\n";
+  };
+  const std::string scatters = "\n[[scatter]]\npath = \"output_shaft.crack[0].depth\"\n";
+  const std::string text = std::string(kShaft) + first + length + scatters + second("1");
+  EXPECT_EQ(edit(text, "output_shaft.crack[0]", std::nullopt),
+            edit(kShaft, "output_shaft.crack[0]", std::nullopt) + length + second("0"));
+  EXPECT_EQ(edit(text, "output_shaft.crack[1]", std::nullopt),
+            edit(kShaft, "output_shaft.crack[1]", std::nullopt) + first + length + scatters);
+  EXPECT_EQ(edit(text, "output_shaft.crack", std::nullopt),
+            edit(kShaft, "output_shaft.crack", std::nullopt) + length);
+  EXPECT_EQ(edit(text, "output_shaft", std::nullopt), edit(kShaft, "output_shaft", std::nullopt));
+  // A crack of another kind has other numbers.
+  const std::string other = "{ kind = \"annular\", solution = \"tada\" }";
+  EXPECT_EQ(edit(text, "output_shaft.crack[1]", other),
+            edit(kShaft, "output_shaft.crack[1]", other) + first + length + scatters);
+  // An inline list follows as well; what names nothing of the text is left alone.
+  const std::string inline_list =
+      "scatter = [{ path = \"flexspline.crack[1].depth\" }, { path = \"no such thing\" }, 3]\n"
+      "[[flexspline.crack]]\ndepth = 1\n[[flexspline.crack]]\ndepth = 2\n";
+  EXPECT_EQ(
+      edit(inline_list, "flexspline.crack[0]", std::nullopt),
+      "scatter = [{ path = \"flexspline.crack[0].depth\" }, { path = \"no such thing\" }, 3]\n"
+      "[[flexspline.crack]]\ndepth = 2\n");
+}
+
 TEST(Edit, ReferenceWhatIsRemovedTakesItsComment) {
   expect_change("drive.pitch_diameter", std::nullopt, "pitch_diameter = \"160 mm\" # as measured\n",
                 "");

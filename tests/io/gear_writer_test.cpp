@@ -4,10 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <locale>
 #include <string>
 #include <vector>
 
 #include "strainwave/io/gear_reader.hpp"
+#include "strainwave/io/input_format.hpp"
 
 namespace strainwave {
 namespace {
@@ -40,6 +44,26 @@ TEST(GearWriter, IdentityReadsBackEveryExample) {
     }
   }
   EXPECT_GE(n, 4);
+}
+
+/// As in Germany: 1.234,5.
+struct DecimalComma : std::numpunct<char> {
+  [[nodiscard]] char do_decimal_point() const override { return ','; }
+  [[nodiscard]] char do_thousands_sep() const override { return '.'; }
+  [[nodiscard]] std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(GearWriter, IdentityInALocaleWithDecimalCommas) {
+  std::ifstream stream(STRAINWAVE_EXAMPLES "/article.toml");
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  const auto written = [&] {
+    return gear_text(read_gear_set(text, "article.toml")) + input_schema() + input_reference();
+  };
+  const std::string before = written();
+  const std::locale old = std::locale::global(std::locale(std::locale(), new DecimalComma));
+  const std::string with_commas = written();
+  std::locale::global(old);
+  EXPECT_EQ(with_commas, before);
 }
 
 TEST(GearWriter, IdentityValuesThatAreHardToWrite) {

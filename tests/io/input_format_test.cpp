@@ -680,25 +680,48 @@ TEST(InputSchema, BehaviourTypesRangesAndDefaults) {
       });
 }
 
-TEST(InputSchema, CrosscheckThePatternOfQuantitiesAgreesWithTheReader) {
+/// Whether the reader takes a text for a quantity of a field, alone.
+bool reader_takes(const Field& field, const std::string& text) {
+  try {
+    return field.range.contains(parse_quantity("field", text, field.unit));
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+TEST(InputSchema, CrosscheckThePatternsOfQuantitiesAgreeWithTheReader) {
   const Json s = schema();
-  const std::regex pattern(
-      schema_at(s, "flexspline.wall_thickness").at("pattern").get<std::string>());
-  for (const char* const text : {"2.24 mm", "2.24mm", " 2.24 mm ", "+2.24 mm", ".5 mm", "5. mm",
-                                 "1e-3 m", "1E+3 m", "45 deg", "-45 deg", "1.2e5 N/mm", "100 N*m",
-                                 "60 MPa*m^0.5", "3 \u00B5m", "5 1/(N*m)", "2 (N*m)/rad", "0 m"})
-    EXPECT_TRUE(std::regex_search(text, pattern)) << text;
-  for (const char* const text : {"", " ", "2", "2.24", "100", "-1", "1e5", "1.5e-3", "1e5 ", "mm",
-                                 "nan mm", "inf mm", "thick", "0.", "12 3"})
-    EXPECT_FALSE(std::regex_search(text, pattern)) << text;
+  std::vector<std::string> texts = {"",        " ",      "2",       "2.24",   "100",    "-1",
+                                    "1e5",     "1.5e-3", "1e5 ",    "mm",     "nan mm", "inf mm",
+                                    "thick",   "0.",     "12 3",    "5 mm^2", "5 J",    "5 kg",
+                                    "0x1p3 m", "1,5 mm", "5 mm mm", "5 /m",   "5 m/",   "2 (mm"};
+  for (const char* const number :
+       {"2.24 ", "2.24", " 2.24 ", "+2.24 ", ".5 ", "5. ", "1e-3 ", "1E+3 ", "-45 ", "0 "})
+    for (const char* const unit :
+         {"mm",      "m",         "\u00B5m", "um",        "km",        "mm ",      "deg",
+          "rad",     "mrad",      "arcmin",  "N",         "kN",        "N*m",      "Nm",
+          "N*mm",    "mm*N",      "kN*m",    "Pa",        "MPa",       "GPa",      "N/mm^2",
+          "N/mm/mm", "N/mm",      "N/m",     "MPa*m^0.5", "MPa*mm^.5", "N/mm^1.5", "rad/(N*m)",
+          "1/(N*m)", "arcmin/Nm", "Hz",      "s",         "K",         "%",        "1"})
+      texts.push_back(std::string(number) + unit);
+  int fields = 0;
   for_each_field<GearSet>(
       "", [&]<class Value>(const std::string& path, const Field& field, const Value&) {
-        if (std::is_same_v<typename Unwrap<Value>::type, double> && field.unit != "1") {
-          EXPECT_EQ(schema_at(s, path).at("pattern"),
-                    schema_at(s, "flexspline.wall_thickness").at("pattern"));
-          EXPECT_TRUE(std::regex_search(unquoted(field.example), pattern)) << path;
+        if (!std::is_same_v<typename Unwrap<Value>::type, double> || field.unit == "1") return;
+        ++fields;
+        const std::regex pattern(schema_at(s, path).at("pattern").get<std::string>());
+        EXPECT_TRUE(std::regex_search(unquoted(field.example), pattern)) << path;
+        for (const std::string& text : texts) {
+          // Bounds other than 0 are in the description.
+          const bool in_pattern = std::regex_search(text, pattern);
+          if (field.range.lower <= 0 && !std::isfinite(field.range.upper)) {
+            EXPECT_EQ(in_pattern, reader_takes(field, text)) << path << ": " << text;
+          } else if (!in_pattern) {
+            EXPECT_FALSE(reader_takes(field, text)) << path << ": " << text;
+          }
         }
       });
+  EXPECT_GT(fields, 50);
 }
 
 // --- Reference -----------------------------------------------------------------------------------

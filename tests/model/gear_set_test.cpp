@@ -6,8 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
@@ -35,6 +38,61 @@ Material steel() {
   material.youngs_modulus = 210 * GPa;
   material.poissons_ratio = 0.3;
   return material;
+}
+
+// --- Lists that name numbers by their paths ------------------------------------------------------
+
+TEST(PathLists, IdentityAllListsWithPathsAreKnown) {
+  // Every list of the drive whose entries have a field `path` is one of for_each_path_list.
+  std::set<std::string_view> described;
+  GearSet::describe([&](const Field& list, auto member) {
+    using Value = std::decay_t<decltype(std::declval<GearSet>().*member)>;
+    if constexpr (is_vector<Value>)
+      Value::value_type::describe([&](const Field& field, auto) {
+        if (field.name == "path") described.insert(list.name);
+      });
+  });
+  std::set<std::string_view> known;
+  const GearSet gear;
+  for_each_path_list(gear, [&](std::string_view name, const auto&) { known.insert(name); });
+  EXPECT_EQ(known, described);
+  EXPECT_EQ(known, (std::set<std::string_view>{"range", "scatter"}));
+}
+
+/// The article's drive with a range and a scatter of each of these numbers.
+GearSet stated(std::initializer_list<const char*> paths) {
+  GearSet gear = article_gear();
+  for (const char* const path : paths) {
+    gear.range.push_back({.path = path, .lower = "1 um", .upper = "1 m", .source = {}});
+    gear.scatter.push_back({.path = path, .relative_standard_deviation = 0.1, .source = {}});
+  }
+  check(gear);
+  return gear;
+}
+
+TEST(PathLists, BehaviourWhatIsLostGoesAndTheRestStays) {
+  const GearSet before =
+      stated({"flexspline.length", "wave_generator.crack[0].depth", "flexspline.wall_thickness"});
+  GearSet gear = before;
+  drop_lost_paths(gear, before);
+  EXPECT_EQ(gear.range.size(), 3U);
+  gear.wave_generator->crack.clear();
+  gear.flexspline->wall_thickness *= 2;
+  drop_lost_paths(gear, before);
+  for_each_path_list(gear, [](std::string_view, const auto& entries) {
+    ASSERT_EQ(entries.size(), 1U);
+    EXPECT_EQ(entries[0].path, "flexspline.length");
+  });
+}
+
+TEST(PathLists, BehaviourANumberThatIsSetIsKnown) {
+  GearSet gear = stated({"flexspline.length", "flexspline.wall_thickness"});
+  set_number(gear, "flexspline.length", 2.0);  // out of its range
+  EXPECT_NO_THROW(check(gear));
+  for_each_path_list(gear, [](std::string_view, const auto& entries) {
+    ASSERT_EQ(entries.size(), 1U);
+    EXPECT_EQ(entries[0].path, "flexspline.wall_thickness");
+  });
 }
 
 // --- Elastic constants ---------------------------------------------------------------------------

@@ -162,16 +162,44 @@ TEST(AfterTurn, IdentityWhatMovesAgainstTheWave) {
               1e-15);
 }
 
+TEST(AfterTurn, BehaviourWhatIsSaidOfAMovedPositionGoes) {
+  // Turned by its own angle, a crack is at 0, of which no share can scatter.
+  GearSet gear = with_tooth(0.5, 0.25);
+  gear.wave_generator->crack.push_back(RaceSurfaceCrack{
+      .depth = 0.1 * mm, .aspect_ratio = 0.5, .contact_factor = {}, .stress = {}, .position = 0.4});
+  gear.wave_generator->inner_ring_thickness = 3 * mm;
+  for (const char* const path : {"mesh.crack[0].position", "wave_generator.crack[0].position"}) {
+    gear.range.push_back({.path = path, .lower = "0.1 rad", .upper = "0.5 rad", .source = {}});
+    gear.scatter.push_back({.path = path, .relative_standard_deviation = 0.1, .source = {}});
+  }
+  ASSERT_NO_THROW(check(gear));
+  const GearSet turned = after_turn(gear, 0.25);
+  EXPECT_NO_THROW(check(turned));
+  ASSERT_EQ(turned.range.size(), 1U);
+  EXPECT_EQ(turned.range[0].path, "wave_generator.crack[0].position");
+  ASSERT_EQ(turned.scatter.size(), 1U);
+  EXPECT_EQ(turned.scatter[0].path, "wave_generator.crack[0].position");
+  EXPECT_EQ(after_turn(gear, 0.0).range.size(), 2U);
+}
+
 TEST(WithoutCracks, BehaviourNothingElseChanges) {
   GearSet gear = with_barrel_crack();
   gear.range.push_back(
       {.path = "flexspline.crack[0].half_length", .lower = "1 mm", .upper = "3 mm", .source = {}});
   gear.range.push_back(
       {.path = "flexspline.diaphragm.thickness", .lower = "0.5 mm", .upper = "1 mm", .source = {}});
+  gear.scatter.push_back({.path = "flexspline.crack[0].half_length",
+                          .relative_standard_deviation = 0.1,
+                          .source = {}});
+  gear.scatter.push_back(
+      {.path = "flexspline.diaphragm.thickness", .relative_standard_deviation = 0.1, .source = {}});
   const GearSet sound = without_cracks(gear);
+  EXPECT_NO_THROW(check(sound));
   EXPECT_TRUE(sound.flexspline->crack.empty());
   ASSERT_EQ(sound.range.size(), 1U);
   EXPECT_EQ(sound.range[0].path, "flexspline.diaphragm.thickness");
+  ASSERT_EQ(sound.scatter.size(), 1U);
+  EXPECT_EQ(sound.scatter[0].path, "flexspline.diaphragm.thickness");
   EXPECT_EQ(makers_lines(sound).K1, makers_lines(rated_drive()).K1);
 }
 

@@ -13,7 +13,9 @@ namespace strainwave {
 /// value that is already there keeps its spelling too.  A section that is replaced keeps the lines
 /// of the fields that stay.  A new field stands behind the fields that the description of its table
 /// has before it; a new section, behind the sections before it.  What is removed takes its comment
-/// with it: behind it or, where there is none, directly above it.
+/// with it: behind it or, where there is none, directly above it.  A range or a scatter of a number
+/// goes with the crack or the section that has the number; where a crack moves up, the paths that
+/// name it follow.
 ///
 /// The text need not be a complete drive, before or after.
 ///
@@ -25,7 +27,7 @@ namespace strainwave {
 /// @param value  TOML as behind `=`, such as `"3 mm"` with its quotes; for a table also the lines
 /// of
 ///               its body, without comments; nothing: remove
-/// @return       the new text: the old document with exactly this change
+/// @return       the new text: the old document with this change and what follows from it
 /// @throws InputError  not TOML; no such path, with the nearest known one; nothing there to remove;
 ///                     the text cannot be changed there without another change
 [[nodiscard]] std::string edit(std::string_view text, std::string_view path,

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "strainwave/core/error.hpp"
 #include "strainwave/io/attachments.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 
@@ -23,6 +24,14 @@ namespace strainwave {
 /// @throws InputError
 [[nodiscard]] GearSet read_gear_set(std::string_view text, std::string_view file_name,
                                     const Attachments& attachments = {});
+
+/// A fault that a computation finds in a drive, with its place in the text of the drive.
+/// @param text       that read_gear_set has read
+/// @param file_name  for messages
+/// @return           the fault as it is where it has a place already, names no field of a drive, or
+///                   is of another value than the text gives
+[[nodiscard]] InputError located(const InputError& fault, std::string_view text,
+                                 std::string_view file_name);
 
 /// Reads a drive from a file, with what it names from the folder of the file.
 /// @throws InputError  also if the file cannot be read

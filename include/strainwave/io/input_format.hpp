@@ -4,7 +4,7 @@
 #include <string>
 
 /// @file
-/// What an input file may say, in three forms, all made from the descriptions of the structs
+/// What an input file may say, in four forms, all made from the descriptions of the structs
 /// (core/fields.hpp): they cannot drift from the reader.
 
 namespace strainwave {
@@ -17,5 +17,8 @@ namespace strainwave {
 
 /// Reference of all fields as a Markdown page.
 [[nodiscard]] std::string input_reference();
+
+/// The same reference as sections of a manual page, in roff.
+[[nodiscard]] std::string input_manual();
 
 }  // namespace strainwave

@@ -38,8 +38,19 @@ class WaitingFile {
   std::filesystem::path waiting_;  ///< empty: it has taken its place
 };
 
+/// Tries a device, a pipe or a stream before a text goes there.
+/// @throws Error  it cannot be written, or is a folder
+void require_open_end(const std::filesystem::path& path);
+
+/// Writes a text to an open descriptor.
+/// @param name  for messages
+/// @throws Error    if it cannot be written; a part of it may be
+/// @throws Stopped  a signal came while it waited
+void write_to(int descriptor, std::string_view name, std::string_view text);
+
 /// Adds a text to the end of a file, a device or a pipe that exists; it is safe when this returns.
-/// @throws Error  if it cannot be written; a part of it may be
+/// @throws Error    if it cannot be written; a part of it may be
+/// @throws Stopped  a signal came while it waited for the reader of a pipe
 void append_to(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace strainwave

@@ -102,7 +102,7 @@ struct CurveComparison {
   }
 };
 
-/// Drive without its cracks.
+/// Drive without its cracks, and without what it says of their numbers (drop_lost_paths).
 [[nodiscard]] GearSet without_cracks(const GearSet& gear);
 
 /// Whether a crack moves against the wave: of rim, teeth, outer ring or circular spline.
@@ -113,7 +113,8 @@ struct CurveComparison {
 [[nodiscard]] double turned_position(double position, double angle);
 
 /// The drive after the wave generator has turned by an angle: cracks of flexspline, circular spline
-/// and outer ring move against the wave, those of the inner race stay [rad].
+/// and outer ring move against the wave, those of the inner race stay [rad].  What the drive says
+/// of a position that has moved goes (drop_lost_paths).
 [[nodiscard]] GearSet after_turn(const GearSet& gear, double angle);
 
 /// Compares the maker's stiffnesses of a drive with and without its cracks (TC-26).

@@ -30,17 +30,20 @@ struct NewDrive {
   }
 };
 
+/// Editors find the schema of a file by its first line.
+constexpr std::string_view kSchemaLine = "#:schema ./strainwave-drive-1.schema.json\n";
+
 NewDrive drive_of(const Request&, const NewOptions& options) {
   if (options.size.has_value() != options.ratio.has_value())
     throw OptionError(options.size ? "ratio" : "size",
                       "must be given: size and ratio go together, or leave both out");
-  if (!options.size) return {input_template()};
+  if (!options.size) return {std::string(kSchemaLine) + input_template()};
   const CommentedDrive drive =
       from_option([&] { return starting_drive(*options.size, *options.ratio, options.cup); });
-  return {
-      "# A typical drive of this size and ratio: no maker publishes the geometry of one.\n"
-      "# Behind each number: how it is known, its limits, and where they come from.\n" +
-      gear_text(drive.gear, drive.comments)};
+  return {std::string(kSchemaLine) +
+          "# A typical drive of this size and ratio: no maker publishes the geometry of one.\n"
+          "# Behind each number: how it is known, its limits, and where they come from.\n" +
+          gear_text(drive.gear, drive.comments)};
 }
 
 }  // namespace

@@ -487,16 +487,24 @@ void check_output_shaft(const GearSet& gear) {
   check_cracks(gear, path, shaft.crack);
 }
 
+/// Far beyond every drive; beyond it, lengths cannot be told from their sums and differences.
+constexpr double kLongest = 1e6;  // m
+
+bool too_long(const Field& field, double value) {
+  return field.unit == "m" && std::abs(value) > kLongest;
+}
+
 void check_ranges(const GearSet& gear) {
   bool all_inside = true;
   for_each_number<NoPath>(gear, [&](NoPath, const Field& field, const double& value) {
-    all_inside = all_inside && field.range.contains(value);
+    all_inside = all_inside && field.range.contains(value) && !too_long(field, value);
   });
   if (all_inside) return;
   // Paths are made only now: a sound drive, the usual case, is checked without them.
   for_each_number(gear, [](const FieldPath& path, const Field& field, const double& value) {
     require(field.range.contains(value), path.text(), value, field.unit,
             std::isfinite(value) ? rule_text(field.range, field.unit) : "a finite number");
+    require(!too_long(field, value), path.text(), value, field.unit, "at most 1000 km");
   });
 }
 

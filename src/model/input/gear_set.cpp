@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "strainwave/core/error.hpp"
@@ -54,11 +57,34 @@ const Material& material_of(const GearSet& gear, std::string_view name, std::str
                                       shown(fmt::format("{}", fmt::join(known, ", ")))));
 }
 
+void drop_lost_paths(GearSet& gear, const GearSet& before) {
+  const auto numbers_of = [](const GearSet& drive) {
+    std::map<std::string, double, std::less<>> numbers;
+    for_each_number(drive, [&](const FieldPath& path, const Field&, double number) {
+      numbers.emplace(path.text(), number);
+    });
+    return numbers;
+  };
+  if (gear.range.empty() && gear.scatter.empty()) return;
+  const auto now = numbers_of(gear);
+  const auto then = numbers_of(before);
+  for_each_path_list(gear, [&](std::string_view, auto& entries) {
+    std::erase_if(entries, [&](const auto& entry) {
+      const auto number = now.find(entry.path);
+      const auto old = then.find(entry.path);
+      return number == now.end() || old == then.end() || number->second != old->second;
+    });
+  });
+}
+
 void set_number(GearSet& gear, std::string_view path, double value) {
   bool changed = false;
   visit_number(gear, path, [&](const Field&, double& number) {
     changed = number != value;
     number = value;
+  });
+  for_each_path_list(gear, [&](std::string_view, auto& entries) {
+    std::erase_if(entries, [&](const auto& entry) { return entry.path == path; });
   });
   if (!changed) return;
   for (auto& [name, material] : gear.material) {

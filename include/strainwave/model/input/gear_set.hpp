@@ -220,6 +220,18 @@ void for_each_crack(Gear& gear, const F& f) {
       gear, [&](std::string_view name, auto& member) { for_each_crack(name, member.crack, f); });
 }
 
+/// Calls f(name, entries) for each list of the drive whose entries name a number by their `path`.
+template <class Gear, class F>
+void for_each_path_list(Gear& gear, const F& f) {
+  f("range", gear.range);
+  f("scatter", gear.scatter);
+}
+
+/// Drops what the lists of for_each_path_list say of numbers that are no longer in the drive, or
+/// that no longer have the value that they had.
+/// @param before  the drive that the lists were written for
+void drop_lost_paths(GearSet& gear, const GearSet& before);
+
 /// The material that a member names.
 /// @throws InputError  if there is none of that name
 [[nodiscard]] const Material& material_of(const GearSet& gear, std::string_view name,
@@ -232,7 +244,8 @@ void check(const GearSet& gear);
 
 /// Sets the number at `path`, such as "output_shaft.crack[0].depth" [unit of the field].  The path
 /// is text: "material.17-4PH H900.yield_strength" needs no quotes.  The origin of a material says
-/// which of its numbers were set to another value.
+/// which of its numbers were set to another value.  A number that is set is known: its range and
+/// its scatter go.
 /// @throws InputError  if there is no number at the path; the message names near ones
 void set_number(GearSet& gear, std::string_view path, double value);
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "given.hpp"
+
+#include <iostream>
+
+namespace strainwave::cli {
+
+bool has(const Given& given, Role role) {
+  for (std::size_t i = 0; i < given.arguments.size(); ++i)
+    if (given.arguments[i].role == role && !given.texts[i].empty()) return true;
+  return false;
+}
+
+void warn(const Program& program, std::string_view message) {
+  std::cerr << program.name << ": " << message << '\n';
+}
+
+}  // namespace strainwave::cli

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "given.hpp"
+
+namespace strainwave::cli {
+
+/// The files of a command line, each known by what names it.
+class KnownFiles {
+ public:
+  /// @param inputs  the files of the drives
+  /// @throws UsageError  an output has no name, or would be written twice, or over what is read
+  KnownFiles(const Given& given, const std::vector<std::string>& inputs);
+
+  /// @throws UsageError  an output would be written over a table that the drive names
+  void add_tables_of(const Drive& drive, const std::string& file);
+  /// @throws UsageError  the file is one that is read
+  void require_not_read(const std::string& name, const std::string& path) const;
+
+ private:
+  void add_input(const std::string& name, const std::string& path);
+  void add_output(const std::string& name, const std::string& path);
+  void require_free(const std::string& name, const std::string& path);
+
+  std::vector<std::pair<std::string, std::string>> outputs_;  // argument, path
+  std::map<std::string, std::string> inputs_;                 // argument by identity
+  std::map<std::string, std::string> written_;
+  std::string to_standard_output_;
+};
+
+}  // namespace strainwave::cli

@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run_command.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "converter.hpp"
+#include "files.hpp"
+#include "interrupt.hpp"
+#include "known_files.hpp"
+#include "progress_line.hpp"
+#include "several.hpp"
+
+namespace strainwave::cli {
+namespace {
+
+/// The day of SOURCE_DATE_EPOCH, which makes builds repeatable; empty if it is not set.
+std::string build_date() {
+  const char* const variable = std::getenv("SOURCE_DATE_EPOCH");
+  if (variable == nullptr || *variable == '\0') return {};
+  const std::string_view text = variable;
+  constexpr std::int64_t kMost = 253402300799;  // the end of the year 9999
+  std::int64_t seconds = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+  if (fault != std::errc() || end != text.data() + text.size() || seconds < 0 || seconds > kMost)
+    throw UsageError(fmt::format("SOURCE_DATE_EPOCH is not seconds since 1970: {}", shown(text)));
+  const std::chrono::year_month_day day{std::chrono::floor<std::chrono::days>(
+      std::chrono::sys_seconds(std::chrono::seconds(seconds)))};
+  return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(day.year()),
+                     static_cast<unsigned>(day.month()), static_cast<unsigned>(day.day()));
+}
+
+bool on_terminal() { return ::isatty(STDERR_FILENO) == 1; }
+
+/// What an option that is left out gets from where the program runs.
+std::vector<std::string> told_by_surroundings(const Given& given, const Argument& argument) {
+  if (argument.names == "date")
+    if (std::string date = build_date(); !date.empty()) return {std::move(date)};
+  if (argument.names == "watched" && on_terminal() && !has(given, Role::quiet)) return {"true"};
+  return {};
+}
+
+/// @throws UsageError  progress is both wanted and not wanted
+ProgressLine::Style progress_style(const Given& given) {
+  const bool wanted = has(given, Role::progress);
+  const bool quiet = has(given, Role::quiet);
+  if (wanted && quiet)
+    throw UsageError("--progress and --quiet contradict each other: give one of them");
+  const bool first = given.program.ranks == nullptr || given.program.ranks->first();
+  if (quiet || !first || (!wanted && !on_terminal())) return ProgressLine::Style::none;
+  return on_terminal() ? ProgressLine::Style::rewritten : ProgressLine::Style::appended;
+}
+
+ExitCode exit_code_of(RequirementOutcome outcome) {
+  switch (outcome) {
+    case RequirementOutcome::met:
+      return kOk;
+    case RequirementOutcome::not_met:
+      return kNotMet;
+    case RequirementOutcome::cannot_be_told:
+      break;
+  }
+  return kCannotTell;
+}
+
+/// Says on standard error what the main document cannot, and how the program ends.
+ExitCode judged(const Program& program, const Answer& answer, std::string_view main) {
+  const ResultEvidence& evidence = answer.evidence();
+  if (!answer.usable()) {
+    warn(program, evidence.unusable_because);
+    return evidence.refused ? kInput : kNotUsable;
+  }
+  // A table has no place for notes.  A doubt of the command itself concerns all of it.
+  if (main == "csv")
+    for (const Note& note : evidence.notes)
+      if (note.severity != Severity::information &&
+          note.code.starts_with(fmt::format("{}.", answer.command().name)))
+        warn(program, note.text);
+  return exit_code_of(evidence.requirement.value_or(RequirementOutcome::met));
+}
+
+/// @throws UsageError       a drive would take the place of a file, and nobody said so
+/// @throws UnwritableError  there is no program that makes the document what its name says
+std::optional<Converter> prepared(const Document& document, const std::string& path, bool force) {
+  std::error_code unseen;
+  if (document.format == Format::toml && !force && !is_standard_output(path) &&
+      std::filesystem::is_regular_file(path, unseen))
+    throw UsageError(fmt::format(
+        "{} exists already: give --force to replace it, or name another file", shown(path)));
+  return converter_for(document.format, path);
+}
+
+/// What stands between the commas of a text.
+std::vector<std::string> parts_of(std::string_view text) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    parts.emplace_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+/// What the words of a command line ask for.
+struct Asked {
+  OptionValues options;
+  OptionTexts attached = {};
+  std::shared_ptr<const Drive> drive = nullptr;
+  std::string main = "json";
+  std::string main_path = {};
+  std::vector<std::pair<std::string, std::string_view>> beside = {};  // path, document
+  std::string journal = {};                                           // its path; empty: none
+  AskedUnits units = {};
+  std::vector<std::string> columns = {};
+};
+
+/// Takes the words in, and reads the files that they name.
+/// @param file   of the drive; null: none is read
+/// @param known  gets the tables that the drive names
+/// @throws UsageError  an output would be written over such a table
+Asked asked_by(const Given& given, const std::string* file, KnownFiles& known) {
+  const Command& command = given.command;
+  Asked asked{.options = OptionValues(command.options)};
+  const auto take = [&](const Argument& argument, std::vector<std::string> texts) {
+    if (argument.role == Role::input) return;
+    if (texts.empty() && argument.role == Role::option)
+      texts = told_by_surroundings(given, argument);
+    for (const std::string& text : texts) switch (argument.role) {
+        case Role::input:
+          break;
+        case Role::option:
+          asked.options.set(argument.key, text);
+          if (argument.names == "attachment") asked.attached[text] = text_of(text, kMaxTableSize);
+          break;
+        case Role::format:
+          asked.main = text;
+          break;
+        case Role::output:
+          asked.main_path = text;
+          break;
+        case Role::units:
+          asked.units = from_option([&] { return AskedUnits(text); });
+          break;
+        case Role::columns:
+          asked.columns = parts_of(text);
+          break;
+        case Role::journal:
+          asked.journal = text;
+          break;
+        case Role::document:
+          asked.beside.emplace_back(text, argument.key);
+          break;
+        case Role::force:
+        case Role::progress:
+        case Role::quiet:
+          break;
+      }
+    if (texts.empty() && argument.role == Role::format) asked.main = argument.fallback;
+  };
+  if (file != nullptr) {
+    asked.drive = read_drive(text_of(*file), shown_name(*file), attachments_beside(*file));
+    known.add_tables_of(*asked.drive, *file);
+  }
+  for (std::size_t i = 0; i < given.arguments.size(); ++i) take(given.arguments[i], given.texts[i]);
+  const auto chosen = std::ranges::find(command.documents, asked.main, &Document::name);
+  if (!asked.columns.empty() &&
+      (chosen == command.documents.end() || chosen->format != Format::csv))
+    throw UsageError("--columns chooses columns of a table: add --format csv");
+  return asked;
+}
+
+/// The files of the drives.  Among the words of a positional option, those that name a file are
+/// files too: `require a.toml b.toml 'OUTPUT >= VALUE'`.
+std::vector<std::string> take_files(Given& given) {
+  std::vector<std::string> files;
+  const bool several = answers_several(given.command);
+  for (std::size_t i = 0; i < given.arguments.size(); ++i) {
+    const Argument& argument = given.arguments[i];
+    std::vector<std::string>& texts = given.texts[i];
+    if (argument.role == Role::input) {
+      files.insert(files.end(), texts.begin(), texts.end());
+    } else if (several && argument.positional()) {
+      std::error_code unseen;
+      const auto is_file = [&](const std::string& text) {
+        return std::filesystem::is_regular_file(text, unseen);
+      };
+      std::ranges::copy_if(texts, std::back_inserter(files), is_file);
+      std::erase_if(texts, is_file);
+    }
+  }
+  return files;
+}
+
+/// The answer for one of several files; what is wrong with it does not stop the others.
+FileAnswer answer_for(const Given& given, const std::string& file, KnownFiles& known,
+                      const Progress& progress) {
+  FileAnswer of{.file = file, .answer = {}, .fault = {}};
+  try {
+    const Asked asked = asked_by(given, &file, known);
+    of.answer.emplace(run(given.command, asked.drive, asked.options, asked.attached, progress,
+                          {.units = asked.units, .beside = attachments_beside}));
+    const ResultEvidence& evidence = of.answer->evidence();
+    of.fault = evidence.unusable_because;
+    of.code = !of.answer->usable()
+                  ? (evidence.refused ? kInput : kNotUsable)
+                  : exit_code_of(evidence.requirement.value_or(RequirementOutcome::met));
+  } catch (const OptionError& error) {
+    of.fault = error.what();
+    of.code = kUsage;
+  } catch (const InputError& error) {
+    of.fault = error.what();
+    of.code = kInput;
+  } catch (const SolverError& error) {
+    of.fault = error.what();
+    of.code = kNotUsable;
+  }
+  return of;
+}
+
+ExitCode run_several(const Given& given, const std::vector<std::string>& files, KnownFiles& known) {
+  const Asked asked = asked_by(given, nullptr, known);
+  if (given.program.ranks != nullptr || !asked.journal.empty() || !answers_several(given.command))
+    throw UsageError(fmt::format("{} answers for one FILE at a time", given.command.name));
+  if (!asked.beside.empty())
+    throw UsageError(fmt::format("--{} shows one drive: name one FILE", asked.beside[0].second));
+  if (asked.main != "text" && asked.main != "csv" && asked.main != "json")
+    throw UsageError(fmt::format("--format {} shows one drive: name one FILE", asked.main));
+  require_writable(asked.main_path);
+  const Interrupt interrupt;
+  ProgressLine line(std::string(given.program.name), progress_style(given));
+  std::vector<FileAnswer> answers;
+  for (const std::string& file : files) {
+    const auto n_files = static_cast<double>(files.size());
+    const auto n_done = static_cast<double>(answers.size());
+    const Progress progress(
+        [&](double share) {
+          line.at((n_done + share) / n_files);
+          return interrupt(share);
+        },
+        [&](const std::string& words) {
+          line.clear();
+          warn(given.program, words);
+        });
+    answers.push_back(answer_for(given, file, known, progress));
+  }
+  line.clear();
+  deliver({{asked.main_path, several_document(asked.main, answers, asked.units, asked.columns)}});
+  for (const FileAnswer& of : answers)
+    if (!of.fault.empty())
+      warn(given.program, of.fault.starts_with(of.file) ? of.fault : of.file + ": " + of.fault);
+  return worst_of(answers);
+}
+
+}  // namespace
+
+ExitCode run_command(Given given) {
+  const Command& command = given.command;
+  const Ranks& ranks = given.program.ranks != nullptr ? *given.program.ranks : kAlone;
+  const std::vector<std::string> inputs = take_files(given);
+  std::optional<KnownFiles> known;
+  ranks.together([&] { known.emplace(given, inputs); });
+  if (inputs.size() > 1) return run_several(given, inputs, *known);
+  std::optional<Asked> read;
+  ranks.together([&] {
+    if (!inputs.empty() && inputs[0] == "-" && ranks.size() > 1)
+      throw InputError("FILE", "standard input reaches the first rank only: name a file");
+    read = asked_by(given, inputs.empty() ? nullptr : &inputs[0], *known);
+  });
+  OptionValues& options = read->options;
+  std::optional<FileJournal> journal;
+  if (!read->journal.empty()) journal.emplace(read->journal);
+  const std::string& main = read->main;
+  const std::string& main_path = read->main_path;
+  const auto document_named = [&](std::string_view name) {
+    const auto found = std::ranges::find(command.documents, name, &Document::name);
+    return found != command.documents.end() ? *found
+                                            : Document{.name = name, .format = Format::json};
+  };
+  const Document chosen = document_named(main);
+  if (chosen.folder && is_standard_output(main_path))
+    throw UsageError(fmt::format("--format {} writes several files: name a folder with -o", main));
+  if (!chosen.needs.empty() && chosen.folder && !options.given(chosen.needs))
+    options.set(chosen.needs, "true");
+  // What cannot be written is refused before the work.
+  std::map<std::string, Converter> converters;  // by the path of what they make
+  ranks.together([&] {
+    if (chosen.folder) return require_folder(main_path);
+    if (!ranks.first() || command.documents.empty()) return;
+    if (journal) require_writable(journal->name());
+    const auto prepare = [&](const std::string& path, const Document& document) {
+      if (auto converter = prepared(document, path, has(given, Role::force)))
+        converters.emplace(path, std::move(*converter));
+      require_writable(path);
+    };
+    for (const auto& [path, document] : read->beside) prepare(path, document_named(document));
+    prepare(main_path, chosen);
+  });
+
+  std::optional<Interrupt> interrupt;
+  if (given.program.ranks == nullptr) interrupt.emplace();
+  ProgressLine line(std::string(given.program.name), progress_style(given));
+  const Progress progress(
+      [&](double share) {
+        line.at(share);
+        return !interrupt || (*interrupt)(share);
+      },
+      [&](const std::string& words) {
+        line.clear();
+        if (ranks.first()) warn(given.program, words);
+      });
+  // All documents are made before any file is written: a failure leaves nothing behind.
+  std::optional<Answer> answer;
+  std::vector<OutputFile> files;
+  std::vector<std::pair<std::string, std::string>> texts;  // path, document
+  ranks.together([&] {
+    answer.emplace(run(command, read->drive, options, read->attached, progress,
+                       {.ranks = ranks,
+                        .journal = journal ? &*journal : nullptr,
+                        .units = read->units,
+                        .columns = read->columns,
+                        .beside = attachments_beside}));
+    if (chosen.folder) files = answer->files(main);
+    for (const OutputFile& file : files)
+      known->require_not_read("--output", (std::filesystem::path(main_path) / file.name).string());
+    if (!ranks.first() || command.documents.empty()) return;
+    for (const auto& [path, document] : read->beside)
+      texts.emplace_back(path, answer->document(document));
+    if (!chosen.folder) texts.emplace_back(main_path, answer->document(main));
+    progress.at(1.0);
+    for (auto& [path, text] : texts)
+      if (const auto converter = converters.find(path); converter != converters.end())
+        text = converted(converter->second, text);
+  });
+  line.clear();
+  ranks.together([&] { deliver(texts); });
+  if (chosen.folder) deliver(files, main_path, ranks);
+  return ranks.first() ? judged(given.program, *answer, main) : kOk;
+}
+
+}  // namespace strainwave::cli
