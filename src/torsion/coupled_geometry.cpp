@@ -203,8 +203,22 @@ class ContactCracksOf {
                   const BasicBallForce<Real>& ball_force, std::vector<Note>& notes)
       : gear_(gear), lift_(lift), geometry_(geometry), ball_force_(ball_force), notes_(notes) {}
 
+  [[nodiscard]] BasicContactCracks<Real> all() && {
+    const auto take = [&]<class Crack>(const std::string& path, const Crack& crack) {
+      if constexpr (ContactCrack<Crack> || requires { crack.stress_driver; }) add(path, crack);
+    };
+    // The order of the hinges is that of a sum, and with it of its rounding.
+    if (gear_.mesh) for_each_crack("mesh", gear_.mesh->crack, take);
+    for_each_crack("flexspline", gear_.flexspline->crack, take);
+    if (gear_.circular_spline)
+      for_each_crack("circular_spline", gear_.circular_spline->crack, take);
+    for_each_crack("wave_generator", gear_.wave_generator->crack, take);
+    return std::move(result_);
+  }
+
+ private:
   void add(const std::string&, const ToothCrack& crack) {
-    result.teeth.push_back({crack.position, lift_(crack.stiffness_loss)});
+    result_.teeth.push_back({crack.position, lift_(crack.stiffness_loss)});
   }
 
   template <CrackedPart part, bool from_inside>
@@ -218,10 +232,10 @@ class ContactCracksOf {
                                                            ring.width, ring.steel);
     const Real length = crack.softened_length(ring.thickness);
     const Real left = ring.bending / (1 + c_M * ring.bending / length);
-    result.hinges.push_back({.ring = ring.ring,
-                             .position = lift_(crack.position),
-                             .length = length,
-                             .softening = (ring.bending - left) * length});  // (TC-22)
+    result_.hinges.push_back({.ring = ring.ring,
+                              .position = lift_(crack.position),
+                              .length = length,
+                              .softening = (ring.bending - left) * length});  // (TC-22)
   }
 
   /// A crack of the inner race, which the balls load.
@@ -236,7 +250,7 @@ class ContactCracksOf {
                         path, "TC-23", Severity::care,
                         "Choose a stress_driver of the ball, orthogonal_shear or contact_edge."});
     } else if (const Real force = ball_force_(crack.position); force > 0) {
-      result.balls.push_back(
+      result_.balls.push_back(
           {crack.position, race_crack_compliance(gear_, lift_, path, crack, force, notes_)});
       notes_.push_back({"crack.under_a_ball",
                         fmt::format("taken with the nearest ball exactly over it, the worst "
@@ -250,9 +264,6 @@ class ContactCracksOf {
     }
   }
 
-  BasicContactCracks<Real> result;
-
- private:
   [[nodiscard]] CrackedRing<Real> ring_of(CrackedPart part) const {
     const BasicCoupledGeometry<Real>& g = geometry_;
     if (part == CrackedPart::rim)
@@ -289,6 +300,7 @@ class ContactCracksOf {
     if (std::ranges::find(notes_, note) == notes_.end()) notes_.push_back(note);
   }
 
+  BasicContactCracks<Real> result_;
   const GearSet& gear_;
   const Lift<Real>& lift_;
   const BasicCoupledGeometry<Real>& geometry_;
@@ -411,16 +423,7 @@ BasicContactCracks<Real> contact_cracks(const GearSet& gear, const Lift<Real>& l
                                         const BasicCoupledGeometry<Real>& geometry,
                                         const BasicBallForce<Real>& ball_force,
                                         std::vector<Note>& notes) {
-  ContactCracksOf<Real> cracks(gear, lift, geometry, ball_force, notes);
-  const auto add = [&]<class Crack>(const std::string& path, const Crack& crack) {
-    if constexpr (ContactCrack<Crack> || requires { crack.stress_driver; }) cracks.add(path, crack);
-  };
-  // The order of the hinges is that of a sum, and with it of its rounding.
-  if (gear.mesh) for_each_crack("mesh", gear.mesh->crack, add);
-  for_each_crack("flexspline", gear.flexspline->crack, add);
-  if (gear.circular_spline) for_each_crack("circular_spline", gear.circular_spline->crack, add);
-  for_each_crack("wave_generator", gear.wave_generator->crack, add);
-  return std::move(cracks.result);
+  return ContactCracksOf<Real>(gear, lift, geometry, ball_force, notes).all();
 }
 
 template CoupledGeometry coupled_geometry(const GearSet&, const CoupledOptions&,

@@ -12,7 +12,7 @@
 #include "strainwave/torsion/torsion_curve.hpp"
 
 namespace strainwave {
-namespace {
+namespace adjoint {  // with a name: CurveDifferentiator::Contents is made of these
 
 /// The contact problem in dual numbers, for one set of inputs.
 struct DualDrive {
@@ -244,15 +244,15 @@ struct BallOver {
   Functional force;
 };
 
-}  // namespace
+}  // namespace adjoint
 
 struct CurveDifferentiator::Contents {
   AssembledDrive drive;
-  Cam cam;
-  std::vector<BallOver> balls;
-  Curve intact;
-  Curve positive;
-  Curve negative;
+  adjoint::Cam cam;
+  std::vector<adjoint::BallOver> balls;
+  adjoint::Curve intact;
+  adjoint::Curve positive;
+  adjoint::Curve negative;
 
   Contents(const AssembledDrive& of, const LineTorques<double>& torques)
       : drive(of),
@@ -266,8 +266,8 @@ struct CurveDifferentiator::Contents {
       Eigen::VectorXd weight = Eigen::VectorXd::Zero(sound.contacts());
       weight[ball] = 1.0;
       const Equilibrium state = worst_of_ball(sound, torques.T2, soft.position);
-      balls.push_back(
-          {soft.position, state.torque < 0 ? -1.0 : 1.0, Functional(sound, state, weight, 0.0)});
+      balls.push_back({soft.position, state.torque < 0 ? -1.0 : 1.0,
+                       adjoint::Functional(sound, state, weight, 0.0)});
     }
   }
 };
@@ -285,14 +285,14 @@ CurveDerivatives CurveDifferentiator::of(const GearSet& gear, const Lift<DualRea
   const auto torques = line_torques(gear, lift);
   const auto geometry = coupled_geometry(gear, of_drive.options, lift);
   const RingModel<DualReal> rings(gear, lift, geometry, of_drive.options);
-  DualDrive sound(of_drive.sound, geometry, rings, {}, of_drive.sound.cam_amplitude());
+  adjoint::DualDrive sound(of_drive.sound, geometry, rings, {}, of_drive.sound.cam_amplitude());
   sound.amplitude = contents_->cam.amplitude(sound);
 
   const BasicBallForce<DualReal> ball_over = [&](double position) -> DualReal {
-    for (const BallOver& ball : contents_->balls) {
+    for (const adjoint::BallOver& ball : contents_->balls) {
       if (ball.position != position) continue;
       const int number = of_drive.sound.ball_nearest_to(position);
-      return with_derivatives(
+      return adjoint::with_derivatives(
           ball.force.state().force[number],
           ball.force.derivative(sound, ball.sense * torques.T2 / geometry.ring_radius));
     }
@@ -300,7 +300,7 @@ CurveDerivatives CurveDifferentiator::of(const GearSet& gear, const Lift<DualRea
   };
   std::vector<Note> notes;  // said when the drive was assembled
   const auto cracks = contact_cracks(gear, lift, geometry, ball_over, notes);
-  const DualDrive cracked(of_drive.drive, geometry, rings, cracks, sound.amplitude);
+  const adjoint::DualDrive cracked(of_drive.drive, geometry, rings, cracks, sound.amplitude);
 
   auto members = cup_members(gear, lift);
   members.output_shaft = series.output_shaft;
