@@ -193,7 +193,7 @@ TEST_F(Files, InputAnOutputThatIsRead) {
   const std::string points = contents(table);
   for (const std::string& output : {at("drive.toml"), at("./soft.toml"), at("hard.toml"),
                                     word(table.string()), at("table link")})
-    for (const std::string& option : {"-o ", "--plot "})
+    for (const char* const option : {"-o ", "--plot "})
       for (const std::string& input : {at("drive.toml"), at("hard.toml"), at("soft.toml")})
         expect_refused("stiffness " + input + " " + option + output, 2, "name the same file, ");
   expect_refused("stiffness - -o " + at("soft.toml") + " <" + at("drive.toml"), 2,
