@@ -408,6 +408,16 @@ Spoken spoken(std::span<const TornadoPanel> panels) {
 }
 
 /// A document of one height, to which panels are added.
+Spoken spoken(std::span<const ContourPanel> panels) {
+  Spoken text{.title = {}, .description = "Lines of equal value."};
+  for (const ContourPanel& panel : panels) {
+    text.title += (text.title.empty() ? "" : "; ") + panel.title;
+    text.description +=
+        fmt::format(" {} over {} and {}.", panel.value_label, panel.x_label, panel.y_label);
+  }
+  return text;
+}
+
 std::string svg_head(double height, const Spoken& text) {
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" "
@@ -571,18 +581,8 @@ std::string tornado_svg(std::span<const TornadoPanel> panels) {
 }
 
 std::string contour_svg(std::span<const ContourPanel> panels) {
-  std::string svg = svg_head(kPanelHeight * static_cast<double>(panels.size()));
-  std::string title = "<title>";
-  std::string description = "<desc>Lines of equal value.";
-  for (const ContourPanel& panel : panels) {
-    title += (&panel == panels.data() ? "" : "; ") + svg_text(panel.title);
-    description += svg_text(
-        fmt::format(" {} over {} and {}.", panel.value_label, panel.x_label, panel.y_label));
-  }
-  svg.insert(svg.find('\n') + 1,
-             title + "</title>\n" + description +
-                 "</desc>\n<style>.halo { paint-order: stroke; stroke: white; stroke-width: 4px }"
-                 "</style>\n");
+  std::string svg = svg_head(kPanelHeight * static_cast<double>(panels.size()), spoken(panels));
+  svg += "<style>.halo { paint-order: stroke; stroke: white; stroke-width: 4px }</style>\n";
   double top = 0.0;
   for (const ContourPanel& panel : panels) {
     svg += contour_panel_svg(panel, top);
