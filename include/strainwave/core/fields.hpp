@@ -66,8 +66,8 @@ struct Field {
   InTemplate in_template = InTemplate::yes;
   /// Of a result: evidence that only documents with everything carry; no output of a table.
   bool detail = false;
-  /// Of a result: what a table of many drives shows of each; a result with such a field can stand in
-  /// one.
+  /// Of a result: what a table of many drives shows of each; a result with such a field can stand
+  /// in one.
   bool headline = false;
   /// Of an option: given by its place on the command line instead of by `--name`.
   bool positional = false;
