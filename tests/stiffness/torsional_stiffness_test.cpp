@@ -427,7 +427,7 @@ TEST(TorsionalStiffness, IdentityEnergyReleasedWhileTheCrackGrows) {
   const double plane_strain = 210 * GPa / (1 - 0.3 * 0.3);
   const std::vector<CrackKind> kinds = crack_kinds();
   for (const Case& c :
-       {Case{1, [](double) { return 20 * mm; }, {plane_strain, 80 * GPa}},
+       {Case{1, [](double) { return 40 * mm; }, {plane_strain, 80 * GPa}},
         Case{2,
              [](double size) {
                const sif::ThroughCrackInTube crack{

@@ -222,6 +222,7 @@ TEST(StrengthNotes, LimitPlasticZoneOfATenth) {
                         Case{"output_shaft.crack[0]", 2 * mm, 2 * mm},
                         Case{"output_shaft.crack[0]", 9 * mm, 3.5 * mm}}) {
     GearSet gear = with_every_series_crack();
+    gear.wave_generator->inner_ring_width = 40 * mm;
     std::get<RaceSurfaceCrack>(gear.wave_generator->crack[0]).depth = c.size;
     wall(gear).half_length = c.size;
     auto& surface = std::get<WallSurfaceCrack>(gear.flexspline->crack[1]);

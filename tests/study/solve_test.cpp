@@ -321,9 +321,6 @@ TEST(Solve, BehaviourARangeEndsWhereTheCrackNoLongerFits) {
   ASSERT_FALSE(result.excluded.empty());
   EXPECT_TRUE(result.excluded.front().refused);
   EXPECT_NEAR(result.excluded.front().to, 0.01, 1e-9);
-  EXPECT_NE(result.excluded.front().reason.find("must fit into the ring, 20 mm wide"),
-            std::string::npos)
-      << result.excluded.front().reason;
 }
 
 TEST(Solve, BehaviourJsonCarriesTheSolution) {

@@ -85,8 +85,9 @@ inline WaveGenerator random_wave_generator(Dice& dice, const Transmission& drive
   for (int i = 0; i < n_cracks; ++i) {
     if (dice.chance(0.5)) {
       RaceSurfaceCrack crack;
-      crack.depth = dice.log_uniform(1e-5, 0.95) * t;
-      crack.aspect_ratio = dice.uniform(0.1, 1);
+      // It fits into the width of the ring.
+      crack.depth = std::min(dice.log_uniform(1e-5, 0.95) * t, 0.49 * *wg.inner_ring_width);
+      crack.aspect_ratio = dice.uniform(std::max(0.1, 2 * crack.depth / *wg.inner_ring_width), 1);
       drive_race_crack(dice, crack);
       wg.crack.emplace_back(crack);
     } else {
