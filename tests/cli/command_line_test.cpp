@@ -68,7 +68,7 @@ TEST(CommandLine, BehaviourProgressInWords) {
   EXPECT_EQ(progress_text(0.0, 5.0), "0 %");
   EXPECT_EQ(progress_text(0.375, 15.0), "37 %, 2.5 %/s, 25 s left");
   EXPECT_EQ(progress_text(0.1, 60.0), "10 %, 0.17 %/s, 9 min left");
-  EXPECT_EQ(progress_text(0.01, 600.0), "1 %, 0.017 %/s, 16 h left");
+  EXPECT_EQ(progress_text(0.01, 600.0), "1 %, 0.0017 %/s, 16 h left");
 }
 
 TEST(CommandLine, InputAMistakeOfOursAsksForAReport) {
