@@ -10,6 +10,8 @@
 #include <system_error>
 
 #include "exit_code.hpp"
+#include "files.hpp"
+#include "progress_line.hpp"
 
 namespace strainwave::cli {
 namespace {
@@ -54,6 +56,19 @@ TEST(CommandLine, InputTooLittleMemorySaysWhatToLower) {
   // What std::thread throws.
   const std::error_code thread = std::make_error_code(std::errc::resource_unavailable_try_again);
   EXPECT_EQ(complaint_about(std::system_error(thread), kNoMemory), sentence);
+}
+
+TEST(CommandLine, InputAJournalThatCannotBeReadBackIsRefused) {
+  for (const char* const path : {"/dev/full", "/dev/zero", "/dev/null", "/dev/stdout", "/"})
+    EXPECT_THROW((void)FileJournal(path), UnwritableError) << path;
+  EXPECT_NO_THROW((void)FileJournal("not there yet"));
+}
+
+TEST(CommandLine, BehaviourProgressInWords) {
+  EXPECT_EQ(progress_text(0.0, 5.0), "0 %");
+  EXPECT_EQ(progress_text(0.375, 15.0), "37 %, 2.5 %/s, 25 s left");
+  EXPECT_EQ(progress_text(0.1, 60.0), "10 %, 0.17 %/s, 9 min left");
+  EXPECT_EQ(progress_text(0.01, 600.0), "1 %, 0.0017 %/s, 16 h left");
 }
 
 TEST(CommandLine, InputAMistakeOfOursAsksForAReport) {
