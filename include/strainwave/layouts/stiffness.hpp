@@ -9,7 +9,7 @@
 
 namespace strainwave {
 
-/// The result as tables for a terminal; no more digits than the accuracy warrants plus two.
+/// The result as tables for a terminal, with at most two digits more than the accuracy warrants.
 [[nodiscard]] std::string stiffness_text(const StiffnessResult& result, const GearSet& gear,
                                          const Provenance& provenance);
 

@@ -10,13 +10,15 @@
 
 namespace strainwave {
 
-/// The maker's numbers, changes by cracks if compared, points of the curve, stress over a turn.
+/// Tables of the maker's numbers, the changes by cracks in a comparison, the points of the curve,
+/// and the stress over a turn.
 [[nodiscard]] std::vector<TitledTable> torsion_tables(const TorsionReport& report,
                                                       const GearSet& gear);
 [[nodiscard]] std::string torsion_text(const TorsionReport& report, const GearSet& gear);
-/// Both senses of torque, from the least torque on.
+/// The curve for both senses of torque as CSV, in ascending order of torque.
 [[nodiscard]] std::string torsion_csv(const TorsionReport& report);
-/// Curve with its three lines and loop; tangent stiffness; changes over a turn if compared.
+/// Panels of the curve with its three lines and its loop, of the tangent stiffness and, for a
+/// comparison, of the changes over a turn.
 [[nodiscard]] std::vector<PlotPanel> torsion_panels(const TorsionReport& report,
                                                     const GearSet& gear);
 /// The panels as one SVG document.

@@ -8,10 +8,10 @@
 
 namespace strainwave {
 
-/// Notes as a list, one item each: field, sentence, equation, what to do next.
+/// Notes as a list, with one item each: field, sentence, equation, next step.
 [[nodiscard]] std::string notes_text(std::span<const Note> notes);
 
-/// The tags of the theory manual as a sentence.
+/// Equation tags of the theory manual as a sentence.
 [[nodiscard]] std::string equations_text(std::span<const std::string> equations);
 
 }  // namespace strainwave

@@ -8,23 +8,23 @@
 
 namespace strainwave {
 
-/// How the numbers of a JSON document stand.
+/// Form of the numbers in a JSON document.
 enum class JsonNumbers {
-  with_unit,  ///< {"value": 0.003, "unit": "m"}; a column tells its unit once
+  with_unit,  ///< {"value": 0.003, "unit": "m"}; a column states its unit once
   as_input,   ///< "0.003 m", in the form that the reader of drives accepts
 };
 
-/// Writes described values as JSON, two spaces deeper at each level; a quantity, and a column with
-/// its values, stands on one line.  Text may be any bytes; the document is UTF-8.
+/// Writes described values as JSON, with an indentation of two spaces per level.  A quantity takes
+/// one line, and so does a column with its values.  Text may be any bytes; the document is UTF-8.
 class JsonWriter : public ValueVisitor {
  public:
   explicit JsonWriter(JsonNumbers numbers = JsonNumbers::with_unit) : numbers_(numbers) {}
 
   /// The document, ended by a line feed.
   [[nodiscard]] std::string document() const { return text_ + '\n'; }
-  /// Other numbers from here on.
+  /// Changes the form of the numbers that follow.
   void write_numbers(JsonNumbers numbers) { numbers_ = numbers; }
-  /// A field and its text, flag or null.
+  /// Writes a field with its text, flag or null.
   void member(std::string_view name, std::string_view value);
   void member(std::string_view name, const char* value) { member(name, std::string_view(value)); }
   void member(std::string_view name, bool value);
@@ -51,9 +51,9 @@ class JsonWriter : public ValueVisitor {
 
   JsonNumbers numbers_;
   std::string text_;
-  std::vector<bool> empty_;  // of each open bracket
-  int columns_ = 0;          // open columns: what is inside stays on the line
-  bool keyed_ = false;       // a key was written, and its value comes next
+  std::vector<bool> empty_;  // whether each open bracket is still empty
+  int columns_ = 0;          // number of open columns; their content stays on one line
+  bool keyed_ = false;       // true after a key, before its value
 };
 
 /// A described value as a JSON document.

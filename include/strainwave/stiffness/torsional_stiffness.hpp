@@ -11,14 +11,14 @@
 namespace strainwave {
 
 struct StiffnessOptions {
-  /// Of the crack integrals.
+  /// Tolerance of the crack integrals.
   QuadratureOptions quadrature;
 };
 
 /// Compliance of one member at the output, with its cracks.
 struct MemberCompliance {
   double intact = 0.0;                ///< without cracks [rad/(N*m)]
-  double relative_uncertainty = 0.0;  ///< of `intact` [-]
+  double relative_uncertainty = 0.0;  ///< relative uncertainty of `intact` [-]
   std::vector<CrackReport> cracks;
   std::vector<Note> notes;
   std::vector<AccuracyBasis> accuracies;
@@ -26,27 +26,30 @@ struct MemberCompliance {
   std::string unusable_because;  ///< empty if usable
 };
 
-/// Wave generator: lobe compliance (ST-8, ST-9), conversion (ST-6, ST-7), race cracks.
+/// Compliance of the wave generator: lobe compliance (ST-8, ST-9), conversion (ST-6, ST-7), race
+/// cracks.
 [[nodiscard]] MemberCompliance wave_generator_compliance(const GearSet& gear,
                                                          const StiffnessOptions& options = {});
 
-/// Flexspline: factor (ST-4) or sections (ST-2, ST-3), wall cracks under both senses of torque.
+/// Compliance of the flexspline: factor (ST-4) or sections (ST-2, ST-3), wall cracks under both
+/// senses of torque.
 [[nodiscard]] MemberCompliance flexspline_compliance(const GearSet& gear,
                                                      const StiffnessOptions& options = {});
 
-/// Output shaft: tube (ST-2), annular cracks.
+/// Compliance of the output shaft: tube (ST-2), annular cracks.
 [[nodiscard]] MemberCompliance output_shaft_compliance(const GearSet& gear,
                                                        const StiffnessOptions& options = {});
 
-/// Torsional stiffness of a drive by the corrected method, at the output, input locked.
+/// Torsional stiffness of a drive at the output with locked input, by the corrected method.
 ///
 /// Implements theory manual eq. (ST-1),
 ///
 ///     K_HD = 1/(lambda_H + lambda_f + lambda_so),
 ///
-/// each lambda the compliance of a sound member plus what its cracks add.  The tooth mesh, the
-/// circular spline and the diaphragm (unless sections are given) add compliance that is not in
-/// it: without an output shaft it is 2 to 5 times too stiff against catalogue values.
+/// each lambda being the compliance of a sound member plus the part that its cracks add.  The
+/// compliances of the tooth mesh, the circular spline and the diaphragm (unless sections are given)
+/// are left out: without an output shaft, the result is 2 to 5 times too stiff against catalogue
+/// values.
 ///
 /// @param gear     drive, cracks, load; checked by `check`
 /// @param options  tolerance of the crack integrals

@@ -8,7 +8,7 @@ namespace strainwave {
 
 /// Torsional stiffness of a drive by one of the three methods.
 ///
-/// @throws InputError  if the gear breaks a rule, or holds what the method cannot treat
+/// @throws InputError  if the gear breaks a rule, or the method cannot treat it
 [[nodiscard]] StiffnessResult evaluate(const GearSet& gear, Method method);
 
 }  // namespace strainwave

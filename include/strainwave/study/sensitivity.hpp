@@ -11,16 +11,17 @@
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 
 /// @file
-/// What `strainwave sensitivity` tells: how stiffness and its loss depend on each input.
+/// The results of `strainwave sensitivity`: dependence of stiffness and stiffness loss on each
+/// input.
 
 namespace strainwave {
 
 /// An output that is differentiated.
 struct SensitivityOutput {
   std::string name;  ///< "cracked.positive.stiffness"
-  Quantity value;    ///< with the uncertainty of the model's form, which is not of the inputs
-  /// What the elasticities leave of the dimensions of the output, (SN-6), powers of length and of
-  /// force; 0 but for rounding unless a number was read without its derivative.
+  Quantity value;    ///< value with the uncertainty of the model's form, without that of the inputs
+  /// Residual of the dimensions of the output, (SN-6), as powers of length and of force.  It is
+  /// zero up to rounding unless a number was read without its derivative.
   double length_residual = 0.0;
   double force_residual = 0.0;
 
@@ -28,14 +29,14 @@ struct SensitivityOutput {
   static void describe(Visitor&& field) {
     field({"name", "", "the output"}, &SensitivityOutput::name);
     field({"value", kUnitBeside, "its value"}, &SensitivityOutput::value);
-    field({"length_residual", "1", "what the elasticities leave of the power of length"},
+    field({"length_residual", "1", "residual of the power of length after the elasticities"},
           &SensitivityOutput::length_residual);
-    field({"force_residual", "1", "what the elasticities leave of the power of force"},
+    field({"force_residual", "1", "residual of the power of force after the elasticities"},
           &SensitivityOutput::force_residual);
   }
 };
 
-/// How one output depends on one input.
+/// Dependence of one output on one input.
 struct Influence {
   double derivative = 0.0;  ///< dy/dx [unit of the output per unit of the input]
   double elasticity = 0.0;  ///< d ln y/d ln x [-]; 0 where the input is 0; eq. (SN-1)
@@ -48,10 +49,10 @@ struct Influence {
   }
 };
 
-/// One number of the file.
+/// One number of the file and its influence on each output.
 struct SensitivityInput {
   std::string path;
-  std::string_view unit;  ///< SI
+  std::string_view unit;  ///< SI unit of the number
   double value = 0.0;
   std::vector<Influence> influence;  ///< shape (n outputs)
 
@@ -64,7 +65,8 @@ struct SensitivityInput {
     field({"path", "", "field of the input"}, &SensitivityInput::path);
     field({"unit", "", "SI unit of the field"}, &SensitivityInput::unit);
     field({"value", kUnitBeside, "value in the file"}, &SensitivityInput::value);
-    field({"influence", "", "on each output, in their order"}, &SensitivityInput::influence);
+    field({"influence", "", "influence on each output, in the order of the outputs"},
+          &SensitivityInput::influence);
   }
 };
 
@@ -72,11 +74,12 @@ struct SensitivityInput {
 struct Sensitivity {
   /// Stiffness sound and cracked under both senses of torque, then the losses that are not zero.
   std::vector<SensitivityOutput> outputs;
-  /// Numbers that any output depends on, the largest elasticity first.
+  /// Numbers on which at least one output depends, the largest elasticity first.
   std::vector<SensitivityInput> inputs;
-  std::vector<std::string> no_influence;  ///< paths of all other numbers: every derivative is 0
+  /// paths of all other numbers, whose derivatives are all 0
+  std::vector<std::string> no_influence;
   std::vector<Note> notes;
-  std::string unusable_because;  ///< empty if usable
+  std::string unusable_because;  ///< reason why the result must not be used; empty if usable
 
   [[nodiscard]] bool usable() const { return unusable_because.empty(); }
   /// Largest magnitude of the residuals of all outputs (SN-6).
@@ -93,33 +96,34 @@ struct Sensitivity {
   }
 };
 
-/// A residual beyond this makes a sensitivity not usable; rounding leaves less than 1e-12.
+/// Largest residual of a usable sensitivity; rounding leaves less than 1e-12.
 inline constexpr double kMaxHomogeneityResidual = 1e-9;
 
-/// Derivatives and elasticities of stiffness K_HD and of stiffness loss to every number of a drive.
+/// Derivatives and elasticities of stiffness K_HD and of stiffness loss with respect to every
+/// number of a drive.
 ///
 /// Implements theory manual eqs. (SN-1), (SN-2), (SN-6): forward-mode automatic differentiation of
-/// the corrected series model, exact but for rounding and the tolerance of the crack integrals.
-/// Whole numbers, such as the wave number, are not differentiated.  At a crack whose faces just
-/// touch the derivative does not exist; a note says so.
+/// the corrected series model, exact apart from rounding and the tolerance of the crack integrals.
+/// Whole numbers, such as the wave number, are not differentiated.  If the faces of a crack just
+/// touch, the derivative does not exist; a note reports this.
 ///
 /// @param gear     drive, cracks, load
-/// @param options  tolerance of the crack integrals; value and derivatives are held to it
+/// @param options  tolerance of the crack integrals, for values and derivatives
 /// @throws InputError  if the gear breaks a rule
 [[nodiscard]] Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options = {});
 
-/// The sensitivity with its residuals of (SN-6) computed; not usable if one of them is too large.
+/// Computes the residuals of (SN-6) of a sensitivity and marks it not usable if one is too large.
 ///
-/// `sensitivity_of` ends with it: a number that the model reads without its derivative, which no
-/// other check would see, leaves its dimension missing.
+/// `sensitivity_of` ends with this check.  A number that the model reads without its derivative
+/// leaves a residual in its dimension; no other check would find such a number.
 [[nodiscard]] Sensitivity held_to_dimensions(Sensitivity sensitivity);
 
-/// Power of length and of force in a unit: those of N*m are 1 and 1.
+/// Powers of length and of force in a unit; for N*m they are 1 and 1.
 struct LengthAndForce {
   double length = 0.0;
   double force = 0.0;
 };
-/// @throws InputError  if the unit has a dimension that length and force do not make up
+/// @throws InputError  if the unit has a dimension other than length and force
 [[nodiscard]] LengthAndForce length_and_force(std::string_view unit);
 
 }  // namespace strainwave

@@ -2,15 +2,15 @@
 #pragma once
 
 /// @file
-/// How a pair of teeth meets: gap of the flanks, force of the pair.
+/// Contact of a pair of teeth: gap of the flanks, force of the pair.
 
 namespace strainwave {
 
-/// Normal gap between straight-sided flanks, left by the kinematics of the wave [m].
+/// Normal gap between straight-sided flanks, from the kinematics of the wave [m].
 ///
-/// Implements theory manual eq. (TC-7),
-/// g(t) = k_g max(0, w_0 [(1 - cos 2t) sin(alpha) - (t - sin(2t)/2) cos(alpha)]).
-/// The side t > 0 of the lobe is nearly conjugate, the other opens.
+/// Implements theory manual eq. (TC-7), g(t) = k_g max(0, w_0 [(1 - cos 2t) sin(alpha) - (t -
+/// sin(2t)/2) cos(alpha)]).  On the side t > 0 of the lobe the flanks are nearly conjugate; on the
+/// other side the gap opens.
 ///
 /// @param t                    angle of the tooth from the lobe, toward its drive flank [rad];
 ///                             in [-pi/2, pi/2]
@@ -28,9 +28,9 @@ namespace strainwave {
 /// Stiffness of a pair of teeth per unit of face width, c' [Pa].
 ///
 /// Implements theory manual eq. (TC-9), E/(9.373 + 3.090 m/t_r): tooth of the flexspline on its
-/// rim, tooth of the circular spline, line contact, in series.  The first is a line through
-/// plane-strain finite elements (0.5 <= t_r/m <= 2.4), within 7 %, 3 % of c'; the others are
-/// estimates.
+/// rim, tooth of the circular spline and line contact in series.  The first term is a line fitted
+/// to plane-strain finite elements (0.5 <= t_r/m <= 2.4) within 7 %, which is 3 % of c'.  The other
+/// terms are estimates.
 ///
 /// @param youngs_modulus  E [Pa]; > 0
 /// @param module          m = pitch diameter/teeth [m]; > 0
@@ -38,14 +38,15 @@ namespace strainwave {
 [[nodiscard]] double tooth_pair_stiffness(double youngs_modulus, double module,
                                           double rim_thickness);
 
-/// Force of a pair over its closing, where the tilt of the cup opens the gap along the face.
+/// Force of a pair of teeth as a function of its closing; the tilt of the cup opens the gap along
+/// the face.
 ///
-/// Implements theory manual eq. (TC-8): F = c' u^2/(2 s) while part of the face touches, u < s b,
-/// and c' b (u - s b/2) after; 0 for u <= 0.
+/// Implements theory manual eq. (TC-8): F = c' u^2/(2 s) for contact on a part of the face, u < s
+/// b, and F = c' b (u - s b/2) beyond; F = 0 for u <= 0.
 struct FlankLaw {
   double pair_stiffness = 0.0;  ///< c' [Pa]; > 0
   double face_width = 0.0;      ///< b [m]; > 0
-  double slope = 0.0;           ///< s, of the gap along the face [-]; >= 0
+  double slope = 0.0;           ///< slope s of the gap along the face [-]; >= 0
 
   [[nodiscard]] double force(double closing) const;      ///< F [N]
   [[nodiscard]] double stiffness(double closing) const;  ///< dF/du [N/m]
