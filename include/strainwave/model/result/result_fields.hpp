@@ -8,12 +8,12 @@
 
 namespace strainwave {
 
-/// Told the name of an output and its value.
+/// Receives the name and the value of an output.
 using QuantityReader = std::function<void(const std::string& path, const Quantity& quantity)>;
 
-/// Walks the outputs of a described result: numbers that are no detail and stand in no column, in
-/// the order of the JSON document, with paths such as "cracked.positive.stiffness".  CSV, sweep,
-/// solve and require name their outputs by this walk.
+/// Walks the outputs of a described result in the order of the JSON document: all numbers except
+/// details and columns, with paths such as "cracked.positive.stiffness".  CSV, sweep, solve and
+/// require name their outputs by this walk.
 class OutputWalk : public ValueVisitor {
  public:
   explicit OutputWalk(QuantityReader read) : read_(std::move(read)) {}
@@ -34,8 +34,8 @@ class OutputWalk : public ValueVisitor {
 
  private:
   struct Level {
-    std::size_t length = 0;  ///< of the path of the record or list
-    std::size_t next = 0;    ///< index of the next element; of a list
+    std::size_t length = 0;  ///< length of the path of the record or list
+    std::size_t next = 0;    ///< index of the next element of a list
     bool list = false;
   };
   void element();
@@ -46,7 +46,7 @@ class OutputWalk : public ValueVisitor {
   int columns_ = 0;
 };
 
-/// Walks the outputs of a result: `read(path, quantity)`.
+/// Walks the outputs of a result and calls `read(path, quantity)` for each.
 template <Described Result>
 void for_each_quantity(const Result& result, QuantityReader read) {
   OutputWalk walk(std::move(read));

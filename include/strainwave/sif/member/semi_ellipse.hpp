@@ -12,9 +12,10 @@
 
 namespace strainwave::sif {
 
-/// Semi-elliptical surface crack under N generalised loads, growing at a constant aspect ratio.
+/// Semi-elliptical surface crack under N generalised loadsthat grows at a constant aspect ratio.
 ///
-/// The front is phi in [0, pi/2], half of it; the area swept by both halves is 2 (a/rho) dphi da.
+/// The parameter phi in [0, pi/2] covers half of the front.  Both halves together sweep the area 2
+/// (a/rho) dphi da.
 template <std::size_t N, class Real = double>
 class SurfaceCrack {
  public:
@@ -25,9 +26,10 @@ class SurfaceCrack {
     Real aspect_ratio{};  ///< rho = a/c [-]; in (0, 1]
     Real thickness{};     ///< t, of the plate [m]
     Real poissons_ratio{0.3};
-    std::array<Real, N> normal_stress{};  ///< on the crack plane, per unit of load [1/m^2 ...]
-    std::array<Real, N> shear_stress{};   ///< along the surface, per unit of load
-    bool open = true;                     ///< false: the faces touch, K_I = 0 (FR-17)
+    /// normal stress on the crack plane, per unit of load [1/m^2 ...]
+    std::array<Real, N> normal_stress{};
+    std::array<Real, N> shear_stress{};  ///< shear stress along the surface, per unit of load
+    bool open = true;                    ///< false: the faces touch, K_I = 0 (FR-17)
   };
 
   explicit SurfaceCrack(const Parameters& parameters)
