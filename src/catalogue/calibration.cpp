@@ -15,7 +15,7 @@
 namespace strainwave {
 namespace {
 
-constexpr double kMostUncertainty = 0.5;  // of an identified factor
+constexpr double kMostUncertainty = 0.5;  // largest uncertainty of an identified factor
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlank = " \t\r";
@@ -34,7 +34,7 @@ std::vector<std::string_view> cells(std::string_view line) {
   }
 }
 
-/// Where torque and twist stand in a line, and in which units.
+/// Positions of torque and twist in a line, and their units.
 struct Columns {
   std::size_t torque = 0;
   std::size_t twist = 1;
@@ -54,7 +54,7 @@ Columns parse_header(std::string_view line, const std::string& place) {
     if (name != "torque" && name != "twist") continue;
     const bool torque = name == "torque";
     if (open == std::string_view::npos || close == std::string_view::npos || close < open)
-      throw InputError(place, fmt::format("the column {0} has no unit; write {0} [{1}]", name,
+      throw InputError(place, fmt::format("the column {0} lacks a unit; write {0} [{1}]", name,
                                           torque ? "N*m" : "arcmin"));
     const std::string unit(names[i].substr(open + 1, close - open - 1));
     (void)parse_quantity(place, "1 " + unit, torque ? "N*m" : "rad");
@@ -63,13 +63,14 @@ Columns parse_header(std::string_view line, const std::string& place) {
     (torque ? has_torque : has_twist) = true;
   }
   if (!has_torque || !has_twist)
-    throw InputError(place,
-                     "must name the columns torque and twist with their units, such as "
-                     "\"torque [N*m],twist [arcmin]\"");
+    throw InputError(
+        place,
+        "the first line must name the columns torque and twist with their units, such as "
+        "\"torque [N*m],twist [arcmin]\"");
   return columns;
 }
 
-/// phi at each torque, which may have both senses.
+/// Twist phi at each torque; torques of both senses are allowed.
 std::map<double, double> twists_at(const AssembledDrive& drive,
                                    const std::vector<double>& torques) {
   std::map<double, double> twist = {{0.0, 0.0}};
@@ -103,7 +104,8 @@ std::vector<double> stiffnesses(const GearSet& gear, const CalibrationTarget& ta
   return K;
 }
 
-/// What a catalogue stiffness is of: sound, without the customer's flange and shaft.
+/// The drive to which a catalogue stiffness applies: sound, without the customer's flange and
+/// shaft.
 GearSet component_set(const GearSet& gear) {
   GearSet set = without_cracks(gear);
   set.output_shaft.reset();
@@ -111,14 +113,14 @@ GearSet component_set(const GearSet& gear) {
   return set;
 }
 
-/// A number that was fitted has its value, no longer its range from before.
+/// Removes the ranges of fitted numbers, because their values are now known.
 void drop_ranges_of_fitted(GearSet& gear, const GearSet& before) {
   std::erase_if(gear.range, [&](const InputRange& range) {
     return number_at(gear, range.path).value != number_at(before, range.path).value;
   });
 }
 
-/// Which combinations of factors the values tell, and how well each factor is known.
+/// Finds the combinations of factors that the values determine, and the uncertainty of each factor.
 void tell_identified(Calibration& result, const FactorProblem& problem, const FactorFit& fit) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(fit.jacobian,
                                               Eigen::ComputeThinU | Eigen::ComputeThinV);
@@ -132,7 +134,7 @@ void tell_identified(Calibration& result, const FactorProblem& problem, const Fa
         .uncertainty = result.relative_uncertainty / std::max(singular, 1e-9),
         .identified = false};
     combination.identified = combination.uncertainty <= kMostUncertainty;
-    // The sign of a direction is arbitrary: its largest weight is made positive.
+    // The sign of a direction is arbitrary, so make its largest weight positive.
     Eigen::Index largest = 0;
     svd.matrixV().col(k).cwiseAbs().maxCoeff(&largest);
     const double sign = svd.matrixV()(largest, k) < 0 ? -1.0 : 1.0;
@@ -175,7 +177,9 @@ std::vector<MeasuredPoint> parse_measured_curve(std::string_view text, std::stri
     }
     const auto values = cells(line);
     if (values.size() <= std::max(columns->torque, columns->twist))
-      throw InputError(place, fmt::format("\"{}\" has too few columns", shown(line)));
+      throw InputError(
+          place, fmt::format("\"{}\" has too few columns; give torque and twist in every line",
+                             shown(line)));
     const auto quantity = [&](std::size_t column, const std::string& unit, std::string_view si) {
       return parse_quantity(place, fmt::format("{} {}", values[column], unit), si);
     };
@@ -183,13 +187,13 @@ std::vector<MeasuredPoint> parse_measured_curve(std::string_view text, std::stri
                               quantity(columns->twist, columns->twist_unit, "rad")};
     if (point.torque == 0.0 && point.twist == 0.0) continue;
     if (!(point.torque * point.twist > 0))
-      throw InputError(place,
-                       "torque and twist must have the same sign: count the twist from the "
-                       "unloaded state");
+      throw InputError(
+          place,
+          "torque and twist must have the same sign; measure the twist from the unloaded state");
     points.push_back(point);
   }
-  if (!columns) throw InputError(file_name, "is empty");
-  if (points.empty()) throw InputError(file_name, "has no point under torque");
+  if (!columns) throw InputError(file_name, "is empty; give a header and at least one point");
+  if (points.empty()) throw InputError(file_name, "has no point with a torque; give at least one");
   return points;
 }
 
@@ -230,9 +234,9 @@ Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
                       const std::vector<Factor>& factors, const CoupledOptions& options,
                       const Progress& progress) {
   check(gear);
-  if (factors.empty()) throw InputError("factors", "at least one must be named");
+  if (factors.empty()) throw InputError("factors", "name at least one factor");
   if (factors.size() > target.values.size())
-    throw InputError("factors", fmt::format("{} cannot be found from {} values: name fewer",
+    throw InputError("factors", fmt::format("{} factors cannot be found from {} values; name fewer",
                                             factors.size(), target.values.size()));
   FactorProblem problem{.factors = factors, .start = {}, .plausible_only = false, .residuals = {}};
   for (const Factor factor : factors) problem.start.push_back(factor_value(gear, factor));
@@ -280,7 +284,8 @@ Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
 
 ResultEvidence evidence_of(const Calibration& calibration) {
   ResultEvidence evidence;
-  if (!calibration.converged) evidence.unusable_because = "the calibration has not converged";
+  if (!calibration.converged)
+    evidence.unusable_because = "the calibration did not converge; fit fewer factors";
   evidence.verdict = verdict_of(evidence.unusable_because, evidence.notes);
   return evidence;
 }

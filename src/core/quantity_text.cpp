@@ -33,7 +33,7 @@ constexpr Dimension kStress = {-1, 1, -2, 0, 0, 0};
 constexpr Dimension kEnergy = {2, 1, -2, 0, 0, 1};
 constexpr Dimension kPower = {2, 1, -3, 0, 0, 1};
 
-// One line per unit: to support a new unit, add a line here.
+// To support a new unit, add a line here.
 constexpr NamedUnit kUnits[] = {
     {"1", {1.0, kOne}, false},
     {"%", {0.01, kOne}, false},
@@ -83,7 +83,7 @@ class UnitParser {
   }
 
  private:
-  // Deeper nesting has no use, and a limit keeps hostile input off the stack.
+  // Units do not need deeper nesting, and a limit prevents hostile input from exhausting the stack.
   static constexpr int kMaxDepth = 8;
 
   [[noreturn]] void refuse(std::string_view why) const {
@@ -137,9 +137,10 @@ class UnitParser {
     }
     refuse(symbol.empty()
                ? "lacks a unit where one is due"
-               : fmt::format("has the unknown unit \"{}\"; known are products such as mm, N*m/rad "
-                             "or MPa*m^0.5",
-                             shown(symbol)));
+               : fmt::format(
+                     "has the unknown unit \"{}\"; use products of known units such as mm, N*m/rad "
+                     "or MPa*m^0.5",
+                     shown(symbol)));
   }
 
   static void multiply(Unit& result, const Unit& by, double exponent) {

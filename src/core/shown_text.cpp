@@ -39,7 +39,7 @@ std::string shown_number(double value, int digits) {
   const int exponent = static_cast<int>(std::floor(std::log10(size)));
   std::string text;
   if (exponent >= -3 && exponent < 6) {
-    // Digits left of the point that are not significant become zeros.
+    // Digits left of the point that are not significant are replaced by zeros.
     const double unit = std::pow(10.0, std::max(0, exponent - digits + 1));
     text = fmt::format("{:.{}f}", unit > 1 ? std::round(size / unit) * unit : size,
                        std::max(0, digits - 1 - exponent));
@@ -54,8 +54,8 @@ std::string shown_number(double value, int digits) {
 }
 
 std::string percent(double share, int digits) {
-  const double p = share == 0 ? 0.0 : 100 * share;  // without the sign of a zero
-  // From 100 on, significant digits would turn into an exponent.
+  const double p = share == 0 ? 0.0 : 100 * share;  // avoids a negative zero
+  // From 100 on, the format with significant digits would show an exponent.
   return std::abs(p) >= 99.5 ? fmt::format("{:.0f} %", p) : fmt::format("{:.{}g} %", p, digits);
 }
 
@@ -65,8 +65,8 @@ std::string percent_change(double change) {
 }
 
 std::string warranted_digits(const Quantity& quantity) {
-  // A quantity without a stated accuracy repeats a published number: as many digits as those have,
-  // and a few to compare.
+  // A quantity without a stated accuracy repeats a published number.  It gets the digits of
+  // published numbers and a few more for comparison.
   constexpr int kUnstated = 6;
   constexpr int kMost = 9;
   const double u = quantity.relative_uncertainty.value_or(0.0);
@@ -100,7 +100,7 @@ DisplayUnit display_unit(std::string_view name, std::string_view si) {
 }
 
 std::string shown_quantity(double value, std::string_view si, int digits, std::string_view name) {
-  constexpr double kStiff = 10 * units::GPa;  // moduli are above, stresses below
+  constexpr double kStiff = 10 * units::GPa;  // moduli are larger, stresses smaller
   const DisplayUnit unit = si == "Pa" && std::abs(value) >= kStiff ? DisplayUnit{"GPa", units::GPa}
                                                                    : display_unit(name, si);
   const std::string number = fmt::format("{:.{}g}", value / unit.in_si, digits);

@@ -15,14 +15,14 @@
 namespace strainwave {
 namespace {
 
-constexpr double kNoise = 1e-12;  // of the arithmetic; elasticities are of the order of one
+constexpr double kNoise = 1e-12;  // rounding noise; elasticities are of the order of one
 
 bool is_loss(const std::string& output) { return output.ends_with("_loss"); }
 
-/// The outputs of one kind, by index: they stand in a table of their own.
+/// The indices of the outputs of one kind, which share a table.
 using Group = std::vector<std::size_t>;
 
-/// Stiffness, then its loss.
+/// The group of stiffnesses, then the group of losses.
 std::vector<Group> groups_of(const Sensitivity& sensitivity) {
   std::vector<Group> groups(2);
   for (std::size_t y = 0; y < sensitivity.outputs.size(); ++y)
@@ -31,7 +31,7 @@ std::vector<Group> groups_of(const Sensitivity& sensitivity) {
   return groups;
 }
 
-/// The inputs that any output of a group depends on, the largest elasticity first.
+/// The inputs on which at least one output of a group depends, the largest elasticity first.
 std::vector<const SensitivityInput*> inputs_of(const Sensitivity& sensitivity, const Group& group) {
   const auto largest = [&](const SensitivityInput* input) {
     double most = 0.0;
@@ -46,7 +46,7 @@ std::vector<const SensitivityInput*> inputs_of(const Sensitivity& sensitivity, c
   return inputs;
 }
 
-/// A row whose cells are those of the outputs of a group.
+/// Adds a row with one cell for each output of a group.
 template <class Cell>
 void add_row(Table& table, std::string label, std::string value, const Group& group,
              const Cell& cell) {
@@ -84,7 +84,7 @@ TornadoPanel panel_of(const Sensitivity& sensitivity, const Group& group) {
     panel.series.push_back(std::move(series));
   }
   for (std::size_t i = 0; i < shown; ++i) panel.labels.push_back(inputs[i]->path);
-  // One bar tells as much where both senses are the same to the eye.
+  // One bar is enough if both senses look the same.
   if (panel.series.size() == 2 &&
       std::ranges::equal(panel.series[0].values, panel.series[1].values,
                          [](double a, double b) { return std::abs(a - b) < 5e-4; })) {
@@ -114,8 +114,7 @@ std::vector<TitledTable> elasticity_tables(const Sensitivity& sensitivity) {
                 return std::abs(e) < kNoise ? std::string("0") : fmt::format("{:+.4g}", e);
               });
     tables.push_back(
-        {fmt::format("Elasticities of the {}: per cent that it changes per per cent of "
-                     "the input (SN-1)",
+        {fmt::format("Elasticities of the {}: per cent of change per per cent of the input (SN-1)",
                      what),
          std::move(table)});
   }
@@ -144,10 +143,10 @@ std::vector<TitledTable> scatter_tables(const Scatter& scatter, const Sensitivit
     value("5 %", &ScatterOutput::low);
     value("median", &ScatterOutput::median);
     value("95 %", &ScatterOutput::high);
-    add_row(table, "beside it: form of the model", "", group, [&](std::size_t y) {
+    add_row(table, "in addition: form of the model", "", group, [&](std::size_t y) {
       return accuracy({1.0, "1", scatter.outputs[y].model_uncertainty});
     });
-    table.rows.push_back({"deviation of each input, and its share of the variance, first order"});
+    table.rows.push_back({"deviation of each input and its share of the variance, first order"});
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < scatter.inputs.size(); ++i) order.push_back(i);
     std::ranges::stable_sort(order, std::ranges::greater{},
@@ -179,11 +178,11 @@ std::string sensitivity_text(const SensitivityReport& report, const GearSet& gea
                            input.path, input.influence[y].derivative);
   }
   if (!zeros.empty())
-    text += "\nInputs that are 0, which have a derivative but no elasticity\n" + zeros;
+    text += "\nInputs that are 0: the derivative exists, the elasticity does not\n" + zeros;
   if (!sensitivity.no_influence.empty())
     text += '\n' +
             paragraph(fmt::format("No influence: {}", fmt::join(sensitivity.no_influence, ", ")));
-  text += fmt::format("\nDimensions hold to {:.1g}, at most {:.0g} is accepted (SN-6)\n",
+  text += fmt::format("\nResidual of the dimensions: {:.1g}; at most {:.0g} is accepted (SN-6)\n",
                       sensitivity.homogeneity_residual(), kMaxHomogeneityResidual);
   if (const auto& scatter = report.scatter)
     text += text_tables(scatter_tables(*scatter, sensitivity)) +
@@ -218,7 +217,8 @@ std::string sensitivity_plot(const SensitivityReport& report, const GearSet& gea
   std::vector<TornadoPanel> panels;
   for (Group group : groups_of(sensitivity)) {
     const bool loss = is_loss(sensitivity.outputs[group[0]].name);
-    if (!loss) group.erase(group.begin());  // the sound drive: both cracked ones show it too
+    if (!loss)
+      group.erase(group.begin());  // the sound drive, which both cracked outputs show as well
     TornadoPanel panel = panel_of(sensitivity, group);
     panel.title = loss ? "Loss of stiffness by cracks" : "Stiffness K at the output";
     if (panels.empty() && !gear.name.empty()) panel.title += ": " + gear.name;

@@ -15,7 +15,7 @@
 namespace strainwave {
 namespace {
 
-/// The warranted digits of a quantity in another unit.
+/// A quantity in another unit with the digits that its accuracy warrants.
 std::string digits_in(const Quantity& q, double unit_in_si) {
   return warranted_digits({q.value / unit_in_si, q.unit, q.relative_uncertainty});
 }
@@ -101,7 +101,7 @@ std::string three_digits(const std::optional<double>& value) {
   return value ? fmt::format("{:.3g}", *value) : "-";
 }
 
-/// The states of each crack, then the verdict in words.
+/// Table with the states of each crack, then the verdict in words.
 Table strength_table(const std::vector<CrackStrength>& strength) {
   Table table{
       .head = {"", "K/K_Ic", "L_r", "K_r", "line", "reserve", "critical", "r_p/lig.", "verdict"},
@@ -142,7 +142,7 @@ std::string stiffness_text(const StiffnessResult& result, const GearSet& gear,
   for (const CrackStrength& crack : result.strength)
     if (crack.breaks()) text += paragraph("WARNING: " + crack.path + " " + crack.sentence);
   if (std::ranges::any_of(result.strength, &CrackStrength::breaks))
-    text += "The stiffness below is that of the cracks as they stand.\n\n";
+    text += "The stiffness below is for the cracks in their present state.\n\n";
   text += text_table(drive_table(result, gear));
   if (!result.cracks.empty()) text += "\nCracks\n" + text_table(crack_table(result.cracks));
   if (!result.strength.empty())

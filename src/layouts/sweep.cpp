@@ -15,7 +15,7 @@
 namespace strainwave {
 namespace {
 
-/// A column of a sweep in display units; NaN where a point has no such output.
+/// Columns of a sweep in display units; NaN if a point lacks the output.
 class SweepTable {
  public:
   explicit SweepTable(const SweepResult& result) : result_(result) {}
@@ -59,7 +59,7 @@ AxisScale scale_of(const Variation& variation) {
                                                                          : AxisScale::linear;
 }
 
-/// What the cracks of one member contribute to the loss of stiffness under positive torque [%]:
+/// Contribution of the cracks of one member to the loss of stiffness under positive torque [%]:
 /// their compliance over that of the cracked drive.
 std::vector<double> loss_by_member(const SweepResult& result, const SweepTable& table,
                                    std::string_view member) {
@@ -79,7 +79,7 @@ std::vector<double> negated(std::vector<double> values) {
   return values;
 }
 
-/// "method corrected; 3 of 60 points are left out: refused, or not usable"
+/// The subtitle, such as "method corrected; 3 of 60 points are left out: refused, or not usable".
 std::string subtitle(const SweepResult& result) {
   const auto left_out =
       std::ranges::count_if(result.rows, [](const SweepRow& row) { return !row.usable(); });
@@ -108,7 +108,7 @@ std::vector<PlotPanel> panels_over_one(const SweepResult& result, const GearSet&
   const bool positive = std::ranges::none_of(total, [](double loss) { return loss <= 0; });
   PlotPanel loss{
       .title = "Loss of stiffness by cracks",
-      .subtitle = "and what the cracks of each member contribute to it under T > 0",
+      .subtitle = "and the contribution of the cracks of each member under T > 0",
       .x_label = table.axis_label(0),
       .y_label = "loss of stiffness −ΔK/K [%]",
       .x_scale = scale_of(result.variations[0]),
@@ -127,7 +127,8 @@ std::vector<PlotPanel> panels_over_one(const SweepResult& result, const GearSet&
   return panels;
 }
 
-/// Change of stiffness over the first number, a line for each value of the second.
+/// Panel of the change of stiffness over the first number, with one line for each value of the
+/// second.
 PlotPanel panel_over_two(const SweepResult& result, const SweepTable& table,
                          const std::vector<double>& change) {
   constexpr std::size_t kMostLines = kDistinctLines;
@@ -142,7 +143,7 @@ PlotPanel panel_over_two(const SweepResult& result, const SweepTable& table,
                   .legend_title = result.inputs[1].name,
                   .x_scale = scale_of(result.variations[0])};
   for (std::size_t line = 0; line < n_lines; ++line) {
-    // Evenly chosen where there are more values than lines; the first and the last are among them.
+    // If there are more values than lines, choose values evenly, including the first and the last.
     const std::size_t at = line * (n_values - 1) / (n_lines - 1);
     PlotSeries series{.label = fmt::format("{}{:.4g}{}{}", second[at] < 0 ? "−" : "",
                                            std::abs(second[at]), unit.empty() ? "" : " ", unit)};

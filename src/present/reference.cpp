@@ -9,7 +9,7 @@
 namespace strainwave {
 namespace {
 
-/// One line for each field that holds a value; records and lists only lengthen the path.
+/// Writes one line for each field that holds a value; records and lists only extend the path.
 class ReferenceWriter : public TypeVisitor {
  public:
   [[nodiscard]] const std::string& table() const { return table_; }
@@ -29,7 +29,7 @@ class ReferenceWriter : public TypeVisitor {
   void kind(std::string_view kind) override {
     table_ += fmt::format("| `{}.kind` | | \"{}\", with: |\n", paths_.back(), kind);
   }
-  void column(const Field& field) override { line(field.unit, "one value each"); }
+  void column(const Field& field) override { line(field.unit, "one value for each element"); }
   void number(const Field& field) override { line(field.unit, ""); }
   void quantity(const Field& field) override { line(field.unit, "with its uncertainty"); }
   void whole(const Field&) override { line("", "whole number"); }

@@ -14,9 +14,9 @@ struct NewOptions {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"size", "", "of the catalogue; prints its typical drive"}, &NewOptions::size);
-    field({"ratio", "1", "of the typical drive, 30 to 320"}, &NewOptions::ratio);
-    field({.name = "cup", .unit = "", .doc = "of the typical drive", .fallback = "short"},
+    field({"size", "", "size in the catalogue; prints its typical drive"}, &NewOptions::size);
+    field({"ratio", "1", "ratio of the typical drive, 30 to 320"}, &NewOptions::ratio);
+    field({.name = "cup", .unit = "", .doc = "cup of the typical drive", .fallback = "short"},
           &NewOptions::cup);
   }
 };
@@ -33,13 +33,14 @@ struct NewDrive {
 NewDrive drive_of(const Request&, const NewOptions& options) {
   if (options.size.has_value() != options.ratio.has_value())
     throw OptionError(options.size ? "ratio" : "size",
-                      "must be given: size and ratio go together, or leave both out");
+                      "must be given; give both size and ratio, or neither");
   if (!options.size) return {input_template()};
   const CommentedDrive drive =
       from_option([&] { return starting_drive(*options.size, *options.ratio, options.cup); });
   return {
-      "# A typical drive of this size and ratio: no maker publishes the geometry of one.\n"
-      "# Behind each number: how it is known, its limits, and where they come from.\n" +
+      "# A typical drive of this size and ratio, because makers do not publish the geometry of a "
+      "drive.\n"
+      "# The comment behind each number states its origin, its limits and their origin.\n" +
       gear_text(drive.gear, drive.comments)};
 }
 
@@ -50,10 +51,10 @@ Command new_command() {
       .name = "new",
       .summary = "Print a commented starting file",
       .description =
-          "Prints an input file that is valid as it stands, with every field that there is and "
-          "its meaning; those that are not needed are commented out. With --size and --ratio, the "
-          "typical drive of that size of the makers' catalogues instead: every number with what "
-          "is known of it, its limits and where they come from, and ranges for the torsion "
+          "Prints a valid input file with every field and its meaning; fields that are not needed "
+          "are commented out. With --size and --ratio, prints the typical drive of that size in "
+          "the makers' catalogues instead. Every number then has a comment on its origin and its "
+          "limits, and ranges for the torsion curve are included."
           "curve.",
       .example = "strainwave new --size 25 --ratio 100 --output drive.toml",
       .takes = Takes::nothing,

@@ -14,7 +14,7 @@ struct SensitivityOptions {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"scatter", "", "combined uncertainty by the scatter that the file gives"},
+    field({"scatter", "", "also propagate the scatter that the file gives"},
           &SensitivityOptions::scatter);
     field({.name = "samples",
            .unit = "",
@@ -22,12 +22,15 @@ struct SensitivityOptions {
            .range = {.lower = 2, .lower_open = false, .upper = kMaxSamples, .upper_open = false},
            .fallback = "100000"},
           &SensitivityOptions::samples);
-    field(
-        {.name = "seed", .unit = "", .doc = "of the draws", .range = kNonNegative, .fallback = "1"},
-        &SensitivityOptions::seed);
+    field({.name = "seed",
+           .unit = "",
+           .doc = "seed of the draws",
+           .range = kNonNegative,
+           .fallback = "1"},
+          &SensitivityOptions::seed);
     field({.name = "threads",
            .unit = "",
-           .doc = "0 for all that there are; the answer is the same for any number",
+           .doc = "number of threads; 0 for all of the machine; the answer does not depend on it",
            .range = {.lower = 0, .lower_open = false, .upper = 256, .upper_open = false},
            .fallback = "0"},
           &SensitivityOptions::threads);
@@ -36,7 +39,7 @@ struct SensitivityOptions {
 
 SensitivityReport report_of(const Request& request, const SensitivityOptions& options) {
   if (!options.scatter && (options.samples || options.seed || options.threads))
-    throw OptionError("scatter", "samples, seed and threads need it; give --scatter too");
+    throw OptionError("scatter", "samples, seed and threads need --scatter; give it too");
   const GearSet& gear = request.drive.gear;
   SensitivityReport report{.sensitivity = sensitivity_of(gear), .scatter = {}};
   if (options.scatter) {
@@ -54,15 +57,16 @@ SensitivityReport report_of(const Request& request, const SensitivityOptions& op
 Command sensitivity_command() {
   return command<SensitivityOptions, SensitivityReport>({
       .name = "sensitivity",
-      .summary = "What stiffness and its loss depend on, and how much",
+      .summary = "Find the inputs that determine stiffness and its loss",
       .description =
           "Prints the elasticities of the stiffness K_HD, sound and cracked under both senses of "
-          "torque, and of its loss by cracks, to every number of the file: per cent of output per "
-          "per cent of input, exact by automatic differentiation of the corrected method, the "
-          "largest first. Their sums must reproduce the dimensions of the outputs; if not, the "
-          "answer is refused. With --scatter, the relative standard deviations that the file "
-          "gives under [[scatter]] are propagated by first order and by Monte Carlo, with the "
-          "share of each input; draws that break a rule of the input are counted.",
+          "torque, and of its loss by cracks, with respect to every number of the file. An "
+          "elasticity is per cent of output per per cent of input. Automatic differentiation of "
+          "the corrected method gives exact values; the largest come first. The sums of the "
+          "elasticities must reproduce the dimensions of the outputs; otherwise the answer is "
+          "refused. With --scatter, the relative standard deviations that the file gives under "
+          "[[scatter]] are propagated by first order and by Monte Carlo, with the share of each "
+          "input. Draws that break a rule of the input are counted.",
       .example = "strainwave sensitivity examples/article_scatter.toml --scatter --plot "
                  "tornado.svg",
       .function = report_of,
