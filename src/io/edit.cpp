@@ -162,10 +162,11 @@ class PathReader {
     if (std::ranges::find(names, key) == names.end()) {
       const std::string near = nearest_word(key, names);
       const std::string dot = head.empty() ? "" : ".";
-      throw InputError(head + dot + shown(key),
-                       near.empty()
-                           ? fmt::format("is not known here; known are {}", fmt::join(names, ", "))
-                           : fmt::format("is not known here; did you mean {}?", head + dot + near));
+      throw InputError(
+          head + dot + shown(key),
+          near.empty()
+              ? fmt::format("is not known here; known names are {}", fmt::join(names, ", "))
+              : fmt::format("is not known here; did you mean {}?", head + dot + near));
     }
     push(key_step(key), names);
     if (key == "kind") return walk<std::string>(rest);

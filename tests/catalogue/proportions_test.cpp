@@ -187,7 +187,7 @@ TEST(TypicalDrive, InputRefusals) {
   EXPECT_NE(broken_rule([] { return typical_drive(0.06, 100.3); }).find("whole number"),
             std::string::npos);
   const std::string size = broken_rule([] { return starting_drive(22, 100); });
-  EXPECT_NE(size.find("known are 8, 11"), std::string::npos) << size;
+  EXPECT_NE(size.find("known sizes are 8, 11"), std::string::npos) << size;
 }
 
 // --- The starting file --------------------------------------------------------------------------

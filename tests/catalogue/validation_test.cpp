@@ -166,7 +166,7 @@ TEST(ValidationInput, InputRefusals) {
                                .factors = {Factor::clearance},
                                .sizes = {25},
                                .coupled = {.harmonics = 8}});
-            }).find("two of size"),
+            }).find("two sizes of 17"),
             std::string::npos);
 }
 

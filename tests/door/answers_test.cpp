@@ -218,7 +218,7 @@ TEST(Facade, InputATextThatAnOptionNamesMustBeGiven) {
   constexpr std::string_view kOptions = R"({"measured": "curve.csv"})";
   EXPECT_NE(test::broken_rule([&] {
               return test::run_command("calibrate", drive, kOptions);
-            }).find("names no text that was given"),
+            }).find("names a text that is not attached"),
             std::string::npos);
   EXPECT_NE(test::broken_rule([&] {
               return test::run_command("calibrate", drive, kOptions, {{"curve.csv", "no csv"}});

@@ -122,7 +122,7 @@ TEST(Batch, InputFaultsAreFoundBeforeTheWork) {
   EXPECT_EQ(refusal({depth, depth, depth}, kOutputs),
             "paths: \"output_shaft.crack[0].depth\" is given twice");
   EXPECT_EQ(refusal({depth, "load.torque"}, kOutputs),
-            "values: has 3 numbers; must have 2 for each row");
+            "values: has 3 numbers; give 2 for each row");
   EXPECT_EQ(refusal({}, kOutputs), "paths: must name at least one number of the drive");
   EXPECT_EQ(refusal({depth}, kOutputs, -1), "threads = -1 violates: >= 0 and <= 256");
   EXPECT_EQ(refusal({depth}, kOutputs, 257), "threads = 257 violates: >= 0 and <= 256");

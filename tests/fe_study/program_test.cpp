@@ -143,9 +143,10 @@ TEST_F(FeProgram, IdentityShearModulusFollowsFromTheOthers) {
   const Outcome other = with("70 GPa");
   ASSERT_EQ(other.exit_code, 0) << other.err;
   const Json json = Json::parse(other.out);
-  EXPECT_NE(json["notes"].dump().find("output_shaft.material: the shear modulus is E/(2(1+nu)), "
-                                      "80.769 GPa, and not the given one"),
-            std::string::npos)
+  EXPECT_NE(
+      json["notes"].dump().find("output_shaft.material: finite elements use the shear modulus "
+                                "E/(2(1+nu)), 80.769 GPa, not the given one"),
+      std::string::npos)
       << json["notes"];
   const Outcome same = with("80.7692307692 GPa");
   EXPECT_EQ(same.out.find("the given one"), std::string::npos);
@@ -190,7 +191,7 @@ TEST_F(FeProgram, InputErrorsByCodeAndName) {
   refused(changed("solid_shaft.toml", "9 mm", "31 mm"), "output_shaft.crack[0].depth");
   refused(changed("solid_shaft.toml",
                   "[[output_shaft.crack]]\nkind = \"annular\"\ndepth = \"9 mm\"", ""),
-          "gives nothing that finite elements can calculate");
+          "must give a part that finite elements can compute");
 }
 
 // `run` is what is meant without a word; the rest is the command line of every table.
@@ -206,14 +207,14 @@ TEST_F(FeProgram, IdentityCommandLineOfTheTable) {
   const Outcome paths = run("completion words -- tabulate " + kShaft + " --over output_shaft.c");
   EXPECT_EQ(paths.out, "output_shaft.crack[0].depth\n") << paths.err;
   EXPECT_EQ(Json::parse(run("schema --of result --command run").out)["title"],
-            "strainwave-fe run: Finite elements of the members of a drive");
+            "strainwave-fe run: Compute the members of a drive by finite elements");
 }
 
 TEST_F(FeProgram, IdentityClosedUnderCompression) {
   const std::string pressed = changed("solid_shaft.toml", "\"10 kN\"", "\"-10 kN\"");
   const Outcome outcome = run(pressed + " --order 4");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("closed, no K_I"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("the crack is closed, K_I = 0"), std::string::npos) << outcome.out;
 }
 
 TEST_F(FeProgram, InputWithoutTheProgramSaysSo) {

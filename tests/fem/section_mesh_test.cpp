@@ -69,7 +69,7 @@ TEST(CheckMesh, InputEveryRuleBrokenOnce) {
   const std::vector<std::pair<std::function<void(SectionMesh&)>, std::string>> broken = {
       {[](SectionMesh& m) { m.cells.clear(); }, "has no cells"},
       {[](SectionMesh& m) { m.part.push_back(0); }, "one entry for each cell"},
-      {[](SectionMesh& m) { m.cells[0][2] = 9; }, "there is no point 9"},
+      {[](SectionMesh& m) { m.cells[0][2] = 9; }, "point 9 does not exist"},
       {[](SectionMesh& m) { m.points[0].r = -1e-3; }, ">= 0, and z finite"},
       {[](SectionMesh& m) { m.points[0].z = NAN; }, ">= 0, and z finite"},
       {[](SectionMesh& m) { std::swap(m.cells[0][1], m.cells[0][3]); }, "inside out"},  // clockwise
@@ -185,7 +185,7 @@ TEST(MeshSection, IdentityCrackFacesAreDoubled) {
 
 TEST(MeshSection, InputEveryRuleBrokenOnce) {
   const std::vector<std::pair<std::function<void(SectionShape&)>, std::string>> broken = {
-      {[](SectionShape& s) { s.rectangles.clear(); }, "there is none"},
+      {[](SectionShape& s) { s.rectangles.clear(); }, "must have at least one"},
       {[](SectionShape& s) {
          s.rectangles.push_back({1.5, 2, 0, 1, 0});
        },

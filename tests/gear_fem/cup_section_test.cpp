@@ -147,7 +147,7 @@ TEST(MeshCup, InputEveryRuleBrokenOnce) {
     (void)mesh_cup(room);
     ADD_FAILURE();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("what the rim stands in"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("less than the step"), std::string::npos);
   }
   CupSection both = full_cup();
   both.barrel_fillet = 1e-4;

@@ -235,7 +235,7 @@ TEST(Edit, InputRefusedPathsNameTheNearest) {
             "output_shaft.crack[0].depth?"},
            {"output_shft", "output_shft: is not known here; did you mean output_shaft?"},
            {"drive.zzzzzz",
-            "drive.zzzzzz: is not known here; known are ratio, wave_number, pitch_diameter, "
+            "drive.zzzzzz: is not known here; known names are ratio, wave_number, pitch_diameter, "
             "radial_displacement"},
            {"material.40 Cr.youngs_modulu",
             "material.40 Cr.youngs_modulu: is not known here; did you mean material.40 "

@@ -536,20 +536,22 @@ const std::vector<Wrong> kWrong = {
     {"UnknownKeyAtTheTop",
      "name = ", "nmae = ", "2:1: nmae: is not known here; did you mean name?"},
     {"UnknownKeyInATable", "outer_diameter = ", "diameter_outer = ",
-     "51:1: output_shaft.diameter_outer: is not known here; known are material, outer_diameter, "
+     "51:1: output_shaft.diameter_outer: is not known here; known names are material, "
+     "outer_diameter, "
      "inner_diameter, length, crack"},
     {"UnknownKeyMisspelt", "outer_diameter = ", "outer_diametre = ",
      "51:1: output_shaft.outer_diametre: is not known here; did you mean outer_diameter?"},
     {"UnknownKeyOfACrack", "depth = \"0.1 mm\"\naspect", "dept = \"0.1 mm\"\naspect",
      "29:1: wave_generator.crack[0].dept: is not known here; did you mean depth?"},
     {"UnknownTable", "[article]", "[artikel]",
-     "59:2: artikel: is not known here; known are format, name, material, drive, load, "
+     "59:2: artikel: is not known here; known names are format, name, material, drive, load, "
      "wave_generator, flexspline, output_shaft, mesh, circular_spline, rating, range, scatter, "
      "article"},
     {"UnknownMember", "[article]", "[input_shaft]",
      "59:2: input_shaft: is not known here; did you mean output_shaft?"},
     {"UnknownEmptyKey", "M_M = ", "\"\" = ",
-     "65:1: article.\"\": is not known here; known are radial_load, flaw_parameter, mean_radius, "
+     "65:1: article.\"\": is not known here; known names are radial_load, flaw_parameter, "
+     "mean_radius, "
      "equivalent_shaft_diameter, M_p, M_M"},
     {"UnknownDottedKey",
      "M_M = ", "\"M.M\" = ", "65:1: article.\"M.M\": is not known here; did you mean M_M?"},
@@ -558,10 +560,11 @@ const std::vector<Wrong> kWrong = {
     {"UnknownKeyOfTwoLines",
      "M_M = ", "\"M\\nM\" = ", "65:1: article.\"M\\nM\": is not known here; did you mean M_M?"},
     {"KeyOfAnotherKindOfCrack", "angle = \"45 deg\"", "depth = \"0.1 mm\"",
-     "46:1: flexspline.crack[0].depth: is not known here; known are kind, half_length, angle, "
+     "46:1: flexspline.crack[0].depth: is not known here; known names are kind, half_length, "
+     "angle, "
      "section, shell_correction, compliance_table"},
     {"KindWhereThereIsNone", "[load]\n", "[load]\nkind = \"static\"\n",
-     "16:1: load.kind: is not known here; known are torque, axial_force"},
+     "16:1: load.kind: is not known here; known names are torque, axial_force"},
 
     // keys that are missing
     {"MissingFormat", "format = \"strainwave-drive/1\"\n", "",

@@ -241,7 +241,7 @@ TEST(Report, ReferenceInputsSayWhoGaveThem) {
   for (const auto& [field, giver] : expected) EXPECT_EQ(givers[field], giver) << field;
   const std::string& html = section(report, "inputs").html;
   EXPECT_NE(html.find("18 deg to 26 deg"), std::string::npos);
-  EXPECT_NE(html.find("few samples, mostly tapered: a mean"), std::string::npos);
+  EXPECT_NE(html.find("mean of a few samples, mostly tapered"), std::string::npos);
 }
 
 TEST(Report, ReferenceMaterialsOfTheLibraryAreNamedAsSuch) {

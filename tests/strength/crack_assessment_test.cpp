@@ -270,7 +270,7 @@ TEST(StrengthNotes, InputWhichFieldWouldTell) {
   // A race crack's ring is bent by its cam: no field of the file says by how much.
   gear.material["steel"].yield_strength = kYield;
   EXPECT_EQ(of_race(gear).verdict, Verdict::cannot_tell);
-  EXPECT_TRUE(mentions(of_race(gear).next_step, "No field tells that stress"));
+  EXPECT_TRUE(mentions(of_race(gear).next_step, "no field of the file can give this stress"));
   EXPECT_TRUE(of_shaft(gear).next_step.empty());
 }
 
@@ -689,7 +689,8 @@ TEST(Undecided, LimitRaceOnItsCam) {
   EXPECT_TRUE(mentions(strength.sentence, "by the load alone: reserve factor"));
   EXPECT_FALSE(mentions(strength.sentence, "orthogonal_shear"));
   gear.wave_generator->inner_ring_mean_radius.reset();  // no size without a radius
-  EXPECT_TRUE(mentions(of_race(gear).sentence, "its cam is not in the driver's stress"));
+  EXPECT_TRUE(mentions(of_race(gear).sentence,
+                       "the driver's stress leaves out the ring's bending by its cam"));
   gear.drive.wave_number = 1;  // one lobe bends nothing
   EXPECT_EQ(of_race(gear).verdict, Verdict::acceptable);
   race.stress = 5000 * MPa;  // what fractures does so without the cam
