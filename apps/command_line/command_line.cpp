@@ -29,19 +29,19 @@
 namespace strainwave::cli {
 namespace {
 
-/// What the command line says for one command.
+/// The arguments of one command as given on the command line.
 struct Given {
   const Program& program;
   const Command& command;
   std::vector<Argument> arguments;
-  std::vector<std::vector<std::string>> texts;  // of each argument
+  std::vector<std::vector<std::string>> texts;  // texts of each argument
 };
 
 void warn(const Program& program, std::string_view message) {
   std::cerr << program.name << ": " << message << '\n';
 }
 
-/// The day of SOURCE_DATE_EPOCH, which makes builds repeatable; empty if it is not set.
+/// The day of SOURCE_DATE_EPOCH, a variable that makes builds repeatable; empty if it is not set.
 std::string build_date() {
   const char* const variable = std::getenv("SOURCE_DATE_EPOCH");
   if (variable == nullptr || *variable == '\0') return {};
@@ -57,7 +57,7 @@ std::string build_date() {
                      static_cast<unsigned>(day.month()), static_cast<unsigned>(day.day()));
 }
 
-/// What an option that is left out gets from where the program runs.
+/// Values that an omitted option takes from the environment of the program.
 std::vector<std::string> told_by_surroundings(const Argument& argument) {
   if (argument.names == "date")
     if (std::string date = build_date(); !date.empty()) return {std::move(date)};
@@ -77,14 +77,16 @@ ExitCode exit_code_of(RequirementOutcome outcome) {
   return kCannotTell;
 }
 
-/// Says on standard error what the main document cannot, and how the program ends.
+/// Prints on standard error the evidence that the main document cannot show, and determines the
+/// exit code.
 ExitCode judged(const Program& program, const Answer& answer, std::string_view main) {
   const ResultEvidence& evidence = answer.evidence();
   if (!answer.usable()) {
     warn(program, evidence.unusable_because);
     return evidence.refused ? kInput : kNotUsable;
   }
-  // A table has no place for notes.  A doubt of the command itself concerns all of it.
+  // A CSV table cannot hold notes, so print them.  A doubt about the command itself concerns the
+  // whole table.
   if (main == "csv")
     for (const Note& note : evidence.notes)
       if (note.severity != Severity::information &&
@@ -93,9 +95,9 @@ ExitCode judged(const Program& program, const Answer& answer, std::string_view m
   return exit_code_of(evidence.requirement.value_or(RequirementOutcome::met));
 }
 
-/// @throws UsageError  a file would be written twice, or written over what is read
+/// @throws UsageError  if a file would be written twice, or would overwrite an input
 void require_distinct_files(const Given& given) {
-  std::map<std::filesystem::path, std::string_view> known;  // argument by file
+  std::map<std::filesystem::path, std::string_view> known;  // maps each file to its argument
   for (std::size_t i = 0; i < given.arguments.size(); ++i) {
     const Argument& argument = given.arguments[i];
     const bool writes = argument.role == Role::output || argument.role == Role::journal ||
@@ -169,7 +171,7 @@ ExitCode run_command(const Given& given) {
                           [&](const std::string& line) {
                             if (ranks.first()) warn(given.program, line);
                           });
-  // All documents are made before any file is written: a failure leaves nothing behind.
+  // Make all documents before writing any file, so a failure leaves no file behind.
   std::optional<Answer> answer;
   std::vector<OutputFile> files;
   std::vector<std::pair<std::string, std::string>> texts;  // path, document
@@ -188,7 +190,7 @@ ExitCode run_command(const Given& given) {
   return ranks.first() ? judged(given.program, *answer, main) : kOk;
 }
 
-/// A fault of an option names it as it is typed.
+/// The message of a faulty option, with the option spelled as typed.
 std::string as_typed(const OptionError& error, const std::vector<Argument>& arguments) {
   const std::string message = error.what();
   for (const Argument& argument : arguments)
@@ -210,7 +212,7 @@ void add_argument(CLI::App* sub, const Argument& argument, std::vector<std::stri
   if (argument.role == Role::format)
     added->check(
         CLI::IsMember(std::vector<std::string>(argument.choices.begin(), argument.choices.end())));
-  // An option must not swallow the words behind its value.
+  // An option must not take the words behind its value.
   added->allow_extra_args(argument.repeatable && argument.positional());
   if (argument.repeatable)
     added->take_all();
@@ -218,7 +220,7 @@ void add_argument(CLI::App* sub, const Argument& argument, std::vector<std::stri
     added->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::Throw);
 }
 
-/// Whether the system had no memory left, or none for one more thread.
+/// Whether the system ran out of memory, or could not start another thread.
 bool lacks_memory(const std::exception& error) {
   const auto* const system = dynamic_cast<const std::system_error*>(&error);
   return dynamic_cast<const std::bad_alloc*>(&error) != nullptr ||
@@ -288,7 +290,7 @@ ExitCode parse_and_run(const Program& program, std::span<const std::string> word
 
 int run_command_line(const Program& program, std::span<const std::string> words) {
   const Ranks& ranks = program.ranks != nullptr ? *program.ranks : kAlone;
-  // All ranks end with one word, of the first that has something to complain about.
+  // All ranks end with a single message, that of the first rank with a complaint.
   const auto complain = [&](std::string_view message, ExitCode code) {
     return ranks.last_code(code, [&] {
       warn(program, ranks.first() ? std::string(message)

@@ -5,17 +5,17 @@
 
 namespace strainwave::cli {
 
-/// What a program tells its caller; docs/adr/0002.
+/// Exit codes of the programs; see docs/adr/0002.
 enum ExitCode : int {
   kOk = 0,
   kUsage = 2,          ///< the command line is wrong
   kInput = 3,          ///< the input breaks a rule
-  kNotUsable = 4,      ///< there is no answer, or none that may be used
+  kNotUsable = 4,      ///< there is no usable answer
   kNotMet = 5,         ///< a requirement is not met
-  kCannotTell = 6,     ///< a requirement cannot be told within the uncertainty of the answer
+  kCannotTell = 6,     ///< the uncertainty of the answer leaves a requirement undecided
   kUnwritable = 7,     ///< the output cannot be written
-  kInternal = 70,      ///< our own mistake
-  kNoMemory = 71,      ///< there is not enough memory
+  kInternal = 70,      ///< internal error
+  kNoMemory = 71,      ///< the memory does not suffice
   kInterrupted = 130,  ///< stopped by SIGINT, as a shell reports it
 };
 

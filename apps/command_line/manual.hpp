@@ -6,14 +6,14 @@
 
 #include "program.hpp"
 
-// Manual pages, in roff: one of the program, and one for each first word of its commands.
+// Manual pages in roff: one page for the program, and one for each first word of its commands.
 
 namespace strainwave::cli {
 
 [[nodiscard]] std::string program_page(const Program& program);
 
-/// @param first_word  of a command or a group
-/// @throws OptionError  no command begins with this word
+/// @param first_word  first word of a command or a group
+/// @throws OptionError  if no command begins with this word
 [[nodiscard]] std::string command_page(const Program& program, std::string_view first_word);
 
 }  // namespace strainwave::cli

@@ -240,8 +240,8 @@ Member wave_generator(const GearSet& gear, const RaceSurfaceCrack* crack) {
   const double Delta_K_G = race_crack_stiffness(race, F_r);
   const double K_G = radial_stiffness(K_G0, Delta_K_G);
   member.cracked = wave_generator_compliance(cam(gear), K_G) * kCompliance;
-  member.added =
-      member.cracked * (Delta_K_G / K_G0);  // 1/K_G - 1/K_G0, written without cancellation
+  // 1/K_G - 1/K_G0, written without cancellation
+  member.added = member.cracked * (Delta_K_G / K_G0);
 
   const double sigma_max = contact_pressure(F_r, race.contact_semi_major, race.contact_semi_minor);
   const double K_I = race_stress_intensity(race_stress(race.contact_factor, sigma_max), race.depth,

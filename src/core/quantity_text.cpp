@@ -137,10 +137,9 @@ class UnitParser {
     }
     refuse(symbol.empty()
                ? "lacks a unit where one is due"
-               : fmt::format(
-                     "has the unknown unit \"{}\"; use products of known units such as mm, N*m/rad "
-                     "or MPa*m^0.5",
-                     shown(symbol)));
+               : fmt::format("has the unknown unit \"{}\"; known are products such as mm, N*m/rad "
+                             "or MPa*m^0.5",
+                             shown(symbol)));
   }
 
   static void multiply(Unit& result, const Unit& by, double exponent) {

@@ -20,11 +20,11 @@ namespace fs = std::filesystem;
   throw Error(fmt::format("{}: cannot be written: {}", path.string(), why));
 }
 
-/// Why the last call of the system failed.
+/// Reason why the last system call failed.
 std::error_code last_fault() { return {errno, std::system_category()}; }
 
 /// Writes all of a text and closes the file.
-/// @param safe  the text is on the disk when this returns
+/// @param safe  true: the text is on the disk on return
 std::error_code write_and_close(int descriptor, std::string_view text, bool safe) {
   std::error_code fault;
   while (!fault && !text.empty()) {
@@ -34,7 +34,7 @@ std::error_code write_and_close(int descriptor, std::string_view text, bool safe
     else if (errno != EINTR)
       fault = last_fault();
   }
-  // A device and a pipe have nothing to make safe, and say EINVAL.
+  // Devices and pipes cannot be synchronised and return EINVAL.
   if (!fault && safe && ::fsync(descriptor) != 0 && errno != EINVAL) fault = last_fault();
   if (::close(descriptor) != 0 && !fault) fault = last_fault();
   return fault;
@@ -70,7 +70,7 @@ WaitingFile::WaitingFile(const fs::path& path, std::string_view text)
     descriptor = ::open(waiting_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     if (descriptor < 0 && errno != EEXIST) refuse(path, last_fault().message());
   }
-  // A new file has the permissions that the user's mask leaves.
+  // A new file gets the permissions that the user's mask allows.
   if (fs::exists(old)) (void)::fchmod(descriptor, mode);
   if (const std::error_code why = write_and_close(descriptor, text, false)) {
     fs::remove(waiting_, fault);

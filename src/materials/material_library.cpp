@@ -22,7 +22,7 @@ inline constexpr std::string_view kKindsOf<GrowthLaw> = "growth law";
 
 namespace {
 
-/// Lower case and without blanks: names that nobody would hold apart.
+/// The name in lower case without blanks; names that agree in this form count as equal.
 std::string plain_name(std::string_view name) {
   std::string result;
   for (const unsigned char c : name)
@@ -109,7 +109,8 @@ void check_law(const FieldPath& path, const NasgroLaw& law) {
           law.threshold_at_one, "Pa*m^0.5", "threshold_at_one < plane_strain_toughness");
 }
 
-/// Two branches of one line meet where the first ends, or one of the numbers is mistyped.
+/// Checks that two branches of one law meet at the end of the first; otherwise a number is
+/// mistyped.
 void check_branches(const FieldPath& path, const std::vector<GrowthLaw>& growth) {
   for (std::size_t i = 1; i < growth.size(); ++i) {
     const auto* const first = std::get_if<ParisLaw>(&growth[i - 1]);
@@ -119,7 +120,7 @@ void check_branches(const FieldPath& path, const std::vector<GrowthLaw>& growth)
       continue;
     require(*second->from == *first->to, (path[i] / "from").text(), *second->from, "Pa*m^0.5",
             "from = to of the branch before it");
-    constexpr double kDigits = 0.01;  // of three printed digits
+    constexpr double kDigits = 0.01;  // accuracy of three printed digits
     require(std::abs(transition_range(*first, *second) / *first->to - 1) < kDigits,
             (path[i] / "from").text(), *second->from, "Pa*m^0.5",
             "the branches give the same growth where they meet");
@@ -260,7 +261,7 @@ Material as_material(const MaterialRecord& record) {
   std::vector<std::string> numbers;
   std::vector<std::string> unverified;
   for_each_property(record, [&](std::string_view name, std::string_view doc, const auto& number) {
-    if (name == "hardness") return;  // no number of a material of a drive
+    if (name == "hardness") return;  // a drive's material does not have it
     numbers.push_back(fmt::format("{} {} ({})", doc,
                                   shown_quantity(number.value, unit_of(number), 4),
                                   enum_name(number.confidence)));

@@ -16,7 +16,7 @@
 namespace strainwave::report {
 namespace {
 
-/// Who gave a value.
+/// Origin of a value.
 enum class Giver { file, catalogue, typical, assumed, fallback, library };
 constexpr std::array<std::string_view, 6> kGivers = {
     "in the file", "catalogue", "typical", "assumed", "default", "material library"};
@@ -29,14 +29,14 @@ struct Entry {
   std::string remark;
 };
 
-/// A TOML value of a field's description as people write it.
+/// A TOML value of a field's description without its quotes.
 std::string unquoted(std::string_view toml) {
   if (toml.size() > 1 && toml.front() == '"' && toml.back() == '"')
     toml = toml.substr(1, toml.size() - 2);
   return std::string(toml);
 }
 
-/// How well the material library knows a number, and its source there.
+/// Confidence of a number in the material library, and its source there.
 std::string library_evidence(std::string_view material, std::string_view property) {
   std::string text = "see the validity notes";
   const MaterialRecord* const record = find_material(material);
@@ -58,7 +58,7 @@ class Collector {
   Collector(const GearSet& gear, const std::string& text)
       : gear_(gear), remarks_(input_remarks(text)) {}
 
-  /// Groups of entries by the table that they stand in, in the order of the file's description.
+  /// Groups of entries by table, in the order of the file's description.
   std::vector<std::pair<std::string, std::vector<Entry>>> collect() && {
     walk(gear_, FieldPath(), Field{});
     return std::move(groups_);
@@ -85,7 +85,7 @@ class Collector {
           },
           value);
     } else if constexpr (Described<T>) {
-      // Plain fields first: a table below begins a group of its own.
+      // Plain fields come first, because a table below begins its own group.
       T::describe([&](const Field& inner, auto member) {
         using Value = std::decay_t<decltype(value.*member)>;
         if constexpr (!is_table<Value>) {
@@ -108,7 +108,7 @@ class Collector {
     }
   }
 
-  /// @param taken  value from the material library; empty if it is none
+  /// @param taken  value from the material library; empty if the value has another origin
   void add(const FieldPath& path, const Field& field, const std::string& taken) {
     if (path.text() == "format" || path.text() == "name") return;
     Entry entry{.path = path.text(), .meaning = std::string(field.doc), .value = {}, .remark = {}};
@@ -156,7 +156,7 @@ class Collector {
   const GearSet& gear_;
   std::map<std::string, InputRemark> remarks_;
   std::string group_;
-  std::string key_;  ///< of the table that is walked, where it is one of many
+  std::string key_;  ///< key of the walked table, if it is one of many
   std::vector<std::pair<std::string, std::vector<Entry>>> groups_;
 };
 

@@ -34,7 +34,7 @@ struct VerdictWord {
   std::string_view style;
   std::string_view word;
 };
-/// In the order of Judgement.
+/// Words of the verdicts, in the order of Judgement.
 constexpr std::array kVerdictWords = {
     VerdictWord{"good", "Usable"}, VerdictWord{"care", "Usable with care"},
     VerdictWord{"bad", "Critical"}, VerdictWord{"care", "Cannot be told"}};
@@ -45,7 +45,7 @@ std::string key_number(std::string_view label, const std::string& value, std::st
                      unit, remark);
 }
 
-/// What the report answers on strength, and what it does not; plain text, empty without cracks.
+/// The result on strength in words, or why there is none; plain text, empty without cracks.
 std::string strength_words(const Draft& draft) {
   if (draft.cracks.empty()) return {};
   if (draft.result.strength.empty())
@@ -57,8 +57,8 @@ std::string strength_words(const Draft& draft) {
          ", under the worse sense of the torque.";
 }
 
-/// The least reserve of all states of the cracks that are assessed, both senses of torque; else
-/// the largest share of the toughness.
+/// The least reserve of all assessed states under both senses of torque; without one, the largest
+/// share of the toughness.
 std::string strength_number(const Draft& draft) {
   const CrackStrength* weakest = nullptr;
   const StrengthState* least = nullptr;
@@ -213,7 +213,7 @@ Report make_report(const GearSet& gear, const Provenance& provenance, const Repo
   made.sections.push_back(sensitivity_chapter(draft));
   made.sections.push_back(intensities_chapter(draft));
   made.sections.push_back(strength_chapter(draft));
-  // Behind all that add notes and equations.
+  // These chapters come last, because the others add notes and equations.
   made.sections.push_back(notes_chapter(draft));
   made.sections.push_back(accuracy_chapter(draft));
   made.sections.push_back(equations_chapter(draft));

@@ -70,7 +70,7 @@ std::vector<Row> curve_rows(const StiffnessResult& result) {
   return rows;
 }
 
-/// A zero but for the noise of the arithmetic, which stays in `value`.
+/// Shows a value that is zero within rounding as 0 and keeps the number in `value`.
 std::string nothing(const std::string& path, const Quantity& q) {
   return fmt::format("<data value=\"{}\" data-path=\"{}\">0</data>", q.value, path);
 }
@@ -196,7 +196,7 @@ ReportSection intensities_chapter(const Draft& draft) {
                          bool first) {
       const std::string at = path + ".stress_intensity." + name;
       const double largest = std::abs(K.largest().value);
-      // Noise of the arithmetic against the largest mode is none.
+      // A mode that is only rounding compared with the largest mode counts as zero.
       const auto mode = [&](const char* which, const Quantity& K_mode) {
         return std::abs(K_mode.value) < 1e-12 * largest ? nothing(at + which, K_mode)
                                                         : quantity(at + which, K_mode, units::MPa);

@@ -19,7 +19,7 @@ constexpr std::size_t kMostBars = 12;
 constexpr std::size_t kMostRows = 20;
 
 std::string elasticity_text(double elasticity) {
-  constexpr double kNoise = 1e-12;  // of the arithmetic; elasticities are of the order of one
+  constexpr double kNoise = 1e-12;  // rounding noise; elasticities are of the order of one
   return std::abs(elasticity) < kNoise ? "0" : typeset(fmt::format("{:+.3g}", elasticity));
 }
 

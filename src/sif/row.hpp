@@ -12,7 +12,7 @@
 #include "strainwave/fracture/erased_crack.hpp"
 #include "strainwave/sif/library.hpp"
 
-// How a solution becomes a row of the library.
+// Turns a solution into a row of the library.
 
 namespace strainwave::sif {
 
@@ -68,7 +68,7 @@ class CrackOf final : public AnyCrack {
 /// Throws InputError unless a number is inside the range of its field.
 void require_in_range(const Field& field, double value);
 
-/// "; do you mean half_length?", or nothing if no known word is near.
+/// "; do you mean half_length?", or an empty text if no known word is near.
 [[nodiscard]] std::string near_text(std::string_view word, std::span<const std::string> known);
 
 /// Row of a solution.

@@ -20,7 +20,7 @@ const StrengthNote kResidual = {
 const StrengthNote kLineEnds = {
     "the material gives no ultimate_strength: the line ends at L_r = 1, on the safe side", "FA-2"};
 
-/// A crack of which no stress is computed.
+/// The answer for a crack whose stress is not computed.
 CrackStrength acts_in_coupled_drive(CrackStrength report) {
   report.sentence =
       "cannot tell: it acts in the coupled drive only, where its stress is not computed";

@@ -23,7 +23,8 @@ CurveStiffness lines_of(const AssembledDrive& drive, int sense) {
   return {quantity(lines.K1), quantity(lines.K2), quantity(lines.K3)};
 }
 
-/// The maker's stiffnesses beside the series model; a note says why where there are none.
+/// Adds the maker's stiffnesses to the result of the series model, or a note with the reason why
+/// they are missing.
 void add_curve(StiffnessResult& result, const GearSet& gear) {
   try {
     const AssembledDrive drive(gear);
@@ -41,7 +42,7 @@ void add_curve(StiffnessResult& result, const GearSet& gear) {
   }
 }
 
-/// Strength of the cracks beside the stiffness; a note says what is missing where there is none.
+/// Adds the strength of the cracks to the stiffness, or a note that names the missing input.
 void add_strength(StiffnessResult& result, const GearSet& gear) {
   std::vector<CrackStrength> strength = crack_strength(gear, result.cracks);
   if (strength.empty()) return;

@@ -29,7 +29,7 @@ struct Number {
   const double* address = nullptr;
 };
 
-/// The numbers that describe the drive; those that describe what is known of them are none.
+/// The numbers that describe the drive, without numbers that describe ranges and scatter.
 std::vector<Number> numbers_of(const GearSet& gear) {
   std::vector<Number> numbers;
   for_each_number(gear, [&](const FieldPath& path, const Field& field, const double& value) {
@@ -62,7 +62,7 @@ double Sensitivity::homogeneity_residual() const {
 }
 
 LengthAndForce length_and_force(std::string_view unit) {
-  // Text tells joules and radians apart; here they are N*m and 1.
+  // Units in text distinguish joules and radians; here they count as N*m and 1.
   const Dimension d = parse_unit(unit).dimension;
   if (d[2] != -2 * d[1] || d[3] != 0)
     throw InputError("unit", fmt::format("{} is not made of length and force", unit));
@@ -92,7 +92,7 @@ Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options)
       {"cracked.positive.stiffness_loss", loss_of(result.positive.stiffness_change)},
       {"cracked.negative.stiffness_loss", loss_of(result.negative.stiffness_change)},
   }};
-  std::vector<std::size_t> kept;  // of the five
+  std::vector<std::size_t> kept;  // indices of the kept outputs among the five
   for (std::size_t y = 0; y < all.size(); ++y) {
     if (all[y].value.value != 0) {
       kept.push_back(y);

@@ -34,7 +34,8 @@ void add_series_members(AssembledDrive::Contents& into) {
   SeriesMembers& series = into.series;
   series.barrel = tube_compliance(*fs.barrel, fs.barrel->length, G);
   series.diaphragm = torsional_compliance(*fs.diaphragm, G);  // (TC-13)
-  // (TC-13): traction spread evenly over the teeth twists the rim like a third of its length.
+  // (TC-13): traction spread evenly over the teeth twists the rim as much as a third of its length
+  // would.
   series.rim = tube_compliance(*fs.rim, fs.rim->length / 3, G);
   if (fs.boss) series.boss_and_flange += tube_compliance(*fs.boss, fs.boss->length, G);
   series.boss_and_flange += fs.flange_compliance;
@@ -55,10 +56,10 @@ void add_series_members(AssembledDrive::Contents& into) {
   }
 }
 
-// The gap law is for teeth whose path is about one module high (TC-7).
+// The gap law is valid for teeth whose path is about one module high (TC-7).
 constexpr double kLeastKappa = 0.6;
 constexpr double kMostKappa = 1.3;
-/// Pitch diameter of size 17, 43.18 mm, rounded down so that this size is not small [m].
+/// Pitch diameter of size 17, 43.18 mm, rounded down so that this size does not count as small [m].
 constexpr double kSize17 = 0.043;
 
 void note_geometry(const GearSet& gear, const CoupledGeometry& g, std::vector<Note>& notes) {
@@ -96,8 +97,8 @@ void note_geometry(const GearSet& gear, const CoupledGeometry& g, std::vector<No
                      "Give the table circular_spline."});
 }
 
-/// The larger force of the ball nearest to a position, of both senses of torque at T2, in the
-/// sound drive [N].
+/// Force of the ball nearest to a position in the sound drive at T2, the larger of both senses of
+/// torque [N].
 double sound_ball_force(const CoupledDrive& sound, double torque, double position) {
   double largest = 0.0;
   for (const double sense : {1.0, -1.0}) {
@@ -128,7 +129,7 @@ std::string no_assembly(const CoupledDrive& drive) {
                    state.residual, state.iterations);
 }
 
-/// Puts the cracks into the sound drive, on its cam, if it has one.
+/// Adds the cracks to the sound drive on its cam, if the sound drive assembles.
 void crack(AssembledDrive::Contents& into) {
   const ContactCracks& cracks = into.cracks;
   into.drive = into.sound;
@@ -147,7 +148,7 @@ std::vector<std::string> equations_of(const CoupledGeometry& geometry) {
   return equations;
 }
 
-/// All that is known before the cracks in the contacts.
+/// Contents without the cracks that act in the contacts.
 AssembledDrive::Contents sound_contents(const GearSet& gear, const CoupledOptions& options,
                                         const CoupledGeometry& geometry,
                                         const CoupledDrive& sound) {

@@ -18,18 +18,19 @@ namespace {
 
 using std::numbers::pi;
 
-// Limits of the coupled drive: beyond them the input is a slip, or a law has left its ground.
+// Limits of the coupled drive.  Beyond a limit the input is a mistake, or a law is not valid.
 constexpr double kMostRootDistance = 8;  // pitch less root diameter over m [-]: no tooth is taller
-constexpr double kFitInBore = 0.005;     // of the bore [-]: a bearing further off is not pressed in
-constexpr double kMostFlattening = 6;    // c_cam [-], (TC-5): four times that of an ellipse
-constexpr double kMostConing = 5;        // chi [-], (TC-8): five times an uncorrected tooth
-constexpr double kLeastDisplacement = 0.3;  // w_0/m [-]: the gap law (TC-7) is that of 1,
-constexpr double kMostDisplacement = 2;     //   and has a note beyond 0.6 to 1.3
+// share of the bore [-]: a bearing with a larger deviation does not fit
+constexpr double kFitInBore = 0.005;
+constexpr double kMostFlattening = 6;       // c_cam [-], (TC-5): four times that of an ellipse
+constexpr double kMostConing = 5;           // chi [-], (TC-8): five times an uncorrected tooth
+constexpr double kLeastDisplacement = 0.3;  // w_0/m [-]: the gap law (TC-7) is for 1,
+constexpr double kMostDisplacement = 2;     //   with a note outside 0.6 to 1.3
 constexpr int kLeastTeeth = 20;             // [-]: a tooth is small against the wave
-constexpr double kWhole = 1e-9;             // of a number of teeth [-]: rounding
+constexpr double kWhole = 1e-9;             // rounding of a number of teeth [-]
 
-/// What the coupled drive needs beyond what `check` asks for: field and meaning of the first thing
-/// that is missing.
+/// The first missing input of the coupled drive that `check` does not require: its field and
+/// meaning.
 struct Missing {
   std::string field;
   std::string what;
@@ -56,7 +57,7 @@ double third_power_bending(double E, double width, double thickness, double fact
   return E * width * thickness * thickness * thickness / 12 * factor;
 }
 
-/// Rotation of a hinge per unit of moment, c_M: an edge crack in bending [rad/(N*m)].
+/// Rotation c_M of a hinge per unit of moment, from an edge crack in bending [rad/(N*m)].
 double hinge_compliance(double depth, double thickness, double width,
                         const ElasticConstants& steel) {
   const sif::EdgeCrack crack{.depth = depth,
@@ -72,7 +73,7 @@ double hinge_compliance(double depth, double thickness, double width,
 /// stress.
 double race_crack_compliance(const GearSet& gear, const std::string& path, double ball_force,
                              std::vector<Note>& notes) {
-  // The series model's crack under one lobe, whose force is made that of this ball.
+  // Use the crack of the series model under one lobe, with the lobe force set to that of this ball.
   GearSet single = gear;
   WaveGenerator& wg = *single.wave_generator;
   wg.conversion = Conversion::reciprocity;
@@ -87,7 +88,7 @@ double race_crack_compliance(const GearSet& gear, const std::string& path, doubl
   return 0.0;
 }
 
-/// The rules of the coupled drive, beyond those of `check`.
+/// Checks the rules of the coupled drive in addition to those of `check`.
 void check_coupled(const GearSet& gear, const CoupledOptions& options) {
   check(gear);
   if (const auto gap = missing(gear))
@@ -137,7 +138,7 @@ void check_coupled(const GearSet& gear, const CoupledOptions& options) {
           drive.radial_displacement, "m", "0.3 to 2 modules for the torsion curve");
 }
 
-/// Flank angle, turned by friction, gaps and stiffness of the tooth pairs.
+/// Sets the flank angle, turned by friction, and the gaps and stiffness of the tooth pairs.
 void add_mesh(CoupledGeometry& g, const ToothMesh& mesh, FlankFriction friction) {
   g.flank_angle = mesh.flank_angle;
   const double turn = std::atan(mesh.friction_coefficient);
@@ -160,13 +161,13 @@ struct CrackedRing {
   RingHinge::Ring ring{};
   double thickness = 0.0;  // [m]
   double width = 0.0;      // [m]
-  double bending = 0.0;    // EI, of the circular spline over its support [N*m^2]
-  double support = 1.0;    // share of the ring's compliance that its housing leaves [-]
+  double bending = 0.0;    // EI; for the circular spline, EI over its support [N*m^2]
+  double support = 1.0;    // share of the ring's compliance that remains in its housing [-]
   ElasticConstants steel;
 };
 
-/// Turns cracks into what they change inside the contact problem: one overload of `add` for each
-/// way in which a crack does so.
+/// Turns cracks into their effects in the contact problem.  Each kind of effect has an overload of
+/// `add`.
 class ContactCracksOf {
  public:
   ContactCracksOf(const GearSet& gear, const CoupledGeometry& geometry, const BallForce& ball_force,
@@ -194,7 +195,7 @@ class ContactCracksOf {
                              .softening = (ring.bending - left) * length});  // (TC-22)
   }
 
-  /// A crack of the inner race, which the balls load.
+  /// Adds a crack of the inner race, which the balls load.
   template <class Crack>
   requires requires(const Crack& crack) { crack.stress_driver; }
   void add(const std::string& path, const Crack& crack) {
@@ -328,7 +329,7 @@ ContactCracks contact_cracks(const GearSet& gear, const CoupledGeometry& geometr
   const auto add = [&]<class Crack>(const std::string& path, const Crack& crack) {
     if constexpr (ContactCrack<Crack> || requires { crack.stress_driver; }) cracks.add(path, crack);
   };
-  // The order of the hinges is that of a sum, and with it of its rounding.
+  // The order of the hinges determines the order of a sum, and so its rounding.
   if (gear.mesh) for_each_crack("mesh", gear.mesh->crack, add);
   for_each_crack("flexspline", gear.flexspline->crack, add);
   if (gear.circular_spline) for_each_crack("circular_spline", gear.circular_spline->crack, add);

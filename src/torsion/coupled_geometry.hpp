@@ -12,14 +12,14 @@
 
 namespace strainwave {
 
-/// The numbers of the model, taken from the file [SI].
+/// The numbers of the model, from the file [SI].
 struct CoupledGeometry {
   // transmission
   double pitch_radius = 0.0;         // R_p
   double radial_displacement = 0.0;  // w_0
   int teeth = 0;                     // z
   double module = 0.0;               // m
-  // rim and outer ring, as one ring
+  // rim and outer ring as one ring
   double ring_radius = 0.0;    // R
   double rim_thickness = 0.0;  // t_r
   double rim_width = 0.0;      // b
@@ -51,7 +51,7 @@ struct CoupledGeometry {
   double support = 0.0;         // s_h
 };
 
-/// What a crack changes inside the contact problem.
+/// Effect of a ring crack in the contact problem.
 struct RingHinge {
   enum class Ring { rim, outer, spline } ring = Ring::rim;
   double position = 0.0;   // theta_c
@@ -64,7 +64,7 @@ struct SoftTooth {
 };
 struct SoftBall {
   double position = 0.0;
-  double compliance = 0.0;  // in series with the contact [m/N]
+  double compliance = 0.0;  // compliance in series with the contact [m/N]
 };
 struct ContactCracks {
   std::vector<RingHinge> hinges;

@@ -13,14 +13,14 @@ namespace {
 
 using std::numbers::pi;
 
-/// Up to this harmonic the whole barrel follows its end.  Beyond, the part that follows shrinks
-/// like 1/n: short waves stay near the rim.  The number has no derivation (TC-2); the ring's own
-/// bending rules there.
+/// Up to this harmonic the whole barrel follows its end.  Beyond, the part that follows decreases
+/// like 1/n, because short waves stay near the rim.  The number is not derived (TC-2), but the
+/// ring's own bending dominates there.
 constexpr double kDecay = 2.5;
 
 double sinc(double x) { return std::sin(x) / x; }
 
-/// Mean over the radius: the plate's own thickness law matters little here.
+/// Mean thickness over the radius; the thickness law of the plate matters little here.
 double mean_thickness(const Diaphragm& diaphragm) {
   if (diaphragm.profile.empty()) return diaphragm.thickness;
   constexpr int kPoints = 64;
@@ -42,7 +42,7 @@ Waves::Waves(const std::vector<double>& positions, int harmonics) {
   const Eigen::ArrayXd s = angle.sin();
   cosine = Eigen::MatrixXd::Ones(angle.size(), harmonics + 1);
   sine = Eigen::MatrixXd::Zero(angle.size(), harmonics + 1);
-  for (int n = 1; n <= harmonics; ++n) {  // turned on by one angle
+  for (int n = 1; n <= harmonics; ++n) {  // advanced by one angle
     const auto c_before = cosine.col(n - 1).array();
     const auto s_before = sine.col(n - 1).array();
     cosine.col(n) = c * c_before - s * s_before;
@@ -231,7 +231,7 @@ void ElasticRings::fill_flexibility(const ContactPlaces& places) {
       at_balls_.cosine * (at_balls_.cosine * balls.even.asDiagonal()).transpose() +
       at_balls_.sine * (at_balls_.sine * balls.even.asDiagonal()).transpose();
 
-  // A ball sees a coast flank as it sees the drive flank on its other side.
+  // For a ball, a coast flank is equivalent to the drive flank on its other side.
   const Kernel mixed = kernel(ball_, drive_flank_);
   const Eigen::MatrixXd even =
       at_balls_.cosine * (at_teeth_.cosine * mixed.even.asDiagonal()).transpose() +
@@ -244,7 +244,7 @@ void ElasticRings::fill_flexibility(const ContactPlaces& places) {
   flexibility_.bottomLeftCorner(2 * teeth_, balls_) =
       flexibility_.topRightCorner(balls_, 2 * teeth_).transpose();
 
-  // Between teeth only the number of pitches counts.
+  // Between teeth only the number of pitches matters.
   std::vector<double> apart;
   for (int k = 0; k < places.pitches; ++k) apart.push_back(k * places.pitch());
   const Waves waves(apart, N_);
@@ -268,7 +268,7 @@ void ElasticRings::fill_flexibility(const ContactPlaces& places) {
 
 void ElasticRings::fill_lobe() {
   Eigen::VectorXd mean = Eigen::VectorXd::Zero(coefficients());
-  mean[0] = 1.0;  // of w at 0 and pi: the even cosines
+  mean[0] = 1.0;  // mean of w at 0 and pi, that is, the even cosines
   for (int n = 2; n <= N_; n += 2) mean[at(n)] = 1.0;
   lobe_ = -closings_of(response_to(mean));  // by reciprocity
 }
@@ -277,7 +277,7 @@ ElasticRings ElasticRings::softened(const std::vector<RingHinge>& hinges) const 
   ElasticRings soft_rings = *this;
   for (const RingHinge& hinge : hinges) {
     const bool spline = hinge.ring == RingHinge::Ring::spline;
-    if (spline && !has_spline_) continue;  // a rigid ring does not bend
+    if (spline && !has_spline_) continue;  // a rigid ring cannot bend
     const double R = spline ? spline_radius_ : ring_radius_;
     Softening soft{.ring = hinge.ring,
                    .softening = hinge.softening,
@@ -325,7 +325,7 @@ Eigen::VectorXd ElasticRings::closings(const Eigen::VectorXd& force) const {
   const auto made = [&](std::size_t p) { return force[carries[p]] * flexibility_.col(carries[p]); };
   Eigen::VectorXd closings = Eigen::VectorXd::Zero(contacts());
   std::size_t p = 0;
-  for (; p + 4 <= carries.size(); p += 4)  // four in one pass: the sums stay in registers
+  for (; p + 4 <= carries.size(); p += 4)  // four in one pass keep the sums in registers
     closings -= (made(p) + made(p + 1)) + (made(p + 2) + made(p + 3));
   for (; p < carries.size(); ++p) closings -= made(p);
   return closings;
@@ -377,7 +377,7 @@ double ElasticRings::tangential(const Eigen::VectorXd& x, double theta) const {
 
 double ElasticRings::curvature(const Eigen::VectorXd& x, double theta) const {
   const double R2 = ring_radius_ * ring_radius_;
-  double kappa = 0.0;  // -(w'' + w)/R^2, positive where the ring bends more
+  double kappa = 0.0;  // -(w'' + w)/R^2, positive if the ring bends more
   for (int n = 2; n <= N_; ++n)
     kappa +=
         (n * n - 1.0) / R2 * (x[at(n)] * std::cos(n * theta) + x[at(n) + 1] * std::sin(n * theta));

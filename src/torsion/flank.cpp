@@ -17,9 +17,9 @@ double least_flank_angle(double kappa) {
 }
 
 double tooth_pair_stiffness(double youngs_modulus, double module, double rim_thickness) {
-  // Compliances per face width, times E.  The line is fitted to plane-strain finite elements.
+  // Compliances per face width, times E.  This line is fitted to plane-strain finite elements.
   const double flexspline_tooth = 3.296 + 3.090 * module / rim_thickness;
-  // Estimates, which no computation or measurement supports.
+  // These numbers are estimates without support by computation or measurement.
   constexpr double circular_spline_tooth = 3.605;
   constexpr double line_contact = 2.472;
   return youngs_modulus / (flexspline_tooth + circular_spline_tooth + line_contact);  // (TC-9)
@@ -27,7 +27,7 @@ double tooth_pair_stiffness(double youngs_modulus, double module, double rim_thi
 
 double FlankLaw::force(double closing) const {
   if (closing <= 0) return 0.0;
-  const double whole = slope * face_width;  // the closing at which the whole face touches
+  const double whole = slope * face_width;  // closing at which the whole face touches
   return closing < whole ? pair_stiffness * closing * closing / (2 * slope)
                          : pair_stiffness * face_width * (closing - whole / 2);  // (TC-8)
 }

@@ -21,7 +21,7 @@ double plate_edge_stiffness(const ClampedPlate& plate, int harmonic) {
   const double D =
       plate.youngs_modulus * std::pow(plate.thickness, 3) / (12 * (1 - nu * nu));  // (TC-3)
   // Deflection r^p cos(n theta), r over the outer radius.  The negative powers are scaled to 1 at
-  // the inner edge, where they matter: a high n would overflow otherwise.
+  // the inner edge, where they matter, because a high n would otherwise overflow.
   const std::array<double, 4> powers = {n, -n, n + 2, 2 - n};
   Eigen::Matrix4d conditions;
   Eigen::Vector4d edge_shear;

@@ -15,14 +15,15 @@ namespace {
 
 using std::numbers::pi;
 
-// The maker's torques where the file gives none, from catalogues (TC-14): T1 and T2 over the cube
-// of the pitch diameter [Pa], T3 and rated torque over T2.
+// Default torques of the maker, from catalogues (TC-14): T1 and T2 over the cube of the pitch
+// diameter [Pa], T3 and rated torque over T2.
 constexpr double kConventionT1 = 0.0517e6;
 constexpr double kConventionT2 = 0.187e6;
 constexpr double kConventionT3 = 1.6;
 constexpr double kConventionRated = 1.8;
 
-/// Shares of the members in the tangent compliance, those of the contact problem and in series.
+/// Sets the shares of the members in the tangent compliance: members of the contact problem and
+/// members in series.
 void set_shares(CurvePoint& point, const AssembledDrive::Contents& contents,
                 const Equilibrium& state, const CoupledDrive::Tangent& tangent) {
   const SeriesMembers& series = contents.series;
@@ -50,7 +51,7 @@ void add_contacts(CurvePoint& point, const CoupledDrive& drive, const Equilibriu
     } else if (touches) {
       const bool drives = i < drive.balls() + drive.tooth_count();
       (drives ? point.drive_flanks : point.coast_flanks).push_back(contact);
-      // A tooth that touches on both flanks is one tooth.
+      // A tooth that touches on both flanks counts as one tooth.
       point.teeth_in_contact += drives || !(state.force[i - drive.tooth_count()] > 0);
     }
   }
@@ -74,8 +75,8 @@ CurvePoint point_of(const AssembledDrive::Contents& contents, const Equilibrium&
   return point;
 }
 
-/// Solves one torque after the other and shows each state to `see`.
-/// @return  why the curve is not usable from some torque on; empty if all were found
+/// Solves one torque after the other and passes each state to `see`.
+/// @return  reason why the curve is not usable from some torque on; empty if all states were found
 template <class See>
 std::string walk(const AssembledDrive::Contents& contents, std::span<const double> torques,
                  const Progress& progress, const See& see) {
@@ -83,11 +84,12 @@ std::string walk(const AssembledDrive::Contents& contents, std::span<const doubl
   const CoupledGeometry& g = contents.geometry;
   if (!contents.fails_because.empty()) return contents.fails_because;
   Equilibrium state = drive.assembled();
-  // Half a pitch of free travel: the flanks of this tooth never meet, the next one's would.
+  // After half a pitch of free travel, the flanks of the next tooth would touch instead of those of
+  // this tooth.
   const double most = pi * g.pitch_radius / g.teeth;
   for (std::size_t i = 0; i < torques.size(); ++i) {
     const double torque = torques[i];
-    // At no torque the ring rests where it was assembled, whatever the path.
+    // At zero torque the ring rests in its assembled position, independently of the path.
     state = torque == 0 ? drive.assembled() : drive.solve(torque, state);
     if (!state.converged)
       return fmt::format(
@@ -106,7 +108,7 @@ std::string walk(const AssembledDrive::Contents& contents, std::span<const doubl
   return contents.series_unusable;
 }
 
-/// Flanks that press on each other without torque.
+/// Notes flanks that press on each other without torque.
 void note_interference(const CoupledDrive& drive, std::vector<Note>& notes) {
   const double jam = drive.largest_flank_force(drive.assembled());
   if (!(jam > 0)) return;
@@ -192,7 +194,7 @@ std::vector<RimState> rim_states(const AssembledDrive& assembled, double torque,
 }
 
 double curve_uncertainty(const GearSet& gear) {
-  // From the errors against catalogues (theory manual, chapter CV).
+  // Values from the errors against catalogues (theory manual, chapter CV).
   constexpr double kLeastRegularRatio = 50;
   constexpr double kRegular = 0.15;
   constexpr double kAtLowRatio = 1.0;
