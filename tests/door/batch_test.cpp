@@ -65,7 +65,7 @@ TEST(Batch, CrosscheckEqualsSingleEvaluations) {
 TEST(Batch, IdentityForAnyNumberOfThreads) {
   const std::vector<std::string> paths = {"output_shaft.crack[0].depth"};
   std::vector<double> values;
-  for (int i = 0; i < 40; ++i) values.push_back((i - 2) * 0.5e-3);  // some of them are refused
+  for (int i = 0; i < 40; ++i) values.push_back((i - 2) * 0.5e-3);  // some values are refused
   const auto with = [&](int threads) {
     return batch(article(),
                  {.paths = paths, .values = values, .outputs = kOutputs, .threads = threads});
@@ -143,7 +143,7 @@ TEST(Batch, BehaviourStopsAfterTheRowThatAsks) {
   };
   EXPECT_THROW((void)run(1, progress), Stopped);
   EXPECT_EQ(told, 3);
-  // The calling thread asks even if the others have taken all rows.
+  // The calling thread asks even if other threads have taken all rows.
   EXPECT_THROW((void)run(3, Progress([](double) { return false; })), Stopped);
 }
 

@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// The second table of commands: what can be named in it, and whether its answers keep what their
-// descriptions say.
+// SPDX-License-Identifier: Apache-2.0 The second table of commands: its names, and whether its
+// answers agree with their descriptions.
 #include "strainwave/fe_study/commands.hpp"
 
 #include <gtest/gtest.h>
@@ -115,7 +114,7 @@ TEST(FeAnswersRefused, InputFieldsOfADryRunAndATableWithoutJournal) {
             "journal: must be given; tabulate needs a journal");
 }
 
-// Each code with the drive that has it; no code is made by two of the drives' own features.
+// Each code with a drive that causes it; no two features of the drives cause the same code.
 TEST(FeNotes, IdentityEveryCodeIsReachedWithItsSeverity) {
   test::start_mpi();
   std::map<std::string, Severity> seen;

@@ -62,7 +62,7 @@ TEST(CheckMesh, IdentitySoundMeshPasses) {
   SectionMesh leaning = square();
   leaning.points[2].r += std::sqrt(3.0);
   leaning.points[3].r += std::sqrt(3.0);
-  EXPECT_NEAR(mesh_quality(leaning).worst_corner_sine, 0.5, 1e-15);  // sin 30 degrees
+  EXPECT_NEAR(mesh_quality(leaning).worst_corner_sine, 0.5, 1e-15);  // sine of 30 degrees
 }
 
 TEST(CheckMesh, InputEveryRuleBrokenOnce) {
@@ -108,8 +108,8 @@ TEST(GridLines, IdentityBreaksAreLinesAndSpacingGrows) {
   EXPECT_TRUE(std::ranges::is_sorted(lines));
   for (const double line : {0.0, 1.0, 3.0}) EXPECT_EQ(std::ranges::count(lines, line), 1) << line;
   const auto at = static_cast<std::size_t>(std::ranges::find(lines, 1.0) - lines.begin());
-  EXPECT_LT(lines[at + 1] - 1, 0.3);                       // fine at the focus
-  EXPECT_GT(lines.back() - lines[lines.size() - 2], 0.5);  // coarse far from it
+  EXPECT_LT(lines[at + 1] - 1, 0.3);                       // the grid is fine at the focus
+  EXPECT_GT(lines.back() - lines[lines.size() - 2], 0.5);  // the grid is coarse far from the focus
   for (std::size_t k = 1; k < lines.size(); ++k) EXPECT_LT(lines[k] - lines[k - 1], 0.9);
 }
 
@@ -179,7 +179,8 @@ TEST(MeshSection, IdentityCrackFacesAreDoubled) {
       EXPECT_EQ(count, on_face ? 2 : 1) << place.first << ' ' << place.second;
     }
     EXPECT_EQ(mesh.crack->direction, from_outside ? -1 : 1);
-    EXPECT_NEAR(mesh.crack->cell, from_outside ? 0.2 : 0.2, 1e-12);  // half of the lesser 0.4
+    EXPECT_NEAR(mesh.crack->cell, from_outside ? 0.2 : 0.2,
+                1e-12);  // half of the smaller distance, 0.4
   }
 }
 

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// Every rule broken once, and every boundary that a rule still accepts.
+// SPDX-License-Identifier: Apache-2.0 Breaks every rule once, and tests every boundary that a rule
+// still accepts.
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ using namespace units;  // NOLINT(google-build-using-namespace): 3 * mm reads as
 using std::numbers::pi;
 using test::article_gear;
 
-/// The refusal of a gear; "accepted" if there is none.
+/// The message that refuses a gear; "accepted" if it is valid.
 InputError refusal(const GearSet& gear) {
   try {
     check(gear);
@@ -44,7 +44,7 @@ InputError refusal(const GearSet& gear) {
   return {"", "accepted"};
 }
 
-/// A second sound drive, with the parts that the article's does not have.
+/// A second sound drive with the parts that the article's drive lacks.
 GearSet sections_gear() {
   GearSet gear = article_gear();
   gear.name = "sections";
@@ -89,7 +89,7 @@ GearSet sections_gear() {
   return gear;
 }
 
-/// The same with what the torsion curve needs, and its cracks.
+/// The second drive with the inputs of the torsion curve and its cracks.
 GearSet coupled_gear() {
   GearSet gear = sections_gear();
   gear.name = "coupled";
@@ -141,7 +141,7 @@ GearSet coupled_gear() {
 
 Diaphragm& diaphragm(GearSet& gear) { return *gear.flexspline->diaphragm; }
 
-/// The same crack a second time, at another position [rad].
+/// Adds the same crack a second time at another position [rad].
 template <class Cracks, class Crack>
 void crack_again(Cracks& cracks, Crack crack, double position) {
   crack.position = position;
@@ -581,7 +581,7 @@ const std::vector<Broken> kBroken = {
      "flexspline.crack[2].radius", "radius +- width/2 on the diaphragm", ""},
     {"GrooveThroughTheDiaphragm", coupled_gear, [](GearSet& g) { groove(g).depth = 2.5 * mm; },
      "flexspline.crack[2].depth", "depth < thickness of the diaphragm", ""},
-    {"GrooveThroughAThinPlaceInside", coupled_gear,  // 2 mm at 50 mm, more on either side
+    {"GrooveThroughAThinPlaceInside", coupled_gear,  // 2 mm thick at a radius of 50 mm, thicker on either side
      [](GearSet& g) {
        groove(g).radius = 50 * mm;
        groove(g).width = 6 * mm;
@@ -723,7 +723,7 @@ struct Accepted {
 };
 
 double below(double x) { return std::nextafter(x, 0.0); }
-/// For rules that do not let rounding decide.
+/// Factor for rules that are not decided by rounding.
 double just_below(double x) { return x * (1 - 1e-11); }
 
 const std::vector<Accepted> kAccepted = {
@@ -955,8 +955,8 @@ double inside(const Range& range) {
   return std::isfinite(range.lower) ? range.lower + 1 : 1.0;
 }
 
-/// Gives a value everything that its type can hold: each optional, one element in each map, and in
-/// each list one of every kind.
+/// Fills a value with everything that its type can hold: each optional, one element in each map,
+/// and one element of every kind in each list.
 template <class T>
 void fill(T& value, const Field& field) {
   if constexpr (std::is_same_v<T, double>) {
@@ -981,8 +981,8 @@ void fill(T& value, const Field& field) {
   }
 }
 
-/// A drive of which every number that can be given is given; the rules between fields are broken,
-/// which is found out only after the ranges.
+/// A drive that gives every possible number.  It breaks rules between fields, which are checked
+/// only after the ranges.
 GearSet full_gear() {
   GearSet gear;
   fill(gear, Field{});
@@ -1039,7 +1039,7 @@ TEST(CheckRange, BehaviourTheFullDriveHasEveryNumberThatADriveCanHave) {
   });
   EXPECT_EQ(present, possible);
   EXPECT_GT(present.size(), 60U);
-  // All of them are in their ranges: what is wrong with it is not a range.
+  // All numbers are in their ranges, so the fault is not a range.
   EXPECT_EQ(refusal(full).rule(), "radial_displacement < pitch_diameter/2");
 }
 
@@ -1082,7 +1082,7 @@ TEST(CheckRange, InputEveryBoundIsHeldOnBothSides) {
   EXPECT_GT(bounds, 60);
 }
 
-/// The bounds themselves, written down once more: a range loosened by mistake shows here.
+/// The bounds, written down a second time, so a range that was widened by mistake is detected.
 TEST(CheckRange, ReferenceRanges) {
   const std::set<std::string> any = {"load.torque",
                                      "load.axial_force",

@@ -46,7 +46,7 @@ std::string text_of(const std::string& name) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Few positions and draws: what is tested here is the report, not the curve.
+/// Few positions and draws suffice, because these tests are on the report and not on the curve.
 Report report_on(const std::string& text, Method method = Method::corrected) {
   return make_report(
       read_gear_set(text, "drive.toml"), kProvenance,
@@ -65,7 +65,7 @@ const ReportSection& section(const Report& report, const std::string& id) {
   throw std::runtime_error("no section " + id);
 }
 
-/// The page is XML but for the style sheet's raw text, which has neither `<` nor `&`.
+/// The page is XML except for the raw text of the style sheet, which contains neither `<` nor `&`.
 std::vector<Element> parsed(const std::string& html) { return test::parse_xml(html); }
 
 TEST(Report, BehaviourEveryExampleGivesAWholePage) {
@@ -113,7 +113,7 @@ TEST(Report, BehaviourNothingComesFromOutsideTheFile) {
   const std::string html = report_html(report_on(text_of("cracked_size25")));
   for (const char* const forbidden : {"src=", "<script", "<link", "<iframe", "@import", "url("})
     EXPECT_EQ(html.find(forbidden), std::string::npos) << forbidden;
-  // The name spaces of XML are names, not places.
+  // XML namespaces are names, not addresses.
   std::string rest = html;
   for (const std::string name :
        {"xmlns=\"http://www.w3.org/1999/xhtml\"", "xmlns=\"http://www.w3.org/2000/svg\""})
@@ -127,7 +127,7 @@ TEST(Report, IdentityTheSameInputGivesTheSameBytes) {
   EXPECT_EQ(report_html(report_on(text)), report_html(report_on(text)));
 }
 
-// Every number of the page that names its place in the result is that of `evaluate`.
+// Every number of the page with a path in the result equals that of `evaluate`.
 TEST(Report, CrosscheckNumbersAreThoseOfEvaluate) {
   for (const char* const name : {"article", "cracked_size25", "cup_sections", "solid_shaft"}) {
     const std::string text = text_of(name);
@@ -180,7 +180,7 @@ TEST(Report, InputTextFromTheFileIsEscapedEverywhere) {
   const std::string evil = "<script>alert(1)</script> & \\\"q\\\" 'x'";
   const std::size_t at = text.find("Article example");
   text.replace(at, text.find('"', at) - at, evil);
-  // A name of a material is a key, and stands in paths and notes.
+  // The name of a material is a key and appears in paths and notes.
   for (std::size_t i = text.find("[material.steel]"); i != std::string::npos;
        i = text.find("[material.steel]"))
     text.replace(i, 16, "[material.\"<b>&\"]");
@@ -217,7 +217,7 @@ TEST(Report, ReferenceProvenanceHasTheInputWordForWord) {
          at = word_for_word.find(entity, at))
       word_for_word.replace(at, entity.size(), plain);
   EXPECT_EQ(word_for_word, text);
-  EXPECT_EQ(html.find("Date"), std::string::npos);  // none unless it is given
+  EXPECT_EQ(html.find("Date"), std::string::npos);  // no date unless it is given
 }
 
 TEST(Report, ReferenceInputsSayWhoGaveThem) {
@@ -236,7 +236,7 @@ TEST(Report, ReferenceInputsSayWhoGaveThem) {
       {"mesh.flank_angle", "assumed"},
       {"wave_generator.load_factor", "default"},
       {"flexspline.length", "typical"},
-      {"flexspline.rim.outer_diameter", "in the file"},  // its comment begins otherwise
+      {"flexspline.rim.outer_diameter", "in the file"},  // its comment begins with another word
       {"load.axial_force", "default"}};
   for (const auto& [field, giver] : expected) EXPECT_EQ(givers[field], giver) << field;
   const std::string& html = section(report, "inputs").html;
@@ -269,7 +269,8 @@ TEST(Report, BehaviourEveryNoteAndEquationIsThere) {
   const std::string& notes = section(report, "notes").html;
   for (const Note& note : report.result.notes)
     EXPECT_NE(notes.find("data-code=\"" + note.code + "\""), std::string::npos) << note.code;
-  // Beside those of the result there are the notes of curve and sensitivity, each once.
+  // In addition to the notes of the result, the report has the notes of curve and sensitivity, each
+  // once.
   EXPECT_GE(count(notes, "<li "), report.result.notes.size());
   const std::string& equations = section(report, "equations").html;
   for (const std::string& tag : report.result.equations)
@@ -281,7 +282,8 @@ TEST(Report, BehaviourEveryNoteAndEquationIsThere) {
 }
 
 TEST(Report, ReferenceVerdictFollowsTheWorstNote) {
-  // The solid shaft's crack is far below its toughness; deeper and under more torque it runs.
+  // The crack of the solid shaft is far below its toughness; deeper and under more torque it
+  // fractures.
   GearSet gear = read_gear_set(text_of("solid_shaft"), "x");
   const auto verdict = [&] { return make_report(gear, kProvenance, {}).verdict; };
   EXPECT_EQ(verdict().find("verdict bad"), std::string::npos);
@@ -313,7 +315,7 @@ TEST(Report, BehaviourWithoutGeometryThereIsASentenceInsteadOfACurve) {
   EXPECT_GE(count(curve, "<svg"), 2U);
   EXPECT_NE(curve.find(">with cracks<"), std::string::npos);
   EXPECT_NE(curve.find(">sound<"), std::string::npos);
-  // The plot's own rules stay within it.
+  // The style rules of the plot apply only to the plot.
   EXPECT_EQ(curve.find("\ntext {"), std::string::npos);
   EXPECT_NE(curve.find(".plot text {"), std::string::npos);
 }
@@ -341,7 +343,7 @@ TEST(Report, BehaviourToughnessGivesUtilisationWithALineAtOne) {
     }
   EXPECT_TRUE(bar);
   EXPECT_NE(html.find("class=\"reference\""), std::string::npos);
-  // Without toughness the report says that it cannot judge.
+  // Without a toughness the report states that it cannot judge.
   EXPECT_NE(
       section(report_on(text_of("article")), "intensities").html.find("give no fracture_toughness"),
       std::string::npos);
@@ -368,13 +370,13 @@ TEST(Report, BehaviourCracksBeyondCriticalStandOnTop) {
   EXPECT_EQ(count(html, "</code>: "), report.result.strength.size());
   EXPECT_EQ(count(html, "<rect class=\"bar"), bars);
   EXPECT_NE(html.find(">line, hard_steel<"), std::string::npos);
-  // Nothing to hold the cracks against: the report says so.
+  // If there is nothing to compare the cracks with, the report states this.
   EXPECT_NE(section(report_on(text_of("article")), "strength").html.find("Cannot tell"),
             std::string::npos);
   EXPECT_NE(report_on(text_of("article")).verdict.find("verdict care"), std::string::npos);
 }
 
-// The headline counts every crack, also those that the assessment cannot answer.
+// The headline counts every crack, including cracks that cannot be assessed.
 TEST(Report, BehaviourHeadlineCountsHoldingBreakingAndUnknownCracks) {
   const auto number_before = [](const std::string& text, const std::string& words) {
     const std::size_t end = text.find(words);
@@ -445,7 +447,7 @@ TEST(Report, BehaviourLeastReserveIsOfBothSensesOfTorque) {
         << cell;
     senses.insert(cell.substr(cell.find("<b>")));
   }
-  // Reversing the given torque changes which sense is given, not the worse one.
+  // Reversing the given torque changes the given sense but not the worse sense.
   EXPECT_EQ(senses.size(), 1U);
 }
 
@@ -458,7 +460,7 @@ TEST(Report, LimitNoiseAndSignedZerosAreShownAsZero) {
   }
 }
 
-// Labels of bars are whole and on the paper, whatever their length.
+// Labels of bars of any length are complete and on the paper.
 TEST(Report, BehaviourLabelsOfBarsFitOnThePaper) {
   for (const char* const name : {"cracked_size25", "critical_crack", "library_material"}) {
     const Report report = report_on(text_of(name));
