@@ -60,8 +60,7 @@ struct DirectSolver::Mumps {
     check_mumps(id_.infog[0], id_.infog[1]);
   }
 
-  /// Factors the matrix.  If the workspace estimated by the analysis does not suffice, it repeats
-  /// with more.
+  /// Factors the matrix.  Repeats with a larger workspace if that of the analysis is too small.
   void factor() {
     constexpr int kMostPercent = 1000;
     for (int more = std::max(100, 2 * control(14));; more *= 2) {

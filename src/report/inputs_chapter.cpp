@@ -191,9 +191,9 @@ ReportSection inputs_chapter(Draft& draft) {
   }
   draft.inputs_summary = summary;
   summary +=
-      ". “In the file” stands for what the file gives without saying how it is known; “default” is "
-      "filled in by strainwave because the file does not say. Of a typical or assumed value, the "
-      "remark gives the limits and where they come from.";
+      ". “In the file” means that the file gives the value without its origin. “Default” means "
+      "that strainwave uses its default, because the file leaves the value out. For a typical or "
+      "assumed value, the remark gives the limits and their origin.";
   return {"inputs", "Inputs",
           paragraph(summary) + table("Inputs, as the file writes them",
                                      {"field", "value", "given by", "meaning", "remark"}, groups,

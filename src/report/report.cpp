@@ -50,9 +50,10 @@ std::string strength_words(const Draft& draft) {
   if (draft.cracks.empty()) return {};
   if (draft.result.strength.empty())
     return draft.corrected()
-               ? "Strength: not assessed, no toughness or yield strength in the file."
-               : fmt::format("Strength: not assessed, the method {} has no failure assessment.",
-                             enum_name(draft.result.method));
+               ? "Strength: not assessed, because the file gives no toughness or yield strength."
+               : fmt::format(
+                     "Strength: not assessed, because the method {} has no failure assessment.",
+                     enum_name(draft.result.method));
   return "Strength at the given load: " + strength_summary(draft.result.strength) +
          ", under the worse sense of the torque.";
 }
@@ -112,7 +113,7 @@ std::string verdict_html(const Draft& draft) {
     if (crack.breaks())
       html +=
           fmt::format("<p><code>{}</code>: {}</p>\n", escaped(crack.path), escaped(crack.sentence));
-  if (broken) html += paragraph("The stiffness below is that of the cracks as they stand.");
+  if (broken) html += paragraph("The stiffness below holds for the present size of the cracks.");
   html += paragraph("Inputs: " + draft.inputs_summary + ".");
   html += "<dl class=\"key\">\n";
   const auto stiffness = [&](const std::string& path, const Quantity& K) {
@@ -149,17 +150,19 @@ ReportSection drawing_chapter(const Draft& draft) {
   std::string html;
   const std::string section = section_drawing(draft.gear);
   if (section.empty())
-    html += paragraph("The file gives no member that could be drawn.", "absent");
+    html += paragraph("The file gives no member to draw.", "absent");
   else
-    html +=
-        figure(section, "Half section through the axis; cracks in red, at their numbers.", "paper");
+    html += figure(
+        section, "Half section through the axis. Cracks are red and carry their numbers.", "paper");
   const std::string front = front_drawing(draft.gear);
   if (!front.empty())
-    html += figure(front, "Where the cracks are round the axis, the wave generator as it stands.",
+    html += figure(front,
+                   "Positions of the cracks round the axis, with the major axis of the wave "
+                   "generator upright.",
                    "paper");
   const std::string wall = wall_drawing(draft.gear);
   if (!wall.empty())
-    html += figure(wall, "Cracks of the wall; β = +45° is opened by T > 0.", "paper");
+    html += figure(wall, "Cracks of the wall. T > 0 opens a crack at β = +45°.", "paper");
   if (!draft.cracks.empty()) {
     std::vector<Row> rows;
     for (const NumberedCrack& crack : draft.cracks)
@@ -175,9 +178,9 @@ ReportSection drawing_chapter(const Draft& draft) {
     });
     if (surface)
       html += paragraph(
-          "From which surface a crack over the width of a ring starts is not in the file: it is "
-          "drawn from the raceway of a bearing ring, from the teeth of rim and circular spline; a "
-          "crack or groove of the flexspline from outside.",
+          "The file does not state from which surface a crack over the width of a ring starts. The "
+          "drawing lets it start at the raceway of a bearing ring and at the teeth of rim and "
+          "circular spline. A crack or groove of the flexspline starts outside.",
           "remark");
   }
   return {"drawing", "The drive and its cracks", html};

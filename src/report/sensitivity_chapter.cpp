@@ -34,7 +34,7 @@ std::string tornado(const Sensitivity& s, std::size_t output, const std::string&
   const std::string what = output_words(s.outputs[output].name);
   BarChart chart{.id = id,
                  .title = "Elasticities of the " + what,
-                 .axis = "percent of change for one percent more of the input"};
+                 .axis = "change in percent when the input increases by 1 %"};
   for (const SensitivityInput* input : inputs) {
     const double elasticity = input->influence[output].elasticity;
     chart.bars.push_back({.label = input->path,
@@ -44,7 +44,8 @@ std::string tornado(const Sensitivity& s, std::size_t output, const std::string&
   }
   return chart.bars.empty()
              ? std::string()
-             : figure(bar_chart(chart), "What weighs most on the " + what + ".", "bars");
+             : figure(bar_chart(chart), "Inputs with the strongest influence on the " + what + ".",
+                      "bars");
 }
 
 std::string scatter_html(Draft& draft, const Sensitivity& s) {
@@ -70,18 +71,16 @@ ReportSection absent(std::string_view why) {
 ReportSection sensitivity_chapter(Draft& draft) {
   if (!draft.corrected())
     return absent(
-        fmt::format("No sensitivity: the method {} has none; it is that of the method "
-                    "corrected.",
+        fmt::format("No sensitivity: only the method corrected has one, and this report uses "
+                    "the method {}.",
                     enum_name(draft.result.method)));
   try {
     const Sensitivity s = sensitivity_of(draft.gear);
     if (!s.usable()) return absent("No sensitivity: " + s.unusable_because + ".");
     std::string html = paragraph(
-        "Exact first derivatives of the sum of compliances, as elasticities: by how many percent "
-        "an "
-        "output changes for one percent more of an input, all others kept. The torsion curve is "
-        "not "
-        "in them.");
+        "Exact first derivatives of the sum of compliances, as elasticities. An elasticity is the "
+        "change of an output in percent when one input increases by 1 % and all others stay. The "
+        "elasticities exclude the torsion curve.");
     const std::string sense = draft.gear.load.torque > 0 ? "positive" : "negative";
     std::size_t charts = 0;
     for (const std::string& name : {draft.cracks.empty() ? std::string("intact.stiffness")

@@ -50,11 +50,11 @@ ReportSection strength_chapter(const Draft& draft) {
     section.html = paragraph(
         draft.cracks.empty() ? "The file has no cracks."
         : !draft.corrected()
-            ? fmt::format("No failure assessment: the method {} has none; it is a model of the "
-                          "method corrected.",
+            ? fmt::format("No failure assessment: only the method corrected has one, and this "
+                          "report uses the method {}.",
                           enum_name(r.method))
             : "Cannot tell: no material of the file gives fracture_toughness or yield_strength, so "
-              "there is nothing to hold the cracks against.",
+              "the cracks cannot be assessed.",
         "absent");
     return section;
   }

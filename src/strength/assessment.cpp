@@ -254,7 +254,8 @@ void doubt(StrengthState& state, const AssessedCrack& asked, const InDiagram& po
     cannot_tell(state,
                 fmt::format("the crack is larger than {:.3g} mm, {}", crack.range_end / units::mm,
                             crack.range_text),
-                "No field makes so large a crack assessable: judge it by finite elements.");
+                "Assess so large a crack by finite elements, because no field of the file can make "
+                "it assessable.");
   } else if (state.with_assembly && point.chi() > kMaxInteractionRatio &&
              crack.assembly_peak > *asked.material.yield_strength) {
     cannot_tell(

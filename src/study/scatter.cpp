@@ -208,11 +208,11 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
          "scatter", "SN-8", Severity::care});
   scatter.notes.push_back(
       {"scatter.model_form",
-       "the uncertainty of the model's form is beside, not in, the scatter by the inputs",
-       "scatter", "ST-16", Severity::information});
+       "the scatter by the inputs does not include the uncertainty of the model's form", "scatter",
+       "ST-16", Severity::information});
   scatter.notes.push_back({"scatter.independent",
-                           "the inputs are drawn independently of each other; numbers of one "
-                           "casting or one heat treatment may not be",
+                           "the inputs are drawn independently of each other, although numbers "
+                           "of one casting or one heat treatment may depend on each other",
                            "scatter", "SN-7", Severity::information});
   return scatter;
 }

@@ -98,9 +98,10 @@ Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options)
       kept.push_back(y);
       sensitivity.outputs.push_back(all[y]);
     } else {
-      sensitivity.notes.push_back({"sensitivity.no_loss",
-                                   "no crack takes stiffness away: a loss of 0 has no elasticity",
-                                   all[y].name, "SN-1", Severity::information});
+      sensitivity.notes.push_back(
+          {"sensitivity.no_loss",
+           "no crack reduces the stiffness, and a loss of 0 has no elasticity", all[y].name, "SN-1",
+           Severity::information});
     }
   }
 
@@ -141,10 +142,11 @@ Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options)
   sensitivity.notes.push_back({"sensitivity.whole_numbers",
                                "whole numbers, such as the wave number, have no derivative", "",
                                "SN-1", Severity::information});
-  sensitivity.notes.push_back({"sensitivity.series_model",
-                               "of the series model; the maker's K1, K2, K3 of the torsion curve "
-                               "are not differentiated",
-                               "", "ST-1", Severity::information});
+  sensitivity.notes.push_back(
+      {"sensitivity.series_model",
+       "the derivatives are those of the series model; the maker's K1, K2, K3 "
+       "of the torsion curve are not differentiated",
+       "", "ST-1", Severity::information});
   return held_to_dimensions(std::move(sensitivity));
 }
 
@@ -163,8 +165,8 @@ Sensitivity held_to_dimensions(Sensitivity sensitivity) {
   const double residual = sensitivity.homogeneity_residual();
   if (sensitivity.usable() && !(residual <= kMaxHomogeneityResidual))
     sensitivity.unusable_because = fmt::format(
-        "the elasticities miss the dimensions of the stiffness by {:.2g} (SN-6): the model reads a "
-        "number whose derivative is lost",
+        "the elasticities miss the dimensions of the stiffness by {:.2g} (SN-6), because the model "
+        "reads a number whose derivative is missing",
         residual);
   return sensitivity;
 }

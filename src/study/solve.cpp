@@ -220,7 +220,7 @@ bool continuous_at(Probe& probe, double x, double lower, double upper, double sc
                     probe.output(std::max(x - step, lower)));
   };
   const double narrow = change(rounding);
-  // The crack integrals have a tolerance, which may cause the smallest steps.
+  // Changes within the tolerance of the crack integrals are not jumps.
   return narrow <= 1e-9 * scale || narrow <= 0.5 * change(1000 * rounding);
 }
 
@@ -312,7 +312,7 @@ class Findings {
             (*result_.least == *result_.greatest ? "it is " : "it lies ") + output_range(result_);
       } else {
         const auto unusable = std::ranges::find(result_.excluded, false, &Excluded::refused);
-        none += fmt::format("nowhere is there a result that may be used: {}", unusable->reason);
+        none += fmt::format("no value gives a result that may be used: {}", unusable->reason);
       }
       remarks_.insert(remarks_.begin(), std::move(none));
     }

@@ -664,8 +664,8 @@ TEST(MakersLines, IdentityByTheirDefinition) {
   gear.rating = rating;
   for (const int sense : {+1, -1}) {
     const MakersLines lines = makers_lines(gear, sense);
-    // Solved along another path; the tolerance is that of the solver, one digit larger for
-    // differences.
+    // The other curve takes another path; the tolerance is that of the solver, one digit larger
+    // for differences.
     const std::array<double, 3> torques = {sense * 70.0, sense * 48.0, sense * 14.0};
     const TorsionCurve curve = torsion_curve(gear, torques);
     const auto phi = [&](double T) {
