@@ -273,11 +273,11 @@ std::vector<TablePoint> rows_of(const TableStudy& study, Journal& table, const P
   const TableFile found = parse_table_file(*there, name);
   refuse_other_head(found.head, head, name);
   if (found.rows.size() > study.points.size())
-    throw InputError(
-        name, fmt::format("has {} points, this family {}", found.rows.size(), study.points.size()));
+    throw InputError(name, fmt::format("has {} points, but this family has {}", found.rows.size(),
+                                       study.points.size()));
   for (std::size_t i = 0; i < found.rows.size(); ++i)
     if (found.rows[i].at != study.points[i])
-      throw InputError(name, fmt::format("point {} differs from this family's", i + 1));
+      throw InputError(name, fmt::format("point {} differs from the point of this family", i + 1));
   if (found.torn) {
     table.begin(there->substr(0, found.whole));
     progress.say(

@@ -113,7 +113,7 @@ std::string verdict_html(const Draft& draft) {
     if (crack.breaks())
       html +=
           fmt::format("<p><code>{}</code>: {}</p>\n", escaped(crack.path), escaped(crack.sentence));
-  if (broken) html += paragraph("The stiffness below holds for the present size of the cracks.");
+  if (broken) html += paragraph("The stiffness below is for the cracks in their present state.");
   html += paragraph("Inputs: " + draft.inputs_summary + ".");
   html += "<dl class=\"key\">\n";
   const auto stiffness = [&](const std::string& path, const Quantity& K) {
