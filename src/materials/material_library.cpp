@@ -56,8 +56,9 @@ void check_names(const MaterialLibrary& library) {
   const auto take = [&](const FieldPath& path, const std::string& name) {
     check_text(path.text(), name);
     if (!taken.insert(plain_name(name)).second)
-      throw InputError(path.text(),
-                       fmt::format("\"{}\" is there twice, but for case and blanks", shown(name)));
+      throw InputError(
+          path.text(),
+          fmt::format("\"{}\" is given twice; case and blanks do not count", shown(name)));
   };
   for (std::size_t i = 0; i < library.material.size(); ++i) {
     const MaterialRecord& record = library.material[i];
@@ -84,7 +85,7 @@ void check_sources(const MaterialLibrary& library) {
   for (const auto& [key, text] : library.source) {
     const std::string field = (FieldPath("source") / key).text();
     check_text(field, text);
-    if (!used.contains(key)) throw InputError(field, "is the source of nothing");
+    if (!used.contains(key)) throw InputError(field, "is not used by any number");
   }
 }
 

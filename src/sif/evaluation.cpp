@@ -111,7 +111,7 @@ void require_known(const Row& row, const Assignments& values) {
   for (const auto& [name, value] : values)
     if (std::ranges::find(known, name) == known.end())
       throw InputError(
-          name, "is no field or load of " + std::string(row.info.name) + near_text(name, known));
+          name, "is not a field or load of " + std::string(row.info.name) + near_text(name, known));
 }
 
 void state_fields(Evaluation& result, const Row& row, const Assignments& values,

@@ -117,7 +117,7 @@ TEST(ComplianceTable, InputRulesBrokenOnce) {
   refused(gear, "load.axial_force must be 0");
   gear = tabulated_gear();
   gear.compliance_tables["made_up.csv"].fixed.pop_back();
-  refused(gear, "does not say what poissons_ratio it was made with");
+  refused(gear, "does not state the poissons_ratio of its computation");
   gear = tabulated_gear();
   gear.compliance_tables["made_up.csv"].fixed[3].unit = "N";
   refused(gear, "has length in \"N\", not in \"m\"");

@@ -76,7 +76,7 @@ TEST(Variation, InputMessagesNameOptionAndValue) {
   EXPECT_EQ(fault("output_shaft.crack[0].depth=0.1 mm..2 mm:100001"),
             "--vary output_shaft.crack[0].depth: 100001 points; must be from 2 to 100000");
   EXPECT_EQ(fault("output_shaft.crack[0].depth=0.1 mm..2 mm"),
-            "--vary output_shaft.crack[0].depth: \"0.1 mm..2 mm\" does not say how many points: "
+            "--vary output_shaft.crack[0].depth: \"0.1 mm..2 mm\" needs a number of points: "
             "FROM..TO:N");
   EXPECT_EQ(fault("output_shaft.crack[0].depth=0.1 mm-2 mm:3"),
             "--vary output_shaft.crack[0].depth: \"0.1 mm-2 mm\" must be FROM..TO, each with its "

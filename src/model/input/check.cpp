@@ -220,7 +220,7 @@ void check_hinges(const FieldPath& path, const Cracks& cracks, double thickness,
         throw InputError(
             (path[i] / "position").text(),
             fmt::format("{:.4g} deg is {:.3g} mm along the ring from {} at {:.4g} deg, and each "
-                        "crack softens {:.3g} mm: give one crack in place of both, or place them "
+                        "crack softens {:.3g} mm: combine them into one crack, or place them "
                         "that far apart",
                         here->position / units::deg, apart / units::mm, path[other].text(),
                         there->position / units::deg, length / units::mm));
@@ -326,10 +326,10 @@ void check_overlaps(const FieldPath& path, const Flexspline& fs) {
                           std::holds_alternative<DiaphragmGroove>(fs.crack[other]);
       if (here && there && groove && clearly_less((*here)[0], (*there)[1]) &&
           clearly_less((*there)[0], (*here)[1]))
-        throw InputError(
-            (path[i] / "radius").text(),
-            fmt::format("overlaps {}: cracks are added up as if alone, give one of both",
-                        path[other].text()));
+        throw InputError((path[i] / "radius").text(),
+                         fmt::format("overlaps {}: combine the two cracks into one, because the "
+                                     "model adds cracks without interaction",
+                                     path[other].text()));
     }
 }
 

@@ -104,7 +104,7 @@ void check_one(const GearSet& gear, const std::string& path, const Crack& crack)
     }
     const auto fixed = std::ranges::find(table.fixed, number.name, &TableParameter::name);
     if (fixed == table.fixed.end())
-      refuse(fmt::format("does not say what {} it was made with", number.name));
+      refuse(fmt::format("does not state the {} of its computation", number.name));
     same_unit(*fixed, number);
     if (!agree(fixed->value, number.value))
       refuse(fmt::format("was made with {} = {}, and the drive has {}", number.name,
