@@ -78,9 +78,11 @@ ReportSection sensitivity_chapter(Draft& draft) {
     const Sensitivity s = sensitivity_of(draft.gear);
     if (!s.usable()) return absent("No sensitivity: " + s.unusable_because + ".");
     std::string html = paragraph(
-        "Exact first derivatives of the sum of compliances, as elasticities. An elasticity is the "
-        "change of an output in percent when one input increases by 1 % and all others stay. The "
-        "elasticities exclude the torsion curve.");
+        "Exact first derivatives of the sum of compliances, as elasticities: by how many percent "
+        "an "
+        "output changes for one percent more of an input, all others kept. The torsion curve is "
+        "not "
+        "in them.");
     const std::string sense = draft.gear.load.torque > 0 ? "positive" : "negative";
     std::size_t charts = 0;
     for (const std::string& name : {draft.cracks.empty() ? std::string("intact.stiffness")

@@ -142,11 +142,10 @@ Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options)
   sensitivity.notes.push_back({"sensitivity.whole_numbers",
                                "whole numbers, such as the wave number, have no derivative", "",
                                "SN-1", Severity::information});
-  sensitivity.notes.push_back(
-      {"sensitivity.series_model",
-       "the derivatives are those of the series model; the maker's K1, K2, K3 "
-       "of the torsion curve are not differentiated",
-       "", "ST-1", Severity::information});
+  sensitivity.notes.push_back({"sensitivity.series_model",
+                               "of the series model; the maker's K1, K2, K3 of the torsion curve "
+                               "are not differentiated",
+                               "", "ST-1", Severity::information});
   return held_to_dimensions(std::move(sensitivity));
 }
 
