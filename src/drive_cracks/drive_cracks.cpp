@@ -494,7 +494,7 @@ class Maker {
     std::string size;
     if (R)
       size = fmt::format(
-          ", about {:.3g} MPa at the lobe,",
+          ", about {:.3g} MPa at the lobe",
           bending_to_shape(gear_.drive, loads_.ring_steel(), *R, t) / units::MPa);  // (SW-9)
     if (!text.empty()) text += ", and ";
     return text +
