@@ -159,7 +159,7 @@ TEST(ValidationInput, InputRefusals) {
             std::string::npos);
   EXPECT_NE(broken_rule([] {
               return validate({.mode = ValidationMode::leave_one_size_out, .sizes = {8}});
-            }).find("no row"),
+            }).find("must include a row"),
             std::string::npos);
   EXPECT_NE(broken_rule([] {
               return validate({.mode = ValidationMode::leave_one_size_out,
