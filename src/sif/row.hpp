@@ -94,8 +94,8 @@ template <Solution S>
     });
     for (const auto& [name, value] : values)
       if (std::ranges::find(known, name) == known.end())
-        throw InputError(name,
-                         "is no field of " + std::string(S::kInfo.name) + near_text(name, known));
+        throw InputError(
+            name, "is not a field of " + std::string(S::kInfo.name) + near_text(name, known));
     solution.check([](bool ok, std::string_view field, double value, std::string_view unit,
                       std::string_view rule) { require(ok, field, value, unit, rule); });
     return std::make_unique<CrackOf<S>>(solution);

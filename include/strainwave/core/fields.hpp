@@ -65,7 +65,7 @@ struct Field {
   InTemplate in_template = InTemplate::yes;
   /// For a result: evidence that only complete documents show; it is not an output of a table.
   bool detail = false;
-  /// For an option: its place on the command line gives it, not `--name`.
+  /// For an option: the command line recognises it by its place and not by `--name`.
   bool positional = false;
   /// For an option: the kind of thing that its text names, such as "field path" or "material";
   /// empty if there is nothing to list.  "attachment": a file whose text the command reads.

@@ -108,9 +108,10 @@ struct FrontPoint {
 
 /// A solution of the library.
 ///
-/// A solution is a crack of the engine, whose loads are the entries of kLoadInfo.  In addition, it
-/// - describes its fields (core/fields.hpp), numbers only, each with an example; - `check(rule)`
-/// calls `rule(ok, field, value, unit, text)` for each rule between fields, which
+/// A solution models the concept SweptCrack, and its loads are the entries of kLoadInfo.  In
+/// addition:
+///   - it describes its fields (core/fields.hpp), which are numbers only, each with an example;
+///   - `check(rule)` calls `rule(ok, field, value, unit, text)` for each rule between fields, which
 ///     an impossible geometry breaks;
 ///   - `validity(range)` calls `range(inside, text)` for each limit of the range in which the
 ///     stated accuracy holds;
