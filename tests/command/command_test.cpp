@@ -229,7 +229,7 @@ TEST(CommandRow, ReferenceTheEnvelopeHasItsFieldsInOrder) {
   EXPECT_EQ(answer.document("json"), answer.json());
   EXPECT_EQ(answer.document("text"), "4.000000");
   EXPECT_PRED2(says, test::broken_rule([&] { return answer.document("svg"); }),
-               "double makes no svg; it makes json, text");
+               "double does not make svg; it makes json, text");
 }
 
 TEST(CommandRow, LimitAnUnusableAnswerCannotBeTold) {

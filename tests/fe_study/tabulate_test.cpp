@@ -268,7 +268,7 @@ TEST_F(FeTable, InputFamiliesByName) {
           {size}, "--crack: must name one crack");
   refused(changed("solid_shaft.toml",
                   {{"[[output_shaft.crack]]\nkind = \"annular\"\ndepth = \"9 mm\"", ""}}),
-          {"output_shaft.length=300 mm..310 mm:3"}, "can be made of: none");
+          {"output_shaft.length=300 mm..310 mm:3"}, "can describe: none");
 
   // Two numbers, the last running fastest; all others are fixed.
   const fe_study::TableStudy two = study(wall, {size, "flexspline.wall_thickness=1 mm..2 mm:2"});

@@ -424,7 +424,7 @@ TEST(Report, BehaviourHeadlineCountsHoldingBreakingAndUnknownCracks) {
                 .verdict.find("Strength: not assessed, because the file gives no toughness"),
             std::string::npos);
   EXPECT_NE(report_on(text_of("article"), Method::repaired)
-                .verdict.find("not assessed, the method repaired"),
+                .verdict.find("not assessed, because the method repaired"),
             std::string::npos);
   // A sound drive has nothing to assess.
   GearSet sound = read_gear_set(text_of("solid_shaft"), "x");
