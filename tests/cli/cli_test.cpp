@@ -142,7 +142,7 @@ TEST_F(Program, InputWrongFileEndsWithThreeAndOneSentence) {
 TEST_F(Program, InputMethodThatCannotTreatACrackEndsWithThree) {
   const std::string edge = changed_article("kind = \"surface\"", "kind = \"edge\"");
   std::string text = contents(folder_ / "changed.toml");
-  const std::string aspect = "aspect_ratio = 0.52147039               # a/c, so that Q = 1.5\n";
+  const std::string aspect = "aspect_ratio = 0.52147039               # a/c, which gives Q = 1.5\n";
   text.replace(text.find(aspect), aspect.size(), "");
   const std::string width = "inner_ring_thickness = \"10 mm\"";
   text.insert(text.find(width), "inner_ring_width = \"20 mm\"\n");
