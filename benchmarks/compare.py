@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Times strainwave beside a peer in numpy and scipy, on the same machine in the same run.
+"""Compares the times of strainwave and of a peer in numpy and scipy, on the same machine in the same run.
 
     cmake --preset benchmark && cmake --build --preset benchmark
     cmake --build --preset release --target strainwave_cli
@@ -30,7 +30,7 @@ GOALS = {"evaluation [us]": ("<=", 50.0), "peer / strainwave": (">=", 50.0),
 
 
 def benchmark(name, counter):
-    """CPU time of one evaluation (median of 5 runs), and the counter that it left."""
+    """CPU time of one evaluation (median of 5 runs), and its counter after the run."""
     out = subprocess.check_output(
         [BENCHMARKS, f"--benchmark_filter=^{name}$", "--benchmark_format=json",
          "--benchmark_repetitions=5"], text=True, stderr=subprocess.DEVNULL)

@@ -1,22 +1,22 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Times the finite elements beside CalculiX (ccx), on the same machine in the same run.
+"""Compares the times of the finite elements and of CalculiX (ccx), on the same machine in the same run.
 
     cmake --preset fe && cmake --build --preset fe --target through_crack_benchmark
     benchmarks/compare_fe.py [--runs 5]
 
-The question: G of the 45 degree through crack of examples/through_crack.toml within 0.3 % of the
-converged value.  Whole processes on one core, user and system time, the least of the runs (a busy
+The task is G of the 45 degree through crack of examples/through_crack.toml within 0.3 % of the
+converged value.  Whole processes on one core, user and system time, the minimum over the runs (a busy
 machine makes it longer, never shorter), and peak memory.  Each side has the cheapest mesh of a list
-that meets the accuracy; the lists are below, from cheap to dear.
+that meets the accuracy; the lists below are in ascending order of cost.
 
-To ccx's favour: its G is a difference of two solutions, and one is counted; writing the mesh and
-the input file is not counted, with us all is.  It is held against two families of meshes:
+The comparison favours ccx: its G is a difference of two solutions, but only one is counted.  Its mesh and
+input file are not counted, while all of our time is.  Two families of meshes are used for ccx:
 
   conformal  confocal ellipses with cells that have the square root at the tip (tests/calculix),
-             the best that we could think of for 20-node cells
-  ordinary   the same corners, but every middle node halfway: cells that close in on the tip and do
-             not have the square root
+             the best mesh known to us for 20-node cells
+  ordinary   the same corners, but every middle node halfway: cells that are graded towards the tip but do
+             not contain the square root
 
 Exit status 1 if a goal is missed.
 """
@@ -59,7 +59,7 @@ def own(settings):
 
 
 def cheapest(candidates, solve):
-    """The first that is accurate enough, with its answer."""
+    """The first mesh that is accurate enough, with its result."""
     for candidate in candidates:
         answer = solve(candidate)
         error = answer["G"] / CONVERGED - 1

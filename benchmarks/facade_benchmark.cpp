@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the facade and the C interface cost beside the computation: `run_stiffness` less
-// `evaluate_article` is the facade; `read_stiffness_json` is the whole way of a caller in C, and
-// less `read_and_evaluate_article` the facade with its JSON.
+// Cost of the facade and the C interface in addition to the computation.  `run_stiffness` minus
+// `evaluate_article` is the cost of the facade.  `read_stiffness_json` is the whole path of a
+// caller in C; minus `read_and_evaluate_article` it is the cost of the facade with its JSON.
 #include <benchmark/benchmark.h>
 
 #include <fstream>

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// What all derivatives of one drive cost, and how a Monte Carlo study scales over threads.
+// SPDX-License-Identifier: Apache-2.0 Cost of all derivatives of one drive, and scaling of a Monte
+// Carlo study over threads.
 #include <benchmark/benchmark.h>
 
 #include "strainwave/io/gear_reader.hpp"
@@ -10,21 +10,22 @@
 namespace strainwave {
 namespace {
 
-/// All elasticities of the three-crack drive, 38 inputs: goal below 2 ms.
+/// All elasticities of the three-crack drive, 38 inputs.  The goal is below 2 ms.
 void sensitivity_of_three_cracks(benchmark::State& state) {
   const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/article.toml");
   for (auto _ : state) benchmark::DoNotOptimize(sensitivity_of(gear).outputs.size());
 }
 BENCHMARK(sensitivity_of_three_cracks)->Unit(benchmark::kMicrosecond);
 
-/// The numbers of the drive and nothing else: one draw of a Monte Carlo study, without its checks.
+/// Only the numbers of the drive, as in one draw of a Monte Carlo study without its checks.
 void series_compliance_of_three_cracks(benchmark::State& state) {
   const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/article.toml");
   for (auto _ : state) benchmark::DoNotOptimize(series_compliance<double>(gear).positive);
 }
 BENCHMARK(series_compliance_of_three_cracks)->Unit(benchmark::kMicrosecond);
 
-/// 100 000 full evaluations over 1 and 2 threads, wall clock: goal a factor of 1.9 on two cores.
+/// 100 000 full evaluations over 1 and 2 threads, wall clock.  The goal is a factor of 1.9 on two
+/// cores.
 void monte_carlo(benchmark::State& state) {
   const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/article_scatter.toml");
   const Sensitivity sensitivity = sensitivity_of(gear);

@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// What one evaluation costs, on one core.  `benchmarks/compare.py` runs this beside a peer in
-// numpy and scipy that computes the same numbers, and reports the ratio.
+// SPDX-License-Identifier: Apache-2.0 Cost of one evaluation on one core.  `benchmarks/compare.py`
+// runs this and a peer in numpy and scipy that computes the same numbers, and reports the ratio.
 #include <benchmark/benchmark.h>
 
 #include "strainwave/fracture/crack_compliance.hpp"

@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0
-// One solution of the 45 degree through crack of examples/through_crack.toml, as a whole process:
-// what benchmarks/compare_fe.py times beside CalculiX.
+// SPDX-License-Identifier: Apache-2.0 One solution of the 45 degree through crack of
+// examples/through_crack.toml, as a whole process, which benchmarks/compare_fe.py compares with
+// CalculiX.
 #include <sys/resource.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 
 using namespace strainwave;  // NOLINT(google-build-using-namespace)
 
-/// What the command line gives as name=value; everything else as the library chooses it.
+/// Values that the command line gives as name=value; the library chooses all others.
 std::map<std::string, double> settings(int argc, char** argv) {
   std::map<std::string, double> given;
   for (int i = 1; i < argc; ++i) {

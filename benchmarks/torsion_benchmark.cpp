@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// What a torsion curve costs, on one core: set up, assembled, loaded point by point.
+// SPDX-License-Identifier: Apache-2.0 Cost of a torsion curve on one core: setup, assembly, and
+// loading point by point.
 #include <benchmark/benchmark.h>
 
 #include <vector>
@@ -11,7 +11,7 @@
 namespace strainwave {
 namespace {
 
-/// Size 25, ratio 100, rigid circular spline, as the peer has it.
+/// Size 25, ratio 100, with a rigid circular spline as in the peer.
 GearSet drive() {
   GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/catalogue_size25.toml");
   gear.circular_spline.reset();
@@ -35,7 +35,7 @@ void torsion_curve_points(benchmark::State& state) {
 }
 BENCHMARK(torsion_curve_points)->Arg(11)->Arg(200)->Unit(benchmark::kMillisecond);
 
-/// With the circular spline in its housing, as the file has it.
+/// With the circular spline in its housing, as in the file.
 void torsion_curve_with_spline(benchmark::State& state) {
   const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/catalogue_size25.toml");
   std::vector<double> torques;

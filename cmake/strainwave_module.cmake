@@ -1,6 +1,6 @@
 # strainwave_module(<name> SOURCES ... [DEPENDS <module>...] [NOT_INSTALLED])
-# Library target strainwave::<name>, from src/<name>/ and include/strainwave/<name>/.  Of the private
-# headers it finds its own only, even in sources that are written at build time.
+# Library target strainwave::<name>, from src/<name>/ and include/strainwave/<name>/.  The module
+# finds only its own private headers, even in sources that are written at build time.
 function(strainwave_module name)
   cmake_parse_arguments(ARG "NOT_INSTALLED" "" "SOURCES;DEPENDS" ${ARGN})
   list(TRANSFORM ARG_SOURCES PREPEND "src/${name}/")
@@ -23,8 +23,8 @@ endfunction()
 
 # strainwave_test(<folder> SOURCES <name>... DEPENDS <module>... [INSIDE <module>] [PARTS <number>])
 # GoogleTest program test_<folder> of tests/<folder>/<name>_test.cpp, labelled with the folder:
-# `ctest -L fracture`.  INSIDE: they see the private headers of one module.  ctest runs each test by
-# itself, or the tests of a folder in so many parts; under the sanitizers in four.
+# `ctest -L fracture`.  INSIDE: the tests see the private headers of one module.  ctest runs each
+# test by itself, or the tests of a folder in PARTS parts.  Under the sanitizers there are four parts.
 function(strainwave_test folder)
   cmake_parse_arguments(ARG "" "INSIDE;PARTS" "SOURCES;DEPENDS" ${ARGN})
   list(TRANSFORM ARG_SOURCES REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/tests/${folder}/\\1_test.cpp")
@@ -46,8 +46,8 @@ function(strainwave_test folder)
     set(ARG_PARTS 4)
   endif()
   if(ARG_PARTS)
-    # To start a sanitized program, or one with 200 libraries, takes longer than most tests: a few
-    # parts instead of one start for each test.
+    # A sanitized program, or one with 200 libraries, takes longer to start than most tests to run.
+    # Therefore ctest starts it for a few parts and not for each test.
     math(EXPR last "${ARG_PARTS} - 1")
     foreach(part RANGE ${last})
       add_test(NAME ${folder}.${part} COMMAND ${target} --gtest_brief=1)
@@ -105,7 +105,8 @@ function(strainwave_flags target)
 endfunction()
 
 # strainwave_shared_library(<module>)
-# libstrainwave.so.0 of a module and what it uses; it exports the functions of strainwave.h only.
+# libstrainwave.so.0 of a module and of the modules it uses; it exports only the functions of
+# strainwave.h.
 function(strainwave_shared_library module)
   set(exports "${PROJECT_SOURCE_DIR}/cmake/strainwave.map")
   add_library(strainwave_shared SHARED $<TARGET_OBJECTS:strainwave_${module}>)
@@ -174,7 +175,7 @@ function(strainwave_material_data module)
   install(FILES "${data}" DESTINATION "${CMAKE_INSTALL_DATADIR}/strainwave")
 endfunction()
 
-# What `cmake --install` lays down, so that find_package(strainwave) gives strainwave::<module>.
+# Rules for `cmake --install`: afterwards find_package(strainwave) gives strainwave::<module>.
 function(strainwave_install)
   include(CMakePackageConfigHelpers)
   set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/strainwave")

@@ -1,4 +1,4 @@
-# Script: writes OUTPUT from INPUT; leaves the file alone when nothing changed.
+# Script: writes OUTPUT from INPUT; does not touch the file when nothing changed.
 # A release archive unpacked inside somebody's own git tree must not report that tree's revision,
 # hence the look for .git in SOURCE_DIR itself.
 set(STRAINWAVE_GIT_REVISION "unknown")

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Holds the tagged equations of docs/theory to the sources and tests that name them.
+"""Checks that the sources and tests name the tagged equations of docs/theory.
 
     tools/check_equations.py [--root DIRECTORY]   check a tree (default: this one)
     tools/check_equations.py --write FILE         write the table equation, source, tests
@@ -8,7 +8,8 @@
 
 An equation is a heading "### (FR-9) Shell correction {#FR-9}" and, below it, "**Status:** implemented" or
 "**Status:** context only".  Code names it in a comment, (FR-9) or (FR-8, FR-9).  A string "FR-9" in the
-code must mean an equation, but does not implement it.  Tests may also name it bare, or as a string.
+code must name an equation, but does not count as its implementation.  Tests may also name it without
+parentheses or in a string.
 
 The table is not committed: it depends on every source and test that names a tag, so a copy in the
 tree would conflict in every merge.  tools/render_manual writes it fresh into the manual.

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Holds the sources to the module graph of CMakeLists.txt.
+"""Checks that the sources keep to the module graph of CMakeLists.txt.
 
     tools/check_layers.py [--root DIRECTORY]   check a tree (default: this one)
     tools/check_layers.py --self-test          break every rule once in a scratch tree
@@ -43,7 +43,7 @@ def files(root, *folders):
 
 
 def list_faults(what, listed, present):
-    """Lists are written by hand: each file once, and no file forgotten."""
+    """Checks the lists, which people write by hand: each file must stand there exactly once."""
     return ([f"{what} {name} is listed {listed.count(name)} times" for name in sorted(set(listed))
              if listed.count(name) > 1] +
             [f"{what} {name} is listed but does not exist" for name in sorted(set(listed) - present)] +
@@ -61,8 +61,9 @@ def owner_of(parts):
 def meant(target, path, tree):
     """The files of the tree that an include can mean, whatever folders the compiler searches.
 
-    What lies beside the file, or under include/ or tests/, is found there first.  Else it is each
-    file whose path ends so: "series_model.hpp" and "stiffness/series_model.hpp" mean the same.
+    A file beside the including file, or under include/ or tests/, comes first.  Otherwise the include
+    means every file whose path ends with it: "series_model.hpp" and "stiffness/series_model.hpp" mean
+    the same file.
     """
     for first in (path.parent / target, pathlib.PurePath("include", target), pathlib.PurePath("tests", target)):
         if first in tree:
@@ -130,7 +131,7 @@ SOUND = {
     "tests/low/a_test.cpp": '#include "strainwave/low/a.hpp"\n#include "low_private.hpp"\n#include "low/aid.hpp"\n',
     "tests/low/aid.hpp": "",
 }
-# What is wrong, the files that make it so, and a part of the sentence that must name it.
+# The fault, the files that cause it, and a part of the sentence that must report it.
 BROKEN = [
     ("an edge not in the graph", {"src/left/b.cpp": '#include "strainwave/right/c.hpp"\n',
                                   "include/strainwave/right/c.hpp": ""},

@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Holds pages to the example programs that they quote.
+"""Checks that pages quote the example programs word for word.
 
     tools/check_snippets.py              check docs/ and examples/NN_topic/
-    tools/check_snippets.py --write      quote again what the examples say now
+    tools/check_snippets.py --write      quote the present text of the examples again
     tools/check_snippets.py --self-test  break every rule once in a scratch tree
 
 A program marks a part by `// snippet: name` and `// end`.  A page quotes it below a line
-`<!-- examples/NN_topic/main.cpp: name -->`.  README.md of an example starts with what it builds on
-and has, word for word, what examples/CMakeLists.txt expects the program to print.
+`<!-- examples/NN_topic/main.cpp: name -->`.  README.md of an example starts with the examples that it
+builds on.  It states, word for word, the output that examples/CMakeLists.txt expects of the program.
 """
 
 import pathlib
@@ -74,7 +74,7 @@ SOUND = {
     "examples/01_a/README.md": "builds-on: nothing\n\nIt prints K = 2.5.\n",
     "docs/guide/a.md": "<!-- examples/01_a/main.cpp: part -->\n```cpp\nrun();\n```\n",
 }
-# What is wrong, the files that make it so, and a part of the sentence that must name it.
+# The fault, the files that cause it, and a part of the sentence that must report it.
 BROKEN = [
     ("a page of yesterday", {"docs/guide/a.md": SOUND["docs/guide/a.md"].replace("run", "walk")}, "says something else at part"),
     ("a snippet that is not there", {"docs/guide/a.md": SOUND["docs/guide/a.md"] * 2 +

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Holds the names of the tests to the kinds of CONTRIBUTING.md.
+"""Checks that the names of the tests state one of the kinds in CONTRIBUTING.md.
 
     tools/check_tests.py [--root DIRECTORY]   check a tree (default: this one)
     tools/check_tests.py --self-test          break every rule once in a scratch tree
@@ -44,7 +44,7 @@ SOUND = {
     "CONTRIBUTING.md": "| kind | compares with |\n|---|---|\n| `Limit` | a |\n| `Input` | b |\n\n| `Other` | c |\n",
     "tests/low/a_test.cpp": "TEST(A, LimitOfB) {}\nTYPED_TEST(A,\n           InputBroken) {}\n",
 }
-# What is wrong, the files that make it so, and a part of the sentence that must name it.
+# The fault, the files that cause it, and a part of the sentence that must report it.
 BROKEN = [
     ("no kind", {"tests/low/b_test.cpp": "TEST(A, ItWorks) {}\n"}, "A.ItWorks begins with none of the kinds Limit, Input"),
     ("a kind of another table", {"tests/low/b_test.cpp": "TEST_F(A, OtherThing) {}\n"}, "A.OtherThing begins"),

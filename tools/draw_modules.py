@@ -4,7 +4,7 @@
 
     tools/draw_modules.py              write the picture
     tools/draw_modules.py --check      compare it with the committed one
-    tools/draw_modules.py --self-test  draw a small graph, and miss an edge of it
+    tools/draw_modules.py --self-test  draw a small graph, and notice that an edge is missing
 """
 
 import pathlib
@@ -16,7 +16,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 PICTURE = ROOT / "docs" / "images" / "modules.svg"
 WIDTH, HEIGHT, GAP, RISE = 104, 26, 18, 64
 SWEEPS = 40
-# Colour, meaning, and the modules that a road starts from.
+# Colour, meaning, and the modules at which a method starts.
 ROADS = (("#f6dfc8", "the article's method", {"article"}),
          ("#d6e4f5", "closed forms", {"contact", "fracture"}),
          ("#d5e8d4", "finite elements", {"fem"}))
@@ -29,7 +29,7 @@ def above(depends, name):
 
 
 def shown_edges(depends):
-    """The edges that no longer way implies, so that the picture can be read."""
+    """The edges that no longer path implies; all edges together would be unreadable."""
     return [(name, other) for name in depends for other in sorted(depends[name])
             if not any(other in above(depends, between) for between in depends[name])]
 
@@ -43,14 +43,14 @@ def levels(depends):
 
 
 def road(depends, name):
-    """The colour of the only road that a module belongs to or uses; white for none or several."""
+    """The colour of the only method that a module belongs to or uses; white for none or several."""
     mine = {name} | above(depends, name)
     colours = [colour for colour, _, starts in ROADS if starts & mine]
     return colours[0] if len(colours) == 1 else WHITE[0]
 
 
 def legs(depends):
-    """{level: what stands on it} and the edges cut at each level between their ends.
+    """{level: items on it} and the edges cut at each level between their ends.
 
     A cut (other, k) is shared by all edges to `other` that pass level k.
     """
@@ -76,7 +76,7 @@ def places(grid, edges):
             row = grid[k]
             wish = {stop: sum(x[near] for near in joined[stop]) / max(len(joined[stop]), 1) for stop in row}
             row.sort(key=wish.get)
-            packed, end = [], None  # none nearer to the one before it than the room of both
+            packed, end = [], None  # neighbours keep the distance that their widths need
             for stop in row:
                 packed.append(wish[stop] if end is None else max(wish[stop], end + room[stop] / 2))
                 end = packed[-1] + room[stop] / 2

@@ -7,13 +7,13 @@
     tools/judge_closed_forms.py table [--program FILE]         closed form over finite elements, Markdown
 
 `run` writes an input file for every point of a family, runs `strainwave fe` on it and keeps its answer
-in the work directory (build/judgement unless given): what is there is not done again, so that a kill
-loses one point.  Families: annular, through, inclined, closed, surface, cup; `all`.  Minutes to an hour on one core.
-`write` takes every point that is there and whose finite elements pass their own checks; the others it
-names.  `table` runs `strainwave stiffness` and `strainwave sif eval` at the points of the tables.  Both
-sides use the same numbers, the shear modulus E/(2(1+nu)) among them.
+in the work directory (build/judgement unless given).  It does not repeat finished points; a killed run
+loses only one point.  Families: annular, through, inclined, closed, surface, cup; `all`.  A family takes
+minutes to an hour on one core.  `write` takes every finished point whose finite elements pass their own
+checks, and names the other points.  `table` runs `strainwave stiffness` and `strainwave sif eval` at the
+points of the tables.  Both sides use the same numbers; among them is the shear modulus E/(2(1+nu)).
 
-The program is build/fe/apps/cli/strainwave unless given (preset `fe`).  Numbers are without dimension;
+The program is build/fe/apps/cli/strainwave unless given (preset `fe`).  Numbers are dimensionless;
 see `normalised` of each family.  Exit status 0 done, 1 a point failed, 2 no program or no points.
 """
 
@@ -89,7 +89,7 @@ depth = "{depth * RADIUS * (1 - ratio)!r} m"
 
     @staticmethod
     def normalised(point, added_T, added_P, K_III, K_I):
-        """Over those of a shallow crack: K over nominal stress sqrt(pi a), with K_I/1.1215."""
+        """Divides by the values of a shallow crack: K over nominal stress sqrt(pi a), with K_I/1.1215."""
         ratio, depth, nu = point
         a = depth * RADIUS * (1 - ratio)
         mu = E / (2 * (1 + nu))
@@ -124,7 +124,7 @@ depth = "{depth * RADIUS * (1 - ratio)!r} m"
 
 
 class Through:
-    """Through crack at 45 degrees in a tube, torque that opens it, over length, wall and nu."""
+    """Through crack at 45 degrees in a tube under torque that opens it; length, wall and nu vary."""
     name = "through"
     table = "judgement_through"
     inputs = ("radius_ratio [1]", "length_ratio [1]", "angle [rad]", "poissons_ratio [1]")
@@ -156,8 +156,8 @@ angle = "{float(degrees)!r} deg"
 
     @staticmethod
     def normalised(point, added, release):
-        """Over those of a flat sheet in plane stress, at any angle: 2 pi t tau^2 a^2/(E T^2) and
-        tau^2 pi a/E; tau is the exact one at mid-wall in both."""
+        """Divides by the values of a flat sheet in plane stress, at any angle: 2 pi t tau^2 a^2/(E T^2) and
+        tau^2 pi a/E; tau is the exact stress at mid-wall in each of them."""
         ratio, length, _, _ = point
         t = RADIUS / ratio
         a = length * t
@@ -169,7 +169,7 @@ angle = "{float(degrees)!r} deg"
     @classmethod
     def elements(cls, point, answer):
         sense = answer["flexspline"]["cracks"][0]["positive"]
-        # Round the tube nothing opens or closes the crack but the tube's ends, by 1e-3 of K_II.
+        # At 90 degrees only the ends of the tube open or close the crack, by 1e-3 of K_II.
         faces = ("open", "partly closed") if point[2] == 90 else ("open",)
         if not sense["usable"] or sense["faces"] not in faces:
             return None, sense["reason"] or f"the faces are {sense['faces']}"
@@ -209,7 +209,7 @@ angle = "{float(degrees)!r} deg"
 
 
 class Inclined(Through):
-    """Through crack at other angles, torque that opens it."""
+    """Through crack at other angles under torque that opens it."""
     name = "inclined"
 
     @staticmethod
@@ -218,7 +218,7 @@ class Inclined(Through):
 
 
 class Closed(Inclined):
-    """The same, torque that closes it: the faces slide without friction."""
+    """Through crack under torque that closes it; the faces slide without friction."""
     name = "closed"
     table = "judgement_closed"
 
@@ -243,7 +243,7 @@ class Closed(Inclined):
 
 
 class Surface:
-    """Semi-elliptical crack from outside in a tube, torque that opens it, r/t = 35."""
+    """Semi-elliptical crack from outside in a tube, r/t = 35, under torque that opens it."""
     name = "surface"
     table = "judgement_surface"
     inputs = ("radius_ratio [1]", "depth_ratio [1]", "aspect_ratio [1]", "angle [rad]")
@@ -273,7 +273,7 @@ angle = "{float(degrees)!r} deg"
 
     @staticmethod
     def normalised(point, added, K):
-        """Over 2 pi tau^2 a^2 c/(E T^2) and tau sqrt(pi a) with Bredt's tau; K at the deepest point."""
+        """Divides by 2 pi tau^2 a^2 c/(E T^2) and tau sqrt(pi a) with Bredt's tau; K at the deepest point."""
         ratio, depth, aspect, _ = point
         t = RADIUS / ratio
         a = depth * t
@@ -301,7 +301,7 @@ angle = "{float(degrees)!r} deg"
 
 
 class Cup:
-    """Sound cup, barrel 80.5 x 0.6 x 40 mm, over the diaphragm's bore and thickness."""
+    """Sound cup, barrel 80.5 x 0.6 x 40 mm; the diaphragm's bore and thickness vary."""
     name = "cup"
     table = "judgement_cup"
     inputs = ("bore_ratio [1]", "diaphragm_ratio [1]")
@@ -339,7 +339,7 @@ thickness = "{h * cls.WALL!r} m"
 
     @classmethod
     def normalised(cls, compliance):
-        """Over that of the barrel alone."""
+        """Divides by the compliance of the barrel alone."""
         r, q = cls.OUTER / 2, cls.OUTER / 2 - cls.WALL
         return compliance * E / 2.6 * math.pi / 2 * (r ** 4 - q ** 4) / cls.LENGTH
 
@@ -364,7 +364,7 @@ FAMILIES = {family.name: family for family in (Annular, Through, Inclined, Close
 
 
 def output(program, arguments, text=None):
-    """The result in the JSON that the program prints; exit code 4 is an answer that failed its own checks."""
+    """The result in the JSON that the program prints; exit code 4 means that the answer failed its own checks."""
     environment = {**os.environ, "OMP_NUM_THREADS": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1",
                    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
     done = subprocess.run([program, *arguments], input=text, stdout=subprocess.PIPE,

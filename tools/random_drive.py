@@ -4,8 +4,8 @@
 
     tools/random_drive.py SEED      prints the drive of that seed
 
-The proportions are those of drives that are made, so most of them are accepted; some are not, on
-purpose of the ranges, and their messages are of interest too.
+The proportions are those of real drives, so the program accepts most of the drives.  The ranges
+deliberately contain some drives that it must refuse, because the messages are tested too.
 """
 
 import random
@@ -28,7 +28,7 @@ class Drive:
         return self.random.random() < share
 
     def put(self, key, value, unit=None):
-        """A field; a length in any of three units."""
+        """Writes a field; a length gets one of three units."""
         if unit == "m":
             name, factor = self.random.choice([("mm", 1e3), ("m", 1.0), ("um", 1e6)])
             self.lines.append(f'{key} = "{value * factor:.7g} {name}"')

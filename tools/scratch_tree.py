@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the self-tests of the checks of a tree share: each rule is broken once in a scratch tree."""
+"""Common part of the self-tests of the tree checks: they break each rule once in a scratch tree."""
 
 import pathlib
 import tempfile
 
 
 def unseen_breaks(sound, broken, check):
-    """The breaks that a check does not report.
+    """Broken rules that a check does not report.
 
     sound: {path: text} of a tree without a fault; broken: (name, changes of it, what is reported);
-    check: the faults of a tree.  A text of None leaves the file out.
+    check: function that lists the faults of a tree.  The text None leaves the file out.
     """
     failures = []
     for name, changes, sentence in [("nothing", {}, None), *broken]:

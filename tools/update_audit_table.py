@@ -3,7 +3,7 @@
 """Puts the table of `strainwave audit --format markdown` into docs/theory/90_audit.md.
 
     tools/update_audit_table.py [--program FILE]           write it between the two markers
-    tools/update_audit_table.py [--program FILE] --check   fail if it is not the one there
+    tools/update_audit_table.py [--program FILE] --check   fail if the manual has another table
 
 The program is build/release/apps/cli/strainwave unless given.  Exit status 0 equal or written,
 1 different, 2 no program or no markers.

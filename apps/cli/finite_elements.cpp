@@ -25,13 +25,13 @@ struct FeOptions {
   }
 };
 
-/// The other program answers in place of this one.
+/// Stands for no answer, because the other program answers instead.
 struct NoAnswer {
   template <class Visitor>
   static void describe(Visitor&&) {}
 };
 
-// The finite elements are another process, not a library: docs/adr/0011.
+// The finite elements run in another process, not in a library; see docs/adr/0011.
 NoAnswer become_finite_elements(const Request&, const FeOptions& options) {
   const std::string name = "strainwave-fe";
   std::vector<std::string> words = {name};
@@ -43,7 +43,7 @@ NoAnswer become_finite_elements(const Request&, const FeOptions& options) {
   std::error_code none;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", none);
   if (!self.empty()) ::execv((self.parent_path() / name).c_str(), argv.data());
-  ::execvp(name.c_str(), argv.data());  // returns only if there is none
+  ::execvp(name.c_str(), argv.data());  // returns only if the program does not exist
   throw OptionError(name,
                     "is neither beside this program nor on PATH: it is built on request, see "
                     "docs/guide/finite_elements.md");

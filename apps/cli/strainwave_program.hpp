@@ -9,10 +9,10 @@
 
 namespace strainwave::cli {
 
-/// The commands of the library, and those that only a command line has.
+/// The commands of the library, and the commands that only a command line has.
 [[nodiscard]] const Program& strainwave_program();
 
-/// As Program::names.
+/// The names for Program::names.
 [[nodiscard]] std::vector<std::string> names_of(std::string_view what, const std::string& file);
 
 /// Starts strainwave-fe.

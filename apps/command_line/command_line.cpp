@@ -50,7 +50,7 @@ void add_argument(CLI::App* sub, const Argument& argument, std::vector<std::stri
   if (argument.role == Role::format)
     added->check(
         CLI::IsMember(std::vector<std::string>(argument.choices.begin(), argument.choices.end())));
-  // An option must not swallow the words behind its value.
+  // An option must not take the words behind its value.
   added->allow_extra_args(argument.repeatable && argument.positional());
   if (argument.repeatable)
     added->take_all();
@@ -58,7 +58,7 @@ void add_argument(CLI::App* sub, const Argument& argument, std::vector<std::stri
     added->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::Throw);
 }
 
-/// Whether the system had no memory left, or none for one more thread.
+/// Whether the system ran out of memory, or could not start another thread.
 bool lacks_memory(const std::exception& error) {
   const auto* const system = dynamic_cast<const std::system_error*>(&error);
   return dynamic_cast<const std::bad_alloc*>(&error) != nullptr ||
@@ -160,7 +160,7 @@ int run_command_line(const Program& program, std::span<const std::string> words)
   // A file that grows beyond the limit of the shell is a fault like a full disk, no end by signal.
   (void)std::signal(SIGXFSZ, SIG_IGN);
   const Ranks& ranks = program.ranks != nullptr ? *program.ranks : kAlone;
-  // All ranks end with one word, of the first that has something to complain about.
+  // All ranks end with a single message, that of the first rank with a complaint.
   const auto complain = [&](std::string_view message, ExitCode code) {
     return ranks.last_code(code, [&] {
       warn(program, ranks.first() ? std::string(message)

@@ -6,7 +6,7 @@
 namespace strainwave::cli {
 
 /// Runs the command line of a program.
-/// @return  the exit code; every outcome but an answer has one sentence on standard error
+/// @return  the exit code; every outcome except an answer prints one sentence on standard error
 [[nodiscard]] int run_command_line(const Program& program, std::span<const std::string> words);
 
 }  // namespace strainwave::cli

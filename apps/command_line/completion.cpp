@@ -10,11 +10,11 @@
 namespace strainwave::cli {
 namespace {
 
-/// A command line up to the word that is completed.
+/// A command line up to the word to complete.
 struct Line {
-  std::vector<std::string> before;  // options and their values are words of their own
+  std::vector<std::string> before;  // options and their values as separate words
   std::string current;
-  std::string kept;  // of the word that is completed, in front of `current`: "--method="
+  std::string kept;  // part of the completed word in front of `current`: "--method="
 };
 
 Line line_of(std::span<const std::string> words) {
@@ -43,7 +43,7 @@ Line line_of(std::span<const std::string> words) {
   return line;
 }
 
-/// The candidates that go on with `current`, whole words.
+/// The candidates that begin with `current`, as whole words.
 std::vector<std::string> matching(const std::vector<std::string>& known, const Line& line) {
   std::vector<std::string> found;
   for (const std::string& word : known)
@@ -58,7 +58,7 @@ const Argument* argument_named(const std::vector<Argument>& arguments, std::stri
   return found == arguments.end() ? nullptr : &*found;
 }
 
-/// All that the names of an argument can mean.
+/// All names that an argument can take.
 std::vector<std::string> names_of(const Program& program, std::string_view what,
                                   const std::string& file) {
   std::vector<std::string> names;
@@ -66,7 +66,7 @@ std::vector<std::string> names_of(const Program& program, std::string_view what,
     for (const Command& command : program.table) names.emplace_back(command.name);
   } else if (what != "field path") {
     if (program.names != nullptr) names = program.names(what, file);
-  } else if (!file.empty() && file != "-") {  // standard input belongs to the command itself
+  } else if (!file.empty() && file != "-") {  // standard input is reserved for the command itself
     const auto drive = read_drive(text_of(file), file, attachments_beside(file));
     for_each_number(drive->gear, [&](const FieldPath& path, const Field&, const double&) {
       names.push_back(path.text());
@@ -120,7 +120,7 @@ std::vector<std::string> completions(const Program& program, std::span<const std
     ++word;
   }
 
-  // What the words before say: the input, which places are taken, whose value comes next.
+  // Read the words before: the input, the filled places, and the option whose value comes next.
   const std::vector<Argument> arguments = arguments_of(*command);
   std::vector<const Argument*> places;
   for (const Argument& argument : arguments)
@@ -148,7 +148,7 @@ std::vector<std::string> completions(const Program& program, std::span<const std
 }
 
 std::string completion_script(const Program& program, Shell shell) {
-  // In each script, PROGRAM stands for its name.
+  // In each script, PROGRAM is replaced by the program's name.
   static constexpr std::array<std::string_view, 3> kScripts = {
       R"sh(# bash completion of PROGRAM
 _PROGRAM() {

@@ -107,7 +107,7 @@ std::string shown_name(const std::string& file) { return file == "-" ? "standard
 void deliver(const std::vector<std::pair<std::string, std::string>>& texts) {
   as_output([&] {
     std::deque<WaitingFile> files;
-    // What goes to a stream or a device cannot be taken back: it goes when all files wait.
+    // Output to a stream or a device cannot be undone, so write it after all files are ready.
     std::vector<std::pair<std::string, std::string>> streams;
     for (const auto& [path, text] : texts)
       if (!is_standard_output(path) && file_behind(path))
@@ -158,7 +158,7 @@ void deliver(const std::vector<OutputFile>& files, const std::string& folder, co
     });
   if (ranks.all(problem.empty())) return;
   waiting.clear();
-  (void)ranks.all(true);  // the others have taken theirs back
+  (void)ranks.all(true);  // the other ranks have removed their files
   if (made) fs::remove(place, fault);
   throw UnwritableError(problem.empty() ? folder + ": another rank cannot write there" : problem);
 }

@@ -8,7 +8,7 @@
 
 #include "strainwave/command/command.hpp"
 
-// The files of a command line.  The library opens none.
+// File access of the command line; the library itself does not open files.
 
 namespace strainwave::cli {
 
@@ -42,15 +42,15 @@ void require_writable(const std::string& path);
 /// @throws Stopped          SIGINT came while a reader of a pipe kept it waiting
 void deliver(const std::vector<std::pair<std::string, std::string>>& texts);
 
-/// @throws UnwritableError  the path is that of a file
+/// Checks that the path can be a folder.  @throws UnwritableError  if the path is that of a file
 void require_folder(const std::string& path);
 
-/// Writes all files of all ranks or none: first under other names, which are taken back if one of
-/// them fails anywhere.  The folder is made if need be, and taken back with them.
+/// Writes all files of all ranks or none.  Files are first written under other names and removed if
+/// one fails on any rank.  The folder is created if needed, and removed with the files.
 /// @throws UnwritableError  on every rank, if a file cannot be written
 void deliver(const std::vector<OutputFile>& files, const std::string& folder, const Ranks& ranks);
 
-/// A journal in a file; where that cannot be written, `begin` and `append` throw UnwritableError.
+/// A journal in a file.  If the file cannot be written, `begin` and `append` throw UnwritableError.
 class FileJournal : public Journal {
  public:
   /// @throws UnwritableError  it could not be read back: a device, a pipe, a folder

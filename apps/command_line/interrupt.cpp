@@ -12,7 +12,7 @@ void remember(int) { interrupted = 1; }
 
 Interrupt::Interrupt() {
   ::sigaction(SIGINT, nullptr, &before_);
-  if (before_.sa_handler == SIG_IGN) return;  // of a job in the background
+  if (before_.sa_handler == SIG_IGN) return;  // jobs in the background ignore SIGINT
   struct sigaction action {};
   action.sa_handler = remember;
   // Without SA_RESTART: what waits for the reader of a pipe is told.

@@ -5,8 +5,9 @@
 
 namespace strainwave::cli {
 
-/// While it lives, the first SIGINT does not end the process; what reports its progress to it stops
-/// instead.  The second one ends it.  There is at most one at a time.
+/// While this object exists, the first SIGINT does not end the process; computations that report
+/// their progress to the object stop instead.  The second SIGINT ends the process.  Only one object
+/// may exist at a time.
 class Interrupt {
  public:
   Interrupt();
@@ -16,7 +17,7 @@ class Interrupt {
   Interrupt(Interrupt&&) = delete;
   Interrupt& operator=(Interrupt&&) = delete;
 
-  /// @return  whether there was none yet
+  /// @return  true if no SIGINT has arrived yet
   [[nodiscard]] bool operator()(double) const;
 
  private:

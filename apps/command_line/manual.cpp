@@ -38,7 +38,7 @@ std::string head(std::string page, std::string_view summary, int section = 1) {
       section, version(), name, escaped(summary));
 }
 
-/// "--method TEXT", as the synopsis and the list of options show it.
+/// An argument as shown in the synopsis and the list of options: "--method TEXT".
 std::string usage(const Argument& argument) {
   if (argument.positional())
     return fmt::format("\\fI{}\\fR{}", escaped(argument.name), argument.repeatable ? " ..." : "");
@@ -61,7 +61,7 @@ std::string options(const Command& command) {
   return list;
 }
 
-/// What a command can make of its answer, and the option that asks for it.
+/// The documents that a command can make, with the option that requests each.
 std::string documents(const Command& command) {
   std::string list;
   for (const Document& document : command.documents)

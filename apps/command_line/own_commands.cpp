@@ -22,7 +22,7 @@ struct EnumNames<CompletionSubject> {
 namespace cli {
 namespace {
 
-/// What these commands print.
+/// The text that these commands print.
 struct PrintedText {
   std::string text;
 

@@ -5,10 +5,10 @@
 
 namespace strainwave::cli {
 
-/// The program whose table has the command.
+/// Returns the program whose table has the command.
 using ProgramOf = const Program& (*)();
 
-// The commands that only a command line has.  They call `program` when they run, for its table
+// The commands that only a command line has.  They call `program` at run time, because its table
 // holds them.
 [[nodiscard]] Command man_command(ProgramOf program, std::string_view example);
 [[nodiscard]] Command completion_command(ProgramOf program, std::string_view example);

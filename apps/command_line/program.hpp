@@ -10,7 +10,7 @@
 
 namespace strainwave::cli {
 
-/// What help and manual say of commands whose names begin with the same word.
+/// Text of help and manual on commands whose names begin with the same word.
 struct Group {
   std::string_view name;
   std::string_view summary;
@@ -21,19 +21,19 @@ struct Program {
   std::string_view name;  ///< "strainwave"
   std::string_view summary;
   std::span<const Command> table;
-  std::span<const Group> groups;  ///< of the commands of two words
-  /// All that `Field::names` of an option can mean, such as all names for "material", but commands
-  /// and field paths, which any program knows; may be null.
-  /// @param file  the input on the command line; empty if none is there yet
+  std::span<const Group> groups;  ///< groups of the commands of two words
+  /// Names for `Field::names` of an option, such as all names for "material".  Commands and field
+  /// paths are not included, because every program knows them; may be null.
+  /// @param file  the input file on the command line; empty if not given yet
   std::vector<std::string> (*names)(std::string_view what, const std::string& file) = nullptr;
-  /// The command that is meant where the line begins with none; empty: there must be one.
+  /// The command used if the line does not begin with one; empty: the line must name a command.
   std::string_view unnamed = {};
-  /// The processes of a program that several run together; null: it runs alone.  SIGINT ends a
-  /// program of several processes at once, for they would wait for each other.
+  /// The processes of a program that runs on several ranks; null for a single process.  SIGINT ends
+  /// a program of several processes at once, because they would wait for each other.
   const Ranks* ranks = nullptr;
 };
 
-/// Whether a word stands at the beginning of a line without naming a command.
+/// Whether a word at the beginning of a line belongs to the unnamed command.
 [[nodiscard]] bool means_unnamed(const Program& program, std::string_view first);
 
 /// The first words of all commands, each once, in the order of the table.
@@ -43,13 +43,13 @@ struct Program {
 [[nodiscard]] std::vector<const Command*> commands_of(const Program& program,
                                                       std::string_view first_word);
 
-/// What the program says of a first word: the summary of its command or of its group.
+/// The summary of the command or of the group with this first word.
 [[nodiscard]] std::string_view summary_of(const Program& program, std::string_view first_word);
 
-/// The part of a command's name behind the group; empty if it is of no group.
+/// The part of a command's name behind the group; empty if the command is not in a group.
 [[nodiscard]] std::string_view second_word(const Command& command);
 
-/// What an argument of a command line is for.
+/// Purpose of an argument of a command line.
 enum class Role {
   input,     ///< the file of the drive
   option,    ///< sets an option of the command
@@ -64,20 +64,20 @@ enum class Role {
   quiet,     ///< does not say how far it is
 };
 
-/// An argument of a command as the command line spells it.  Parser, help, manual and completion are
-/// made of the same list of them.
+/// An argument of a command as the command line spells it.  Parser, help, manual and completion use
+/// the same list of arguments.
 struct Argument {
   Role role = Role::option;
-  std::string name;           ///< "--vary", or "FILE" for one that its place tells
-  std::string_view key;       ///< of the option or of the document
-  std::string_view type;      ///< what stands for its value, "PATH" for a file; empty for a flag
+  std::string name;           ///< "--vary", or "FILE" for a positional argument
+  std::string_view key;       ///< key of the option or of the document
+  std::string_view type;      ///< placeholder of its value, "PATH" for a file; empty for a flag
   bool short_output = false;  ///< may be spelled -o
   bool repeatable = false;
   bool required = false;
   std::string doc;
   std::string fallback;
   std::vector<std::string_view> choices = {};
-  std::string_view names = {};  ///< as Field::names; "file" for one that is not read here
+  std::string_view names = {};  ///< as Field::names; "file" for a file that is not read here
 
   [[nodiscard]] bool positional() const { return !name.starts_with('-'); }
 };

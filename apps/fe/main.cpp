@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// strainwave-fe: finite elements of the members of a drive.  A program of its own, because Debian's
-// deal.II brings the GPL with it (docs/adr/0011).
+// SPDX-License-Identifier: Apache-2.0 strainwave-fe: finite elements of the members of a drive.  It
+// is a separate program, because Debian's deal.II is subject to the GPL (docs/adr/0011).
 #include "command_line.hpp"
 #include "own_commands.hpp"
 #include "strainwave/fe_study/commands.hpp"

@@ -30,7 +30,7 @@ def curve(points, **changes):
     drive = coupled_drive.typical(25, 100, **changes)
     last = coupled_drive.torques(drive)[-1]
     loads = last * np.arange(1, points + 1) / points
-    # 1e-9 of the contact forces: enough for a curve, and Newton is beyond it in its last step
+    # 1e-9 of the contact forces: enough for a curve; the last Newton step is more accurate
     results = coupled_drive.Coupled(drive, tolerance=1e-9).curve(loads)
     return loads, np.array([twist for _, twist, _ in results])
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Describes a drive in code and asks what a crack of its output shaft costs.
+// Describes a drive in code and computes the stiffness that it loses by a crack of its output
+// shaft.
 
 #include <exception>
 #include <iostream>

@@ -13,7 +13,7 @@ namespace {
 
 // snippet: growth
 void print_growth(const strainwave::GearSet& gear) {
-  strainwave::check(gear);  // each computation expects a drive that keeps the rules
+  strainwave::check(gear);  // each computation expects a checked drive
   const strainwave::DriveCrack crack = strainwave::drive_cracks(gear).front();
   const double torque = gear.load.torque;
   for (const double factor : {1.0, 1.5, 2.0}) {

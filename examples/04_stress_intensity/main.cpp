@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Takes one stress intensity solution by its type: geometry factors of a cracked strip.
+// Uses one stress intensity solution directly by its type: geometry factors of a cracked strip.
 
 #include <cmath>
 #include <iostream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assembles a drive on its cam once and asks for K1, K2 and K3, with and without its cracks.
+// Assembles a drive on its cam once and computes K1, K2 and K3, with and without its cracks.
 
 #include <exception>
 #include <iostream>

@@ -4,26 +4,26 @@
 
 /**
  * @file
- * The C interface of strainwave, C11: libstrainwave.so.0 exports these functions and nothing else.
+ * The C interface of strainwave, C11: libstrainwave.so.0 exports only these functions.
  *
- * A drive is read from text, a command is run on it by its name, and its answer is had as JSON or
+ * The caller reads a drive from text, runs a command on it by name, and gets the answer as JSON or
  * as another document.  The commands, their options and their results are those of the program
- * `strainwave`; sw_commands lists them, and the command `schema` has their JSON Schemas.
+ * `strainwave`; sw_commands lists them, and the command `schema` gives their JSON Schemas.
  *
- * The library opens no file, reads no clock, environment or locale, and prints nothing.  It has no
- * global state: handles may be used by several threads at once, and only the call that frees a
- * handle must be the last one that uses it.  No C++ exception leaves it.  A callback must not throw
- * or jump out of it.
+ * The library opens no file, reads no clock, environment or locale, and prints nothing.  It does
+ * not keep global state.  Several threads may use one handle at once, but the call that frees a
+ * handle must be the last call with it.  No C++ exception leaves the library.  A callback must not
+ * throw or jump out of the library.
  *
  * Text is UTF-8 with an explicit length.  Numbers are doubles in SI units.
  *
- * A function that can fail returns NULL when it succeeds, or an error that the caller frees by
- * sw_error_free.  What it was to give is set only when it succeeds.
+ * A function that can fail returns NULL on success, or an error that the caller frees by
+ * sw_error_free.  It sets its output only on success.
  */
 
 #include <stddef.h>
 
-/* NOLINTBEGIN(modernize-use-using,readability-identifier-naming): C has other customs */
+/* NOLINTBEGIN(modernize-use-using,readability-identifier-naming): C has its own conventions */
 
 #if defined(__GNUC__)
 #define SW_API __attribute__((visibility("default")))
@@ -39,57 +39,58 @@ typedef struct sw_drive sw_drive;   /**< a drive that was read and checked */
 typedef struct sw_answer sw_answer; /**< what a command answered */
 typedef struct sw_error sw_error;   /**< why a function failed */
 
-/** Text that somebody else owns; data may be NULL where size is 0. */
+/** Text that another party owns; data may be NULL if size is 0. */
 typedef struct sw_text {
   const char* data;
   size_t size; /**< [bytes] */
 } sw_text;
 
-/** Where text comes from piece by piece. */
+/** A source of text, read piece by piece. */
 typedef struct sw_source {
-  /** Puts at most `size` next bytes at `bytes`; returns how many, 0 at the end, < 0 for a fault. */
+  /** Writes at most `size` next bytes to `bytes`; returns their number, 0 at the end, < 0 for a
+   * fault. */
   ptrdiff_t (*next)(void* context, char* bytes, size_t size);
-  /** Called once when no more is read, also after a fault; may be NULL. */
+  /** Called once after the last read, also after a fault; may be NULL. */
   void (*close)(void* context);
   void* context;
 } sw_source;
 
-/** Where a document goes piece by piece. */
+/** A sink for a document, written piece by piece. */
 typedef struct sw_sink {
   /** Takes the next bytes; returns 0, or anything else for a fault. */
   int (*write)(void* context, const char* bytes, size_t size);
-  /** Called once behind the last byte and only then: before it, the document is not complete.
+  /** Called once, after the last byte; before this call the document is not complete.
    *  Returns 0, or anything else for a fault; may be NULL. */
   int (*commit)(void* context);
   void* context;
 } sw_sink;
 
-/** A text by the name that a drive or an option gives. */
+/** A text with the name that a drive or an option gives. */
 typedef struct sw_attachment {
   sw_text name;
   sw_text text;
 } sw_attachment;
 
-/** Texts that a drive names, such as tables of compliances: those of the array, or where it has no
- *  such name, those that the callback finds.  Each is at most 1 MiB. */
+/** Texts that a drive names, such as compliance tables.  The array is searched first; for a name
+ *  that it lacks, the callback is called.  Each text is at most 1 MiB. */
 typedef struct sw_attachments {
   const sw_attachment* array;
   size_t count;
-  /** Opens the text of a name: sets *text and returns 0, or returns anything else where there is
-   *  none; may be NULL. */
+  /** Opens the text with a name: sets *text and returns 0, or returns anything else if the text
+   * does not exist; may be NULL. */
   int (*find)(void* context, sw_text name, sw_source* text);
   void* context;
 } sw_attachments;
 
-/** How a caller learns how far a computation is, and stops it. */
+/** Lets a caller follow the progress of a computation and stop it. */
 typedef struct sw_progress {
-  /** Told the fraction that is done, 0 to 1, by the thread that called the library and at least
-   *  every 50 ms; returns 0 to go on, or anything else to stop. */
+  /** Receives the completed fraction, 0 to 1, on the thread that called the library, at least every
+   *  50 ms; returns 0 to continue, or anything else to stop. */
   int (*report)(void* context, double fraction);
   void* context;
 } sw_progress;
 
-/** Why a function failed; the numbers are the exit codes of the program, which never ends with
+/** Reason of a failure; the numbers are the exit codes of the program, which never exits with
  *  SW_CALLBACK. */
 typedef enum sw_code {
   SW_OPTION = 2,     /**< the command, an option or another argument cannot be understood */
@@ -110,7 +111,7 @@ typedef enum sw_error_part {
   SW_RULE = 4     /**< that the value breaks: "> 0" */
 } sw_error_part;
 
-/** What came of one row of a batch. */
+/** Outcome of one row of a batch. */
 typedef enum sw_row_code {
   SW_ROW_OK = 0,           /**< its numbers may be used */
   SW_ROW_REFUSED = 1,      /**< its values break a rule of the input */
@@ -119,10 +120,10 @@ typedef enum sw_row_code {
   SW_ROW_OUTPUT_ABSENT = 4 /**< its result has not all of the outputs */
 } sw_row_code;
 
-/** Of sw_row_code. */
+/** Number of values of sw_row_code. */
 #define SW_ROW_CODES 5
 
-/** Many evaluations of a drive whose numbers differ. */
+/** Many evaluations of one drive with different numbers. */
 typedef struct sw_batch_task {
   const sw_text* paths; /**< n_paths: "output_shaft.crack[0].depth" */
   size_t n_paths;
@@ -142,61 +143,59 @@ SW_API const char* sw_version(void);
 SW_API sw_error* sw_commands(sw_text* json);
 
 /** Reads a drive from TOML text of at most 1 MiB.
- *  @param name         of the text, for messages
- *  @param attachments  may be NULL */
+ * @param name         name of the text in messages @param attachments  may be NULL */
 SW_API sw_error* sw_read(sw_text text, sw_text name, const sw_attachments* attachments,
                          sw_drive** drive);
-/** The same from a source. */
+/** Reads a drive from a source; otherwise as sw_read. */
 SW_API sw_error* sw_read_from(sw_source source, sw_text name, const sw_attachments* attachments,
                               sw_drive** drive);
 
 /** Sets one field, crack or section in the TOML text of a drive, and keeps everything else.
- *  @param path    "output_shaft.crack[0].depth"; "[+]" is one element more
- *  @param value   as it stands behind `=` in TOML; NULL removes what is there
- *  @param edited  the new text, to be freed */
+ * @param path    "output_shaft.crack[0].depth"; "[+]" adds an element @param value   TOML as behind
+ *                `=`; NULL removes the present value @param edited  the new text; the caller frees
+ *                it */
 SW_API sw_error* sw_edit(sw_text text, sw_text path, const sw_text* value, sw_text* edited);
 
 /** Runs a command.
- *  @param drive     may be NULL for a command that takes none
- *  @param command   "stiffness"
- *  @param options   JSON object, {"method": "corrected"}; empty: none
- *  @param texts     n_texts texts that options name; may be NULL for none
- *  @param progress  may be NULL */
+ * @param drive     may be NULL for a command without a drive @param command   "stiffness" @param
+ *                  options   JSON object, {"method": "corrected"}; empty: no option @param texts
+ *                  n_texts texts that options name; may be NULL if n_texts is 0 @param progress
+ *                  may be NULL */
 SW_API sw_error* sw_run(const sw_drive* drive, sw_text command, sw_text options,
                         const sw_attachment* texts, size_t n_texts, const sw_progress* progress,
                         sw_answer** answer);
 
-/** 1 if the answer may be used, 0 if not: its JSON says why under "unusable_because". */
+/** 1 if the answer may be used, else 0; its JSON gives the reason under "unusable_because". */
 SW_API int sw_answer_usable(const sw_answer* answer);
-/** A document of the answer, to be freed: "json" is the result with its evidence
- *  (strainwave-result/1); sw_commands has the other names. */
+/** A document of the answer; the caller frees it.  "json" is the result with its evidence
+ *  (strainwave-result/1); sw_commands lists the other names. */
 SW_API sw_error* sw_answer_document(const sw_answer* answer, sw_text name, sw_text* document);
-/** The same into a sink. */
+/** Writes a document of the answer into a sink. */
 SW_API sw_error* sw_answer_write(const sw_answer* answer, sw_text name, const sw_sink* sink);
 
 /** Evaluates the stiffness of a drive for each row of values.  The numbers do not depend on the
  *  number of threads.
- *  @param numbers  shape (n_rows, n_outputs), row after row [SI unit of the output]; 0 where the
- *                  code of the row says that there are none
+ *  @param numbers  shape (n_rows, n_outputs), row after row [SI unit of the output]; 0 if the code
+ *                  of the row says that it has no numbers
  *  @param codes    shape (n_rows), of sw_row_code
- *  @param faults   shape (SW_ROW_CODES): the message of the first row of each code, each to be
- *                  freed, empty where there is none; may be NULL */
+ *  @param faults   shape (SW_ROW_CODES): the message of the first row with each code, or an empty
+ *                  text; the caller frees each; may be NULL */
 SW_API sw_error* sw_batch(const sw_drive* drive, const sw_batch_task* task,
                           const sw_progress* progress, double* numbers, int* codes,
                           sw_text* faults);
 
 SW_API sw_code sw_error_code(const sw_error* error);
-/** A part of an error, which lives as long as the error; empty where there is none. */
+/** A part of an error, valid as long as the error; empty if the error lacks the part. */
 SW_API sw_text sw_error_text(const sw_error* error, sw_error_part part);
-/** Line and column of the fault in its file, from 1; 0 where there is none. */
+/** Line and column of the fault in its file, counted from 1; 0 if unknown. */
 SW_API size_t sw_error_line(const sw_error* error);
 SW_API size_t sw_error_column(const sw_error* error);
 
-/* NULL, and an empty text, may be freed. */
+/* NULL and an empty text may be passed to these functions. */
 SW_API void sw_drive_free(sw_drive* drive);
 SW_API void sw_answer_free(sw_answer* answer);
 SW_API void sw_error_free(sw_error* error);
-/** Frees a text that the library gave to be freed. */
+/** Frees a text that the library returned for the caller to free. */
 SW_API void sw_text_free(sw_text text);
 
 #ifdef __cplusplus

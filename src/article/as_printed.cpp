@@ -52,7 +52,7 @@ double radial_load(double load_factor, double force_transmission_coefficient, do
 
 namespace {
 
-/// 0.217 t_i (beta a/(a' b'))^2, which eqs. (AP-5) and (AP-6) share.
+/// 0.217 t_i (beta a/(a' b'))^2, the common factor of eqs. (AP-5) and (AP-6).
 double cracked_length(const CrackedRace& race) {
   const double ratio =
       race.contact_factor * race.depth / (race.contact_semi_major * race.contact_semi_minor);
@@ -164,7 +164,8 @@ double drive_stiffness(double wave_generator, double flexspline, double output_s
 
 namespace {
 
-// The article's units.  Divide to enter them, multiply to leave.
+// The article's units.  Divide an SI value by a unit to get the article's number; multiply to get
+// back.
 using units::mm;
 using units::MPa;
 using units::N;
@@ -174,13 +175,13 @@ constexpr double kCompliance = 1 / (N * mm);
 constexpr double kRootMm = 0.031622776601683793;  // sqrt(1e-3)
 constexpr double kStressIntensity = MPa * kRootMm;
 
-/// The article's numbers of [article], or none.
+/// The numbers of the section [article]; empty without the section.
 const ArticleOverrides& overrides(const GearSet& gear) {
   static const ArticleOverrides kNone;
   return gear.article ? *gear.article : kNone;
 }
 
-/// F_r in N.
+/// Radial load F_r in N.
 double radial_load_of(const GearSet& gear) {
   const WaveGenerator& wg = *gear.wave_generator;
   return overrides(gear).radial_load.value_or(
@@ -188,7 +189,7 @@ double radial_load_of(const GearSet& gear) {
                   std::abs(gear.load.torque) / kTorque, gear.drive.pitch_diameter / mm));
 }
 
-/// K_G0 in N/mm.
+/// Sound radial stiffness K_G0 in N/mm.
 double sound_radial_stiffness_of(const GearSet& gear) {
   const WaveGenerator& wg = *gear.wave_generator;
   if (wg.radial_stiffness) return *wg.radial_stiffness / kRadialStiffness;
@@ -239,7 +240,8 @@ Member wave_generator(const GearSet& gear, const RaceSurfaceCrack* crack) {
   const double Delta_K_G = race_crack_stiffness(race, F_r);
   const double K_G = radial_stiffness(K_G0, Delta_K_G);
   member.cracked = wave_generator_compliance(cam(gear), K_G) * kCompliance;
-  member.added = member.cracked * (Delta_K_G / K_G0);  // 1/K_G - 1/K_G0, without cancellation
+  // 1/K_G - 1/K_G0, written without cancellation
+  member.added = member.cracked * (Delta_K_G / K_G0);
 
   const double sigma_max = contact_pressure(F_r, race.contact_semi_major, race.contact_semi_minor);
   const double K_I = race_stress_intensity(race_stress(race.contact_factor, sigma_max), race.depth,
@@ -280,20 +282,19 @@ Member flexspline(const GearSet& gear, const WallThroughCrack* crack) {
   Member member;
   member.equations = {"AP-12"};
   if (gear.flexspline->shape_factor)
-    member.notes.push_back({.code = "article.factor_squared",
-                            .text =
-                                "the printed equation has the factor of the shape twice, as k_f "
-                                "and as k_G",
-                            .path = "flexspline.shape_factor",
-                            .equation = "AP-12",
-                            .severity = Severity::care});
+    member.notes.push_back(
+        {.code = "article.factor_squared",
+         .text = "the printed equation has the factor of the shape twice, as k_f and as k_G",
+         .path = "flexspline.shape_factor",
+         .equation = "AP-12",
+         .severity = Severity::care});
   member.sound = sound_flexspline_compliance(sound_cup(gear)) * kCompliance;
   member.cracked = member.sound;
   if (crack == nullptr) return member;
 
   if (crack->shell_correction)
     member.notes.push_back(not_read("flexspline.crack[0].shell_correction", "AP-10",
-                                    "the article takes the wall as a flat plate"));
+                                    "the article treats the wall as a flat plate"));
   const CrackedWall wall = cracked_wall(gear, *crack);
   member.added = wall_crack_compliance(wall) * kCompliance;
   member.cracked = member.sound + member.added;
@@ -308,7 +309,7 @@ Member flexspline(const GearSet& gear, const WallThroughCrack* crack) {
   return member;
 }
 
-/// d_s in mm: the article's number, or the solid shaft of the same polar moment.
+/// Diameter d_s in mm: the article's number, or that of the solid shaft with the same polar moment.
 double equivalent_diameter(const GearSet& gear) {
   const OutputShaft& shaft = *gear.output_shaft;
   const double D = shaft.outer_diameter;

@@ -20,7 +20,9 @@ constexpr std::string_view kStressIntensityUnit = "Pa*m^0.5";
 constexpr std::string_view kSumEquation = "AP-18";
 
 [[noreturn]] void refuse(std::string_view path, Method method, std::string_view why) {
-  throw InputError(path, fmt::format("the method {} cannot treat it; {}", enum_name(method), why));
+  throw InputError(path,
+                   fmt::format("the method {} cannot treat this: {}; use the method corrected",
+                               enum_name(method), why));
 }
 
 template <class Crack, class AnyCrack>
@@ -29,13 +31,13 @@ const Crack* only_crack(const std::vector<AnyCrack>& cracks, std::string_view me
   if (cracks.empty()) return nullptr;
   if (cracks.size() > 1)
     refuse(fmt::format("{}.crack[1]", member), method,
-           "the article has one crack in a member and no rule for more");
+           "the article treats only one crack in a member");
   const auto* const crack = std::get_if<Crack>(&cracks.front());
   if (crack == nullptr) {
     const std::string_view kind = std::visit(
         [](const auto& other) { return std::decay_t<decltype(other)>::kKind; }, cracks.front());
     refuse(fmt::format("{}.crack[0]", member), method,
-           fmt::format("the article has no {} crack in this member", kind));
+           fmt::format("the article does not treat a {} crack in this member", kind));
   }
   return crack;
 }
@@ -43,11 +45,11 @@ const Crack* only_crack(const std::vector<AnyCrack>& cracks, std::string_view me
 void refuse_unknown_race(const WaveGenerator& wg, const RaceSurfaceCrack& crack, Method method) {
   if (crack.stress_driver != StressDriver::orthogonal_shear)
     refuse("wave_generator.crack[0].stress_driver", method,
-           "the article has the driver orthogonal_shear alone");
+           "the article treats only the driver orthogonal_shear");
   if (!crack.contact_factor)
     throw InputError("wave_generator.crack[0].contact_factor",
-                     fmt::format("must be given for the method {}: the article takes beta as a "
-                                 "given number and has no formula for it",
+                     fmt::format("must be given for the method {}: the article uses beta as a "
+                                 "given number and does not state a formula for it",
                                  enum_name(method)));
   if (!wg.contact_semi_axes)
     throw InputError("wave_generator.contact_semi_axes",
@@ -64,8 +66,8 @@ CrackedDrive cracked_drive(const IntactDrive& intact, const Compliances& complia
   const double total = compliance.total.value;
   return {.compliance = compliance,
           .stiffness = {stiffness(compliance), kStiffness},
-          // K/K_0 - 1 = -Delta lambda/lambda: the difference of two nearly equal stiffnesses would
-          // lose the digits that a small crack is about.
+          // K/K_0 - 1 = -Delta lambda/lambda.  The difference of two nearly equal stiffnesses would
+          // lose the digits of a small crack.
           .stiffness_change = {-added / total, "1"},
           .wind_up = {total * std::abs(torque), intact.wind_up.unit}};
 }
@@ -79,15 +81,15 @@ void append(StiffnessResult& result, const Member& member) {
 void note_negative(std::vector<Note>& notes, double compliance, std::string_view path,
                    std::string_view equation) {
   if (compliance >= 0) return;
-  notes.push_back({.code = "article.negative_compliance",
-                   .text = fmt::format(
-                       "the cracked compliance of {} is negative, {:.4g} rad/(N*m): the printed "
-                       "equations give it, and it has no physical meaning",
-                       path.empty() ? "the drive" : path, compliance),
-                   .path = std::string(path),
-                   .equation = std::string(equation),
-                   .severity = Severity::critical,
-                   .next_step = "Take the method corrected."});
+  notes.push_back(
+      {.code = "article.negative_compliance",
+       .text = fmt::format("the cracked compliance of {} is negative, {:.4g} rad/(N*m): it follows "
+                           "from the printed equations, but a compliance cannot be negative",
+                           path.empty() ? "the drive" : path, compliance),
+       .path = std::string(path),
+       .equation = std::string(equation),
+       .severity = Severity::critical,
+       .next_step = "Use the method corrected."});
 }
 
 std::vector<Note> general_notes(const GearSet& gear, Method method) {
@@ -95,45 +97,44 @@ std::vector<Note> general_notes(const GearSet& gear, Method method) {
   notes.push_back(
       {.code = "article.accuracy",
        .text = method == Method::as_printed
-                   ? "no accuracy is stated: several printed equations are dimensionally or "
-                     "physically wrong, so the numbers show what the article says, not a drive"
-                   : "no accuracy is stated: the article's models are kept where they are "
-                     "wrong in kind (race stress, cam conversion), not only in print",
+                   ? "the accuracy cannot be stated: several printed equations are dimensionally "
+                     "or physically wrong, so the numbers show what the article says, not a drive"
+                   : "the accuracy cannot be stated: the article's models are kept even where "
+                     "their physics is wrong (race stress, cam conversion), not only their print",
        .path = "",
        .equation = "",
        .severity = Severity::care,
-       .next_step = "Take the method corrected for a drive of your own."});
+       .next_step = "Use the method corrected for a drive of your own."});
   notes.push_back({.code = "article.no_closure",
-                   .text = "both senses of torque have the same values: the article takes every "
-                           "crack as open under either",
+                   .text = "both senses of torque give the same values, because the article treats "
+                           "every crack as open under either",
                    .path = "",
                    .equation = "",
                    .severity = Severity::care});
   if (method == Method::repaired && gear.article)
-    notes.push_back(
-        {.code = "article.ignored",
-         .text = "the printed intermediate values are read by the method as-printed only",
-         .path = "article",
-         .equation = "",
-         .severity = Severity::information});
+    notes.push_back({.code = "article.ignored",
+                     .text = "only the method as-printed reads the printed intermediate values",
+                     .path = "article",
+                     .equation = "",
+                     .severity = Severity::information});
   for_each_tabulated_kind(gear, [&](const std::string& path, const auto& crack) {
     if (crack.compliance_table)
       notes.push_back({.code = "article.compliance_table",
-                       .text = "the article has its own formula: the table is not read",
+                       .text = "the article uses its own formula, so the table is not read",
                        .path = path + ".compliance_table",
                        .equation = "",
                        .severity = Severity::care});
   });
   if (gear.load.axial_force != 0)
     notes.push_back({.code = "article.axial_force",
-                     .text = "the axial force enters K_I of the shaft's crack and nothing else",
+                     .text = "the axial force affects only K_I of the shaft's crack",
                      .path = "load.axial_force",
                      .equation = method == Method::as_printed ? "AP-13" : "AR-8",
                      .severity = Severity::care});
   if (gear.wave_generator && gear.drive.wave_number != 2)
     notes.push_back(
         {.code = "article.wave_number",
-         .text = "the article's force F_r on a lobe holds for two lobes and is taken as it is",
+         .text = "the article's force F_r on a lobe is valid for two lobes; it is used unchanged",
          .path = "drive.wave_number",
          .equation = method == Method::as_printed ? "AP-4" : "AR-1",
          .severity = Severity::care});
@@ -144,11 +145,12 @@ std::vector<Note> general_notes(const GearSet& gear, Method method) {
 
 Member absent_member(std::string_view path) {
   Member member;
-  member.notes.push_back({.code = "member.absent",
-                          .text = fmt::format("[{}] is not given; it adds no compliance", path),
-                          .path = std::string(path),
-                          .equation = "",
-                          .severity = Severity::information});
+  member.notes.push_back(
+      {.code = "member.absent",
+       .text = fmt::format("[{}] is not given, so it does not add compliance", path),
+       .path = std::string(path),
+       .equation = "",
+       .severity = Severity::information});
   return member;
 }
 
@@ -159,13 +161,13 @@ Cracks treatable_cracks(const GearSet& gear, Method method) {
     cracks.race = only_crack<RaceSurfaceCrack>(wg.crack, "wave_generator", method);
     if (wg.bearing)
       refuse("wave_generator.bearing", method,
-             "the article takes radial_stiffness or displacements as given");
+             "the article needs radial_stiffness or displacements as given numbers");
     if (cracks.race != nullptr) refuse_unknown_race(wg, *cracks.race, method);
   }
   if (gear.flexspline) {
     const Flexspline& fs = *gear.flexspline;
     if (fs.crack_free != CrackFree::factor)
-      refuse("flexspline.crack_free", method, "the article has \"factor\" alone");
+      refuse("flexspline.crack_free", method, "the article treats only \"factor\"");
     cracks.wall = only_crack<WallThroughCrack>(fs.crack, "flexspline", method);
   }
   if (gear.output_shaft)
@@ -234,8 +236,8 @@ StiffnessResult drive_result(const GearSet& gear, Method method, const Member& w
   if (!std::isfinite(result.positive.stiffness.value) ||
       !std::isfinite(result.positive.compliance.total.value))
     result.unusable_because =
-        "the printed equations divide by zero for this drive: the stiffness that the crack takes "
-        "off equals what there is";
+        "the printed equations divide by zero for this drive: the stiffness that the crack removes "
+        "equals the sound stiffness";
   return result;
 }
 

@@ -11,8 +11,8 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quadrature.hpp"
 
-// Where a printed equation is right, the function of as_printed.hpp is called, here in SI: a right
-// equation holds in every system of units.
+// If a printed equation is right, the function of as_printed.hpp is called in SI units, because a
+// right equation is valid in every system of units.
 
 namespace strainwave {
 namespace article {
@@ -134,7 +134,7 @@ Member repaired_flexspline(const GearSet& gear, const WallThroughCrack* crack) {
 
 // --- Output shaft ---------------------------------------------------------------------------
 
-/// Diameter of the solid shaft with the polar moment of the hollow one [m].
+/// Diameter of the solid shaft with the polar moment of the hollow shaft [m].
 double equal_torsion_diameter(const OutputShaft& shaft) {
   const double D = shaft.outer_diameter;
   const double d = shaft.inner_diameter;
@@ -169,8 +169,8 @@ double annular_crack_compliance(double d, double depth, double shear_modulus) {
   const auto integral = integrate(integrand, 0.0, depth, {.relative_tolerance = 1e-12});  // (AR-8)
   if (!integral.converged)
     throw SolverError(
-        fmt::format("the crack integral (AR-8) did not converge: error {:.2g} of "
-                    "{:.2g}; is the crack almost through the shaft?",
+        fmt::format("the crack integral (AR-8) did not converge: error {:.2g} of {:.2g}; check "
+                    "whether the crack goes almost through the shaft",
                     integral.error, integral.value));
   return integral.value;
 }

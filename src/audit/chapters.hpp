@@ -16,7 +16,7 @@ namespace strainwave {
 
 using Rows = std::vector<AuditRow>;
 
-// The chapters of the audit, in its order.
+// The chapters of the audit in their order.
 [[nodiscard]] Rows fracture_mechanics_rows();
 [[nodiscard]] Rows wave_generator_rows();
 [[nodiscard]] Rows flexspline_rows();
@@ -25,7 +25,7 @@ using Rows = std::vector<AuditRow>;
 
 inline constexpr const char* kCompliance = "rad/(N*mm)";
 
-/// The rows of all parts, in their order.
+/// The rows of all parts in their order.
 template <class... Parts>
 [[nodiscard]] Rows joined(Parts&&... parts) {
   Rows rows;
@@ -35,13 +35,14 @@ template <class... Parts>
   return rows;
 }
 
-/// Exponents of force and length that an equation's value has.
+/// Exponents of force and length in the value of an equation.
 struct Exponents {
   double force = 0.0;
   double length = 0.0;
 };
 
-/// Found by evaluating the equation in units of force, then of length, ten times smaller.
+/// Finds the exponents by evaluating the equation in units of force, then of length, that are ten
+/// times smaller.
 template <class Equation>
 Exponents exponents_of(const Equation& equation) {
   const Printed p;
@@ -55,7 +56,7 @@ inline std::string dimension_text(const Exponents& e) {
                      std::round(e.length) + 0.0);
 }
 
-/// The value of one input for which an equation gives `wanted`.
+/// The value of one input at which an equation gives `wanted`.
 template <class Equation>
 ReproducingInput reproducing(std::string name, std::string unit, double wanted, double lower,
                              double upper, const Equation& equation) {

@@ -14,7 +14,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// By the printed diameter and wall [mm].
+/// Mean radius from the printed diameter and wall [mm].
 double own_mean_radius() {
   const Printed p;
   return (p.d_1 - p.delta) / 2;
@@ -39,7 +39,7 @@ Rows wall_stress_rows() {
                   .corrected = k.I[kTorsion] * p.T,
                   .verdict = AuditVerdict::reproduced,
                   .sentence = "right for a through crack of half length a; the text calls a its "
-                              "depth, and a surface crack needs other factors"});
+                              "depth, but a surface crack needs other factors"});
   rows.push_back({.id = "C2",
                   .quantity = "K_II/K_I at 45 deg, \"mixed mode I-II\"",
                   .unit = "1",
@@ -70,9 +70,8 @@ Rows wall_compliance_rows() {
                   .own = article::wall_crack_compliance(with(&Printed::r_m, mean_radius).wall()),
                   .corrected = corrected_crack,
                   .verdict = AuditVerdict::physics,
-                  .sentence =
-                      "K_u multiplies a stress and enters squared; a load factor K_d has no "
-                      "place in a compliance; so short a crack is in plane strain"});
+                  .sentence = "K_u multiplies a stress and enters squared; a load factor K_d does "
+                              "not belong in a compliance; a crack this short is in plane strain"});
   rows.push_back(
       {.id = "C5",
        .quantity = "factor 0.1 of l_f0 for pi/32",
@@ -93,8 +92,9 @@ Rows wall_compliance_rows() {
                   .own = article::sound_flexspline_compliance(p.cup(0.83, 0.83)),
                   .corrected = true_sound,
                   .verdict = AuditVerdict::misprint,
-                  .sentence = "k_f and k_G are the same 0.83: the formula has it twice, the number "
-                              "once",
+                  .sentence =
+                      "k_f and k_G are the same 0.83: the formula uses it twice, the number "
+                      "once",
                   .reproduce = reproducing("k_f k_G", "1", 2.359e-10, 0.1, 2, with_factor)});
   rows.push_back({.id = "C7",
                   .quantity = "mean radius r_m",
@@ -130,8 +130,8 @@ Rows wall_compliance_rows() {
                   .corrected = compliance_in_mm(result.cracks[1].negative.at_output),
                   .verdict = AuditVerdict::physics,
                   .sentence = fmt::format(
-                      "a 45 deg crack that one sense of torque opens is closed by the other; and "
-                      "assembly bends the wall by {:.1f} MPa, far above the shear",
+                      "one sense of torque opens a 45 deg crack and the other closes it; the "
+                      "assembly bends the wall by {:.1f} MPa, far more than the shear stress",
                       ovalisation_stress(example(1e-4, 1e-4)) / units::MPa)});
   return rows;
 }

@@ -26,13 +26,13 @@ double tada_M_M(double ratio) {
   return 3 * std::sqrt(ratio) / 8 * sif::annular_p3(sif::AnnularPolynomials::tada, ratio);
 }
 
-/// d_e/d_s of the printed crack.
+/// Ratio d_e/d_s of the printed crack.
 double net_ratio() {
   const Printed p;
   return (p.d_s - 2 * p.a) / p.d_s;
 }
 
-/// The printed shaft, its coefficients by their printed polynomials.
+/// The printed shaft, with coefficients from the printed polynomials.
 article::CrackedShaft shaft_by_polynomials() {
   article::CrackedShaft shaft = Printed{}.shaft();
   shaft.M_p = article::axial_coefficient(net_ratio());
@@ -58,14 +58,14 @@ Rows shaft_intensity_rows() {
        .own = article::axial_coefficient(1),
        .corrected = tada_M_p(1),
        .verdict = AuditVerdict::misprint,
-       .sentence = "-0.182 and 0.366 in the handbook; the shallow crack is then 1.1215"});
+       .sentence = "the handbook prints -0.182 and 0.366, which give 1.1215 for a shallow crack"});
   rows.push_back({.id = "D3",
                   .quantity = "M_M(1), printed 0.376",
                   .unit = "1",
                   .own = article::torsion_coefficient(1),
                   .corrected = tada_M_M(1),
                   .verdict = AuditVerdict::misprint,
-                  .sentence = "0.375 in the handbook"});
+                  .sentence = "the handbook prints 0.375"});
   return rows;
 }
 
@@ -79,18 +79,17 @@ Rows shaft_crack_terms_rows() {
                   .own = terms.axial_term,
                   .corrected = 0.0,
                   .verdict = AuditVerdict::physics,
-                  .sentence =
-                      "K_I belongs to the axial force: the torsional compliance has none of "
-                      "it, and the two loads are not coupled"});
+                  .sentence = "K_I belongs to the axial force, so it does not contribute to the "
+                              "torsional compliance; the two loads are not coupled"});
   const double solid = solid_shaft(p.a, p.d_s);
-  rows.push_back(
-      {.id = "D5",
-       .quantity = "second term (K_III), dA = 2 pi a da",
-       .unit = kCompliance,
-       .own = article::shaft_crack_compliance(shaft_by_polynomials()).torsion_term,
-       .corrected = solid,
-       .verdict = AuditVerdict::physics,
-       .sentence = "the area of a penny crack; an annulus sweeps pi d_e da, some 3 d_e/(4a) more"});
+  rows.push_back({.id = "D5",
+                  .quantity = "second term (K_III), dA = 2 pi a da",
+                  .unit = kCompliance,
+                  .own = article::shaft_crack_compliance(shaft_by_polynomials()).torsion_term,
+                  .corrected = solid,
+                  .verdict = AuditVerdict::physics,
+                  .sentence = "this is the area of a penny crack; an annulus sweeps pi d_e da, "
+                              "larger by a factor of some 3 d_e/(4a)"});
   const auto first_term = [](const Printed& q) {
     return article::shaft_crack_compliance(q.shaft()).axial_term;
   };
@@ -100,7 +99,7 @@ Rows shaft_crack_terms_rows() {
                   .own = std::round(exponents_of(first_term).length) + 0.0,
                   .corrected = -1.0,
                   .verdict = AuditVerdict::dimension,
-                  .sentence = fmt::format("it has the dimension {}; a torsional compliance has "
+                  .sentence = fmt::format("the dimension is {}; that of a torsional compliance is "
                                           "force^-1 length^-1",
                                           dimension_text(exponents_of(first_term)))});
   rows.push_back({.id = "D7",
@@ -110,7 +109,7 @@ Rows shaft_crack_terms_rows() {
                   .corrected = solid,
                   .verdict = AuditVerdict::physics,
                   .sentence = "right algebra for the wrong area and coefficient; M_M and d_e vary "
-                              "while the crack grows"});
+                              "during crack growth"});
   rows.push_back({.id = "D8",
                   .quantity = "2/E in front of K_I^2, over plane strain",
                   .unit = "1",
@@ -132,7 +131,7 @@ Rows sound_shaft_rows(const StiffnessResult& result) {
        .own = sound,
        .corrected = torsional_compliance(Tube{.outer_diameter = p.d_s, .length = p.L_s}, p.mu),
        .verdict = AuditVerdict::reproduced,
-       .sentence = "0.1 for pi/32"});
+       .sentence = "0.1 replaces pi/32"});
   const double hollow_fourth = std::pow(p.D_s, 4) - std::pow(p.d_s_bore, 4);
   rows.push_back({.id = "D10",
                   .quantity = "equivalent solid diameter d_s",
@@ -143,7 +142,7 @@ Rows sound_shaft_rows(const StiffnessResult& result) {
                   .verdict = AuditVerdict::not_reproducible,
                   .sentence = fmt::format(
                       "equal polar moment gives {:.1f}, equal section modulus {:.1f}, equal area "
-                      "{:.1f}; and a crack knows no equivalent solid shaft",
+                      "{:.1f}; for a crack, an equivalent solid shaft does not exist",
                       std::pow(hollow_fourth, 0.25), std::cbrt(hollow_fourth / p.D_s),
                       std::sqrt(p.D_s * p.D_s - p.d_s_bore * p.d_s_bore)),
                   .reproduce = reproducing("bore", "mm", p.d_s, 1, 69, [&](double bore) {
@@ -157,7 +156,7 @@ Rows sound_shaft_rows(const StiffnessResult& result) {
        .own = sound,
        .corrected = compliance_in_mm(result.intact.compliance.output_shaft),
        .verdict = AuditVerdict::not_reproducible,
-       .sentence = "it is the hollow shaft with another length",
+       .sentence = "the value belongs to the hollow shaft with another length",
        .reproduce = reproducing("L_s (hollow)", "mm", 6.906e-10, 10, 1000, [&](double L) {
          return article::sound_shaft_compliance(L, std::pow(hollow_fourth, 0.25), p.mu);
        })});
@@ -175,20 +174,19 @@ Rows shaft_crack_rows(const StiffnessResult& result) {
                   .own = article::shaft_crack_compliance(p.shaft()).total(),
                   .corrected = compliance_in_mm(result.cracks[2].positive.at_output),
                   .verdict = AuditVerdict::not_reproducible,
-                  .sentence = "printed formula and inputs give a third of it; that they come close "
-                              "to the corrected value is chance",
+                  .sentence = "printed formula and inputs give a third of the value; its agreement "
+                              "with the corrected value is chance",
                   .reproduce = reproducing("a", "mm", 3.9e-14, 0.01, 10, [&](double a) {
                     return article::shaft_crack_compliance(with(&Printed::a, a).shaft()).total();
                   })});
   const double solid = solid_shaft(p.a, p.d_s);
   const double doubled = solid_shaft(p.a, 2 * p.d_s);
-  rows.push_back(
-      {.id = "D13",
-       .quantity = "exponent n in Delta l_so ~ d_s^n",
-       .unit = "1",
-       .corrected = std::log2(doubled / solid),
-       .verdict = AuditVerdict::physics,
-       .sentence = "\"more compliance with larger diameters\" is the reverse of the truth"});
+  rows.push_back({.id = "D13",
+                  .quantity = "exponent n in Delta l_so ~ d_s^n",
+                  .unit = "1",
+                  .corrected = std::log2(doubled / solid),
+                  .verdict = AuditVerdict::physics,
+                  .sentence = "\"more compliance with larger diameters\" reverses the truth"});
   rows.push_back({.id = "D14",
                   .quantity = "M_p at d_e/d_s = 0.9967",
                   .unit = "1",
@@ -196,7 +194,7 @@ Rows shaft_crack_rows(const StiffnessResult& result) {
                   .own = article::axial_coefficient(x),
                   .corrected = tada_M_p(x),
                   .verdict = AuditVerdict::not_reproducible,
-                  .sentence = "it belongs to a crack 46 times as deep",
+                  .sentence = "the value belongs to a crack 46 times as deep",
                   .reproduce = reproducing("d_e/d_s (handbook)", "1", p.M_p, 0.1, 1, tada_M_p)});
   rows.push_back({.id = "D15",
                   .quantity = "M_M at d_e/d_s = 0.9967",
@@ -205,7 +203,7 @@ Rows shaft_crack_rows(const StiffnessResult& result) {
                   .own = article::torsion_coefficient(x),
                   .corrected = tada_M_M(x),
                   .verdict = AuditVerdict::not_reproducible,
-                  .sentence = "it belongs to yet another crack than M_p",
+                  .sentence = "the value belongs to another crack than M_p",
                   .reproduce = reproducing("d_e/d_s (handbook)", "1", p.M_M, 0.1, 1, tada_M_M)});
   return rows;
 }

@@ -47,7 +47,7 @@ Rows input_rows() {
                   .unit = "1",
                   .printed = p.Q,
                   .verdict = AuditVerdict::reproduced,
-                  .sentence = "that of a semi-ellipse of this aspect ratio",
+                  .sentence = "Q of a semi-ellipse with this aspect ratio",
                   .reproduce = reproducing("a/c", "1", p.Q, 0.1, 1, [](double rho) {
                     return sif::NewmanRaju(rho).shape_parameter();
                   })});
@@ -119,23 +119,24 @@ Rows loss_rows(const StiffnessResult& result) {
        .own = 100 * (1 - kSoundSum / kCrackedSum),
        .corrected = loss_percent(result),
        .verdict = AuditVerdict::physics,
-       .sentence = "the arithmetic of the printed sums; the input is the depth of an annular shaft "
-                   "crack that would do it",
+       .sentence = "the arithmetic of the printed sums is right; the input is the depth of an "
+                   "annular shaft crack with this effect",
        .reproduce = reproducing("shaft crack depth", "mm", 1.2, 0.1, 9, [&](double depth) {
          return loss_percent(torsional_stiffness(example(p.a * units::mm, depth * units::mm)));
        })});
   const auto share = [&](const char* id, const char* member, double printed, double part,
                          Quantity Compliances::*of) {
-    rows.push_back({.id = id,
-                    .quantity = fmt::format("share of the {}", member),
-                    .unit = "%",
-                    .printed = printed,
-                    .own = 100 * part / kCrackedSum,
-                    .corrected = 100 * (result.positive.compliance.*of).value /
-                                 result.positive.compliance.total.value,
-                    .verdict = AuditVerdict::reproduced,
-                    .sentence = "follows from the printed members, which do not follow from the "
-                                "printed inputs"});
+    rows.push_back(
+        {.id = id,
+         .quantity = fmt::format("share of the {}", member),
+         .unit = "%",
+         .printed = printed,
+         .own = 100 * part / kCrackedSum,
+         .corrected =
+             100 * (result.positive.compliance.*of).value / result.positive.compliance.total.value,
+         .verdict = AuditVerdict::reproduced,
+         .sentence =
+             "follows from the printed members, but these do not follow from the printed inputs"});
   };
   share("T11", "output shaft", 54, 6.906e-10, &Compliances::output_shaft);
   share("T12", "wave generator", 28, 3.558e-10, &Compliances::wave_generator);
@@ -145,9 +146,8 @@ Rows loss_rows(const StiffnessResult& result) {
                   .unit = "%",
                   .corrected = loss_percent(corrected_example(2)),
                   .verdict = AuditVerdict::physics,
-                  .sentence =
-                      "\"even small cracks measurably affect the stiffness\" does not hold: "
-                      "this is what cracks twenty times larger do"});
+                  .sentence = "\"even small cracks measurably affect the stiffness\" is wrong: "
+                              "this is the effect of cracks twenty times larger"});
   return rows;
 }
 

@@ -13,7 +13,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// Hertz contact of the article's ellipse: sum of curvatures for a' = 5 mm, b' = 2 mm at a load.
+/// Sum of curvatures of the Hertz contact that gives the article's ellipse, a' = 5 mm, b' = 2 mm,
+/// at a load.
 double curvature_sum_of_printed_ellipse(double load) {
   const Printed p;
   const double contact_modulus = p.E / (2 * (1 - p.nu * p.nu));
@@ -46,7 +47,7 @@ double race_crack_compliance(const StiffnessResult& result) {
   return compliance_in_mm(result.cracks[0].positive.at_output) / (f * f);
 }
 
-/// Delta K_G of the printed equation [N/mm].
+/// Stiffness Delta K_G by the printed equation [N/mm].
 double crack_stiffness(const Printed& p) { return article::race_crack_stiffness(p.race(), p.F_r); }
 double crack_stiffness_at(double a) { return crack_stiffness(with(&Printed::a, a)); }
 
@@ -64,18 +65,16 @@ Rows contact_rows() {
                   .own = article::race_stress_intensity(1, 1, 1),
                   .corrected = 1.1 * std::sqrt(pi),
                   .verdict = AuditVerdict::reproduced,
-                  .sentence =
-                      "1.1 sqrt(pi), Irwin's deepest point of a shallow crack; Q depends on "
-                      "the material in its old form only"});
+                  .sentence = "1.1 sqrt(pi), Irwin's deepest point of a shallow crack; only the "
+                              "old form of Q depends on the material"});
   rows.push_back({.id = "B2",
                   .quantity = "sigma = beta/2 sigma_max",
                   .unit = "MPa",
                   .own = stress,
                   .corrected = edge_tension(axis_ratio, p.nu).minor_end * pressure,
                   .verdict = AuditVerdict::physics,
-                  .sentence =
-                      "beta/2 sigma_max is the subsurface orthogonal shear, no hoop tension; "
-                      "the only Hertz tension is at the edge of the contact"});
+                  .sentence = "beta/2 sigma_max is the subsurface orthogonal shear, not a hoop "
+                              "tension; the only Hertz tension is at the edge of the contact"});
   rows.push_back({.id = "B3",
                   .quantity = "beta for a' = 5, b' = 2",
                   .unit = "1",
@@ -93,8 +92,8 @@ Rows contact_rows() {
                   .own = pressure,
                   .corrected = peak_pressure(p.F_r, p.a_contact, p.b_contact),
                   .verdict = AuditVerdict::ambiguous,
-                  .sentence = "right if a', b' are semi-axes, which the text does not say; four "
-                              "times as much if they are axes"});
+                  .sentence = "right if a', b' are semi-axes, which the text does not state; four "
+                              "times as large if they are axes"});
   // 12.7 mm ball in a groove of conformity 0.52 on a race of 55 mm radius.
   const HertzContact ball =
       hertz_contact({.curvature_sums = {2 / 12.7 - 1 / (0.52 * 12.7), 2 / 12.7 + 1 / 55.0},
@@ -107,8 +106,8 @@ Rows contact_rows() {
                   .own = ball.major_semi_axis,
                   .corrected = ball.major_semi_axis,
                   .verdict = AuditVerdict::physics,
-                  .sentence = "contact axes follow from load and curvature; 5 x 2 mm needs bodies "
-                              "of metres of radius",
+                  .sentence = "contact axes follow from load and curvature; 5 x 2 mm requires "
+                              "bodies with radii of metres",
                   .reproduce = ReproducingInput{"sum of curvatures",
                                                 curvature_sum_of_printed_ellipse(p.F_r), "1/mm"}});
   const auto load = [&](double T) { return article::radial_load(1.15, p.k_r, T, p.d_1); };
@@ -119,7 +118,8 @@ Rows contact_rows() {
                   .own = load(p.T),
                   .corrected = lobe_force() * p.T,
                   .verdict = AuditVerdict::not_reproducible,
-                  .sentence = "half of it; twice comes out if d_1 is read as a radius",
+                  .sentence = "the equation gives half of the value; twice the value results if "
+                              "d_1 is read as a radius",
                   .reproduce = reproducing("T", "N*mm", p.F_r, 1e4, 1e6, load)});
   return rows;
 }
@@ -135,7 +135,7 @@ Rows race_crack_rows(const StiffnessResult& result) {
                   .own = per_force,
                   .corrected = newman_raju,
                   .verdict = AuditVerdict::physics,
-                  .sentence = "t_i is the direction in which the crack grows, not its width: a "
+                  .sentence = "the crack grows in the direction of t_i, so t_i is not its width: a "
                               "semi-ellipse sweeps c da dphi"});
   const auto displacement = [](const Printed& q) {
     return article::race_crack_displacement(q.race(), q.F_r);
@@ -154,7 +154,7 @@ Rows race_crack_rows(const StiffnessResult& result) {
                   .own = displacement(p),
                   .corrected = newman_raju * p.F_r,
                   .verdict = AuditVerdict::dimension,
-                  .sentence = fmt::format("F_r is squared and must not be: as printed it has the "
+                  .sentence = fmt::format("F_r must not be squared: as printed the result has the "
                                           "dimension {}",
                                           dimension_text(exponents_of(displacement)))});
   rows.push_back({.id = "B9",
@@ -186,22 +186,23 @@ Rows radial_stiffness_rows(const StiffnessResult& result) {
   const auto by_subtraction = [&](double a) {
     return article::radial_stiffness(p.K_G0, crack_stiffness_at(a));
   };
-  rows.push_back({.id = "B11a",
-                  .quantity = "K_G = K_G0 - Delta K_G, printed Delta K_G",
-                  .unit = "N/mm",
-                  .printed = 1.185e5,
-                  .own = article::radial_stiffness(p.K_G0, p.dK_G),
-                  .corrected = 1 / (1 / p.K_G0 + newman_raju),
-                  .verdict = AuditVerdict::physics,
-                  .sentence = "the arithmetic holds, the subtraction does not: compliances add"});
+  rows.push_back(
+      {.id = "B11a",
+       .quantity = "K_G = K_G0 - Delta K_G, printed Delta K_G",
+       .unit = "N/mm",
+       .printed = 1.185e5,
+       .own = article::radial_stiffness(p.K_G0, p.dK_G),
+       .corrected = 1 / (1 / p.K_G0 + newman_raju),
+       .verdict = AuditVerdict::physics,
+       .sentence = "the arithmetic is right, but the subtraction is wrong: compliances add"});
   rows.push_back({.id = "B11b",
                   .quantity = "K_G = K_G0 - Delta K_G, its own Delta K_G",
                   .unit = "N/mm",
                   .own = by_subtraction(p.a),
                   .corrected = 1 / (1 / p.K_G0 + newman_raju),
                   .verdict = AuditVerdict::physics,
-                  .sentence = "negative, and minus infinity without a crack; the input is where it "
-                              "changes sign",
+                  .sentence = "negative, and minus infinity without a crack; the input is the "
+                              "value at which the sign changes",
                   .reproduce = reproducing("a of K_G = 0", "mm", 0, 0.1, 100, by_subtraction)});
   return rows;
 }
@@ -217,8 +218,8 @@ Rows member_compliance_rows(const StiffnessResult& result) {
                   .own = own_lambda,
                   .corrected = true_lambda,
                   .verdict = AuditVerdict::physics,
-                  .sentence = "the cam turned back over its mean slope violates reciprocity with "
-                              "the lobe force, where w_0 i = d_1/2 by pi/(4 c_F^2 k_r)"});
+                  .sentence = "turning the cam back over its mean slope violates reciprocity with "
+                              "the lobe force, where w_0 i = d_1/2, by pi/(4 c_F^2 k_r)"});
   const auto lambda_of = [&](double K_G) {
     return article::wave_generator_compliance(p.cam(), K_G);
   };
@@ -229,17 +230,18 @@ Rows member_compliance_rows(const StiffnessResult& result) {
                   .own = own_lambda,
                   .corrected = true_lambda,
                   .verdict = AuditVerdict::not_reproducible,
-                  .sentence = "half of it follows from the printed K_G0",
+                  .sentence = "half of the value follows from the printed K_G0",
                   .reproduce = reproducing("K_G", "N/mm", 3.407e-10, 1e3, 1e7, lambda_of)});
-  rows.push_back({.id = "B13b",
-                  .quantity = "l_H, with cracks",
-                  .unit = kCompliance,
-                  .printed = 3.558e-10,
-                  .own = lambda_of(1.185e5),
-                  .corrected = compliance_in_mm(result.positive.compliance.wave_generator),
-                  .verdict = AuditVerdict::not_reproducible,
-                  .sentence = "nor does its ratio to the sound value agree with the printed K_G",
-                  .reproduce = reproducing("K_G", "N/mm", 3.558e-10, 1e3, 1e7, lambda_of)});
+  rows.push_back(
+      {.id = "B13b",
+       .quantity = "l_H, with cracks",
+       .unit = kCompliance,
+       .printed = 3.558e-10,
+       .own = lambda_of(1.185e5),
+       .corrected = compliance_in_mm(result.positive.compliance.wave_generator),
+       .verdict = AuditVerdict::not_reproducible,
+       .sentence = "its ratio to the sound value does not agree with the printed K_G either",
+       .reproduce = reproducing("K_G", "N/mm", 3.558e-10, 1e3, 1e7, lambda_of)});
   return rows;
 }
 

@@ -9,8 +9,8 @@ namespace strainwave {
 
 /// The inputs of the worked example as printed, in N, mm, MPa, rad.
 ///
-/// Kept in a system of units that can be changed, because the dimension of an equation is found by
-/// evaluating it in two of them.
+/// The system of units can be changed, because the audit finds the dimension of an equation by
+/// evaluating it in two systems.
 struct Printed {
   double E = 2.1e5, mu = 8e4, nu = 0.3;
   double T = 1e5;
@@ -21,7 +21,7 @@ struct Printed {
   double D_s = 70, d_s_bore = 45, L_s = 200, d_s = 60, M_p = 0.85, M_M = 0.42;
   double a = 0.1;
 
-  /// The same physical inputs in units of force and length that are smaller by these factors.
+  /// The same physical inputs in units of force and length smaller by these factors.
   [[nodiscard]] Printed in_smaller_units(double force, double length) const {
     Printed p = *this;
     const double stress = force / (length * length);
@@ -77,15 +77,15 @@ struct Printed {
   }
 };
 
-/// Printed inputs with one of them changed.
+/// The printed inputs with one value changed.
 [[nodiscard]] Printed with(double Printed::*input, double value);
 
-/// The same example for the corrected method, in SI.
-/// @param crack_size   depth of the crack of the race, half length of that of the wall [m]
+/// The worked example for the corrected method, in SI.
+/// @param crack_size   depth of the crack of the race and half length of the crack of the wall [m]
 /// @param shaft_crack  depth of the annular crack of the shaft [m]
 [[nodiscard]] GearSet example(double crack_size, double shaft_crack);
 
-/// What the corrected method gives for the example with cracks of one size [mm].
+/// The result of the corrected method for the example with cracks of one size [mm].
 [[nodiscard]] StiffnessResult corrected_example(double crack_size_mm);
 
 /// From SI to the article's units: rad/(N*m) to rad/(N*mm), N*m/rad to N*mm/rad.

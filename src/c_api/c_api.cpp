@@ -16,7 +16,7 @@
 #include "strainwave/io/edit.hpp"
 #include "strainwave/strainwave.h"
 
-// NOLINTBEGIN(readability-identifier-naming): the names of the header
+// NOLINTBEGIN(readability-identifier-naming): the header fixes these names
 struct sw_drive {
   std::shared_ptr<const strainwave::Drive> drive;
 };
@@ -40,15 +40,15 @@ std::string_view view(sw_text text) {
   return text.size == 0 ? std::string_view() : std::string_view(text.data, text.size);
 }
 
-/// A source or a sink of the caller reported a fault.
+/// Thrown if a source or a sink of the caller reports a fault.
 class CallbackFault : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The one error that needs no memory.
+/// The error that can be reported without allocating memory.
 sw_error* no_memory() {
-  // Of at most 15 characters, which std::string keeps in itself.
+  // At most 15 characters, which std::string stores without allocation.
   static sw_error error{.code = SW_NO_MEMORY, .texts = {"out of memory"}};
   return &error;
 }
@@ -66,7 +66,7 @@ sw_error* error_of(sw_code code, const InputError& error) {
       .release();
 }
 
-/// What is being thrown, as an error of this interface.
+/// The current exception as an error of this interface.
 sw_error* thrown() {
   try {
     throw;
@@ -89,7 +89,7 @@ sw_error* thrown() {
   }
 }
 
-/// Runs `work`; nothing that it throws gets out.
+/// Runs `work` and turns any exception into an error.
 template <class Work>
 sw_error* guarded(const Work& work) noexcept {
   try {
@@ -99,7 +99,7 @@ sw_error* guarded(const Work& work) noexcept {
     } catch (...) {
       return thrown();
     }
-  } catch (...) {  // to describe the error took more memory than there is
+  } catch (...) {  // describing the error needed more memory than available
     return no_memory();
   }
 }
@@ -112,8 +112,8 @@ sw_text given(std::string_view text) {
   return {.data = data, .size = text.size()};
 }
 
-/// All of a source, at most kMaxTextSize + 1 bytes: enough to see that it has more than
-/// kMaxTextSize.
+/// Reads a source, at most kMaxTextSize + 1 bytes.  One byte more than the limit shows the caller
+/// that the text is too long.
 std::string all_of(const sw_source& source) {
   struct Closing {
     const sw_source& source;
@@ -128,7 +128,7 @@ std::string all_of(const sw_source& source) {
     const std::size_t wanted = std::min(piece.size(), kMaxTextSize + 1 - text.size());
     const std::ptrdiff_t n = source.next(source.context, piece.data(), wanted);
     if (n < 0 || static_cast<std::size_t>(n) > wanted)
-      throw CallbackFault("a source reported a fault");
+      throw CallbackFault("the source of the caller reported a fault");
     if (n == 0) break;
     text.append(piece.data(), static_cast<std::size_t>(n));
   }
@@ -242,9 +242,9 @@ sw_error* sw_answer_write(const sw_answer* answer, sw_text name, const sw_sink* 
     for (std::size_t at = 0; at < document.size(); at += kPiece)
       if (sink->write(sink->context, document.data() + at,
                       std::min(kPiece, document.size() - at)) != 0)
-        throw CallbackFault("a sink reported a fault");
+        throw CallbackFault("the sink of the caller reported a fault");
     if (sink->commit != nullptr && sink->commit(sink->context) != 0)
-      throw CallbackFault("a sink reported a fault");
+      throw CallbackFault("the sink of the caller reported a fault");
   });
 }
 

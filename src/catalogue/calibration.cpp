@@ -15,7 +15,7 @@
 namespace strainwave {
 namespace {
 
-constexpr double kMostUncertainty = 0.5;  // of an identified factor
+constexpr double kMostUncertainty = 0.5;  // largest uncertainty of an identified factor
 
 /// Most torques of one sense that a drive is solved at; a bench writes more of them.  Straight
 /// lines between so many err by less than a tenth of what a measurement does.
@@ -39,7 +39,7 @@ double between(const std::map<double, double>& twist, double torque) {
                    (torque - below->first) / (above->first - below->first));
 }
 
-/// phi at each torque, which may have both senses.
+/// Twist phi at each torque; torques of both senses are allowed.
 std::map<double, double> twists_at(const AssembledDrive& drive,
                                    const std::vector<double>& torques) {
   std::map<double, double> twist = {{0.0, 0.0}};
@@ -74,7 +74,8 @@ std::vector<double> stiffnesses(const GearSet& gear, const CalibrationTarget& ta
   return K;
 }
 
-/// What a catalogue stiffness is of: sound, without the customer's flange and shaft.
+/// The drive to which a catalogue stiffness applies: sound, without the customer's flange and
+/// shaft.
 GearSet component_set(const GearSet& gear) {
   GearSet set = without_cracks(gear);
   set.output_shaft.reset();
@@ -97,7 +98,7 @@ void tell_identified(Calibration& result, const FactorProblem& problem, const Fa
         .uncertainty = result.relative_uncertainty / std::max(singular, 1e-9),
         .identified = false};
     combination.identified = combination.uncertainty <= kMostUncertainty;
-    // The sign of a direction is arbitrary: its largest weight is made positive.
+    // The sign of a direction is arbitrary, so make its largest weight positive.
     Eigen::Index largest = 0;
     svd.matrixV().col(k).cwiseAbs().maxCoeff(&largest);
     const double sign = svd.matrixV()(largest, k) < 0 ? -1.0 : 1.0;
@@ -162,9 +163,9 @@ Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
                       const std::vector<Factor>& factors, const CoupledOptions& options,
                       const Progress& progress) {
   check(gear);
-  if (factors.empty()) throw InputError("factors", "at least one must be named");
+  if (factors.empty()) throw InputError("factors", "name at least one factor");
   if (factors.size() > target.values.size())
-    throw InputError("factors", fmt::format("{} cannot be found from {} values: name fewer",
+    throw InputError("factors", fmt::format("{} factors cannot be found from {} values; name fewer",
                                             factors.size(), target.values.size()));
   FactorProblem problem{.factors = factors, .start = {}, .plausible_only = false, .residuals = {}};
   for (const Factor factor : factors) problem.start.push_back(factor_value(gear, factor));
@@ -210,7 +211,8 @@ Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
 
 ResultEvidence evidence_of(const Calibration& calibration) {
   ResultEvidence evidence;
-  if (!calibration.converged) evidence.unusable_because = "the calibration has not converged";
+  if (!calibration.converged)
+    evidence.unusable_because = "the calibration did not converge; fit fewer factors";
   evidence.verdict = verdict_of(evidence.unusable_because, evidence.notes);
   return evidence;
 }

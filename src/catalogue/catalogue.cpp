@@ -12,7 +12,7 @@
 namespace strainwave {
 namespace {
 
-// Where the rows come from; the rows name these letters, and C has the ratings too.
+// Sources of the rows.  Rows name these letters; the ratings come from C.
 const std::map<std::string, std::string> kSources = {
     {"A", "CSF/CSG catalogue of Harmonic Drive LLC, p. 50"},
     {"B", "engineering data 1018854 of Harmonic Drive AG, tables 54.3 and 54.4"},
@@ -70,8 +70,8 @@ const StiffnessRow& nearest_stiffness(double pitch_diameter, double ratio) {
 void require_catalogue_size(int size) {
   const std::vector<int> known = catalogue_sizes();
   if (std::ranges::find(known, size) == known.end())
-    throw InputError("size", fmt::format("{} is not a size of the catalogue; known are {}", size,
-                                         fmt::join(known, ", ")));
+    throw InputError("size", fmt::format("{} is not a size of the catalogue; known sizes are {}",
+                                         size, fmt::join(known, ", ")));
 }
 
 CatalogueRows catalogue_rows(const CatalogueFilter& filter) {

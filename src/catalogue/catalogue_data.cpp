@@ -2,14 +2,15 @@
 #include "strainwave/catalogue/catalogue.hpp"
 #include "strainwave/core/units.hpp"
 
-// The tables as the sources print them; units are turned into SI here and nowhere else.
+// The tables as printed in the sources.  Only this file converts their units to SI.
 //
 // Stiffness, T in N*m, K in 1e4 N*m/rad.  Sources:
 //   A  CSF/CSG component set catalogue of Harmonic Drive LLC, page 50;
 //   B  engineering data 1018854 of Harmonic Drive AG for the CHA series, tables 54.3 and 54.4;
 //   C  data/reducers_tables.py of the public project harmonic-drive-selector by A. Haidar, revision
-//      e1df012 (Apache-2.0), which holds data of Harmonic Drive SE; SHG/HFUS where the row says so.
-// Where a row has several sources they agree.  "A(K1 K2)": A has no K3, it is that of the others.
+// e1df012 (Apache-2.0), which holds data of Harmonic Drive SE; a row for SHG/HFUS says so.  If a
+// row has several sources, they agree.  "A(K1 K2)" means that A lacks K3, so K3 is from the other
+// sources.
 //
 // Ratings of the CSG and HFUC series with grease: source C.  Torques in N*m, speeds in rpm, inertia
 // of the wave generator in 1e-4 kg*m^2.
@@ -24,7 +25,8 @@ constexpr RatioClass k50 = RatioClass::fifty;
 constexpr RatioClass k80 = RatioClass::eighty_up;
 constexpr std::optional<double> kNone = std::nullopt;
 
-/// From 1e4 N*m/rad; rounded, because all are whole N*m/rad and 0.81 times 1e4 is not.
+/// Converts from 1e4 N*m/rad and rounds, because all values are whole N*m/rad but the double 0.81 *
+/// 1e4 is not.
 constexpr double whole(double K) { return static_cast<double>(static_cast<long>(1e4 * K + 0.5)); }
 
 constexpr StiffnessRow stiffness(int size, RatioClass ratio_class, double T1, double T2, double K1,

@@ -11,19 +11,20 @@
 namespace strainwave {
 namespace {
 
-// What is plausible: support, coning and gap as in proportions.cpp; a pair from half to twice the
-// compliance of plane finite elements; structure from the limits of barrel and diaphragm; play up
-// to 3 um at size 25 and ratio 100; a cam between the cosine and an ellipse.  A fit to one drive
-// may go further, because there a factor stands for all that is wrong with the drive's model.
+// Plausible ranges.  Support, coning and gap are as in proportions.cpp; a pair of teeth has half to
+// twice the compliance of plane finite elements; structure follows from the limits of barrel and
+// diaphragm; play is up to 3 um at size 25 and ratio 100; a cam lies between the cosine and an
+// ellipse.  A fit to one drive may go further, because a factor then also absorbs errors of the
+// drive's model.
 constexpr std::array<FactorInfo, kFactors> kInfo = {{
-    {"share of the circular spline's compliance that the housing leaves", 0.1, 1.0, 0.01, 1.0,
+    {"share of the circular spline's compliance that remains in its housing", 0.1, 1.0, 0.01, 1.0,
      true},
-    {"tilt of the teeth by the cup, 1 uncorrected", 0.1, 1.0, 0.01, 3.0, true},
-    {"gap between the flanks over that of straight ones", 0.8, 1.2, 0.2, 4.0, true},
-    {"compliance of a pair of teeth over that of the file", 0.5, 2.0, 0.1, 10.0, true},
-    {"compliance of barrel and diaphragm over that of the file", 0.6, 1.5, 0.2, 5.0, true},
+    {"tilt of the teeth by the cup; 1 for uncorrected teeth", 0.1, 1.0, 0.01, 3.0, true},
+    {"gap between the flanks over the gap of straight flanks", 0.8, 1.2, 0.2, 4.0, true},
+    {"compliance of a pair of teeth over the value in the file", 0.5, 2.0, 0.1, 10.0, true},
+    {"compliance of barrel and diaphragm over the value in the file", 0.6, 1.5, 0.2, 5.0, true},
     {"radial play at a ball over w_0", 0.0, 0.01, 0.0, 0.05, false},
-    {"cam inside the cosine, 1.5 for an ellipse", 0.0, 1.5, 0.0, 6.0, false},
+    {"depth of the cam inside the cosine; 1.5 for an ellipse", 0.0, 1.5, 0.0, 6.0, false},
 }};
 
 void need(bool there, std::string_view field, Factor factor) {
@@ -134,7 +135,7 @@ std::vector<Factor> parse_factors(std::string_view text) {
       throw InputError("factors", fmt::format("\"{}\" is not one of {}", shown(name),
                                               fmt::join(EnumNames<Factor>::names, ", ")));
     if (std::ranges::find(factors, *factor) != factors.end())
-      throw InputError("factors", fmt::format("{} is there twice", name));
+      throw InputError("factors", fmt::format("{} is named twice; name it once", name));
     factors.push_back(*factor);
     if (comma == text.size()) return factors;
     text.remove_prefix(comma + 1);

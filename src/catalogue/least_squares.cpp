@@ -10,8 +10,8 @@
 namespace strainwave {
 namespace {
 
-constexpr double kDifference = 2e-3;  // of a forward difference: K is smooth to about 1e-8
-constexpr double kSmallStep = 1e-5;   // in which no factor moves any more, on its scale
+constexpr double kDifference = 2e-3;  // step of a forward difference; K is smooth to about 1e-8
+constexpr double kSmallStep = 1e-5;   // a step below this on the scale of each factor ends the fit
 constexpr int kMostSteps = 40;
 
 double to_scale(Factor factor, double value) {
@@ -22,7 +22,7 @@ double from_scale(Factor factor, double u) {
   return factor_info(factor).logarithmic ? std::exp(u) : u * scale_of(factor);
 }
 
-/// Factors on their scales, with the limits between which they are looked for.
+/// Factors on their scales, with the limits of the search.
 struct ScaledFactors {
   explicit ScaledFactors(const FactorProblem& problem)
       : factors(problem.factors),
@@ -47,7 +47,7 @@ struct ScaledFactors {
     return values;
   }
 
-  /// All but those at a limit that the gradient drives beyond it.
+  /// The factors that may move: all except those at a limit with a gradient towards the outside.
   [[nodiscard]] std::vector<Eigen::Index> free(const Eigen::VectorXd& at,
                                                const Eigen::VectorXd& gradient) const {
     std::vector<Eigen::Index> free;
@@ -77,7 +77,7 @@ Eigen::MatrixXd jacobian_at(const FactorProblem& problem, const ScaledFactors& s
   return J;
 }
 
-/// Where a damped step of Gauss and Newton leads: at most 1 in each factor, within the limits.
+/// The end of a damped Gauss-Newton step of at most 1 in each factor, within the limits.
 Eigen::VectorXd stepped(const ScaledFactors& scaled, const Eigen::VectorXd& at,
                         const std::vector<Eigen::Index>& free, const Eigen::MatrixXd& jacobian,
                         const Eigen::VectorXd& gradient, double damping) {
@@ -94,7 +94,7 @@ Eigen::VectorXd stepped(const ScaledFactors& scaled, const Eigen::VectorXd& at,
   return trial;
 }
 
-/// Empty where the drive has no solution with these values.
+/// The residuals; absent if the drive has no solution with these values.
 std::optional<Eigen::VectorXd> residuals_at(const FactorProblem& problem,
                                             const std::vector<double>& values) {
   try {
@@ -120,7 +120,7 @@ FactorFit fit_factors(const FactorProblem& problem, const Progress& progress) {
   double damping = 1e-3;
   while (!fit.converged && fit.iterations < kMostSteps) {
     ++fit.iterations;
-    // Share of the steps, of which most fits need far fewer.
+    // The share counts steps; most fits need far fewer than the maximum.
     const double done = static_cast<double>(fit.iterations) / (kMostSteps + 1);
     progress.at(done);
     const Eigen::VectorXd gradient = fit.jacobian.transpose() * fit.residuals;

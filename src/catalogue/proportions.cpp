@@ -27,27 +27,27 @@ constexpr std::array<Proportion, 25> kProportions = {{
     {"rim_thickness", "t_r over its law", &Values::rim_thickness, 0.8, 1.2, kTypical,
      "handbook law 1e-4 (65 + 2.5 i^(2/3)) d; 0.010 to 0.015 d in samples", ""},
     {"barrel_thickness", "t_b/t_r", &Values::barrel_thickness, 0.5, 0.9, kTypical,
-     "handbooks; little is known of short cups", "flexspline.barrel.wall_thickness"},
+     "handbooks; little is known about short cups", "flexspline.barrel.wall_thickness"},
     {"short_cup_length", "L/d, short cup", &Values::short_cup_length, 0.38, 0.46, kTypical,
-     "makers: about half the length of the older long cups", ""},
+     "makers: about half the length of older long cups", ""},
     {"standard_cup_length", "L/d, standard cup", &Values::standard_cup_length, 0.7, 1.0, kTypical,
-     "handbooks; the older component sets", ""},
+     "handbooks; older component sets", ""},
     {"face_width", "b/d", &Values::face_width, 0.12, 0.20, kTypical,
      "published samples, 0.12 to 0.17; handbooks", ""},
     {"diaphragm_thickness", "t_d/d", &Values::diaphragm_thickness, 0.008, 0.020, kTypical,
-     "few samples, mostly tapered: a mean", "flexspline.diaphragm.thickness"},
+     "mean of a few samples, mostly tapered", "flexspline.diaphragm.thickness"},
     {"boss_diameter", "over d", &Values::boss_diameter, 0.493, 0.667, kTypical,
      "bolt circles in a maker's drawings, 0.45 to 0.50 d, and two bolt diameters", "flexspline.diaphragm.inner_diameter"},
     {"dedendum", "h_f/m", &Values::dedendum, 1.1, 1.35, kTypical,
      "published samples", ""},
     {"flank_angle", "alpha", &Values::flank_angle, 18 * deg, 26 * deg, kAssumed,
-     "no maker publishes the working tooth; 20 degrees by tradition", "mesh.flank_angle"},
+     "makers do not publish the working tooth; 20 degrees is traditional", "mesh.flank_angle"},
     {"coning", "chi", &Values::coning, 0.1, 1.0, kAssumed,
-     "teeth not corrected for the tilt of the cup; makers may correct them", "mesh.coning"},
+     "teeth not corrected for the tilt of the cup; makers may correct their teeth", "mesh.coning"},
     {"gap_factor", "k_g", &Values::gap_factor, 0.8, 1.2, kAssumed,
      "straight flanks on the tooth path; the true flank is not published", "mesh.gap_factor"},
     {"radial_displacement", "w_0/m", &Values::radial_displacement, 0.9, 1.05, kTypical,
-     "handbooks and samples; less in some designs of low ratio", "drive.radial_displacement"},
+     "handbooks and samples; smaller in some designs of low ratio", "drive.radial_displacement"},
     {"rim_stiffening", "C_tr", &Values::rim_stiffening, 1.2, 1.3, kTypical,
      "published finite elements of toothed rims", "mesh.rim_stiffening"},
     {"bearing_bore", "over D", &Values::bearing_bore, 0.72, 0.78, kTypical,
@@ -60,34 +60,34 @@ constexpr std::array<Proportion, 25> kProportions = {{
      "bearings of this kind have 19 to 27", ""},
     {"conformity", "groove radius over ball", &Values::conformity, 0.52, 0.54, kTypical,
      "bearing practice", ""},
-    {"groove_factor", "of the ring's bending", &Values::groove_factor, 0.7, 0.9, kAssumed,
-     "section of a grooved ring; estimated", "wave_generator.bearing.outer_ring.groove_factor"},
+    {"groove_factor", "share of the ring's bending stiffness", &Values::groove_factor, 0.7, 0.9, kAssumed,
+     "estimated from the section of a grooved ring", "wave_generator.bearing.outer_ring.groove_factor"},
     {"spline_outer_diameter", "over d", &Values::spline_outer_diameter, 1.30, 1.41, kTypical,
      "makers' outside diameters and bolt circles", "circular_spline.outer_diameter"},
     {"spline_root", "(inner diameter - d)/m", &Values::spline_root, 4.2, 4.7, kTypical,
-     "two teeth more, and the dedendum of the flexspline", "circular_spline.inner_diameter"},
+     "two more teeth, and the dedendum of the flexspline", "circular_spline.inner_diameter"},
     {"spline_support", "s_h", &Values::spline_support, 0.1, 1.0, kAssumed,
-     "depends on the housing; nearly the middle of what is plausible", "circular_spline.support"},
+     "depends on the housing; close to the middle of the plausible range", "circular_spline.support"},
     {"lobe_gap", "g_0/d", &Values::lobe_gap, -1e-3 / 63.5, 2e-3 / 63.5, kAssumed,
-     "-1 to 2 um at size 25, in proportion to d: lost motion below 1 arcmin allows no more", "mesh.lobe_gap"},
+     "-1 to 2 um at size 25, in proportion to d; a larger gap would give lost motion above 1 arcmin", "mesh.lobe_gap"},
     {"clearance", "c/d", &Values::clearance, 0.0, 3e-3 / 63.5, kAssumed,
-     "0 to 3 um at size 25, in proportion to d; the lobes are fitted without", "wave_generator.bearing.clearance"},
+     "0 to 3 um at size 25, in proportion to d; lobes are fitted without play", "wave_generator.bearing.clearance"},
     {"friction", "mu", &Values::friction, 0.05, 0.15, kAssumed,
-     "greased steel; the hysteresis only", "mesh.friction_coefficient"},
+     "greased steel; affects only the hysteresis", "mesh.friction_coefficient"},
 }};
 // clang-format on
 
-/// Uniform in [0, 1), from the upper 53 bits.
+/// A uniform number in [0, 1) from the upper 53 bits.
 double uniform(std::mt19937_64& generator) {
   return static_cast<double>(generator() >> 11U) * 0x1p-53;
 }
 
-/// The same number with six digits, as the file will show it.
+/// The number rounded to six digits, as the file shows it.
 double rounded(double value, double unit, std::string_view name, std::string_view si) {
   return parse_quantity("proportion", fmt::format("{:.6g} {}", value / unit, name), si);
 }
 
-/// The toothed ring, on which the other members rest.
+/// The toothed ring, from which the other dimensions follow.
 struct TypicalRim {
   double radius = 0.0;     // R, of the mean line [m]
   double thickness = 0.0;  // t_r [m]
@@ -118,7 +118,7 @@ Flexspline typical_flexspline(double d, const TypicalRim& rim, Cup cup, const Pr
   return fs;
 }
 
-/// @param bore  diameter of the flexspline's, which the bearing fills [m]
+/// @param bore  bore of the flexspline, which the bearing fills [m]
 WaveGenerator typical_wave_generator(double d, double bore, const ProportionValues& p) {
   const double section = bore * (1 - p.bearing_bore) / 2;
   const double ball = p.ball_diameter * section;
@@ -147,7 +147,7 @@ WaveGenerator typical_wave_generator(double d, double bore, const ProportionValu
   return wg;
 }
 
-/// The limits of a proportion, as a comment of the file says them.
+/// The limits of a proportion as written in a comment of the file.
 std::string limits_of(const Proportion& p) {
   if (p.name == "flank_angle") return fmt::format("{:g} to {:g} deg", p.lower / deg, p.upper / deg);
   if (p.name == "lobe_gap" || p.name == "clearance")
@@ -155,14 +155,14 @@ std::string limits_of(const Proportion& p) {
   return fmt::format("{:.4g} to {:.4g}", p.lower, p.upper);
 }
 
-/// What a proportion rests on, with its limits.
+/// The basis of a proportion with its limits.
 std::string remark(std::string_view name, std::string_view before = {}) {
   const auto p = std::ranges::find(kProportions, name, &Proportion::name);
   return fmt::format("{}{}: {} {}; {}", before, enum_name(p->knowledge), p->symbol, limits_of(*p),
                      p->source);
 }
 
-/// All numbers with six digits, as the file will show them.
+/// Rounds all numbers to six digits, as the file shows them.
 void round_numbers(GearSet& gear) {
   for_each_number(gear, [](const FieldPath&, const Field& field, double& value) {
     if (field.unit == "m") value = rounded(value, mm, "mm", field.unit);
@@ -170,8 +170,8 @@ void round_numbers(GearSet& gear) {
     if (field.unit == "1") value = rounded(value, 1.0, "1", field.unit);
     if (field.unit == "N*m") value = rounded(value, 1.0, "N*m", field.unit);
   });
-  // What must still fit after rounding: balls between their races, sections in the cup.  One part
-  // in 1e5 less is always another number of six digits.
+  // Some parts must still fit after rounding: balls between their races, sections in the cup.  They
+  // are reduced by one part in 1e5, which always gives a different number of six digits.
   Bearing& bearing = *gear.wave_generator->bearing;
   const double between = (bearing.outer_raceway_diameter - bearing.inner_raceway_diameter) / 2;
   if (bearing.ball_diameter > between) bearing.ball_diameter = rounded(between, mm, "mm", "m");
@@ -183,20 +183,20 @@ void round_numbers(GearSet& gear) {
     fs.barrel->length = rounded(fs.barrel->length * (1 - 1e-5), mm, "mm", "m");
 }
 
-/// Where each number of a starting drive comes from, by its path.
+/// Origin of each number of a starting drive, by its path.
 std::map<std::string, std::string> origins(int size, double ratio, Cup cup) {
   const RatingRow* const rated = find_rating(size, ratio);
   std::map<std::string, std::string> comments = {
       {"drive.ratio", rated != nullptr ? fmt::format("catalogue: series {}", rated->series)
-                                       : "assumed: no rating of this size and ratio is known"},
+                                       : "assumed: the rating of this size and ratio is unknown"},
       {"drive.wave_number", "catalogue: all makers' drives of this kind"},
       {"drive.pitch_diameter", "catalogue: 2.54 mm times the size"},
       {"load.torque",
        rated != nullptr ? "catalogue: rated torque" : "catalogue: T2, as no rated torque is known"},
       {"material.steel.youngs_modulus", "typical: alloy steel, 2 %"},
       {"material.steel.poissons_ratio", "typical"},
-      {"rating.T1", "catalogue: of this size, the same for all ratios"},
-      {"rating.T2", "catalogue: of this size, the same for all ratios"},
+      {"rating.T1", "catalogue: T1 of this size, the same for all ratios"},
+      {"rating.T2", "catalogue: T2 of this size, the same for all ratios"},
       {"flexspline.wall_thickness", "as rim.wall_thickness"},
       {"flexspline.length",
        remark(cup == Cup::standard ? "standard_cup_length" : "short_cup_length")},
@@ -204,11 +204,11 @@ std::map<std::string, std::string> origins(int size, double ratio, Cup cup) {
       {"flexspline.rim.wall_thickness", remark("rim_thickness")},
       {"flexspline.rim.length", remark("face_width")},
       {"flexspline.barrel.outer_diameter", "same mean diameter as the rim"},
-      {"flexspline.barrel.length", "flexspline.length less the rim's"},
+      {"flexspline.barrel.length", "flexspline.length minus the length of the rim"},
       {"flexspline.diaphragm.outer_diameter", "mean diameter of the barrel"},
       {"wave_generator.force_transmission_coefficient", "tan(mesh.flank_angle)"},
-      {"wave_generator.inner_ring_thickness", "as that of the outer ring"},
-      {"wave_generator.inner_ring_width", "as that of the outer ring"},
+      {"wave_generator.inner_ring_thickness", "same as the outer ring"},
+      {"wave_generator.inner_ring_width", "same as the outer ring"},
       {"wave_generator.inner_ring_mean_radius", remark("bearing_bore")},
       {"wave_generator.bearing.ball_diameter", remark("ball_diameter")},
       {"wave_generator.bearing.inner_raceway_diameter", "balls in the middle of the section"},
@@ -216,12 +216,11 @@ std::map<std::string, std::string> origins(int size, double ratio, Cup cup) {
       {"wave_generator.bearing.inner_conformity", remark("conformity")},
       {"wave_generator.bearing.outer_conformity", remark("conformity")},
       {"wave_generator.bearing.loaded_balls",
-       "assumed: as if five shared the force of a lobe; not for the torsion curve"},
+       "assumed: five balls share the force of a lobe; not used by the torsion curve"},
       {"wave_generator.bearing.ball_count", remark("ball_count")},
       {"wave_generator.bearing.outer_ring.mean_radius", "fills the bore of the flexspline"},
-      {"wave_generator.bearing.outer_ring.thickness",
-       "half of what the ball leaves of the section"},
-      {"circular_spline.width", "assumed: as the face width"}};
+      {"wave_generator.bearing.outer_ring.thickness", "half of the section outside the ball"},
+      {"circular_spline.width", "assumed: same as the face width"}};
   if (rated != nullptr)
     comments["rating.rated_torque"] =
         fmt::format("catalogue: series {}, at an input of 2000 rpm", rated->series);
@@ -230,8 +229,8 @@ std::map<std::string, std::string> origins(int size, double ratio, Cup cup) {
   return comments;
 }
 
-/// The limits of one number of a starting drive; they hold the number of the file, whatever its
-/// rounding.
+/// The limits of one number of a starting drive; they contain the number of the file in spite of
+/// its rounding.
 /// @param drawn  the drive with the proportion at a value
 template <class Drawn>
 InputRange range_of(const GearSet& gear, const Proportion& p, const Drawn& drawn) {
@@ -249,7 +248,7 @@ InputRange range_of(const GearSet& gear, const Proportion& p, const Drawn& drawn
                    .upper = limit(p.upper),
                    .knowledge = p.knowledge,
                    .source = std::string(p.source)};
-  // Where the value is its own limit, four digits of the limit may pass it.
+  // If the value equals a limit, four digits of the limit may exclude the value.
   const auto value_of = [&](const std::string& text) {
     return parse_quantity(p.path, text, at.field.unit);
   };
@@ -318,7 +317,7 @@ GearSet typical_drive_of_size(int size, double ratio, Cup cup, const ProportionV
   GearSet gear = typical_drive(pitch_diameter_of(size), ratio, cup, values);
   gear.name =
       fmt::format("Typical drive, size {}, ratio {:g}, {} cup", size, ratio, enum_name(cup));
-  // T1 and T2 are the same for all ratios of a size.
+  // T1 and T2 of a size are the same for all ratios.
   const StiffnessRow* const row = find_stiffness(size, ratio);
   const StiffnessRow& torques =
       row != nullptr ? *row : nearest_stiffness(pitch_diameter_of(size), 50);

@@ -26,7 +26,7 @@ std::vector<ThreeK> predicted_rows(std::span<const StiffnessRow> rows, double pi
     }
     if (loads.empty()) continue;
     std::ranges::stable_sort(loads, {}, &RowLoad::torque);
-    // The first step from the assembled state is the hardest: a smaller one comes before it.
+    // The first step from the assembled state is the hardest, so a smaller step precedes it.
     std::vector<double> torques = {loads.front().torque / 3};
     for (const RowLoad& load : loads) torques.push_back(load.torque);
     const std::vector<double> solved =

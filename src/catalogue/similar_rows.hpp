@@ -16,10 +16,10 @@ using ThreeK = std::array<double, 3>;  ///< K1, K2, K3 [N*m/rad]
 
 /// Predicted K1, K2, K3 of catalogue rows, for drives that differ in size only.
 ///
-/// Proportional drives are similar: phi depends on T/d^3, so one curve at one diameter serves all
-/// rows of a ratio.
+/// Proportional drives are similar: phi depends on T/d^3 only.  One curve at one diameter therefore
+/// serves all rows of a ratio.
 ///
-/// @param drive_of  makes the drive of a class, of `pitch_diameter`
+/// @param drive_of  makes the drive of a class with the diameter `pitch_diameter`
 /// @throws SolverError  if a curve is not usable
 [[nodiscard]] std::vector<ThreeK> predicted_rows(std::span<const StiffnessRow> rows,
                                                  double pitch_diameter,

@@ -98,7 +98,7 @@ FactorTrial trial_of(const std::vector<Factor>& factors, const FactorFit& fit) {
 
 void add_trials(Validation& v, const Drives& drives, std::span<const StiffnessRow> regular,
                 const Progress& progress) {
-  constexpr double kSets = 7 + 21 + 35;  // of one, two, three of the seven
+  constexpr double kSets = 7 + 21 + 35;  // sets of one, two and three of the seven factors
   double tried = 0.0;
   const auto try_set = [&](const std::vector<Factor>& factors) {
     if (factors == v.options.factors) return;
@@ -130,11 +130,12 @@ void predict_left_out(Validation& v, const Drives& drives, std::span<const Stiff
                       const Progress& progress) {
   const std::vector<Factor>& factors = v.options.factors;
   const CoupledOptions& coupled = v.options.coupled;
-  constexpr double kTrialsEnd = 0.8;  // share of the time, if all sets are tried
+  constexpr double kTrialsEnd = 0.8;  // share of the time if all sets are tried
   std::vector<StiffnessRow> regular;
   std::ranges::copy_if(rows, std::back_inserter(regular), is_regular);
   if (regular.empty())
-    throw InputError("sizes", "leave no row of size 17 and more, ratio 50 and more, to fit to");
+    throw InputError("sizes",
+                     "must include a row of size 17 or more and ratio 50 or more for the fit");
   const FactorFit all = fit_rows(drives, regular, factors, drives.start(factors), coupled, true,
                                  progress.part(0.0, 0.1));
   v.trials.push_back(trial_of(factors, all));
@@ -151,7 +152,7 @@ void predict_left_out(Validation& v, const Drives& drives, std::span<const Stiff
     std::vector<StiffnessRow> others;
     std::ranges::copy_if(regular, std::back_inserter(others),
                          [&](const StiffnessRow& row) { return row.size != size; });
-    if (others.empty()) throw InputError("sizes", "need two of size 17 and more");
+    if (others.empty()) throw InputError("sizes", "must include two sizes of 17 or more");
     const FactorFit fit = others.size() == regular.size()
                               ? all
                               : fit_rows(drives, others, factors, all.values, coupled, true,
@@ -211,7 +212,7 @@ void add_bands(Validation& v, std::span<const StiffnessRow> rows, const Progress
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k) {
       std::vector<double>& values = drawn[i][k];
-      if (values.empty()) throw SolverError("no drawn drive has an equilibrium");
+      if (values.empty()) throw SolverError("none of the drawn drives has an equilibrium");
       v.rows[i].band[k] =
           PredictionBand{quantile(values, 0.05), quantile(values, 0.5), quantile(values, 0.95)};
     }
@@ -264,10 +265,11 @@ Validation validate(const ValidationOptions& options, const Progress& progress) 
           ">= 0 and <= 100000");
   std::vector<Factor>& factors = v.options.factors;
   if (options.mode == ValidationMode::geometry && (!factors.empty() || options.all_sets))
-    throw InputError("factors", "nothing is fitted in mode geometry");
+    throw InputError("factors", "must be left out in mode geometry, which does not fit factors");
   if (options.mode == ValidationMode::per_row && options.all_sets)
-    throw InputError("all-sets", "is for mode leave-one-size-out");
-  if (factors.size() > 3) throw InputError("factors", "at most three: a row has three values");
+    throw InputError("all-sets", "needs mode leave-one-size-out");
+  if (factors.size() > 3)
+    throw InputError("factors", "name at most three, because a row has three values");
   if (factors.empty() && options.mode == ValidationMode::leave_one_size_out)
     factors = {Factor::support, Factor::coning, Factor::cam_flattening};
   if (factors.empty() && options.mode == ValidationMode::per_row)

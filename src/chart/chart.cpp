@@ -48,7 +48,7 @@ std::string shortened(std::string_view text, std::size_t most) {
   return std::string(text);
 }
 
-/// A tick with a fixed number of decimals and a true minus.
+/// A tick label with a fixed number of decimals and a typographic minus sign.
 std::string fixed(double value, int decimals) {
   const std::string digits = fmt::format("{:.{}f}", std::abs(value), decimals);
   const bool zero = digits.find_first_not_of("0.") == std::string::npos;
@@ -71,7 +71,7 @@ struct Tick {
   std::string label;  ///< empty: a minor tick
 };
 
-/// One axis: which values it shows, where it puts them, and its ticks.
+/// One axis: its range of values, their positions, and its ticks.
 class Axis {
  public:
   /// @param label  of the axis: angles of about a turn are divided by 60 deg
@@ -95,11 +95,12 @@ class Axis {
     return from_px_ + (to_px_ - from_px_) * (at - lower_) / (upper_ - lower_);
   }
   [[nodiscard]] const std::vector<Tick>& ticks() const { return ticks_; }
-  /// Factor that the labels leave out, such as "×10⁻⁶"; mostly empty.
+  /// Common factor that the labels omit, such as "×10⁻⁶"; usually empty.
   [[nodiscard]] const std::string& factor() const { return factor_; }
 
  private:
-  /// A range that ticks can divide: round a constant, and no narrower than labels can show.
+  /// A range that ticks can divide: it surrounds a constant value and is wide enough for distinct
+  /// labels.
   static ValueRange widened(const ValueRange& values) {
     const double size = std::max(std::abs(values.lower), std::abs(values.upper));
     const double width = values.upper - values.lower;
@@ -125,7 +126,7 @@ class Axis {
     const double last = std::ceil(values.upper / step - 1e-9);
     lower_ = first * step;
     upper_ = last * step;
-    // Very large or small labels share one power of ten, written once.
+    // Very large or small labels share one power of ten, which is written once.
     const double size = std::max(std::abs(lower_), std::abs(upper_));
     int exponent = 0;
     if (size >= 1e6 || size < 1e-3) {
@@ -141,7 +142,8 @@ class Axis {
     }
   }
 
-  /// Decades, with more labels between them where there are few; the axis ends at a whole digit.
+  /// Places ticks at decades, with labels in between if there are few decades; the axis ends at a
+  /// whole digit.
   void place_decades(const ValueRange& values) {
     const auto outward = [](double value, auto round) {
       const double decade = std::pow(10.0, std::floor(std::log10(value)));
@@ -202,7 +204,7 @@ std::string words(double x, double y, std::string_view style, std::string_view t
                      more, svg_text(text));
 }
 
-/// A label in two lines where it is too long for the margin, broken at its last dot.
+/// A label that is broken at its last dot into two lines if it is too long for the margin.
 std::string margin_words(double x, double& y, std::string_view text) {
   constexpr std::size_t kMost = 27;
   std::string svg;
@@ -217,8 +219,8 @@ std::string margin_words(double x, double& y, std::string_view text) {
   return svg;
 }
 
-/// The points of a series as strokes of a path; what cannot be drawn is a gap, and a point between
-/// two gaps a short stroke.
+/// The points of a series as strokes of a path.  A point that cannot be drawn leaves a gap, and a
+/// point between two gaps becomes a short stroke.
 std::string path_data(const PlotPanel& panel, const PlotSeries& series, const Axis& x,
                       const Axis& y) {
   const std::size_t n = std::min(series.x.size(), series.y.size());
@@ -287,11 +289,11 @@ std::string panel_svg(const PlotPanel& panel, double top) {
   for (std::size_t n = 0; n < panel.series.size(); ++n) {
     const PlotSeries& series = panel.series[n];
     const Stroke& stroke = kStrokes[n % kStrokes.size()];
-    // The colours come again after the seventh line, with one more dot between their dashes.
+    // After the seventh line the colours repeat, with one more dot between the dashes.
     std::string dashes(stroke.dashes);
     for (std::size_t round = n / kStrokes.size(); round > 0; --round)
       dashes += dashes.empty() ? "16 3 1 3" : " 1 3";
-    // The first line is the widest: another that lies on it does not hide it.
+    // The first line is the widest, so a line on top of it does not hide it.
     const std::string style = fmt::format(
         "stroke=\"{}\" stroke-width=\"{}\"{}", stroke.colour, n == 0 ? 4 : 2,
         dashes.empty() ? std::string() : fmt::format(" stroke-dasharray=\"{}\"", dashes));

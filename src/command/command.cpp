@@ -69,7 +69,7 @@ Answer run(const Command& command, const std::shared_ptr<const Drive>& drive,
            const Host& host) {
   const auto require = [&](bool given, std::string_view what) {
     if (!given)
-      throw OptionError(what, fmt::format("must be given; {} works on a {}", command.name, what));
+      throw OptionError(what, fmt::format("must be given; {} needs a {}", command.name, what));
   };
   require(drive || command.takes == Takes::nothing, "drive");
   require(host.journal != nullptr || command.journal.empty(), "journal");
@@ -149,8 +149,9 @@ std::string Answer::document(std::string_view name) const {
   if (name == "json") return json();
   std::vector<OutputFile> made = files(name);
   if (made.size() != 1 || !made.front().name.empty())
-    throw OptionError("document", fmt::format("{} of {} is a folder of files, and no text",
-                                              shown(name), command_->name));
+    throw OptionError("document",
+                      fmt::format("{} of {} is a folder of files, not a text; write it to a folder",
+                                  shown(name), command_->name));
   return std::move(made.front().text);
 }
 
@@ -159,7 +160,7 @@ std::vector<OutputFile> Answer::files(std::string_view name) const {
   if (found == command_->documents.end()) {
     std::vector<std::string_view> names = {"json"};
     for (const Document& document : command_->documents) names.push_back(document.name);
-    throw OptionError("document", fmt::format("{} makes no {}; it makes {}", command_->name,
+    throw OptionError("document", fmt::format("{} does not make {}; it makes {}", command_->name,
                                               shown(name), fmt::join(names, ", ")));
   }
   const AskedUnitsScope scope(units_);
@@ -237,10 +238,11 @@ const Command& command_named(std::span<const Command> table, std::string_view na
   std::vector<std::string> names;
   for (const Command& command : table) names.emplace_back(command.name);
   const std::string near = nearest_word(name, names);
-  throw OptionError("command", near.empty() ? fmt::format("{} is no command; known are {}",
-                                                          shown(name), fmt::join(names, ", "))
-                                            : fmt::format("{} is no command; did you mean {}?",
-                                                          shown(name), near));
+  throw OptionError("command",
+                    near.empty()
+                        ? fmt::format("{} is not a command; known commands are {}", shown(name),
+                                      fmt::join(names, ", "))
+                        : fmt::format("{} is not a command; did you mean {}?", shown(name), near));
 }
 
 }  // namespace strainwave

@@ -43,13 +43,13 @@ std::int64_t whole_option(const Field& field, std::string_view text) {
 bool flag_option(const Field& field, std::string_view text) {
   if (text == "true") return true;
   if (text == "false") return false;
-  throw OptionError(field.name, fmt::format("{} is neither true nor false", shown(text)));
+  throw OptionError(field.name, fmt::format("{} must be true or false", shown(text)));
 }
 
 void refuse_choice(const Field& field, std::string_view text,
                    std::span<const std::string_view> choices) {
-  throw OptionError(field.name, fmt::format("{} is not known here; known are {}", shown(text),
-                                            fmt::join(choices, ", ")));
+  throw OptionError(field.name, fmt::format("{} is not a choice here; choose one of {}",
+                                            shown(text), fmt::join(choices, ", ")));
 }
 
 void refuse_unknown_option(std::string_view name, std::span<const Option> known) {
@@ -57,9 +57,9 @@ void refuse_unknown_option(std::string_view name, std::span<const Option> known)
   for (const Option& option : known) names.emplace_back(option.field.name);
   const std::string near = nearest_word(name, names);
   throw OptionError(shown(name),
-                    near.empty()
-                        ? fmt::format("is no option here; known are {}", fmt::join(names, ", "))
-                        : fmt::format("is no option here; did you mean {}?", near));
+                    near.empty() ? fmt::format("is not an option here; known options are {}",
+                                               fmt::join(names, ", "))
+                                 : fmt::format("is not an option here; did you mean {}?", near));
 }
 
 }  // namespace detail
@@ -80,10 +80,10 @@ void OptionValues::set(std::string_view name, std::string_view text) {
 
 void OptionValues::set_from_json(std::string_view json) {
   const auto options = nlohmann::ordered_json::parse(json, nullptr, false);
-  if (!options.is_object()) throw OptionError("options", "the text is no JSON object");
+  if (!options.is_object()) throw OptionError("options", "the text must be a JSON object");
   const auto one = [&](const std::string& name, const nlohmann::ordered_json& value) {
     if (value.is_structured() || value.is_null())
-      throw OptionError(name, "takes text, a number or true and false");
+      throw OptionError(name, "must be text, a number, true or false");
     set(name, value.is_string() ? value.get<std::string>() : value.dump());
   };
   for (const auto& [name, value] : options.items())

@@ -24,12 +24,12 @@ struct SchemaOptions {
   static void describe(Visitor&& field) {
     field({.name = "of",
            .unit = "",
-           .doc = "the input file, or the options or the result of a command",
+           .doc = "subject: the input file, or the options or the result of a command",
            .fallback = "input"},
           &SchemaOptions::of);
     field({.name = "command",
            .unit = "",
-           .doc = "whose options or result, such as \"sif eval\"",
+           .doc = "command whose options or result are described, such as \"sif eval\"",
            .names = "command"},
           &SchemaOptions::command);
   }
@@ -37,7 +37,7 @@ struct SchemaOptions {
 
 struct SchemaText {
   std::string schema;
-  std::string reference;  // as Markdown; of the input
+  std::string reference;  // the reference of the input, as Markdown
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -50,7 +50,8 @@ SchemaText schema_text(std::span<const Command> table, const SchemaOptions& opti
     if (options.command) throw OptionError("command", "needs --of options or --of result");
     return {input_schema(), input_reference()};
   }
-  if (!options.command) throw OptionError("command", "must be given with --of options or result");
+  if (!options.command)
+    throw OptionError("command", "must be given with --of options or --of result");
   const Command& row = command_named(table, *options.command);
   return options.of == SchemaSubject::options
              ? SchemaText{options_schema(row), options_reference(row)}
@@ -63,10 +64,9 @@ Command schema_command(std::span<const Command> (*table)()) {
   return command<SchemaOptions, SchemaText>({
       .name = "schema",
       .summary = "Print the JSON Schema of the input",
-      .description =
-          "Prints the schema (draft 2020-12) of the input file, which editors use to complete and "
-          "check it, or that of the options or the result of a command; or the same as a "
-          "reference of all fields in Markdown.",
+      .description = "Prints the JSON Schema (draft 2020-12) of the input file, which editors use "
+                     "to complete and check the file, or that of the options or the result of a "
+                     "command. With --format markdown, prints a reference of all fields instead.",
       .example = "strainwave schema --output strainwave-drive-1.schema.json",
       .takes = Takes::nothing,
       .function = [table](const Request&,

@@ -15,18 +15,18 @@ namespace {
 
 using std::numbers::pi;
 
-/// Curvature difference that an ellipse of this axis ratio carries, (CO-2):
-/// F = [(kappa^2+1)E - 2K]/[(kappa^2-1)E] = 2(K - D)/E - 1 with Legendre's D = (K - E)/k^2, a form
-/// that does not divide zero by zero for a circle.
+/// Curvature difference of an ellipse with this axis ratio, (CO-2): F = [(kappa^2+1)E -
+/// 2K]/[(kappa^2-1)E] = 2(K - D)/E - 1 with Legendre's D = (K - E)/k^2.  The second form avoids a
+/// division of zero by zero for a circle.
 template <class Real>
 Real curvature_difference(const Real& axis_ratio) {
   return 2 * (ellipse_K(axis_ratio) - ellipse_D(axis_ratio)) / ellipse_E(axis_ratio) - 1;  // (CO-2)
 }
 
-/// b'/a' for a curvature difference F in [0, 1).
+/// Axis ratio b'/a' for a curvature difference F in [0, 1).
 template <class Real>
 Real axis_ratio_of(const Real& F) {
-  // Flatter than this is a line contact for every purpose, and F is 1 to rounding.
+  // A flatter ellipse is a line contact for every purpose, and F is 1 to rounding.
   constexpr double kFlattest = 1e-7;
   if (F >= curvature_difference(kFlattest)) return kFlattest;
   const double root = bracketed_root(
@@ -100,8 +100,8 @@ BasicEdgeTension<Real> tension(const Real& axis_ratio, const Real& poissons_rati
   using std::asinh, std::atan, std::sqrt;
   const Real elastic = 1 - 2 * poissons_ratio;
   const Real e2 = 1 - axis_ratio * axis_ratio;
-  // Both brackets are differences of nearly equal numbers close to a circle; with their power
-  // series, artanh(e)/e = 1 + e^2/3 + e^4/5 + ..., nothing cancels.
+  // Close to a circle, both brackets are differences of nearly equal numbers.  The power series
+  // artanh(e)/e = 1 + e^2/3 + e^4/5 + ... avoids the cancellation.
   constexpr double kNearlyCircular = 0.01;
   if (e2 < kNearlyCircular)
     return {
@@ -109,7 +109,7 @@ BasicEdgeTension<Real> tension(const Real& axis_ratio, const Real& poissons_rati
         .minor_end = elastic / axis_ratio * bracket_series<Real>(e2 / (axis_ratio * axis_ratio))};
   const Real e = sqrt(e2);
   const Real front = elastic * axis_ratio / e2;
-  // artanh(e) = arsinh(e a'/b'), which loses no digits towards a line.
+  // artanh(e) = arsinh(e a'/b'), which stays accurate towards a line contact.
   return {.major_end = front * (asinh(e / axis_ratio) / e - 1),               // (CO-7)
           .minor_end = front * (1 - axis_ratio / e * atan(e / axis_ratio))};  // (CO-7)
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The value of a decimal number, by two means; a private header.  Both round to the nearest double.
-// Not every standard library has std::from_chars of a double; the stream is slower.
+// The value of a decimal number, computed in two ways that both round to the nearest double.  Some
+// standard libraries lack std::from_chars for double; the stream is slower.  This header is
+// private.
 
 #include <charconv>
 #include <locale>
@@ -13,13 +14,14 @@
 
 namespace strainwave {
 
-/// @param text  a number as number_length knows it; so are those below
+/// @param text  a number in the form that number_length accepts; the same holds for the functions
+///              below
 inline std::optional<double> value_by_stream(std::string_view text) {
   std::istringstream stream{std::string(text)};
   stream.imbue(std::locale::classic());
   double value = 0.0;
   if (!(stream >> value)) return std::nullopt;
-  // A stream takes a number that is too small for zero.
+  // A stream reads a number that is too small as zero, so compare with the digits.
   const std::string_view digits = text.substr(0, text.find_first_of("eE"));
   if (value == 0.0 && digits.find_first_of("123456789") != std::string_view::npos)
     return std::nullopt;

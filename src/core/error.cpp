@@ -11,7 +11,8 @@
 namespace strainwave {
 namespace {
 
-/// A field may be a whole file name, or a key that is no name at all; it is never cut in practice.
+/// Limits a field name, which may be a whole file name or an arbitrary key.  Real names are never
+/// cut.
 std::string shown_field(std::string_view field) { return shown(field, 5000); }
 
 std::string shown_value(std::string_view field, double value, std::string_view unit) {

@@ -16,7 +16,7 @@ std::string rule_text(const Range& range, std::string_view unit) {
   const bool above = std::isfinite(range.upper);
   const auto bound = [&](double value) {
     if (unit == "1" || value == 0) return fmt::format("{:g}", value);
-    // Nobody thinks of a right angle as 1.5708 rad.
+    // Show degrees, because readers do not recognise 1.5708 rad as a right angle.
     if (unit == "rad") return fmt::format("{:g} deg", value / units::deg);
     return fmt::format("{:g} {}", value, unit);
   };

@@ -28,7 +28,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string nearest_word(std::string_view word, std::span<const std::string> known) {
-  // A word of hostile length resembles nothing, and the distance is quadratic.
+  // A very long word cannot be a misspelt name, and the cost of the distance is quadratic.
   if (word.size() > 200) return {};
   std::string best;
   std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;

@@ -152,7 +152,7 @@ class UnitParser {
   }
 
  private:
-  // Deeper nesting has no use, and a limit keeps hostile input off the stack.
+  // Units do not need deeper nesting, and a limit prevents hostile input from exhausting the stack.
   static constexpr int kMaxDepth = 8;
 
   [[noreturn]] void refuse(std::string_view why) const {

@@ -39,7 +39,7 @@ std::string shown_number(double value, int digits) {
   const int exponent = static_cast<int>(std::floor(std::log10(size)));
   std::string text;
   if (exponent >= -3 && exponent < 6) {
-    // Digits left of the point that are not significant become zeros.
+    // Digits left of the point that are not significant are replaced by zeros.
     const double unit = std::pow(10.0, std::max(0, exponent - digits + 1));
     text = fmt::format("{:.{}f}", unit > 1 ? std::round(size / unit) * unit : size,
                        std::max(0, digits - 1 - exponent));
@@ -67,8 +67,8 @@ std::string percent_change(double change) {
 }
 
 std::string warranted_digits(const Quantity& quantity) {
-  // A quantity without a stated accuracy repeats a published number: as many digits as those have,
-  // and a few to compare.
+  // A quantity without a stated accuracy repeats a published number.  It gets the digits of
+  // published numbers and a few more for comparison.
   constexpr int kUnstated = 6;
   constexpr int kMost = 9;
   const double u = quantity.relative_uncertainty.value_or(0.0);

@@ -34,7 +34,7 @@ std::size_t rows_of(const GearSet& gear, const BatchTask& task) {
   if (task.paths.empty()) throw InputError("paths", "must name at least one number of the drive");
   for (const std::string& path : task.paths) (void)number_at(gear, path);
   if (task.values.size() % task.paths.size() != 0)
-    throw InputError("values", fmt::format("has {} numbers; must have {} for each row",
+    throw InputError("values", fmt::format("has {} numbers; give {} for each row",
                                            task.values.size(), task.paths.size()));
   (void)columns_of(task.paths, "paths");
   const StiffnessResult present = evaluate(gear, task.method);
@@ -43,7 +43,7 @@ std::size_t rows_of(const GearSet& gear, const BatchTask& task) {
   return task.values.size() / task.paths.size();
 }
 
-/// The first fault of each code, whichever thread finds it.
+/// Collects the first fault of each code over all threads.
 class FirstFaults {
  public:
   void add(BatchFault fault) {
@@ -62,7 +62,7 @@ class FirstFaults {
   std::map<RowCode, BatchFault> first_;
 };
 
-/// Evaluates rows into their places; one for each thread.
+/// Evaluates rows and stores the results; each thread has its own evaluator.
 class RowEvaluator {
  public:
   RowEvaluator(const GearSet& gear, const BatchTask& task, const Columns& columns,
@@ -100,7 +100,7 @@ class RowEvaluator {
       });
       for (const auto& [name, column] : columns_)
         if (!found[column])
-          return {RowCode::output_absent, fmt::format("the result has no {}", name)};
+          return {RowCode::output_absent, fmt::format("the result lacks the output {}", name)};
       std::ranges::transform(
           found, result_.numbers.begin() + static_cast<std::ptrdiff_t>(row * found.size()),
           [](const std::optional<double>& number) { return *number; });

@@ -3,7 +3,7 @@
 
 namespace strainwave {
 
-// One function for each row, in a file of its name in commands/.
+// Each row has a function in the file of the same name in commands/.
 Command audit_command();
 Command calibrate_command();
 Command catalogue_command();

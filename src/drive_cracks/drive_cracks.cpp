@@ -29,40 +29,42 @@ constexpr int kFrontPoints = 33;         // of half a front; K varies slowly alo
 constexpr double kNearlyAll = 1 - 1e-6;  // of a length that a crack must not reach
 
 const StrengthNote kAssembly = {
-    "the assembly bends the cracked wall by w_0 cos(U theta) in full: an upper bound away from the "
-    "open end of a cup, but not for a flattened cam or on the rim; over a turn each face is in "
-    "tension once per lobe, so the crack may start from either",
+    "the assembly is assumed to bend the cracked wall by the full w_0 cos(U theta): an upper bound "
+    "away from the open end of a cup, but not for a flattened cam or on the rim; in a turn each "
+    "face is in tension once per lobe, so the crack may start from either",
     "FA-12"};
 const StrengthNote kThroughBending = {
-    "a through crack takes the bending of the assembly in full at the outer fibre, exact for a "
-    "crack short against the wall's thickness and up to 1.6 times too much for a long one; contact "
-    "of its closed half is left out",
+    "a through crack is assessed with the full bending of the assembly at the outer fibre: exact "
+    "for a crack that is short compared with the wall's thickness, up to 1.6 times too much for a "
+    "long one; contact of its closed half is left out",
     "FA-14"};
 const StrengthNote kFit = {
-    "stress of fit and rotation in the ring is not known and left out; the lobe force is taken to "
-    "scale the crack's stress in proportion",
+    "stresses of fit and rotation in the ring are unknown and left out; the stress of the crack is "
+    "assumed proportional to the lobe force",
     "FA-4"};
 const StrengthNote kGroove = {
-    "a groove is taken as a sharp crack all round, of its depth: on the safe side", "FA-11"};
-const char* const kDiaphragm = "the bending of the diaphragm by the assembly is not known";
+    "a groove is treated as a sharp crack of its depth all round, which is conservative", "FA-11"};
+const char* const kDiaphragm = "the bending of the diaphragm by the assembly is unknown";
 const char* const kRim =
-    "on the rim the wall's bending is no upper bound: membrane stress of the assembly and tooth "
-    "forces are not in it";
+    "on the rim the wall's bending is not an upper bound: membrane stress of the assembly and "
+    "tooth forces are left out";
 const char* const kOrder =
     "the driver orthogonal_shear gives an order of magnitude at best (ST-12)";
 
-/// What is not known of a stress decides the verdict, and no field of the file tells it.
+/// Marks a stress as unknown.  It decides the verdict, and no field of the file can give it.
 void leave_unknown(DriveCrack& made, std::string stress) {
   if (stress.empty()) return;
   made.unknown = std::move(stress);
-  made.next_step = "No field tells that stress: judge the crack by finite elements of the part.";
+  made.next_step =
+      "Assess the crack by finite elements of the part, because no field of the file can give this "
+      "stress.";
 }
 
 void use(DriveCrack& made, std::initializer_list<const char*> tags) {
   made.equations.insert(made.equations.end(), tags.begin(), tags.end());
 }
 
-/// Moduli, constraint and faces, which every kind has.
+/// Fills the parts that every kind has: moduli, constraint and faces.
 template <class Solution>
 void take_basics(DriveCrack& made, const LoadedCrack<Solution>& loaded) {
   made.moduli = loaded.moduli;
@@ -76,7 +78,7 @@ void take_size(DriveCrack& made, const char* name, CrackSize size, double ligame
   made.ligament = ligament;
 }
 
-/// K of a solution over [axial force, torque] at some places of its front.
+/// K of a solution over [axial force, torque] at given places of its front.
 template <class Solution>
 std::vector<FrontIntensity> along(const Solution& solution, double a,
                                   std::initializer_list<double> places) {
@@ -85,7 +87,7 @@ std::vector<FrontIntensity> along(const Solution& solution, double a,
   return front;
 }
 
-/// The two states of the faces of a solution.
+/// A solution in both states of its faces.
 template <class Solution>
 struct BothStates {
   explicit BothStates(const Solution& apart) : open(apart), pressed(apart.pressed()) {}
@@ -96,15 +98,15 @@ struct BothStates {
   Solution pressed;
 };
 
-/// Wall of a flexspline with its length, as the section of a crack.
+/// Wall of a flexspline with its length, as the cracked section.
 struct LongWall {
   double mean_radius = 0.0;
   double thickness = 0.0;
   double length = 0.0;
 };
 
-/// K of a bending moment M of a tube: that of the axial force 2 M/r, which makes the same stress
-/// M/(pi r^2 t) in the middle of the pulled side.
+/// K from a bending moment M of a tube.  It equals K from the axial force 2 M/r, which causes the
+/// same stress M/(pi r^2 t) in the middle of the tension side.
 auto tube_bending(const DriveCrack& made, double mean_radius) {
   return [front = made.front, mean_radius](const CrackSize& size) {
     std::vector<Modes> bent;
@@ -117,7 +119,7 @@ auto tube_bending(const DriveCrack& made, double mean_radius) {
   };
 }
 
-/// Makes the cracks of a drive; one overload of `fill` for each kind.
+/// Makes the cracks of a drive; each kind has an overload of `fill`.
 class Maker {
  public:
   explicit Maker(const GearSet& gear) : gear_(gear), loads_(gear) {}
@@ -161,7 +163,7 @@ class Maker {
     made.kinks.push_back(
         {.code = "sensitivity.solid_shaft",
          .text = "a bore of 0 is a solid shaft, whose crack has a solution of its own: the "
-                 "derivative to the bore is that of the sound shaft",
+                 "derivative with respect to the bore is that of the sound shaft",
          .path = "output_shaft.inner_diameter",
          .equation = "FR-12",
          .severity = Severity::care});
@@ -188,7 +190,7 @@ class Maker {
     take_basics(made, loaded);
     take_size(made, "depth", {.size = crack.depth}, r_o - r_i - crack.depth);
     use(made, {"FA-7"});
-    // Shared: a std::function may be copied, the table need not.
+    // Share the table, because a std::function may be copied.
     const auto states = std::make_shared<const BothStates<Solution>>(loaded.solution);
     made.front = [states](const CrackSize& size, Faces faces) {
       return along(states->with(faces), size.size, {0.0});
@@ -200,21 +202,21 @@ class Maker {
 
   // --- Flexspline -------------------------------------------------------------------------------
 
-  /// A crack that torque opens, exactly between open and closed.
+  /// Notes a crack that torque opens and that is exactly between open and closed.
   void step_where_touching(DriveCrack& made, double normal_stress_of_torque) const {
     const bool touching =
         made.faces.positive == Faces::touching || made.faces.negative == Faces::touching;
     if (touching && normal_stress_of_torque != 0)
       made.kinks.push_back(
           {.code = "sensitivity.step",
-           .text = "the crack is exactly between open and closed, where the stiffness steps: its "
-                   "derivatives, those of the open crack, hold on one side",
+           .text = "the crack is exactly between open and closed, where the stiffness steps: the "
+                   "derivatives are those of the open crack and valid on one side only",
            .path = made.path,
            .equation = "FR-17",
            .severity = Severity::care});
   }
 
-  /// The wall that a crack sits in, with its length.
+  /// The wall that contains a crack, with its length.
   [[nodiscard]] LongWall long_wall(WallSection section) const {
     const Flexspline& fs = *gear_.flexspline;
     const Wall<double> wall = loads_.wall_of(section);
@@ -235,7 +237,7 @@ class Maker {
                                                                  Faces faces) {
       const double root = std::sqrt(pi * size.size);
       auto front = along(states.with(faces), size.size, {-1.0, 0.0, 1.0});
-      // (FA-14): the whole of the outer fibre's stress.
+      // (FA-14): the full stress of the outer fibre.
       for (FrontIntensity& at : front)
         at.assembly = {bending.normal * root, bending.shear * root, 0.0};
       return front;
@@ -263,7 +265,7 @@ class Maker {
     }
   }
 
-  /// The solutions of a surface crack in the wall, at one shape.
+  /// The solutions for a surface crack of one shape in the wall.
   struct SurfaceFits {
     explicit SurfaceFits(const sif::SurfaceCrack<2>& crack, double poissons_ratio)
         : wall(crack), plate(crack.aspect_ratio()), sheared(crack.aspect_ratio(), poissons_ratio) {}
@@ -294,7 +296,7 @@ class Maker {
         const double phi = pi / 2 * i / (kFrontPoints - 1);
         FrontIntensity& at = front[static_cast<std::size_t>(i)];
         at.load = surface.stress_intensity(a, phi);
-        // (SP-3) for the bending; the shear of the surface, as if it went through the wall.
+        // (SP-3) for the bending; the shear at the surface is assumed constant through the wall.
         at.assembly = {bending.normal * root * fits.plate.tension(a / t, phi) *
                            fits.plate.bending_ratio(a / t, phi),
                        bending.shear * root * fits.sheared.factor_II(phi),
@@ -323,7 +325,7 @@ class Maker {
     made.front = [states = BothStates(loaded.solution)](const CrackSize& size, Faces faces) {
       return along(states.with(faces), size.size, {0.0});
     };
-    // The arc is stressed by the torque alone.
+    // Only the torque stresses the arc.
     through_section(made, pi / 2,
                     {r, loaded.solution.wall_thickness, std::numeric_limits<double>::infinity()},
                     1.0);
@@ -344,7 +346,7 @@ class Maker {
       made.kinks.push_back(
           {.code = "sensitivity.kink",
            .text = "the arc is at a station of the diaphragm's profile, where the slope of the "
-                   "thickness steps: its derivatives are those of the law inside it",
+                   "thickness steps: the derivatives are those of the profile inside the station",
            .path = made.path,
            .equation = "TC-19",
            .severity = Severity::care});
@@ -354,7 +356,7 @@ class Maker {
     const Diaphragm& diaphragm = *gear_.flexspline->diaphragm;
     const ElasticConstants steel = loads_.flexspline_steel();
     made.moduli = {.opening = steel.plane_strain_modulus(), .shear = steel.G};
-    // The law is linear between the stations: what is worst is at an end or at one of them.
+    // The law is linear between the stations, so the worst place is at an end or at a station.
     std::vector<std::array<double, 2>> places;  // radius, thickness
     const double inner = groove.radius - groove.width / 2;
     const double outer = groove.radius + groove.width / 2;
@@ -413,7 +415,7 @@ class Maker {
 
   [[nodiscard]] AssemblyStress assembly_of(DriveCrack& made, const LongWall& wall,
                                            double angle) const {
-    if (gear_.drive.wave_number < 2) return {};  // one lobe shifts the ring, it does not bend it
+    if (gear_.drive.wave_number < 2) return {};  // one lobe shifts the ring without bending it
     made.assembly = true;
     made.notes.push_back(kAssembly);
     use(made, {"ST-17", "FA-12"});
@@ -460,7 +462,7 @@ class Maker {
     return strainwave::lobe_force_per_torque(gear_.drive, *gear_.wave_generator);
   }
 
-  /// What the cracks of the inner ring share; the lobe force stresses them.
+  /// Fills the parts that all cracks of the inner ring share; the lobe force stresses them.
   template <class Crack, class Solution>
   void fill_race(DriveCrack& made, const Crack& crack, const LoadedCrack<Solution>& loaded) const {
     const SectionLoading loading = crack.stress_driver == StressDriver::ring_bending
@@ -469,7 +471,7 @@ class Maker {
     take_basics(made, loaded);
     made.reverses = false;
     const double t = *gear_.wave_generator->inner_ring_thickness;
-    // A ring that the driver compresses is not torn apart.
+    // A ring in compression cannot reach its limit load in tension.
     const double stress = std::max(loads_.unit_stress(crack), 0.0) * lobe_force_per_torque();
     made.reference_stress = [=](const CrackSize& size, double, double T) {
       return ligament_reference_stress(loading, stress * std::abs(T), size.size / t);
@@ -480,10 +482,11 @@ class Maker {
     if (gear_.drive.wave_number >= 2) use(made, {"SW-9"});
   }
 
-  /// What no driver contains, and the driver that decides nothing; empty: all is there.
+  /// Names the stress that no driver contains, or a driver that cannot decide; empty if nothing is
+  /// missing.
   [[nodiscard]] std::string missing_stress(StressDriver driver) const {
     std::string text = driver == StressDriver::orthogonal_shear ? kOrder : "";
-    if (gear_.drive.wave_number < 2) return text;  // one lobe shifts the ring, it does not bend it
+    if (gear_.drive.wave_number < 2) return text;  // one lobe shifts the ring without bending it
     const WaveGenerator& wg = *gear_.wave_generator;
     const double t = *wg.inner_ring_thickness;
     std::optional<double> R = wg.inner_ring_mean_radius;
@@ -491,11 +494,11 @@ class Maker {
     std::string size;
     if (R)
       size = fmt::format(
-          ", about {:.3g} MPa at the lobe,",
+          ", about {:.3g} MPa at the lobe",
           bending_to_shape(gear_.drive, loads_.ring_steel(), *R, t) / units::MPa);  // (SW-9)
     if (!text.empty()) text += ", and ";
     return text +
-           fmt::format("the ring's bending by its cam{} is not in the driver's stress", size);
+           fmt::format("the driver's stress leaves out the ring's bending by its cam{}", size);
   }
 
   const GearSet& gear_;

@@ -32,7 +32,8 @@ double ovalisation_stress(const GearSet& gear) {
 
 AssemblyStress assembly_stress(const GearSet& gear, double mean_radius, double thickness,
                                double angle) {
-  if (!gear.flexspline) throw InputError("flexspline", "must be given (its assembly bends it)");
+  if (!gear.flexspline)
+    throw InputError("flexspline", "must be given, because its assembly stress is needed");
   require(mean_radius > 0, "mean_radius", mean_radius, "m", "mean_radius > 0");
   require(thickness > 0, "thickness", thickness, "m", "thickness > 0");
   const ElasticConstants steel =

@@ -19,7 +19,7 @@ double ring_reference_stress(const NetRing& ring, double axial_force, double tor
   const auto& [r_e, r_i] = ring;
   require(r_i >= 0, "inner_radius", r_i, "m", "inner_radius >= 0");
   require(r_e > r_i, "outer_radius", r_e, "m", "outer_radius > inner_radius");
-  // Factored: differences of powers lose digits in a thin ring.
+  // Write differences of powers as products, because the differences lose digits in a thin ring.
   const double area = pi * (r_e - r_i) * (r_e + r_i);
   const double moment = 2 * pi / 3 * (r_e - r_i) * (r_e * r_e + r_e * r_i + r_i * r_i);
   return von_mises(axial_force / area, torque / moment);  // (FA-7)

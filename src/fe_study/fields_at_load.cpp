@@ -10,7 +10,7 @@ namespace {
 using fem::FieldPoint;
 using std::numbers::pi;
 
-/// a + factor*b; energy densities are left to the caller.
+/// Adds factor*b to a; the caller sets the energy densities.
 void add(FieldPoint& a, const FieldPoint& b, double factor) {
   for (std::size_t i = 0; i < 3; ++i) a.displacement[i] += factor * b.displacement[i];
   for (std::size_t i = 0; i < 6; ++i) a.stress[i] += factor * b.stress[i];
@@ -42,14 +42,14 @@ fem::SampledFields fields_at_load(const ShaftCrackRun& run, const GearSet& gear)
       const double r = point.place[0];
       const double stress = force / area;
       const double shear = torque * r / polar;
-      // Torsion and tension share no component of stress: their energies add.
+      // Torsion and tension cause different components of stress, so their energies add.
       double energy = torque * torque * point.energy_density;
       scale(point, torque);
       if (force >= 0) {
         const FieldPoint& pulled = tension.cells[c].points[i];
         add(point, pulled, force);
         energy += force * force * pulled.energy_density;
-      } else {  // closed: as if there were no crack
+      } else {  // a closed crack acts like no crack
         point.stress[2] += stress;
         point.displacement[0] -= nu * stress / E * r;
         point.displacement[2] += stress / E * point.place[2];

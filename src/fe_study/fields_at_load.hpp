@@ -8,7 +8,7 @@
 namespace strainwave::fe_study {
 
 /// Fields of a cracked shaft at the given torque and force, with the energy density of the sound
-/// one.  A force that presses the faces together passes through them as in the sound shaft.
+/// shaft.  A force that presses the faces together passes through them as in the sound shaft.
 [[nodiscard]] fem::SampledFields fields_at_load(const ShaftCrackRun& run, const GearSet& gear);
 
 /// Fields of a cup at the given torque.

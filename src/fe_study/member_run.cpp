@@ -25,8 +25,8 @@ fem::Elasticity elasticity_of(const GearSet& gear, std::string_view material,
 
 constexpr const char* kFlexspline = "flexspline";
 
-/// Measured on one core at p = 4..8, -20 to +80 %: seconds = kSecondsPerDof * dofs * p for one
-/// solution.
+/// Time of one solution, seconds = kSecondsPerDof * dofs * p.  Measurements on one core at p = 4..8
+/// differ by -20 to +80 %.
 constexpr double kSecondsPerDof = 3e-7;
 constexpr double kBytesPerDof = 4e3;
 
@@ -45,23 +45,24 @@ RunSize size_of(std::string path, const fem::SectionMesh& mesh, std::size_t comp
           .solutions = solutions};
 }
 
-/// One solution of a solid, measured at order 3 and 4 from 24 to 96 thousand unknowns, one and two
-/// cells through the wall: time -4 to +80 %; memory: (FE-44).
+/// One solution of a solid, measured at order 3 and 4 from 24 to 96 thousand unknowns, with one and
+/// two cells through the wall.  Measured times differ by -4 to +80 %; for memory see (FE-44).
 constexpr double kSolidUnknowns = 1e5;
 constexpr double kSolidSeconds = 7.5;  ///< at kSolidUnknowns [s]
 constexpr double kSolidSecondsExponent = 1.36;
 constexpr double kSolidBytes = 1.1e9;  ///< at kSolidUnknowns [byte]
 constexpr double kSolidBytesExponent = 1.34;
-/// Three crack sizes, in both senses.
+/// Three crack sizes under both senses of torque.
 constexpr std::size_t kTubeSolutions = 6;
-/// Fields of a cup are compared with those of the sound one, in each sense.
+/// Number of solutions; fields of a cup add the sound cup for each sense.
 std::size_t tube_solutions(const gear_fem::TubeWithThroughCrack& tube, RunFields fields) {
   return kTubeSolutions + (tube.ends.any() && fields != RunFields::none ? 2 : 0);
 }
-/// The same, but a surface crack that is closed all over is not compared with its neighbours.
+/// Solutions of a surface crack; a fully closed crack needs fewer, because it is not compared with
+/// its neighbours.
 constexpr std::size_t kSurfaceSolutions = 6;
 
-/// (FE-44): memory of one solution of a solid [byte].
+/// Memory of one solution of a solid by (FE-44) [byte].
 double solid_memory(double dofs) {
   return kProgramBytes +
          kSolidBytes * std::pow(dofs / kSolidUnknowns, kSolidBytesExponent);  // (FE-44)
@@ -72,7 +73,7 @@ double solid_seconds(double dofs) {
   return kSolidSeconds * std::pow(dofs / kSolidUnknowns, kSolidSecondsExponent);
 }
 
-/// The wall that carries a crack, alone: a tube.
+/// The wall that contains a crack, as a tube.
 TubeSection wall_of(const GearSet& gear, WallSection section) {
   const Flexspline& fs = *gear.flexspline;
   if (fs.crack_free == CrackFree::factor)
@@ -82,7 +83,7 @@ TubeSection wall_of(const GearSet& gear, WallSection section) {
   return section == WallSection::rim ? *fs.rim : *fs.barrel;
 }
 
-/// The tube of a crack of the wall, of either kind, without its depth.
+/// The tube with a wall crack of either kind, without the depth of the crack.
 template <class Tube, class Crack>
 Tube tube_about(const GearSet& gear, const Crack& crack, int order) {
   const TubeSection wall = wall_of(gear, crack.section);
@@ -98,13 +99,13 @@ Tube tube_about(const GearSet& gear, const Crack& crack, int order) {
   return tube;
 }
 
-/// Whether there is a rim that a solid cannot have.
+/// Whether the flexspline has a rim that cannot be meshed as a solid.
 bool has_other_rim(const Flexspline& flexspline) {
   return flexspline.crack_free == CrackFree::sections && flexspline.rim &&
          !gear_fem::rim_covers(*flexspline.rim, *flexspline.barrel);
 }
 
-/// What is at the ends of the section that has the crack, as far as a solid can have it.
+/// The parts at the ends of the cracked section that can be meshed as a solid.
 gear_fem::BarrelEnds ends_of(const Flexspline& flexspline, const WallThroughCrack& crack) {
   if (flexspline.crack_free != CrackFree::sections || crack.section != WallSection::barrel ||
       has_other_rim(flexspline))
@@ -145,7 +146,7 @@ struct WallCrack {
   std::size_t dofs = 0;
 };
 
-/// Meshes it, so that one that does not fit is refused before anything is solved.
+/// Meshes a crack, so a crack that does not fit is refused before the first solution.
 template <class Tube>
 WallCrack<Tube> wall_crack(std::size_t n, const Tube& tube) {
   WallCrack<Tube> result{.path = wall_crack_path(n), .tube = tube};
@@ -170,9 +171,9 @@ RunSize size_of(const WallCrack<Tube>& crack, std::size_t solutions) {
           .divided = true};
 }
 
-/// What is asked for, and may be.
+/// The requested parts that can be computed.
 struct Work {
-  std::vector<std::size_t> shaft;  ///< its cracks
+  std::vector<std::size_t> shaft;  ///< cracks of the shaft
   bool cup = false;
   std::vector<WallCrack<gear_fem::TubeWithThroughCrack>> wall_cracks;
   std::vector<WallCrack<gear_fem::TubeWithSurfaceCrack>> surface_cracks;
@@ -195,11 +196,13 @@ void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) 
       const std::string_view kind =
           std::visit([](const auto& one) -> std::string_view { return one.kKind; }, crack);
       const std::string problem = fmt::format(
-          "a crack of kind \"{}\" is not calculated by finite elements, only through and surface "
-          "cracks of the wall are",
+          "finite elements do not compute a crack of kind \"{}\", only through and surface cracks "
+          "of the wall",
           kind);
       if (options.crack) throw InputError(wall_crack_path(n), problem);
-      if (options.member) throw InputError(wall_crack_path(n), problem + ": take it out");
+      if (options.member)
+        throw InputError(wall_crack_path(n),
+                         problem + "; remove it or choose other cracks by --crack");
       work.notes.push_back({"fe.crack_left_out",
                             fmt::format("{} is left out: {}", wall_crack_path(n), problem),
                             wall_crack_path(n), "", Severity::care});
@@ -218,34 +221,33 @@ void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) 
     if (in_cups > 0)
       work.notes.push_back(
           {"fe.crack_in_cup",
-           "each through crack of the barrel is calculated alone, halfway along it, in the cup "
-           "that "
-           "the sections give, held at its boss or bore and twisted at the open end",
+           "each through crack of the barrel is computed alone, at half length, in the cup of the "
+           "sections, held at its boss or bore and twisted at the open end",
            kFlexspline, "", Severity::information});
     if (static_cast<std::size_t>(in_cups) < work.wall_cracks.size() || !work.surface_cracks.empty())
       work.notes.push_back(
           {"fe.crack_in_tube",
-           fmt::format("each {} is calculated alone, halfway along its section, a tube that is "
-                       "clamped at one end and twisted at the other",
+           fmt::format("each {} is computed alone, at half length of its section, as a tube that "
+                       "is clamped at one end and twisted at the other",
                        in_cups > 0 ? "other crack of the wall" : "crack of the wall"),
            kFlexspline, "", Severity::care});
     if (has_other_rim(flexspline) && !work.wall_cracks.empty())
       work.notes.push_back(
           {"fe.rim_apart",
-           "the rim's wall does not cover the barrel's: no crack is calculated in the cup",
+           "the rim's wall does not cover the barrel's wall, so no crack is computed in the cup",
            "flexspline.rim", "", Severity::care});
     if (!work.surface_cracks.empty())
-      work.notes.push_back(
-          {"fe.mouth_outside",
-           "a surface crack has its mouth on the outer surface: the file does not say", kFlexspline,
-           "", Severity::care});
+      work.notes.push_back({"fe.mouth_outside",
+                            "the mouth of a surface crack is assumed on the outer surface, because "
+                            "the file does not state it",
+                            kFlexspline, "", Severity::care});
     if (gear.load.axial_force != 0)
       work.notes.push_back({"fe.axial_force", "the axial force is not applied to the flexspline",
                             "load.axial_force", "", Severity::care});
     if (flexspline.stress_nonuniformity != 1)
       work.notes.push_back({"fe.stress_nonuniformity",
-                            "flexspline.stress_nonuniformity is not applied: finite "
-                            "elements find their own stress",
+                            "flexspline.stress_nonuniformity is not applied, because finite "
+                            "elements compute the stress distribution",
                             "flexspline.stress_nonuniformity", "", Severity::information});
   }
   if (options.crack) return;
@@ -255,15 +257,15 @@ void add_flexspline(Work& work, const GearSet& gear, const RunOptions& options) 
     if (!flexspline.crack.empty())
       work.notes.push_back(
           {"fe.sound_without_cracks",
-           "the sound flexspline is calculated as a body of revolution, without cracks",
-           kFlexspline, "", Severity::information});
+           "the sound flexspline is computed as a body of revolution, without cracks", kFlexspline,
+           "", Severity::information});
   } else if (options.member && !work.has_wall_cracks()) {
-    (void)gear_fem::cup_section(flexspline);  // says what is missing
+    (void)gear_fem::cup_section(flexspline);  // throws and names the missing field
   } else {
-    work.notes.push_back(
-        {"fe.sound_left_out",
-         "the sound flexspline is left out: crack_free = \"factor\" gives no geometry of it",
-         "flexspline.crack_free", "", Severity::information});
+    work.notes.push_back({"fe.sound_left_out",
+                          "the sound flexspline is left out, because crack_free = \"factor\" does "
+                          "not give its geometry",
+                          "flexspline.crack_free", "", Severity::information});
   }
 }
 
@@ -275,33 +277,34 @@ Work work_of(const GearSet& gear, const RunOptions& options) {
   const auto asked = [&](Member member) { return !options.member || *options.member == member; };
   Work work;
   if (options.member == Member::output_shaft && !gear.output_shaft)
-    throw InputError("output_shaft", "is not given, so there is nothing to calculate");
+    throw InputError("output_shaft", "must be given to be computed");
   if (options.member == Member::flexspline && !gear.flexspline)
-    throw InputError("flexspline", "is not given, so there is nothing to calculate");
+    throw InputError("flexspline", "must be given to be computed");
   if (gear.output_shaft && asked(Member::output_shaft)) {
     for (std::size_t n = 0; n < gear.output_shaft->crack.size(); ++n)
       if (!options.crack || options.crack == crack_path(n)) work.shaft.push_back(n);
     if (gear.output_shaft->crack.empty() && options.member)
-      throw InputError("output_shaft.crack",
-                       "there is none, and a sound shaft of one diameter needs no finite elements");
+      throw InputError(
+          "output_shaft.crack",
+          "must be given, because a sound shaft of one diameter does not need finite elements");
   }
   if (gear.flexspline && asked(Member::flexspline)) add_flexspline(work, gear, options);
   const bool nothing = work.shaft.empty() && !work.cup && !work.has_wall_cracks();
   if (nothing && options.crack)
-    throw InputError("--crack", fmt::format("\"{}\" is no crack of the members asked for",
+    throw InputError("--crack", fmt::format("\"{}\" is not a crack of the selected members",
                                             shown(*options.crack)));
   if (nothing)
     throw InputError(
         "drive",
-        "gives nothing that finite elements can calculate: an output shaft "
-        "with an annular crack, a through or surface crack of the flexspline's wall, or "
-        "a flexspline by sections");
+        "must give a part that finite elements can compute: an output shaft with an annular crack, "
+        "a through or surface crack of the flexspline's wall, or a flexspline by sections");
   const auto contradiction = [&](const std::string& material, std::string_view field) {
     const Material& steel = material_of(gear, material, field);
     if (std::abs(elastic_contradiction(steel)) > 1e-6)
       work.notes.push_back(
           {"fe.shear_modulus",
-           fmt::format("{}: the shear modulus is E/(2(1+nu)), {:.5g} GPa, and not the given one",
+           fmt::format("{}: finite elements use the shear modulus E/(2(1+nu)), {:.5g} GPa, not the "
+                       "given one",
                        field, elasticity_of(gear, material, field).shear_modulus() / 1e9),
            std::string(field), "", Severity::care});
   };
@@ -310,7 +313,7 @@ Work work_of(const GearSet& gear, const RunOptions& options) {
     contradiction(gear.flexspline->material, "flexspline.material");
   if (work.shaft.size() > 1)
     work.notes.push_back({"fe.shaft_cracks_alone",
-                          "each crack of the output shaft is calculated alone, halfway along it",
+                          "each crack of the output shaft is computed alone, at half length",
                           "output_shaft", "", Severity::care});
   return work;
 }
@@ -382,7 +385,7 @@ ResultEvidence evidence_of(const RunResult& result) {
 
 namespace {
 
-/// What is known of a result before anything is solved.
+/// The parts of a result that are known before the first solution.
 RunResult planned(Work& work, const GearSet& gear, const RunOptions& options) {
   return {.plan = sizes_of(work, gear, options),
           .calculated = false,
@@ -436,7 +439,8 @@ RunResult run(const GearSet& gear, const RunOptions& options, const Ranks& ranks
   const auto say = [&](const std::string& line) {
     if (options.progress) options.progress(line);
   };
-  // First what all ranks do together: an error of the first rank alone must not leave them waiting.
+  // Do the work of all ranks first, so an error of the first rank alone does not leave the others
+  // waiting.
   for (const auto& crack : work.wall_cracks)
     result.flexspline.cracks.emplace_back(
         both_senses<TubeCrackRun>(crack, options, tube_solutions(crack.tube, options.fields),

@@ -48,13 +48,13 @@ struct GroupFiles {
   std::string_view cache;  ///< line of memory.stat
 };
 
-/// The least that a group and those that it is in leave.
+/// The least memory that a group and its parent groups leave.
 MemoryLimit left_of_group(std::string group, const GroupFiles& files, const FileReader& read) {
   MemoryLimit least;
   for (;;) {
     while (!group.empty() && group.back() == '/') group.pop_back();
     const std::string folder = files.root + group + '/';
-    // The limit "max" is no number, and none.
+    // The limit "max" is not a number and means no limit.
     const auto limit = number_of(read(folder + std::string(files.limit)), "");
     const auto used = number_of(read(folder + std::string(files.used)), "");
     if (limit && used) {
@@ -134,7 +134,7 @@ void require_memory(const std::vector<RunSize>& sizes, const AvailableMemory& he
 
 void require_memory(const std::vector<RunSize>& sizes, const Ranks& ranks) {
   const int ranks_here = ranks.on_this_machine();
-  // One machine alone may be too small: that stops all.
+  // If the memory of one machine does not suffice, all ranks stop.
   ranks.together([&] { require_memory(sizes, available_memory(), ranks_here, ranks.size()); });
 }
 

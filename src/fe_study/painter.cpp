@@ -23,16 +23,17 @@ constexpr Rgb rgb(std::uint32_t hex) {
           static_cast<double>(hex & 0xFFU)};
 }
 
-// Viridis at every tenth (public domain): lightness rises evenly, also for colour-blind readers.
+// Viridis at every tenth (public domain); its lightness rises evenly, also for colour-blind
+// readers.
 constexpr std::array<Rgb, 11> kRising = {rgb(0x440154), rgb(0x482475), rgb(0x414487), rgb(0x355f8d),
                                          rgb(0x2a788e), rgb(0x21918c), rgb(0x22a884), rgb(0x44bf70),
                                          rgb(0x7ad151), rgb(0xbddf26), rgb(0xfde725)};
-// Blue to red over white, lightness falling alike to both sides.
+// Blue to red over white; lightness falls equally to both sides.
 constexpr std::array<Rgb, 11> kDiverging = {
     rgb(0x053061), rgb(0x2166ac), rgb(0x4393c3), rgb(0x92c5de), rgb(0xd1e5f0), rgb(0xf7f7f7),
     rgb(0xfddbc7), rgb(0xf4a582), rgb(0xd6604d), rgb(0xb2182b), rgb(0x67001f)};
 
-constexpr double kPoint = 1.2;  // smaller patches have one colour [px]
+constexpr double kPoint = 1.2;  // patches smaller than this get one colour [px]
 
 struct Extent {
   double x0 = 1e30, x1 = -1e30, y0 = 1e30, y1 = -1e30;
@@ -44,7 +45,7 @@ struct Extent {
   }
 };
 
-/// A number of tenths, in as few characters as can be.
+/// A number of tenths in as few characters as possible.
 std::string tenths(long value) {
   const long size = std::abs(value);
   std::string text = value < 0 ? "-" : "";
@@ -113,7 +114,7 @@ std::string path_of(std::span<const PaperPoint> points, bool closed) {
     const long to_x = std::lround(10 * p.x);
     const long to_y = std::lround(10 * p.y);
     if (corners > 0 && to_x == x && to_y == y) continue;
-    // Steps from the last point, which was rounded too, are shorter than places.
+    // Steps from the last rounded point need fewer characters than absolute places.
     path += corners == 0 ? "M" : corners == 1 ? "l" : " ";
     path += tenths(to_x - x) + " " + tenths(to_y - y);
     x = to_x;
@@ -180,7 +181,8 @@ void BandPainter::quadrilateral(const PaperPatch& patch, std::size_t first) {
   }
 }
 
-/// The whole triangle in the colour of its lowest band, then what lies above each further level.
+/// Paints the whole triangle in the colour of its lowest band, then the part above each further
+/// level.
 void BandPainter::triangle(const PaperPoint* const (&corner)[3], const double (&value)[3]) {
   const auto [least, most] = std::minmax({value[0], value[1], value[2]});
   const std::size_t first = scale_.band(least);
@@ -202,7 +204,7 @@ void BandPainter::triangle(const PaperPoint* const (&corner)[3], const double (&
 
 std::string BandPainter::svg() const {
   std::string svg;
-  // The stroke closes the seams that anti-aliasing leaves between neighbours.
+  // The stroke covers the seams that anti-aliasing leaves between neighbours.
   for (std::size_t band = 0; band < paths_.size(); ++band)
     if (!paths_[band].empty())
       svg += fmt::format("<path class=\"band\" fill=\"{0}\" stroke=\"{0}\" d=\"{1}\"/>\n",
@@ -214,8 +216,8 @@ std::string BandPainter::svg() const {
 
 void DepthPainter::polygon(double depth, std::vector<PaperPoint> points, std::string fill,
                            std::string_view edge) {
-  // All the same way round: where two that are drawn as one path overlap, opposite ones would
-  // leave a hole.
+  // Orient all polygons alike, because overlapping polygons of opposite orientation in one path
+  // would leave a hole.
   double twice_area = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const PaperPoint& a = points[i];
@@ -240,7 +242,7 @@ std::string DepthPainter::svg() const {
       svg += order[i++]->svg;
       continue;
     }
-    // Neighbours in the order that look alike share an element.
+    // Consecutive polygons of the same look share an element.
     std::string path;
     std::size_t j = i;
     for (; j < order.size() && order[j]->svg.empty() && order[j]->fill == order[i]->fill &&

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-// What pictures of fields are painted with: colour scales, filled bands, text.  Lengths in px of
-// the SVG's own coordinates, y downward.
+// Tools for pictures of fields: colour scales, filled bands, text.  Lengths are in px of the SVG's
+// own coordinates, with y downward.
 
 namespace strainwave::fe_study {
 
@@ -22,8 +22,8 @@ enum class ColourMap {
   diverging,  ///< blue below, white at, red above the middle
 };
 
-/// Which colour a value has: `bands` equal steps from `lower` to `upper`, the first and last one
-/// also for what lies beyond.
+/// Maps values to colours in `bands` equal steps from `lower` to `upper`; the first and last step
+/// also cover values beyond.
 struct ValueScale {
   ColourMap map = ColourMap::rising;
   double lower = 0.0;
@@ -41,7 +41,7 @@ struct ValueScale {
 /// The largest of 1, 2 or 5 times a power of ten that is not above the value.
 [[nodiscard]] double round_down(double value);
 
-/// A field on a grid of (n+1)^2 points that have places on paper, the first index fastest.
+/// A field on a grid of (n+1)^2 points with places on paper; the first index runs fastest.
 struct PaperPatch {
   std::size_t divisions = 0;
   std::vector<PaperPoint> points;
@@ -64,18 +64,18 @@ class BandPainter {
   void polygon(std::size_t band, std::span<const PaperPoint> points);
 
   ValueScale scale_;
-  std::vector<std::string> paths_;  ///< of each band
+  std::vector<std::string> paths_;  ///< paths of each band
 };
 
 /// Polygons that may hide each other, painted from the farthest to the nearest.
 class DepthPainter {
  public:
-  /// @param depth  larger is nearer
-  /// @param fill   a colour
-  /// @param edge   a class of the sheet, or nothing: none
+  /// @param depth  depth; a larger value is nearer
+  /// @param fill   fill colour
+  /// @param edge   a class of the sheet; empty: no edge
   void polygon(double depth, std::vector<PaperPoint> points, std::string fill,
                std::string_view edge = {});
-  /// What is painted already.
+  /// Adds a finished SVG fragment.
   void finished(double depth, std::string svg);
   [[nodiscard]] std::string svg() const;
 
@@ -85,18 +85,19 @@ class DepthPainter {
     std::vector<PaperPoint> points;
     std::string fill;
     std::string edge;
-    std::string svg;  ///< instead of all that
+    std::string svg;  ///< finished fragment that replaces the members above
   };
   std::vector<Face> faces_;
 };
 
-/// "M1 2l.5 -3 4 0z": to a tenth of a px; nothing of a closed one that is smaller than that.
+/// An SVG path such as "M1 2l.5 -3 4 0z", rounded to a tenth of a px; empty for a closed path
+/// smaller than that.
 [[nodiscard]] std::string path_of(std::span<const PaperPoint> points, bool closed);
 
 /// A number for people with three digits: "0.0123", "9 470", "1.20·10⁻⁵".
 [[nodiscard]] std::string shown_number(double value);
 
-/// One picture.
+/// One picture as an SVG sheet.
 class PictureSheet {
  public:
   PictureSheet(double width, double height) : width_(width), height_(height) {}
@@ -106,13 +107,13 @@ class PictureSheet {
   void line(std::span<const PaperPoint> points, std::string_view style);
   void arrow(PaperPoint from, PaperPoint to);
   void raw(std::string_view svg) { body_ += svg; }
-  /// Vertical, with its unit.
-  /// @param beyond  what has more than the scale shows
+  /// Draws a vertical colour bar with its unit.
+  /// @param beyond  description of places with values beyond the scale
   void colour_bar(PaperPoint corner, double height, const ValueScale& scale,
                   std::string_view quantity, std::string_view beyond);
-  /// A length to scale, at most `longest` px.
+  /// Draws a length to scale, at most `longest` px long.
   void scale_bar(PaperPoint at, double px_per_metre, double longest);
-  /// What is drawn until `end_clip` is cut off at a rectangle.
+  /// Clips everything drawn until `end_clip` to a rectangle.
   void begin_clip(std::string_view id, PaperPoint corner, double width, double height);
   void end_clip();
 

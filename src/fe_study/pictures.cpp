@@ -29,7 +29,7 @@ std::string signed_text(double value) {
 
 using Value = std::function<double(const FieldPoint&)>;
 
-/// Part of a meridian section, and where it is drawn: z to the right, r upward.
+/// Part of a meridian section and its place on paper, with z to the right and r upward.
 struct SectionView {
   double z0{}, z1{}, r0{}, r1{};  ///< [m]
   PaperPoint corner{};            ///< upper left [px]
@@ -42,7 +42,8 @@ struct SectionView {
   }
 };
 
-/// The view of a range, as large as a place on paper allows, at its upper edge.
+/// The view of a range, as large as the given place on paper allows, at the upper edge of the
+/// place.
 SectionView fitted(double z0, double z1, double r0, double r1, PaperPoint corner, double width,
                    double height) {
   SectionView view{.z0 = z0, .z1 = z1, .r0 = r0, .r1 = r1};
@@ -79,7 +80,7 @@ std::string frame(const SectionView& view) {
       view.corner.x, view.corner.y, view.width(), view.height());
 }
 
-/// z to the right, r upward.
+/// Draws the axes, with z to the right and r upward.
 void axes(PictureSheet& sheet, PaperPoint corner) {
   sheet.arrow(corner, {corner.x + 46, corner.y});
   sheet.words({corner.x + 52, corner.y + 4}, "tick", "z");
@@ -87,7 +88,7 @@ void axes(PictureSheet& sheet, PaperPoint corner) {
   sheet.words({corner.x + 6, corner.y - 26}, "tick", "r");
 }
 
-/// Radii that a crack runs between, from the mouth to the tip.
+/// Radii of a crack from its mouth to its tip.
 std::array<double, 2> crack_radii(const gear_fem::ShaftSection& shaft) {
   const gear_fem::ShaftCrack& crack = *shaft.crack;
   return crack.surface == gear_fem::ShaftCrack::Surface::outer
@@ -131,7 +132,7 @@ std::string shaft_picture(const ShaftPicture& picture, const ValueScale& scale,
   const std::array axis = {PaperPoint{whole.corner.x - 10, whole.paper(0, 0).y},
                            PaperPoint{whole.corner.x + whole.width() + 10, whole.paper(0, 0).y}};
   sheet.line(axis, "axis");
-  // What is drawn large.
+  // Frame of the enlarged part.
   const PaperPoint high = whole.paper(part.r1, part.z0);
   const PaperPoint low = whole.paper(part.r0, part.z1);
   sheet.raw(fmt::format(
@@ -152,7 +153,7 @@ std::string shaft_picture(const ShaftPicture& picture, const ValueScale& scale,
   return sheet.svg(what + " in the meridian section of a shaft, in colours");
 }
 
-/// K = Y sqrt(pi a): Y is a polynomial through the sizes that were solved.
+/// Plot of K = Y sqrt(pi a), with Y a polynomial through the solved sizes.
 std::string over_depth(const ShaftCrackRun& run, const GearSet& gear,
                        const std::vector<std::string>& captions) {
   constexpr int kPoints = 60;
@@ -181,9 +182,10 @@ std::string over_depth(const ShaftCrackRun& run, const GearSet& gear,
     }
     panel.series.push_back(std::move(series));
   };
-  add("K_III of the torque", run.result.torsion.sizes, &fem::TipResult::K_III, gear.load.torque);
+  add("K_III from the torque", run.result.torsion.sizes, &fem::TipResult::K_III, gear.load.torque);
   if (gear.load.axial_force > 0)
-    add("K_I of the force", run.result.tension.sizes, &fem::TipResult::K_I, gear.load.axial_force);
+    add("K_I from the force", run.result.tension.sizes, &fem::TipResult::K_I,
+        gear.load.axial_force);
   return svg_plot(std::array{panel});
 }
 
@@ -236,7 +238,7 @@ void add_cup(std::vector<OutputFile>& files, const gear_fem::CupResult& cup, con
     }
   const SectionView view = fitted(z0, z1, 0, r1, {34, 90}, 680, 420);
   const Value value = [](const FieldPoint& p) { return p.energy_density; };
-  // Corners are singular: the scale is that of what nine tenths of the points have.
+  // Corners are singular, so the scale covers nine tenths of the points.
   std::vector<double> values;
   for (const fem::FieldCell& cell : fields.cells)
     for (const FieldPoint& p : cell.points) values.push_back(p.energy_density);
@@ -260,7 +262,7 @@ void add_cup(std::vector<OutputFile>& files, const gear_fem::CupResult& cup, con
   sheet.scale_bar({view.corner.x, axis + 14}, view.scale, 150);
   sheet.words({view.corner.x, axis + 44}, "small", "Meridian section above the axis");
   axes(sheet, {view.corner.x + view.width() - 66, axis + 52});
-  sheet.colour_bar({770, 150}, 316, scale, "w [J/m³]", "more at sharp corners");
+  sheet.colour_bar({770, 150}, 316, scale, "w [J/m³]", "higher at sharp corners");
   files.push_back(
       {.name = "flexspline_energy.svg",
        .text = sheet.svg("Strain energy density in the meridian section of a cup, in colours")});
@@ -299,7 +301,7 @@ void describe(CrackedWall& wall, const gear_fem::TubeWithSurfaceCrack& tube) {
   wall.corners = true;
 }
 
-/// Of the sense of torque that releases more energy.
+/// Pictures for the sense of torque that releases more energy.
 template <class Run>
 void add_wall(std::vector<OutputFile>& files, const Run& run) {
   const auto& tube = run.tube;

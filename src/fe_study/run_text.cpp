@@ -24,8 +24,9 @@ std::string line(std::string_view name, double value, std::string_view unit) {
 
 void write(std::string& text, const gear_fem::ShaftCrackLoad& load, std::string_view unit) {
   text += line("sound compliance", load.sound_compliance, unit);
-  text += line("added by the crack, integral of 2G", load.added_compliance, unit);
-  text += line("the same by difference of two solutions", load.added_by_difference, unit);
+  text += line("added by the crack, from the integral of 2G", load.added_compliance, unit);
+  text += line("added by the crack, from the difference of two solutions", load.added_by_difference,
+               unit);
   text += fmt::format(
       "  checks: rings {:.1e}, dC/dA {:.1e}, faces {:.1e}, energy {:.1e}, equilibrium {:.1e},\n"
       "          worst Jacobian {:.2f}; {} unknowns; {}\n",
@@ -33,7 +34,7 @@ void write(std::string& text, const gear_fem::ShaftCrackLoad& load, std::string_
       load.equilibrium_residual, load.worst_jacobian, load.dofs, verdict(load.usable, load.reason));
 }
 
-/// Its parts besides the barrel.
+/// The parts of a cup in addition to the barrel.
 std::string ends_of(const gear_fem::TubeWithThroughCrack& tube) {
   std::vector<std::string> parts;
   if (tube.ends.rim) parts.emplace_back("rim");
@@ -93,7 +94,7 @@ void write(std::string& text, const gear_fem::TubeSurfaceCrackResult& result) {
                                     point.front_angle == std::numbers::pi / 2 ? ", deepest" : ""),
                         point);
   } else {
-    text += "  along the front all K are zero but for rounding and mesh\n";
+    text += "  along the front all K are zero within rounding and mesh errors\n";
   }
   write_checks(text, result);
 }
@@ -115,7 +116,7 @@ void write_crack(std::string& text, const TubeCrackRun& crack) {
       crack.path, tube.half_length * 1e3, tube.angle * 180 / std::numbers::pi,
       tube.ends.any() ? "the barrel of a cup" : "a tube", tube.mean_radius * 1e3,
       tube.wall_thickness * 1e3, tube.length * 1e3);
-  if (tube.ends.any()) text += fmt::format("  besides the barrel: {}\n", ends_of(tube));
+  if (tube.ends.any()) text += fmt::format("  in addition to the barrel: {}\n", ends_of(tube));
   text +=
       line(fmt::format("compliance of the {} without the crack", tube.ends.any() ? "cup" : "tube"),
            crack.positive.compliance_without, "rad/(N*m)");
@@ -136,7 +137,7 @@ void write_crack(std::string& text, const SurfaceCrackRun& crack) {
 }
 
 std::string plan_text(const std::vector<RunSize>& sizes) {
-  std::string text = "Would calculate, estimated:\n";
+  std::string text = "Plan, with estimates:\n";
   for (const RunSize& size : sizes)
     text += fmt::format("  {:<28} {:>8} unknowns, {} solutions, {:.2g} GB, {:.2g} s\n", size.path,
                         size.dofs, size.solutions, size.memory / 1e9, size.seconds);
@@ -159,7 +160,8 @@ std::string run_text(const RunResult& result, const GearSet& gear) {
     text += fmt::format(" at the given load, {:.6g} N*m and {:.6g} N\n", crack.torque, crack.force);
     text += line("K_I", K.K_I / kMPaRootMetre, "MPa*m^0.5");
     text += line("K_III", K.K_III / kMPaRootMetre, "MPa*m^0.5");
-    if (!crack.opens()) text += "  the axial force presses the faces together: closed, no K_I\n";
+    if (!crack.opens())
+      text += "  the axial force presses the faces together: the crack is closed, K_I = 0\n";
     text += " torsion\n";
     write(text, crack.result.torsion, "rad/(N*m)");
     text += " tension\n";
@@ -167,7 +169,7 @@ std::string run_text(const RunResult& result, const GearSet& gear) {
   }
   if (result.flexspline.sound) {
     const gear_fem::CupResult& cup = *result.flexspline.sound;
-    text += "\nflexspline: sound, torsion of the open end against the held one\n";
+    text += "\nflexspline: sound, torsion of the open end against the held end\n";
     text += line("compliance", cup.compliance, "rad/(N*m)");
     for (const gear_fem::CupPart& part : cup.parts)
       text += fmt::format("  {:<44} {:>13.6g} rad/(N*m) {:6.2f} %\n", part.name, part.compliance,

@@ -7,7 +7,7 @@
 
 namespace strainwave::fe_study {
 
-/// For people, at most 100 columns wide; of a dry run its plan.
+/// A result as text, at most 100 columns wide; for a dry run, its plan.
 [[nodiscard]] std::string run_text(const RunResult& result, const GearSet& gear);
 
 }  // namespace strainwave::fe_study

@@ -3,7 +3,7 @@
 
 namespace strainwave::fe_study {
 
-// One function for each row, in a file of its name in commands/.
+// Each row has a function in the file of the same name in commands/.
 Command run_command();
 Command render_command();
 Command tabulate_command();

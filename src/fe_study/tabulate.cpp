@@ -28,18 +28,18 @@ constexpr std::string_view kComplianceUnit = "rad/(N*m)";
 constexpr std::array<std::string_view, 2> kSenses = {"positive", "negative"};
 constexpr std::array<std::string_view, 3> kModes = {"I", "II", "III"};
 
-// (FE-42): what remains where all checks agree, measured against other programs.
+// (FE-42): error that remains if all checks agree, measured against other programs.
 constexpr double kTubeErrorAtBest = 2e-3;  // order 3 and 4
 constexpr double kTubeErrorAtBestOrder2 = 2e-2;
 constexpr double kShaftErrorAtBest = 2e-4;  // five depths of (FE-8)
 
-/// A kind of crack as a table has it.  Another kind is one more of these.
+/// A kind of crack in a table.  Another kind needs another value of this type.
 struct Family {
-  int order = 0;  ///< p where none is given
+  int order = 0;  ///< default order p
   std::string_view equations;
   std::string_view held;
   std::vector<TableColumn> columns;
-  /// The row of the only crack of a run, but for place and time.
+  /// The row of the only crack of a run, without place and time.
   std::function<TablePoint(const RunResult&)> row;
 };
 
@@ -149,12 +149,12 @@ Family shaft_family() {
 Family family_of(std::string_view kind) {
   if (kind == WallThroughCrack::kKind) return tube_family();
   if (kind == AnnularCrack::kKind) return shaft_family();
-  throw InputError("--crack", fmt::format("no table is made of cracks of kind \"{}\"", kind));
+  throw InputError("--crack", fmt::format("tables do not support cracks of kind \"{}\"", kind));
 }
 
 // ---------------------------------------------------------------------------------------------
 
-/// The crack that is meant: the one named, or the only one that can have a table.
+/// The selected crack: the named one, or the only one that can have a table.
 std::string chosen_crack(const GearSet& gear, const RunOptions& run) {
   std::vector<std::string> known;
   for_each_tabulated_kind(gear,
@@ -163,10 +163,10 @@ std::string chosen_crack(const GearSet& gear, const RunOptions& run) {
   if (!run.crack) {
     if (known.size() == 1) return known.front();
     throw InputError("--crack",
-                     fmt::format("must name one crack that a table can be made of: {}", list));
+                     fmt::format("must name one crack that a table can describe: {}", list));
   }
   if (std::ranges::find(known, *run.crack) == known.end())
-    throw InputError("--crack", fmt::format("\"{}\" is no crack that a table can be made of: {}",
+    throw InputError("--crack", fmt::format("\"{}\" is not a crack that a table can describe: {}",
                                             shown(*run.crack), list));
   return *run.crack;
 }
@@ -185,7 +185,7 @@ Tabulated tabulated(const GearSet& gear, std::string_view path) {
   return result;
 }
 
-/// Which number of the crack a variation changes, and only that one.
+/// The single number of the crack that a variation changes.
 TableParameter parameter_of(const GearSet& gear, const std::string& crack,
                             const Variation& variation) {
   const auto with = [&](double value) {
@@ -206,16 +206,15 @@ TableParameter parameter_of(const GearSet& gear, const std::string& crack,
   }
   const std::string option = vary_option(variation.path, kOver);
   if (changed.empty())
-    throw InputError(
-        option, fmt::format("changes nothing that the finite elements of {} depend on: {}", crack,
-                            fmt::join(known, ", ")));
+    throw InputError(option, fmt::format("does not affect the finite elements of {}: {}", crack,
+                                         fmt::join(known, ", ")));
   if (changed.size() > 1)
-    throw InputError(option, fmt::format("changes {} at once; a table varies them one by one",
+    throw InputError(option, fmt::format("changes {} at once; vary one number at a time",
                                          fmt::join(changed, " and ")));
   return result;
 }
 
-/// The drive without what is known of its inputs, and without tables: those do not bear on a run.
+/// The drive without ranges, scatter and tables, which do not affect a run.
 GearSet plain(GearSet gear) {
   gear.range.clear();
   gear.scatter.clear();
@@ -240,7 +239,7 @@ GearSet at_point(const TableStudy& study, std::size_t point) {
   return gear;
 }
 
-/// The first line in which two heads differ.
+/// Throws with the first line in which two heads differ.
 void refuse_other_head(const std::string& there, const std::string& here, const std::string& file) {
   if (there == here) return;
   std::istringstream a(there);
@@ -253,14 +252,16 @@ void refuse_other_head(const std::string& there, const std::string& here, const 
     if (old_ends) old_line = "(nothing)";
     if (new_ends) new_line = "(nothing)";
     if (old_line == new_line && !old_ends) continue;
-    throw InputError(fmt::format("{}:{}", file, line),
-                     fmt::format("is another table: it has \"{}\", this run \"{}\"; name another "
-                                 "file",
-                                 shown(old_line), shown(new_line)));
+    throw InputError(
+        fmt::format("{}:{}", file, line),
+        fmt::format("belongs to another run: it has \"{}\", this run \"{}\"; name another "
+                    "file",
+                    shown(old_line), shown(new_line)));
   }
 }
 
-/// The rows that a table has already; begins one where there is none, and drops a torn last line.
+/// The rows that a table has already.  Begins the table if it is new, and drops an incomplete last
+/// line.
 std::vector<TablePoint> rows_of(const TableStudy& study, Journal& table, const Progress& progress) {
   const std::string head = table_head_text(study.head);
   const std::optional<std::string> there = table.text();
@@ -272,18 +273,18 @@ std::vector<TablePoint> rows_of(const TableStudy& study, Journal& table, const P
   const TableFile found = parse_table_file(*there, name);
   refuse_other_head(found.head, head, name);
   if (found.rows.size() > study.points.size())
-    throw InputError(
-        name, fmt::format("has {} points, this family {}", found.rows.size(), study.points.size()));
+    throw InputError(name, fmt::format("has {} points, but this family has {}", found.rows.size(),
+                                       study.points.size()));
   for (std::size_t i = 0; i < found.rows.size(); ++i)
     if (found.rows[i].at != study.points[i])
-      throw InputError(name, fmt::format("point {} is another one than this family's", i + 1));
+      throw InputError(name, fmt::format("point {} differs from the point of this family", i + 1));
   if (found.torn) {
     table.begin(there->substr(0, found.whole));
     progress.say(
-        fmt::format("{}: dropped a piece of a line that an interrupted run left at its end", name));
+        fmt::format("{}: dropped an incomplete last line that an interrupted run left", name));
   }
   progress.say(
-      fmt::format("{}: {} of {} points are there", name, found.rows.size(), study.points.size()));
+      fmt::format("{}: {} of {} points are done", name, found.rows.size(), study.points.size()));
   return found.rows;
 }
 
@@ -312,8 +313,8 @@ TableStudy table_study(const GearSet& gear, const std::string& input, const RunO
   TableStudy study{.gear = plain(gear), .run = run, .head = {}, .points = {}};
   const std::string crack = chosen_crack(study.gear, run);
   study.run.crack = crack;
-  study.run.surroundings = Surroundings::none;  // what the table's head holds fixed
-  if (over.empty()) throw InputError(kOver, "must be given, for each number that varies");
+  study.run.surroundings = Surroundings::none;  // as stated in the head of the table
+  if (over.empty()) throw InputError(kOver, "must be given for each number that varies");
   const Tabulated base = tabulated(study.gear, crack);
   const Family family = family_of(base.kind);
   TableHead& head = study.head;
@@ -324,7 +325,7 @@ TableStudy table_study(const GearSet& gear, const std::string& input, const RunO
     for (const TableRange& other : head.ranges)
       if (other.parameter.name == parameter.name)
         throw InputError(vary_option(variation.path, kOver),
-                         fmt::format("varies {} a second time", parameter.name));
+                         fmt::format("varies {} twice; vary it once", parameter.name));
     head.ranges.push_back({parameter, variation});
     n_points *= static_cast<std::size_t>(variation.n_points);
     if (n_points > static_cast<std::size_t>(kMaxSweepPoints))
@@ -377,7 +378,7 @@ TableSize table_size(const TableStudy& study) {
 
 std::string table_size_text(const TableSize& size) {
   std::string text = fmt::format(
-      "Would calculate, estimated:\n  {} points of {} to {} unknowns, at most {:.2g} GB, {:.2g} s "
+      "Plan, with estimates:\n  {} points of {} to {} unknowns, at most {:.2g} GB, {:.2g} s "
       "in all\n",
       size.points - size.misfits.size(), size.least_unknowns, size.largest.dofs,
       size.largest.memory / 1e9, size.seconds);
@@ -403,7 +404,7 @@ TablePoint table_point(const TableStudy& study, std::size_t point, const Ranks& 
     throw;
   } catch (const fem::MemoryError&) {
     throw;
-  } catch (const InputError& error) {  // a geometry that is none, or cannot be meshed
+  } catch (const InputError& error) {  // an impossible geometry, or one that cannot be meshed
     refuse(error);
   } catch (const SolverError& error) {
     refuse(error);
@@ -426,9 +427,9 @@ TableOutcome run_table(const TableStudy& study, Journal& table, const Ranks& ran
                        const Progress& progress) {
   const TableSize size = table_size(study);
   if (!size.misfits.empty() && size.misfits.size() == size.points)
-    throw InputError(kOver, "no point can be calculated; " + size.misfits.front());
+    throw InputError(kOver, "no point can be computed; " + size.misfits.front());
   require_memory({size.largest}, ranks);
-  // What the first rank finds in the file, all go by.  A fault of it ends all.
+  // All ranks use the rows that the first rank reads.  A fault of the first rank ends all ranks.
   std::vector<TablePoint> rows;
   ranks.together([&] {
     if (ranks.first()) rows = rows_of(study, table, progress);
@@ -441,7 +442,7 @@ TableOutcome run_table(const TableStudy& study, Journal& table, const Ranks& ran
                              size.seconds * static_cast<double>(study.points.size() - found) /
                                  static_cast<double>(study.points.size())));
   for (std::size_t i = found; i < study.points.size(); ++i) {
-    // Of bodies of revolution the first rank alone has the fault.
+    // For bodies of revolution, only the first rank has the fault.
     ranks.together([&] {
       const TablePoint row = table_point(study, i, ranks);
       if (!ranks.first()) return;

@@ -10,7 +10,8 @@
 namespace strainwave::fe_study {
 namespace {
 
-/// One field of all ranks: a file of each, and of the first one the file that names them.
+/// Writes one field of all ranks: one file per rank, and on the first rank the file that lists
+/// them.
 class FieldWriter {
  public:
   FieldWriter(std::vector<OutputFile>& files, const Ranks& ranks)
@@ -56,14 +57,14 @@ std::vector<OutputFile> vtu_files(const RunResult& result, const GearSet& gear,
           [&](const Pieces& pieces) { return fem::crack_faces_pvtu_text(pieces); });
       if (!ranks.first()) continue;
       std::vector<fem::CrackFront> fronts = one->solid.fronts;
-      if (one->closed)  // what is left is rounding
+      if (one->closed)  // the rest is rounding
         for (fem::CrackFront& front : fronts)
           for (fem::FrontStation& station : front.stations) station.K_I = 0;
       files.push_back({stem + "_fronts.vtu", fem::fronts_vtu_text(fronts)});
     }
   };
   for (const WallCrackRun& crack : result.flexspline.cracks) std::visit(add_wall, crack);
-  // Shaft and cup are of the first rank, and empty in the others.
+  // Only the first rank has shaft and cup; they are empty on the others.
   for (const ShaftCrackRun& crack : result.output_shaft.cracks) {
     const std::string stem = file_stem(crack.path);
     files.push_back({stem + ".vtu", fem::vtu_text(fields_at_load(crack, gear))});

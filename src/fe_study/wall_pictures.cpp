@@ -32,7 +32,7 @@ Point3 cross(const Point3& a, const Point3& b) {
 }
 double norm(const Point3& a) { return std::sqrt(dot(a, a)); }
 
-/// One face of a cell on the boundary, with the points of its grid, the first index fastest.
+/// One face of a cell on the boundary, with the points of its grid; the first index runs fastest.
 struct BoundaryFace {
   std::vector<const FieldPoint*> points;
   Point3 outward{};  ///< from the middle of the cell [m]
@@ -72,10 +72,10 @@ std::vector<BoundaryFace> cylinder(const std::vector<BoundaryFace>& faces, doubl
   return found;
 }
 
-/// A camera far away: what is drawn where.
+/// The view of a distant camera: maps space to paper.
 struct View {
-  Point3 right{}, up{}, toward{};  ///< orthonormal; `toward` the eye
-  Point3 centre{};                 ///< is drawn at `origin` [m]
+  Point3 right{}, up{}, toward{};  ///< orthonormal; `toward` points to the eye
+  Point3 centre{};                 ///< point drawn at `origin` [m]
   PaperPoint origin{};
   double scale = 1.0;  ///< px per metre
 
@@ -166,11 +166,11 @@ class WallPictures {
   double radius_;
   std::vector<BoundaryFace> all_;
   std::vector<BoundaryFace> face_;
-  double window_;  ///< half of the square that is drawn [m]
+  double window_;  ///< half of the side of the drawn square [m]
   double sound_ = 0.0;
 };
 
-/// Which way z and theta run.
+/// Draws the directions of z and theta.
 void WallPictures::axes(PictureSheet& sheet, PaperPoint corner) const {
   sheet.arrow(corner, {corner.x + 46, corner.y});
   sheet.words({corner.x + 52, corner.y + 4}, "tick", "z");
@@ -204,7 +204,8 @@ std::string WallPictures::surface(const ValueScale& scale, const std::string& wh
       patch.points.push_back({middle.x + px * z, middle.y - px * s});
       patch.values.push_back(value(*p));
     }
-    // A large cell may be seen without any of its points: its corners lie round the window.
+    // A large cell may be visible although its points lie outside the window, so test its bounding
+    // box.
     PaperPoint low = patch.points.front();
     PaperPoint high = low;
     for (const PaperPoint& p : patch.points) {
@@ -238,7 +239,7 @@ std::string WallPictures::surface(const ValueScale& scale, const std::string& wh
               fmt::format("the {}: radius {}, length {},", wall_.body, in_mm(wall_.mean_radius),
                           in_mm(wall_.length)));
   sheet.words({610, 523}, "small",
-              fmt::format("wall {}; to another scale", in_mm(wall_.wall_thickness)));
+              fmt::format("wall {}; at another scale", in_mm(wall_.wall_thickness)));
   return sheet.svg(what + " on the wall of a tube with a crack, in colours");
 }
 
@@ -259,7 +260,7 @@ void WallPictures::whole_tube(PictureSheet& sheet, PaperPoint corner, double wid
   DepthPainter painter;
   const auto n = static_cast<std::size_t>(fields_.divisions);
   for (const BoundaryFace& face : all_) {
-    // Turned away from the eye: hidden by the wall itself.
+    // A face turned away from the eye is hidden by the wall itself.
     if (dot(face.outward, view.toward) < -0.5 * norm(face.outward)) continue;
     const auto at = [&](std::size_t i, std::size_t j) { return face.points[j * (n + 1) + i]; };
     const PaperPoint a = view.paper(at(0, 0)->place);
@@ -282,7 +283,7 @@ void WallPictures::whole_tube(PictureSheet& sheet, PaperPoint corner, double wid
   }
   sheet.raw(painter.svg());
   outline_tube(sheet, view);
-  // The square that is drawn large.
+  // Frame of the enlarged square.
   std::vector<PaperPoint> square;
   constexpr int kSteps = 12;
   const auto side = [&](double z0, double s0, double z1, double s1) {
@@ -302,7 +303,8 @@ void WallPictures::whole_tube(PictureSheet& sheet, PaperPoint corner, double wid
   sheet.line(square, "thin");
 }
 
-/// The edges that are seen: of both ends of each tube, and where its wall turns away from the eye.
+/// Draws the visible edges: both ends of each tube, and the lines at which its wall turns away from
+/// the eye.
 void WallPictures::outline_tube(PictureSheet& sheet, const View& view) const {
   constexpr int kSteps = 180;
   const auto at = [&](double r, double theta, double z) {
@@ -327,7 +329,7 @@ void WallPictures::outline_tube(PictureSheet& sheet, const View& view) const {
   }
 }
 
-/// A displacement of a body that does not strain it: turn and shift about a centre.
+/// A rigid displacement of a body: rotation about a centre and translation.
 struct RigidMotion {
   Point3 centre{}, shift{}, turn{};
 
@@ -339,7 +341,7 @@ struct Sample {
   double weight{};
 };
 
-/// The motion that leaves least, in the mean square.
+/// The rigid motion with the least mean square difference from the samples.
 RigidMotion rigid_motion(const std::vector<Sample>& samples) {
   RigidMotion motion;
   double whole = 0.0;
@@ -458,7 +460,7 @@ std::string WallPictures::opened() const {
   sheet.scale_bar({kCorner.x, kCorner.y + kHeight + 14}, view.scale, 150);
   sheet.words({kCorner.x, kCorner.y + kHeight + 44}, "small",
               fmt::format("Seen obliquely from {}; copper: faces of the crack; thin lines: "
-                          "elements; the mean motion of the part is taken off",
+                          "elements; the mean motion of the part is subtracted",
                           wall_.inside ? "inside" : "outside"));
   sheet.colour_bar({720, 150}, 316, scale, "w [J/m³]", "singular at the tips");
   axes(sheet, {720, kCorner.y + kHeight + 44});
@@ -466,7 +468,7 @@ std::string WallPictures::opened() const {
 }
 
 std::string WallPictures::stress_intensity() const {
-  constexpr int kPoints = 12;  // of a segment
+  constexpr int kPoints = 12;  // points on a segment
   constexpr double kMPa = 1e6;
   const std::array names = {"K_I", "K_II", "K_III"};
   const std::array modes = {&fem::FrontStation::K_I, &fem::FrontStation::K_II,
@@ -483,13 +485,14 @@ std::string WallPictures::stress_intensity() const {
     for (std::size_t mode = 0; mode < 3; ++mode) {
       PlotSeries series{.label = fmt::format("{}, {}", names[mode], wall_.front_names.at(f))};
       double before = 0.0;
-      // The value of a corner is in the quadratic of its segment: stations alone.
+      // The quadratic of an end segment contains the value at the corner, so draw only its
+      // stations.
       for (std::size_t k = 1; wall_.corners && k + 1 < stations.size(); ++k) {
         before += norm(stations[k].place - stations[k - 1].place);
         series.x.push_back(before * 1e3);
         series.y.push_back(stations[k].*modes[mode] / kMPa);
       }
-      // Quadratic along each segment, as it was found (FE-23).
+      // K is quadratic along each segment, as in its computation (FE-23).
       for (std::size_t k = 0; !wall_.corners && k + 2 < stations.size(); k += 2) {
         const double first = norm(stations[k + 1].place - stations[k].place);
         const double second = norm(stations[k + 2].place - stations[k + 1].place);

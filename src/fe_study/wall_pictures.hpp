@@ -9,7 +9,7 @@
 
 namespace strainwave::fe_study {
 
-/// A tube of the body that is drawn.
+/// A tube of the drawn body.
 struct DrawnTube {
   double inner_radius{};  ///< [m]
   double outer_radius{};  ///< [m]
@@ -17,7 +17,8 @@ struct DrawnTube {
   double to{};            ///< z [m]
 };
 
-/// A crack of a tube's wall whose middle is at theta = 0, of whatever shape: what pictures need.
+/// A crack of a tube's wall whose middle is at theta = 0and whose shape is arbitrary, as pictures
+/// need it.
 struct CrackedWall {
   std::string path;                ///< "flexspline.crack[0]"
   std::string description;         ///< "through crack 2a = 20 mm at 45° from the generator, ..."
@@ -25,23 +26,24 @@ struct CrackedWall {
   double wall_thickness{};         ///< [m]
   double length{};                 ///< [m]
   std::string body;                ///< "tube", "cup"
-  std::vector<DrawnTube> outline;  ///< of the body, from the lowest to the open end
+  std::vector<DrawnTube> outline;  ///< outline of the body, from the lowest to the open end
   double place{};                  ///< z of the crack's middle [m]
-  double half_length{};            ///< a, on the face that is seen [m]
+  double half_length{};            ///< a, on the visible face [m]
   double angle{};                  ///< from +z toward -theta [rad]
-  bool inside = false;             ///< seen is the wall's inner face, which the crack starts from
-  double torque{};                 ///< with its sense [N*m]
-  std::string state;               ///< "open", "partly closed", "closed"
-  bool closed = false;             ///< K_I = 0 is exact
-  std::string fault;               ///< why the result may not be used; empty if it may
+  /// true: pictures show the inner face, from which the crack starts
+  bool inside = false;
+  double torque{};      ///< torque with its sign [N*m]
+  std::string state;    ///< "open", "partly closed", "closed"
+  bool closed = false;  ///< K_I = 0 is exact
+  std::string fault;    ///< reason why the result must not be used; empty if usable
   const fem::SolidResult* solid = nullptr;
-  std::vector<std::string> front_names;  ///< of each front: "upper tip"
-  std::string along;                     ///< what runs along a front: "from the inner face"
+  std::vector<std::string> front_names;  ///< name of each front: "upper tip"
+  std::string along;                     ///< direction along a front: "from the inner face"
   bool corners = false;                  ///< K is not defined at a front's two ends
 };
 
-/// Energy on the face, the same less that of the sound wall, the crack opened, and the stress
-/// intensity along its fronts.
+/// Pictures of the energy on the face, its difference from the sound wall, the opened crack, and
+/// the stress intensity along its fronts.
 [[nodiscard]] std::vector<OutputFile> wall_pictures(const CrackedWall& wall);
 
 }  // namespace strainwave::fe_study

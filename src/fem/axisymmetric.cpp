@@ -99,8 +99,8 @@ void make_grid(Triangulation<2>& grid, const SectionMesh& mesh, const SectionOpt
     cell.material_id = static_cast<dealii::types::material_id>(mesh.part[c]);
     cells.push_back(cell);
   }
-  // Two cells must see their common edge run the same way, or unknowns of order 3 and more are
-  // joined crosswise, without a message.
+  // Two cells must see their common edge in the same direction.  Otherwise deal.II joins unknowns
+  // of order 3 and more crosswise without a message.
   dealii::GridTools::consistently_order_cells(cells);
   grid.create_triangulation(points, cells, dealii::SubCellData());
 
@@ -144,41 +144,42 @@ struct Shape {
 
 /// One cell at its quadrature points.
 struct CellShape {
-  std::shared_ptr<const Shape> shape;  ///< of this cell, or the unit square's for all rectangles
-  double per_r = 1.0;                  ///< d/dr is this times Nr: of a rectangle 1/width [1/m]
-  double per_z = 1.0;                  ///< the same along z
-  Array r, z, w;                       ///< place [m], and 2 pi det J times weight [m^2]
+  /// shape of this cell, or that of the unit square for all rectangles
+  std::shared_ptr<const Shape> shape;
+  double per_r = 1.0;  ///< factor from Nr to d/dr; 1/width for a rectangle [1/m]
+  double per_z = 1.0;  ///< factor from Nz to d/dz
+  Array r, z, w;       ///< place [m], and 2 pi det J times weight [m^2]
 };
 
 /// A cell with sides along r and z.
 struct Rectangle {
-  double r = 0.0, z = 0.0;           ///< its corner of least r and z [m]
+  double r = 0.0, z = 0.0;           ///< corner with the least r and z [m]
   double width = 0.0, height = 0.0;  ///< [m]
 };
 
-/// Shape functions of one variable in (0, 1) at the quadrature points there, in rising order.
+/// Shape functions of one variable in (0, 1) at its quadrature points, in ascending order.
 struct LineShape {
   Matrix N, Nx;
   Array x, w;
 };
 
-/// Stiffness of a cell by components; torsion has `radial` only.
+/// Stiffness of a cell by components; torsion uses `radial` only.
 struct Blocks {
   Matrix radial, mixed, axial;  ///< u_r with u_r, u_r with u_z, u_z with u_z
 };
 
-/// Which free unknowns those of a cell hang on.
+/// The free unknowns on which the unknowns of a cell depend.
 struct CellUnknowns {
   struct Share {
-    unsigned own;         ///< of the cell's unknowns
-    Eigen::Index column;  ///< of `free`
+    unsigned own;         ///< index of the cell's unknown
+    Eigen::Index column;  ///< index in `free`
     double factor;
   };
   std::vector<Eigen::Index> free;
-  std::vector<Share> shares;  ///< none of a held unknown; not filled if all are free
+  std::vector<Share> shares;  ///< empty for a held unknown; not filled if all are free
   bool all_free = false;
 
-  /// Columns of the cell's unknowns to columns of the free ones.
+  /// Converts columns of the cell's unknowns to columns of the free unknowns.
   [[nodiscard]] Matrix gathered(const Matrix& columns) const {
     Matrix result = Matrix::Zero(columns.rows(), static_cast<Eigen::Index>(free.size()));
     for (const Share& s : shares) result.col(s.column) += s.factor * columns.col(s.own);
@@ -186,12 +187,13 @@ struct CellUnknowns {
   }
 };
 
-/// What a solution is at the quadrature points of one cell.
+/// A solution at the quadrature points of one cell.
 struct CellField {
-  Array energy;                 ///< integrand of strain energy, over w
-  Array explicit_r;             ///< its derivative by r, with the unknowns and their gradients held
+  Array energy;  ///< integrand of strain energy, over w
+  /// derivative of the energy by r at constant unknowns and gradients
+  Array explicit_r;
   Array pull_r, pull_z;         ///< (d energy/d grad u) . du/dr, its two components
-  std::array<Column, 2> force;  ///< of the cell on its nodes, by component
+  std::array<Column, 2> force;  ///< force of the cell on its nodes, by component
 };
 
 class Solver {
@@ -243,8 +245,8 @@ class Solver {
     const auto x = solve_condensed(elements, matrix, load_);
     if (!x)
       throw SolverError(
-          fmt::format("finite elements: the equations of {} unknowns could not be factored; usual "
-                      "cause: nothing holds the section",
+          fmt::format("finite elements: the equations of {} unknowns could not be factored; check "
+                      "that an edge of the section is held",
                       dofs_.n_dofs()));
     solution_.reinit(dofs_.n_dofs());
     std::ranges::copy(*x, solution_.begin());
@@ -261,7 +263,8 @@ class Solver {
       for (const unsigned f : cell->face_indices()) {
         if (!cell->face(f)->at_boundary()) continue;
         const auto id = cell->face(f)->boundary_id();
-        // Held: no twist, or no axial displacement.  On the axis: no radial displacement.
+        // Held edges have neither twist nor axial displacement.  The axis has zero radial
+        // displacement.
         if (id != kHeld && !(id == kAxis && !torsion_)) continue;
         const unsigned component = id == kHeld && !torsion_ ? 1 : 0;
         cell->face(f)->get_dof_indices(index);
@@ -273,8 +276,8 @@ class Solver {
     constraints_.close();
   }
 
-  /// Shape functions of the unit square and of its sides.  Those of the square are products, and so
-  /// are its quadrature points: what is integrated over a rectangle is a product of two sums.
+  /// Shape functions of the unit square and of its sides.  Functions and quadrature points of the
+  /// square are products, so an integral over a rectangle is a product of two sums.
   void line_shape() {
     const dealii::QGauss<1> points(p_ + 2);
     const auto n = static_cast<Eigen::Index>(points.size());
@@ -308,7 +311,8 @@ class Solver {
     square_ = std::make_shared<const Shape>(std::move(square));
   }
 
-  /// The cell, if its sides are straight, lie along r and z, and are numbered that way round.
+  /// The cell as a rectangle, if its sides are straight, lie along r and z, and are numbered in
+  /// that order.
   [[nodiscard]] std::optional<Rectangle> rectangle(const Cell& cell) const {
     for (const unsigned f : cell->face_indices())
       if (cell->face(f)->manifold_id() != dealii::numbers::flat_manifold_id) return {};
@@ -338,7 +342,7 @@ class Solver {
     return s;
   }
 
-  /// Shape functions and weights of any cell; refuses one whose mapping folds.
+  /// Shape functions and weights of any cell; a cell with a folded mapping is refused.
   [[nodiscard]] CellShape shape(dealii::FEValues<2>& values, const Cell& cell) {
     values.reinit(static_cast<Triangulation<2>::active_cell_iterator>(cell));
     const unsigned points = values.n_quadrature_points;
@@ -365,10 +369,9 @@ class Solver {
     }
     const double worst = least * points / sum;
     if (!(least > 0))
-      throw InputError("mesh",
-                       fmt::format("the cell at r = {:.6g} m, z = {:.6g} m is folded: its Jacobian "
-                                   "falls to {:.3g} of its mean, and must be > 0",
-                                   cell->center()[0], cell->center()[1], worst));
+      throw InputError("mesh", fmt::format("the cell at r = {:.6g} m, z = {:.6g} m is folded: its "
+                                           "Jacobian falls to {:.3g} of its mean, but must be > 0",
+                                           cell->center()[0], cell->center()[1], worst));
     worst_jacobian_ = std::min(worst_jacobian_, worst);
     s.shape = std::make_shared<const Shape>(std::move(own));
     return s;
@@ -401,7 +404,7 @@ class Solver {
             .axial = direct * zz + mu_ * rr};
   }
 
-  /// The same of a rectangle: each integral is that along r times that along z.
+  /// Stiffness of a rectangle; each integral is the product of an integral along r and one along z.
   [[nodiscard]] Blocks stiffness(const Rectangle& box) const {
     const Array r = box.r + box.width * line_.x;
     const auto sum = [&](const Matrix& a, const Matrix& b, const Array& weight) -> Matrix {
@@ -409,7 +412,7 @@ class Solver {
     };
     const Array one = Array::Ones(r.size());
     const double across = 2 * pi * box.width;
-    // Along z: value with value, slope with slope, value with slope.
+    // Integrals along z: value with value, slope with slope, value with slope.
     const Matrix z00 = box.height * sum(line_.N, line_.N, one);
     const Matrix z11 = sum(line_.Nx, line_.Nx, one) / box.height;
     const Matrix z01 = sum(line_.N, line_.Nx, one);
@@ -434,7 +437,7 @@ class Solver {
             .axial = products(direct * vv, z11, mu_ * rr, z00)};
   }
 
-  /// r(a,c) z(b,d) + R(a,c) Z(b,d), function (a,b) standing at a + (p+1) b.
+  /// The products r(a,c) z(b,d) + R(a,c) Z(b,d), with function (a,b) at index a + (p+1) b.
   [[nodiscard]] static Matrix products(const Matrix& r, const Matrix& z, const Matrix& R,
                                        const Matrix& Z) {
     const Eigen::Index n = r.rows();
@@ -444,8 +447,8 @@ class Solver {
     return k;
   }
 
-  /// Lower half of the stiffness in the order of the cell's unknowns; `order`: where a scalar
-  /// shape function stands in the blocks.
+  /// Lower half of the stiffness in the order of the cell's unknowns; `order` is the index of a
+  /// scalar shape function in the blocks.
   [[nodiscard]] Matrix join(const Blocks& blocks, const std::vector<unsigned>& order) const {
     Matrix k(element_.n_dofs_per_cell(), element_.n_dofs_per_cell());
     for (unsigned j = 0; j < k.cols(); ++j) {
@@ -502,7 +505,8 @@ class Solver {
     return result;
   }
 
-  /// Torque as shear stress r/J, force as stress 1/A, over the loaded edges.  (FE-3)
+  /// Applies the torque as shear stress r/J, or the force as stress 1/A, over the loaded edges.
+  /// (FE-3)
   void load_vector() {
     dealii::FEFaceValues<2> values(mapping_, scalar_, dealii::QGauss<1>(p_ + 2),
                                    dealii::update_values | dealii::update_quadrature_points |
@@ -604,7 +608,8 @@ class Solver {
     double energy = 0.0;
     for (const double part : result.part_energy) energy += part;
     const double work = raw_load_ * solution_;
-    // Both are the compliance, but an error of the solution enters this one squared only.
+    // Work and energy both give the compliance, but an error of the solution affects this
+    // combination only in second order.
     result.compliance = 2 * work - 2 * energy;        // (FE-4)
     result.energy_balance = energy / (work / 2) - 1;  // (FE-5)
     force -= raw_load_;
@@ -616,8 +621,8 @@ class Solver {
     return result;
   }
 
-  /// Change of strain energy when the material is moved outward by q: 1 inside a ring, falling to
-  /// 0 across it, and bilinear in each of its cells.  (FE-6)
+  /// Change of strain energy when the material moves outward by q (FE-6).  q is 1 inside a ring,
+  /// falls to 0 across it, and is bilinear in each of its cells.
   void add_rings(std::vector<double>& change, const CellShape& s, const CellField& at) const {
     const Array dr = s.r - mesh_.crack->tip.r;
     const Array dz = s.z - mesh_.crack->tip.z;
@@ -664,7 +669,8 @@ class Solver {
   [[nodiscard]] TipResult tip(const std::vector<double>& ring_change) const {
     const CrackTip& crack = *mesh_.crack;
     TipResult result;
-    // The two innermost rings are next to cells that do not know the singularity.
+    // Leave out the two innermost rings, because their neighbouring cells do not model the
+    // singularity.
     const std::size_t used = ring_change.size() - 2;
     double least = std::numeric_limits<double>::infinity();
     double most = -least;
@@ -697,7 +703,7 @@ class Solver {
       of_K = (result.K_I * result.K_I + result.K_II * result.K_II) / plane_strain_;
     }
     result.displacement_check = of_K / result.energy_release_rate - 1;
-    const double scale =  // so that G of K is G
+    const double scale =  // makes G from K equal to G
         of_K > 0 ? std::sqrt(std::max(0.0, result.energy_release_rate) / of_K) : 0.0;
     result.K_I *= scale;
     result.K_II *= scale;
@@ -705,7 +711,7 @@ class Solver {
     return result;
   }
 
-  /// The solution in the half plane y = 0, whose x is r and whose y goes round.
+  /// The solution in the half plane y = 0, with x = r and y in the circumferential direction.
   [[nodiscard]] SampledFields sample() const {
     SampledFields fields{.dimension = 2, .divisions = divisions_, .cells = {}, .crack_faces = {}};
     std::vector<dealii::Point<2>> unit;
@@ -740,7 +746,7 @@ class Solver {
           p.energy_density = (shear_r * shear_r + shear_z * shear_z) / (2 * mu_);  // (FE-38)
         } else {
           p.displacement = {value[0], 0, value[1]};
-          const double hoop = r > tiny ? value[0] / r : slope[0][0];  // its limit on the axis
+          const double hoop = r > tiny ? value[0] / r : slope[0][0];  // on the axis, its limit
           const double volume = lambda_ * (slope[0][0] + hoop + slope[1][1]);
           const double shear = mu_ * (slope[0][1] + slope[1][0]);
           p.stress = {volume + 2 * mu_ * slope[0][0],
@@ -778,16 +784,16 @@ class Solver {
   dealii::QGauss<2> quadrature_;
   dealii::DoFHandler<2> dofs_;
   dealii::AffineConstraints<double> constraints_;
-  Column load_;                      ///< constraints applied
-  dealii::Vector<double> raw_load_;  ///< on all unknowns
+  Column load_;                      ///< load with constraints applied
+  dealii::Vector<double> raw_load_;  ///< load on all unknowns
   dealii::Vector<double> solution_;
-  std::vector<std::pair<unsigned, unsigned>> place_;  ///< component and function of an unknown
+  std::vector<std::pair<unsigned, unsigned>> place_;  ///< component and function of each unknown
   LineShape line_;
   std::shared_ptr<const Shape> square_;          ///< shape functions of the unit square
-  std::vector<unsigned> product_;                ///< where they stand in products()
-  std::vector<unsigned> as_is_;                  ///< 0, 1, ...
-  std::vector<CellShape> shapes_;                ///< of each cell
-  std::vector<std::optional<Rectangle>> boxes_;  ///< of each cell that is one
+  std::vector<unsigned> product_;                ///< indices of the shape functions in products()
+  std::vector<unsigned> as_is_;                  ///< identity order 0, 1, ...
+  std::vector<CellShape> shapes_;                ///< shape of each cell
+  std::vector<std::optional<Rectangle>> boxes_;  ///< each cell that is a rectangle
   double worst_jacobian_ = 1.0;
 };
 

@@ -13,15 +13,15 @@ using Eigen::Index;
 using Matrix = Eigen::MatrixXd;
 using Column = Eigen::VectorXd;
 
-/// What of an element is needed to find the unknowns that it has alone.
+/// The parts of an element from which its own unknowns are recovered.
 struct Inner {
-  std::vector<Index> alone;   ///< their numbers
-  std::vector<Index> shared;  ///< those of the others
+  std::vector<Index> alone;   ///< numbers of the unknowns that belong to this element alone
+  std::vector<Index> shared;  ///< numbers of the other unknowns
   Eigen::LLT<Matrix> factor;
   Matrix coupling;  ///< rows: alone, columns: shared
 };
 
-/// True if no pivot is lost in rounding.
+/// True if no pivot vanishes in rounding.
 bool is_safe(const Column& pivots, const Column& diagonal) {
   return (pivots.array() > kLeastPivot * diagonal.array()).all();
 }
@@ -34,7 +34,7 @@ std::optional<Column> solve_condensed(const std::vector<std::vector<Index>>& ele
   std::vector<int> holders(static_cast<std::size_t>(load.size()), 0);
   for (const auto& element : elements)
     for (const Index i : element) ++holders[static_cast<std::size_t>(i)];
-  std::vector<Index> number(holders.size(), -1);  // in the sparse equations
+  std::vector<Index> number(holders.size(), -1);  // index in the sparse equations
   Index shared = 0;
   for (std::size_t i = 0; i < holders.size(); ++i)
     if (holders[i] > 1) number[i] = shared++;
@@ -50,7 +50,7 @@ std::optional<Column> solve_condensed(const std::vector<std::vector<Index>>& ele
     if (number[i] >= 0) forces(number[i]) = load(static_cast<Index>(i));
   for (std::size_t e = 0; e < elements.size(); ++e) {
     const Matrix k = matrix(e).selfadjointView<Eigen::Lower>();
-    std::vector<Index> inside;  // places in the element
+    std::vector<Index> inside;  // indices in the element
     std::vector<Index> outside;
     Inner& cell = inner.emplace_back();
     for (Index i = 0; i < k.rows(); ++i) {

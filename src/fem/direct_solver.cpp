@@ -23,20 +23,20 @@ void dpotrf_(const char*, const int*, double*, const int*, int*);
 
 namespace strainwave::fem {
 namespace {
-constexpr int kSingular = -10;  // of MUMPS
+constexpr int kSingular = -10;  // code of MUMPS for a singular matrix
 }
 
-/// MUMPS's data, which it must be asked to give back.
+/// The data of MUMPS, which must be released by a call.
 struct DirectSolver::Mumps {
   Mumps() {
-    id_.par = 1;  // the first rank works too
-    id_.sym = 1;  // positive definite
+    id_.par = 1;  // the first rank also computes
+    id_.sym = 1;  // matrix is positive definite
     id_.comm_fortran = MPI_Comm_c2f(MPI_COMM_WORLD);
     run(kStart);
     for (const int silent : {1, 2, 3, 4}) control(silent) = silent == 4 ? 0 : -1;
-    control(18) = 3;  // every rank gives its entries
-    control(28) = 1;  // the order is chosen by one rank: the same for any number of them
-    control(7) = 5;   // by METIS
+    control(18) = 3;  // every rank provides its entries
+    control(28) = 1;  // one rank chooses the order, so it is the same for any number of ranks
+    control(7) = 5;   // order by METIS
   }
   ~Mumps() {
     id_.job = kEnd;
@@ -51,7 +51,7 @@ struct DirectSolver::Mumps {
   static constexpr int kFactor = 2;
   static constexpr int kSolve = 3;
 
-  /// With the numbering of its manual.
+  /// A control parameter, numbered as in the manual of MUMPS.
   int& control(int i) { return id_.icntl[i - 1]; }
 
   void run(int job) {
@@ -60,7 +60,7 @@ struct DirectSolver::Mumps {
     check_mumps(id_.infog[0], id_.infog[1]);
   }
 
-  /// Factors; where the analysis promised too little workspace, again with more.
+  /// Factors the matrix.  Repeats with a larger workspace if that of the analysis is too small.
   void factor() {
     constexpr int kMostPercent = 1000;
     for (int more = std::max(100, 2 * control(14));; more *= 2) {
@@ -72,7 +72,7 @@ struct DirectSolver::Mumps {
       ++repeats_;
       control(14) = more;  // per cent above the estimate
     }
-    const bool indefinite = id_.infog[0] >= 0 && id_.infog[11] > 0;  // a negative pivot
+    const bool indefinite = id_.infog[0] >= 0 && id_.infog[11] > 0;  // a pivot is negative
     check_mumps(indefinite ? kSingular : id_.infog[0], id_.infog[1]);
   }
 
@@ -83,9 +83,13 @@ struct DirectSolver::Mumps {
 void check_mumps(int code, int detail) {
   if (code >= 0) return;
   if (code == kSingular)
-    throw SolverError("the direct solver failed: the body can move as a whole");
+    throw SolverError(
+        "the direct solver failed: the supports leave a rigid-body motion free; hold the body "
+        "completely");
   if (code == -13 || code == -7 || code == -5 || code == -19)
-    throw MemoryError("the direct solver failed: there is too little memory");
+    throw MemoryError(
+        "the direct solver failed because the memory does not suffice; use a coarser mesh or more "
+        "ranks");
   throw Error(fmt::format("the direct solver failed (code {}, {})", code, detail));
 }
 
@@ -97,7 +101,7 @@ void SymmetricEntries::reserve(std::size_t size) {
 
 DirectSolver::DirectSolver(SymmetricEntries entries, int unknowns,
                            std::optional<int> workspace_percent) {
-  if (unknowns == 0) return;  // all were eliminated in the cells
+  if (unknowns == 0) return;  // all unknowns were eliminated in the cells
   mumps_ = std::make_unique<Mumps>();
   if (workspace_percent) mumps_->control(14) = *workspace_percent;
   DMUMPS_STRUC_C& data = mumps_->id_;
@@ -108,7 +112,7 @@ DirectSolver::DirectSolver(SymmetricEntries entries, int unknowns,
   data.a_loc = entries.value.data();
   mumps_->run(Mumps::kAnalyse);
   mumps_->factor();
-  // The entries end here: MUMPS has its factor and does not look at them again.
+  // MUMPS has its factor and does not read the entries again, so they are released here.
   data.irn_loc = nullptr;
   data.jcn_loc = nullptr;
   data.a_loc = nullptr;
@@ -135,11 +139,11 @@ double DirectSolver::operations() const { return mumps_ ? mumps_->id_.rinfog[2] 
 
 int DirectSolver::repeats() const { return mumps_ ? mumps_->repeats_ : 0; }
 
-// Looked up at run time, because which BLAS is there is the system's choice: the names below exist
-// in OpenBLAS only, and a reference to them would tie the program to it.  OpenBLAS chooses its
-// kernels when it is loaded, so for another choice it must be ended and started again; it takes its
-// orders from the environment alone, so the variable is set for that moment.  No other thread runs
-// yet that could read the environment: MpiSession calls this first.
+// The names below are looked up at run time.  They exist only in OpenBLAS, and the system chooses
+// the BLAS; a link-time reference would tie the program to OpenBLAS.  OpenBLAS selects its kernels
+// when it is loaded, so a new selection requires unloading and loading it again.  It takes its
+// setting only from the environment, so the variable is set for that moment.  No other thread
+// exists yet that could read the environment, because MpiSession calls this function first.
 void prepare_blas() {
   const auto function = [](const char* name) { return dlsym(RTLD_DEFAULT, name); };
   if (!std::getenv("OMP_NUM_THREADS") && !std::getenv("OPENBLAS_NUM_THREADS"))

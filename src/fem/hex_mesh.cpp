@@ -14,8 +14,8 @@
 namespace strainwave::fem {
 namespace {
 
-/// Vertices by place; the grid of the search is a thousand times coarser than what is merged, so
-/// that a point and its twin are in the same or in neighbouring boxes.
+/// Vertices by place.  The search grid is a thousand times coarser than the merging distance, so a
+/// point and its twin are in the same box or in neighbouring boxes.
 class VertexTable {
  public:
   VertexTable(double same, std::vector<Point3>& points) : same_(same), points_(points) {}

@@ -12,7 +12,7 @@ std::size_t count_unknowns(const HexMesh& mesh, int order) {
   std::set<std::vector<std::size_t>> edges;
   std::set<std::vector<std::size_t>> faces;
   for (const HexCell& cell : mesh.cells) {
-    // Corners that agree in one bit make a face, in two an edge.
+    // Corners that agree in one bit form a face; corners that agree in two bits form an edge.
     const auto add = [&](auto& set, std::size_t fixed, std::size_t value) {
       std::vector<std::size_t> corners;
       for (std::size_t i = 0; i < 8; ++i)

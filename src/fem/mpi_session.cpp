@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/fem/mpi_session.hpp"
 
-// deal.II's own headers do not pass this project's warnings.
+// The headers of deal.II cause warnings that this project treats as errors.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wall"
 #pragma GCC diagnostic ignored "-Wextra"
@@ -25,11 +25,12 @@ namespace strainwave::fem {
 struct MpiSession::Impl {
   dealii::Utilities::MPI::MPI_InitFinalize session;
   std::chrono::duration<double> patience;
-  MPI_Comm ends = MPI_COMM_NULL;  ///< for faults alone: other ranks may be at any other message
+  /// separate channel for faults, because other ranks may wait for any other message
+  MPI_Comm ends = MPI_COMM_NULL;
 
   static constexpr int kNobody = std::numeric_limits<int>::max();
-  /// The least number of all ranks.  One that has a complaint does not wait for the others for
-  /// ever, which may wait for it elsewhere.
+  /// The least number of all ranks.  A rank with a complaint waits only for a limited time, because
+  /// the others may be waiting for it elsewhere.
   [[nodiscard]] int least(int mine, const std::function<void()>& complain) const {
     int result = kNobody;
     MPI_Request request = MPI_REQUEST_NULL;
@@ -48,7 +49,7 @@ struct MpiSession::Impl {
 
 MpiSession::MpiSession(int& argc, char**& argv, std::chrono::duration<double> patience) {
   prepare_blas();
-  // Open MPI, started without mpirun: no daemon, for we start no further processes.
+  // Without mpirun, Open MPI needs no daemon, because the program does not start further processes.
   setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   impl_ = new Impl{dealii::Utilities::MPI::MPI_InitFinalize(argc, argv, 1), patience};
   MPI_Comm_dup(MPI_COMM_WORLD, &impl_->ends);
@@ -78,7 +79,7 @@ bool MpiSession::all(bool here) const {
   return dealii::Utilities::MPI::min(here ? 1 : 0, MPI_COMM_WORLD) == 1;
 }
 int MpiSession::last_code(int code, const std::function<void()>& complain) const {
-  constexpr int kCodes = 1000;  // more than there are
+  constexpr int kCodes = 1000;  // more than the number of codes
   const int mine = complain ? rank() * kCodes + code : Impl::kNobody;
   const int first = impl_->least(mine, complain);
   if (first == Impl::kNobody) return code;

@@ -34,7 +34,7 @@ std::map<Edge, int> edges_of(const SectionMesh& mesh) {
   return count;
 }
 
-/// Lengths are compared to this share of the section's extent.
+/// Tolerance of comparisons of lengths, as a share of the section's extent.
 constexpr double kSame = 1e-10;
 
 }  // namespace
@@ -45,7 +45,7 @@ MeshQuality mesh_quality(const SectionMesh& mesh) {
     const auto& cell = mesh.cells[c];
     for (const std::size_t p : cell)
       if (p >= mesh.points.size())
-        throw InputError(fmt::format("cells[{}]", c), fmt::format("there is no point {}", p));
+        throw InputError(fmt::format("cells[{}]", c), fmt::format("point {} does not exist", p));
     for (std::size_t k = 0; k < 4; ++k) {
       const SectionPoint& a = mesh.points[cell[k]];
       const SectionPoint& b = mesh.points[cell[(k + 1) % 4]];
@@ -71,7 +71,7 @@ void check_mesh(const SectionMesh& mesh) {
   if (!(quality.worst_corner_sine > 0))
     throw InputError(fmt::format("cells[{}]", quality.worst_cell),
                      fmt::format("is inside out, flat or clockwise: the sine of its worst corner "
-                                 "is {:.3g}, and must be > 0",
+                                 "is {:.3g}, but must be > 0",
                                  quality.worst_corner_sine));
   const auto edges = edges_of(mesh);
   for (const auto& [ends, count] : edges)
@@ -117,7 +117,7 @@ std::vector<double> grid_lines(const LineSpacing& spacing) {
   std::vector<double> lines;
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
     lines.push_back(breaks[k]);
-    // Number of cells by int dx/size, then lines at equal shares of it.
+    // The number of cells is int dx/size; lines lie at equal shares of this integral.
     constexpr int kSteps = 2000;
     const double step = (breaks[k + 1] - breaks[k]) / kSteps;
     std::vector<double> sum(kSteps + 1, 0.0);
@@ -142,13 +142,13 @@ std::vector<double> grid_lines(const LineSpacing& spacing) {
 
 namespace {
 
-/// Lines of the grid, and which cells between them are filled.
+/// Lines of the grid and the filled cells between them.
 class Grid {
  public:
   Grid(const SectionShape& shape, const SectionSpacing& spacing) : shape_(shape) {
     require(spacing.coarse_r > 0, "spacing.coarse_r", spacing.coarse_r, "m", "> 0");
     require(spacing.coarse_z > 0, "spacing.coarse_z", spacing.coarse_z, "m", "> 0");
-    if (shape.rectangles.empty()) throw InputError("rectangles", "there is none");
+    if (shape.rectangles.empty()) throw InputError("rectangles", "must have at least one");
     LineSpacing r{.breaks = {}, .focus = {}, .coarse = spacing.coarse_r, .growth = spacing.growth};
     LineSpacing z = r;
     z.coarse = spacing.coarse_z;
@@ -163,7 +163,7 @@ class Grid {
                        std::ranges::max(z.breaks) - std::ranges::min(z.breaks));
     for (const SectionFillet& fillet : shape.fillets) {
       require(fillet.radius > 0, "fillets.radius", fillet.radius, "m", "> 0");
-      // Towards the void, room for the lines that climb onto the arc.
+      // Leave room towards the void for the lines that bend onto the arc.
       const double room = kFilletRoom * fillet.radius;
       r.breaks.push_back(fillet.corner.r + fillet.void_r * room);
       z.breaks.push_back(fillet.corner.z + fillet.void_z * room);
@@ -253,15 +253,16 @@ class Grid {
     return i < r_.size() - 1 && j < z_.size() - 1 && part_[j * (r_.size() - 1) + i] != kVoid;
   }
 
-  /// Node (i, j) as a cell with this centre sees it.
+  /// Node (i, j) as seen from a cell with this centre.
   std::size_t node(std::size_t i, std::size_t j, const SectionPoint& centre) {
     SectionPoint point{r_[i], z_[j]};
     for (const SectionFillet& fillet : shape_.fillets) {
       const bool on_r = same(r_[i], fillet.corner.r);
       const bool on_z = same(z_[j], fillet.corner.z);
       if (!on_r && !on_z) continue;
-      // The line through the corner along r climbs to the arc's end where the material is behind
-      // it, and so does the line along z.  The corner itself is two points, one for each leg.
+      // The line through the corner along r bends to the end of the arc on the side of the
+      // material, and so does the line along z.  The corner itself becomes two points, one for each
+      // leg.
       const double r_seen = on_r ? centre.r : r_[i];
       const double z_seen = on_z ? centre.z : z_[j];
       const bool behind_r = (fillet.corner.r - r_seen) * fillet.void_r > 0;
@@ -272,7 +273,7 @@ class Grid {
     return index_of(point, centre);
   }
 
-  /// Points are merged by place, but on the crack's faces by place and side.
+  /// Merges points by place, and on the crack's faces by place and side.
   std::size_t index_of(const SectionPoint& point, const SectionPoint& centre) {
     int side = 0;
     if (shape_.crack && same(point.z, shape_.crack->z)) {
@@ -311,7 +312,7 @@ class Grid {
     mesh_.part.push_back(part);
   }
 
-  /// The cell behind a corner becomes two that meet in the middle of the arc.
+  /// Splits the cell behind a corner into two cells that meet in the middle of the arc.
   void add_fillet(const SectionFillet& fillet, std::size_t i, std::size_t j, std::size_t part) {
     const double rho = fillet.radius;
     const SectionPoint& c = fillet.corner;
@@ -329,7 +330,7 @@ class Grid {
     const std::size_t behind = node(far_i, far_j, cell);
     const std::size_t behind_r = node(near_i, far_j, cell);
     const std::size_t behind_z = node(far_i, near_j, cell);
-    // Counter-clockwise for a void at larger r and larger z; a mirror turns that round.
+    // Counter-clockwise for a void at larger r and larger z; a mirrored void reverses the order.
     if (fillet.void_r * fillet.void_z > 0) {
       push({behind, top, leg_z, behind_z}, part);
       push({behind, behind_r, leg_r, top}, part);
@@ -369,7 +370,8 @@ class Grid {
     }
   }
 
-  static constexpr double kFilletRoom = 2.5;  ///< [-] of the radius, kept free of other lines
+  /// clear distance from other lines, over the radius [-]
+  static constexpr double kFilletRoom = 2.5;
   static constexpr std::size_t kVoid = std::numeric_limits<std::size_t>::max();
 
   const SectionShape& shape_;
@@ -389,7 +391,7 @@ SectionMesh mesh_section(const SectionShape& shape, const SectionSpacing& spacin
 }
 
 SectionMesh with_longer_crack(SectionMesh mesh, double growth) {
-  if (!mesh.crack) throw InputError("mesh.crack", "there is none");
+  if (!mesh.crack) throw InputError("mesh.crack", "must be given to be lengthened");
   CrackTip& crack = *mesh.crack;
   require(std::abs(growth) <= 0.4 * crack.cell, "growth", growth, "m",
           fmt::format("at most 0.4 of a tip cell, {:.3g} m", crack.cell));

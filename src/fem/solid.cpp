@@ -21,10 +21,10 @@ using Clock = std::chrono::steady_clock;
 
 double seconds(Clock::duration time) { return std::chrono::duration<double>(time).count(); }
 
-/// What is done by, and between, the faces of the cracks.
+/// Work and volume between the faces of the cracks.
 struct FaceWork {
-  double work = 0;    ///< of the stress without the crack [J], (FE-26)
-  double volume = 0;  ///< between the faces [m^3]
+  double work = 0;    ///< work of the stress without the crack [J], (FE-26)
+  double volume = 0;  ///< volume between the faces [m^3]
 };
 
 FaceWork face_work(const Space& space, const Vector& u) {
@@ -90,7 +90,7 @@ SolidResult solve_solid(const HexMesh& mesh, const SolidProblem& problem) {
   const Constraints constraints = support_constraints(space);
   Vector u;
   std::optional<Contact> contact;
-  {  // the factorisation takes most of the memory and ends here
+  {  // this scope frees the factorisation, which takes most of the memory
     Equations equations(space, constraints);
     u = equations.displacements(load);
     if (problem.crack_faces == CrackFaces::contact)

@@ -16,7 +16,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// What an arc's edge is beyond its chord, at a share of it from its first point.
+/// Offset of an arc from its chord, as a function of the share of the chord from the first point.
 std::function<SectionPoint(double)> bulge(const SectionPoint& from, const SectionPoint& to,
                                           const SectionPoint& centre) {
   const double radius = std::hypot(from.r - centre.r, from.z - centre.z);
@@ -47,7 +47,8 @@ class Quadrilateral {
     const std::array<double, 4> shape{(1 - a) * (1 - b), a * (1 - b), a * b, (1 - a) * b};
     SectionPoint point;
     for (std::size_t k = 0; k < 4; ++k) add(point, shape[k], corner_[k]);
-    // Along edge k runs `along`, from its first point; `near` is 1 on it, 0 on the opposite one.
+    // `along` runs along edge k from its first point; `near` is 1 on the edge and 0 on the opposite
+    // edge.
     const std::array<double, 4> along{a, b, 1 - a, 1 - b};
     const std::array<double, 4> near{1 - b, a, b, 1 - a};
     for (std::size_t k = 0; k < 4; ++k)
@@ -70,11 +71,11 @@ class Quadrilateral {
 std::vector<TemplateCell> swept_section(const SectionMesh& section,
                                         const std::vector<double>& around) {
   check_mesh(section);
-  if (section.crack) throw InputError("section.crack", "must not be there in a swept section");
+  if (section.crack) throw InputError("section.crack", "must be left out of a swept section");
   for (std::size_t p = 0; p < section.points.size(); ++p)
     require(section.points[p].r > 0, fmt::format("points[{}].r", p), section.points[p].r, "m",
             "> 0 in a swept section");
-  if (around.size() < 2) throw InputError("around", "needs two angles");
+  if (around.size() < 2) throw InputError("around", "must have at least two angles");
   for (std::size_t k = 0; k + 1 < around.size(); ++k)
     require(around[k + 1] > around[k] && around[k + 1] <= around[k] + pi / 2 * (1 + 1e-9),
             fmt::format("around[{}]", k + 1), around[k + 1], "rad",
@@ -84,7 +85,8 @@ std::vector<TemplateCell> swept_section(const SectionMesh& section,
     const Quadrilateral quad(section, corners);
     for (std::size_t k = 0; k + 1 < around.size(); ++k) {
       TemplateCell cell;
-      // Counter-clockwise in (r, z) is (z, r) turned round: right-handed with theta first.
+      // Swapping (r, z) to (z, r) reverses the orientation, which makes the cell right-handed with
+      // theta first.
       cell.map = [quad, from = around[k], to = around[k + 1]](const Point3& unit) {
         const SectionPoint place = quad.at(unit[2], unit[1]);
         return Point3{std::lerp(from, to, unit[0]), place.z, place.r};

@@ -15,7 +15,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the documents say LittleEndian");
 
-// deal.II 9.4 has a writer of its own, whose documents lack the types of the cells.
+// The writer of deal.II 9.4 is not used, because its documents lack the types of the cells.
 
 /// A field on the points of a document.
 struct PointField {
@@ -58,7 +58,7 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-/// "<DataArray ...>", its numbers as one block of base64 behind their size.
+/// A "<DataArray ...>" with its numbers as one block of base64 after their size.
 template <class Stored, class Number>
 std::string data_array(const std::string& attributes, const std::vector<Number>& numbers) {
   static constexpr std::string_view kType = std::is_same_v<Stored, double>         ? "Float64"
@@ -80,11 +80,11 @@ std::string data_array(const std::string& attributes, const std::vector<Number>&
                      attributes, base64(bytes));
 }
 
-/// Grids of cells with fields, as one document; the grids share no points.
+/// Grids of cells with fields, as one document; grids do not share points.
 class Document {
  public:
-  /// @param dimension  of the grids: 1 to 3
-  /// @param divisions  cells each way
+  /// @param dimension  dimension of the grids, 1 to 3
+  /// @param divisions  cells in each direction
   Document(Fields fields, int dimension, int divisions)
       : fields_(std::move(fields)),
         values_(fields_.size()),
@@ -95,7 +95,7 @@ class Document {
     const std::size_t n = divisions_;
     const std::size_t first = points_.size() / 3;
     const std::array<std::size_t, 3> stride = {1, n + 1, (n + 1) * (n + 1)};
-    // As VTK goes round a line, a quadrilateral, a hexahedron.
+    // Order of the corners of a line, a quadrilateral and a hexahedron in VTK.
     static constexpr std::array<std::array<std::size_t, 3>, 8> kCorners = {
         {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
     const std::size_t corners = std::size_t{1} << dimension_;
@@ -110,8 +110,8 @@ class Document {
                                     (k + kCorners[c][2]) * stride[2]);
   }
 
-  /// The points of the grid just begun, the first index fastest; as many numbers for each field as
-  /// it has components.
+  /// Adds a point of the grid just begun; the first index runs fastest.  Each field gets as many
+  /// numbers as it has components.
   void point(const Point3& place, std::initializer_list<double> numbers) {
     points_.insert(points_.end(), place.begin(), place.end());
     const double* number = numbers.begin();
@@ -120,7 +120,7 @@ class Document {
   }
 
   [[nodiscard]] std::string text() const {
-    constexpr std::array<int, 4> kTypes = {1, 3, 9, 12};  // of VTK, by dimension
+    constexpr std::array<int, 4> kTypes = {1, 3, 9, 12};  // cell types of VTK by dimension
     const std::size_t corners = std::size_t{1} << dimension_;
     const std::size_t cells = connectivity_.size() / corners;
     std::vector<std::size_t> offsets;
@@ -154,7 +154,7 @@ class Document {
   Fields fields_;
   std::vector<double> points_;
   std::vector<std::size_t> connectivity_;
-  std::vector<std::vector<double>> values_;  ///< of each field
+  std::vector<std::vector<double>> values_;  ///< values of each field
   std::size_t dimension_;
   std::size_t divisions_;
 };
@@ -187,7 +187,7 @@ std::string vtu_text(const SampledFields& fields) {
     for (const FieldPoint& p : cell.points) {
       const auto& u = p.displacement;
       const auto& s = p.stress;
-      // One number too many where the sound body is not known: it is not read.
+      // If the sound body is not known, the last number is superfluous and not read.
       document.point(p.place,
                      {u[0], u[1], u[2], s[0], s[5], s[4], s[5], s[1], s[3], s[4], s[3], s[2],
                       p.energy_density, p.energy_density - p.energy_density_without_crack});

@@ -19,13 +19,13 @@ PlanPoint blend(const PlanPoint& a, const PlanPoint& b, double u) {
   return {(1 - u) * a[0] + u * b[0], (1 - u) * a[1] + u * b[1]};
 }
 
-/// Largest semi-axis of the ellipses, over the distance of the nearest side of the patch.
+/// Largest semi-axis of the ellipses over the distance to the nearest side of the patch.
 constexpr double kRoundShare = 0.6;
-/// The longest crack that a plan for a given length is drawn for, over that length.
+/// Longest crack that a plan for a given length must hold, over that length.
 constexpr double kNeighbour = 1.01;
-/// Longest step between ellipses, over that between hyperbolas.
+/// Longest step between ellipses over the step between hyperbolas.
 constexpr double kLongestStep = 2;
-/// Sectors on either side of a tip that its rings replace.
+/// Number of sectors on either side of a tip that the rings of the tip replace.
 constexpr int kTipSectors = 2;
 /// Half a side of the patch over the longest cell round the tube, unless the crack needs more.
 constexpr double kPatchCells = 1.3;
@@ -37,13 +37,13 @@ class Patch {
  public:
   explicit Patch(const ConfocalPlan& plan)
       : plan_(plan), sector_(2 * pi / plan.sectors), nearest_(nearest_side(plan)) {
-    const auto side = [this](double reach) {  // no sliver of a grid beyond the patch
+    const auto side = [this](double reach) {  // avoids a very thin grid beyond the patch
       return reach < 1.4 * nearest_ ? reach : nearest_;
     };
     width_ = side(plan.half_round);
     below_ = side(plan.below);
     above_ = side(plan.above);
-    // Ellipses: the first two steps are a sector's, for the rings need a square.
+    // The first two steps between ellipses equal a sector, because the rings need a square.
     xi_ = {0, sector_, 2 * sector_};
     double step = sector_;
     while (true) {
@@ -51,7 +51,7 @@ class Patch {
       if (plan.sized_for * std::cosh(xi_.back() + step) > kRoundShare * nearest_) break;
       xi_.push_back(xi_.back() + step);
     }
-    // From the last ellipse to the rectangle.
+    // Layers from the last ellipse to the rectangle.
     const double outermost = plan.half_length * std::cosh(xi_.back());
     const double growth = std::log(nearest_ / outermost);
     const double sized_for = std::log(nearest_ / (plan.sized_for * std::cosh(xi_.back())));
@@ -85,7 +85,7 @@ class Patch {
                          .half = half(k)});
   }
 
-  /// Lines of the patch's sides, round the tube and along it.
+  /// Grid lines on the sides of the patch, round the tube and along it.
   [[nodiscard]] std::vector<double> round_lines() const { return even(-width_, width_); }
   [[nodiscard]] std::vector<double> along_lines() const { return even(-below_, above_); }
 
@@ -99,7 +99,7 @@ class Patch {
                        fmt::format("the crack needs a clear distance of {:.4g} m from its middle "
                                    "to either {} and half-way round, {:.4g} m is there",
                                    needed, plan.end, room));
-    // A patch larger than a few cells of the grid would have larger cells than it.
+    // A patch larger than a few grid cells would have larger cells than the grid.
     return std::min(room,
                     std::max({kPatchCells * plan.longest_round, 2.5 * plan.sized_for, needed}));
   }
@@ -110,7 +110,7 @@ class Patch {
   }
   [[nodiscard]] int half(int sector) const { return sector < plan_.sectors / 2 ? 1 : -1; }
 
-  /// (xi, eta) -> (s, y); (FE-46)
+  /// Maps (xi, eta) to (s, y); (FE-46).
   [[nodiscard]] PlanPoint confocal(const PlanPoint& at) const {
     const double along = plan_.half_length * std::cosh(at[0]) * std::cos(at[1]);
     const double across = plan_.half_length * std::sinh(at[0]) * std::sin(at[1]);
@@ -127,7 +127,7 @@ class Patch {
     return lines;
   }
 
-  /// Where the line between two sectors meets the rectangle.
+  /// Point at which the line between two sectors meets the rectangle.
   [[nodiscard]] PlanPoint on_rectangle(int line) const {
     const int quarter = plan_.sectors / 4;
     const int from_corner = ((line - corner_) % plan_.sectors + plan_.sectors) % plan_.sectors;
@@ -147,8 +147,8 @@ class Patch {
     }
   }
 
-  /// The rings of a tip, in the half plane xi >= 0 about (0, 0) or (0, pi): half a turn there is a
-  /// whole one about the tip.
+  /// Adds the rings of a tip in the half plane xi >= 0 about (0, 0) or (0, pi); half a turn there
+  /// is a whole turn about the tip.
   void add_tip(int tip, std::vector<PlanCell>& cells) const {
     const auto on_circle = [](double radius, int eighth, double v) {
       const double angle = (eighth < 4 ? eighth + v : eighth - 8 + v) * pi / 8;
@@ -198,7 +198,8 @@ class Patch {
       }
   }
 
-  /// Inner radius of a circular ring in (xi, eta): that about the tip halves from ring to ring.
+  /// Inner radius of a circular ring in (xi, eta); the radius about the tip halves from ring to
+  /// ring.
   [[nodiscard]] double ring_radius(int ring) const {
     return kCircle * kTipSectors * sector_ * std::pow(0.5, 0.5 * (plan_.rings - ring));
   }
@@ -214,7 +215,7 @@ class Patch {
   int corner_ = 0;
 };
 
-/// The patch's lines and those beyond it.
+/// The lines of the patch and the lines beyond it.
 std::vector<double> continued(const std::vector<double>& patch, double from, double to,
                               double longest) {
   constexpr double kGrowth = 1.5;

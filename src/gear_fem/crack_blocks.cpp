@@ -23,7 +23,7 @@ void check_positive(const char* field, double value) {
   require(value > 0 && std::isfinite(value), field, value, "m", "> 0");
 }
 
-/// Loads of both kinds of block, in equilibrium.
+/// Adds the loads of both kinds of block, which are in equilibrium.
 void add_loads(fem::SolidProblem& problem, BlockLoad load, double stress, double width) {
   const auto add = [&](int tag, const fem::Point3& t) {
     problem.tractions.push_back({.tag = tag, .value = [t](const fem::Point3&) { return t; }});
@@ -73,7 +73,7 @@ fem::SolidResult straight_crack_block(const StraightCrackBlock& block) {
   const double b = std::min({0.5 * a, 0.5 * (W - a), 0.5 * H});
   CrackPlan plan;
   plan.rings = block.rings;
-  // Right of the middle first: lines of x >= 0.
+  // Make the lines of x >= 0 first.
   std::vector<double> right{a - b, a};
   insert(right, {a + b});
   insert(right, graded_lines(a + b, W, b, 2, (W - a)));
@@ -124,7 +124,8 @@ fem::SolidResult straight_crack_block(const StraightCrackBlock& block) {
   const auto across = [](const fem::Point3&) { return std::vector<fem::Point3>{{0, 0, 1}}; };
   problem.supports.push_back({.tag = kFront, .directions = across});
   problem.supports.push_back({.tag = kBack, .directions = across});
-  // Rigid motions in the plane: nothing pulls there, the loads are in equilibrium.
+  // Hold rigid motions in the plane; these supports carry no force, because the loads are in
+  // equilibrium.
   problem.supports.push_back({.tag = kRight, .directions = [=](const fem::Point3& p) {
                                 std::vector<fem::Point3> held;
                                 if (std::abs(p[1]) < tiny) held = {{1, 0, 0}, {0, 1, 0}};

@@ -14,7 +14,7 @@ PlanPoint blend(const PlanPoint& a, const PlanPoint& b, double u) {
   return {(1 - u) * a[0] + u * b[0], (1 - u) * a[1] + u * b[1]};
 }
 
-/// The rings of one tip, angles counted from its direction of growth.
+/// The rings of one tip, with angles from its direction of growth.
 class TipTemplate {
  public:
   TipTemplate(const CrackPlan& plan, int index)
@@ -27,7 +27,7 @@ class TipTemplate {
 
   void add(std::vector<PlanCell>& cells) const {
     const double core = radius(0);
-    for (int k = 0; k < 4; ++k) {  // at the tip: straight-sided
+    for (int k = 0; k < 4; ++k) {  // cells at the tip have straight sides
       const PlanPoint o = on_circle(0, 0);
       const PlanPoint a = on_circle(core, 2 * k);
       const PlanPoint b = on_circle(core, 2 * k + 1);
@@ -58,13 +58,13 @@ class TipTemplate {
     return outer_ * std::pow(plan_.ratio, plan_.rings - ring);
   }
 
-  /// Angle in eighths of a turn.
+  /// Point on a circle; the angle is in eighths of a turn.
   [[nodiscard]] PlanPoint on_circle(double r, double eighths) const {
     const double angle = eighths * pi / 4 + (tip_.growth < 0 ? pi : 0);
     return {plan_.x[tip_.i] + r * std::cos(angle), plan_.y[tip_.j] + r * std::sin(angle)};
   }
 
-  /// Corners and middles of the sides of the square.
+  /// Corners of the square and middles of its sides.
   [[nodiscard]] PlanPoint on_square(int eighth) const {
     constexpr std::array<int, 8> kX{1, 1, 0, -1, -1, -1, 0, 1};
     const auto e = static_cast<std::size_t>((eighth + (tip_.growth < 0 ? 4 : 0)) % 8);
@@ -131,7 +131,7 @@ std::vector<double> graded_lines(double from, double to, double first, double gr
     sum += gaps.back();
     gap *= growth;
   }
-  if (gaps.size() > 1 && sum - gaps.back() / 2 > span) {  // the last gap would be a sliver
+  if (gaps.size() > 1 && sum - gaps.back() / 2 > span) {  // the last gap would be very thin
     sum -= gaps.back();
     gaps.pop_back();
   }

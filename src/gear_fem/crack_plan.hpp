@@ -13,7 +13,7 @@ namespace strainwave::gear_fem {
 
 using PlanPoint = std::array<double, 2>;
 
-/// Where a quadrilateral lies in the rings about a tip.
+/// Place of a quadrilateral in the rings about a tip.
 struct PlanTipPlace {
   std::size_t tip{};         ///< index of the tip
   int ring = -1;             ///< -1: at the tip (FrontPlace::ring)
@@ -25,7 +25,7 @@ struct PlanTipPlace {
 /// A quadrilateral of a plane mesh about crack tips, with its analytic map of the unit square.
 struct PlanCell {
   std::function<PlanPoint(double u, double v)> map;
-  int half = 1;  ///< side of the crack's line it lies on, +1 or -1
+  int half = 1;  ///< side of the crack's line on which the cell lies, +1 or -1
   std::optional<PlanTipPlace> tip = {};
 };
 
@@ -36,21 +36,22 @@ struct PlanTip {
   int growth = 1;   ///< +1: grows toward larger first coordinate, -1: smaller
 };
 
-/// Grid lines, tips, and the rings about each: squares of four cells, a circle within, then rings
-/// in geometric progression down to four cells at the tip.
+/// Grid lines, tips, and the rings about each tip: squares of four cells, a circle inside, then
+/// rings in geometric progression down to four cells at the tip.
 struct CrackPlan {
   std::vector<double> x;  ///< lines across the crack's direction, ascending [m]
   std::vector<double> y;  ///< lines along the crack's direction, ascending [m]
   std::vector<PlanTip> tips;
-  int rings = 6;         ///< circular ones; one more leads to the square
-  double ratio = 0.5;    ///< of a ring's radii
+  int rings = 6;         ///< circular rings; one more ring leads to the square
+  double ratio = 0.5;    ///< ratio of the radii of neighbouring rings
   double circle = 0.65;  ///< radius of the outermost circle over half the square's smallest side
 };
 
 [[nodiscard]] std::vector<PlanCell> crack_plan(const CrackPlan& plan);
 
-/// Lines from `from` to `to` (either may be the larger), the first gap `first`, each next one at
-/// most `growth` times longer and none longer than `most`; `from` is left out, `to` is the last.
+/// Lines from `from` to `to`, of which either may be larger.  The first gap is `first`; each next
+/// gap is at most `growth` times longer, and none is longer than `most`.  `from` is left out; `to`
+/// is the last line.
 [[nodiscard]] std::vector<double> graded_lines(double from, double to, double first, double growth,
                                                double most);
 

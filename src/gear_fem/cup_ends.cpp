@@ -12,8 +12,8 @@
 namespace strainwave::gear_fem {
 namespace {
 
-/// Largest step of the logarithm of the radius from cell to cell of the diaphragm: there the twist
-/// goes with its inverse square.
+/// Largest step of the logarithm of the radius from cell to cell of the diaphragm: the twist there
+/// varies with the inverse square of the radius.
 constexpr double kDiaphragmStep = 0.3;
 
 /// A rectangle cut along lines of one direction.
@@ -53,11 +53,11 @@ MeshedEnds mesh_cup_ends(const CupSection& cup, const std::vector<double>& radii
   MeshedEnds ends{.section = {},
                   .barrel_from = cup.diaphragm ? collar : 0.0,
                   .barrel_to = cup.barrel.length - (cup.rim ? collar : 0.0)};
-  // Rectangles without the barrel, but for its collars.
+  // Rectangles without the barrel, except its collars.
   std::vector<fem::SectionRectangle> boxes;
   for (const fem::SectionRectangle& box : drawn.shape.rectangles)
     if (box.part != kBarrel) boxes.push_back(box);
-  // Cells at a corner are as long as the thinner part is thick.
+  // The length of cells at a corner equals the thickness of the thinner part.
   std::vector<double> columns = radii;
   columns.front() = inner;
   columns.back() = outer;

@@ -9,22 +9,25 @@
 
 namespace strainwave::gear_fem {
 
-/// What a cup has besides the barrel between two collars: below diaphragm, boss and a collar of the
-/// barrel, above a collar and the rim.  z = 0 is the barrel's lower end, not that of CupSection.
+/// The parts of a cup outside the barrel between two collars: below are diaphragm, boss and a
+/// collar of the barrel, above are a collar and the rim.  z = 0 is the lower end of the barrel,
+/// unlike in CupSection.
 struct MeshedEnds {
   fem::SectionMesh section;
   double barrel_from{};  ///< upper end of the lower collar, 0 without a diaphragm [m]
   double barrel_to{};    ///< lower end of the upper collar, the barrel's end without a rim [m]
 };
 
-/// Meshes them, coarse but towards the corners, so that the collars end on `radii`.
-/// @param radii  lines through the barrel's wall from its inner radius to its outer one, rising [m]
-/// @throws InputError  as mesh_cup; for fillets; for a rim whose wall does not cover the barrel's
+/// Meshes the ends of a cup coarsely, and finer towards the corners, such that the collars end on
+/// `radii`.
+/// @param radii  lines through the barrel's wall from its inner to its outer radius, ascending [m]
+/// @throws InputError  on the same conditions as mesh_cup; if there are fillets; if the wall of the
+///                     rim does not cover that of the barrel
 [[nodiscard]] MeshedEnds mesh_cup_ends(const CupSection& cup, const std::vector<double>& radii);
 
-/// The section swept in the coordinates of a wall: s = mean_radius theta, y = z - place,
-/// w = r - mean_radius.
-/// @param around  values of s from -pi mean_radius to pi mean_radius, rising [m]
+/// The swept section in the coordinates of a wall: s = mean_radius theta, y = z - place, w = r -
+/// mean_radius.
+/// @param around  values of s from -pi mean_radius to pi mean_radius, ascending [m]
 [[nodiscard]] std::vector<fem::TemplateCell> wall_cells(const fem::SectionMesh& section,
                                                         double mean_radius, double place,
                                                         const std::vector<double>& around);

@@ -58,7 +58,7 @@ void check(const CupSection& cup) {
   if (cup.rim && cup.barrel_fillet > 0) {
     const double beyond = inner_radius(cup.barrel) - inner_radius(*cup.rim);
     require(beyond <= 0 || beyond > cup.barrel_fillet, "barrel_fillet", cup.barrel_fillet, "m",
-            "less than what the rim stands in from the barrel, if it does");
+            "less than the step from the barrel in to the rim, if there is one");
   }
   if (cup.boss_fillet != 0 && !cup.boss) throw InputError("boss_fillet", "needs a boss");
   if (!cup.boss) return;
@@ -79,8 +79,8 @@ void draw_profile(fem::SectionMesh& mesh, const CupSection& cup) {
     if (point.z > 0 && point.z <= plate.thickness * (1 + 1e-9) &&
         point.r < inner_radius(cup.barrel) * (1 - 1e-9))
       point.z *= diaphragm_thickness(plate, point.r) / plate.thickness;
-  // A sharp corner at the boss or the barrel lies where the thickness is the nominal one, or at
-  // z = 0; both stay.
+  // A sharp corner at the boss or the barrel lies at the nominal thickness or at z = 0, and neither
+  // moves.
   fem::check_mesh(mesh);
 }
 

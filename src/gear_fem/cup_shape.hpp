@@ -9,16 +9,16 @@ namespace strainwave::gear_fem {
 /// Parts of a cup's section.
 enum CupSectionPart : std::size_t { kRim, kBarrel, kDiaphragm, kBoss };
 
-/// A cup in rectangles, as CupSection says, before anything is meshed.
+/// A cup as rectangles in the coordinates of CupSection, before meshing.
 struct CupShape {
   fem::SectionShape shape;
   fem::SectionSpacing spacing;
 };
 
-/// @throws InputError  as mesh_cup
+/// @throws InputError  on the same conditions as mesh_cup
 [[nodiscard]] CupShape cup_shape(const CupSection& cup);
 
-/// Rows of the diaphragm are drawn to its thickness at each radius, where it has a profile.
+/// Moves the rows of a diaphragm with a profile to its thickness at each radius.
 void draw_profile(fem::SectionMesh& mesh, const CupSection& cup);
 
 }  // namespace strainwave::gear_fem

@@ -14,18 +14,20 @@ namespace {
 using std::numbers::pi;
 using FlatMap = std::function<PlanPoint(double u, double v)>;
 
-// The box about the crack goes this far beyond its ends along x, in units of its smaller half axis,
-// and this deep, in units of its depth: the cells between rings and box are then about square.
+// Size of the box about the crack: its extent beyond the ends of the crack along x over the smaller
+// half axis, and its depth over the crack's depth.  The cells between rings and box are then about
+// square.
 constexpr double kBoxBeyond = 1.5;
 constexpr double kBoxDepth = 2.5;
-// A box that takes more of the room than this takes all of it: no thin cells remain beside it.
+// A box that takes more than this share of the room takes all of it, so no thin cells remain beside
+// it.
 constexpr double kNearlyAll = 0.7;
-// Half width of the square of rings about the front, in units of the confocal coordinate r: at most
-// this, so that cells remain within the ellipse ...
+// The half width of the square of rings about the front, in the confocal coordinate r, has three
+// limits.  The first leaves cells inside the ellipse.
 constexpr double kWidestSquare = 0.35;
-// ... at most this share of the way to the line between the foci, where the coordinates fold ...
+// The second is a share of the way to the line between the foci, at which the coordinates fold.
 constexpr double kToFoci = 0.6;
-// ... and at most this share of the way to the box, which leaves half of it to the layers outside.
+// The third is a share of the way to the box, which leaves half of the way to the layers outside.
 constexpr double kToBox = 0.55;
 
 PlanPoint between(const PlanPoint& a, const PlanPoint& b, double u) {
@@ -38,7 +40,7 @@ FlatMap rectangle(double x0, double x1, double z0, double z1) {
   };
 }
 
-/// Confocal coordinates of the half plane: r = 1 is the front.
+/// Confocal coordinates of the half plane; r = 1 is the front.
 struct Confocal {
   double A;
   double B;
@@ -65,8 +67,8 @@ class Drawing {
     if (box_z_ > kNearlyAll * slab.thickness) box_z_ = slab.thickness;
     half_square_ =
         std::min(kWidestSquare, kToFoci * (1 - std::sqrt(std::abs(confocal_.B) / confocal_.A)));
-    // A closed form and no search in steps: sizes next to each other, which are subtracted from
-    // each other, must have like cells.
+    // Use a closed form instead of a search in steps, because neighbouring sizes, whose results are
+    // subtracted, must have similar cells.
     const double AB = confocal_.A * confocal_.B;
     const auto widest = [&](double reach, double sign) {
       return (reach + std::sqrt(reach * reach - sign * 4 * AB)) / (2 * confocal_.A) - 1;
@@ -96,7 +98,7 @@ class Drawing {
  private:
   [[nodiscard]] double phi(double k) const { return pi * k / s_.segments; }
 
-  /// Where the ray of the k-th node meets a rectangle [-ex, ex] x [0, ez].
+  /// Point at which the ray of the k-th node meets a rectangle [-ex, ex] x [0, ez].
   [[nodiscard]] PlanPoint on_box(int k, double ex, double ez) const {
     const double root = std::sqrt(2.0);
     if (k <= quarter_) return {ex, ez * root * std::sin(phi(k))};
@@ -104,7 +106,7 @@ class Drawing {
     return {ex * root * std::cos(phi(k)), ez};
   }
 
-  /// A flat cell of (x, z) between all lines of y; the flat map is turned so that (u, y, v) is
+  /// Adds a flat cell of (x, z) between all lines of y; the flat map is turned to make (u, y, v)
   /// right-handed.
   void add_prisms(const FlatMap& flat) {
     for (std::size_t j = 0; j + 1 < y_.size(); ++j) {
@@ -155,7 +157,7 @@ class Drawing {
   }
 
   void add_core() {
-    constexpr double kInner = 0.5;  // the square in the middle, in units of the ellipse's axes
+    constexpr double kInner = 0.5;  // size of the square in the middle over the ellipse's axes
     const PlanPoint e = confocal_.axes(1 - half_square_);
     for (int k = 0; k < s_.segments; ++k)
       add_prisms([=, this, from = phi(k), to = phi(k + 1), p0 = on_box(k, kInner, kInner),
@@ -172,7 +174,8 @@ class Drawing {
   }
 
   void add_shell() {
-    // From the rings to the box; the inner layer is the thinner one, for the stress falls off.
+    // Layers from the rings to the box; the inner layer is thinner, because the stress falls off
+    // outwards.
     constexpr std::array<double, 3> kLayers{0, 0.4, 1};
     for (std::size_t l = 0; l + 1 < kLayers.size(); ++l)
       for (int k = 0; k < s_.segments; ++k)

@@ -9,8 +9,8 @@ namespace strainwave::gear_fem {
 
 /// A slab 0 <= z <= thickness with a semi-elliptical crack in y = 0, its mouth on z = 0.
 ///
-/// About the front the rings are swept along confocal ellipses (FE-27); a box about the crack
-/// turns them into straight lines, which go on to the ends of the slab.
+/// About the front the rings are swept along confocal ellipses (FE-27); a box about the crack turns
+/// them into straight lines, which continue to the ends of the slab.
 struct EllipseTemplate {
   double depth{};             ///< a, along z [m]
   double half_length{};       ///< c, along x [m]
@@ -19,18 +19,18 @@ struct EllipseTemplate {
   std::array<double, 2> y{};  ///< ends of the slab [m]
   double longest_x{};         ///< longest cell along x [m]
   double longest_y{};         ///< longest cell along y [m]
-  int rings = 3;              ///< circular ones
-  int segments = 8;           ///< along the front, a multiple of 4
-  double growth = 2;          ///< of the cells away from the crack, each to the next
+  int rings = 3;              ///< circular rings
+  int segments = 8;           ///< segments along the front, a multiple of 4
+  double growth = 2;          ///< growth from cell to cell away from the crack
 };
 
 /// Half axis along x of the ellipse that encloses all rings [m].
 [[nodiscard]] double rings_half_length(const EllipseTemplate& slab);
 
-/// The cells of the slab; one front, its start at +c.
+/// The cells of the slab with one front, which starts at +c.
 [[nodiscard]] std::vector<fem::TemplateCell> ellipse_template(const EllipseTemplate& slab);
 
-/// True inside the crack and on its mouth, not on its front.
+/// True inside the crack and on its mouth, but not on its front.
 [[nodiscard]] bool inside_ellipse(const EllipseTemplate& slab, const fem::Point3& p);
 
 }  // namespace strainwave::gear_fem

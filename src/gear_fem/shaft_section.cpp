@@ -56,10 +56,10 @@ double tip_radius(const ShaftSection& shaft) {
              : shaft.inner_diameter / 2 + shaft.crack->depth;
 }
 
-/// Area swept per depth there.
+/// Area swept per depth at the tip.
 double swept(double tip) { return 2 * pi * tip; }
 
-/// Keeps the worst evidence of several solutions.
+/// Keeps the worst check values of several solutions.
 void keep_worst(ShaftCrackLoad& result, const SectionSolution& solution) {
   const auto worse = [](double& kept, double value) {
     if (!(std::abs(value) <= std::abs(kept))) kept = value;
@@ -69,7 +69,7 @@ void keep_worst(ShaftCrackLoad& result, const SectionSolution& solution) {
   result.worst_jacobian = std::min(result.worst_jacobian, solution.worst_jacobian);
 }
 
-/// The reason why a result may not be used, or nothing.
+/// The reason why a result must not be used; empty if usable.
 std::string fault_of(const ShaftCrackLoad& r) {
   const auto above = [](double value, double most) { return !(std::abs(value) <= most); };
   if (!(r.tip.energy_release_rate > 0)) return "the energy release rate is not positive";
@@ -119,8 +119,8 @@ ShaftCrackLoad solve_load(const ShaftSection& shaft, SectionLoad load,
                        release(longer, tip + direction * step));
   result.growth_check = (longer.compliance - shorter.compliance) / by_G - 1;
 
-  // Added compliance: int of 2 G dA over the depth, by Lobatto's rule with five points: nothing is
-  // released at depth 0, and the last point is this solution.  (FE-8)
+  // The added compliance is the integral of 2 G dA over the depth, by Lobatto's rule with five
+  // points (FE-8).  G is zero at depth 0, and the last point is this solution.
   const double depth = shaft.crack->depth;
   const auto at_share = [&](double share) {
     ShaftSection smaller = shaft;
@@ -141,7 +141,8 @@ ShaftCrackLoad solve_load(const ShaftSection& shaft, SectionLoad load,
   sound.crack.reset();
   result.sound_compliance = solve(mesh_shaft(sound)).compliance;
   result.added_by_difference = here.compliance - result.sound_compliance;
-  // A deep crack releases more and more, which five depths miss; it is large enough to subtract.
+  // For a deep crack G rises steeply, which five depths miss; its compliance is large enough for a
+  // difference.
   if (result.added_by_difference > kDifferenceShare * result.sound_compliance)
     result.added_compliance = result.added_by_difference;  // (FE-8)
   result.reason = fault_of(result);
@@ -174,7 +175,7 @@ fem::SectionMesh mesh_shaft(const ShaftSection& shaft) {
   double loaded_outer = outer;
   if (shaft.shoulder) {
     loaded_outer = shaft.shoulder->outer_diameter / 2;
-    // In two, so that the line along the corner is there.
+    // Use two rectangles, so that a grid line runs along the corner.
     shape.rectangles.push_back({inner, outer, first_end, shaft.length, 1});
     shape.rectangles.push_back({outer, loaded_outer, first_end, shaft.length, 1});
     if (shaft.shoulder->fillet_radius > 0)
@@ -199,7 +200,7 @@ fem::SectionMesh mesh_shaft(const ShaftSection& shaft) {
 
 ShaftCrackResult solve_shaft(const ShaftSection& shaft, const fem::Elasticity& elasticity,
                              const fem::SectionOptions& options) {
-  if (!shaft.crack) throw InputError("crack", "there is none to solve");
+  if (!shaft.crack) throw InputError("crack", "must be given to be solved");
   return {.torsion = {solve_load(shaft, SectionLoad::torsion, elasticity, options)},
           .tension = {solve_load(shaft, SectionLoad::tension, elasticity, options)}};
 }

@@ -14,16 +14,16 @@ namespace {
 
 using std::numbers::pi;
 
-// Share of the clear distance that the turning may take: the ends of the tube, which bear support
-// and load, stay plane with a margin.
+// Share of the clear distance that the turning may use.  The ends of the tube carry support and
+// load, so they must stay plane with a margin.
 constexpr double kTurnRoom = 0.97;
 
-// The turning shears the cells by up to 15/8 |turn|/ln(r2/r1), 15/8 being the steepest slope of
+// The turning shears the cells by up to 15/8 |turn|/ln(r2/r1), where 15/8 is the steepest slope of
 // `turned_share`.  With r2/r1 > 1 + 1.2 |turn| and a turn of at most 45 degrees that is 2.2 at
 // most, and the scaled Jacobian determinant stays above 1/sqrt(1 + 2.2^2) = 0.41.
 constexpr double kReachPerTurn = 1.2;
 
-/// 1 up to r1, 0 from r2 on, smooth in the logarithm of r.
+/// Share of the turn: 1 up to r1, 0 from r2 on, smooth in the logarithm of r.
 double turned_share(double r, double r1, double r2) {
   if (r <= r1) return 1;
   if (r >= r2) return 0;
@@ -48,7 +48,7 @@ void check_tube(double mean_radius, double wall_thickness, double length, double
 TubeBody tube_body(const TubePlan& plan) {
   const double middle = plan.mean_radius;
   const double R = middle + plan.surface;
-  // From +z toward -theta; in (R theta, z) that is 90 degrees + beta from the first axis.
+  // The angle from +z toward -theta is 90 degrees + beta from the first axis of (R theta, z).
   const double direction = pi / 2 + plan.angle;
   const double quarter = std::floor(direction / (pi / 2) + 0.5 - 1e-9);
   const double turn = direction - quarter * pi / 2;
@@ -59,10 +59,11 @@ TubeBody tube_body(const TubePlan& plan) {
   const double r2 = std::min(room, plan.turn_reach * r1);
   const double least = 1 + kReachPerTurn * std::abs(turn);
   if (!(r2 > least * r1))
-    throw InputError("half_length",
-                     fmt::format("the crack needs a clear distance of {:.4g} m from its middle to "
-                                 "either end of the tube and half-way round, {:.4g} m is there",
-                                 least * r1 / kTurnRoom, room / kTurnRoom));
+    throw InputError(
+        "half_length",
+        fmt::format("the crack needs a clear distance of {:.4g} m from its middle to either end of "
+                    "the tube and half-way round, but only {:.4g} m is available",
+                    least * r1 / kTurnRoom, room / kTurnRoom));
   TubeBody body;
   body.plan = plan;
   body.map = [=](const fem::Point3& p) {
@@ -135,7 +136,7 @@ void judge(TubeCrackResult& result, bool derivative, bool overlap) {
   const auto refuse = [&](const std::string& why) {
     if (result.reason.empty()) result.reason = why;
   };
-  // Not a number is above every limit.
+  // NaN counts as above every limit.
   const auto above = [](double value, double limit) { return !(std::abs(value) <= limit); };
   if (!std::isfinite(result.energy_release_rate) || !std::isfinite(result.added_compliance))
     refuse("the answer is not a number");
@@ -146,7 +147,7 @@ void judge(TubeCrackResult& result, bool derivative, bool overlap) {
   if (above(solid.energy_balance, 1e-7))
     refuse(fmt::format("work and strain energy differ by {:.2g}", solid.energy_balance));
   if (above(solid.contact_overlap, 1e-6)) refuse("the faces of the crack overlap");
-  // Nothing is to be compared where nothing is released.
+  // Skip comparisons if no energy is released.
   const bool released = std::abs(result.energy_release_rate) > result.closed_release_rate;
   for (const fem::CrackFront& front : solid.fronts) {
     if (!released) break;

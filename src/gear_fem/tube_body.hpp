@@ -11,20 +11,22 @@ namespace strainwave::gear_fem {
 enum TubeTag { kTubeFree = 1, kTubeClamp, kTubeLoad, kTubeCrack };
 
 struct TubePlan {
-  double mean_radius{};   ///< [m]
+  double mean_radius{};   ///< mean radius [m]
   double length{};        ///< [m]
   double place{};         ///< z of the template's origin [m]
   double angle{};         ///< beta of its first axis [rad]
   double rigid_radius{};  ///< the plan is turned without strain inside of it [m]
-  /// Radial place, from the middle surface, of the surface that the plan is: lengths and angles
-  /// are true there [m].
+  /// Radial place of the plan's surface from the middle surface; lengths and angles are true on
+  /// this surface [m].
   double surface = 0;
-  double turn_reach{};  ///< the turn ends at so many rigid radii, or where the tube ends [-]
+  /// radius at which the turn ends, over the rigid radius; it ends at the end of the tube at the
+  /// latest [-]
+  double turn_reach{};
 };
 
 /// A plane plan (x along the crack, y normal to it, radial place from the middle surface) rolled
-/// onto the tube, without strain on `TubePlan::surface`.  Grid lines run along the generators at
-/// the ends; near the crack they are turned by a smooth rotation that keeps areas (FE-29).
+/// onto the tube without strain on `TubePlan::surface`.  At the ends, grid lines run along the
+/// generators; near the crack, a smooth rotation that preserves areas turns them (FE-29).
 struct TubeBody {
   TubePlan plan;
   fem::PointMap map;               ///< template -> space
@@ -36,17 +38,17 @@ struct TubeBody {
       end_tag;  ///< kTubeClamp, kTubeLoad, 0; of a template point
 };
 
-/// @throws InputError  when the crack is too close to an end, or too long
+/// @throws InputError  if the crack is too close to an end, or too long
 [[nodiscard]] TubeBody tube_body(const TubePlan& plan);
 
 /// Traction of a torque on the end of a tube with this wall, tau = T r/J.
 [[nodiscard]] fem::Traction end_torque(double mean_radius, double wall_thickness, double torque);
 
-/// Clamp at z = 0, traction of a torque at z = length.
+/// The problem of a tube clamped at z = 0 with the traction of a torque at z = length.
 [[nodiscard]] fem::SolidProblem tube_torsion(double mean_radius, double wall_thickness,
                                              const fem::Elasticity& material, double torque);
 
-/// J = pi/2 (ro^4 - ri^4) [m^4].
+/// Polar moment J = pi/2 (ro^4 - ri^4) [m^4].
 [[nodiscard]] double tube_polar_moment(double mean_radius, double wall_thickness);
 
 void check_tube(double mean_radius, double wall_thickness, double length, double angle,

@@ -18,7 +18,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// K_I that the integrals may leave where the faces touch, of K0 = tau sqrt(pi a).
+/// Largest K_I that the integrals may leave on touching faces, over K0 = tau sqrt(pi a).
 constexpr double kClosedShare = 0.02;
 
 fem::Point3 difference(const fem::Point3& a, const fem::Point3& b, double step) {
@@ -48,7 +48,7 @@ MeshedSurfaceCrack mesh_surface_crack(const TubeWithSurfaceCrack& tube, double s
                        .rings = tube.rings,
                        .segments = tube.segments,
                        .growth = tube.growth};
-  // The rings' size does not depend on the ends while these are clear of them.
+  // The size of the rings does not depend on the ends if the ends are clear of the rings.
   slab.x = {-1e3 * c, 1e3 * c};
   slab.y = {-1e3 * c, 1e3 * c};
   slab.longest_x = slab.longest_y = 1e3 * c;
@@ -61,8 +61,8 @@ MeshedSurfaceCrack mesh_surface_crack(const TubeWithSurfaceCrack& tube, double s
                            .surface = outer ? t / 2 : -t / 2,
                            .turn_reach = 12});
   const TubeBody& body = meshed.body;
-  // The template's depth runs outward from an inner mouth; from an outer one it is turned over
-  // about the crack's line, so that it stays right-handed.
+  // From an inner mouth, the template's depth runs outward.  For an outer mouth, the template is
+  // rotated about the crack's line, so that it stays right-handed.
   const auto to_plan = [outer, t](const fem::Point3& p) {
     return outer ? fem::Point3{p[0], -p[1], t / 2 - p[2]} : fem::Point3{p[0], p[1], p[2] - t / 2};
   };
@@ -98,7 +98,7 @@ double swept(const TubeWithSurfaceCrack& tube, const fem::PointMap& map, double 
   return cross_norm(growth, along);
 }
 
-/// What one size of the crack gives.
+/// Results for one size of the crack.
 struct SolvedSurfaceCrack {
   fem::SolidResult solid;
   double sweep{};    ///< dA/ds [m^2]
@@ -117,7 +117,7 @@ SolvedSurfaceCrack solve_surface_crack(const TubeWithSurfaceCrack& tube, double 
   SolvedSurfaceCrack result{.solid = fem::solve_solid(meshed.mesh, problem)};
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   if (tube.solved) tube.solved(result.solid, taken.count());
-  // G is quadratic over each segment: Simpson's rule with dA of the analytic map.
+  // G is quadratic over each segment, so Simpson's rule is used with dA of the analytic map.
   const auto& stations = result.solid.fronts.at(0).stations;
   const double step = pi / static_cast<double>(stations.size() - 1);
   for (std::size_t i = 0; i < stations.size(); ++i) {
@@ -130,7 +130,7 @@ SolvedSurfaceCrack solve_surface_crack(const TubeWithSurfaceCrack& tube, double 
   return result;
 }
 
-/// Checks the values and fills in those that were left to be chosen.
+/// Checks the values and chooses those that were left open.
 TubeWithSurfaceCrack completed(TubeWithSurfaceCrack tube) {
   check_tube(tube.mean_radius, tube.wall_thickness, tube.length, tube.angle, tube.place);
   if (tube.place == 0) tube.place = tube.length / 2;
@@ -139,22 +139,22 @@ TubeWithSurfaceCrack completed(TubeWithSurfaceCrack tube) {
   require(tube.depth >= 0.2 * tube.half_length && tube.depth <= 5 * tube.half_length, "half_length",
           tube.half_length, "m", "0.2 <= depth/half_length <= 5");
   require(tube.torque > 0 && std::isfinite(tube.torque), "torque", tube.torque, "N*m",
-          "torque > 0; its sense is given apart");
+          "torque > 0, with its sense in `sense`");
   require(tube.order >= 2 && tube.order <= 4, "order", tube.order, "1", "2 <= order <= 4");
   require(tube.rings >= 3 && tube.rings <= 12, "rings", tube.rings, "1", "3 <= rings <= 12");
   require(tube.segments >= 4 && tube.segments <= 32 && tube.segments % 4 == 0, "segments",
           tube.segments, "1", "4 <= segments <= 32, a multiple of 4");
   require(tube.growth == 0 || (tube.growth >= 1.5 && tube.growth <= 4), "growth", tube.growth, "1",
           "1.5 <= growth <= 4, or 0");
-  // Far from a shallow crack there is nothing but the stress of the torque.
+  // Far from a shallow crack only the stress of the torque remains, so cells may grow faster.
   if (tube.growth == 0) tube.growth = tube.depth >= 0.25 * tube.wall_thickness ? 2.5 : 3.5;
   return tube;
 }
 
-/// How the faces are along the front, its two ends left out.
+/// State of the faces along the front without its two ends.
 struct FrontFaces {
-  bool closed = true;    ///< they touch at every station
-  bool overlap = false;  ///< they pass through each other at one
+  bool closed = true;    ///< the faces touch at every station
+  bool overlap = false;  ///< the faces pass through each other at a station
 };
 
 FrontFaces faces_along(const fem::CrackFront& front) {
@@ -200,7 +200,7 @@ TubeSurfaceCrackResult solve_tube_with_surface_crack(const TubeWithSurfaceCrack&
   result.closed = faces.closed;
   result.deepest = front.stations[front.stations.size() / 2];
 
-  // Faces that touch everywhere and release nothing leave nothing to compare.
+  // Faces that touch everywhere and release no energy do not allow a comparison.
   const bool nothing =
       std::abs(result.energy_release_rate) < result.closed_release_rate &&
       std::abs(result.solid.added_work) < 2 * result.closed_release_rate * result.area;
@@ -213,7 +213,7 @@ TubeSurfaceCrackResult solve_tube_with_surface_crack(const TubeWithSurfaceCrack&
     result.growth_check = result.derivative_release_rate / result.energy_release_rate - 1;
   }
   if (tube.check_sizes && !nothing) {
-    // Gauss points of the weight s^2, which is how the release starts.
+    // Gauss points for the weight s^2, because the energy release starts like s^2.
     constexpr std::array<double, 3> kSize{0.2949977901115016, 0.6529962339616481,
                                           0.9270059759268503};
     constexpr std::array<double, 3> kWeight{0.0299507030085807, 0.1462462692598660,
@@ -225,7 +225,7 @@ TubeSurfaceCrackResult solve_tube_with_surface_crack(const TubeWithSurfaceCrack&
   }
   const double share = front.closed_K_I / (result.nominal_shear * std::sqrt(pi * a));
   if (share > kClosedShare)
-    result.reason = fmt::format("where the faces touch {:.2g} of K0 is left as K_I", share);
+    result.reason = fmt::format("at touching faces the integrals leave {:.2g} of K0 as K_I", share);
   judge(result, tube.check_growth, faces.overlap);
   return result;
 }

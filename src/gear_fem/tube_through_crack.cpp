@@ -24,7 +24,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Lines through the wall, more than two layers grow from both faces to the middle.
+/// Lines through the wall; with more than two layers, layers grow from both faces to the middle.
 std::vector<double> wall_lines(double t, int layers) {
   std::vector<double> lines;
   for (int i = 0; i <= layers; ++i)  // points of a half circle
@@ -33,15 +33,15 @@ std::vector<double> wall_lines(double t, int layers) {
   return lines;
 }
 
-/// K_I that the integrals may leave on a closed front, of K0 = tau sqrt(pi a).
+/// Largest K_I that the integrals may leave on a closed front, over K0 = tau sqrt(pi a).
 constexpr double kClosedShare = 0.02;
 
-/// What the sound cup may have by solids more or less than by its section, relative [-].
+/// Largest relative difference of the sound cup's compliance between solid and section [-].
 constexpr double kSoundTolerance = 0.005;
 
 struct Solved {
   fem::SolidResult solid;
-  double area;  ///< of the crack
+  double area;  ///< area of the crack
 };
 
 CupSection cup_of(const TubeWithThroughCrack& tube) {
@@ -53,10 +53,10 @@ CupSection cup_of(const TubeWithThroughCrack& tube) {
           .boss = tube.ends.boss};
 }
 
-/// What of the crack a mesh has.
+/// Treatment of the crack in a mesh.
 enum class Wall {
   cracked,
-  sound,  ///< the same cells, not parted along the crack
+  sound,  ///< the same cells, joined along the crack
 };
 
 fem::HexMesh mesh_size(const TubeWithThroughCrack& tube, double a, Wall wall = Wall::cracked) {
@@ -69,7 +69,7 @@ fem::HexMesh mesh_size(const TubeWithThroughCrack& tube, double a, Wall wall = W
     for (double& radius : radii) radius += R;
     ends = mesh_cup_ends(cup_of(tube), radii);
   }
-  // From the generator (+y) toward -theta (-s).
+  // The angle runs from the generator (+y) toward -theta (-s).
   const ConfocalPlan plan{
       .half_length = a,
       .sized_for = tube.half_length,
@@ -82,7 +82,7 @@ fem::HexMesh mesh_size(const TubeWithThroughCrack& tube, double a, Wall wall = W
       .end = tube.ends.any() ? "end of the barrel between its collars" : "end of the tube",
       .sectors = tube.sectors,
       .rings = tube.rings,
-      // Away from a crack shorter than the wall is thick there is little to resolve.
+      // Away from a crack that is shorter than the wall's thickness, a coarse mesh is enough.
       .stretch = tube.half_length < t ? 1.3 : 1};
   const double tiny = 1e-9 * a;
   const double half_wall = t / 2;
@@ -125,13 +125,13 @@ fem::HexMesh mesh_size(const TubeWithThroughCrack& tube, double a, Wall wall = W
   return mesh;
 }
 
-/// Gives each point of a cup's fields the energy density that it has without the crack, by the same
-/// cells.
+/// Adds the energy density without the crack, computed with the same cells, to each point of a
+/// cup's fields.
 void add_sound_energy(fem::SampledFields& fields, const TubeWithThroughCrack& tube,
                       fem::SolidProblem problem) {
   problem.crack_tag = 0;
   problem.crack_faces = fem::CrackFaces::free;
-  problem.fields.every_cell = true;  // the ranks may share these cells in another way
+  problem.fields.every_cell = true;  // the ranks may own other cells in this mesh
   const auto start = std::chrono::steady_clock::now();
   const fem::SolidResult sound =
       fem::solve_solid(mesh_size(tube, tube.half_length, Wall::sound), problem);
@@ -163,7 +163,7 @@ Solved solve_size(const TubeWithThroughCrack& tube, double a) {
   return done;
 }
 
-/// The crack of a cup stays in the barrel, and clear of what joins it.
+/// Checks that the crack of a cup stays in the barrel and clear of its joints.
 void check_joints(const TubeWithThroughCrack& tube) {
   const double reach = tube.half_length * std::abs(std::cos(tube.angle));
   const auto check = [&](bool there, const char* joint, double distance) {
@@ -171,27 +171,26 @@ void check_joints(const TubeWithThroughCrack& tube) {
     const double clear = distance - reach;
     const double needed = kClearOfJoint * tube.wall_thickness;
     if (clear >= needed) return;
-    throw InputError(
-        "half_length",
-        clear < 0 ? fmt::format("the crack crosses the {}: it reaches {:.4g} m toward it, which is "
-                                "{:.4g} m from its middle",
-                                joint, reach, distance)
-                  : fmt::format("the crack ends {:.4g} m from the {}, where {} wall thicknesses, "
-                                "{:.4g} m, are needed",
-                                clear, joint, kClearOfJoint, needed));
+    throw InputError("half_length",
+                     clear < 0 ? fmt::format("the crack crosses the {}: it reaches {:.4g} m toward "
+                                             "it, but the distance from its middle is {:.4g} m",
+                                             joint, reach, distance)
+                               : fmt::format("the crack ends {:.4g} m from the {}, but {} wall "
+                                             "thicknesses, {:.4g} m, are needed",
+                                             clear, joint, kClearOfJoint, needed));
   };
   check(tube.ends.diaphragm.has_value(), "diaphragm", tube.place);
   check(tube.ends.rim.has_value(), "rim", tube.length - tube.place);
 }
 
-/// Checks the values and fills in those that were left to be chosen.
+/// Checks the values and chooses those that were left open.
 TubeWithThroughCrack completed(TubeWithThroughCrack tube) {
   check_tube(tube.mean_radius, tube.wall_thickness, tube.length, tube.angle, tube.place);
   if (tube.place == 0) tube.place = tube.length / 2;
   const double a = tube.half_length;
   require(a > 0 && std::isfinite(a), "half_length", a, "m", "half_length > 0");
   require(tube.torque > 0 && std::isfinite(tube.torque), "torque", tube.torque, "N*m",
-          "torque > 0; its sense is given apart");
+          "torque > 0, with its sense in `sense`");
   require(tube.order >= 2 && tube.order <= 4, "order", tube.order, "1", "2 <= order <= 4");
   require(tube.sectors == 0 || (tube.sectors >= 8 && tube.sectors <= 64 && tube.sectors % 8 == 0),
           "sectors", tube.sectors, "1", "a multiple of 8 from 8 to 64, or 0");
@@ -202,7 +201,8 @@ TubeWithThroughCrack completed(TubeWithThroughCrack tube) {
   const double t = tube.wall_thickness;
   if (tube.layers == 0) tube.layers = a >= t ? 1 : 2;
   if (tube.sectors == 0) {
-    // Bending of the wall reaches sqrt(r t), which the cells beside a long crack must not exceed.
+    // Bending of the wall reaches over sqrt(r t), so the cells beside a long crack must not be
+    // longer.
     const double reach = std::sqrt(tube.mean_radius * t);
     tube.sectors = 8 * std::clamp(static_cast<int>(std::ceil(a / reach / 0.7)), 2, 8);
   }
@@ -241,7 +241,8 @@ TubeCrackResult solve_tube_with_through_crack(const TubeWithThroughCrack& tube_g
         (solid.work / (torque * torque) - result.added_compliance) / cup.compliance - 1;  // (FE-50)
     if (result.reason.empty() && !(std::abs(result.sound_check) <= kSoundTolerance))
       result.reason = fmt::format(
-          "without the crack the solid's compliance differs by {:.2g} from that of the body of "
+          "without the crack, the compliance of the solid differs by {:.2g} from that of the body "
+          "of "
           "revolution",
           result.sound_check);
   }
@@ -275,7 +276,7 @@ TubeCrackResult solve_tube_with_through_crack(const TubeWithThroughCrack& tube_g
                                tube.material.youngs_modulus;
   const double share = closed_K_I / (result.nominal_shear * std::sqrt(pi * a));
   if (result.reason.empty() && !(share <= kClosedShare))
-    result.reason = fmt::format("where the faces touch {:.2g} of K0 is left as K_I", share);
+    result.reason = fmt::format("at touching faces the integrals leave {:.2g} of K0 as K_I", share);
   judge(result, tube.check_growth, least_K_I < -0.01 * largest_K);
   return result;
 }

@@ -11,7 +11,8 @@
 namespace strainwave {
 namespace {
 
-/// The same on every system: no drive letter, no root, no step up, no character that ends a name.
+/// Whether a name stays below its folder on every system: without drive letter, root, step up, or a
+/// character that ends a name.
 bool stays_below(std::string_view name) {
   if (name.starts_with('/') || name.find_first_of(std::string_view("\\:\0", 3)) != name.npos)
     return false;

@@ -24,7 +24,7 @@ std::string column_text(std::string_view name, std::string_view unit) {
   return fmt::format("{} [{}]", name, unit);
 }
 
-/// The places of a line behind the values.
+/// Number of places of a line behind the values.
 constexpr std::size_t kPlacesBehind = 5;
 
 [[noreturn]] void refuse(std::string_view name, std::size_t line, std::string_view problem) {
@@ -79,7 +79,7 @@ TablePoint row_of(const std::vector<std::string>& places, std::size_t n_at, std:
   return row;
 }
 
-/// The head of a file, by its keys.
+/// The head of a file by its keys.
 class Head {
  public:
   Head(std::string_view head, std::string_view name) : name_(name) {
@@ -119,7 +119,7 @@ class Head {
   std::vector<std::string> columns_;
 };
 
-/// Name and unit of "half_length [m]".
+/// Splits a text such as "half_length [m]" into name and unit.
 TableColumn named_unit(std::string_view text, std::string_view name) {
   const std::size_t open = text.find(" [");
   if (open == std::string_view::npos || !text.ends_with(']'))

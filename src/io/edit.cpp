@@ -16,7 +16,7 @@
 namespace strainwave {
 namespace {
 
-/// The index `[+]`, before the elements are counted.
+/// The index `[+]` before the elements are counted.
 constexpr std::size_t kOneMore = std::numeric_limits<std::size_t>::max();
 
 std::string piece(std::string_view text, Span span) {
@@ -35,7 +35,7 @@ Steps part(const Steps& path, std::size_t n) {
   return {path.begin(), path.begin() + static_cast<std::ptrdiff_t>(n)};
 }
 
-/// A key as TOML has it: bare where it may be.
+/// A key in TOML, bare if allowed.
 std::string quoted_key(std::string_view key) {
   const bool bare = !key.empty() && std::ranges::all_of(key, [](unsigned char c) {
     return (c < 0x80 && std::isalnum(c) != 0) || c == '_' || c == '-';
@@ -62,7 +62,7 @@ std::string path_text(const Steps& path) {
   return text;
 }
 
-/// The keys of a path with dots, as a header has them.
+/// The keys of a path joined by dots, as in a header.
 std::string keys_text(const Steps& path) {
   std::string text;
   for (const Step& step : path)
@@ -72,10 +72,11 @@ std::string keys_text(const Steps& path) {
 
 // --- Paths that the input format has -------------------------------------------------------------
 
-/// A path, with the names that each key could have had, in the order of the description.
+/// A path with the possible names of each key, in the order of the description.
 struct KnownPath {
   Steps steps;
-  std::vector<std::vector<std::string>> names;  ///< empty for an index and for a name of the user's
+  /// empty for an index and for a name chosen by the user
+  std::vector<std::vector<std::string>> names;
 };
 
 class PathReader {
@@ -89,7 +90,7 @@ class PathReader {
   }
 
  private:
-  /// What stands before the rest of the path.
+  /// The part before the rest of the path.
   [[nodiscard]] std::string before(std::string_view rest) const {
     return shown(whole_.substr(0, whole_.size() - rest.size()));
   }
@@ -110,7 +111,7 @@ class PathReader {
     rest.remove_prefix(1);
   }
 
-  /// A key between quotes; nothing if there are none.
+  /// A key between quotes; absent if the path has no quote here.
   std::optional<std::string> take_quoted(std::string_view& rest) const {
     if (!rest.starts_with('"') && !rest.starts_with('\'')) return std::nullopt;
     const std::string document = fmt::format("{}=0", rest.substr(0, end_of_quoted(rest)));
@@ -148,7 +149,7 @@ class PathReader {
     return static_cast<std::size_t>(std::stoul(std::string(digits)));
   }
 
-  /// Walks into the field of that name in the first of these structs that has it.
+  /// Walks into the named field of the first struct that has it.
   template <class... Alternatives>
   void walk_field(std::string_view rest, std::vector<std::string> names) {
     const std::string head = before(rest);
@@ -162,10 +163,11 @@ class PathReader {
     if (std::ranges::find(names, key) == names.end()) {
       const std::string near = nearest_word(key, names);
       const std::string dot = head.empty() ? "" : ".";
-      throw InputError(head + dot + shown(key),
-                       near.empty()
-                           ? fmt::format("is not known here; known are {}", fmt::join(names, ", "))
-                           : fmt::format("is not known here; did you mean {}?", head + dot + near));
+      throw InputError(
+          head + dot + shown(key),
+          near.empty()
+              ? fmt::format("is not known here; known names are {}", fmt::join(names, ", "))
+              : fmt::format("is not known here; did you mean {}?", head + dot + near));
     }
     push(key_step(key), names);
     if (key == "kind") return walk<std::string>(rest);
@@ -185,7 +187,7 @@ class PathReader {
     walk_field<Ts...>(rest, {"kind"});
   }
 
-  /// A name of the user's may have dots; the program prints it without quotes.
+  /// A name chosen by the user may contain dots; the program prints it without quotes.
   template <class Element>
   void walk_named(std::string_view rest) {
     take_dot(rest);
@@ -272,8 +274,8 @@ const toml::node* node_at(const toml::node& document, const Steps& path) {
   return node;
 }
 
-/// Whether `now` is `before` with this value at the path, or without what was there.
-/// @param depth  steps of the path that are done
+/// Whether `now` equals `before` except for this value at the path, or its removal.
+/// @param depth  number of completed steps of the path
 bool changed_only(const toml::node* before, const toml::node* now, const Steps& path,
                   std::size_t depth, const toml::node* value) {
   if (depth == path.size())
@@ -309,9 +311,9 @@ bool changed_only(const toml::node* before, const toml::node* now, const Steps& 
 
 struct NewValue {
   toml::table holder;                   ///< the value at the key "value"
-  std::string text;                     ///< on the right of =
+  std::string text;                     ///< text behind `=`
   std::vector<TomlItem> items;          ///< entries of a table, elements of a list
-  std::vector<std::string> item_texts;  ///< the values of these
+  std::vector<std::string> item_texts;  ///< the values of these items
   [[nodiscard]] const toml::node& node() const { return *holder.get("value"); }
 };
 
@@ -326,7 +328,7 @@ NewValue value_of(std::string_view text) {
     value.text = piece(source, scanned.span);
     value.items = scanned.items;
   } catch (const InputError&) {
-    // Not the right-hand side of a field; then the body of a table.
+    // It is not the right-hand side of a field, so try the body of a table.
     toml::table body = parse_toml(source, "value");
     TomlScan scan = scan_toml(source);
     if (body.empty() || scan.sections.size() != 1)
@@ -367,14 +369,14 @@ std::string item_text(const Steps& path, std::size_t from, const std::string& va
   return keys_text(keys) + " = " + value_below(path, end, value);
 }
 
-/// The value with the lists and tables around it that the rest of a path wants.
+/// The value with the lists and tables around it that the rest of a path requires.
 std::string value_below(const Steps& path, std::size_t from, const std::string& value) {
   if (from == path.size()) return value;
   if (path[from].is_index) return '[' + value_below(path, from + 1, value) + ']';
   return "{ " + item_text(path, from, value) + " }";
 }
 
-/// Where the comma behind an item ends; where the item ends, if there is none.
+/// End of the comma behind an item, or end of the item without a comma.
 std::size_t behind_comma(std::string_view text, const TomlValue& list, const TomlItem& item) {
   const std::size_t next = text.find_first_not_of(" \t\r\n", item.span.end);
   return next < list.span.end && text[next] == ',' ? next + 1 : item.span.end;
@@ -384,7 +386,7 @@ bool begins_its_line(std::string_view text, std::size_t at) {
   return is_blank(text.substr(line_at(text, at).begin, at - line_at(text, at).begin));
 }
 
-/// One item more at the end of a list or an inline table.
+/// Adds an item at the end of a list or an inline table.
 std::string with_item(const std::string& text, const TomlValue& list, const std::string& item) {
   if (list.items.empty()) {
     const bool table = list.kind == TomlValue::Kind::table;
@@ -419,12 +421,12 @@ std::string without_item(const std::string& text, const TomlValue& list, std::si
   return spliced(text, {item.span.begin, comma}, "");
 }
 
-/// The value of an entry, or what is inside it, that a path leads to.
+/// The value to which a path leads: that of an entry, or a value inside it.
 struct Inside {
   const TomlValue* value;
-  const TomlValue* around;  ///< the list or table that has it; none for the value of the entry
-  std::size_t item;         ///< in that
-  std::size_t depth;        ///< steps of the path that are done; all of them if it is there
+  const TomlValue* around;  ///< the list or table that contains it; null for the value of the entry
+  std::size_t item;         ///< index in `around`
+  std::size_t depth;        ///< number of completed steps of the path; all if the value exists
 };
 
 bool leads_to(const std::vector<std::string>& keys, const Steps& path, std::size_t depth) {
@@ -454,8 +456,8 @@ const TomlEntry* entry_above(const TomlScan& scan, const Steps& path) {
   return found == scan.entries.end() ? nullptr : &*found;
 }
 
-/// Where the comment directly above a line begins; the line itself if it has a comment behind it.
-/// The comment that the file begins with stays.
+/// Begin of the comment directly above a line, or of the line itself if a comment follows on the
+/// line.  The comment at the beginning of the file is left out.
 std::size_t with_comment_above(std::string_view text, Span line, std::size_t behind) {
   if (text.substr(behind, line.end - behind).find('#') != std::string_view::npos) return line.begin;
   std::size_t begin = line.begin;
@@ -483,7 +485,7 @@ std::string removed(const std::string& text, const Steps& path) {
       entry != nullptr && entry->path.size() < path.size()) {
     const Inside at = inside(*entry, path);
     if (at.depth == path.size()) return without_item(text, *at.around, at.item);
-    // A table that is written with dots inside an inline one.
+    // A table written with dots inside an inline table.
     std::string result = text;
     for (std::size_t i = at.value->items.size(); i-- > 0;) {
       Steps full = part(path, at.depth);
@@ -511,7 +513,7 @@ std::size_t rank(const std::vector<std::string>& names, const std::string& name)
   return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
 }
 
-/// A line of its own behind the entries of the section that the description has before it.
+/// Adds a line behind those entries of the section that precede it in the description.
 std::string with_line(const std::string& text, const TomlScan& scan, std::size_t section,
                       const std::string& key, const std::string& line,
                       const std::vector<std::string>& names) {
@@ -534,8 +536,8 @@ std::string with_line(const std::string& text, const TomlScan& scan, std::size_t
                      line + (open ? "" : line_end(text)));
 }
 
-/// A section of its own behind the sections that the description has before it.
-/// @param lines  of its body, each with its end
+/// Adds a section behind the sections that precede it in the description.
+/// @param lines  lines of its body, each with its line end
 std::string with_section(const std::string& text, const TomlScan& scan, const KnownPath& path,
                          const Steps& section, const std::string& lines) {
   Steps parent = section;
@@ -549,8 +551,8 @@ std::string with_section(const std::string& text, const TomlScan& scan, const Kn
     do parent.pop_back();
     while (!exists());
   }
-  // Of the sections of the parent: the last of those nearest before in the description, else the
-  // last one.
+  // Among the sections of the parent, take the last that precedes in the description, else the last
+  // section.
   const std::size_t depth = parent.size();
   const auto place = [&](const TomlSection& one) -> std::size_t {
     if (depth >= section.size() || section[depth].is_index) return 0;
@@ -597,7 +599,7 @@ std::string inserted(const std::string& text, const TomlScan& scan, const KnownP
   const std::string line = quoted_key(key) + " = " + right;
   for (std::size_t s = 0; s < scan.sections.size(); ++s)
     if (scan.sections[s].path == table) return with_line(text, scan, s, key, line, names);
-  // A table that is written with dots gets a line more of the same kind.
+  // A table written with dots gets another line of the same kind.
   const TomlEntry* dotted = nullptr;
   for (const TomlEntry& entry : scan.entries)
     if (begins_with(entry.path, table)) dotted = &entry;
@@ -614,7 +616,7 @@ std::string inserted(const std::string& text, const TomlScan& scan, const KnownP
 
 std::string changed(const std::string& text, const KnownPath& path, const NewValue& value);
 
-/// A table that is there gets the fields of another, one by one.
+/// Copies the fields of another table into an existing table, one by one.
 std::string with_fields(std::string text, const Steps& path, const toml::table& before,
                         const NewValue& value) {
   const toml::table& wanted = *value.node().as_table();
@@ -644,7 +646,7 @@ std::string with_fields(std::string text, const Steps& path, const toml::table& 
   return text;
 }
 
-/// The same of an array of tables, element by element.
+/// Copies an array of tables, element by element.
 std::string with_elements(std::string text, const Steps& path, std::size_t n_before,
                           const NewValue& value) {
   Steps below = path;
@@ -681,7 +683,7 @@ std::string changed(const std::string& text, const KnownPath& path, const NewVal
   return changed(removed(text, path.steps), path, value);
 }
 
-/// Counts `[+]`, and holds the path against what is there.
+/// Replaces `[+]` by an index, and checks the path against the document.
 void settle(const toml::node& document, Steps& path) {
   const toml::node* node = &document;
   for (std::size_t i = 0; i < path.size(); ++i) {

@@ -15,13 +15,14 @@
 namespace strainwave {
 namespace {
 
-/// Takes the material that a member names from the library, unless the file has one of that name.
+/// Takes the material that a member names from the library, unless the file defines it.
 template <class Member>
 void add_from_library(GearSet& gear, const std::optional<Member>& member, std::string_view path) {
   if (!member || gear.material.contains(member->material)) return;
   const std::string field = (FieldPath(std::string(path)) / "material").text();
   if (const MaterialRecord* const record = find_material(member->material)) {
-    // A table of the file wins; one that is meant but written otherwise must not be passed over.
+    // A table of the file takes precedence.  If its name is spelled differently, it must not be
+    // overlooked.
     for (const auto& [name, material] : gear.material)
       if (material.in_file() && find_material(name) == record)
         throw InputError(field, fmt::format("\"{}\" is in the material library, but the file gives "

@@ -15,11 +15,11 @@
 namespace strainwave {
 namespace {
 
-/// A unit that a file shows instead of the SI unit of a field, for values from `least` on.
+/// A unit that a file shows instead of the SI unit of a field for values of at least `least`.
 struct Alternative {
   std::string_view si;
   std::string_view shown;
-  double least = 0.0;  ///< in SI
+  double least = 0.0;  ///< least value in SI
 };
 constexpr std::array<Alternative, 6> kAlternatives = {{{"m", "mm", 1e-5},
                                                        {"m", "um", 0.0},
@@ -28,7 +28,7 @@ constexpr std::array<Alternative, 6> kAlternatives = {{{"m", "mm", 1e-5},
                                                        {"Pa", "MPa", 0.0},
                                                        {"Pa*m^0.5", "MPa*m^0.5", 0.0}}};
 
-/// A short text that the reader turns into the very same double.
+/// A short text that the reader converts to exactly the same double.
 std::string exact_text(double value, std::string_view unit) {
   std::string si = quantity_text(value, unit);
   const auto* const found = std::ranges::find_if(kAlternatives, [&](const Alternative& other) {
@@ -61,7 +61,7 @@ std::string toml_string(std::string_view text) {
   return result + '"';
 }
 
-/// A key of a table: bare where TOML allows it.
+/// A key of a table, bare if TOML allows it.
 std::string key_text(std::string_view key) {
   const bool bare = !key.empty() && std::ranges::all_of(key, [](unsigned char c) {
     return (std::isalnum(c) != 0 && c < 0x80) || c == '_' || c == '-';
@@ -80,7 +80,7 @@ class GearWriter {
 
   std::string text() && { return std::move(text_); }
 
-  /// Plain fields first, then the tables below: TOML wants it so.
+  /// Writes plain fields first, then the tables below, as TOML requires.
   template <Described T>
   void body(const T& value, const std::string& head, const FieldPath& path) {
     if constexpr (requires { T::kKind; }) line("kind", toml_string(T::kKind), path / "kind");
@@ -108,7 +108,7 @@ class GearWriter {
   }
 
  private:
-  /// Right-hand side of a plain field; empty for an optional one that is not there.
+  /// Right-hand side of a plain field; empty for an absent optional field.
   template <class T>
   static std::string plain(const T& value, const Field& field) {
     if constexpr (std::is_same_v<T, double>) {

@@ -35,14 +35,14 @@ struct Unwrapped<std::map<std::string, T>> {
   using type = T;
 };
 
-/// Type of the struct member that a pointer to member points at.
+/// Type of the member to which a pointer to member refers.
 template <class Struct, class Value>
 Value member_type(Value Struct::*);
 
 template <class Member>
 using ValueOf = decltype(member_type(std::declval<Member>()));
 
-/// A table, an array of tables or a table of tables: what has a heading of its own.
+/// True for a table, an array of tables or a table of tables, which have their own headings.
 template <class T>
 inline constexpr bool is_section =
     Described<typename Unwrapped<T>::type> || is_variant<typename Unwrapped<T>::type>;
@@ -70,7 +70,7 @@ class TemplateWriter {
     body<T>(path, {}, live);
   }
 
-  /// Plain fields first, then the tables below: TOML wants it so.
+  /// Writes plain fields first, then the tables below, as TOML requires.
   template <class T>
   void body(const std::string& path, std::string_view kind, bool live) {
     if (!kind.empty()) line(fmt::format("kind = \"{}\"", kind), {}, live);
@@ -99,7 +99,7 @@ class TemplateWriter {
       heading(fmt::format("[[{}]]", at), &field, shown);
       body<Inner>(at, {}, shown);
     } else if constexpr (is_vector<Value>) {
-      bool first = true;  // of the kinds of cracks one is live, the others are commented out
+      bool first = true;  // one kind of crack is active, the others are commented out
       for_each_alternative<Inner>([&]<class Alternative>() {
         heading(fmt::format("[[{}]]", at), &field, shown && first);
         body<Alternative>(at, Alternative::kKind, shown && first);

@@ -19,7 +19,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
 }
 
-/// The text of a line that is nothing but a comment; empty for any other.
+/// The text of a line that consists of a comment; empty for any other line.
 std::string_view comment_line(std::string_view line) {
   line = trimmed(line);
   if (!line.starts_with('#')) return {};
@@ -65,7 +65,8 @@ class Remarks {
   [[nodiscard]] std::string comment(const toml::node& node) const {
     const toml::source_region& source = node.source();
     if (source.end.line == 0 || source.end.line > lines_.size()) return {};
-    // Columns count characters, not bytes: behind the value only quotes, commas, brackets follow.
+    // Columns count characters, not bytes, so search from the value; only quotes, commas and
+    // brackets can follow.
     const std::string_view line = lines_[source.end.line - 1];
     std::size_t byte = 0;
     for (toml::source_index column = 1; byte < line.size() && column < source.end.column; ++byte) {

@@ -50,7 +50,7 @@ class Scanner {
     } else if (c == '"' || c == '\'') {
       skip_string();
     } else {
-      // A date may have a blank before its time.
+      // A date may contain a blank before its time.
       at_ = std::min(text_.find_first_of(",]}#\r\n", at_), text_.size());
       while (at_ > value.span.begin && kBlanks.find(text_[at_ - 1]) != kBlanks.npos) --at_;
       if (at_ == value.span.begin) refuse();
@@ -97,7 +97,7 @@ class Scanner {
         ++at_;
       } else if (long_form ? text_.substr(at_).starts_with(three) : peek() == quote) {
         at_ += long_form ? 3 : 1;
-        // Up to two quotes more belong to a long string.
+        // Up to two more quotes belong to a long string.
         for (int more = 0; long_form && more < 2 && at_ < text_.size() && text_[at_] == quote;
              ++more)
           ++at_;
@@ -143,7 +143,7 @@ class Scanner {
     return item;
   }
 
-  /// Behind a statement only blanks and a comment may stand on its line.
+  /// Only blanks and a comment may follow a statement on its line.
   std::size_t end_of_statement() {
     skip_blanks();
     if (at_ < text_.size() && std::string_view("#\r\n").find(text_[at_]) == std::string_view::npos)
@@ -179,7 +179,7 @@ class Scanner {
                     .section = scan_.sections.size() - 1,
                     .line = {line_at(text_, at_).begin, 0},
                     .item = key_and_value()};
-    // A byte order mark is no part of the first line.
+    // A byte order mark does not belong to the first line.
     entry.line.begin = std::max(entry.line.begin, scan_.sections.front().line.begin);
     for (const std::string& key : entry.item.keys) entry.path.push_back(key_step(key));
     entry.line.end = scan_.sections.back().end = end_of_statement();

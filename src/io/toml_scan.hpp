@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-// Where everything stands in TOML text, byte by byte: what a parser does not keep.  A private
-// header of io/edit.cpp.
+// Positions of all parts of TOML text in bytes, which a parser does not keep.  Private header of
+// io/edit.cpp.
 
 namespace strainwave {
 
@@ -46,24 +46,24 @@ struct TomlValue {
 /// An element of a list, or an entry of an inline table.
 struct TomlItem {
   std::vector<std::string> keys;  ///< empty in a list
-  Span span;                      ///< with its key
+  Span span;                      ///< span including the key
   TomlValue value;
 };
 
 /// `key = value` on a line of its own.
 struct TomlEntry {
-  Steps path;           ///< from the top of the document
-  std::size_t section;  ///< index of the section that it stands in
-  Span line;            ///< with indentation, comment and line end
+  Steps path;           ///< path from the top of the document
+  std::size_t section;  ///< index of its section
+  Span line;            ///< line with indentation, comment and line end
   TomlItem item;
 };
 
 /// `[a.b]` or `[[a.b]]`; the first section is the top of the document, without a header.
 struct TomlSection {
   Steps path;
-  Span line;           ///< the header's
-  std::size_t header;  ///< behind its brackets
-  std::size_t end;     ///< behind its last entry and the comments that belong to it
+  Span line;           ///< line of the header
+  std::size_t header;  ///< position behind its brackets
+  std::size_t end;     ///< position behind its last entry and that entry's comments
 };
 
 struct TomlScan {
@@ -71,20 +71,20 @@ struct TomlScan {
   std::vector<TomlEntry> entries;
 };
 
-/// @param text  that toml++ has accepted
-/// @throws InputError  this scanner cannot read it all the same
+/// @param text  text that toml++ has accepted
+/// @throws InputError  if this scanner cannot read it nevertheless
 [[nodiscard]] TomlScan scan_toml(std::string_view text);
 
-/// One right-hand side, without what surrounds it.
-/// @throws InputError  as scan_toml
+/// Scans a single right-hand side.
+/// @throws InputError  on the same conditions as scan_toml
 [[nodiscard]] TomlValue scan_toml_value(std::string_view text);
 
-/// The line that a byte stands in, with its end.
+/// The line that contains a byte, with its line end.
 [[nodiscard]] Span line_at(std::string_view text, std::size_t at);
 
-/// Only blanks up to the end.
+/// Whether a line has only blanks.
 [[nodiscard]] bool is_blank(std::string_view line);
-/// A line that is nothing but a comment.
+/// Whether a line consists of a comment.
 [[nodiscard]] bool is_comment(std::string_view line);
 
 }  // namespace strainwave

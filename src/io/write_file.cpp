@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
   throw Error(fmt::format("{}: cannot be written: {}", path.string(), why));
 }
 
-/// Why the last call of the system failed.
+/// Reason why the last system call failed.
 std::error_code last_fault() { return {errno, std::system_category()}; }
 
 /// Writes all of a text; a signal ends it with EINTR if it waits.
@@ -35,7 +35,7 @@ std::error_code write_all(int descriptor, std::string_view text) {
 }
 
 /// Writes all of a text and closes the file.
-/// @param safe  the text is on the disk when this returns
+/// @param safe  true: the text is on the disk on return
 std::error_code write_and_close(int descriptor, std::string_view text, bool safe) {
   std::error_code fault = write_all(descriptor, text);
   // A device and a pipe have nothing to make safe, and say EINVAL.
@@ -80,7 +80,7 @@ WaitingFile::WaitingFile(const fs::path& path, std::string_view text)
     descriptor = ::open(waiting_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     if (descriptor < 0 && errno != EEXIST) refuse(path, last_fault().message());
   }
-  // A new file has the permissions that the user's mask leaves.
+  // A new file gets the permissions that the user's mask allows.
   if (fs::exists(old)) (void)::fchmod(descriptor, mode);
   if (const std::error_code why = write_and_close(descriptor, text, false)) {
     fs::remove(waiting_, fault);

@@ -19,7 +19,7 @@ std::string number(const std::optional<double>& value) {
 
 std::string unit_of(const AuditRow& row) { return std::string(row.unit == "1" ? "" : row.unit); }
 
-/// Why the verdict, and the input that would reproduce the printed number.
+/// Reason of the verdict, and the input that reproduces the printed number.
 std::string reason(const AuditRow& row) {
   if (!row.reproduce) return row.sentence;
   const ReproducingInput& r = *row.reproduce;
@@ -45,9 +45,9 @@ std::string audit_text(std::span<const AuditRow> rows) {
     total +=
         fmt::format("{} {} {}", i == 0 ? "" : ",", counts[i], EnumNames<AuditVerdict>::names[i]);
   return "The article's worked example, number by number.  Units N, mm, MPa, rad.\n"
-         "printed: in the article; own: its own printed equation with its printed inputs; "
-         "corrected:\nthe corrected theory; ratio: printed/own, or own/corrected where nothing is "
-         "printed.\n\n" +
+         "printed: value in the article; own: result of the article's equation for its printed "
+         "inputs;\ncorrected: result of the corrected theory; ratio: printed/own, or own/corrected "
+         "if nothing is printed.\n\n" +
          text_table(table) + total + "\n";
 }
 

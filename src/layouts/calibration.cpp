@@ -24,10 +24,10 @@ std::string calibration_text(const Calibration& c) {
   for (const CalibratedFactor& f : c.factors) {
     std::string verdict = f.identified ? "identified" : "NOT IDENTIFIED";
     if (f.at_limit)
-      verdict += ": at the limit of what a fit may take";
+      verdict += ": the fit stopped at a limit of the factor";
     else if (!f.identified)
       verdict += ": uncertain by more than 50 %";
-    if (!f.plausible) verdict += "; outside what is plausible";
+    if (!f.plausible) verdict += "; outside the plausible range";
     factors.rows.push_back(cells(f.factor, fmt::format("{:.4g}", f.before),
                                  fmt::format("{:.4g}", f.value),
                                  fmt::format("{:.2g}", f.uncertainty), verdict));
@@ -47,8 +47,10 @@ std::string calibration_text(const Calibration& c) {
   }
   return fmt::format(
       "Calibration with {}: {} factors, {} values\n\n{}\n{}\n"
-      "All other numbers of the file taken as exact, {} values identify {} of {} combinations:\n"
-      "{}\nOne standard uncertainty, for values uncertain by {} each; residual {}, {} steps{}.\n",
+      "With all other numbers of the file taken as exact, {} values identify {} of {} "
+      "combinations:\n"
+      "{}\nUncertainties are one standard uncertainty, for values uncertain by {} each; residual "
+      "{}, {} steps{}.\n",
       c.source, c.factors.size(), c.stiffnesses.size(), text_table(stiffness), text_table(factors),
       c.stiffnesses.size(), std::ranges::count_if(c.combinations, &FactorCombination::identified),
       c.combinations.size(), text_table(combinations), percent(c.relative_uncertainty),
@@ -61,9 +63,9 @@ std::string calibrated_drive(const Calibration& calibration) {
     head += fmt::format("# {}: {:.4g}, was {:.4g}; standard uncertainty {:.2g}, {}\n",
                         enum_name(factor.factor), factor.value, factor.before, factor.uncertainty,
                         factor.identified ? "identified" : "not identified") +
-            (factor.at_limit    ? "#   at the limit of what a fit may take\n"
+            (factor.at_limit    ? "#   the fit stopped at a limit of the factor\n"
              : factor.plausible ? ""
-                                : "#   outside what is plausible\n");
+                                : "#   outside the plausible range\n");
   return head + gear_text(calibration.gear);
 }
 

@@ -11,7 +11,7 @@ namespace strainwave {
 std::string catalogue_text(const CatalogueRows& rows) {
   const auto number = [](double value) { return fmt::format("{:g}", value); };
   const auto section = [](const char* title, const Table& table) {
-    return title + (table.rows.empty() ? std::string("  no row\n") : text_table(table));
+    return title + (table.rows.empty() ? std::string("  no rows\n") : text_table(table));
   };
   Table stiffness{.head = {"size", "ratio", "T1", "T2", "K1", "K2", "K3", "sources"},
                   .align = "rrrrrrrl"};

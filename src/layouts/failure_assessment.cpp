@@ -14,7 +14,7 @@
 namespace strainwave {
 namespace {
 
-/// Names of the materials whose cracks have a point, each once, in the order of the cracks.
+/// Names of the materials whose cracks can be shown, each once, in the order of the cracks.
 std::vector<std::string> materials_of(const StiffnessResult& result) {
   std::vector<std::string> names;
   for (const CrackStrength& crack : result.strength) {
@@ -24,9 +24,10 @@ std::vector<std::string> materials_of(const StiffnessResult& result) {
       names.push_back(crack.material);
   }
   if (names.empty())
-    throw InputError("material",
-                     "no crack has a point in the failure assessment diagram: it takes "
-                     "fracture_toughness and yield_strength, and the corrected method");
+    throw InputError(
+        "material",
+        "the failure assessment diagram cannot show any crack; give fracture_toughness and "
+        "yield_strength of a cracked member's material, and use the method corrected");
   return names;
 }
 
@@ -59,8 +60,8 @@ PlotPanel failure_assessment_panel(const StiffnessResult& result, const GearSet&
   for (const CrackStrength& crack : result.strength)
     for (const StrengthState& state : crack.states) {
       if (!state.K_r || !state.L_r) continue;
-      // With the assembly the path begins on the axis, at what the assembly does alone; straight
-      // but for the interaction V.
+      // With the assembly, the path begins on the axis at the K of the assembly alone.  It is
+      // straight except for the interaction V.
       const double start = state.with_assembly ? state.K_assembly / *crack.toughness : 0.0;
       const bool reversed = state.sense != crack.states.front().sense;
       panel.series.push_back(

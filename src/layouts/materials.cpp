@@ -93,7 +93,7 @@ std::string number_in(const std::optional<Sourced<Kind>>& number, double unit) {
 
 std::string material_list_text(const MaterialData& data) {
   std::string text =
-      "Steels of the material library; * unverified, - not known\n"
+      "Steels of the material library; * means unverified, - means not known\n"
       "E in GPa, strengths in MPa, K_Ic in MPa*m^0.5\n\n";
   Table table{.head = {"name", "E", "nu", "yield", "tensile", "K_Ic", "growth", "use"},
               .align = "lrrrrrll"};

@@ -15,7 +15,7 @@
 namespace strainwave {
 namespace {
 
-constexpr double kNoise = 1e-12;  // of the arithmetic; elasticities are of the order of one
+constexpr double kNoise = 1e-12;  // rounding noise; elasticities are of the order of one
 
 /// The outputs of one kind: they stand in a table of their own.
 struct Group {
@@ -45,7 +45,7 @@ std::vector<Group> groups_of(const Sensitivity& sensitivity) {
   return groups;
 }
 
-/// The inputs that any output of a group depends on, the largest elasticity first.
+/// The inputs on which at least one output of a group depends, the largest elasticity first.
 std::vector<const SensitivityInput*> inputs_of(const Sensitivity& sensitivity, const Group& group) {
   const auto largest = [&](const SensitivityInput* input) {
     double most = 0.0;
@@ -60,7 +60,7 @@ std::vector<const SensitivityInput*> inputs_of(const Sensitivity& sensitivity, c
   return inputs;
 }
 
-/// A row whose cells are those of the outputs of a group.
+/// Adds a row with one cell for each output of a group.
 template <class Cell>
 void add_row(Table& table, std::string label, std::string value, const Group& group,
              const Cell& cell) {
@@ -97,7 +97,7 @@ TornadoPanel panel_of(const Sensitivity& sensitivity, const Group& group) {
     panel.series.push_back(std::move(series));
   }
   for (std::size_t i = 0; i < shown; ++i) panel.labels.push_back(inputs[i]->path);
-  // One bar tells as much where both senses are the same to the eye.
+  // One bar is enough if both senses look the same.
   if (panel.series.size() == 2 &&
       std::ranges::equal(panel.series[0].values, panel.series[1].values,
                          [](double a, double b) { return std::abs(a - b) < 5e-4; })) {
@@ -157,10 +157,10 @@ std::vector<TitledTable> scatter_tables(const Scatter& scatter, const Sensitivit
     value("5 %", &ScatterOutput::low);
     value("median", &ScatterOutput::median);
     value("95 %", &ScatterOutput::high);
-    add_row(table, "beside it: form of the model", "", group, [&](std::size_t y) {
+    add_row(table, "in addition: form of the model", "", group, [&](std::size_t y) {
       return accuracy({1.0, "1", scatter.outputs[y].model_uncertainty});
     });
-    table.rows.push_back({"deviation of each input, and its share of the variance, first order"});
+    table.rows.push_back({"deviation of each input and its share of the variance, first order"});
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < scatter.inputs.size(); ++i) order.push_back(i);
     std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) {
@@ -192,7 +192,7 @@ std::string sensitivity_text(const SensitivityReport& report, const GearSet& gea
                            input.path, input.influence[y].derivative);
   }
   if (!zeros.empty())
-    text += "\nInputs that are 0, which have a derivative but no elasticity\n" + zeros;
+    text += "\nInputs that are 0: the derivative exists, the elasticity does not\n" + zeros;
   if (!sensitivity.no_influence.empty())
     text += '\n' +
             paragraph(fmt::format("No influence: {}", fmt::join(sensitivity.no_influence, ", ")));

@@ -42,10 +42,10 @@ std::string solve_text(const SolveResult& result) {
   }
   if (!result.reason.empty())
     text += paragraph((result.usable() ? "Note: " : "NO SOLUTION: ") + result.reason) + '\n';
-  if (result.usable())  // else the reason says it
+  if (result.usable())  // otherwise the reason contains the range
     text += paragraph(fmt::format("Over the searched range {} lies {}", result.target.output,
                                   output_range(result)));
-  if (!result.excluded.empty()) text += "Left out of the search\n";
+  if (!result.excluded.empty()) text += "Parts of the range left out of the search\n";
   for (const Excluded& part : result.excluded) {
     const std::string from = input(part.from);
     const std::string to = input(part.to);
@@ -54,7 +54,7 @@ std::string solve_text(const SolveResult& result) {
                       2);
   }
   if (!result.solutions.empty() && !result.solutions.front().result.notes.empty()) {
-    text += result.solutions.size() > 1 ? "\nNotes on the first\n" : "\nNotes\n";
+    text += result.solutions.size() > 1 ? "\nNotes on the first solution\n" : "\nNotes\n";
     text += notes_text(result.solutions.front().result.notes);
   }
   return text;

@@ -17,7 +17,7 @@
 namespace strainwave {
 namespace {
 
-/// The warranted digits of a quantity in another unit.
+/// A quantity in another unit with the digits that its accuracy warrants.
 std::string digits_in(const Quantity& q, double unit_in_si) {
   return warranted_digits({q.value / unit_in_si, q.unit, q.relative_uncertainty});
 }
@@ -106,7 +106,7 @@ std::string three_digits(const std::optional<double>& value) {
   return value ? fmt::format("{:.3g}", *value) : "-";
 }
 
-/// The states of each crack, then the verdict in words.
+/// Table with the states of each crack, then the verdict in words.
 Table strength_table(const std::vector<CrackStrength>& strength) {
   Table table{
       .head = {"", "K/K_Ic", "L_r", "K_r", "line", "reserve", "critical", "r_p/lig.", "verdict"},

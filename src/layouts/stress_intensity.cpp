@@ -33,7 +33,7 @@ std::string load_names(const sif::Row& row) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// Limits, then rules.
+/// Limits of the range, then rules between fields.
 std::vector<std::string_view> range_and_rules(const DescribedSolution& solution) {
   std::vector<std::string_view> texts = solution.validity();
   for (const std::string_view rule : solution.rules()) texts.push_back(rule);
@@ -56,7 +56,7 @@ std::string sif_list_text(const SolutionList& list) {
     text += fmt::format("  {:{}}  {}\n  {:{}}  modes {}; loads {}; {}\n", info.name, width,
                         info.title, "", width, info.modes, load_names(*row), accuracy_of(info));
   }
-  return text + fmt::format("\n{} solutions; `strainwave sif show NAME` says more\n",
+  return text + fmt::format("\n{} solutions; `strainwave sif show NAME` describes one\n",
                             list.solutions.size());
 }
 
@@ -92,7 +92,7 @@ std::string sif_solution_text(const DescribedSolution& solution) {
     for (const auto& one : list) table.rows.push_back(row_of(one));
     text += heading + text_table(table);
   };
-  names("\nFields, with the values taken when left out\n", row.fields, [](const Field& field) {
+  names("\nFields, with the values used if left out\n", row.fields, [](const Field& field) {
     std::string example(field.example);
     std::erase(example, '"');
     return cells(field.name, example,
@@ -119,7 +119,7 @@ std::string sif_evaluation_text(const sif::Evaluation& e) {
                              shown_quantity(input.value, input.unit, 5, input.name),
                              input.given ? "" : missing});
   };
-  add(e.fields, "taken, not given");
+  add(e.fields, "default, not given");
   add(e.loads, "not given");
   text += text_table(inputs);
   const auto number = [](double value) { return fmt::format("{:.5g}", value); };
@@ -144,7 +144,7 @@ std::string sif_evaluation_text(const sif::Evaluation& e) {
       table.rows.push_back({"over the fracture toughness", number(*e.utilisation)});
     text += text_table(table);
     if (e.pressed)
-      text += "  K_I < 0: the faces press on each other there, and mode I counts as 0 (FR-17)\n";
+      text += "  K_I < 0: the faces press on each other, so mode I counts as 0 (FR-17)\n";
   }
   text += fmt::format("\nAdded compliance ({}, E = {:.4g} GPa, nu = {:.3g})\n",
                       enum_name(e.info.constraint), e.material.youngs_modulus / units::GPa,

@@ -28,7 +28,7 @@ constexpr std::array<Mode, 3> kModes = {
 }  // namespace
 
 std::string sif_plot(const sif::Row& row, const sif::Assignments& values) {
-  // Through `evaluate`, so that the plot refuses what the numbers refuse.
+  // Use `evaluate`, so the plot refuses the same inputs as the numbers.
   const sif::Evaluation evaluation = sif::evaluate(row, values);
   sif::Assignments fields;
   for (const sif::Input& field : evaluation.fields) fields.emplace(field.name, field.value);

@@ -17,7 +17,7 @@
 namespace strainwave {
 namespace {
 
-/// A column of a sweep in display units; NaN where a point has no such output.
+/// Columns of a sweep in display units; NaN if a point lacks the output.
 class SweepTable {
  public:
   explicit SweepTable(const SweepResult& result) : result_(result) {}
@@ -61,7 +61,7 @@ AxisScale scale_of(const Variation& variation) {
                                                                          : AxisScale::linear;
 }
 
-/// What the cracks of one member contribute to the loss of stiffness under positive torque [%]:
+/// Contribution of the cracks of one member to the loss of stiffness under positive torque [%]:
 /// their compliance over that of the cracked drive.
 std::vector<double> loss_by_member(const SweepResult& result, const SweepTable& table,
                                    std::string_view member) {
@@ -81,7 +81,7 @@ std::vector<double> negated(std::vector<double> values) {
   return values;
 }
 
-/// "method corrected; 3 of 60 points are left out: refused, or not usable"
+/// The subtitle, such as "method corrected; 3 of 60 points are left out: refused, or not usable".
 std::string subtitle(const SweepResult& result) {
   const auto left_out =
       std::ranges::count_if(result.rows, [](const SweepRow& row) { return !row.usable(); });

@@ -54,7 +54,7 @@ TitledTable lines_table(const TorsionReport& report, const GearSet& gear) {
                          counted(static_cast<std::size_t>(report.bands->draws), "drive"),
                          counted(gear.range.size(), "range"));
     if (report.bands->rejected > 0)
-      remark += fmt::format(", {} more could not be built", report.bands->rejected);
+      remark += fmt::format("; {} further draws could not be assembled", report.bands->rejected);
   }
   return {"Torsion curve in the maker's numbers, with the cracks of the file", table, remark};
 }
@@ -95,7 +95,7 @@ TitledTable points_table(const TorsionReport& report) {
     std::ranges::replace(name, '_', ' ');
     add(name, [&](const CurvePoint& p) { return fmt::format("{:.1f} %", 100 * p.share[m]); });
   }
-  return {"Points of the curve, and what each member has of the tangent compliance", table};
+  return {"Points of the curve, and the share of each member in the tangent compliance", table};
 }
 
 TitledTable rim_table(const TorsionReport& report) {
@@ -108,7 +108,7 @@ TitledTable rim_table(const TorsionReport& report) {
   add("rim at the tooth roots, hoop", &RimState::rim_outside_stress);
   add("rim at its bore, hoop", &RimState::rim_inside_stress);
   add("barrel at the rim, hoop bending", &RimState::barrel_bending_stress);
-  add("barrel, shear of the torque", &RimState::barrel_shear_stress);
+  add("barrel, shear from the torque", &RimState::barrel_shear_stress);
   return {fmt::format("Stress over a turn of the wave generator at {} N*m [MPa], without "
                       "concentration (TC-24)",
                       shown_number(report.torques.rated)),
@@ -129,17 +129,17 @@ TitledTable comparison_table(const CurveComparison& c) {
   add("worst", &ChangesOverTurn::worst);
   add("best", &ChangesOverTurn::best);
   add("ripple", &ChangesOverTurn::ripple);
-  const char* const where = c.crack_class == CrackClass::series ? "a member in series"
+  const char* const where = c.crack_class == CrackClass::series ? "in a member in series"
                             : c.crack_class == CrackClass::contact_path
                                 ? "in the path of the contacts"
                             : c.crack_class == CrackClass::none ? "cannot tell"
-                                                                : "cannot tell, or several";
+                                                                : "cannot tell, or in several";
   return {fmt::format("Change of stiffness by the cracks, at {} position{} over a turn of the wave "
                       "generator",
                       c.angles.size(), c.angles.size() == 1 ? "" : "s"),
           table,
           fmt::format("Lost motion {} without, {} arcmin with cracks; largest width of the loop {} "
-                      "and {} arcmin. Where the crack is: {}; {} (TC-26)",
+                      "and {} arcmin. Place of the crack: {}; {} (TC-26)",
                       arcmin(c.lost_motion_sound), arcmin(c.lost_motion_cracked),
                       arcmin(c.hysteresis_sound), arcmin(c.hysteresis_cracked), where, c.evidence)};
 }

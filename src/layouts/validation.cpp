@@ -15,7 +15,7 @@ std::string ratio_text(const std::optional<double>& ratio) {
   return ratio ? fmt::format("{:.2f}", *ratio) : std::string("-");
 }
 
-/// "0.43*": the mark says that a fit stopped at a limit.
+/// A factor as text, such as "0.43*"; the mark shows that the fit stopped at a limit.
 std::string factor_text(double value, bool at_limit) {
   return fmt::format("{:.3g}{}", value, at_limit ? "*" : "");
 }
@@ -28,26 +28,26 @@ std::string what_was_done(const Validation& v) {
       "shaft.";
   switch (v.options.mode) {
     case ValidationMode::geometry:
-      return base + "\nNothing is fitted.";
+      return base + "\nNo factor is fitted.";
     case ValidationMode::leave_one_size_out:
-      return base + fmt::format(
-                        "\nFitted: {}; sizes from 17, ratios from 50, without the row's own "
-                        "size.",
-                        factor_names(v.options.factors));
+      return base +
+             fmt::format(
+                 "\nFitted: {}; to sizes from 17 and ratios from 50, without the size of the row.",
+                 factor_names(v.options.factors));
     case ValidationMode::per_row:
-      return base + fmt::format("\nFitted: {}, to each row by itself: what the model can follow.",
-                                factor_names(v.options.factors));
+      return base +
+             fmt::format("\nFitted: {}, to each row alone; this shows what the model can follow.",
+                         factor_names(v.options.factors));
   }
   return base;
 }
 
 constexpr std::string_view kHonesty =
-    "The proportions stood before the comparison.  The factors did not: while the model was made, "
-    "every\nset of one to three of the seven was fitted to all sizes at once, and many come as "
-    "near.  That of\nthe default has an unknown each of housing (support), tooth (coning) and cam "
-    "(cam_flattening), which\nnobody publishes, and needs none of them at a limit.  --all-sets "
-    "fits "
-    "all again.";
+    "The proportions were fixed before the comparison, but the choice of factors was not.  "
+    "During\ndevelopment, every set of one to three of the seven factors was fitted to all sizes "
+    "at once, and\nmany sets fit equally well.  The default set has one unknown each of housing "
+    "(support), tooth\n(coning) and cam (cam_flattening), which nobody publishes, and none of them "
+    "ends at a limit.\nUse --all-sets to fit all sets again.";
 
 std::string trial_values(const FactorTrial& trial) {
   std::string values;
@@ -72,7 +72,7 @@ Table error_table(const Validation& v) {
   return table;
 }
 
-/// Each row of the catalogue; with fitted factors their values.
+/// Table with each row of the catalogue, and the values of fitted factors.
 Table row_table(const Validation& v) {
   Table table{.head = {"size", "ratio", "K1", "K2", "K3", "p/c", "p/c", "p/c"}, .align = "r"};
   if (banded(v)) table.head.insert(table.head.end(), {"band of K1", "of K2", "of K3"});
@@ -105,7 +105,7 @@ Table trial_table(const Validation& v) {
 
 constexpr std::string_view kRowsAre = "catalogue [1e4 N*m/rad], then predicted/catalogue (p/c)";
 
-/// Where the model cannot follow a row.
+/// The rows that the model cannot follow.
 std::string failing_rows(const Validation& v) {
   int rows = 0;
   std::string failing;
@@ -139,11 +139,11 @@ std::string validation_text(const Validation& v) {
                             : fmt::format("; {} without an equilibrium left out.", v.failed_draws));
   text += fmt::format("\nEach row: {}\n", kRowsAre) + text_table(row_table(v));
   if (v.options.mode == ValidationMode::geometry) return text;
-  text += fmt::format("\nLast columns: {}.  *: at the limit of what is {}.\n",
+  text += fmt::format("\nLast columns: {}.  * marks a factor at the limit of its {} range.\n",
                       factor_names(v.options.factors),
                       v.options.mode == ValidationMode::per_row ? "allowed" : "plausible");
   if (v.options.mode != ValidationMode::leave_one_size_out) return text;
-  return text + fmt::format("\n{}\n\n|error| of the rows fitted\n", kHonesty) +
+  return text + fmt::format("\n{}\n\n|error| of the fitted rows\n", kHonesty) +
          text_table(trial_table(v));
 }
 

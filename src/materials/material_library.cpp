@@ -22,7 +22,7 @@ inline constexpr std::string_view kKindsOf<GrowthLaw> = "growth law";
 
 namespace {
 
-/// Lower case and without blanks: names that nobody would hold apart.
+/// The name in lower case without blanks; names that agree in this form count as equal.
 std::string plain_name(std::string_view name) {
   std::string result;
   for (const char c : name) {
@@ -58,8 +58,9 @@ void check_names(const MaterialLibrary& library) {
   const auto take = [&](const FieldPath& path, const std::string& name) {
     check_text(path.text(), name);
     if (!taken.insert(plain_name(name)).second)
-      throw InputError(path.text(),
-                       fmt::format("\"{}\" is there twice, but for case and blanks", shown(name)));
+      throw InputError(
+          path.text(),
+          fmt::format("\"{}\" is given twice; case and blanks do not count", shown(name)));
   };
   for (std::size_t i = 0; i < library.material.size(); ++i) {
     const MaterialRecord& record = library.material[i];
@@ -86,7 +87,7 @@ void check_sources(const MaterialLibrary& library) {
   for (const auto& [key, text] : library.source) {
     const std::string field = (FieldPath("source") / key).text();
     check_text(field, text);
-    if (!used.contains(key)) throw InputError(field, "is the source of nothing");
+    if (!used.contains(key)) throw InputError(field, "is not used by any number");
   }
 }
 
@@ -111,7 +112,8 @@ void check_law(const FieldPath& path, const NasgroLaw& law) {
           law.threshold_at_one, "Pa*m^0.5", "threshold_at_one < plane_strain_toughness");
 }
 
-/// Two branches of one line meet where the first ends, or one of the numbers is mistyped.
+/// Checks that two branches of one law meet at the end of the first; otherwise a number is
+/// mistyped.
 void check_branches(const FieldPath& path, const std::vector<GrowthLaw>& growth) {
   for (std::size_t i = 1; i < growth.size(); ++i) {
     const auto* const first = std::get_if<ParisLaw>(&growth[i - 1]);
@@ -121,7 +123,7 @@ void check_branches(const FieldPath& path, const std::vector<GrowthLaw>& growth)
       continue;
     require(*second->from == *first->to, (path[i] / "from").text(), *second->from, "Pa*m^0.5",
             "from = to of the branch before it");
-    constexpr double kDigits = 0.01;  // of three printed digits
+    constexpr double kDigits = 0.01;  // accuracy of three printed digits
     require(std::abs(transition_range(*first, *second) / *first->to - 1) < kDigits,
             (path[i] / "from").text(), *second->from, "Pa*m^0.5",
             "the branches give the same growth where they meet");

@@ -16,7 +16,7 @@ std::string in_quotes(std::string_view text) {
   return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// JSON has no infinity and no NaN.
+/// Writes a number; JSON cannot represent infinity and NaN.
 std::string bare(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "null"; }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Builds a schema from the inside out: the schema of the innermost type closes first.
+/// Builds a schema from the inside out: the schema of the innermost type is completed first.
 class SchemaWriter : public TypeVisitor {
  public:
   explicit SchemaWriter(SchemaOf what) : what_(what) {}
@@ -28,7 +28,7 @@ class SchemaWriter : public TypeVisitor {
   }
   void field(const Field& field, Presence presence) override {
     fields_.back() = field;
-    // Which options are required, the command knows: a flag and a list may be left out.
+    // The command determines which options are required; flags and lists may always be left out.
     if (what_ == SchemaOf::result && presence == Presence::always)
       open_.back()["required"].push_back(field.name);
   }
@@ -91,7 +91,7 @@ class SchemaWriter : public TypeVisitor {
     open_.pop_back();
     place(std::move(schema));
   }
-  /// Puts a schema where the innermost open one has a place for it.
+  /// Inserts a schema into the innermost open schema.
   void place(Json schema) {
     if (open_.empty()) {
       done_ = std::move(schema);
@@ -113,7 +113,7 @@ class SchemaWriter : public TypeVisitor {
 
   SchemaOf what_;
   std::vector<Json> open_;
-  std::vector<Field> fields_;  // of the open records, the field whose type comes next
+  std::vector<Field> fields_;  // for each open record, the field whose type comes next
   Json done_;
 };
 

@@ -12,7 +12,7 @@
 
 namespace strainwave::report {
 
-/// What all chapters read, and what they add to for the chapters behind them.
+/// Data that all chapters read and to which they add for later chapters.
 struct Draft {
   const GearSet& gear;
   const Provenance& provenance;
@@ -21,9 +21,9 @@ struct Draft {
   std::string input_text;
   StiffnessResult result;
   std::vector<NumberedCrack> cracks;
-  std::vector<Note> notes = {};             ///< of the result and of other models, each once
+  std::vector<Note> notes = {};             ///< notes of the result and of other models, each once
   std::vector<std::string> equations = {};  ///< tags, each once
-  std::string inputs_summary = {};          ///< how many inputs are known in which way; plain text
+  std::string inputs_summary = {};          ///< number of inputs by origin; plain text
 
   void add(const std::vector<Note>& more);
   void add(const std::vector<std::string>& tags);

@@ -54,8 +54,9 @@ ReportSection notes_chapter(const Draft& draft) {
 
 ReportSection accuracy_chapter(const Draft& draft) {
   if (draft.result.accuracies.empty())
-    return {"accuracy", "Accuracy of the models",
-            paragraph("This method states no accuracy: its formulas are repeated as they are.")};
+    return {
+        "accuracy", "Accuracy of the models",
+        paragraph("This method states no accuracy, because it repeats the formulas as printed.")};
   std::vector<Row> rows;
   for (const AccuracyBasis& basis : draft.result.accuracies)
     rows.push_back({{fmt::format("<code>{}</code>", escaped(basis.path)),
@@ -63,9 +64,9 @@ ReportSection accuracy_chapter(const Draft& draft) {
                     {}});
   return {"accuracy", "Accuracy of the models",
           paragraph("One standard relative uncertainty of the model's form, as it enters the "
-                    "compliance. What is not known of the inputs is not in it.") +
-              table("What the accuracies rest on", {"of", "uncertainty", "what it rests on"},
-                    {{"", rows}}, {.style = "evidence", .numbers = 99})};
+                    "compliance. The uncertainty of the inputs is not included.") +
+              table("Basis of the accuracies", {"of", "uncertainty", "basis"}, {{"", rows}},
+                    {.style = "evidence", .numbers = 99})};
 }
 
 ReportSection equations_chapter(const Draft& draft) {
@@ -75,10 +76,11 @@ ReportSection equations_chapter(const Draft& draft) {
     items +=
         fmt::format("<li id=\"{0}\"><b>{0}</b> {1}</li>\n", equation.tag, escaped(equation.title));
   }
-  return {"equations", "Equations used",
-          paragraph("Tags and titles of the theory manual of this version, where each is derived "
-                    "or cited.") +
-              fmt::format("<ul class=\"equations\">\n{}</ul>\n", items)};
+  return {
+      "equations", "Equations used",
+      paragraph("Tags and titles of the theory manual of this version, which derives or cites each "
+                "equation.") +
+          fmt::format("<ul class=\"equations\">\n{}</ul>\n", items)};
 }
 
 ReportSection provenance_chapter(const Draft& draft) {

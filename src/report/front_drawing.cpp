@@ -16,15 +16,15 @@ namespace {
 
 using namespace report;
 
-constexpr double kRound = 112;      // of the drawing, at most [mm]
-constexpr double kOvality = 0.055;  // of the exaggerated deflection per radius
+constexpr double kRound = 112;      // largest radius of the drawing [mm]
+constexpr double kOvality = 0.055;  // exaggerated deflection per radius
 
-/// A point at an angle from the major axis, which stands upright; seen against +z.
+/// A point at an angle from the major axis, which is upright; the view is against +z.
 Point at_angle(double radius, double angle) {
   return {-radius * std::sin(angle), radius * std::cos(angle)};
 }
 
-/// How many times too large the deflection is drawn.
+/// Factor by which the deflection is enlarged.
 double exaggeration(const GearSet& gear, double radius) {
   const double wanted = kOvality * radius / gear.drive.radial_displacement;
   double factor = 1;
@@ -75,7 +75,7 @@ class Front {
   }
 
  private:
-  /// Radius of what is round before assembly, deflected: true at the lobes.
+  /// Deflected radius of a part that is round before assembly; it is true at the lobes.
   [[nodiscard]] double deflected(double radius, double angle) const {
     const double w0 = gear_.drive.radial_displacement;
     return radius + w0 - factor_ * w0 * (1 - std::cos(gear_.drive.wave_number * angle));
@@ -104,7 +104,7 @@ class Front {
     }
   }
 
-  /// A radial line from the surface that the crack starts from; a tooth has it over its height.
+  /// Adds a radial line from the surface where the crack starts; for a tooth, over its height.
   void add(const NumberedCrack& crack, double angle) {
     const CrackPlace& c = crack.place;
     double from = at_.tooth_root;
@@ -127,7 +127,8 @@ class Front {
     Point target;
   };
 
-  /// Marks round the drawing at the angle of their crack, pushed apart where they would overlap.
+  /// Draws marks round the drawing at the angles of their cracks, moved apart where they would
+  /// overlap.
   void draw_marks() {
     std::vector<double> wanted;
     for (const Placed& c : placed_) wanted.push_back(std::remainder(c.angle, 2 * std::numbers::pi));
@@ -142,7 +143,7 @@ class Front {
   }
 
   std::string finish() {
-    // The words stand beside the drawing, or below it where there is no room.
+    // The words are beside the drawing, or below it if the room does not suffice.
     constexpr double kWords = 64;
     const bool beside = 2 * half_ + 16 + kWords <= kPaperWidth;
     const double x = beside ? 2 * half_ + 16 : 10;
@@ -174,10 +175,10 @@ class Front {
 
   const GearSet& gear_;
   const Layout& at_;
-  const std::vector<NumberedCrack>& cracks_;  ///< those with a position
+  const std::vector<NumberedCrack>& cracks_;  ///< cracks with a position
   Sheet sheet_;
   double factor_;
-  double half_ = 0.0;  ///< of the square that the drawing takes [mm]
+  double half_ = 0.0;  ///< half of the square that the drawing takes [mm]
   std::vector<Placed> placed_;
 };
 

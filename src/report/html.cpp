@@ -16,17 +16,17 @@ std::string attribute(std::string_view name, std::string_view value) {
   return value.empty() ? std::string() : fmt::format(" {}=\"{}\"", name, value);
 }
 
-/// Widths of a line of text in a chart [mm], estimated: wider than most fonts make it.
-constexpr double kWide = 1.95;    // a character
-constexpr double kNarrow = 1.72;  // a character of the small size
+/// Estimated widths of text in a chart [mm], wider than in most fonts.
+constexpr double kWide = 1.95;    // width of a character
+constexpr double kNarrow = 1.72;  // width of a small character
 
 double characters(std::string_view text) {
   return static_cast<double>(std::ranges::count_if(
       text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-/// Where a label that is too long for one line ends its first: behind the last dot, comma or blank
-/// that fits, so that the two lines are as even as may be.
+/// Place at which a label that is too long is broken: behind the last dot, comma or blank that
+/// fits, such that the two lines are of similar length.
 std::size_t break_of(std::string_view label) {
   std::size_t best = 0;
   for (std::size_t i = 1; i + 1 < label.size(); ++i) {
@@ -100,7 +100,7 @@ std::string quantity(std::string_view path, const Quantity& q, double unit_in_si
 }
 
 std::string bar_chart(const BarChart& chart) {
-  // Millimetres of paper, as the drawings.
+  // Lengths are millimetres of paper, as in the drawings.
   constexpr double kWidth = 180;
   constexpr double kMostLabels = 66;
   constexpr double kRow = 6;
@@ -164,7 +164,7 @@ std::string bar_chart(const BarChart& chart) {
                         coordinate(x(*chart.reference)), coordinate(kTop - 1.5), coordinate(y));
     words(x(*chart.reference), kTop - 2.6, "small middle", chart.reference_label);
   }
-  // In the middle of the bars, as far as the paper is wide enough.
+  // Place the axis label in the middle of the bars, as far as the paper is wide enough.
   const double half = kNarrow * characters(chart.axis) / 2;
   words(std::max(half, std::min((left + right) / 2, kWidth - half)), y + 3.6, "small middle",
         chart.axis);
@@ -183,7 +183,8 @@ std::string figure(std::string_view svg, std::string_view caption, std::string_v
 }
 
 std::string plot_figure(const std::string& svg, std::string_view caption) {
-  // Its rules stand one to a line; in a page they would reach every other picture and the text.
+  // Each rule of the style sheet has one line.  In a page, the rules would affect all other
+  // pictures and the text.
   constexpr std::string_view kBegin = "<style>\n";
   constexpr std::string_view kEnd = "</style>";
   std::string confined;

@@ -20,7 +20,7 @@ struct Row {
 };
 /// Rows under a heading of their own.
 struct RowGroup {
-  std::string title;  ///< plain text; empty: none
+  std::string title;  ///< plain text; empty: no heading
   std::vector<Row> rows;
 };
 struct TableLook {
@@ -28,46 +28,47 @@ struct TableLook {
   std::size_t numbers = 99;  ///< columns from this one on are aligned as numbers
 };
 
-/// A table that scrolls in its own box where the screen is narrow; its head is repeated on paper.
+/// A table that scrolls in its own box on a narrow screen; its head is repeated on paper.
 [[nodiscard]] std::string table(std::string_view caption, const std::vector<std::string>& head,
                                 const std::vector<RowGroup>& groups, const TableLook& look = {});
 
-/// A plain table with its title and remark; one cell across the columns heads a group of rows.
+/// A plain table with its title and remark; a single cell across the columns is the heading of a
+/// group of rows.
 [[nodiscard]] std::string table(const TitledTable& plain);
 
-/// A quantity with the digits that it warrants, all its digits in `value`, and its place in the
+/// A quantity shown with its warranted digits, with all digits in `value` and its path in the
 /// result: `<data value="..." data-path="...">`.
 ///
-/// @param unit_in_si  the unit to show it in; the unit itself is not written
+/// @param unit_in_si  the display unit in SI; the unit itself is not written
 [[nodiscard]] std::string quantity(std::string_view path, const Quantity& q,
                                    double unit_in_si = 1.0);
 
-/// A bar from one value to another; most begin at zero.
+/// A bar from one value to another; most bars begin at zero.
 struct Bar {
   std::string label;
   double from = 0.0;
   double to = 0.0;
-  std::string text;   ///< behind it
+  std::string text;   ///< text behind the bar
   std::string style;  ///< "", "crack", "low", "high"
-  /// On the line of the bar before, as the other side of a tornado.
+  /// Draw on the line of the previous bar, as the other side of a tornado.
   bool same_line = false;
 };
 struct BarChart {
   std::string id;  ///< unique in the report
   std::string title;
-  std::string axis;  ///< what the bars measure, with unit
+  std::string axis;  ///< meaning of the bars, with unit
   std::vector<Bar> bars = {};
   std::optional<double> reference = {};  ///< a line across all bars
   std::string reference_label = {};
 };
-/// Horizontal bars as SVG, in colours that the page sets.
+/// Horizontal bars as SVG, in the colours of the page.
 [[nodiscard]] std::string bar_chart(const BarChart& chart);
 
 /// A figure with its caption (plain text); `style` is its class.
 [[nodiscard]] std::string figure(std::string_view svg, std::string_view caption,
                                  std::string_view style);
 
-/// A plot of `svg_plot`, its style sheet confined to itself.
+/// A plot of `svg_plot` whose style sheet is restricted to the plot.
 [[nodiscard]] std::string plot_figure(const std::string& svg, std::string_view caption);
 
 [[nodiscard]] std::string paragraph(std::string_view text, std::string_view style = {});

@@ -16,7 +16,7 @@
 namespace strainwave::report {
 namespace {
 
-/// Who gave a value.
+/// Origin of a value.
 enum class Giver { file, catalogue, typical, assumed, fallback, library };
 constexpr std::array<std::string_view, 6> kGivers = {
     "in the file", "catalogue", "typical", "assumed", "default", "material library"};
@@ -29,14 +29,14 @@ struct Entry {
   std::string remark;
 };
 
-/// A TOML value of a field's description as people write it.
+/// A TOML value of a field's description without its quotes.
 std::string unquoted(std::string_view toml) {
   if (toml.size() > 1 && toml.front() == '"' && toml.back() == '"')
     toml = toml.substr(1, toml.size() - 2);
   return std::string(toml);
 }
 
-/// How well the material library knows a number, and its source there.
+/// Confidence of a number in the material library, and its source there.
 std::string library_evidence(std::string_view material, std::string_view property) {
   std::string text = "see the validity notes";
   const MaterialRecord* const record = find_material(material);
@@ -58,7 +58,7 @@ class Collector {
   Collector(const GearSet& gear, const std::string& text)
       : gear_(gear), remarks_(input_remarks(text)) {}
 
-  /// Groups of entries by the table that they stand in, in the order of the file's description.
+  /// Groups of entries by table, in the order of the file's description.
   std::vector<std::pair<std::string, std::vector<Entry>>> collect() && {
     walk(gear_, FieldPath(), Field{});
     return std::move(groups_);
@@ -85,7 +85,7 @@ class Collector {
           },
           value);
     } else if constexpr (Described<T>) {
-      // Plain fields first: a table below begins a group of its own.
+      // Plain fields come first, because a table below begins its own group.
       T::describe([&](const Field& inner, auto member) {
         using Value = std::decay_t<decltype(value.*member)>;
         if constexpr (!is_table<Value>) {
@@ -110,7 +110,7 @@ class Collector {
     }
   }
 
-  /// @param taken  value from the material library; empty if it is none
+  /// @param taken  value from the material library; empty if the value has another origin
   void add(const FieldPath& path, const Field& field, const std::string& taken) {
     if (path.text() == "format" || path.text() == "name") return;
     Entry entry{.path = path.text(), .meaning = std::string(field.doc), .value = {}, .remark = {}};
@@ -194,9 +194,9 @@ ReportSection inputs_chapter(Draft& draft) {
   }
   draft.inputs_summary = summary;
   summary +=
-      ". “In the file” stands for what the file gives without saying how it is known; “default” is "
-      "filled in by strainwave because the file does not say. Of a typical or assumed value, the "
-      "remark gives the limits and where they come from.";
+      ". “In the file” means that the file gives the value without its origin. “Default” means "
+      "that strainwave uses its default, because the file leaves the value out. For a typical or "
+      "assumed value, the remark gives the limits and their origin.";
   return {"inputs", "Inputs",
           paragraph(summary) + table("Inputs, as the file writes them",
                                      {"field", "value", "given by", "meaning", "remark"}, groups,

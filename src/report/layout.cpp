@@ -13,7 +13,7 @@
 namespace strainwave::report {
 namespace {
 
-// Proportions of what is sketched only: near enough to recognise, of no other meaning.
+// Proportions of sketched parts; they only serve recognition.
 constexpr double kSketchedFace = 0.16;        // face width per pitch diameter
 constexpr double kSketchedSpline = 1.34;      // outer diameter of the circular spline, as above
 constexpr double kSketchedToothRoot = 1.021;  // its inner diameter, as above
@@ -45,7 +45,7 @@ void place_flexspline(const GearSet& gear, Layout& at) {
   at.barrel = tube(*fs.barrel, at.rim ? at.rim->z2 : 0);
   at.end = at.barrel->z2;
   if (fs.diaphragm) {
-    // Flat outside, its thickness inward.
+    // The outer side is flat; the thickness extends inward.
     const Diaphragm& plate = *fs.diaphragm;
     const double inner = plate.inner_diameter / 2;
     const double outer = plate.outer_diameter / 2;
@@ -82,7 +82,7 @@ void place_wave_generator(const GearSet& gear, Layout& at) {
   const bool width_given = wg.inner_ring_width || (wg.bearing && wg.bearing->outer_ring);
   const double thickness = wg.inner_ring_thickness.value_or(0.025 * gear.drive.pitch_diameter);
   double outer_inside = 0.0;  // radius of the outer raceway
-  double race = 0.0;          // of the inner one
+  double race = 0.0;          // radius of the inner raceway
   if (wg.bearing) {
     const Bearing& bearing = *wg.bearing;
     race = bearing.inner_raceway_diameter / 2;
@@ -169,7 +169,7 @@ Polygon semi_ellipse(Point at, double half, double depth, Point into) {
     const double t = std::numbers::pi * i / kSteps;
     const double along = half * std::cos(t);
     const double down = depth * std::sin(t);
-    // The surface runs across the direction into it.
+    // The surface runs perpendicular to the direction into the material.
     points.push_back(
         {at.x + along * into.y + down * into.x, at.y - along * into.x + down * into.y});
   }
@@ -177,10 +177,10 @@ Polygon semi_ellipse(Point at, double half, double depth, Point into) {
 }
 
 void draw_detail(Sheet& sheet, const Detail& detail, Point corner) {
-  constexpr double kTop = 8.5;      // title above
-  constexpr double kSide = 3;       // free on each side
-  constexpr double kDepth = 12;     // of the crack, at most
-  constexpr double kWallMost = 19;  // of the wall that is seen
+  constexpr double kTop = 8.5;      // space for the title above
+  constexpr double kSide = 3;       // free space on each side
+  constexpr double kDepth = 12;     // largest depth of the crack
+  constexpr double kWallMost = 19;  // largest thickness of the visible wall
   double scale = drawing_scale(detail.depth, kDepth);
   if (detail.shape == Detail::Shape::ellipse)
     scale = std::min(scale, drawing_scale(2 * detail.half, kDetailWidth - 4 * kSide));

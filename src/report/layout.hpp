@@ -9,7 +9,7 @@
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/report/section_drawing.hpp"
 
-// Where the parts of a drive lie: z from the open end of the flexspline toward the output, radii
+// Positions of the parts of a drive: z from the open end of the flexspline toward the output, radii
 // before assembly.
 
 namespace strainwave::report {
@@ -20,7 +20,7 @@ struct Ring {
   double z2 = 0.0;
   double inner = 0.0;
   double outer = 0.0;
-  /// The file gives all of it; else some is sketched.
+  /// True if the file gives all dimensions; else some are sketched.
   bool given = true;
 
   [[nodiscard]] double middle() const { return (z1 + z2) / 2; }
@@ -34,16 +34,16 @@ struct Layout {
   std::optional<Ring> inner_ring;
   std::optional<Ring> outer_ring;
   double ball_diameter = 0.0;  ///< 0: no wave generator
-  double ball_radius = 0.0;    ///< of the balls' pitch circle
+  double ball_radius = 0.0;    ///< radius of the balls' pitch circle
   bool ball_given = false;
-  std::optional<Ring> rim;     ///< the wall under the teeth; with a factor, sketched part of it
+  std::optional<Ring> rim;     ///< the wall under the teeth; with a factor, a sketched part of it
   std::optional<Ring> barrel;  ///< with a factor, the whole wall
-  std::optional<Ring> bottom;  ///< of a cup; its polygon is `bottom_outline`
+  std::optional<Ring> bottom;  ///< bottom of a cup; its polygon is `bottom_outline`
   Polygon bottom_outline;
   std::optional<Ring> boss;
   std::optional<Ring> circular_spline;
   std::optional<Ring> shaft;
-  double teeth_width = 0.0;   ///< axial
+  double teeth_width = 0.0;   ///< axial width of the teeth
   double tooth_root = 0.0;    ///< radius of the roots of the flexspline's teeth
   double tooth_height = 0.0;  ///< sketched
   double end = 0.0;           ///< largest z
@@ -54,7 +54,7 @@ struct Layout {
 
 [[nodiscard]] Layout layout_of(const GearSet& gear);
 
-/// The ring or tube that a crack is in; neither tooth nor diaphragm is one.
+/// The ring or tube that contains a crack; not defined for a tooth or the diaphragm.
 [[nodiscard]] const Ring& ring_of(const Layout& layout, CrackedPart part);
 
 /// A semi-ellipse over `half` on each side of a point of a surface, into the direction `into`.
@@ -63,7 +63,7 @@ struct Layout {
 /// Cracks smaller than this on paper [mm] are enlarged.
 inline constexpr double kVisible = 0.7;
 
-/// What of a small crack is shown again: its wall, cut through the crack, surface up.
+/// The enlarged view of a small crack: its wall, cut through the crack, with the surface up.
 struct Detail {
   int number = 0;
   std::string path = {};
@@ -73,7 +73,7 @@ struct Detail {
   enum class Shape { ellipse, rectangle, line } shape = Shape::rectangle;
 };
 
-/// The detail in a box of 40 x 30 mm, its upper left corner at a point of the paper.
+/// Draws the detail in a box of 40 x 30 mm with its upper left corner at a point of the paper.
 void draw_detail(Sheet& sheet, const Detail& detail, Point corner);
 inline constexpr double kDetailWidth = 40;
 inline constexpr double kDetailHeight = 32;

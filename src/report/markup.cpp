@@ -13,7 +13,7 @@
 namespace strainwave::report {
 namespace {
 
-/// Length of the UTF-8 character at the start of `text`; 0 if it is none that XML allows.
+/// Length of the UTF-8 character at the start of `text`; 0 if XML does not allow it.
 std::size_t character_length(std::string_view text) {
   const auto byte = [&](std::size_t i) {
     return i < text.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])) : 0U;

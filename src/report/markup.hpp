@@ -4,24 +4,26 @@
 #include <string>
 #include <string_view>
 
-// Text as HTML and SVG want it.
+// Text in the form that HTML and SVG require.
 
 namespace strainwave::report {
 
-/// Text from outside as the content of an element or of a quoted attribute: `<`, `>`, `&` and both
-/// quotes as entities; what XML has no place for (control characters, broken UTF-8) as U+FFFD.
+/// Foreign text as the content of an element or of a quoted attribute.  `<`, `>`, `&` and both
+/// quotes become entities; characters that XML forbids (control characters, broken UTF-8) become
+/// U+FFFD.
 [[nodiscard]] std::string escaped(std::string_view text);
 
-/// A coordinate on paper [mm], to a micrometre, without trailing zeros.
+/// A coordinate on paper [mm], rounded to a micrometre, without trailing zeros.
 [[nodiscard]] std::string coordinate(double millimetres);
 
-/// Numbers in a text as people write them: "6.33·10⁻⁶" for "6.33e-06", with a true minus.
+/// A text with its numbers typeset: "6.33·10⁻⁶" for "6.33e-06", with a typographic minus sign.
 [[nodiscard]] std::string typeset(std::string_view text);
 
 /// The label of a row or column of a plain table as HTML: symbols and units are typeset.
 [[nodiscard]] std::string label(std::string_view text);
 
-/// A number for people: `digits` significant ones, a true minus, no exponent where that is short.
+/// A number for people with `digits` significant digits, a typographic minus sign, and without an
+/// exponent if that is short enough.
 [[nodiscard]] std::string number(double value, int digits = 4);
 
 /// A length in mm with its unit: "0.755 mm".

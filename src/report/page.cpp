@@ -7,8 +7,8 @@
 namespace strainwave {
 namespace {
 
-// No `<` or `&` in it: the page is XML as well.  Plots are black on white by themselves, so they
-// stand on a white card in the dark.
+// The style must not contain `<` or `&`, because the page is XML as well.  Plots are black on
+// white, so they get a white card on a dark screen.
 constexpr std::string_view kPageStyle = R"css(
 :root {
   color-scheme: light dark;

@@ -34,7 +34,7 @@ struct VerdictWord {
   std::string_view style;
   std::string_view word;
 };
-/// In the order of Judgement.
+/// Words of the verdicts, in the order of Judgement.
 constexpr std::array kVerdictWords = {
     VerdictWord{"good", "Usable"}, VerdictWord{"care", "Usable with care"},
     VerdictWord{"bad", "Critical"}, VerdictWord{"care", "Cannot be told"}};
@@ -45,20 +45,21 @@ std::string key_number(std::string_view label, const std::string& value, std::st
                      unit, remark);
 }
 
-/// What the report answers on strength, and what it does not; plain text, empty without cracks.
+/// The result on strength in words, or why there is none; plain text, empty without cracks.
 std::string strength_words(const Draft& draft) {
   if (draft.cracks.empty()) return {};
   if (draft.result.strength.empty())
     return draft.corrected()
-               ? "Strength: not assessed, no toughness or yield strength in the file."
-               : fmt::format("Strength: not assessed, the method {} has no failure assessment.",
-                             enum_name(draft.result.method));
+               ? "Strength: not assessed, because the file gives no toughness or yield strength."
+               : fmt::format(
+                     "Strength: not assessed, because the method {} has no failure assessment.",
+                     enum_name(draft.result.method));
   return "Strength at the given load: " + strength_summary(draft.result.strength) +
          ", under the worse sense of the torque.";
 }
 
-/// The least reserve of all states of the cracks that are assessed, both senses of torque; else
-/// the largest share of the toughness.
+/// The least reserve of all assessed states under both senses of torque; without one, the largest
+/// share of the toughness.
 std::string strength_number(const Draft& draft) {
   const CrackStrength* weakest = nullptr;
   const StrengthState* least = nullptr;
@@ -112,7 +113,7 @@ std::string verdict_html(const Draft& draft) {
     if (crack.breaks())
       html +=
           fmt::format("<p><code>{}</code>: {}</p>\n", escaped(crack.path), escaped(crack.sentence));
-  if (broken) html += paragraph("The stiffness below is that of the cracks as they stand.");
+  if (broken) html += paragraph("The stiffness below is for the cracks in their present state.");
   html += paragraph("Inputs: " + draft.inputs_summary + ".");
   html += "<dl class=\"key\">\n";
   const auto stiffness = [&](const std::string& path, const Quantity& K) {
@@ -163,17 +164,19 @@ ReportSection drawing_chapter(const Draft& draft) {
   std::string html;
   const std::string section = section_drawing(draft.gear);
   if (section.empty())
-    html += paragraph("The file gives no member that could be drawn.", "absent");
+    html += paragraph("The file gives no member to draw.", "absent");
   else
-    html +=
-        figure(section, "Half section through the axis; cracks in red, at their numbers.", "paper");
+    html += figure(
+        section, "Half section through the axis. Cracks are red and carry their numbers.", "paper");
   const std::string front = front_drawing(draft.gear);
   if (!front.empty())
-    html += figure(front, "Where the cracks are round the axis, the wave generator as it stands.",
+    html += figure(front,
+                   "Positions of the cracks round the axis, with the major axis of the wave "
+                   "generator upright.",
                    "paper");
   const std::string wall = wall_drawing(draft.gear);
   if (!wall.empty())
-    html += figure(wall, "Cracks of the wall; β = +45° is opened by T > 0.", "paper");
+    html += figure(wall, "Cracks of the wall. T > 0 opens a crack at β = +45°.", "paper");
   if (!draft.cracks.empty()) {
     std::vector<Row> rows;
     for (const NumberedCrack& crack : draft.cracks)
@@ -189,9 +192,9 @@ ReportSection drawing_chapter(const Draft& draft) {
     });
     if (surface)
       html += paragraph(
-          "From which surface a crack over the width of a ring starts is not in the file: it is "
-          "drawn from the raceway of a bearing ring, from the teeth of rim and circular spline; a "
-          "crack or groove of the flexspline from outside.",
+          "The file does not state from which surface a crack over the width of a ring starts. The "
+          "drawing lets it start at the raceway of a bearing ring and at the teeth of rim and "
+          "circular spline. A crack or groove of the flexspline starts outside.",
           "remark");
   }
   return {"drawing", "The drive and its cracks", html};
@@ -227,7 +230,7 @@ Report make_report(const GearSet& gear, const Provenance& provenance, const Repo
   made.sections.push_back(sensitivity_chapter(draft));
   made.sections.push_back(intensities_chapter(draft));
   made.sections.push_back(strength_chapter(draft));
-  // Behind all that add notes and equations.
+  // These chapters come last, because the others add notes and equations.
   made.sections.push_back(notes_chapter(draft));
   made.sections.push_back(accuracy_chapter(draft));
   made.sections.push_back(equations_chapter(draft));

@@ -66,7 +66,7 @@ RowGroup coupled_group(const CurveResult& curve, const GearSet& gear) {
   return group;
 }
 
-/// A zero but for the noise of the arithmetic, which stays in `value`.
+/// Shows a value that is zero within rounding as 0 and keeps the number in `value`.
 std::string nothing(const std::string& path, const Quantity& q) {
   return fmt::format("<data value=\"{}\" data-path=\"{}\">0</data>", q.value, path);
 }
@@ -112,7 +112,7 @@ ReportSection results_chapter(const Draft& draft) {
               &IntactDrive::wind_up, &CrackedDrive::wind_up, "wind_up", units::arcmin)}});
   std::string html = paragraph(fmt::format(
       "Load at the output: T = {} N·m, P = {} N. Both senses of torque are computed. Accuracy is "
-      "one standard relative uncertainty of the model's form; the inputs are taken as they stand.",
+      "one standard relative uncertainty of the model's form, without that of the inputs.",
       number(draft.gear.load.torque, 6), number(draft.gear.load.axial_force, 6)));
   html +=
       table("Compliance and stiffness", {"", "sound", "share", kPositive, kNegative, "accuracy"},
@@ -139,7 +139,7 @@ ReportSection shares_chapter(const Draft& draft) {
       "bars");
   if (!r.cracks.empty()) {
     BarChart cracks{.id = "shares-cracks",
-                    .title = "What each crack adds to the compliance",
+                    .title = "Compliance that each crack adds",
                     .axis = "added compliance per compliance of the sound drive [%]"};
     std::vector<Row> rows;
     for (const CrackReport& crack : r.cracks) {
@@ -163,7 +163,8 @@ ReportSection shares_chapter(const Draft& draft) {
                        accuracy(crack.positive.at_output)},
                       {}});
     }
-    html += figure(bar_chart(cracks), "What each crack adds, under torque at its place.", "bars");
+    html += figure(bar_chart(cracks),
+                   "Compliance that each crack adds under the torque at its place.", "bars");
     html += table("Added compliance of each crack at the output [rad/(N·m)]",
                   {"crack", "kind", "opens under", "<i>T</i> &gt; 0", "<i>T</i> &lt; 0",
                    "of the sound, <i>T</i> &gt; 0", "accuracy"},
@@ -172,8 +173,8 @@ ReportSection shares_chapter(const Draft& draft) {
   for (const NumberedCrack& crack : draft.cracks)
     if (std::ranges::find(r.cracks, crack.path, &CrackReport::path) == r.cracks.end())
       html += paragraph(
-          fmt::format("Crack {} ({}, {}) adds nothing to this sum of compliances: it acts through "
-                      "the contacts, and the torsion curve alone has it.",
+          fmt::format("Crack {} ({}, {}) adds nothing to this sum of compliances, because it acts "
+                      "through the contacts. Only the torsion curve contains its effect.",
                       crack.number, crack.path, crack.kind),
           "remark");
   return {"shares", "Shares of members and cracks", html};
@@ -190,7 +191,7 @@ ReportSection intensities_chapter(const Draft& draft) {
                          const std::string& name, bool first) {
       const std::string at = path + ".stress_intensity." + name;
       const double largest = std::abs(K.largest().value);
-      // Noise of the arithmetic against the largest mode is none.
+      // A mode that is only rounding compared with the largest mode counts as zero.
       const auto mode = [&](const char* which, const Quantity& K_mode) {
         return std::abs(K_mode.value) < 1e-12 * largest ? nothing(at + which, K_mode)
                                                         : quantity(at + which, K_mode, units::MPa);
@@ -207,13 +208,13 @@ ReportSection intensities_chapter(const Draft& draft) {
       row("largest on the front", *crack.largest, "largest", !crack.deepest);
   }
   if (rows.empty())
-    html += paragraph(draft.cracks.empty()
-                          ? "The file has no cracks."
-                          : "None of the cracks has a stress intensity in this method.");
+    html +=
+        paragraph(draft.cracks.empty() ? "The file has no cracks."
+                                       : "This method gives no stress intensity for these cracks.");
   if (!rows.empty() && r.strength.empty())
     html += paragraph(
-        "The materials of the cracked members give no fracture_toughness: what these "
-        "stress intensities mean for the part is not said here.",
+        "The materials of the cracked members give no fracture_toughness, so the "
+        "report cannot judge these stress intensities.",
         "remark");
   if (!rows.empty())
     html += table("Stress intensities at the given load, load alone [MPa·√m]",
@@ -222,8 +223,8 @@ ReportSection intensities_chapter(const Draft& draft) {
                   {{"", rows}}, {.style = "results", .numbers = 2});
   for (const CrackReport& crack : r.cracks)
     if (!crack.deepest)
-      html += paragraph(fmt::format("{} ({}) has no stress intensity: it is modelled by what it "
-                                    "takes from the section.",
+      html += paragraph(fmt::format("{} ({}) has no stress intensity, because the model only "
+                                    "reduces the section.",
                                     crack.path, crack.kind),
                         "remark");
   return {"intensities", "Stress intensities of the load alone against toughness", html};

@@ -17,14 +17,14 @@ namespace {
 
 using namespace report;
 
-// Millimetres of paper.
-constexpr double kLeft = 20;     // marks of the parts at the open end
-constexpr double kRight = 10;    // behind the output
-constexpr double kHeight = 100;  // of the half section, at most
-constexpr double kMarks = 7;     // between two marks
-constexpr double kLine = 4.3;    // of the list of parts
+// Lengths in millimetres of paper.
+constexpr double kLeft = 20;     // space for the marks of the parts at the open end
+constexpr double kRight = 10;    // space behind the output
+constexpr double kHeight = 100;  // largest height of the half section
+constexpr double kMarks = 7;     // distance between two marks
+constexpr double kLine = 4.3;    // height of a line in the list of parts
 
-/// A part with its mark: where it stands in the list, and what it points at.
+/// A part with its mark: its place in the list and its target.
 struct Marked {
   std::string text;
   Point target;  ///< real [m]
@@ -46,7 +46,8 @@ class Section {
         sheet_(std::min(drawing_scale(at_.end, kPaperWidth - kLeft - kRight),
                         drawing_scale(at_.top, kHeight)),
                {0, 0}) {
-    // The row of crack marks above, the drawing, the row of part marks below the axis.
+    // From top to bottom: the row of crack marks, the drawing, the row of part marks below the
+    // axis.
     const double above = cracks_.empty() ? 4 : 12;
     axis_ = above + sheet_.paper(at_.top) + 3;
     const double drawn = sheet_.paper(at_.end);
@@ -203,7 +204,7 @@ class Section {
 
   // --- cracks -----------------------------------------------------------------------------------
 
-  /// Draws a crack and remembers its mark, and its detail if it is too small to be seen.
+  /// Draws a crack and keeps its mark, and its detail if the crack is too small to be visible.
   void add(const NumberedCrack& crack, const Polygon& shape, bool closed, double seen,
            std::optional<Detail> detail) {
     sheet_.crack(crack.path, shape, closed);
@@ -214,7 +215,8 @@ class Section {
       highest = std::max(highest, p.y);
     }
     middle.y = highest;
-    // Several over the whole width of the teeth lie above each other: point beside each other.
+    // Several cracks over the whole width of the teeth coincide in the drawing, so let their marks
+    // point beside each other.
     if (closed && shape.size() == 4 && sheet_.paper(shape[1].x - shape[0].x) > kMarks)
       middle.x = shape[0].x + (shape[1].x - shape[0].x) * (0.2 + 0.2 * (n_wide_++ % 4));
     crack_marks_.push_back({std::to_string(crack.number), sheet_.paper(middle), "crack"});
@@ -279,7 +281,8 @@ class Section {
                  .shape = Detail::Shape::rectangle});
   }
 
-  /// Walls with several cracks show them beside each other; the file does not say where they are.
+  /// Place of a crack in a wall.  Several cracks are drawn beside each other, because the file does
+  /// not give their places.
   double crack_place(const Ring& r) {
     const auto count = std::ranges::count_if(cracks_, [&](const NumberedCrack& crack) {
       return crack.place.angle && &ring_of(at_, crack.place.part) == &r;
@@ -317,7 +320,8 @@ class Section {
   void left(Point target, std::string text) { parts_.push_back({std::move(text), target, true}); }
   void below(Point target, std::string text) { parts_.push_back({std::move(text), target, false}); }
 
-  /// Marks at the open end and below the axis, and the list of what they mean; returns its end.
+  /// Draws the marks at the open end and below the axis and their list; returns the end of the
+  /// list.
   double draw_part_marks() {
     std::vector<double> rows;
     std::vector<double> columns;
@@ -376,7 +380,7 @@ class Section {
   std::vector<Balloon> crack_marks_;
   std::vector<Detail> details_;
   std::map<const Ring*, int> placed_;
-  int n_wide_ = 0;  ///< cracks over the width of a ring, so far
+  int n_wide_ = 0;  ///< number of cracks over the width of a ring so far
 };
 
 }  // namespace

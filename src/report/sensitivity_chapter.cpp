@@ -19,7 +19,7 @@ constexpr std::size_t kMostBars = 12;
 constexpr std::size_t kMostRows = 20;
 
 std::string elasticity_text(double elasticity) {
-  constexpr double kNoise = 1e-12;  // of the arithmetic; elasticities are of the order of one
+  constexpr double kNoise = 1e-12;  // rounding noise; elasticities are of the order of one
   return std::abs(elasticity) < kNoise ? "0" : typeset(fmt::format("{:+.3g}", elasticity));
 }
 
@@ -34,7 +34,7 @@ std::string tornado(const Sensitivity& s, std::size_t output, const std::string&
   const std::string what = output_words(s.outputs[output].name);
   BarChart chart{.id = id,
                  .title = "Elasticities of the " + what,
-                 .axis = "percent of change for one percent more of the input"};
+                 .axis = "change in percent when the input increases by 1 %"};
   for (const SensitivityInput* input : inputs) {
     const double elasticity = input->influence[output].elasticity;
     chart.bars.push_back({.label = input->path,
@@ -44,7 +44,8 @@ std::string tornado(const Sensitivity& s, std::size_t output, const std::string&
   }
   return chart.bars.empty()
              ? std::string()
-             : figure(bar_chart(chart), "What weighs most on the " + what + ".", "bars");
+             : figure(bar_chart(chart), "Inputs with the strongest influence on the " + what + ".",
+                      "bars");
 }
 
 std::string scatter_html(Draft& draft, const Sensitivity& s) {
@@ -70,8 +71,8 @@ ReportSection absent(std::string_view why) {
 ReportSection sensitivity_chapter(Draft& draft) {
   if (!draft.corrected())
     return absent(
-        fmt::format("No sensitivity: the method {} has none; it is that of the method "
-                    "corrected.",
+        fmt::format("No sensitivity: only the method corrected has one, and this report uses "
+                    "the method {}.",
                     enum_name(draft.result.method)));
   try {
     const Sensitivity s = sensitivity_of(draft.gear);

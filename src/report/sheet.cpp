@@ -54,7 +54,7 @@ std::string path_data(const Polygon& points, bool closed) {
   return closed ? d + "Z" : d;
 }
 
-/// Where lines of one direction, `spacing` apart, are inside a polygon.
+/// The parts of lines of one direction, `spacing` apart, that lie inside a polygon.
 std::string hatch_data(const Polygon& outline, const Hatch& hatch) {
   const double angle = hatch.angle * units::deg;
   const Point along{std::cos(angle), -std::sin(angle)};
@@ -68,7 +68,7 @@ std::string hatch_data(const Polygon& outline, const Hatch& hatch) {
     most = std::max(most, height(p));
   }
   std::string d;
-  // Half a spacing off, so that no line runs along an edge of a part that starts at zero.
+  // Shift by half a spacing, so no line runs along an edge of a part that starts at zero.
   for (double h = (std::floor(least / hatch.spacing) + 0.5) * hatch.spacing; h < most;
        h += hatch.spacing) {
     std::vector<double> cuts;
@@ -117,7 +117,7 @@ void Sheet::part(std::string_view id, const Polygon& outline, const Hatch& hatch
   Polygon on_paper;
   for (const Point& p : outline) on_paper.push_back(paper(p));
   const bool filled = paper(thin) < kThin;
-  // A solid part goes on beyond the axis: no edge there.
+  // A solid part continues beyond the axis, so do not draw an edge there.
   std::size_t axis = outline.size();
   for (std::size_t i = 0; i < outline.size(); ++i)
     if (outline[i].y == 0 && outline[(i + 1) % outline.size()].y == 0) axis = i;
@@ -210,7 +210,7 @@ std::vector<double> spread(std::span<const double> wanted, double spacing, doubl
   std::vector<std::size_t> order(wanted.size());
   std::iota(order.begin(), order.end(), 0U);
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return wanted[i]; });
-  // Marks that would overlap form a block round the mean of where they want to be.
+  // Marks that would overlap form a block round the mean of their wanted places.
   struct Block {
     double first = 0.0;  // place of its first mark
     std::size_t n = 0;
@@ -227,7 +227,7 @@ std::vector<double> spread(std::span<const double> wanted, double spacing, doubl
       Block& block = blocks.back();
       const auto n = static_cast<double>(block.n);
       const auto m = static_cast<double>(last.n);
-      // Each mark's wish, carried to the first place of the joined block.
+      // The wanted place of each mark, referred to the first place of the joined block.
       block.first = (n * block.first + m * (last.first - n * spacing)) / (n + m);
       block.n += last.n;
     }

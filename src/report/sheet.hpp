@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
-// Paper for technical drawings: a real length times the scale is its length on paper.
+// Paper for technical drawings.  A real length times the scale is its length on paper.
 
 namespace strainwave::report {
 
-/// A point of the drive [m] or of the paper [mm], as the function says.
+/// A point of the drive [m] or of the paper [mm], as stated by the function.
 struct Point {
   double x = 0.0;
   double y = 0.0;
@@ -25,13 +25,13 @@ using Polygon = std::vector<Point>;
 /// @param paper  [mm]; > 0
 [[nodiscard]] double drawing_scale(double real, double paper);
 
-/// "2:1", "1:2.5"
+/// A scale as text: "2:1", "1:2.5".
 [[nodiscard]] std::string scale_text(double scale);
 
-/// How a part is filled where it is cut.
+/// Hatching of a cut part.
 struct Hatch {
-  double angle = 45.0;   ///< of the lines [deg]
-  double spacing = 1.6;  ///< on paper [mm]; 0: none
+  double angle = 45.0;   ///< angle of the lines [deg]
+  double spacing = 1.6;  ///< spacing on paper [mm]; 0: no hatching
 };
 
 /// Width of every drawing on paper [mm].
@@ -39,8 +39,8 @@ inline constexpr double kPaperWidth = 180;
 
 /// One drawing: SVG whose user unit is a millimetre of paper.
 ///
-/// Colours are CSS variables with fallbacks, so that a page can set them for a dark screen and the
-/// file can stand alone.
+/// Colours are CSS variables with fallbacks, so a page can set them for a dark screen and the file
+/// is also usable alone.
 class Sheet {
  public:
   /// @param scale   paper per real length [-]
@@ -52,20 +52,20 @@ class Sheet {
   /// A real length on paper [mm].
   [[nodiscard]] double paper(double real) const;
 
-  /// A cut part; thin ones are filled, as ISO 128 allows.
+  /// Draws a cut part; thin parts are filled, as ISO 128 allows.
   /// @param outline  [m]
   /// @param thin     its least thickness [m]
   void part(std::string_view id, const Polygon& outline, const Hatch& hatch, double thin);
-  /// A part that is seen or sketched: outline only [m].
+  /// Draws only the outline of a visible or sketched part [m].
   void outline(std::string_view id, const Polygon& outline, std::string_view style);
-  /// Straight line between points of the drive [m].
+  /// Draws a straight line between points of the drive [m].
   void line(Point from, Point to, std::string_view style);
   void curve(const Polygon& points, std::string_view style);
   void circle(std::string_view id, Point centre, double radius, std::string_view style);
-  /// A crack's shape; to scale [m].
+  /// Draws the shape of a crack to scale [m].
   void crack(std::string_view path, const Polygon& shape, bool closed);
 
-  // The rest is in millimetres of paper.
+  // The functions below use millimetres of paper.
   void paper_line(Point from, Point to, std::string_view style);
   void words(Point at, std::string_view text, std::string_view style);
   void balloon(Point at, std::string_view text, std::string_view style);
@@ -84,7 +84,7 @@ class Sheet {
   std::string body_;
 };
 
-/// A mark that stands in a row or column outside the drawing and points at something in it.
+/// A mark in a row or column outside the drawing that points at a target in the drawing.
 struct Balloon {
   std::string text;
   Point target;  ///< [mm] on paper

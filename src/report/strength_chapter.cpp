@@ -18,7 +18,7 @@ std::string optional_number(const std::optional<double>& value) {
   return value ? number(*value, 3) : std::string("–");
 }
 
-/// Short enough for a cell [mm]; where there is no size, the list below the table says why.
+/// The critical size for a cell [mm]; if there is none, the list below the table gives the reason.
 std::string critical_text(const StrengthState& state) {
   const std::optional<CriticalSize>& answer = critical_size(state);
   if (!answer) return "–";
@@ -26,7 +26,7 @@ std::string critical_text(const StrengthState& state) {
   return answer->none_up_to ? "&gt; " + number(*answer->none_up_to / units::mm, 3) : "none";
 }
 
-/// Why cells of the table have no critical size, each reason once for each crack.
+/// Reasons for missing critical sizes, each once for each crack.
 std::string missing_sizes(const CrackStrength& crack, const std::string& mark) {
   std::vector<std::string> reasons;
   for (const StrengthState& state : crack.states) {
@@ -50,11 +50,11 @@ ReportSection strength_chapter(const Draft& draft) {
     section.html = paragraph(
         draft.cracks.empty() ? "The file has no cracks."
         : !draft.corrected()
-            ? fmt::format("No failure assessment: the method {} has none; it is a model of the "
-                          "method corrected.",
+            ? fmt::format("No failure assessment: only the method corrected has one, and this "
+                          "report uses the method {}.",
                           enum_name(r.method))
             : "Cannot tell: no material of the file gives fracture_toughness or yield_strength, so "
-              "there is nothing to hold the cracks against.",
+              "the cracks cannot be assessed.",
         "absent");
     return section;
   }

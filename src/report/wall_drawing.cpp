@@ -15,8 +15,8 @@ namespace {
 
 using namespace report;
 
-constexpr double kLength = 120;  // of the wall on paper, at most [mm]
-constexpr double kLeast = 26;    // height of the wall that is drawn, at least [mm]
+constexpr double kLength = 120;  // largest length of the wall on paper [mm]
+constexpr double kLeast = 26;    // least height of the drawn wall [mm]
 
 /// The ends of a straight crack; -theta is upward, as y is.
 Polygon ends(Point middle, double half_length, double angle) {
@@ -33,7 +33,7 @@ void arrow(Sheet& sheet, Point from, Point to) {
                      "arrow");
 }
 
-/// A crack too short to be seen, in a box of its own.
+/// Draws a crack that is too short to be visible, in its own box.
 void enlarged(Sheet& sheet, const NumberedCrack& crack, Point corner) {
   const double half_length = crack.place.half_length;
   const double angle = *crack.place.angle;
@@ -65,7 +65,7 @@ std::string wall_drawing(const GearSet& gear) {
   if (cracks.empty()) return {};
   const Layout at = layout_of(gear);
   const double length = at.barrel->z2;
-  // Room for every crack beside the others, round the circumference.
+  // Make room for every crack beside the others, round the circumference.
   const auto room_of = [&](const NumberedCrack& c) {
     return std::max(2 * c.place.half_length * std::abs(std::sin(*c.place.angle)), 0.16 * length);
   };
@@ -100,7 +100,7 @@ std::string wall_drawing(const GearSet& gear) {
     sheet.balloon(mark, std::to_string(c.number), "crack-mark");
     if (sheet.paper(2 * c.place.half_length) < kVisible) small.push_back(&c);
   }
-  // The sense of T > 0: +theta on the output's end, which is downward here.
+  // The sense of T > 0 is +theta on the output's end, which is downward here.
   const double middle_y = kTop + height_on_paper / 2;
   const double half = std::min(8.0, height_on_paper / 2);
   arrow(sheet, {kLeft - 5, middle_y + half}, {kLeft - 5, middle_y - half});

@@ -55,7 +55,7 @@ void scan_front(Evaluation& result, const AnyCrack& crack, const CrackModuli& mo
     result.utilisation = *result.equivalent / *result.material.fracture_toughness;
 }
 
-/// Formulas overflow or cancel where numbers are absurd: no answer then, rather than NaN.
+/// Throws if a result is not finite, because formulas overflow or cancel for absurd numbers.
 void require_finite(const Evaluation& result) {
   bool finite = std::isfinite(result.equivalent.value_or(0.0));
   for (const GeometryFactors& factor : result.factors)
@@ -75,7 +75,7 @@ std::string_view displacement_unit(std::string_view load_unit) {
   return load_unit == "N" ? "m" : load_unit == "N*m" ? "rad" : "m^3";
 }
 
-/// Takes the fields that are given; Poisson's ratio goes to the material as well.
+/// Takes the given fields; Poisson's ratio is also set in the material.
 Assignments take_fields(Evaluation& result, const Row& row, const Assignments& values) {
   Assignments fields;
   for (const Field& field : row.fields) {
@@ -111,7 +111,7 @@ void require_known(const Row& row, const Assignments& values) {
   for (const auto& [name, value] : values)
     if (std::ranges::find(known, name) == known.end())
       throw InputError(
-          name, "is no field or load of " + std::string(row.info.name) + near_text(name, known));
+          name, "is not a field or load of " + std::string(row.info.name) + near_text(name, known));
 }
 
 void state_fields(Evaluation& result, const Row& row, const Assignments& values,

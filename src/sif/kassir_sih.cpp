@@ -10,8 +10,8 @@ namespace strainwave::sif {
 template <class Real>
 BasicKassirSih<Real>::BasicKassirSih(const Real& aspect_ratio, const Real& poissons_ratio)
     : rho_(aspect_ratio), nu_(poissons_ratio) {
-  // B/k^2 = E + nu (D - K) with Legendre's D = (K - E)/k^2: the usual form divides zero by zero
-  // for a circle.  A slit so slender that k rounds to 1 takes the limit, E -> 1 and D - K -> -1.
+  // B/k^2 = E + nu (D - K) with Legendre's D = (K - E)/k^2: the usual form divides zero by zero for
+  // a circle.  For a slit so slender that k rounds to 1, the limit is used, E -> 1 and D - K -> -1.
   B_ = ellipse_modulus(value_of(rho_)) < 1
            ? Real(ellipse_E(rho_) + nu_ * (ellipse_D(rho_) - ellipse_K(rho_)))
            : Real(1 - nu_);

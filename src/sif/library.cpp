@@ -42,7 +42,7 @@ const Row& solution(std::string_view name) {
     if (row.info.name == name) return row;
     names.emplace_back(row.info.name);
   }
-  throw InputError(shown(name), "is no solution of the library" + near_text(name, names) +
+  throw InputError(shown(name), "is not a solution of the library" + near_text(name, names) +
                                     "; `strainwave sif list` has them all");
 }
 

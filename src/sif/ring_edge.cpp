@@ -13,8 +13,8 @@ namespace {
 
 using std::numbers::pi;
 
-// Fitted to plane finite elements, tools/reference/cracked_strip.py.  The first coefficient is the
-// half plane's, the sum of all the deep ligament's.
+// Fitted to plane finite elements, tools/reference/cracked_strip.py.  The first coefficient belongs
+// to the half plane, the sum of all coefficients to the deep ligament.
 constexpr std::array kTension = {1.1215,   -1.6693, 8.0801,  -24.962, 56.3305,
                                  -86.0594, 82.2275, -43.877, 9.9295};
 constexpr std::array kBending = {1.1215,   -3.0255, 9.8273,   -28.6524, 61.7662,

@@ -12,7 +12,7 @@
 #include "strainwave/fracture/erased_crack.hpp"
 #include "strainwave/sif/library.hpp"
 
-// How a solution becomes a row of the library.
+// Turns a solution into a row of the library.
 
 namespace strainwave::sif {
 
@@ -71,7 +71,7 @@ class CrackOf final : public AnyCrack {
 /// Throws InputError unless a number is inside the range of its field.
 void require_in_range(const Field& field, double value);
 
-/// "; do you mean half_length?", or nothing if no known word is near.
+/// "; do you mean half_length?", or an empty text if no known word is near.
 [[nodiscard]] std::string near_text(std::string_view word, std::span<const std::string> known);
 
 /// Row of a solution.
@@ -97,8 +97,8 @@ template <Solution S>
     });
     for (const auto& [name, value] : values)
       if (std::ranges::find(known, name) == known.end())
-        throw InputError(name,
-                         "is no field of " + std::string(S::kInfo.name) + near_text(name, known));
+        throw InputError(
+            name, "is not a field of " + std::string(S::kInfo.name) + near_text(name, known));
     solution.check([](bool ok, std::string_view field, double value, std::string_view unit,
                       std::string_view rule) { require(ok, field, value, unit, rule); });
     return std::make_unique<CrackOf<S>>(solution);

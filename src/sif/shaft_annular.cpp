@@ -12,8 +12,8 @@ namespace {
 
 using std::numbers::pi;
 
-// The first terms are the same: they give the deep crack, where the ligament is a neck between two
-// half-spaces.  The tails meet the shallow crack.
+// The first terms agree: they describe the deep crack, whose ligament is a neck between two
+// half-spaces.  The last terms match the shallow crack.
 constexpr std::array kTada1 = {1.0, 0.5, 0.375, -0.363, 0.731};
 constexpr std::array kTada3 = {1.0, 0.5, 0.375, 0.3125, 0.2734375, 0.208};
 constexpr std::array kImproved1 = {1.0,        0.5,          0.375,       -0.47216221,
@@ -60,8 +60,8 @@ constexpr std::array<TableRow, kTensionRadiusRatios.size()> kTensionTable = {{
 
 constexpr double kEdgeCrackFactor = 1.1215;  // of K_I, shallow crack; the base of C_P
 
-/// C_T(0) = 4 (1 - rho)/(1 - rho^4): the shallow crack, exact; 4/((1+rho)(1+rho^2)) loses no
-/// digits.
+/// C_T(0) = 4 (1 - rho)/(1 - rho^4): the shallow crack, exact; 4/((1+rho)(1+rho^2)) is accurate for
+/// thin walls.
 template <class Real>
 Real shallow_torsion_factor(const Real& rho) {
   return 4 / ((1 + rho) * (1 + rho * rho));
@@ -69,7 +69,7 @@ Real shallow_torsion_factor(const Real& rho) {
 
 constexpr std::size_t kColumns = kDepthRatios.size();
 
-/// Ordinates over alpha: an exact value at 0, then one for each column of a table.
+/// Ordinates over alpha: an exact value at 0, then one value for each column of a table.
 template <class Real, class MakeOrdinate>
 FloaterHormann<Real, kColumns + 1> depth_curve(double at_zero, const MakeOrdinate& make) {
   std::array<double, kColumns + 1> x{};
@@ -82,7 +82,7 @@ FloaterHormann<Real, kColumns + 1> depth_curve(double at_zero, const MakeOrdinat
   return {x, y};
 }
 
-/// Curves over rho, one for each column of a table; made once, for they never change.
+/// Curves over rho, one for each column of a table; computed only once.
 template <std::size_t Nodes>
 using Columns = std::array<FloaterHormann<double, Nodes>, kColumns>;
 
@@ -96,7 +96,7 @@ Columns<Nodes> columns(const MakeColumn& make) {
 ///
 /// C_T itself varies by a factor of 40 with rho.  (C_T(0)/C_T)^(1/3) is the radius, relative to
 /// r_o, at which the crack works: it runs smoothly from its value for a solid shaft to 1 for a thin
-/// tube, where C_T = 1 exactly.  So that is what is interpolated in rho.
+/// tube, where C_T = 1 exactly.  This radius is therefore interpolated in rho.
 template <class Real>
 FloaterHormann<Real, kColumns + 1> log_torsion_curve(const Real& rho) {
   using std::log;
@@ -116,7 +116,8 @@ FloaterHormann<Real, kColumns + 1> log_torsion_curve(const Real& rho) {
       0.0, [&](std::size_t column) -> Real { return -3 * log(kCurves[column](rho)); });
 }
 
-/// C_P over alpha at one radius ratio; its logarithm is the smoother in rho, toward thin tubes.
+/// C_P over alpha at one radius ratio.  The logarithm is interpolated, because it is smoother in
+/// rho toward thin tubes.
 template <class Real>
 FloaterHormann<Real, kColumns + 1> tension_curve(const Real& rho) {
   using std::exp;

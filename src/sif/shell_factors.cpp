@@ -17,10 +17,10 @@ using std::numbers::pi;
 
 enum Column : std::size_t { kNN, kTN, kBN, kCN, kNT, kTT, kBT, kCT };
 
-/// The variable of the tables instead of lambda.
+/// The variable that the tables use instead of lambda.
 double mapped(double lambda) { return lambda / (lambda + 3); }
 
-/// All columns of the table, and their derivatives to lambda and to the angle.
+/// All columns of the table, and their derivatives with respect to lambda and the angle.
 struct TableColumns {
   std::array<double, 8> value{};
   std::array<double, 8> by_lambda{};
@@ -65,10 +65,10 @@ BasicShellFactors<Real> interpolated(const Real& lambda, const Real& angle) {
       table_columns<!std::is_same_v<Real, double>>(value_of(lambda), value_of(angle));
   const auto value = [&](Column column) { return table.at(column, lambda, angle); };
   const Real l2 = lambda * lambda;
-  // 90 degrees have no exact value in radians; what rounding leaves of the zero is a zero.
+  // 90 degrees cannot be represented exactly in radians, so treat a rounding error as zero.
   Real sin_2beta = sin(2 * angle);
   if (std::abs(value_of(sin_2beta)) < 1e-15) sin_2beta -= value_of(sin_2beta);
-  // The table's bending is positive where the inner face opens more.
+  // The bending in the table is positive if the inner face opens more.
   return {
       .opening_by_normal = {.mean = 1 + l2 * value(kNN), .linear = -value(kBN)},  // (SU-2)
       .sliding_by_normal = {.mean = sin_2beta * l2 * value(kTN),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Written by tools/reference/shell_tables.py, which says what the columns are; nu = 0.3.
+// Written by tools/reference/shell_tables.pywhich describes the columns; nu = 0.3.
 
 namespace strainwave::sif {
 
@@ -90,7 +90,7 @@ inline constexpr double kCircumferentialTable[4][16] = {
     {0.1193026, 0.119303, 0.1193107, 0.1193459, 0.1194486, 0.1196842, 0.120142, 0.1208885, 0.1217631, 0.1217888, 0.118458, 0.1094869, 0.0970627, 0.08524296, 0.07672743, 0.07359204},
 };
 
-/// What a finite angle adds: t, tb, b, bb, s, sc over alpha and ln(r/t).
+/// Contribution of a finite angle: t, tb, b, bb, s, sc over alpha and ln(r/t).
 inline constexpr double kFiniteAngleTable[6][6][4] = {
     {
     {0.3825655, 0.3641101, 0.3161583, 0.3035197},

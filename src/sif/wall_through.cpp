@@ -12,10 +12,11 @@ namespace {
 
 using std::numbers::pi;
 
-/// 45 and 90 degrees have no exact value in radians; what rounding leaves of a zero is a zero.
+/// Replaces a rounding error by zero, because 45 and 90 degrees cannot be represented exactly in
+/// radians.
 double without_rounding_noise(double x) { return std::abs(x) < 1e-15 ? 0.0 : x; }
 template <std::size_t N>
-Dual<N> without_rounding_noise(Dual<N> x) {  // its derivatives are no noise
+Dual<N> without_rounding_noise(Dual<N> x) {  // its derivatives are not rounding errors
   x.value = without_rounding_noise(x.value);
   return x;
 }
@@ -27,7 +28,7 @@ constexpr double kThickAxial = 0.05;
 constexpr double kThickRound = 0.54;
 constexpr double kThickPressed = 0.75;
 
-/// No bulging: each stress makes its own mode, evenly through the wall.
+/// Factors without bulging: each stress causes only its own mode, uniformly through the wall.
 template <class Real>
 BasicShellFactors<Real> flat_sheet() {
   return {.opening_by_normal = {.mean = 1.0, .linear = 0.0},
@@ -36,7 +37,7 @@ BasicShellFactors<Real> flat_sheet() {
           .sliding_by_shear = {.mean = 1.0, .linear = 0.0}};
 }
 
-/// Beyond the end of the table its last value.
+/// Factors from the table; beyond its end, its last value.
 template <class Real>
 BasicShellFactors<Real> shell_of(const BasicThroughCrackInTube<Real>& crack, const Real& a) {
   using std::sqrt;
@@ -89,7 +90,7 @@ Real BasicThroughCrackInTube<Real>::wall_factor(const Real& a) const {
   if (!shell_correction) return constraint;
   const Real sine = sin(angle);
   Real bulging = kThickAxial + kThickRound * sine * sine;
-  if (!open) {  // less of it, the more the faces are pressed: not at all where they only slide
+  if (!open) {  // pressed faces reduce the effect; it vanishes if they only slide
     const Real pressed = without_rounding_noise(sin(2 * angle));
     bulging -= kThickPressed * pressed * pressed;
   }
@@ -111,7 +112,7 @@ LinearStressIntensity<2, Real> BasicThroughCrackInTube<Real>::linear_stress_inte
       const Real& normal = stress.normal[i];
       const Real& shear = stress.shear[i];
       part.II[i] = f.sliding_by_shear.*which * shear * root;  // (FR-7)
-      if (!open) continue;                                    // what presses the faces, they carry
+      if (!open) continue;  // the faces carry the stress that presses them
       part.I[i] = (f.opening_by_normal.*which * normal + f.opening_by_shear.*which * shear) *
                   root;                                          // (FR-7, FR-9)
       part.II[i] += f.sliding_by_normal.*which * normal * root;  // (FR-9)

@@ -51,7 +51,7 @@ std::array<std::array<double, kMoments + 1>, kMoments + 1> even_legendre() {
 EdgeWeight::EdgeWeight(double depth_ratio) {
   static const auto kP = even_legendre();
   const double deep = std::pow(1 - depth_ratio, -1.5);
-  // The moments fix the parts of M along P_0 ... P_10; that of P_12 makes M(0) = 1.
+  // The moments determine the parts of M along P_0 ... P_10; the part along P_12 makes M(0) = 1.
   double tip = 1.0;
   const auto add = [&](std::size_t j, double part) {
     for (std::size_t i = 0; i <= j; ++i) M_[i] += part * kP[j][i];
@@ -65,7 +65,8 @@ EdgeWeight::EdgeWeight(double depth_ratio) {
 
 SurfaceWeight::SurfaceWeight(double aspect_ratio, double depth_ratio)
     : fit_(aspect_ratio), alpha_(depth_ratio) {
-  // Of the stresses 1 and x/a, in the units of the integrals of 1 + M_1 v + M_2 v^2 + M_3 v^3.
+  // Values for the stresses 1 and x/a, in the units of the integrals of 1 + M_1 v + M_2 v^2 + M_3
+  // v^3.
   const double A0 = pi / (2 * std::numbers::sqrt2) * fit_.tension(alpha_, pi / 2);
   const double A1 = A0 * fit_.linear_ratio(alpha_, pi / 2);
   const double M1 = 12 * A1 - 4 * A0 - 4.8;

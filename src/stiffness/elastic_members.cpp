@@ -22,7 +22,7 @@ Real tube_compliance(const BasicTube<Real>& tube, const Real& shear_modulus) {
           "0 <= inner_diameter < outer_diameter");
   require(L > 0, "length", value_of(L), "m", "length > 0");
   require(shear_modulus > 0, "shear_modulus", value_of(shear_modulus), "Pa", "shear_modulus > 0");
-  // Factored: D^4 - d^4 = (D^2 + d^2)(D + d)(D - d) loses no digits for thin walls.
+  // The form D^4 - d^4 = (D^2 + d^2)(D + d)(D - d) is accurate for thin walls.
   const Real J = pi / 32 * (D * D + d * d) * (D + d) * (D - d);
   return L / (shear_modulus * J);  // (ST-2)
 }

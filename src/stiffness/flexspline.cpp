@@ -80,7 +80,7 @@ void note_radius_ratio(MemberCompliance& member, const Wall<double>& wall,
 struct WallCrackAccuracy {
   double axial = 0.0;      ///< of the added compliance, entries with the force
   double torsion = 0.0;    ///< of the added compliance in torsion
-  double pressed = 0.0;    ///< in addition where the faces are pressed together
+  double pressed = 0.0;    ///< added if the faces are pressed together
   double intensity = 0.0;  ///< of K, if more than half of that of the compliance
 };
 
@@ -114,16 +114,17 @@ void note_axial_coupling(MemberCompliance& member, const CrackReport& report, co
        .severity = Severity::care});
 }
 
-// Shares of a section's length 2a/L [-] up to which solid elements of cups confirm what its ends do
-// to a crack (theory manual, table ST-1): the longest crack that was computed in each.
+// Largest shares 2a/L of a section's length [-] at which solid elements of cups confirm the effect
+// of its ends on a crack (theory manual, table ST-1), from the longest crack computed in each
+// section.
 constexpr double kConfirmedBetweenJoints = 0.7;
 constexpr double kConfirmedNearFreeEnd = 0.47;
 
-/// What the ends of the section do to a crack half-way along it, which the closed form leaves out.
+/// Effect of the ends of the section on a crack at half length, which the closed form leaves out.
 struct EndsOfSection {
   ModelAccuracy accuracy;
-  double share;      ///< of the section's length that the crack has, 2a/L [-]
-  double confirmed;  ///< finite elements reach to this share [-]
+  double share;      ///< share of the section's length that the crack takes, 2a/L [-]
+  double confirmed;  ///< largest share computed by finite elements [-]
 };
 
 EndsOfSection ends_of_section(const Flexspline& fs, const WallThroughCrack& crack) {
@@ -139,13 +140,14 @@ EndsOfSection ends_of_section(const Flexspline& fs, const WallThroughCrack& crac
   return ends;
 }
 
-/// What the closed form of a through crack is worth, and what its compliance rests on.
+/// Accuracy of the closed form of a through crack, and the basis of its compliance.
 struct ThroughCrackAccuracy {
   WallCrackAccuracy wall;
   std::vector<ModelAccuracy> compliance_rests_on;
 };
 
-/// The uncertainty of a sheet's K is a part of the whole of K: of the smaller mode it is more.
+/// Converts the uncertainty of a sheet's K, a share of the whole K, to each mode; for a smaller
+/// mode the share is larger.
 void share_between_modes(CrackReport& report) {
   for (std::optional<StressIntensities>* const at : {&report.deepest, &report.largest}) {
     if (!*at) continue;
@@ -268,7 +270,7 @@ ThroughCrackAccuracy FlexsplineCracks::accuracy_of(const std::string& path,
                                                    const sif::ThroughCrackInTube& solution,
                                                    double lambda) {
   constexpr double kWorthNaming = 0.005;
-  constexpr double kUsualRatio = 0.3;  // Poisson's ratio up to which K was compared closely
+  constexpr double kUsualRatio = 0.3;  // largest Poisson's ratio at which K was compared closely
   const ModelAccuracy shell =
       lambda > kCloseShellParameter ? accuracy::kThroughCrackLong : accuracy::kThroughCrack;
   const EndsOfSection ends = ends_of_section(*gear.flexspline, crack);
@@ -313,8 +315,8 @@ void FlexsplineCracks::add(CrackReport report, const WallThroughCrack& crack,
   share_between_modes(member.cracks.back());
 }
 
-/// A through crack whose compliance a table of finite elements gives: the closed form is left with
-/// the stress intensity, where it has one.
+/// Adds a through crack whose compliance comes from a table of finite elements; the closed form
+/// still gives the stress intensity if it is valid.
 void FlexsplineCracks::add_tabulated(CrackReport report, const WallThroughCrack& crack,
                                      const LoadedCrack<sif::ThroughCrackInTube>& loaded,
                                      double lambda) {
@@ -353,8 +355,8 @@ void FlexsplineCracks::add(CrackReport report, const WallSurfaceCrack& crack,
   use({"FR-2", "FR-3", "FR-4", "FR-5", "FR-6", "FR-18", "ST-11"});
   const ModelAccuracy fit = surface_crack_fit(member, report.path, crack.depth,
                                               crack.depth / crack.half_length, wall.thickness);
-  // Torque shears at angles other than 45 degrees, an axial force at angles other than 0 and 90
-  // degrees: no angle is without shear in one of the entries.
+  // Torque causes shear at angles other than 45 degrees, and an axial force at angles other than 0
+  // and 90 degrees.  At every angle one entry contains shear.
   const double sheared = accuracy::combined(fit, accuracy::kSurfaceCrackShear);
   use({"FR-10"});
   if (stress.shear[kTorsion] != 0 || stress.shear[kAxial] * gear.load.axial_force != 0) {
@@ -399,7 +401,7 @@ void FlexsplineCracks::add(CrackReport report, const DiaphragmGroove& groove, co
 
 void note_ovalisation(const GearSet& gear, MemberCompliance& member) {
   const int U = gear.drive.wave_number;
-  if (U < 2) return;  // one lobe shifts the ring, it does not bend it
+  if (U < 2) return;  // one lobe shifts the ring without bending it
   const Wall<double> wall = tooth_ring(Lift<double>(), gear);
   const double tau = std::abs(gear.load.torque) * gear.flexspline->stress_nonuniformity /
                      (2 * std::numbers::pi * wall.mean_radius * wall.mean_radius * wall.thickness);

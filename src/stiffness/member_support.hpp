@@ -20,7 +20,7 @@
 #include "strainwave/stiffness/accuracy.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 
-// Shared by the three members: what a crack reports, and how.
+// Reporting of cracks, shared by the three members.
 
 namespace strainwave {
 
@@ -34,7 +34,7 @@ void use_equations(std::vector<std::string>& equations, const Tags& tags) {
     if (std::ranges::find(equations, tag) == equations.end()) equations.emplace_back(tag);
 }
 
-/// Records what an uncertainty rests on.
+/// Records the basis of an uncertainty.
 inline void rest_on(MemberCompliance& member, std::string_view path,
                     const ModelAccuracy& accuracy) {
   member.accuracies.push_back({std::string(path), accuracy, std::string(accuracy.source)});
@@ -73,19 +73,20 @@ inline StressIntensities stress_intensities(const std::array<double, 3>& K,
   return {quantity(0), quantity(1), quantity(2)};
 }
 
-/// Fills in what a crack does at the given load: K at the deepest point and along the front.
+/// Fills in the stress intensities at the given load: at the deepest point and along the front.
 template <SweptCrack Crack>
 void report_intensities(CrackReport& report, const Crack& crack,
                         const std::array<double, Crack::kLoads>& load,
                         const ModeUncertainties& uncertainties) {
-  constexpr int kFrontPoints = 33;  // of half a front; K varies slowly along it
+  constexpr int kFrontPoints = 33;  // points on half of a front; K varies slowly along it
   const FrontRange front = crack.front();
   std::array<double, 3> largest{};
   std::array<double, 3> deepest{};
   const int n = front.begin == front.end ? 1 : kFrontPoints;
   for (int i = 0; i < n; ++i) {
     const double s = n == 1 ? front.begin : front.begin + (front.end - front.begin) * i / (n - 1);
-    deepest = intensity(crack.stress_intensity(crack.size(), s), load);  // the last is the deepest
+    // the last point is the deepest
+    deepest = intensity(crack.stress_intensity(crack.size(), s), load);
     for (std::size_t m = 0; m < 3; ++m)
       if (std::abs(deepest[m]) > std::abs(largest[m])) largest[m] = deepest[m];
   }
@@ -137,14 +138,14 @@ inline std::array<Quantity, 3> axial_torsion(const SymmetricMatrix<2>& matrix, d
           Quantity{matrix(kTorsion, kTorsion), kComplianceUnit, torsion}};
 }
 
-/// What a crack adds by its table of finite elements: compliances under both senses of torque with
+/// Added compliances of a crack by its table of finite elements, under both senses of torque with
 /// their errors, and the note that names the table.
 template <class Crack>
 void take_from_table(CrackReport& report, MemberCompliance& member, const GearSet& gear,
                      const Crack& crack, const TabulatedCompliance<double>& added) {
   const ComplianceTable& table = gear.compliance_tables.at(*crack.compliance_table);
   const auto quantity = [&](const TabulatedValue<double>& value, std::string_view unit) {
-    // (FE-42): the table's points and what lies between them.
+    // (FE-42): error of the table's points and of the interpolation between them.
     return Quantity{value.value, unit,
                     accuracy::combined(table.point_error, value.relative_error)};  // (FE-42)
   };
@@ -179,7 +180,8 @@ void take_from_table(CrackReport& report, MemberCompliance& member, const GearSe
        .severity = Severity::information});
 }
 
-/// What adds the cracks of one member: each derives from it, with `add` for each kind.
+/// Base of the classes that add the cracks of one member; each derived class has an `add` for each
+/// kind.
 struct CrackAdder {
   void use(std::initializer_list<std::string_view> tags) { use_equations(member.equations, tags); }
 
@@ -189,8 +191,8 @@ struct CrackAdder {
   MemberCompliance& member;
 };
 
-/// Adds the cracks of a member, each by the overload of `adder.add` for its kind; those that act on
-/// contacts, which the series model does not have, by a note.
+/// Adds the cracks of a member, each by the overload of `adder.add` for its kind.  Cracks that act
+/// through contacts, which the series model leaves out, get a note instead.
 template <class Cracks, class Adder>
 void add_cracks(MemberCompliance& member, const CrackLoads<double>& loads, std::string_view name,
                 const Cracks& cracks, Adder adder) {
@@ -223,7 +225,7 @@ inline void note_superposition(std::vector<Note>& notes, std::size_t n_cracks,
          .severity = Severity::care});
 }
 
-/// Note that a quadrature stopped short of its tolerance, and the reason not to use the answer.
+/// Notes that a quadrature did not reach its tolerance, and marks the answer as unusable.
 inline void demand_convergence(MemberCompliance& member, const CrackReport& report,
                                double relative_error, bool converged) {
   if (converged) return;

@@ -20,7 +20,7 @@ struct AnnularAccuracy {
   double K_III = accuracy::kAnnularTorsion / 2;
 };
 
-/// Mode I was computed for Poisson's ratio 0.3.
+/// Whether Poisson's ratio differs from 0.3, for which mode I was computed.
 bool other_poissons_ratio(const ElasticConstants& steel) { return std::abs(steel.nu - 0.3) > 0.02; }
 
 AnnularAccuracy annular_accuracy(const ElasticConstants& steel) {
@@ -43,7 +43,7 @@ class ShaftCracks : public CrackAdder {
   void note_load_and_ends(const CrackReport& report, const BothSenses& faces);
   AnnularAccuracy hollow_accuracy(const std::string& path);
 
-  /// Adds one annular crack; it is open unless the axial force presses it together.
+  /// Adds one annular crack; the crack is open unless the axial force presses it together.
   template <class Solution>
   void add_annular(CrackReport report, const AnnularCrack& crack,
                    const LoadedCrack<Solution>& loaded, const AnnularAccuracy& accuracy);

@@ -10,8 +10,8 @@
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
 
-// The numbers of the series model, each once, for double and for dual numbers.  What is said about
-// them, notes, accuracies, equations, is in the sources of the three members.
+// The numbers of the series model, each computed in one place for double and dual numbers.  The
+// sources of the three members add notes, accuracies and equations.
 
 namespace strainwave {
 
@@ -29,8 +29,7 @@ struct LobeConversion {
   Real all_lobes{};
 };
 
-/// What a crack adds to the compliance of its member under both senses of torque, by the closed
-/// form.
+/// Compliance that a crack adds to its member under both senses of torque, by the closed form.
 template <std::size_t N, class Real>
 struct AddedBothSenses {
   CrackCompliance<N, Real> positive;
@@ -47,7 +46,7 @@ template <class Solution>
   return {positive, crack.faces.differ() ? added_under(crack.faces.negative) : positive};
 }
 
-/// The series model of one gear, which reads every number of it through a lift.
+/// The series model of one gear; it reads every number of the gear through a lift.
 template <class Real>
 class SeriesModel {
  public:
@@ -58,7 +57,8 @@ class SeriesModel {
 
   [[nodiscard]] const CrackLoads<Real>& loads() const { return loads_; }
 
-  /// What a crack adds at the output by its matrix over [lobe force], or over [axial, torsion].
+  /// Compliance that a crack adds at the output, from its matrix over [lobe force] or [axial,
+  /// torsion].
   [[nodiscard]] Real at_output(const SymmetricMatrix<1, Real>& added) const {
     return conversion().one_lobe * added(0, 0);
   }
@@ -76,7 +76,7 @@ class SeriesModel {
             .outer = hertz_contact(contacts.outer, ball_force)};
   }
 
-  /// Whether the outer ring of the bearing is taken as free between the lobes.
+  /// Whether the outer ring of the bearing is modelled as free between the lobes.
   [[nodiscard]] bool free_outer_ring() const {
     const auto& bearing = gear_.wave_generator->bearing;
     return bearing && bearing->outer_ring && !bearing->ball_count;
@@ -110,7 +110,8 @@ class SeriesModel {
     const Transmission& drive = gear_.drive;
     const int U = drive.wave_number;
     if (wg.conversion == Conversion::cam) {
-      // (ST-7): the article's, where one compliance stands for the whole wave generator.
+      // (ST-7): the article's conversion, in which one compliance represents the whole wave
+      // generator.
       const Real cam = lift_(wg.force_transmission_coefficient) * std::numbers::pi /
                        (2 * lift_(drive.pitch_diameter) * U * lift_(drive.radial_displacement) *
                         lift_(drive.ratio));
@@ -122,7 +123,7 @@ class SeriesModel {
 
   // --- Flexspline -------------------------------------------------------------------------------
 
-  /// k of (ST-4).
+  /// Shape factor k of (ST-4).
   [[nodiscard]] Real shape_factor() const {
     const Flexspline& fs = *gear_.flexspline;
     if (fs.shape_factor) return lift_(*fs.shape_factor);
@@ -177,9 +178,9 @@ class SeriesModel {
   CrackLoads<Real> loads_;
 };
 
-/// Shell parameter of a through crack beyond which its stiffness is not used.
+/// Largest shell parameter of a through crack with a usable stiffness.
 inline constexpr double kMaxShellParameter = sif::ThroughCrackInTube::kMaxShellParameter;
-/// Up to here finite elements agree closely; see accuracy::kThroughCrack.
+/// Largest shell parameter with close agreement of finite elements; see accuracy::kThroughCrack.
 inline constexpr double kCloseShellParameter = 2.0;
 
 }  // namespace strainwave

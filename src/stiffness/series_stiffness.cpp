@@ -10,7 +10,7 @@
 namespace strainwave {
 namespace {
 
-/// Compliance of the cracks of one member under each sense of torque: the one loop over them.
+/// Compliance of the cracks of one member under each sense of torque.
 template <class Real>
 class CrackSum {
  public:

@@ -43,7 +43,8 @@ class Sum {
   double variance_ = 0.0;
 };
 
-/// The three members, sound, and what the cracks of each add under one sense of torque.
+/// The three sound members, and the compliance that the cracks of each add under one sense of
+/// torque.
 struct Members {
   Sum wave_generator;
   Sum flexspline;
@@ -83,8 +84,9 @@ CrackedDrive cracked_drive(const Members& intact, const Members& added, double t
   drive.compliance = cracked.compliances();
   drive.stiffness = stiffness_of(total);
   drive.wind_up = wind_up_of(total, torque);
-  // (ST-15): K/K_intact - 1 without the difference of nearly equal numbers.  Of -x/(y + x) with
-  // independent x and y, d ln = (d ln x - d ln y) y/(x + y): a large loss is the better known.
+  // (ST-15): K/K_intact - 1 without the difference of nearly equal numbers.  For -x/(y + x) with
+  // independent x and y, d ln = (d ln x - d ln y) y/(x + y), so a large loss has a smaller relative
+  // uncertainty.
   const double sound_share = intact.total().value() / total.value();
   drive.stiffness_change = {
       extra.value() == 0 ? 0.0 : -extra.value() / total.value(), "1",

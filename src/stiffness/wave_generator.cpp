@@ -14,7 +14,7 @@
 namespace strainwave {
 namespace {
 
-/// A quantity, the accuracy of its model, and the power of the lobe force that is in it.
+/// A quantity, the accuracy of its model, and its power of the lobe force.
 struct Estimate {
   double value = 0.0;
   ModelAccuracy accuracy;
@@ -76,12 +76,12 @@ Estimate lobe_compliance(const GearSet& gear, const SeriesModel<double>& model,
   return {model.lobe_compliance(), {}, -1.0};
 }
 
-/// What is known of a race crack's stress: equations, a note, and how far it can be trusted.
+/// The stress model of a race crack: equations, a note, and its accuracy.
 struct Driver {
   std::vector<const char*> equations;
   std::optional<Note> note;
   ModelAccuracy accuracy;
-  double force_exponent = 0.0;  ///< of the stress per unit of lobe force
+  double force_exponent = 0.0;  ///< exponent of the lobe force in the stress per unit of lobe force
 };
 
 template <class Crack>
@@ -174,8 +174,8 @@ class RaceCracks : public CrackAdder {
                       std::initializer_list<const char*> equations, const Fit& accuracy_of_fit);
 };
 
-/// Adds one race crack, which the lobe force stresses.
-/// @param accuracy_of_fit  of the compliance by its solution, with its notes
+/// Adds one race crack under the stress of the lobe force.
+/// @param accuracy_of_fit  accuracy of the compliance by the crack's solution, with its notes
 template <class Crack, class Solution, class Fit>
 void RaceCracks::add_race_crack(CrackReport report, const Crack& crack,
                                 const LoadedCrack<Solution>& loaded,
@@ -185,7 +185,7 @@ void RaceCracks::add_race_crack(CrackReport report, const Crack& crack,
   Driver driver = driver_of(crack, report.path);
   use_equations(member.equations, driver.equations);
   if (driver.note) member.notes.push_back(std::move(*driver.note));
-  // Compliance goes with the square of the stress, K with the stress.
+  // Compliance is proportional to the square of the stress, K to the stress.
   const ModelAccuracy of_stress = accuracy::power(driver.accuracy, 2);
   const ModelAccuracy of_load = accuracy::power(
       accuracy::kLobeForce, std::abs((cam ? 0.0 : 2.0) + 2 * driver.force_exponent));
@@ -216,7 +216,7 @@ void RaceCracks::add_race_crack(CrackReport report, const Crack& crack,
   member.cracks.push_back(std::move(report));
 }
 
-/// The sound wave generator: lobe compliance times conversion.
+/// Adds the sound wave generator: lobe compliance times conversion.
 void add_sound_wave_generator(const GearSet& gear, const SeriesModel<double>& model,
                               MemberCompliance& member, Severity left_out) {
   use_equations(member.equations, {"ST-5"});
@@ -233,7 +233,8 @@ void add_sound_wave_generator(const GearSet& gear, const SeriesModel<double>& mo
          .next_step = "Leave wave_generator.conversion at its default."});
   use_equations(member.equations, {cam ? "ST-7" : "ST-6"});
   member.intact = model.conversion().all_lobes * C_0.value;
-  // The conversion by reciprocity has the lobe force squared in it, the article's has none.
+  // The conversion by reciprocity contains the square of the lobe force; the article's conversion
+  // does not contain it.
   const ModelAccuracy of_force =
       accuracy::power(accuracy::kLobeForce, std::abs((cam ? 0.0 : 2.0) + C_0.force_exponent));
   member.relative_uncertainty = accuracy::combined(of_force, C_0.accuracy);

@@ -7,7 +7,8 @@
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/crack_strength.hpp"
 
-// What the assessment is asked: crack_assessment.cpp puts it together, assessment.cpp answers.
+// Input of the assessment; crack_assessment.cpp assembles it, and assessment.cpp computes the
+// answer.
 
 namespace strainwave {
 
@@ -15,11 +16,11 @@ struct AssessedCrack {
   const DriveCrack& crack;
   const Material& material;
   Load load;
-  std::optional<double> relative_uncertainty;  ///< of K under the load [-]
+  std::optional<double> relative_uncertainty;  ///< relative uncertainty of K under the load [-]
 };
 
-/// Answers a crack under the given sense of torque, and under the other one where that makes a
-/// difference; eqs. (FR-19), (FR-20), (FA-3) to (FA-5), (FA-13).
+/// Assesses a crack under the given sense of torque, and under the other sense if the result
+/// differs; eqs. (FR-19), (FR-20), (FA-3) to (FA-5), (FA-13).
 ///
 /// @param asked   the crack, its material and load
 /// @param report  path, kind, material, size, ligament, notes and equations of the crack

@@ -18,16 +18,17 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kBendingAccuracy = 0.05;  // of K under the assembly: Newman and Raju's fit
+// uncertainty of K under the assembly, by Newman and Raju's fit
+constexpr double kBendingAccuracy = 0.05;
 
-/// K_I, K_II, K_III at one point of the front [Pa*m^0.5]; K_I < 0 presses.
+/// K_I, K_II, K_III at one point of the front [Pa*m^0.5]; K_I < 0 means pressed faces.
 struct FrontModes {
-  Modes load{};      ///< of the given load
-  Modes assembly{};  ///< of the assembly, where its hoop stress is tension
+  Modes load{};      ///< modes from the given load
+  Modes assembly{};  ///< modes from the assembly, where its hoop stress is tensile
 };
 
-/// Modes of the load times a factor with those of the assembly times a factor; pressed faces have
-/// no mode I.
+/// Modes of the load times a factor with those of the assembly times a factor; for pressed faces,
+/// mode I is zero.
 Modes sum(const FrontModes& modes, double load, double assembly) {
   Modes K{};
   for (std::size_t m = 0; m < 3; ++m) K[m] = load * modes.load[m] + assembly * modes.assembly[m];
@@ -35,7 +36,7 @@ Modes sum(const FrontModes& modes, double load, double assembly) {
   return K;
 }
 
-/// K under the given load along the front of a crack grown or shrunk to a size, under T or -T.
+/// K under the given load along the front of the crack scaled to a size, under T or -T.
 std::vector<FrontModes> under_load(const DriveCrack& crack, const CrackSize& size, double P,
                                    double T, Faces faces) {
   const auto modes = [&](const UnitStressIntensity<2>& k) -> Modes {
@@ -46,7 +47,7 @@ std::vector<FrontModes> under_load(const DriveCrack& crack, const CrackSize& siz
   for (const FrontIntensity& at : crack.front(size, Faces::open))
     front.push_back({modes(at.load), at.assembly});
   if (faces != Faces::pressed) return front;
-  // (FR-17): pressed faces carry what presses them, and slide by the shear alone.
+  // (FR-17): pressed faces carry the normal stress, so only the shear stress makes them slide.
   const std::vector<FrontIntensity> pressed = crack.front(size, Faces::pressed);
   for (std::size_t i = 0; i < front.size(); ++i) {
     const Modes sliding = modes(pressed[i].load);
@@ -70,7 +71,7 @@ class AtSize {
     reference_stress_ = crack_.reference_stress(grown, P, T);
   }
 
-  /// Largest K of equal energy release rate along the front and over a turn [Pa*m^0.5].
+  /// Largest equivalent K, by energy release rate, along the front and over a turn [Pa*m^0.5].
   [[nodiscard]] double K(double load, double assembly) const {
     double G = 0.0;
     for_each_state(load, assembly, [&](const Modes& K) {
@@ -101,7 +102,7 @@ class AtSize {
 
   template <class F>
   void for_each_state(double load, double assembly, const F& f) const {
-    // G is convex in the phase of the assembly, and so largest at one of its two extremes.
+    // G is convex in the phase of the assembly, so its largest value is at one of the two extremes.
     for (const FrontModes& modes : front_) {
       f(sum(modes, load, assembly));
       if (assembly != 0) f(sum(modes, load, -assembly));
@@ -121,7 +122,7 @@ class InDiagram {
       : crack_(crack), material_(material), toughness_(toughness) {
     const double K_p = crack.K_load();
     const double K_s = crack.K_assembly();
-    // A load that puts no K on the crack has chi without limit.
+    // If the load does not cause K at the crack, chi is infinite.
     chi_ = K_s == 0  ? 0.0
            : K_p > 0 ? K_s * L_r(1.0) / K_p
                      : std::numeric_limits<double>::infinity();  // (FA-3)
@@ -141,7 +142,7 @@ class InDiagram {
   [[nodiscard]] double line(double load) const { return assessment_line(L_r(load), material_); }
   [[nodiscard]] double collapse_at() const { return L_r_max_; }
   [[nodiscard]] double chi() const { return chi_; }
-  /// How far outside the line, 0 or more: outside.
+  /// Distance from the line; 0 or more means outside.
   [[nodiscard]] double beyond(double load) const {
     return L_r(load) > L_r_max_ ? 1.0 : K_r(load) - line(load);
   }
@@ -152,12 +153,13 @@ class InDiagram {
                                                : StrengthVerdict::fractures;  // (FA-13)
   }
 
-  /// Factor on the load at which the line is reached; absent for a crack that it does not stress.
+  /// Factor on the load at which the point reaches the line; absent if the load does not stress the
+  /// crack.
   [[nodiscard]] std::optional<double> reserve() const {
     if (!(L_r(1.0) > 0)) return std::nullopt;
     if (beyond(0.0) >= 0) return 0.0;
     const double collapse = L_r_max_ / L_r(1.0);
-    // A load that presses the crack may lower K_r at first: the first crossing is the answer.
+    // A load that presses the crack may reduce K_r at first, so search for the first crossing.
     constexpr int kSteps = 32;
     double inside = 0.0;
     for (int i = 1; i <= kSteps; ++i) {
@@ -182,7 +184,7 @@ class InDiagram {
 template <class Beyond>
 CriticalSize first_size(const DriveCrack& crack, const char* at_once, const Beyond& beyond) {
   constexpr int kSteps = 24;
-  constexpr double kSmallest = 1e-4;  // of the range
+  constexpr double kSmallest = 1e-4;  // share of the range
   const double end = crack.range_end;
   double inside = kSmallest * end;
   if (beyond(inside) >= 0) return {.text = at_once};
@@ -195,7 +197,8 @@ CriticalSize first_size(const DriveCrack& crack, const char* at_once, const Beyo
           .text = fmt::format("none up to {:.3g} mm, {}", end / units::mm, crack.range_text)};
 }
 
-/// Of K under load and assembly together [-]; the two parts err independently.
+/// Relative uncertainty of K under load and assembly together [-]; the errors of the two parts are
+/// independent.
 std::optional<double> uncertainty(const AssessedCrack& asked, const StrengthState& state) {
   if (!state.with_assembly || !asked.relative_uncertainty || !(state.K > 0))
     return asked.relative_uncertainty;
@@ -210,7 +213,7 @@ void cannot_tell(StrengthState& state, std::string unknown, std::string next_ste
   state.next_step = std::move(next_step);
 }
 
-/// Names the properties that the material does not give, and asks for them.
+/// Names the properties that the material lacks, and requests them.
 void ask_for_properties(StrengthState& state, const DriveCrack& crack, const Material& material) {
   const bool toughness = material.fracture_toughness.has_value();
   if (toughness && material.yield_strength) return;
@@ -229,7 +232,7 @@ void ask_for_properties(StrengthState& state, const DriveCrack& crack, const Mat
                         crack.material, wanted));
 }
 
-/// K and what follows from it without the assessment line.
+/// Adds K and the results that follow without the assessment line.
 void add_intensities(StrengthState& state, const AssessedCrack& asked, const AtSize& present) {
   state.K_load = present.K_load();
   state.K_assembly = present.K_assembly();
@@ -247,15 +250,16 @@ void add_intensities(StrengthState& state, const AssessedCrack& asked, const AtS
   if (*state.utilisation >= 1) state.verdict = StrengthVerdict::fractures;  // (FA-13)
 }
 
-/// Why a point inside the line does not show that the crack holds; (FA-13).
+/// Records why a point inside the line does not prove that the crack holds; (FA-13).
 void doubt(StrengthState& state, const AssessedCrack& asked, const InDiagram& point) {
   const DriveCrack& crack = asked.crack;
   if (clearly_less(crack.range_end, crack.size.size)) {
-    state.reserve.reset();  // that of the end of the range would be too large
+    state.reserve.reset();  // the reserve at the end of the range would be too large
     cannot_tell(state,
                 fmt::format("the crack is larger than {:.3g} mm, {}", crack.range_end / units::mm,
                             crack.range_text),
-                "No field makes so large a crack assessable: judge it by finite elements.");
+                "Assess so large a crack by finite elements, because no field of the file can make "
+                "it assessable.");
   } else if (state.with_assembly && point.chi() > kMaxInteractionRatio &&
              crack.assembly_peak > *asked.material.yield_strength) {
     cannot_tell(
@@ -288,7 +292,7 @@ StrengthState state_of(const AssessedCrack& asked, TorqueSense which, bool with_
   const AssessmentMaterial steel{.youngs_modulus = material.youngs_modulus,
                                  .yield_strength = *material.yield_strength,
                                  .ultimate_strength = material.ultimate_strength};
-  // Without a toughness only the collapse can be told: a tough material.
+  // Without a toughness only collapse can be assessed, so assume a very tough material.
   const double K_Ic = material.fracture_toughness.value_or(std::numeric_limits<double>::infinity());
   const InDiagram point(present, steel, K_Ic);
   state.L_r = point.L_r(1.0);
@@ -310,7 +314,7 @@ StrengthState state_of(const AssessedCrack& asked, TorqueSense which, bool with_
   return state;
 }
 
-/// Rank of a verdict: a worse one is larger.
+/// Rank of a verdict; a worse verdict gets a larger rank.
 int badness(const StrengthState& state) {
   switch (state.verdict) {
     case StrengthVerdict::acceptable:
@@ -330,7 +334,8 @@ bool worse(const StrengthState& a, const StrengthState& b) {
   return a.K > b.K;
 }
 
-/// Worse by more than rounding: where both end at the same collapse, nothing is.
+/// Whether a state is worse by more than rounding; two states that end at the same collapse are
+/// equal.
 bool clearly_worse(const StrengthState& a, const StrengthState& b) {
   if (badness(a) != badness(b)) return badness(a) > badness(b);
   if (a.reserve && b.reserve) return clearly_less(*a.reserve, *b.reserve);
@@ -339,7 +344,8 @@ bool clearly_worse(const StrengthState& a, const StrengthState& b) {
 
 std::string mpa(double K) { return fmt::format("{:.3g} MPa*m^0.5", K / units::MPa); }
 
-/// "critical depth 1.23 mm, present 2 mm", or why there is none.
+/// The critical size in words: "critical depth 1.23 mm, present 2 mm", or the reason why it is
+/// missing.
 std::string size_words(const CrackStrength& crack, const StrengthState& state) {
   const std::optional<CriticalSize>& answer =
       state.critical_size ? state.critical_size : state.brittle_size;
@@ -355,7 +361,8 @@ std::string beyond_the_end(const StrengthState& state) {
   return fmt::format("L_r = {:.3g} beyond L_r,max = {:.3g}", *state.L_r, *state.L_r_max);
 }
 
-/// "; the line is within the accuracy of K (10 %)" of a point inside it.
+/// For a point inside the line, the words "; the line is within the accuracy of K (10 %)" if they
+/// apply.
 std::string accuracy_words(const StrengthState& state) {
   if (!state.K_r || !state.relative_uncertainty || *state.K_r >= *state.line ||
       *state.K_r * (1 + *state.relative_uncertainty) < *state.line)
@@ -427,7 +434,7 @@ std::vector<StrengthState> states_of(const AssessedCrack& asked, TorqueSense sen
   return of_sense;
 }
 
-/// The worst of some states; the first of equal ones.
+/// Index of the worst of some states; of equal states, the first.
 std::size_t worst_of(const std::vector<StrengthState>& states, std::size_t first,
                      std::size_t last) {
   std::size_t at = first;
@@ -448,7 +455,8 @@ CrackStrength assess(const AssessedCrack& asked, CrackStrength result) {
   if (senses_differ(asked, false) || (asked.crack.assembly && senses_differ(asked, true)))
     for (StrengthState& state : states_of(asked, other)) result.states.push_back(std::move(state));
 
-  // The drive reverses: the worst state under either sense, the given one where they are equal.
+  // The drive may reverse, so take the worst state under either sense, and the given sense if both
+  // are equal.
   const std::size_t of_given = worst_of(result.states, 0, n);
   result.governing = of_given;
   if (result.states.size() > n) {

@@ -20,11 +20,12 @@ const StrengthNote kResidual = {
 const StrengthNote kLineEnds = {
     "the material gives no ultimate_strength: the line ends at L_r = 1, on the safe side", "FA-2"};
 
-/// A crack of which no stress is computed.
+/// The answer for a crack whose stress is not computed.
 CrackStrength acts_in_coupled_drive(CrackStrength report) {
   report.sentence =
       "cannot tell: it acts in the coupled drive only, where its stress is not computed";
-  report.next_step = "No field makes this crack assessable: judge it by finite elements.";
+  report.next_step =
+      "Assess the crack by finite elements, because no field of the file can make it assessable.";
   report.equations = {"FA-13"};
   return report;
 }
@@ -93,8 +94,9 @@ std::vector<Note> strength_notes(std::span<const CrackStrength> cracks) {
                        .path = crack.path,
                        .equation = "FA-13",
                        .severity = Severity::critical,
-                       .next_step = "Lower the load or replace the part; the stiffness is that of "
-                                    "the crack as it stands."});
+                       .next_step =
+                           "Lower the load or replace the part; the stiffness holds for the "
+                           "present size of the crack."});
     else if (crack.verdict == StrengthVerdict::cannot_tell)
       notes.push_back({.code = "strength.cannot_tell",
                        .text = crack.sentence,

@@ -8,10 +8,10 @@
 
 namespace strainwave {
 
-/// A drive whose numbers at some paths are drawn again and again; one for each thread.
+/// A drive in which the numbers at some paths are drawn repeatedly; each thread has its own.
 ///
-/// What is known of the inputs does not restrict the draws, and costs time to check: the drive has
-/// no ranges and no scatter.
+/// The ranges and scatters of the drive are removed, because they do not limit the draws and
+/// checking them is slow.
 class DrawnDrive {
  public:
   /// @param inputs  ranges or scatters of the gear, each with the path of a number
@@ -25,11 +25,11 @@ class DrawnDrive {
         if (inputs[i].path == text) numbers_[i] = &number;
     });
   }
-  DrawnDrive(const DrawnDrive&) = delete;  // it points into itself
+  DrawnDrive(const DrawnDrive&) = delete;  // it holds pointers into itself
   DrawnDrive& operator=(const DrawnDrive&) = delete;
 
   [[nodiscard]] const GearSet& gear() const { return gear_; }
-  /// The number at the path of the input of this index.
+  /// The number at the path of the input with this index.
   [[nodiscard]] double& number(std::size_t input) { return *numbers_[input]; }
 
  private:

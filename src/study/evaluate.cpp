@@ -64,7 +64,7 @@ CrackedCurve cracked_lines_of(const AssembledDrive& drive, int sense, const Curv
   return curve;
 }
 
-/// Strength of the cracks beside the stiffness; a note says what is missing where there is none.
+/// Adds the strength of the cracks to the stiffness, or a note that names the missing input.
 void add_strength(StiffnessResult& result, const GearSet& gear) {
   std::vector<CrackStrength> strength = crack_strength(gear, result.cracks);
   if (strength.empty()) return;

@@ -22,7 +22,7 @@ std::optional<Quantity> output_named(const StiffnessResult& result, std::string_
 
 void refuse_output(const StiffnessResult& result, std::string_view path, std::string_view option) {
   std::vector<std::string> known;
-  std::vector<std::string> ending;  // "stiffness" is short for three outputs
+  std::vector<std::string> ending;  // "stiffness" may stand for three outputs
   for_each_quantity(result, [&](const std::string& name, const Quantity&) {
     known.push_back(name);
     if (!path.empty() && name.ends_with("." + std::string(path))) ending.push_back(name);

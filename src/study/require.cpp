@@ -83,8 +83,8 @@ Note note_of(const RequirementAnswer& answer) {
           .equation = "ST-16",
           .severity = broken ? Severity::critical : Severity::cannot_tell,
           .next_step = broken ? "Change the drive, or the requirement."
-                              : "Give what the accuracies name as the largest uncertainty, or "
-                                "measure the output."};
+                              : "Give the value that the accuracies name as the largest "
+                                "uncertainty, or measure the output."};
 }
 
 }  // namespace

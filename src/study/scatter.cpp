@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t kOutputs = 5;
 using Values = std::array<double, kOutputs>;
 
-/// In the order that Sensitivity names them.
+/// Names of the outputs, in the order of Sensitivity.
 constexpr std::array<std::string_view, kOutputs> kNames = {
     "intact.stiffness", "cracked.positive.stiffness", "cracked.negative.stiffness",
     "cracked.positive.stiffness_loss", "cracked.negative.stiffness_loss"};
@@ -35,7 +35,7 @@ struct Draw {
   Fate fate = Fate::evaluated;
 };
 
-/// Draws values of the numbers that scatter, and evaluates the drive; one for each thread.
+/// Draws values of the scattering numbers and evaluates the drive; each thread has its own.
 class Evaluator {
  public:
   Evaluator(const GearSet& gear, std::uint64_t seed) : drawn_(gear, gear.scatter), seed_(seed) {
@@ -78,7 +78,7 @@ class Evaluator {
   std::vector<Law> laws_;
 };
 
-/// All draws, each at its place.
+/// All draws, stored by their index.
 std::vector<Draw> draws_of(const GearSet& gear, const ScatterOptions& options,
                            const Progress& progress) {
   std::vector<Draw> draws(static_cast<std::size_t>(options.samples));
@@ -110,7 +110,8 @@ void fill_moments(ScatterOutput& output, std::vector<double> values) {
     output.mean_error = output.relative_deviation / std::sqrt(n);
   }
   if (deviation > 0) {
-    // Of the variance: (mu_4 - sigma^4)/n; half of that, relatively, of its root.
+    // The squared standard error of the variance is (mu_4 - sigma^4)/n; the relative error of its
+    // root is half as large.
     const double kurtosis = fourth / n / (variance * variance);
     output.relative_deviation_error =
         output.relative_deviation * std::sqrt(std::max(0.0, kurtosis - 1) / n) / 2;  // (SN-9)
@@ -120,7 +121,8 @@ void fill_moments(ScatterOutput& output, std::vector<double> values) {
   output.high = quantile(values, 0.95);
 }
 
-/// First order: what each input contributes to the variance of the logarithm.
+/// Fills in the first-order result: the contribution of each input to the variance of the
+/// logarithm.
 void fill_first_order(ScatterOutput& output, const Sensitivity& sensitivity, std::size_t y,
                       const std::vector<InputScatter>& inputs) {
   double variance = 0.0;
@@ -218,11 +220,11 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
          "Give [[range]] tables and run strainwave torsion, which draws bands of K1, K2, K3."});
   scatter.notes.push_back(
       {"scatter.model_form",
-       "the uncertainty of the model's form is beside, not in, the scatter by the inputs",
-       "scatter", "ST-16", Severity::information});
+       "the scatter by the inputs does not include the uncertainty of the model's form", "scatter",
+       "ST-16", Severity::information});
   scatter.notes.push_back({"scatter.independent",
-                           "the inputs are drawn independently of each other; numbers of one "
-                           "casting or one heat treatment may not be",
+                           "the inputs are drawn independently of each other, although numbers "
+                           "of one casting or one heat treatment may depend on each other",
                            "scatter", "SN-7", Severity::information});
   return scatter;
 }

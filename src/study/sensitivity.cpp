@@ -34,7 +34,7 @@ struct Number {
   const double* address = nullptr;
 };
 
-/// The numbers that describe the drive; those that describe what is known of them are none.
+/// The numbers that describe the drive, without numbers that describe ranges and scatter.
 std::vector<Number> numbers_of(const GearSet& gear) {
   std::vector<Number> numbers;
   for_each_number(gear, [&](const FieldPath& path, const Field& field, const double& value) {
@@ -129,7 +129,7 @@ double Sensitivity::homogeneity_residual() const {
 }
 
 LengthAndForce length_and_force(std::string_view unit) {
-  // Text tells joules and radians apart; here they are N*m and 1.
+  // Units in text distinguish joules and radians; here they count as N*m and 1.
   const Dimension d = parse_unit(unit).dimension;
   if (d[2] != -2 * d[1] || d[3] != 0)
     throw InputError("unit", fmt::format("{} is not made of length and force", unit));
@@ -164,15 +164,16 @@ Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options)
       {"cracked.positive.stiffness_loss", loss_of(result.positive.stiffness_change)},
       {"cracked.negative.stiffness_loss", loss_of(result.negative.stiffness_change)},
   }};
-  std::vector<std::size_t> kept;  // of the five
+  std::vector<std::size_t> kept;  // indices of the kept outputs among the five
   for (std::size_t y = 0; y < all.size(); ++y) {
     if (all[y].value.value != 0) {
       kept.push_back(y);
       sensitivity.outputs.push_back(all[y]);
     } else {
-      sensitivity.notes.push_back({"sensitivity.no_loss",
-                                   "no crack takes stiffness away: a loss of 0 has no elasticity",
-                                   all[y].name, "SN-1", Severity::information});
+      sensitivity.notes.push_back(
+          {"sensitivity.no_loss",
+           "no crack reduces the stiffness, and a loss of 0 has no elasticity", all[y].name, "SN-1",
+           Severity::information});
     }
   }
 
@@ -243,8 +244,8 @@ Sensitivity held_to_dimensions(Sensitivity sensitivity) {
   const double residual = sensitivity.homogeneity_residual();
   if (sensitivity.usable() && !(residual <= kMaxHomogeneityResidual))
     sensitivity.unusable_because = fmt::format(
-        "the elasticities miss the dimensions of the stiffness by {:.2g} (SN-6): the model reads a "
-        "number whose derivative is lost",
+        "the elasticities miss the dimensions of the stiffness by {:.2g} (SN-6), because the model "
+        "reads a number whose derivative is missing",
         residual);
   return sensitivity;
 }

@@ -73,7 +73,7 @@ SolutionList sif_list(std::string_view family) {
   if (list.solutions.empty()) {
     families.erase(std::unique(families.begin(), families.end()), families.end());
     throw InputError("family",
-                     fmt::format("{} is none of {}", shown(family), fmt::join(families, ", ")));
+                     fmt::format("{} must be one of {}", shown(family), fmt::join(families, ", ")));
   }
   return list;
 }
@@ -93,7 +93,7 @@ sif::Assignments sif_assignments(const sif::Row& row, std::span<const std::strin
     if (field == row.fields.end() && load == row.loads.end()) {
       const std::string near = nearest_word(name, known);
       throw InputError(fmt::format("--set {}", shown(name)),
-                       fmt::format("is no field or load of {}; {}", row.info.name,
+                       fmt::format("is not a field or load of {}; {}", row.info.name,
                                    near.empty() ? fmt::format("it has {}", fmt::join(known, ", "))
                                                 : fmt::format("do you mean {}?", near)));
     }

@@ -28,15 +28,15 @@ namespace {
 // --- The output as a function of the sought number --------------------------------------------
 
 enum class State {
-  refused,   // no result
-  unusable,  // a result that may not be used
+  refused,   // the method gives no result
+  unusable,  // the result must not be used
   usable,
 };
 
 struct Sample {
   double x = 0.0;
   State state = State::refused;
-  double y = 0.0;  // the output; nothing if refused
+  double y = 0.0;  // the output; not set if refused
   std::string reason = {};
 };
 
@@ -57,7 +57,7 @@ class Probe {
   }
 
   [[nodiscard]] Sample sample(double x) {
-    // The scan, and about as many evaluations where it is refined.
+    // Progress counts the scan and about as many evaluations for its refinement.
     progress_.at(std::min(1.0, ++n_samples_ / (2.0 * n_scan_)));
     try {
       const StiffnessResult at_x =
@@ -74,7 +74,7 @@ class Probe {
     }
   }
 
-  /// The output alone; not a number where the method refuses.
+  /// The output alone; NaN if the method refuses.
   [[nodiscard]] double output(double x) {
     const Sample s = sample(x);
     return s.state == State::refused ? std::numeric_limits<double>::quiet_NaN() : s.y;
@@ -102,7 +102,7 @@ void append_spaced(std::vector<double>& points, double from, double to, int n, S
 /// Points over a range that the user gives.
 std::vector<double> points_within(const SearchRange& range, int n) {
   const auto [lower, upper] = std::minmax(range.from, range.to);
-  // Equal ratios where the range covers more than one decade.
+  // Use equal ratios if the range covers more than one decade.
   const bool decades = (lower > 0 && upper > 10 * lower) || (upper < 0 && lower < 10 * upper);
   std::vector<double> points;
   append_spaced(points, lower, upper, n, decades ? Spacing::logarithmic : Spacing::linear);
@@ -145,7 +145,7 @@ std::vector<double> scan_points(const NumberAt& number, const Unknown& unknown, 
 
 // --- Ends of stretches, turning points ---------------------------------------------------------
 
-/// Narrows [a, b], whose ends differ in state, to rounding; `resolution` holds near zero.
+/// Narrows [a, b], whose ends differ in state, to rounding; near zero, to `resolution`.
 std::pair<Sample, Sample> end_of_stretch(Probe& probe, Sample a, Sample b, double resolution) {
   const State state = a.state;
   for (;;) {
@@ -158,12 +158,12 @@ std::pair<Sample, Sample> end_of_stretch(Probe& probe, Sample a, Sample b, doubl
   }
 }
 
-/// The samples with the ends of each stretch of one state among them.
+/// The samples, with the ends of each stretch of one state added.
 Samples with_ends(Probe& probe, Samples samples) {
   const double resolution = 1e-15 * (samples.back().x - samples.front().x);
   Samples result;
   for (Sample& next : samples) {
-    // More than one change may hide between two samples.
+    // More than one change may lie between two samples.
     constexpr int kMaxChanges = 8;
     for (int i = 0; i < kMaxChanges && !result.empty() && result.back().state != next.state; ++i) {
       if (next.x - result.back().x <= resolution) break;
@@ -177,8 +177,8 @@ Samples with_ends(Probe& probe, Samples samples) {
   return result;
 }
 
-/// The samples with the turning points of the output among them: two solutions may lie close
-/// together on either side of one.
+/// The samples, with the extrema of the output added, because two solutions may lie close together
+/// on either side of an extremum.
 Samples with_turning_points(Probe& probe, const Samples& samples) {
   Samples result;
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -194,7 +194,7 @@ Samples with_turning_points(Probe& probe, const Samples& samples) {
     const double rounding = 1e-12 * std::abs(here.y);
     if (!(rise * fall > 0) || std::min(std::abs(rise), std::abs(fall)) < rounding) continue;
     const double sign = rise > 0 ? -1.0 : 1.0;
-    constexpr int kBits = 26;  // of the place; the value there has all its digits
+    constexpr int kBits = 26;  // accuracy of the place; the value there is accurate to all digits
     const double x =
         boost::math::tools::brent_find_minima([&](double at) { return sign * probe.output(at); },
                                               before.x, after.x, kBits)
@@ -212,8 +212,8 @@ Samples with_turning_points(Probe& probe, const Samples& samples) {
 
 // --- Solutions ---------------------------------------------------------------------------------
 
-/// Whether the output runs through `x` without a jump: across a step a thousand times wider than
-/// rounding, a continuous output changes far more than across rounding itself.
+/// Whether the output is continuous at `x`.  Over a step a thousand times wider than rounding, a
+/// continuous output changes far more than over a step of rounding.
 bool continuous_at(Probe& probe, double x, double lower, double upper, double scale) {
   const double rounding = 1e-15 * std::max(std::abs(x), upper - lower);
   const auto change = [&](double step) {
@@ -221,11 +221,12 @@ bool continuous_at(Probe& probe, double x, double lower, double upper, double sc
                     probe.output(std::max(x - step, lower)));
   };
   const double narrow = change(rounding);
-  // The crack integrals have a tolerance, so the smallest steps may be theirs.
+  // Changes within the tolerance of the crack integrals are not jumps.
   return narrow <= 1e-9 * scale || narrow <= 0.5 * change(1000 * rounding);
 }
 
-/// d output/d x by a central difference, one-sided at the end of a stretch; NaN if there is none.
+/// d output/d x by a central difference, one-sided at the end of a stretch; NaN if it cannot be
+/// computed.
 double slope_at(Probe& probe, const Sample& at) {
   const double step = 1e-4 * std::abs(at.x);
   const auto neighbour = [&](double x) {
@@ -250,12 +251,12 @@ Solution solution_at(Probe& probe, const Sample& at, const SolveResult& problem)
 
 constexpr int kDigits = 6;
 
-/// "3.66 mm": a number of the gear or an output, for people.
+/// A number of the gear or an output for people, such as "3.66 mm".
 std::string shown_at(std::string_view name, double value, std::string_view si) {
   return shown_quantity(value, si, kDigits, name);
 }
 
-/// "1 mm to 2 mm", with as many digits as tell the two apart.
+/// A range such as "1 mm to 2 mm", with enough digits to distinguish both ends.
 std::string span_shown(std::string_view name, double from, double to, std::string_view si,
                        std::string_view between) {
   constexpr int kAllDigits = 17;
@@ -266,7 +267,7 @@ std::string span_shown(std::string_view name, double from, double to, std::strin
   }
 }
 
-/// Collects solutions, and sentences on everything that is not quite one.
+/// Collects solutions, and remarks on values that do not count as solutions.
 class Findings {
  public:
   Findings(Probe& probe, SolveResult& result) : probe_(probe), result_(result) {}
@@ -312,7 +313,7 @@ class Findings {
             (*result_.least == *result_.greatest ? "it is " : "it lies ") + output_range(result_);
       } else {
         const auto unusable = std::ranges::find(result_.excluded, false, &Excluded::refused);
-        none += fmt::format("nowhere is there a result that may be used: {}", unusable->reason);
+        none += fmt::format("no value gives a result that may be used: {}", unusable->reason);
       }
       remarks_.insert(remarks_.begin(), std::move(none));
     }
@@ -334,9 +335,9 @@ class Findings {
   std::vector<std::string> remarks_;
 };
 
-/// Walks the samples and finds where the output meets the target.
+/// Walks the samples and finds the places at which the output meets the target.
 void find_solutions(const Samples& samples, Findings& findings, double target) {
-  // Closer than this the output equals the target: its own last digits are rounding.
+  // A smaller difference counts as equal, because the last digits of the output are rounding.
   const auto met = [&](const Sample& s) {
     return std::abs(s.y - target) <= 1e-14 * std::max(std::abs(target), std::abs(s.y));
   };
@@ -424,7 +425,7 @@ SolveResult solve(const GearSet& gear, Method method, const Unknown& unknown, co
   for (const double x : scan_points(number, unknown, options.n_scan))
     samples.push_back(probe.sample(x));
   if (std::ranges::all_of(samples, [](const Sample& s) { return s.state == State::refused; })) {
-    const StiffnessResult result = probe.result(samples.front().x);  // throws the fault itself
+    const StiffnessResult result = probe.result(samples.front().x);  // throws the original fault
     refuse_output(result, target.output, "--target");
   }
   samples = with_turning_points(probe, with_ends(probe, std::move(samples)));

@@ -17,7 +17,7 @@
 namespace strainwave {
 namespace {
 
-/// Gives each name of an output its column, in order of first appearance.
+/// Assigns a column to each output name, in order of first appearance.
 class Columns {
  public:
   explicit Columns(std::vector<SweepColumn>& columns) : columns_(columns) {}
@@ -42,8 +42,8 @@ void fill_outputs(SweepRow& row, const StiffnessResult& result, Columns& columns
   row.reason = result.unusable_because;
 }
 
-/// Adds the notes of one row to those of the sweep; texts with numbers in them differ from row to
-/// row, so code and path decide whether two notes are the same.
+/// Adds the notes of one row to those of the sweep.  Texts with numbers differ from row to row, so
+/// code and path decide whether two notes are the same.
 void gather_notes(std::vector<SweepNote>& gathered, const std::vector<Note>& notes,
                   std::size_t row) {
   for (const Note& note : notes) {

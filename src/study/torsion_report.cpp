@@ -22,7 +22,7 @@ namespace strainwave {
 namespace {
 
 constexpr int kRimPositions = 180;
-constexpr int kCurvePoints = 40;  // on each side, evenly spaced in the root of the torque
+constexpr int kCurvePoints = 40;  // points on each side, evenly spaced in the root of the torque
 
 std::vector<double> curve_torques(const MakersTorques& at, const TwistAtLoad& at_load) {
   const double most = std::max(at.T3, at.rated);
@@ -96,10 +96,10 @@ LineBands line_bands(const AssembledDrive& drive, const BandOptions& options,
   const GearSet& gear = drive.gear();
   const std::vector<Limits> limits = limits_of(gear);
   std::mt19937_64 random(20240607);
-  // Not std::uniform_real_distribution, whose sequence differs between libraries.
+  // The sequence of std::uniform_real_distribution differs between libraries, so it is not used.
   const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
   const auto draws = static_cast<std::size_t>(options.draws);
-  std::vector<double> values;  // of all draws, one draw after the other
+  std::vector<double> values;  // values of all draws, one draw after the other
   for (std::size_t n = 0; n < draws; ++n)
     for (const Limits& limit : limits)
       values.push_back(limit.lower + (limit.upper - limit.lower) * uniform());
@@ -111,7 +111,7 @@ LineBands line_bands(const AssembledDrive& drive, const BandOptions& options,
         drawn->number(i) = values[n * limits.size() + i];
       try {
         lines[n] = makers_lines(AssembledDrive(drawn->gear(), drive.options()));
-      } catch (const Error&) {  // this combination cannot be built
+      } catch (const Error&) {  // this combination cannot be assembled
       }
     };
   });
@@ -132,7 +132,7 @@ LineBands line_bands(const AssembledDrive& drive, const BandOptions& options,
 
 TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& options,
                              const Progress& progress) {
-  // Shares of the time: a drive without ranges and cracks takes it all for its curve.
+  // Shares of the time; without ranges and cracks, the curve takes all of it.
   const bool draws = !gear.range.empty() && options.draws > 0;
   const double curve_ends = draws || options.compare ? 0.2 : 1.0;
   const double draws_end = !draws ? curve_ends : options.compare ? 0.5 : 1.0;

@@ -40,10 +40,10 @@ void add_series_members(AssembledDrive::Contents& into) {
   }
 }
 
-// The gap law is for teeth whose path is about one module high (TC-7).
+// The gap law is valid for teeth whose path is about one module high (TC-7).
 constexpr double kLeastKappa = 0.6;
 constexpr double kMostKappa = 1.3;
-/// Pitch diameter of size 17, 43.18 mm, rounded down so that this size is not small [m].
+/// Pitch diameter of size 17, 43.18 mm, rounded down so that this size does not count as small [m].
 constexpr double kSize17 = 0.043;
 
 void note_geometry(const GearSet& gear, const CoupledGeometry& g, std::vector<Note>& notes) {
@@ -130,7 +130,7 @@ std::vector<std::string> equations_of(const CoupledGeometry& geometry) {
   return equations;
 }
 
-/// All that is known before the cracks in the contacts.
+/// Contents without the cracks that act in the contacts.
 AssembledDrive::Contents sound_contents(const GearSet& gear, const CoupledOptions& options,
                                         const CoupledGeometry& geometry,
                                         const CoupledDrive& sound) {

@@ -63,15 +63,15 @@ struct AssembledDrive::Contents {
   GearSet gear;
   CoupledOptions options;
   CoupledGeometry geometry;
-  CoupledDrive sound;  // on its cam
+  CoupledDrive sound;  // the sound drive on its cam
   ContactCracks cracks;
-  CoupledDrive drive;  // with the cracks, on the cam of the sound one
+  CoupledDrive drive;  // the drive with its cracks, on the cam of the sound drive
   SeriesMembers series;
   std::vector<Note> notes;
   std::vector<std::string> equations;
-  std::string sound_fails_because;  // empty if the sound drive assembles
-  std::string fails_because;        // empty if the drive with its cracks does
-  std::string series_unusable;      // empty if the members in series may be used
+  std::string sound_fails_because;  // reason; empty if the sound drive assembles
+  std::string fails_because;        // reason; empty if the drive with its cracks assembles
+  std::string series_unusable;      // reason; empty if the members in series may be used
 
   /// Twist of the output at a state of the rings (TC-14) [rad].
   [[nodiscard]] double twist(const Equilibrium& state) const {

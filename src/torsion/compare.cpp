@@ -22,7 +22,7 @@ LineChanges changes(const MakersLines& cracked, const MakersLines& sound) {
   return {cracked.K1 / sound.K1 - 1, cracked.K2 / sound.K2 - 1, cracked.K3 / sound.K3 - 1};
 }
 
-/// Order per turn with the largest amplitude; 0 if nothing varies.
+/// Order per turn with the largest amplitude; 0 if the changes do not vary.
 int dominant_order(const std::vector<LineChanges>& at_angle) {
   const auto n = static_cast<int>(at_angle.size());
   double largest = 1e-9;
@@ -40,7 +40,7 @@ int dominant_order(const std::vector<LineChanges>& at_angle) {
   return order;
 }
 
-/// @param at_angle  changes at the positions, the first as in the file
+/// @param at_angle  changes at the positions; the first position is that of the file
 ChangesOverTurn over_turn(std::vector<LineChanges> at_angle) {
   ChangesOverTurn result;
   result.as_given = result.worst = result.best = at_angle.front();
@@ -56,7 +56,8 @@ ChangesOverTurn over_turn(std::vector<LineChanges> at_angle) {
   return result;
 }
 
-/// Positions over a turn, of whole teeth: a crack then meets the same teeth and gaps at each.
+/// Positions over a turn in steps of whole teeth, so a crack meets the same teeth and gaps at each
+/// position.
 std::vector<double> positions_over_turn(const GearSet& gear, int angles) {
   const int teeth = static_cast<int>(std::lround(gear.drive.wave_number * gear.drive.ratio));
   const int count = !has_moving_cracks(gear) ? 1 : angles == 0 ? teeth : std::min(angles, teeth);
@@ -70,8 +71,9 @@ double size(const LineChanges& c) {
   return std::max({std::abs(c.K1), std::abs(c.K2), std::abs(c.K3)});
 }
 
-/// (TC-26): a member in series adds the same compliance to all three lines at every position; teeth
-/// and rim change K1 most, and not at every position alike.
+/// Finds the kind of cracked member (TC-26).  A member in series adds the same compliance to all
+/// three lines at every position.  Teeth and rim change K1 most, by an amount that depends on the
+/// position.
 void diagnose(CurveComparison& comparison) {
   constexpr double kAlike = 0.1;
   constexpr double kContact = 1.5;
@@ -139,7 +141,7 @@ GearSet after_turn(const GearSet& gear, double angle) {
 CurveComparison compare_curves(const AssembledDrive& drive, const SlidingDrive& sliding, int angles,
                                const Progress& progress) {
   require(angles >= 0, "angles", angles, "1", ">= 0");
-  // Shares of the time: most of it goes to the positions, the loops come last.
+  // Shares of the time: the positions take most of it, the loops the rest.
   const Progress turn = progress.part(0.0, 0.9);
   const AssembledDrive sound = drive.without_cracks();
   CurveComparison comparison;

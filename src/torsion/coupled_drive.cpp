@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kToothSpan = pi / 4;  // teeth farther from a lobe never touch
+constexpr double kToothSpan = pi / 4;  // teeth farther from a lobe cannot touch
 
 /// Balls all round, and the teeth near the lobes.
 ContactPlaces contact_places(int balls, int teeth) {
@@ -121,7 +121,7 @@ double CoupledDrive::free_travel(const Eigen::VectorXd& closing, double load) co
   for (int i = g_.balls; i < contacts(); ++i)
     if (rotation_[i] * load > 0)
       travel = std::min(travel, std::max(0.0, -closing[i] / std::abs(rotation_[i])));
-  // A little farther, so that the flank that touches first has a stiffness.
+  // Turn slightly farther, so the flank that touches first has a stiffness.
   return std::copysign(travel + 1e-3 * g_.radial_displacement, load);
 }
 
@@ -154,8 +154,8 @@ CoupledDrive::Touching CoupledDrive::touching(const Eigen::VectorXd& closing,
         laws.push_back(at);
       }
   const auto m = static_cast<Eigen::Index>(t.contact.size());
-  // With forces lambda = root y the matrix 1 + root C root is well conditioned, however soft a
-  // contact that only just touches.
+  // With forces lambda = root y, the matrix 1 + root C root is well conditioned even if a contact
+  // just touches and is very soft.
   Eigen::MatrixXd matrix(m, m);
   Eigen::VectorXd wanted(m);
   t.border.resize(m);
@@ -187,7 +187,8 @@ Equilibrium CoupledDrive::newton_step(const Equilibrium& state, double load) con
   Equilibrium full;
   full.torque = state.torque;
   full.rotation = state.rotation;
-  // Without a flank in contact nothing resists the rotation: the ring turns until one touches.
+  // Without a flank in contact the rotation has no resistance, and the ring turns until a flank
+  // touches.
   if (t.resistance > 0)
     full.rotation = t.rotation(load);
   else if (load != 0)
@@ -213,9 +214,9 @@ void CoupledDrive::judge(Equilibrium& state, double load) const {
 }
 
 void CoupledDrive::move_toward(const Equilibrium& full, Equilibrium& state, double load) const {
-  constexpr double kShortest = 1e-10;  // of a step; shorter ones change nothing
-  constexpr double kDescent = 1e-4;    // share of the linear decrease that is asked for (Armijo)
-  constexpr double kRounding = 1e-14;  // of the sum of energies
+  constexpr double kShortest = 1e-10;  // shortest length of a step; shorter steps have no effect
+  constexpr double kDescent = 1e-4;    // required share of the linear decrease (Armijo)
+  constexpr double kRounding = 1e-14;  // rounding of the sum of energies
   const Eigen::VectorXd d_force = full.force - state.force;
   const Eigen::VectorXd d_elastic = full.elastic - state.elastic;
   const Eigen::VectorXd d_closing = full.closing - state.closing;
@@ -253,7 +254,7 @@ Equilibrium CoupledDrive::solve(double torque, const Equilibrium& start) const {
     Equilibrium full = newton_step(state, load);
     judge(full, load);
     state.residual = full.residual;
-    if (full.converged) {  // it lands on the laws of the contacts
+    if (full.converged) {  // the full step satisfies the laws of the contacts
       full.iterations = state.iterations + 1;
       return full;
     }
@@ -289,9 +290,10 @@ Equilibrium CoupledDrive::unloaded() const {
 bool CoupledDrive::assemble() {
   // (TC-12)
   constexpr int kMostSteps = 50;
-  constexpr double kStart = 1.02;     // first amplitude over w_0: balls and rings give a little
-  constexpr double kExact = 1e-12;    // of w_0, where the steps end
-  constexpr double kAccepted = 1e-9;  // of w_0, after the last step
+  // first amplitude over w_0, because balls and rings deform a little
+  constexpr double kStart = 1.02;
+  constexpr double kExact = 1e-12;    // share of w_0 at which the steps end
+  constexpr double kAccepted = 1e-9;  // share of w_0 accepted after the last step
   const double w0 = g_.radial_displacement;
   amplitude_ = kStart * w0 + g_.clearance;
   assembled_ = unloaded();
@@ -304,7 +306,7 @@ bool CoupledDrive::assemble() {
     if (std::abs(missing) <= kExact * w0) break;
     const Tangent response = linear_response(assembled_, cam_, 0.0);
     const double rise = rings_->lobe(response.force);
-    // Where no ball touches yet, the cam grows by all that is missing.
+    // If no ball touches yet, increase the cam by the whole missing amount.
     amplitude_ += rise > 0 ? std::clamp(missing / rise, -w0, w0) : missing;
     if (!std::isfinite(amplitude_)) return false;
   }
@@ -323,16 +325,18 @@ bool CoupledDrive::assemble_on(double cam_amplitude) {
 }
 
 void CoupledDrive::rest_nearest_to_zero() {
-  // (TC-11): without torque no flank carries, and the ring may turn until one touches.
+  // (TC-11): without torque no flank carries load, and the ring may turn until a flank touches.
   const double negligible = 1e-10 * assembled_.force.head(g_.balls).maxCoeff();
-  double drive = -std::numeric_limits<double>::infinity();  // closing of the flank nearest to touch
+  // closing of the flank nearest to contact
+  double drive = -std::numeric_limits<double>::infinity();
   double coast = drive;
   for (int i = g_.balls; i < contacts(); ++i) {
     if (assembled_.force[i] > negligible) return;  // interference: the flanks hold the ring
     double& nearest = i < g_.balls + tooth_count_ ? drive : coast;
     nearest = std::max(nearest, assembled_.closing[i]);
   }
-  const double rate = rotation_[g_.balls];  // of closing, the same for all flanks but for its sign
+  // rate of closing, the same for all flanks except its sign
+  const double rate = rotation_[g_.balls];
   const double at = assembled_.rotation;
   assembled_.rotation = std::min(std::max(0.0, at + coast / rate), at - drive / rate);
   assembled_.force.tail(contacts() - g_.balls).setZero();

@@ -10,10 +10,10 @@
 #include "coupled_geometry.hpp"
 #include "elastic_rings.hpp"
 
-// The coupled drive as a contact problem: elastic rings between balls and flanks that touch or not.
+// The coupled drive as a contact problemof elastic rings between balls and flanks that may touch.
 //
-// What is to be solved are the forces of the contacts that touch, 20 to 60, instead of all
-// coefficients of the rings: a small dense system.
+// The unknowns are the forces of the 20 to 60 contacts that touch, instead of all coefficients of
+// the rings.  This gives a small dense system.
 
 namespace strainwave {
 
@@ -21,9 +21,9 @@ namespace strainwave {
 struct Equilibrium {
   double torque = 0.0;
   double rotation = 0.0;    // c_0 [m]
-  Eigen::VectorXd force;    // of all contacts
-  Eigen::VectorXd elastic;  // part of the closings that the rings give
-  Eigen::VectorXd closing;  // u of all contacts
+  Eigen::VectorXd force;    // forces of all contacts
+  Eigen::VectorXd elastic;  // part of the closings due to the rings
+  Eigen::VectorXd closing;  // closings u of all contacts
   double residual = 0.0;
   int iterations = 0;
   bool converged = false;
@@ -36,9 +36,9 @@ class CoupledDrive {
   /// The same drive with cracks, not yet on its cam.
   [[nodiscard]] CoupledDrive cracked(const ContactCracks& cracks) const;
 
-  /// Assembles: the cam amplitude that lifts the lobes to w_0.  False if it cannot be found.
+  /// Finds the cam amplitude that lifts the lobes to w_0.  Returns false if it is not found.
   [[nodiscard]] bool assemble();
-  /// Assembles on a cam of given amplitude, which does not know of cracks.
+  /// Assembles on a cam of given amplitude, which is that of the sound drive.
   [[nodiscard]] bool assemble_on(double cam_amplitude);
   [[nodiscard]] const Equilibrium& assembled() const { return assembled_; }
   [[nodiscard]] double cam_amplitude() const { return amplitude_; }
@@ -50,7 +50,7 @@ class CoupledDrive {
   /// Equilibrium under a torque, from another state on this cam.
   [[nodiscard]] Equilibrium solve(double torque, const Equilibrium& start) const;
 
-  /// Tangent at a state: dQ/dT of all contacts, and d c_0/dT.
+  /// Tangent at a state: dQ/dT of all contacts and d c_0/dT.
   struct Tangent {
     Eigen::VectorXd force;  // [1/m]
     double rotation = 0.0;  // [m/(N*m)]
@@ -59,11 +59,12 @@ class CoupledDrive {
   /// Change of the forces when the free closings move by `moved` and the load by `load`.
   [[nodiscard]] Tangent linear_response(const Equilibrium& state, const Eigen::VectorXd& moved,
                                         double load) const;
-  /// Shares of a tangent in the energy of members of the contact problem, d c_0/dT/R in all.
+  /// Adds the shares of a tangent in the energy of the members of the contact problem; their sum is
+  /// d c_0/dT/R.
   void add_shares(const Equilibrium& state, const Tangent& tangent,
                   std::array<double, kCurveMembers>& share) const;
 
-  /// Coefficients of all modes that contact forces make, without c_0.
+  /// Coefficients of all modes under contact forces, without c_0.
   [[nodiscard]] Eigen::VectorXd coefficients_of(const Eigen::VectorXd& force) const {
     return rings_->coefficients_of(force);
   }
@@ -100,22 +101,23 @@ class CoupledDrive {
     return closing <= 0 ? Law{} : pressed_law(contact, closing);
   }
   [[nodiscard]] Law pressed_law(int contact, double closing) const;
-  /// Closing of a contact that carries nothing on rigid rings.
+  /// Closing of an unloaded contact on rigid rings.
   [[nodiscard]] double rigid_closing(int contact, double rotation) const {
     return free_[contact] + amplitude_ * cam_[contact] + rotation * rotation_[contact];
   }
-  /// Closings from forces and rotation; those of the rings are known already, or computed here.
+  /// Sets the closings from forces and rotation; the part of the rings is known already or computed
+  /// here.
   void close(Equilibrium& state) const;
   void close_rigidly(Equilibrium& state) const;
-  /// Energy of a state without that of the cam [J].
+  /// Energy of a state without the energy of the cam [J].
   [[nodiscard]] double energy(const Equilibrium& state, double load) const;
   /// The contacts that touch, and their forces as a linear function of the rotation.
   struct Touching {
     std::vector<int> contact;
-    Eigen::VectorXd root;    // of the stiffness of the contacts
+    Eigen::VectorXd root;    // root of the stiffness of the contacts
     Eigen::VectorXd border;  // root times the closing per unit of c_0
     Eigen::VectorXd base;    // force over root without rotation
-    Eigen::VectorXd turned;  // and per unit of it
+    Eigen::VectorXd turned;  // force over root per unit of rotation
     double resistance = 0.0;
 
     [[nodiscard]] double rotation(double load) const {
@@ -126,15 +128,15 @@ class CoupledDrive {
   /// @param right  (contact, law, root) -> right-hand side of the contact, over root
   template <class Right>
   [[nodiscard]] Touching touching(const Eigen::VectorXd& closing, const Right& right) const;
-  /// Without forces, closings not known yet.
+  /// A state without forces whose closings are not known yet.
   [[nodiscard]] Equilibrium unloaded() const;
-  /// Where a full step of Newton's method leads.
+  /// The state after a full Newton step.
   [[nodiscard]] Equilibrium newton_step(const Equilibrium& state, double load) const;
-  /// How far forces are from the laws of their contacts, and from the load.
+  /// Sets the residual of the forces against the laws of their contacts and the load.
   void judge(Equilibrium& state, double load) const;
-  /// Moves toward a full step, as far as the energy falls.
+  /// Moves toward the full step as far as the energy falls.
   void move_toward(const Equilibrium& full, Equilibrium& state, double load) const;
-  /// How far the ring turns under a load before the first flank touches.
+  /// Rotation of the ring under a load before the first flank touches.
   [[nodiscard]] double free_travel(const Eigen::VectorXd& closing, double load) const;
   /// Moves the assembled ring to the point of its play that is nearest to rotation 0.
   void rest_nearest_to_zero();
@@ -147,7 +149,7 @@ class CoupledDrive {
   Eigen::VectorXd free_;        // closing without forces, c_0 and cam
   Eigen::VectorXd cam_;         // closing per unit of cam amplitude
   Eigen::VectorXd rotation_;    // closing per unit of c_0
-  Eigen::VectorXd multiplier_;  // of the stiffness of a tooth pair
+  Eigen::VectorXd multiplier_;  // multiplier of the stiffness of a tooth pair
   Eigen::VectorXd own_;         // compliance in series with a contact
 
   double amplitude_ = 0.0;

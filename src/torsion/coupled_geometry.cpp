@@ -20,15 +20,16 @@ namespace {
 
 using std::numbers::pi;
 
-// Limits of the coupled drive: beyond them the input is a slip, or a law has left its ground.
+// Limits of the coupled drive.  Beyond a limit the input is a mistake, or a law is not valid.
 constexpr double kMostRootDistance = 8;  // pitch less root diameter over m [-]: no tooth is taller
-constexpr double kFitInBore = 0.005;     // of the bore [-]: a bearing further off is not pressed in
-constexpr double kMostFlattening = 6;    // c_cam [-], (TC-5): four times that of an ellipse
-constexpr double kMostConing = 5;        // chi [-], (TC-8): five times an uncorrected tooth
-constexpr double kLeastDisplacement = 0.3;  // w_0/m [-]: the gap law (TC-7) is that of 1,
-constexpr double kMostDisplacement = 2;     //   and has a note beyond 0.6 to 1.3
+// share of the bore [-]: a bearing with a larger deviation does not fit
+constexpr double kFitInBore = 0.005;
+constexpr double kMostFlattening = 6;       // c_cam [-], (TC-5): four times that of an ellipse
+constexpr double kMostConing = 5;           // chi [-], (TC-8): five times an uncorrected tooth
+constexpr double kLeastDisplacement = 0.3;  // w_0/m [-]: the gap law (TC-7) is for 1,
+constexpr double kMostDisplacement = 2;     //   with a note outside 0.6 to 1.3
 constexpr int kLeastTeeth = 20;             // [-]: a tooth is small against the wave
-constexpr double kWhole = 1e-9;             // of a number of teeth [-]: rounding
+constexpr double kWhole = 1e-9;             // rounding of a number of teeth [-]
 
 /// A field that the coupled drive needs and `check` does not ask for, and its meaning.
 struct Missing {

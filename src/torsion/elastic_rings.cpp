@@ -13,7 +13,7 @@ Waves::Waves(const std::vector<double>& positions, int harmonics) {
   const Eigen::ArrayXd s = angle.sin();
   cosine = Eigen::MatrixXd::Ones(angle.size(), harmonics + 1);
   sine = Eigen::MatrixXd::Zero(angle.size(), harmonics + 1);
-  for (int n = 1; n <= harmonics; ++n) {  // turned on by one angle
+  for (int n = 1; n <= harmonics; ++n) {  // advanced by one angle
     const auto c_before = cosine.col(n - 1).array();
     const auto s_before = sine.col(n - 1).array();
     cosine.col(n) = c * c_before - s * s_before;
@@ -121,7 +121,7 @@ void ElasticRings::fill_flexibility(const ContactPlaces& places) {
   flexibility_.bottomLeftCorner(2 * teeth_, balls_) =
       flexibility_.topRightCorner(balls_, 2 * teeth_).transpose();
 
-  // Between teeth only the number of pitches counts.
+  // Between teeth only the number of pitches matters.
   std::vector<double> apart;
   for (int k = 0; k < places.pitches; ++k) apart.push_back(k * places.pitch());
   const Waves waves(apart, model_.harmonics());
@@ -177,7 +177,7 @@ Eigen::VectorXd ElasticRings::closings(const Eigen::VectorXd& force) const {
   const auto made = [&](std::size_t p) { return force[carries[p]] * flexibility_.col(carries[p]); };
   Eigen::VectorXd closings = Eigen::VectorXd::Zero(contacts());
   std::size_t p = 0;
-  for (; p + 4 <= carries.size(); p += 4)  // four in one pass: the sums stay in registers
+  for (; p + 4 <= carries.size(); p += 4)  // four in one pass keep the sums in registers
     closings -= (made(p) + made(p + 1)) + (made(p + 2) + made(p + 3));
   for (; p < carries.size(); ++p) closings -= made(p);
   return closings;

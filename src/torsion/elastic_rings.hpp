@@ -10,7 +10,7 @@
 
 // The elastic side of the contact problem: flexspline, outer ring and circular spline.
 //
-// The rings have constant sections, so their Fourier modes decouple into blocks of two and the
+// The rings have constant sections, so their Fourier modes decouple into blocks of two.  The
 // flexibility between any two contacts is a sum over modes.
 
 namespace strainwave {
@@ -22,32 +22,32 @@ struct Waves {
   Eigen::MatrixXd sine;
 };
 
-/// Where balls and teeth stand.
+/// Positions of balls and teeth.
 struct ContactPlaces {
   std::vector<double> balls;  ///< positions
   std::vector<int> teeth;     ///< numbers of the teeth that may touch, tooth j at (j + 1/2) pitches
-  int pitches = 1;            ///< of the whole turn
+  int pitches = 1;            ///< pitches of the whole turn
   [[nodiscard]] double pitch() const { return 2 * std::numbers::pi / pitches; }
-  /// Of balls, drive flanks and coast flanks.
+  /// Positions of balls, drive flanks and coast flanks.
   [[nodiscard]] std::vector<double> positions() const;
 };
 
 class ElasticRings {
  public:
-  /// Contacts are the balls, the drive flanks of the teeth and their coast flanks, which see the
-  /// rings as the drive flanks do in a mirror.
+  /// The contacts are the balls, the drive flanks of the teeth, and their coast flanks, which are
+  /// mirror images of the drive flanks.
   ElasticRings(const GearSet& gear, const CoupledGeometry& geometry, const CoupledOptions& options,
                const ContactPlaces& places);
 
   /// The same rings, softened by cracks.
-  /// @throws SolverError  if hinges of one ring overlap so far that nothing of it is left
+  /// @throws SolverError  if hinges of one ring overlap so far that the ring has no stiffness left
   [[nodiscard]] ElasticRings softened(const std::vector<RingHinge>& hinges) const;
 
   [[nodiscard]] int contacts() const { return static_cast<int>(position_.size()); }
   [[nodiscard]] double position_of(int contact) const {
     return position_[static_cast<std::size_t>(contact)];
   }
-  /// What a contact sees of the nominal wave w_0 cos(2 theta) of an inextensional ring.
+  /// Closing of a contact under the nominal wave w_0 cos(2 theta) of an inextensional ring.
   [[nodiscard]] double of_nominal_wave(int contact, double amplitude) const;
   /// The rings in their coefficients.
   [[nodiscard]] const RingModel<double>& model() const { return model_; }
@@ -57,13 +57,13 @@ class ElasticRings {
   [[nodiscard]] const Eigen::VectorXd& lobe_of_forces() const { return lobe_; }
   /// Closing of contact i under a unit force of contact j, by the rings [m/N] (TC-4).
   [[nodiscard]] const Eigen::MatrixXd& flexibility() const { return flexibility_; }
-  /// Closings of all contacts that contact forces make.
+  /// Closings of all contacts under contact forces.
   [[nodiscard]] Eigen::VectorXd closings(const Eigen::VectorXd& force) const;
-  /// Coefficients of all modes that contact forces make.
+  /// Coefficients of all modes under contact forces.
   [[nodiscard]] Eigen::VectorXd coefficients_of(const Eigen::VectorXd& force) const;
-  /// Closings of all contacts that coefficients make.
+  /// Closings of all contacts from coefficients.
   [[nodiscard]] Eigen::VectorXd closings_of(const Eigen::VectorXd& x) const;
-  /// Mean of w over the lobes that contact forces make.
+  /// Mean of w over the lobes under contact forces.
   [[nodiscard]] double lobe(const Eigen::VectorXd& force) const { return lobe_.dot(force); }
   /// Adds twice the energies of a set of coefficients to the members.
   void add_shares(const Eigen::VectorXd& x, std::array<double, kCurveMembers>& share) const;

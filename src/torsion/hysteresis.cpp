@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/torsion/hysteresis.hpp"
 
-// Boost 1.74's pchip.hpp calls ::isnan, which <cmath> need not declare.
+// pchip.hpp of Boost 1.74 calls ::isnan, which <cmath> does not have to declare.
 #include <math.h>  // NOLINT(modernize-deprecated-headers)
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace strainwave {
 struct Hysteresis::Envelopes {
-  /// A monotonic curve through the origin, over torque in size.
+  /// A monotonic curve through the origin over the magnitude of the torque.
   class Branch {
    public:
     Branch(std::vector<double> torque, std::vector<double> twist)
@@ -32,14 +32,15 @@ struct Hysteresis::Envelopes {
   Branch loading_negative;
   Branch unloading_negative;
 
-  /// All flanks slipping while the torque grows in size, (TC-16).
+  /// Twist with slip on all flanks while the torque grows in size, (TC-16).
   [[nodiscard]] double loading(double torque) const {
     return torque < 0 ? -loading_negative(-torque) : loading_positive(torque);
   }
   [[nodiscard]] double unloading(double torque) const {
     return torque < 0 ? -unloading_negative(-torque) : unloading_positive(torque);
   }
-  /// All flanks slipping while the torque rises, and while it sinks: their order never changes.
+  /// Twist with slip on all flanks while the torque rises or falls; the order of both curves does
+  /// not change.
   [[nodiscard]] double rising(double torque) const {
     return torque < 0 ? unloading(torque) : loading(torque);
   }
@@ -60,7 +61,8 @@ Hysteresis::Hysteresis(const SlidingDrive& drive, double largest_torque,
   std::vector<double> grid = {0.0};
   for (int i = 1; i <= options.grid; ++i) {
     const double share = static_cast<double>(i) / options.grid;
-    grid.push_back(largest_torque * share * share);  // the curve is steep at the origin
+    grid.push_back(largest_torque * share *
+                   share);  // more points there, because the curve is steep at the origin
   }
   int solved = 0;
   const auto branch = [&](double sense, const AssembledDrive& sliding) {
@@ -100,7 +102,7 @@ std::vector<double> Hysteresis::twist(std::span<const double> path) const {
   for (const double torque : path) {
     require(std::abs(torque) <= e.largest * (1 + 1e-12), "torque", torque, "N*m",
             "within the largest torque of the envelopes");
-    // (TC-17): what seal and bearings hold back does not reach the flanks.
+    // (TC-17): the friction torque of seal and bearings does not reach the flanks.
     elastic_torque =
         std::clamp(elastic_torque, torque - e.friction_torque, torque + e.friction_torque);
     const double at = std::clamp(elastic_torque, -e.largest, e.largest);
@@ -123,7 +125,7 @@ HysteresisLoop hysteresis_loop(const Hysteresis& hysteresis, double amplitude,
                                int points_per_branch) {
   require(amplitude > 0 && std::isfinite(amplitude), "amplitude", amplitude, "N*m", "> 0");
   require(points_per_branch >= 4, "points_per_branch", points_per_branch, "1", ">= 4");
-  // An odd number, evenly spaced: zero is one of the torques of both ways.
+  // Use an odd number of evenly spaced torques, so zero is one of them in both directions.
   const int n = points_per_branch / 2 * 2;
   std::vector<double> path = {amplitude};
   for (int i = 1; i <= n; ++i) path.push_back(amplitude * (1 - 2.0 * i / n));

@@ -64,7 +64,7 @@ Real edge_stiffness(const BasicClampedPlate<Real>& plate, int harmonic) {
   require(plate.thickness > 0, "thickness", value_of(plate.thickness), "m", "thickness > 0");
   const Real D = plate.youngs_modulus * pow(plate.thickness, 3.0) / (12 * (1 - nu * nu));  // (TC-3)
   // Deflection r^p cos(n theta), r over the outer radius.  The negative powers are scaled to 1 at
-  // the inner edge, where they matter: a high n would overflow otherwise.
+  // the inner edge, where they matter, because a high n would otherwise overflow.
   const std::array<double, 4> powers = {n, -n, n + 2, 2 - n};
   std::array<std::array<Real, 4>, 4> conditions;
   std::array<Real, 4> edge_shear;

@@ -44,7 +44,7 @@ void add_contacts(CurvePoint& point, const CoupledDrive& drive, const Equilibriu
     } else if (touches) {
       const bool drives = i < drive.balls() + drive.tooth_count();
       (drives ? point.drive_flanks : point.coast_flanks).push_back(contact);
-      // A tooth that touches on both flanks is one tooth.
+      // A tooth that touches on both flanks counts as one tooth.
       point.teeth_in_contact += drives || !(state.force[i - drive.tooth_count()] > 0);
     }
   }
@@ -68,8 +68,8 @@ CurvePoint point_of(const AssembledDrive::Contents& contents, const Equilibrium&
   return point;
 }
 
-/// Solves one torque after the other and shows each state to `see`.
-/// @return  why the curve is not usable from some torque on; empty if all were found
+/// Solves one torque after the other and passes each state to `see`.
+/// @return  reason why the curve is not usable from some torque on; empty if all states were found
 template <class See>
 std::string walk(const AssembledDrive::Contents& contents, std::span<const double> torques,
                  const Progress& progress, const See& see) {
@@ -77,11 +77,12 @@ std::string walk(const AssembledDrive::Contents& contents, std::span<const doubl
   const CoupledGeometry& g = contents.geometry;
   if (!contents.fails_because.empty()) return contents.fails_because;
   Equilibrium state = drive.assembled();
-  // Half a pitch of free travel: the flanks of this tooth never meet, the next one's would.
+  // After half a pitch of free travel, the flanks of the next tooth would touch instead of those of
+  // this tooth.
   const double most = pi * g.pitch_radius / g.teeth;
   for (std::size_t i = 0; i < torques.size(); ++i) {
     const double torque = torques[i];
-    // At no torque the ring rests where it was assembled, whatever the path.
+    // At zero torque the ring rests in its assembled position, independently of the path.
     state = torque == 0 ? drive.assembled() : drive.solve(torque, state);
     if (!state.converged)
       return fmt::format(
@@ -188,7 +189,7 @@ std::vector<RimState> rim_states(const AssembledDrive& assembled, double torque,
 }
 
 double curve_uncertainty(const GearSet& gear) {
-  // From the errors against catalogues (theory manual, chapter CV).
+  // Values from the errors against catalogues (theory manual, chapter CV).
   constexpr double kLeastRegularRatio = 50;
   constexpr double kRegular = 0.15;
   constexpr double kAtLowRatio = 1.0;

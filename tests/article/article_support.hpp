@@ -13,7 +13,7 @@
 #include "strainwave/model/result/stiffness_result.hpp"
 #include "support/article_gear.hpp"
 
-// What the tests of the printed and of the repaired method share.
+// Shared parts of the tests of the printed and of the repaired method.
 
 namespace strainwave::test {
 
@@ -21,7 +21,8 @@ inline constexpr double kCompliance = 1 / (units::N * units::mm);  // [rad/(N*mm
 inline constexpr double kStiffness = units::N * units::mm;         // [N*mm/rad]
 inline const double kStressIntensity = units::MPa * std::sqrt(units::mm);
 
-/// The article's drive, changed so, is refused at `path`, and the sentence names the method.
+/// Expects that the article's drive, changed this way, is refused at `path` by a sentence that
+/// names the method.
 inline void expect_refused(const std::function<StiffnessResult(const GearSet&)>& method,
                            std::string_view name, std::string_view path,
                            const std::function<void(GearSet&)>& change) {

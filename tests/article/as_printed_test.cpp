@@ -64,7 +64,7 @@ article::CrackedRace race_of(double a, double t, double a_contact, double b_cont
 
 // --- The table of the example -------------------------------------------------------------------
 
-/// One column: the printed equations and inputs for one crack size; N, mm, rad.
+/// One column of the table: the printed equations and inputs for one crack size; N, mm, rad.
 struct PrintedColumn {
   double a;
   double K_I, Delta_u_H, Delta_K_G, K_G, lambda_H;
@@ -280,8 +280,8 @@ TEST(AsPrinted, ReferencePolynomialsAtAShallowCrack) {
 
 // --- The same by a script ------------------------------------------------------------------------
 
-/// The numbers of tests/data/article_example.csv, which calls N/mm what the article calls so,
-/// whatever its dimension; SI.
+/// The numbers of tests/data/article_example.csv in SI.  The file uses N/mm wherever the article
+/// does, whatever the dimension.
 std::map<std::string, double> numbers_of(const GearSet& gear) {
   const double a = std::get<RaceSurfaceCrack>(gear.wave_generator->crack[0]).depth / mm;
   const article::CrackedRace race = race_of(a, 10, 5, 2, 2.1e5);
@@ -458,7 +458,8 @@ TEST(AsPrinted, ScalingOfTheRace) {
 }
 
 TEST(AsPrinted, ScalingWrongOfTheRaceCrack) {
-  // A displacement that is a work, and a stiffness without its force.
+  // The printed displacement has the dimension of a work, and the printed stiffness lacks its
+  // force.
   using test::Arg;
   test::expect_dimensionally_consistent(
       "N*m",
@@ -640,7 +641,7 @@ TEST(AsPrinted, InputCracksThatTheArticleDoesNotHave) {
 }
 
 TEST(AsPrinted, InputCracksOfTheCoupledDrive) {
-  // With the sections that these cracks are in, crack_free is refused; a cracked tooth or a
+  // With the sections that contain these cracks, crack_free is refused; a cracked tooth or a
   // circular spline is not read.
   const auto sections = [](GearSet& gear) {
     gear.flexspline->crack_free = CrackFree::sections;

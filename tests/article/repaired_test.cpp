@@ -123,8 +123,8 @@ TEST(Repaired, ReferenceTableOfTheScript) {
     };
     const auto number = numbers.find(row.quantity.substr(row.quantity.find('.') + 1));
     ASSERT_NE(number, numbers.end()) << row.place << ": " << row.quantity << " is not compared";
-    // The script takes Q = 1.5, the drive an aspect ratio of eight digits that gives it; what the
-    // race does not enter is held to rounding.
+    // The script uses Q = 1.5, and the drive an aspect ratio of eight digits that gives this Q.
+    // Numbers without the race agree to rounding.
     const bool of_race = number->first.starts_with("wave_generator") ||
                          number->first.starts_with("total") || number->first.starts_with("stiff");
     test::expect_row(number->second, row, a > 0 && of_race ? 2e-8 : 1e-14);

@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0
-// The audit of the article's worked example.  What it finds is compared with numbers that were
-// computed by other means: by hand, by tools/reference, or twice independently beforehand.
+// SPDX-License-Identifier: Apache-2.0 The audit of the article's worked example.  Its findings are
+// compared with numbers from other means: by hand, by tools/reference, or computed twice
+// independently in advance.
 #include "strainwave/audit/audit.hpp"
 
 #include <gtest/gtest.h>
@@ -49,8 +49,8 @@ struct Expected {
 
 class AuditNumbers : public testing::TestWithParam<Expected> {};
 
-// Own: the printed equation by hand calculator or mpmath; corrected: tools/reference.  The
-// tolerance is the digits given.
+// The own value is the printed equation by hand calculator or mpmath; the corrected value is from
+// tools/reference.  The tolerance is the last given digit.
 TEST_P(AuditNumbers, ReferenceOwnEquationAndCorrectedTheory) {
   const Expected& expected = GetParam();
   const AuditRow& r = row(expected.id);
@@ -95,7 +95,7 @@ struct Found {
 
 class AuditInputs : public testing::TestWithParam<Found> {};
 
-// Back-solved beforehand by other means; the tolerance is the digits given.
+// Inputs solved for in advance by other means; the tolerance is the last given digit.
 TEST_P(AuditInputs, ReferenceInputThatReproducesThePrintedNumber) {
   const AuditRow& r = row(GetParam().id);
   ASSERT_TRUE(r.reproduce);
@@ -111,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Found{"T2", 0.3125}, Found{"T3", 0.52147039}, Found{"T10", 3.660}),
     [](const auto& instance) { return std::string(instance.param.id); });
 
-/// The printed equations and definitions behind the inputs found, written out here once more.
+/// The printed equations and definitions behind the inputs found, written out again.
 double number_from_input(const std::string& id, double x) {
   const double pi = std::acos(-1.0);
   const double hollow_fourth = std::pow(70.0, 4) - std::pow(45.0, 4);
@@ -169,7 +169,7 @@ TEST(Audit, CrosscheckReproducingInputsReallyReproduce) {
 }
 
 TEST(Audit, CrosscheckDepthThatLosesWhatTheArticleSays) {
-  // The shaft's crack alone: race and flexspline with 0.1 mm lose below 1e-6.
+  // Only the shaft's crack counts: cracks of 0.1 mm in race and flexspline cause a loss below 1e-6.
   const double lambda = 1.6247738e-9;  // rad/(N*mm), sound
   const double added = 0.012 / (1 - 0.012) * lambda;
   // Hollow 70/45: 4t/(pi mu I_p) ln sec(pi alpha/2) C_T, C_T by an independent fit (6.5e-5).

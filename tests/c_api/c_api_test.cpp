@@ -29,7 +29,7 @@ sw_text text(std::string_view view) { return {.data = view.data(), .size = view.
 
 std::string_view view(sw_text text) { return {text.data, text.size}; }
 
-/// A text that the library gave.
+/// A text that the library returned.
 std::string taken(sw_text given) {
   std::string copy(view(given));
   sw_text_free(given);
@@ -413,8 +413,9 @@ TEST(CApi, BehaviourMemoryDoesNotGrow) {
   const long before = resident();
   ASSERT_GT(before, 0);
   repeat(whole ? 100'000 : 200);
-  // The least that could leak in each repetition, ten bytes of a freed handle, would be a megabyte
-  // in the whole test.  A sanitizer keeps what is freed for some time, and looks for leaks itself.
+  // The smallest possible leak per repetition, ten bytes of a freed handle, would add up to a
+  // megabyte.  A sanitizer keeps freed memory for some time and detects leaks itself, so it is
+  // excluded.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
   EXPECT_LT(resident() - before, 512);
 #endif

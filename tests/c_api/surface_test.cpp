@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// What a user of the library or of the program can name: commands, options, result fields,
-// documents.
+// SPDX-License-Identifier: Apache-2.0 The names that a user of the library or of the program can
+// use: commands, options, result fields, documents.
 
 #include "command/surface.hpp"
 

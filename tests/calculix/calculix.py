@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""20-node hexahedra for CalculiX (ccx): structured grids, consistent nodal loads, input file, run.
+"""20-node hexahedra for CalculiX (ccx): structured grids, consistent nodal loads, input file and run.
 
-What the scripts beside it share.  It stands with the tests and not in tools/reference, because they
-run strainwave-fe, which a reference never does.
+Shared by the scripts in this folder.  They are tests and not part of tools/reference, because they
+run strainwave-fe, which a reference must not do.
 """
 import os
 import pathlib
@@ -21,7 +21,7 @@ FAR_SIDE = [3, 2, 6, 7, 10, 18, 14, 19]
 
 
 def grid_cells(ids):
-    """Cells of a structured grid; `ids[i, j, k]`: node at each half step."""
+    """Cells of a structured grid; `ids[i, j, k]` is the node at each half step."""
     shape = [(n - 1) // 2 for n in ids.shape]
     i, j, k = (2 * a.ravel() for a in np.indices(shape))
     return np.stack([ids[i + a, j + b, k + c] for a, b, c in PLACES], axis=1)
@@ -85,7 +85,7 @@ def face_loads(points, faces, traction):
 
 
 def used_only(points, cells):
-    """Leaves out points that no cell has: (points, cells, new number of each old point)."""
+    """Removes points without a cell: (points, cells, new number of each old point)."""
     used = np.unique(cells)
     number = np.full(len(points), -1)
     number[used] = np.arange(len(used))

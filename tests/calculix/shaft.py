@@ -2,9 +2,9 @@
 """A shaft with an annular crack from outside in torsion, for CalculiX.
 
 One layer of 20-node hexahedra in a thin sector, cylindrical coordinates, u_r = u_z = 0 and the same
-u_theta on both sides; half the shaft, as the plane of the crack does not turn but on its faces. The
-grid is a product of lines in r and z that close in on the tip in geometric progression, without
-special elements.  Nothing of it is in strainwave-fe: no quadrilaterals of high order, no rings.
+u_theta on both sides; half the shaft, because the plane of the crack rotates only on its faces.  The
+grid is a product of lines in r and z, graded geometrically towards the tip, without
+special elements.  It shares nothing with the meshes of strainwave-fe, which use quadrilaterals of high order and rings.
 
 N, mm, MPa.
 """

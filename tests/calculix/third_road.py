@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Holds the finite elements to CalculiX, on meshes that have nothing in common.
+"""Compares the finite elements with CalculiX, on meshes that have nothing in common.
 
     third_road.py shaft STRAINWAVE_FE
     third_road.py tube THROUGH_CRACK_BENCHMARK
 
-Runs our own on the example (of the tube one solution, opened: the program solves six), and ccx on
-two finenesses of its mesh, and demands that they agree within the discretisation errors of both:
-that of ccx from its two finenesses, our own as the theory manual states it.
+Runs strainwave-fe on the example (for the tube one open solution, of the six that the program solves), and ccx on
+two mesh sizes, and requires that they agree within the discretisation errors of both:
+that of ccx from its two mesh sizes, our own as stated in the theory manual.
 """
 import json
 import os
@@ -30,10 +30,10 @@ def output(*command):
 
 
 def hold(name, own, coarse, fine, stated, *, order, ratio):
-    """Whether |own - limit| is within the errors; the limit is that of ccx for cells of no size.
+    """Whether |own - limit| is within the errors; the limit is that of ccx for cells of zero size.
 
-    order: of the error in the size of the cells; ratio: coarse over fine size; stated: error of our
-    own.  Half of what was extrapolated is taken as the error of the limit.
+    order: order of the error in the size of the cells; ratio: coarse over fine size; stated: error of our
+    value.  Half of the extrapolated amount is the error of the limit.
     """
     step = (fine - coarse) / (ratio ** order - 1)
     limit = fine + step
@@ -50,7 +50,7 @@ def check_shaft(program):
     found = output(program, EXAMPLES / "solid_shaft.toml", "--format", "json")["result"]["output_shaft"]
     crack = found["cracks"][0]
     torsion = crack["torsion"]
-    # N*m and m into N*mm and mm; the torque of the example is 1.5 kN*m.
+    # Convert N*m and m into N*mm and mm; the torque of the example is 1.5 kN*m.
     added = torsion["added_compliance"]["value"] * 1e-3
     compliance = torsion["sound_compliance"]["value"] * 1e-3 + added
     G = torsion["energy_release_rate_per_load_squared"]["value"] * 1e-9
@@ -60,7 +60,7 @@ def check_shaft(program):
     meshes = [{"ratio": 1.4, "smallest": 2e-3}, {"ratio": 1.4, "smallest": 1e-3}]
     other = [shaft.solve(outer, inner, length, depth, steel, **m)["compliance"] for m in meshes]
     other_G = [shaft.release_rate(outer, inner, length, depth, steel, **m) for m in meshes]
-    # The cells at the tip are halved, and what they leave is as long as they are.
+    # The cells at the tip are halved, so the error is proportional to their length.
     halved = {"order": 1, "ratio": 2}
     return all([hold("compliance", compliance, *other, 1e-5, **halved),
                 hold("added compliance", added, *(c - sound for c in other), 2e-4, **halved),
@@ -71,12 +71,13 @@ def check_shaft(program):
 def check_tube(program):
     """Tube with a through crack at 45 degrees: added compliance and G of one solution, order 3.
 
-    One cell of ccx through the wall; what a second one adds was measured once, on 32 by 14 cells:
+    ccx uses one cell through the wall.  The effect of a second cell was measured once, on 32 by 14 cells:
     7.5e-4 of the added compliance, 1.1e-3 of G.
     """
     own = output(program, "order=3")
     meshes = [tube.Fineness(round_crack=24, away=10), tube.Fineness(round_crack=36, away=15)]
-    # Twice the distance in the plane of (mu, nu) is four times that from the tip: order 2.
+    # Twice the distance in the plane of (mu, nu) is four times the distance from the tip, so the
+    # order is 2.
     finer = {"order": 2, "ratio": 1.5}
     return all([hold("added compliance", own["added"],
                      *(tube.added_compliance(10.0, m) for m in meshes), 2e-3 + 7.5e-4, **finer),

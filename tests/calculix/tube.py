@@ -2,10 +2,10 @@
 """The tube with a through crack at 45 degrees of examples/through_crack.toml, for CalculiX.
 
 The mesh is a structured O-grid in confocal elliptic coordinates, x + iy = a cosh(mu + i nu): mu = 0
-is the crack, nu > 0 one of its sides and nu < 0 the other, and no node is there twice but because
-it has two numbers nu.  Next to a tip the distance is the square of that in (mu, nu): the middle
-nodes lie at quarter points of their own accord and the displacements have their square root.
-Nothing of it is in the meshes of strainwave-fe, which are rings about the tips.
+is the crack, with nu > 0 on one side and nu < 0 on the other.  A node exists twice only if
+it has two values of nu.  Next to a tip, the distance is the square of that in (mu, nu).  The middle
+nodes therefore lie at quarter points, and the displacements contain the square root.
+The meshes of strainwave-fe share nothing with this grid: they are rings about the tips.
 
 N, mm, MPa.
 """
@@ -26,9 +26,9 @@ COMPLIANCE_WITHOUT = L * 2 * (1 + NU) / (E * J)  # 1/(N*mm)
 
 @dataclasses.dataclass(frozen=True)
 class Fineness:
-    round_crack: int = 32   # cells in nu; a multiple of 4
-    away: int = 12          # cells in mu
-    round_tube: int = 12    # cells of the rest of the circumference
+    round_crack: int = 32   # number of cells in nu; a multiple of 4
+    away: int = 12          # number of cells in mu
+    round_tube: int = 12    # number of cells on the rest of the circumference
     through_wall: int = 1
     towards_tip: float = 0.0  # 0: nu even; < 1: closer at the tips
     square_root: bool = True  # False: middle nodes halfway in the plane, not in (mu, nu)
@@ -41,7 +41,7 @@ def mesh(a, fine, cracked=True):
     x = 2 * np.pi * np.arange(2 * n) / (2 * n)
     nu = x - fine.towards_tip * np.sin(2 * x) / 2
     last = np.log(2 * half / a)
-    # Cells in mu as long as those in nu at the tips, growing to both what is left and the square.
+    # Cells in mu are as long as those in nu at the tips and grow towards the square.
     first = (nu[2] - nu[0]) / last
     growth = root(lambda q: first * sum(q ** i for i in range(m)) - 1, 0.2, 5.0)
     lengths = growth ** np.arange(m)
@@ -60,7 +60,7 @@ def mesh(a, fine, cracked=True):
         closed[inside, 1::2] = (closed[inside, 0:-1:2] + closed[inside, 2::2]) / 2
         closed[1:inside.stop:2] = (closed[0:inside.stop - 1:2] + closed[2:inside.stop:2]) / 2
         plane = closed[:, :-1]
-    # The rest of the circumference: from the square's right side to its left one.
+    # The rest of the circumference, from the right side of the square to its left side.
     edge = plane[-1]
     corner = 2 * n // 4  # nodes of a side; nu = 0 is the upper right corner
     left = edge[corner:2 * corner + 1]                         # downwards
@@ -71,7 +71,7 @@ def mesh(a, fine, cracked=True):
     rest_number = plane.size + np.arange(rest.size).reshape(rest.shape)
     rest_number[0] = number[-1, (np.arange(4 * corner, 3 * corner - 1, -1)) % (2 * n)]
     rest_number[-1] = number[-1, corner:2 * corner + 1]
-    # The tips are one node each, all else of mu = 0 has two, but where there is no crack.
+    # Each tip is one node; all other places of mu = 0 have two nodes if there is a crack.
     if not cracked:
         number[0, n + 1:] = number[0, n - 1:0:-1]
     flat = np.concatenate([plane.ravel(), rest.ravel()])
@@ -84,7 +84,7 @@ def mesh(a, fine, cracked=True):
     r_ids = rest_number[:, :, None] + through
     cells = np.concatenate([oriented(points, calculix.grid_cells(ids)) for ids in (o_ids, r_ids)])
     faces = []
-    for ids in (o_ids[-1, :corner + 1], r_ids[:, 0]):  # the upper side; the rest's upper end
+    for ids in (o_ids[-1, :corner + 1], r_ids[:, 0]):  # the upper side; the upper end of the rest
         i, k = (2 * v.ravel() for v in np.indices([(d - 1) // 2 for d in ids.shape]))
         faces.append(np.stack([ids[i + p, k + q] for p, q in
                                [(0, 0), (2, 0), (2, 2), (0, 2), (1, 0), (2, 1), (1, 2), (0, 1)]],
@@ -102,14 +102,14 @@ def root(f, low, high):
 
 
 def oriented(points, cells):
-    """Right-handed, by turning the order of the wall; all cells of a grid have the same sense."""
+    """Makes the cells right-handed by reversing the order through the wall; all cells of a grid have the same orientation."""
     J = np.einsum("cni,nd->cid", points[cells], calculix.shape_slopes(np.zeros(3)))
     swap = [4, 5, 6, 7, 0, 1, 2, 3, 12, 13, 14, 15, 8, 9, 10, 11, 16, 17, 18, 19]
     return cells if np.linalg.det(J).min() > 0 else cells[:, swap]
 
 
 def solve(a, fine, cracked=True):
-    """Compliance over the exact one of the tube without a crack, and what it took."""
+    """Compliance over the exact compliance of the tube without a crack, and its cost."""
     points, cells, faces, held = mesh(a, fine, cracked)
     worst = calculix.worst_jacobian(points, cells)
     if not worst > 0:
@@ -129,8 +129,8 @@ def solve(a, fine, cracked=True):
 
 
 def added_compliance(a, fine):
-    """Over that of the tube: with less without the crack, both on the same mesh, whose coarse
-    circle then does not matter."""
+    """Added compliance over that of the tube: with minus without the crack, both on the same mesh, so the coarse
+    circle does not matter."""
     return solve(a, fine)["compliance"] - solve(a, fine, cracked=False)["compliance"]
 
 

@@ -22,7 +22,7 @@ using test::broken_rule;
 
 constexpr double kArcmin = std::numbers::pi / 10800;  // [rad]
 
-/// K1, K2, K3 of a drive as a target: what a maker would state of it.
+/// K1, K2, K3 of a drive as a target, as a maker would state them.
 CalibrationTarget lines_of(const GearSet& gear) {
   const MakersTorques at = makers_torques(gear);
   const MakersLines lines = makers_lines(gear);
@@ -33,7 +33,7 @@ CalibrationTarget lines_of(const GearSet& gear) {
           .relative_uncertainty = 0.01};
 }
 
-// Factors that were put in come out; 0.1 % is where the fit stops.
+// The fit recovers known factors; 0.1 % is the accuracy at which it stops.
 TEST(Calibration, IdentityRecoversWhatWasPutIn) {
   const GearSet gear = typical_drive_of_size(25, 100);
   const GearSet truth = with_factor(with_factor(gear, Factor::support, 0.3), Factor::coning, 0.6);
@@ -49,8 +49,8 @@ TEST(Calibration, IdentityRecoversWhatWasPutIn) {
     test::expect_relative(s.after, s.target.stiffness, 1e-4);
 }
 
-// While only part of the face touches, coning and compliance of a pair act as one number: no K
-// tells them apart, and neither is called identified.
+// While only a part of the face touches, coning and compliance of a pair act as one number.  No K
+// distinguishes them, so neither is called identified.
 TEST(Calibration, LimitInseparableFactorsAreNotIdentified) {
   const GearSet gear = typical_drive_of_size(25, 100);
   const Calibration c = calibrate(gear, lines_of(with_factor(gear, Factor::coning, 0.9)),
@@ -65,7 +65,7 @@ TEST(Calibration, LimitInseparableFactorsAreNotIdentified) {
   EXPECT_NE(text.find("3 values identify 1 of 2"), std::string::npos) << text;
 }
 
-// The sum of squares of the weights is one, and one factor has one combination: itself.
+// The sum of squares of the weights is one; a single factor is its own combination.
 TEST(Calibration, IdentityUncertaintyOfOneFactor) {
   const GearSet gear = typical_drive_of_size(25, 100);
   const Calibration c = calibrate(gear, lines_of(gear), {Factor::coning}, {.harmonics = 8});
@@ -92,7 +92,8 @@ TEST(Calibration, BehaviourFittedNumbersHaveNoRangeAnyMore) {
 }
 
 TEST(Calibration, IdentityCatalogueStiffnessIsOfTheComponentSet) {
-  // Shaft, flange and cracks are the customer's; they stay in the drive, out of the comparison.
+  // Shaft, flange and cracks belong to the customer: they stay in the drive but not in the
+  // comparison.
   GearSet gear = starting_drive(25, 100).gear;
   const Calibration plain = calibrate(gear, catalogue_target(gear), {Factor::coning});
   OutputShaft shaft;
@@ -127,7 +128,8 @@ TEST(CalibrationTargets, ReferenceCatalogueRow) {
   // d = 160 mm against size 65 of 165.1 mm: the cube of the ratio.
   const CalibrationTarget scaled = catalogue_target(typical_drive(0.16, 100));
   test::expect_relative(scaled.values[0].stiffness, 54e4 * std::pow(160 / 165.1, 3), 1e-12);
-  EXPECT_EQ(catalogue_target(typical_drive_of_size(100, 50)).values.size(), 2U);  // no K3
+  EXPECT_EQ(catalogue_target(typical_drive_of_size(100, 50)).values.size(),
+            2U);  // the row lacks K3
 }
 
 TEST(MeasuredCurve, BehaviourUnitsAndColumns) {
@@ -201,7 +203,7 @@ TEST(MeasuredCurve, InputRefusals) {
   };
   EXPECT_NE(message("").find("bench.csv: is empty"), std::string::npos);
   EXPECT_NE(message("torque [N*m],angle [rad]\n").find("must name the columns"), std::string::npos);
-  EXPECT_NE(message("torque,twist [rad]\n").find("has no unit"), std::string::npos);
+  EXPECT_NE(message("torque,twist [rad]\n").find("lacks a unit"), std::string::npos);
   EXPECT_NE(message("torque [N],twist [rad]\n").find("bench.csv:1"), std::string::npos);
   EXPECT_NE(message("torque [N*m],twist [rad]\n").find("no point under torque"), std::string::npos);
   const std::string head = "torque [N*m];twist [rad]\n";

@@ -22,7 +22,8 @@ using test::broken_rule;
 
 constexpr double kRpm = 2 * 3.141592653589793 / 60;  // [rad/s]
 
-// Spot checks, typed from the sources a second time; equality, because both are printed digits.
+// Spot checks, typed from the sources a second time; they must be equal, because both are printed
+// digits.
 TEST(StiffnessTable, ReferenceSpotChecks) {
   ASSERT_EQ(stiffness_rows().size(), 35U);
   struct Spot {
@@ -81,8 +82,8 @@ TEST(StiffnessTable, BehaviourRowsAreOnceAndRise) {
   }
 }
 
-// The conventions of model/rating.hpp.  The makers' torques have two digits and steps of their own:
-// T1 keeps to 7 % from size 17 on, T2 to 8 % from size 20 on; T2 of size 17 is a fifth lower.
+// The conventions of model/rating.hpp.  The makers' torques have two digits and their own steps: T1
+// agrees within 7 % from size 17 on, T2 within 8 % from size 20 on; T2 of size 17 is a fifth lower.
 TEST(StiffnessTable, ReferenceTorquesFollowTheCubeOfTheDiameter) {
   for (const StiffnessRow& row : stiffness_rows()) {
     if (row.size < 17 || row.ratio_class == RatioClass::thirty) continue;
@@ -102,7 +103,7 @@ TEST(RatioClasses, LimitMeansOfNeighbours) {
   EXPECT_EQ(representative_ratio(RatioClass::eighty_up), 100);
 }
 
-// A tenth of an inch: size 32 is 81.28 mm.  Rounding.
+// Sizes are tenths of an inch, so size 32 is 81.28 mm.  The tolerance is rounding.
 TEST(Sizes, ReferencePitchDiameter) {
   test::expect_relative(pitch_diameter_of(32), 81.28e-3, 1e-14);
   EXPECT_EQ(catalogue_sizes().size(), 15U);

@@ -31,8 +31,8 @@ TEST(Factors, IdentityOwnValueChangesNothing) {
   }
 }
 
-/// More of any factor is softer in the middle of the curve; the clearance and the cam act on
-/// balls.
+/// A larger value of any factor makes the middle of the curve softer; clearance and cam act through
+/// the balls.
 TEST(Factors, IdentityMoreIsSofter) {
   const GearSet gear = typical_drive(0.0635, 100);
   for (const Factor factor : kAll) {

@@ -24,7 +24,7 @@ using test::broken_rule;
 
 constexpr double kMm = 1e-3;
 
-/// phi at one torque [rad].
+/// Twist phi at one torque [rad].
 double twist(const GearSet& gear, double torque) {
   const TorsionCurve curve = torsion_curve(gear, {{torque / 3, torque}});
   EXPECT_TRUE(curve.usable()) << curve.unusable_because;
@@ -40,7 +40,7 @@ TEST(Proportions, BehaviourTableIsComplete) {
     EXPECT_LE(p.lower, base.*p.value) << p.name;
     EXPECT_GE(p.upper, base.*p.value) << p.name;
     EXPECT_FALSE(p.source.empty()) << p.name;
-    // Each sets its own member: the other values stay.
+    // Each proportion sets only its own member.
     ProportionValues changed;
     changed.*p.value += 1;
     int differing = 0;
@@ -77,7 +77,7 @@ TEST(TypicalDrive, ReferenceLengthsOfSize25) {
 }
 
 // The same drive by an independent program, circular spline rigid, diaphragm without resistance to
-// warping; tolerance: five digits given.
+// warping; the tolerance is the fifth given digit.
 TEST(TypicalDrive, ReferenceMakersLinesOfSize25) {
   ProportionValues rigid;
   rigid.spline_support = 0;
@@ -106,9 +106,9 @@ TEST(TypicalDrive, IdentityStiffnessRisesWithTorque) {
   }
 }
 
-// Published shares of teeth in contact between T1 and rated torque are 11 to 20 %, of a model with
+// Published shares of teeth in contact between T1 and rated torque are 11 to 20 %, for a model with
 // a rigid circular spline.  The tolerance is one tooth more or less on each flank in contact, four
-// of 200; half held by its housing the spline lets two per cent more in at rated torque.
+// of 200.  With the spline half held by its housing, two per cent more teeth touch at rated torque.
 TEST(TypicalDrive, ReferenceTeethInContact) {
   ProportionValues rigid;
   rigid.spline_support = 0;
@@ -125,7 +125,7 @@ TEST(TypicalDrive, ReferenceTeethInContact) {
 }
 
 // A maker's stated twist of size 32, ratio 100 at 60 N*m; the tolerance is the model form: 10 %
-// with the circular spline rigid, 12 % half held, which is the softer by a sixth.
+// with a rigid circular spline, 12 % with a half held spline, which is softer by a sixth.
 TEST(TypicalDrive, ReferenceTwistOfSize32) {
   ProportionValues rigid;
   rigid.spline_support = 0;
@@ -187,7 +187,7 @@ TEST(TypicalDrive, InputRefusals) {
   EXPECT_NE(broken_rule([] { return typical_drive(0.06, 100.3); }).find("whole number"),
             std::string::npos);
   const std::string size = broken_rule([] { return starting_drive(22, 100); });
-  EXPECT_NE(size.find("known are 8, 11"), std::string::npos) << size;
+  EXPECT_NE(size.find("known sizes are 8, 11"), std::string::npos) << size;
 }
 
 // --- The starting file --------------------------------------------------------------------------
@@ -204,7 +204,7 @@ TEST(StartingDrive, IdentityReadsBackForEverySizeAndRatio) {
     }
 }
 
-// Six digits of each length: less than 2e-5 of the stiffness.
+// Six digits of each length change the stiffness by less than 2e-5.
 TEST(StartingDrive, CrosscheckRoundingHardlyMatters) {
   const MakersLines exact = makers_lines(typical_drive_of_size(25, 100));
   const MakersLines rounded = makers_lines(starting_drive(25, 100).gear);
@@ -215,14 +215,14 @@ TEST(StartingDrive, CrosscheckRoundingHardlyMatters) {
 TEST(StartingDrive, BehaviourEveryNumberHasARemark) {
   const CommentedDrive drive = starting_drive(25, 100);
   for_each_number(drive.gear, [&](const FieldPath& path, const Field& field, const double& value) {
-    // Fields with a default of their own, which a drive may leave out, need none.
+    // Fields with a default, which a drive may leave out, do not need a comment.
     const bool needs_one = field.fallback.empty();
     EXPECT_TRUE(!needs_one || drive.comments.contains(path.text())) << path.text() << value;
   });
   EXPECT_EQ(drive.gear.range.size(), 16U);
 }
 
-/// At either limit of a range the drive still assembles, alone.
+/// With one number at either limit of its range, the drive still assembles.
 TEST(StartingDrive, BehaviourRangesCanBeVariedAlone) {
   for (const double ratio : {30.0, 160.0}) {
     const GearSet gear = starting_drive(25, ratio).gear;

@@ -24,13 +24,13 @@ const ErrorSummary& errors_of(const Validation& validation, const std::string& r
   return *found;
 }
 
-/// Nothing fitted, all rows.
+/// Validation of all rows without a fit.
 const Validation& geometry() {
   static const Validation validation = validate();
   return validation;
 }
 
-// What geometry alone promises against the makers' tables; the tolerances are the model form.
+// Accuracy of geometry alone against the makers' tables; the tolerances are the model form.
 TEST(ValidationByGeometry, ReferenceMakersTables) {
   ASSERT_EQ(geometry().rows.size(), 35U);
   const ErrorSummary& all = errors_of(geometry(), "all rows");
@@ -44,7 +44,7 @@ TEST(ValidationByGeometry, ReferenceMakersTables) {
   }
 }
 
-// One curve for all sizes of a ratio, against each drive solved at its own size.
+// One curve for all sizes of a ratio is compared with each drive solved at its own size.
 TEST(ValidationByGeometry, CrosscheckDriveOfItsOwnSize) {
   for (const auto& drive : {std::pair{17, 100.0}, {58, 50.0}}) {
     const int size = drive.first;
@@ -61,7 +61,7 @@ TEST(ValidationByGeometry, CrosscheckDriveOfItsOwnSize) {
   }
 }
 
-// Median and worst by hand from the rows.
+// Median and worst error are computed by hand from the rows.
 TEST(ValidationByGeometry, CrosscheckSummaries) {
   std::vector<double> errors;
   for (const ValidationRow& row : geometry().rows)
@@ -90,7 +90,7 @@ TEST(ValidationByFit, ReferenceLeaveOneSizeOut) {
   EXPECT_NE(v.rows.front().factors.at(0), v.rows.back().factors.at(0));
 }
 
-// Three factors, three values: the residual is that of the fit's own tolerance.
+// Three factors fit three values, so the residual is the tolerance of the fit.
 TEST(ValidationByFit, IdentityPerRowMeetsTheRow) {
   const Validation v =
       validate({.mode = ValidationMode::per_row, .sizes = {80}, .coupled = {.harmonics = 8}});
@@ -161,14 +161,14 @@ TEST(ValidationInput, InputRefusals) {
             std::string::npos);
   EXPECT_NE(broken_rule([] {
               return validate({.mode = ValidationMode::leave_one_size_out, .sizes = {8}});
-            }).find("no row"),
+            }).find("must include a row"),
             std::string::npos);
   EXPECT_NE(broken_rule([] {
               return validate({.mode = ValidationMode::leave_one_size_out,
                                .factors = {Factor::clearance},
                                .sizes = {25},
                                .coupled = {.harmonics = 8}});
-            }).find("two of size"),
+            }).find("two sizes of 17"),
             std::string::npos);
 }
 

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// The program from outside: what it prints, what it writes, how it ends.
+// SPDX-License-Identifier: Apache-2.0 The program seen from outside: its output, its files, its
+// exit codes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,14 +47,14 @@ class Program : public test::ProgramTest {
     return envelope(arguments).at("result");
   }
 
-  /// What the program offers in place of the last word.
+  /// The completions that the program offers for the last word.
   [[nodiscard]] std::string offered(const std::string& words) const {
     const Outcome outcome = run("completion words -- " + words);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return outcome.out;
   }
 
-  /// A file of the folder that waits to take the place of another; empty if none does.
+  /// A temporary file of the folder that is to replace another file; empty if there is none.
   [[nodiscard]] std::string waiting() const {
     for (const auto& entry : fs::directory_iterator(folder_))
       if (entry.path().extension() == ".part") return entry.path().filename().string();
@@ -90,7 +90,7 @@ TEST_F(Program, BehaviourACrackBeyondCriticalIsAnswered) {
             std::string::npos);
   EXPECT_NE(contents(svg).find("K_r, stress intensity over toughness"), std::string::npos);
   EXPECT_NE(contents(csv).find("crack,flexspline.crack[0],positive,1,"), std::string::npos);
-  // Without a toughness there is no diagram, and nothing is written.
+  // Without a toughness the diagram is refused, and no file is written.
   const fs::path none = in_folder("none.svg");
   const Outcome unknown = run("stiffness " + kArticle + " --plot " + quoted(none.string()));
   EXPECT_EQ(unknown.exit_code, 3);
@@ -142,7 +142,7 @@ TEST_F(Program, InputWrongFileEndsWithThreeAndOneSentence) {
 TEST_F(Program, InputMethodThatCannotTreatACrackEndsWithThree) {
   const std::string edge = changed_article("kind = \"surface\"", "kind = \"edge\"");
   std::string text = contents(folder_ / "changed.toml");
-  const std::string aspect = "aspect_ratio = 0.52147039               # a/c, so that Q = 1.5\n";
+  const std::string aspect = "aspect_ratio = 0.52147039               # a/c, which gives Q = 1.5\n";
   text.replace(text.find(aspect), aspect.size(), "");
   const std::string width = "inner_ring_thickness = \"10 mm\"";
   text.insert(text.find(width), "inner_ring_width = \"20 mm\"\n");
@@ -340,7 +340,7 @@ TEST_F(Program, BehaviourMaterialsAsJson) {
       used.insert(json["source"]);
       EXPECT_TRUE(json.contains("confidence")) << json;
     }
-    if (!json.is_structured()) return;  // a plain value would be its own element
+    if (!json.is_structured()) return;  // a plain value would iterate over itself
     for (const Json& part : json) self(self, part);
   };
   visit(visit, all["material"]);
@@ -405,7 +405,7 @@ TEST_F(Program, BehaviourManualPagesNameEveryOption) {
   std::istringstream commands(run("man --list").out);
   int n = 0;
   for (std::string command; commands >> command;) {
-    if (command == "fe") continue;  // its help is that of the other program
+    if (command == "fe") continue;  // its help comes from the other program
     ++n;
     const std::string page = run("man " + command).out;
     for (const char* const section : {".SH NAME", ".SH SYNOPSIS", ".SH DESCRIPTION", ".SH OPTIONS",
@@ -494,7 +494,7 @@ TEST_F(Program, BehaviourTorsionWritesTablePlotAndJson) {
   EXPECT_TRUE(contents(plot).starts_with("<svg"));
   const Json parsed = result_of("torsion " + file);
   EXPECT_GT(parsed["positive"]["K1"]["value"].get<double>(), 1e4);
-  // The same numbers stand beside the series model.
+  // The same numbers appear in addition to the series model.
   const Json beside = result_of("stiffness " + file);
   EXPECT_EQ(beside["curve"]["positive"]["K1"]["value"].get<double>(),
             parsed["positive"]["K1"]["value"].get<double>());
@@ -504,7 +504,7 @@ TEST_F(Program, BehaviourTorsionWritesTablePlotAndJson) {
 }
 
 TEST_F(Program, BehaviourEveryRowIsFitted) {
-  // Fits go far beyond what is plausible; none may leave what the model takes.
+  // Fits go far beyond the plausible ranges, but must stay within the limits of the model.
   const Outcome rows = run("validate --mode per-row --format csv");
   EXPECT_EQ(rows.exit_code, 0) << rows.err;
   EXPECT_TRUE(rows.err.empty()) << rows.err;
@@ -681,7 +681,7 @@ TEST_F(Program, BehaviourReportIsAPageInAFileOrOnStandardOutput) {
 
 TEST_F(Program, BehaviourReportHasADateOnlyIfItIsGiven) {
   EXPECT_EQ(run("report " + kArticle).out.find("<dt>Date</dt>"), std::string::npos);
-  // 86400 seconds after 1970 began.
+  // The date is 86400 seconds after the beginning of 1970.
   EXPECT_NE(run("report " + kArticle, "SOURCE_DATE_EPOCH=86400 ")
                 .out.find("<dt>Date</dt><dd>1970-01-02</dd>"),
             std::string::npos);
@@ -740,7 +740,7 @@ TEST_F(Program, BehaviourSensitivityInEveryForm) {
 TEST_F(Program, InputSensitivityOptions) {
   const std::string file = quoted(std::string(STRAINWAVE_EXAMPLES) + "/article.toml");
   EXPECT_EQ(run("sensitivity").exit_code, 2);
-  EXPECT_EQ(run("sensitivity " + file + " --samples 100").exit_code, 2);  // of no study
+  EXPECT_EQ(run("sensitivity " + file + " --samples 100").exit_code, 2);  // refused without a study
   EXPECT_EQ(run("sensitivity " + file + " --scatter --samples 1").exit_code, 2);
   EXPECT_EQ(run("sensitivity " + file + " --scatter --seed -1").exit_code, 2);
   const Outcome none = run("sensitivity " + file + " --scatter");
@@ -766,7 +766,7 @@ TEST_F(Program, BehaviourRequirementsEndWithZeroFiveOrSix) {
                              " 'cracked.positive.stiffness >= 2e4 N*m/rad' "
                              "'intact.stiffness > 2e7 N*m/rad'");
   EXPECT_EQ(broken.exit_code, 5) << broken.out << broken.err;
-  // The very value of the stiffness lies within its uncertainty.
+  // A bound equal to the stiffness lies within its uncertainty.
   EXPECT_EQ(run("require " + file + " 'intact.stiffness >= 6.15e5 N*m/rad'").exit_code, 6);
   EXPECT_EQ(envelope("require " + file + " 'intact.stiffness >= 1 N*m/rad'").at("usable"), true);
 }
@@ -821,8 +821,9 @@ TEST_F(Program, BehaviourCompletionOfCommandsOptionsAndValues) {
   EXPECT_EQ(offered("stiffness x.toml --pl"), "--plot\n");
   EXPECT_EQ(offered("stiffness x.toml --method r"), "repaired\n");
   EXPECT_EQ(offered("stiffness x.toml --method=r"), "--method=repaired\n");
-  EXPECT_EQ(offered("stiffness x.toml --method = r"), "repaired\n");   // as bash splits it
-  EXPECT_EQ(offered("torsion x.toml --compare --format c"), "csv\n");  // a flag takes no word
+  EXPECT_EQ(offered("stiffness x.toml --method = r"), "repaired\n");  // words as bash splits them
+  EXPECT_EQ(offered("torsion x.toml --compare --format c"),
+            "csv\n");  // a flag does not take a word
   EXPECT_EQ(offered("stiffness ''"), ":files\n");
   EXPECT_EQ(offered("stiffness x.toml -o ''"), ":files\n");
   EXPECT_EQ(offered("calibrate x.toml --measured ''"), ":files\n");
@@ -832,7 +833,7 @@ TEST_F(Program, BehaviourCompletionOfCommandsOptionsAndValues) {
 TEST_F(Program, BehaviourCompletionOfNames) {
   EXPECT_EQ(offered("sweep " + kArticle + " --vary output_shaft.crack"),
             "output_shaft.crack[0].depth\n");
-  EXPECT_EQ(offered("sweep --vary output_shaft.crack"), "");  // of which file?
+  EXPECT_EQ(offered("sweep --vary output_shaft.crack"), "");  // the file is not known
   EXPECT_EQ(offered("solve " + kArticle + " --target intact.st"), "intact.stiffness\n");
   EXPECT_EQ(offered("require " + kArticle + " 'intact.stiffness > 1 N*m/rad' intact.st"),
             "intact.stiffness\n");
@@ -840,7 +841,7 @@ TEST_F(Program, BehaviourCompletionOfNames) {
   EXPECT_EQ(offered("sif show plate-thr"), "plate-through\n");
   EXPECT_EQ(offered("validate --factors coning,sup"), "coning,support\n");
   EXPECT_EQ(offered("schema --of result --command 'sif e'"), "sif eval\n");
-  // A file that cannot be read has no names.
+  // A file that cannot be read does not give names.
   EXPECT_EQ(run("completion words -- sweep nowhere.toml --vary a").exit_code, 3);
 }
 

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// How a program ends whose command throws what no real command throws on demand.
+// SPDX-License-Identifier: Apache-2.0 Exit codes of a program whose command throws exceptions that
+// real commands do not throw on demand.
 #include "command_line.hpp"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ TEST(CommandLine, InputTooLittleMemorySaysWhatToLower) {
       "program: there is not enough memory for this: ask for fewer points, samples or threads, or "
       "for a coarser mesh\n";
   EXPECT_EQ(complaint_about(std::bad_alloc(), kNoMemory), sentence);
-  // What std::thread throws.
+  // The exception that std::thread throws.
   const std::error_code thread = std::make_error_code(std::errc::resource_unavailable_try_again);
   EXPECT_EQ(complaint_about(std::system_error(thread), kNoMemory), sentence);
 }

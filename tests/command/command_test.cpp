@@ -122,7 +122,8 @@ bool says(const std::string& message, std::string_view part) {
 
 TEST(Options, InputEveryRuleIsBrokenOnceByText) {
   EXPECT_PRED2(says, refusal("lenght", "1 m"), "did you mean length?");
-  EXPECT_PRED2(says, refusal("zzzzzzzz", "1"), "is no option here; known are name, count, length");
+  EXPECT_PRED2(says, refusal("zzzzzzzz", "1"),
+               "is not an option here; known options are name, count, length");
   EXPECT_PRED2(says, refusal("count", "11"), "11 violates: >= 0 and <= 10");
   EXPECT_PRED2(says, refusal("count", "-1"), "-1 violates");
   for (const char* const text : {"1.5", "x", "", " 1", "1 ", "99999999999999999999"})
@@ -132,8 +133,8 @@ TEST(Options, InputEveryRuleIsBrokenOnceByText) {
   EXPECT_PRED2(says, refusal("length", "nan m"), "length");
   EXPECT_PRED2(says, refusal("factor", "x"), "factor");
   for (const char* const text : {"yes", "TRUE", "1", ""})
-    EXPECT_PRED2(says, refusal("loud", text), "is neither true nor false");
-  EXPECT_PRED2(says, refusal("size", "medium"), "known are small, large");
+    EXPECT_PRED2(says, refusal("loud", text), "must be true or false");
+  EXPECT_PRED2(says, refusal("size", "medium"), "choose one of small, large");
 }
 
 TEST(Options, InputAnOptionIsGivenOnceUnlessItMayBeRepeated) {
@@ -164,15 +165,15 @@ TEST(Options, InputARequiredOptionMustBeGiven) {
 
 TEST(Options, InputJsonBreaksEveryRuleOnce) {
   for (const char* const text : {"", "[]", "3", "\"x\"", "{", "{\"count\": 1} x", "null", "\xFF"})
-    EXPECT_PRED2(says, json_refusal(text), "the text is no JSON object");
+    EXPECT_PRED2(says, json_refusal(text), "the text must be a JSON object");
   for (const char* const text :
        {R"({"name": {"a": 1}})", R"({"name": null})", R"({"set": [["a"]]})", R"({"set": [null]})"})
-    EXPECT_PRED2(says, json_refusal(text), "takes text, a number or true and false");
+    EXPECT_PRED2(says, json_refusal(text), "must be text, a number, true or false");
   EXPECT_PRED2(says, json_refusal(R"({"lenght": "1 m"})"), "did you mean length?");
   EXPECT_PRED2(says, json_refusal(R"({"count": [1, 2]})"), "is given twice");
   EXPECT_PRED2(says, json_refusal(R"({"count": 11})"), "violates");
   EXPECT_PRED2(says, json_refusal(R"({"count": 1.5})"), "whole number");
-  EXPECT_PRED2(says, json_refusal(R"({"loud": 1})"), "neither true nor false");
+  EXPECT_PRED2(says, json_refusal(R"({"loud": 1})"), "must be true or false");
 }
 
 TEST(Options, IdentityTextAndJsonSetTheSame) {
@@ -228,7 +229,7 @@ TEST(CommandRow, ReferenceTheEnvelopeHasItsFieldsInOrder) {
   EXPECT_EQ(answer.document("json"), answer.json());
   EXPECT_EQ(answer.document("text"), "4.000000");
   EXPECT_PRED2(says, test::broken_rule([&] { return answer.document("svg"); }),
-               "double makes no svg; it makes json, text");
+               "double does not make svg; it makes json, text");
 }
 
 TEST(CommandRow, LimitAnUnusableAnswerCannotBeTold) {
@@ -272,7 +273,7 @@ TEST(CommandRow, BehaviourAJournalIsKeptAndAFolderIsNoText) {
   EXPECT_TRUE(row.documents.front().folder);
   const OptionValues options(row.options);
   EXPECT_PRED2(says, test::broken_rule([&] { return run(row, nullptr, options).usable(); }),
-               "journal: must be given; keep works on a journal");
+               "journal: must be given; keep needs a journal");
   test::KeptJournal journal;
   std::string said;
   const Progress progress({}, [&](const std::string& line) { said += line; });
@@ -283,7 +284,7 @@ TEST(CommandRow, BehaviourAJournalIsKeptAndAFolderIsNoText) {
     EXPECT_EQ(files[0].name, "one.svg");
     EXPECT_EQ(files[1].text, answer.json());
     EXPECT_PRED2(says, test::broken_rule([&] { return answer.document("svg"); }),
-                 "svg of keep is a folder of files, and no text");
+                 "svg of keep is a folder of files, not a text; write it to a folder");
   }
   EXPECT_EQ(journal.text(), "head\nline\nline\n");
   EXPECT_EQ(said, "a linea line");
@@ -295,7 +296,7 @@ TEST(CommandRow, InputARowIsFoundByItsName) {
   EXPECT_PRED2(says, test::broken_rule([&] { return &command_named(table, "duoble"); }),
                "did you mean double?");
   EXPECT_PRED2(says, test::broken_rule([&] { return &command_named(table, "zzzzzzzzz"); }),
-               "known are double");
+               "known commands are double");
 }
 
 TEST(CommandRow, IdentityTheSchemaRequiresWhatTheCommandRequires) {

@@ -10,11 +10,11 @@
 
 namespace strainwave::test {
 
-/// Holds every field of a type to a unit that can be read and to a line that says what it is.
+/// Checks that every field of a type has a readable unit and a description.
 class FieldWitness : public TypeVisitor {
  public:
   void begin_record() override { open_.emplace_back(); }
-  /// The unit may stand in a record further out: one unit for all rows.
+  /// The unit may be in an enclosing record, as one unit for all rows.
   void end_record() override {
     const bool open = open_.back().beside && !open_.back().unit;
     open_.pop_back();
@@ -38,7 +38,8 @@ class FieldWitness : public TypeVisitor {
   void begin_alternatives() override {}
   void end_alternatives() override {}
   void kind(std::string_view) override {}
-  /// A column of words has no unit; UnitWitness sees the numbers of a column without one.
+  /// A column of words does not need a unit; UnitWitness checks the numbers of a column without
+  /// one.
   void column(const Field& field) override {
     if (!field.unit.empty()) number(field);
   }

@@ -58,7 +58,7 @@ class FieldLines : public TypeVisitor {
   }
 
   std::vector<std::string> path_;
-  std::string name_;  // of the field that comes next
+  std::string name_;  // name of the field that comes next
   std::string lines_;
 };
 
@@ -75,7 +75,7 @@ inline std::string option_line(const Option& option) {
   return line + '\n';
 }
 
-/// What a user of a table can name: commands, options, result fields, documents.
+/// The names that a user of a table can use: commands, options, result fields, documents.
 inline std::string surface(std::span<const Command> table) {
   std::string all;
   for (const Command& command : table) {

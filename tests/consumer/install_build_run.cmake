@@ -1,4 +1,5 @@
-# Script: installs BUILD into a fresh prefix, builds this folder against it, runs it on INPUT.
+# This script installs BUILD into a fresh prefix, builds this folder against it, and runs it on
+# INPUT.
 set(work "${BUILD}/consumer")
 file(REMOVE_RECURSE "${work}")
 

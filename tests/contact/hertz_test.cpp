@@ -70,7 +70,8 @@ TEST(HertzContact, ReferenceBallOnInnerRace) {
 }
 
 TEST(HertzContact, ReferencePalmgrenApproach) {
-  // Both races of that ball; Palmgren's rule for steel balls, 4.36e-4 Q^(2/3) D^(-1/3), in N, mm.
+  // Contacts with both races of that ball, by Palmgren's rule for steel balls, 4.36e-4 Q^(2/3)
+  // D^(-1/3), in N, mm.
   const double D = 12.7 * mm;
   const PointContact outer{.curvature_sums = {2 / D - 1 / (0.52 * D), 2 / D - 1 / (67.7 * mm)},
                            .contact_modulus = kSteel};
@@ -172,7 +173,7 @@ TEST(HertzContact, IdentityAxisRatioSolvesItsEquation) {
     const double E = K * (1 - sum);
     const double k2 = kappa * kappa;
     EXPECT_NEAR(((k2 + 1) * E - 2 * K) / ((k2 - 1) * E), (upper - 1) / (upper + 1),
-                // The textbook's form loses digits near a circle.
+                // The form in the textbook is inaccurate near a circle.
                 4e-15 / (1 - 1 / kappa))
         << upper;
   }
@@ -283,7 +284,8 @@ TEST(OrthogonalShear, ReferenceCircleEllipseLine) {
 }
 
 TEST(OrthogonalShear, ReferenceTable) {
-  // At a line the root t -> 1 makes t - 1 small: b/a = 1e-3 costs no digits of beta and z0.
+  // At a line the root t -> 1 makes t - 1 small: b/a = 1e-3 must not reduce the accuracy of beta
+  // and z0.
   constexpr double kRounding = 1e-13;
   int n = 0;
   for (const test::CsvRow& row : test::read_reference_csv("hertz_contact")) {
@@ -367,8 +369,8 @@ TEST(EdgeTension, LimitCircle) {
 }
 
 TEST(EdgeTension, CrosscheckSeriesMeetsTheClosedForm) {
-  // Series below e^2 = 0.01, closed form above: what is left of a step is the rounding of the
-  // closed form, a difference of nearly equal numbers, 1e-16/e^2.
+  // Series below e^2 = 0.01, closed form above: the remaining step is the rounding of the closed
+  // form, a difference of nearly equal numbers, 1e-16/e^2.
   const double ratio = std::sqrt(1 - 0.01);
   const EdgeTension series = edge_tension(ratio * (1 + 1e-14), 0.3);
   const EdgeTension closed = edge_tension(ratio * (1 - 1e-14), 0.3);

@@ -11,7 +11,7 @@ namespace strainwave {
 namespace {
 
 TEST(CounterRandom, ReferenceSplitMix64) {
-  // The first numbers of seed 1234567, as the published test vectors of the generator have them.
+  // The first numbers of seed 1234567, from the published test vectors of the generator.
   constexpr std::array<std::uint64_t, 5> kPublished = {6457827717110365317U, 3203168211198807973U,
                                                        9817491932198370423U, 4593380528125082431U,
                                                        16408922859458223821U};
@@ -27,8 +27,9 @@ TEST(CounterRandom, IdentityUniformIsInside) {
 }
 
 TEST(CounterRandom, ConvergenceMomentsOfTheNormalDeviate) {
-  // Mean 0, variance 1, third moment 0, fourth 3; inputs, draws and seeds not correlated.  Standard
-  // errors are 1/sqrt(n) times 1, sqrt 2, sqrt 15, sqrt 96; tolerance: four of them.
+  // The expected moments are mean 0, variance 1, third moment 0, fourth moment 3; inputs, draws and
+  // seeds are not correlated.  Standard errors are 1/sqrt(n) times 1, sqrt 2, sqrt 15, sqrt 96;
+  // tolerance: four of them.
   constexpr int kN = 100'000;
   std::array<double, 4> moment{};
   double with_next_input = 0.0;

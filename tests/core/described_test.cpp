@@ -111,7 +111,7 @@ struct EnumNames<Paint> {
 
 namespace {
 
-/// Writes what it is told, and which fields stand where.
+/// Records the calls that it receives, with their fields.
 class Transcript : public ValueVisitor {
  public:
   explicit Transcript(bool details = true) : details_(details) {}
@@ -196,7 +196,7 @@ class TypePaths : public TypeVisitor {
   std::vector<std::string> open_;
 };
 
-/// The field paths of a value, without what a map or a variant names.
+/// The field paths of a value, without names from maps and variants.
 class ValuePaths : public Transcript {
  public:
   void begin_record() override { open_.push_back(path_); }

@@ -29,10 +29,10 @@ D2 variable(double value, std::size_t which) {
   return x;
 }
 
-// A Dual must not lose its derivatives by becoming a double.
+// A Dual must not convert to a double, because it would lose its derivatives.
 static_assert(!std::is_convertible_v<D2, double>);
 static_assert(std::is_convertible_v<double, D2>);
-// A temporary has no address that could be an input's.
+// The address of a temporary cannot be that of an input.
 static_assert(!std::is_invocable_v<Lift<double>, double&&>);
 static_assert(!std::is_invocable_v<Lift<D2>, double&&>);
 
@@ -145,7 +145,7 @@ TEST(Dual, CrosscheckFunctionsAgainstDifferences) {
   };
   for (const Case& c : cases)
     for (const double at : c.at) {
-      // Central differences of fourth order; truncation below 2e-10, and their rounding.
+      // Central differences of fourth order have a truncation error below 2e-10, plus rounding.
       const double h = 2e-4 * std::abs(at);
       const double slope =
           (8 * (c.f(at + h) - c.f(at - h)) - (c.f(at + 2 * h) - c.f(at - 2 * h))) / (12 * h);
@@ -220,8 +220,8 @@ TEST(Quadrature, ReferenceDerivativesOfAnIntegral) {
 }
 
 TEST(Quadrature, IdentityDerivativesAreRefinedToo) {
-  // int_0^1 (1 + s x^20 sin(40 x)) dx at s = 0: the value is 1 with any rule, the derivative to s
-  // needs pieces.
+  // int_0^1 (1 + s x^20 sin(40 x)) dx at s = 0: any rule gives the value 1, but the derivative with
+  // respect to s needs several pieces.
   const D2 s = variable(0.0, 0);
   const auto f = [&](double x) { return 1 + s * (std::pow(x, 20) * std::sin(40 * x)); };
   const auto integral = integrate(f, 0.0, 1.0);
@@ -232,7 +232,7 @@ TEST(Quadrature, IdentityDerivativesAreRefinedToo) {
 }
 
 TEST(FloaterHormann, IdentityCubicsAreExact) {
-  // Every cubic through the points is the same one (SN-5).
+  // All cubics through the points coincide (SN-5).
   const std::array<double, 6> x = {0.0, 0.02, 0.1, 0.4, 0.5, 0.8};
   const auto f = [](auto t) { return 1 - 2 * t + 3 * t * t - 4 * t * t * t; };
   std::array<double, 6> y{};
@@ -276,7 +276,8 @@ TEST(FloaterHormann, CrosscheckBarycentricForm) {
 }
 
 TEST(FloaterHormann, IdentityDerivativeToAnOrdinate) {
-  // Linear in the ordinates: the derivatives to all of them sum up to 1, and to 0 of the slope.
+  // The interpolant is linear in the ordinates, so the derivatives with respect to them sum to 1,
+  // and those of the slope to 0.
   std::array<Dual<5>, 5> y{};
   for (std::size_t i = 0; i < 5; ++i) {
     y[i] = 0.3 * static_cast<double>(i * i);

@@ -59,7 +59,7 @@ TEST(Error, InputPlaceAndValueAsWritten) {
   EXPECT_STREQ(missing.what(), "gear.toml:1:1: shaft.depth: must be given");
   EXPECT_EQ(missing.field(), "shaft.depth");
   EXPECT_EQ(missing.rule(), "");
-  // A value as written says nothing where no rule is broken.
+  // The written value is empty if no rule is broken.
   EXPECT_STREQ(InputError("shaft.depth", "must be given").located({"g", 1, 1}, "7").what(),
                "g:1:1: shaft.depth: must be given");
 }
@@ -91,7 +91,9 @@ TEST(Error, InputRequireThrowsUnlessTheConditionHolds) {
 
 TEST(Error, InputMessagesStayOnOneLine) {
   const InputError error("a\nb\x1b[31m", "is\r\nnot known");
-  EXPECT_STREQ(error.what(), "a\\nb\\u001B[31m: is\r\nnot known");  // a problem is our own text
+  EXPECT_STREQ(
+      error.what(),
+      "a\\nb\\u001B[31m: is\r\nnot known");  // the problem is our own text and is not escaped
   EXPECT_EQ(error.field(), "a\nb\x1b[31m");
   EXPECT_STREQ(InputError("a\tb", 1, "m", "> 2").what(), "a\\tb = 1 m violates: > 2");
   EXPECT_STREQ(InputError("a\tb", 1, "m", "> 2").located({"f\n", 1, 1}, "").what(),

@@ -22,7 +22,7 @@ std::vector<double> at_nodes(double (*f)(double), const std::vector<double>& x) 
   return y;
 }
 
-// (FE-41): a cubic is in the space, whatever the spacing.
+// (FE-41): the interpolation reproduces a cubic for any spacing.
 TEST(Hermite, IdentityCubicIsExact) {
   const std::vector<double> y = at_nodes(cubic, kNodes);
   for (const double x : {-1.0, -0.7, 0.0, 0.1, 0.9, 1.5, 2.2, 2.95, 3.0}) {
@@ -32,7 +32,7 @@ TEST(Hermite, IdentityCubicIsExact) {
     const Dual<1> value = hermite_interpolation<Dual<1>, double>(kNodes, y, dual);
     EXPECT_NEAR(value.partial[0], cubic_slope(x), 1e-12) << x;
   }
-  // Fewer nodes: a parabola through three, a line through two.
+  // Fewer nodes give a parabola through three points or a line through two.
   const std::vector<double> three = {0.0, 1.0, 3.0};
   EXPECT_NEAR((hermite_interpolation<double, double>(three, std::vector{0.0, 1.0, 9.0}, 2.0)), 4,
               1e-14);

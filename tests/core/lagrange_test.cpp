@@ -17,7 +17,8 @@ double interpolated(const std::array<double, N>& nodes, const Function& f, doubl
 }
 
 TEST(Lagrange, IdentityPolynomialsComeBack) {
-  // Of a degree below the number of nodes, at any nodes, inside and beside them; 1e-13 is rounding.
+  // A polynomial of a degree below the number of nodes is exact for any nodes, inside and outside
+  // their range; 1e-13 is rounding.
   const std::array<double, 5> nodes = {-1.0, 0.3, 0.4, 2.0, 3.5};
   for (const double x : {-1.5, -0.2, 0.3, 0.35, 2.0, 3.9})
     for (int degree = 0; degree < 5; ++degree)
@@ -53,7 +54,7 @@ TEST(Lagrange, ConvergenceAtLobattoNodes) {
 }
 
 TEST(Lagrange, IdentityDerivativesOfAPolynomialAtTheNodesToo) {
-  // x^4 - 2 x through five nodes is itself.
+  // Interpolation of x^4 - 2 x through five nodes is exact.
   const auto nodes = lobatto_nodes<5>(-1.0, 2.0);
   const LagrangeBasis<5> basis(nodes);
   for (const double at : {-0.3, 0.5, 1.7, nodes[0], nodes[2], nodes[4]}) {

@@ -74,7 +74,8 @@ TEST(NumberText, IdentityTheShortestTextOfAnyDoubleReadsBack) {
 }
 
 TEST(NumberText, CrosscheckTheStreamRoundsAsFromCharsDoes) {
-  // Halfway between two doubles, one digit below and one above: to even, down, up.
+  // A number halfway between two doubles rounds to even; one digit less rounds down, one digit more
+  // rounds up.
   expect_both("9007199254740993", 9007199254740992.0);
   expect_both("9007199254740992.9999999999999999999", 9007199254740992.0);
   expect_both("9007199254740993.0000000000000000001", 9007199254740994.0);

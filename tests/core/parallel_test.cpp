@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// A loop over indices by several threads: every index once, the same fault for any number of them.
+// SPDX-License-Identifier: Apache-2.0 A loop over indices by several threads calls every index once
+// and reports the same fault for any number of threads.
 #include "strainwave/core/parallel.hpp"
 
 #include <gtest/gtest.h>

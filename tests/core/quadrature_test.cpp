@@ -101,7 +101,7 @@ TEST_P(Quadrature, ScalingWorkDoesNotDependOnTheUnitOfLength) {
     EXPECT_NEAR(integral.value, c.exact * scale, 1e-10 * std::abs(c.exact * scale));
     return n;
   };
-  // A power of two scales without rounding: m for km or um cannot matter at all.
+  // A power of two scales without rounding, so the unit of length cannot have any effect.
   EXPECT_EQ(points(1), points(0x1p-20));
   EXPECT_EQ(points(1), points(0x1p10));
 }
@@ -144,15 +144,15 @@ double error_on_panels(const IntegralCase& c, int n) {
 }
 
 TEST(QuadratureRule, ConvergenceOrderOfARootIsThreeHalves) {
-  // sqrt(x) is not smooth at 0: the first panel alone errs, as h^(3/2).
+  // sqrt(x) is not smooth at 0: only the first panel has an error, of order h^(3/2).
   const IntegralCase root{"", [](double x) { return std::sqrt(x); }, 0, 1, 2.0 / 3};
   for (int n = 4; n <= 64; n *= 2)
     EXPECT_NEAR(std::log2(error_on_panels(root, n) / error_on_panels(root, 2 * n)), 1.5, 1e-3) << n;
 }
 
 TEST(QuadratureRule, ConvergenceOrderOfASmoothIntegrandIs25) {
-  // Degree 23 is exact, so one panel errs as h^25; between rounding and the next term (a tenth at
-  // this width) there is just room to see it.
+  // The rule is exact for degree 23, so the error of one panel is of order h^25.  Between rounding
+  // and the next term (a tenth at this width) it is just visible.
   const auto error = [](double half_width) {
     const IntegralCase wave{"", [](double x) { return std::cos(x); }, -half_width, half_width,
                             2 * std::sin(half_width)};
@@ -192,7 +192,7 @@ TEST(QuadratureRule, LimitBisectionStopsAndSaysSo) {
   EXPECT_FALSE(integral.converged);
   EXPECT_GT(integral.error, 1e-3);
   EXPECT_LE(points, (2 * 30 - 1) * 15);
-  // A jump is cut down to the width of doubles, and no further.
+  // Bisection at a jump stops at the width of doubles.
   points = 0;
   const auto jump = [&](double x) {
     ++points;
@@ -214,7 +214,7 @@ TEST(QuadratureRule, LimitEmptyIntervalGivesZero) {
   EXPECT_TRUE(integral.converged);
 }
 
-/// A small vector space with the norm of the largest entry, as quadrature asks of a value.
+/// A small vector space with the norm of the largest entry, as quadrature requires.
 struct Pair {
   std::array<double, 2> entry{};
 
@@ -246,7 +246,7 @@ TEST(QuadratureRule, CrosscheckMatrixValuesAgreeWithTheirEntries) {
   const auto second = [](double x) { return 1e-3 * std::sqrt(x); };
   const auto both = integrate([&](double x) { return Pair{first(x), second(x)}; }, 0.0, 2.0);
   EXPECT_NEAR(both.value.entry[0], integrate(first, 0.0, 2.0).value, 1e-9);
-  // The tolerance is of the largest entry, not of each.
+  // The tolerance is relative to the largest entry, not to each entry.
   EXPECT_NEAR(both.value.entry[1], integrate(second, 0.0, 2.0).value, 1e-9);
 }
 

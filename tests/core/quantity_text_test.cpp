@@ -236,8 +236,8 @@ TEST(QuantityText, BehaviourDifferentSpellingsOfOneUnit) {
 }
 
 TEST(QuantityText, InputAWordThatIsPrefixAndUnitIsReadAsTheUnit) {
-  EXPECT_EQ(parse_unit("min").factor, 60);        // not milli-inch
-  EXPECT_EQ(parse_unit("m").factor, 1);           // not milli-nothing
+  EXPECT_EQ(parse_unit("min").factor, 60);        // minute, not milli-inch
+  EXPECT_EQ(parse_unit("m").factor, 1);           // metre, not a bare prefix
   EXPECT_EQ(parse_unit("Nm").factor, 1);          // newton metre
   EXPECT_EQ(parse_unit("nm").factor, 1e-9);       // nanometre
   EXPECT_EQ(parse_unit("mNm").factor, 1e-3);      // millinewton metre
@@ -384,7 +384,7 @@ TEST(QuantityText, InputHostileLengthsAreRefusedBriefly) {
   EXPECT_LT(refusal("1 " + std::string(100000, 'x'), "m").size(), 600U);
   EXPECT_LT(refusal(std::string(100000, ' '), "m").size(), 300U);
   EXPECT_NE(refusal("1" + std::string(1000, '0') + " m", "m"), "accepted");
-  // A factor that overflows makes no number, not even of zero: 0 * inf is none.
+  // A factor that overflows is refused even for zero, because 0 * inf is not a number.
   EXPECT_EQ(refusal("0 Gm^12*Gm^12*Gm^12", "m^12*m^12*m^12"),
             "field: \"0 Gm^12*Gm^12*Gm^12\" is too large");
 }

@@ -53,7 +53,7 @@ TEST(BracketedRoot, ReferenceRoots) {
                                     .tolerance_is = "rounding of the function"};
     EXPECT_NEAR(bracketed_root(c.f, c.lower, c.upper), reference.value,
                 reference.value * reference.relative_tolerance * (c.name == "flat cubic" ? 1e9 : 1))
-        << c.name;  // a triple root is known to a third of the digits only
+        << c.name;  // a triple root is accurate to a third of the digits only
   }
 }
 
@@ -82,7 +82,7 @@ TEST(BracketedRoot, ConvergenceTakesFewEvaluations) {
           return c.f(x);
         },
         c.lower, c.upper);
-    // Bisection would take 52; TOMS 748 is proven never to take more than four times that.
+    // Bisection would take 52 steps; TOMS 748 provably takes at most four times as many.
     EXPECT_LE(n, c.name == "flat cubic" || c.name == "jump" ? 160 : 45) << c.name;
   }
 }

@@ -8,7 +8,7 @@
 namespace strainwave {
 namespace {
 
-// FIPS 180-4's examples; the others are what `sha256sum` of GNU coreutils prints.
+// FIPS 180-4's examples; the other digests are from `sha256sum` of GNU coreutils.
 TEST(Sha256, ReferenceOfKnownTexts) {
   EXPECT_EQ(sha256_hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   EXPECT_EQ(sha256_hex(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
@@ -18,7 +18,7 @@ TEST(Sha256, ReferenceOfKnownTexts) {
             "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-// Where the padding needs a block of its own: 55, 56, 63, 64 and 65 bytes.
+// Sizes at which the padding begins to need another block: 55, 56, 63, 64 and 65 bytes.
 TEST(Sha256, ReferenceRoundTheEndOfABlock) {
   EXPECT_EQ(sha256_hex(std::string(55, 'x')),
             "d5e285683cd4efc02d021a5c62014694958901005d6f71e89e0989fac77e4072");

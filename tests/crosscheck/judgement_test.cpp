@@ -1,7 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0
-// The judgement of the closed forms: what finite elements found (tests/data/judgement_*.csv,
-// written by tools/judge_closed_forms.py) against what the library computes now, each row within
-// the accuracy that the library states for it.
+// SPDX-License-Identifier: Apache-2.0 Judgement of the closed forms: results of finite elements
+// (tests/data/judgement_*.csv, written by tools/judge_closed_forms.py) against those of the
+// library, each row within the accuracy that the library states.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +24,7 @@ using std::numbers::pi;
 
 constexpr double kJudgedE = 210e9;
 
-/// Counts the rows of each case, so that a table that lost some is seen.
+/// Counts the rows of each case, so that missing rows are detected.
 using Seen = std::map<std::string, int>;
 
 TEST(Judgement, CrosscheckAnnularCracks) {
@@ -51,7 +50,7 @@ TEST(Judgement, CrosscheckAnnularCracks) {
       added = added_compliance(crack, moduli).matrix;
       k = crack.stress_intensity(a, 0);
     }
-    // Over those of a shallow crack.
+    // Values over those of a shallow crack.
     const double shallow = pi * pi * a * a;
     const std::map<std::string, double> ours{
         {"C_T", added(kTorsion, kTorsion) / (shallow / (mu * J * J))},
@@ -59,7 +58,7 @@ TEST(Judgement, CrosscheckAnnularCracks) {
         {"K_III", k.III[kTorsion] / (std::sqrt(pi * a) / J)},
         {"K_I", k.I[kAxial] / (1.1215 * std::sqrt(pi * a) / A)}};
     const bool torsion = row.quantity == "C_T" || row.quantity == "K_III";
-    // Tables and fits of tension are those of Poisson's ratio 0.3.
+    // Tables and fits for tension are for Poisson's ratio 0.3.
     const double of_compliance = torsion     ? accuracy::kAnnularTorsion
                                  : nu == 0.3 ? accuracy::kAnnularTension
                                              : accuracy::kAnnularTensionOtherRatio;
@@ -77,7 +76,7 @@ TEST(Judgement, CrosscheckAnnularCracks) {
   for (const auto& [name, n] : seen) EXPECT_GE(n, 70) << name;
 }
 
-/// The crack of a row, of a wall with the mean radius 1.
+/// The crack of a row in a wall with the mean radius 1.
 sif::ThroughCrackInTube through_crack(const test::CsvRow& row) {
   const double t = 1 / row("radius_ratio");
   return {.half_length = row("length_ratio") * t,
@@ -114,7 +113,7 @@ std::array<double, 2> relative_intensity(const sif::ThroughCrackInTube& crack, d
 
 /// Energy release rate over that of the flat sheet.
 double relative_release(const sif::ThroughCrackInTube& crack) {
-  double sum = 0;  // mean by Simpson's rule: exact, as K is linear in s
+  double sum = 0;  // mean by Simpson's rule, which is exact because K is linear in s
   for (const double s : {-1.0, 0.0, 1.0}) {
     const auto [K_I, K_II] = relative_intensity(crack, s);
     sum += (K_I * K_I + K_II * K_II) * (s == 0 ? 4 : 1) / 6;
@@ -162,9 +161,9 @@ TEST(Judgement, CrosscheckThroughCracks) {
   EXPECT_EQ(seen["C"], seen["G"]);
 }
 
-// K of a sheet against local K: of the whole of K at the middle and the outer face, as stated; at
-// the inner face, where a sheet has too little K_II near 0 and 90 degrees, of the largest in the
-// wall, as the docstring says.
+// K of a sheet against local K.  At the middle and the outer face, the stated accuracy refers to
+// the whole local K.  At the inner face, where the K_II of a sheet is too small near 0 and 90
+// degrees, it refers to the largest K in the wall, as stated in the docstring.
 TEST(Judgement, CrosscheckThroughCrackIntensities) {
   Seen seen;
   for (const test::CsvRow& row : test::read_reference_csv("judgement_through")) {
@@ -192,7 +191,7 @@ TEST(Judgement, CrosscheckThroughCrackIntensities) {
   for (const auto& [name, n] : seen) EXPECT_GE(n, 50) << name;
 }
 
-// Torque that closes the crack: the faces slide without friction, in both.
+// Torque that closes the crack makes the faces slide without friction in both computations.
 TEST(Judgement, CrosscheckClosedThroughCracks) {
   Seen seen;
   for (const test::CsvRow& row : test::read_reference_csv("judgement_closed")) {
@@ -270,14 +269,16 @@ TEST(Judgement, CrosscheckSurfaceCracksDeepestPoint) {
   EXPECT_EQ(seen, 9);
 }
 
-// Half-way along the barrel of a cup: solid elements over the long tube that the closed form stands
-// for.  What the ends add is within the uncertainty that `strainwave stiffness` gives them, C and,
-// as K, half of what G has.  A tube (no diaphragm) is clamped at one end and free at the other.
+// A crack at half length of a cup's barrel: solid elements over the long tube of the closed form.
+// The effect of the ends is within the uncertainty that `strainwave stiffness` states, for C and
+// for K, which has half the uncertainty of G.  A tube (no diaphragm) is clamped at one end and free
+// at the other.
 TEST(Judgement, CrosscheckThroughCrackInABarrel) {
   int seen = 0;
   for (const test::CsvRow& row : test::read_reference_csv("judgement_barrel")) {
     const double length = row("barrel_length");
-    if (std::abs(row("place") - length / 2) > 1e-9) continue;  // elsewhere the ends do more
+    if (std::abs(row("place") - length / 2) > 1e-9)
+      continue;  // elsewhere the ends have more effect
     const double share = 2 * row("half_length") / length;
     const double ends = (row("rim") == 1 ? accuracy::kThroughCrackBetweenJoints
                                          : accuracy::kThroughCrackNearFreeEnd) *
@@ -296,7 +297,7 @@ TEST(Judgement, CrosscheckSoundCups) {
     constexpr double kOuter = 80.5e-3;
     constexpr double kWall = 0.6e-3;
     constexpr double kLength = 40e-3;
-    const double G = 8e10;  // drops out
+    const double G = 8e10;  // cancels
     const Tube barrel{
         .outer_diameter = kOuter, .inner_diameter = kOuter - 2 * kWall, .length = kLength};
     const Diaphragm diaphragm{.outer_diameter = kOuter - kWall,
@@ -305,7 +306,7 @@ TEST(Judgement, CrosscheckSoundCups) {
                               .profile = {}};
     const double ours = 1 + torsional_compliance(diaphragm, G) / torsional_compliance(barrel, G);
     EXPECT_NEAR(ours / row.value, 1, accuracy::kSections) << row.place;
-    // The article's factor goes the other way.
+    // The article's factor has the opposite effect.
     EXPECT_LT(0.83 / row.value, 1) << row.place;
     ++seen;
   }

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// Laws that every drive obeys, tried on many that nobody chose.
+// SPDX-License-Identifier: Apache-2.0 Laws that every drive obeys, tested on many random drives.
 
 #include <gtest/gtest.h>
 
@@ -58,7 +57,7 @@ TEST(RandomDrives, InputIsAcceptedAndVaried) {
   EXPECT_GT(n_cracks, 2 * kDrives);
   EXPECT_GT(n_usable, kDrives / 2);
   for (const int n : opens) EXPECT_GT(n, 20);
-  EXPECT_GT(codes.size(), 20U);  // nearly all that can be said is said
+  EXPECT_GT(codes.size(), 20U);  // nearly all note codes occur
 }
 
 TEST(RandomDrives, LimitEveryNumberIsFinite) {
@@ -84,7 +83,7 @@ TEST(RandomDrives, IdentityCrackedIsNeverStifferThanSound) {
       EXPECT_LE(drive.stiffness_change.value, 0.0) << i;
       EXPECT_GE(drive.wind_up.value, result.intact.wind_up.value) << i;
       EXPECT_GE(drive.compliance.total.value, result.intact.compliance.total.value) << i;
-      // The change is K/K_intact - 1, whichever way it is computed.
+      // The change is K/K_intact - 1, in every computation.
       EXPECT_NEAR(drive.stiffness_change.value,
                   drive.stiffness.value / result.intact.stiffness.value - 1, 1e-13)
           << i;
@@ -124,7 +123,7 @@ TEST(RandomDrives, IdentityOrderOfTheCracksDoesNotMatter) {
 
 TEST(RandomDrives, IdentityAnotherCrackNeverStiffens) {
   for (std::size_t i = 0; i < drives().size(); ++i) {
-    // Cracks of other drives of the same member, as far as they fit.
+    // Add cracks of the same member from other drives, as far as they fit.
     const GearSet& donor = drives()[(i + 1) % drives().size()];
     GearSet more = drives()[i];
     const auto take = [](auto& to, const auto& from) {
@@ -170,8 +169,8 @@ TEST(RandomDrives, IdentityADeeperCrackNeverStiffens) {
 }
 
 TEST(RandomDrives, ScalingBySimilarity) {
-  // All lengths times s, and the stresses kept: forces s^2, torque s^3, stiffness s^3.  Every
-  // relation between lengths, and each one that somebody forgot, is tried at once.
+  // All lengths are multiplied by s at constant stress: forces scale with s^2, torque and stiffness
+  // with s^3.  This tests all relations between lengths at once, including forgotten ones.
   constexpr double s = 1.7;
   for (std::size_t i = 0; i < drives().size(); ++i) {
     GearSet scaled = drives()[i];
@@ -182,7 +181,7 @@ TEST(RandomDrives, ScalingBySimilarity) {
     });
     const StiffnessResult one = torsional_stiffness(drives()[i]);
     const StiffnessResult other = torsional_stiffness(scaled);
-    // Rounding, and a quadrature that takes the same steps.
+    // The tolerance is rounding, because the quadrature takes the same steps.
     const double tolerance = 1e-12;
     for (const auto drive : {&StiffnessResult::positive, &StiffnessResult::negative}) {
       EXPECT_NEAR((other.*drive).stiffness.value / (one.*drive).stiffness.value / (s * s * s), 1,
@@ -209,7 +208,7 @@ TEST(RandomDrives, ScalingBySimilarity) {
 }
 
 TEST(RandomDrives, IdentityTheSignOfTheGivenTorqueDoesNotMatter) {
-  // Both senses are computed whichever is given.
+  // Both senses are computed for either sign of the given torque.
   for (std::size_t i = 0; i < drives().size(); ++i) {
     GearSet other_sense = drives()[i];
     other_sense.load.torque *= -1;
@@ -221,7 +220,8 @@ TEST(RandomDrives, IdentityTheSignOfTheGivenTorqueDoesNotMatter) {
 }
 
 TEST(RandomDrives, IdentityMirroredDriveMirrorsTheSenses) {
-  // A mirror that contains the axis turns every crack to -beta, and the torque round.
+  // Reflection in a plane that contains the axis changes every beta to -beta and reverses the
+  // torque.
   for (std::size_t i = 0; i < drives().size(); ++i) {
     GearSet mirrored = drives()[i];
     if (!mirrored.flexspline) continue;

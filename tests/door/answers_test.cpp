@@ -16,7 +16,7 @@ namespace {
 
 using test::Json;
 
-/// Holds each quantity of a value to the unit that its field states.
+/// Checks that each quantity of a value has the unit that its field states.
 class UnitWitness : public ValueVisitor {
  public:
   void begin_record() override { open_.push_back(field_); }
@@ -170,7 +170,7 @@ TEST(AnswersOfExamples, ReferenceMostExamplesAreAnswered) {
     try {
       (void)test::run_on_example("torsion", name, R"({"draws": 0})");
       ++n_torsion;
-    } catch (const InputError&) {  // it gives no geometry
+    } catch (const InputError&) {  // the drive lacks the geometry
     }
   }
   EXPECT_GE(n_torsion, 3);
@@ -202,7 +202,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Facade, InputATextThatTheDriveNamesMustBeAttached) {
   const std::string text = test::contents(STRAINWAVE_EXAMPLES "/tabulated_crack.toml");
   const std::string table = test::contents(STRAINWAVE_EXAMPLES "/tables/through_45.csv");
-  // The working directory has the table; the facade does not look there.
+  // The working directory contains the table, but the facade must not look there.
   const auto before = std::filesystem::current_path();
   std::filesystem::current_path(STRAINWAVE_EXAMPLES);
   EXPECT_NE(
@@ -219,7 +219,7 @@ TEST(Facade, InputATextThatAnOptionNamesMustBeGiven) {
   constexpr std::string_view kOptions = R"({"measured": "curve.csv"})";
   EXPECT_NE(test::broken_rule([&] {
               return test::run_command("calibrate", drive, kOptions);
-            }).find("names no text that was given"),
+            }).find("names a text that is not attached"),
             std::string::npos);
   EXPECT_NE(test::broken_rule([&] {
               return test::run_command("calibrate", drive, kOptions, {{"curve.csv", "no csv"}});

@@ -86,7 +86,7 @@ TEST(Batch, CrosscheckOutputsOfTheCoupledDrive) {
 TEST(Batch, IdentityForAnyNumberOfThreads) {
   const std::vector<std::string> paths = {"output_shaft.crack[0].depth"};
   std::vector<double> values;
-  for (int i = 0; i < 40; ++i) values.push_back((i - 2) * 0.5e-3);  // some of them are refused
+  for (int i = 0; i < 40; ++i) values.push_back((i - 2) * 0.5e-3);  // some values are refused
   const auto with = [&](int threads) {
     return batch(article(),
                  {.paths = paths, .values = values, .outputs = kOutputs, .threads = threads});
@@ -143,7 +143,7 @@ TEST(Batch, InputFaultsAreFoundBeforeTheWork) {
   EXPECT_EQ(refusal({depth, depth, depth}, kOutputs),
             "paths: \"output_shaft.crack[0].depth\" is given twice");
   EXPECT_EQ(refusal({depth, "load.torque"}, kOutputs),
-            "values: has 3 numbers; must have 2 for each row");
+            "values: has 3 numbers; give 2 for each row");
   EXPECT_EQ(refusal({}, kOutputs), "paths: must name at least one number of the drive");
   EXPECT_EQ(refusal({depth}, kOutputs, -1), "threads = -1 violates: >= 0 and <= 256");
   EXPECT_EQ(refusal({depth}, kOutputs, 257), "threads = 257 violates: >= 0 and <= 256");
@@ -164,7 +164,7 @@ TEST(Batch, BehaviourStopsAfterTheRowThatAsks) {
   };
   EXPECT_THROW((void)run(1, progress), Stopped);
   EXPECT_EQ(told, 3);
-  // The calling thread asks even if the others have taken all rows.
+  // The calling thread asks even if other threads have taken all rows.
   EXPECT_THROW((void)run(3, Progress([](double) { return false; })), Stopped);
 }
 

@@ -24,8 +24,8 @@ inline bool has_json_type(const Json& value, const std::string& type) {
   throw std::runtime_error("no type of JSON Schema: " + type);
 }
 
-/// Where a value breaks a schema, one line each; empty if it keeps it.
-/// @throws std::runtime_error  the schema has a keyword that is not read here
+/// Places at which a value breaks a schema, one line each; empty if it is valid.
+/// @throws std::runtime_error  if the schema has a keyword that this reader does not support
 inline std::vector<std::string> schema_faults(const Json& schema, const Json& value,
                                               const std::string& path = "") {
   std::vector<std::string> faults;

@@ -60,7 +60,7 @@ TEST(Verdicts, ReferenceTheReportSaysTheVerdictInWords) {
   EXPECT_EQ(words(test::example_drives().at("article")), "Cannot be told");
 }
 
-/// A row of the listing of note codes: "code | severities | what reaches it".
+/// A row of the listing of note codes: "code | severities | input that causes it".
 struct ListedCode {
   std::string severities;
   std::string reached;
@@ -83,7 +83,7 @@ TEST(NoteCodes, IdentityNotesOfTheExamplesHaveTheListedSeverity) {
   const auto listed = listed_codes();
   std::map<std::string, int> seen;
   for (const auto& [command, options] : test::trial_options()) {
-    // What solve and report say are the notes of stiffness, sensitivity and torsion.
+    // solve and report repeat the notes of stiffness, sensitivity and torsion.
     if (command_named(commands(), command).takes == Takes::nothing || command == "solve" ||
         command == "report")
       continue;
@@ -126,7 +126,7 @@ TEST(NoteCodes, ReferenceNotesThatCommandsAdd) {
   EXPECT_EQ(notes_with(broken, "sif.fractures"), 1);
   EXPECT_EQ(broken.evidence().verdict.judgement, Judgement::critical);
 
-  // The last point is deeper than the wall, and no answer.
+  // The last point is deeper than the wall and refused.
   const Answer sweep = test::run_on_example(
       "sweep", "solid_shaft", R"({"vary": ["output_shaft.crack[0].depth=5 mm..31 mm:3"]})");
   EXPECT_EQ(notes_with(sweep, "sweep.unusable_points"), 1);
@@ -134,7 +134,7 @@ TEST(NoteCodes, ReferenceNotesThatCommandsAdd) {
 
 TEST(NoteCodes, ReferenceADriveWithoutACurveSaysWhy) {
   std::string text = test::example_drives().at("catalogue_size25")->text;
-  // Under a hundred times the maker's torque the flanks do not hold.
+  // Under a hundred times the maker's torque the flanks slip past each other.
   const std::size_t torque = text.find("T2 = \"48 N*m\"");
   ASSERT_NE(torque, std::string::npos);
   text.replace(torque, 13, "T2 = \"4800 N*m\"");

@@ -69,7 +69,7 @@ TEST(DriveCracks, BehaviourOrderKindsAndMaterials) {
 }
 
 TEST(DriveCracks, BehaviourDepthAndHalfLengthApart) {
-  // K at another depth and half length is that of a drive whose crack has them.
+  // K at another depth and half length equals that of a drive whose crack has this size.
   const DriveCrack given = crack_of(with_surface_crack(), "flexspline.crack[0]");
   EXPECT_EQ(given.size_name, "depth");
   EXPECT_NEAR(given.size.half_length(), 2 * mm, 1e-17);
@@ -97,7 +97,8 @@ TEST(DriveCracks, BehaviourDepthAndHalfLengthApart) {
 }
 
 TEST(DriveCracks, IdentityUnitLoadsGiveTheStressOfEach) {
-  // A short through crack along a generator of a flat wall, K = stress sqrt(pi a) of each load.
+  // For a short through crack along a generator of a flat wall, K = stress sqrt(pi a) for each
+  // load.
   GearSet gear = test::article_gear(1 * mm);
   auto& through = std::get<WallThroughCrack>(gear.flexspline->crack.at(0));
   through.shell_correction = false;
@@ -111,14 +112,14 @@ TEST(DriveCracks, IdentityUnitLoadsGiveTheStressOfEach) {
   test::expect_relative(middle.load.I[kAxial], root / (2 * pi * r * t), 1e-12);
   test::expect_relative(std::abs(middle.load.II[kTorsion]), K_u * root / (2 * pi * r * r * t),
                         1e-12);
-  // Navier: M/(pi r^2 t) in the middle of the pulled side.
+  // Navier's stress is M/(pi r^2 t) in the middle of the tension side.
   test::expect_relative(crack.bending(crack.size).at(1)[0], root / (pi * r * r * t), 1e-12);
   test::expect_relative(middle.assembly[0], assembly_stress(gear, r, t, 90 * deg).normal * root,
                         1e-12);
 }
 
 TEST(DriveCracks, InputReferenceStressNeedsASection) {
-  // A crack of half of the circumference, or of the whole length, leaves nothing that yields.
+  // A crack over half of the circumference, or over the whole length, leaves no net section.
   const auto refused = [](const GearSet& gear, double half_length) {
     const DriveCrack crack = crack_of(gear, "flexspline.crack[0]");
     EXPECT_GT(crack.reference_stress({.size = crack.range_end}, 0.0, 1.0), 0.0);

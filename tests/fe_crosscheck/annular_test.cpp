@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// Annular cracks: finite elements against the closed forms and tables of the fracture module, which
-// know nothing of each other.
+// SPDX-License-Identifier: Apache-2.0 Annular cracks: finite elements against the closed forms and
+// tables of the fracture module, which are independent.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +20,7 @@ using std::numbers::pi;
 
 constexpr fem::Elasticity kSteel{.youngs_modulus = 210e9, .poissons_ratio = 0.3};
 
-/// Outer radius 1, long enough that the ends do not matter.
+/// A shaft of outer radius 1, long enough that the ends do not matter.
 ShaftSection unit_shaft(double radius_ratio, double depth) {
   return {
       .outer_diameter = 2,
@@ -34,7 +33,7 @@ fem::TipResult tip(const ShaftSection& shaft, SectionLoad load, double nu = 0.3)
   return *fem::solve_section(gear_fem::mesh_shaft(shaft), load, {210e9, nu}).tip;
 }
 
-// Measured ratios of the handbook polynomials, and those of our own fits (FR-12, FR-13).
+// Measured ratios for the handbook polynomials and for our own fits (FR-12, FR-13).
 TEST(FeAnnular, CrosscheckSolidShaft) {
   struct Row {
     double x, III_over_tada, I_over_tada;
@@ -53,7 +52,7 @@ TEST(FeAnnular, CrosscheckSolidShaft) {
     EXPECT_NEAR(III / tada.III[kTorsion], row.III_over_tada, 1.5e-4) << row.x;
     EXPECT_NEAR(I / tada.I[kAxial], row.I_over_tada, 1.5e-4) << row.x;
     const auto improved = of(sif::AnnularPolynomials::improved);
-    EXPECT_NEAR(III / improved.III[kTorsion], 1, 3e-4) << row.x;  // the accuracy it states
+    EXPECT_NEAR(III / improved.III[kTorsion], 1, 3e-4) << row.x;  // the stated accuracy
     EXPECT_NEAR(I / improved.I[kAxial], 1, 6e-4) << row.x;
   }
 }
@@ -86,8 +85,8 @@ TEST(FeAnnular, CrosscheckDualSeries) {
     const double J = pi / 2 * (1 - std::pow(ratio, 4));
     const double unit =
         4 * wall / pi * -std::log(std::cos(pi * alpha / 2)) / (kSteel.shear_modulus() * J);
-    // The elements themselves are good to 1e-4; the five depths of the integral leave 1.5e-4 more
-    // in the deepest crack of the thickest wall (measured).
+    // The elements are accurate to 1e-4; the five depths of the integral add 1.5e-4 for the deepest
+    // crack of the thickest wall (measured).
     EXPECT_NEAR(r.added_by_difference / unit / row.value, 1, 1e-4) << ratio << ' ' << alpha;
     EXPECT_NEAR(r.added_compliance / unit / row.value, 1, 2e-4) << ratio << ' ' << alpha;
     EXPECT_TRUE(r.usable) << r.reason;
@@ -97,8 +96,8 @@ TEST(FeAnnular, CrosscheckDualSeries) {
   EXPECT_EQ(seen, 4);
 }
 
-// A deep crack, whose energy release rate runs away: two points of tests/data/judgement_annular.csv
-// calculated anew, and the closed form (FR-12).
+// A deep crack, whose energy release rate rises steeply: two points of
+// tests/data/judgement_annular.csv calculated anew, and the closed form (FR-12).
 TEST(FeAnnular, CrosscheckDeepCrackAndCommittedRow) {
   const double a = 0.8;
   const auto r = gear_fem::solve_shaft(unit_shaft(0, a), kSteel).torsion;

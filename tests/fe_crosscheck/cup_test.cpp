@@ -28,7 +28,7 @@ double series(const gear_fem::CupSection& c) {
          torsional_compliance(*c.diaphragm, G);
 }
 
-// What the series leaves out is the corner, a region of the size of the wall.
+// The series leaves out the corner, a region of the size of the wall.
 TEST(FeCup, CrosscheckSeriesOfTubeAndPlate) {
   for (const double thickness : {0.4e-3, 0.8e-3, 1.6e-3}) {
     const auto c = cup(thickness);

@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// The second table of commands: what can be named in it, and whether its answers keep what their
-// descriptions say.
+// SPDX-License-Identifier: Apache-2.0 The second table of commands: its names, and whether its
+// answers agree with their descriptions.
 #include "strainwave/fe_study/commands.hpp"
 
 #include <gtest/gtest.h>
@@ -108,14 +107,14 @@ TEST(FeAnswersRefused, InputFieldsOfADryRunAndATableWithoutJournal) {
     }
   };
   EXPECT_EQ(refusal("run", R"({"dry_run": true, "fields": true})"),
-            "dry_run: calculates no fields; leave one of them out");
+            "dry_run: does not compute fields; leave out --dry-run or --fields");
   EXPECT_EQ(refusal("run", R"({"dry_run": true})"),
-            "dry_run: has no fields; choose another format");
+            "dry_run: does not compute fields; choose another format");
   EXPECT_EQ(refusal("tabulate", R"({"over": ["output_shaft.crack[0].depth=6 mm..9 mm:2"]})"),
-            "journal: must be given; tabulate works on a journal");
+            "journal: must be given; tabulate needs a journal");
 }
 
-// Each code with the drive that has it; no code is made by two of the drives' own features.
+// Each code with a drive that causes it; no two features of the drives cause the same code.
 TEST(FeNotes, IdentityEveryCodeIsReachedWithItsSeverity) {
   test::start_mpi();
   std::map<std::string, Severity> seen;

@@ -64,7 +64,7 @@ void expect_same(const fem::FieldPoint& point, const std::array<double, 3>& u,
 const double kArea = pi * (0.035 * 0.035 - 0.0225 * 0.0225);
 const double kPolar = pi / 2 * (std::pow(0.035, 4) - std::pow(0.0225, 4));
 
-// Fields add; energies too, for torsion and tension share no component.  (FE-38)
+// Fields add, and energies add too, because torsion and tension cause different components (FE-38).
 TEST(FieldsAtLoad, IdentityFieldsOfAShaftAdd) {
   const auto fields = fields_at_load(made_up(), loaded(kTorque, kForce));
   EXPECT_TRUE(fields.without_crack);
@@ -77,7 +77,7 @@ TEST(FieldsAtLoad, IdentityFieldsOfAShaftAdd) {
   EXPECT_NEAR(point.energy_density_without_crack / sound, 1, 1e-12);
 }
 
-// However small it is, a pull opens the crack.
+// Any tension opens the crack, however small.
 TEST(FieldsAtLoad, LimitSmallPull) {
   const auto fields = fields_at_load(made_up(), loaded(0, 0.5));
   expect_same(fields.cells.at(0).points.at(0), {5e-13, 0, 1.5e-12}, {5, 10, 200, 0, 15, 0});

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Reads what strainwave-fe writes into folders by programs that are not ours.
+"""Reads the folders that strainwave-fe writes by independent programs.
 
     tests/fe_study/folders.py STRAINWAVE_FE EXAMPLES
 
@@ -39,7 +39,7 @@ def run(program, *arguments, ranks=0, codes=(0,)):
 
 
 def integral(meshes, name, weight=lambda place: 1.0):
-    """Of a point field over hexahedra or quadrilaterals, by Gauss's two points each way."""
+    """Integral of a point field over hexahedra or quadrilaterals, by two Gauss points in each direction."""
     total = 0.0
     for mesh, block in ((mesh, block) for mesh in meshes for block in mesh.cells):
         corners = block.data.shape[1]
@@ -69,7 +69,7 @@ def near(here, there, tolerance, what):
 
 
 def nearest(meshes, name, place):
-    """A point field there."""
+    """A point field at the given points."""
     points = np.concatenate([mesh.points for mesh in meshes])
     values = np.concatenate([mesh.point_data[name] for mesh in meshes])
     return values[np.argmin(np.linalg.norm(points - place, axis=1))]
@@ -84,14 +84,14 @@ def front_agrees(mesh, front):
 
 
 def pieces(folder, stem):
-    """What the ranks wrote, as their record names it."""
+    """The files of all ranks, as listed in their record."""
     names = [piece.get("Source") for piece in xml.parse(folder / f"{stem}.pvtu").iter("Piece")]
     assert names == [f"{stem}.0.vtu", f"{stem}.1.vtu"], names
     return [meshio.read(folder / name) for name in names]
 
 
 def opened_and_closed(crack):
-    """What closed faces leave, of what the open crack adds: 1e-6 and less, measured."""
+    """Rest of the added compliance with closed faces over that of the open crack: measured at most 1e-6."""
     sense, closed = crack["positive"], crack["negative"]
     assert (sense["faces"], closed["faces"]) == ("open", "closed")
     left = closed["added_compliance"]["value"] / sense["added_compliance"]["value"]
@@ -100,8 +100,8 @@ def opened_and_closed(crack):
 
 
 def through_reference(crack):
-    """G/(K0^2/E) = 1.5069 by another program (20-node elements, 668 k unknowns); order 2 has 1.3 %
-    less, measured, and 0.8 % less compliance."""
+    """G/(K0^2/E) = 1.5069 by another program (20-node elements, 668 k unknowns); order 2 is 1.3 %
+    lower (measured), with 0.8 % less compliance."""
     sense, closed = opened_and_closed(crack)
     assert set(closed["fronts"][0]["from_inner_to_outer_face"]["K_I"]["values"]) == {0}
     assert "growth_check" not in closed["evidence"]
@@ -113,7 +113,7 @@ def through_reference(crack):
 
 
 def plan(program, gear, sense):
-    """The plan knows the unknowns exactly."""
+    """The plan gives the exact number of unknowns."""
     done = run(program, gear, "--order", 2, "--format", "json", "--dry-run")
     assert json.loads(done.stdout)["result"]["plan"][0]["unknowns"] == sense["evidence"]["unknowns"]
 
@@ -133,7 +133,7 @@ def wall(program, examples, folder):
 
     body = pieces(out, stem)
     assert all(len(part.points) > 0 for part in body)
-    # The walls of the little hexahedra are plane: chords of 12 degrees have 0.7 % less of a ring.
+    # The walls of the small hexahedra are plane, so chords of 12 degrees lose 0.7 % of a ring.
     t, r, length = 2.24e-3, 78.88e-3, 0.16
     volume = integral(body, None)
     assert -0.008 < volume / (2 * math.pi * r * t * length) - 1 < 0, volume
@@ -141,10 +141,10 @@ def wall(program, examples, folder):
     added = sense["added_compliance"]["value"]
     energy = torque**2 / 2 * (crack["compliance_without"]["value"] + added)
     near(integral(body, "strain_energy_density"), energy, 0.009, "strain energy")
-    # What the crack adds is concentrated at tips that the little hexahedra do not resolve.
+    # The effect of the crack is concentrated at the tips, which the small hexahedra do not resolve.
     near(integral(body, "strain_energy_density_added"), torque**2 / 2 * added, 0.15, "added energy")
-    # The loaded end turns by T times the compliance; more points are on the side of the crack, which
-    # moves aside besides.
+    # The loaded end turns by T times the compliance; more points lie on the side of the crack,
+    # which also moves sideways.
     points = np.concatenate([part.points for part in body])
     end = np.abs(points[:, 2] - length) < 1e-9
     u = np.concatenate([part.point_data["displacement"] for part in body])[end]
@@ -171,7 +171,7 @@ def wall(program, examples, folder):
 def cup(program, examples, folder):
     """The through crack of the example in the barrel of a cup, at order 2, on two ranks.
 
-    What the crack adds is the difference to the sound cup on the same cells, of each rank its own."""
+    The effect of the crack is the difference from the sound cup on the same cells, on each rank for its own cells."""
     gear = folder / "cup.toml"
     text = (examples / "through_crack.toml").read_text()
     for old, new in (('shape = "cylinder"\n', 'shape = "cup"\ncrack_free = "sections"\n'),
@@ -196,7 +196,7 @@ thickness = "3 mm"
     assert crack["body"] == "cup"
     sense = crack["positive"]
     assert 0 < abs(sense["evidence"]["sound_check"]["value"]) < 2e-3, sense["evidence"]
-    # The other program's tube is long; a diaphragm so near lets the crack open further.
+    # The tube of the other program is long; here a diaphragm nearby lets the crack open further.
     assert 1.03 < sense["added_compliance"]["value"] / (3.8357e-3 * 2.8672e-7) < 1.2, sense
     body = pieces(out, "flexspline_crack_0_positive")
     ends = np.concatenate([part.points for part in body])[:, 2]
@@ -210,7 +210,7 @@ thickness = "3 mm"
 
 
 def short_surface(examples, folder):
-    """The example in a shorter tube, which has fewer cells."""
+    """The example in a shorter tube with fewer cells."""
     text = (examples / "part_through_crack.toml").read_text()
     assert 'length = "160 mm"' in text
     gear = folder / "surface.toml"
@@ -227,9 +227,9 @@ def surface(program, examples, folder):
     sense, closed = opened_and_closed(crack)
     plan(program, gear, sense)
     front = {name: column["values"] for name, column in sense["from_upper_to_lower_end"].items()}
-    assert len(front["K_I"]) == 7  # without the ends, where no K is
+    assert len(front["K_I"]) == 7  # without the ends, where K is not defined
     # The same crack in a wide block under tension, K E(k)/(sigma sqrt(pi a)) = 1.195 at order 3 at
-    # the deepest point; order 2 has 1.5 % less.
+    # the deepest point; order 2 is 1.5 % lower.
     r, t, length, a, c = 78.88e-3, 2.24e-3, 0.16, 1e-3, 2e-3
     polar = math.pi / 2 * ((r + t / 2)**4 - (r - t / 2)**4)
     shear = 100 * (r + t / 2) / polar
@@ -246,14 +246,15 @@ def surface(program, examples, folder):
     added = sense["added_compliance"]["value"]
     energy = torque**2 / 2 * (crack["compliance_without"]["value"] + added)
     near(integral(body, "strain_energy_density"), energy, 0.009, "strain energy")
-    # What it adds is 2e-5 of that, too little to be integrated: it is greatest at the crack.
+    # The added energy is 2e-5 of this value, too little to be integrated; it is largest at the
+    # crack.
     extra = body[0].point_data["strain_energy_density_added"]
     place = body[0].points[np.argmax(extra)]
     assert np.linalg.norm(place - [r, 0, length / 2]) < 2 * c, place
     assert extra.max() > nearest(body, "strain_energy_density", [-r, 0, length / 2]), extra.max()
     stress = nearest(body, "stress", [-r, 0, length / 2]).reshape(3, 3)
-    near(stress[1, 2], -torque * r / polar, 0.08, "shear")  # order 2, and large cells there
-    # Both faces, a half ellipse each; the mouth is outside, and the crack a deep.
+    near(stress[1, 2], -torque * r / polar, 0.08, "shear")  # order 2, with large cells at this place
+    # Each face is half an ellipse; the mouth is outside, and the depth of the crack is a.
     faces = meshio.read(out / f"{stem}_positive_faces.vtu")
     near(integral([faces], None) / 2, math.pi * a * c / 2, 0.02, "area of the crack")
     opening = faces.point_data["opening"]
@@ -279,7 +280,7 @@ def shaft(program, examples, folder):
     done = subprocess.run(["bash", script, examples / "solid_shaft.toml", out], env=environment,
                           capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stderr
-    assert "unknowns" in done.stdout, done.stdout  # its dry run
+    assert "unknowns" in done.stdout, done.stdout  # from its dry run
     crack = json.loads((out / "result.json").read_text())["result"]["output_shaft"]["cracks"][0]
     section = [meshio.read(out / "output_shaft_crack_0.vtu")]
     torque, force = 1500.0, 10e3
@@ -301,7 +302,7 @@ def shaft(program, examples, folder):
 
 
 def pressed_shaft(program, examples, folder):
-    """A force that closes the crack goes through it: its energy is that of the sound shaft."""
+    """A force that closes the crack passes through it, so its energy is that of the sound shaft."""
     gear, out = folder / "pressed.toml", folder / "pressed"
     text = (examples / "solid_shaft.toml").read_text()
     assert '"10 kN"' in text
@@ -370,7 +371,7 @@ def refusals(program, examples, folder):
     assert "name a folder with -o" in done.stderr, done.stderr
     done = run(program, "render", gear, codes=(2,))
     assert "name a folder with -o" in done.stderr, done.stderr
-    # A file of that name, and a folder in place of one of the files: nothing is left behind.
+    # If a file has the folder's name, or a folder has a file's name, nothing is left behind.
     blocked = folder / "blocked"
     blocked.write_text("mine")
     done = run(program, "render", gear, *wanted, "-o", blocked, codes=(7,))

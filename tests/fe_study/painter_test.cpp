@@ -60,7 +60,7 @@ TEST(Painter, IdentityPathsAreShortAndDropWhatIsTooSmall) {
   EXPECT_EQ(path_of(std::array{PaperPoint{1, 2}, PaperPoint{2, 2}}, false), "M1 2l1 0");
 }
 
-// A square of 100 px whose value rises from 0 to 4 in x: each band begins where its value does.
+// A square of 100 px whose value rises from 0 to 4 in x: each band begins at its value.
 TEST(Painter, ReferenceBandsOfARamp) {
   BandPainter painter({.map = ColourMap::rising, .lower = 0, .upper = 4, .bands = 4});
   painter.patch(
@@ -68,7 +68,7 @@ TEST(Painter, ReferenceBandsOfARamp) {
   const std::string svg = painter.svg();
   const std::size_t at = svg.find("#fde725");
   ASSERT_NE(at, std::string::npos) << svg;
-  // The last band is what has 3 and more: the strip from x = 75 to the right edge, in pieces.
+  // The last band covers values of 3 and more: the strip from x = 75 to the right edge, in pieces.
   const std::string last = svg.substr(svg.find(" d=\"", at) + 4);
   double whole = 0.0;
   double least = 100.0;
@@ -96,7 +96,7 @@ TEST(Painter, ReferenceBandsOfARamp) {
   EXPECT_NEAR(least, 75, 1e-9);
 }
 
-// One colour is one path, filled where the turns do not add up to none.
+// Each colour is one path, filled by the nonzero winding rule.
 TEST(Painter, IdentityOverlappingPolygonsLeaveNoHole) {
   DepthPainter painter;
   painter.polygon(0, {{0, 0}, {10, 0}, {10, 10}, {0, 10}}, "#102030");

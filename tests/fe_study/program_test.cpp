@@ -55,7 +55,7 @@ TEST_F(FeProgram, CrosscheckShaftExampleByBothPrograms) {
     const double there = other["deepest"][mode]["value"];
     EXPECT_NEAR(here / there, 1, 1e-3) << mode;
   }
-  // Text says the same.
+  // The text document agrees.
   const Outcome text = run(kShaft + " --order 4");
   EXPECT_EQ(text.exit_code, 0);
   EXPECT_NE(text.out.find("; usable"), std::string::npos) << text.out;
@@ -63,7 +63,7 @@ TEST_F(FeProgram, CrosscheckShaftExampleByBothPrograms) {
 
 TEST_F(FeProgram, IdentityCupSharesAndFileOutput) {
   const fs::path file = folder_ / "cup.json";
-  // Cracks of the wall would be solids; one of the diaphragm is left out.
+  // Cracks of the wall would be solids; a crack of the diaphragm is left out.
   const std::string sound = changed("cup_sections.toml", kSurfaceCrack + kThroughCrack,
                                     "[[flexspline.crack]]\nkind = \"diaphragm_arc\"\n"
                                     "half_length = \"1 mm\"\n");
@@ -81,7 +81,7 @@ TEST_F(FeProgram, IdentityCupSharesAndFileOutput) {
             std::string::npos);
 }
 
-// Two ranks: one printout, the same numbers; standard input reaches one of them only.
+// Two ranks give one printout and the same numbers; standard input reaches only one rank.
 TEST_F(FeProgram, IdentityTwoRanks) {
   const std::string two =
       "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMP_NUM_THREADS=1 "
@@ -95,7 +95,7 @@ TEST_F(FeProgram, IdentityTwoRanks) {
   EXPECT_NE(piped.err.find("standard input reaches the first rank only"), std::string::npos);
 }
 
-// A fault of one rank alone ends all of them, and is told; nothing waits.
+// A fault of a single rank ends all ranks with a message, and no rank waits.
 TEST_F(FeProgram, InputFaultsOfOneRankEndAll) {
   const std::string mpirun =
       "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMP_NUM_THREADS=1 "
@@ -107,7 +107,7 @@ TEST_F(FeProgram, InputFaultsOfOneRankEndAll) {
     ASSERT_NE(at, std::string::npos) << outcome.err;
     EXPECT_EQ(outcome.err.find(words, at + 1), std::string::npos) << "once: " << outcome.err;
   };
-  // The first alone writes.
+  // Only the first rank writes.
   told(run(kShaft + " --dry-run -o /nowhere/plan.txt", mpirun + "-n 2 " + fe), 7,
        "strainwave-fe: /nowhere/plan.txt");
   told(run(kShaft + " --order 2 -o /nowhere/result.txt", mpirun + "-n 2 " + fe), 7,
@@ -116,7 +116,7 @@ TEST_F(FeProgram, InputFaultsOfOneRankEndAll) {
                " --order 2 --over 'output_shaft.crack[0].depth=6 mm..9 mm:2' -o /nowhere/t.csv",
            mpirun + "-n 2 " + fe),
        7, "strainwave-fe: /nowhere/t.csv");
-  // A file that only the first machine has.
+  // A file that exists only on the first machine.
   told(run("/nowhere.toml --dry-run", mpirun + "-n 1 " + fe + kShaft + " --dry-run : -n 1 " + fe),
        3, "strainwave-fe: rank 1: /nowhere.toml");
 }
@@ -133,7 +133,7 @@ TEST_F(FeProgram, IdentityDryRunCalculatesNothing) {
   EXPECT_NE(surface.out.find("unknowns, 6 solutions"), std::string::npos) << surface.out;
 }
 
-// 210 GPa/2.6; a given one is told, and not used.
+// The value is 210 GPa/2.6; a note reports that a given modulus is not used.
 TEST_F(FeProgram, IdentityShearModulusFollowsFromTheOthers) {
   const auto with = [&](const std::string& modulus) {
     return run(changed("solid_shaft.toml", "poissons_ratio = 0.3",
@@ -143,9 +143,10 @@ TEST_F(FeProgram, IdentityShearModulusFollowsFromTheOthers) {
   const Outcome other = with("70 GPa");
   ASSERT_EQ(other.exit_code, 0) << other.err;
   const Json json = Json::parse(other.out);
-  EXPECT_NE(json["notes"].dump().find("output_shaft.material: the shear modulus is E/(2(1+nu)), "
-                                      "80.769 GPa, and not the given one"),
-            std::string::npos)
+  EXPECT_NE(
+      json["notes"].dump().find("output_shaft.material: finite elements use the shear modulus "
+                                "E/(2(1+nu)), 80.769 GPa, not the given one"),
+      std::string::npos)
       << json["notes"];
   const Outcome same = with("80.7692307692 GPa");
   EXPECT_EQ(same.out.find("the given one"), std::string::npos);
@@ -182,18 +183,18 @@ TEST_F(FeProgram, InputErrorsByCodeAndName) {
   refused(kShaft + " --member flexspline", "flexspline: is not given");
   refused("/nowhere.toml", "/nowhere.toml");
   refused(kThrough + " --order 5", "order");
-  // A crack that does not fit into its tube is refused before anything is solved, and by a plan
-  // too.
+  // A crack that does not fit into its tube is refused before the first solution, and also by a
+  // plan.
   const std::string long_crack = changed("through_crack.toml", "\"10 mm\"", "\"72 mm\"");
   refused(long_crack, "flexspline.crack[0]: half_length: the crack needs");
   refused(long_crack + " --dry-run", "flexspline.crack[0]: half_length: the crack needs");
   refused(changed("solid_shaft.toml", "9 mm", "31 mm"), "output_shaft.crack[0].depth");
   refused(changed("solid_shaft.toml",
                   "[[output_shaft.crack]]\nkind = \"annular\"\ndepth = \"9 mm\"", ""),
-          "gives nothing that finite elements can calculate");
+          "must give a part that finite elements can compute");
 }
 
-// `run` is what is meant without a word; the rest is the command line of every table.
+// Without a command word, `run` is used; the rest is the command line of every table.
 TEST_F(FeProgram, IdentityCommandLineOfTheTable) {
   EXPECT_EQ(run("run " + kShaft + " --dry-run").out, run(kShaft + " --dry-run").out);
   EXPECT_EQ(run("--dry-run " + kShaft).out, run(kShaft + " --dry-run").out);
@@ -206,14 +207,14 @@ TEST_F(FeProgram, IdentityCommandLineOfTheTable) {
   const Outcome paths = run("completion words -- tabulate " + kShaft + " --over output_shaft.c");
   EXPECT_EQ(paths.out, "output_shaft.crack[0].depth\n") << paths.err;
   EXPECT_EQ(Json::parse(run("schema --of result --command run").out)["title"],
-            "strainwave-fe run: Finite elements of the members of a drive");
+            "strainwave-fe run: Compute the members of a drive by finite elements");
 }
 
 TEST_F(FeProgram, IdentityClosedUnderCompression) {
   const std::string pressed = changed("solid_shaft.toml", "\"10 kN\"", "\"-10 kN\"");
   const Outcome outcome = run(pressed + " --order 4");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("closed, no K_I"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("the crack is closed, K_I = 0"), std::string::npos) << outcome.out;
 }
 
 TEST_F(FeProgram, InputWithoutTheProgramSaysSo) {

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// `strainwave fe tabulate` from outside, and what it refuses for want of memory.
+// SPDX-License-Identifier: Apache-2.0 `strainwave fe tabulate` seen from outside, and its refusals
+// if the memory does not suffice.
 #include "strainwave/fe_study/tabulate.hpp"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ class FeTable : public testing::Test {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(path("out")),
             text_of(path("err"))};
   }
-  /// `strainwave-fe tabulate` of an example, the table in the folder.
+  /// `strainwave-fe tabulate` of an example, with its table in the folder.
   [[nodiscard]] Ended tabulate(const std::string& example, const std::string& options,
                                const std::string& before = "") const {
     return shell(before + "'" STRAINWAVE_FE "' tabulate '" + example + "' " + options);
@@ -70,7 +70,7 @@ class FeTable : public testing::Test {
     return " -o '" + path(name) + "' ";
   }
 
-  /// An example with texts put in place of others.
+  /// An example with texts replaced by others.
   std::string changed(const std::string& example,
                       const std::vector<std::array<std::string, 2>>& changes) {
     std::string text = text_of(std::filesystem::path(STRAINWAVE_EXAMPLES) / example);
@@ -100,8 +100,8 @@ std::vector<std::string> rows_without_seconds(const std::string& table) {
   return rows;
 }
 
-// The whole way: a family of runs, a drive that names it, the stiffness; against the closed form.
-// And a run that was killed within a line, which goes on.
+// The whole chain of a family of runs, a drive that names its table, and the stiffness, compared
+// with the closed form.  A run that was killed within a line continues.
 TEST_F(FeTable, CrosscheckShaftTableFeedsTheStiffness) {
   const Ended made = shaft(to("depth.csv"));
   ASSERT_EQ(made.exit_code, 0) << made.err;
@@ -132,25 +132,25 @@ TEST_F(FeTable, CrosscheckShaftTableFeedsTheStiffness) {
   const double there = at(closed_form, torsion + "/value");
   const double error = at(tabulated, torsion + "/relative_uncertainty");
   EXPECT_LT(error, 0.03);                       // four depths
-  EXPECT_NEAR(here / there, 1, error + 0.002);  // (FE-42), and the closed form's own
+  EXPECT_NEAR(here / there, 1, error + 0.002);  // (FE-42), and the error of the closed form
   const std::string axial = "/result/cracks/0/added_compliance/positive/axial_axial/value";
   EXPECT_NEAR(at(tabulated, axial).get<double>() / at(closed_form, axial).get<double>(), 1,
               error + 0.005);
   EXPECT_NE(tabulated.dump().find("interpolated from depth.csv (strainwave-fe "),
             std::string::npos);
 
-  // Killed within the last line: the piece is dropped, the point is calculated again.
+  // Killed within the last line: the incomplete line is dropped, and the point is computed again.
   std::ofstream(folder_ / "depth.csv", std::ios::binary) << table.substr(0, table.size() - 20);
   const Ended again = shaft(to("depth.csv") + "--progress");
   EXPECT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_NE(again.err.find("dropped a piece of a line"), std::string::npos) << again.err;
-  EXPECT_NE(again.err.find("3 of 4 points are there"), std::string::npos) << again.err;
+  EXPECT_NE(again.err.find("dropped an incomplete last line"), std::string::npos) << again.err;
+  EXPECT_NE(again.err.find("3 of 4 points are done"), std::string::npos) << again.err;
   EXPECT_NE(again.err.find("output_shaft.crack[0]: torsion and tension, 14 solutions"),
             std::string::npos)
       << again.err;
   EXPECT_EQ(rows_without_seconds(text_of(path("depth.csv"))), rows_without_seconds(table));
 
-  // Another table is refused by the line that differs, and left alone.
+  // A different table is refused with the differing line and stays unchanged.
   const std::string now = text_of(path("depth.csv"));
   const auto refused = [&](const Ended& ended, const std::string& words) {
     EXPECT_EQ(ended.exit_code, 3) << words;
@@ -175,7 +175,7 @@ TEST_F(FeTable, CrosscheckShaftTableFeedsTheStiffness) {
   EXPECT_EQ(shaft(to("depth.csv")).exit_code, 3);
 }
 
-// A point that is refused is a line that says why; exit code 4, now and when it is asked for again.
+// A refused point becomes a line with the reason; the exit code is 4, now and in the next run.
 TEST_F(FeTable, IdentityPointsThatCannotBeUsedAreKept) {
   const std::string over = "--order 4 --over 'output_shaft.crack[0].depth=20 mm..32 mm:2'";
   const std::string example = STRAINWAVE_EXAMPLES "/solid_shaft.toml";
@@ -198,7 +198,7 @@ TEST_F(FeTable, IdentityPointsThatCannotBeUsedAreKept) {
   EXPECT_NE(two.err.find("strainwave-fe: point 2: "), std::string::npos) << two.err;
   EXPECT_EQ(rows_without_seconds(text_of(path("two.csv"))),
             rows_without_seconds(text_of(path("deep.csv"))));
-  // The plan of the family says so before.
+  // The plan of the family reports it in advance.
   const Ended plan = tabulate(example, over + to("plan.csv") + "--dry-run");
   EXPECT_EQ(plan.exit_code, 0) << plan.err;
   EXPECT_NE(plan.out.find("1 points of "), std::string::npos) << plan.out;
@@ -215,17 +215,16 @@ TEST_F(FeTable, InputFaultsByCode) {
   EXPECT_NE(bare.err.find("--over flexspline.crack[0].half_length: \"4\" has no unit"),
             std::string::npos)
       << bare.err;
-  // A family of which nothing fits is refused as a whole.
+  // A family without any valid point is refused as a whole.
   const Ended nothing = tabulate(wall, length + "70 mm..75 mm:2'" + to("t.csv"));
   EXPECT_EQ(nothing.exit_code, 3);
-  EXPECT_NE(
-      nothing.err.find("no point can be calculated; point 1: flexspline.crack[0]: half_length"),
-      std::string::npos)
+  EXPECT_NE(nothing.err.find("no point can be computed; point 1: flexspline.crack[0]: half_length"),
+            std::string::npos)
       << nothing.err;
   EXPECT_FALSE(std::filesystem::exists(path("t.csv")));
 }
 
-// What a family may be of, each rule broken once, and the numbers that its head has.
+// The rules of a family, each broken once, and the numbers in its head.
 TEST_F(FeTable, InputFamiliesByName) {
   const std::string wall = STRAINWAVE_EXAMPLES "/through_crack.toml";
   const auto study = [](const std::string& file, const std::vector<std::string>& over,
@@ -251,13 +250,12 @@ TEST_F(FeTable, InputFamiliesByName) {
   refused(wall, {}, "--over: must be given");
   refused(wall, {"flexspline.size=4 mm..8 mm:3"}, "--over: flexspline.size: is not a number");
   refused(wall, {"load.torque=1 N*m..2 N*m:3"},
-          "--over load.torque: changes nothing that the finite elements of flexspline.crack[0] "
-          "depend on: half_length, angle, outer_diameter");
-  refused(wall, {size, "flexspline.crack[0].half_length=5 mm..6 mm:3"},
-          "varies half_length a second time");
+          "--over load.torque: does not affect the finite elements of flexspline.crack[0]: "
+          "half_length, angle, outer_diameter");
+  refused(wall, {size, "flexspline.crack[0].half_length=5 mm..6 mm:3"}, "varies half_length twice");
   refused(wall, {size + "00", "flexspline.length=150 mm..160 mm:1000"}, "more than 100000 points");
   refused(wall, {size},
-          "\"flexspline.crack[1]\" is no crack that a table can be made of: "
+          "\"flexspline.crack[1]\" is not a crack that a table can describe: "
           "flexspline.crack[0]",
           "flexspline.crack[1]");
   refused(changed("through_crack.toml", {{"poissons_ratio = 0.3", "shear_modulus = \"80 GPa\""}}),
@@ -270,7 +268,7 @@ TEST_F(FeTable, InputFamiliesByName) {
           {size}, "--crack: must name one crack");
   refused(changed("solid_shaft.toml",
                   {{"[[output_shaft.crack]]\nkind = \"annular\"\ndepth = \"9 mm\"", ""}}),
-          {"output_shaft.length=300 mm..310 mm:3"}, "can be made of: none");
+          {"output_shaft.length=300 mm..310 mm:3"}, "can describe: none");
 
   // Two numbers, the last running fastest; all others are fixed.
   const fe_study::TableStudy two = study(wall, {size, "flexspline.wall_thickness=1 mm..2 mm:2"});
@@ -281,7 +279,7 @@ TEST_F(FeTable, InputFamiliesByName) {
   EXPECT_EQ(fixed, "angle outer_diameter length youngs_modulus poissons_ratio ");
   EXPECT_EQ(two.head.order, 3);
   EXPECT_EQ(two.run.crack, "flexspline.crack[0]");
-  // What does not bear on the crack leaves the digest alone; what does changes it.
+  // Only numbers that affect the crack change the digest.
   const auto digest = [&](const std::string& from, const std::string& by) {
     return study(changed("through_crack.toml", {{from, by}}), {size}).head.digest;
   };
@@ -291,7 +289,8 @@ TEST_F(FeTable, InputFamiliesByName) {
   EXPECT_NE(digest("2.24 mm", "2.25 mm"), same);
 }
 
-// (FE-44): what will not fit is refused, by name and with both numbers, before anything is solved.
+// (FE-44): a run that does not fit into memory is refused before the first solution, with its name
+// and both numbers.
 TEST_F(FeTable, InputMoreMemoryThanThereIs) {
   const std::string small =
       changed("through_crack.toml", {{"\"10 mm\"", "\"0.1 mm\""}});  // many cells, 110 k unknowns
@@ -326,8 +325,8 @@ TEST(FeMemory, InputRuleAtItsBoundary) {
   EXPECT_EQ(words(large, here, 1, 1),
             "flexspline.crack[0]: 50000 unknowns need about 2.1 GB of memory, and 2 GB are "
             "available (a test)");
-  // (FE-44): of 1.8 GB above the program's 0.2 two ranks have 0.6 each, four 0.4, of which two
-  // machines have two.
+  // (FE-44): each of two ranks takes 0.6 of the 1.8 GB above the program's 0.2 GB, each of four
+  // ranks 0.4; two machines hold two ranks each.
   EXPECT_DOUBLE_EQ(fe_study::memory_of_rank(fits, 1), 2e9);
   EXPECT_DOUBLE_EQ(fe_study::memory_of_rank(fits, 2), 1.28e9);
   EXPECT_DOUBLE_EQ(fe_study::memory_of_rank(fits, 4), 0.92e9);
@@ -345,7 +344,7 @@ TEST(FeMemory, InputRuleAtItsBoundary) {
   EXPECT_NE(words(fits, {.machine = {9e9, "a test"}, .process = {1.2e9, "ulimit"}}, 2, 2)
                 .find("1.3 GB of memory in each process, and 1.2 GB are available (ulimit)"),
             std::string::npos);
-  // A body of revolution is the first rank's.
+  // Only the first rank computes a body of revolution.
   const RunSize shaft{.path = "output_shaft.crack[0]", .dofs = 9, .memory = 2e9};
   EXPECT_EQ(words(shaft, here, 4, 4), "");
   EXPECT_NE(words(shaft, {.machine = {1.9e9, "a test"}, .process = {}}, 4, 4), "");
@@ -354,7 +353,8 @@ TEST(FeMemory, InputRuleAtItsBoundary) {
   EXPECT_LT(now.machine.bytes, 1e14);
 }
 
-// Control groups with made-up files: the least of all levels, without pages that can be dropped.
+// Control groups with made-up files: the least of all levels counts, without pages that can be
+// dropped.
 TEST(FeMemory, InputControlGroups) {
   using Files = std::map<std::string, std::string>;
   const auto left = [](const Files& files) {
@@ -376,14 +376,14 @@ TEST(FeMemory, InputControlGroups) {
   EXPECT_EQ(left(two).from, "memory.max of the control group");
   two[job + "memory.stat"] = "anon 5\nactive_file 700\ninactive_file 400000000\n";
   EXPECT_EQ(left(two).bytes, 3.4e9);
-  two["/sys/fs/cgroup/slurm/memory.max"] = "2000000000\n";  // of the group around it
+  two["/sys/fs/cgroup/slurm/memory.max"] = "2000000000\n";  // limit of the parent group
   two["/sys/fs/cgroup/slurm/memory.current"] = "1500000000\n";
   EXPECT_EQ(left(two).bytes, 5e8);
   two[job + "memory.current"] = "5000000000\n";
   EXPECT_EQ(left(two).bytes, 0.0);
   two[job + "memory.max"] = "max\n";
   EXPECT_EQ(left(two).bytes, 5e8);
-  // Within a container the group is the root.
+  // Inside a container, the group is the root.
   EXPECT_EQ(left({{"/proc/self/cgroup", "0::/\n"},
                   {"/sys/fs/cgroup/memory.max", "300\n"},
                   {"/sys/fs/cgroup/memory.current", "100\n"}})
@@ -398,8 +398,8 @@ TEST(FeMemory, InputControlGroups) {
   EXPECT_EQ(one.from, "memory.limit_in_bytes of the control group");
 }
 
-// Points of a table are of a tube, which its head describes, where the same crack alone is in a
-// cup.
+// Points of a table are computed in a tube, as its head states, while a single run of the same
+// crack uses the cup.
 TEST(FeTableRun, IdentityOfATubeInAnyDrive) {
   test::start_mpi();
   const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/cracked_size25.toml");
@@ -413,7 +413,7 @@ TEST(FeTableRun, IdentityOfATubeInAnyDrive) {
   EXPECT_LT(size.largest.dofs, cup * 2 / 3);
 }
 
-// Want of memory may be over by the next run: it ends this one, and no row remembers it.
+// Lack of memory ends the run without a row in the table, because the next run may have enough.
 TEST(FeMemory, InputEndsATableAndIsNoRow) {
   const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/solid_shaft.toml");
   const std::vector<Variation> over{
@@ -435,7 +435,7 @@ TEST(FeMemory, InputEndsATableAndIsNoRow) {
   EXPECT_NE(misfit.reason.find("depth < outer_diameter/2"), std::string::npos) << misfit.reason;
 }
 
-// (FE-42) takes the worst of the evidence, and never less than what is known to remain.
+// (FE-42) uses the worst check, and at least the error that is known to remain.
 TEST(FeTableSize, IdentityText) {
   fe_study::TableSize size;
   size.points = 7;
@@ -445,7 +445,7 @@ TEST(FeTableSize, IdentityText) {
   size.largest.memory = 5.26e9;
   size.seconds = 120;
   EXPECT_EQ(fe_study::table_size_text(size),
-            "Would calculate, estimated:\n"
+            "Plan, with estimates:\n"
             "  6 points of 4000 to 51000 unknowns, at most 5.3 GB, 1.2e+02 s in all\n"
             "  refused: point 3: too long\n");
 }
@@ -458,7 +458,7 @@ TEST(FeTableError, IdentityWorstOfTheEvidence) {
   run.positive.growth_check = -1e-3;
   run.positive.solid.fronts.resize(2);
   run.negative.closed_release_rate = 1e-3;
-  run.negative.growth_check = 0.7;  // of a sense that releases nothing
+  run.negative.growth_check = 0.7;  // for a sense that releases no energy
   EXPECT_EQ(fe_study::table_error(run), 2e-3);
   run.positive.growth_check = -4e-3;
   EXPECT_EQ(fe_study::table_error(run), 4e-3);
@@ -466,7 +466,7 @@ TEST(FeTableError, IdentityWorstOfTheEvidence) {
   EXPECT_EQ(fe_study::table_error(run), 5e-3);
   run.tube.order = 2;
   EXPECT_EQ(fe_study::table_error(run), 2e-2);
-  run.negative.energy_release_rate = 1e-3;  // counts as none
+  run.negative.energy_release_rate = 1e-3;  // counts as zero
   EXPECT_EQ(fe_study::table_error(run), 2e-2);
   run.negative.energy_release_rate = -1;
   EXPECT_EQ(fe_study::table_error(run), 0.7);

@@ -21,7 +21,7 @@ using std::numbers::pi;
 constexpr Elasticity kSteel{.youngs_modulus = 210e9, .poissons_ratio = 0.3};
 constexpr double kRounding = 1e-10;  ///< of solving a few thousand equations
 
-/// A tube r_i..r_o of length L, held at z = 0 and loaded at z = L.
+/// A tube r_i..r_o of length L, which is held at z = 0 and loaded at z = L.
 SectionShape tube(double r_i, double r_o, double length) {
   return {
       .rectangles = {{r_i, r_o, 0, length, 0}},
@@ -49,7 +49,7 @@ SectionMesh mesh_of(const SectionShape& shape, double coarse) {
   return mesh_section(shape, {.coarse_r = coarse, .coarse_z = coarse});
 }
 
-/// Inner points pushed about, the outline kept.
+/// Moves inner points at random and keeps the outline.
 SectionMesh shaken(SectionMesh mesh, const SectionRectangle& box, double by) {
   for (SectionPoint& p : mesh.points) {
     const double room =
@@ -65,7 +65,8 @@ double polar(double r_i, double r_o) { return pi / 2 * (std::pow(r_o, 4) - std::
 
 // --- exact solutions
 
-// (FE-1, FE-3, FE-4, FE-5): lambda = L/(mu J), psi linear in z, in the space at every order.
+// (FE-1, FE-3, FE-4, FE-5): lambda = L/(mu J), psi is linear in z, which elements of every order
+// contain.
 TEST(SectionTorsion, ReferenceTubeIsExact) {
   const SectionShape shape = tube(0.07776, 0.08, 0.16);
   for (const int p : {1, 2, 6}) {
@@ -104,14 +105,14 @@ TEST(SectionTension, ReferenceSolidBarIsHeldOnItsAxis) {
   EXPECT_NEAR(s.compliance * pi / 2, 1, kRounding);
 }
 
-/// lambda of an annular plate, (1/(4 pi mu h)) (1/r_i^2 - 1/r_o^2), and a ring's error of it.
+/// lambda of an annular plate, (1/(4 pi mu h)) (1/r_i^2 - 1/r_o^2), and the error of a ring.
 double plate_error(int p, int halvings) {
   const auto s = solve_section(mesh_of(plate(1, 2, 0.5), 1), SectionLoad::torsion, {2.6, 0.3},
                                {.order = p, .halvings = halvings});
   return s.compliance / ((1 - 0.25) / (4 * pi * 0.5)) - 1;
 }
 
-// The compliance is twice an energy, so that its error falls as h^(2p).
+// The compliance is twice an energy, so its error falls as h^(2p).
 TEST(SectionTorsion, ConvergencePlateInH) {
   for (const int p : {1, 2, 3}) {
     const double order = std::log2(plate_error(p, 2) / plate_error(p, 3));
@@ -129,7 +130,8 @@ TEST(SectionTorsion, ConvergencePlateInP) {
   EXPECT_LT(std::abs(plate_error(8, 1)), kRounding);
 }
 
-/// Volume displaced by pressure in the bore of a thick tube in plane strain (Lame), over exact,
+/// Volume displaced by pressure in the bore of a thick tube in plane strain over Lame's exact
+/// value,
 /// - 1.
 double lame_error(int p, int halvings) {
   SectionShape shape = tube(1, 2, 0.5);
@@ -153,7 +155,7 @@ TEST(SectionPressure, ConvergenceLameInHAndP) {
 }
 
 // A cone cut by spheres of radius 1 and 2: psi = const - 1/R^3, shear stress as r on the spheres.
-// Straight chords instead of arcs would be some per cent off.
+// Straight chords instead of arcs would cause an error of several per cent.
 double cone_error(int p) {
   const auto at = [](double radius, double angle) {
     return SectionPoint{radius * std::sin(angle), radius * std::cos(angle)};
@@ -202,8 +204,8 @@ TEST(SectionMeshes, IdentityOrderOfVerticesDoesNotMatter) {
   }
 }
 
-// Rectangles are integrated as products, any other cell point by point: points moved by 1e-11 of
-// the section make every cell such another.
+// Rectangles are integrated as products, any other cell point by point: moving points by 1e-11 of
+// the section turns every cell into a general cell.
 TEST(SectionMeshes, CrosscheckRectanglesAndAnyCell) {
   const SectionMesh mesh = mesh_of(cracked_shaft(), 0.035);
   SectionMesh moved = mesh;
@@ -273,14 +275,14 @@ TEST(SolveSection, InputEveryRuleBrokenOnce) {
             torsion);
 }
 
-// At order 1 a cell between two held sides has no unknown of its own.
+// At order 1 a cell between two held sides does not have unknowns.
 TEST(SectionTorsion, IdentityCellHeldAllRound) {
   SectionShape shape = tube(1, 2, 3);
   shape.sides.push_back({false, 1, 0, 1, EdgeRole::held});
   shape.sides.push_back({false, 2, 0, 1, EdgeRole::held});
   const SectionMesh mesh = mesh_of(shape, 1);
   const auto s = solve_section(mesh, SectionLoad::torsion, {2.6, 0.3}, {.order = 1});
-  EXPECT_NEAR(s.compliance * polar(1, 2) / 2, 1, kRounding);  // what is beyond z = 1
+  EXPECT_NEAR(s.compliance * polar(1, 2) / 2, 1, kRounding);  // the part beyond z = 1
 }
 
 TEST(SolveSection, InputPartThatNothingHolds) {
@@ -291,7 +293,8 @@ TEST(SolveSection, InputPartThatNothingHolds) {
     (void)solve_section(mesh_of(two, 0.5), SectionLoad::torsion, kSteel, {.order = 3});
     ADD_FAILURE();
   } catch (const SolverError& error) {
-    EXPECT_NE(std::string(error.what()).find("nothing holds the section"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("check that an edge of the section is held"),
+              std::string::npos);
   }
 }
 
@@ -310,7 +313,7 @@ TEST(SectionCracks, ConvergenceComplianceRisesWithOrder) {
       if (p >= 6) {
         EXPECT_LT(s.tip->ring_spread, 1e-6) << p;
         EXPECT_NEAR(s.tip->energy_release_rate / G_before, 1, 1e-4);
-        EXPECT_NEAR(s.tip->displacement_check, 0, 1.5e-3);  // the crack tip's own cells
+        EXPECT_NEAR(s.tip->displacement_check, 0, 1.5e-3);  // error of the cells at the crack tip
       }
       before = s.compliance;
       G_before = s.tip->energy_release_rate;
@@ -331,7 +334,7 @@ TEST(SectionCracks, ConvergenceRingsAndHalvings) {
   EXPECT_NEAR(G({.order = 4, .halvings = 1}) / best, 1, 3e-4);
 }
 
-// Scaling: lengths by 1000, moduli by 1e-6: K per torque goes as length^-5/2, G as 1/(E L^5).
+// Scaling: lengths by 1000, moduli by 1e-6: K per torque scales with length^-5/2, G with 1/(E L^5).
 TEST(SectionCracks, ScalingUnits) {
   const SectionMesh mesh = mesh_of(cracked_shaft(), 0.035);
   SectionMesh big = mesh;
@@ -345,7 +348,7 @@ TEST(SectionCracks, ScalingUnits) {
   EXPECT_NEAR(a.tip->K_III / b.tip->K_III / std::pow(1000, 2.5), 1, 1e-8);
 }
 
-// The same crack at the other end of the mirrored shaft, and Poisson's ratio without a say in
+// The same crack at the other end of the mirrored shaft, and independence of Poisson's ratio in
 // torsion.
 TEST(SectionCracks, IdentityMirrorAndPoisson) {
   SectionShape shape = cracked_shaft();
@@ -362,7 +365,7 @@ TEST(SectionCracks, IdentityMirrorAndPoisson) {
   EXPECT_NEAR(a.compliance / b.compliance, 1, 1e-9);
 }
 
-// (FE-6, FE-7): K_I, K_III > 0 for loads > 0 whichever face the loaded end is at; G of K is G.
+// (FE-6, FE-7): K_I, K_III > 0 for loads > 0 on either side of the loaded end; G from K equals G.
 TEST(SectionCracks, IdentitySignsAndRelease) {
   for (const bool from_outside : {true, false}) {
     SectionShape shape = tube(0.0225, 0.035, 0.2);

@@ -40,7 +40,7 @@ Index unknowns_of(const std::vector<std::vector<Index>>& elements) {
   return most + 1;
 }
 
-/// Positive definite, another one for each element; its upper half is not to be read.
+/// A positive definite matrix that differs for each element; its upper half must not be read.
 Eigen::MatrixXd matrix_of(std::size_t e, Index n) {
   Eigen::MatrixXd root(n, n);
   for (Index i = 0; i < n; ++i)
@@ -78,7 +78,7 @@ TEST(SolveCondensed, CrosscheckDenseSum) {
     two.push_back(element);
   }
   auto more = grid(2, 2);
-  more.insert(more.begin() + 1, {{}, {0, 8}, {3}});  // no unknown, none of its own
+  more.insert(more.begin() + 1, {{}, {0, 8}, {3}});  // without unknowns, without own unknowns
   for (const auto& elements : {grid(1, 1), grid(1, 6), grid(5, 4), two, more}) {
     const Index n = unknowns_of(elements);
     const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(n, -1, 2);
@@ -93,7 +93,7 @@ TEST(SolveCondensed, IdentityUnknownOfNoElementIsZero) {
   auto elements = grid(2, 2);
   const Index n = unknowns_of(elements);
   for (auto& element : elements)
-    for (Index& i : element) i += i < 3 ? 0 : 2;  // 3 and 4 are in none
+    for (Index& i : element) i += i < 3 ? 0 : 2;  // 3 and 4 are in no element
   const Eigen::VectorXd load = Eigen::VectorXd::Ones(n + 2);
   const auto x = solved(elements, load);
   ASSERT_TRUE(x);
@@ -106,7 +106,7 @@ TEST(SolveCondensed, InputNotPositiveDefiniteGivesNothing) {
   const std::vector<std::vector<Index>> chain = {{0, 1}, {1, 2}};
   const auto spring = [](double k) { return Eigen::MatrixXd{{k, -k}, {-k, k}}; };
   const Eigen::VectorXd load = Eigen::VectorXd::Ones(3);
-  // Nothing holds the chain; with the springs of 0.1 and 0.3, rounding leaves a pivot near 1e-17.
+  // The chain is not held; with springs of 0.1 and 0.3, rounding leaves a pivot near 1e-17.
   EXPECT_FALSE(solve_condensed(
       chain, [&](auto) { return spring(1); }, load));
   EXPECT_FALSE(solve_condensed(
@@ -119,7 +119,7 @@ TEST(SolveCondensed, InputNotPositiveDefiniteGivesNothing) {
     };
   };
   EXPECT_FALSE(solve_condensed(chain, held(-0.5), load));
-  const auto x = solve_condensed(chain, held(1e-10), load);  // weakly
+  const auto x = solve_condensed(chain, held(1e-10), load);  // held weakly
   ASSERT_TRUE(x);
   EXPECT_NEAR((*x)(0) * 1e-10 / 3, 1, 1e-5);  // the sum of the load; 1e-16/1e-10
 }

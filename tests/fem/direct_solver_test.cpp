@@ -25,14 +25,14 @@ Eigen::MatrixXd definite(Eigen::Index n) {
 SymmetricEntries lower_entries(const Eigen::MatrixXd& a) {
   SymmetricEntries entries;
   for (int i = 0; i < a.rows(); ++i)
-    for (int j = 0; j <= i; ++j) {  // in two parts, and the second in the other triangle
+    for (int j = 0; j <= i; ++j) {  // in two parts, the second in the other triangle
       entries.add(i + 1, j + 1, 0.25 * a(i, j));
       entries.add(j + 1, i + 1, 0.75 * a(i, j));
     }
   return entries;
 }
 
-// Rounding.
+// The tolerance is rounding.
 TEST(DirectSolver, CrosscheckDenseMatrix) {
   test::start_mpi();
   const Eigen::MatrixXd a = definite(12);
@@ -41,7 +41,7 @@ TEST(DirectSolver, CrosscheckDenseMatrix) {
   const Eigen::VectorXd expected = a.llt().solve(Eigen::Map<Eigen::VectorXd>(rhs.data(), 12));
   DirectSolver solver(lower_entries(a), 12);
   EXPECT_GT(solver.operations(), 0);
-  std::vector<double> both = rhs;  // and another one behind it, twice as large
+  std::vector<double> both = rhs;  // followed by a second load, twice as large
   for (const double f : rhs) both.push_back(2 * f);
   for (const std::vector<double>& found : {solver.solve(rhs), solver.solve(both, 2)})
     for (std::size_t i = 0; i < found.size(); ++i)
@@ -50,7 +50,7 @@ TEST(DirectSolver, CrosscheckDenseMatrix) {
           << i;
 }
 
-// Cells that stand alone leave no unknowns to the solver.
+// Separate cells leave no unknowns for the solver.
 TEST(DirectSolver, LimitNoUnknowns) {
   test::start_mpi();
   DirectSolver solver({}, 0);
@@ -59,7 +59,7 @@ TEST(DirectSolver, LimitNoUnknowns) {
   EXPECT_EQ(solver.operations(), 0.0);
 }
 
-// A workspace that is too small costs a repetition, and nothing else.
+// A workspace that is too small only causes a repetition.
 TEST(DirectSolver, IdentityWorkspaceThatWasTooSmall) {
   test::start_mpi();
   const Eigen::MatrixXd a = definite(300);
@@ -71,7 +71,7 @@ TEST(DirectSolver, IdentityWorkspaceThatWasTooSmall) {
   EXPECT_EQ(scant.solve(rhs), ample.solve(rhs));
 }
 
-// Faults of the machine, of the problem and of the program are told apart.
+// Faults of the machine, of the problem and of the program give different exceptions.
 TEST(DirectSolver, InputFaultsByCode) {
   EXPECT_NO_THROW(check_mumps(0, 0));
   EXPECT_NO_THROW(check_mumps(1, 0));  // a warning
@@ -96,7 +96,8 @@ TEST(DirectSolver, InputFaultsByCode) {
   }
 }
 
-// FE-45: what is left after the inner unknowns is the inverse of the outer block of the inverse.
+// FE-45: the matrix after elimination of the inner unknowns is the inverse of the outer block of
+// the inverse.
 TEST(DirectSolver, IdentityCondensedMatrix) {
   const Eigen::MatrixXd a = definite(9);
   const Eigen::MatrixXd inverse = a.inverse();
@@ -125,7 +126,7 @@ TEST(DirectSolver, InputNotDefinite) {
   a(3, 3) = a(2, 2) - 1;  // indefinite
   EXPECT_THROW(DirectSolver(lower_entries(a), 4), SolverError);
   EXPECT_THROW((void)condense(a, 4), SolverError);
-  Eigen::MatrixXd spring(2, 2);  // that nothing holds
+  Eigen::MatrixXd spring(2, 2);  // not held
   spring << 1, -1, -1, 1;
   EXPECT_THROW(DirectSolver(lower_entries(spring), 2), SolverError);
 }

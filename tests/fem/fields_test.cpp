@@ -121,7 +121,7 @@ std::size_t count(const std::string& text, const std::string& part) {
   return n;
 }
 
-// What another program reads from the files is tested by tests/fe_study/folders.py.
+// tests/fe_study/folders.py tests how other programs read the files.
 TEST(SampledFields, IdentityOfTheDocuments) {
   const SampledFields fields = pulled_box(3).fields;
   const std::string body = vtu_text(fields);
@@ -132,7 +132,7 @@ TEST(SampledFields, IdentityOfTheDocuments) {
   EXPECT_EQ(count(section, "strain_energy_density_added"), 0U);
   const std::string record = pvtu_text({"a.vtu", "b.vtu"}, fields);
   EXPECT_EQ(count(record, "<Piece Source="), 2U);
-  EXPECT_EQ(count(record, "<PDataArray"), count(body, "<DataArray") - 3);  // those of the cells
+  EXPECT_EQ(count(record, "<PDataArray"), count(body, "<DataArray") - 3);  // arrays of the cells
   const CrackFront front{.stations = {{.place = {1, 2, 3}, .K_I = 4}, {.place = {2, 2, 3}}}};
   const std::string line = fronts_vtu_text(std::array{front});
   EXPECT_EQ(count(line, "NumberOfPoints=\"2\" NumberOfCells=\"1\""), 1U);

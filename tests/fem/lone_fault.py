@@ -4,8 +4,8 @@
 
     lone_fault.py TEST_PROGRAM
 
-Where the second rank has a fault while the first waits for it, both end after the patience of the test, 0.5 s,
-with one message; where the first is only late, both go on.
+If the second rank has a fault while the first waits for it, both end after the waiting time of the test, 0.5 s,
+with one message.  If the first is only late, both continue.
 """
 
 import os
@@ -13,7 +13,7 @@ import subprocess
 import sys
 import time
 
-LONGEST = 10  # s: the patience of the program, of which the test has a twentieth
+LONGEST = 10  # [s]; waiting time of the program, of which the test uses a twentieth
 program, = sys.argv[1:]
 environment = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
                    OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
@@ -21,7 +21,7 @@ for test, message, ends in (("IdentityLoneFaultTogether", "rank 1: a fault in th
                             ("IdentityLoneFaultLastCode", "a fault at last", True),
                             ("IdentityLateRankIsWaitedFor", "a fault at last", False)):
     start = time.monotonic()
-    # Without the end of both this would take for ever.
+    # If both ranks did not end, this would not return.
     ended = subprocess.run(["mpirun", "--oversubscribe", "-n", "2", program, f"--gtest_filter=MpiSession.{test}"],
                            env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=60)
     taken = time.monotonic() - start

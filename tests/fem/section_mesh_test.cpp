@@ -62,14 +62,14 @@ TEST(CheckMesh, IdentitySoundMeshPasses) {
   SectionMesh leaning = square();
   leaning.points[2].r += std::sqrt(3.0);
   leaning.points[3].r += std::sqrt(3.0);
-  EXPECT_NEAR(mesh_quality(leaning).worst_corner_sine, 0.5, 1e-15);  // sin 30 degrees
+  EXPECT_NEAR(mesh_quality(leaning).worst_corner_sine, 0.5, 1e-15);  // sine of 30 degrees
 }
 
 TEST(CheckMesh, InputEveryRuleBrokenOnce) {
   const std::vector<std::pair<std::function<void(SectionMesh&)>, std::string>> broken = {
       {[](SectionMesh& m) { m.cells.clear(); }, "has no cells"},
       {[](SectionMesh& m) { m.part.push_back(0); }, "one entry for each cell"},
-      {[](SectionMesh& m) { m.cells[0][2] = 9; }, "there is no point 9"},
+      {[](SectionMesh& m) { m.cells[0][2] = 9; }, "point 9 does not exist"},
       {[](SectionMesh& m) { m.points[0].r = -1e-3; }, ">= 0, and z finite"},
       {[](SectionMesh& m) { m.points[0].z = std::nan(""); }, ">= 0, and z finite"},
       {[](SectionMesh& m) { std::swap(m.cells[0][1], m.cells[0][3]); }, "inside out"},  // clockwise
@@ -108,8 +108,8 @@ TEST(GridLines, IdentityBreaksAreLinesAndSpacingGrows) {
   EXPECT_TRUE(std::ranges::is_sorted(lines));
   for (const double line : {0.0, 1.0, 3.0}) EXPECT_EQ(std::ranges::count(lines, line), 1) << line;
   const auto at = static_cast<std::size_t>(std::ranges::find(lines, 1.0) - lines.begin());
-  EXPECT_LT(lines[at + 1] - 1, 0.3);                       // fine at the focus
-  EXPECT_GT(lines.back() - lines[lines.size() - 2], 0.5);  // coarse far from it
+  EXPECT_LT(lines[at + 1] - 1, 0.3);                       // the grid is fine at the focus
+  EXPECT_GT(lines.back() - lines[lines.size() - 2], 0.5);  // the grid is coarse far from the focus
   for (std::size_t k = 1; k < lines.size(); ++k) EXPECT_LT(lines[k] - lines[k - 1], 0.9);
 }
 
@@ -179,13 +179,14 @@ TEST(MeshSection, IdentityCrackFacesAreDoubled) {
       EXPECT_EQ(count, on_face ? 2 : 1) << place.first << ' ' << place.second;
     }
     EXPECT_EQ(mesh.crack->direction, from_outside ? -1 : 1);
-    EXPECT_NEAR(mesh.crack->cell, from_outside ? 0.2 : 0.2, 1e-12);  // half of the lesser 0.4
+    EXPECT_NEAR(mesh.crack->cell, from_outside ? 0.2 : 0.2,
+                1e-12);  // half of the smaller distance, 0.4
   }
 }
 
 TEST(MeshSection, InputEveryRuleBrokenOnce) {
   const std::vector<std::pair<std::function<void(SectionShape&)>, std::string>> broken = {
-      {[](SectionShape& s) { s.rectangles.clear(); }, "there is none"},
+      {[](SectionShape& s) { s.rectangles.clear(); }, "must have at least one"},
       {[](SectionShape& s) {
          s.rectangles.push_back({1.5, 2, 0, 1, 0});
        },

@@ -48,7 +48,7 @@ HexMesh grid(const std::array<int, 3>& n, const PointMap& map) {
 
 Point3 same(const Point3& p) { return p; }
 
-/// A tube of mean radius 10, length 10, twisted by unit torque.
+/// A tube of mean radius 10 and length 10 under unit torque.
 SolidResult twisted_tube(int order, int round = 4, double wall = 1,
                          CrackFaces faces = CrackFaces::free) {
   const double outer = 10 + wall / 2;
@@ -78,7 +78,7 @@ double exact_tube(double wall = 1) {
 // (FE-20): a linear field is exact in any mesh, distorted ones included.
 TEST(Solid, IdentityPatchTest) {
   test::start_mpi();
-  std::vector<TemplateCell> cells;  // trilinear; the vertex in the middle is moved
+  std::vector<TemplateCell> cells;  // trilinear cells with the middle vertex moved
   for (int c = 0; c < 8; ++c) {
     TemplateCell cell;
     cell.map = [c](const Point3& p) {
@@ -111,7 +111,7 @@ TEST(Solid, IdentityPatchTest) {
                             return Point3{0, 0, sigma};
                           }}};
     const SolidResult result = solve_solid(mesh, problem);
-    // Rounding of a direct solver; force sigma, displacement sigma/E.
+    // The tolerance is rounding of a direct solver; force sigma, displacement sigma/E.
     test::expect_relative(result.work, sigma * sigma / kSolidSteel.youngs_modulus, 1e-11);
     EXPECT_LT(result.energy_balance, 1e-11);
     EXPECT_LT(result.equilibrium_residual, 1e-11);  // (FE-21)
@@ -121,7 +121,7 @@ TEST(Solid, IdentityPatchTest) {
   }
 }
 
-// Compliance rises with p toward L/(mu J): displacements of a conforming element store too much.
+// Compliance rises with p toward L/(mu J): conforming elements are too stiff.
 TEST(Solid, ConvergenceOfTheTwistedTube) {
   test::start_mpi();
   double error = 1;
@@ -134,9 +134,9 @@ TEST(Solid, ConvergenceOfTheTwistedTube) {
   }
 }
 
-// Cells halved round the tube only; the order of the energy is 2p.  A thin wall comes to it late:
-// while a cell is much longer than the wall is thick, part of its error is taken up by the wall's
-// bending, so the error of coarse meshes is smaller than the later law says.  Wall 1:
+// Cells are halved round the tube only; the order of the energy is 2p.  A thin wall reaches this
+// order late.  While a cell is much longer than the wall's thickness, bending of the wall absorbs a
+// part of the error, so coarse meshes are more accurate than the asymptotic law predicts.  Wall 1:
 // order 3.5, 3.2, 3.7, 3.9 for 6 to 96 cells; wall 8, the same clamp, load and geometry: 4.0 from
 // the start; without Poisson's ratio it is the same.
 TEST(Solid, ConvergenceWithTheCells) {
@@ -152,8 +152,8 @@ TEST(Solid, ConvergenceWithTheCells) {
   EXPECT_LT(order(12, 1), 3.5);
 }
 
-/// Work of unit pressure in the bore of a quarter of a thick tube 1 to 2 in plane strain, 1 minus
-/// its ratio to Lame's.
+/// Work of unit pressure in the bore of a quarter of a thick tube 1 to 2 in plane strain, as 1
+/// minus its ratio to Lame's value.
 double lame_defect(int order, int cells) {
   const double height = 0.5;
   const HexMesh mesh = [&] {

@@ -55,7 +55,7 @@ HexMesh solid_of(const SectionMesh& section, const std::vector<double>& around) 
   return make_hex_mesh(swept_section(section, around), body);
 }
 
-// Torsion of the solid and that of its meridian section: elements, assembly and solver differ.
+// Torsion of the solid and of its meridian section, with different elements, assembly and solver.
 TEST(SweptSection, CrosscheckTorsionOfAShoulderWithAFillet) {
   test::start_mpi();
   const SectionMesh section = shouldered();
@@ -75,7 +75,7 @@ TEST(SweptSection, CrosscheckTorsionOfAShoulderWithAFillet) {
                                  return Point3{-p[1] / J, p[0] / J, 0};
                                }});
   const SolidResult solid = solve_solid(mesh, problem);
-  // The discretisation at order 3; a solid approaches from below.
+  // The tolerance is the discretisation at order 3; a solid converges from below.
   test::expect_relative(solid.work, expected, 2e-3);
   EXPECT_LT(solid.work, expected);
   EXPECT_LT(solid.energy_balance, 1e-9);

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// Run by lone_fault.py, which starts two processes for each test.
+// SPDX-License-Identifier: Apache-2.0 lone_fault.py runs this program with two processes for each
+// test.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -30,7 +30,7 @@ class TwoRanks {
   MpiSession session_{count_, argv_, kTestPatience};
 };
 
-// Rank 0 waits for rank 1 in the middle of the work, which has thrown: rank 1 ends both.
+// Rank 1 throws while rank 0 waits for it in the middle of the work, so rank 1 ends both.
 TEST(MpiSession, IdentityLoneFaultTogether) {
   TwoRanks two;
   two.session().together([&] {
@@ -47,7 +47,7 @@ TEST(MpiSession, IdentityLoneFaultLastCode) {
   std::cerr << "not ended\n";
 }
 
-// Rank 0 comes late, but before the patience is over: both go on, and know of the fault.
+// Rank 0 arrives late but within the waiting time, so both continue and learn of the fault.
 TEST(MpiSession, IdentityLateRankIsWaitedFor) {
   TwoRanks two;
   std::string heard;

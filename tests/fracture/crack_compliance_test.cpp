@@ -72,7 +72,7 @@ struct AntiplaneStrip {
   [[nodiscard]] double swept_area(double, double) const { return width; }
 };
 
-/// Any point front, from a callable: stress_intensity = f(a); dA = width da.
+/// A front of one point from a callable: stress_intensity = f(a), dA = width da.
 template <std::size_t N, class F>
 struct PointFront {
   static constexpr std::size_t kLoads = N;
@@ -230,7 +230,7 @@ TEST(AddedCompliance, ReferenceEmbeddedEllipse) {
 }
 
 TEST(AddedCompliance, ReferenceEllipseTable) {
-  // The complete elliptic integral E(k) is the front average of f^2.
+  // The front average of f^2 is given by the complete elliptic integral E(k).
   int n = 0;
   for (const test::CsvRow& row : test::read_reference_csv("elliptical_crack_shear")) {
     const bool unit = row.quantity == "unit_penny.tension_energy" ||
@@ -246,7 +246,7 @@ TEST(AddedCompliance, ReferenceEllipseTable) {
     const double E = row("youngs_modulus");
     const auto added =
         added_compliance(crack, {.opening = E / (1 - nu * nu), .shear = E / (2 * (1 + nu))});
-    // The engine's own tolerance is 1e-10 of each integral.
+    // The tolerance of the engine is 1e-10 for each integral.
     test::expect_row(added.matrix(0, 0) / 2, row, 1e-11);
     ++n;
   }
@@ -337,7 +337,7 @@ TEST(AddedCompliance, IdentityModesAndModuli) {
 // --- the engine: loads, units, evidence
 // -------------------------------------------------------------
 
-/// Three loads: smooth, kinked at a third of the size, and idle.
+/// Three loads: a smooth one, one with a kink at a third of the size, and one without effect.
 UnitStressIntensity<3> smooth_kinked_idle(double x, double smooth, double kinked) {
   const double kink = kinked * std::sqrt(std::abs(x - 1.0 / 3));
   return {.I = {smooth * x, 0, 0}, .II = {}, .III = {0, kink, 0}};
@@ -367,8 +367,8 @@ TEST(AddedCompliance, IdentityLoadUnitsDoNotMatter) {
 }
 
 TEST(AddedCompliance, IdentityEveryLoadGetsTheSameAccuracy) {
-  // lambda = 2 int x^2 dx = 2/3 of a smooth load, next to a weak and kinked one,
-  // int |x - 1/3| dx = 5/18.
+  // lambda = 2 int x^2 dx = 2/3 for a smooth load, together with a weak load with a kink, int |x -
+  // 1/3| dx = 5/18.
   const auto k = [](double a) { return smooth_kinked_idle(a, 1e4, 1e-4); };
   const auto added = added_compliance(point_front<3>(k), {.opening = 1.0, .shear = 1.0});
   test::expect_relative(added.matrix(0, 0), 1e8 * 2 / 3, 1e-12);
@@ -401,7 +401,7 @@ TEST(AddedCompliance, ConvergenceToleranceIsKept) {
 }
 
 TEST(AddedCompliance, ConvergenceIsDenied) {
-  // One piece only: the kink is not resolved, and the result says so.
+  // A single piece does not resolve the kink, and the result reports it.
   const CrackModuli moduli{.opening = 1.0, .shear = 1.0};
   const auto crack = point_front<3>([](double a) { return smooth_kinked_idle(a, 0.0, 1.0); });
   const auto added = added_compliance(crack, moduli, {.max_pieces = 1});
@@ -418,7 +418,7 @@ TEST(AddedCompliance, ConvergenceIsDenied) {
 }
 
 TEST(AddedCompliance, ConvergenceAlongTheFrontCountsToo) {
-  // A kink along the front, none in the size: the outer integral alone cannot see it.
+  // A kink along the front but not in the size is invisible to the outer integral alone.
   struct KinkedFront : Penny {
     [[nodiscard]] UnitStressIntensity<1> stress_intensity(double a, double s) const {
       return {.I = {std::sqrt(a * std::abs(s - 1))}, .II = {}, .III = {}};

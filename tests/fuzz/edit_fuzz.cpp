@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// libFuzzer: a text, a path and a value, each behind a line of its own, are either refused by an
-// InputError, or the new text has the value and is not changed by a second edit; and what is set
-// can be removed.  That nothing but the path changes, `edit` itself compares.  Run it by
+// libFuzzer: a text, a path and a value, each behind its own line.  Either `edit` refuses them by
+// an InputError, or the new text has the value, a second edit does not change the text, and the
+// value can be removed again.  `edit` itself compares that only the path changes.  Run it by
 // tools/fuzz.
 
 #include <cstddef>
@@ -25,13 +25,14 @@ std::string_view take_line(std::string_view& rest) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  // An example as it is begins with a comment or its format: then these are set and removed.
+  // An unchanged example begins with a comment or its format; these values are then set and
+  // removed.
   std::string_view text(reinterpret_cast<const char*>(data), size);
   std::string path = "output_shaft.crack[+]";
   std::string value = "{ kind = \"annular\", depth = \"1 mm\" }";
   if (text.starts_with('=')) {
     path = take_line(text).substr(1);
-    value = take_line(text);  // of one line
+    value = take_line(text);  // a single line
   }
   std::string edited;
   try {

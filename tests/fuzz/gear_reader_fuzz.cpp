@@ -1,7 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0
-// libFuzzer: any text is either refused by an Error or describes a drive that can be computed.
-// Anything else that is thrown, a sanitizer report, a hang or too much memory is a finding.
-// Run it by tools/fuzz.
+// SPDX-License-Identifier: Apache-2.0 libFuzzer: any text is either refused by an Error or
+// describes a drive that can be computed.  Any other exception, a sanitizer report, a hang or too
+// much memory is a finding.  Run it by tools/fuzz.
 
 #include <cstddef>
 #include <cstdint>

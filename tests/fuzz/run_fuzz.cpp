@@ -1,7 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0
-// libFuzzer: a command with its options, a drive and an attachment are either refused by an Error,
-// or there is an answer with all its documents.  Anything else that is thrown, a sanitizer report,
-// a hang or too much memory is a finding.  Run it by tools/fuzz.
+// SPDX-License-Identifier: Apache-2.0 libFuzzer: a command with its options, a drive and an
+// attachment are either refused by an Error, or give an answer with all its documents.  Any other
+// exception, a sanitizer report, a hang or too much memory is a finding.  Run it by tools/fuzz.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +21,8 @@ std::string_view take_to(std::string_view& rest, std::string_view mark) {
 
 void run_input(std::string_view input) {
   using namespace strainwave;  // NOLINT(google-build-using-namespace): all of it is used here
-  // A drive as it is; or a command behind `=`, a line of options, and a drive and its attachment.
+  // The input is a drive alone, or a command behind `=`, a line of options, a drive and its
+  // attachment.
   std::string_view name = "stiffness";
   std::string_view options = "{}";
   if (input.starts_with('=')) {
@@ -39,7 +39,7 @@ void run_input(std::string_view input) {
           ? read_drive(text, "fuzz.toml",
                        Attachments([&](std::string_view) { return std::optional(attachment); }))
           : nullptr;
-  int calls = 0;  // what takes long is stopped
+  int calls = 0;  // long computations are stopped
   const Progress progress([&](double) { return ++calls < 20; });
   const Answer answer = run(command, drive, values, {{"attachment", attachment}}, progress);
   (void)answer.json();

@@ -84,7 +84,7 @@ TEST(StraightCrackBlock, LimitWideBlockInShear) {
   }
 }
 
-/// Bent so that one half of the crack is pressed together.
+/// A block in bending that presses one half of the crack together.
 StraightCrackBlock bent(double stress) {
   StraightCrackBlock block = strip(true, 2);
   block.width = 20;
@@ -96,9 +96,9 @@ StraightCrackBlock bent(double stress) {
   return block;
 }
 
-// (FE-30): stress sigma x/a in a wide plate.  The closed part ends where K of what is still open
-// vanishes: an open crack of half length b about x = m has K = sigma sqrt(pi b) (m -+ b/2)/a, so
-// m = b/2, b = 2a/3, the crack is open from -a/3 to a, and K at a is sigma (2/3) sqrt(2 pi a/3).
+// (FE-30): stress sigma x/a in a wide plate.  The closed part ends where K of the open part
+// vanishes: an open crack of half length b about x = m has K = sigma sqrt(pi b) (m -+ b/2)/a, so m
+// = b/2, b = 2a/3, the crack is open from -a/3 to a, and K at a is sigma (2/3) sqrt(2 pi a/3).
 TEST(StraightCrackBlock, ReferencePartlyClosedByBending) {
   test::start_mpi();
   const double K = 2.0 / 3 * std::sqrt(2 * pi / 3);
@@ -107,14 +107,14 @@ TEST(StraightCrackBlock, ReferencePartlyClosedByBending) {
     const fem::SolidResult result = straight_crack_block(bent(sign));
     const fem::CrackFront& open = result.fronts[sign > 0 ? 0 : 1];
     const fem::CrackFront& shut = result.fronts[sign > 0 ? 1 : 0];
-    EXPECT_NEAR(result.contact_share, 1.0 / 3, 0.06);  // the cell in the middle is a long
-    // Order 2, three rings; faces that overlap have 8 % less.
+    EXPECT_NEAR(result.contact_share, 1.0 / 3, 0.06);  // the cell in the middle has the length a
+    // Order 2 and three rings; faces that overlap give 8 % less.
     test::expect_relative(middle(open).K_I, K, 8e-3);
     test::expect_relative(open.release, K * K * plane_strain, 1.5e-2);
     EXPECT_FALSE(middle(open).closed);
     EXPECT_EQ(open.closed_K_I, 0.0);
-    EXPECT_LT(shut.closed_K_I, 5e-3 * K);  // what the integral finds where it is set to 0
-    EXPECT_LT(std::abs(shut.release), 1e-3 * open.release);  // nothing slides
+    EXPECT_LT(shut.closed_K_I, 5e-3 * K);  // value of the integral before it is set to 0
+    EXPECT_LT(std::abs(shut.release), 1e-3 * open.release);  // no sliding
     for (const fem::FrontStation& station : shut.stations) {
       EXPECT_TRUE(station.closed);
       EXPECT_EQ(station.K_I, 0.0);
@@ -143,14 +143,14 @@ TEST(StraightCrackBlock, IdentityDerivativeOfTheAddedWork) {
   const fem::SolidResult less = straight_crack_block(block);
   block.crack_length = 1.01;
   const fem::SolidResult more = straight_crack_block(block);
-  // Work grows by twice the energy released, two tips.
+  // The work grows by twice the released energy; there are two tips.
   test::expect_relative((more.added_work - less.added_work) / 0.02, 4 * G, 1e-3);
-  // The work itself minus that of the sound block says the same.
+  // The work minus that of the sound block gives the same value.
   const double sound = 4 * 12 * (1 - 0.09) / 210e3;
   test::expect_relative(more.work - sound, more.added_work, 1e-3);
 }
 
-// Run by ranks.py with 1, 2 and 4 ranks, which compares the lines.
+// ranks.py runs this test with 1, 2 and 4 ranks and compares the lines.
 TEST(StraightCrackBlock, IdentityForAnyNumberOfRanks) {
   test::start_mpi();
   const fem::SolidResult result = straight_crack_block(strip(true, 2));
@@ -220,18 +220,19 @@ TEST(EllipticalCrackBlock, ReferencePennyInTension) {
   const fem::SolidResult result = elliptical_crack_block(penny());
   ASSERT_EQ(result.fronts.size(), 1U);
   test::expect_relative(result.fronts[0].length, pi, 1e-6);
-  // The interaction integral at a round front, extrapolated to a ring of no size: of one ring alone
-  // it is 2.5 % off.  Order 2 takes 0.1 %.
+  // The interaction integral at a round front is extrapolated to a ring of zero size; a single ring
+  // has an error of 2.5 %.  Order 2 contributes 0.1 %.
   EXPECT_NEAR(result.fronts[0].mode_energy_ratio, 1, 3e-3);
   for (const fem::FrontStation& station : result.fronts[0].stations) {
-    // Sneddon: K = 2 sigma sqrt(a/pi); the finite block adds less than 0.1 %, order 2 takes 0.3 %.
+    // Sneddon: K = 2 sigma sqrt(a/pi); the finite block adds less than 0.1 %, order 2 contributes
+    // 0.3 %.
     test::expect_relative(station.K_I, 2 / std::sqrt(pi), 4e-3);
     EXPECT_NEAR(std::hypot(station.place[0], station.place[2]), 1, 1e-9);
     EXPECT_NEAR(station.place[0], std::cos(pi * station.position), 1e-9);
   }
 }
 
-// The other program has hexahedra of degree 2 with a crack in one quarter of the block.
+// The other program uses hexahedra of degree 2 and models a quarter of the block.
 TEST(EllipticalCrackBlock, CrosscheckSurfaceCrack) {
   test::start_mpi();
   EllipticalCrackBlock block = penny();
@@ -251,7 +252,7 @@ TEST(EllipticalCrackBlock, CrosscheckSurfaceCrack) {
                             .relative_tolerance = 1.5e-2,
                             .source = "tests/data/cracked_block.csv",
                             .tolerance_is = "order 2 of both programs"});
-    // Half a rotation of the block in its supports is no K_II.
+    // A rotation of the block in its supports does not count as K_II.
     EXPECT_NEAR(station.K_II, 0, 3e-4 * station.K_I);
     EXPECT_NEAR(station.K_III, 0, 1e-3 * station.K_I);
   }

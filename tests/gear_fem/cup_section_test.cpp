@@ -63,7 +63,7 @@ TEST(SolveCup, IdentitySharesAddUp) {
   EXPECT_EQ(cup.parts[2].name, "diaphragm");
   EXPECT_EQ(cup.parts[3].name, "boss");
   EXPECT_LT(std::abs(cup.lower_order), 1e-4);
-  EXPECT_LT(cup.lower_order, 0);  // the lower order is the stiffer one
+  EXPECT_LT(cup.lower_order, 0);  // the lower order is stiffer
   EXPECT_GT(cup.parts[2].share, cup.parts[3].share);
 }
 
@@ -85,7 +85,7 @@ TEST(SolveCup, IdentityFilletsStiffen) {
   EXPECT_LT(both.compliance, one);
   EXPECT_GT(both.compliance, 0.9 * sharp);
   EXPECT_TRUE(both.usable) << both.reason;
-  EXPECT_LT(std::abs(both.lower_order), 1e-4);  // the rim keeps its sharp corners
+  EXPECT_LT(std::abs(both.lower_order), 1e-4);  // the corners of the rim stay sharp
 }
 
 TEST(SolveCup, LimitProfileThatIsConstant) {
@@ -93,7 +93,8 @@ TEST(SolveCup, LimitProfileThatIsConstant) {
   const double constant = solve_cup(cup, kCupSteel).compliance;
   cup.diaphragm->profile = {{0.04, 2.24e-3}, {0.06, 2.24e-3}};
   EXPECT_NEAR(solve_cup(cup, kCupSteel).compliance / constant, 1, 1e-6);
-  // Twice as thick inside: less compliant, and not by more than if it were so everywhere.
+  // A diaphragm twice as thick inside is less compliant, but not less than one that is twice as
+  // thick everywhere.
   cup.diaphragm->profile = {{0.04, 4.48e-3}, {0.06, 2.24e-3}};
   const double thicker = solve_cup(cup, kCupSteel).compliance;
   EXPECT_LT(thicker, 0.85 * constant);
@@ -131,7 +132,7 @@ TEST(MeshCup, InputEveryRuleBrokenOnce) {
       [](auto& c) { c.boss->wall_thickness = 0; },
       [](auto& c) { c.barrel_fillet = -1e-4; },
       [](auto& c) { c.barrel_fillet = 0.01; },
-      [](auto& c) { c.barrel_fillet = 0.31e-3; },  // the rim stands 0.3 mm in
+      [](auto& c) { c.barrel_fillet = 0.31e-3; },  // the rim is 0.3 mm inside the barrel
       [](auto& c) { c.boss_fillet = 3e-3; },
       [](auto& c) { c.boss.reset(), c.boss_fillet = 1e-4; },
   }};
@@ -147,7 +148,7 @@ TEST(MeshCup, InputEveryRuleBrokenOnce) {
     (void)mesh_cup(room);
     ADD_FAILURE();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("what the rim stands in"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("less than the step"), std::string::npos);
   }
   CupSection both = full_cup();
   both.barrel_fillet = 1e-4;

@@ -20,7 +20,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// The barrel of a cup of size 25, without what joins it; order 2.
+/// The barrel of a cup of size 25, without adjacent parts; order 2.
 TubeWithThroughCrack barrel25() {
   test::start_mpi();
   return {.material = {.youngs_modulus = 210e9, .poissons_ratio = 0.3},
@@ -46,7 +46,7 @@ TubeWithThroughCrack cup25() {
   return cup;
 }
 
-// A rim that is like the barrel makes a longer tube of it, and nothing else: rim, collar, load.
+// A rim equal to the barrel only makes the tube longer, which tests rim, collar and load.
 TEST(CupThroughCrack, IdentityRimLikeTheBarrel) {
   TubeWithThroughCrack cup = barrel25();
   cup.order = 3;
@@ -66,9 +66,9 @@ TEST(CupThroughCrack, IdentityRimLikeTheBarrel) {
   test::expect_relative(one.nominal_shear, two.nominal_shear, 1e-12);
 }
 
-// (FE-50): what the cracked solid would be without its crack, against the section of the sound cup.
-// The energy density without the crack, of the same cells parted nowhere: T r/J in the barrel, and
-// T/(2 pi r^2 h) in the diaphragm.
+// (FE-50): the solid without its crack, against the section of the sound cup. The energy density
+// without the crack, from the same cells without the cut: T r/J in the barrel, and T/(2 pi r^2 h)
+// in the diaphragm.
 TEST(CupThroughCrack, CrosscheckSoundCup) {
   TubeWithThroughCrack cup = cup25();
   cup.torque = 30;
@@ -81,10 +81,10 @@ TEST(CupThroughCrack, CrosscheckSoundCup) {
                                             std::pow(cup.mean_radius, 3) * cup.wall_thickness));
   const double mu = cup.material.shear_modulus();
   const Diaphragm& plate = *cup.ends.diaphragm;
-  // Two cells reach from the bore to that of the barrel's corner; order 2.
+  // Two cells of order 2 reach from the bore to the barrel's corner.
   int in_plate = 0;
   int in_barrel = 0;
-  double largest = 0;  // of what the crack adds far from it, in the diaphragm
+  double largest = 0;  // largest effect of the crack in the diaphragm, far from the crack
   for (const fem::FieldCell& cell : result.solid.fields.cells) {
     const fem::FieldPoint& p = cell.points.at(13);  // its middle
     const double r = std::hypot(p.place[0], p.place[1]);
@@ -107,8 +107,8 @@ TEST(CupThroughCrack, CrosscheckSoundCup) {
   EXPECT_LT(largest, 0.2);
 }
 
-// A diaphragm that is a thick ring clamps the barrel nearly as a rigid plane does; a thin one lets
-// it turn about its edge, and the crack opens further.
+// A diaphragm shaped as a thick ring clamps the barrel nearly rigidly; a thin diaphragm lets the
+// barrel rotate about its edge, and the crack opens further.
 TEST(CupThroughCrack, LimitThickDiaphragmClamps) {
   TubeWithThroughCrack tube = barrel25();
   tube.place = 4.5e-3;
@@ -126,7 +126,7 @@ TEST(CupThroughCrack, LimitThickDiaphragmClamps) {
   const auto part = [&](auto member) {
     return (thick.*member - clamped.*member) / (thin.*member - clamped.*member);
   };
-  // The ring gives way within about a wall's thickness.
+  // The ring deforms within about a wall's thickness.
   for (const auto member :
        {&TubeCrackResult::energy_release_rate, &TubeCrackResult::added_compliance}) {
     EXPECT_GT(part(member), 0);
@@ -134,7 +134,7 @@ TEST(CupThroughCrack, LimitThickDiaphragmClamps) {
   }
 }
 
-// The two senses, with the check of G against the compliance of neighbouring sizes.
+// Both senses of torque, with the check of G against the compliance of neighbouring sizes.
 TEST(CupThroughCrack, IdentityGrowthOfAClosedCrack) {
   TubeWithThroughCrack cup = cup25();
   cup.ends.rim.reset();
@@ -150,8 +150,8 @@ TEST(CupThroughCrack, IdentityGrowthOfAClosedCrack) {
   EXPECT_GT(shut.added_compliance, 0);
 }
 
-// What the sound cup says against the model: solids of order 2 that are too coarse for a block of
-// the width of the cup, and a bore so small that the section's own elements do not agree.
+// Failed checks of the sound cup: solids of order 2 that are too coarse for a block of the cup's
+// width, and a bore so small that the elements of the section do not converge.
 TEST(CupThroughCrack, InputSoundCupThatDisagrees) {
   TubeWithThroughCrack cup = cup25();
   cup.ends.rim.reset();
@@ -160,7 +160,7 @@ TEST(CupThroughCrack, InputSoundCupThatDisagrees) {
   const TubeCrackResult coarse = solve_tube_with_through_crack(cup);
   EXPECT_GT(std::abs(coarse.sound_check), 5e-3);
   EXPECT_FALSE(coarse.usable);
-  EXPECT_EQ(coarse.reason.rfind("without the crack the solid's compliance differs by", 0), 0U)
+  EXPECT_EQ(coarse.reason.rfind("without the crack, the compliance of the solid differs by", 0), 0U)
       << coarse.reason;
   cup.ends.diaphragm->thickness = 12e-3;
   cup.ends.diaphragm->inner_diameter = 4e-3;
@@ -170,7 +170,7 @@ TEST(CupThroughCrack, InputSoundCupThatDisagrees) {
       << narrow.reason;
 }
 
-// Faces between two cells have no tag, all others have one; each of the crack's two sides counts.
+// Faces between two cells do not have a tag, all others do; both sides of the crack count.
 TEST(CupThroughCrack, IdentityTagsOfTheBoundary) {
   const fem::HexMesh mesh = mesh_tube_with_through_crack(cup25());
   EXPECT_GT(fem::check_jacobians(mesh), 0.1);

@@ -4,7 +4,7 @@
 
     ranks.py TEST_PROGRAM TEST_NAMES
 
-The tests, a filter of gtest, print lines `ranks NAME VALUE`; rounding of a direct solver leaves 1e-9.
+The tests, a filter of gtest, print lines `ranks NAME VALUE`; the tolerance 1e-9 is rounding of a direct solver.
 """
 
 import os

@@ -21,7 +21,7 @@ using Surface = ShaftCrack::Surface;
 
 constexpr fem::Elasticity kShaftSteel{.youngs_modulus = 210e9, .poissons_ratio = 0.3};
 
-/// The article's shaft, 70/45 mm and 200 mm long, cracked halfway.
+/// The article's shaft, 70/45 mm and 200 mm long, with a crack at half length.
 ShaftSection article_shaft(double depth, Surface surface = Surface::outer) {
   return {.outer_diameter = 0.07,
           .inner_diameter = 0.045,
@@ -35,13 +35,13 @@ double area() { return pi * (0.035 * 0.035 - 0.0225 * 0.0225); }
 struct Row {
   double depth, added, III, I;
 };
-// An independent program of finite elements (p = 8, other meshes; agrees with two more programs to
-// the digits given): rad/(N*m), K_III/(tau_s sqrt(pi a)), K_I/(sigma sqrt(pi a)).
+// An independent program of finite elements (p = 8, other meshes; agrees with two further programs
+// in the given digits): rad/(N*m), K_III/(tau_s sqrt(pi a)), K_I/(sigma sqrt(pi a)).
 constexpr std::array<Row, 4> kHollow = {{{0.1e-3, 1.3713e-11, 1.0015, 1.1237},
                                          {1e-3, 1.3789e-9, 1.0200, 1.1548},
                                          {4e-3, 2.3616e-8, 1.1406, 1.3589},
                                          {8e-3, 1.1869e-7, 1.5349, 1.8863}}};
-constexpr double kPrinted = 1e-4;  // five digits printed, and the discretisation of both
+constexpr double kPrinted = 1e-4;  // five printed digits, and the discretisation of both programs
 
 // (FE-6, FE-7, FE-8, FE-9)
 TEST(SolveShaft, ReferenceHollowShaft) {
@@ -57,13 +57,14 @@ TEST(SolveShaft, ReferenceHollowShaft) {
       EXPECT_TRUE(load->usable) << load->reason;
       EXPECT_TRUE(load->reason.empty());
       EXPECT_NEAR(load->growth_check, 0, 1e-5) << row.depth;
-      if (row.depth >= 1e-3) {  // two roads to the same: int 2G dA, and subtraction
+      if (row.depth >= 1e-3) {  // two computations of the same value: int 2G dA, and subtraction
         EXPECT_NEAR(load->added_by_difference / load->added_compliance, 1, 2e-4) << row.depth;
       }
       EXPECT_LT(std::abs(load->energy_balance), 1e-7);  // rounding
       EXPECT_LT(load->equilibrium_residual, 1e-7);
       EXPECT_GT(load->dofs, 1000U);
-      // All cells are rectangles but those next to a moved tip, a tenth narrower on one side.
+      // All cells are rectangles except those next to a moved tip, which are a tenth narrower on
+      // one side.
       EXPECT_GT(load->worst_jacobian, 0.9 / 0.95);
       EXPECT_LT(load->worst_jacobian, 0.96);
     }
@@ -92,7 +93,7 @@ TEST(SolveShaft, CrosscheckInnerCrack) {
                             kShaftSteel)
              .tip;
     const double J = pi / 2 * (1 - std::pow(ratio, 4));
-    // Nominal stress at the front, (SB-5).
+    // The nominal stress is that at the front, (SB-5).
     const double nominal = torsion ? (ratio + a) / J : 1 / (pi * (1 - ratio * ratio));
     const double K = torsion ? tip.K_III : tip.K_I;
     EXPECT_NEAR(K / (nominal * std::sqrt(pi * a)) / row.value, 1, 3e-3)
@@ -148,7 +149,8 @@ TEST(SolveShaft, IdentityFilletStiffensASharpCorner) {
   EXPECT_NEAR(compliance(0, 8) / sharp, 1, 3e-6);
   EXPECT_LT(compliance(4e-3, 6), sharp);
   EXPECT_NEAR(compliance(4e-3, 8) / compliance(4e-3, 6), 1, 3e-6);
-  // Between the two diameters each side of the step, and more than their sum: the corner is soft.
+  // The compliance lies between those of the two diameters, and above their sum, because the corner
+  // is soft.
   const auto bar = [](double d) {
     return 0.1 / (kShaftSteel.shear_modulus() * pi / 32 * std::pow(d, 4));
   };
@@ -157,7 +159,7 @@ TEST(SolveShaft, IdentityFilletStiffensASharpCorner) {
 }
 
 TEST(SolveShaft, IdentityNotUsableHasAReason) {
-  // Order 2 and few rings do not give the faces' displacement to 2 %.
+  // Order 2 with few rings cannot give the displacement of the faces to 2 %.
   const ShaftCrackResult r =
       solve_shaft(article_shaft(11e-3), kShaftSteel, {.order = 2, .tip_rings = 4});
   EXPECT_FALSE(r.tension.usable);

@@ -26,9 +26,9 @@ double area(const Point3& a, const Point3& b, const Point3& c, const Point3& d) 
          2;
 }
 
-// (FE-39): the opening over the crack is the crack's volume, which the solver integrates from the
-// displacement of each face by itself; its greatest value is that of a crack in a plate,
-// 4 tau a/E, and more by the bulging of the wall.
+// (FE-39): the opening over the crack is the crack's volume, which the solver integrates separately
+// from the displacement of each face.  Its largest value is that of a crack in a plate, 4 tau a/E,
+// increased by the bulging of the wall.
 TEST(TubeFields, CrosscheckOpeningOfAThroughCrack) {
   test::start_mpi();
   constexpr double kHalfLength = 0.01;
@@ -61,7 +61,7 @@ TEST(TubeFields, CrosscheckOpeningOfAThroughCrack) {
         largest = std::max(largest, a.opening);
         EXPECT_LE(std::abs(a.opening), distance(a.upper, a.lower) * (1 + 1e-12));
       }
-  EXPECT_NEAR(whole / (2 * kHalfLength * 0.00224), 1, 1e-3);  // straight pieces of a curve
+  EXPECT_NEAR(whole / (2 * kHalfLength * 0.00224), 1, 1e-3);  // straight pieces approximate a curve
   EXPECT_NEAR(volume / result.solid.crack_volume, 1, 0.02);   // the trapezoidal rule
   const double plate = 4 * result.nominal_shear * kHalfLength / 210e9;
   EXPECT_GT(largest, plate);

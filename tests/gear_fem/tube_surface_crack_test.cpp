@@ -34,7 +34,7 @@ TubeWithSurfaceCrack surface_cracked(double degrees, Mouth surface = Mouth::oute
           .check_growth = false};
 }
 
-/// tau sqrt(pi a) with the shear stress of the torque at the mouth.
+/// Scale tau sqrt(pi a) with the shear stress of the torque at the mouth.
 double mouth_intensity(const TubeWithSurfaceCrack& tube, const TubeSurfaceCrackResult& result) {
   const double half = tube.wall_thickness / 2;
   const double r = tube.mean_radius + (tube.surface == Mouth::outer ? half : -half);
@@ -54,13 +54,13 @@ fem::SolidResult same_block(BlockLoad load) {
                                  .segments = 4});
 }
 
-// (FE-34), (FE-35).  Turned by 25 degrees from the direction that opens it most: tension
-// tau sin(2 beta) and shear tau cos(2 beta) of the wall, which is a block but for its curvature.
+// (FE-34), (FE-35).  Turned by 25 degrees from the direction of largest opening, the wall is under
+// tension tau sin(2 beta) and shear tau cos(2 beta).  Apart from its curvature it acts as a block.
 TEST(TubeSurfaceCrack, CrosscheckBlockAndGrowthFromNothing) {
   TubeWithSurfaceCrack tube = surface_cracked(20);
   tube.check_sizes = true;
   const TubeSurfaceCrackResult outer = solve_tube_with_surface_crack(tube);
-  // Order 2, and the curvature: c/sqrt(r t) = 0.15.
+  // The tolerance covers order 2 and the curvature, c/sqrt(r t) = 0.15.
   EXPECT_NEAR(outer.sizes_check, 0, 8e-3);
   EXPECT_EQ(outer.reason, "not compared with neighbouring crack sizes");
   EXPECT_NEAR(outer.area, pi / 2 * 2e-6, 1e-12);
@@ -96,7 +96,7 @@ TEST(TubeSurfaceCrack, CrosscheckBlockAndGrowthFromNothing) {
               1e-9);
 }
 
-// What order 3 costs, for a crack that is shallow and one that is long; no angle tangles the mesh.
+// Cost of order 3 for a shallow and for a long crack; the mesh is not tangled at any angle.
 TEST(TubeSurfaceCrack, LimitSizeOfTheProblem) {
   TubeWithSurfaceCrack tube = surface_cracked(45);
   EXPECT_LT(fem::count_unknowns(mesh_tube_with_surface_crack(tube), 3), 100'000U);

@@ -60,8 +60,8 @@ TEST(TubeThroughCrack, ReferenceAt45Degrees) {
   EXPECT_FALSE(result.closed);
   test::expect_relative(result.compliance_without, 2.867199393e-7, 1e-9);
   ASSERT_EQ(result.solid.fronts.size(), 2U);
-  // Half a turn about the radius through the middle of the crack maps one tip on the other but
-  // for the ends of the tube, which are far.
+  // Half a turn about the radius through the middle of the crack maps one tip to the other, except
+  // for the ends of the tube, which are far away.
   const auto& one = result.solid.fronts[0].stations;
   const auto& two = result.solid.fronts[1].stations;
   for (std::size_t i = 0; i < one.size(); ++i) {
@@ -72,10 +72,11 @@ TEST(TubeThroughCrack, ReferenceAt45Degrees) {
   }
   EXPECT_GT(one.back().K_I, one.front().K_I);  // the wall bulges outward
   EXPECT_GT(one.front().place[2], 80e-3);      // front 0 is toward +z
-  EXPECT_LT(one.front().place[1], 0);          // and, with +45 degrees, toward -theta
+  EXPECT_LT(one.front().place[1], 0);          // and toward -theta at +45 degrees
 }
 
-// The other torque closes it: without friction nothing is left of the crack at 45 degrees.
+// The other sense of torque closes the crack; without friction, a crack at 45 degrees then has no
+// effect.
 TEST(TubeThroughCrack, LimitClosedAt45Degrees) {
   TubeWithThroughCrack tube = flexspline(10e-3, 45, 2);
   tube.check_growth = true;
@@ -85,14 +86,16 @@ TEST(TubeThroughCrack, LimitClosedAt45Degrees) {
   EXPECT_TRUE(closed.usable) << closed.reason;
   EXPECT_DOUBLE_EQ(closed.solid.contact_share, 1.0);
   EXPECT_LT(std::abs(relative_release(tube, closed)), 1e-3);
-  // With faces that pass through each other the answer is refused, and is that of the other sense.
+  // If the faces pass through each other, the answer is refused; its values are those of the other
+  // sense.
   tube.crack_faces = fem::CrackFaces::free;
   tube.check_growth = false;
   const TubeCrackResult overlap = solve_tube_with_through_crack(tube);
   EXPECT_FALSE(overlap.usable);
   EXPECT_EQ(overlap.reason.rfind("closed:", 0), 0U) << overlap.reason;
   EXPECT_LT(overlap.solid.fronts[0].stations[1].K_I, 0);
-  // What closed faces leave, of what the open crack adds: 1e-6, measured; the active set's rest.
+  // Rest of the added compliance with closed faces over that of the open crack: 1e-6 (measured),
+  // from the active set.
   EXPECT_LT(std::abs(closed.added_compliance), 1e-4 * overlap.added_compliance);
 }
 
@@ -121,7 +124,7 @@ TEST(TubeThroughCrack, LimitShortCrackSlidesWhenClosed) {
       EXPECT_TRUE(s.closed);
       EXPECT_EQ(s.K_I, 0.0);
     }
-    EXPECT_LT(slides.closed_K_I, 0.02 * K0);  // found by the integrals, not set
+    EXPECT_LT(slides.closed_K_I, 0.02 * K0);  // value of the integrals before it is set to 0
     EXPECT_NEAR(slides.stations[1].K_II, 0.5 * K0, 0.03 * K0);
     EXPECT_NEAR(slides.stations[1].K_III, 0, 0.03 * K0);
     const fem::FrontStation& opens = open.solid.fronts[front].stations[1];
@@ -130,7 +133,8 @@ TEST(TubeThroughCrack, LimitShortCrackSlidesWhenClosed) {
   }
   EXPECT_NEAR(shut.growth_check, 0, 0.01);
   EXPECT_TRUE(shut.usable) << shut.reason;
-  // Added compliance of a flat sheet in plane strain; the wall is between that and plane stress.
+  // Added compliance of a flat sheet in plane strain; the wall lies between plane strain and plane
+  // stress.
   const double E = tube.material.youngs_modulus;
   const double flat = 2 * pi * std::pow(0.5 * tube.half_length * shut.nominal_shear, 2) *
                       tube.wall_thickness * (1 - 0.09) / E;
@@ -138,7 +142,8 @@ TEST(TubeThroughCrack, LimitShortCrackSlidesWhenClosed) {
   EXPECT_LT(shut.added_compliance, 1.03 * flat / (1 - 0.09));
 }
 
-// Run by ranks.py with 1, 2 and 4 ranks, which compares the lines: faces that touch, and slide.
+// ranks.py runs this test with 1, 2 and 4 ranks and compares the lines, for faces that touch and
+// slide.
 TEST(TubeThroughCrack, IdentityForAnyNumberOfRanks) {
   TubeWithThroughCrack tube = flexspline(5e-3, 30, 2);
   tube.length = 40e-3;
@@ -153,8 +158,8 @@ TEST(TubeThroughCrack, IdentityForAnyNumberOfRanks) {
   std::printf("ranks tube_added %.17g\n", shut.added_compliance);
 }
 
-// (FE-31): the faces of a crack of 20 mm are so curved that without the work of the pressure the
-// energy release rate differs by 2.2 % between rings (order 3), with it by 5e-5.
+// (FE-31): the faces of a crack of 20 mm are strongly curved.  Without the work of the pressure,
+// the energy release rate differs by 2.2 % between rings (order 3); with it, by 5e-5.
 TEST(TubeThroughCrack, IdentityPathIndependenceOfALongSlidingCrack) {
   TubeWithThroughCrack tube = flexspline(20e-3, 30, 2);
   tube.layers = 1;
@@ -168,8 +173,8 @@ TEST(TubeThroughCrack, IdentityPathIndependenceOfALongSlidingCrack) {
   }
 }
 
-// (FE-22), (FE-46): no cell is tangled, wherever the crack lies.  The worst are
-// the cells at the tips, whose outer corner is 157.5 degrees wide: sin 22.5 = 0.383 in the plan.
+// (FE-22), (FE-46): no cell is tangled for any place of the crack.  The worst are the cells at the
+// tips, whose outer corner is 157.5 degrees wide: sin 22.5 = 0.383 in the plan.
 TEST(TubeThroughCrack, InputEveryMeshIsSound) {
   for (const double half_length : {0.1e-3, 1e-3, 10e-3, 25e-3})
     for (const double degrees : {-80.0, 0.0, 11.0, 67.0, 90.0})
@@ -179,12 +184,13 @@ TEST(TubeThroughCrack, InputEveryMeshIsSound) {
         EXPECT_GT(fem::check_jacobians(mesh_tube_with_through_crack(tube)), 0.37)
             << half_length << " m, " << degrees << " degrees, at " << place << " m";
       }
-  // Few sectors: the ellipses need more of the patch than the crack's length alone says.
+  // With few sectors, the ellipses need a larger part of the patch than the length of the crack
+  // suggests.
   TubeWithThroughCrack coarse = flexspline(27e-3, 0);
   coarse.length = 1;
   coarse.sectors = 8;
   EXPECT_GT(fem::check_jacobians(mesh_tube_with_through_crack(coarse)), 0.3);
-  // A short tube, and one with a wall that is long round: the patch fills it, or ends early.
+  // In a short tube the patch fills the wall; in a tube of large circumference it ends early.
   for (const double length : {30e-3, 1.0}) {
     TubeWithThroughCrack tube = flexspline(10e-3, 20);
     tube.length = length;
@@ -192,8 +198,8 @@ TEST(TubeThroughCrack, InputEveryMeshIsSound) {
   }
 }
 
-// The innermost cells reach to 2 to 4 % of wall or crack, whichever is less; layers crowd at both
-// faces of the wall.
+// The innermost cells reach to 2 to 4 % of wall or crack, whichever is less; layers are denser at
+// both faces of the wall.
 TEST(TubeThroughCrack, IdentitySizesOfCells) {
   for (const double half_length : {0.3e-3, 1e-3, 10e-3, 30e-3}) {
     const TubeWithThroughCrack tube = flexspline(half_length);
@@ -206,7 +212,7 @@ TEST(TubeThroughCrack, IdentitySizesOfCells) {
     const fem::Point3 end = tip->map({1, 0, 0.5});
     const double reach = std::hypot(end[0] - at[0], end[1] - at[1], end[2] - at[2]) /
                          std::min(tube.wall_thickness, half_length);
-    EXPECT_GT(reach, 0.018) << half_length;  // cosh is more than its square
+    EXPECT_GT(reach, 0.018) << half_length;  // cosh exceeds its quadratic approximation
     EXPECT_LT(reach, 0.042) << half_length;
   }
   TubeWithThroughCrack tube = flexspline();
@@ -218,7 +224,7 @@ TEST(TubeThroughCrack, IdentitySizesOfCells) {
   EXPECT_GT(fem::check_jacobians(mesh), 0.37);
 }
 
-// -45 degrees and the other torque: the mirror image.
+// -45 degrees with the other torque is the mirror image.
 TEST(TubeThroughCrack, IdentityMirrorImage) {
   TubeWithThroughCrack tube = flexspline(10e-3, 30, 2);
   const TubeCrackResult one = solve_tube_with_through_crack(tube);
@@ -234,7 +240,7 @@ TEST(TubeThroughCrack, IdentityMirrorImage) {
   EXPECT_GT(std::abs(a.K_II), 0.2 * a.K_I);
 }
 
-// An axial crack under torsion slides, by symmetry without opening: K_II = -+ tau sqrt(pi a), the
+// An axial crack under torsion slides without opening, by symmetry: K_II = -+ tau sqrt(pi a), the
 // same in both senses.
 TEST(TubeThroughCrack, LimitShortAxialCrackSlides) {
   TubeWithThroughCrack tube = flexspline(2.5e-3, 0, 2);
@@ -256,7 +262,7 @@ TEST(TubeThroughCrack, LimitShortAxialCrackSlides) {
   test::expect_relative(other.energy_release_rate, result.energy_release_rate, 1e-3);
 }
 
-// Not a number passes no check.
+// NaN fails every check.
 TEST(TubeThroughCrack, InputAnswersThatAreNoNumbersAreNotUsable) {
   TubeCrackResult good;
   good.solid.fronts.resize(1);
@@ -301,10 +307,10 @@ TEST(TubeThroughCrack, InputValuesOutOfRangeAreRefused) {
   tube.half_length = 0;
   EXPECT_EQ(refuses(tube), "half_length");
   tube = good;
-  tube.half_length = 75e-3;  // as long as the tube
+  tube.half_length = 75e-3;  // the crack is as long as the tube
   EXPECT_EQ(refuses(tube), "half_length");
   tube = good;
-  tube.place = 12e-3;  // crosses the clamp's neighbourhood
+  tube.place = 12e-3;  // the crack is too close to the clamp
   EXPECT_EQ(refuses(tube), "half_length");
   tube = good;
   tube.place = 160e-3;

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What an attachment is refused with; "accepted" if it is not.
+/// The message that refuses an attachment; "accepted" if it is valid.
 std::string attachment_refusal(const Attachments& attachments, std::string_view name) {
   try {
     (void)attachments.text(name, "table");
@@ -123,7 +123,7 @@ TEST_F(AttachmentsBeside, InputLinksOutDoNotTellWhatExists) {
   for (const std::string name : {"to_secret.csv", "to_nothing.csv", "absolute.csv", "up/secret.csv",
                                  "up/no_such.csv", "etc/passwd", "etc/no_such", "no_such.csv"})
     EXPECT_EQ(refused(name), absent(name));
-  // A folder whose name begins with that of the folder of the input is another one.
+  // A folder whose name only begins with the name of the input's folder is a different folder.
   fs::create_directories(root_ / "drives2");
   write("drives2/c.csv", "c");
   link("../drives2/c.csv", "neighbour.csv");

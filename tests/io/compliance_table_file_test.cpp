@@ -73,7 +73,7 @@ TEST(ComplianceTableFile, IdentityWrittenAndRead) {
   EXPECT_EQ(file.rows[2].values, row_at(4e-3).values);
   EXPECT_EQ(file.rows[2].unknowns, 5592U);
   EXPECT_EQ(file.rows[2].seconds, 2.25);
-  // A reason may have commas and quotes; a point without numbers has none.
+  // A reason may have commas and quotes; a point without numbers leaves them empty.
   TablePoint bad = row_at(8e-3);
   bad.usable = false;
   bad.reason = "rings, \"1 %\" apart";
@@ -110,7 +110,7 @@ TEST(ComplianceTableFile, IdentityPointsInAnyOrder) {
             parse_compliance_table(shaft_table(), "t").positive.values);
 }
 
-// Over one number a table that is not finished is one of a shorter range.
+// An unfinished table over one number is a table with a shorter range.
 TEST(ComplianceTableFile, BehaviourUnfinishedIsShorter) {
   const std::string text = replaced(shaft_table(), "4 points", "7 points");
   EXPECT_EQ(parse_compliance_table(text, "t").axes[0].nodes.back(), 8e-3);
@@ -169,7 +169,7 @@ TEST(ComplianceTableFile, InputFaultsByName) {
   refused(holes, "has 4 of 16 points");
 }
 
-// A drive with a table, from a folder: read, written and read again.
+// A drive with a table from a folder is read, written and read again.
 class TableFolder : public testing::Test {
  protected:
   void SetUp() override {
@@ -217,7 +217,7 @@ TEST_F(TableFolder, InputFaultsNameTheCrack) {
       const std::string what = error.what();
       EXPECT_NE(what.find("output_shaft.crack[0].compliance_table"), std::string::npos) << what;
       EXPECT_NE(what.find(words), std::string::npos) << what;
-      EXPECT_NE(what.find("shaft.toml:"), std::string::npos) << what;  // and its line
+      EXPECT_NE(what.find("shaft.toml:"), std::string::npos) << what;  // followed by its line
     }
   };
   refused("shaft.csv", "\"shaft.csv\" is not a file beside the input");

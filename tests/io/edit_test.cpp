@@ -64,11 +64,11 @@ std::string edit_refusal(std::string_view text, std::string_view path,
   }
 }
 
-/// What `edit` makes of the shaft is the shaft with one piece of text in the place of another.
+/// Expects that `edit` changes the text of the shaft by replacing one piece of text.
 void expect_change(std::string_view path, const std::optional<std::string>& value,
                    const std::string& from, const std::string& to) {
   EXPECT_EQ(edit(kShaft, path, value), replaced_once(std::string(kShaft), from, to)) << path;
-  // Any line end, and a file that does not end in one.
+  // Every kind of line end, and a file without a final line end.
   const auto with_crlf = [](std::string_view text) {
     std::string result;
     for (const char c : text) result += c == '\n' ? std::string("\r\n") : std::string(1, c);
@@ -104,7 +104,7 @@ TEST(Edit, ReferenceAFieldIsInsertedInTheOrderOfTheDescription) {
   expect_change("drive.wave_number", "2", "ratio = 100\n", "ratio = 100\nwave_number = 2\n");
   expect_change("output_shaft.crack[0].solution", "\"tada\"", "# by ultrasound\n",
                 "# by ultrasound\nsolution = \"tada\"\n");
-  // Behind the last line of a file that does not end it.
+  // Insertion behind the last line of a file without a final line end.
   EXPECT_EQ(edit("[drive]\nratio = 1", "drive.wave_number", "2"),
             "[drive]\nratio = 1\nwave_number = 2");
   EXPECT_EQ(edit("[drive]", "drive.ratio", "2"), "[drive]\nratio = 2");
@@ -130,7 +130,7 @@ TEST(Edit, ReferenceAMissingTableIsMade) {
                 "# the last line of the second\n\n[rating]\nT1 = \"1 N*m\"\nT2 = \"2 N*m\"\n\n");
   expect_change("flexspline.diaphragm.profile[+].radius", "\"1 mm\"", "# as measured\n\n",
                 "# as measured\n\n[[flexspline.diaphragm.profile]]\nradius = \"1 mm\"\n\n");
-  // A table that only its own tables imply gets a header.
+  // A table that is only implied by its subtables gets a header.
   EXPECT_EQ(edit("[flexspline.rim]\nlength = \"1 m\"\n", "flexspline.length", "\"2 m\""),
             "[flexspline.rim]\nlength = \"1 m\"\n\n[flexspline]\nlength = \"2 m\"\n");
 }
@@ -152,7 +152,7 @@ TEST(Edit, ReferenceACrackIsAppendedAndRemoved) {
                 "[[output_shaft.crack]]   # beside\nkind = \"annular\"\ndepth = \"4 mm\"\n# the "
                 "last line of the second\n\n",
                 "");
-  // Of an array that is replaced, the lines of what stays are kept.
+  // A replaced array keeps the lines of the elements that stay.
   expect_change("output_shaft.crack", "[{ kind = \"annular\", depth = \"3 mm\" }]",
                 "[[output_shaft.crack]]   # beside\nkind = \"annular\"\ndepth = \"4 mm\"\n# the "
                 "last line of the second\n\n",
@@ -197,7 +197,7 @@ TEST(Edit, ReferenceWhatIsRemovedTakesItsComment) {
   EXPECT_EQ(edit("[drive]\nratio = 1\n# above\nwave_number = 2\n# below\n", "drive.wave_number",
                  std::nullopt),
             "[drive]\nratio = 1\n# below\n");
-  // The head of the file stays.
+  // The comment at the head of the file stays.
   expect_change("format", std::nullopt, "format = \"strainwave-drive/1\"\n", "");
   EXPECT_EQ(edit(kShaft, "material", std::nullopt),
             std::string(kShaft.substr(0, kShaft.find("\n[material"))));
@@ -272,7 +272,7 @@ TEST(Edit, InputRefusedPathsNameTheNearest) {
             "output_shaft.crack[0].depth?"},
            {"output_shft", "output_shft: is not known here; did you mean output_shaft?"},
            {"drive.zzzzzz",
-            "drive.zzzzzz: is not known here; known are ratio, wave_number, pitch_diameter, "
+            "drive.zzzzzz: is not known here; known names are ratio, wave_number, pitch_diameter, "
             "radial_displacement"},
            {"material.40 Cr.youngs_modulu",
             "material.40 Cr.youngs_modulu: is not known here; did you mean material.40 "
@@ -314,7 +314,7 @@ std::string example_text(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// The value of a field as TOML, as text or bare: that which leaves the document as it is.
+/// The value of a field as TOML, as text or bare, whichever leaves the document unchanged.
 std::string own_value(const std::string& text, const std::string& path,
                       const std::string& written) {
   const std::string quoted = "'''" + written + "'''";
@@ -339,7 +339,7 @@ TEST(Edit, BehaviourEveryFieldOfEveryExample) {
     const auto before = input_remarks(text);
     for (const auto& [path, remark] : before) {
       SCOPED_TRACE(file.path().filename().string() + " " + path);
-      if (before.contains(path + "[0]")) continue;  // its elements are tried
+      if (before.contains(path + "[0]")) continue;  // its elements are tested
       ++n;
       const std::string own = own_value(text, path, remark.written);
       EXPECT_EQ(edit(text, path, own), text);
@@ -371,7 +371,7 @@ TEST(Edit, CrosscheckTheReaderSeesTheChange) {
   const std::string text = example_text(file);
   const GearSet gear = read_gear_set(text, "drive");
   for_each_number(gear, [&](const FieldPath& path, const Field& field, double value) {
-    // A dimension by itself may break what it has to fit.
+    // Changing one dimension alone may break a rule between dimensions.
     if (path.text().find("crack[") == std::string::npos && !path.text().starts_with("rating"))
       return;
     const double wanted = value * (1 - 1e-9);
@@ -385,7 +385,8 @@ TEST(Edit, CrosscheckTheReaderSeesTheChange) {
       }
     });
   });
-  // Without each of its cracks, from the last, the drive is read and the rest stays.
+  // After removal of each crack, beginning with the last, the drive can be read and the rest is
+  // unchanged.
   std::string less = text;
   for (const auto& [member, count] : std::map<std::string, int>{{"wave_generator", 2},
                                                                 {"flexspline", 4},

@@ -102,7 +102,7 @@ std::string with(std::string_view from, std::string_view to, std::string_view ba
   return text.replace(at, from.size(), to);
 }
 
-/// What is wrong with a text; "accepted" if nothing is.
+/// The message that refuses a text; "accepted" if it is valid.
 std::string refusal(std::string_view text) {
   try {
     (void)read_gear_set(text, "gear.toml");
@@ -232,7 +232,7 @@ TEST(GearReader, IdentityTheUnitDoesNotMatter) {
 }
 
 TEST(GearReader, IdentityTheOrderOfKeysAndTablesDoesNotMatter) {
-  // Blocks are separated by empty lines; the first holds the keys that belong to no table.
+  // Blocks are separated by empty lines; the first block holds the keys outside all tables.
   std::vector<std::vector<std::string>> blocks(1);
   std::istringstream lines{std::string(kArticle)};
   for (std::string line; std::getline(lines, line);) {
@@ -246,7 +246,7 @@ TEST(GearReader, IdentityTheOrderOfKeysAndTablesDoesNotMatter) {
   for (int round = 0; round < 50; ++round) {
     auto shuffled = blocks;
     std::shuffle(shuffled.begin() + 1, shuffled.end(), random);
-    // TOML wants [wave_generator] before or after [[wave_generator.crack]]: both are allowed.
+    // TOML allows [wave_generator] both before and after [[wave_generator.crack]].
     std::string text;
     for (std::size_t b = 0; b < shuffled.size(); ++b) {
       auto& block = shuffled[b];
@@ -403,7 +403,7 @@ source = "measured"
   EXPECT_EQ(gear.scatter[0].distribution, ScatterDistribution::lognormal);
   EXPECT_EQ(gear.scatter[1].distribution, ScatterDistribution::normal);
   EXPECT_EQ(gear.scatter[1].source, "measured");
-  // Left out: absent.
+  // Fields that are left out are absent.
   const GearSet plain = read_gear_set(kArticle, "gear.toml");
   EXPECT_FALSE(plain.mesh || plain.circular_spline || plain.rating);
   EXPECT_TRUE(plain.range.empty());
@@ -429,7 +429,7 @@ TEST(GearReader, BehaviourMaterialsOfTheLibrary) {
   text = with("material = \"steel\"\nforce", "material = \"100Cr6 hardened\"\nforce", text);
   text = with("material = \"steel\"\nouter", "material = \"100Cr6 hardened\"\nouter", text);
   const GearSet gear = read_gear_set(text, "gear.toml");
-  // Under the name that the member gives, beside those of the file.
+  // The material is stored under the name that the member gives, in addition to those of the file.
   ASSERT_EQ(gear.material.size(), 3U);
   const Material& flexspline = gear.material.at("17-4ph  h900");
   const MaterialRecord& record = require_material("17-4PH H900");
@@ -439,7 +439,7 @@ TEST(GearReader, BehaviourMaterialsOfTheLibrary) {
   EXPECT_EQ(gear.material.at("100Cr6 hardened").ultimate_strength,
             require_material("52100 hardened").ultimate_strength->value);
   EXPECT_EQ(gear.material.at("steel").origin, "");
-  // No table at all is needed.
+  // A drive does not need any material table.
   text = with(
       "[material.steel]\nyoungs_modulus = \"210 GPa\"\nshear_modulus = \"80 GPa\"\npoissons_ratio "
       "= 0.3\n",
@@ -460,7 +460,7 @@ TEST(GearReader, BehaviourATableOfTheFileWinsOverTheLibrary) {
   EXPECT_EQ(gear.material.at("17-4PH H900").youngs_modulus, 210e9);
   EXPECT_EQ(gear.material.at("17-4PH H900").yield_strength, std::nullopt);
   EXPECT_EQ(gear.material.at("17-4PH H900").origin, "");
-  // The two are not mixed: what the table lacks is not filled in.
+  // Table and library are not mixed: missing fields of the table are not filled in.
   const std::string_view E = "youngs_modulus = \"210 GPa\"\n";
   EXPECT_EQ(refusal(text.replace(text.find(E), E.size(), "")),
             "gear.toml:4:1: material.17-4PH H900.youngs_modulus: must be given (Young's modulus E "
@@ -499,7 +499,7 @@ TEST(GearReader, BehaviourATableCompletesARecordOfTheLibrary) {
 }
 
 TEST(GearReader, InputATableOfTheFileIsNotPassedOver) {
-  // Half the members name the table, one writes an alias of the same steel.
+  // Some members name the table, and one member uses an alias of the same steel.
   std::string text = with("[material.steel]", "[material.\"52100 hardened\"]");
   text = with("material = \"steel\"\nforce", "material = \"52100 hardened\"\nforce", text);
   text = with("material = \"steel\"\nshape", "material = \"100Cr6 hardened\"\nshape", text);
@@ -508,11 +508,11 @@ TEST(GearReader, InputATableOfTheFileIsNotPassedOver) {
             "gear.toml:35:12: flexspline.material: \"100Cr6 hardened\" is in the material library, "
             "but the "
             "file gives the same steel as [material.\"52100 hardened\"]; use one name");
-  // Two names of one steel of the library are no contradiction.
+  // Two names of one steel of the library do not contradict each other.
   std::string library = with("material = \"steel\"\nforce", "material = \"GCr15 hardened\"\nforce");
   library = with("material = \"steel\"\nshape", "material = \"100Cr6 hardened\"\nshape", library);
   EXPECT_EQ(read_gear_set(library, "gear.toml").material.size(), 3U);
-  // Only tables of the file are named as given.
+  // Only tables of the file are listed as given.
   EXPECT_EQ(
       refusal(with("material = \"steel\"\nouter", "material = \"unobtainium\"\nouter", library)),
       "gear.toml:50:12: output_shaft.material: \"unobtainium\" is not one of the materials given "
@@ -567,20 +567,22 @@ const std::vector<Wrong> kWrong = {
     {"UnknownKeyAtTheTop",
      "name = ", "nmae = ", "2:1: nmae: is not known here; did you mean name?"},
     {"UnknownKeyInATable", "outer_diameter = ", "diameter_outer = ",
-     "51:1: output_shaft.diameter_outer: is not known here; known are material, outer_diameter, "
+     "51:1: output_shaft.diameter_outer: is not known here; known names are material, "
+     "outer_diameter, "
      "inner_diameter, length, crack"},
     {"UnknownKeyMisspelt", "outer_diameter = ", "outer_diametre = ",
      "51:1: output_shaft.outer_diametre: is not known here; did you mean outer_diameter?"},
     {"UnknownKeyOfACrack", "depth = \"0.1 mm\"\naspect", "dept = \"0.1 mm\"\naspect",
      "29:1: wave_generator.crack[0].dept: is not known here; did you mean depth?"},
     {"UnknownTable", "[article]", "[artikel]",
-     "59:2: artikel: is not known here; known are format, name, material, drive, load, "
+     "59:2: artikel: is not known here; known names are format, name, material, drive, load, "
      "wave_generator, flexspline, output_shaft, mesh, circular_spline, rating, range, scatter, "
      "article"},
     {"UnknownMember", "[article]", "[input_shaft]",
      "59:2: input_shaft: is not known here; did you mean output_shaft?"},
     {"UnknownEmptyKey", "M_M = ", "\"\" = ",
-     "65:1: article.\"\": is not known here; known are radial_load, flaw_parameter, mean_radius, "
+     "65:1: article.\"\": is not known here; known names are radial_load, flaw_parameter, "
+     "mean_radius, "
      "equivalent_shaft_diameter, M_p, M_M"},
     {"UnknownDottedKey",
      "M_M = ", "\"M.M\" = ", "65:1: article.\"M.M\": is not known here; did you mean M_M?"},
@@ -589,10 +591,11 @@ const std::vector<Wrong> kWrong = {
     {"UnknownKeyOfTwoLines",
      "M_M = ", "\"M\\nM\" = ", "65:1: article.\"M\\nM\": is not known here; did you mean M_M?"},
     {"KeyOfAnotherKindOfCrack", "angle = \"45 deg\"", "depth = \"0.1 mm\"",
-     "46:1: flexspline.crack[0].depth: is not known here; known are kind, half_length, angle, "
+     "46:1: flexspline.crack[0].depth: is not known here; known names are kind, half_length, "
+     "angle, "
      "section, shell_correction, compliance_table"},
     {"KindWhereThereIsNone", "[load]\n", "[load]\nkind = \"static\"\n",
-     "16:1: load.kind: is not known here; known are torque, axial_force"},
+     "16:1: load.kind: is not known here; known names are torque, axial_force"},
 
     // keys that are missing
     {"MissingFormat", "format = \"strainwave-drive/1\"\n", "",
@@ -827,7 +830,7 @@ class GearReaderRefusal : public testing::TestWithParam<Wrong> {};
 TEST_P(GearReaderRefusal, InputOneSentenceSaysWhereAndWhat) {
   const std::string message = refusal(with(GetParam().from, GetParam().to));
   const std::string expected = "gear.toml:" + GetParam().message;
-  // What follows "is not valid TOML: " is up to the parser.
+  // The parser determines the text behind "is not valid TOML: ".
   if (expected.ends_with(": "))
     EXPECT_EQ(message.substr(0, expected.size()), expected);
   else
@@ -838,7 +841,7 @@ INSTANTIATE_TEST_SUITE_P(Messages, GearReaderRefusal, testing::ValuesIn(kWrong),
                          [](const auto& test) { return test.param.name; });
 
 TEST(GearReader, InputEveryValueIsPlacedAndNamed) {
-  // Each value in turn becomes a table, which no field here is.
+  // Each value in turn is replaced by a table, which no field here accepts.
   std::istringstream lines{std::string(kArticle)};
   std::size_t start = 0;
   std::size_t number = 0;
@@ -960,7 +963,7 @@ std::string repeated(std::string_view piece, std::size_t n) {
   return text;
 }
 
-/// A refusal has to be one line, of moderate length, and to name a place in the file.
+/// Checks that a refusal is one line of moderate length and names a place in the file.
 void expect_one_sentence(const std::string& message) {
   EXPECT_LT(message.size(), 1000U);
   EXPECT_TRUE(message.starts_with("gear.toml:")) << message;
@@ -999,7 +1002,7 @@ TEST(GearReaderHostile, InputNestingWithoutEnd) {
         "[[a" + repeated(".a", kMany) + "]]", "\"\"" + repeated(".\"=\"", kMany) + " = 1",
         "  a" + repeated(" . a", kMany) + " = 1",
         "a" + repeated(".a", 90) + " = " + repeated("[{a" + repeated(".a", 90) + " = \n", 8),
-        // as deep as it may be: refused for its key
+        // nested as deep as allowed, so it is refused for its key
         "a" + repeated(".a", 90) + " = " + repeated("[\n{a" + repeated(".a", 90) + " = ", 7) + "1" +
             repeated("}\n]", 7)}) {
     const std::string message = refusal(text);
@@ -1191,7 +1194,7 @@ TEST(GearReaderHostile, InputMutationsAreReadOrRefusedInOneSentence) {
       expect_one_sentence(message);
     ASSERT_FALSE(testing::Test::HasFailure()) << text;
   }
-  // Neither can be all of them, or the mutations would not be what they are meant to be.
+  // Some mutations must be accepted and some refused; otherwise the test is not effective.
   EXPECT_GT(accepted, 50);
   EXPECT_LT(accepted, 2000);
 }

@@ -79,7 +79,7 @@ TEST(GearWriter, IdentityValuesThatAreHardToWrite) {
 }
 
 TEST(GearWriter, BehaviourAMaterialOfTheLibraryIsWrittenOut) {
-  // The file stands on its own, whatever the library of a later version says.
+  // The file is complete, independently of the library of later versions.
   const GearSet gear =
       read_gear_set_file(std::filesystem::path(STRAINWAVE_EXAMPLES) / "library_material.toml");
   const std::string text = gear_text(gear);

@@ -32,7 +32,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// What the reader says to a text; "accepted" if it reads it.
+/// The message of the reader for a text; "accepted" if it is valid.
 std::string verdict(std::string_view text) {
   try {
     (void)read_gear_set(text, "gear.toml");
@@ -78,8 +78,8 @@ std::string heading_of(const std::string& line) {
 
 // --- Every field of the input, walked without values ---------------------------------------------
 
-/// What a type can hold, with the struct it belongs to: `f.template operator()<Struct, Value>(path,
-/// field, default of the struct)`.
+/// Visits everything that a type can hold, with the struct to which it belongs: `f.template
+/// operator()<Struct, Value>(path, field, default of the struct)`.
 template <class T, class F>
 void for_each_field(const std::string& path, const F& f) {
   if constexpr (is_optional<T>) {
@@ -260,9 +260,9 @@ TEST(InputTemplate, BehaviourStatesTheFallbackAsDefault) {
       });
 }
 
-/// One commented field at a time under a live heading is switched on.
+/// Activates one commented field at a time under an active heading.
 TEST(InputTemplate, InputCommentedFieldsCanBeSwitchedOn) {
-  // What a field needs besides, or contradicts, by the heading above it.
+  // Other fields that a field needs or contradicts, by the heading above it.
   const std::map<std::string, std::string> refused = {
       {"[[wave_generator.crack]] stress", "is read only with stress_driver = \"given\""},
       {"[[flexspline.crack]] compliance_table", "is not a file beside the input"},
@@ -292,7 +292,7 @@ TEST(InputTemplate, InputCommentedFieldsCanBeSwitchedOn) {
   EXPECT_GE(switched, 12);
 }
 
-/// Switches on the table at line `i` with all its fields, up to the empty line below.
+/// Activates the table at line `i` with all its fields, up to the empty line below.
 void switch_on_table(std::vector<std::string>& lines, std::size_t i) {
   for (; i < lines.size() && !lines[i].empty(); ++i)
     if (lines[i].starts_with("# ")) lines[i].erase(0, 2);
@@ -307,7 +307,7 @@ void replace_line(std::vector<std::string>& lines, std::string_view start, std::
   FAIL() << "no line " << start;
 }
 
-/// Every commented table is switched on, together with what its comment says it needs.
+/// Activates every commented table, together with the fields that its comment requires.
 TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
   using Lines = std::vector<std::string>;
   const std::function<void(Lines&)> nothing = [](Lines&) {};
@@ -319,7 +319,7 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
     replace_line(lines, "contact_semi_axes", "");
   };
   const std::function<void(Lines&)> stress_not_read = [](Lines& lines) {
-    // The last of the two lines is that of the edge crack.
+    // The second of the two lines belongs to the edge crack.
     const auto last = std::find_if(lines.rbegin(), lines.rend(), [](const std::string& line) {
       return line.starts_with("stress = ");
     });
@@ -453,9 +453,9 @@ std::set<std::string> required_paths() {
 }
 
 TEST(InputFormat, CrosscheckRequiredFieldsAreThoseThatTheReaderMisses) {
-  // Optional fields of the template that a rule between fields asks for.
+  // Optional fields of the template that a rule between fields requires.
   const std::map<std::string, std::string> asked_for = {
-      // in the template E is accompanied by nu alone
+      // the template gives E with nu only
       {"material.NAME.poissons_ratio", "must be given, or shear_modulus"},
       // the only source of the radial stiffness
       {"wave_generator.radial_stiffness", "must be given (K_G0 of one lobe [N/m]), or"},
@@ -498,7 +498,7 @@ TEST(InputFormat, CrosscheckRequiredTablesAreThoseThatTheReaderMisses) {
                                                         {"[wave_generator]", "wave_generator"},
                                                         {"[flexspline]", "flexspline"},
                                                         {"[output_shaft]", "output_shaft"}}) {
-    // Every table whose heading starts like this one is left out, with its fields.
+    // Leave out every table whose heading starts like this one, with its fields.
     std::vector<std::string> kept;
     bool skip = false;
     const std::string inner = heading.substr(0, heading.size() - 1);
@@ -535,7 +535,7 @@ const Json& schema_at(const Json& schema, const std::string& path) {
     }
     at = name == "NAME" ? &at->at("additionalProperties") : &at->at("properties").at(name);
     if (at->value("type", Json()) == "array" && kind.empty() && path[end - 1] == ']') {
-      at = &at->at("items");  // of one kind
+      at = &at->at("items");  // elements of one kind
     } else if (!kind.empty()) {
       const Json& choices = at->at("items").at("oneOf");
       const auto choice = std::ranges::find_if(choices, [&](const Json& one) {
@@ -613,7 +613,7 @@ TEST(InputSchema, BehaviourRequiredIsWhatTheReaderDemands) {
         EXPECT_EQ(std::ranges::find(names, field.name) != names.end(),
                   is_required<Value>(field) && field.unless.empty())
             << path;
-        // An optional field without a fallback has no default, and the other way round.
+        // The schema gives a default exactly for fields with a fallback.
         EXPECT_EQ(schema_at(s, path).contains("default"), !field.fallback.empty()) << path;
       });
   for (const char* const member : {"wave_generator", "flexspline", "output_shaft"}) {

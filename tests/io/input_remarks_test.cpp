@@ -74,7 +74,7 @@ TEST(InputRemarks, ReferenceTheCommentAboveCountsWhereThereIsNoneBeside) {
   EXPECT_EQ(remarks.at("force").comment, "beside");
 }
 
-// Every number that the reader found in a file is one that the remarks know.
+// The remarks contain every number that the reader found in a file.
 TEST(InputRemarks, CrosscheckWithTheReader) {
   for (const auto& file : std::filesystem::directory_iterator(STRAINWAVE_EXAMPLES)) {
     if (file.path().extension() != ".toml") continue;

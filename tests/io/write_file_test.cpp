@@ -79,7 +79,7 @@ TEST_F(WriteFile, BehaviourALinkStaysAndItsTargetIsReplaced) {
   write("second", "new");
   EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "second"));
   EXPECT_EQ(text_in("below/r.txt"), "new");
-  // Also where the target does not exist yet.
+  // This also holds if the target does not exist yet.
   std::filesystem::create_symlink("below/s.txt", folder_ / "third");
   write("third", "made");
   EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "third"));
@@ -106,7 +106,7 @@ TEST_F(WriteFile, InputWhatIsNoFileIsNotReplaced) {
   EXPECT_THROW(append_to(folder_ / "turn", "new"), Error);
 }
 
-/// While it lives, no file grows beyond this size.
+/// While this object exists, files cannot grow beyond this size.
 class FileLimit {
  public:
   explicit FileLimit(rlim_t size) {

@@ -29,7 +29,7 @@ TEST(Plot, BehaviourPanelsSeriesAndLabelsAreDrawn) {
   EXPECT_EQ(count(svg, "class=\"title\">a &lt;b&gt; &amp; c<"), 2U);
   EXPECT_EQ(count(svg, ">first<"), 2U);
   EXPECT_EQ(count(svg, ">x [mm]<"), 2U);
-  EXPECT_EQ(count(svg, "<path d=\"M"), 8U);  // a line and its key for each series
+  EXPECT_EQ(count(svg, "<path d=\"M"), 8U);  // a line and a legend entry for each series
   EXPECT_EQ(svg.find("nan"), std::string::npos);
   EXPECT_EQ(count(svg, "<svg"), 1U);
   EXPECT_EQ(count(svg, "</svg>"), 1U);
@@ -42,7 +42,7 @@ TEST(Plot, BehaviourNoTwoLinesLookAlike) {
   std::set<std::string> styles;
   for (std::size_t at = svg.find("class=\"series\" "); at != std::string::npos;
        at = svg.find("class=\"series\" ", at + 1)) {
-    // Without the width: only the first line has its own.
+    // Compare styles without the width, because only the first line has a different width.
     const std::string style = svg.substr(at, svg.find("/>", at) - at);
     const std::size_t width = style.find(" stroke-width");
     styles.insert(style.substr(0, width) + style.substr(style.find('"', width + 15) + 1));
@@ -247,9 +247,9 @@ TEST(Plot, InputTitlesOfAnyText) {
   for (int i = 0; i < 100; ++i) title += "ü";
   const PlotPanel panel{.title = title, .x_label = "x", .y_label = "y"};
   const std::string svg = svg_plot(std::vector{panel});
-  EXPECT_EQ(svg.find('\x01'), std::string::npos);  // XML has no control characters
+  EXPECT_EQ(svg.find('\x01'), std::string::npos);  // XML forbids control characters
   EXPECT_NE(svg.find(" &quot;bell&quot;ü"), std::string::npos);
-  EXPECT_NE(svg.find("ü…<"), std::string::npos);  // cut between characters, not within one
+  EXPECT_NE(svg.find("ü…<"), std::string::npos);  // cut between characters
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// What the user sees of the strength: text, JSON, fields, diagram, table.
+// SPDX-License-Identifier: Apache-2.0 Presentation of the strength to users: text, JSON, fields,
+// diagram, table.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ TEST(StrengthReport, BehaviourACriticalCrackIsAnswered) {
   EXPECT_EQ(result.strength[0].verdict, StrengthVerdict::cannot_tell);  // the cam bends the race
   for (const std::size_t i : {2U, 3U})
     EXPECT_EQ(result.strength[i].verdict, StrengthVerdict::acceptable);
-  // The stiffness is that of the crack as it stands.
+  // The stiffness is that of the crack in its present state.
   EXPECT_EQ(result.positive.stiffness.value, torsional_stiffness(gear).positive.stiffness.value);
   const std::string text = stiffness_text(result, gear, {});
   const std::size_t warning = text.find("WARNING: flexspline.crack[0] fractures at this load");
@@ -54,12 +54,13 @@ TEST(StrengthReport, BehaviourACriticalCrackIsAnswered) {
   EXPECT_NE(text.find("2 of 4 cracks hold, 1 fractures or collapses, 1 cannot be told"),
             std::string::npos);
   EXPECT_NE(text.find("about 457 MPa"), std::string::npos);
-  // The shell couples sliding to the opening, (FR-9); nothing couples mode III: no 6.5e-17.
+  // The shell couples sliding to the opening (FR-9), but not mode III, so rounding such as 6.5e-17
+  // must not appear.
   EXPECT_LT(result.cracks.at(1).deepest->K_II.value, 0.0);
   EXPECT_NE(text.find("K_I = 11"), std::string::npos);
   EXPECT_NE(text.find("K_III = 0 MPa"), std::string::npos);
   EXPECT_EQ(text.find("e-17"), std::string::npos);
-  // Under the reversed torque it warns as well.
+  // The reversed torque causes the same warning.
   GearSet reversed = gear;
   reversed.load.torque = -600;
   EXPECT_NE(stiffness_text(evaluate(reversed, Method::corrected), reversed, {})
@@ -148,8 +149,8 @@ TEST(FailureAssessmentPlot, BehaviourLinesAndPoints) {
   const GearSet gear = critical();
   const StiffnessResult result = evaluate(gear, Method::corrected);
   const PlotPanel panel = failure_assessment_panel(result, gear);
-  // Three materials; both states of the two wall cracks, one of race and shaft; the through crack
-  // under the reversed torque, too.
+  // There are three materials, two states of each wall crack, one state each of race and shaft, and
+  // the through crack under the reversed torque.
   ASSERT_EQ(panel.series.size(), 11U);
   EXPECT_NE(std::ranges::find(panel.series, "flexspline.crack[0] +, reversed", &PlotSeries::label),
             panel.series.end());
@@ -177,7 +178,7 @@ TEST(FailureAssessmentTable, BehaviourRows) {
   EXPECT_NE(csv.find("\nline,hard_steel,,,0,1,,,\n"), std::string::npos);
   EXPECT_NE(csv.find("crack,flexspline.crack[0],positive,1,"), std::string::npos);
   EXPECT_EQ(occurrences(csv, ",fractures\n"), 1);
-  // Every row has the columns of the head.
+  // Every row must have the columns of the head.
   std::size_t begin = 0;
   for (std::size_t end = csv.find('\n'); end != std::string::npos; end = csv.find('\n', begin)) {
     EXPECT_EQ(std::count(csv.begin() + static_cast<long>(begin),

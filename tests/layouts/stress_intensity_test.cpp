@@ -80,7 +80,7 @@ TEST(SifEval, ReferenceTextHasTheNumbers) {
   const std::vector<std::string> set{"half_length=1 mm", "tension=100 MPa"};
   const std::string text = sif_evaluation_text(sif::evaluate(row, sif_assignments(row, set)));
   EXPECT_TRUE(contains(text, "5.605")) << text;
-  EXPECT_TRUE(contains(text, "taken, not given")) << text;
+  EXPECT_TRUE(contains(text, "default, not given")) << text;
   EXPECT_TRUE(contains(text, "outside a >= 2 t")) << text;
 }
 

@@ -20,7 +20,7 @@
 namespace strainwave {
 namespace {
 
-/// Everything that a file may have, once.
+/// A file with every possible entry once.
 constexpr std::string_view kSound = R"(format = "strainwave-materials/1"
 [source]
 book = "A book, read."
@@ -216,9 +216,9 @@ TEST(MaterialFile, InputEveryRuleBrokenOnce) {
           {"name = \"Alpha 1\"", "name = \"a\\nb\"",
            "material[0].name: must be one line, without control characters"},
           {"name = \"Beta\"", "name = \"ALPHA1\"",
-           "material[1].name: \"ALPHA1\" is there twice, but for case and blanks"},
+           "material[1].name: \"ALPHA1\" is given twice; case and blanks do not count"},
           {"\"A1\", ", "\"A1\", \"a 1\", ",
-           "material[0].aliases[1]: \"a 1\" is there twice, but for case and blanks"},
+           "material[0].aliases[1]: \"a 1\" is given twice; case and blanks do not count"},
           {"name = \"Beta\"\n", "", "material[1].name: must be given (as an input file writes it)"},
           {"[\"A1\", \"1.0001\"]", "\"A1\"",
            "material[0].aliases: \"A1\" is not a list, such as [\"1.4542\"]"},
@@ -236,7 +236,7 @@ TEST(MaterialFile, InputEveryRuleBrokenOnce) {
            "material[0].remark: must be one line, without control characters"},
           // sources
           {"code = \"A code, read.\"", "code = \"A code, read.\"\nidle = \"Nothing.\"",
-           "source.idle: is the source of nothing"},
+           "source.idle: is not used by any number"},
           {"book = \"A book, read.\"", "book = \"\"", "source.book: must not be empty"},
           {"source = \"book\"", "source = \"boook\"",
            "material[0].youngs_modulus.source: \"boook\" is not a key of [source]"},
@@ -423,7 +423,7 @@ TEST(MaterialLibraryData, BehaviourTheSteelsOfTheseDrivesAreThere) {
 }
 
 TEST(MaterialLibraryData, LimitNumbersAreThoseOfSteels) {
-  // No source in reach has a steel outside these bounds: a slip of a prefix or a digit would show.
+  // All known steels lie within these bounds, so a wrong prefix or digit is detected.
   for (const MaterialRecord& record : material_library()) {
     const auto within = [&](const auto& number, double lower, double upper) {
       if (!number) return;
@@ -467,8 +467,8 @@ TEST(MaterialLibraryData, ReferenceSpotChecks) {
 // --- Conversions (MA-1, MA-2, MA-4)
 // ----------------------------------------------------------------
 
-// By energy and weight, not by the ratio of units: a growth law is evaluated in the printed units
-// at a printed Delta K, and the growth is carried over.
+// This check does not use the ratio of units: a growth law is evaluated in the printed units at a
+// printed Delta K, and the resulting growth is converted.
 constexpr double kInch = 0.0254;                          // [m], exact
 constexpr double kPound = 0.45359237 * 9.80665;           // [N], exact
 constexpr double kKsi = 1000 * kPound / (kInch * kInch);  // [Pa]
@@ -511,7 +511,7 @@ TEST(MaterialConversion, CrosscheckModelCode) {  // MA-1, MA-2, MA-3
   }
   test::expect_relative(record.threshold.at(0).value, 140 * K_unit, kFourDigits);
   EXPECT_EQ(low.from, record.threshold[0].value);
-  // Where the printed branches meet, by bisection of their difference in the printed units.
+  // Intersection of the printed branches, by bisection of their difference in the printed units.
   double below = 100;
   double above = 400;
   for (int i = 0; i < 60; ++i) {
@@ -595,7 +595,7 @@ TEST(FindMaterial, BehaviourNamesAndAliases) {
 }
 
 TEST(FindMaterial, InputNothingSimilarIsTaken) {
-  // A bare "steel" must not become some steel, nor "4340" one of its tempers.
+  // The name "steel" alone must not match any steel, and "4340" must not match one of its tempers.
   for (const char* const name :
        {"", "steel", "4340", "17-4PH", "17-4PH H90", "17-4PH H9000", "521"})
     EXPECT_EQ(find_material(name), nullptr) << name;
@@ -616,7 +616,7 @@ TEST(FindMaterial, InputUnknownNamesSuggestANearOne) {
   EXPECT_EQ(unknown("unobtainium"),
             "material: \"unobtainium\" is not in the material library; strainwave material list "
             "has the names");
-  // A short name is not guessed at: C300 is two letters from 4340.
+  // No suggestion is made for a short name: C300 differs from 4340 in only two letters.
   EXPECT_EQ(
       unknown("4340"),
       "material: \"4340\" is not in the material library; did you mean 4340 tempered 425 C or "

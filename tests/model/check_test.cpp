@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// Every rule broken once, and every boundary that a rule still accepts.
+// SPDX-License-Identifier: Apache-2.0 Breaks every rule once, and tests every boundary that a rule
+// still accepts.
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ using namespace units;  // NOLINT(google-build-using-namespace): 3 * mm reads as
 using std::numbers::pi;
 using test::article_gear;
 
-/// The refusal of a gear; "accepted" if there is none.
+/// The message that refuses a gear; "accepted" if it is valid.
 InputError refusal(const GearSet& gear) {
   try {
     check(gear);
@@ -44,7 +44,7 @@ InputError refusal(const GearSet& gear) {
   return {"", "accepted"};
 }
 
-/// A second sound drive, with the parts that the article's does not have.
+/// A second sound drive with the parts that the article's drive lacks.
 GearSet sections_gear() {
   GearSet gear = article_gear();
   gear.name = "sections";
@@ -89,7 +89,7 @@ GearSet sections_gear() {
   return gear;
 }
 
-/// The same with what the torsion curve needs, and its cracks.
+/// The second drive with the inputs of the torsion curve and its cracks.
 GearSet coupled_gear() {
   GearSet gear = sections_gear();
   gear.name = "coupled";
@@ -141,7 +141,7 @@ GearSet coupled_gear() {
 
 Diaphragm& diaphragm(GearSet& gear) { return *gear.flexspline->diaphragm; }
 
-/// The same crack a second time, at another position [rad].
+/// Adds the same crack a second time at another position [rad].
 template <class Cracks, class Crack>
 void crack_again(Cracks& cracks, Crack crack, double position) {
   crack.position = position;
@@ -543,23 +543,23 @@ const std::vector<Broken> kBroken = {
     {"RimAxialCracksInOnePlace", coupled_gear,
      [](GearSet& g) { crack_again(flexspline(g).crack, rim_axial_crack(g), 0.0); },
      "flexspline.crack[3].position", "",
-     "0 deg is 0 mm along the ring from flexspline.crack[0] at 0 deg, and each crack softens 6 mm: give one crack in place of both, or place them that far apart"},
+     "0 deg is 0 mm along the ring from flexspline.crack[0] at 0 deg, and each crack softens 6 mm: combine them into one crack, or place them that far apart"},
     {"RimAxialCracksAWholeTurnApart", coupled_gear,
      [](GearSet& g) { crack_again(flexspline(g).crack, rim_axial_crack(g), 2 * pi); },
      "flexspline.crack[3].position", "",
-     "360 deg is 0 mm along the ring from flexspline.crack[0] at 0 deg, and each crack softens 6 mm: give one crack in place of both, or place them that far apart"},
+     "360 deg is 0 mm along the ring from flexspline.crack[0] at 0 deg, and each crack softens 6 mm: combine them into one crack, or place them that far apart"},
     {"RimAxialCracksNear", coupled_gear,
      [](GearSet& g) { crack_again(flexspline(g).crack, rim_axial_crack(g), 5.9 / 78.5); },
      "flexspline.crack[3].position", "",
-     "4.306 deg is 5.9 mm along the ring from flexspline.crack[0] at 0 deg, and each crack softens 6 mm: give one crack in place of both, or place them that far apart"},
+     "4.306 deg is 5.9 mm along the ring from flexspline.crack[0] at 0 deg, and each crack softens 6 mm: combine them into one crack, or place them that far apart"},
     {"OuterRaceCracksNear", coupled_gear,
      [](GearSet& g) { crack_again(wave_generator(g).crack, std::get<OuterRaceCrack>(wave_generator(g).crack[2]), -7.9 / 70); },
      "wave_generator.crack[3].position", "",
-     "-6.466 deg is 7.9 mm along the ring from wave_generator.crack[2] at 0 deg, and each crack softens 8 mm: give one crack in place of both, or place them that far apart"},
+     "-6.466 deg is 7.9 mm along the ring from wave_generator.crack[2] at 0 deg, and each crack softens 8 mm: combine them into one crack, or place them that far apart"},
     {"SplineCracksNear", coupled_gear,
      [](GearSet& g) { crack_again(g.circular_spline->crack, std::get<CircularSplineRingCrack>(g.circular_spline->crack[0]), 49 / 94.5); },
      "circular_spline.crack[1].position", "",
-     "29.71 deg is 49 mm along the ring from circular_spline.crack[0] at 0 deg, and each crack softens 50 mm: give one crack in place of both, or place them that far apart"},
+     "29.71 deg is 49 mm along the ring from circular_spline.crack[0] at 0 deg, and each crack softens 50 mm: combine them into one crack, or place them that far apart"},
 
     // coupled drive: diaphragm
     {"GroovesOverlap", coupled_gear,
@@ -567,9 +567,9 @@ const std::vector<Broken> kBroken = {
        flexspline(g).crack.emplace_back(groove(g));
        groove(g).radius = 60.9 * mm;
      },
-     "flexspline.crack[3].radius", "", "overlaps flexspline.crack[2]: cracks are added up as if alone, give one of both"},
+     "flexspline.crack[3].radius", "", "overlaps flexspline.crack[2]: combine the two cracks into one, because the model adds cracks without interaction"},
     {"GrooveOverAnArc", coupled_gear, [](GearSet& g) { groove(g).radius = 45.4 * mm; },
-     "flexspline.crack[2].radius", "", "overlaps flexspline.crack[1]: cracks are added up as if alone, give one of both"},
+     "flexspline.crack[2].radius", "", "overlaps flexspline.crack[1]: combine the two cracks into one, because the model adds cracks without interaction"},
     {"StationsNotRising", coupled_gear,
      [](GearSet& g) { diaphragm(g).profile[1].radius = 41 * mm; },
      "flexspline.diaphragm.profile[1].radius", "radius > that of the station before", ""},
@@ -603,7 +603,7 @@ const std::vector<Broken> kBroken = {
      "flexspline.crack[2].radius", "radius +- width/2 on the diaphragm", ""},
     {"GrooveThroughTheDiaphragm", coupled_gear, [](GearSet& g) { groove(g).depth = 2.5 * mm; },
      "flexspline.crack[2].depth", "depth < thickness of the diaphragm", ""},
-    {"GrooveThroughAThinPlaceInside", coupled_gear,  // 2 mm at 50 mm, more on either side
+    {"GrooveThroughAThinPlaceInside", coupled_gear,  // 2 mm thick at a radius of 50 mm, thicker on either side
      [](GearSet& g) {
        groove(g).radius = 50 * mm;
        groove(g).width = 6 * mm;
@@ -745,7 +745,7 @@ struct Accepted {
 };
 
 double below(double x) { return std::nextafter(x, 0.0); }
-/// For rules that do not let rounding decide.
+/// Factor for rules that are not decided by rounding.
 double just_below(double x) { return x * (1 - 1e-11); }
 
 const std::vector<Accepted> kAccepted = {
@@ -990,8 +990,8 @@ double inside(const Range& range) {
   return std::isfinite(range.lower) ? range.lower + 1 : 1.0;
 }
 
-/// Gives a value everything that its type can hold: each optional, one element in each map, and in
-/// each list one of every kind.
+/// Fills a value with everything that its type can hold: each optional, one element in each map,
+/// and one element of every kind in each list.
 template <class T>
 void fill(T& value, const Field& field) {
   if constexpr (std::is_same_v<T, double>) {
@@ -1016,8 +1016,8 @@ void fill(T& value, const Field& field) {
   }
 }
 
-/// A drive of which every number that can be given is given; the rules between fields are broken,
-/// which is found out only after the ranges.
+/// A drive that gives every possible number.  It breaks rules between fields, which are checked
+/// only after the ranges.
 GearSet full_gear() {
   GearSet gear;
   fill(gear, Field{});
@@ -1074,7 +1074,7 @@ TEST(CheckRange, BehaviourTheFullDriveHasEveryNumberThatADriveCanHave) {
   });
   EXPECT_EQ(present, possible);
   EXPECT_GT(present.size(), 60U);
-  // All of them are in their ranges: what is wrong with it is not a range.
+  // All numbers are in their ranges, so the fault is not a range.
   EXPECT_EQ(refusal(full).rule(), "radial_displacement < pitch_diameter/2");
 }
 
@@ -1117,7 +1117,7 @@ TEST(CheckRange, InputEveryBoundIsHeldOnBothSides) {
   EXPECT_GT(bounds, 60);
 }
 
-/// The bounds themselves, written down once more: a range loosened by mistake shows here.
+/// The bounds, written down a second time, so a range that was widened by mistake is detected.
 TEST(CheckRange, ReferenceRanges) {
   const std::set<std::string> any = {"load.torque",
                                      "load.axial_force",

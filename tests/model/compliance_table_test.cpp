@@ -23,7 +23,8 @@ double positive_at(const ComplianceTable& table, double a) {
   return interpolated<double>(table.axes, table.positive, at).value;
 }
 
-// (FE-43) must not be less than what the interpolation (FE-41) is off between the nodes.
+// The estimate (FE-43) must not be smaller than the error of the interpolation (FE-41) between the
+// nodes.
 TEST(ComplianceTable, CrosscheckErrorCoversTheInterpolation) {
   for (const int nodes : {4, 7, 12, 23}) {
     const ComplianceTable table = made_up_table(nodes);
@@ -34,7 +35,7 @@ TEST(ComplianceTable, CrosscheckErrorCoversTheInterpolation) {
     EXPECT_LT(table.positive.interpolation_error, 60 * largest) << nodes;
     EXPECT_EQ(table.positive.scale, TableValues::Scale::logarithmic);
   }
-  // A power law is exact in logarithms, and a point of the table is met.
+  // A power law is exact in logarithms, and the points of the table are reproduced.
   ComplianceTable power = made_up_table();
   for (std::size_t i = 0; i < 12; ++i)
     power.positive.values[i] = std::pow(power.axes[0].nodes[i], 2.5);
@@ -47,7 +48,7 @@ TEST(ComplianceTable, CrosscheckErrorCoversTheInterpolation) {
 
 TEST(ComplianceTable, IdentityScales) {
   const ComplianceTable table = made_up_table();
-  // 1e-6 of the other sense is nothing; so it is the other way round.
+  // 1e-6 of the other sense counts as zero, for either sense.
   EXPECT_EQ(table.negative.scale, TableValues::Scale::nothing);
   ComplianceTable turned = made_up_table();
   turned.positive.scale = turned.negative.scale = TableValues::Scale::linear;
@@ -56,7 +57,8 @@ TEST(ComplianceTable, IdentityScales) {
   EXPECT_EQ(turned.positive.scale, TableValues::Scale::nothing);
   EXPECT_EQ(turned.negative.scale, TableValues::Scale::logarithmic);
   EXPECT_EQ(positive_at(turned, 3 * mm), 0.0);
-  // One value that is 2e-4 of the other makes the sense count; one that is not positive, linear.
+  // A value that is 2e-4 of the other sense makes the sense count; a value that is not positive
+  // makes the interpolation linear.
   ComplianceTable signs = made_up_table();
   signs.negative.scale = TableValues::Scale::linear;
   signs.negative.values[11] = 2e-4 * signs.positive.values[11];
@@ -115,7 +117,7 @@ TEST(ComplianceTable, InputRulesBrokenOnce) {
   refused(gear, "load.axial_force must be 0");
   gear = tabulated_gear();
   gear.compliance_tables["made_up.csv"].fixed.pop_back();
-  refused(gear, "does not say what poissons_ratio it was made with");
+  refused(gear, "does not state the poissons_ratio of its computation");
   gear = tabulated_gear();
   gear.compliance_tables["made_up.csv"].fixed[3].unit = "N";
   refused(gear, "has length in \"N\", not in \"m\"");
@@ -145,7 +147,7 @@ TEST(ComplianceTable, ReferenceParametersOfBothKinds) {
   ASSERT_EQ(shaft.size(), 6U);
   EXPECT_EQ(shaft[2].name, "inner_diameter");
   EXPECT_EQ(shaft[2].value, 45 * mm);
-  // By sections the tube is that of the section.
+  // With sections, the tube is that of the section.
   gear.flexspline->crack_free = CrackFree::sections;
   gear.flexspline->barrel = {
       .outer_diameter = 150 * mm, .wall_thickness = 1 * mm, .length = 90 * mm};

@@ -301,7 +301,7 @@ TEST(NumberAt, InputFieldsThatAreNotGivenAreNoNumbers) {
   EXPECT_FALSE(gear.wave_generator->inner_ring_width.has_value());
   gear.output_shaft.reset();
   EXPECT_NE(refusal([&] { set_number(gear, "output_shaft.length", 1); }).field(), "");
-  // A whole number has no place between two others: sweeping it makes no sense.
+  // A whole number cannot be swept, because values between whole numbers are not valid.
   EXPECT_NE(refusal([&] { set_number(gear, "drive.wave_number", 3); }).field(), "");
 }
 

@@ -175,9 +175,10 @@ TEST(FieldsReference, ReferenceOneLineForEachField) {
         "| `beside` | as the field `unit` says | in a unit beside |\n",
         "| `stiffness` | N*m/rad | with uncertainty; with its uncertainty |\n",
         "| `flag` |  | a flag; true or false |\n", "| `count` |  | a count; whole number |\n",
-        "| `table.gap` | s | may be absent; one value each |\n", "| `names[]` |  | names |\n",
-        "| `holes.<name>.radius` | m | of the hole |\n", "| `either.kind` | | \"plain\", with: |\n",
-        "| `either.radius` | m | of the hole |\n", "| `detail` | m | detail |\n"})
+        "| `table.gap` | s | may be absent; one value for each element |\n",
+        "| `names[]` |  | names |\n", "| `holes.<name>.radius` | m | of the hole |\n",
+        "| `either.kind` | | \"plain\", with: |\n", "| `either.radius` | m | of the hole |\n",
+        "| `detail` | m | detail |\n"})
     EXPECT_NE(table.find(line), std::string::npos) << line << table;
 }
 

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// Looks inside: text, numbers and places of marks have no public header.
+// SPDX-License-Identifier: Apache-2.0 Tests private functions for text, numbers and places of
+// marks.
 #include "markup.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,8 @@ TEST(Markup, ReferenceTextFromOutsideIsEscaped) {
   EXPECT_EQ(escaped("a\r\n"), "a\n");
 }
 
-// What XML 1.0 has no place for, and what is no UTF-8: a replacement character for each byte.
+// Characters that XML 1.0 forbids and bytes that are not UTF-8 give a replacement character for
+// each byte.
 TEST(Markup, InputBrokenTextIsReplaced) {
   EXPECT_EQ(escaped(std::string("\0\x01\x1f\x7f", 4)), "\uFFFD\uFFFD\uFFFD\uFFFD");
   EXPECT_EQ(escaped("\xff|"), "\uFFFD|");
@@ -73,21 +74,22 @@ TEST(Markup, ReferenceScalesOfDrawings) {
 }
 
 TEST(Markup, BehaviourMarksKeepTheirDistanceAndOrder) {
-  // Far apart: each at its place.  Together: round the middle of where they want to be.
+  // Marks that are far apart stay at their places; close marks are centred on their wanted places.
   EXPECT_EQ(spread(std::vector{10.0, 30.0}, 5, 0, 100), (std::vector{10.0, 30.0}));
   EXPECT_EQ(spread(std::vector{50.0, 50.0, 50.0}, 6, 0, 100), (std::vector{44.0, 50.0, 56.0}));
   EXPECT_EQ(spread(std::vector{52.0, 50.0}, 6, 0, 100), (std::vector{54.0, 48.0}));
   EXPECT_EQ(spread(std::vector{2.0, 1.0}, 6, 0, 100), (std::vector{6.0, 0.0}));
   EXPECT_EQ(spread(std::vector{99.0, 98.0}, 6, 0, 100), (std::vector{100.0, 94.0}));
-  // A block that grows into the next one takes it in.
+  // A block that grows into the next block merges with it.
   const std::vector<double> places = spread(std::vector{50.0, 50.0, 57.0}, 6, 0, 100);
   EXPECT_NEAR(places[1] - places[0], 6, 1e-12);
   EXPECT_NEAR(places[2] - places[1], 6, 1e-12);
-  EXPECT_NEAR(places[0] + places[1] + places[2], 157, 1e-9);  // least squares keep the mean
+  EXPECT_NEAR(places[0] + places[1] + places[2], 157, 1e-9);  // least squares preserve the mean
   EXPECT_TRUE(spread(std::vector<double>{}, 6, 0, 100).empty());
 }
 
-// A bar is as long as its value on an axis that ends at the largest one; it begins at zero.
+// The length of a bar is its value on an axis that ends at the largest value; the bar begins at
+// zero.
 TEST(Markup, ScalingBarsAreAsLongAsTheirValues) {
   const auto bars = [](const BarChart& chart) {
     std::vector<test::Element> found;
@@ -121,7 +123,7 @@ TEST(Markup, ScalingBarsAreAsLongAsTheirValues) {
                                .reference = 1.0,
                                .reference_label = "limit"});
   EXPECT_NEAR(width(short_bar[0]), width(plain[0]) / 4, 0.01);
-  // Without anything to show, and still a picture.
+  // An empty chart is still a valid picture.
   EXPECT_NO_THROW((void)test::parse_xml(bar_chart({.id = "a", .title = "t", .axis = "x"})));
 }
 

@@ -47,7 +47,7 @@ std::string text_of(const std::string& name) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Few positions and draws: what is tested here is the report, not the curve.
+/// Few positions and draws suffice, because these tests are on the report and not on the curve.
 Report report_on(const std::string& text, Method method = Method::corrected) {
   return make_report(
       read_gear_set(text, "drive.toml"), kProvenance,
@@ -66,7 +66,7 @@ const ReportSection& section(const Report& report, const std::string& id) {
   throw std::runtime_error("no section " + id);
 }
 
-/// The page is XML but for the style sheet's raw text, which has neither `<` nor `&`.
+/// The page is XML except for the raw text of the style sheet, which contains neither `<` nor `&`.
 std::vector<Element> parsed(const std::string& html) { return test::parse_xml(html); }
 
 TEST(Report, BehaviourEveryExampleGivesAWholePage) {
@@ -114,7 +114,7 @@ TEST(Report, BehaviourNothingComesFromOutsideTheFile) {
   const std::string html = report_html(report_on(text_of("cracked_size25")));
   for (const char* const forbidden : {"src=", "<script", "<link", "<iframe", "@import", "url("})
     EXPECT_EQ(html.find(forbidden), std::string::npos) << forbidden;
-  // The name spaces of XML are names, not places.
+  // XML namespaces are names, not addresses.
   std::string rest = html;
   for (const std::string name :
        {"xmlns=\"http://www.w3.org/1999/xhtml\"", "xmlns=\"http://www.w3.org/2000/svg\""})
@@ -128,7 +128,7 @@ TEST(Report, IdentityTheSameInputGivesTheSameBytes) {
   EXPECT_EQ(report_html(report_on(text)), report_html(report_on(text)));
 }
 
-// Every number of the page that names its place in the result is that of `evaluate`.
+// Every number of the page with a path in the result equals that of `evaluate`.
 TEST(Report, CrosscheckNumbersAreThoseOfEvaluate) {
   for (const char* const name : {"article", "cracked_size25", "cup_sections", "solid_shaft"}) {
     const std::string text = text_of(name);
@@ -180,7 +180,7 @@ TEST(Report, InputTextFromTheFileIsEscapedEverywhere) {
   const std::string evil = "<script>alert(1)</script> & \\\"q\\\" 'x'";
   const std::size_t at = text.find("Article example");
   text.replace(at, text.find('"', at) - at, evil);
-  // A name of a material is a key, and stands in paths and notes.
+  // The name of a material is a key and appears in paths and notes.
   for (std::size_t i = text.find("[material.steel]"); i != std::string::npos;
        i = text.find("[material.steel]"))
     text.replace(i, 16, "[material.\"<b>&\"]");
@@ -217,7 +217,7 @@ TEST(Report, ReferenceProvenanceHasTheInputWordForWord) {
          at = word_for_word.find(entity, at))
       word_for_word.replace(at, entity.size(), plain);
   EXPECT_EQ(word_for_word, text);
-  EXPECT_EQ(html.find("Date"), std::string::npos);  // none unless it is given
+  EXPECT_EQ(html.find("Date"), std::string::npos);  // no date unless it is given
 }
 
 TEST(Report, ReferenceInputsSayWhoGaveThem) {
@@ -236,12 +236,12 @@ TEST(Report, ReferenceInputsSayWhoGaveThem) {
       {"mesh.flank_angle", "assumed"},
       {"wave_generator.load_factor", "default"},
       {"flexspline.length", "typical"},
-      {"flexspline.rim.outer_diameter", "in the file"},  // its comment begins otherwise
+      {"flexspline.rim.outer_diameter", "in the file"},  // its comment begins with another word
       {"load.axial_force", "default"}};
   for (const auto& [field, giver] : expected) EXPECT_EQ(givers[field], giver) << field;
   const std::string& html = section(report, "inputs").html;
   EXPECT_NE(html.find("18 deg to 26 deg"), std::string::npos);
-  EXPECT_NE(html.find("few samples, mostly tapered: a mean"), std::string::npos);
+  EXPECT_NE(html.find("mean of a few samples, mostly tapered"), std::string::npos);
 }
 
 TEST(Report, BehaviourACompletedMaterialIsMarkedFieldByField) {
@@ -291,7 +291,8 @@ TEST(Report, BehaviourEveryNoteAndEquationIsThere) {
   const std::string& notes = section(report, "notes").html;
   for (const Note& note : report.result.notes)
     EXPECT_NE(notes.find("data-code=\"" + note.code + "\""), std::string::npos) << note.code;
-  // Beside those of the result there are the notes of curve and sensitivity, each once.
+  // In addition to the notes of the result, the report has the notes of curve and sensitivity, each
+  // once.
   EXPECT_GE(count(notes, "<li "), report.result.notes.size());
   const std::string& equations = section(report, "equations").html;
   for (const std::string& tag : report.result.equations)
@@ -303,7 +304,8 @@ TEST(Report, BehaviourEveryNoteAndEquationIsThere) {
 }
 
 TEST(Report, ReferenceVerdictFollowsTheWorstNote) {
-  // The solid shaft's crack is far below its toughness; deeper and under more torque it runs.
+  // The crack of the solid shaft is far below its toughness; deeper and under more torque it
+  // fractures.
   GearSet gear = read_gear_set(text_of("solid_shaft"), "x");
   const auto verdict = [&] { return make_report(gear, kProvenance, {}).verdict; };
   EXPECT_EQ(verdict().find("verdict bad"), std::string::npos);
@@ -335,7 +337,7 @@ TEST(Report, BehaviourWithoutGeometryThereIsASentenceInsteadOfACurve) {
   EXPECT_GE(count(curve, "<svg"), 2U);
   EXPECT_NE(curve.find(">with cracks<"), std::string::npos);
   EXPECT_NE(curve.find(">sound<"), std::string::npos);
-  // The plot's own rules stay within it.
+  // The style rules of the plot apply only to the plot.
   EXPECT_EQ(curve.find("\ntext {"), std::string::npos);
   EXPECT_NE(curve.find(".plot text {"), std::string::npos);
 }
@@ -363,7 +365,7 @@ TEST(Report, BehaviourToughnessGivesUtilisationWithALineAtOne) {
     }
   EXPECT_TRUE(bar);
   EXPECT_NE(html.find("class=\"reference\""), std::string::npos);
-  // Without toughness the report says that it cannot judge.
+  // Without a toughness the report states that it cannot judge.
   EXPECT_NE(
       section(report_on(text_of("article")), "intensities").html.find("give no fracture_toughness"),
       std::string::npos);
@@ -376,7 +378,7 @@ TEST(Report, BehaviourCracksBeyondCriticalStandOnTop) {
   ASSERT_NE(worst, report.result.strength.end());
   EXPECT_NE(report.verdict.find("verdict bad"), std::string::npos);
   EXPECT_NE(report.verdict.find("<code>" + worst->path + "</code>: "), std::string::npos);
-  EXPECT_NE(report.verdict.find("cracks as they stand"), std::string::npos);
+  EXPECT_NE(report.verdict.find("cracks in their present state"), std::string::npos);
   const std::string& html = section(report, "strength").html;
   // A row for every state, a sentence for every crack, a bar for each under the given torque.
   std::size_t states = 0;
@@ -390,13 +392,13 @@ TEST(Report, BehaviourCracksBeyondCriticalStandOnTop) {
   EXPECT_EQ(count(html, "</code>: "), report.result.strength.size());
   EXPECT_EQ(count(html, "<rect class=\"bar"), bars);
   EXPECT_NE(html.find(">line, hard_steel<"), std::string::npos);
-  // Nothing to hold the cracks against: the report says so.
+  // If there is nothing to compare the cracks with, the report states this.
   EXPECT_NE(section(report_on(text_of("article")), "strength").html.find("Cannot tell"),
             std::string::npos);
   EXPECT_NE(report_on(text_of("article")).verdict.find("verdict care"), std::string::npos);
 }
 
-// The headline counts every crack, also those that the assessment cannot answer.
+// The headline counts every crack, including cracks that cannot be assessed.
 TEST(Report, BehaviourHeadlineCountsHoldingBreakingAndUnknownCracks) {
   const auto number_before = [](const std::string& text, const std::string& words) {
     const std::size_t end = text.find(words);
@@ -440,10 +442,11 @@ TEST(Report, BehaviourHeadlineCountsHoldingBreakingAndUnknownCracks) {
     }
   }
   EXPECT_GT(with_unknown, 0U);
-  EXPECT_NE(report_on(text_of("article")).verdict.find("Strength: not assessed, no toughness"),
+  EXPECT_NE(report_on(text_of("article"))
+                .verdict.find("Strength: not assessed, because the file gives no toughness"),
             std::string::npos);
   EXPECT_NE(report_on(text_of("article"), Method::repaired)
-                .verdict.find("not assessed, the method repaired"),
+                .verdict.find("not assessed, because the method repaired"),
             std::string::npos);
   // A sound drive has nothing to assess.
   GearSet sound = read_gear_set(text_of("solid_shaft"), "x");
@@ -467,7 +470,7 @@ TEST(Report, BehaviourLeastReserveIsOfBothSensesOfTorque) {
         << cell;
     senses.insert(cell.substr(cell.find("<b>")));
   }
-  // Reversing the given torque changes which sense is given, not the worse one.
+  // Reversing the given torque changes the given sense but not the worse sense.
   EXPECT_EQ(senses.size(), 1U);
 }
 
@@ -480,7 +483,7 @@ TEST(Report, LimitNoiseAndSignedZerosAreShownAsZero) {
   }
 }
 
-// Labels of bars are whole and on the paper, whatever their length.
+// Labels of bars of any length are complete and on the paper.
 TEST(Report, BehaviourLabelsOfBarsFitOnThePaper) {
   for (const char* const name : {"cracked_size25", "critical_crack", "library_material"}) {
     const Report report = report_on(text_of(name));

@@ -23,7 +23,7 @@ using test::Element;
 using units::deg;
 using units::mm;
 
-// Coordinates are written to a micrometre of paper.
+// Coordinates are rounded to a micrometre of paper.
 constexpr double kRounding = 0.002;
 
 GearSet example(const std::string& name) {
@@ -68,13 +68,14 @@ std::set<std::string> cracks_in(const Drawing& drawing, const char* attribute = 
 TEST(SectionDrawing, ScalingShaftOfTheArticleIsDrawnToScale) {
   const Drawing drawing(section_drawing(test::article_gear()));
   const Box shaft = drawing.box("data-part", "output_shaft");
-  // Half section: from the bore's radius to the outer one.
+  // The half section reaches from the radius of the bore to the outer radius.
   EXPECT_NEAR(shaft.width(), 200, kRounding / drawing.scale);
   EXPECT_NEAR(shaft.height(), (70 - 45) / 2.0, kRounding / drawing.scale);
   const Box wall = drawing.box("data-part", "barrel");
   EXPECT_NEAR(wall.width(), 160, kRounding / drawing.scale);
   EXPECT_NEAR(wall.height(), 2.24, kRounding / drawing.scale);
-  // The axis is 70 mm under the top of the shaft twice over, and 160 under that of the wall.
+  // Twice the distance from the axis is 70 mm at the top of the shaft and 160 mm at the top of the
+  // wall.
   EXPECT_NEAR(shaft.top - wall.top, (160 - 70) / 2.0, 2 * kRounding / drawing.scale);
 }
 
@@ -191,11 +192,11 @@ TEST(SectionDrawing, BehaviourSmallCracksAreEnlargedByTheScaleThatIsStated) {
               std::string::npos)
         << group.text;
   }
-  // Above 0.7 mm on paper there is nothing to enlarge.
+  // Cracks above 0.7 mm on paper are not enlarged.
   std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = 2 * mm;
   EXPECT_FALSE(
       cracks_in(Drawing(section_drawing(gear)), "data-enlarged").contains("output_shaft.crack[0]"));
-  // The wall's crack is enlarged where it is drawn in its true direction.
+  // The crack of the wall is enlarged in the drawing that shows its true direction.
   EXPECT_EQ(cracks_in(Drawing(wall_drawing(gear)), "data-enlarged"),
             (std::set<std::string>{"flexspline.crack[0]"}));
 }
@@ -251,11 +252,11 @@ TEST(SectionDrawing, ScalingFrontViewHasAnglesDepthsAndTheStatedOvality) {
     const double tolerance = 3 * kRounding / drawing.scale;
     EXPECT_NEAR(std::hypot(x, y) / drawing.scale, from, tolerance) << path;
     EXPECT_NEAR(std::hypot(x2, y2) / drawing.scale, to, tolerance) << path;
-    // Counter-clockwise from upright.
+    // The angle is counter-clockwise from upright.
     EXPECT_NEAR(std::atan2(-x, y), angle, 1e-3) << path;
   };
-  // Round parts keep their radius; the rim is deflected, w0 true at the lobe and its loss elsewhere
-  // `factor` times too large.
+  // Round parts keep their radius; the rim is deflected, w0 is true at the lobe, and its decrease
+  // elsewhere is enlarged by `factor`.
   check("circular_spline.crack[0]", 0, 32.4, 35.4);
   const double root = 62.801 / 2 + 0.3175 - factor * 0.3175 * (1 - std::cos(60 * deg));
   check("flexspline.crack[3]", 30 * deg, root, root - 0.3);
@@ -271,7 +272,7 @@ TEST(SectionDrawing, BehaviourWhatTheFileDoesNotSayIsDashed) {
   EXPECT_EQ(article.with("data-part", "output_shaft").at(0)->at("class").find("part"), 0U);
   EXPECT_NE(section_drawing(test::article_gear()).find("not in the file, sketched"),
             std::string::npos);
-  // With nothing to sketch but the cam and the teeth, only those are dashed.
+  // If only the cam and the teeth are sketched, only these are dashed.
   const Drawing full(section_drawing(example("cracked_size25")));
   for (const char* const part : {"inner_ring", "outer_ring", "circular_spline", "rim", "barrel"})
     EXPECT_EQ(full.with("data-part", part).at(0)->at("class").find("part"), 0U) << part;

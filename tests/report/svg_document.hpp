@@ -9,7 +9,8 @@
 #include <string_view>
 #include <vector>
 
-// A reader of XML for tests: strict about what a document must be, blind to everything else.
+// A reader of XML for tests.  It is strict about the rules that documents must keep, and ignores
+// everything else.
 
 namespace strainwave::test {
 

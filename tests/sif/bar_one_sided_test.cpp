@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Cracks on one side of a round bar; those that go all round are in bar_test.cpp.
+// Cracks on one side of a round bar; cracks all round are in bar_test.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -60,7 +60,7 @@ Crack hollow(double ratio, double alpha, double aspect) {
 }
 
 TEST(HollowSurface, IdentityPoissonsRatioOfTheShear) {
-  // (SB-11) is (FR-5) at the material's nu; K_I does not know it.
+  // (SB-11) is (FR-5) at the material's nu; K_I does not depend on it.
   const auto check = [](auto crack) {
     const auto at = [&](double nu) {
       crack.poissons_ratio = nu;
@@ -116,8 +116,8 @@ TEST(BarOneSided, ReferenceShinCaiMiddle) {
   }
 }
 
-// (SB-7) in tension, middle of the front: Murakami and Tsuru's formula.  Different methods: 9 %,
-// most for the straight front.
+// (SB-7) in tension, middle of the front: Murakami and Tsuru's formula.  The methods differ by up
+// to 9 %, most for the straight front.
 TEST(BarOneSided, CrosscheckMurakamiTension) {
   for (const double k : {0.0, 0.25, 0.5, 0.75, 1.0})
     for (const double x : {0.1, 0.15, 0.2}) {
@@ -129,12 +129,13 @@ TEST(BarOneSided, CrosscheckMurakamiTension) {
 }
 
 // (SB-7) between the nodes of its table, against the three-dimensional elements of the same
-// program: interpolation and fit over the front, 2 % of K_I and 3 % of K_II and K_III.
+// program: the tolerance covers interpolation and fit over the front, 2 % of K_I and 3 % of K_II
+// and K_III.
 //
-// (SB-10), (SB-11) against the elements of the hollow bar, which measure the plate that stands for
-// the wall: K_I from 5 % low to 6.5 % high for the outer crack, 3 % low to 17 % high for the
-// inner one; K_II and K_III miss by up to 0.12 of tau sqrt(pi a), the free surface that (FR-10)
-// leaves out.
+// (SB-10), (SB-11) against the elements of the hollow bar, which show the error of modelling the
+// wall as a plate: K_I from 5 % low to 6.5 % high for the outer crack, 3 % low to 17 % high for the
+// inner one; K_II and K_III differ by up to 0.12 tau sqrt(pi a) because of the free surface that
+// (FR-10) leaves out.
 TEST(BarOneSided, ReferenceThreeDimensionalElements) {
   std::map<std::string, int> seen;
   for (const test::CsvRow& row : test::read_reference_csv("bar_surface")) {
@@ -178,7 +179,7 @@ TEST(BarOneSided, ReferenceThreeDimensionalElements) {
   EXPECT_EQ(seen["inner"], 33);
 }
 
-// Torsion bends the front into both modes: by symmetry no mode II in the middle.
+// Torsion causes both modes along the front; by symmetry, mode II vanishes in the middle.
 TEST(BarOneSided, IdentityModes) {
   for (const double k : {1e-9, 0.3, 1.0}) {
     const auto middle = ellipse(0.2, k).stress_intensity(0.4, 0.0);
@@ -195,7 +196,7 @@ TEST(BarOneSided, IdentityModes) {
   }
 }
 
-// A straight front is the ellipse without end: one table, one formula of the area.
+// A straight front is the limit of an ellipse, so one table and one formula of the area serve both.
 TEST(BarOneSided, LimitStraight) {
   const auto line = straight(0.2).stress_intensity(0.3, 0.4);
   const auto ellip = ellipse(0.2, 1e-9).stress_intensity(0.3, 0.4);
@@ -217,7 +218,7 @@ TEST(BarOneSided, LimitShallow) {
   EXPECT_NEAR(opening(ellipse(1e-6, 1.0), kForce, 0.0), semicircle, 0.04 * semicircle);
 }
 
-// (SB-8): swept areas add up to the segment of a circle, to the lens of two circles and, for a
+// (SB-8): swept areas integrate to the segment of a circle, to the lens of two circles and, for a
 // shallow crack, to half an ellipse.
 TEST(BarOneSided, IdentitySweptArea) {
   const auto area = [](const auto& crack) {
@@ -262,8 +263,8 @@ TEST(BarArc, LimitAndReference) {
   test::expect_reference(opening(arc(1.0 / 3), kMoment, 0.0), reference(G * (0.923 + 0.199 / 16)));
 }
 
-// (SB-9) is one K for the front; the elements' K varies along it.  Equal energy: the root of its
-// mean square is 0 to 10 % lower.
+// (SB-9) gives one K for the whole front, while K of the elements varies along it.  The root mean
+// square of the latter, which has equal energy, is 0 to 10 % lower.
 TEST(BarArc, CrosscheckMeanSquare) {
   for (const double x : {0.1, 0.2, 0.3, 0.4})
     for (const BarLoad load : {kForce, kMoment}) {
@@ -275,7 +276,8 @@ TEST(BarArc, CrosscheckMeanSquare) {
     }
 }
 
-// (SB-10): a thin wall sees the membrane stress of the moment alone; the two surfaces share it.
+// (SB-10): for a thin wall only the membrane stress of the moment matters, and both surfaces give
+// the same K.
 TEST(HollowSurface, LimitThinWall) {
   const double rho = 0.9999;
   const double F = NewmanRajuPlate(0.6).tension(0.4, 1.0);
@@ -316,7 +318,7 @@ TEST(HollowSurface, IdentityFallAlongTheArc) {
   }
 }
 
-// (SB-10), (SB-11): a shallow crack sees the nominal stress of its own surface.
+// (SB-10), (SB-11): for a shallow crack only the nominal stress at its surface matters.
 TEST(HollowSurface, LimitShallow) {
   const double a = 1e-9;
   const double phi = 0.8;
@@ -330,7 +332,7 @@ TEST(HollowSurface, LimitShallow) {
   };
   check(hollow<HollowSurfaceOuterCrack>(0.5, a, 0.6));
   check(hollow<HollowSurfaceInnerCrack>(0.5, a, 0.6));
-  // r_o/I and r_i/I: the inner surface is pulled half as much.
+  // r_o/I and r_i/I: the tension at the inner surface is half as large.
   const double inertia = pi / 4 * (1 - std::pow(0.5, 4));
   test::expect_relative(hollow<HollowSurfaceOuterCrack>(0.5, a, 0.6).gross_stress(kMoment),
                         1 / inertia, 1e-12);
@@ -338,7 +340,8 @@ TEST(HollowSurface, LimitShallow) {
                         0.5 / inertia, 1e-12);
 }
 
-// (SB-11): the torque's shear is that of mid-depth, here at 0.9 and 0.6 of the outer radius.
+// (SB-11): the shear stress from the torque is that at mid-depth, here at 0.9 and 0.6 of the outer
+// radius.
 TEST(HollowSurface, IdentityShearOfMidDepth) {
   const double S = sif::KassirSih(0.6, 0.3).factor_III(0.8);
   const double J = pi / 2 * (1 - std::pow(0.5, 4));

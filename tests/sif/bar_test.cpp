@@ -84,7 +84,8 @@ double compliance(const Crack& crack, std::size_t load) {
 
 // (SB-1) to (SB-6) against finite elements between the nodes of the tables, which are built from
 // energy derivatives of the same program: the tolerance is that of the interpolation, 0.12 %.  The
-// rows ".energy" are its energies, which the tables never saw: integrating K^2 back must give them.
+// rows ".energy" are its energies, which were not used for the tables; integrating K^2 must
+// reproduce them.
 TEST(BarAnnular, ReferenceFourierElements) {
   std::map<std::string, int> seen;
   for (const test::CsvRow& row : test::read_reference_csv("annular_fourier")) {
@@ -110,7 +111,7 @@ TEST(BarAnnular, ReferenceFourierElements) {
     if (crack == "solid") check(solid(alpha), 1.0);
     if (crack == "penny") check(penny(alpha), alpha);
   }
-  EXPECT_EQ(seen.size(), 5U);  // and the strip, below
+  EXPECT_EQ(seen.size(), 5U);  // the strip is tested below
   EXPECT_EQ(seen["inner"], 51);
   EXPECT_EQ(seen["outer"], 17);
 }
@@ -127,7 +128,7 @@ TEST(BarAnnular, LimitShallowAndNeck) {
   }
 }
 
-// (SB-3) and Tada's polynomial, which ends at 1.1243 and misses up to 3.8 % in between.
+// (SB-3) and Tada's polynomial, which ends at 1.1243 and differs by up to 3.8 % in between.
 TEST(BarAnnular, CrosscheckHandbookPolynomial) {
   for (const double x : {0.1, 0.3, 0.5, 0.7, 0.9}) {
     const double tada = 1 + x / 2 + 3 * x * x / 8 + 5 * std::pow(x, 3) / 16 +
@@ -155,7 +156,7 @@ TEST(BarAnnular, IdentityTwoLoadCracks) {
   }
 }
 
-// (SB-2): the moment's K_I is the first harmonic, and couples with nothing.
+// (SB-2): the moment's K_I is the first harmonic, and does not couple with other loads.
 TEST(BarAnnular, IdentityFirstHarmonic) {
   const auto check = [](const auto& crack) {
     const double a = crack.size();
@@ -180,7 +181,7 @@ TEST(BarAnnular, IdentityFirstHarmonic) {
   check(penny(0.4));
 }
 
-// The areas that the fronts sweep are rings and a disc.
+// The fronts sweep rings and a disc.
 TEST(BarAnnular, IdentitySweptArea) {
   const auto swept = [](const auto& crack) {
     const FrontRange front = crack.front();
@@ -216,8 +217,9 @@ TEST(HollowAnnular, LimitAntiplaneStrip) {
 }
 
 // (SB-4), (SB-5): the limit of a thin wall under force or moment is the edge-cracked strip, free to
-// rotate.  It is reached slowly, with the root of wall over radius, and from below: the hoops of
-// the wall resist its rotation.  Strip: finite elements of this program, and (FR-11) from others.
+// rotate.  It is reached slowly, with the root of wall over radius, and from below, because hoop
+// stiffness of the wall resists its rotation.  The strip values are finite elements of this
+// program, and (FR-11) from other programs.
 TEST(HollowAnnular, LimitFreeStrip) {
   for (const test::CsvRow& row : test::read_reference_csv("annular_fourier")) {
     if (row.quantity != "strip.tension") continue;
@@ -235,7 +237,8 @@ TEST(HollowAnnular, LimitFreeStrip) {
       EXPECT_GT(F, previous) << rho;
       EXPECT_LT(F, sif::edge_crack_factor(sif::StripLoading::tension, alpha)) << rho;
       previous = F;
-      // Force and moment pull a thin wall alike; the difference is of its thickness.
+      // Force and moment cause the same tension in a thin wall; the difference is proportional to
+      // its thickness.
       EXPECT_NEAR(annular_inner(alpha, rho)[kMoment] / F, 1.0, 1 - rho) << rho;
       if (rho <= 0.95) {
         const double force = factor(outer(rho, alpha), kForce, rho, 1.0);
@@ -245,15 +248,16 @@ TEST(HollowAnnular, LimitFreeStrip) {
   }
 }
 
-// (SB-4) at r_i = 0 is the solid bar (SB-3): tables of the same elements, fitted apart.
+// (SB-4) at r_i = 0 is the solid bar (SB-3): the tables are from the same elements but fitted
+// separately.
 TEST(HollowAnnular, LimitSolid) {
   for (const double alpha : {0.1, 0.3, 0.5, 0.7, 0.8})
     test::expect_relative(annular_outer_bending(alpha, 0.0),
                           BarAnnularCrack::bending_factor(1 - alpha), 1.5e-3);
 }
 
-// (SB-6): the penny in an unbounded body: 2/pi, and 4/(3 pi) under a linear stress, normal or
-// shear.
+// (SB-6): factors of the penny in an unbounded body: 2/pi, and 4/(3 pi) under a linear stress,
+// normal or shear.
 TEST(BarPenny, LimitSmall) {
   for (const double x : {1e-6, 0.05}) {
     EXPECT_NEAR(factor(penny(x), kForce, 0.0, x), 2 / pi, 1e-4);
@@ -266,7 +270,7 @@ TEST(BarPenny, LimitSmall) {
                         8.0 / 3 * (1 - kNu * kNu) * a * a * a, 2e-4);
 }
 
-/// The fields whose rules are broken; every rule is one of lengths.
+/// The fields whose rules are broken; all rules concern lengths.
 template <class Crack>
 Texts lengths_broken(const Crack& crack) {
   crack.check(

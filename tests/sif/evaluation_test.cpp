@@ -59,7 +59,7 @@ TEST(Evaluation, ReferenceModeThreeHasItsOwnModulus) {
 }
 
 TEST(Evaluation, ReferencePlaneStrainOfTheSurfaceCrack) {
-  // Compliance goes with 1 - nu^2 in plane strain, K does not know nu.
+  // In plane strain, compliance is proportional to 1 - nu^2, and K does not depend on nu.
   const Evaluation low = evaluate(
       surface(), {}, {.youngs_modulus = 210 * GPa, .poissons_ratio = 0, .fracture_toughness = {}});
   const Evaluation high =
@@ -94,7 +94,7 @@ TEST(Evaluation, IdentityLargestIsTheLargestOfTheFront) {
 }
 
 TEST(Evaluation, IdentityPressedFacesCountAsNothing) {
-  // (FR-17): under pure compression nothing is left of mode I.
+  // (FR-17): under pure compression mode I vanishes.
   const CrackMaterial steel{
       .youngs_modulus = 210 * GPa, .poissons_ratio = 0.3, .fracture_toughness = 50e6};
   const Evaluation e = evaluate(surface(), {{"tension", -2000 * MPa}}, steel);
@@ -103,8 +103,8 @@ TEST(Evaluation, IdentityPressedFacesCountAsNothing) {
   EXPECT_EQ(*e.utilisation, 0);
   EXPECT_LT(e.largest->K_I, 0);
   EXPECT_FALSE(evaluate(surface(), {{"tension", 2000 * MPa}}, steel).pressed);
-  // Bending opens one side of a bar, a larger force presses the other harder: the opening is what
-  // is left, and the shear of the torque stays.
+  // Bending opens one side of a bar while a larger force presses the other.  Only the opening
+  // counts as mode I, and the shear of the torque stays.
   const Row& bar = solution("bar-annular");
   const Evaluation opened = evaluate(bar, {{"moment", 100.0}, {"force", -3000.0}}, steel);
   const double moment = evaluate(bar, {{"moment", 100.0}}, steel).largest->K_I;

@@ -90,14 +90,15 @@ TEST(GradientSurfaceCrack, IdentityPlateSurfaceCrack) {
 }
 
 TEST(GradientSurfaceCrack, IdentityHigherPowersWorkNearTheTip) {
-  // Stresses 1 > x/t > (x/t)^2 > (x/t)^3 order K, most at the surface.
+  // K decreases in the order of the stresses 1 > x/t > (x/t)^2 > (x/t)^3, most strongly at the
+  // surface.
   const GradientSurfaceCrack crack{.depth = 2e-3, .half_length = 4e-3, .thickness = 1e-2};
   for (const double phi : {0.0, 0.5, pi / 2}) {
     const auto k = crack.stress_intensity(2e-3, phi).I;
     for (const std::size_t n : {1U, 2U, 3U}) EXPECT_LT(k[n], 0.2 * k[n - 1]);
     EXPECT_GT(k[3], 0);
   }
-  // Mouth and tip: x^2 lies between x^3 and x.
+  // At mouth and tip, x^2 lies between x^3 and x.
   const auto deepest = crack.stress_intensity(2e-3, pi / 2).I;
   const auto surface = crack.stress_intensity(2e-3, 0).I;
   for (const std::size_t n : {1U, 2U, 3U})
@@ -117,8 +118,8 @@ TEST(ResidualProfile, IdentityNoForceNoMoment) {
 }
 
 TEST(ResidualProfile, LimitThickSection) {
-  // A thick section hardly answers: r -> (1 + h x/delta) exp(-x/delta), largest at
-  // delta (1 - 1/h); the next term is delta/t.
+  // In a thick section the balancing stress vanishes: r -> (1 + h x/delta) exp(-x/delta), largest
+  // at delta (1 - 1/h); the next term is delta/t.
   const ResidualProfile r(1.0, 2.0, 1e6);
   for (const double x : {0.2, 0.5, 2.0}) EXPECT_NEAR(r(x), (1 + 2 * x) * std::exp(-x), 2e-5);
   EXPECT_GT(r(0.5), r(0.45));
@@ -139,8 +140,9 @@ TEST(ResidualEdgeCrack, ReferenceIntegralEquation) {
 }
 
 TEST(ResidualEdgeCrack, LimitShallowTreatment) {
-  // delta << a: what is left of the treatment is the answer of the section, a line over the depth;
-  // the layer itself adds 2 sqrt(2/(pi a)) M(1) delta (1 + h).  Next terms: (delta/a)^2 of it.
+  // For delta << a, the treatment acts through the balancing stress of the section, which is linear
+  // over the depth; the layer itself adds 2 sqrt(2/(pi a)) M(1) delta (1 + h).  The next terms are
+  // smaller by (delta/a)^2.
   for (const double decay : {1e-5, 3e-6, 1.0001e-6}) {
     const double a = 1e-3;
     const double t = 1e-2;
@@ -162,7 +164,8 @@ TEST(ResidualEdgeCrack, LimitShallowTreatment) {
 }
 
 TEST(ResidualSurfaceCrack, LimitShallowTreatment) {
-  // The layer's K goes with delta, at every point of the front: ratio 2, next term delta/a.
+  // K of the layer is proportional to delta at every point of the front, so the ratio is 2; the
+  // next term is delta/a.
   const auto K = [](double decay, double phi) {
     const ResidualSurfaceCrack crack{
         .depth = 1e-3, .half_length = 2e-3, .thickness = 1e-2, .decay = decay, .hump = 0};
@@ -173,7 +176,7 @@ TEST(ResidualSurfaceCrack, LimitShallowTreatment) {
 }
 
 TEST(GradientFamily, InputIntegralThatDoesNotConvergeIsRefused) {
-  // A stress that rings faster than the pieces can follow.
+  // A stress that oscillates faster than the pieces can resolve.
   const auto stress = [](double x) { return std::sin(1e7 * x * x); };
   const auto integral = weighted_intensity(EdgeWeight(0), 1.0, stress);
   EXPECT_FALSE(integral.converged);
@@ -201,12 +204,13 @@ TEST(ResidualSurfaceCrack, IdentityAppliedLoads) {
 }
 
 TEST(ResidualSurfaceCrack, LimitShallowAndSlender) {
-  // Much shallower than the treatment: the surface stress, uniform; the next term is a/delta.
+  // For a crack much shallower than the treatment, the uniform surface stress counts; the next term
+  // is a/delta.
   ResidualSurfaceCrack crack{
       .depth = 1e-6, .half_length = 2e-6, .thickness = 1e-2, .decay = 1e-3, .hump = 0};
   const auto k = crack.stress_intensity(1e-6, 0.5).I;
   expect_relative(k[2], k[0], 2e-3);
-  // Slender, in a thick section: the edge crack; 2 % as for powers.
+  // A slender crack in a thick section is the edge crack; the tolerance is 2 % as for powers.
   crack = {.depth = 1e-3, .half_length = 0.1, .thickness = 1.0, .decay = 1e-3, .hump = 1.5};
   const ResidualEdgeCrack edge{
       .depth = 1e-3, .thickness = 1.0, .width = 1, .decay = 1e-3, .hump = 1.5};
@@ -215,7 +219,8 @@ TEST(ResidualSurfaceCrack, LimitShallowAndSlender) {
 }
 
 TEST(ResidualEdgeCrack, IdentityPeeningClosesAShallowCrack) {
-  // -500 MPa at the surface against 300 MPa of tension: closed at 0.05 mm, open at 2 mm.
+  // -500 MPa at the surface against 300 MPa of tension: the crack is closed at 0.05 mm and open at
+  // 2 mm.
   const ResidualEdgeCrack crack{
       .depth = 2e-3, .thickness = 1e-2, .width = 1, .decay = 2e-4, .hump = 1.5};
   const auto K = [&](double a) {
@@ -247,7 +252,7 @@ TEST(HertzLineStress, ReferenceFlamant) {
 }
 
 TEST(HertzLineStress, IdentitySurface) {
-  // Below the contact sigma_x = sigma_z = -p; beside it nothing but the traction's sigma_x.
+  // Below the contact sigma_x = sigma_z = -p; beside it only sigma_x from the traction remains.
   for (const double x : {-0.9, 0.0, 0.4}) {
     const double p = std::sqrt(1 - x * x);
     const auto stress = hertz_pressure_stress(x, 0, 1);
@@ -260,7 +265,7 @@ TEST(HertzLineStress, IdentitySurface) {
   EXPECT_NEAR(hertz_pressure_stress(1.5, 0, 1).along, 0, 1e-15);
   EXPECT_NEAR(hertz_traction_stress(1.5, 0, 1).along, 2 * (std::sqrt(1.25) - 1.5), 1e-15);
   EXPECT_NEAR(hertz_traction_stress(-1.5, 0, 1).along, 2 * (1.5 - std::sqrt(1.25)), 1e-15);
-  // The edges of the contact.
+  // Points at the edges of the contact.
   for (const double x : {-1.0, 1.0}) {
     EXPECT_EQ(hertz_pressure_stress(x, 0, 1).along, 0);
     EXPECT_EQ(hertz_traction_stress(x, 0, 1).along, -2 * x);
@@ -318,7 +323,7 @@ TEST(ContactEdgeCrack, IdentityMirror) {
   expect_relative(left.II[0], -right.II[0], 1e-13);
   expect_relative(left.I[1], -right.I[1], 1e-13);
   expect_relative(left.II[1], right.II[1], 1e-13);
-  // Behind a contact that drags the surface toward +x, it is stretched.
+  // Behind a contact that drags the surface toward +x, the surface is in tension.
   EXPECT_GT(left.I[1], 0);
   EXPECT_LT(left.I[0], 0);
 }
@@ -360,9 +365,9 @@ TEST(RaceHoop, IdentityBetweenTheLobesTheSignTurns) {
 }
 
 TEST(RaceHoop, CrosscheckClosedRing) {
-  // SU-11, within 0.7 % of finite elements, gives the ring back its resistance: the strip is an
-  // upper bound, by no more than the accuracy says at the end of the range.  0.7 %: what (FR-11)
-  // differs from the exact strip and elements.
+  // SU-11, within 0.7 % of finite elements, includes the resistance of the ring.  The strip is an
+  // upper bound, by no more than the stated accuracy at the end of the range; 0.7 % is the
+  // difference of (FR-11) from the exact strip and elements.
   const auto excess = [](const auto& ring) {
     const RaceHoopEdgeCrack strip{.depth = ring.depth,
                                   .thickness = ring.thickness,
@@ -408,7 +413,7 @@ TEST(NotchProfile, IdentityEllipse) {
     const double h = 1e-5 * rho;
     expect_relative((notch(h) - notch(0)) / h, -(2 * kt + 1) / rho, 1e-4);
     EXPECT_NEAR(notch(1e6 * notch.depth()), 1, 1e-11);
-    // What the hole does not carry, its surroundings do: int (s - 1) dx = D.
+    // The material beside the hole carries the missing force: int (s - 1) dx = D.
     const double force =
         integrate([&](double u) { return (notch(rho * u / (1 - u)) - 1) / ((1 - u) * (1 - u)); },
                   0.0, 1 - 1e-9)
@@ -419,7 +424,8 @@ TEST(NotchProfile, IdentityEllipse) {
 
 TEST(NotchProfile, LimitSharpNotch) {
   // K_t >> 1: K_t/sqrt(1 + 2 x/rho) (1 + 1/(1 + 2 x/rho))/2, Creager and Paris' field of a slender
-  // notch; next term 1/K_t.  Once x is lost beside D, the difference of squares was nan.
+  // notch; next term 1/K_t.  The difference of squares must not become NaN when x is negligible
+  // compared with D.
   for (const double kt : {1e3, 1e9}) {
     const NotchProfile notch(1e-3, kt);
     for (const double x : {0.0, 1e-4, 1e-3, 3e-3}) {
@@ -441,8 +447,8 @@ TEST(NotchProfile, IdentityKirsch) {
 }
 
 TEST(NotchEdgeCrack, ReferenceCracksAtEllipticalHoles) {
-  // Two cracks at a hole; one at an edge notch has 1 for a << D and 1.1215 of it for a >> D.  The
-  // way between is a model; the tolerance is the fit's.
+  // Two cracks at a hole; a crack at an edge notch has the factor 1 for a << D and 1.1215 for a >>
+  // D.  In between, the factor is a model; the tolerance is that of the fit.
   int n = 0;
   for (const test::CsvRow& row : test::read_reference_csv("gradient")) {
     if (row.quantity != "hole") continue;
@@ -462,13 +468,13 @@ TEST(NotchEdgeCrack, LimitShallowAndDeep) {
   const auto shallow = crack.stress_intensity(1e-4, 0).I;
   expect_relative(shallow[0], 5 * 1.1215 * std::sqrt(pi * 1e-4), 1e-3);
   expect_relative(shallow[1], shallow[0], 1e-6);
-  // D = 4: for a >> rho as deep as notch and crack together.
+  // For D = 4 and a >> rho, the effective depth is that of notch and crack together.
   for (const double a : {40.0, 200.0})
     expect_relative(crack.stress_intensity(a, 0).I[0], 1.1215 * std::sqrt(pi * (a + 4)), 0.015);
 }
 
 TEST(NotchEdgeCrack, IdentityBendingOfTheSection) {
-  // The bending's own gradient, first order in a/t: the same as for the flat strip.
+  // The gradient of the bending, to first order in a/t, is the same as for the flat strip.
   const NotchEdgeCrack notched{
       .depth = 2e-3, .thickness = 8e-3, .width = 1, .root_radius = 2e-3, .concentration = 1.5};
   const auto k = notched.stress_intensity(2e-3, 0).I;
@@ -482,7 +488,7 @@ TEST(NotchEdgeCrack, IdentityBendingOfTheSection) {
 }
 
 TEST(NotchSurfaceCrack, LimitOfItsNeighbours) {
-  // Shallow: the surface crack under K_t; the next term is a (2 K_t + 1)/(K_t rho).
+  // A shallow crack is the surface crack under K_t; the next term is a (2 K_t + 1)/(K_t rho).
   const NotchSurfaceCrack crack{.depth = 1e-6,
                                 .half_length = 2e-6,
                                 .thickness = 8e-3,
@@ -493,7 +499,7 @@ TEST(NotchSurfaceCrack, LimitOfItsNeighbours) {
     for (const std::size_t load : {0U, 1U})
       expect_relative(crack.stress_intensity(1e-6, phi).I[load],
                       4 * flat.stress_intensity(1e-6, phi).I[0], 3e-3);
-  // Slender, at the end of the range: the edge crack without its flank factor.
+  // A slender crack at the end of the range is the edge crack without its flank factor.
   const NotchSurfaceCrack slender{.depth = 3e-4,
                                   .half_length = 3e-2,
                                   .thickness = 1.0,
@@ -589,7 +595,7 @@ TEST(GradientFamily, InputRules) {
   }
 }
 
-// Every corner of the rules ends, with a finite compliance.
+// Every corner of the allowed region terminates with a finite compliance.
 TEST(GradientFamily, LimitCornersOfTheRules) {
   struct Case {
     const char* name;
@@ -612,7 +618,7 @@ TEST(GradientFamily, LimitCornersOfTheRules) {
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
     for (const double c : result.upper) EXPECT_TRUE(std::isfinite(c)) << name;
 
-    EXPECT_LT(time.count(), 30) << name;  // s; a hang, whatever the machine
+    EXPECT_LT(time.count(), 30) << name;  // [s]; longer means a hang on any machine
   }
 }
 

@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: Apache-2.0
-// Every entry of the tables of fitted numbers, and the curves between the entries, against
-// tools/reference/library_curves.py, which interpolates tests/data/library_tables.csv by other
-// formulas.  A change of any entry by one per cent moves a curve by far more than the tolerance.
+// SPDX-License-Identifier: Apache-2.0 Every entry of the tables of fitted numbers, and the curves
+// between the entries, against tools/reference/library_curves.py, which interpolates
+// tests/data/library_tables.csv by other formulas.  A change of any entry by one per cent changes a
+// curve by far more than the tolerance.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// What every solution of the library has to obey, whatever its formulas: the tests walk the
-// registry, so a new row is tested without being named here.
+// SPDX-License-Identifier: Apache-2.0 Properties that every solution of the library must have.  The
+// tests walk the registry, so a new row is tested automatically.
 #include "strainwave/sif/library.hpp"
 
 #include <gtest/gtest.h>
@@ -48,7 +47,7 @@ Assignments examples_of(const Row& row) {
   return values;
 }
 
-/// Where the diagonal entry of a load stands in an upper triangle, row by row.
+/// Index of the diagonal entry of a load in an upper triangle stored row by row.
 std::size_t diagonal_index(std::size_t load, std::size_t loads) {
   std::size_t at = 0;
   for (std::size_t k = 0; k < load; ++k) at += loads - k;
@@ -137,7 +136,8 @@ TEST_P(EverySolution, IdentityEveryLoadOpensOrShearsTheCrack) {
     EXPECT_GT(largest, 0) << row().loads[load].name << " does nothing at the example";
     EXPECT_GT(crack->gross_stress(load, crack->size()), 0) << row().loads[load].name;
   }
-  // What it says of its modes is what it has, at the example with every angle turned a little.
+  // A solution has exactly the modes that it states, tested at the example with every angle changed
+  // slightly.
   std::set<std::string> said;
   std::string text(row().info.modes);
   std::ranges::replace(text, ',', ' ');
@@ -146,7 +146,7 @@ TEST_P(EverySolution, IdentityEveryLoadOpensOrShearsTheCrack) {
   for (const std::string& mode : modes) EXPECT_TRUE(said.contains(mode)) << mode << " is not said";
 }
 
-// Dimensions: lengths twice as large, forces three times as large.
+// Test of dimensions with lengths twice as large and forces three times as large.
 TEST_P(EverySolution, ScalingOfStressIntensityAndCompliance) {
   constexpr double L = 2.0;
   constexpr double F = 3.0;
@@ -190,8 +190,8 @@ TEST_P(EverySolution, ScalingOfStressIntensityAndCompliance) {
     }
 }
 
-// The engine against a plain sum: midpoints along the front and over u, a = size u^2, which takes
-// out the roots of a.  Tolerance: what so coarse a sum leaves.
+// The engine is compared with a plain midpoint sum along the front and over u with a = size u^2,
+// which removes the roots of a.  The tolerance is the error of this coarse sum.
 TEST_P(EverySolution, CrosscheckComplianceIsTheEnergyReleased) {
   constexpr int kSizes = 120;
   constexpr int kPoints = 80;

@@ -35,7 +35,7 @@ using test::limits_broken;
 using test::rules_broken;
 using test::Texts;
 
-/// Depth 1, of the shape and relative depth wanted, in a plate of c/b.
+/// A crack of depth 1 with the given shape and relative depth, in a plate with the given c/b.
 PlateSurfaceCrack surface(double rho, double alpha, double c_b) {
   return {.depth = 1, .half_length = 1 / rho, .thickness = 1 / alpha, .half_width = 1 / rho / c_b};
 }
@@ -49,7 +49,7 @@ PlateEllipse embedded(double rho, double alpha, double c_b) {
 
 // --- finite elements: every branch -----------------------------------------------------------
 
-/// K_I/(sigma sqrt(pi a)) of tension and bending, by the name that a table gives the crack.
+/// K_I/(sigma sqrt(pi a)) of tension and bending, for the crack with a given name in the table.
 std::array<double, 2> factors(const std::string& quantity, double rho, double alpha, double c_b,
                               double phi) {
   const double root = std::sqrt(pi);
@@ -62,13 +62,13 @@ std::array<double, 2> factors(const std::string& quantity, double rho, double al
 }
 
 TEST(PlateSolid, ReferenceNewmanRaju) {
-  // (SP-1), (SP-2), (SP-3), (SP-16), (SP-17), (SP-18) as they stand in the report (secondary), both
-  // branches; tools/reference/newman_raju.py.
+  // (SP-1), (SP-2), (SP-3), (SP-16), (SP-17), (SP-18) as printed in the report (secondary), both
+  // branches, from tools/reference/newman_raju.py.
   std::map<std::string, int> seen;
   for (const test::CsvRow& row : test::read_reference_csv("newman_raju")) {
     const auto [tension, bending] = factors(row.quantity, row("aspect_ratio"), row("depth_ratio"),
                                             row("width_ratio"), row("front_angle"));
-    // Rounding; the terms of bending cancel to a tenth.
+    // The tolerance is rounding; the terms of bending cancel to a tenth.
     EXPECT_NEAR(row.quantity.ends_with("tension") ? tension : bending, row.value, 1e-13 * tension)
         << row.place;
     ++seen[row.quantity];
@@ -77,11 +77,11 @@ TEST(PlateSolid, ReferenceNewmanRaju) {
   for (const auto& [name, n] : seen) EXPECT_EQ(n, 60) << name;
 }
 
-/// Model form: how far Newman and Raju's fits are from finite elements (which are 1 % low),
+/// Model form: difference of Newman and Raju's fits from finite elements (which are 1 % low),
 /// relative to the tension at the same point.
 double difference_allowed(const std::string& quantity, double rho, double alpha, double phi) {
   const bool bending = quantity.ends_with("bending");
-  const bool vertex = phi < 0.1 || phi > 1.5;  // where K does not exist, but for symmetry
+  const bool vertex = phi < 0.1 || phi > 1.5;  // where K does not exist except by symmetry
   if (quantity.starts_with("embedded")) return rho < 0.3 ? 0.09 : 0.035;
   if (quantity.starts_with("surface")) {
     if (phi < 0.1) return bending ? 0.065 : 0.035;
@@ -132,7 +132,7 @@ TEST(PlateSurface, LimitHalfSpaceSemicircle) {
     const NewmanRajuPlate fit(rho);
     EXPECT_NEAR(fit.tension(0, pi / 2), 1.04 / std::sqrt(2.464), 1e-10);
     EXPECT_NEAR(fit.tension(0, 0), 1.1 * 1.04 / std::sqrt(2.464), 1e-10);
-    EXPECT_EQ(fit.bending_ratio(0, 0.3), 1.0);  // no gradient over a crack of no depth
+    EXPECT_EQ(fit.bending_ratio(0, 0.3), 1.0);  // a crack of zero depth has no gradient
   }
 }
 
@@ -149,7 +149,7 @@ TEST(PlateSurface, LimitEdgeCrack) {
 }
 
 TEST(PlateSurface, LimitNarrowDeepCrack) {
-  // c << a: the crack is as severe as a slit of half length c, at the surface near 1.1 of it.
+  // c << a: the crack has the K of a slit of half length c; at the surface about 1.1 times as much.
   const double rho = 1e6;
   const NewmanRajuPlate narrow(rho);
   EXPECT_NEAR(narrow.tension(0.5, 0) * std::sqrt(rho), 1.1, 1e-5);
@@ -202,7 +202,7 @@ TEST(PlateCorner, LimitBranchesMeetAtTheQuarterCircle) {
 }
 
 TEST(PlateCorner, IdentitySmallCrackDoesNotKnowWhichLegIsWhich) {
-  // Without thickness and width, a and c may be exchanged: F(rho, phi) sqrt(a).
+  // Without thickness and width, a and c are interchangeable: F(rho, phi) sqrt(a).
   for (const double rho : {0.3, 0.7})
     for (const double phi : {0.0, 0.4, 1.1, pi / 2})
       test::expect_relative(PlateCornerCrack::tension(1 / rho, 0, pi / 2 - phi) / std::sqrt(rho),
@@ -210,14 +210,15 @@ TEST(PlateCorner, IdentitySmallCrackDoesNotKnowWhichLegIsWhich) {
 }
 
 TEST(PlateCorner, LimitQuarterCircleOfAQuarterSpace) {
-  // 1.05 of the penny, more at the faces: 1.08 each.
+  // The factor is 1.05 times that of the penny, and at each face 1.08 times more.
   EXPECT_NEAR(PlateCornerCrack::tension(1, 0, 0) * std::sqrt(2.464), 1.05 * 1.08, 1e-12);
   EXPECT_NEAR(PlateCornerCrack::tension(1, 0, pi / 2) * std::sqrt(2.464), 1.05 * 1.08, 1e-12);
   EXPECT_EQ(PlateCornerCrack::bending_ratio(1, 0, 0.3), 1.0);
 }
 
 TEST(PlateCorner, LimitEdgeCrackAcrossTheWidth) {
-  // (SP-16): f_w takes over the edge crack in a strip of width b as the plate is cracked through.
+  // (SP-16): when the crack reaches through the plate, f_w gives the edge crack in a strip of width
+  // b.
   for (double x = 0.05; x <= 0.5; x += 0.05)
     EXPECT_NEAR(PlateCornerCrack::width_factor(x, 1.0) *
                     sif::edge_crack_factor(sif::StripLoading::tension, 0) /
@@ -228,7 +229,7 @@ TEST(PlateCorner, LimitEdgeCrackAcrossTheWidth) {
 }
 
 TEST(PlateCorner, LimitEdgeCrackAcrossTheThickness) {
-  // A long shallow crack, at the end of its depth: the fit is stated for a/c >= 0.2.
+  // A long shallow crack at its deepest point; the fit is stated for a/c >= 0.2.
   for (const double alpha : {0.0, 0.1, 0.2})
     EXPECT_NEAR(PlateCornerCrack::tension(1e-9, alpha, pi / 2) /
                     sif::edge_crack_factor(sif::StripLoading::tension, alpha),
@@ -254,7 +255,7 @@ TEST(PlateCorner, InputRulesAndLimits) {
 // ------------------------------------------------------------------
 
 TEST(PlateEllipse, LimitThickPlate) {
-  // The exact ellipse (SP-19) but for Q, 0.15 % of it.
+  // The result is the exact ellipse (SP-19) except for Q, which is accurate to 0.15 %.
   for (const double rho : {0.2, 0.5, 1.0, 1.0 + 1e-12, 2.0, 5.0})
     for (const double phi : {0.0, 0.5, 1.2, pi / 2}) {
       const double q = std::min(rho, 1 / rho);
@@ -274,7 +275,7 @@ TEST(PlateEllipse, LimitBranchesMeetAtTheCircle) {
 }
 
 TEST(PlateEllipse, LimitCentreCrackThroughTheWidth) {
-  // Tolerance: 3 %, model form of the fit, which is stated for a/c >= 0.2.
+  // The tolerance 3 % is the model form of the fit, which is stated for a/c >= 0.2.
   for (double alpha = 0; alpha < 0.85; alpha += 0.1)
     EXPECT_NEAR(PlateEllipse::factor(1e-9, alpha, pi / 2) / strip_centre_tension(alpha), 1, 0.03);
 }
@@ -328,7 +329,7 @@ TEST(PlateSolid, IdentitySweptAreas) {
 }
 
 TEST(PlateSolid, IdentityNominalStressIsTheLoad) {
-  // Every load of these is a stress far away, of 1 Pa per unit.
+  // Every load here is a remote stress of 1 Pa per unit.
   const auto all_one = [](const auto& crack) {
     for (std::size_t load = 0; load < std::decay_t<decltype(crack)>::kLoads; ++load)
       EXPECT_EQ(crack.gross_stress(load), 1.0);
@@ -408,7 +409,7 @@ TEST(BodyEllipse, LimitPenny) {
     EXPECT_NEAR(k.I[0], p.I[0], scale);
     EXPECT_NEAR(k.II[1], p.II[1], scale);
     EXPECT_NEAR(k.III[1], p.III[1], scale);
-    // Shear along the other axis is the same, a quarter turn on.
+    // Shear along the other axis gives the same result after a quarter turn.
     const auto turned = penny.stress_intensity(2 * mm, phi - pi / 2);
     EXPECT_NEAR(k.II[2], turned.II[1], scale);
     EXPECT_NEAR(k.III[2], turned.III[1], scale);
@@ -416,8 +417,9 @@ TEST(BodyEllipse, LimitPenny) {
 }
 
 TEST(BodyEllipse, LimitSlit) {
-  // At the end of the minor axis of a slender ellipse: a straight crack, sqrt(pi a), in mode I, in
-  // mode II of the shear along the minor and mode III of that along the major axis.
+  // At the end of the minor axis of a slender ellipse: K of a straight crack, sqrt(pi a), in mode
+  // I, in mode II under shear along the minor axis, and in mode III under shear along the major
+  // axis.
   for (const double nu : {0.0, 0.3}) {
     const BodyEllipse slit{.semi_minor = 1e-9, .semi_major = 1, .poissons_ratio = nu};
     const auto k = slit.stress_intensity(1e-9, pi / 2);
@@ -449,7 +451,7 @@ TEST(BodyEllipse, InputRules) {
 
 TEST(BodyPenny, IdentityEnergy) {
   // Sneddon's 8 (1 - nu^2) a^3/(3 E) of energy in tension, 16 (1 - nu^2) a^3/(3 (2 - nu) E) in
-  // shear; torsion 16 a^3/(45 mu).  Nothing couples.
+  // shear; torsion 16 a^3/(45 mu).  The loads do not couple.
   const double a = 4 * mm;
   const double nu = 0.3;
   const double E = 2.0;

@@ -35,7 +35,7 @@ using test::limits_broken;
 using test::rules_broken;
 using test::Texts;
 
-/// The modes do not mix: a load makes one of them.
+/// The modes do not mix: each load causes one mode.
 template <std::size_t N>
 void expect_only(const UnitStressIntensity<N>& k, std::size_t load, char mode) {
   EXPECT_EQ(k.I[load] != 0.0, mode == '1');
@@ -110,8 +110,8 @@ double factor(const std::string& name, double x) {
 
 TEST(Strip, ReferenceFiniteElements) {
   // (SP-5), (SP-7), (SP-8), (SP-9), (SP-10), (SP-14), (SP-15), (SP-22):
-  // tools/reference/cracked_strip.py.  Half of the rows were not seen by the fits.  Tolerance: the
-  // fit.
+  // tools/reference/cracked_strip.py.  Half of the rows were not used for the fits.  The tolerance
+  // is that of the fit.
   std::map<std::string, int> seen;
   for (const test::CsvRow& row : test::read_reference_csv("cracked_strip")) {
     const double fit = row.quantity.starts_with("stack") ? 3e-5 : 2.5e-4;
@@ -123,8 +123,8 @@ TEST(Strip, ReferenceFiniteElements) {
 }
 
 TEST(Strip, CrosscheckHandbookFormulas) {
-  // Tada's, written out here; their own accuracy is the tolerance, 0.1 % for the centre crack.  The
-  // edge crack's are compared in tests/fracture/edge_crack_test.cpp (FR-11).
+  // Tada's formulas, written out here; their stated accuracy is the tolerance, 0.1 % for the centre
+  // crack.  Those for the edge crack are compared in tests/fracture/edge_crack_test.cpp (FR-11).
   for (double x = 0.05; x < 0.96; x += 0.1) {
     const double u = pi / 2 * x;
     EXPECT_NEAR(factor("centre.tension", x) * std::sqrt(std::cos(u)) /
@@ -137,8 +137,8 @@ TEST(Strip, CrosscheckHandbookFormulas) {
 }
 
 TEST(Strip, LimitSmallCrack) {
-  // Half plane 1.1215 for both modes; a stress that grows linearly from the edge: 0.6829, so 6 and
-  // 3 times that for the parabola of the edge and the double edge crack.
+  // Half plane 1.1215 for both modes; for a stress that grows linearly from the edge, 0.6829.  The
+  // parabola of the edge crack gives 6 times this value, that of the double edge crack 3 times.
   constexpr double kTiny = 1e-9;
   EXPECT_NEAR(factor("edge.tension", kTiny), 1.12152, 1e-4);
   EXPECT_NEAR(factor("edge.bending", kTiny), 1.12152, 1e-4);
@@ -165,7 +165,7 @@ TEST(Strip, LimitDeepLigament) {
 }
 
 TEST(Strip, IdentityAntiplaneIsTheRow) {
-  // (SP-6) is (SP-12): no shear acts on the lines of symmetry between the cracks of a row.
+  // (SP-6) is (SP-12): the lines of symmetry between the cracks of a row are free of shear.
   for (const double x : {0.1, 0.5, 0.93}) {
     const double a = x * 20 * mm;
     const double row = PlateCollinearPeriodic{.half_length = a, .pitch = 40 * mm, .thickness = mm}
@@ -245,7 +245,7 @@ HalfPlaneEdgeCrack inclined_edge(double angle) {
 }
 
 TEST(HalfPlaneEdge, ReferenceIntegralEquation) {
-  // tools/reference/inclined_edge_crack.py; tolerance: the fits.
+  // tools/reference/inclined_edge_crack.py; the tolerance is that of the fits.
   int n = 0;
   const double root = std::sqrt(pi * mm);
   for (const test::CsvRow& row : test::read_reference_csv("inclined_edge_crack")) {
@@ -269,7 +269,7 @@ TEST(HalfPlaneEdge, LimitNormalCrackIsTheShallowStrip) {
 }
 
 TEST(HalfPlaneEdge, CrosscheckPublishedAt45Degrees) {
-  // 0.705 and 0.364, quoted in many papers (secondary); tolerance: three digits.
+  // 0.705 and 0.364, quoted in many papers (secondary); the tolerance is the third digit.
   const auto k = inclined_edge(pi / 4).stress_intensity(mm, 0);
   EXPECT_NEAR(k.I[0] / std::sqrt(pi * mm), 0.705, 0.0006);
   EXPECT_NEAR(k.II[0] / std::sqrt(pi * mm), 0.364, 0.0009);
@@ -315,7 +315,8 @@ TEST(Collinear, ReferenceIntegralEquation) {
 }
 
 TEST(Collinear, LimitFarApart) {
-  // Two: 1 + (a/d)^2/8 at both tips, next term of the cube; row: 1 + (pi a/p)^2/6.
+  // Two cracks give 1 + (a/d)^2/8 at both tips, with a next term of third order; a row gives 1 +
+  // (pi a/p)^2/6.
   const double a = mm;
   const double root = std::sqrt(pi * a);
   for (const double ratio : {1e-6, 1e-3, 0.02}) {
@@ -336,7 +337,7 @@ TEST(Collinear, LimitMergedCracks) {
   for (const double e : {1e-4 * d, 1e-8 * d, 1e-12 * d}) {
     const double a = d - e;
     const PlateCollinearTwo two{.half_length = a, .half_distance = d, .thickness = mm};
-    const double gap = d - a;  // what rounding leaves of e
+    const double gap = d - a;  // e after rounding
     const double log = std::log(4 * (d + a) / gap);
     const double tolerance = gap / d;
     EXPECT_NEAR(
@@ -397,7 +398,7 @@ PlateStackedPeriodic stack(double a, double h) {
 }
 
 TEST(Stack, LimitDense) {
-  // The layers carry nothing between the cracks: G = sigma^2 h/(2 E'), tau^2 h/(2 mu) (SP-13,
+  // The layers between the cracks are unloaded: G = sigma^2 h/(2 E'), tau^2 h/(2 mu) (SP-13,
   // SP-14); in mode II they are beams of length a + 0.1433 h clamped at the tip (SP-15).
   for (const double x : {3.0, 20.0, 1e4}) {
     const double h = 2 * mm;
@@ -500,7 +501,7 @@ TEST(PlatePin, LimitOnTheCrackAndFarAway) {
 }
 
 TEST(PlatePin, IdentityArea) {
-  // Far pins: 2 pi a^2 t/E' times the square of the stress.
+  // For distant pins, the compliance is 2 pi a^2 t/E' times the square of the stress.
   const double a = 5 * mm;
   const PlatePinForces far{.half_length = a, .distance = 1e6 * a, .thickness = 2 * mm};
   const double s = far.gross_stress(0);

@@ -22,7 +22,7 @@ using namespace units;  // NOLINT(google-build-using-namespace): 0.1 * mm reads 
 using std::numbers::pi;
 using test::Arg;
 
-/// Strip under an axial force and a bending moment at once, made of the two factors.
+/// Strip under an axial force and a bending moment at once, from the two factors.
 struct Strip {
   static constexpr std::size_t kLoads = 2;
   double depth = 0.0;
@@ -71,8 +71,8 @@ TEST(EdgeCrackFactor, ReferenceTable) {
 }
 
 TEST(EdgeCrackFactor, CrosscheckFiniteElements) {
-  // tools/reference/cracked_strip.py, 0.01 <= alpha <= 0.95; 9 of the 22 depths were not seen by
-  // the fit.  Tolerance: the fit's 0.02 %.
+  // tools/reference/cracked_strip.py, 0.01 <= alpha <= 0.95; 9 of the 22 depths were not used for
+  // the fit.  The tolerance is that of the fit, 0.02 %.
   std::map<std::string, int> seen;
   for (const test::CsvRow& row : test::read_reference_csv("cracked_strip")) {
     const bool tension = row.quantity == "edge.tension";
@@ -88,8 +88,8 @@ TEST(EdgeCrackFactor, CrosscheckFiniteElements) {
 }
 
 TEST(EdgeCrackFactor, CrosscheckIntegralEquation) {
-  // tools/reference/weight_function.py: the stress (x/a)^n gives P_n, tension P_0 and bending
-  // P_0 - 2 alpha P_1.  Tolerance: 0.02 % up to alpha = 0.9, 0.1 % beyond.
+  // tools/reference/weight_function.py: the stress (x/a)^n gives P_n, tension P_0 and bending P_0 -
+  // 2 alpha P_1.  The tolerance is 0.02 % up to alpha = 0.9 and 0.1 % beyond.
   std::map<double, std::map<int, double>> power;
   for (const test::CsvRow& row : test::read_reference_csv("weight_function"))
     if (row.quantity == "power")
@@ -121,8 +121,9 @@ TEST(EdgeCrackFactor, CrosscheckGrossAndSrawley) {
 }
 
 TEST(EdgeCrackFactor, CrosscheckTadaAsRecalled) {
-  // Another handbook form, stated to 0.5 % for every depth (tada2000, secondary: from memory), in
-  // tension within 0.67 %, in bending 2.34 % low at alpha = 0.3: not what the library uses.
+  // Another handbook form, stated to 0.5 % for every depth (tada2000, secondary: from memory),
+  // agrees within 0.67 % in tension but is 2.34 % low in bending at alpha = 0.3; the library does
+  // not use it.
   double lowest = 1.0;
   for (double alpha = 0.01; alpha < 0.955; alpha += 0.01) {
     const double u = pi * alpha / 2;
@@ -140,7 +141,8 @@ TEST(EdgeCrackFactor, CrosscheckTadaAsRecalled) {
 }
 
 TEST(EdgeCrackFactor, LimitHalfPlane) {
-  // Koiter's 1.1215222552 of the half plane, in tension and in bending; four decimals are kept.
+  // The limit is Koiter's 1.1215222552 for the half plane, in tension and in bending, of which four
+  // decimals are used.
   for (const sif::StripLoading loading : {sif::StripLoading::tension, sif::StripLoading::bending}) {
     EXPECT_NEAR(sif::edge_crack_factor(loading, 0), 1.1215222552, 3e-5);
     EXPECT_NEAR(sif::edge_crack_factor(loading, 1e-12), 1.1215222552, 3e-5);
@@ -149,7 +151,8 @@ TEST(EdgeCrackFactor, LimitHalfPlane) {
 
 TEST(EdgeCrackFactor, LimitDeepLigament) {
   // The ligament b = t - a bends: K = 3.975 M/(B b^(3/2)), with M the moment about the ligament,
-  // that is N t/2 in tension.  Tolerance: the last digit, and the next term of order 1 - alpha.
+  // that is N t/2 in tension.  The tolerance is the last digit and the next term of order 1 -
+  // alpha.
   const double alpha = 1 - 1e-6;
   const double scale = std::pow(1 - alpha, 1.5) * std::sqrt(pi);
   EXPECT_NEAR(sif::edge_crack_factor(sif::StripLoading::tension, alpha) * scale / (3.975 / 2), 1,
@@ -190,8 +193,8 @@ TEST(EdgeCrack, ReferenceComplianceTable) {
           .loading = axial ? sif::StripLoading::tension : sif::StripLoading::bending};
       actual = added_compliance(crack, moduli).matrix(0, 0);
     }
-    // Of the same polynomials: tolerance of the engine.  Of the finite elements' factors, without
-    // polynomials: twice the 0.02 % of K.
+    // With the same polynomials, the tolerance is that of the engine.  With the factors of the
+    // finite elements, it is twice the 0.02 % of K.
     if (row.quantity.ends_with("_by_elements"))
       test::expect_relative(actual, row.value, 4e-4);
     else

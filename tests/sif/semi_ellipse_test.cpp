@@ -27,7 +27,7 @@ using test::Arg;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// Under a unit stress, mode I only: lambda = (2/E') W.
+/// Under a unit stress with mode I only, lambda = (2/E') W.
 sif::SurfaceCrack<1> in_tension(double depth, double aspect_ratio, double thickness) {
   return sif::SurfaceCrack<1>({.depth = depth,
                                .aspect_ratio = aspect_ratio,
@@ -42,8 +42,8 @@ double energy_integral(double depth, double aspect_ratio, double thickness) {
       .matrix(0, 0);
 }
 
-/// J_n = int_0^pi (1 - sin phi)^n sqrt(rho^2 cos^2 phi + sin^2 phi) dphi for n = 0, 2, 4, closed in
-/// complete elliptic integrals of the modulus k, k^2 = 1 - rho^2.
+/// J_n = int_0^pi (1 - sin phi)^n sqrt(rho^2 cos^2 phi + sin^2 phi) dphi for n = 0, 2, 4, in closed
+/// form by complete elliptic integrals of the modulus k, k^2 = 1 - rho^2.
 std::array<double, 3> closed_J(double rho) {
   if (rho == 1) return {pi, pi - 4 + pi / 2, pi - 8 + 3 * pi - 16.0 / 3 + 3 * pi / 8};
   const double k2 = 1 - rho * rho;
@@ -96,7 +96,7 @@ TEST(NewmanRaju, ReferenceShapeParameter) {
 }
 
 TEST(NewmanRaju, CrosscheckShapeParameterApproximatesTheEllipticIntegral) {
-  // Q = Phi^2 to 0.15 %, the accuracy of the fit.  The exact Phi of the table.
+  // Q = Phi^2 to 0.15 %, the accuracy of the fit.  The exact Phi is from the table.
   int n = 0;
   for (const test::CsvRow& row : test::read_reference_csv("surface_crack")) {
     if (row.quantity != "Phi") continue;
@@ -129,7 +129,7 @@ TEST(NewmanRaju, ReferenceTable) {
   std::map<std::string, int> seen;
   for (const test::CsvRow& row : test::read_reference_csv("surface_crack")) {
     const sif::NewmanRaju solution(row("aspect_ratio"));
-    // Rounding of two powers and a dozen operations; M_3's terms cancel to a few digits at most.
+    // Rounding of two powers and a dozen operations; the terms of M_3 lose at most a few digits.
     constexpr double kRounding = 1e-14;
     if (row.quantity == "Q")
       test::expect_row(solution.shape_parameter(), row, kRounding);
@@ -159,7 +159,7 @@ TEST(NewmanRaju, CrosscheckRajuNewmanFiniteElements) {
                         Case{1.0, 0.2, 1.174, 1.049}, Case{1.0, 0.6, 1.355, 1.107}}) {
     const sif::NewmanRaju solution(c.aspect_ratio);
     const double root_Q = std::sqrt(solution.shape_parameter());
-    // The fit is stated to 5 %, and to 4.8 % for all their values that were tried.
+    // The fit is stated to 5 %; the tested values agree to 4.8 %.
     EXPECT_NEAR(solution.factor(c.depth_ratio, 0) * root_Q / c.at_surface, 1, 0.055);
     EXPECT_NEAR(solution.factor(c.depth_ratio, pi / 2) * root_Q / c.at_deepest, 1, 0.055);
   }
@@ -172,7 +172,7 @@ TEST(NewmanRaju, CrosscheckFiniteElementsOfABlock) {
   EXPECT_NEAR(semicircle.factor(0.1, pi / 2) * E_k / 1.0356, 1, 0.01);  // model form: the fit
   EXPECT_NEAR(semicircle.factor(0.1, pi / 4) * E_k / 1.0521, 1, 0.01);
   // a = 1, c = 2, t = 2.24 mm, the flexspline's wall, in a block of half width 5 mm: 1.240.  The
-  // fit's factor of the width, sqrt(sec(pi c/(2b) sqrt(a/t))), makes it 2.6 % more.
+  // fit's factor of the width, sqrt(sec(pi c/(2b) sqrt(a/t))), increases it by 2.6 %.
   const sif::NewmanRaju ellipse(0.5);
   const double width = 1 / std::sqrt(std::cos(pi * 2 / (2 * 5.0) * std::sqrt(1 / 2.24)));
   EXPECT_NEAR(
@@ -199,7 +199,7 @@ TEST(SurfaceCrack, ReferenceEnergyIntegralTable) {
     const double a = row("depth");
     test::expect_row(energy_integral(a, row("aspect_ratio"), alpha > 0 ? a / alpha : kInfinite),
                      row,
-                     1e-11);  // the engine's tolerance of 1e-10, usually kept by far
+                     1e-11);  // the engine's tolerance of 1e-10, usually exceeded by far
     ++n;
   }
   EXPECT_GE(n, 25);
@@ -287,8 +287,8 @@ TEST(KassirSih, ReferenceTable) {
       test::expect_row(solution.factor_III(row("front_angle")) * std::sqrt(pi * a), row, kRounding);
     } else if (row.quantity == "shear_energy_per_stress_squared" ||
                row.quantity == "unit_penny.shear_energy") {
-      // The engine follows a quarter of the front, and the surface crack half of the ellipse:
-      // twice the energy of half an ellipse is that of the whole.
+      // The engine integrates a quarter of the front, and the surface crack is half of the ellipse,
+      // so twice its energy is that of the whole ellipse.
       const sif::SurfaceCrack<1> crack({.depth = a,
                                         .aspect_ratio = rho,
                                         .thickness = kInfinite,
@@ -321,7 +321,7 @@ TEST(KassirSih, IdentityPenny) {
 }
 
 TEST(KassirSih, IdentityTextbookForm) {
-  // rho cos(phi) k^2/(B f), B = (k^2 - nu) E + nu rho^2 K: divides zero by zero for the penny only.
+  // rho cos(phi) k^2/(B f), B = (k^2 - nu) E + nu rho^2 K: is zero over zero only for the penny.
   for (const double rho : {0.05, 0.4, 0.9})
     for (const double nu : {0.1, 0.3}) {
       const double k2 = 1 - rho * rho;
@@ -337,13 +337,14 @@ TEST(KassirSih, IdentityTextbookForm) {
 }
 
 TEST(KassirSih, LimitLongCrackIsAntiplane) {
-  // a/c -> 0: in its middle the crack is a tunnel in antiplane shear, K_III = tau sqrt(pi a).
+  // For a/c -> 0, the crack is in its middle a tunnel crack in antiplane shear, K_III = tau sqrt(pi
+  // a).
   EXPECT_NEAR(sif::KassirSih(1e-4, 0.3).factor_III(pi / 2), 1.0, 1e-6);
 }
 
 TEST(KassirSih, LimitPennyWithoutAStep) {
   for (const double phi : {0.0, 0.6, pi / 2}) {
-    // Slope over 1 - rho is of order one.
+    // The slope over 1 - rho is of order one.
     EXPECT_NEAR(sif::KassirSih(1 - 1e-9, 0.3).factor_II(phi),
                 sif::KassirSih(1.0, 0.3).factor_II(phi), 2e-9);
     EXPECT_NEAR(sif::KassirSih(1 - 1e-9, 0.3).factor_III(phi),
@@ -413,7 +414,7 @@ TEST(SurfaceCrack, IdentityWithoutShearThereIsNone) {
   const UnitStressIntensity<2> k = sif::SurfaceCrack<2>(parameters).stress_intensity(1 * mm, 0.6);
   EXPECT_EQ(k.II, (std::array{0.0, 0.0}));
   EXPECT_EQ(k.III, (std::array{0.0, 0.0}));
-  // One sheared load is enough, whichever it is.
+  // A single load in shear is enough, whichever it is.
   for (const std::size_t i : {0U, 1U}) {
     parameters.shear_stress = {};
     parameters.shear_stress[i] = 1.0;

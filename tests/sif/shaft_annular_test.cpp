@@ -94,7 +94,7 @@ TEST(AnnularPolynomials, ReferenceShallowLimit) {
   test::expect_reference(sif::annular_p1(kTada, 1) / 2, reference(1.1215, 1e-12, "rounding"));
   test::expect_reference(sif::annular_p3(kTada, 1) * 3 / 8,
                          reference(1.00085156, 5e-9, "nine digits printed"));
-  // Edge crack of a half plane: 1.1215 and 1, to the 0.1 % of the fits.
+  // The limit is the edge crack of a half plane, 1.1215 and 1, within the 0.1 % of the fits.
   EXPECT_NEAR(sif::annular_p1(kImproved, 1) / 2, 1.1215, 1.1215e-3);
   EXPECT_NEAR(sif::annular_p3(kImproved, 1) * 3 / 8, 1.0, 1e-3);
 }
@@ -149,7 +149,8 @@ TEST(AnnularPolynomials, CrosscheckFiniteElementsOfASolidShaft) {
        {Case{0.1, 1.0000, 1.0004}, Case{0.3, 0.9996, 1.0071}, Case{0.5, 0.9963, 1.0199},
         Case{0.7, 0.9872, 1.0295}, Case{0.9, 0.9824, 1.0245}, Case{0.95, 0.9871, 1.0166},
         Case{0.99, 0.9958, 1.0045}, Case{0.9967, 0.9979, 1.0016}}) {
-    // The fit's own accuracy: 0.03 % of K_III, 0.06 % of K_I, and four digits printed.
+    // The tolerance is the accuracy of the fit, 0.03 % of K_III and 0.06 % of K_I, and four printed
+    // digits.
     EXPECT_NEAR(sif::annular_p3(kImproved, c.x) / sif::annular_p3(kTada, c.x), c.K_III, 4e-4)
         << c.x;
     EXPECT_NEAR(sif::annular_p1(kImproved, c.x) / sif::annular_p1(kTada, c.x), c.K_I, 7e-4) << c.x;
@@ -182,10 +183,11 @@ TEST(AnnularCrackSolid, ReferenceTable) {
     const CrackModuli moduli{.opening = row("youngs_modulus") / (1 - nu * nu),
                              .shear = row("shear_modulus")};
     const UnitStressIntensity<2> k = crack.stress_intensity(crack.depth, 0);
-    // 1 - x of the input loses digits when a = d (1 - x)/2 is small: 1e-16/(1 - x), and x itself
-    // comes back as 1 - 2a/d: 1e-16/x to the powers 3 and 2.
+    // Rounding of the input enters as 1e-16/(1 - x) when a = d (1 - x)/2 is small; and x is
+    // recovered as 1 - 2a/d, with an error 1e-16/x to the powers 3 and 2.
     const double rounding = 1e-15 / std::min(x, 1 - x);
-    // Deep cracks are x = 1e-3 of a hyperbola for the quadrature: its tolerance, 1e-10.
+    // For deep cracks the integrand is a hyperbola down to x = 1e-3; the tolerance is that of the
+    // quadrature, 1e-10.
     if (quantity == "torsion_compliance")
       test::expect_row(matrix(crack, moduli)(kTorsion, kTorsion), row, 1e-10);
     else if (quantity == "axial_compliance")
@@ -267,7 +269,8 @@ TEST(AnnularCrackSolid, IdentityClosedPolynomials) {
           static_cast<double>(9 * closed_integral(p.p3, 4, x)) / (kG * d * d * d);
       const double axial =
           static_cast<double>(2 * closed_integral(p.p1, 2, x)) / (kSteel.opening * d);
-      // Extended precision loses 1e-19/(1 - x)^2 by cancellation; the quadrature is to 1e-10.
+      // Extended precision loses 1e-19/(1 - x)^2 by cancellation; the quadrature is accurate to
+      // 1e-10.
       test::expect_relative(m(kTorsion, kTorsion), torsion, 1e-11);
       test::expect_relative(m(kAxial, kAxial), axial, 1e-11);
       EXPECT_EQ(m(kAxial, kTorsion), 0.0);
@@ -330,7 +333,7 @@ TEST(AnnularCrackSolid, LimitShallowIsAnEdgeCrack) {
        .relative_tolerance = 1e-7,
        .source = "tada2000 (secondary): 1.00085156 squared",
        .tolerance_is = "nine digits printed, and a/d = 1e-9"});
-  // 60 mm, a = 0.1 mm: 2.0576132e-14 rad/(N*mm), the fit 0.02 % more.
+  // 60 mm, a = 0.1 mm: 2.0576132e-14 rad/(N*mm), the fit is 0.02 % higher.
   EXPECT_NEAR(matrix(solid(0.1 * mm))(kTorsion, kTorsion) / kComplianceNmm / 2.0576132e-14, 1.0002,
               1e-4);
 }
@@ -440,7 +443,7 @@ TEST(AnnularCrackHollow, CrosscheckTensionFiniteElements) {
 }
 
 TEST(AnnularCrackHollow, ReferenceTorsionTable) {
-  // Dual series, mostly between the nodes that are interpolated.
+  // Dual series, mostly between the nodes of the interpolation.
   int n = 0;
   for (const test::CsvRow& row : test::read_reference_csv("annular_hollow_torsion")) {
     const double rho = row("radius_ratio");
@@ -458,8 +461,8 @@ TEST(AnnularCrackHollow, ReferenceTensionTable) {
   for (const test::CsvRow& row : test::read_reference_csv("annular_hollow_tension")) {
     const double rho = row("radius_ratio");
     const double alpha = row("depth_ratio");
-    // At nu = 0.3: interpolation, 0.25 %.  At nu = 0.25 and 0.35: the solution does depend on
-    // Poisson's ratio, by 0.6 % at most.
+    // At nu = 0.3: interpolation, 0.25 %.  At nu = 0.25 and 0.35: the solution depends on Poisson's
+    // ratio, by at most 0.6 %.
     const double tolerance = row("poissons_ratio") == 0.3 ? 2.5e-3 : 6e-3;
     test::expect_row(hollow(rho, alpha).tension_factor(alpha), row, tolerance);
     ++n;
@@ -468,7 +471,8 @@ TEST(AnnularCrackHollow, ReferenceTensionTable) {
 }
 
 TEST(AnnularCrackHollow, CrosscheckArticleShaftPolynomials) {
-  // Another representation of the same finite elements, fitted for 70/45 mm alone; off the nodes.
+  // Another representation of the same finite elements, fitted for 70/45 mm alone; between the
+  // nodes.
   const auto polynomial = [](std::initializer_list<double> c, double x) {
     double sum = 0.0;
     double power = 1.0;
@@ -488,7 +492,7 @@ TEST(AnnularCrackHollow, CrosscheckArticleShaftPolynomials) {
     if (alpha > 0.7) continue;
     const double C_P =
         polynomial({1, 0.045641, 2.287064, -4.709614, 9.224543, -9.972397, 5.298959}, alpha);
-    // The fit is stated to 2e-4 of elements that lie up to 4e-4 low.
+    // The fit is stated to 2e-4 relative to elements that are up to 4e-4 low.
     EXPECT_NEAR(tension_factor_of(rho, alpha) / C_P, 1, 6e-4) << alpha;
   }
 }
@@ -537,9 +541,9 @@ TEST(AnnularCrackHollow, CrosscheckFiniteElementsArticleShaft) {
     const sif::AnnularCrackHollow crack = article_shaft(c.depth * mm);
     const double root = std::sqrt(pi * crack.size());
     const UnitStressIntensity<2> k = crack.stress_intensity(crack.size(), 0);
-    // Five digits printed, and the discretisation of two programs.
+    // The tolerance covers five printed digits and the discretisation of two programs.
     EXPECT_NEAR(matrix(crack, steel)(1, 1) / kComplianceNmm / c.added, 1, 2e-4) << c.depth;
-    // A derivative of the interpolated table.
+    // K is a derivative of the interpolated table.
     EXPECT_NEAR(k.III[1] / (35 * mm / I_p * root) / c.K_III, 1, 1e-3) << c.depth;
     EXPECT_NEAR(k.I[0] / (root / A) / c.K_I, 1, 3e-3) << c.depth;
   }
@@ -547,7 +551,7 @@ TEST(AnnularCrackHollow, CrosscheckFiniteElementsArticleShaft) {
 
 TEST(AnnularCrackHollow, CrosscheckStressIntensityIsTheSlopeOfTheSolution) {
   // d/dalpha of ln sec(pi alpha/2) C_T and of alpha^2 C_P, by tools/reference/annular_hollow.py at
-  // alpha -+ 0.004; at the end of the table, 0.8, too.
+  // alpha -+ 0.004; also at the end of the table, 0.8.
   struct Case {
     double radius_ratio, depth_ratio, torsion_slope, tension_slope;
   };
@@ -571,7 +575,8 @@ TEST(AnnularCrackHollow, CrosscheckStressIntensityIsTheSlopeOfTheSolution) {
     const double A = pi * (1 - rho * rho);
     const double front = 2 * pi * (1 - a);
     const UnitStressIntensity<2> k = hollow(rho, c.depth_ratio).stress_intensity(a, 0);
-    // The slope of an interpolated table: 0.05 % and 0.5 %, and at its end 0.16 % and 1.4 %.
+    // The tolerance is that of the slope of an interpolated table: 0.05 % and 0.5 %, and at its end
+    // 0.16 % and 1.4 %.
     const bool end = c.depth_ratio > 0.7;
     test::expect_relative(k.III[1], std::sqrt(4 / (pi * I_p) * c.torsion_slope / front),
                           end ? 1.6e-3 : 5e-4);
@@ -581,7 +586,7 @@ TEST(AnnularCrackHollow, CrosscheckStressIntensityIsTheSlopeOfTheSolution) {
 }
 
 TEST(AnnularCrackHollow, CrosscheckSolidAsTheLimitOfNoBore) {
-  // Two representations of a solid shaft: a table over depth, and polynomials in d_e/d.
+  // A solid shaft in two representations: a table over depth, and polynomials in d_e/d.
   for (const double alpha : {0.02, 0.08, 0.15, 0.3, 0.45, 0.6, 0.75, 0.8}) {
     const SymmetricMatrix<2> table = matrix(sif::AnnularCrackHollow(
         {.depth = alpha * 30 * mm, .outer_radius = 30 * mm, .inner_radius = 0}));
@@ -608,7 +613,7 @@ TEST(AnnularCrackHollow, LimitShallow) {
     const double A = pi * (ro * ro - ri * ri);
     const SymmetricMatrix<2> m =
         matrix(sif::AnnularCrackHollow({.depth = a, .outer_radius = ro, .inner_radius = ri}));
-    // Linear in a/t, with a slope of order one.
+    // The error is linear in a/t, with a slope of order one.
     test::expect_relative(m(1, 1), pi * pi * std::pow(ro, 3) * a * a / (kG * I_p * I_p), 1e-7);
     test::expect_relative(m(0, 0), 2 / kSteel.opening * std::pow(1.1215 * pi * a / A, 2) * ro,
                           1e-6);
@@ -638,8 +643,8 @@ TEST(AnnularCrackHollow, IdentityShallowFactorIsExact) {
 }
 
 TEST(AnnularCrackHollow, IdentityIntegralOfItsOwnStressIntensity) {
-  // (FR-16) is the derivative of (FR-14) and (FR-15): integrated, it gives them back, on the
-  // nodes and between them, to the tolerance of the quadrature.
+  // (FR-16) is the derivative of (FR-14) and (FR-15): integration must reproduce them on and
+  // between the nodes, to the tolerance of the quadrature.
   for (const double rho : {0.05, 0.55, 0.95})
     for (const double alpha : {0.01, 0.2, 0.37, 0.77}) {
       const sif::AnnularCrackHollow crack = hollow(rho, alpha);
@@ -679,7 +684,7 @@ TEST(AnnularCrackHollow, IdentityFactorsBetweenTheirNodesAreMonotone) {
 }
 
 TEST(AnnularCrackHollow, RegressionTablesAreUnchanged) {
-  // Weighted sums over all nodes, so that no entry can change by itself.  The entries are checked
+  // Weighted sums over all nodes, so no single entry can change unnoticed.  The entries are checked
   // against other computations by the Reference and Crosscheck tests above, some of them only
   // through their neighbours.
   double torsion = 0.0;

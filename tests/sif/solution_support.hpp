@@ -12,11 +12,11 @@
 #include "strainwave/sif/library.hpp"
 #include "strainwave/sif/solution.hpp"
 
-// What the tests of the families share.
+// Shared parts of the tests of the families.
 
 namespace strainwave::test {
 
-/// The limits of the validity range that a crack is outside of.
+/// The limits of the validity range that a crack exceeds.
 template <sif::Solution S>
 std::vector<std::string> limits_broken(const S& crack) {
   std::vector<std::string> broken;

@@ -29,7 +29,7 @@ using test::Texts;
 
 using std::numbers::pi;
 
-/// Wall of 1 mm.
+/// A wall of 1 mm thickness.
 template <class S>
 S crack_of(double depth, double half_length, double mean_radius) {
   return {
@@ -46,7 +46,7 @@ TEST(WallStress, IdentityLine) {
 }
 
 TEST(WallStress, IdentityLameCarriesThePressure) {
-  // Equilibrium of half of the tube: the hoop stress adds up to p r_i.
+  // By equilibrium of half of the tube, the integral of the hoop stress is p r_i.
   const TubeWall wall{.mean_radius = 0.02, .thickness = 0.006};
   const double sum =
       integrate([&](double r) { return lame_hoop_stress(wall, r); }, wall.inner(), wall.outer())
@@ -87,7 +87,7 @@ TEST(TubeSurfaceAxial, CrosscheckCylinderFactor) {
           most = std::max(most, K / published);
           EXPECT_LT(K / published, phi > 0 ? 1.045 : 1.091);
         }
-  EXPECT_NEAR(least, 1.0044, 5e-4);  // as measured; the difference of the two models
+  EXPECT_NEAR(least, 1.0044, 5e-4);  // measured difference of the two models
   EXPECT_NEAR(most, 1.0902, 5e-4);
 }
 
@@ -133,7 +133,8 @@ TEST(TubeSurfaceAxial, CrosscheckWeightFunction) {
 }
 
 TEST(TubeSurfaceAxial, LimitPlate) {
-  // Exactly the plate's fit under a uniform stress, shallow and deep; p r/t where r is large.
+  // For large r, the result is exactly the plate's fit under the uniform stress p r/t, for shallow
+  // and deep cracks.
   for (const double c : {0.8e-3, 0.3e-3}) {
     const auto inner = crack_of<TubeSurfaceAxialInner>(0.4e-3, c, 100.0);
     const auto outer = crack_of<TubeSurfaceAxialOuter>(0.4e-3, c, 100.0);
@@ -142,7 +143,8 @@ TEST(TubeSurfaceAxial, LimitPlate) {
       const double plate = fit.tension(0.4, phi) * std::sqrt(pi * 0.4e-3);
       test::expect_relative(inner.stress_intensity(0.4e-3, phi).I[1], plate, 1e-14);
       test::expect_relative(outer.stress_intensity(0.4e-3, phi).I[1], plate, 1e-14);
-      // Next terms: t/(2r) of Lame and t/r of the pressure on the faces; its rounding, 1e-16 r/t.
+      // The next terms are t/(2r) from Lame and t/r from the pressure on the faces; rounding is
+      // 1e-16 r/t.
       test::expect_relative(inner.stress_intensity(0.4e-3, phi).I[0], plate * 1e5, 3e-5);
       test::expect_relative(outer.stress_intensity(0.4e-3, phi).I[0], plate * 1e5, 3e-5);
     }
@@ -150,12 +152,13 @@ TEST(TubeSurfaceAxial, LimitPlate) {
 }
 
 TEST(TubeSurfaceAxial, IdentityFaces) {
-  // Uniform through the wall, a shallow crack sees the stress of its face: r_i more pressure.
+  // For a shallow crack, the stress is that at its face; an inner crack also carries the pressure
+  // on its faces.
   const auto inner = crack_of<TubeSurfaceAxialInner>(1e-6, 1e-6, 0.0045);
   const auto outer = crack_of<TubeSurfaceAxialOuter>(1e-6, 1e-6, 0.0045);
   const double i2 = 16.0;
   const double o2 = 25.0;
-  const double in = (o2 + i2) / (o2 - i2) + 1;  // and the pressure on the faces
+  const double in = (o2 + i2) / (o2 - i2) + 1;  // 1 for the pressure on the faces
   const double out = 2 * i2 / (o2 - i2);
   const auto k = [](const auto& crack) {
     const auto both = crack.stress_intensity(1e-6, pi / 2);
@@ -222,7 +225,8 @@ TEST(TubeSurfaceCircumferential, IdentityBeam) {
 }
 
 TEST(TubeSurfaceCircumferential, LimitPlateAndFaces) {
-  // Where r is large, both faces are plates under their nominal stress; next term t/r = 1e-4.
+  // For large r, both faces behave as plates under their nominal stress; the next term is t/r =
+  // 1e-4.
   const auto inner = crack_of<TubeSurfaceCircumferentialInner>(0.4e-3, 0.8e-3, 10.0);
   const auto outer = crack_of<TubeSurfaceCircumferentialOuter>(0.4e-3, 0.8e-3, 10.0);
   for (const double phi : {0.0, pi / 2}) {
@@ -244,7 +248,8 @@ TEST(TubeSurfaceCircumferential, LimitPlateAndFaces) {
 // -----------------------------------------------------------------------------------------
 
 TEST(TubeOvalisedSurface, IdentityPlateBending) {
-  // Bending of the wall is the plate's bending, which closes a deep crack's tip: H falls below 0.
+  // Bending of the wall is that of the plate, which closes the tip of a deep crack, so H falls
+  // below 0.
   for (const double c : {0.8e-3, 0.3e-3}) {
     const auto crack = crack_of<TubeOvalisedSurface>(0.4e-3, c, 0.04);
     const NewmanRajuPlate fit(0.4e-3 / c);
@@ -346,7 +351,7 @@ S edge(double depth_ratio, double radius_ratio) {
 
 TEST(TubeEdgeAxial, ReferenceFiniteElementsOfRings) {
   // K/sqrt(pi a).  Strip (FR-11) and curved beam: 0.7 % at r/t = 5, 0.3 % from 10; the elements are
-  // good to 0.3 %.
+  // accurate to 0.3 %.
   int n = 0;
   for (const test::CsvRow& row : test::read_reference_csv("cracked_ring")) {
     const double a = row("depth_ratio") * 0.01;
@@ -365,7 +370,7 @@ TEST(TubeEdgeAxial, ReferenceFiniteElementsOfRings) {
 }
 
 TEST(TubeEdgeAxial, LimitStrip) {
-  // A slender ring does not resist: the strip, next term t/r.
+  // A slender ring does not resist, so the result is the strip; the next term is t/r.
   const double a = 0.005;
   const double root = std::sqrt(pi * a);
   const auto inner = edge<TubeEdgeAxialInner>(0.5, 1e4).stress_intensity(a, 0);
@@ -380,7 +385,7 @@ TEST(TubeEdgeAxial, LimitStrip) {
 }
 
 TEST(TubeEdgeAxial, LimitLongSurfaceCrack) {
-  // Newman and Raju's 1.13 of a long shallow crack, the edge crack 1.1215.
+  // Newman and Raju give 1.13 for a long shallow crack; the edge crack gives 1.1215.
   const auto shallow = edge<TubeEdgeAxialInner>(1e-5, 20).stress_intensity(1e-7, 0);
   const TubeSurfaceAxialInner surface{
       .depth = 1e-7, .half_length = 1e-3, .mean_radius = 0.2, .thickness = 0.01};

@@ -46,8 +46,8 @@ TubeThroughInclined inclined_through(double half_length, double angle) {
 // ----------------------------------------------------------------------
 
 TEST(ShellFactors, ReferenceGalerkin) {
-  // Places between the nodes of the table, from the singular problem itself.  The tolerance is the
-  // interpolation, in units of the plate's K.
+  // Values between the nodes of the table, from the original singular problem.  The tolerance is
+  // that of the interpolation, in units of the plate's K.
   std::map<std::string, int> seen;
   for (const test::CsvRow& row : test::read_reference_csv("shell_crack")) {
     if (row.quantity == "release_finite_elements") continue;
@@ -112,7 +112,7 @@ TEST(ShellFactors, IdentityMirror) {
   EXPECT_DOUBLE_EQ(f.opening_by_shear.linear, -g.opening_by_shear.linear);
   EXPECT_DOUBLE_EQ(f.sliding_by_normal.mean, -g.sliding_by_normal.mean);
   EXPECT_DOUBLE_EQ(f.sliding_by_normal.linear, -g.sliding_by_normal.linear);
-  EXPECT_LT(f.sliding_by_normal.mean, -0.05);  // and it is not nothing
+  EXPECT_LT(f.sliding_by_normal.mean, -0.05);  // and it does not vanish
   for (const double angle : {0.0, pi / 2}) {
     EXPECT_EQ(sif::shell_factors(2.5, angle).opening_by_shear.mean, 0.0);
     EXPECT_EQ(sif::shell_factors(2.5, angle).sliding_by_normal.linear, 0.0);
@@ -121,7 +121,7 @@ TEST(ShellFactors, IdentityMirror) {
 
 TEST(ShellFactors, CrosscheckLongCrackFit) {
   // Folias' sqrt(1 + 1.255 x - 0.0135 x^2), x = a^2/(r t), used for pipes (folias1965, secondary):
-  // 3 %, the fit.
+  // 3 % is the accuracy of the fit.
   for (const double lambda : {0.5, 1.0, 2.0, 3.5, 5.0, 8.0}) {
     const double x = lambda * lambda / std::sqrt(12 * 0.91);
     const double fit = std::sqrt(1 + 1.255 * x - 0.0135 * x * x);
@@ -138,7 +138,7 @@ TEST(ShellFactors, IdentityWallIsTheFront) {
   const sif::WallIntensity k{.mean = 2.0, .linear = 0.5};
   EXPECT_EQ(k.at(-1.0), 1.5);
   EXPECT_EQ(k.at(1.0), 2.5);
-  // Two tips: 2 t of area for each da, whichever way the crack runs.
+  // Two tips: 2 t of area for each da, in any direction of the crack.
   const auto area = [](const auto& crack) {
     const FrontRange front = crack.front();
     return (front.end - front.begin) * crack.swept_area(0.001, 0.0);
@@ -231,8 +231,8 @@ TEST(TubeThroughAxial, InputRules) {
 // -------------------------------------------------------------------------------
 
 TEST(CircumferentialFactors, ReferenceSandersShell) {
-  // Between the nodes.  The interpolation: 0.1 % of K, the linear part 0.003 (axial, bending) and
-  // 0.02 (torque).
+  // Values between the nodes.  The tolerance of the interpolation is 0.1 % of K; for the linear
+  // part it is 0.003 (axial, bending) and 0.02 (torque).
   int n = 0;
   for (const test::CsvRow& row : test::read_reference_csv("circumferential_crack")) {
     if (row.quantity.starts_with("zahoor")) continue;
@@ -253,7 +253,7 @@ TEST(CircumferentialFactors, ReferenceSandersShell) {
 }
 
 TEST(CircumferentialFactors, IdentityNodesAreNoExceptions) {
-  // At a node of the table and a hair beside it.
+  // At a node of the table and just beside it.
   for (const double alpha : {0.05 * pi, 0.5 * pi}) {
     const double lambda = shell_parameter(alpha, 1.0, 0.2, 0.3);
     const auto at = circumferential_factors(alpha, 5.0, lambda);
@@ -270,7 +270,7 @@ TEST(CircumferentialFactors, IdentityNodesAreNoExceptions) {
 
 TEST(CircumferentialFactors, CrosscheckFiniteElementFit) {
   // Zahoor's fit of finite elements, r/t = 10 and 20: -10 to +6.5 %, and -0 to +3.7 % up to a crack
-  // of 72 degrees.  The fit has one power of r/t for all lengths.
+  // of 72 degrees.  The fit uses one power of r/t for all lengths.
   int n = 0;
   for (const test::CsvRow& row : test::read_reference_csv("circumferential_crack")) {
     if (!row.quantity.starts_with("zahoor")) continue;
@@ -286,12 +286,12 @@ TEST(CircumferentialFactors, CrosscheckFiniteElementFit) {
 }
 
 TEST(CircumferentialFactors, LimitSmallAngle) {
-  // SU-4 joins SU-2 at 90 degrees: what the angle adds is alpha^2, at most half of it.
+  // SU-4 joins SU-2 at 90 degrees: the contribution of the angle is at most half of alpha^2.
   for (const double alpha : {1e-4, 0.02, 0.1}) {
     const double lambda = shell_parameter(alpha, 1.0, 0.02, 0.3);
     const auto finite = circumferential_factors(alpha, 50.0, lambda);
     const auto shallow = sif::shell_factors(lambda, pi / 2);
-    const double tolerance = 0.5 * alpha * alpha + 1e-4;  // and two interpolations
+    const double tolerance = 0.5 * alpha * alpha + 1e-4;  // and the error of two interpolations
     EXPECT_NEAR(finite.axial.mean, shallow.opening_by_normal.mean, tolerance);
     EXPECT_NEAR(finite.bending.mean, shallow.opening_by_normal.mean, tolerance);
     EXPECT_NEAR(finite.torque.mean, shallow.sliding_by_shear.mean, tolerance);
@@ -355,17 +355,19 @@ TEST(TubeThroughInclined, LimitAxial) {
 }
 
 TEST(TubeThroughInclined, LimitCircumferential) {
-  // a/r = 0.05: the finite angle adds 0.1 %.
+  // a/r = 0.05: the finite angle contributes 0.1 %.
   const auto a = circumferential(0.002).stress_intensity(0.002, 0.0);
   const auto b = inclined_through(0.002, pi / 2).stress_intensity(0.002, 0.0);
   test::expect_relative(b.I[0], a.I[0], 2e-3);
-  // Right-handed torque slides a crack at 90 degrees the other way in its own axes.
+  // In the axes of the crack, right-handed torque slides a crack at 90 degrees in the opposite
+  // direction.
   test::expect_relative(b.II[1], -a.II[2], 2e-3);
   EXPECT_NEAR(b.I[2] / b.I[0], 0.0, 1e-12);
 }
 
 TEST(TubeThroughInclined, IdentityEqualStressesAreTensionAtEveryAngle) {
-  // Axial stress = hoop stress = 1: no shear on any plane, so only the answers to the normal.
+  // Axial stress = hoop stress = 1: every plane is free of shear, so only the responses to the
+  // normal stress remain.
   for (const double angle : {-1.2, -0.4, 0.3, 0.8, 1.5}) {
     const TubeThroughInclined crack = inclined_through(0.009, angle);
     const auto k = crack.stress_intensity(0.009, 1.0);
@@ -400,7 +402,7 @@ TEST(TubeThroughInclined, IdentityTorqueOpensPlusFortyFive) {
 }
 
 TEST(TubeThroughInclined, CrosscheckThroughCrackInTube) {
-  // FR-7, FR-9: the same shell, of the fracture module, all through the wall.
+  // FR-7, FR-9: the same shell from the fracture module, through the whole wall.
   const double a = 2.5 / shell_parameter(1.0, 0.04, 0.001, 0.3);
   for (const double angle : {0.4, 45 * units::deg, 1.2})
     for (const double s : {-1.0, 0.3, 1.0}) {

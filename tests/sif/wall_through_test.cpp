@@ -88,7 +88,8 @@ TEST(CrackPlaneStress, IdentityZerosAreExact) {
   const auto at = [](double degrees) {
     return sif::crack_plane_stress(0.05, 0.001, degrees * deg, 1.0);
   };
-  // 45 degrees is pure opening under torque, 0 and 90 degrees pure shear; 0 carries no axial force.
+  // 45 degrees is pure opening under torque, 0 and 90 degrees pure shear; at 0 degrees axial force
+  // has no effect.
   EXPECT_EQ(at(45).shear[kTorsion], 0.0);
   EXPECT_EQ(at(-45).shear[kTorsion], 0.0);
   EXPECT_EQ(at(0).normal[kTorsion], 0.0);
@@ -98,7 +99,7 @@ TEST(CrackPlaneStress, IdentityZerosAreExact) {
   EXPECT_EQ(at(0).shear[kAxial], 0.0);
   EXPECT_GT(at(45).normal[kTorsion], 0.0);  // +45 degrees is opened by T > 0
   EXPECT_LT(at(-45).normal[kTorsion], 0.0);
-  // Only what rounding leaves of a zero is dropped.
+  // Only rounding errors of a zero are removed.
   const double tiny = 1e-15;
   EXPECT_NE(sif::crack_plane_stress(0.05, 0.001, tiny, 1.0).normal[kTorsion], 0.0);
   EXPECT_NE(sif::crack_plane_stress(0.05, 0.001, 1.005 * tiny, 1.0).normal[kTorsion], 0.0);
@@ -236,12 +237,12 @@ TEST(ThroughCrack, IdentityClosedFacesOnlySlide) {  // (FR-17)
   for (const bool shell : {false, true}) {
     crack.shell_correction = shell;
     crack.angle = 45 * deg;
-    EXPECT_EQ(torsion_entry(crack), 0.0);  // nothing slides
+    EXPECT_EQ(torsion_entry(crack), 0.0);  // no sliding
     crack.angle = 20 * deg;
     const UnitStressIntensity<2> closed = crack.stress_intensity(1 * mm, 0.5);
     EXPECT_EQ(closed.I[kAxial], 0.0);
     EXPECT_EQ(closed.I[kTorsion], 0.0);
-    // What shears the faces, and not what presses them.
+    // Only the shear stress counts, not the pressure on the faces.
     const sif::CrackPlaneStress stress =
         sif::crack_plane_stress(crack.mean_radius, crack.wall_thickness, crack.angle, 1.0);
     const double f =
@@ -290,13 +291,13 @@ TEST(ThroughCrack, LimitFoliasAxialCircumferentialSphere) {
     crack.shell_correction = true;
     return (crack.stress_intensity(a, 0).I[load] / flat - 1) / crack.shell_parameter_squared(a);
   };
-  // 1e-3: the next term, lambda^2 ln(lambda).
+  // 1e-3 is the next term, lambda^2 ln(lambda).
   test::expect_relative(slope(90), pi / 64, 1e-3);
   test::expect_relative(slope(45), 3 * pi / 64, 1e-3);
   test::expect_relative(slope(-45), 3 * pi / 64, 1e-3);
   test::expect_relative(slope(30), (5 * 0.75 + 0.25) * pi / 64 - pi / 64 * std::cos(60 * deg),
                         1e-3);
-  // A crack along the generator is sheared alone; what little it is turned opens it.
+  // A crack along the generator is only sheared; a slight rotation opens it.
   sif::ThroughCrackInTube axial = article_crack(0.15 * mm, 1e-3);
   axial.shell_correction = true;
   const double l2 = axial.shell_parameter_squared(axial.half_length);
@@ -309,8 +310,9 @@ TEST(ThroughCrack, LimitFoliasAxialCircumferentialSphere) {
 }
 
 TEST(ThroughCrack, ReferenceShellIntegralEquations) {
-  // Galerkin's solution of the shell (tools/reference/shell_crack.py), whose factors make K of both
-  // stresses; the crack is chosen to have the shell parameter of each row.  The table's accuracy.
+  // Galerkin's solution of the shell (tools/reference/shell_crack.py), whose factors give K from
+  // both stresses; the crack is chosen to have the shell parameter of each row.  The tolerance is
+  // the accuracy of the table.
   std::map<std::string, int> seen;
   for (const test::CsvRow& row : test::read_reference_csv("shell_crack")) {
     const std::string& q = row.quantity;
@@ -322,7 +324,7 @@ TEST(ThroughCrack, ReferenceShellIntegralEquations) {
     const double a = crack.half_length;
     const sif::CrackPlaneStress stress =
         sif::crack_plane_stress(crack.mean_radius, crack.wall_thickness, crack.angle, 1.0);
-    // Two loads give two equations for the factors of normal and shear stress.
+    // Two loads give two equations for the factors of normal stress and shear stress.
     const double det = stress.normal[0] * stress.shear[1] - stress.normal[1] * stress.shear[0];
     const auto factor = [&](double s, bool opening, bool by_normal) {
       const UnitStressIntensity<2> k = crack.stress_intensity(a, s);
@@ -346,8 +348,8 @@ TEST(ThroughCrack, ReferenceShellIntegralEquations) {
 }
 
 TEST(ThroughCrack, IdentityReleaseOfTheShell) {
-  // (FR-9): G of the torque, mean over the wall, over that of the flat sheet; and closed faces do
-  // not count.
+  // (FR-9): mean of G over the wall under torque, over that of the flat sheet; the ratio does not
+  // depend on closed faces.
   sif::ThroughCrackInTube crack = article_crack(8 * mm, 30);
   crack.open = false;
   const double shell = crack.shell_release(8 * mm);
@@ -368,7 +370,7 @@ TEST(ThroughCrack, IdentityReleaseOfTheShell) {
 
 TEST(ThroughCrack, LimitPlaneStrainAndPlaneStress) {
   sif::ThroughCrackInTube crack = article_crack();
-  EXPECT_EQ(crack.wall_factor(1e-9), 1.0);  // not asked for
+  EXPECT_EQ(crack.wall_factor(1e-9), 1.0);  // not requested
   crack.thin_sheet = false;
   for (const double nu : {0.0, 0.3, 0.45}) {
     crack.poissons_ratio = nu;
@@ -383,7 +385,7 @@ TEST(ThroughCrack, LimitPlaneStrainAndPlaneStress) {
 }
 
 TEST(ThroughCrack, IdentityThicknessCountsWhereTheWallBulges) {
-  // Without Poisson's ratio there is no constraint: (0.05 + 0.54 sin^2 beta) lambda t/r is left.
+  // Without Poisson's ratio there is no constraint: (0.05 + 0.54 sin^2 beta) lambda t/r remains.
   for (const double degrees : {0.0, 45.0, 90.0}) {
     sif::ThroughCrackInTube crack = article_crack(10 * mm, degrees);
     crack.thin_sheet = false;
@@ -397,7 +399,8 @@ TEST(ThroughCrack, IdentityThicknessCountsWhereTheWallBulges) {
   }
 }
 
-// Pressed faces, (FR-21): less by 0.75 sin^2(2 beta) lambda t/r; what only slides knows no faces.
+// Pressed faces, (FR-21): the factor is smaller by 0.75 sin^2(2 beta) lambda t/r; for pure sliding,
+// the state of the faces does not matter.
 TEST(ThroughCrack, LimitPureSlidingDoesNotDependOnTheFaces) {
   const auto factor = [](double degrees, bool open) {
     sif::ThroughCrackInTube crack = article_crack(10 * mm, degrees);
@@ -410,7 +413,7 @@ TEST(ThroughCrack, LimitPureSlidingDoesNotDependOnTheFaces) {
   for (const double degrees : {0.0, 90.0, -90.0, 180.0})
     test::expect_relative(factor(degrees, false), factor(degrees, true), 1e-15);
   EXPECT_GT(factor(90, false), 1.01);
-  // No step next to it, and no slope.
+  // The factor has neither a step nor a slope there.
   EXPECT_NEAR(factor(89.9, false), factor(90, true), 1e-6);
   const double lambda = std::sqrt(std::sqrt(12.0) * 100 / (78.88 * 2.24));
   for (const double degrees : {15.0, 30.0, 60.0, 75.0, -75.0}) {
@@ -456,7 +459,7 @@ TEST(ThroughCrack, CrosscheckFiniteElementsShellParameter) {
     double lambda_squared, G_over_flat;
     double tolerance;
   };
-  // The tolerance is model form: a shallow shell.
+  // The tolerance is the model form of a shallow shell.
   for (const Case& c :
        {Case{0.052, 1.0127, 0.003}, Case{0.207, 1.0582, 0.002}, Case{1.8702359, 1.5069, 0.017}}) {
     sif::ThroughCrackInTube crack = article_crack();
@@ -514,8 +517,8 @@ TEST(ThroughCrack, IdentityIrwin) {
 }
 
 TEST(ThroughCrack, IdentityReciprocity) {
-  // The extension per torque and the twist per axial force are the same number: both follow from
-  // the energy released under force, torque, and both together.
+  // The extension per torque and the twist per axial force are the same number: they follow from
+  // the energy released under force, under torque, and under both together.
   sif::ThroughCrackInTube crack = article_crack(4 * mm, 25);
   crack.shell_correction = true;
   crack.stress_nonuniformity = 1.2;

@@ -41,8 +41,8 @@ double surface_factor(double rho, double alpha, double phi, double n) {
 // -------------------------------------------------------------------
 
 TEST(EdgeWeight, ReferenceIntegralEquation) {
-  // Tolerance: misfit of the table for powers up to the fifth, which it holds; for exponentials
-  // what the seven terms of M leave.
+  // For powers up to the fifth, which the table contains, the tolerance is the misfit of the table;
+  // for exponentials, it is the error of the seven terms of M.
   std::map<std::string, int> seen;
   for (const test::CsvRow& row : test::read_reference_csv("weight_function")) {
     const double alpha = row("depth_ratio");
@@ -59,14 +59,14 @@ TEST(EdgeWeight, ReferenceIntegralEquation) {
 
 TEST(EdgeWeight, ReferenceHalfPlane) {
   // Koiter's 1.1215222552 and its companion for the linear stress, 0.682863 (tada2000, secondary:
-  // 0.683); tolerance: the fit.
+  // 0.683); the tolerance is that of the fit.
   expect_relative(power_factor(0, 0), 1.1215222552, 2e-5);
   expect_relative(power_factor(0, 1), 0.682863, 2e-5);
 }
 
 TEST(EdgeWeight, CrosscheckFiniteElementsOfTheStrip) {
-  // (FR-11), fitted to finite elements: 0.02 % for alpha <= 0.9, 0.1 % beyond; here 0.002 % of the
-  // table, twice in bending.
+  // (FR-11), fitted to finite elements: 0.02 % for alpha <= 0.9, 0.1 % beyond; here 0.002 % from
+  // the table, and twice as much in bending.
   for (double alpha = 0.02; alpha < 0.96; alpha += 0.04) {
     const double tolerance = alpha < 0.91 ? 2.2e-4 : 1e-3;
     expect_relative(power_factor(alpha, 0),
@@ -102,7 +102,8 @@ TEST(EdgeWeight, CrosscheckBueckner) {
 }
 
 TEST(EdgeWeight, IdentityTip) {
-  // Next to the tip a point force does not know the body: m -> sqrt(2/(pi (a - x))).
+  // Next to the tip, the effect of a point force does not depend on the body: m -> sqrt(2/(pi (a -
+  // x))).
   for (const double alpha : {0.0, 0.1, 0.5, 0.9, 0.99})
     EXPECT_NEAR(EdgeWeight(alpha).value(0), 1, 1e-11 / std::pow(1 - alpha, 1.5));
 }
@@ -129,7 +130,8 @@ TEST(EdgeWeight, IdentityEvidence) {
   const auto smooth = weighted_intensity(EdgeWeight(0.3), 1.0, [](double) { return 1.0; });
   EXPECT_TRUE(smooth.converged);
   EXPECT_LE(smooth.error, 1e-11 * smooth.value);
-  // A thin skin at the mouth, exp(-k x/a), is found unnamed: a force a/k there.
+  // A thin layer at the mouth, exp(-k x/a), is found without being named; it acts as a force a/k at
+  // the mouth.
   for (const double a : {1.0, 0.02})
     for (const double k : {30.0, 300.0, 2e4, 1e6}) {
       const auto stress = [=](double x) { return std::exp(-k * x / a); };
@@ -144,7 +146,8 @@ TEST(EdgeWeight, IdentityEvidence) {
       EXPECT_TRUE(deepest.converged);
       expect_relative(deepest.value, force * power_sum(weight.deepest(), 1.0), 3 / k);
     }
-  // One inside the body is found where it is named: a force k^-1 sqrt(pi) at x/a = 0.37.
+  // A layer inside the body is found if it is named; it acts as a force k^-1 sqrt(pi) at x/a =
+  // 0.37.
   const double k = 2e4;
   const double v = std::sqrt(1 - 0.37);
   const std::array<double, 5> changes = {0.37 - 6 / k, 0.37 - 1 / k, 0.37, 0.37 + 1 / k,
@@ -177,7 +180,7 @@ TEST(EdgeWeight, InputStressIsAskedWithinTheCrackOnly) {
 // ----------------------------------------------------
 
 TEST(SurfaceWeight, IdentityGivesBackNewmanRaju) {
-  // Uniform stress and bending, both branches, all of the front, also for no depth at all.
+  // Uniform stress and bending for both branches on the whole front, also for zero depth.
   for (const double rho : {0.2, 0.6, 1.0, 1.4, 2.0})
     for (const double alpha : {0.0, 0.3, 0.8})
       for (const double phi : {0.0, 0.01, 0.5, 1.2, pi / 2}) {
@@ -207,8 +210,8 @@ TEST(SurfaceWeight, IdentityConditionsOfTheFarEnd) {
 }
 
 TEST(SurfaceWeight, LimitSlenderIsAnEdgeCrack) {
-  // In a half-space, over the uniform stress; tolerance: 1 % of Newman and Raju's 1.13 to 1.1215
-  // and the universal form.
+  // In a half-space, over the uniform stress; the tolerance covers the 1 % from Newman and Raju's
+  // 1.13 to 1.1215 and the universal form.
   const double edge = power_factor(0, 0);
   for (const int n : {1, 2, 3})
     expect_relative(surface_factor(0.01, 0, pi / 2, n) / surface_factor(0.01, 0, pi / 2, 0),
@@ -217,7 +220,7 @@ TEST(SurfaceWeight, LimitSlenderIsAnEdgeCrack) {
 
 TEST(SurfaceWeight, CrosscheckPennyEndsWithExactReferences) {
   // The coefficients from the exact K of a penny crack under 1 and |y|, instead of Newman and
-  // Raju's, must give |y|^2, |y|^3 and |y|^4: how good the universal form is.
+  // Raju's, must give |y|^2, |y|^3 and |y|^4; this measures the accuracy of the universal form.
   const double A0 = pi / (2 * std::numbers::sqrt2) * 2 / pi;
   const double B0 = pi / 4 * 2 / pi;
   std::map<int, double> deepest;
@@ -245,7 +248,8 @@ TEST(SurfaceWeight, CrosscheckPennyEndsWithExactReferences) {
     expect_relative(at_deepest, deepest[n], 0.03);
     expect_relative(at_surface, surface[n], 0.001);
   }
-  // Exponentials: 8 % too little at the deepest point for exp(-4 x/a), the worst of the range.
+  // For exponentials, K at the deepest point is 8 % too small for exp(-4 x/a), the worst case of
+  // the range.
   int seen = 0;
   for (const test::CsvRow& row : test::read_reference_csv("gradient")) {
     if (row.quantity != "front_exponential") continue;
@@ -267,8 +271,8 @@ TEST(SurfaceWeight, CrosscheckPennyEndsWithExactReferences) {
   EXPECT_EQ(seen, 8);
 }
 
-/// How far K has gone from the surface, 0, to the deepest point, 1, on a half circle in a
-/// half-space, and how far the exact penny crack has; the largest difference.
+/// Largest difference from the exact penny crack of the normalised K on a half circle in a
+/// half-space, which runs from 0 at the surface to 1 at the deepest point.
 template <class Stress>
 double front_difference(const std::map<double, double>& penny, const Stress& stress) {
   const SurfaceWeight weight(1, 0);

@@ -24,7 +24,8 @@ const CrackReport& wall_crack(const StiffnessResult& result) {
   return *std::ranges::find(result.cracks, "flexspline.crack[0]", &CrackReport::path);
 }
 
-// (FE-41), (FE-42), (FE-43): the crack adds what the table says, under the sense that it says.
+// (FE-41), (FE-42), (FE-43): the crack adds the compliance of the table, under the sense of the
+// table.
 TEST(TabulatedCrack, CrosscheckAddsWhatTheTableSays) {
   const GearSet gear = tabulated_gear(7 * mm);
   const StiffnessResult result = torsional_stiffness(gear);
@@ -36,7 +37,7 @@ TEST(TabulatedCrack, CrosscheckAddsWhatTheTableSays) {
   EXPECT_NEAR(*crack.positive.at_output.relative_uncertainty, error, 1e-15);
   EXPECT_EQ(crack.negative.at_output.value, 0.0);
   EXPECT_EQ(crack.opens_under, OpensUnder::positive);
-  // It enters the drive as any other crack does.
+  // The crack enters the drive like any other crack.
   GearSet sound = gear;
   sound.flexspline->crack.clear();
   const double added = result.positive.compliance.flexspline.value -
@@ -44,7 +45,7 @@ TEST(TabulatedCrack, CrosscheckAddsWhatTheTableSays) {
   EXPECT_NEAR(added / crack.positive.at_output.value, 1, 1e-9);
   EXPECT_EQ(test::count_notes(result.notes, "crack.compliance_table", "flexspline.crack[0]"), 1);
   EXPECT_EQ(test::count_notes(result.notes, "crack.stress_nonuniformity", "flexspline.crack[0]"),
-            1);  // the article's is 1.1
+            1);  // the article uses 1.1
   EXPECT_EQ(test::count_notes(result.notes, "crack.plane_stress"), 0);
   for (const char* const tag : {"FE-41", "FE-42", "FE-43"})
     EXPECT_NE(std::ranges::find(result.equations, tag), result.equations.end()) << tag;
@@ -54,7 +55,8 @@ TEST(TabulatedCrack, CrosscheckAddsWhatTheTableSays) {
   EXPECT_NE(basis->source.find("made_up.csv: points 0.2 %"), std::string::npos) << basis->source;
 }
 
-// Stress intensity stays that of the closed form, and is left out where that has none.
+// Stress intensity stays that of the closed form, and is left out if the closed form does not give
+// it.
 TEST(TabulatedCrack, IdentityStressIntensityOfTheClosedForm) {
   GearSet gear = tabulated_gear(7 * mm);
   const StiffnessResult tabulated = torsional_stiffness(gear);
@@ -64,15 +66,15 @@ TEST(TabulatedCrack, IdentityStressIntensityOfTheClosedForm) {
   EXPECT_EQ(wall_crack(tabulated).deepest->K_I, wall_crack(closed_form).deepest->K_I);
   EXPECT_EQ(wall_crack(tabulated).deepest->K_II, wall_crack(closed_form).deepest->K_II);
   const StiffnessResult far = torsional_stiffness(tabulated_gear(32 * mm));
-  EXPECT_TRUE(far.usable()) << far.unusable_because;  // the closed form would not be
+  EXPECT_TRUE(far.usable()) << far.unusable_because;  // the closed form would not be usable
   EXPECT_FALSE(wall_crack(far).deepest);
   EXPECT_EQ(test::count_notes(far.notes, "crack.shell_range", "flexspline.crack[0]"), 1);
   crack.half_length = 32 * mm;
   EXPECT_FALSE(torsional_stiffness(gear).usable());
 }
 
-// What is said of the closed form's stress intensity does not depend on where the compliance comes
-// from: notes and equations, each case.
+// Notes and equations on the stress intensity of the closed form do not depend on the source of the
+// compliance, in each case.
 TEST(TabulatedCrack, BehaviourNotesOfTheClosedForm) {
   const auto expect_same = [](GearSet gear, std::initializer_list<const char*> notes) {
     const StiffnessResult tabulated = torsional_stiffness(gear);
@@ -95,7 +97,8 @@ TEST(TabulatedCrack, BehaviourNotesOfTheClosedForm) {
   EXPECT_EQ(expect_same(flat, {"crack.closed", "crack.flat_plate"}), 0);
 }
 
-// The short way of the same model, and its derivative to the varied number by both roads.
+// The short computation of the same model, and its derivative with respect to the varied number by
+// both methods.
 TEST(TabulatedCrack, CrosscheckSeriesAndDerivative) {
   GearSet gear = tabulated_gear(7 * mm);
   const auto series = series_compliance<double>(gear);
@@ -115,7 +118,7 @@ TEST(TabulatedCrack, CrosscheckSeriesAndDerivative) {
   };
   const double difference = (at(here + step) - at(here - step)) / (2 * step) * here;
   EXPECT_NEAR(dual.positive_added.partial[0] / difference, 1, 1e-6);
-  // and both near x dy/dx of the law
+  // both must be close to x dy/dx of the law
   const double x = 7.0 / 5;
   const double law = 2e-10 * x * x * (2 + 0.9 * x);
   a = here;
@@ -167,7 +170,7 @@ TEST(TabulatedCrack, CrosscheckShaftWithTension) {
   EXPECT_NEAR(
       series_compliance<double>(gear).positive_stiffness() / result.positive.stiffness.value, 1,
       1e-14);
-  // Deeper than the closed form goes: usable, without stress intensity.
+  // Beyond the range of the closed form, the result is usable but without stress intensity.
   crack.depth = 11.9 * mm;
   const StiffnessResult deep = torsional_stiffness(gear);
   EXPECT_TRUE(deep.usable()) << deep.unusable_because;

@@ -51,7 +51,7 @@ TEST(TubeTorsion, ReferenceArticleMembers) {
   const double flexspline =
       0.83 * torsional_compliance(Tube{160 * mm, 160 * mm - 2 * 2.24 * mm, 160 * mm}, G);
   test::expect_reference(flexspline / kComplianceNmm, eight_digits(2.4026580e-10));
-  // With the article's 0.1 for pi/32, and 110 mm, its printed 6.906e-10.
+  // The article's 0.1 for pi/32 and 110 mm give its printed 6.906e-10.
   const double printed = torsional_compliance(Tube{70 * mm, 45 * mm, 110 * mm}, G) * pi / 3.2;
   test::expect_reference(printed / kComplianceNmm, eight_digits(6.9062941e-10));
 }
@@ -62,7 +62,8 @@ TEST(TubeTorsion, ReferenceTable) {
     const double outer = 2 * row("outer_radius");
     const double inner = 2 * row("inner_radius");
     const double size = row("length_or_thickness");
-    // Rounding; the thin wall is a difference of diameters, 1e-16 D/t.
+    // The tolerance is rounding; a thin wall is a difference of diameters, with the error 1e-16
+    // D/t.
     if (row.quantity == "diaphragm")
       test::expect_row(torsional_compliance(AnnularPlate{outer, inner, size}, row("shear_modulus")),
                        row, 1e-14);
@@ -151,7 +152,7 @@ TEST(PlateTorsion, CrosscheckFiniteElementsOfACup) {
     const double barrel = torsional_compliance(Tube{160 * mm, 155.52 * mm, 157.76 * mm}, mu);
     const double bottom =
         torsional_compliance(AnnularPlate{157.76 * mm, 2 * c.boss_radius * mm, 2.24 * mm}, mu);
-    // Model form: the corner between tube and bottom, 0.1 %.
+    // The tolerance is the model form: the corner between tube and bottom, 0.1 %.
     EXPECT_NEAR((barrel + bottom) / kComplianceNmm / c.compliance, 1, 1e-3);
     EXPECT_LT((barrel + bottom) / kComplianceNmm, c.compliance);
     // The bottom adds 37 % (50 mm) to 148 % (30 mm) of the tube.
@@ -218,7 +219,7 @@ TEST(Ring, ReferenceTable) {
   int n = 0;
   for (const test::CsvRow& row : test::read_reference_csv("ring_bending")) {
     ASSERT_EQ(row.quantity, "radial_compliance_per_load");
-    // Differences of nearly equal terms: a few digits at U = 4.
+    // The formula has differences of nearly equal terms, which cost a few digits at U = 4.
     test::expect_row(ring_compliance(static_cast<int>(row("wave_number")), row("mean_radius"),
                                      row("bending_stiffness")),
                      row, 1e-13);
@@ -295,7 +296,7 @@ double linear_law(double c, double k, double r_1, double r_2) {
 TEST(DiaphragmTorsion, ReferenceExactIntegralOfALinearLaw) {
   const double k = (2 * mm - 5 * mm) / (75 * mm - 40 * mm);
   const double c = 5 * mm - k * 40 * mm;
-  // Quadrature to 1e-12; the primitive loses two digits in its differences.
+  // Quadrature to 1e-12; the antiderivative loses two digits in its differences.
   test::expect_relative(torsional_compliance(tapered_diaphragm(), kG),
                         linear_law(c, k, 40 * mm, 75 * mm) / (2 * pi * kG), 1e-11);
 }
@@ -328,10 +329,10 @@ TEST(DiaphragmTorsion, IdentityGrooveIsAThinnerRing) {
   const auto ring = [](double h) {
     return torsional_compliance(AnnularPlate{102 * mm, 98 * mm, h}, kG);
   };
-  // Two integrals of 1e-12 apart by a third of either.
+  // Two integrals with an error of 1e-12 differ by a third of their value.
   test::expect_relative(groove_compliance(diaphragm, groove, kG), ring(1.5 * mm) - ring(2 * mm),
                         1e-11);
-  // In a tapered one, by the same law less the depth: h = c - d + k r.
+  // In a tapered diaphragm, the thickness law is reduced by the depth: h = c - d + k r.
   const Diaphragm tapered = tapered_diaphragm();
   const double k = -3.0 / 35;
   const double c = 5 * mm - k * 40 * mm;

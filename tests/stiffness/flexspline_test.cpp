@@ -79,7 +79,7 @@ CrackReport first_wall_crack(const GearSet& gear) {
 double positive(const GearSet& gear) { return first_wall_crack(gear).positive.at_output.value; }
 double negative(const GearSet& gear) { return first_wall_crack(gear).negative.at_output.value; }
 
-/// The matrix of the first crack by the fracture module alone.
+/// The matrix of the first crack, computed by the fracture module alone.
 SymmetricMatrix<2> fracture_matrix(const GearSet& gear, bool open, double r = kRadius,
                                    double t = kWall) {
   const double K_u = gear.flexspline->stress_nonuniformity;
@@ -136,10 +136,11 @@ GearSet cup_of_sections() {
 }
 
 TEST(Flexspline, CrosscheckFiniteElementsOfACup) {
-  // Axisymmetric torsion elements, 7.0095e-10 rad/(N*mm); model form: the corner, 0.1 %.
+  // Axisymmetric torsion elements, 7.0095e-10 rad/(N*mm); the tolerance is the model form: the
+  // corner, 0.1 %.
   const GearSet gear = cup_of_sections();
   EXPECT_NEAR(flexspline_compliance(gear).intact / kComplianceNmm / 7.0095e-10, 1, 1e-3);
-  // The factor of 0.83 goes the other way.
+  // The factor of 0.83 has the opposite effect.
   EXPECT_LT(flexspline_compliance(sound_flexspline()).intact,
             0.5 * flexspline_compliance(gear).intact);
 }
@@ -208,7 +209,7 @@ TEST(WallThroughCrack, IdentityNonuniformityIsSquared) {
   const double plain = positive(gear);
   gear.flexspline->stress_nonuniformity = 1.3;
   test::expect_relative(positive(gear) / plain, 1.69, 1e-12);
-  // The load factor K_d has no place in a compliance.
+  // The load factor K_d must not enter a compliance.
   gear.flexspline->dynamic_load = 5;
   test::expect_relative(positive(gear) / plain, 1.69, 1e-12);
 }
@@ -274,7 +275,7 @@ TEST(WallSurfaceCrack, LimitCubeOfTheDepth) {
 
 TEST(WallThroughCrack, LimitSquareOfTheHalfLength) {
   const auto coefficient = [](double a) { return positive(with_through_crack(a)) / (a * a); };
-  // Next term: what the wall relieves of the plane strain, nu^2 k (a/t)^m of (FR-21).
+  // The next term is the relief of plane strain by the wall, nu^2 k (a/t)^m of (FR-21).
   EXPECT_NEAR(coefficient(1e-9) / coefficient(1e-6), 1, 1e-4);
 }
 
@@ -321,14 +322,14 @@ TEST(FlexsplineClosure, IdentityMirroredAnglesMirrorTheSenses) {
       test::expect_relative(left.negative.at_output.value, right.positive.at_output.value, 1e-13);
       EXPECT_NEAR(left.positive.at_output.value, right.negative.at_output.value,
                   1e-13 * right.positive.at_output.value);
-      // The coupling of force and torque changes its sign in the mirror.
+      // The coupling of force and torque changes its sign under reflection.
       EXPECT_NEAR(entries(left.negative)[1], -entries(right.positive)[1],
                   1e-13 * std::abs(entries(right.positive)[1]));
     }
 }
 
 TEST(FlexsplineClosure, IdentityTheGivenSenseDoesNotDecide) {
-  // Both senses are computed whatever the sign of the given torque.
+  // Both senses are computed for either sign of the given torque.
   GearSet gear = with_through_crack(1 * mm, 30);
   const CrackReport forward = first_wall_crack(gear);
   gear.load.torque = -gear.load.torque;
@@ -336,10 +337,10 @@ TEST(FlexsplineClosure, IdentityTheGivenSenseDoesNotDecide) {
   EXPECT_EQ(forward.opens_under, backward.opens_under);
   EXPECT_EQ(entries(forward.positive), entries(backward.positive));
   EXPECT_EQ(entries(forward.negative), entries(backward.negative));
-  // The stress intensity is that of the given load: closed, it only slides.
+  // The stress intensity is that of the given load: a closed crack only slides.
   EXPECT_GT(forward.deepest->K_I.value, 0.0);
   EXPECT_EQ(backward.deepest->K_I.value, 0.0);
-  // Closed, it slides by the shear alone; open, the opening adds a little.
+  // Closed, the crack slides under the shear stress alone; open, the opening adds a small part.
   EXPECT_NEAR(backward.deepest->K_II.value / forward.deepest->K_II.value, -1, 0.01);
 }
 
@@ -348,7 +349,7 @@ TEST(FlexsplineClosure, IdentityAlongAndAcrossTheAxisTorqueDoesNotOpen) {
     const MemberCompliance member = flexspline_compliance(with_through_crack(1 * mm, degrees));
     EXPECT_EQ(member.cracks.at(0).opens_under, OpensUnder::neither);
     EXPECT_EQ(entries(member.cracks.at(0).positive), entries(member.cracks.at(0).negative));
-    EXPECT_EQ(test::count_notes(member.notes, "crack.closed"), 0);  // it only touches
+    EXPECT_EQ(test::count_notes(member.notes, "crack.closed"), 0);  // the faces only touch
     EXPECT_EQ(member.cracks.at(0).deepest->K_I.value, 0.0);
   }
 }
@@ -390,13 +391,13 @@ TEST(FlexsplineClosure, IdentityOpenUnderBothSensesAddsTheSame) {
 }
 
 TEST(FlexsplineClosure, LimitTouchingIsNeitherOpenNorClosed) {
-  // A normal stress within 1e-12 of what the loads could give is rounding.  The axial force that
-  // leaves `share` of that, of either sign, under the sense of torque that balances it.
+  // A normal stress within 1e-12 of the possible stress counts as rounding.  The axial force leaves
+  // `share` of the possible stress, with either sign, under the balancing sense of torque.
   for (const double degrees : {30.0, -60.0}) {
     const sif::CrackPlaneStress stress =
         sif::crack_plane_stress(kRadius, kWall, degrees * deg, 1.1);
     const double T = 100;
-    const double sense = degrees > 0 ? 1.0 : -1.0;  // of P: against the torque at +30 degrees
+    const double sense = degrees > 0 ? 1.0 : -1.0;  // sense of P, against the torque at +30 degrees
     const double balance = -stress.normal[kTorsion] * T / stress.normal[kAxial];
     ASSERT_EQ(std::signbit(balance), sense > 0);
     const double scale =
@@ -415,8 +416,8 @@ TEST(FlexsplineClosure, LimitTouchingIsNeitherOpenNorClosed) {
     EXPECT_TRUE(opens_under_positive(1.005));
     EXPECT_FALSE(opens_under_positive(0.995));
     EXPECT_FALSE(opens_under_positive(-0.995));
-    // Touching, it carries mode I as an open crack does; pressed, it does not: in a flat wall
-    // sin^2 against sin^2 cos^2.
+    // Touching faces carry mode I like open faces; pressed faces do not: in a flat wall sin^2
+    // against sin^2 cos^2.
     const double c = std::cos(degrees * deg);
     EXPECT_NEAR(entries(report(-0.995).cracks.at(0).positive)[0] /
                     entries(report(-1.005).cracks.at(0).positive)[0],
@@ -485,7 +486,7 @@ TEST(FlexsplineIntensities, IdentityOfBothLoads) {
 }
 
 TEST(FlexsplineIntensities, CrosscheckSurfaceCrackAlongItsFront) {
-  // All three modes; 33 points of half the front, the last of them the deepest.
+  // All three modes at 33 points of half the front; the last point is the deepest.
   for (const double degrees : {-30.0, 15.0, 62.0}) {
     GearSet gear = with_surface_crack(1 * mm, degrees, 0.7);
     gear.load = {.torque = degrees > 0 ? 90.0 : -90.0, .axial_force = 1500};
@@ -585,8 +586,8 @@ TEST(Flexspline, IdentityFactorContainsCups) {
 }
 
 TEST(WallThroughCrack, IdentityAxialCouplingAtTheGivenTorque) {
-  // The axial force turns the output by lambda_PT P, of the sense of torque that is given: open
-  // under one, sliding only under the other.
+  // The axial force turns the output by lambda_PT P for the given sense of torque: the crack is
+  // open under one sense and only slides under the other.
   for (const double torque : {0.5, -0.5, 100.0, -100.0}) {
     GearSet gear = with_through_crack(8 * mm, 25);
     gear.load = {.torque = torque, .axial_force = 3.0};
@@ -604,7 +605,8 @@ TEST(WallThroughCrack, IdentityAxialCouplingAtTheGivenTorque) {
 }
 
 TEST(WallThroughCrack, BehaviourFlatPlateNoteNamesWhatIsMissing) {
-  // What the shell adds to the energy release rate at 45 degrees, mean over the wall (FR-9).
+  // Contribution of the shell to the energy release rate at 45 degrees, averaged over the wall
+  // (FR-9).
   const GearSet gear = with_through_crack(5 * mm, 45, false);
   const double lambda = std::sqrt(std::sqrt(12 * 0.91) * 25 * mm * mm / (kRadius * kWall));
   const sif::ShellFactors f = sif::shell_factors(lambda, pi / 4);
@@ -623,7 +625,8 @@ TEST(WallThroughCrack, BehaviourFlatPlateNoteNamesWhatIsMissing) {
 }
 
 TEST(WallSurfaceCrack, IdentityUncertaintyOfTheLoadsThatAct) {
-  // At 45 degrees torque alone opens; the axial force shears too, and K then is less certain.
+  // At 45 degrees torque alone opens; the axial force also causes shear, which makes K less
+  // certain.
   GearSet gear = with_surface_crack();
   for (const auto& [axial_force, compliance] :
        {std::pair{0.0, 0.10}, {1.0, std::hypot(0.10, 0.20)}, {500.0, std::hypot(0.10, 0.20)}}) {
@@ -640,7 +643,8 @@ TEST(WallSurfaceCrack, IdentityUncertaintyOfTheLoadsThatAct) {
 }
 
 TEST(WallThroughCrack, LimitRangeOfTheShellCorrection) {
-  // The shell parameter: up to 2 no note, up to 4 a note and more uncertainty, beyond unusable.
+  // Up to a shell parameter of 2 there is no note; up to 4 there is a note and a larger
+  // uncertainty; beyond, the result is unusable.
   const auto half_length_at = [](double lambda, double direction) {
     // The largest (direction > 0) half length whose parameter is `lambda` to the last bit, or the
     // first one beyond.
@@ -676,10 +680,10 @@ TEST(WallThroughCrack, LimitRangeOfTheShellCorrection) {
       << member.unusable_because;
 }
 
-// The closed form knows no ends.  Size 25, solid elements of order 4 half-way along a barrel of
-// 17.2 mm, compliance more than in a long tube: 0.5, 2.5, 7.3 % of cracks of 4, 8, 12 mm between
-// rim and diaphragm; 10 % of 8 mm without a rim (theory manual, chapter FE, "Through crack in the
-// barrel of a cup").
+// The closed form leaves out the ends.  For size 25, solid elements of order 4 at half length of a
+// barrel of 17.2 mm give more compliance than a long tube: 0.5, 2.5, 7.3 % for cracks of 4, 8, 12
+// mm between rim and diaphragm; 10 % for 8 mm without a rim (theory manual, chapter FE, "Through
+// crack in the barrel of a cup").
 TEST(WallThroughCrack, ReferenceEndsOfTheSection) {
   GearSet gear = cup_of_sections();
   gear.flexspline->barrel->length = 17.2 * mm;
@@ -695,7 +699,7 @@ TEST(WallThroughCrack, ReferenceEndsOfTheSection) {
   EXPECT_GT(ends(4 * mm), 0.025);
   EXPECT_GT(ends(6 * mm), 0.073);
   EXPECT_LT(ends(6 * mm), 0.08);
-  // Half of twice as much in G; beyond what was measured a note says so.
+  // The effect on K is half of that on G; beyond the measured range a note is given.
   const double of_K = *first_wall_crack(gear).largest->K_I.relative_uncertainty;
   EXPECT_GT(of_K, std::hypot(0.12, 0.073));
   EXPECT_EQ(note_text(gear, "crack.near_ends"), "");
@@ -744,7 +748,7 @@ TEST(WallSurfaceCrack, LimitShearAwayFrom45Degrees) {
       const MemberCompliance member = flexspline_compliance(gear);
       EXPECT_EQ(test::count_notes(member.notes, "crack.surface_shear", "flexspline.crack[0]"),
                 noted);
-      // The axial entries are sheared in any case.
+      // The axial entries contain shear in any case.
       EXPECT_TRUE(test::uses_equation(member.equations, "FR-10"));
       test::expect_relative(*(*member.cracks.at(0).positive.axial_torsion)[0].relative_uncertainty,
                             std::hypot(0.10, 0.20), 1e-15);
@@ -802,7 +806,7 @@ TEST(WallSurfaceCrack, BehaviourNearTheInnerSurface) {
 }
 
 TEST(WallSurfaceCrack, LimitThickWall) {
-  // r = 10 t is thin; powers of two make it exact.
+  // r = 10 t counts as thin; powers of two make the ratio exact.
   for (const auto& [diameter, noted] :
        {std::pair{21.0 / 256, 0}, {std::nextafter(21.0 / 256, 0.0), 1}, {21.1 / 256, 0}}) {
     GearSet gear = with_surface_crack();
@@ -858,7 +862,8 @@ TEST(Ovalisation, IdentityCurvatureOfTheDeflection) {
                 kPlaneStrain * kWall / 2 * (U * U - 1) * 0.8 * mm / (kRadius * kRadius),
                 1e-14 * kE);
   }
-  // Of sections too, the wall at the tooth ring, where the wave generator deflects it.
+  // With sections, the stress is also that of the wall at the tooth ring, where the wave generator
+  // deflects it.
   GearSet gear = cup_of_sections();
   gear.flexspline->barrel->wall_thickness = 3 * mm;
   EXPECT_EQ(ovalisation_stress(gear), ovalisation_stress(cup_of_sections()));

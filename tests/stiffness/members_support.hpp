@@ -10,7 +10,7 @@
 #include "strainwave/model/result/stiffness_result.hpp"
 #include "support/reference.hpp"
 
-// What the tests of the members share.
+// Shared parts of the tests of the members.
 
 namespace strainwave::test {
 

@@ -231,7 +231,7 @@ TEST(OutputShaft, BehaviourNotesOfEachCase) {
   EXPECT_EQ(output_shaft_compliance(gear).cracks.at(1).path, "output_shaft.crack[1]");
   EXPECT_EQ(first_shaft_crack(gear).kind, "annular");
   gear.output_shaft->crack.clear();
-  gear.output_shaft->length = 1 * mm;  // short, but sound
+  gear.output_shaft->length = 1 * mm;  // short, but without a crack
   EXPECT_EQ(codes(gear), Codes{});
 }
 
@@ -277,8 +277,8 @@ TEST(OutputShaftCrack, IdentityPoissonsRatioEntersTensionOnly) {
   test::expect_relative(at_025[2], at_03[2], 1e-12);
 }
 
-/// A hollow shaft with lengths of which the ratios are exact; its outer radius, 1/4, is not 1, by
-/// which to divide or multiply would be the same.
+/// A hollow shaft whose lengths have exact ratios.  Its outer radius is 1/4 and not 1, because
+/// division and multiplication by 1 could not be distinguished.
 GearSet of_ratios(double radius_ratio, double depth_ratio) {
   GearSet gear = hollow();
   gear.output_shaft->outer_diameter = 0.5;
@@ -294,7 +294,7 @@ TEST(OutputShaftCrack, LimitDepthOfTheTable) {
   EXPECT_TRUE(reason.starts_with("output_shaft.crack[0]: a/t = 0.81 ")) << reason;
   EXPECT_TRUE(reason.ends_with("a/t <= 0.8")) << reason;
   EXPECT_FALSE(output_shaft_compliance(of_ratios(0.5, 0.8 * (1 + 1e-11))).unusable_because.empty());
-  // In millimetres, 0.8 of the wall is 0.8 of the wall, whatever rounding makes of it.
+  // A depth of 0.8 of the wall given in millimetres must count as 0.8 in spite of rounding.
   for (int outer = 20; outer <= 80; outer += 3)
     for (int inner = 2; inner < outer; inner += 5) {
       GearSet gear = hollow();
@@ -303,7 +303,7 @@ TEST(OutputShaftCrack, LimitDepthOfTheTable) {
       std::get<AnnularCrack>(gear.output_shaft->crack[0]).depth = 0.4 * (outer - inner) * mm;
       EXPECT_TRUE(output_shaft_compliance(gear).unusable_because.empty()) << outer << ' ' << inner;
     }
-  // A solid shaft has no such bound.
+  // A solid shaft does not have this limit.
   EXPECT_TRUE(output_shaft_compliance(solid(29.9 * mm)).unusable_because.empty());
 }
 
@@ -327,8 +327,8 @@ TEST(OutputShaftCrack, BehaviourAccuraciesOfEachCase) {
   EXPECT_EQ(uncertainties(solid()), (std::array{0.005, 0.005, 0.002}));
   EXPECT_EQ(uncertainties(solid(1 * mm, AnnularSolution::tada)), (std::array{0.055, 0.055, 0.055}));
   EXPECT_EQ(*first_shaft_crack(hollow()).positive.at_output.relative_uncertainty, 0.002);
-  // Half for K, for the compliance goes with its square; more for the slope of the table in
-  // tension.
+  // The uncertainty of K is half, because compliance is proportional to its square; for the slope
+  // of the table in tension it is larger.
   EXPECT_EQ(*first_shaft_crack(hollow()).deepest->K_III.relative_uncertainty, 0.0015);
   EXPECT_EQ(*first_shaft_crack(hollow()).deepest->K_I.relative_uncertainty, 0.015);
   EXPECT_EQ(*first_shaft_crack(solid()).deepest->K_I.relative_uncertainty, 0.0025);

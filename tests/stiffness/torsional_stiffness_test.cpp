@@ -280,8 +280,8 @@ TEST(TorsionalStiffness, ReferenceSharesOfTheMembers) {
 }
 
 TEST(TorsionalStiffness, CrosscheckWithoutTheShaftItIsStifferThanACatalogue) {
-  // A catalogue value contains no customer's shaft.  Size 65 of the catalogues: 5.4 to
-  // 9.8e5 N*m/rad; the models of wave generator and flexspline leave mesh and bottom out.
+  // Catalogue values do not include the customer's shaft.  For size 65 the catalogues give 5.4 to
+  // 9.8e5 N*m/rad; the models of wave generator and flexspline leave out mesh and bottom.
   GearSet gear = sound_drive();
   gear.output_shaft.reset();
   const double K = torsional_stiffness(gear).intact.stiffness.value;
@@ -368,18 +368,19 @@ TEST(TorsionalStiffness, IdentitySoundDriveLosesNothing) {
 }
 
 TEST(TorsionalStiffness, LimitTinyCracksWithoutCancellation) {
-  // a = 1 nm: the change is 1e-15, and still has its digits.
+  // a = 1 nm: the change is 1e-15 and still accurate.
   const double a = 1e-9;
   const StiffnessResult result = torsional_stiffness(article_drive(a));
   const double r = 78.88 * mm;
   const double t = 2.24 * mm;
-  // In plane strain: nothing is so short against the wall.
+  // This holds in plane strain, because the crack is very short compared with the wall.
   const double wall = (1 - 0.09) * 1.21 * a * a / (2 * pi * 210 * GPa * std::pow(r, 4) * t);
   const double ro = 35 * mm;
   const double I_p = pi / 2 * (std::pow(ro, 4) - std::pow(22.5 * mm, 4));
   const double shaft = pi * pi * std::pow(ro, 3) * a * a / (80 * GPa * I_p * I_p);
   const double total = result.intact.compliance.total.value;
-  // The race's share goes with a^3: 2e-8 of it.  Next terms of order a/t = 1e-7.
+  // The share of the race is proportional to a^3, here 2e-8.  The next terms are of order a/t =
+  // 1e-7.
   test::expect_relative(result.positive.stiffness_change.value, -(wall + shaft) / total, 1e-6);
   test::expect_relative(result.negative.stiffness_change.value, -shaft / total, 1e-6);
   EXPECT_LT(std::abs(result.positive.stiffness_change.value), 1e-12);
@@ -418,7 +419,7 @@ TEST(TorsionalStiffness, LimitSmallCracksByTheirPower) {
 
 TEST(TorsionalStiffness, IdentityEnergyReleasedWhileTheCrackGrows) {
   // 1/2 T^2 Delta lambda = int G dA, with G from the stress intensities that the drive reports at
-  // each size on the way: the compliances and the intensities belong together.
+  // each intermediate size.  This proves that compliances and intensities are consistent.
   struct Case {
     std::size_t kind;
     std::function<double(double)> front;  // swept area over da
@@ -443,7 +444,7 @@ TEST(TorsionalStiffness, IdentityEnergyReleasedWhileTheCrackGrows) {
       GearSet gear = with_crack(kind, size);
       gear.flexspline->stress_nonuniformity = 1.3;
       for (FlexsplineCrack& any :
-           gear.flexspline->crack)  // flat: K is the same all through the wall
+           gear.flexspline->crack)  // a flat plate, so K is constant through the wall
         if (auto* const through = std::get_if<WallThroughCrack>(&any))
           through->shell_correction = false;
       return gear;
@@ -629,7 +630,7 @@ TEST(Accuracy, IdentityCombined) {
 }
 
 TEST(Accuracy, RegressionTable) {
-  // One standard relative uncertainty of each model, each with what it rests on.
+  // One standard relative uncertainty of each model, each with its basis.
   using namespace accuracy;  // NOLINT(google-build-using-namespace)
   for (const auto& [model, value] : {std::pair{kTube, 0.01},
                                      {kShapeFactor, 2.0},
@@ -759,7 +760,7 @@ TEST(TorsionalStiffness, BehaviourUnusableSaysWhyFirst) {
   std::get<WallThroughCrack>(gear.flexspline->crack[0]).half_length = 30 * mm;
   const StiffnessResult both = torsional_stiffness(gear);
   EXPECT_TRUE(both.unusable_because.starts_with("flexspline.crack[0]: shell parameter"));
-  // The numbers are there all the same.
+  // The numbers are given nevertheless.
   EXPECT_GT(both.positive.stiffness.value, 0.0);
   EXPECT_LT(both.positive.stiffness.value, both.intact.stiffness.value);
   EXPECT_TRUE(torsional_stiffness(article_drive()).usable());

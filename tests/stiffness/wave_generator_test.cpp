@@ -63,7 +63,7 @@ GearSet driven_by(StressDriver driver, double depth = 0.1 * mm) {
   return gear;
 }
 
-/// The same with an edge crack through the width of the ring.
+/// The article's drive with an edge crack through the width of the ring.
 GearSet edge_crack_driven_by(StressDriver driver, double depth = 0.1 * mm) {
   GearSet gear = driven_by(driver, depth);
   const RaceSurfaceCrack surface = surface_crack(gear);
@@ -94,7 +94,7 @@ double force_per_torque(const GearSet& gear) {
   return lobe_force_per_torque(gear.drive, *gear.wave_generator);
 }
 
-/// What the first crack adds to the compliance of its lobe [m/N].
+/// Compliance that the first crack adds to its lobe [m/N].
 double added_lobe_compliance(const GearSet& gear) {
   const double f = force_per_torque(gear);
   return wave_generator_compliance(gear).cracks.at(0).positive.at_output.value / (f * f);
@@ -175,7 +175,7 @@ TEST(WaveGenerator, ReferenceSound) {
 
 TEST(WaveGenerator, IdentityMaxwellBetti) {
   // Reciprocity would make both conversions equal; they differ by pi/(U^2 c_F^2 k_r) for two lobes
-  // where w_0 i = d_1/2 (U^2 stands for 4 whatever U is).
+  // where w_0 i = d_1/2 (U^2 replaces 4 for general U).
   for (const int U : {2, 3}) {
     GearSet gear = sound_wave_generator();
     gear.drive.wave_number = U;
@@ -204,7 +204,7 @@ TEST(WaveGenerator, IdentityEnergyOfTheLobes) {
 }
 
 TEST(WaveGenerator, IdentityCamProportions) {
-  // k_r pi/(2 d_1 U w_0 i) per unit of radial compliance; a crack's share by the same factor.
+  // k_r pi/(2 d_1 U w_0 i) per unit of radial compliance; the share of a crack has the same factor.
   GearSet gear = test::article_gear(1 * mm);
   const double lobe = added_lobe_compliance(gear);
   gear.wave_generator->conversion = Conversion::cam;
@@ -281,12 +281,12 @@ TEST(WaveGenerator, CrosscheckBearingByItsContacts) {
         hertz_contact({.curvature_sums = {2 / D - 1 / (0.53 * D), 2 / D - 2 / (135.4 * mm)},
                        .contact_modulus = kPlaneStrain / 2},
                       Q);
-    // Tangents: 2/3 of approach over force.
+    // The tangents are 2/3 of approach over force.
     const double C = 2.0 / 3 * (inner.approach + outer.approach) / Q / balls;
     const double f = force_per_torque(gear);
     const MemberCompliance member = wave_generator_compliance(gear);
     test::expect_relative(member.intact, 2 * f * f * C, 1e-13);
-    // The lobe force to the power 5/3.
+    // The result contains the lobe force to the power 5/3.
     test::expect_relative(member.relative_uncertainty, std::hypot(0.15 * 5 / 3, 0.30), 1e-14);
     EXPECT_EQ(test::note_codes(member.notes), Codes{"wave_generator.hertz"});
     // The note names the pressure on the inner race, in MPa.
@@ -360,7 +360,7 @@ TEST(RaceCrack, ReferenceAddedComplianceAtTheOutput) {
 }
 
 TEST(RaceCrack, IdentityContactFactorFromTheAxes) {
-  // Left out, beta comes from b'/a' = 0.4: 0.48255370 instead of the printed 0.45.
+  // If beta is left out, it follows from b'/a' = 0.4: 0.48255370 instead of the printed 0.45.
   GearSet gear = test::article_gear(1 * mm);
   const double printed = added_lobe_compliance(gear);
   surface_crack(gear).contact_factor.reset();
@@ -373,7 +373,7 @@ TEST(RaceCrack, IdentityContactFactorFromTheAxes) {
 }
 
 TEST(RaceCrack, IdentityContactOfTheBearing) {
-  // Without given axes, those of one ball under its share of the lobe force.
+  // Without given axes, the axes are those of one ball under its share of the lobe force.
   for (const double balls : {1.0, 4.0}) {
     GearSet gear = with_bearing(balls);
     gear.wave_generator->crack = test::article_gear(1 * mm).wave_generator->crack;
@@ -510,7 +510,7 @@ TEST(RaceCrack, IdentityCompressionClosesIt) {
     EXPECT_EQ(crack.deepest->K_I.value, 0.0);
     EXPECT_EQ(test::count_notes(member.notes, "crack.closed", "wave_generator.crack[0]"), 1);
   }
-  // No stress at all neither opens nor closes it.
+  // Zero stress neither opens nor closes the crack.
   GearSet gear = driven_by(StressDriver::given);
   surface_crack(gear).stress = 0.0;
   const MemberCompliance member = wave_generator_compliance(gear);
@@ -538,7 +538,7 @@ TEST(RaceCrack, IdentityBothSensesOfTorqueAreTheSame) {
 }
 
 TEST(RaceCrack, CrosscheckStressIntensitiesAlongTheFront) {
-  // 33 points of half the front, the last of them the deepest.
+  // 33 points of half the front; the last point is the deepest.
   for (const double rho : {0.3, 0.52147039, 0.9}) {
     GearSet gear = test::article_gear(3 * mm);
     surface_crack(gear).aspect_ratio = rho;
@@ -557,7 +557,7 @@ TEST(RaceCrack, CrosscheckStressIntensitiesAlongTheFront) {
     EXPECT_EQ(crack.deepest->K_II.value, 0.0);
     EXPECT_EQ(crack.largest->K_III.value, 0.0);
     EXPECT_EQ(crack.deepest->K_I.unit, "Pa*m^0.5");
-    // Fit, stress and lobe force.
+    // Uncertainties of fit, stress and lobe force.
     const double uncertainty = 2 * std::hypot(0.05, 1.0, 0.15);
     test::expect_relative(*crack.deepest->K_I.relative_uncertainty, uncertainty / 2, 1e-14);
     test::expect_relative(*crack.largest->K_I.relative_uncertainty, uncertainty / 2, 1e-14);
@@ -606,7 +606,7 @@ TEST(RaceCrack, LimitRangeOfTheFit) {
     EXPECT_EQ(test::count_notes(member.notes, "crack.surface_range", "wave_generator.crack[0]"),
               c.inside ? 0 : 1)
         << c.depth << ' ' << c.aspect_ratio;
-    // The fit, and the given stress 10 % twice; the lobe force cancels.
+    // Uncertainties of the fit and of the given stress, 10 % twice; the lobe force cancels.
     test::expect_relative(*member.cracks.at(0).positive.at_output.relative_uncertainty,
                           std::hypot(c.fit, 0.20), 1e-14);
   }
@@ -616,7 +616,7 @@ TEST(WaveGenerator, BehaviourAccuraciesOfEachCase) {
   const auto of_crack = [](const GearSet& gear) {
     return *wave_generator_compliance(gear).cracks.at(0).positive.at_output.relative_uncertainty;
   };
-  // Stress twice, for the compliance goes with its square.
+  // The stress counts twice, because compliance is proportional to its square.
   test::expect_relative(of_crack(test::article_gear()), std::hypot(0.10, 2.0, 0.30), 1e-14);
   test::expect_relative(of_crack(driven_by(StressDriver::contact_edge)),
                         std::hypot(0.10, 1.0, 0.30), 1e-14);
@@ -630,7 +630,8 @@ TEST(WaveGenerator, BehaviourAccuraciesOfEachCase) {
   cam.wave_generator->conversion = Conversion::cam;
   test::expect_relative(of_crack(cam), std::hypot(0.10, 2.0, 0.70), 1e-14);
   EXPECT_EQ(wave_generator_compliance(cam).relative_uncertainty, 0.70);
-  // K: half of the fit, the stress once, the lobe force once unless the stress is given.
+  // For K, half of the fit counts, the stress once, and the lobe force once unless the stress is
+  // given.
   const auto of_K = [](const GearSet& gear) {
     return *wave_generator_compliance(gear).cracks.at(0).deepest->K_I.relative_uncertainty;
   };
@@ -638,7 +639,7 @@ TEST(WaveGenerator, BehaviourAccuraciesOfEachCase) {
   test::expect_relative(of_K(edge_crack_driven_by(StressDriver::given)), std::hypot(0.10, 0.10),
                         1e-14);
 
-  // Each is recorded with what it rests on.
+  // Each is recorded with its basis.
   const auto basis = [](const GearSet& gear) {
     std::vector<std::pair<std::string, double>> result;
     for (const AccuracyBasis& a : wave_generator_compliance(gear).accuracies) {
@@ -657,7 +658,7 @@ TEST(WaveGenerator, BehaviourAccuraciesOfEachCase) {
   EXPECT_EQ(basis(edge_crack_driven_by(StressDriver::given)),
             (Basis{{"wave_generator", 0.30}, {path, 0.20}, {path, 0.20}}));
 
-  // The cam's conversion has no lobe force for a given stress to cancel: it comes in twice.
+  // The cam's conversion does not contain the lobe force, so it does not cancel and counts twice.
   cam = edge_crack_driven_by(StressDriver::given);
   cam.wave_generator->conversion = Conversion::cam;
   test::expect_relative(of_crack(cam), std::hypot(std::hypot(0.20, 0.20), 0.70, 0.30), 1e-14);
@@ -732,7 +733,7 @@ TEST(OuterRaceCrack, IdentityAddsNothingHere) {
   EXPECT_TRUE(member.cracks.empty());
   EXPECT_EQ(test::count_notes(member.notes, "crack.contact_path", "wave_generator.crack[0]"), 1);
   EXPECT_EQ(test::count_notes(member.notes, "wave_generator.crack_under_lobe"), 0);
-  // The groove's share of the ring's stiffness is of the coupled drive alone.
+  // Only the coupled drive uses the groove's share of the ring's stiffness.
   gear.wave_generator->bearing->outer_ring->groove_factor = 0.5;
   gear.wave_generator->bearing->clearance = 5e-6;
   gear.wave_generator->cam_flattening = 1.5;
@@ -741,7 +742,7 @@ TEST(OuterRaceCrack, IdentityAddsNothingHere) {
 }
 
 TEST(OuterRing, IdentityHeldByAllBallsItsBendingIsLeftOut) {
-  // With the number of balls the file describes a ring that is held: free between the lobes it
+  // If the file gives the number of balls, the ring is held by them; a ring free between the lobes
   // would be a hundred times too soft.
   GearSet gear = with_bearing(3);
   const double without_ring = wave_generator_compliance(gear).intact;

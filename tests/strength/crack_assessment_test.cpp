@@ -58,7 +58,8 @@ CrackStrength of_wall(const GearSet& gear) { return strength_of(gear, "flexsplin
 CrackStrength of_shaft(const GearSet& gear) { return strength_of(gear, "output_shaft.crack[0]"); }
 CrackStrength of_race(const GearSet& gear) { return strength_of(gear, "wave_generator.crack[0]"); }
 
-/// A through crack under the torque alone: one lobe bends nothing, flat plate, K_u = 1.
+/// A through crack under the torque alone: with one lobe the assembly does not bend the wall; flat
+/// plate, K_u = 1.
 GearSet griffith(double toughness, double half_length = 1 * mm) {
   GearSet gear = article(half_length, toughness);
   gear.drive.wave_number = 1;
@@ -81,7 +82,7 @@ bool mentions(const std::string& text, const std::string& part) {
 
 TEST(CrackStrength, ReferenceWorkedExample) {
   GearSet gear = article();
-  wall(gear).shell_correction = false;  // worked for the flat sheet
+  wall(gear).shell_correction = false;  // the worked example is for the flat sheet
   const std::map<std::string, StrengthState> states = {
       {"annular", of_shaft(gear).states.at(0)},
       {"race", of_race(gear).states.at(0)},
@@ -125,7 +126,7 @@ GearSet with_every_series_crack() {
   return gear;
 }
 
-/// K and plastic zone of the worst point of a front.
+/// K and plastic zone at the worst point of a front.
 struct Worst {
   double K = 0.0;
   double zone = 0.0;
@@ -209,7 +210,7 @@ long count_notes(const GearSet& gear, const char* code, const std::string& path)
 }
 
 TEST(StrengthNotes, LimitPlasticZoneOfATenth) {
-  // A tenth of the depth or half length, or of what is left of the section.
+  // The limit is a tenth of the depth or half length, or of the remaining section.
   struct Case {
     const char* path;
     double size, smallest;
@@ -275,15 +276,15 @@ TEST(StrengthNotes, InputWhichFieldWouldTell) {
             "Give fracture_toughness and yield_strength of material.steel in the file.");
   gear.material["steel"].fracture_toughness = kTough;
   EXPECT_EQ(of_shaft(gear).next_step, "Give yield_strength of material.steel in the file.");
-  // A race crack's ring is bent by its cam: no field of the file says by how much.
+  // A race crack's ring is bent by its cam: no field of the file gives the amount.
   gear.material["steel"].yield_strength = kYield;
   EXPECT_EQ(of_race(gear).verdict, Verdict::cannot_tell);
-  EXPECT_TRUE(mentions(of_race(gear).next_step, "No field tells that stress"));
+  EXPECT_TRUE(mentions(of_race(gear).next_step, "no field of the file can give this stress"));
   EXPECT_TRUE(of_shaft(gear).next_step.empty());
 }
 
 TEST(CrackStrength, IdentityLigamentOfAThroughCrack) {
-  // Half of what a line round the tube has left, or of one along it, whichever is less.
+  // Half of the remaining length of a line round the tube or along it, whichever is less.
   for (const double degrees : {20.0, 85.0})
     for (const double half_length : {5 * mm, 40 * mm}) {
       GearSet gear = article();
@@ -309,10 +310,10 @@ TEST(CriticalSize, IdentityGriffith) {
   gear.material["steel"].yield_strength = kTough;
   gear.material["steel"].ultimate_strength = {};
   const CrackStrength strength = of_wall(gear);
-  ASSERT_EQ(strength.states.size(), 2U);  // both senses: the crack is open under one
+  ASSERT_EQ(strength.states.size(), 2U);  // both senses, because the crack is open under one only
   const StrengthState& state = strength.states[0];
   test::expect_relative(state.brittle_size->size.value(), closed, 1e-12);
-  // Nothing yields: the line is at 1.
+  // Without yielding the line is at 1.
   test::expect_relative(state.critical_size->size.value(), closed, 1e-9);
   test::expect_relative(state.reserve.value(), std::sqrt(closed / (1 * mm)), 1e-9);
   test::expect_relative(state.utilisation.value(), std::sqrt(1 * mm / closed), 1e-12);
@@ -346,7 +347,7 @@ TEST(Reserve, LimitToughMaterialCollapses) {
 }
 
 TEST(Reserve, IdentityScalesTheLoad) {
-  // The load times the reserve is on the line, with the assembly as it is.
+  // The load times the reserve reaches the line, with the assembly unchanged.
   GearSet gear = article(1 * mm, 10 * MPa);
   for (const double force : {0.0, 2e3}) {
     gear.load = {.torque = 100, .axial_force = force};
@@ -362,7 +363,8 @@ TEST(Reserve, IdentityScalesTheLoad) {
 }
 
 TEST(CriticalSize, IdentityOfEveryKind) {
-  // A crack of its critical size is on the line; a little more is beyond, a little less is not.
+  // A crack of its critical size is on the line; a slightly larger crack is beyond, a slightly
+  // smaller one is not.
   GearSet gear = article(1 * mm, 30 * MPa);
   gear.load.torque = 12000;
   gear.load.axial_force = 1e4;
@@ -458,7 +460,7 @@ TEST(AssemblyStress, ScalingAndInput) {
   const double before = assembly_stress(gear, 0.08, 0.002, 0).normal;
   EXPECT_NEAR(assembly_stress(gear, 0.08, 0.004, 0).normal, 2 * before, 1e-9 * before);
   EXPECT_NEAR(assembly_stress(gear, 0.16, 0.002, 0).normal, before / 4, 1e-9 * before);
-  gear.drive.wave_number = 3;  // (9 - 1)/(4 - 1)
+  gear.drive.wave_number = 3;  // ratio (9 - 1)/(4 - 1)
   EXPECT_NEAR(assembly_stress(gear, 0.08, 0.002, 0).normal, 8.0 / 3 * before, 1e-9 * before);
   EXPECT_THROW((void)assembly_stress(gear, 0, 0.002, 0), InputError);
   EXPECT_THROW((void)assembly_stress(gear, 0.08, 0, 0), InputError);
@@ -484,7 +486,8 @@ TEST(Assembly, IdentityAxialThroughCrack) {
 }
 
 TEST(Assembly, IdentitySurfaceCrackWithoutLoadIsBending) {
-  // A torque that does nothing leaves Newman and Raju's bending, the largest along the front.
+  // With a negligible torque, only Newman and Raju's bending remains; the largest value along the
+  // front counts.
   GearSet gear = article();
   WallSurfaceCrack surface;
   surface.depth = 0.6 * mm;
@@ -507,7 +510,8 @@ TEST(Assembly, IdentitySurfaceCrackWithoutLoadIsBending) {
 }
 
 TEST(Assembly, IdentityTakesTheWorseOfTheTwoSensesAndBothPhases) {
-  // 45 degrees: positive torque opens, negative presses; the assembly opens under both.
+  // At 45 degrees, positive torque opens and negative torque presses the crack; the assembly opens
+  // it under both.
   GearSet gear = article();
   wall(gear).shell_correction = false;
   const CrackStrength positive = of_wall(gear);
@@ -523,16 +527,16 @@ TEST(Assembly, IdentityTakesTheWorseOfTheTwoSensesAndBothPhases) {
     EXPECT_EQ(here.K, there.K);
   }
   EXPECT_LT(negative.states[0].K, 1e-9 * positive.states[0].K);  // pressed
-  EXPECT_GT(negative.states[1].K, 0.9 * positive.states[1].K);   // the assembly is the larger
+  EXPECT_GT(negative.states[1].K, 0.9 * positive.states[1].K);   // the assembly dominates
   EXPECT_LT(negative.states[1].K, positive.states[1].K);
   EXPECT_EQ(*negative.states[1].interaction,
-            plasticity_interaction(4, *negative.states[1].L_r));  // chi has no limit
-  // K_u tau adds to the opening, or takes from it; the assembly slides the crack by as much.
+            plasticity_interaction(4, *negative.states[1].L_r));  // chi is unbounded
+  // K_u tau increases or decreases the opening; the sliding by the assembly is the same.
   const AssemblyStress bent = assembly_stress(gear, 78.88 * mm, 2.24 * mm, pi / 4);
   const double root = std::sqrt(pi * 1 * mm);
   test::expect_relative(negative.states[1].K,
                         root * std::hypot(bent.normal - 1.1 * shear(), bent.shear), 1e-12);
-  // The given torque presses; the reversed one opens, and decides (FA-13).
+  // The given torque presses the crack; the reversed torque opens it and decides (FA-13).
   EXPECT_EQ(negative.worst()->sense, TorqueSense::positive);
   EXPECT_TRUE(mentions(negative.sentence, "under torque of the other sense (T > 0)"))
       << negative.sentence;
@@ -546,7 +550,7 @@ TEST(Assembly, IdentityOneLobeBendsNothing) {
 
 TEST(Assembly, LimitBeyondYieldIsNotAnswered) {
   GearSet gear = article(1 * mm, kTough);
-  gear.load.torque = -100;  // pressed: chi without limit
+  gear.load.torque = -100;  // pressed, so chi is unbounded
   EXPECT_EQ(of_wall(gear).states.at(1).verdict, Verdict::acceptable);
   gear.material["steel"].yield_strength = 90 * MPa;  // below the 99.7 MPa of the assembly
   gear.material["steel"].ultimate_strength = {};
@@ -570,7 +574,7 @@ TEST(Assembly, LimitFractureByAssemblyAloneHasNoReserve) {
 
 TEST(CrackStrength, IdentityAnnularLimitLoad) {
   GearSet gear = article(4 * mm);
-  gear.load.axial_force = -2e4;  // pressed: no mode I, and yet in the section
+  gear.load.axial_force = -2e4;  // pressed, so mode I is zero, but the force acts on the section
   const StrengthState state = of_shaft(gear).states.at(0);
   test::expect_relative(
       *state.L_r * kYield,
@@ -612,7 +616,7 @@ TEST(CrackStrength, IdentityRaceStrip) {
   auto& bent = std::get<RaceEdgeCrack>(gear.wave_generator->crack[0]);
   bent.stress_driver = StressDriver::ring_bending;
   bent.stress.reset();
-  // 6 m F R/(B t^2), m = 1/pi; the plastic moment of what is left.
+  // 6 m F R/(B t^2), m = 1/pi; the plastic moment of the remaining section.
   const double F = 2 * 1.15 * 0.35 * 100 / (2 * 0.16);
   const double stress = 6 * F * 0.06 / pi / (0.02 * 0.01 * 0.01);
   test::expect_relative(*of_race(gear).states.at(0).L_r, stress / (1.5 * 0.64) / kYield, 1e-12);
@@ -692,15 +696,16 @@ TEST(Undecided, LimitRaceOnItsCam) {
   // (SW-9), written out: E/(1 - nu^2) t/2 (U^2 - 1) w0/R^2 = 769 MPa.
   CrackStrength strength = of_race(gear);
   EXPECT_EQ(strength.verdict, Verdict::cannot_tell);
-  EXPECT_TRUE(mentions(strength.sentence, "bending by its cam, about 769 MPa at the lobe,"))
+  EXPECT_TRUE(mentions(strength.sentence, "bending by its cam, about 769 MPa at the lobe"))
       << strength.sentence;
   EXPECT_TRUE(mentions(strength.sentence, "by the load alone: reserve factor"));
   EXPECT_FALSE(mentions(strength.sentence, "orthogonal_shear"));
   gear.wave_generator->inner_ring_mean_radius.reset();  // no size without a radius
-  EXPECT_TRUE(mentions(of_race(gear).sentence, "its cam is not in the driver's stress"));
+  EXPECT_TRUE(mentions(of_race(gear).sentence,
+                       "the driver's stress leaves out the ring's bending by its cam"));
   gear.drive.wave_number = 1;  // one lobe bends nothing
   EXPECT_EQ(of_race(gear).verdict, Verdict::acceptable);
-  race.stress = 5000 * MPa;  // what fractures does so without the cam
+  race.stress = 5000 * MPa;  // the crack fractures even without the cam
   gear.drive.wave_number = 2;
   EXPECT_EQ(of_race(gear).verdict, Verdict::fractures);
 }
@@ -714,7 +719,7 @@ TEST(Undecided, LimitOrthogonalShearDecidesNothing) {
 }
 
 TEST(Undecided, LimitDeeperThanTheRange) {
-  // (FA-5): assessed at a/t = 0.8, and not accepted.
+  // (FA-5): the crack is assessed at a/t = 0.8 and not accepted.
   GearSet gear = article(1 * mm, 1000 * MPa);
   gear.drive.wave_number = 1;
   WallSurfaceCrack surface;
@@ -762,7 +767,7 @@ TEST(Undecided, LimitRimAndDiaphragm) {
 }
 
 TEST(Reversed, IdentityTheWorseSenseDecides) {
-  // Under negative torque the crack is pressed and holds; reversed, it fractures.
+  // Under negative torque the crack is pressed and holds; under the reversed torque it fractures.
   GearSet gear = griffith(0.05 * MPa);
   gear.load.torque = -100;
   const CrackStrength strength = of_wall(gear);
@@ -816,7 +821,7 @@ TEST(StrengthVerdict, InputWhatIsMissing) {
     Verdict verdict;
     const char* part;
   };
-  // 100 N*m is harmless to the shaft; 200 kN*m breaks it by toughness, and by yielding.
+  // 100 N*m is harmless to the shaft; 200 kN*m exceeds both toughness and yield.
   for (const Case& c :
        {Case{true, true, 100, Verdict::acceptable, "holds at this load: reserve factor"},
         Case{false, true, 100, Verdict::cannot_tell, "material.steel gives no fracture_toughness;"},
@@ -844,7 +849,7 @@ TEST(StrengthVerdict, InputWhatIsMissing) {
 }
 
 TEST(StrengthVerdict, LimitCollapseBeforeFracture) {
-  // A tough shaft: beyond the end of the line with K_r below 1 it collapses.
+  // A tough shaft collapses beyond the end of the line, with K_r below 1.
   GearSet gear = article(1 * mm, 1000 * MPa);
   gear.load.torque = 35e3;
   const CrackStrength strength = of_shaft(gear);
@@ -862,7 +867,7 @@ TEST(StrengthVerdict, LimitOutOfRangeIsNotAccepted) {
   CrackStrength strength = of_wall(gear);
   EXPECT_EQ(strength.verdict, Verdict::cannot_tell);
   EXPECT_TRUE(mentions(strength.sentence, "a shell parameter of 4")) << strength.sentence;
-  // One that fractures at the end of the range fractures.
+  // A crack that fractures at the end of the range is reported as fracture.
   strength = of_wall([&] {
     gear.material["steel"].fracture_toughness = 5 * MPa;
     return gear;
@@ -882,7 +887,7 @@ TEST(StrengthVerdict, LimitHollowShaftBeyondItsTable) {
 
 TEST(StrengthVerdict, LimitHalfOfTheCircumference) {
   GearSet gear = griffith(kTough);
-  wall(gear).half_length = 130 * mm;  // pi r/2 is 124 mm: no net section by FA-8
+  wall(gear).half_length = 130 * mm;  // pi r/2 is 124 mm: FA-8 leaves no net section
   wall(gear).angle = pi / 2;
   const CrackStrength strength = of_wall(gear);
   EXPECT_EQ(strength.verdict, Verdict::cannot_tell);

@@ -47,7 +47,7 @@ TEST(AssessmentLine, ReferenceByHand) {
 }
 
 TEST(AssessmentLine, LimitWithoutLoadIsToughness) {
-  // f = 1 - L^2/4 + O(L^4): the next term is the tolerance.
+  // f = 1 - L^2/4 + O(L^4): the tolerance is the next term.
   EXPECT_EQ(assessment_line(0.0, kSteel), 1.0);
   EXPECT_NEAR(assessment_line(0.01, kSteel), 1 - 0.01 * 0.01 / 4, 1e-8);
 }
@@ -165,7 +165,7 @@ TEST(ReferenceStress, IdentityRing) {
   const NetRing ring{.outer_radius = 0.03, .inner_radius = 0.01};
   const double area = std::numbers::pi * (0.03 * 0.03 - 0.01 * 0.01);
   test::expect_relative(ring_reference_stress(ring, -5e3, 0), 5e3 / area, 1e-14);
-  // Von Mises: squares add, and the senses do not matter.
+  // By von Mises, squares add, so the senses do not matter.
   const double P = ring_reference_stress(ring, 7e3, 0);
   const double T = ring_reference_stress(ring, 0, 90);
   test::expect_relative(ring_reference_stress(ring, 7e3, -90), std::hypot(P, T), 1e-14);
@@ -196,7 +196,7 @@ TEST(ReferenceStress, ReferenceThroughWall) {
   EXPECT_NEAR(*share(0.01, 0.0, 0.1), 0.8, 1e-15);
   EXPECT_NEAR(*share(0.01, std::numbers::pi / 3, 0.1), 1 - 4 * 0.01 * std::sqrt(0.75) / round,
               1e-15);
-  // Half of the circumference gone, by two gaps the whole of it.
+  // A crack over half of the circumference leaves nothing, because two gaps are counted.
   EXPECT_FALSE(share(round / 4, half_pi, kInfinity).has_value());
   EXPECT_FALSE(share(0.05, 0.0, 0.1).has_value());
   EXPECT_TRUE(share(0.0499, 0.0, 0.1).has_value());
@@ -219,8 +219,8 @@ TEST(ReferenceStress, ReferenceLigament) {
 }
 
 TEST(ReferenceStress, LimitOfTheGroove) {
-  // FA-11: shallow, the antiplane edge crack tau sqrt(pi d), next term (pi d/2h)^2/6; half through,
-  // tau sqrt(2 h).
+  // FA-11: shallow, the antiplane edge crack tau sqrt(pi d), next term (pi d/2h)^2/6; at half
+  // depth, tau sqrt(2 h).
   const double tau = annulus_shear(300, 0.03, 0.001);
   test::expect_relative(tau, 300 / (2 * std::numbers::pi * 0.03 * 0.03 * 0.001), 1e-15);
   const double d = 1e-6;

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Holds the docstrings of free functions in the public headers of mechanics to units.
+"""Checks that docstrings of free functions in the public headers of mechanics state units.
 
 A function that returns a number states its unit in brackets, and so does the @param line of each
-number that it takes, or the one text above such lines where that leaves no doubt.  An overload shares the
-docstring of the function of its name before it.
+number that it takes, or the text above these lines if it is unambiguous.  An overload shares the
+docstring of the preceding function of the same name.
 
     tests/structure/units.py               check the tree
     tests/structure/units.py --self-test   break each rule once
@@ -17,7 +17,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MODULES = ["contact", "drive_cracks", "fracture", "sif", "stiffness", "strength", "torsion"]
 FUNCTION = re.compile(r"((?:^///.*\n)*)(?:^template <.*>\n)?^\[\[nodiscard\]\] ([^;{]*?)(\w+)\(", re.M)
-STRUCT = re.compile(r"\b(?!optional|vector|span|array)\w+<[^<>]*>")  # its fields have units of their own
+STRUCT = re.compile(r"\b(?!optional|vector|span|array)\w+<[^<>]*>")  # the fields of a struct state their own units
 NUMBER = re.compile(r"\b(?:double|Real|DualReal)\b")
 UNIT = re.compile(r"\[[^\]]+\]")
 
@@ -27,7 +27,7 @@ def is_number(declared):
 
 
 def parameters(text):
-    """The parameters of a declaration, of which `text` begins behind the parenthesis."""
+    """The parameters of a declaration; `text` begins behind the parenthesis."""
     parts, depth = [""], 0
     for c in text:
         depth += (c in "(<{[") - (c in ")>}]")

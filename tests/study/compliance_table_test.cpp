@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// The table of finite elements that is shipped, in the stiffness of its example.
+// SPDX-License-Identifier: Apache-2.0 The supplied table of finite elements in the stiffness of its
+// example.
 #include "strainwave/model/input/compliance_table.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ Quantity added_at(GearSet gear, double half_length) {
 }
 
 // 10 mm lies between two points of the table: `strainwave fe examples/through_crack.toml`, order 3,
-// 24324 unknowns, calculated for itself, has 1.09964e-9 rad/(N*m).
+// 24324 unknowns, computed separately, gives 1.09964e-9 rad/(N*m).
 TEST(ShippedTable, ReferenceBetweenItsPoints) {
   const Quantity added = added_at(tabulated(), 10e-3);
   const double fresh = 1.0996449700e-9;
@@ -33,7 +33,7 @@ TEST(ShippedTable, ReferenceBetweenItsPoints) {
   EXPECT_NEAR(added.value / fresh, 1, 2e-4);
 }
 
-// Both are within what they state.
+// Both agree within their stated errors.
 TEST(ShippedTable, CrosscheckClosedForm) {
   GearSet gear = tabulated();
   const Quantity tabulated = added_at(gear, 6e-3);

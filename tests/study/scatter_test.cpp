@@ -33,7 +33,7 @@ const ScatterOutput& output(const Scatter& scatter, const std::string& name) {
   return *std::ranges::find(scatter.outputs, name, &ScatterOutput::name);
 }
 
-/// All that a report tells.
+/// The whole content of a report.
 std::string told(const SensitivityReport& report) {
   return json_of(report) + json_of(evidence_of(report).notes);
 }
@@ -61,7 +61,7 @@ TEST(Scatter, ReferenceLognormalByHand) {
   expect_relative(K.share[1], 0.8, 1e-12);
   const double variance = std::log1p(0.01) + std::log1p(0.04);
   const double mean = K.value * std::exp(variance / 2);
-  // Four standard errors, those that the result states.
+  // The tolerance is four standard errors as stated by the result.
   EXPECT_NEAR(K.mean / mean, 1, 4 * K.mean_error);
   EXPECT_NEAR(K.relative_deviation, std::sqrt(std::expm1(variance)),
               4 * K.relative_deviation_error);
@@ -94,7 +94,7 @@ TEST(Scatter, ReferenceNormalByHand) {
 }
 
 TEST(Scatter, CrosscheckFirstOrderAndMonteCarlo) {
-  // Small scatter is linear: the same answer by both roads, to their own accuracy.
+  // For small scatter the model is linear, so both methods agree within their accuracy.
   GearSet gear = example();
   for (InputScatter& input : gear.scatter) input.relative_standard_deviation /= 10;
   const Scatter result = scatter(gear, {.samples = 3000});
@@ -124,8 +124,8 @@ TEST(Scatter, IdentityAnyNumberOfThreadsGivesTheSameBits) {
 }
 
 TEST(Scatter, BehaviourRefusedDrawsAreCounted) {
-  // A crack of 2/3 of the wall, normal with a deviation of 1/2: deeper than the wall beyond +1
-  // deviation (15.87 %), not positive below -2 (2.28 %); of a/t > 0.8 beyond 0.4 on.
+  // A crack of 2/3 of the wall, normal with a deviation of 1/2: the crack is deeper than the wall
+  // beyond +1 deviation (15.87 %), not positive below -2 (2.28 %), and has a/t > 0.8 beyond 0.4.
   GearSet gear = shaft();
   AnnularCrack crack;
   crack.depth = 12.5 * mm * 2 / 3;
@@ -147,7 +147,7 @@ TEST(Scatter, BehaviourRefusedDrawsAreCounted) {
 
 TEST(Scatter, BehaviourStrongScatterIsNotLinear) {
   GearSet gear = shaft();
-  // K ~ D^4.8: of a lognormal K the deviation is sqrt(exp(0.72^2) - 1) = 0.83 rather than 0.72.
+  // K ~ D^4.8: the deviation of a lognormal K is sqrt(exp(0.72^2) - 1) = 0.83 rather than 0.72.
   gear.scatter = {
       {.path = "output_shaft.outer_diameter", .relative_standard_deviation = 0.15, .source = {}}};
   const Scatter result = scatter(gear, {.samples = 20'000});

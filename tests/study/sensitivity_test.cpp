@@ -32,7 +32,7 @@ using test::random_drive;
 
 using Outputs = std::array<double, 5>;
 
-/// Stiffness sound, T > 0, T < 0; loss T > 0, T < 0; by the computation without derivatives.
+/// Stiffness sound, T > 0, T < 0; loss T > 0, T < 0; from the computation without derivatives.
 Outputs outputs(const GearSet& gear, const StiffnessOptions& options = {}) {
   const auto series = series_compliance<double>(gear, {}, options);
   return {series.intact_stiffness(), series.positive_stiffness(), series.negative_stiffness(),
@@ -48,7 +48,7 @@ std::size_t output_index(const Sensitivity& sensitivity, const std::string& name
   return static_cast<std::size_t>(found - sensitivity.outputs.begin());
 }
 
-/// The influence of an input on an output; that of an input without any is 0.
+/// The influence of an input on an output; 0 for an input without influence.
 Influence influence(const Sensitivity& sensitivity, const std::string& path,
                     const std::string& output) {
   const std::size_t y = output_index(sensitivity, output);
@@ -67,16 +67,16 @@ Influence influence(const Sensitivity& sensitivity, const std::string& path,
 
 /// The step of a central difference of an input.
 double step_of(const GearSet& gear, std::string_view unit, double x) {
-  // A crack along or across the tube opens like the square of its angle to one side only: the
-  // derivative is 0 there, differences approach it like the step.
+  // A crack along or across the tube opens in proportion to the square of its angle, and to one
+  // side only.  The derivative is 0 there, and differences approach it linearly in the step.
   if (unit == "rad" && std::abs(std::sin(2 * x)) < 1e-12) return 1e-9;
   if (x != 0) return 2e-4 * std::abs(x);
   if (unit == "rad/(N*m)") return 2e-4 * series_compliance<double>(gear).intact;
   return unit == "m" ? 1e-8 : 1e-4;
 }
 
-/// Central differences of fourth order of the five outputs, times the step that they were taken
-/// with; truncation and rounding below 1e-9 of the outputs per unit of elasticity.
+/// Central differences of fourth order of the five outputs, times their step; truncation and
+/// rounding are below 1e-9 of the outputs per unit of elasticity.
 Outputs central_differences(const GearSet& gear, const std::string& path, double step) {
   const StiffnessOptions exact{.quadrature = {.relative_tolerance = 1e-13}};
   const auto at = [&](double n) {
@@ -101,10 +101,10 @@ void expect_derivatives(const GearSet& gear, const std::string& what) {
   for_each_number(gear, [&](const FieldPath& field_path, const Field& field, const double& x) {
     const std::string& path = field_path.text();
     if (path.starts_with("scatter[")) return;
-    // A solid shaft cannot be less than solid; test IdentityBoreOfASolidShaft.
+    // The bore of a solid shaft cannot be reduced; see the test IdentityBoreOfASolidShaft.
     if (path == "output_shaft.inner_diameter" && x == 0) return;
     const double h = step_of(gear, field.unit, x);
-    // The crack integrals' own error, 1e-10, and what differences lose.
+    // The tolerance covers the error of the crack integrals, 1e-10, and rounding of differences.
     const double tolerance = h < 1e-8 ? 2e-6 : 3e-8;
     const Outputs difference = central_differences(gear, path, h);
     for (std::size_t y = 0; y < kNames.size(); ++y) {
@@ -120,7 +120,7 @@ void expect_derivatives(const GearSet& gear, const std::string& what) {
 }
 
 TEST(Sensitivity, CrosscheckSeriesComplianceIsTheReport) {
-  // The lean computation gives the numbers of the full one, to the last bit.
+  // The lean computation gives the numbers of the full computation to the last bit.
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     const GearSet gear = random_drive(seed);
     const StiffnessResult result = torsional_stiffness(gear);
@@ -153,7 +153,7 @@ TEST(Sensitivity, CrosscheckExamplesAgainstDifferences) {
   EXPECT_GE(n, 6);
 }
 
-// A table has one value of everything that it holds fixed, and so no derivative to it.
+// A table has only one value of each fixed number, so derivatives with respect to it are unknown.
 TEST(Sensitivity, InputTableHoldsNumbersFixed) {
   const Sensitivity s =
       sensitivity_of(read_gear_set_file(STRAINWAVE_EXAMPLES "/tabulated_crack.toml"));
@@ -241,12 +241,13 @@ TEST(Sensitivity, IdentityDimensionsHoldForEveryDrive) {
 }
 
 TEST(Sensitivity, BehaviourALostDerivativeIsRefused) {
-  // What a number read without a lift would do: its elasticity is missing.
+  // Simulates a number read without a lift: its elasticity is missing.
   const Sensitivity sensitivity = sensitivity_of(article_gear());
   ASSERT_TRUE(sensitivity.usable()) << sensitivity.unusable_because;
   for (std::size_t i = 0; i < sensitivity.inputs.size(); ++i) {
     const LengthAndForce unit = length_and_force(sensitivity.inputs[i].unit);
-    if (unit.length == 0 && unit.force == 0) continue;  // pure numbers: only differences see them
+    if (unit.length == 0 && unit.force == 0)
+      continue;  // only differences detect errors in pure numbers
     Sensitivity leaking = sensitivity;
     for (Influence& influence : leaking.inputs[i].influence) influence.elasticity = 0.0;
     leaking = held_to_dimensions(std::move(leaking));
@@ -279,12 +280,12 @@ TEST(Sensitivity, ReferenceTubeByHand) {
   const double K = torsional_stiffness(gear).intact.stiffness.value;
   expect_relative(influence(sensitivity, "output_shaft.length", "intact.stiffness").derivative,
                   -K / gear.output_shaft->length, 1e-14);
-  // Nothing else matters, and it is listed.
+  // All other inputs have no influence and are listed.
   EXPECT_EQ(sensitivity.inputs.size(), 5U);
   EXPECT_EQ(sensitivity.inputs[0].path, "output_shaft.outer_diameter");
   EXPECT_EQ(elasticity("load.torque"), 0.0);
   EXPECT_EQ(elasticity("drive.ratio"), 0.0);
-  // Without cracks there is no loss to speak of.
+  // Without cracks, losses are not listed.
   EXPECT_EQ(sensitivity.outputs.size(), 3U);
   EXPECT_EQ(test::count_notes(sensitivity.notes, "sensitivity.no_loss"), 2);
 }
@@ -310,14 +311,15 @@ TEST(Sensitivity, ReferenceWaveGeneratorByHand) {
     cup.wave_generator->crack.clear();
     return sensitivity_of(cup);
   }();
-  // SN-3: the axis ratio of the contact is a root, and does not depend on the force.
+  // SN-3: the axis ratio of the contact is found as a root and does not depend on the force.
   EXPECT_NEAR(elasticity(hertz, "load.torque"), 1.0 / 3, 1e-13);
   EXPECT_NEAR(elasticity(hertz, "material.bearing_steel.youngs_modulus"), 2.0 / 3, 1e-13);
   EXPECT_NEAR(elasticity(hertz, "wave_generator.bearing.loaded_balls"), 2.0 / 3, 1e-13);
 }
 
 TEST(Sensitivity, LimitLossOfAShallowCrack) {
-  // A shallow annular crack adds compliance as a^2: its loss has elasticity 2 in the depth.
+  // A shallow annular crack adds compliance in proportion to a^2, so the elasticity of its loss
+  // with respect to the depth is 2.
   GearSet gear = article_gear();
   gear.wave_generator.reset();
   gear.flexspline.reset();
@@ -325,7 +327,7 @@ TEST(Sensitivity, LimitLossOfAShallowCrack) {
   for (const double inner : {0.0, 45 * mm}) {
     gear.output_shaft->inner_diameter = inner;
     crack.depth = 1e-7;
-    // The next term is of order a over the radius of the shaft, or over the wall.
+    // The next term is of order a/radius of the shaft, or a/wall.
     EXPECT_NEAR(influence(sensitivity_of(gear), "output_shaft.crack[0].depth",
                           "cracked.positive.stiffness_loss")
                     .elasticity,
@@ -363,7 +365,8 @@ TEST(Sensitivity, BehaviourAStepIsSaid) {
   EXPECT_EQ(test::count_notes(sensitivity_of(gear).notes, "sensitivity.step"), 0);
   gear.load.axial_force = -2 * gear.load.torque / r;
   EXPECT_EQ(test::count_notes(sensitivity_of(gear).notes, "sensitivity.step"), 1);
-  // A crack along the tube touches too, but stays as it is when it opens a little.
+  // A crack along the tube also has touching faces, but a small opening does not change its
+  // compliance.
   gear.load.axial_force = 0.0;
   std::get<WallThroughCrack>(gear.flexspline->crack[0]).angle = 0.0;
   EXPECT_EQ(test::count_notes(sensitivity_of(gear).notes, "sensitivity.step"), 0);
@@ -400,7 +403,7 @@ TEST(Sensitivity, BehaviourEveryNumberIsListedOnce) {
 }
 
 TEST(Sensitivity, ConvergenceWithTheTolerance) {
-  // Derivatives are held to the tolerance of the crack integrals as the values are.
+  // Derivatives meet the tolerance of the crack integrals like the values.
   const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/cup_sections.toml");
   const Sensitivity exact = sensitivity_of(gear, {.quadrature = {.relative_tolerance = 1e-13}});
   for (const double tolerance : {1e-6, 1e-10}) {

@@ -49,9 +49,9 @@ std::string fault(const std::function<void()>& call) {
 }
 
 TEST(Solve, ReferenceShaftCrackThatCostsWhatTheArticleClaims) {
-  // 3.660 mm, found beforehand by root finding on an independent implementation, for a crack of the
-  // shaft alone.  Cracks of 0.1 mm in the other members do not show in its digits; three cracks of
-  // one size would need 3.54 mm only.
+  // 3.660 mm, found in advance by root finding with an independent implementation, for a crack of
+  // the shaft alone.  Cracks of 0.1 mm in the other members do not affect the given digits; three
+  // cracks of equal size would need only 3.54 mm.
   GearSet gear = test::article_gear();
   const SolveResult result = solved(gear, kDepth, "cracked.positive.stiffness_change=-1.2 %");
   ASSERT_EQ(result.solutions.size(), 1U);
@@ -72,7 +72,7 @@ TEST(Solve, ReferenceShaftCrackThatCostsWhatTheArticleClaims) {
 
 TEST(Solve, LimitARootCloseToTheWallIsFound) {
   // A deep annular crack leaves two half-spaces joined over a disc: lambda -> 3/(mu d_e^3).  The
-  // scan alone has its last accepted point at a depth of 29.8 mm of 30 mm.
+  // last accepted point of the scan alone is at a depth of 29.8 mm of 30 mm.
   const GearSet gear = solid_shaft();
   const SolveResult result = solved(gear, kDepth, "cracked.positive.stiffness_change=-99.9999 %");
   ASSERT_EQ(result.solutions.size(), 1U) << result.reason;
@@ -85,8 +85,9 @@ TEST(Solve, LimitARootCloseToTheWallIsFound) {
 }
 
 TEST(Solve, LimitTwoRootsCloseToATurningPointAreFound) {
-  // Of the angle, the compliance of an open crack in a shell has a maximum.  Just below it are two
-  // roots, far closer together than the scan's spacing of 0.45 deg.
+  // As a function of the angle, the compliance of an open crack in a shell has a maximum.  For a
+  // target just below it, two roots lie much closer together than the spacing of the scan, 0.45
+  // deg.
   GearSet gear = test::article_gear();
   set_number(gear, "flexspline.crack[0].half_length", 5e-3);
   const Unknown angle{.path = "flexspline.crack[0].angle", .range = {}};
@@ -122,13 +123,13 @@ TEST(Solve, LimitAJumpIsNoSolution) {
   const SolveResult result = solved(gear, "wave_generator.crack[0].depth=1 mm..1.1 mm",
                                     "cracked.positive.stiffness=0 N*m/rad", Method::as_printed);
   EXPECT_NE(result.reason.find("jumps over"), std::string::npos) << result.reason;
-  // K = 0 itself lies where K_G does, at 1.0930 mm.
+  // K = 0 occurs together with K_G = 0, at 1.0930 mm.
   for (const Solution& s : result.solutions) EXPECT_NEAR(s.value.value, 1.0930e-3, 1e-7);
 }
 
 TEST(Solve, LimitAClosingCrackJumpsUnderAxialForce) {
-  // At -45 deg the torque presses the crack together and tension pulls it apart.  The two balance
-  // at P/(4 pi r t) = K_u T/(2 pi r^2 t), so P = 2 K_u T/r; there the compliance jumps.
+  // At -45 deg the torque presses the crack together and tension opens it.  The two balance at P/(4
+  // pi r t) = K_u T/(2 pi r^2 t), so P = 2 K_u T/r; there the compliance jumps.
   GearSet gear = test::article_gear();
   set_number(gear, "flexspline.crack[0].angle", -std::acos(-1.0) / 4);
   const char* const added = "flexspline.crack[0].added_compliance.positive.at_output";
@@ -162,7 +163,7 @@ TEST(Solve, InputAResultThatMayNotBeUsedIsNoSolution) {
              "cracked.positive.stiffness_change=-50 %");
   EXPECT_FALSE(nowhere.usable());
   EXPECT_FALSE(nowhere.least);
-  EXPECT_NE(nowhere.reason.find("nowhere"), std::string::npos) << nowhere.reason;
+  EXPECT_NE(nowhere.reason.find("no value gives a result"), std::string::npos) << nowhere.reason;
 }
 
 TEST(Solve, BehaviourAnOutputThatDoesNotDependOnTheNumber) {
@@ -235,8 +236,8 @@ TEST(Solve, LimitNoSolutionIsSaidWithTheRangeOfTheOutput) {
 }
 
 TEST(Solve, BehaviourSeveralSolutionsAreAllListed) {
-  // The wall of the cup carries its crack's compliance and its own: of the angle, the compliance of
-  // an open flat crack is the same from 0 to 90 degrees, but not that of the shell.
+  // The compliance of an open crack in a flat wall does not depend on the angle from 0 to 90
+  // degrees, but that of a shell does.
   GearSet gear = test::article_gear();
   std::get<WallThroughCrack>(gear.flexspline->crack[0]).half_length = 5e-3;
   GearSet at_30 = gear;
@@ -279,7 +280,7 @@ TEST(Solve, InputMessagesNameOptionValueAndWayOut) {
             "cracked.positive.stiffness?");
   EXPECT_EQ(target_fault("intact.stiffness=5"),
             "--target intact.stiffness: \"5\" has no unit; it must be convertible to N*m/rad");
-  // Nothing can be a thousandth of zero.
+  // A range cannot be chosen from the value zero.
   EXPECT_EQ(fault([&] { (void)solved(gear, "load.axial_force", "intact.stiffness=1 N*m/rad"); }),
             "--vary load.axial_force: is 0, from which no range can be chosen; give one: "
             "load.axial_force=FROM..TO");
@@ -306,7 +307,7 @@ TEST(Solve, InputEveryRuleOfTheFunctionItself) {
   EXPECT_NE(refused(depth, {.output = "nothing", .unit = "1", .value = 1}).find("not an output"),
             std::string::npos);
   EXPECT_NE(refused(depth, target, {.n_scan = 1}).find("n_scan"), std::string::npos);
-  // Every point refused: the method's own sentence.
+  // If every point is refused, the message is that of the method.
   EXPECT_NE(refused({.path = kDepth, .range = {{13e-3, 20e-3}}}, target).find("violates: depth <"),
             std::string::npos);
 }

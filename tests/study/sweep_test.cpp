@@ -76,12 +76,12 @@ TEST(Variation, InputMessagesNameOptionAndValue) {
   EXPECT_EQ(fault("output_shaft.crack[0].depth=0.1 mm..2 mm:100001"),
             "--vary output_shaft.crack[0].depth: 100001 points; must be from 2 to 100000");
   EXPECT_EQ(fault("output_shaft.crack[0].depth=0.1 mm..2 mm"),
-            "--vary output_shaft.crack[0].depth: \"0.1 mm..2 mm\" does not say how many points: "
+            "--vary output_shaft.crack[0].depth: \"0.1 mm..2 mm\" needs a number of points: "
             "FROM..TO:N");
   EXPECT_EQ(fault("output_shaft.crack[0].depth=0.1 mm-2 mm:3"),
             "--vary output_shaft.crack[0].depth: \"0.1 mm-2 mm\" must be FROM..TO, each with its "
             "unit");
-  EXPECT_EQ(fault("drive.ratio=1...2:3"),  // 1. to 2, or 1 to .2?
+  EXPECT_EQ(fault("drive.ratio=1...2:3"),  // may mean 1. to 2, or 1 to .2
             "--vary drive.ratio: \"1...2\" must be FROM..TO, each with its unit");
   EXPECT_EQ(fault("drive.ratio=0..2:3:log"),
             "--vary drive.ratio: 0..2 spaced by equal ratios (log) must not reach or cross 0");
@@ -229,7 +229,7 @@ TEST(Sweep, BehaviourCsvAndJsonCarryTheSameTable) {
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_TRUE(rows[0].ends_with(",true,")) << rows[0];
   EXPECT_NE(rows[1].find(",false,\"output_shaft.crack[0]: a/t"), std::string::npos) << rows[1];
-  EXPECT_EQ(rows[2].rfind("0.015,,,,", 0), 0U) << rows[2];  // refused: no outputs
+  EXPECT_EQ(rows[2].rfind("0.015,,,,", 0), 0U) << rows[2];  // a refused point has no outputs
   const nlohmann::json json = nlohmann::json::parse(json_of(result));
   EXPECT_EQ(json.at("method"), "corrected");
   const auto values = [](const nlohmann::json& record, const char* name) {

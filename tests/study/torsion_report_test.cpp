@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// What `strainwave torsion` tells: text, JSON, CSV, plot, bands.
+// SPDX-License-Identifier: Apache-2.0 Output of `strainwave torsion`: text, JSON, CSV, plot, bands.
 #include "strainwave/study/torsion_report.hpp"
 
 #include <fmt/format.h>
@@ -55,7 +54,8 @@ TEST(TorsionReport, IdentityItsNumbersAreThoseOfTheModule) {
   EXPECT_EQ(at(0).torque, 14.0);
   EXPECT_EQ(at(1).torque, 48.0);
   EXPECT_EQ(at(2).torque, 87.0);
-  // Contacts touch in another order on the finer path: equal to the tolerance of the solver.
+  // On the finer path contacts touch in another order, so results agree to the tolerance of the
+  // solver.
   test::expect_relative(at(0).torque / at(0).twist, lines.K1, 1e-9);
   test::expect_relative((48 - 14) / (at(1).twist - at(0).twist), lines.K2, 1e-9);
   EXPECT_FALSE(report.bands.has_value());
@@ -82,8 +82,8 @@ TEST(TorsionReport, BehaviourNotesAndEquations) {
 }
 
 TEST(TorsionBands, IdentityOfOneMonotonicInput) {
-  // K falls with the compliance of the flange, so its quantiles are K at those of the input; 400
-  // draws place a quantile to about 2 % of the range.
+  // K decreases with the compliance of the flange, so its quantiles are K at the quantiles of the
+  // input; 400 draws determine a quantile to about 2 % of the range.
   GearSet gear = drive();
   gear.flexspline->flange_compliance = 5e-7;
   gear.range.push_back(range("flexspline.flange_compliance", "0 rad/(N*m)", "1e-6 rad/(N*m)"));
@@ -134,7 +134,7 @@ TEST(TorsionBands, BehaviourSharesGrowToOneAndAStopEndsIt) {
                    }));
   EXPECT_TRUE(std::ranges::is_sorted(shares));
   EXPECT_DOUBLE_EQ(shares.back(), 1.0);
-  // As much as can be drawn: only a stop ends it in time.
+  // The largest number of draws, so only a stop ends it in time.
   int told = 0;
   EXPECT_THROW((void)line_bands(assembled, {.draws = 100000, .threads = 2},
                                 Progress([&](double) { return ++told < 2; })),

@@ -10,8 +10,8 @@ namespace strainwave::test {
 
 /// The article's worked example, the same drive as examples/article.toml.
 ///
-/// @param crack_size  a, depth of the cracks in race and shaft and half length of the flexspline's
-///                    [m]; the article takes 0.1 mm for all three
+/// @param crack_size  depth a of the cracks in race and shaft, and half length of the crack in the
+///                    flexspline [m]; the article uses 0.1 mm for all three
 inline GearSet article_gear(double crack_size = 0.1 * units::mm) {
   using units::GPa;
   using units::mm;
@@ -37,7 +37,7 @@ inline GearSet article_gear(double crack_size = 0.1 * units::mm) {
   wave_generator.contact_semi_axes = {5 * mm, 2 * mm};
   RaceSurfaceCrack race;
   race.depth = crack_size;
-  race.aspect_ratio = 0.52147039;  // so that Q = 1.5
+  race.aspect_ratio = 0.52147039;  // gives Q = 1.5
   race.stress_driver = StressDriver::orthogonal_shear;
   race.contact_factor = 0.45;
   wave_generator.crack = {race};

@@ -10,13 +10,14 @@
 
 namespace strainwave::test {
 
-/// What the made-up through crack adds at half length a [rad/(N*m)]: a power law with a bend.
+/// Added compliance of an invented through crack with half length a [rad/(N*m)]: a power law with a
+/// bend.
 inline double made_up_compliance(double a) {
   const double x = a / (5 * units::mm);
   return 2e-10 * x * x * (1 + 0.3 * x);
 }
 
-/// A made-up table over the half length, 0.1 to 40 mm by equal ratios, of the article's drive.
+/// An invented table over the half length, 0.1 to 40 mm by equal ratios, of the article's drive.
 inline ComplianceTable made_up_table(int nodes = 12) {
   ComplianceTable table;
   table.file = "made_up.csv";
@@ -38,7 +39,7 @@ inline ComplianceTable made_up_table(int nodes = 12) {
   return completed(table);
 }
 
-/// The article's drive, its flexspline's crack of this half length with the made-up table.
+/// The article's drive with a crack of this half length in the flexspline and the invented table.
 inline GearSet tabulated_gear(double half_length = 7 * units::mm) {
   GearSet gear = article_gear();
   auto& crack = std::get<WallThroughCrack>(gear.flexspline->crack.at(0));

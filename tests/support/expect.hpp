@@ -51,7 +51,7 @@ inline bool has_note(const StiffnessResult& result, std::string_view code,
   return count_notes(result.notes, code, path) > 0;
 }
 
-/// The codes of all notes, sorted: what a result has to say, as one value.
+/// The sorted codes of all notes of a result.
 inline std::vector<std::string> note_codes(const std::vector<Note>& notes) {
   std::vector<std::string> codes;
   for (const Note& note : notes) codes.push_back(note.code);

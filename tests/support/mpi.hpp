@@ -5,7 +5,7 @@
 
 namespace strainwave::test {
 
-/// MPI for the rest of the test program; started without mpirun it has one rank.
+/// MPI for the rest of the test program; without mpirun it has one rank.
 inline const fem::MpiSession& mpi() {
   static int count = 1;
   static char name[] = "test";

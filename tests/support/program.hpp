@@ -16,7 +16,7 @@
 
 namespace strainwave::test {
 
-/// What a program printed and how it ended.
+/// Output and exit code of a program.
 struct Outcome {
   int exit_code = -1;
   std::string out;
@@ -30,7 +30,7 @@ inline std::string contents(const std::filesystem::path& file) {
 
 inline std::string quoted(const std::string& text) { return "'" + text + "'"; }
 
-/// Runs programs from outside, in a folder of its own for each test with a blank in its name.
+/// Runs programs as processes.  Each test has its own folder with a blank in its name.
 class ProgramTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -45,12 +45,12 @@ class ProgramTest : public testing::Test {
     return folder_ / name;
   }
 
-  /// A command of the shell.
+  /// Runs a command of the shell.
   [[nodiscard]] Outcome execute(const std::string& command) const {
     return outcome(std::system((command + into()).c_str()));
   }
 
-  /// A program that gets SIGINT once it handles this signal.
+  /// Runs a program and sends SIGINT as soon as the program handles this signal.
   [[nodiscard]] Outcome interrupted(const std::filesystem::path& program,
                                     const std::string& arguments) const {
     const std::string command = "exec " + quoted(program.string()) + " " + arguments + into();
@@ -80,7 +80,7 @@ class ProgramTest : public testing::Test {
     return outcome(status);
   }
 
-  /// Writes a file of the folder; its name as a word of the command line.
+  /// Writes a file into the folder; returns its name as a word of the command line.
   std::string write(const std::string& name, const std::string& text) const {
     const std::filesystem::path file = folder_ / name;
     std::ofstream(file, std::ios::binary) << text;

@@ -16,8 +16,8 @@ namespace strainwave::test {
 
 using namespace units;  // NOLINT(google-build-using-namespace): 0.1 * mm reads as it should
 
-/// Numbers that are the same on every platform, which those of <random>'s distributions need not
-/// be.
+/// Random numbers that are the same on every platform, unlike those of the distributions in
+/// <random>.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : engine_(seed) {}

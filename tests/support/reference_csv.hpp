@@ -36,8 +36,8 @@ struct CsvRow {
     if (found == inputs.end()) throw std::runtime_error(place + ": no input " + input);
     return found->second;
   }
-  /// Half a unit of the last digit that can be trusted, relative to the smallest number with so
-  /// many digits.
+  /// Half a unit of the last reliable digit, relative to the smallest number with the same count of
+  /// digits.
   [[nodiscard]] double digits_tolerance() const { return 0.5 * std::pow(10.0, 1 - digits); }
 };
 
@@ -108,8 +108,8 @@ inline std::vector<CsvRow> read_reference_csv(const std::string& table) {
   return rows;
 }
 
-/// Compares with a row: to the digits that the row can be trusted to, and to `rounding`, what the
-/// computation itself may lose, both relative.
+/// Compares with a row: to the reliable digits of the row, and to `rounding`, the error of the
+/// computation itself, both relative.
 inline void expect_row(double actual, const CsvRow& row, double rounding) {
   const double tolerance = std::max(row.digits_tolerance(), rounding);
   EXPECT_NEAR(actual, row.value, std::abs(row.value) * tolerance)

@@ -3,7 +3,7 @@
 
 #include "strainwave/core/units.hpp"
 
-// Steel of the article's drive (support/article_gear.hpp); G is printed, not E/2(1+nu).
+// Steel of the article's drive (support/article_gear.hpp); G is the printed value, not E/2(1+nu).
 
 namespace strainwave::test {
 

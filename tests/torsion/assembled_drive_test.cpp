@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// A drive that is assembled once and asked often.
+// SPDX-License-Identifier: Apache-2.0 A drive that is assembled once and used often.
 #include "strainwave/torsion/assembled_drive.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +21,7 @@ namespace {
 
 constexpr std::array kTorques = {5.0, 14.0, 48.0};
 
-/// With a tooth that is half as stiff.
+/// A drive with a tooth of half stiffness.
 GearSet cracked_drive() {
   GearSet gear = test::supported_drive();
   gear.mesh->crack.emplace_back(ToothCrack{.stiffness_loss = 0.5, .position = 0.05});
@@ -99,7 +98,7 @@ TEST(AssembledDrive, IdentitySeveralThreadsAskOneDrive) {
   for (MakersLines& lines : found) threads.emplace_back([&] { lines = makers_lines(drive); });
   for (std::thread& thread : threads) thread.join();
   for (const MakersLines& lines : found) expect_same(lines, expected);
-  expect_same(makers_lines(drive), expected);  // asking has changed nothing
+  expect_same(makers_lines(drive), expected);  // earlier calls must not change the drive
 }
 
 /// Shares that a computation reports, until the limit.

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
-// The torsion curve with cracks beside that without (TC-26).
+// SPDX-License-Identifier: Apache-2.0 The torsion curve with and without cracks (TC-26).
 #include "strainwave/torsion/compare.hpp"
 
 #include <gtest/gtest.h>
@@ -60,17 +59,18 @@ TEST(CompareCurves, IdentityNoCracksNoChange) {
 }
 
 TEST(CompareCurves, IdentitySeriesCrackAddsItsComplianceToEachLine) {
-  // A series compliance adds to 1/K of all three lines alike, under the sense that opens it.
+  // A series compliance adds the same amount to 1/K of all three lines, under the sense that opens
+  // the crack.
   const GearSet gear = with_barrel_crack();
   const double added = flexspline_compliance(gear).cracks.at(0).positive.at_output.value;
   const CurveComparison c = compare_curves(gear, 2);
   const MakersLines sound = makers_lines(rated_drive());
   test::expect_relative(c.sound.K1, sound.K1, 1e-14);
-  // 1/K is the sound one plus the same addition; its relative change is a difference of 3e-4.
+  // 1/K is that of the sound drive plus this amount; its relative change is a difference of 3e-4.
   test::expect_relative(1 / (1 + c.positive.mean.K1) - 1, added * sound.K1, 1e-9);
   test::expect_relative(1 / (1 + c.positive.mean.K2) - 1, added * sound.K2, 1e-9);
   test::expect_relative(1 / (1 + c.positive.mean.K3) - 1, added * sound.K3, 1e-9);
-  EXPECT_NEAR(c.negative.mean.K1, 0.0, 1e-11);  // closed at 45 degrees: nothing in mode II
+  EXPECT_NEAR(c.negative.mean.K1, 0.0, 1e-11);  // a closed crack at 45 degrees has no mode II
   EXPECT_EQ(c.crack_class, CrackClass::series);
   EXPECT_NEAR(c.class_ratio, sound.K1 / sound.K3, 1e-3);
   EXPECT_EQ(c.positive.ripple_order, 0);
@@ -206,7 +206,7 @@ TEST(WithoutCracks, BehaviourNothingElseChanges) {
 TEST(CompareCurves, InputAngles) {
   EXPECT_THROW((void)compare_curves(rated_drive(), -1), InputError);
   EXPECT_EQ(compare_curves(with_tooth(0.2), 0).angles.size(), 200U);    // every tooth
-  EXPECT_EQ(compare_curves(with_barrel_crack(), 0).angles.size(), 1U);  // nothing moves
+  EXPECT_EQ(compare_curves(with_barrel_crack(), 0).angles.size(), 1U);  // no crack moves
   EXPECT_EQ(compare_curves(with_tooth(0.2), 1).angles.size(), 1U);
 }
 

@@ -22,7 +22,7 @@ GearSet housed_drive(double ratio) {
   return gear;
 }
 
-/// Of ratio 100; sound, or with a crack in every ring.
+/// The drive of ratio 100, sound or with a crack in every ring.
 CoupledDrive assembled(bool cracked) {
   const GearSet gear = housed_drive(100);
   const CoupledGeometry g = coupled_geometry(gear, {});
@@ -40,7 +40,7 @@ CoupledDrive assembled(bool cracked) {
 }
 
 TEST(ContactProblem, IdentityReciprocityOfBallsAndTorque) {
-  // Maxwell and Betti: an outward push e_k of ball k turns the output by -dQ_k/dT per unit.
+  // Maxwell and Betti: an outward displacement e_k of ball k turns the output by -dQ_k/dT per unit.
   for (const bool cracked : {false, true}) {
     CoupledDrive drive = assembled(cracked);
     for (const double torque : {14.0, 48.0, -48.0}) {
@@ -63,7 +63,7 @@ TEST(ContactProblem, IdentityReciprocityOfBallsAndTorque) {
 }
 
 TEST(ContactProblem, IdentityEnergyOfTheTangentIsItsWork) {
-  // Clapeyron: the energies of all members are the work of the torque on its rotation.
+  // Clapeyron: the energies of all members equal the work of the torque on its rotation.
   for (const bool cracked : {false, true}) {
     CoupledDrive drive = assembled(cracked);
     const Equilibrium state = drive.solve(30.0, drive.assembled());
@@ -103,7 +103,7 @@ TEST(ContactProblem, IdentityFlanksCarryTheTorque) {
 }
 
 TEST(ContactProblem, IdentityAStateBetweenStepsKnowsItsRings) {
-  // Where the steps end too early, the closings by the rings are still those of the forces.
+  // If the steps end too early, the closings due to the rings still agree with the forces.
   const GearSet gear = housed_drive(100);
   const CoupledDrive full = assembled(false);
   CoupledDrive stopped(gear, coupled_geometry(gear, {}), {.max_iterations = 3});
@@ -118,7 +118,8 @@ TEST(ContactProblem, IdentityAStateBetweenStepsKnowsItsRings) {
 
 TEST(ElasticRings, IdentityFlexibilityIsThatOfTheModes) {
   // Contact to contact by a series in the angle between them, against the coefficients of all
-  // modes: with an even and an odd number of teeth, columns of a ball, a drive and a coast flank.
+  // modes: with an even and an odd number of teeth, for columns of a ball, a drive flank and a
+  // coast flank.
   for (const double ratio : {100.0, 50.5}) {
     const GearSet gear = housed_drive(ratio);
     const CoupledGeometry g = coupled_geometry(gear, {});
@@ -147,7 +148,7 @@ TEST(ElasticRings, IdentityFlexibilityIsThatOfTheModes) {
 }
 
 TEST(ElasticRings, IdentityNominalWaveOfEachContact) {
-  // A ball sees its negative; the flanks of a tooth see it alike, in a mirror.
+  // A ball has the opposite sign; the flanks of a tooth are mirror images of each other.
   const GearSet gear = housed_drive(50.5);
   const CoupledDrive drive(gear, coupled_geometry(gear, {}), {});
   for (int k = 0; k < drive.balls(); ++k)
@@ -161,8 +162,9 @@ TEST(ElasticRings, IdentityNominalWaveOfEachContact) {
 }
 
 TEST(ElasticRings, BehaviourEveryFurtherHingeSoftensItsRing) {
-  // The cracks of `check`'s least distance, nearly as deep as their rings.  A hinge adds to the
-  // closing of every contact under its own force; two on one another would take it away again.
+  // Cracks at the least distance that `check` accepts, nearly as deep as their rings.  A hinge
+  // increases the closing of every contact under its own force; two overlapping hinges would reduce
+  // it again.
   const GearSet gear = housed_drive(100);
   const CoupledGeometry g = coupled_geometry(gear, {});
   const CoupledDrive sound(gear, g, {});

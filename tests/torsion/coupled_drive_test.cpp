@@ -97,7 +97,8 @@ const std::map<std::string, Case>& cases() {
   return all;
 }
 
-/// These solve the cam again for the cracked ring; the product keeps the cam of the sound drive.
+/// These cases solve the cam again for the cracked ring; the product keeps the cam of the sound
+/// drive.
 const std::set<std::string> kCamOfTheCrackedDrive = {"rim_hinge", "outer_race_hinge", "race_crack",
                                                      "rim_hinge_reversed", "all_cracks"};
 
@@ -123,7 +124,7 @@ const auto& table() {
   return drives;
 }
 
-/// What a row of the table states, by the product.
+/// The value of a row of the table, computed by the product.
 double stated(const std::string& what, const TorsionCurve& curve, const CurvePoint& point) {
   if (what == "cam_amplitude") return curve.cam_amplitude;
   if (what == "ring_rotation") return point.ring_rotation;

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0
-// What of the file becomes a coupled drive: its cracks, and what is refused.
+// SPDX-License-Identifier: Apache-2.0 The coupled drive made from a file: its cracks, and its
+// refusals.
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ using test::typical_drive;
 
 using AddCrack = std::function<void(GearSet&, double)>;
 
-/// Cracks by their size: depth over thickness, or loss of stiffness.
+/// Cracks given by their size: depth over thickness, or loss of stiffness.
 const std::map<std::string, AddCrack>& contact_cracks() {
   static const std::map<std::string, AddCrack> all = {
       {"rim", [](GearSet& g, double size) { test::crack_rim(g, size, 0.3); }},
@@ -62,7 +62,8 @@ TEST(ContactCracks, LimitVanishingSize) {
   for (const double T : {Ts()[0], -Ts()[1]}) {
     const double sound = twist(supported_drive(), T);
     for (const auto& [name, add] : contact_cracks())
-      // Depth enters as its square, the others linearly: 1e-8 at most, and the solver.
+      // Depth enters as its square, other sizes linearly, so the change is at most 1e-8 plus the
+      // error of the solver.
       EXPECT_NEAR(cracked_twist(add, 1e-8, T) / sound, 1, 1e-8) << name;
   }
 }
@@ -94,7 +95,7 @@ TEST(ContactCracks, IdentityToothOnlyWhereTeethMeet) {
   EXPECT_TRUE(state.coast_flanks.empty());
   for (std::size_t i = 0; i < state.drive_flanks.size(); i += 3)
     EXPECT_GT(cracked(state.drive_flanks[i].position, T), sound);
-  // Far from the lobes; rounding, for the cracked drive is assembled once more.
+  // Far from the lobes only rounding remains, because the cracked drive is assembled again.
   for (const double position : {60 * deg, 90 * deg, -90 * deg, 250 * deg})
     test::expect_relative(cracked(position, T), sound, 1e-11);
   const double farthest = std::ranges::max(state.drive_flanks, {}, [](const ContactForce& c) {
@@ -103,7 +104,8 @@ TEST(ContactCracks, IdentityToothOnlyWhereTeethMeet) {
   const double lobe = pi * std::round(farthest / pi);
   const double other_side = 2 * lobe - farthest;
   EXPECT_NEAR(cracked(other_side, -T), -cracked(farthest, T), 1e-9 * sound);
-  // The nearest tooth is meant: half a pitch off is the same tooth, the next is another.
+  // The position selects the nearest tooth: less than half a pitch away is the same tooth, beyond
+  // is the next.
   const double pitch = 2 * pi / 100;
   EXPECT_EQ(cracked(0.5 * pitch, T), cracked(0.95 * pitch, T));
   EXPECT_EQ(cracked(0.5 * pitch, T), cracked(0.5 * pitch + 2 * pi, T));
@@ -149,7 +151,7 @@ TEST(ContactCracks, LimitShallowRimCrackIsAHinge) {
   const int n = 4096;
   const int at = 200;  // of 4096: 17.6 degrees
   const auto moment = [&](double torque) {
-    // Mean over the 2 t_r that the crack softens, of the curvature without the ring's breathing.
+    // Mean curvature over the softened length 2 t_r, without the uniform expansion of the ring.
     const std::vector<RimState> rim = rim_states(typical_drive(), torque, n, exact);
     double breathing = 0.0;
     for (const RimState& state : rim) breathing += state.radial / n;
@@ -165,7 +167,8 @@ TEST(ContactCracks, LimitShallowRimCrackIsAHinge) {
   GearSet gear = typical_drive();
   const double sound = twist(gear, T, exact);
   test::crack_rim(gear, xi, 2 * pi * at / n);
-  // 3 xi of the edge crack's factor, 7 xi^2 of the hinge, 1 % of the grid over the short length.
+  // The tolerance covers 3 xi from the factor of the edge crack, 7 xi^2 from the hinge, and 1 %
+  // from the grid over the short length.
   EXPECT_NEAR((twist(gear, T, exact) - sound) / expected, 1, 3 * xi + 0.015);
 }
 
@@ -202,8 +205,8 @@ TEST(ContactCracks, IdentityCracksThatDoNotReachTheContacts) {
 }
 
 TEST(ContactCracks, IdentityRaceCrackIsThatOfItsBall) {
-  // Neither the balls that the series model lets share the lobe force nor the file's load matter:
-  // the crack is taken at the force of its own ball.  The notes of its stress come along.
+  // Neither the load-sharing balls of the series model nor the file's load matter: the crack is
+  // evaluated at the force of its own ball.  The notes on its stress are included.
   const double T = Ts()[1];
   GearSet gear = typical_drive();
   test::crack_race(gear, 1e-8);
@@ -305,7 +308,7 @@ TEST(SeriesCracks, InputTooLongCrackIsPassedOn) {
 
 // --- what is missing, refused, or noted ---------------------------------------------------------
 
-/// The field that is refused; "accepted" if nothing is.
+/// The refused field; "accepted" if the drive is valid.
 std::string refused(const GearSet& gear, const CoupledOptions& options = {}, double torque = 1.0) {
   try {
     (void)torsion_curve(gear, {{torque}}, options);

@@ -28,7 +28,7 @@ TEST(FlankGap, ReferenceTable) {
   int rows = 0;
   for (const test::CsvRow& row : test::read_reference_csv("coupled_drive_laws")) {
     if (row.quantity != "gap_over_radial_displacement") continue;
-    // Rounding: two differences of numbers of about 1, a gap of 0.005 is left at 5 degrees.
+    // Rounding: two differences of numbers of about 1 leave a gap of 0.005 at 5 degrees.
     test::expect_row(flank_gap(row("angle"), 0.4 * mm, 22 * deg, 1.0) / (0.4 * mm), row, 1e-13);
     ++rows;
   }
@@ -56,7 +56,7 @@ TEST(FlankGap, IdentityFactorAndDisplacementMultiply) {
 }
 
 TEST(FlankGap, IdentityHalfSumAndHalfDifferenceOfTheSides) {
-  // The lift is even about the lobe, the drift odd.
+  // The lift is even about the lobe, and the drift is odd.
   const double alpha = 25 * deg;
   for (const double t : {0.1, 0.3, 0.6}) {
     const double drive = flank_gap(t, 1.0, alpha, 1.0);
@@ -79,7 +79,8 @@ TEST(FlankGap, LimitNearTheLobe) {
 }
 
 TEST(FlankGap, LimitNeverNegative) {
-  // Flanks that are steeper than the path: cut off at zero on the drive side, open on the other.
+  // For flanks that are steeper than the path, the gap is cut off at zero on the drive side and
+  // open on the other.
   for (const double t : {0.2, 0.5, 0.78}) {
     EXPECT_EQ(flank_gap(t, 1.0, 1 * deg, 1.0), 0.0);
     EXPECT_GT(flank_gap(-t, 1.0, 1 * deg, 1.0), 0.0);
@@ -111,7 +112,7 @@ TEST(LeastFlankAngle, ReferencePrintedDegrees) {
 
 TEST(LeastFlankAngle, CrosscheckSteepestTangentOfThePath) {
   // Path of a tooth tip over the wave, in modules: 2 kappa cos^2 on top of a drift of (kappa - 1)
-  // per radian; the flank must lean at least as far as its steepest tangent from the radius.
+  // per radian; the flank angle must be at least that of the steepest tangent against the radius.
   for (const double kappa : {0.6, 0.75, 0.9}) {
     double least = pi / 2;
     for (int i = 1; i < 20000; ++i) {
@@ -127,7 +128,8 @@ TEST(LeastFlankAngle, CrosscheckSteepestTangentOfThePath) {
 TEST(LeastFlankAngle, LimitFullPath) {
   EXPECT_EQ(least_flank_angle(1.0), 0.0);
   EXPECT_EQ(least_flank_angle(1.2), 0.0);
-  // sqrt(2 (1 - kappa))/2 before; the next term is of relative order 1 - kappa.
+  // Below kappa = 1 the angle is sqrt(2 (1 - kappa))/2; the next term is of relative order 1 -
+  // kappa.
   const double e = 1e-6;
   EXPECT_NEAR(least_flank_angle(1 - e) / (std::sqrt(2 * e) / 2), 1, 2 * e);
 }
@@ -152,8 +154,8 @@ TEST(ToothPair, ReferenceTableOfDrives) {
 
 TEST(ToothPair, CrosscheckFiniteElementsOfATooth) {
   // The tooth of the flexspline alone, plane strain, E = 206 GPa: 2.10, 2.91, 4.45e-5 mm^2/N at
-  // t_r/m = 2.4, 1.0, 0.53.  What the pair has more, 3.605 + 2.472, is the same in all three; the
-  // fit claims 2 %.
+  // t_r/m = 2.4, 1.0, 0.53.  The remaining terms of the pair, 3.605 + 2.472, are the same in all
+  // three cases; the fit claims 2 %.
   const double E = 206 * GPa;
   for (const auto& [ratio, compliance] :
        {std::pair{2.4, 2.10e-5}, {1.0, 2.91e-5}, {0.53, 4.45e-5}}) {
@@ -175,7 +177,8 @@ TEST(ToothPair, ScalingIsAModulus) {
 // --- force of a pair (TC-8) ----------------------------------------------------------------------
 
 constexpr FlankLaw kLaw{.pair_stiffness = 19e9, .face_width = 9.5e-3, .slope = 5.4e-3};
-constexpr double kWhole = kLaw.slope * kLaw.face_width;  // the whole face touches: 51 um
+// closing at which the whole face touches, 51 um
+constexpr double kWhole = kLaw.slope * kLaw.face_width;
 
 TEST(FlankLaw, IdentityNothingBeforeItTouches) {
   for (const double u : {-1.0, -1e-6, -0.0, 0.0}) {
@@ -186,7 +189,7 @@ TEST(FlankLaw, IdentityNothingBeforeItTouches) {
 }
 
 TEST(FlankLaw, IdentityContinuousWhereTheWholeFaceTouches) {
-  // c' s b^2/2, c' b, c' s^2 b^3/6 from both sides.
+  // The limits are c' s b^2/2, c' b, c' s^2 b^3/6 from both sides.
   const double c = kLaw.pair_stiffness;
   const double b = kLaw.face_width;
   const double s = kLaw.slope;
@@ -216,7 +219,7 @@ TEST(FlankLaw, CrosscheckSlicesOfTheFace) {
 
 TEST(FlankLaw, IdentityDerivatives) {
   // Both laws are cubics at most and smooth on either side: the error of a central difference is
-  // the third derivative's, h^2/6, and rounding 1e-16/h.
+  // h^2/6 times the third derivative, plus rounding 1e-16/h.
   for (const double share : {0.2, 0.7, 1.3, 3.0}) {
     const double u = share * kWhole;
     const double h = 1e-4 * kWhole;
@@ -236,7 +239,7 @@ TEST(FlankLaw, LimitNoSlope) {
     test::expect_relative(flat.force(u), k * u, 1e-15);
     EXPECT_EQ(flat.stiffness(u), k);
     test::expect_relative(flat.energy(u), k * u * u / 2, 1e-15);
-    // Next term: s b/(2u) of the force, s b/u of the energy.
+    // The next term is s b/(2u) for the force and s b/u for the energy.
     const double next = almost.slope * kLaw.face_width / u;
     EXPECT_NEAR(almost.force(u) / flat.force(u), 1, next);
     EXPECT_NEAR(almost.energy(u) / flat.energy(u), 1, 1.1 * next);

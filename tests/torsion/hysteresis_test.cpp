@@ -40,7 +40,8 @@ const Hysteresis& solved() {
 }
 
 TEST(HysteresisEnvelopes, IdentityTheyAreTheSolvedCurves) {
-  // Interpolated between 48 torques a side: 0.1 % is its error, and the nodes are exact.
+  // The curve is interpolated between 48 torques on each side: its error is 0.1 %, and the nodes
+  // are exact.
   for (const double torque : {3.0, 14.0, 48.0, 80.0, -14.0, -60.0}) {
     test::expect_relative(solved().loading(torque),
                           twist(drive_with_friction(), torque, FlankFriction::loading), 1e-3);
@@ -53,8 +54,8 @@ TEST(HysteresisEnvelopes, IdentityTheyAreTheSolvedCurves) {
 }
 
 TEST(HysteresisEnvelopes, IdentityFrictionTurnsTheForceByItsAngle) {
-  // (TC-16): with gaps and coning those of the flank, loading is the drive whose flanks push at
-  // alpha - atan(mu).  Without gap and coning nothing else depends on the flank angle.
+  // (TC-16): loading equals a drive whose flanks push at alpha - atan(mu), with the same gaps and
+  // coning.  Without gap and coning, nothing else depends on the flank angle.
   GearSet gear = drive_with_friction(0.1);
   gear.mesh->gap_factor = 0;
   gear.mesh->coning = 0;
@@ -91,7 +92,7 @@ TEST(HysteresisPath, IdentityFirstLoadingIsTheEnvelope) {
 }
 
 TEST(HysteresisPath, IdentityFarUnloadingIsTheEnvelope) {
-  // After a reversal at 87 N*m all elements slip before 15 N*m is left.
+  // After a reversal at 87 N*m all elements slip before the torque has fallen to 15 N*m.
   const std::vector<double> path = {87, 15};
   test::expect_relative(solved().twist(path)[1], solved().unloading(15), 1e-12);
 }
@@ -103,14 +104,14 @@ TEST(HysteresisPath, IdentityMinorLoopsCloseAndAreWipedOut) {
   EXPECT_NEAR(phi[4], phi[2], 1e-15);
   EXPECT_LT(phi[2], solved().unloading(45));
   EXPECT_GT(phi[2], solved().loading(45));
-  // Past the turning point the minor loop is forgotten: as if it had never been.
+  // Past the turning point the minor loop no longer has an effect.
   const std::vector<double> straight = {60, 30, 60, 80};
   EXPECT_NEAR(phi[6], solved().twist(straight)[2], 1e-15);
   test::expect_relative(phi[7], solved().loading(80), 1e-12);
 }
 
 TEST(HysteresisPath, IdentityBranchAfterReversalIsSmooth) {
-  // Masing: no jump and no kink down to the envelope; thresholds from 0 on give way at once.
+  // Masing: no jump and no kink down to the envelope; elements with thresholds near 0 slip at once.
   const double reversal = 60.0;
   double last = solved().twist(std::vector{reversal})[0];
   for (double torque = reversal - 0.5; torque > 40; torque -= 0.5) {
@@ -122,8 +123,8 @@ TEST(HysteresisPath, IdentityBranchAfterReversalIsSmooth) {
 }
 
 TEST(HysteresisLoopOf, ReferenceWidthScalesWithFriction) {
-  // Width is about proportional to mu; the mesh hardens, so twice the friction makes a little less
-  // than twice the width.
+  // The width is about proportional to mu; the mesh hardens, so twice the friction gives slightly
+  // less than twice the width.
   const double at_5 =
       hysteresis_loop(Hysteresis(drive_with_friction(0.05), kRated), kRated).largest_width;
   const double at_10 = hysteresis_loop(solved(), kRated).largest_width;
@@ -149,11 +150,12 @@ TEST(HysteresisLoopOf, IdentityWidthAndArea) {
   test::expect_relative(loop.lost_energy, area, 1e-12);
   EXPECT_EQ(loop.largest_width, widest);
   EXPECT_GT(loop.torque_of_largest_width, 0.4 * kRated);
-  EXPECT_EQ(loop.width_at_zero, 0.0);  // flank friction goes with the load
+  EXPECT_EQ(loop.width_at_zero, 0.0);  // flank friction is proportional to the load
 }
 
 TEST(HysteresisLoopOf, LimitFrictionTorqueAtZeroLoad) {
-  // Without flank friction the loop is the curve shifted by +- T_f: at zero 2 phi(T_f) wide.
+  // Without flank friction the loop is the curve shifted by +- T_f: its width at zero is 2
+  // phi(T_f).
   GearSet gear = drive_with_friction(0.0);
   gear.rating->friction_torque = 0.5;
   const Hysteresis hysteresis(gear, kRated);
@@ -197,8 +199,8 @@ TEST(LostMotion, IdentityTwiceTheTwistAtItsTorque) {
 }
 
 TEST(LostMotion, ReferenceLobeGapDecidesIt) {
-  // A normal gap g_0 lets the flanks travel g_0/cos(alpha) each way before they meet: at least
-  // 2 g_0/(R_p cos alpha) of lost motion more.
+  // A normal gap g_0 lets the flanks travel g_0/cos(alpha) in each direction before they meet,
+  // which adds at least 2 g_0/(R_p cos alpha) of lost motion.
   const double tight = lost_motion(drive_with_friction());
   for (const double gap : {2e-6, 5e-6}) {
     GearSet gear = drive_with_friction();

@@ -98,8 +98,8 @@ TEST(PlateEdge, LimitNarrowPlateIsACantilever) {
 }
 
 TEST(PlateEdge, LimitPointLikeBossIsAFullPlate) {
-  // Without a hole only r^n and r^(n+2) are left: D pi/r_o^2 times
-  // 2 (1 - nu)... evaluated from the two powers here; the boss matters as rho^(2n - 2).
+  // Without a hole only r^n and r^(n+2) remain: D pi/r_o^2 times 2 (1 - nu)... evaluated from the
+  // two powers here; the boss matters as rho^(2n - 2).
   const double nu = kPlate.poissons_ratio;
   ClampedPlate full = kPlate;
   full.inner_radius = 1e-4 * full.outer_radius;

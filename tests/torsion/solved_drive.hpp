@@ -11,7 +11,7 @@
 #include "strainwave/torsion/torsion_curve.hpp"
 #include "torsion/typical_drive.hpp"
 
-// What the tests of the coupled drive ask of a solved one.
+// Quantities of a solved coupled drive for the tests.
 
 namespace strainwave::test {
 
@@ -28,7 +28,7 @@ inline double twist(const GearSet& gear, double torque, const CoupledOptions& op
   return point_at(gear, torque, options).twist;
 }
 
-/// The typical drive, its spline half free: with all members that the coupled drive has.
+/// The typical drive with a half free circular spline, which has all members of the coupled drive.
 inline GearSet supported_drive() {
   GearSet gear = typical_drive();
   half_free(gear);

@@ -52,7 +52,7 @@ double sum(const std::vector<ContactForce>& contacts, const auto& f) {
 
 // --- shares of the compliance (TC-15) ------------------------------------------------------------
 
-/// A drive with everything that takes a share.
+/// A drive with all members that contribute a share.
 GearSet full_drive() {
   GearSet gear = supported_drive();
   gear.wave_generator->bearing->clearance = 2 * kMicron;
@@ -79,7 +79,7 @@ TEST(CurveShares, IdentitySumIsOne) {
   const std::vector<double> torques = {-T2, T1 / 4, T1, T2, T3};
   for (const GearSet& gear : {typical_drive(), supported_drive(), full_drive()})
     for (const CurvePoint& point : torsion_curve(gear, torques).points) {
-      // Rounding of the energy of a hundred modes.
+      // The tolerance is rounding of the energy of a hundred modes.
       EXPECT_NEAR(std::accumulate(point.share.begin(), point.share.end(), 0.0), 1, 1e-12);
       for (std::size_t i = 0; i < kCurveMembers; ++i)
         EXPECT_GE(point.share[i], -1e-13) << EnumNames<CurveMember>::names[i];
@@ -150,8 +150,9 @@ TEST(TorsionCurve, IdentitySoundDriveHasNoSense) {
 }
 
 TEST(TorsionCurve, IdentityMirroredCracksMirrorTheSenses) {
-  // A mirror through the axis and the lobes: a crack at theta under T is one at -theta under -T.
-  // 23 balls, one of them on the axis of the mirror, and the teeth are their own mirror images.
+  // Reflection in a plane through the axis and the lobes turns a crack at theta under T into a
+  // crack at -theta under -T.  The 23 balls, with one ball in the plane, and the teeth are their
+  // own mirror images.
   const auto cracked = [](double sense) {
     GearSet gear = supported_drive();
     test::crack_rim(gear, 0.5, sense * 0.3);
@@ -167,10 +168,10 @@ TEST(TorsionCurve, IdentityMirroredCracksMirrorTheSenses) {
 }
 
 TEST(TorsionCurve, IdentityTheWayToATorqueDoesNotMatter) {
-  // One energy, convex: each torque has one state.
+  // The energy is convex, so each torque has one state.
   const auto [T1, T2, T3] = Ts();
   for (const GearSet& gear : {full_drive()}) {
-    // Not without torque: where no flank touches, the ring stays where it was last.
+    // Zero torque is excluded, because the ring stays at its last place if no flank touches.
     const std::vector<double> path = {T1, T3, -T2, T2, T1};
     const TorsionCurve curve = torsion_curve(gear, path);
     ASSERT_EQ(curve.points.size(), path.size());
@@ -195,7 +196,8 @@ TEST(TorsionCurve, IdentityTangentIsTheSlopeOfTheTwist) {
 }
 
 TEST(TorsionCurve, IdentityTheDriveStiffens) {
-  // T/phi grows with the teeth in contact.  The tangent need not: balls let go as well.
+  // T/phi grows with the teeth in contact.  The tangent stiffness may fall, because balls also lose
+  // contact.
   std::vector<double> torques;
   for (int i = 1; i <= 16; ++i) torques.push_back(i * 5.0);
   const TorsionCurve curve = torsion_curve(typical_drive(), torques);
@@ -205,9 +207,9 @@ TEST(TorsionCurve, IdentityTheDriveStiffens) {
   }
 }
 
-/// d(ring rotation)/d(parameter) two ways: by central differences, and by reciprocity: an offset e
-/// of a contact against its closing turns the output by dQ/dT e.  The cam keeps the lobes at w_0,
-/// so its amplitude moves as well.
+/// The derivative d(ring rotation)/d(parameter) by central differences and by reciprocity: an
+/// offset e of a contact against its closing turns the output by dQ/dT e.  The cam keeps the lobes
+/// at w_0, so its amplitude changes as well.
 void expect_reciprocity(const GearSet& base, double T, double h,
                         const std::function<void(GearSet&, double)>& change,
                         const std::function<double(const CurvePoint&)>& offset) {
@@ -284,7 +286,8 @@ TEST(TorsionCurve, IdentityFlanksCarryTheTorque) {
 }
 
 TEST(TorsionCurve, IdentityBallsAndFlanksBalanceTheRing) {
-  // Forces of all contacts against ring in extension and barrel in shear, as whole displacements.
+  // Equilibrium of the forces of all contacts with the ring in extension and the barrel in shear,
+  // for rigid displacements.
   const GearSet gear = full_drive();
   const test::DriveInputs& in = test::drive_inputs(25, 50);
   const double E = in.at("youngs_modulus");
@@ -336,8 +339,8 @@ TEST(TorsionCurve, IdentityBallsAndFlanksBalanceTheRing) {
 }
 
 TEST(TorsionCurve, CrosscheckTorqueAtTheCam) {
-  // Exactly conjugate teeth would give the input T/i; straight flanks give 8 % less.  Model form:
-  // 10 % of the cam's torque, 12 % of 1/(2R).
+  // Exactly conjugate teeth would give the input T/i; straight flanks give 8 % less.  The tolerance
+  // is the model form: 10 % of the cam's torque, 12 % of 1/(2R).
   const GearSet gear = typical_drive(25, 100);
   const double R = test::drive_inputs(25, 100).at("rim_radius");
   for (const double T : {20.0, 48.0, 76.8}) {
@@ -437,7 +440,7 @@ TEST(TorsionCurve, ScalingSimilarDrives) {
   gear.rating = Rating{.T1 = Ts()[0], .T2 = Ts()[1], .T3 = {}, .rated_torque = {}};
   for (const auto& [s, e] : {std::pair{0.4, 1.0}, {1.7, 2.3}}) {
     GearSet other = resized(gear, s, e);
-    other.rating->T1 *= e * s * s * s;  // a race crack is taken at the force of its ball at T2
+    other.rating->T1 *= e * s * s * s;  // a race crack is evaluated at the force of its ball at T2
     other.rating->T2 *= e * s * s * s;
     for (const double T : {Ts()[0], -Ts()[1]}) {
       const CurvePoint one = point_at(gear, T);
@@ -466,9 +469,9 @@ TEST(TorsionCurve, ConvergenceOfTheHarmonics) {
 }
 
 TEST(TorsionCurve, LimitRigidDriveIsLinear) {
-  // Balls of a modulus a thousand times that of steel, the outer ring's bending kept; no gaps, no
-  // tilt: what is left of the curve is the ring on its contacts, linear but for those that open: 6
-  // %.
+  // Balls of a modulus a thousand times that of steel, the outer ring's bending kept; without gaps
+  // and tilt.  The curve is then that of the ring on its contacts, linear except for contacts that
+  // open, within 6 %.
   GearSet gear = typical_drive();
   gear.material["rigid"] = gear.material["steel"];
   gear.material["rigid"].youngs_modulus *= 1e3;
@@ -539,7 +542,7 @@ TEST(TorsionCurve, LimitFrictionThatIsNone) {
   const double loading = twist(gear, T, {.friction = FlankFriction::loading});
   const double unloading = twist(gear, T, {.friction = FlankFriction::unloading});
   EXPECT_NE(loading, unloading);
-  EXPECT_NEAR((loading + unloading) / 2 / twist(gear, T), 1, 0.02);  // square of mu
+  EXPECT_NEAR((loading + unloading) / 2 / twist(gear, T), 1, 0.02);  // the error is of order mu^2
   gear.mesh->friction_coefficient = 0;
   EXPECT_EQ(twist(gear, T, {.friction = FlankFriction::loading}), twist(gear, T));
   EXPECT_EQ(twist(gear, T, {.friction = FlankFriction::unloading}), twist(gear, T));
@@ -548,8 +551,8 @@ TEST(TorsionCurve, LimitFrictionThatIsNone) {
 // --- the rim (TC-24) -----------------------------------------------------------------------------
 
 TEST(RimStates, CrosscheckShapeUnderTorque) {
-  // What a torque of 48 N*m adds to the shape of the wave; sizes as measured on a cup: inward by
-  // about 10 um before the minor axis, outward by about 30 um behind it.
+  // Change of the wave's shape under a torque of 48 N*m; measured on a cup: inward by about 10 um
+  // before the minor axis, outward by about 30 um behind it.
   const GearSet gear = typical_drive(25, 100);
   const std::vector<RimState> loaded = rim_states(gear, 48.0, 360);
   const std::vector<RimState> free = rim_states(gear, 0.0, 360);
@@ -562,8 +565,8 @@ TEST(RimStates, CrosscheckShapeUnderTorque) {
 }
 
 TEST(RimStates, ReferenceStressOfTheWave) {
-  // Ring of (ST-17) bent to w_0 cos 2 theta: E' t/2 3 w_0/R^2 at the lobe; the cam lets the ring be
-  // a little flatter there and rounder beside.  Model form: 25 %.
+  // Ring of (ST-17) bent to w_0 cos 2 theta: E' t/2 3 w_0/R^2 at the lobe; on the cam the ring is
+  // slightly flatter at the lobe and rounder beside it.  The tolerance is the model form, 25 %.
   const GearSet gear = typical_drive();
   const test::DriveInputs& in = test::drive_inputs(25, 50);
   const RimState lobe = rim_states(gear, 0.0, 1).at(0);
@@ -592,7 +595,7 @@ TEST(RimStates, IdentityStressesFollowTheShape) {
     const double bent = (at(i + 1).radial - 2 * w + at(i - 1).radial) / (h * h) + w;
     const double strain = (w + (at(i + 1).tangential - at(i - 1).tangential) / (2 * h)) / R;
     const double bending = -206 * GPa / 0.91 * in.at("rim_thickness") / 2 * bent / (R * R);
-    // Error of the differences: (32 h)^2/12 of the highest mode.
+    // The error of the differences is (32 h)^2/12 of the highest mode.
     EXPECT_NEAR((at(i).rim_outside_stress - at(i).rim_inside_stress) / 2, bending, 2e-3 * most);
     EXPECT_NEAR((at(i).rim_outside_stress + at(i).rim_inside_stress) / 2, 206 * GPa * strain,
                 2e-3 * most);
@@ -611,7 +614,7 @@ TEST(RimStates, IdentityShearOfTheBarrelAndPositions) {
                   1e-12 * std::abs(T) / (R * R * in.at("barrel_thickness")));
     }
   }
-  // The ring turns with the output: mean of v over R.
+  // The ring rotates with the output by the mean of v over R.
   const std::vector<RimState> rim = rim_states(typical_drive(), 30.0, 128);
   double mean = 0.0;
   for (const RimState& state : rim) mean += state.tangential / 128;
@@ -661,7 +664,8 @@ TEST(MakersLines, IdentityByTheirDefinition) {
   gear.rating = rating;
   for (const int sense : {+1, -1}) {
     const MakersLines lines = makers_lines(gear, sense);
-    // Solved another way round: tolerance of the solver, one digit more for differences.
+    // The other curve takes another path; the tolerance is that of the solver, one digit larger
+    // for differences.
     const std::array<double, 3> torques = {sense * 70.0, sense * 48.0, sense * 14.0};
     const TorsionCurve curve = torsion_curve(gear, torques);
     const auto phi = [&](double T) {
@@ -704,7 +708,8 @@ TEST(TorsionCurve, IdentityNoTorqueIsTheAssembledStateWhateverThePath) {
   ASSERT_TRUE(curve.usable());
   for (const std::size_t i : {0U, 2U, 4U}) {
     EXPECT_EQ(curve.points[i].twist, 0.0);
-    EXPECT_TRUE(std::isinf(curve.points[i].tangent_compliance));  // the ring turns in its play
+    EXPECT_TRUE(
+        std::isinf(curve.points[i].tangent_compliance));  // the ring turns freely within its play
     EXPECT_EQ(curve.points[i].teeth_in_contact, 0);
   }
   EXPECT_NEAR(curve.points[1].twist, -curve.points[3].twist, 1e-12 * curve.points[1].twist);
@@ -763,13 +768,13 @@ TEST(TorsionCurve, BehaviourNotes) {
   EXPECT_EQ(codes([](GearSet& g) { g.drive.radial_displacement *= 1.4; }),
             Codes{"torsion.deflection"});
   EXPECT_EQ(codes([](GearSet& g) { g.drive.radial_displacement *= 0.7; }),
-            Codes{"torsion.flank_angle"});  // 27 degrees are needed, 22 there
+            Codes{"torsion.flank_angle"});  // 27 degrees are needed, 22 are given
   EXPECT_EQ(codes([](GearSet& g) {
               g.drive.radial_displacement *= 0.55;
               g.mesh->flank_angle = 30 * deg;
             }),
             (Codes{"torsion.deflection", "torsion.flank_angle"}));
-  // A contact crack is inside this model: the series model's note about it has no place here.
+  // A contact crack is inside this model: so the note of the series model on it must not appear.
   EXPECT_EQ(codes([](GearSet& g) { test::crack_rim(g); }), Codes{});
 }
 

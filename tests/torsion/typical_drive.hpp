@@ -61,7 +61,7 @@ inline GearSet typical_drive(int size = 25, double ratio = 50) {
 
   WaveGenerator wave_generator;
   wave_generator.material = "steel";
-  wave_generator.force_transmission_coefficient = 0.35;  // not of the coupled drive
+  wave_generator.force_transmission_coefficient = 0.35;  // not used by the coupled drive
   wave_generator.cam_flattening = in("cam_factor");
   const double t_o = in("outer_race_thickness");
   wave_generator.bearing = Bearing{.ball_diameter = in("ball_diameter"),
@@ -150,8 +150,8 @@ inline void crack_spline(GearSet& gear, double depth_ratio = 0.4, double positio
       depth_ratio * (spline.outer_diameter - spline.inner_diameter) / 2, position));
 }
 
-/// Adds a crack of the inner race that gives ball 1 a compliance [m/N]: the compliance goes with
-/// the square of the stress.
+/// Adds a crack of the inner race that gives ball 1 a compliance [m/N]: the compliance is
+/// proportional to the square of the stress.
 inline void crack_race(GearSet& gear, double compliance, const CoupledOptions& options = {}) {
   WaveGenerator& wg = *gear.wave_generator;
   wg.inner_ring_thickness = 1.5e-3;
@@ -163,7 +163,7 @@ inline void crack_race(GearSet& gear, double compliance, const CoupledOptions& o
   crack.aspect_ratio = 0.3;
   crack.position = 2 * std::numbers::pi / 23 + 0.05;  // ball 1 is the nearest
   crack.contact_factor = 0.1;
-  // The crack is taken at the force of its ball at T2, in the sound drive.
+  // The crack is evaluated at the force of its ball at T2 in the sound drive.
   const double T2 = makers_torques(gear).T2;
   double force = 0.0;
   for (const double torque : {T2, -T2})
@@ -182,7 +182,7 @@ inline void crack_race(GearSet& gear, double compliance, const CoupledOptions& o
   wg.crack.emplace_back(crack);
 }
 
-/// Holds the circular spline in a housing that leaves half of its compliance.
+/// Puts the circular spline into a housing that leaves half of its compliance.
 inline void half_free(GearSet& gear) { gear.circular_spline->support = 0.5; }
 
 }  // namespace strainwave::test

@@ -178,7 +178,7 @@ def strip_tension(alpha):
 
 
 def table():
-    """Between the nodes of the library's tables."""
+    """Points between the nodes of the library's tables."""
     result = Table("annular_fourier", "radius_ratio [1]", "depth_ratio [1]")
     source = "annular_fourier.py axisymmetric Fourier elements p = 6"
 

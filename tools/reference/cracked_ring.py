@@ -2,7 +2,8 @@
 
 Ring of mean radius r, wall t = 1, crack of depth a from the inner or the outer face; a pressure
 inside (also on the faces of an inner crack), or a uniform hoop stress, or wall bending from given
-forces: the last two are tractions on the faces of the crack, which releases the same energy.
+forces.  Hoop stress and wall bending act as tractions on the faces of the crack, because these
+release the same energy.
 Half of the ring, eight-node elements, graded toward the tip down to 1e-3; G is the central
 difference of the strain energy over a, each with its own mesh of the same kind.
 

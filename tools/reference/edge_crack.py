@@ -7,8 +7,8 @@ Depth a, strip depth t, width B, alpha = a/t; sigma = N/(B t) or 6 M/(B t^2), K 
 
 Independent: the coefficients are typed a second time and held here to the finite elements of
 cracked_strip.csv and to the integral equation of weight_function.csv (bending: P_0 - 2 alpha P_1 of
-its powers (x/a)^n); compliances by quadrature in a.  The compliances "_by_elements" know nothing of
-the polynomials: the factors of the finite elements, interpolated by cubics, under the same integral.
+its powers (x/a)^n); compliances by quadrature in a.  The compliances "_by_elements" do not use the
+polynomials: they integrate the factors of the finite elements, interpolated by cubics.
 Gross and Srawley's polynomials, alpha <= 0.6, are in the table (tada2000, secondary: typed from
 memory, stated 0.5 %); antiplane: int_0^a (K/tau)^2 da with K = tau sqrt(2 t tan(pi a/(2 t))) is
 exact.

@@ -36,7 +36,7 @@ def interaction(chi, L):
 
 
 def first_root(f, lower, upper):
-    """Bisection for the one change of sign of an increasing function."""
+    """Bisection for the zero of an increasing function."""
     assert f(lower) < 0 < f(upper)
     for _ in range(140):
         middle = (lower + upper) / 2

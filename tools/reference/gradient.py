@@ -1,6 +1,6 @@
-"""Cracks in stress gradients: what tests of the family `gradient` are held to.
+"""Cracks in stress gradients: reference values for the tests of the family `gradient`.
 
-Road of its own for every number:
+Every number has its own independent method:
   front      K along the front of a penny crack of radius a under the pressure |y/a|^n, or an
              exponential, over K of the pressure 1: Fourier series and Abel integrals, exact
              (Sneddon); y = a sin(phi)

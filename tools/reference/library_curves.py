@@ -2,7 +2,7 @@
 
 The entries are in tests/data/library_tables.csv, with the program that prints them as their source:
 `annular_fourier.py --library`, `bar_surface.py --library`, `annular_hollow.py --library` (minutes to
-half an hour each), `shell_tables.py` and `weight_function.py --fit`.  Here they are interpolated at the
+half an hour each), `shell_tables.py` and `weight_function.py --fit`.  This script interpolates at the
 entries and halfway between them, with 40 digits and by other formulas than the library's: Lagrange's
 products instead of barycentric weights, Legendre's functions instead of powers, Floater and Hormann's
 blended polynomials instead of their weights.

@@ -5,7 +5,7 @@ The table has F/sqrt(Q) and H F/sqrt(Q) as the library defines its factors; plat
 thickness included.  Written down here in the form of the report, coefficient by coefficient, in
 the angle functions of its text; the library shares powers and branches.
 
-Independent: only the typing.  Whether the fits are right is decided by cracked_block.py.
+Independent: only the typing.  cracked_block.py decides whether the fits are right.
 """
 from mpmath import mp
 

@@ -89,7 +89,7 @@ def write(path, namespace, arrays):
     text = f"""// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Written by tools/reference/shell_tables.py, which says what the columns are; nu = 0.3.
+// Written by tools/reference/shell_tables.py, which describes the columns; nu = 0.3.
 
 namespace {namespace} {{
 

@@ -10,7 +10,8 @@
                  does the work of one sector: u = 2 (energy of a sector)/F.
 
 Source: statics; the ring is a table entry of Roark's formulas (secondary).
-Independent: quadratures, no polar moment, no closed ring formula.  U = 1 has no equilibrium.
+Independent: quadratures without polar moment and without a closed ring formula.  One load alone
+(U = 1) cannot be in equilibrium.
 """
 from mpmath import mp
 

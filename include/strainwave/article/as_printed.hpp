@@ -7,32 +7,33 @@
 #include "strainwave/model/result/stiffness_result.hpp"
 
 /// @file
-/// The article's method exactly as printed, every misprint included.  Nothing here is meant to be
-/// right; it is meant to be what a reader finds in the article, so that each of its numbers can be
-/// reproduced or refuted.  Theory manual, chapter AP, says of every equation what is wrong with it.
+/// The article's method exactly as printed, with every misprint.  This code reproduces what a
+/// reader finds in the article, right or wrong, so that each printed number can be reproduced or
+/// refuted.  Theory manual, chapter AP, states the errors of every equation.
 
 namespace strainwave {
 
 /// Each printed equation by itself.
 ///
-/// These functions take and return bare numbers in one consistent system of units.  The article's
-/// is N and mm, and with misprints it matters: where the docstring says "dimension", the equation
-/// gives another physical result in every system.  No argument is checked.
+/// These functions take and return bare numbers in one consistent system of units.  The article
+/// uses N and mm, and its misprints make the choice matter: where a docstring says "dimension", the
+/// result depends on the system of units.  No function checks its arguments.
 namespace article {
 
 // --- Fracture mechanics ---------------------------------------------------------------------
 
 /// Energy release rate, G = K_I^2/E' + K_II^2/E' + K_III^2/(E'(1 - nu)).
 ///
-/// Implements theory manual eq. (AP-19).  Mode III holds for E' of plane strain only.
+/// Implements theory manual eq. (AP-19).  The term of mode III is valid only if E' is that of plane
+/// strain.
 [[nodiscard]] double energy_release_rate(double K_I, double K_II, double K_III,
                                          double generalised_modulus, double poissons_ratio);
 
-/// Energy release rate over the area a crack has reached.
+/// Energy release rate as a function of the cracked area.
 using ReleaseRateOverArea = std::function<double(double area)>;
 
-/// Displacement that a crack adds, Delta u = int_0^A G/P dA; half of what Castigliano's theorem
-/// gives.  Implements theory manual eq. (AP-20).
+/// Displacement that a crack adds, Delta u = int_0^A G/P dA.  Castigliano's theorem gives twice
+/// this value.  Implements theory manual eq. (AP-20).
 [[nodiscard]] double added_displacement(const ReleaseRateOverArea& release_rate, double area,
                                         double load);
 
@@ -44,7 +45,7 @@ using ReleaseRateOverArea = std::function<double(double area)>;
 
 // --- Wave generator -------------------------------------------------------------------------
 
-/// The bearing's inner ring with its crack.
+/// The inner ring of the bearing with its crack.
 struct CrackedRace {
   double depth = 0.0;               ///< a
   double ring_thickness = 0.0;      ///< t_i
@@ -55,7 +56,7 @@ struct CrackedRace {
   double youngs_modulus = 0.0;      ///< E
 };
 
-/// What turns a radial into a torsional compliance.
+/// The quantities that convert a radial compliance into a torsional one.
 struct Cam {
   double force_transmission_coefficient = 0.0;  ///< k_r
   double pitch_diameter = 0.0;                  ///< d_1
@@ -67,7 +68,7 @@ struct Cam {
 /// K_I = 1.95 sigma sqrt(a/Q).  Implements theory manual eq. (AP-1).
 [[nodiscard]] double race_stress_intensity(double stress, double depth, double flaw_parameter);
 
-/// sigma = beta/2 sigma_max, a shear that the article takes for a tension.
+/// sigma = beta/2 sigma_max, a shear stress that the article treats as a tensile stress.
 ///
 /// Implements theory manual eq. (AP-2).
 [[nodiscard]] double race_stress(double contact_factor, double contact_pressure);
@@ -77,18 +78,19 @@ struct Cam {
 
 /// F_r = 1.15 k_r T/d_1, with the article's 1.15 as `load_factor`.
 ///
-/// Implements theory manual eq. (AP-4).  Per lobe, and only for two lobes.
+/// Implements theory manual eq. (AP-4).  This is the force on one lobe, and it holds for two lobes
+/// only.
 [[nodiscard]] double radial_load(double load_factor, double force_transmission_coefficient,
                                  double torque, double pitch_diameter);
 
 /// Delta u_H = 0.217 t_i (beta a/(a' b'))^2 F_r^2/(E Q).
 ///
-/// Implements theory manual eq. (AP-5).  Dimension: F_r is squared, and must not be.
+/// Implements theory manual eq. (AP-5).  Dimension: F_r must not be squared.
 [[nodiscard]] double race_crack_displacement(const CrackedRace& race, double radial_load);
 
 /// Delta K_G = E Q/(0.217 F_r t_i (beta a/(a' b'))^2).
 ///
-/// Implements theory manual eq. (AP-6).  Dimension: F_r must not be there.
+/// Implements theory manual eq. (AP-6).  Dimension: F_r must not appear.
 [[nodiscard]] double race_crack_stiffness(const CrackedRace& race, double radial_load);
 
 /// K_G0 = F_r/(Delta_b + Delta_g + Delta_a).  Implements theory manual eq. (AP-7).
@@ -167,7 +169,7 @@ struct ShaftStressIntensity {
   double K_III = 0.0;
 };
 
-/// The two terms of eq. (AP-16).
+/// Added compliance of a shaft crack: the two terms of eq. (AP-16).
 struct ShaftCrackCompliance {
   double axial_term = 0.0;    ///< from K_I
   double torsion_term = 0.0;  ///< from K_III
@@ -206,16 +208,16 @@ struct ShaftCrackCompliance {
 ///
 /// Implements theory manual eqs. (AP-1) to (AP-18), evaluated in N and mm because some of them are
 /// dimensionally wrong; input and result are in SI.  The values of `[article]` replace the numbers
-/// that they name.  A compliance may come out negative; it is returned as it is, with a note.
+/// that they name.  A negative compliance is returned unchanged, with a note.
 ///
-/// No accuracy can be stated.  One crack per member: a surface crack of the race (driver
-/// orthogonal_shear, contact factor given), a through crack of the flexspline, an annular crack of
-/// the shaft, which is taken as solid with an equivalent diameter.  Both senses of torque get the
-/// same values, because the article knows no closure of a crack.
+/// The accuracy cannot be stated.  The method takes one crack per member: a surface crack of the
+/// race (driver orthogonal_shear, contact factor given), a through crack of the flexspline, an
+/// annular crack of the shaft.  The shaft is treated as solid with an equivalent diameter.  Both
+/// senses of torque give the same values, because the article does not model crack closure.
 ///
 /// @param gear         the drive
 /// @return             compliances, stiffness, cracks, notes
-/// @throws InputError  where `check(gear)` does, and for what the article cannot treat
+/// @throws InputError  if `check(gear)` refuses the drive, or the article's method cannot treat it
 [[nodiscard]] StiffnessResult torsional_stiffness_as_printed(const GearSet& gear);
 
 }  // namespace strainwave

@@ -11,7 +11,7 @@
 
 namespace strainwave {
 
-/// What became of one number or equation of the article.
+/// Verdict on one number or equation of the article.
 enum class AuditVerdict {
   reproduced,        ///< follows from the printed inputs by the printed equation
   misprint,          ///< a slip of a digit, sign or exponent that can be named
@@ -31,7 +31,7 @@ struct EnumNames<AuditVerdict> {
 struct ReproducingInput {
   std::string name;
   double value = 0.0;
-  std::string unit;  ///< of the article: mm, N, MPa, rad
+  std::string unit;  ///< unit used in the article: mm, N, MPa, rad
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -42,46 +42,46 @@ struct ReproducingInput {
   }
 };
 
-/// One number or equation of the article's worked example.
+/// One number or equation of the article's worked example, and what the audit found.
 struct AuditRow {
   std::string id;        ///< A: fracture mechanics, B: wave generator, C: flexspline, D: output
                          ///< shaft, T: table and text
-  std::string quantity;  ///< what it is, with symbol
-  std::string unit;      ///< of the numbers of this row, as the article has them; "1" if pure
+  std::string quantity;  ///< description of the quantity, with its symbol
+  std::string unit;      ///< unit of the numbers of this row, as in the article; "1" if pure
   std::optional<double> printed = {};  ///< the printed number
-  std::optional<double> own = {};      ///< what its own printed equation gives with printed inputs
-  std::optional<double> corrected = {};  ///< what the corrected theory gives
+  std::optional<double> own = {};      ///< result of the article's equation for its printed inputs
+  std::optional<double> corrected = {};  ///< result of the corrected theory
   AuditVerdict verdict = AuditVerdict::reproduced;
-  std::string sentence = {};                       ///< why, in one sentence
-  std::optional<ReproducingInput> reproduce = {};  ///< found by root finding
+  std::string sentence = {};  ///< reason of the verdict, in one sentence
+  /// value of one input that gives the printed number, by root finding
+  std::optional<ReproducingInput> reproduce = {};
 
-  /// Printed over own; own over corrected where nothing is printed; absent where there is none.
+  /// Ratio printed/own; own/corrected if nothing is printed; absent if one of the two is missing.
   [[nodiscard]] std::optional<double> ratio() const;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"id", "", "chapter and number"}, &AuditRow::id);
-    field({"quantity", "", "what it is, with its symbol"}, &AuditRow::quantity);
-    field({"unit", "", "unit of the numbers of this row, as the article has it, \"1\" if pure"},
+    field({"quantity", "", "description of the quantity, with its symbol"}, &AuditRow::quantity);
+    field({"unit", "", "unit of the numbers of this row, as in the article, or \"1\""},
           &AuditRow::unit);
     field({"printed", kUnitBeside, "the printed number, in the unit of the row"},
           &AuditRow::printed);
     field({"own_equation", kUnitBeside,
-           "what its own printed equation gives with the printed inputs, in the unit of the row"},
+           "result of the article's equation for its printed inputs, in the unit of the row"},
           &AuditRow::own);
-    field({"corrected", kUnitBeside, "what the corrected theory gives, in the unit of the row"},
+    field({"corrected", kUnitBeside, "result of the corrected theory, in the unit of the row"},
           &AuditRow::corrected);
-    field({"ratio", "1", "printed over own equation; own equation over corrected if not printed"},
-          &AuditRow::ratio);
-    field({"verdict", "", "what became of the number or equation"}, &AuditRow::verdict);
+    field({"ratio", "1", "printed/own, or own/corrected if nothing is printed"}, &AuditRow::ratio);
+    field({"verdict", "", "verdict on the number or equation"}, &AuditRow::verdict);
     field({"sentence", "", "why"}, &AuditRow::sentence);
-    field({"reproduced_by", "", "value of one input for which the printed number follows"},
+    field({"reproduced_by", "", "value of one input that gives the printed number"},
           &AuditRow::reproduce);
   }
 };
 
-/// The audit of the article's worked example, computed now: only the printed numbers and inputs
-/// are typed in.
+/// The audit of the article's worked example.  Every number is computed by this call; only the
+/// article's printed numbers and inputs are constants in the code.
 [[nodiscard]] std::vector<AuditRow> audit();
 
 }  // namespace strainwave

@@ -14,20 +14,21 @@
 #include "strainwave/torsion/torsion_curve.hpp"
 
 /// @file
-/// Factors of one drive from its stiffness: a catalogue's three numbers, or a measured curve.
+/// Calibration: factors of one drive found from its stiffness, which a catalogue row or a measured
+/// curve gives.
 
 namespace strainwave {
 
-/// A point of a measured torsion curve, input locked.
+/// A point of a torsion curve measured with locked input.
 struct MeasuredPoint {
   double torque = 0.0;  ///< [N*m]; not 0
-  double twist = 0.0;   ///< from the unloaded state, of the sign of the torque [rad]
+  double twist = 0.0;   ///< from the unloaded state; same sign as the torque [rad]
 
   static constexpr bool kTableRow = true;
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"torque", "N*m", "torque at the output"}, &MeasuredPoint::torque);
-    field({"twist", "rad", "from the unloaded state"}, &MeasuredPoint::twist);
+    field({"twist", "rad", "twist from the unloaded state"}, &MeasuredPoint::twist);
   }
 };
 
@@ -40,93 +41,98 @@ struct MeasuredPoint {
 [[nodiscard]] std::vector<MeasuredPoint> parse_measured_curve(std::string_view text,
                                                               std::string_view file_name);
 
-/// One stiffness that a calibration is to meet.
+/// One stiffness that a calibration has to match.
 struct StiffnessTarget {
-  std::string name;          ///< "K1", or the secant at a torque
+  std::string name;          ///< "K1", or a secant stiffness with its torque
   double from_torque = 0.0;  ///< [N*m]
   double to_torque = 0.0;    ///< [N*m]
   double stiffness = 0.0;    ///< (T_to - T_from)/(phi_to - phi_from) [N*m/rad]
 };
 
-/// What a drive is calibrated with.
+/// The stiffnesses that a drive is calibrated to.
 struct CalibrationTarget {
-  std::string source;  ///< one line
+  std::string source;  ///< origin of the values, one line
   std::vector<StiffnessTarget> values;
-  double relative_uncertainty = 0.0;  ///< of one value, at least, one standard uncertainty [-]
-  /// Compared with the drive without cracks, output shaft and flange: what a catalogue states.
+  double relative_uncertainty = 0.0;  ///< least standard uncertainty of one value, relative [-]
+  /// Compare the drive without its cracks, output shaft and flange, as a catalogue does.
   bool component_set_only = false;
 };
 
-/// K1, K2, K3 of the nearest row, scaled to the drive's diameter by d^3; 2 % each for rounding.
+/// K1, K2, K3 of the nearest row, scaled to the drive's diameter by d^3; each with an uncertainty
+/// of 2 % for rounding.
 [[nodiscard]] CalibrationTarget catalogue_target(const GearSet& gear);
-/// The secant stiffness of every point; 1 % each unless stated.
+/// The secant stiffness of every point; each with an uncertainty of 1 % unless stated.
 [[nodiscard]] CalibrationTarget measured_target(const std::vector<MeasuredPoint>& points,
                                                 std::string_view name,
                                                 double relative_uncertainty = 0.01);
 
-/// A factor and how well the targets know it.
+/// A fitted factor and how well the targets determine it.
 struct CalibratedFactor {
   Factor factor = Factor::support;
   double before = 0.0;       ///< [-]
   double value = 0.0;        ///< [-]
-  double uncertainty = 0.0;  ///< one standard uncertainty, of the value [-]
-  bool at_limit = false;     ///< of what a fit may take: then its uncertainty means nothing
-  bool plausible = true;     ///< between lower and upper of factor_info
-  bool identified = false;   ///< uncertainty of at most 50 % of the value, and not at a limit
+  double uncertainty = 0.0;  ///< one standard uncertainty, relative to the value [-]
+  /// the fit stopped at a limit of the factor: the uncertainty is meaningless
+  bool at_limit = false;
+  bool plausible = true;    ///< between lower and upper of factor_info
+  bool identified = false;  ///< uncertainty at most 50 % of the value, and not at a limit
 
   static constexpr bool kTableRow = true;
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"name", "", "which factor"}, &CalibratedFactor::factor);
-    field({"meaning", "", "what the factor is"},
+    field({"name", "", "name of the factor"}, &CalibratedFactor::factor);
+    field({"meaning", "", "meaning of the factor"},
           [](const CalibratedFactor& f) { return factor_info(f.factor).meaning; });
-    field({"before", "1", "as given"}, &CalibratedFactor::before);
-    field({"value", "1", "as calibrated"}, &CalibratedFactor::value);
-    field({"uncertainty", "1", "one standard uncertainty, of the value"},
+    field({"before", "1", "value in the file"}, &CalibratedFactor::before);
+    field({"value", "1", "calibrated value"}, &CalibratedFactor::value);
+    field({"uncertainty", "1", "one standard uncertainty, relative to the value"},
           &CalibratedFactor::uncertainty);
-    field({"at_limit", "", "whether it is at the limit of what a fit may take"},
+    field({"at_limit", "", "whether the fit stopped at a limit of the factor"},
           &CalibratedFactor::at_limit);
-    field({"plausible", "", "whether it is within what is plausible"},
+    field({"plausible", "", "whether the value lies in the plausible range"},
           &CalibratedFactor::plausible);
-    field({"identified", "", "whether the targets know it"}, &CalibratedFactor::identified);
+    field({"identified", "", "whether the targets determine the factor"},
+          &CalibratedFactor::identified);
   }
 };
 
 /// A direction in the space of factors, in the order of the singular values of the Jacobian.
 struct FactorCombination {
-  std::vector<double> weights;  ///< of ln(factor), or of factor over its range; length 1
-  double singular_value = 0.0;  ///< change of the ln K per unit along it [-]
-  double uncertainty = 0.0;     ///< one standard uncertainty along it [-]
-  bool identified = false;      ///< uncertainty of at most 0.5
+  std::vector<double> weights;  ///< components along ln(factor), or along factor/range; norm 1
+  /// change of the vector of ln K per unit step along the direction [-]
+  double singular_value = 0.0;
+  double uncertainty = 0.0;  ///< one standard uncertainty along the direction [-]
+  bool identified = false;   ///< uncertainty of at most 0.5
 
   static constexpr bool kTableRow = true;
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"weights", "1", "of the logarithms of the factors, or of factors over their range"},
+    field({"weights", "1", "components along ln(factor), or along factor/range"},
           &FactorCombination::weights);
-    field({"singular_value", "1", "change of the logarithms of the stiffnesses per unit along it"},
+    field({"singular_value", "1", "change of the vector of ln K per unit step along the direction"},
           &FactorCombination::singular_value);
-    field({"uncertainty", "1", "one standard uncertainty along it"},
+    field({"uncertainty", "1", "one standard uncertainty along the direction"},
           &FactorCombination::uncertainty);
-    field({"identified", "", "whether the targets know it"}, &FactorCombination::identified);
+    field({"identified", "", "whether the targets determine the combination"},
+          &FactorCombination::identified);
   }
 };
 
 struct CalibratedStiffness {
   StiffnessTarget target;
   double before = 0.0;  ///< predicted with the file's values [N*m/rad]
-  double after = 0.0;   ///< with the fitted factors [N*m/rad]
+  double after = 0.0;   ///< predicted with the fitted factors [N*m/rad]
 
   static constexpr bool kTableRow = true;
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"name", "", "which stiffness"},
+    field({"name", "", "name of the stiffness"},
           [](const CalibratedStiffness& s) { return s.target.name; });
-    field({"from_torque", "N*m", "where it begins"},
+    field({"from_torque", "N*m", "torque at which the interval begins"},
           [](const CalibratedStiffness& s) { return s.target.from_torque; });
-    field({"to_torque", "N*m", "where it ends"},
+    field({"to_torque", "N*m", "torque at which the interval ends"},
           [](const CalibratedStiffness& s) { return s.target.to_torque; });
-    field({"wanted", "N*m/rad", "stiffness to be met"},
+    field({"wanted", "N*m/rad", "target stiffness"},
           [](const CalibratedStiffness& s) { return s.target.stiffness; });
     field({"before", "N*m/rad", "predicted with the file's values"}, &CalibratedStiffness::before);
     field({"after", "N*m/rad", "predicted with the fitted factors"}, &CalibratedStiffness::after);
@@ -134,44 +140,49 @@ struct CalibratedStiffness {
 };
 
 struct Calibration {
-  GearSet gear;  ///< with the factors; `range` widened where a limit is passed
+  /// the drive with the fitted factors; `range` widened where the fit passed a limit
+  GearSet gear;
   std::string source;
   std::vector<CalibratedFactor> factors;
   std::vector<FactorCombination> combinations;
   std::vector<CalibratedStiffness> stiffnesses;
-  double residual = 0.0;              ///< root mean square of ln(after/target) [-]
-  double relative_uncertainty = 0.0;  ///< of one value, that the uncertainties rest on [-]
+  double residual = 0.0;  ///< root mean square of ln(after/target) [-]
+  /// relative uncertainty of one value, from which the others follow [-]
+  double relative_uncertainty = 0.0;
   bool converged = false;
   int iterations = 0;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"source", "", "what it was calibrated with"}, &Calibration::source);
-    field({"converged", "", "whether the fit has converged"}, &Calibration::converged);
+    field({"source", "", "origin of the target values"}, &Calibration::source);
+    field({"converged", "", "whether the fit converged"}, &Calibration::converged);
     field({"iterations", "", "steps of the fit"}, &Calibration::iterations);
     field({"residual", "1", "root mean square of ln(after/wanted)"}, &Calibration::residual);
-    field({"relative_uncertainty_of_a_value", "1", "that the uncertainties rest on"},
+    field({"relative_uncertainty_of_a_value", "1",
+           "relative uncertainty of one value, from which the others follow"},
           &Calibration::relative_uncertainty);
-    field({"factors", "", "each factor, and how well it is known"}, &Calibration::factors);
+    field({"factors", "", "each factor, and how well the targets determine it"},
+          &Calibration::factors);
     field({"combinations", "", "directions in the space of factors"}, &Calibration::combinations);
-    field({"stiffness", "", "each stiffness before and after"}, &Calibration::stiffnesses);
+    field({"stiffness", "", "each stiffness before and after the fit"}, &Calibration::stiffnesses);
   }
 };
 
-/// Least squares of ln K over the factors, between the limits `least` and `most` of factor_info.
+/// Fits factors by least squares of ln K, between the limits `least` and `most` of factor_info.
 ///
-/// The uncertainty of a value is the larger of that of the target and that of the residuals, if
-/// there are more values than factors; that of the factors follows from the Jacobian.
+/// The uncertainty of one value is that of the target.  If there are more values than factors and
+/// the residuals give a larger uncertainty, that one counts.  The uncertainties of the factors
+/// follow from the Jacobian.
 ///
-/// @param factors  at least one, at most as many as there are targets
-/// @throws InputError   if a factor or a torque does not fit the drive
+/// @param factors  at least one, and at most as many as there are targets
+/// @throws InputError   if a factor or a torque does not suit the drive
 /// @throws SolverError  if the drive as given has no equilibrium
-/// @throws Stopped      on request
+/// @throws Stopped      if the caller requests a stop
 [[nodiscard]] Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
                                     const std::vector<Factor>& factors,
                                     const CoupledOptions& options = {},
                                     const Progress& progress = {});
-/// Not usable if the fit has not converged.
+/// Notes and usability of a calibration; not usable if the fit did not converge.
 [[nodiscard]] ResultEvidence evidence_of(const Calibration& calibration);
 
 }  // namespace strainwave

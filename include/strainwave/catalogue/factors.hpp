@@ -10,19 +10,19 @@
 #include "strainwave/model/input/gear_set.hpp"
 
 /// @file
-/// Named unknowns of a drive that a calibration may change.  Each acts by changing fields of the
-/// drive; none multiplies a stiffness.
+/// Named unknowns of a drive that a calibration may change.  Each factor changes fields of the
+/// drive; no factor multiplies a stiffness.
 
 namespace strainwave {
 
 enum class Factor {
-  support,          ///< s_h of the circular spline
-  coning,           ///< chi of the teeth
-  gap_factor,       ///< k_g of the flanks
-  pair_compliance,  ///< 1/c' of a pair of teeth, over that of the file
-  structure,        ///< thickness of barrel and diaphragm, the file's over it
-  clearance,        ///< radial play at a ball, over w_0
-  cam_flattening,   ///< c_cam of the wave generator
+  support,          ///< s_h, support of the circular spline
+  coning,           ///< chi, coning of the teeth
+  gap_factor,       ///< k_g, gap of the flanks
+  pair_compliance,  ///< 1/c' of a pair of teeth, relative to the file
+  structure,        ///< thickness of barrel and diaphragm in the file, over the fitted one
+  clearance,        ///< radial play at a ball, relative to w_0
+  cam_flattening,   ///< c_cam, flattening of the wave generator
 };
 template <>
 struct EnumNames<Factor> {
@@ -34,27 +34,27 @@ inline constexpr std::size_t kFactors = EnumNames<Factor>::names.size();
 
 struct FactorInfo {
   std::string_view meaning;
-  double lower = 0.0;        ///< of what is plausible [-]
-  double upper = 0.0;        ///< [-]
-  double least = 0.0;        ///< of what a fit to one drive may take [-]
-  double most = 0.0;         ///< [-]
-  bool logarithmic = false;  ///< positive by nature: fitted by its logarithm
+  double lower = 0.0;        ///< lower end of the plausible range [-]
+  double upper = 0.0;        ///< upper end of the plausible range [-]
+  double least = 0.0;        ///< least value that a fit to one drive may reach [-]
+  double most = 0.0;         ///< largest value that a fit to one drive may reach [-]
+  bool logarithmic = false;  ///< always positive, so the fit uses its logarithm
 };
 [[nodiscard]] const FactorInfo& factor_info(Factor factor);
 
-/// The factor as the drive is [-]; 1 for pair_compliance and structure.
-/// @throws InputError  if the drive lacks the field that it acts on
+/// The present value of the factor in a drive [-]; 1 for pair_compliance and structure.
+/// @throws InputError  if the drive lacks the field that the factor changes
 [[nodiscard]] double factor_value(const GearSet& gear, Factor factor);
 
-/// The drive with the factor at this value [-].
-/// @throws InputError  as factor_value
+/// The drive with the factor set to this value [-].
+/// @throws InputError  on the same conditions as factor_value
 [[nodiscard]] GearSet with_factor(GearSet gear, Factor factor, double value);
 
-/// "support,coning" as a list without repetition, not empty.
-/// @throws InputError  with the names that are known
+/// Reads factors such as "support,coning": at least one, none repeated.
+/// @throws InputError  if a name is unknown; the message lists the known names
 [[nodiscard]] std::vector<Factor> parse_factors(std::string_view text);
 
-/// "support, coning"
+/// The names of factors as one text: "support, coning".
 [[nodiscard]] std::string factor_names(const std::vector<Factor>& factors);
 
 }  // namespace strainwave

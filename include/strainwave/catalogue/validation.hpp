@@ -16,14 +16,14 @@
 #include "strainwave/torsion/torsion_curve.hpp"
 
 /// @file
-/// The torsion curve held to the makers' stiffness tables.
+/// Validation: the torsion curve compared with the makers' stiffness tables.
 
 namespace strainwave {
 
 enum class ValidationMode {
-  geometry,            ///< nothing fitted
+  geometry,            ///< no factor is fitted
   leave_one_size_out,  ///< at most three factors, fitted to all other sizes
-  per_row,             ///< at most three factors for each row, fitted to that row: what the model
+  per_row,             ///< at most three factors, fitted to each row alone: shows what the model
                        ///< can follow, not what it predicts
 };
 template <>
@@ -35,18 +35,19 @@ struct EnumNames<ValidationMode> {
 struct ValidationOptions {
   ValidationMode mode = ValidationMode::geometry;
   Cup cup = Cup::short_cup;
-  /// Of the two modes that fit.  Empty: for leave-one-size-out support, coning and cam_flattening,
-  /// one unknown each of housing, tooth and cam, which nobody publishes; for per-row coning,
-  /// gap_factor and structure, which bend the curve at its beginning, middle and end.
+  /// Factors for the two modes that fit.  If the list is empty, leave-one-size-out uses support,
+  /// coning and cam_flattening: one unknown each of housing, tooth and cam, which nobody publishes.
+  /// Per-row then uses coning, gap_factor and structure, which bend the curve at its beginning,
+  /// middle and end.
   std::vector<Factor> factors = {};
-  bool all_sets = false;  ///< also fit every set of one to three factors, to all sizes at once
-  int draws = 0;          ///< of the proportions, for bands; 0 to 100000
+  bool all_sets = false;  ///< also fit every set of one to three factors to all sizes at once
+  int draws = 0;          ///< draws of the proportions for the bands; 0 to 100000
   std::uint64_t seed = 1;
-  std::vector<int> sizes = {};  ///< only these of the catalogue; empty: all
+  std::vector<int> sizes = {};  ///< sizes of the catalogue to predict; empty: all
   CoupledOptions coupled = {};
 };
 
-/// 5 %, 50 % and 95 % of drawn predictions [N*m/rad].
+/// Quantiles 5 %, 50 % and 95 % of the drawn predictions [N*m/rad].
 struct PredictionBand {
   double low = 0.0;
   double middle = 0.0;
@@ -57,11 +58,12 @@ struct PredictionBand {
 struct ValidationRow {
   StiffnessRow catalogue;
   std::array<double, 3> predicted{};  ///< K1, K2, K3 [N*m/rad]
-  std::vector<double> factors;        ///< with which it was predicted; empty in mode geometry
-  std::vector<bool> at_limit;         ///< of each factor
+  /// values of the factors in the prediction; empty in mode geometry
+  std::vector<double> factors;
+  std::vector<bool> at_limit;  ///< whether each factor is at a limit
   std::array<std::optional<PredictionBand>, 3> band;
 
-  /// predicted/catalogue of K1, K2, K3 [-]; nothing where the catalogue has no value
+  /// predicted/catalogue of K1, K2, K3 [-]; absent if the catalogue has no value
   [[nodiscard]] std::array<std::optional<double>, 3> ratio() const;
 
   static constexpr bool kTableRow = true;
@@ -71,9 +73,9 @@ struct ValidationRow {
     field({"size", "1", "maker's size"}, [](const Row& row) { return row.catalogue.size; });
     field({"ratio_class", "", "30, 50, or 80 and more"},
           [](const Row& row) { return row.catalogue.ratio_class; });
-    field({"T1", "N*m", "up to which K1 holds"}, [](const Row& row) { return row.catalogue.T1; });
-    field({"T2", "N*m", "up to which K2 holds"}, [](const Row& row) { return row.catalogue.T2; });
-    field({"T3", "N*m", "up to which K3 is compared"},
+    field({"T1", "N*m", "upper torque of K1"}, [](const Row& row) { return row.catalogue.T1; });
+    field({"T2", "N*m", "upper torque of K2"}, [](const Row& row) { return row.catalogue.T2; });
+    field({"T3", "N*m", "upper torque of the comparison of K3"},
           [](const Row& row) { return row.catalogue.T3(); });
     describe_line<0>(
         field, {"catalogue_K1", "predicted_K1", "ratio_K1", "low_K1", "middle_K1", "high_K1"});
@@ -81,24 +83,24 @@ struct ValidationRow {
         field, {"catalogue_K2", "predicted_K2", "ratio_K2", "low_K2", "middle_K2", "high_K2"});
     describe_line<2>(
         field, {"catalogue_K3", "predicted_K3", "ratio_K3", "low_K3", "middle_K3", "high_K3"});
-    field({"factors", "1", "values with which it was predicted"}, &Row::factors);
+    field({"factors", "1", "values of the factors in the prediction"}, &Row::factors);
     field({"at_limit", "", "whether each factor is at a limit"}, &Row::at_limit);
   }
 
  private:
-  /// One of the three lines; the band is absent where nothing was drawn.
+  /// Describes one of K1, K2, K3; the band is absent if nothing was drawn.
   template <std::size_t k, class Visitor>
   static void describe_line(Visitor&& field, const std::array<std::string_view, 6>& names) {
     using Row = ValidationRow;
-    field({names[0], "N*m/rad", "of the catalogue"},
+    field({names[0], "N*m/rad", "stiffness in the catalogue"},
           [](const Row& row) { return row.catalogue.K()[k]; });
     field({names[1], "N*m/rad", "predicted"}, [](const Row& row) { return row.predicted[k]; });
     field({names[2], "1", "predicted/catalogue"}, [](const Row& row) { return row.ratio()[k]; });
-    field({names[3], "N*m/rad", "5 % of the drawn predictions"},
+    field({names[3], "N*m/rad", "5 % quantile of the drawn predictions"},
           [](const Row& row) { return row.of_band(k, &PredictionBand::low); });
-    field({names[4], "N*m/rad", "50 % of the drawn predictions"},
+    field({names[4], "N*m/rad", "50 % quantile of the drawn predictions"},
           [](const Row& row) { return row.of_band(k, &PredictionBand::middle); });
-    field({names[5], "N*m/rad", "95 % of the drawn predictions"},
+    field({names[5], "N*m/rad", "95 % quantile of the drawn predictions"},
           [](const Row& row) { return row.of_band(k, &PredictionBand::high); });
   }
   [[nodiscard]] std::optional<double> of_band(std::size_t k, double PredictionBand::*limit) const {
@@ -106,38 +108,38 @@ struct ValidationRow {
   }
 };
 
-/// |predicted/catalogue - 1| over some rows.
+/// Statistics of |predicted/catalogue - 1| over a group of rows [-].
 struct ErrorSummary {
-  std::string of = {};  ///< which rows
+  std::string of = {};  ///< name of the group of rows
   int rows = 0;
   int values = 0;
   double median = 0.0;
   double worst = 0.0;
-  std::array<double, 3> median_of{};  ///< K1, K2, K3
+  std::array<double, 3> median_of{};  ///< medians of K1, K2, K3
   std::array<double, 3> worst_of{};
-  int in_band = 0;  ///< values between `low` and `high`, of `values`
+  int in_band = 0;  ///< how many of `values` lie between `low` and `high`
 
   static constexpr bool kTableRow = true;
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"of", "", "which rows"}, &ErrorSummary::of);
-    field({"rows", "1", "how many rows"}, &ErrorSummary::rows);
-    field({"values", "1", "how many values"}, &ErrorSummary::values);
+    field({"of", "", "name of the group of rows"}, &ErrorSummary::of);
+    field({"rows", "1", "number of rows"}, &ErrorSummary::rows);
+    field({"values", "1", "number of values"}, &ErrorSummary::values);
     field({"median", "1", "median of |predicted/catalogue - 1|"}, &ErrorSummary::median);
     field({"worst", "1", "largest of |predicted/catalogue - 1|"}, &ErrorSummary::worst);
-    field({"median_K1", "1", "the same of K1 alone"},
+    field({"median_K1", "1", "median for K1 alone"},
           [](const ErrorSummary& s) { return s.median_of[0]; });
-    field({"median_K2", "1", "the same of K2 alone"},
+    field({"median_K2", "1", "median for K2 alone"},
           [](const ErrorSummary& s) { return s.median_of[1]; });
-    field({"median_K3", "1", "the same of K3 alone"},
+    field({"median_K3", "1", "median for K3 alone"},
           [](const ErrorSummary& s) { return s.median_of[2]; });
-    field({"worst_K1", "1", "the same of K1 alone"},
+    field({"worst_K1", "1", "largest for K1 alone"},
           [](const ErrorSummary& s) { return s.worst_of[0]; });
-    field({"worst_K2", "1", "the same of K2 alone"},
+    field({"worst_K2", "1", "largest for K2 alone"},
           [](const ErrorSummary& s) { return s.worst_of[1]; });
-    field({"worst_K3", "1", "the same of K3 alone"},
+    field({"worst_K3", "1", "largest for K3 alone"},
           [](const ErrorSummary& s) { return s.worst_of[2]; });
-    field({"in_band", "1", "values within the band, of all"}, &ErrorSummary::in_band);
+    field({"in_band", "1", "number of values within the band"}, &ErrorSummary::in_band);
   }
 };
 
@@ -146,17 +148,17 @@ struct FactorTrial {
   std::vector<Factor> factors;
   std::vector<double> values;
   std::vector<bool> at_limit;
-  double median = 0.0;  ///< |error| over the rows fitted
+  double median = 0.0;  ///< median of |error| over the fitted rows
   double worst = 0.0;
 
   static constexpr bool kTableRow = true;
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"factors", "", "the set"}, &FactorTrial::factors);
+    field({"factors", "", "names of the factors"}, &FactorTrial::factors);
     field({"values", "1", "fitted values of the factors"}, &FactorTrial::values);
     field({"at_limit", "", "whether each factor is at a limit"}, &FactorTrial::at_limit);
-    field({"median", "1", "median of |error| over the rows fitted"}, &FactorTrial::median);
-    field({"worst", "1", "largest of |error| over the rows fitted"}, &FactorTrial::worst);
+    field({"median", "1", "median of |error| over the fitted rows"}, &FactorTrial::median);
+    field({"worst", "1", "largest of |error| over the fitted rows"}, &FactorTrial::worst);
   }
 };
 
@@ -164,39 +166,40 @@ struct Validation {
   ValidationOptions options;  ///< with the factors filled in
   std::vector<ValidationRow> rows;
   std::vector<ErrorSummary> errors;
-  std::vector<FactorTrial> trials;  ///< the set used first; the others if asked for
-  int failed_draws = 0;             ///< draws without an equilibrium, left out
+  std::vector<FactorTrial> trials;  ///< the set in use first, then the other sets on request
+  int failed_draws = 0;             ///< draws left out because they have no equilibrium
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"mode", "", "what was fitted"}, [](const Validation& v) { return v.options.mode; });
+    field({"mode", "", "which factors are fitted, and to what"},
+          [](const Validation& v) { return v.options.mode; });
     field({"cup", "", "short or standard"}, [](const Validation& v) { return v.options.cup; });
-    field({"factors", "", "that were fitted"},
+    field({"factors", "", "names of the fitted factors"},
           [](const Validation& v) { return v.options.factors; });
     field({"draws", "", "drives drawn for the bands"},
           [](const Validation& v) { return v.options.draws; });
-    field({"failed_draws", "", "draws without an equilibrium, left out"},
+    field({"failed_draws", "", "draws left out because they have no equilibrium"},
           &Validation::failed_draws);
-    field({"seed", "", "of the draws"}, [](const Validation& v) { return v.options.seed; });
-    field({"errors", "", "over groups of rows"}, &Validation::errors);
+    field({"seed", "", "seed of the draws"}, [](const Validation& v) { return v.options.seed; });
+    field({"errors", "", "errors over groups of rows"}, &Validation::errors);
     field({"rows", "", "each row of the catalogue and its prediction"}, &Validation::rows);
     field({"sets_tried", "", "sets of factors fitted to all sizes at once"}, &Validation::trials);
   }
 };
 
-/// Rows that a fit sees: size 17 and more, ratio 50 and more.  The smaller sizes break the
-/// similarity K ~ d^3 in the catalogue itself, by 20 to 50 %; at ratio 30 the model does not hold.
+/// Whether a fit uses this row: size 17 and more, ratio 50 and more.  In the catalogue, smaller
+/// sizes deviate from the similarity K ~ d^3 by 20 to 50 %.  At ratio 30 the model is not valid.
 [[nodiscard]] bool is_regular(const StiffnessRow& row);
 
-/// Predicts every row of the catalogue with the typical drive of its ratio, no output shaft, at
-/// the catalogue's T1 and T2 and at 1.6 T2; ratio 100 stands for 80 and more.
+/// Predicts every row of the catalogue with the typical drive of its ratio, without an output
+/// shaft, at the catalogue's T1 and T2 and at 1.6 T2.  Ratio 100 represents 80 and more.
 ///
-/// In leave-one-size-out every row is predicted by a fit that has not seen its size.  Fits are
-/// least squares of ln K, all values alike, factors within what is plausible (factor_info).
+/// In mode leave_one_size_out, every row is predicted by a fit to the other sizes.  Fits are least
+/// squares of ln K with equal weights, with factors in their plausible ranges (factor_info).
 ///
-/// @throws InputError   if an option is out of range or a size not known
+/// @throws InputError   if an option is out of range or a size is unknown
 /// @throws SolverError  if a drive has no equilibrium
-/// @throws Stopped      on request
+/// @throws Stopped      if the caller requests a stop
 [[nodiscard]] Validation validate(const ValidationOptions& options = {},
                                   const Progress& progress = {});
 

@@ -7,17 +7,17 @@
 #include <vector>
 
 /// @file
-/// Charts as SVG documents, of whatever numbers.
+/// Charts of any numbers as SVG documents.
 
 namespace strainwave {
 
-/// Lines of one chart that differ by colour and dashes; after that they come again.
+/// How many lines of one chart differ by colour and dashes; further lines repeat the styles.
 inline constexpr std::size_t kDistinctLines = 7;
 
-/// Where a series has discs besides its line.
+/// Where a series shows discs in addition to its line.
 enum class Discs { none, at_end };
 
-/// One line of a plot; a point that is not finite, or not positive on a log axis, is a gap.
+/// One line of a plot.  A point that is not finite, or not positive on a log axis, leaves a gap.
 struct PlotSeries {
   std::string label;
   std::vector<double> x = {};
@@ -30,7 +30,7 @@ enum class AxisScale { linear, logarithmic };
 /// One pair of axes.
 struct PlotPanel {
   std::string title;
-  std::string subtitle = {};  ///< smaller, below the title
+  std::string subtitle = {};  ///< shown smaller, below the title
   std::string x_label;
   std::string y_label;
   std::string legend_title = {};
@@ -39,8 +39,8 @@ struct PlotPanel {
   std::vector<PlotSeries> series = {};
 };
 
-/// Panels below each other as one SVG document; colours that colour-blind readers can tell apart,
-/// and dashes for those who print in black.  The same input gives the same bytes.
+/// Panels below each other as one SVG document.  Colours suit colour-blind readers; dashes suit
+/// prints in black.  The same input gives the same bytes.
 [[nodiscard]] std::string svg_plot(std::span<const PlotPanel> panels);
 
 /// Bars of one colour.
@@ -49,7 +49,7 @@ struct TornadoSeries {
   std::vector<double> values;  ///< shape (n labels)
 };
 
-/// Horizontal bars from zero, one row for each label, a bar for each series.
+/// Horizontal bars from zero, with one row for each label and one bar for each series.
 struct TornadoPanel {
   std::string title = {};
   std::string subtitle = {};
@@ -58,7 +58,7 @@ struct TornadoPanel {
   std::vector<TornadoSeries> series = {};  ///< one or two
 };
 
-/// Panels of bars below each other as one SVG document; the number stands at the end of each bar.
+/// Panels of bars below each other as one SVG document, with the number at the end of each bar.
 [[nodiscard]] std::string tornado_svg(std::span<const TornadoPanel> panels);
 
 /// A quantity over two others, as lines of equal value.

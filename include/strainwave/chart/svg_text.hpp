@@ -6,10 +6,10 @@
 
 namespace strainwave {
 
-/// Text as XML wants it; control characters, which XML has no place for, become blanks.
+/// Text escaped for XML.  Control characters, which XML forbids, become blanks.
 [[nodiscard]] std::string svg_text(std::string_view text);
 
-/// "10⁻⁵"
+/// A power of ten as text: "10⁻⁵".
 [[nodiscard]] std::string power_of_ten(int exponent);
 
 }  // namespace strainwave

@@ -20,34 +20,33 @@
 #include "strainwave/present/outputs_csv.hpp"
 
 /// @file
-/// A command as one row of a table: what it is called, what it takes, what it computes, and which
-/// documents show its result.  Command lines, manual pages, schemas and the C interface are
-/// visitors of such a table.
+/// A command as one row of a table: its name, its options, its function, and the documents that
+/// show its result.  Command lines, manual pages, schemas and the C interface visit such a table.
 
 namespace strainwave {
 
-/// A drive as a command gets it: read, with the text it was read from.
+/// A drive as a command receives it, together with the text it was read from.
 struct Drive {
   GearSet gear;
-  std::string text;  ///< word for word; empty where the drive was not made from text
-  std::string name;  ///< of the text, for messages: "drive.toml"
+  std::string text;  ///< the unchanged text; empty if the drive was not read from text
+  std::string name;  ///< name of the text in messages: "drive.toml"
 };
 
-/// Texts that options name, such as a measured curve, by the name that the option gives.
+/// Texts that options name, such as a measured curve.  The key is the name that the option gives.
 using OptionTexts = std::map<std::string, std::string, std::less<>>;
 
-/// Where what is computed from a drive comes from.
+/// Provenance of results that are computed from a drive.
 [[nodiscard]] Provenance provenance_of(const Drive& drive);
 
 /// Reads a drive from TOML text.
-/// @param name         of the text, for messages
+/// @param name         name of the text in messages
 /// @param attachments  texts that the drive names
-/// @throws InputError  as read_gear_set
+/// @throws InputError  on the same conditions as read_gear_set
 [[nodiscard]] std::shared_ptr<const Drive> read_drive(std::string text, std::string name,
                                                       const Attachments& attachments = {});
 
-/// A text that a long computation adds to piece by piece, so that one that was stopped goes on
-/// where it was: a file, to a command line.
+/// A text to which a long computation adds piece by piece.  A stopped computation continues from
+/// it. For a command line, the text is a file.
 class Journal {
  public:
   Journal() = default;
@@ -57,20 +56,20 @@ class Journal {
   Journal(Journal&&) = delete;
   Journal& operator=(Journal&&) = delete;
 
-  [[nodiscard]] virtual std::string name() const = 0;  ///< for messages
-  /// What it holds; nothing where it was never begun.
+  [[nodiscard]] virtual std::string name() const = 0;  ///< name of the journal in messages
+  /// The text of the journal; absent if the journal was never begun.
   [[nodiscard]] virtual std::optional<std::string> text() const = 0;
-  /// Makes it hold this text and nothing else.
+  /// Replaces the content by this text.
   virtual void begin(const std::string& text) = 0;
-  /// Adds a line; it is safe when this returns.
+  /// Adds a line.  On return the line is stored permanently.
   virtual void append(const std::string& line) = 0;
 };
 
 inline const Ranks kAlone;
 
-/// What only some programs give to their commands.
+/// Services that only some programs offer to their commands.
 struct Host {
-  const Ranks& ranks = kAlone;  ///< that all run the same command
+  const Ranks& ranks = kAlone;  ///< processes that all run the same command
   Journal* journal = nullptr;
   /// Texts, tables and JSON have these units.  Texts and tables have first of all the units that
   /// options name: a target "x=1 mm" is answered in mm.
@@ -82,9 +81,9 @@ struct Host {
   };
 };
 
-/// What a command gets besides its options.
+/// The input of a command apart from its options.
 struct Request {
-  const Drive& drive;  ///< empty for a command that takes none
+  const Drive& drive;  ///< empty for a command that takes no drive
   const OptionTexts& texts;
   const Progress& progress;
   const Ranks& ranks;
@@ -92,10 +91,10 @@ struct Request {
   const std::function<Attachments(const std::string& name)>& beside;  ///< as of Host
 };
 
-/// Whether a command works on a drive.
+/// Whether a command takes a drive.
 enum class Takes { nothing, drive };
 
-/// Which kind of document shows a result.
+/// Format of a document that shows a result.
 enum class Format { text, json, csv, markdown, svg, html, toml, vtu };
 template <>
 struct EnumNames<Format> {
@@ -107,17 +106,17 @@ struct EnumNames<Format> {
 struct Document {
   std::string_view name;  ///< "text", "plot"
   Format format = Format::text;
-  /// The option of the command line that asks for it beside the main document and takes its path;
-  /// empty: one of the main documents, which `--format` chooses from.
+  /// The command-line option that requests this document in addition to the main one, and takes its
+  /// path.  Empty: this is one of the main documents, from which `--format` chooses.
   std::string_view option = {};
-  std::string_view doc = {};  ///< what it shows, as the help of that option
-  /// The flag among the options that the command must run with to have what it shows; a command
-  /// line sets it.  Empty: none.
+  std::string_view doc = {};  ///< content of the document, shown in the help of that option
+  /// Flag among the options that the command must run with to produce the content; a command line
+  /// sets this flag.  Empty: no flag is needed.
   std::string_view needs = {};
-  bool folder = false;  ///< several files
+  bool folder = false;  ///< the document consists of several files
 };
 
-/// A file of a document that is a folder.
+/// One file of a document that is a folder.
 struct OutputFile {
   std::string name;
   std::string text;
@@ -125,7 +124,7 @@ struct OutputFile {
 
 class Answer;
 
-/// What the writer of a document gets besides the result.
+/// The input of a document's writer apart from the result.
 struct Rendering {
   const Drive& drive;
   const Provenance& provenance;
@@ -133,7 +132,8 @@ struct Rendering {
   const Answer& answer;
 };
 
-/// A document and what writes it: one text, or the files of a folder, each rank its own.
+/// A document and its writer.  A writer returns one text, or the files of a folder; each rank
+/// writes its own files.
 template <class Result>
 struct DocumentOf {
   Document document;
@@ -161,7 +161,7 @@ struct DocumentOf {
       };
     }
   }
-  /// A main document, called as its format is.
+  /// A main document, named after its format.
   template <class Writer>
   DocumentOf(Format format, Writer writer)
       : DocumentOf(Document{.name = enum_name(format), .format = format}, writer) {}
@@ -169,30 +169,30 @@ struct DocumentOf {
 
 /// One row of a table of commands.
 struct Command {
-  std::string_view name;  ///< "stiffness"; two words where commands form a group: "sif eval"
+  std::string_view name;  ///< "stiffness", or two words for a command of a group: "sif eval"
   std::string_view summary;
   std::string_view description;
   std::string_view example;  ///< a command line
-  std::string_view journal;  ///< what its journal is; empty: it keeps none
+  std::string_view journal;  ///< content of its journal; empty: the command keeps no journal
   Takes takes = Takes::drive;
   OptionsType options;
   std::vector<Document> documents;  ///< the first is the default
 
-  // The function and its result, erased.
+  // The function and its result with their types erased.
   std::shared_ptr<const void> (*run)(const Command& command, const Request& request,
                                      const void* options);
   std::shared_ptr<const void> function;
   ResultEvidence (*evidence)(const void* result);
   void (*visit)(const void* result, ValueVisitor& to);
   void (*walk)(const Field& field, TypeVisitor& to);
-  /// Writes a document: the files of a folder, or one file without a name, which is the text.
+  /// Writes a document: the files of a folder, or a single text as one file without a name.
   std::vector<OutputFile> (*write)(const Command& command, std::size_t document, const void* result,
                                    const Rendering& rendering);
   std::shared_ptr<const void> writers;
-  std::string_view program = "strainwave";  ///< that has the table
+  std::string_view program = "strainwave";  ///< name of the program that has the table
 };
 
-/// What a command is made of.
+/// The parts that make a command.
 template <class Options, class Result>
 struct CommandOf {
   std::string_view name;
@@ -205,7 +205,7 @@ struct CommandOf {
   std::vector<DocumentOf<Result>> documents;
 };
 
-/// The row of a command: its options and its result by their descriptions.
+/// Makes the row of a command from the descriptions of its options and its result.
 template <class Options, class Result>
 [[nodiscard]] Command command(CommandOf<Options, Result> of) {
   using Function = std::function<Result(const Request&, const Options&)>;
@@ -241,10 +241,10 @@ template <class Options, class Result>
   return row;
 }
 
-/// What a command answered: its result, which documents and envelope are made of on demand.
+/// The answer of a command: its result.  Documents and envelope are made from it on demand.
 class Answer {
  public:
-  /// As `run`, which says what there must be.
+  /// Takes the arguments of `run`, which states the conditions.
   Answer(const Command& command, std::shared_ptr<const Drive> drive, const OptionValues& options,
          const OptionTexts& texts, const Progress& progress, const Host& host);
 
@@ -255,10 +255,10 @@ class Answer {
   /// The result in the envelope of all results, `strainwave-result/1`.
   [[nodiscard]] std::string json() const;
   /// A document by its name; "json" gives the envelope.
-  /// @throws OptionError  the command makes no such document, or it is a folder
+  /// @throws OptionError  if the command does not make this document, or the document is a folder
   [[nodiscard]] std::string document(std::string_view name) const;
-  /// The files of a document that is a folder, of all ranks those of this one.
-  /// @throws OptionError  the command makes no such document
+  /// The files of a document that is a folder; with several ranks, only the files of this rank.
+  /// @throws OptionError  if the command does not make this document
   [[nodiscard]] std::vector<OutputFile> files(std::string_view name) const;
   void visit(ValueVisitor& to) const { command_->visit(result_.get(), to); }
 
@@ -275,13 +275,13 @@ class Answer {
 };
 
 /// Runs a command.
-/// @param drive     read by read_drive; null for a command that takes none
-/// @param texts     that options name
-/// @param host      outlives the answer
-/// @throws InputError   the drive breaks a rule, or holds what the command cannot treat
-/// @throws OptionError  an option, the drive or the journal is missing or cannot be understood
-/// @throws SolverError  the computation finds no valid answer
-/// @throws Stopped      `progress` asked to stop
+/// @param drive     read by read_drive; null for a command that takes no drive
+/// @param texts     texts that options name
+/// @param host      must outlive the answer
+/// @throws InputError   if the drive breaks a rule, or the command cannot treat it
+/// @throws OptionError  if an option, the drive or the journal is missing or cannot be understood
+/// @throws SolverError  if the computation finds no valid answer
+/// @throws Stopped      if `progress` requests a stop
 [[nodiscard]] Answer run(const Command& command, const std::shared_ptr<const Drive>& drive,
                          const OptionValues& options, const OptionTexts& texts = {},
                          const Progress& progress = {}, const Host& host = {});
@@ -296,11 +296,12 @@ class Answer {
 /// The fields of a command's result as a Markdown table: path, unit, meaning.
 [[nodiscard]] std::string result_reference(const Command& command);
 
-/// The row `schema` of a table: the schemas of the input, and of options and results of its rows.
+/// The row `schema` of a table.  It gives the schemas of the input, and of the options and results
+/// of each row.
 [[nodiscard]] Command schema_command(std::span<const Command> (*table)());
 
 /// The command of a table by its name.
-/// @throws OptionError  there is none; the message names the nearest
+/// @throws OptionError  if the table lacks it; the message names the nearest
 [[nodiscard]] const Command& command_named(std::span<const Command> table, std::string_view name);
 
 }  // namespace strainwave

@@ -10,19 +10,21 @@
 #include "strainwave/core/error.hpp"
 
 /// @file
-/// The options of a command are a described struct.  The command line, JSON and the C interface
-/// set them by name and text; this header makes any such struct settable without its type.
+/// The options of a command are a described struct.  The command line, JSON and the C interface set
+/// options by name and text.  This header makes any such struct settable without knowledge of its
+/// type.
 
 namespace strainwave {
 
-/// An option, or what it names, cannot be understood.
+/// An option, or the text or file that the option names, cannot be understood.
 class OptionError : public InputError {
  public:
   using InputError::InputError;
   explicit OptionError(const InputError& error) : InputError(error) {}
 };
 
-/// Runs `parse`; a fault in what it reads is one of an option, not of the input file.
+/// Runs `parse` and reports an InputError from it as an OptionError, because the fault is in an
+/// option and not in the input file.
 template <class Parse>
 auto from_option(const Parse& parse) {
   try {
@@ -43,13 +45,13 @@ struct Option {
   bool required = false;
   std::vector<std::string_view> choices = {};
 
-  /// The name as a command line has it: "all-sets".
+  /// The name as spelled on a command line: "all-sets".
   [[nodiscard]] std::string spelled() const;
 };
 
 namespace detail {
 
-/// @throws OptionError  the text is no number, or outside of the range
+/// @throws OptionError  if the text is not a number, or the number is outside the range
 [[nodiscard]] double number_option(const Field& field, std::string_view text);
 [[nodiscard]] std::int64_t whole_option(const Field& field, std::string_view text);
 [[nodiscard]] bool flag_option(const Field& field, std::string_view text);
@@ -110,7 +112,7 @@ void assign_option(Value& value, const Field& field, std::string_view text) {
 
 }  // namespace detail
 
-/// The type of the options of a command, erased.
+/// The options of a command with their type erased.
 struct OptionsType {
   std::vector<Option> options;
   std::shared_ptr<void> (*make)();
@@ -144,7 +146,7 @@ template <Described Options>
   return type;
 }
 
-/// Options of some command while they are being set: a value.
+/// The options of a command while they are being set.  The type is copyable.
 class OptionValues {
  public:
   explicit OptionValues(const OptionsType& type) : type_(&type), values_(type.make()) {}
@@ -159,15 +161,15 @@ class OptionValues {
   }
   ~OptionValues() = default;
 
-  /// Sets an option from text, as the command line has it; "true" for a flag.  An option that may
-  /// be repeated takes one text a call.
-  /// @param name  as its struct has it: "all_sets"
-  /// @throws OptionError  there is no such option, or it does not take this text
+  /// Sets an option from text, as written on the command line; "true" for a flag.  An option that
+  /// may be repeated takes one text per call.
+  /// @param name  as in the struct: "all_sets"
+  /// @throws OptionError  if the option does not exist, or does not take this text
   void set(std::string_view name, std::string_view text);
   /// Sets the options that a JSON object names; a list sets a repeatable option.
-  /// @throws OptionError  the text is no such object, or as `set`
+  /// @throws OptionError  if the text is not such an object, or for the reasons of `set`
   void set_from_json(std::string_view json);
-  /// @throws OptionError  a required option was not set
+  /// @throws OptionError  if a required option was not set
   void require_complete() const;
 
   [[nodiscard]] bool given(std::string_view name) const;

@@ -23,26 +23,26 @@ struct BasicHertzContact {
   Real major_semi_axis{};  ///< a' [m]
   Real minor_semi_axis{};  ///< b' [m]
   Real peak_pressure{};    ///< p_0 = 3Q/(2 pi a' b') [Pa]
-  Real approach{};         ///< delta, of distant points [m]
+  Real approach{};         ///< delta, approach of distant points [m]
 
-  /// Q/delta from no load [N/m].
+  /// Secant stiffness Q/delta from the unloaded state [N/m].
   Real secant_stiffness{};
-  /// dQ/ddelta = 1.5 Q/delta [N/m]; eq. (CO-4).
+  /// Tangent stiffness dQ/ddelta = 1.5 Q/delta [N/m]; eq. (CO-4).
   Real tangent_stiffness{};
 };
 using HertzContact = BasicHertzContact<double>;
 
 /// Hertz contact of two bodies pressed together by a force.
 ///
-/// Implements theory manual eqs. (CO-1) to (CO-4).  Exact for smooth elastic half-space like
-/// bodies without friction; the ratio of the axes is solved to rounding.
+/// Implements theory manual eqs. (CO-1) to (CO-4).  Exact for smooth elastic bodies without
+/// friction that act as half-spaces.  The ratio of the axes is accurate to rounding.
 ///
 /// @param contact  curvatures and moduli
 /// @param force    Q [N]; > 0
 /// @throws InputError  if a curvature sum, the modulus or the force is not positive
 /// Source: johnson1985, harris2001 (secondary).
 [[nodiscard]] HertzContact hertz_contact(const PointContact& contact, double force);
-/// The same with derivatives; that of the ratio of the axes by (SN-3).
+/// Hertz contact with derivatives.  The derivative of the ratio of the axes follows from (SN-3).
 [[nodiscard]] BasicHertzContact<DualReal> hertz_contact(const BasicPointContact<DualReal>& contact,
                                                         const DualReal& force);
 
@@ -51,7 +51,7 @@ using HertzContact = BasicHertzContact<double>;
 [[nodiscard]] DualReal peak_pressure(const DualReal& force, const DualReal& major_semi_axis,
                                      const DualReal& minor_semi_axis);
 
-/// Amplitude of the subsurface orthogonal shear stress, twice over p_0: beta = 2 tau_0/p_0 [-].
+/// Amplitude of the subsurface orthogonal shear stress, twice, over p_0: beta = 2 tau_0/p_0 [-].
 ///
 /// Implements theory manual eq. (CO-5).  0.4278 (circle) to 0.5 (line): the article's beta.
 /// @param axis_ratio  b'/a' [-]; in (0, 1]
@@ -59,7 +59,8 @@ using HertzContact = BasicHertzContact<double>;
 [[nodiscard]] double orthogonal_shear_factor(double axis_ratio);
 [[nodiscard]] DualReal orthogonal_shear_factor(const DualReal& axis_ratio);
 
-/// Depth of that amplitude below the surface over b' [-]; eq. (CO-6).
+/// Depth below the surface at which the orthogonal shear stress is largest, over b' [-]; eq.
+/// (CO-6).
 /// @param axis_ratio  b'/a' [-]; in (0, 1]
 [[nodiscard]] double orthogonal_shear_depth(double axis_ratio);
 
@@ -67,11 +68,12 @@ using HertzContact = BasicHertzContact<double>;
 template <class Real>
 struct BasicEdgeTension {
   Real major_end{};  ///< along the major axis
-  Real minor_end{};  ///< along the minor axis: hoop direction of a ball on a raceway
+  Real minor_end{};  ///< along the minor axis, which is the hoop direction for a ball on a raceway
 };
 using EdgeTension = BasicEdgeTension<double>;
 
-/// Implements theory manual eq. (CO-7).  Radial stress at the surface; decays like 1/r^2 outside.
+/// Implements theory manual eq. (CO-7): the radial stress at the surface, which decays like 1/r^2
+/// outside the contact.
 /// @param axis_ratio      b'/a' [-]; in (0, 1]
 /// @param poissons_ratio  nu [-]
 /// Source: johnson1985 (secondary).

@@ -6,8 +6,8 @@
 #include <numbers>
 
 /// @file
-/// Random numbers by their place, not by their order: the number of draw n and input i is a
-/// function of (seed, n, i), so that any thread may compute any of them.
+/// Random numbers that depend on their index, not on the order of calls.  The number of draw n and
+/// input i is a function of (seed, n, i), so any thread may compute any of them.
 
 namespace strainwave {
 
@@ -23,7 +23,7 @@ namespace strainwave {
   return mixed(seed + (n + 1) * 0x9E3779B97F4A7C15U);
 }
 
-/// Uniform in (0, 1), both excluded: 52 bits and a half.
+/// Uniform number in (0, 1) with both ends excluded.  The 52 random bits are offset by half a step.
 [[nodiscard]] constexpr double counter_uniform(std::uint64_t seed, std::uint64_t draw,
                                                std::uint64_t input) {
   const std::uint64_t bits = splitmix64(splitmix64(seed, draw), input);

@@ -21,15 +21,15 @@
 
 namespace strainwave {
 
-/// A struct that is one row of a long table.  A list of such rows is walked by columns: the unit
-/// of a column is told once.
+/// A struct that is one row of a long table.  A list of such rows is walked by columns, so the unit
+/// of a column is stated once.
 template <class T>
 concept TableRow = Described<T> && requires {
   requires T::kTableRow;
 };
 
-/// What a member of a described struct is: a data member, or what a member function or a lambda
-/// makes of the struct.
+/// Reads a member of a described struct: a data member, or the result of a member function or
+/// lambda that takes the struct.
 template <class T, class Member>
 using MemberValue = std::decay_t<std::invoke_result_t<Member, const T&>>;
 
@@ -47,15 +47,15 @@ inline constexpr bool is_text = std::is_convertible_v<const T&, std::string_view
 
 /// Receives a described value piece by piece.
 ///
-/// Inside a column every number, word and list is one element of it; its unit is that of the
-/// column.
+/// Inside a column, every number, word and list is one element, and the unit of the column applies.
 class ValueVisitor {
  public:
   virtual ~ValueVisitor() = default;
 
   virtual void begin_record() = 0;
   virtual void end_record() = 0;
-  /// The value of this field of a record comes next.  False skips the field.
+  /// Announces that the value of this field of a record comes next.  Returning false skips the
+  /// field.
   virtual bool field(const Field& field) = 0;
   virtual void begin_list() = 0;
   virtual void end_list() = 0;
@@ -123,7 +123,7 @@ void visit_fields(const T& value, ValueVisitor& to) {
 
 /// Walks a value.  `field` describes the value itself.
 ///
-/// A field of a record that is absent is left out; an absent element of a column is `nothing`.
+/// An absent field of a record is left out; an absent element of a column is passed as `nothing`.
 template <class T>
 void visit_value(const T& value, const Field& field, ValueVisitor& to) {
   if constexpr (std::is_same_v<T, double>) {
@@ -171,7 +171,7 @@ void visit_value(const T& value, const Field& field, ValueVisitor& to) {
     std::visit(
         [&](const auto& alternative) {
           to.begin_record();
-          if (to.field({"kind", "", "which alternative"}))
+          if (to.field({"kind", "", "name of the alternative"}))
             to.text(std::decay_t<decltype(alternative)>::kKind);
           detail::visit_fields(alternative, to);
           to.end_record();
@@ -185,21 +185,21 @@ void visit_value(const T& value, const Field& field, ValueVisitor& to) {
   }
 }
 
-/// What a described type can hold; the twin of ValueVisitor for types.
+/// Receives the description of a type piece by piece, as ValueVisitor receives a value.
 class TypeVisitor {
  public:
   virtual ~TypeVisitor() = default;
 
   virtual void begin_record() = 0;
   virtual void end_record() = 0;
-  /// The type of this field comes next; `always`: the field is there in every value.
+  /// Announces that the type of this field comes next.  `always`: every value has the field.
   virtual void field(const Field& field, Presence presence) = 0;
   virtual void begin_list() = 0;
   virtual void end_list() = 0;
-  /// A map from names to what comes next.
+  /// Begins a map from names to the type that comes next.
   virtual void begin_map() = 0;
   virtual void end_map() = 0;
-  /// One of the records that come next, each with its kind.
+  /// Begins a choice between the records that come next, each with its kind.
   virtual void begin_alternatives() = 0;
   virtual void end_alternatives() = 0;
   virtual void kind(std::string_view kind) = 0;

@@ -10,16 +10,16 @@
 /// Forward-mode automatic differentiation: numbers that carry N partial derivatives along.
 ///
 /// A formula written for a scalar type `Real` gives its value with `double`, and its value and its
-/// exact derivatives with `Dual<N>`, by the chain rule and without a step size (theory manual,
-/// chapter SN; docs/adr/0010).
+/// exact derivatives with `Dual<N>`, by the chain rule without a step size (theory manual, chapter
+/// SN; docs/adr/0010).
 
 namespace strainwave {
 
 /// A value and its N partial derivatives, first order; theory manual eq. (SN-2).
 ///
-/// A double becomes a Dual of no derivative by itself; a Dual never becomes a double, so nothing
-/// loses its derivatives unseen.  Comparisons are those of the values: a branch is differentiated
-/// as it was taken.
+/// A double converts to a Dual with zero derivatives implicitly.  A Dual never converts to a
+/// double, so derivatives cannot be lost unnoticed.  Comparisons compare values, so a derivative is
+/// that of the branch taken.
 template <std::size_t N>
 struct Dual {
   static constexpr std::size_t kPartials = N;
@@ -28,7 +28,7 @@ struct Dual {
   std::array<double, N> partial{};
 
   constexpr Dual() = default;
-  // Implicit: constants of a formula are numbers without derivatives.
+  // Implicit, because constants of a formula are numbers without derivatives.
   constexpr Dual(double constant) : value(constant) {}  // NOLINT(google-explicit-constructor)
 
   Dual& operator+=(const Dual& b) {
@@ -100,14 +100,15 @@ struct Dual {
   friend bool operator==(const Dual& a, const Dual& b) { return a.value == b.value; }
   friend auto operator<=>(const Dual& a, const Dual& b) { return a.value <=> b.value; }
 
-  /// f(x) where f and its derivative at the value are known: the chain rule; eq. (SN-2).
+  /// The chain rule: f(x) from f and its derivative at the value of x; eq. (SN-2).
   friend Dual chain(const Dual& x, double f, double slope) {
     Dual result(f);
     for (std::size_t k = 0; k < N; ++k) result.partial[k] = slope * x.partial[k];  // (SN-2)
     return result;
   }
 
-  /// The derivative at 0 is that of +x; only even functions ask for it there.
+  /// The derivative at 0 is that of +x.  Only even functions use it there, so the choice has no
+  /// effect.
   friend Dual abs(const Dual& x) { return std::signbit(x.value) ? -x : x; }
   friend Dual sqrt(const Dual& x) {
     const double root = std::sqrt(x.value);
@@ -140,9 +141,9 @@ struct Dual {
   }
 };
 
-/// The width that the numerical kernels are compiled for: two vectors of four doubles.
+/// Number of derivatives in the compiled numerical kernels: two vectors of four doubles.
 inline constexpr std::size_t kDualWidth = 8;
-/// The scalar, besides double, that the numerical kernels are compiled for.
+/// The scalar type for which the numerical kernels are compiled in addition to double.
 using DualReal = Dual<kDualWidth>;
 
 template <class T>
@@ -157,7 +158,7 @@ template <std::size_t N>
   return x.value;
 }
 
-/// Zero, and so are all derivatives: what it multiplies may be left out.
+/// True if the value and all derivatives are zero, so a product with the number may be skipped.
 [[nodiscard]] constexpr bool is_nothing(double x) { return x == 0.0; }
 template <std::size_t N>
 [[nodiscard]] constexpr bool is_nothing(const Dual<N>& x) {
@@ -178,7 +179,7 @@ template <class Value>
   return abs(x);
 }
 
-/// Gives a root, found in doubles, its derivatives: one step of Newton's method in dual numbers.
+/// Adds derivatives to a root that was found in doubles, by one Newton step in dual numbers.
 ///
 /// Implements theory manual eq. (SN-3), dx/dp = -(df/dp)/(df/dx).
 ///

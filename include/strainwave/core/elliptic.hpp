@@ -15,8 +15,8 @@
 /// Complete elliptic integrals of an ellipse, over the ratio rho of its semi-axes, minor to major:
 /// K, E and Legendre's D = (K - E)/k^2 of the modulus k = sqrt(1 - rho^2).
 ///
-/// Values are Boost.Math's.  Derivatives, theory manual eq. (SN-4), in rho: no difference 1 - k^2
-/// is left that would lose digits for a slender ellipse.
+/// Boost.Math gives the values.  The derivatives of theory manual eq. (SN-4) are written in rho,
+/// because a difference 1 - k^2 would lose digits for a slender ellipse.
 
 namespace strainwave {
 
@@ -34,12 +34,13 @@ namespace strainwave {
   return boost::math::ellint_d(ellipse_modulus(axis_ratio));
 }
 
-/// dD/drho [-].
+/// Derivative dD/drho [-].
 [[nodiscard]] inline double ellipse_D_slope(double axis_ratio) {
   const double rho = axis_ratio;
   const double m = 1 - rho * rho;
   if (m > 0.1) return ((1 + rho * rho) * ellipse_D(rho) - ellipse_K(rho)) / (m * rho);  // (SN-4)
-  // The difference vanishes with m: the derivative of D = (pi/4) 2F1(3/2, 1/2; 2; m), term by term.
+  // The difference above vanishes with m and loses digits, so differentiate the series D = (pi/4)
+  // 2F1(3/2, 1/2; 2; m) term by term.
   double sum = 0.0;
   double coefficient = 1.0;  // of m^n
   double power = 1.0;        // m^(n-1)

@@ -12,23 +12,22 @@
 #include <variant>
 #include <vector>
 
-/// @file
 /// Every struct of the input, of a result and of the options of a command describes its fields
-/// once, by a static member `describe`.  The file reader, the schemas, the template of
-/// `strainwave new`, the field reference in the docs, the range checks, the field paths of `sweep`
-/// and `solve`, the command line and every document of a result are visitors of that description,
-/// so they cannot drift apart.
+/// once, by a static member `describe`.  Visitors of that description are the file reader, the
+/// schemas, the template of `strainwave new`, the field reference in the docs, the range checks,
+/// the field paths of `sweep` and `solve`, the command line and every document of a result.  They
+/// therefore always agree.
 
 namespace strainwave {
 
-/// The values a number may have.
+/// The allowed values of a number.
 struct Range {
   double lower = -std::numeric_limits<double>::infinity();
   bool lower_open = true;
   double upper = std::numeric_limits<double>::infinity();
   bool upper_open = true;
 
-  /// False for NaN and for infinities, whatever the bounds.
+  /// Always false for NaN and infinities.
   [[nodiscard]] constexpr bool contains(double x) const {
     return (lower_open ? x > lower : x >= lower) && (upper_open ? x < upper : x <= upper);
   }
@@ -38,41 +37,41 @@ inline constexpr Range kFinite{};
 inline constexpr Range kPositive{.lower = 0.0};
 inline constexpr Range kNonNegative{.lower = 0.0, .lower_open = false};
 
-/// The rule of a range as the reader would say it: "> 0", "> -1 and < 0.5", "<= 1.5708 rad".
+/// The rule of a range in words: "> 0", "> -1 and < 0.5", "<= 1.5708 rad".
 [[nodiscard]] std::string rule_text(const Range& range, std::string_view unit = "1");
 
 /// How the template of `strainwave new` shows a field.
 enum class InTemplate {
-  yes,        ///< as a live line
-  commented,  ///< as a comment that can be switched on
+  yes,        ///< as an active line
+  commented,  ///< as a comment that the user can activate
 };
 
-/// Whether a value of a struct has a field.
+/// Whether every value of a struct has the field.
 enum class Presence { always, sometimes };
 
-/// The unit of a number that stands in the field `unit` beside it.
+/// Marks a number whose unit is given by the field `unit` of the same struct.
 inline constexpr std::string_view kUnitBeside = "*";
 
-/// What there is to know about one field of an input, of a result or of the options of a command.
+/// Description of one field of an input, of a result or of the options of a command.
 struct Field {
   std::string_view name;  ///< key in the file
   std::string_view unit;  ///< SI unit of a number, "1" if pure; empty for text, flags, tables and
                           ///< whole numbers
   std::string_view doc;   ///< meaning and symbol, one line
-  Range range = kFinite;  ///< of a number
+  Range range = kFinite;  ///< allowed values of a number
   std::string_view example = {};   ///< right-hand side in the template, TOML
-  std::string_view fallback = {};  ///< TOML value of a field that may be left out; empty: required,
-                                   ///< or optional without a fallback (std::optional)
+  std::string_view fallback = {};  ///< TOML value used if the field is left out; empty: the field
+                                   ///< is required, or optional without a fallback (std::optional)
   InTemplate in_template = InTemplate::yes;
-  /// Of a result: evidence that only documents with everything carry; no output of a table.
+  /// For a result: evidence that only complete documents show; it is not an output of a table.
   bool detail = false;
   /// Of a result: what a table of many drives shows of each; a result with such a field can stand
   /// in one.
   bool headline = false;
   /// Of an option: given by its place on the command line instead of by `--name`.
   bool positional = false;
-  /// Of an option: what its text names, such as "field path" or "material"; empty: nothing that
-  /// can be listed.  "attachment": a file, whose text the command reads.
+  /// For an option: the kind of thing that its text names, such as "field path" or "material";
+  /// empty if there is nothing to list.  "attachment": a file whose text the command reads.
   std::string_view names = {};
   /// Of a number of the input: what its size is as a rule; kFinite: that of its unit.
   Range usual = kFinite;
@@ -90,7 +89,8 @@ concept Described = requires {
   T::describe([](const Field&, auto) {});
 };
 
-/// Names of an enumeration in files, in the order of its values; specialise `names` for each.
+/// Names of the values of an enumeration in files, in order; specialise `names` for each
+/// enumeration.
 template <class E>
 struct EnumNames;
 
@@ -138,7 +138,8 @@ void for_each_alternative(F&& f) {
   (std::make_index_sequence<std::variant_size_v<Variant>>{});
 }
 
-/// Path of a field inside its file, built while walking down: `output_shaft.crack[0].depth`.
+/// Path of a field inside its file, such as `output_shaft.crack[0].depth`; walks extend it on their
+/// way down.
 class FieldPath {
  public:
   FieldPath() = default;
@@ -158,14 +159,14 @@ class FieldPath {
   std::string text_;
 };
 
-/// Stands in for a FieldPath where nobody will ask for its text, and costs nothing.
+/// Replaces a FieldPath at no cost where its text is not needed.
 struct NoPath {
   NoPath operator/(std::string_view) const { return {}; }
   NoPath operator[](std::size_t) const { return {}; }
 };
 
-/// Walks all numbers that a described value holds at present:
-/// `f(const Path&, const Field&, double&)` (const double& for a const value).
+/// Walks all numbers that a described value holds now by calling `f(const Path&, const Field&,
+/// double&)` (const double& for a const value).
 template <class Path = FieldPath, class T, class F>
 void for_each_number(T& value, const F& f, const Path& path = {}, const Field* field = nullptr) {
   using Value = std::remove_const_t<T>;

@@ -20,18 +20,17 @@ struct ValueAndSlope {
 ///     r(x) = sum_i mu_i(x) p_i(x) / sum_i mu_i(x),
 ///
 /// with weights mu_i that are polynomials.  Neither the value nor a derivative divides by the
-/// distance from a node, so both are accurate at and near the nodes; the barycentric form of the
-/// same function is not differentiable there in floating point.
+/// distance from a node, so both are accurate at and near the nodes.  In floating point, the
+/// barycentric form of the same function is not differentiable there.
 ///
-/// @tparam Real   of the ordinates and of the argument
-/// Source: floater2007 (secondary).
+/// @tparam Real  scalar of the ordinates and of the argument Source: floater2007 (secondary).
 template <class Real, std::size_t Nodes>
 class FloaterHormann {
  public:
   static constexpr std::size_t kOrder = 3;
   static_assert(Nodes > kOrder);
 
-  /// @param x  nodes, rising
+  /// @param x  nodes in ascending order
   /// @param y  ordinates
   FloaterHormann(const std::array<double, Nodes>& x, const std::array<Real, Nodes>& y)
       : x_(x), difference_{y, {}, {}, {}} {
@@ -46,13 +45,13 @@ class FloaterHormann {
     return value_and_slope(x).value;
   }
 
-  /// r(x) and dr/dx.
+  /// The interpolant r(x) and its derivative dr/dx.
   template <class Argument>
   [[nodiscard]] auto value_and_slope(const Argument& x) const {
     using Result = decltype(Real{} * x);
     constexpr std::size_t kCubics = Nodes - kOrder;
     // mu_i = product of (x - x_j) for j < i, times that of (x_j - x) for j > i + 3.
-    std::array<ValueAndSlope<Argument>, kCubics> after;  // the second product
+    std::array<ValueAndSlope<Argument>, kCubics> after;  // products over j > i + 3
     after[kCubics - 1] = {Argument(1.0), Argument(0.0)};
     for (std::size_t i = kCubics - 1; i-- > 0;) {
       const Argument to_node = x_[i + kOrder + 1] - x;
@@ -95,7 +94,7 @@ class FloaterHormann {
   }
 
   std::array<double, Nodes> x_;
-  std::array<std::array<Real, Nodes>, kOrder + 1> difference_;  ///< divided, by order
+  std::array<std::array<Real, Nodes>, kOrder + 1> difference_;  ///< divided differences by order
 };
 
 }  // namespace strainwave

@@ -8,12 +8,12 @@
 
 namespace strainwave {
 
-/// Slope at a node of the polynomial through the five nodes next to it; through all, if there are
-/// fewer.
+/// Slope, at a node, of the polynomial through the five nearest nodes, or through all nodes if
+/// there are fewer than five.
 ///
-/// @param x  nodes, rising; 2 or more
+/// @param x  nodes in ascending order; 2 or more
 /// @param y  ordinates
-/// @param k  which node
+/// @param k  index of the node
 template <class Ordinate>
 [[nodiscard]] Ordinate node_slope(std::span<const double> x, std::span<const Ordinate> y,
                                   std::size_t k) {
@@ -35,14 +35,15 @@ template <class Ordinate>
   return slope;
 }
 
-/// Interpolates a table by cubics that join with one slope at the nodes.
+/// Interpolates a table by cubics with a continuous slope at the nodes.
 ///
 /// Implements theory manual eq. (FE-41): Hermite's cubic between two nodes, with the slopes of
-/// `node_slope`.  Fourth order; the derivative is continuous.  Linear in the ordinates.
+/// `node_slope`.  The error is of fourth order, the derivative is continuous, and the result is
+/// linear in the ordinates.
 ///
-/// @param x   nodes, rising; 2 or more
+/// @param x   nodes in ascending order; 2 or more
 /// @param y   ordinates, double or Real
-/// @param at  between the first node and the last; beyond them the outer cubics go on
+/// @param at  argument; beyond the first and last node the outer cubics are continued
 template <class Real, class Ordinate>
 [[nodiscard]] Real hermite_interpolation(std::span<const double> x, std::span<const Ordinate> y,
                                          const Real& at) {
@@ -59,8 +60,8 @@ template <class Real, class Ordinate>
 
 /// Interpolates a table over several axes, one after the other (tensor product) (FE-41).
 ///
-/// @param axes    nodes of each axis, rising; 2 or more of each
-/// @param values  over the grid, the last axis running fastest
+/// @param axes    nodes of each axis in ascending order; 2 or more per axis
+/// @param values  values over the grid; the last axis runs fastest
 /// @param at      one coordinate for each axis
 template <class Real>
 [[nodiscard]] Real tensor_interpolation(std::span<const std::vector<double>> axes,

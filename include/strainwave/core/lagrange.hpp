@@ -8,7 +8,7 @@
 
 namespace strainwave {
 
-/// Chebyshev-Lobatto nodes of [from, to], from the one end to the other.
+/// Chebyshev-Lobatto nodes of [from, to] in order.
 template <std::size_t N>
 [[nodiscard]] std::array<double, N> lobatto_nodes(double from, double to) {
   std::array<double, N> nodes{};
@@ -40,7 +40,7 @@ template <std::size_t N>
   return value;
 }
 
-/// Lagrange's polynomials with all that does not depend on x prepared, for many x.
+/// Lagrange's polynomials for many x; everything that does not depend on x is computed once.
 template <std::size_t N>
 class LagrangeBasis {
  public:
@@ -56,7 +56,7 @@ class LagrangeBasis {
     std::array<double, N> value{};
     std::array<double, N> slope{};
   };
-  /// Values and derivatives at x; by products, which hold at the nodes too.
+  /// Values and derivatives at x, computed by products, which are valid at the nodes too.
   [[nodiscard]] AtPoint at(double x) const {
     AtPoint result;
     for (std::size_t i = 0; i < N; ++i) {

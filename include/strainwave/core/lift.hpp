@@ -10,9 +10,9 @@
 
 namespace strainwave {
 
-/// Reads a number of a gear as the scalar of a computation.
+/// Reads a number of a gear as the scalar type of a computation.
 ///
-/// The gear is plain doubles.  A model that reads every number through `lift(gear.x.y)` computes
+/// A gear holds plain doubles.  A model that reads every number through `lift(gear.x.y)` computes
 /// its result with `Lift<double>`, and the result and its derivatives with `Lift<Dual<N>>`.
 template <class Real>
 class Lift;
@@ -24,15 +24,15 @@ class Lift<double> {
   double operator()(const double&&) const = delete;
 };
 
-/// Seeds the derivatives: a number is an input if it stands at the address of one.
+/// Seeds the derivatives.  A number counts as an input if its address is that of an input.
 ///
-/// The derivatives are those to the logarithm of the inputs, x d/dx, so that they have the unit and
-/// the size of what is differentiated, which adaptive quadrature relies on; those to an input that
-/// is zero are plain, d/dx.
+/// Derivatives are taken with respect to the logarithm of the inputs, x d/dx, so that they have the
+/// unit and size of the differentiated quantity; adaptive quadrature relies on this.  For an input
+/// that is zero, the derivative is the plain d/dx.
 template <std::size_t N>
 class Lift<Dual<N>> {
  public:
-  /// @param inputs  addresses of at most N numbers of the gear that will be read
+  /// @param inputs  addresses of at most N numbers in the gear
   explicit Lift(std::span<const double* const> inputs) {
     std::ranges::copy(inputs.first(std::min(inputs.size(), N)), inputs_.begin());
   }
@@ -43,7 +43,7 @@ class Lift<Dual<N>> {
       if (inputs_[k] == &number) result.partial[k] = seed(number);  // (SN-1)
     return result;
   }
-  /// A copy has lost its address.
+  /// Deleted, because a copy has another address than the input.
   Dual<N> operator()(const double&&) const = delete;
 
   /// Addresses of the inputs, in the order of the derivatives; the rest is null.

@@ -7,12 +7,13 @@
 
 namespace strainwave {
 
-/// Length of the decimal number that a text begins with, such as 6 of "-1.5e3 mm"; 0 if there is
-/// none.  A sign +, hexadecimal digits, "nan" and "inf" begin no number.
+/// Length of the decimal number at the beginning of a text, such as 6 for "-1.5e3 mm"; 0 if the
+/// text does not begin with a number.  A plus sign, hexadecimal digits, "nan" and "inf" are not
+/// accepted.
 [[nodiscard]] std::size_t number_length(std::string_view text);
 
-/// Reads a text that is one decimal number, whatever the locale: the double nearest to it.
-/// @return  nothing if the text is anything else, or the number is beyond the range of a double
+/// Reads a text that is one decimal number, independently of the locale, as the nearest double.
+/// @return  absent if the text is anything else, or the number exceeds the range of a double
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
 }  // namespace strainwave

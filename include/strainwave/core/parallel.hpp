@@ -20,11 +20,11 @@ struct Parallel {
   int threads = 0;        ///< 0: as many as the machine runs at once
 };
 
-/// Calls an evaluator with each index below n; blocks go to whichever thread is free.
+/// Calls an evaluator with each index below n.  Any free thread takes the next block.
 ///
-/// The result of an index must depend on nothing but the index: then all results are the same for
-/// any number of threads.  Only the calling thread reports progress.  Where the machine starts no
-/// more threads, those that there are do the work.
+/// The result of an index must depend on the index only; then the results are the same for any
+/// number of threads.  Only the calling thread reports progress.  If the machine cannot start more
+/// threads, the running ones do the work.
 /// @param make  () -> evaluator of one thread, a function of the index
 /// @throws  the exception of the lowest block in which an evaluator threw, for any number of
 ///          threads; Stopped on request
@@ -48,7 +48,7 @@ void for_each_index(std::size_t n, const Parallel& parallel, const Progress& pro
         for (std::size_t i = first; i < std::min(first + parallel.block, n); ++i) evaluate(i);
       }
     } catch (...) {
-      // Blocks are taken in rising order: those below this one are done or will be finished.
+      // Threads take blocks in ascending order, so every lower block is done or will be finished.
       const std::scoped_lock lock(fault_mutex);
       if (!fault || first < fault_at) {
         fault = std::current_exception();
@@ -65,7 +65,7 @@ void for_each_index(std::size_t n, const Parallel& parallel, const Progress& pro
     try {
       for (std::size_t t = 1; t < std::min<std::size_t>(asked, blocks); ++t)
         others.emplace_back(work, Progress());
-    } catch (const std::system_error&) {  // no more threads
+    } catch (const std::system_error&) {  // the machine cannot start more threads
     }
     work(progress);
   }

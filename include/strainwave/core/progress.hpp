@@ -8,23 +8,23 @@
 
 namespace strainwave {
 
-/// The caller asked a computation to stop; there is no answer.  No Error: what takes an Error for
-/// one refused case among many must not take this for one.
+/// The caller stopped a computation, so there is no answer.  It does not derive from Error, because
+/// code that treats an Error as one refused case among many must not catch a stop.
 class Stopped : public std::runtime_error {
  public:
   Stopped() : std::runtime_error("stopped on request") {}
 };
 
-/// How a long computation tells its caller how far it is, and learns that it shall stop.
+/// Channel by which a long computation reports its progress and learns that it has to stop.
 ///
 /// A computation that takes more than 0.1 s takes a Progress, calls `at` at least every 50 ms, and
-/// hands parts of its range to the computations that it calls.  Only one thread may call `at`.
-/// The default reports to nobody and costs nothing.
+/// passes parts of its range on to the computations that it calls.  Only one thread may call `at`.
+/// The default does not report and costs nothing.
 class Progress {
  public:
-  /// Told the share that is done, 0 to 1; answers whether to go on.
+  /// Receives the completed share, 0 to 1; returns whether to continue.
   using Report = std::function<bool(double share)>;
-  /// Told in words how far it is, a line at a time, for a person who waits.
+  /// Receives a line of text about the progress, for a person who waits.
   using Words = std::function<void(const std::string& line)>;
 
   Progress() = default;
@@ -32,7 +32,7 @@ class Progress {
       : report_(std::move(report)), words_(std::move(words)) {}
 
   /// Reports that `share` of this computation is done, 0 to 1.
-  /// @throws Stopped  if the caller asks to stop
+  /// @throws Stopped  if the caller requests a stop
   void at(double share) const {
     if (report_ && !report_(from_ + (to_ - from_) * share)) throw Stopped();
   }
@@ -41,7 +41,7 @@ class Progress {
     if (words_) words_(line);
   }
 
-  /// The part of this computation from share `from` to share `to`, for a computation within it.
+  /// The part of this computation from share `from` to share `to`, for a nested computation.
   [[nodiscard]] Progress part(double from, double to) const {
     Progress inner = *this;
     inner.from_ = from_ + (to_ - from_) * from;

@@ -14,15 +14,15 @@
 
 namespace strainwave {
 
-/// How accurate an integral has to be.
+/// Accuracy that an integral must reach.
 struct QuadratureOptions {
   /// Bisect the worst piece until sum |Kronrod - Gauss| <= relative_tolerance |integral|  [-]
   double relative_tolerance = 1e-10;
-  /// Stop, not converged, at this number of pieces.
+  /// Stop without convergence at this number of pieces.
   std::size_t max_pieces = 1000;
 };
 
-/// An integral with its evidence.
+/// An integral with its error estimate.
 template <class Value>
 struct Integral {
   Value value{};
@@ -32,14 +32,16 @@ struct Integral {
 
 /// Adaptive Gauss-Kronrod integral of a scalar or matrix-valued function over [a, b].
 ///
-/// Points and weights of the rule are Boost.Math's, and the error estimate is as there.  The
-/// bisection is not: Boost 1.74 compares the error of a piece mapped to [-1, 1] with a tolerance
-/// for the piece as it is, so it bisects short intervals without end and long ones too little.
+/// Points, weights and error estimate are those of Boost.Math, but the bisection is our own.  Boost
+/// 1.74 compares the error of a piece mapped to [-1, 1] with a tolerance for the unmapped piece. It
+/// therefore bisects short intervals endlessly and long ones too little.
 ///
-/// With limits or a function in dual numbers, the derivatives of the integral come along; a piece
-/// is bisected until they too meet the tolerance, measured by the largest of value and derivatives.
+/// With limits or a function in dual numbers, the integral carries its derivatives.  Pieces are
+/// bisected until the derivatives meet the tolerance too, relative to the largest of value and
+/// derivatives.
 ///
-/// @tparam Points  of the rule: 15, or 31 for an integrand that 15 would have to bisect
+/// @tparam Points  number of points of the rule: 15, or 31 for an integrand that 15 points would
+///                 bisect
 /// @param f  callable Real -> Value, Value a vector space over Real with `magnitude` or `abs`; Real
 ///           is double, or the Dual of a limit
 template <unsigned Points = 15, class Function, class Lower, class Upper>
@@ -60,7 +62,7 @@ template <unsigned Points = 15, class Function, class Lower, class Upper>
     const Real mean = (from + to) / 2;
     const Real half = (to - from) / 2;
     const auto at = [&](double t) -> Value { return f(mean + half * t) * half; };
-    // Points are 0, then pairs +-t; those of the Gauss rule are every other one of them.
+    // The points are 0, then pairs +-t; every second point belongs to the Gauss rule.
     constexpr bool kGaussHasMiddle = (Points - 1) / 2 % 2 == 1;
     const Value middle = at(0.0);
     Value kronrod = middle * Rule::weights()[0];
@@ -94,12 +96,12 @@ template <unsigned Points = 15, class Function, class Lower, class Upper>
   sum_up(std::array<Piece, 1>{whole});
   if (result.converged) return result;
 
-  std::vector<Piece> heap{whole};  // the piece of the largest error in front
+  std::vector<Piece> heap{whole};  // the piece with the largest error is first
   while (!result.converged && heap.size() < options.max_pieces) {
     std::pop_heap(heap.begin(), heap.end());
     const Piece worst = heap.back();
     const Real middle = (worst.a + worst.b) / 2;
-    if (middle == worst.a || middle == worst.b) break;  // as narrow as doubles are
+    if (middle == worst.a || middle == worst.b) break;  // doubles cannot divide it further
     heap.back() = piece(worst.a, middle);
     std::push_heap(heap.begin(), heap.end());
     heap.push_back(piece(middle, worst.b));

@@ -10,7 +10,7 @@ namespace strainwave {
 
 /// Quantile of a sample, linear between its order statistics [unit of the values].
 ///
-/// In linear time; the values are put into another order.
+/// Takes linear time and reorders the values.
 ///
 /// @param values  at least one; none is NaN
 /// @param p       [-]; in [0, 1]

@@ -10,7 +10,7 @@ namespace strainwave {
 struct Quantity {
   double value = 0.0;
   std::string_view unit = "1";
-  /// One standard relative uncertainty of the model's form; absent where nobody can state it.
+  /// One standard relative uncertainty of the model's form; absent if it cannot be stated.
   std::optional<double> relative_uncertainty = std::nullopt;
 
   friend bool operator==(const Quantity&, const Quantity&) = default;

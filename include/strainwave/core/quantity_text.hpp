@@ -11,9 +11,9 @@ namespace strainwave {
 
 /// Exponents of (length, mass, time, temperature, angle, energy tag).
 ///
-/// The last two are no dimensions of physics.  They exist *in text only* and make it stricter than
-/// SI: an angle is not a pure number, so "Hz" is refused for "rad/s" and "N*m" for "N*m/rad"; a
-/// joule carries a tag, so "J" is refused for a torque.
+/// The last two are not physical dimensions.  They exist *in text only* and make units stricter
+/// than SI.  An angle is not a pure number, so "Hz" is refused for "rad/s" and "N*m" for "N*m/rad".
+/// A joule carries a tag, so "J" is refused for a torque.
 using Dimension = std::array<double, 6>;
 
 /// A unit written in text, such as "N*m/rad", "MPa*m^0.5", "1/(N*m)" or "1".
@@ -53,7 +53,7 @@ struct UnitPrefix {
 /// Reads "12.5 kN*m" as a double in strainwave units.
 ///
 /// @param field  name used in the error message
-/// @param text   a number, and a unit; the unit may be absent only if `unit` is "1"
+/// @param text   a number and a unit; the unit may be left out only if `unit` is "1"
 /// @param unit   the unit the model expects; `text` must have its dimension
 /// @return       the value in strainwave units (m, kg, s, K, rad); always finite
 /// @throws InputError if the text does not parse, has another dimension, or is not finite.

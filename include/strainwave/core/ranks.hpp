@@ -9,14 +9,14 @@
 
 namespace strainwave {
 
-/// Another rank failed, and says why; this one did not.
+/// Thrown on a rank that did not fail itself, while another rank failed and reports why.
 class OtherRankError : public Error {
  public:
   using Error::Error;
 };
 
-/// The processes that run one computation together, as this one of them sees them.  This class
-/// stands for a process that is alone.
+/// The processes (ranks) that run one computation together, as seen from this process.  This base
+/// class represents a single process.
 class Ranks {
  public:
   Ranks() = default;
@@ -28,19 +28,20 @@ class Ranks {
 
   [[nodiscard]] virtual int rank() const { return 0; }
   [[nodiscard]] virtual int size() const { return 1; }
-  /// Ranks on this machine; they share its memory.
+  /// Number of ranks on this machine, which share its memory.
   [[nodiscard]] virtual int on_this_machine() const { return 1; }
-  /// The first rank's text on every rank; all must call it.
+  /// Returns the first rank's text on every rank; all ranks must call it.
   [[nodiscard]] virtual std::string from_first(const std::string& text) const { return text; }
-  /// True if it is so on every rank; all of them must ask.
+  /// Returns whether `here` is true on every rank; all ranks must call it.
   [[nodiscard]] virtual bool all(bool here) const { return here; }
   [[nodiscard]] bool first() const { return rank() == 0; }
 
-  /// Does a part of the work; where it fails on any rank, it ends on all.
+  /// Does a part of the work.  If the part fails on any rank, it ends on all ranks.
   ///
-  /// All must call it.  A rank that fails while others wait for it within `part` loses patience,
-  /// says so on standard error, and ends them all.
-  /// @throws  what `part` threw here, else OtherRankError if it threw elsewhere
+  /// All ranks must call it.  If a rank fails while others wait for it inside `part`, it waits for
+  /// a while, reports the failure on standard error, and ends all ranks.
+  /// @throws  the exception of `part` on this rank, else OtherRankError if `part` threw on another
+  ///          rank
   template <class Part>
   void together(const Part& part) const {
     std::exception_ptr fault;
@@ -54,13 +55,14 @@ class Ranks {
     agree(fault, words);
   }
 
-  /// The last call of a program, by every rank.  The first rank that has a fault speaks, for all.
+  /// The last call of a program, made by every rank.  The first rank with a fault reports it for
+  /// all.
   ///
-  /// Where a rank has a fault alone, while others still calculate or wait for it, it loses
-  /// patience, speaks, and ends them all.
+  /// If a rank fails while others still compute or wait for it, it waits for a while, reports its
+  /// fault, and ends all ranks.
   /// @param code      exit code of this rank
-  /// @param complain  says what its fault is; none if it has none of its own
-  /// @return the code of the first rank that has a fault, else `code`
+  /// @param complain  reports the fault of this rank; empty if this rank has no fault of its own
+  /// @return the code of the first rank with a fault, else `code`
   [[nodiscard]] virtual int last_code(int code, const std::function<void()>& complain) const {
     if (complain) complain();
     return code;

@@ -9,7 +9,8 @@
 
 namespace strainwave {
 
-/// Root of a continuous function that changes sign on [lower, upper], to rounding (TOMS 748).
+/// Root of a continuous function that changes sign on [lower, upper], accurate to rounding (TOMS
+/// 748).
 ///
 /// @throws SolverError  if the function has the same sign, or is not a number, at both ends
 template <class Function>

@@ -8,8 +8,8 @@ namespace strainwave {
 
 /// SHA-256 of bytes in lower-case hexadecimal, as `sha256sum` prints it: 64 digits.
 ///
-/// It ties a report to the file it was made from; it keeps nothing secret.
-/// Source: FIPS 180-4 (secondary); held by its published examples and by `sha256sum`.
+/// The digest ties a report to its input file; it does not serve security.  Source: FIPS 180-4
+/// (secondary); tested by the published examples and by `sha256sum`.
 [[nodiscard]] std::string sha256_hex(std::string_view bytes);
 
 }  // namespace strainwave

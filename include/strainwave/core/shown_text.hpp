@@ -8,46 +8,47 @@
 #include "strainwave/core/quantity.hpp"
 
 /// @file
-/// Numbers and text as people read them: few digits, and the units of drawings.  Files have SI and
-/// all digits.
+/// Numbers and text for people: few digits, and the units of drawings.  Files use SI units and all
+/// digits.
 
 namespace strainwave {
 
-/// Columns of the text that strainwave writes.
+/// Width of the text that strainwave writes, in columns.
 inline constexpr std::size_t kTextWidth = 100;
 
 /// Text broken at spaces to `width` columns; lines after the first are indented.
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
 
-/// A paragraph of text: broken to `kTextWidth` columns, ended by a line feed; lines after the first
-/// hang in by so many more blanks.
+/// A paragraph of text, broken to `kTextWidth` columns and ended by a line feed.  Lines after the
+/// first are indented by `hang` more blanks.
 [[nodiscard]] std::string paragraph(std::string_view text, std::size_t indent = 0,
                                     std::size_t hanging = 2);
 
-/// A number of so many significant digits, without an exponent where that is short.
+/// A number with the given count of significant digits, without an exponent if that is short
+/// enough.
 [[nodiscard]] std::string shown_number(double value, int digits = 4);
 
 /// A share, such as 0.05, as "5 %".
 [[nodiscard]] std::string percent(double share, int digits = 2);
-/// A change, such as -0.0123, as "-1.23 %"; one below rounding is "0 %".
+/// A change, such as -0.0123, as "-1.23 %".  A change below rounding gives "0 %".
 [[nodiscard]] std::string percent_change(double change);
 
-/// A number with the digits that its relative uncertainty warrants, plus two.
+/// A number with two digits more than its relative uncertainty warrants.
 [[nodiscard]] std::string warranted_digits(const Quantity& quantity);
-/// One standard relative uncertainty: "5 %"; "none" where nobody can state it, "-" for a zero.
+/// One standard relative uncertainty such as "5 %"; "none" if it cannot be stated, "-" for a zero.
 [[nodiscard]] std::string accuracy(const Quantity& quantity);
 
 /// The unit for an output or a field of this name and SI unit: the one that was asked for, or that
 /// of drawings.
 [[nodiscard]] DisplayUnit display_unit(std::string_view name, std::string_view si);
 
-/// A value in the unit for people: "2 mm", "210 GPa".
+/// A value in its display unit: "2 mm", "210 GPa".
 /// @param value  [si]
-/// @param name   of the output or field, which may choose the unit
+/// @param name   name of the output or field, which may determine the unit
 [[nodiscard]] std::string shown_quantity(double value, std::string_view si, int digits = 5,
                                          std::string_view name = {});
 
-/// A unit as it is set in a figure: "N·m/arcmin", "MPa·√m"; nothing for a pure number.
+/// A unit as typeset in a figure: "N·m/arcmin", "MPa·√m"; empty for a pure number.
 [[nodiscard]] std::string typeset_unit(std::string_view unit);
 
 }  // namespace strainwave

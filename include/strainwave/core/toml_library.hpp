@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The only door to toml++, which is used header-only, in sources of the modules that read files
-// (core/toml_reader.hpp).
+// The only header that includes toml++.  Sources of the modules that read files use it through
+// core/toml_reader.hpp.
 //
-// Version 3.3 promises the compiler what a malformed file makes untrue: `[&` breaks an assertion
+// Version 3.3 gives the compiler promises that a malformed file breaks: `[&` breaks an assertion
 // (marzer/tomlplusplus issue 294), and `45°` outside quotes reaches a place marked unreachable
-// (issues 190 and 295; found again by tests/fuzz on 2026-11-21).  The code behind both copes, so
-// the promises are taken back here.  A later version that has pull request 305 needs no second one.
+// (issues 190 and 295; found again by tests/fuzz on 2026-11-21).  The code behind handles both
+// cases, so the promises are removed here.  A later version with pull request 305 does not need the
+// second removal.
 
 #include <cstdint>
 
 #define TOML_HEADER_ONLY 1
 #define TOML_ENABLE_FORMATTERS 0
-// An input file needs four levels; each costs stack (see also refuse_long_keys).
+// An input file needs four levels.  Each level uses stack, so the depth is limited (see also
+// refuse_long_keys).
 #define TOML_MAX_NESTED_VALUES 16
 
 #include <toml++/impl/preprocessor.h>

@@ -2,8 +2,9 @@
 #pragma once
 
 /// @file
-/// Fills described structs (core/fields.hpp) from TOML.  Shared by the readers of drives and of the
-/// material library.  Needs toml++, so it is not installed, and only sources may include it.
+/// Fills described structs (core/fields.hpp) from TOML.  The readers of drives and of the material
+/// library share this header.  It needs toml++, so it is not installed, and only sources may
+/// include it.
 
 #include <fmt/format.h>
 
@@ -27,17 +28,17 @@
 
 namespace strainwave {
 
-/// What the alternatives of a variant are, in messages; specialise where they are no cracks.
+/// Name of the alternatives of a variant in messages; specialise it if they are not cracks.
 template <class Variant>
 inline constexpr std::string_view kKindsOf = "crack that this member can have";
 
-/// Where a value stands in the file, and how it is written there.
+/// Place of a value in the file, and its spelling there.
 struct TomlSource {
   toml::source_position position;
   std::string written;
 };
 
-/// A value as the file has it.
+/// A value as spelled in the file.
 inline std::string written(const toml::node& node) {
   if (const auto* const text = node.as_string()) return fmt::format("\"{}\"", shown(text->get()));
   if (const auto* const number = node.as_floating_point())
@@ -47,7 +48,7 @@ inline std::string written(const toml::node& node) {
   return node.is_table() ? "a table" : node.is_array() ? "a list" : "a date or time";
 }
 
-/// Fills described structs from TOML nodes and remembers where each value stood.
+/// Fills described structs from TOML nodes and records the place of each value.
 class TomlReader {
  public:
   explicit TomlReader(std::string_view file_name) : file_name_(file_name) {}
@@ -55,7 +56,8 @@ class TomlReader {
   template <Described T>
   void read_table(const toml::table& table, const FieldPath& path, T& value) {
     remember(table, path);
-    // Unknown keys first: a misspelt key is also a missing one, and the spelling says more.
+    // Check unknown keys first: a misspelt key is also a missing key, and the message about its
+    // spelling helps more.
     std::vector<std::string> known;
     if constexpr (requires { T::kKind; }) known.emplace_back("kind");
     T::describe([&](const Field& field, auto) { known.emplace_back(field.name); });
@@ -70,7 +72,7 @@ class TomlReader {
     });
   }
 
-  /// The fault with its place in the file: that of the field, or of the table it is missing in.
+  /// Adds the place in the file to a fault: the place of the field, or of the table that lacks it.
   [[nodiscard]] InputError located(const InputError& error) const {
     for (std::string path = error.field(); !path.empty();) {
       const auto found = sources_.find(path);
@@ -101,7 +103,7 @@ class TomlReader {
     sources_[path.text()] = {node.source().begin, written_value(node)};
   }
 
-  /// The value as written is not of the type that the field has.
+  /// Refuses a value whose type is not that of the field.
   [[noreturn]] void refuse_type(const toml::node& node, const FieldPath& path,
                                 std::string_view type, std::string_view example) const {
     refuse(node, path, fmt::format("{} is not {}, such as {}", written(node), type, example));
@@ -111,15 +113,15 @@ class TomlReader {
                       const std::vector<std::string>& known) const {
     if (std::find(known.begin(), known.end(), key.str()) != known.end()) return;
     const std::string near = nearest_word(key.str(), known);
-    // A key that has to be quoted is shown so: `""`, `"a.b"`.
+    // Show a key in quotes if TOML requires them: `""`, `"a.b"`.
     const bool bare = !key.str().empty() && std::ranges::all_of(key.str(), [](char c) {
       return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
     });
     const std::string name = shown(key.str());
-    throw InputError((path / (bare ? name : fmt::format("\"{}\"", name))).text(),
-                     near.empty()
-                         ? fmt::format("is not known here; known are {}", fmt::join(known, ", "))
-                         : fmt::format("is not known here; did you mean {}?", near))
+    throw InputError(
+        (path / (bare ? name : fmt::format("\"{}\"", name))).text(),
+        near.empty() ? fmt::format("is not known here; known names are {}", fmt::join(known, ", "))
+                     : fmt::format("is not known here; did you mean {}?", near))
         .located(place(key.source().begin), {});
   }
 
@@ -246,7 +248,7 @@ class TomlReader {
     }
     remember(node, path);
     for (const toml::node& element : *list) {
-      const FieldPath at = path[value.size()];  // before the element is added
+      const FieldPath at = path[value.size()];  // computed before the element is added
       read(element, at, field, value.emplace_back());
     }
   }
@@ -280,8 +282,8 @@ class TomlReader {
   std::map<std::string, TomlSource> sources_;
 };
 
-/// Every dot of a key is a table more in the depth, and tables free themselves recursively: toml++
-/// 3.3 sets no limit, and a long line of them would overrun the stack.
+/// Refuses keys with very many dots.  Every dot of a key nests one more table, tables are destroyed
+/// recursively, and toml++ 3.3 sets no limit, so a long key would overflow the stack.
 inline void refuse_long_keys(std::string_view text, std::string_view file_name) {
   constexpr std::ptrdiff_t kMaxDots = 100;
   for (std::size_t line = 1; !text.empty(); ++line) {
@@ -297,7 +299,7 @@ inline void refuse_long_keys(std::string_view text, std::string_view file_name) 
   }
 }
 
-/// Parses TOML text, which the caller has limited in size.
+/// Parses TOML text.  The caller limits its size.
 /// @throws InputError  with file, line and column
 inline toml::table parse_toml(std::string_view text, std::string_view file_name) {
   refuse_long_keys(text, file_name);

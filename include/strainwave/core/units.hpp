@@ -10,8 +10,8 @@
 ///     const double thickness = 0.8 * units::mm;        // [m]
 ///     std::cout << wind_up / units::arcmin << " arcmin";
 ///
-/// The factors are plain doubles and cost nothing.  They document a call site; they do not check
-/// it.  Text is checked by `parse_quantity`, formulas by the scaling tests.
+/// The factors are plain doubles and cost nothing.  They document a call site but do not check it.
+/// `parse_quantity` checks text, and the scaling tests check formulas.
 namespace strainwave::units {
 
 inline constexpr double m = 1.0;

@@ -14,17 +14,17 @@
 #include "strainwave/model/input/method.hpp"
 
 /// @file
-/// Many evaluations of one drive whose numbers differ.
+/// Many evaluations of one drive with different numbers.
 
 namespace strainwave {
 
-/// What came of one row.
+/// Outcome of one row.
 enum class RowCode {
-  ok,             ///< its numbers may be used
-  refused,        ///< its values break a rule of the input
-  no_answer,      ///< the method does not deliver
-  not_usable,     ///< it has numbers, which may not be used
-  output_absent,  ///< its result has not all of the outputs
+  ok,             ///< the numbers may be used
+  refused,        ///< the values break a rule of the input
+  no_answer,      ///< the method finds no answer
+  not_usable,     ///< the row has numbers, but they must not be used
+  output_absent,  ///< the result lacks one of the outputs
 };
 template <>
 struct EnumNames<RowCode> {
@@ -34,16 +34,16 @@ struct EnumNames<RowCode> {
 
 inline constexpr int kMaxBatchThreads = 256;
 
-/// What a batch computes.
+/// The work of a batch.
 struct BatchTask {
-  std::span<const std::string> paths;    ///< of p numbers: "output_shaft.crack[0].depth"
+  std::span<const std::string> paths;    ///< paths of p numbers: "output_shaft.crack[0].depth"
   std::span<const double> values;        ///< shape (n, p), row after row [unit of the field]
   std::span<const std::string> outputs;  ///< q names: "cracked.positive.stiffness"
   Method method = Method::corrected;
-  int threads = 1;  ///< 0: as many as the machine has
+  int threads = 1;  ///< 0: as many as the machine can run
 };
 
-/// The first row of a code, and why it has that code.
+/// The first row with a code, and the reason.
 struct BatchFault {
   RowCode code = RowCode::refused;
   std::size_t row = 0;
@@ -51,22 +51,23 @@ struct BatchFault {
 };
 
 struct BatchResult {
-  /// Shape (n, q), row after row [SI unit of the output]; 0 where the code of the row says that
-  /// there are none.
+  /// Shape (n, q), row after row [SI unit of the output]; 0 if the code of the row says that it has
+  /// no numbers.
   std::vector<double> numbers;
-  std::vector<RowCode> codes;      ///< shape (n)
-  std::vector<BatchFault> faults;  ///< one for each code that occurs, except ok; in their order
+  std::vector<RowCode> codes;  ///< shape (n)
+  /// one for each code that occurs except ok, in the order of RowCode
+  std::vector<BatchFault> faults;
 };
 
-/// Evaluates a drive for each row of values: the numbers of `evaluate`, bit for bit, whatever the
-/// number of threads.
+/// Evaluates a drive for each row of values.  The numbers equal those of `evaluate` bit for bit,
+/// for any number of threads.
 ///
-/// @throws InputError  before any work: no number of the drive has the path, or no output of the
-///                     drive as it is has the name (the message names near ones); a name is given
-///                     twice; there is not a value for each path in each row; `threads` is out of
-///                     0 to kMaxBatchThreads
-/// @throws Error       `evaluate` throws it for the drive as it is
-/// @throws Stopped     `progress` asked to stop; it is told before each row that the calling
+/// @throws InputError  before any work, if no number of the drive has the path; if no output of the
+///                     drive as it is has the name (the message names near ones); if a name is
+///                     given twice; if the values are not one for each path in each row; if
+///                     `threads` is outside 0 to kMaxBatchThreads
+/// @throws Error       if `evaluate` throws it for the drive as it is
+/// @throws Stopped     if `progress` requests a stop; it is asked before each row that the calling
 ///                     thread takes, and at the end
 [[nodiscard]] BatchResult batch(const GearSet& gear, const BatchTask& task,
                                 const Progress& progress = {});

@@ -6,9 +6,9 @@
 #include "strainwave/command/command.hpp"
 
 /// @file
-/// The facade behind every door: command line, C interface, and what is built on them.  With
-/// `read_drive` and `run` (command/command.hpp) it opens, writes and lists no file, reads no clock,
-/// environment or locale, and prints nothing.
+/// The facade for all users of the library: the command line, the C interface, and what is built on
+/// them.  With `read_drive` and `run` (command/command.hpp) it opens, writes and lists no file,
+/// reads no clock, environment or locale, and prints nothing.
 
 namespace strainwave {
 

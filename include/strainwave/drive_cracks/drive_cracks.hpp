@@ -19,78 +19,83 @@ namespace strainwave {
 /// Size and shape of a crack.
 struct CrackSize {
   double size = 0.0;          ///< a: depth, or half length of a crack through the thickness [m]
-  double aspect_ratio = 1.0;  ///< a/c of a surface crack, in (0, 1]; 1 of all others [-]
+  double aspect_ratio = 1.0;  ///< a/c of a surface crack, in (0, 1]; 1 for all other cracks [-]
 
-  /// A surface crack by its depth a and half length c, each of which may grow by itself [m].
+  /// A surface crack by its depth a and half length c, which may grow independently [m].
   [[nodiscard]] static CrackSize of(double depth, double half_length) {
     return {.size = depth, .aspect_ratio = depth / half_length};
   }
-  /// c of a surface crack [m].
+  /// Half length c of a surface crack [m].
   [[nodiscard]] double half_length() const { return size / aspect_ratio; }
 };
 
-/// K_I, K_II, K_III [Pa*m^0.5, or that per unit of a load]; K_I < 0 presses the faces together.
+/// The factors K_I, K_II, K_III [Pa*m^0.5, or Pa*m^0.5 per unit of a load]; K_I < 0 presses the
+/// faces together.
 using Modes = std::array<double, 3>;
 
-/// K at one point of a front per unit of each load.
+/// Stress intensity at one point of a front, per unit of each load.
 struct FrontIntensity {
   UnitStressIntensity<2> load;  ///< over [axial force, torque] [Pa*m^0.5/N, Pa*m^0.5/(N*m)]
-  /// Of the assembly at a lobe, where its hoop stress is tension [Pa*m^0.5]; at a wave angle theta
-  /// from it times `DriveCrack::assembly_phase(theta)`.
+  /// K of the assembly for a crack at a lobe, where the hoop stress is tensile [Pa*m^0.5].  At a
+  /// wave angle theta from the lobe, multiply by `DriveCrack::assembly_phase(theta)`.
   Modes assembly{};
 };
 
-/// A crack of a drive as stiffness, strength and growth need it: whatever its kind, K along its
-/// front at any size, and how far that can be trusted.
+/// A crack of a drive, in one form for all kinds, as stiffness, strength and growth need it: K
+/// along its front at any size, and the limits of its validity.
 struct DriveCrack {
   std::string path;      ///< "flexspline.crack[0]"
   std::string kind;      ///< "through"
-  std::string material;  ///< name of its material; empty: the member has none
-  /// It acts through contacts, which only the coupled drive has: nothing below is given.
+  std::string material;  ///< name of its material; empty: the member has no material
+  /// True if the crack acts through contacts, which only the coupled drive models.  The members
+  /// below are then empty.
   bool acts_in_coupled_drive = false;
 
   std::string size_name;  ///< "depth" or "half_length"
-  CrackSize size;         ///< in the file
-  double ligament = 0.0;  ///< what that leaves of the section [m]
+  CrackSize size;         ///< size in the file
+  double ligament = 0.0;  ///< thickness of the section that the crack leaves [m]
   CrackModuli moduli;     ///< E' and mu [Pa]
   sif::Constraint constraint = sif::Constraint::plane_strain;
-  BothSenses faces;  ///< at the given load, without the assembly
-  /// False: the load has one sense, whatever that of the torque (the force on a lobe).
+  BothSenses faces;  ///< state of the faces at the given load, without the assembly
+  /// False if the load has the same sense for both senses of torque, as the force on a lobe does.
   bool reverses = true;
 
   /// K along the front at any size up to the end of the range, with the faces apart or pressed.
-  /// A crack of the bearing: at the contact of the given torque, which is not linear in it.
+  /// For a crack of the bearing, the contact is that of the given torque, on which K does not
+  /// depend linearly.
   std::function<std::vector<FrontIntensity>(const CrackSize&, Faces)> front;
-  /// K along the front per unit of a bending moment of the member, the crack in the middle of the
-  /// pulled side [Pa*m^0.5/(N*m)]; empty where it cannot be stated.
+  /// K along the front per unit of a bending moment of the member, with the crack in the middle of
+  /// the tension side [Pa*m^0.5/(N*m)]; empty if it cannot be stated.
   std::function<std::vector<Modes>(const CrackSize&)> bending;
-  /// Yield strength at which the net section is fully plastic, at a size, under an axial force [N]
-  /// and a torque [N*m]; proportional to both [Pa].  Throws InputError at a size that leaves
-  /// nothing of the section, beyond `range_end`.
+  /// Yield strength at which the net section is fully plastic [Pa], as a function of size, axial
+  /// force [N] and torque [N*m]; proportional to both loads.  Throws InputError at a size beyond
+  /// `range_end`, where no section is left.
   std::function<double(const CrackSize&, double axial_force, double torque)> reference_stress;
 
-  double range_end = 0.0;              ///< largest size that the solutions reach [m]
-  std::string range_text;              ///< what that size is
-  bool assembly = false;               ///< the assembly stresses it
-  double assembly_peak = 0.0;          ///< largest elastic stress of the assembly in the wall [Pa]
-  int wave_number = 0;                 ///< U [-]
-  std::string unknown;                 ///< which stress of the crack is not known; empty: all is
-  std::string next_step;               ///< what to do about that
-  std::vector<StrengthNote> notes;     ///< what the stress leaves out
-  std::vector<Note> kinks;             ///< where its compliance has one right at this drive
+  double range_end = 0.0;      ///< largest size at which the solutions are valid [m]
+  std::string range_text;      ///< description of that size
+  bool assembly = false;       ///< true if the assembly stresses the crack
+  double assembly_peak = 0.0;  ///< largest elastic stress of the assembly in the wall [Pa]
+  int wave_number = 0;         ///< U [-]
+  /// the stress of the crack that is not known; empty: all are known
+  std::string unknown;
+  std::string next_step;               ///< action that makes the stress known
+  std::vector<StrengthNote> notes;     ///< effects that the stress leaves out
+  std::vector<Note> kinks;             ///< places of this drive at which the compliance has a kink
   std::vector<std::string> equations;  ///< tags of the theory manual
 
-  /// cos(U theta), by which K of the assembly varies [-].
+  /// Factor cos(U theta) by which K of the assembly varies round the wall [-].
   /// @param wave_angle  theta, from a lobe to the crack [rad]
   [[nodiscard]] double assembly_phase(double wave_angle) const;
 };
 
-/// Turns a drive into its loaded cracks: once for all that use them.
+/// Turns a drive into its loaded cracks, in one form for all models that use them.
 ///
 /// Implements theory manual eqs. (FR-4) to (FR-17), (FA-6) to (FA-12), (FA-14).
 ///
 /// @param gear  has passed `check`
-/// @return      one per crack: wave generator, flexspline, mesh, circular spline, output shaft
+/// @return      one per crack, in the order wave generator, flexspline, mesh, circular spline,
+///              output shaft
 /// @throws InputError  if the material of a crack is missing or contradicts itself
 [[nodiscard]] std::vector<DriveCrack> drive_cracks(const GearSet& gear);
 

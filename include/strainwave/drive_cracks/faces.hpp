@@ -8,11 +8,12 @@ namespace strainwave {
 /// A touching crack is neither opened nor closed: its faces meet without pressure.
 enum class Faces { pressed, touching, open };
 
-/// The one judgement of what presses the faces of a crack together; eq. (FR-17).
+/// Decides whether a normal stress presses the faces of a crack together; eq. (FR-17).  All code
+/// uses this one rule.
 ///
-/// @param normal_stress  on the plane of the crack [Pa]
-/// @param scale  sum of the magnitudes that the stress is made of [Pa]; >= 0.  A stress below
-///               1e-12 of it is rounding, and counts as none.
+/// @param normal_stress  stress on the plane of the crack [Pa]
+/// @param scale  sum of the magnitudes of the terms that make up the stress [Pa]; >= 0.  A stress
+///               below 1e-12 of this scale is rounding and counts as zero.
 [[nodiscard]] constexpr Faces faces(double normal_stress, double scale) {
   const double negligible = 1e-12 * scale;
   if (normal_stress > negligible) return Faces::open;
@@ -24,7 +25,8 @@ struct BothSenses {
   Faces positive = Faces::touching;
   Faces negative = Faces::touching;
 
-  /// Whether a crack is pressed under one sense only, so that it adds more under the other.
+  /// Whether the crack is pressed under one sense only.  It then adds more compliance under the
+  /// other.
   [[nodiscard]] bool differ() const {
     return (positive == Faces::pressed) != (negative == Faces::pressed);
   }

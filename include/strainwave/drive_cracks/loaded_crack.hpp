@@ -24,7 +24,7 @@
 
 /// @file
 /// Cracks of a drive with their solutions and loads, in the scalar `Real`: double, or DualReal for
-/// the derivatives of everything.  Here, and only here, a kind of crack gets its solution: a kind
+/// the derivatives of everything.  Only this header assigns a solution to a kind of crack.  A kind
 /// without an overload of `CrackLoads::loaded` does not compile.
 
 namespace strainwave {
@@ -37,30 +37,32 @@ template <SweptCrack Solution>
 struct LoadedCrack {
   using Real = ScalarOf<Solution>;
 
-  Solution solution;              ///< at the size of the file, its faces apart
+  Solution solution;              ///< solution at the size in the file, with open faces
   BasicCrackModuli<Real> moduli;  ///< E' and mu [Pa]
   sif::Constraint constraint = sif::Constraint::plane_strain;
   BothSenses faces;
-  bool in_range = true;  ///< the compliance of the closed form may be used at this size
-  /// What finite elements say instead, where the crack names a table (FE-41).
+  bool in_range = true;  ///< whether the closed-form compliance may be used at this size
+  /// Compliance by finite elements that replaces the closed form if the crack names a table
+  /// (FE-41).
   std::optional<TabulatedCompliance<Real>> table = {};
 
-  /// The solution with its faces as given.
+  /// The solution for a given state of the faces.
   [[nodiscard]] Solution with_faces(Faces state) const {
     return state == Faces::pressed ? solution.pressed() : solution;
   }
 };
 
-/// A groove all round a diaphragm: it thins the plate, and has no front that sweeps an area.
+/// A groove all round a diaphragm.  It thins the plate; it does not have a front that sweeps an
+/// area.
 struct LoadedGroove {};
 
-/// A crack that acts through the contacts of balls and teeth: the coupled drive has it, a sum of
-/// compliances does not.
+/// A crack that acts through the contacts of balls and teeth.  The coupled drive models it; a sum
+/// of compliances cannot.
 struct ActsInCoupledDrive {};
 
 /// Turns the cracks of one drive into loaded cracks.
 ///
-/// It reads every number through its lift, and keeps the drive by reference.
+/// The object reads every number through its lift and keeps a reference to the drive.
 template <class Real>
 class CrackLoads {
  public:
@@ -69,8 +71,8 @@ class CrackLoads {
   template <class Solution>
   using Loaded = LoadedCrack<Solution>;
 
-  /// @param gear  has passed `check`; outlives this object
-  /// @param lift  reads its numbers
+  /// @param gear  has passed `check`; must outlive this object
+  /// @param lift  reads the numbers of the drive
   explicit CrackLoads(const GearSet& gear, const Lift<Real>& lift = Lift<Real>())
       : gear_(gear), lift_(lift) {}
 
@@ -171,7 +173,7 @@ class CrackLoads {
     return steel(gear_.flexspline->material, "flexspline.material");
   }
 
-  /// The wall that a crack sits in.
+  /// The wall that contains a crack.
   [[nodiscard]] Wall<Real> wall_of(WallSection section) const {
     const Flexspline& fs = *gear_.flexspline;
     if (fs.crack_free == CrackFree::factor) return tooth_ring(lift_, gear_);
@@ -239,12 +241,14 @@ class CrackLoads {
             .faces = faces_of(crack),
             .in_range = not_too_deep(crack.depth, value_of(thickness))};
   }
-  /// An arc crack of the diaphragm slides under torque: a flat through crack in pure mode II.
+  /// An arc crack of the diaphragm slides under torque, so it is a through crack of a flat plate in
+  /// pure mode II.
   [[nodiscard]] Loaded<sif::BasicThroughCrackInTube<Real>> loaded(
       const DiaphragmArcCrack& crack) const {
     const Elastic steel = flexspline_steel();
     const Real r = arc_radius(crack);
-    // The shear T/(2 pi r^2 h) along the arc is that along the generator of a tube of its radius.
+    // The shear T/(2 pi r^2 h) along the arc equals that along the generator of a tube with the
+    // radius of the arc.
     return {
         .solution = {.half_length = lift_(crack.half_length),
                      .mean_radius = r,
@@ -344,7 +348,7 @@ class CrackLoads {
     return {inner.major_semi_axis, inner.minor_semi_axis};
   }
 
-  /// Peak pressure per unit of lobe force, of the ball that carries the crack.
+  /// Peak pressure per unit of lobe force, at the ball above the crack.
   [[nodiscard]] Real pressure_per_force(const Real& a, const Real& b) const {
     const WaveGenerator& wg = *gear_.wave_generator;
     const Real share = wg.bearing ? Real(1 / lift_(wg.bearing->loaded_balls)) : Real(1.0);

@@ -7,8 +7,8 @@
 #include "strainwave/model/input/gear_set.hpp"
 
 /// @file
-/// What torque and assembly do to the members that carry cracks: force on a lobe, contacts of the
-/// balls, bending of ring and wall.
+/// Loads of the members that carry cracks, from torque and assembly: force on a lobe, contacts of
+/// the balls, bending of ring and wall.
 
 namespace strainwave {
 
@@ -20,18 +20,18 @@ struct BasicRaceContacts {
 };
 using RaceContacts = BasicRaceContacts<double>;
 
-/// Contacts of a ball with its races, all of one material; eq. (CO-1).
+/// Contacts of a ball with its races; ball and races have one material; eq. (CO-1).
 /// @param lift     reads the numbers of the bearing
-/// @param bearing  of the wave generator
-/// @param steel    of balls and races
+/// @param bearing  bearing of the wave generator
+/// @param steel    material of balls and races
 template <class Real>
 [[nodiscard]] BasicRaceContacts<Real> race_contacts(const Lift<Real>& lift, const Bearing& bearing,
                                                     const BasicElasticConstants<Real>& steel) {
   const Real D = lift(bearing.ball_diameter);
-  // Ball and races of one material: 1/E* = 2 (1 - nu^2)/E.
+  // Ball and races have one material, so 1/E* = 2 (1 - nu^2)/E.
   const Real contact_modulus = steel.plane_strain_modulus() / 2;
   const auto contact = [&](const Real& race_curvature, const Real& conformity) {
-    // (CO-1): across the groove, and along the rolling direction.
+    // (CO-1): the first entry is across the groove, the second along the rolling direction.
     return BasicPointContact<Real>{
         .curvature_sums = {2 / D - 1 / (conformity * D), 2 / D + race_curvature},
         .contact_modulus = contact_modulus};
@@ -57,15 +57,17 @@ template <class Real>
   return lobe_force_per_torque(Lift<double>(), drive, wg);
 }
 
-/// Bending moment of a thin ring under U equal radial forces, evenly spaced, at a force, over
-/// F R [-]: (1/theta - cot(theta))/2, theta = pi/U; eq. (ST-13).
+/// Bending moment of a thin ring under U equal and evenly spaced radial forces F, at one of them
+/// and over F R [-]: (1/theta - cot(theta))/2, theta = pi/U; eq. (ST-13).
 /// @param wave_number  U [-]; >= 2
-/// @throws InputError  if it is less
+/// @throws InputError  if U < 2
 [[nodiscard]] double ring_moment_factor(int wave_number);
 
-/// Bending stress of a ring that takes the shape r + w_0 cos(U theta), at its faces [Pa].
+/// Bending stress of a ring that takes the shape r + w_0 cos(U theta), at its inner and outer
+/// surface [Pa].
 ///
-/// E/(1-nu^2) (t/2) (U^2-1) w_0/r^2: the wall of the flexspline (ST-17), a ring on its cam (SW-9).
+/// The stress is E/(1-nu^2) (t/2) (U^2-1) w_0/r^2.  It applies to the wall of the flexspline
+/// (ST-17) and to a ring on its cam (SW-9).
 [[nodiscard]] double bending_to_shape(const Transmission& drive, const ElasticConstants& steel,
                                       double mean_radius, double thickness);
 
@@ -85,31 +87,34 @@ template <class Real>
 
 /// Bending stress of the flexspline's wall from its assembly on the wave generator [Pa].
 ///
-/// Implements theory manual eq. (ST-17), E/(1-nu^2) (delta/2) (U^2-1) w_0/r_m^2, for a
-/// deflection w_0 cos(U theta); constant along the axis.
+/// Implements theory manual eq. (ST-17), E/(1-nu^2) (delta/2) (U^2-1) w_0/r_m^2, for a deflection
+/// w_0 cos(U theta).  The stress is constant along the axis.
 /// @param gear  drive with a flexspline
 [[nodiscard]] double ovalisation_stress(const GearSet& gear);
 
 /// Stress of the assembly on the plane of a crack in the flexspline's wall, at its surface [Pa].
 struct AssemblyStress {
-  double normal = 0.0;  ///< on the crack plane, where the hoop stress is tension
-  double shear = 0.0;   ///< along the crack, of the same moment; sign as in CrackPlaneStress
+  double normal = 0.0;  ///< normal stress on the crack plane, where the hoop stress is tensile
+  double shear = 0.0;   ///< shear along the crack from the same moment; sign as in CrackPlaneStress
 };
 
-/// Implements theory manual eq. (FA-12): the hoop stress sigma_b of (ST-17) in a wall of this
-/// radius and thickness, nu sigma_b along the axis, turned into the crack's frame,
+/// Stress of the assembly on the plane of a crack.
+///
+/// Implements theory manual eq. (FA-12).  The hoop stress sigma_b of (ST-17) in a wall of this
+/// radius and thickness, with nu sigma_b along the axis, is turned into the crack's frame,
 ///
 ///     normal = sigma_b (cos^2(beta) + nu sin^2(beta)),
 ///     shear  = -(1 - nu) sigma_b sin(beta) cos(beta).
 ///
-/// Amplitude of w_0 cos(U theta) at the crack; in a cup it falls along the axis: an upper bound in
-/// the barrel, but not on the rim, nor for a flattened cam.
+/// The result is the amplitude of a deflection w_0 cos(U theta) at the crack.  In a cup this
+/// deflection falls along the axis, so the result is an upper bound in the barrel.  It is not a
+/// bound on the rim or for a flattened cam.
 ///
 /// @param gear         drive with a flexspline
 /// @param mean_radius  r of the cracked wall [m]; > 0
 /// @param thickness    t of the cracked wall [m]; > 0
 /// @param angle        beta of the crack [rad]
-/// @throws InputError  if there is no flexspline, or a length is not positive
+/// @throws InputError  if the drive lacks a flexspline, or a length is not positive
 [[nodiscard]] AssemblyStress assembly_stress(const GearSet& gear, double mean_radius,
                                              double thickness, double angle);
 

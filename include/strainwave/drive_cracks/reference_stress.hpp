@@ -4,9 +4,9 @@
 #include <optional>
 
 /// @file
-/// Reference stresses: the yield strength at which the net section of a cracked member is fully
-/// plastic under the given load, by von Mises [Pa].  L_r is this over the yield strength.  All are
-/// proportional to the load.
+/// Reference stress of a cracked member [Pa]: the yield strength at which its net section is fully
+/// plastic under the given load, by von Mises.  L_r is the reference stress over the actual yield
+/// strength.  All reference stresses are proportional to the load.
 
 namespace strainwave {
 
@@ -21,51 +21,56 @@ struct NetRing {
 
 /// Reference stress of a ring under axial force and torque [Pa].
 ///
-/// Implements theory manual eq. (FA-7), uniform P/(pi (r_e^2 - r_i^2)) and uniform
-/// 3T/(2 pi (r_e^3 - r_i^3)): a lower bound of the limit load, exact for torsion alone.
+/// Implements theory manual eq. (FA-7), with a uniform axial stress P/(pi (r_e^2 - r_i^2)) and a
+/// uniform shear 3T/(2 pi (r_e^3 - r_i^3)).  This gives a lower bound of the limit load, which is
+/// exact for torsion alone.
 /// @throws InputError  if the radii are not in order
 [[nodiscard]] double ring_reference_stress(const NetRing& ring, double axial_force, double torque);
 
-/// A crack through a wall: what of two sections it takes away.
+/// A crack through a wall, which weakens the transverse and the axial section.
 struct ThroughWall {
   double half_length = 0.0;  ///< a [m]; > 0
   double angle = 0.0;        ///< from the generator [rad]
   double mean_radius = 0.0;  ///< r [m]; > 0
-  double length = 0.0;       ///< of the tube [m]; > 0; infinity: the crack has no part along it
+  /// length of the tube [m]; > 0; infinity: the crack does not weaken the axial section
+  double length = 0.0;
 };
 
 /// Share of the section that a crack through a wall leaves [-]; eq. (FA-8).
 ///
-/// The smaller of 1 - 2 a |sin beta|/(pi r), whole circumference with a like gap opposite, and
-/// 1 - 2 a |cos beta|/L.  Absent where nothing is left: the crack cuts half of the circumference.
+/// The smaller of 1 - 2 a |sin beta|/(pi r) and 1 - 2 a |cos beta|/L.  The first counts the whole
+/// circumference with an equal gap opposite the crack.  Absent if nothing is left, that is, if the
+/// crack cuts half of the circumference.
 [[nodiscard]] std::optional<double> through_wall_share(const ThroughWall& crack);
 
-/// How the stress is spread over the thickness of a part.
+/// Distribution of the stress over the thickness of a part.
 enum class SectionLoading {
-  membrane,  ///< uniform over the thickness
-  bending,   ///< linear, zero in the middle; the stress is that of the surface
+  membrane,  ///< stress uniform over the thickness
+  bending,   ///< linear and zero in the middle; the stress is given at the surface
 };
 
-/// Reference stress of a stress in a part with a surface crack [Pa].
+/// Reference stress of a part with a surface crack [Pa].
 ///
-/// Implements theory manual eqs. (FA-9) and (FA-10): the thickness less the crack's depth, over
-/// the whole width, sigma/(1-alpha) or (2/3) sigma/(1-alpha)^2.  Lower bound of the limit load.
+/// Implements theory manual eqs. (FA-9) and (FA-10): sigma/(1-alpha) or (2/3) sigma/(1-alpha)^2.
+/// The crack is taken to reduce the thickness by its depth over the whole width, which gives a
+/// lower bound of the limit load.
 ///
-/// @param stress       of the uncracked section, a von Mises equivalent [Pa]; >= 0
+/// @param stress       von Mises equivalent stress of the uncracked section [Pa]; >= 0
 /// @param depth_ratio  alpha = a/t [-]; in [0, 1)
 /// @throws InputError  if alpha is outside [0, 1)
 [[nodiscard]] double ligament_reference_stress(SectionLoading loading, double stress,
                                                double depth_ratio);
 
-/// Shear in the middle of an annular plate at a radius, T/(2 pi r^2 h) [Pa]; eq. (FA-11).
+/// Shear stress of an annular plate at a radius, T/(2 pi r^2 h) [Pa]; eq. (FA-11).
 [[nodiscard]] double annulus_shear(double torque, double radius, double thickness);
 
-/// K_III of a groove all round an annular plate, taken as a sharp crack [Pa*m^0.5].
+/// K_III of a groove all round an annular plate, treated as a sharp crack [Pa*m^0.5].
 ///
 /// Implements theory manual eq. (FA-11), tau sqrt(2 h tan(pi d/(2h))): the edge crack of a strip in
-/// antiplane shear, exact for a radius large against the thickness.
+/// antiplane shear.  It is exact in the limit of a radius that is large compared with the
+/// thickness.
 ///
-/// @param shear      tau of the sound plate there [Pa]
+/// @param shear      shear stress tau of the sound plate at the groove [Pa]
 /// @param depth      d [m]; in [0, thickness)
 /// @param thickness  h [m]; > 0
 [[nodiscard]] double groove_intensity(double shear, double depth, double thickness);

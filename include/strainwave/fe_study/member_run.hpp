@@ -21,13 +21,14 @@
 #include "strainwave/model/result/evidence.hpp"
 
 /// @file
-/// Finite elements of the members of a drive, from its input file: what `strainwave-fe run` does.
+/// Finite element runs of the members of a drive from its input file, as `strainwave-fe run` does
+/// them.
 
 namespace strainwave {
 
 namespace fe_study {
 
-/// The members that finite elements know.
+/// The members that finite elements can treat.
 enum class Member { output_shaft, flexspline };
 
 }  // namespace fe_study
@@ -39,28 +40,29 @@ struct EnumNames<fe_study::Member> {
 
 namespace fe_study {
 
-inline constexpr int kSectionOrder = 6;  ///< p of bodies of revolution
-inline constexpr int kSolidOrder = 3;    ///< p of solids
+inline constexpr int kSectionOrder = 6;  ///< default order p for bodies of revolution
+inline constexpr int kSolidOrder = 3;    ///< default order p for solids
 
-/// Whether a run samples its solutions: elements of order p by p points each way, of solids p+1.
+/// Where a run samples its solutions.  An element of order p gets p points in each direction, a
+/// solid p+1.
 enum class RunFields {
   none,
-  of_rank,     ///< each rank its own cells, for files
-  everywhere,  ///< each rank all cells, for pictures
+  of_rank,     ///< each rank samples its own cells, for files
+  everywhere,  ///< each rank samples all cells, for pictures
 };
 
-/// What a through crack of the barrel is calculated in.
+/// The body in which a through crack of the barrel is computed.
 enum class Surroundings {
-  as_given,  ///< the cup, where the file has rim, diaphragm or boss
+  as_given,  ///< the cup, if the file gives rim, diaphragm or boss
   none,      ///< a tube
 };
 
 struct RunOptions {
-  std::optional<Member> member = {};  ///< nothing: every member that the file gives
-  /// p; in 2..8, of solids in 2..4; nothing: kSectionOrder and kSolidOrder
+  std::optional<Member> member = {};  ///< absent: every member that the file gives
+  /// Order p, 2 to 8, for solids 2 to 4; absent: kSectionOrder and kSolidOrder
   std::optional<int> order = {};
-  /// Path of the only crack that is calculated, "flexspline.crack[0]", and nothing else; nothing:
-  /// all of the members asked for
+  /// Path of the only crack to compute, such as "flexspline.crack[0]"; absent: all cracks of the
+  /// selected members.
   std::optional<std::string> crack = {};
   /// Called with one line after each solution, on every rank; may be empty.
   std::function<void(const std::string&)> progress = {};
@@ -68,23 +70,24 @@ struct RunOptions {
   Surroundings surroundings = Surroundings::as_given;
 };
 
-/// Size of one calculation, before it is done.
+/// Estimated size of one computation.
 struct RunSize {
-  std::string path;           ///< "output_shaft.crack[0]" or "flexspline"
-  std::size_t dofs = 0;       ///< of its largest solution; of solids exact, else within 10 %
-  double memory = 0.0;        ///< estimate, of one rank alone [byte]; (FE-44)
-  double seconds = 0.0;       ///< estimate for one core [s]
-  std::size_t solutions = 0;  ///< how many are solved
-  bool divided = false;       ///< among the ranks of MPI; else the first does it all
+  std::string path;  ///< "output_shaft.crack[0]" or "flexspline"
+  /// unknowns of its largest solution; exact for solids, else within 10 %
+  std::size_t dofs = 0;
+  double memory = 0.0;        ///< estimated memory of a single rank [byte]; (FE-44)
+  double seconds = 0.0;       ///< estimated time on one core [s]
+  std::size_t solutions = 0;  ///< number of solutions
+  bool divided = false;       ///< true: divided among the MPI ranks; false: the first rank does all
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"path", "", "crack or member"}, &RunSize::path);
-    field({"unknowns", "", "of its largest solution"}, &RunSize::dofs);
-    field({"solutions", "", "how many are solved"}, &RunSize::solutions);
-    field({"memory_bytes", "", "estimate of one process alone"},
+    field({"unknowns", "", "unknowns of its largest solution"}, &RunSize::dofs);
+    field({"solutions", "", "number of solutions"}, &RunSize::solutions);
+    field({"memory_bytes", "", "estimated memory of a single process"},
           [](const RunSize& size) { return static_cast<std::int64_t>(size.memory); });
-    field({"time", "s", "estimate for one core"}, &RunSize::seconds);
+    field({"time", "s", "estimated time on one core"}, &RunSize::seconds);
   }
 };
 
@@ -96,8 +99,8 @@ struct StressIntensity {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"K_I", "Pa*m^0.5", "opening; 0 where the crack is closed"}, &StressIntensity::K_I);
-    field({"K_II", "Pa*m^0.5", "sliding; 0 where the crack is closed"}, &StressIntensity::K_II);
+    field({"K_I", "Pa*m^0.5", "opening mode; 0 if the crack is closed"}, &StressIntensity::K_I);
+    field({"K_II", "Pa*m^0.5", "sliding mode; 0 if the crack is closed"}, &StressIntensity::K_II);
     field({"K_III", "Pa*m^0.5", "tearing"}, &StressIntensity::K_III);
   }
 };
@@ -108,46 +111,48 @@ struct ShaftCrackRun {
   gear_fem::ShaftSection section;
   gear_fem::ShaftCrackResult result;
   fem::Elasticity elasticity;
-  double torque = 0.0;  ///< given [N*m]
-  double force = 0.0;   ///< given, axial [N]
+  double torque = 0.0;  ///< given torque [N*m]
+  double force = 0.0;   ///< given axial force [N]
 
   /// Whether the force leaves the faces apart.
   [[nodiscard]] bool opens() const { return force >= 0; }
-  /// At the given load: modes I and II of the force, III of the torque.
+  /// Stress intensity at the given load: modes I and II from the force, mode III from the torque.
   [[nodiscard]] StressIntensity at_load() const;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     using R = ShaftCrackRun;
-    field({"path", "", "the crack in the input file"}, &R::path);
+    field({"path", "", "path of the crack in the input file"}, &R::path);
     field({"kind", "", "annular"}, [](const R&) { return AnnularCrack::kKind; });
     field({"depth", "m", "a"}, [](const R& r) { return r.section.crack->depth; });
     field({"opens", "", "whether the axial force leaves the faces apart"}, &R::opens);
-    field({"stress_intensity", "", "at the given load"}, &R::at_load);
+    field({"stress_intensity", "", "stress intensity at the given load"}, &R::at_load);
     field(
-        {"torsion", "", "by a torque of 1 N*m"},
+        {"torsion", "", "result for a torque of 1 N*m"},
         [](const R& r) -> const auto& { return r.result.torsion; });
     field(
-        {"tension", "", "by a force of 1 N"},
+        {"tension", "", "result for a force of 1 N"},
         [](const R& r) -> const auto& { return r.result.tension; });
   }
 };
 
-/// What both kinds of crack of the wall have.
+/// Describes the fields that both kinds of wall cracks share.
 template <class Run, class Visitor>
 void describe_wall_crack(Visitor& field) {
-  field({"path", "", "the crack in the input file"}, &Run::path);
-  field({"half_length", "m", "of the crack"}, [](const Run& r) { return r.tube.half_length; });
-  field({"angle", "rad", "from the generator"}, [](const Run& r) { return r.tube.angle; });
-  field({"torque", "N*m", "given, without its sense"}, [](const Run& r) { return r.tube.torque; });
-  field({"compliance_without", "rad/(N*m)", "of the body without the crack"},
+  field({"path", "", "path of the crack in the input file"}, &Run::path);
+  field({"half_length", "m", "half length of the crack"},
+        [](const Run& r) { return r.tube.half_length; });
+  field({"angle", "rad", "angle from the generator"}, [](const Run& r) { return r.tube.angle; });
+  field({"torque", "N*m", "magnitude of the given torque"},
+        [](const Run& r) { return r.tube.torque; });
+  field({"compliance_without", "rad/(N*m)", "compliance of the body without the crack"},
         [](const Run& r) { return r.positive.compliance_without; });
-  field({"positive", "", "under a torque > 0"}, &Run::positive);
-  field({"negative", "", "under a torque < 0"}, &Run::negative);
+  field({"positive", "", "result under torque > 0"}, &Run::positive);
+  field({"negative", "", "result under torque < 0"}, &Run::negative);
 }
 
-/// One through crack of the flexspline's wall, in a tube or, with `tube.ends`, in the cup, at the
-/// size of the given torque and both senses.
+/// One through crack of the flexspline's wall, in a tube or, with `tube.ends`, in the cup, for both
+/// senses of the given torque.
 struct TubeCrackRun {
   static constexpr std::string_view kKind = WallThroughCrack::kKind;
   std::string path;
@@ -159,13 +164,13 @@ struct TubeCrackRun {
   static void describe(Visitor&& field) {
     using R = TubeCrackRun;
     describe_wall_crack<R>(field);
-    field({"body", "", "what has the crack: tube or cup"},
+    field({"body", "", "body that contains the crack: tube or cup"},
           [](const R& r) { return std::string_view(r.tube.ends.any() ? "cup" : "tube"); });
   }
 };
 
-/// One part-through crack of the flexspline's wall, its mouth on the outer surface, at the size of
-/// the given torque and both senses.
+/// One part-through crack of the flexspline's wall, with its mouth on the outer surface, for both
+/// senses of the given torque.
 struct SurfaceCrackRun {
   static constexpr std::string_view kKind = WallSurfaceCrack::kKind;
   std::string path;
@@ -185,71 +190,71 @@ struct SurfaceCrackRun {
 
 using WallCrackRun = std::variant<TubeCrackRun, SurfaceCrackRun>;
 
-/// What was run of the output shaft.
+/// Results for the output shaft.
 struct ShaftRun {
   std::vector<ShaftCrackRun> cracks;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"cracks", "", "each alone"}, &ShaftRun::cracks);
+    field({"cracks", "", "results for each crack alone"}, &ShaftRun::cracks);
   }
 };
 
-/// What was run of the flexspline.
+/// Results for the flexspline.
 struct FlexsplineRun {
   std::optional<gear_fem::CupResult> sound;
   std::vector<WallCrackRun> cracks;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"sound", "", "without its cracks, in torsion"}, &FlexsplineRun::sound);
-    field({"cracks", "", "of the wall, each alone"}, &FlexsplineRun::cracks);
+    field({"sound", "", "flexspline without its cracks, in torsion"}, &FlexsplineRun::sound);
+    field({"cracks", "", "results for each wall crack alone"}, &FlexsplineRun::cracks);
   }
 };
 
-/// Everything that was run.
+/// Results of a run.
 struct RunResult {
-  std::vector<RunSize> plan;  ///< estimated before
-  bool calculated = false;    ///< else there is a plan only
-  std::string refused;        ///< why the plan cannot be calculated here; empty: it can
-  int section_order = 0;      ///< of shaft and sound cup
-  int solid_order = 0;        ///< of cracks of the wall
+  std::vector<RunSize> plan;  ///< estimates made before the run
+  bool calculated = false;    ///< false: only the plan exists
+  std::string refused;        ///< reason why this machine cannot compute the plan; empty if it can
+  int section_order = 0;      ///< order p for shaft and sound cup
+  int solid_order = 0;        ///< order p for wall cracks
   ShaftRun output_shaft;
   FlexsplineRun flexspline;
-  std::vector<Note> notes;  ///< what finite elements leave out, or see otherwise
+  std::vector<Note> notes;  ///< effects that finite elements leave out or treat differently
   /// True if every part may be used.
   [[nodiscard]] bool usable() const { return reason().empty(); }
-  /// The first reason why not; empty if it may.
+  /// The first reason why the result must not be used; empty if it may be used.
   [[nodiscard]] std::string reason() const;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"plan", "", "estimates made before"}, &RunResult::plan);
-    field({"calculated", "", "false of a dry run"}, &RunResult::calculated);
-    field({"section_order", "", "p of the elements of shaft and sound flexspline"},
+    field({"plan", "", "estimates made before the run"}, &RunResult::plan);
+    field({"calculated", "", "false for a dry run"}, &RunResult::calculated);
+    field({"section_order", "", "order p of the elements for shaft and sound flexspline"},
           &RunResult::section_order);
-    field({"solid_order", "", "p of the elements of cracks of the wall"}, &RunResult::solid_order);
-    field({"output_shaft", "", "with annular cracks"}, &RunResult::output_shaft);
-    field({"flexspline", "", "sound, and with cracks of its wall"}, &RunResult::flexspline);
+    field({"solid_order", "", "order p of the elements for wall cracks"}, &RunResult::solid_order);
+    field({"output_shaft", "", "output shaft with annular cracks"}, &RunResult::output_shaft);
+    field({"flexspline", "", "flexspline, sound and with wall cracks"}, &RunResult::flexspline);
   }
 };
 
 [[nodiscard]] ResultEvidence evidence_of(const RunResult& result);
 
-/// Plans a run: all of a result but what is calculated.
-/// @throws InputError  for what finite elements cannot do, by name: a member that the file does not
-///                     give, a crack of the flexspline that is not one of the wall or does not
-///                     fit into it, a sound flexspline without sections, an order out of
-///                     range, a shaft without cracks, a crack that is asked for and not there
+/// Plans a run: fills a result except for the computed parts.
+/// @throws InputError  for requests that finite elements cannot treat: a member that the file does
+///                     not give, a crack of the flexspline outside its wall or too large for it, a
+///                     sound flexspline without sections, an order out of range, a shaft without
+///                     cracks, a requested crack that does not exist
 [[nodiscard]] RunResult plan(const GearSet& gear, const RunOptions& options);
 
-/// Runs.  Of shafts and cups torque and force are 1 N*m and 1 N, and the given load is applied in
-/// the report; cracks of the wall have the given torque, for the contact of their faces.
+/// Executes a run.  For shafts and cups, torque and force are 1 N*m and 1 N, and the report scales
+/// to the given load.  Wall cracks are computed at the given torque because their faces may touch.
 ///
-/// Every rank of MPI calls it.  All have the wall cracks; shaft and cup are calculated by the first
-/// rank only, and are empty in the others.
-/// @throws InputError, SolverError  as plan, fem::solve_section and fem::solve_solid; InputError,
-///                                  before the first solution, for what will not fit into memory
+/// Every MPI rank must call it.  All ranks get the results of wall cracks.  Only the first rank
+/// computes shaft and cup; they are empty on the other ranks.
+/// @throws InputError, SolverError  on the same conditions as plan, fem::solve_section and
+///     fem::solve_solid; InputError before the first solution if the memory does not suffice
 [[nodiscard]] RunResult run(const GearSet& gear, const RunOptions& options, const Ranks& ranks);
 
 }  // namespace fe_study

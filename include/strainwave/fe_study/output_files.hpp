@@ -13,25 +13,26 @@
 
 namespace strainwave::fe_study {
 
-/// "flexspline_crack_0" of "flexspline.crack[0]"
+/// File name stem of a path: "flexspline_crack_0" for "flexspline.crack[0]".
 [[nodiscard]] std::string file_stem(const std::string& path);
 
-/// The fields of a run as VTU, at the given load: of each crack of the output shaft and of the
-/// sound cup a section in the plane y = 0, of each crack of the wall and both senses of torque the
-/// body, the crack's faces and its fronts.  On several ranks each writes the cells that it has,
-/// and the first one the .pvtu files that name them all.  JSON is not among them.
+/// The fields of a run as VTU files at the given load.  Each crack of the output shaft and the
+/// sound cup give a section in the plane y = 0.  Each wall crack gives, for both senses of torque,
+/// the body, the faces of the crack and its fronts.  With several ranks, each rank writes its own
+/// cells, and the first rank also writes the .pvtu files that list them.  JSON does not contain the
+/// fields.
 ///
-/// @param result  of a run with RunFields::of_rank
+/// @param result  result of a run with RunFields::of_rank
 [[nodiscard]] std::vector<OutputFile> vtu_files(const RunResult& result, const GearSet& gear,
                                                 const Ranks& ranks);
 
-/// Pictures as SVG, no larger than 2 MB each: of each crack of the wall, for the sense of torque
-/// that releases more energy, strain energy density on the surface, the same less that of the sound
-/// wall, the crack opened and magnified, and the stress intensity along the fronts; of each crack
-/// of the output shaft strain energy density and what the crack changes in it, and stress intensity
-/// over depth; of the sound cup strain energy density.
+/// Pictures as SVG of at most 2 MB each.  For each wall crack, under the sense of torque that
+/// releases more energy: strain energy density on the surface, its difference from the sound wall,
+/// the crack with magnified opening, and the stress intensity along the fronts.  For each crack of
+/// the output shaft: strain energy density, its change by the crack, and stress intensity over
+/// depth. For the sound cup: strain energy density.
 ///
-/// @param result  of a run with RunFields::everywhere; of the first rank
+/// @param result  result of a run with RunFields::everywhere, on the first rank
 [[nodiscard]] std::vector<OutputFile> pictures(const RunResult& result, const GearSet& gear);
 
 }  // namespace strainwave::fe_study

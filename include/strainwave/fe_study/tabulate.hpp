@@ -12,100 +12,103 @@
 #include "strainwave/model/input/variation.hpp"
 
 /// @file
-/// A family of finite element runs for one crack, written point by point into a table that the
-/// stiffness model reads: `strainwave fe tabulate`.
+/// A family of finite element runs for one crack (`strainwave fe tabulate`).  The results are
+/// written point by point into a table that the stiffness model reads.
 
 namespace strainwave::fe_study {
 
-/// A family, before it is run.
+/// A family of runs before execution.
 struct TableStudy {
-  GearSet gear;    ///< the drive, with nothing but what the crack needs
-  RunOptions run;  ///< names the crack
+  GearSet gear;    ///< the drive reduced to the parts that the crack needs
+  RunOptions run;  ///< options, which name the crack
   TableHead head;
-  std::vector<std::vector<double>> points;  ///< the varied numbers, the last runs fastest
+  /// values of the varied numbers; the last number runs fastest
+  std::vector<std::vector<double>> points;
 };
 
-/// Makes ready a family of runs.
+/// Prepares a family of runs.
 ///
 /// @param gear   the drive
-/// @param input  name of its file, for the head of the table
-/// @param run    order; the crack, which may be left out where the file has one only
-/// @param over   numbers that vary, each of which must be one that the crack's finite elements
-///               depend on, and alone (model/crack_parameters.hpp)
-/// @throws InputError  for a crack that finite elements do not know or that is not named, a number
-///                     that changes nothing or several at once, one given twice, too many points
+/// @param input  name of the input file, for the head of the table
+/// @param run    order and crack; the crack may be left out if the file has only one
+/// @param over   numbers that vary; the finite elements of the crack must depend on each of them,
+///               and no other number may change with it (model/crack_parameters.hpp)
+/// @throws InputError  if finite elements cannot treat the crack or the crack is not named; if a
+///                     number has no effect or changes several numbers at once; if a number is
+///                     given twice; if there are too many points
 [[nodiscard]] TableStudy table_study(const GearSet& gear, const std::string& input,
                                      const RunOptions& run, std::span<const Variation> over);
 
 /// Size of a whole family.
 struct TableSize {
-  RunSize largest;                   ///< the point that needs the most memory
-  std::size_t least_unknowns = 0;    ///< of a point
-  double seconds = 0.0;              ///< of all points, one core [s]
-  std::size_t points = 0;            ///< of the family
-  std::vector<std::string> misfits;  ///< points that cannot be meshed or break a rule, with reason
+  RunSize largest;                 ///< the point that needs the most memory
+  std::size_t least_unknowns = 0;  ///< fewest unknowns of a point
+  double seconds = 0.0;            ///< time of all points on one core [s]
+  std::size_t points = 0;          ///< number of points of the family
+  /// points that cannot be meshed or break a rule, with the reason
+  std::vector<std::string> misfits;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"largest", "", "the point that needs the most memory"}, &TableSize::largest);
-    field({"least_unknowns", "", "of a point"}, &TableSize::least_unknowns);
-    field({"time", "s", "of all points, estimate for one core"}, &TableSize::seconds);
-    field({"points", "", "of the family"}, &TableSize::points);
-    field({"misfits", "", "points that cannot be calculated, with the reason"},
-          &TableSize::misfits);
+    field({"least_unknowns", "", "fewest unknowns of a point"}, &TableSize::least_unknowns);
+    field({"time", "s", "estimated time of all points on one core"}, &TableSize::seconds);
+    field({"points", "", "number of points of the family"}, &TableSize::points);
+    field({"misfits", "", "points that cannot be computed, with the reason"}, &TableSize::misfits);
   }
 };
-/// Meshes every point and solves none.
+/// Meshes every point without solving it.
 [[nodiscard]] TableSize table_size(const TableStudy& study);
 [[nodiscard]] std::string table_size_text(const TableSize& size);
 
-/// One point of the family.  A point whose geometry is refused, that was not solved or is not
-/// usable is a row that says why.
+/// Computes one point of the family.  If the geometry is refused, or the solution fails or is not
+/// usable, the row states the reason.
 ///
-/// Every rank of MPI calls it; the first has the row.
-/// @throws MemoryRefusal, fem::MemoryError  too little memory, which the next run may have: no row
-/// @throws Error  any other fault that is not of the point
+/// Every MPI rank must call it; the first rank gets the row.
+/// @throws MemoryRefusal, fem::MemoryError  if the memory does not suffice; a later run may
+///     succeed, so no row is written
+/// @throws Error  for any fault that the point does not cause
 [[nodiscard]] TablePoint table_point(const TableStudy& study, std::size_t point,
                                      const Ranks& ranks);
 
-/// What became of a table.
+/// Outcome of a family of runs.
 struct TableOutcome {
   TableSize plan;
-  bool calculated = false;            ///< else there is a plan only
-  std::string refused = {};           ///< why the plan cannot be calculated here; empty: it can
-  std::string table = {};             ///< name of its file
-  std::size_t found = 0;              ///< points that were in the file
-  std::size_t unusable = 0;           ///< of all
-  std::string unusable_because = {};  ///< of the first of these
+  bool calculated = false;  ///< false: only the plan exists
+  /// reason why this machine cannot compute the plan; empty if it can
+  std::string refused = {};
+  std::string table = {};             ///< name of the table's file
+  std::size_t found = 0;              ///< points that the file had already
+  std::size_t unusable = 0;           ///< number of unusable points
+  std::string unusable_because = {};  ///< reason of the first unusable point
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"plan", "", "of all points, estimated before"}, &TableOutcome::plan);
-    field({"calculated", "", "false of a dry run"}, &TableOutcome::calculated);
-    field({"table", "", "name of its file"}, &TableOutcome::table);
-    field({"found", "", "points that were in it before"}, &TableOutcome::found);
-    field({"unusable", "", "points that may not be used"}, &TableOutcome::unusable);
+    field({"plan", "", "estimates for all points before the run"}, &TableOutcome::plan);
+    field({"calculated", "", "false for a dry run"}, &TableOutcome::calculated);
+    field({"table", "", "name of the table's file"}, &TableOutcome::table);
+    field({"found", "", "points that the table had already"}, &TableOutcome::found);
+    field({"unusable", "", "points that must not be used"}, &TableOutcome::unusable);
   }
 };
 
 [[nodiscard]] ResultEvidence evidence_of(const TableOutcome& outcome);
 
-/// Runs the points that the table does not have yet and adds each to it as it is finished.
+/// Computes the points that the table lacks and adds each point when it is finished.
 ///
-/// A run that is killed loses the point that it was at.  Every rank of MPI calls it.
+/// A killed run loses only its current point.  Every MPI rank must call it.
 ///
-/// @param table     used by the first rank
-/// @param progress  is told of each point
-/// @throws InputError  if the table is there and is another one, naming the first line that
-///                     differs; before the first solution, for a point that will not fit into
-///                     memory
+/// @param table     journal of the table; only the first rank uses it
+/// @param progress  receives each finished point
+/// @throws InputError  if a different table exists (the message names the first line that differs);
+///                     before the first solution, if the memory does not suffice for a point
 [[nodiscard]] TableOutcome run_table(const TableStudy& study, Journal& table, const Ranks& ranks,
                                      const Progress& progress);
 
-/// Relative error of the added compliance of a crack, from the evidence of its run.
+/// Relative error of the added compliance of a crack, estimated from its run.
 ///
 /// Implements theory manual eq. (FE-42): the largest of the growth check, the spread between rings,
-/// and what such a run was found to be off at best.
+/// and the smallest error found for such runs.
 [[nodiscard]] double table_error(const TubeCrackRun& run);
 [[nodiscard]] double table_error(const ShaftCrackRun& run);
 

@@ -5,7 +5,7 @@
 
 namespace strainwave::fem {
 
-/// There was too little memory: a fault of the machine as it was, not of the problem.
+/// The memory did not suffice.  The cause is the present state of the machine, not the problem.
 class MemoryError : public SolverError {
  public:
   using SolverError::SolverError;

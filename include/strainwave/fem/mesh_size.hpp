@@ -7,8 +7,8 @@
 
 namespace strainwave::fem {
 
-/// Displacements that continuous elements of order p have on a mesh: three for each node on
-/// vertices and edges, on faces and inside cells.  Counted without the elements themselves.
+/// Number of displacements of continuous elements of order p on a mesh: three for each node on
+/// vertices and edges, on faces and inside cells.  The count does not set up the elements.
 ///
 /// @param order  p [-]; >= 1
 [[nodiscard]] std::size_t count_unknowns(const HexMesh& mesh, int order);

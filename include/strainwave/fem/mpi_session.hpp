@@ -7,11 +7,12 @@
 
 namespace strainwave::fem {
 
-/// The ranks of MPI.  Initialises MPI, PETSc and the kernels of BLAS for as long as it lives; one
-/// per program.
+/// The MPI ranks.  The object initialises MPI, PETSc and the BLAS kernels for its lifetime.  A
+/// program must have only one.
 class MpiSession : public Ranks {
  public:
-  /// @param patience  how long a rank that has a fault waits for the others, which may wait for it
+  /// @param patience  how long a rank with a fault waits for other ranks, which may be waiting for
+  ///                  it
   MpiSession(int& argc, char**& argv,
              std::chrono::duration<double> patience = std::chrono::seconds(10));
   ~MpiSession() override;

@@ -8,7 +8,7 @@
 #include <vector>
 
 /// @file
-/// Meshes of the meridian section of a body of revolution: plain data, and one way to make them.
+/// Meshes of the meridian section of a body of revolution, as plain data, and a way to make them.
 /// The section lies in the half plane r >= 0, z along the axis.
 
 namespace strainwave::fem {
@@ -19,10 +19,10 @@ struct SectionPoint {
   double z = 0.0;  ///< along the axis [m]
 };
 
-/// What holds and what loads an edge of the section.
+/// Role of an edge of the section in the load case.
 enum class EdgeRole {
   held,    ///< no rotation (torsion), no axial displacement (tension)
-  loaded,  ///< carries the torque or the force, as the section of a long shaft would
+  loaded,  ///< carries the torque or the force, distributed as in a section of a long shaft
 };
 
 /// An edge of a cell on the boundary, by its two points.
@@ -42,35 +42,37 @@ struct ArcEdge {
 /// Tip of an annular crack in the plane z = tip.z.
 struct CrackTip {
   SectionPoint tip = {};
-  double direction = 0.0;  ///< of growth: +1 outward, from the bore; -1 inward, from outside
-  double cell = 0.0;       ///< h: the four cells round the tip are squares of this side [m]; > 0
+  /// direction of growth: +1 outward from the bore; -1 inward from outside
+  double direction = 0.0;
+  double cell = 0.0;  ///< h: the four cells round the tip are squares of this side [m]; > 0
 };
 
 /// Quadrilaterals of a meridian section.
 ///
-/// Where the section is cracked, points of the two faces are there twice.
+/// Points on the faces of a crack exist twice.
 struct SectionMesh {
   std::vector<SectionPoint> points;
   std::vector<std::array<std::size_t, 4>> cells;  ///< counter-clockwise, r to the right, z up
-  std::vector<std::size_t> part;                  ///< of each cell: 0, 1, ...
+  std::vector<std::size_t> part;                  ///< part of each cell: 0, 1, ...
   std::vector<RoleEdge> roles;
   std::vector<ArcEdge> arcs;
   std::optional<CrackTip> crack;
-  /// Re-entrant corners: the cells that touch one are halved towards it like those at a crack tip.
+  /// Re-entrant corners.  Cells that touch a corner are halved towards it like cells at a crack
+  /// tip.
   std::vector<SectionPoint> corners;
 };
 
-/// Worst corner of a straight-sided mesh.
+/// Quality of a straight-sided mesh.
 struct MeshQuality {
-  /// Smallest sine of a corner, negative where a cell is turned inside out [-]; in [-1, 1]
+  /// Smallest sine of a corner, negative for an inverted cell [-]; in [-1, 1]
   double worst_corner_sine = 0.0;
   std::size_t worst_cell = 0;
 };
-/// @throws InputError  if a cell names a point that is not there
+/// @throws InputError  if a cell refers to a point that does not exist
 [[nodiscard]] MeshQuality mesh_quality(const SectionMesh& mesh);
 
-/// Throws InputError for a mesh that must not be used: no cells, a cell inside out or flat, a
-/// point at r < 0, an edge of a role or an arc that no cell has.
+/// Throws InputError for an invalid mesh: without cells, with an inverted or flat cell, with a
+/// point at r < 0, or with a role or arc on an edge that no cell has.
 void check_mesh(const SectionMesh& mesh);
 
 /// A rectangle of material.
@@ -82,18 +84,18 @@ struct SectionRectangle {
   std::size_t part = 0;
 };
 
-/// A rounding of a re-entrant corner of the union of rectangles.
+/// A rounding of a re-entrant corner of a union of rectangles.
 struct SectionFillet {
   SectionPoint corner = {};
   double void_r = 0.0;  ///< +1: the void is at larger r than the corner, -1: at smaller
-  double void_z = 0.0;  ///< the same along z
+  double void_z = 0.0;  ///< +1: the void is at larger z than the corner, -1: at smaller
   double radius = 0.0;  ///< [m]; > 0
 };
 
 /// An annular crack normal to the axis: from `mouth` to `tip` at height z.
 struct SectionCrack {
   double z = 0.0;      ///< [m]
-  double mouth = 0.0;  ///< r of the free surface that it starts from [m]
+  double mouth = 0.0;  ///< r of the free surface where the crack starts [m]
   double tip = 0.0;    ///< r [m]
 };
 
@@ -101,8 +103,8 @@ struct SectionCrack {
 struct SectionSide {
   bool at_z = true;    ///< the line z = level; else r = level
   double level = 0.0;  ///< [m]
-  double from = 0.0;   ///< of the other coordinate [m]
-  double to = 0.0;     ///< [m]
+  double from = 0.0;   ///< range of the other coordinate: begin [m]
+  double to = 0.0;     ///< range of the other coordinate: end [m]
   EdgeRole role = EdgeRole::held;
 };
 
@@ -114,41 +116,42 @@ struct SectionShape {
   std::optional<SectionCrack> crack;
 };
 
-/// A place that grid lines are close at.
+/// A place near which grid lines are dense.
 struct LineFocus {
   double at = 0.0;    ///< [m]
-  double fine = 0.0;  ///< spacing there [m]; > 0
+  double fine = 0.0;  ///< spacing at the place [m]; > 0
 };
 
-/// Grid lines through `breaks`, between which the spacing grows from that of each focus by `growth`
+/// Grid lines through `breaks`.  Between the breaks, the spacing grows from each focus by `growth`
 /// per length, up to `coarse`.
 struct LineSpacing {
-  std::vector<double> breaks;  ///< lines that must be there [m]
+  std::vector<double> breaks;  ///< required lines [m]
   std::vector<LineFocus> focus;
   double coarse = 0.0;  ///< [m]; > 0
   double growth = 1.0;  ///< [-]; > 0
-  /// Between two breaks that are both in one of these, no line is put.
+  /// Intervals that are not divided: two breaks within one interval get no line between them.
   std::vector<std::array<double, 2>> whole = {};
 };
-/// The lines, rising.
+/// The grid lines in ascending order.
 [[nodiscard]] std::vector<double> grid_lines(const LineSpacing& spacing);
 
-/// How fine a mesh is.
+/// Fineness of a mesh.
 struct SectionSpacing {
   double coarse_r = 0.0;  ///< largest cell across [m]; > 0
   double coarse_z = 0.0;  ///< largest cell along the axis [m]; > 0
-  double growth = 1.0;    ///< of the cells away from crack and fillets, per length [-]; > 0
+  double growth = 1.0;    ///< growth of the cells away from crack and fillets, per length [-]; > 0
 };
 
-/// Meshes a section on grid lines: cells of the crack are duplicated along its faces, a fillet
-/// splits the cell in its corner in two and bends the lines next to it.
-/// @throws InputError  for overlapping or empty rectangles, a crack that does not lie in one
-///                     rectangle, a fillet that is no corner of the union or too large for it
+/// Meshes a section on grid lines.  Points along the faces of a crack are duplicated.  A fillet
+/// splits the cell in its corner into two and bends the adjacent lines.
+/// @throws InputError  for overlapping or empty rectangles; for a crack that does not lie in one
+///                     rectangle; for a fillet that is not at a corner of the union or too large
+///                     for it
 [[nodiscard]] SectionMesh mesh_section(const SectionShape& shape, const SectionSpacing& spacing);
 
-/// The same mesh, its crack longer by `growth` [m]: only points within two tip cells move, so that
-/// the difference of two solutions is that of the crack.
-/// @throws InputError  without a crack, or if |growth| is more than 0.4 of a tip cell
+/// The same mesh with its crack longer by `growth` [m].  Only points within two tip cells move, so
+/// that the difference of two solutions results from the crack alone.
+/// @throws InputError  if the section has no crack, or |growth| is more than 0.4 of a tip cell
 [[nodiscard]] SectionMesh with_longer_crack(SectionMesh mesh, double growth);
 
 }  // namespace strainwave::fem

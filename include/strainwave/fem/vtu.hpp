@@ -10,18 +10,18 @@
 #include "strainwave/fem/solid.hpp"
 
 /// @file
-/// Sampled fields as VTK's XML files, for ParaView and whatever else reads them.  All SI.
+/// Sampled fields as VTK XML files, for ParaView and other readers, in SI units.
 
 namespace strainwave::fem {
 
 /// The cells of this rank as a .vtu document, each divided into n^3 hexahedra (n^2 quadrilaterals)
-/// with plane faces.  Fields: displacement [m], stress (3x3) [Pa], strain_energy_density [J/m^3],
-/// and strain_energy_density_added (cracked minus sound) where the sound one is known; single
-/// precision.
+/// with plane faces.  The fields, in single precision, are displacement [m], stress (3x3) [Pa] and
+/// strain_energy_density [J/m^3].  If the sound solution is known, strain_energy_density_added
+/// (cracked minus sound) follows.
 [[nodiscard]] std::string vtu_text(const SampledFields& fields);
 
-/// The crack faces of this rank, each of the two as surfaces of their own: displacement [m] and
-/// opening [m].
+/// The crack faces of this rank, both faces as separate surfaces, with displacement [m] and opening
+/// [m].
 [[nodiscard]] std::string crack_faces_vtu_text(const SampledFields& fields);
 
 /// Crack fronts as lines from station to station: K_I, K_II, K_III [Pa*m^0.5],
@@ -32,7 +32,7 @@ namespace strainwave::fem {
 [[nodiscard]] std::string pvtu_text(const std::vector<std::string>& pieces,
                                     const SampledFields& fields);
 
-/// The same of `crack_faces_vtu_text`.
+/// The .pvtu document for the files of `crack_faces_vtu_text`.
 [[nodiscard]] std::string crack_faces_pvtu_text(const std::vector<std::string>& pieces);
 
 }  // namespace strainwave::fem

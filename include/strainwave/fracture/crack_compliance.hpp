@@ -13,9 +13,9 @@
 #include "strainwave/core/quadrature.hpp"
 
 /// @file
-/// The one engine that turns stress intensity factors into added compliance.  A crack is a value
-/// that knows its stress intensity factors per unit of each generalised load, and the area that
-/// its front sweeps; everything else follows.
+/// The engine that turns stress intensity factors into added compliance, the same for all cracks. A
+/// crack is a value that provides its stress intensity factors per unit of each generalised load,
+/// and the area that its front sweeps; the engine derives everything else.
 ///
 /// The scalar `Real` is double, or DualReal for the derivatives of everything (core/dual.hpp).
 
@@ -56,7 +56,7 @@ struct SymmetricMatrix {
   friend SymmetricMatrix operator*(SymmetricMatrix a, const Real& factor) requires is_dual<Real> {
     return a *= factor;
   }
-  /// Largest magnitude of an entry: the norm that adaptive quadrature needs.
+  /// Largest magnitude of an entry; adaptive quadrature uses it as the norm.
   friend double abs(const SymmetricMatrix& a) {
     double largest = 0.0;
     for (const Real& entry : a.upper) largest = std::max(largest, magnitude(entry));
@@ -81,13 +81,14 @@ template <class Real>
 struct BasicCrackModuli {
   /// E' of modes I and II: E in plane stress, E/(1-nu^2) in plane strain [Pa]
   Real opening{};
-  Real shear{};  ///< mu, of mode III [Pa]
+  Real shear{};  ///< shear modulus mu of mode III [Pa]
 };
 using CrackModuli = BasicCrackModuli<double>;
 
 /// Energy release rate of a mixed-mode crack, G = (K_I^2 + K_II^2)/E' + K_III^2/(2 mu) [J/m^2].
 ///
-/// Implements theory manual eq. (FR-1).  Mode III has no plane stress or strain.
+/// Implements theory manual eq. (FR-1).  The term of mode III is the same in plane stress and plane
+/// strain.
 [[nodiscard]] inline double energy_release_rate(double K_I, double K_II, double K_III,
                                                 const CrackModuli& moduli) {
   return (K_I * K_I + K_II * K_II) / moduli.opening +  // (FR-1)
@@ -100,11 +101,11 @@ struct FrontRange {
   double end = 0.0;
 };
 
-/// The scalar that a crack computes with.
+/// The scalar type in which a crack computes.
 template <class Crack>
 using ScalarOf = std::remove_cvref_t<decltype(std::declval<const Crack&>().size())>;
 
-/// What the engine asks of a crack.
+/// Requirements of the engine on a crack.
 ///
 /// The front is a curve with parameter s.  While the crack grows from 0 to size(), a piece ds of
 /// the front at size a sweeps the area swept_area(a, s) ds da; where the front is one point, it
@@ -135,7 +136,8 @@ struct LinearStressIntensity {
   }
 };
 
-/// A crack with such a front, whose swept area is the same at every s: it needs no quadrature.
+/// A crack with linear stress intensity along its front and a swept area that is the same at every
+/// s.  It needs no quadrature along the front.
 template <class C>
 concept LinearFront = SweptCrack<C> && requires(const C& crack, const ScalarOf<C>& a) {
   {
@@ -143,19 +145,21 @@ concept LinearFront = SweptCrack<C> && requires(const C& crack, const ScalarOf<C
     } -> std::same_as<LinearStressIntensity<C::kLoads, ScalarOf<C>>>;
 };
 
-/// A crack in a wall that is no sheet: G is wall_factor(a) times that of K and the moduli.
+/// A crack in a wall too thick for a sheet: G is wall_factor(a) times the value from K and the
+/// moduli.
 template <class C>
 concept WallCrack = SweptCrack<C> && requires(const C& crack, const ScalarOf<C>& a) {
   { crack.wall_factor(a) } -> std::convertible_to<ScalarOf<C>>;
 };
 
-/// Added compliance matrix with the evidence of its quadrature.
+/// Added compliance matrix with the error estimate of its quadrature.
 template <std::size_t N, class Real = double>
 struct CrackCompliance {
   /// Delta lambda_ij [displacement of load i per unit of load j]
   SymmetricMatrix<N, Real> matrix = {};
-  double relative_error = 0.0;  ///< of the quadrature, estimated, relative to the largest entry
-  bool converged = false;       ///< every integral met its tolerance
+  /// estimated error of the quadrature, relative to the largest entry
+  double relative_error = 0.0;
+  bool converged = false;  ///< every integral met its tolerance
 };
 
 /// d(lambda_ij)/dA at one point of the front.
@@ -179,8 +183,9 @@ template <std::size_t N, class Real>
 ///
 ///     Delta lambda_ij = int_A [(2/E')(k_I,i k_I,j + k_II,i k_II,j) + (1/mu) k_III,i k_III,j] dA.
 ///
-/// Implements theory manual eq. (FR-2).  Linear elastic, stress intensity proportional to the
-/// loads; the crack grows from nothing to its size along the family that `crack` describes.
+/// Implements theory manual eq. (FR-2).  The material is linear elastic, and stress intensity is
+/// proportional to the loads.  The crack grows from zero to its size along the family that `crack`
+/// describes.
 ///
 /// @param crack    stress intensity per unit of each generalised load, and the swept area
 /// @param moduli   E' and mu; > 0
@@ -208,14 +213,14 @@ template <SweptCrack Crack>
       if constexpr (WallCrack<Crack>) length *= crack.wall_factor(a);
       return sum * length;
     }
-    // 31 points: a slender front bends sharply at the surface.
+    // Use 31 points, because a slender front bends sharply at the surface.
     const auto integral =
         integrate<31>([&](double s) { return density(a, s); }, front.begin, front.end, options);
     result.converged = result.converged && integral.converged;
     return integral.value;
   };
-  // The loads have different units, so their entries may differ by powers of ten.  Measured in
-  // units that release equal energy at the final size, all entries get the same tolerance.
+  // The loads have different units, so the entries may differ by powers of ten.  Scale the loads to
+  // units that release equal energy at the final size; then one tolerance suits all entries.
   SymmetricMatrix<N> scale(1.0);
   if constexpr (N > 1) {
     const SymmetricMatrix<N, Real> final = along_front(crack.size());
@@ -231,7 +236,7 @@ template <SweptCrack Crack>
   };
   const auto integral = [&] {
     if constexpr (WallCrack<Crack>) {
-      // A power of a that is no integer is smoother in the square root of a.
+      // A non-integer power of a is smoother as a function of the square root of a.
       const auto over_root = [&](double u) {
         const Real a = crack.size() * (u * u);
         return scaled(along_front(a)) * (2 * u * crack.size());

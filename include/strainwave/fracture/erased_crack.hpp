@@ -8,15 +8,15 @@
 
 namespace strainwave {
 
-/// A crack of N loads behind a fixed type, so that the engine is compiled once for each N.
+/// A crack with N loads behind one fixed type, so the engine is compiled only once for each N.
 ///
-/// It keeps a copy of the crack.
+/// The object keeps a copy of the crack.
 template <std::size_t N>
 class ErasedCrack {
  public:
   static constexpr std::size_t kLoads = N;
 
-  /// @param crack  of N loads and of double numbers
+  /// @param crack  crack with N loads that computes in double
   template <SweptCrack Crack>
   explicit ErasedCrack(const Crack& crack)
       : size_(crack.size()),
@@ -24,10 +24,11 @@ class ErasedCrack {
         intensity_([crack](double a, double s) { return crack.stress_intensity(a, s); }),
         area_([crack](double a, double s) { return crack.swept_area(a, s); }) {}
 
-  /// a [m].
+  /// Size a [m].
   [[nodiscard]] double size() const { return size_; }
   [[nodiscard]] FrontRange front() const { return front_; }
-  /// K per unit of each load at a size and a place on the front [Pa*m^0.5 per unit of load].
+  /// Stress intensity K per unit of each load, at size a and place s of the front [Pa*m^0.5 per
+  /// unit of load].
   [[nodiscard]] UnitStressIntensity<N> stress_intensity(double a, double s) const {
     return intensity_(a, s);
   }
@@ -41,7 +42,7 @@ class ErasedCrack {
   std::function<double(double, double)> area_;
 };
 
-/// `added_compliance` of such a crack, with the default tolerance; compiled for 1 to 4 loads.
+/// `added_compliance` of an erased crack with the default tolerance; compiled for 1 to 4 loads.
 template <std::size_t N>
 [[nodiscard]] CrackCompliance<N> compliance_of(const ErasedCrack<N>& crack,
                                                const CrackModuli& moduli);

@@ -8,35 +8,42 @@
 
 namespace strainwave::gear_fem {
 
-/// How well a solution agrees with itself; a check that does not apply is absent.
+/// Internal checks of a solution; a check that does not apply is absent.
 struct Checks {
-  std::optional<double> ring_spread = {};         ///< of G between rings [-]
-  std::optional<double> growth_check = {};        ///< dC/dA over 2G, - 1 [-]
-  std::optional<double> displacement_check = {};  ///< G of the faces' displacement over G, - 1 [-]
-  std::optional<double> sound_check = {};  ///< the sound solid over the body of revolution, - 1 [-]
-  std::optional<double> lower_order = {};  ///< compliance at order p-1 over that at p, - 1 [-]
-  double energy_balance = 0.0;             ///< strain energy over work, - 1 [-]
-  double equilibrium_residual = 0.0;       ///< largest nodal force over largest load [-]
-  double worst_jacobian = 0.0;             ///< of a cell, over its mean [-]
-  std::size_t unknowns = 0;                ///< of one solution
+  std::optional<double> ring_spread = {};   ///< spread of G between rings [-]
+  std::optional<double> growth_check = {};  ///< dC/dA over 2G, - 1 [-]
+  /// G from the displacement of the faces over G, - 1 [-]
+  std::optional<double> displacement_check = {};
+  /// compliance of the sound solid over the body of revolution, - 1 [-]
+  std::optional<double> sound_check = {};
+  /// compliance at order p-1 over compliance at p, - 1 [-]
+  std::optional<double> lower_order = {};
+  double energy_balance = 0.0;        ///< strain energy over work, - 1 [-]
+  double equilibrium_residual = 0.0;  ///< largest nodal force over largest load [-]
+  double worst_jacobian = 0.0;        ///< least Jacobian of a cell over its mean [-]
+  std::size_t unknowns = 0;           ///< unknowns of one solution
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     const auto add = [&](std::string_view name, std::string_view doc, auto member) {
       field({.name = name, .unit = "1", .doc = doc, .detail = true}, member);
     };
-    add("ring_spread", "of the energy release rate between rings", &Checks::ring_spread);
+    add("ring_spread", "spread of the energy release rate between rings", &Checks::ring_spread);
     add("growth_check", "dC/dA of neighbouring sizes over 2G, - 1", &Checks::growth_check);
-    add("displacement_check", "G of the faces' displacement over G of the domain integral, - 1",
+    add("displacement_check",
+        "G from the displacement of the faces over G from the domain integral, - 1",
         &Checks::displacement_check);
-    add("sound_check", "compliance without the crack over that of the body of revolution, - 1",
+    add("sound_check",
+        "compliance without the crack over compliance of the body of revolution, - 1",
         &Checks::sound_check);
-    add("lower_order", "compliance at order p-1 over that at order p, - 1", &Checks::lower_order);
+    add("lower_order", "compliance at order p-1 over compliance at order p, - 1",
+        &Checks::lower_order);
     add("energy_balance", "strain energy over work, - 1", &Checks::energy_balance);
-    add("equilibrium_residual", "largest nodal force that is not balanced over largest load",
+    add("equilibrium_residual", "largest unbalanced nodal force over largest load",
         &Checks::equilibrium_residual);
-    add("worst_jacobian", "least determinant of a cell over its mean", &Checks::worst_jacobian);
-    field({.name = "unknowns", .unit = "", .doc = "of one solution", .detail = true},
+    add("worst_jacobian", "least Jacobian determinant of a cell over its mean",
+        &Checks::worst_jacobian);
+    field({.name = "unknowns", .unit = "", .doc = "unknowns of one solution", .detail = true},
           &Checks::unknowns);
   }
 };

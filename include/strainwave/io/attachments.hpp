@@ -11,28 +11,29 @@
 #include <string_view>
 
 /// @file
-/// The texts that a drive names, such as its tables of compliances.  The reader of a drive opens no
-/// file: its caller supplies these texts.
+/// The texts that a drive names, such as its compliance tables.  The reader of a drive does not
+/// open files, so its caller supplies these texts.
 
 namespace strainwave {
 
-/// No attachment, and no drive, is larger [bytes].
+/// Largest size of an attachment or of a drive [bytes].
 inline constexpr std::size_t kMaxTextSize = 1 << 20;  // 1 MiB
 
-/// Texts by name, given at once or looked up when they are asked for.
+/// Texts by name.  They are given in advance, or looked up on request.
 class Attachments {
  public:
   using Texts = std::map<std::string, std::string, std::less<>>;
-  /// The text of a name, or nothing; a text may be cut behind kMaxTextSize + 1 bytes.
+  /// Returns the text of a name, or nothing.  A text may be cut after kMaxTextSize + 1 bytes.
   using Lookup = std::function<std::optional<std::string>(std::string_view name)>;
 
-  Attachments() = default;  ///< none
+  Attachments() = default;  ///< without attachments
   explicit Attachments(Texts texts);
   explicit Attachments(Lookup lookup) : lookup_(std::move(lookup)) {}
 
-  /// The text of that name.
-  /// @throws InputError  names the field: the name is absolute, leads out of the folder of the
-  ///                     input or is not attached; the text is larger than kMaxTextSize
+  /// The text with a given name.
+  /// @throws InputError  if the name is absolute, leads out of the folder of the input or is not
+  ///                     attached, or if the text is larger than kMaxTextSize; the message names
+  ///                     the field
   [[nodiscard]] std::string text(std::string_view name, std::string_view field) const;
 
  private:
@@ -41,20 +42,20 @@ class Attachments {
 
 /// The regular files below the folder of an input file.
 ///
-/// A link that leads out of the folder, a folder, a device and a pipe count as absent, so that the
-/// answer does not tell what exists outside.
+/// A link that leads out of the folder, a folder, a device and a pipe count as absent, so an answer
+/// does not reveal what exists outside.
 ///
-/// @param input_file  of a drive; a name without a folder means the current one
+/// @param input_file  input file of a drive; a name without a folder means the current folder
 [[nodiscard]] Attachments attachments_beside(const std::filesystem::path& input_file);
 
-/// The first bytes of a stream, at most kMaxTextSize + 1: enough to see that it has more than
-/// kMaxTextSize.
-/// @param name  for messages
-/// @throws InputError  it cannot be read
+/// Reads the first bytes of a stream, at most kMaxTextSize + 1.  One byte more than the limit shows
+/// the caller that the text is too long.
+/// @param name  name of the stream in messages
+/// @throws InputError  if the stream cannot be read
 [[nodiscard]] std::string read_text(std::istream& stream, std::string_view name);
 
-/// The same of a file that the user names.
-/// @throws InputError  it cannot be opened or read
+/// Reads a file that the user names, as read_text does.
+/// @throws InputError  if the file cannot be opened or read
 [[nodiscard]] std::string read_text_file(const std::filesystem::path& file);
 
 }  // namespace strainwave

@@ -12,18 +12,19 @@
 #include "strainwave/model/input/variation.hpp"
 
 /// @file
-/// The file of a compliance table: comments that say what it is, one line of column names with
-/// units, one line for each point, in SI.  `strainwave fe tabulate` writes it point by point.
+/// The file of a compliance table.  Comments describe the table; one line gives the column names
+/// with units; each further line is one point, in SI units.  `strainwave fe tabulate` writes it
+/// point by point.
 
 namespace strainwave {
 
 /// The format that this version reads and writes.
 inline constexpr std::string_view kTableFormat = "strainwave-compliance-table/1";
 
-/// A number that a table runs over.
+/// A parameter over which a table runs.
 struct TableRange {
-  TableParameter parameter;  ///< its name and unit; its value is not used
-  Variation variation;       ///< of which number of the drive, from where to where
+  TableParameter parameter;  ///< name and unit of the parameter; its value is not used
+  Variation variation;       ///< the number of the drive that varies, and its range
 };
 
 struct TableColumn {
@@ -31,30 +32,30 @@ struct TableColumn {
   std::string unit;
 };
 
-/// Everything that a table says before its first point.
+/// The head of a table: everything before its first point.
 struct TableHead {
-  std::string kind;       ///< of the crack
-  std::string crack;      ///< its path in the input
-  std::string program;    ///< name, version, revision
+  std::string kind;       ///< kind of the crack
+  std::string crack;      ///< path of the crack in the input
+  std::string program;    ///< name, version and revision of the program
   std::string input;      ///< name of the input file
-  std::string digest;     ///< SHA-256 of the drive, the varied numbers at their first values
+  std::string digest;     ///< SHA-256 of the drive with the varied numbers at their first values
   int order = 0;          ///< p of the elements
-  std::string equations;  ///< tags
-  std::string held;       ///< how the member is held and loaded
+  std::string equations;  ///< equation tags
+  std::string held;       ///< supports and loads of the member
   std::vector<TableRange> ranges;
   std::vector<TableParameter> fixed;
-  std::vector<TableColumn> columns;  ///< between the varied numbers and `relative_error`
+  std::vector<TableColumn> columns;  ///< columns between the varied numbers and `relative_error`
 };
 
 /// One point of a table.
 struct TablePoint {
-  std::vector<double> at;                     ///< the varied numbers
-  std::vector<std::optional<double>> values;  ///< of TableHead::columns
-  std::optional<double> relative_error;       ///< of the added compliances [-]
+  std::vector<double> at;                     ///< values of the varied numbers
+  std::vector<std::optional<double>> values;  ///< values of TableHead::columns
+  std::optional<double> relative_error;       ///< error of the added compliances [-]
   bool usable = false;
   std::size_t unknowns = 0;
   double seconds = 0.0;
-  std::string reason;  ///< why not usable
+  std::string reason;  ///< why the point is not usable
 };
 
 /// The text before the first point: comments and the names of the columns.
@@ -62,33 +63,34 @@ struct TablePoint {
 /// The line of one point, with its end of line.
 [[nodiscard]] std::string table_row_text(const TablePoint& row);
 
-/// A table file, as far as it got.
+/// A table file, possibly unfinished.
 struct TableFile {
-  std::string head;              ///< as table_head_text
-  std::vector<TablePoint> rows;  ///< the whole ones
-  std::size_t whole = 0;         ///< bytes up to the end of the last whole line
-  bool torn = false;             ///< there is a piece of a line behind it
+  std::string head;              ///< head, as table_head_text writes it
+  std::vector<TablePoint> rows;  ///< points of the complete lines
+  std::size_t whole = 0;         ///< bytes up to the end of the last complete line
+  bool torn = false;             ///< whether an incomplete line follows
 };
 
-/// Takes a table file apart.
-/// @param text  of the file
-/// @param name  for messages
-/// @throws InputError  with the line, where it is no table
+/// Splits a table file into head and points.
+/// @param text  content of the file
+/// @param name  name of the file in messages
+/// @throws InputError  if the text is not a table; the message names the line
 [[nodiscard]] TableFile parse_table_file(std::string_view text, std::string_view name);
 
-/// A table for the stiffness model, with its errors filled in.
+/// Reads a table for the stiffness model, with its error estimates filled in.
 ///
-/// Over one axis a family that is not finished is a table of a shorter range; over several, its
-/// grid must be full.
+/// An unfinished table over one axis is read as a table with a shorter range.  Over several axes,
+/// the grid must be complete.
 ///
-/// @param name  as the drive has it
-/// @throws InputError  not a table of this format; a point missing, twice, or not usable; fewer
-///                     than kMinTableNodes nodes along an axis
+/// @param name  name of the table as the drive gives it
+/// @throws InputError  if the text is not a table of this format; if a point is missing, occurs
+///                     twice or is not usable; if an axis has fewer than kMinTableNodes nodes
 [[nodiscard]] ComplianceTable parse_compliance_table(std::string_view text, std::string_view name);
 
 /// Reads the tables that the cracks of a drive name.
 ///
-/// @throws InputError  naming the crack; as Attachments::text, and as parse_compliance_table
+/// @throws InputError  for the reasons of Attachments::text and parse_compliance_table; the message
+///                     names the crack
 void read_compliance_tables(GearSet& gear, const Attachments& attachments);
 
 }  // namespace strainwave

@@ -12,16 +12,16 @@ namespace strainwave {
 
 /// Reads a drive from TOML text.
 ///
-/// The fields are those that the structs describe (core/fields.hpp).  Everything that is wrong is
-/// refused with one sentence: file, line, column, field, value, rule.  A material that a member
-/// names and the file does not give is taken from the material library, if it is there; a table of
-/// the file always wins, and must be complete.  A table of compliances that a crack names is read
-/// with it; no file is opened.  The result has passed `check`.
+/// The structs describe the fields (core/fields.hpp).  Every fault is refused with one sentence:
+/// file, line, column, field, value, rule.  A material that a member names and the file does not
+/// define is taken from the material library.  A material table of the file always takes precedence
+/// and must be complete.  A compliance table that a crack names is read from the attachments; no
+/// file is opened.  The result has passed `check`.
 ///
-/// @param text         at most kMaxTextSize
-/// @param file_name    for messages
-/// @param attachments  the tables that cracks name
-/// @throws InputError
+/// @param text         TOML of at most kMaxTextSize
+/// @param file_name    name of the file in messages
+/// @param attachments  tables that cracks name
+/// @throws InputError  if the text breaks a rule of the input
 [[nodiscard]] GearSet read_gear_set(std::string_view text, std::string_view file_name,
                                     const Attachments& attachments = {});
 

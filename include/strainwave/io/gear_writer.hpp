@@ -8,13 +8,12 @@
 
 namespace strainwave {
 
-/// A drive as an input file: `read_gear_set` gives back the same drive, to the last bit.
+/// Writes a drive as an input file.  `read_gear_set` reads back the same drive to the last bit.
 ///
-/// Quantities are in the units of drawings where that loses nothing: "2.24 mm" rather than
-/// "0.00224 m".  Fields that may be left out, and have the value that they then get, are left out
-/// unless there is a comment for them.
+/// Quantities are written in the units of drawings if no digit is lost: "2.24 mm" rather than
+/// "0.00224 m".  A field at its default value is left out unless it has a comment.
 ///
-/// @param comments  by the path of a field, one line each
+/// @param comments  comments of one line each, by the path of a field
 [[nodiscard]] std::string gear_text(const GearSet& gear,
                                     const std::map<std::string, std::string>& comments = {});
 

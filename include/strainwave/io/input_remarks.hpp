@@ -7,20 +7,21 @@
 
 namespace strainwave {
 
-/// A field as the file has it.
+/// A field as written in the file.
 struct InputRemark {
-  std::string written;  ///< its value: "2.24 mm", "0.3", "cup"
-  std::string comment;  ///< beside or above it; empty if there is none
+  std::string written;  ///< the value as written: "2.24 mm", "0.3", "cup"
+  std::string comment;  ///< comment beside or above the field; empty without comment
 };
 
-/// Which fields an input file gives, how they are written, and the comment of each.
+/// The fields that an input file gives, with the spelling and the comment of each.
 ///
-/// A field that is absent here has a default or none.  Comments are what the file's author says of
-/// a number: where it is from, how it is known.  The one behind the value counts; else the whole
-/// lines of comment right above it.
+/// A field that is absent here has its default value or no value.  A comment is what the file's
+/// author states about a number, such as its origin.  The comment behind the value counts; without
+/// one, the comment lines directly above it count.
 ///
 /// @param text  TOML that `read_gear_set` accepts
-/// @return      by path, `output_shaft.crack[0].depth`; a list stands for itself and its elements
+/// @return      remarks by path, such as `output_shaft.crack[0].depth`; a list has one remark for
+///              itself and its elements
 /// @throws InputError  if the text is not TOML
 [[nodiscard]] std::map<std::string, InputRemark> input_remarks(std::string_view text);
 

@@ -6,22 +6,22 @@
 #include <string_view>
 
 /// @file
-/// Files that are written whole or not at all.
+/// Writing of files either completely or not at all.
 
 namespace strainwave {
 
-/// The file at the end of all links of a path, whether it exists or not; nothing where the path
-/// leads to a folder, a device, a pipe or a stream of a process, such as /dev/stdout, or cannot be
+/// The file at the end of all links of a path, whether it exists or not.  Absent if the path leads
+/// to a folder, a device, a pipe or a stream of a process, such as /dev/stdout, or cannot be
 /// followed.
 [[nodiscard]] std::optional<std::filesystem::path> file_behind(const std::filesystem::path& path);
 
-/// A text in a file of its own beside the file that it will replace; the file of its own goes with
-/// this object.
+/// A text in a temporary file beside the file that it will replace.  The destructor removes the
+/// temporary file.
 class WaitingFile {
  public:
-  /// Writes the text; no other file is touched.
-  /// @param path  of the file to replace, which keeps its permissions, or to make
-  /// @throws Error  if it cannot be written; nothing is left behind
+  /// Writes the text to the temporary file; no other file changes.
+  /// @param path  path of the file to create, or to replace with its permissions kept
+  /// @throws Error  if the text cannot be written; the temporary file is then removed
   WaitingFile(const std::filesystem::path& path, std::string_view text);
   ~WaitingFile();
   WaitingFile(const WaitingFile&) = delete;
@@ -29,13 +29,13 @@ class WaitingFile {
   WaitingFile(WaitingFile&&) = delete;
   WaitingFile& operator=(WaitingFile&&) = delete;
 
-  /// Takes the place of the file.
-  /// @throws Error  if it cannot
+  /// Replaces the file by the temporary file.
+  /// @throws Error  if the file cannot be replaced
   void replace();
 
  private:
   std::filesystem::path file_;
-  std::filesystem::path waiting_;  ///< empty: it has taken its place
+  std::filesystem::path waiting_;  ///< path of the temporary file; empty after `replace`
 };
 
 /// Tries a device, a pipe or a stream before a text goes there.

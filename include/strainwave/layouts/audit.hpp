@@ -8,7 +8,7 @@
 
 namespace strainwave {
 
-/// The rows as a table for a terminal, each followed by its verdict and why.
+/// The rows as a table for a terminal, each followed by its verdict and reason.
 [[nodiscard]] std::string audit_text(std::span<const AuditRow> rows);
 
 /// The rows as a table of the theory manual.

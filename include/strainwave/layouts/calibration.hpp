@@ -7,10 +7,11 @@
 
 namespace strainwave {
 
-/// Values before and after, factors, and which combinations of them the values identify.
+/// Stiffnesses before and after, factors, and the combinations of factors that the stiffnesses
+/// determine.
 [[nodiscard]] std::string calibration_text(const Calibration& calibration);
 
-/// The calibrated drive as an input file that says how it came about.
+/// The calibrated drive as an input file with comments on its calibration.
 [[nodiscard]] std::string calibrated_drive(const Calibration& calibration);
 
 }  // namespace strainwave

@@ -7,9 +7,9 @@
 
 namespace strainwave {
 
-/// Stiffness and ratings as two tables, with their sources.
+/// Stiffness and ratings as two tables, with sources.
 [[nodiscard]] std::string catalogue_text(const CatalogueRows& rows);
-/// The stiffness rows.
+/// The stiffness rows as CSV.
 [[nodiscard]] std::string catalogue_csv(const CatalogueRows& rows);
 
 }  // namespace strainwave

@@ -7,13 +7,13 @@
 
 namespace strainwave {
 
-/// The records as a table, at most 100 columns.
+/// The records as a table, at most 100 columns wide.
 [[nodiscard]] std::string material_list_text(const MaterialData& data);
 
 /// The records as a Markdown page, with their sources: docs/guide/materials.md.
 [[nodiscard]] std::string material_list_markdown(const MaterialData& data);
 
-/// All that is known of the first record, at most 100 columns.
+/// All fields of the first record, at most 100 columns wide.
 [[nodiscard]] std::string material_text(const MaterialData& data);
 
 }  // namespace strainwave

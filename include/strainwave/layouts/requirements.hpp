@@ -7,7 +7,7 @@
 
 namespace strainwave {
 
-/// Each requirement with its answer, and the answer of all together.
+/// Each requirement with its answer, then the combined answer.
 [[nodiscard]] std::string requirements_text(const RequirementReport& report);
 
 }  // namespace strainwave

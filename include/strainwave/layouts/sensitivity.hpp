@@ -10,22 +10,23 @@
 
 namespace strainwave {
 
-/// A table for the stiffness, and one for its loss: the largest elasticity first.
+/// One table for the stiffness and one for its loss, each sorted by elasticity, the largest first.
 [[nodiscard]] std::vector<TitledTable> elasticity_tables(const Sensitivity& sensitivity);
-/// The same two: combined uncertainty, and the share of each input.
+/// One table for the stiffness and one for its loss: combined uncertainty, and the share of each
+/// input.
 [[nodiscard]] std::vector<TitledTable> scatter_tables(const Scatter& scatter,
                                                       const Sensitivity& sensitivity);
 
-/// Tables at most 100 columns wide: elasticities, the largest first; with scatter, the combined
-/// uncertainty and the share of each input.
+/// Tables at most 100 columns wide: elasticities, the largest first.  With scatter, tables of the
+/// combined uncertainty and the share of each input follow.
 [[nodiscard]] std::string sensitivity_text(const SensitivityReport& report, const GearSet& gear);
 
-/// A row for each output and input; without scatter, or for inputs that do not scatter, the last
-/// two columns are absent or empty.
+/// CSV with one row for each output and input.  The last two columns are absent without scatter,
+/// and empty for inputs that do not scatter.
 [[nodiscard]] std::string sensitivity_csv(const SensitivityReport& report);
 
-/// Bars of the elasticities, the largest on top: a panel for the cracked stiffness and, where
-/// cracks take some away, one for its loss.
+/// Bars of the elasticities, the largest on top.  One panel shows the cracked stiffness; a second
+/// panel shows its loss if cracks reduce it.
 [[nodiscard]] std::string sensitivity_plot(const SensitivityReport& report, const GearSet& gear);
 
 }  // namespace strainwave

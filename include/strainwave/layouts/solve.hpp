@@ -7,7 +7,7 @@
 
 namespace strainwave {
 
-/// The result as a report, at most 100 columns wide.
+/// The result as text, at most 100 columns wide.
 [[nodiscard]] std::string solve_text(const SolveResult& result);
 
 }  // namespace strainwave

@@ -8,12 +8,12 @@
 
 namespace strainwave {
 
-/// The table as CSV: a column for each varied number, each output, `usable` and `reason`; the head
-/// names path and SI unit, `intact.stiffness [N*m/rad]`.  Numbers have all their digits; what is
-/// absent is empty.  Uncertainties and notes are in the JSON form only.
+/// The table as CSV, with a column for each varied number and each output, then `usable` and
+/// `reason`.  The heads name path and SI unit, such as `intact.stiffness [N*m/rad]`.  Numbers have
+/// all their digits; absent values are empty.  Only the JSON document has uncertainties and notes.
 [[nodiscard]] std::string sweep_csv(const SweepResult& result);
 
-/// The picture of a sweep.
+/// The plot of a sweep.
 ///
 /// Over one number: K1, K2, K3 of the coupled drive, where it is solved, and what cracks change in
 /// them; stiffness of the sum of the members, sound and cracked for both senses of torque, and

@@ -11,7 +11,8 @@
 
 namespace strainwave {
 
-/// The maker's numbers, changes by cracks if compared, points of the curve, stress over a turn.
+/// Tables of the maker's numbers, the changes by cracks in a comparison, the points of the curve,
+/// and the stress over a turn.
 [[nodiscard]] std::vector<TitledTable> torsion_tables(const TorsionReport& report,
                                                       const GearSet& gear);
 [[nodiscard]] std::string torsion_text(const TorsionReport& report, const GearSet& gear,
@@ -20,7 +21,8 @@ namespace strainwave {
 /// says what a row is: "curve", with the sound drive beside, or "turn", with the changes of K1, K2,
 /// K3 after the wave generator has turned by `angle`.
 [[nodiscard]] std::string torsion_csv(const TorsionReport& report);
-/// Curve with its three lines and loop; tangent stiffness; changes over a turn if compared.
+/// Panels of the curve with its three lines and its loop, of the tangent stiffness and, for a
+/// comparison, of the changes over a turn.
 [[nodiscard]] std::vector<PlotPanel> torsion_panels(const TorsionReport& report,
                                                     const GearSet& gear);
 /// The panels as one SVG document.

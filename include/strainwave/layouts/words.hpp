@@ -8,20 +8,20 @@
 #include "strainwave/model/result/stiffness_result.hpp"
 
 /// @file
-/// Words of results that several tables have.
+/// Words that several tables use for results.
 
 namespace strainwave {
 
-/// What a document of a drive begins with.
+/// The title of a document on a drive.
 [[nodiscard]] inline std::string name_of(const GearSet& gear) {
   return gear.name.empty() ? "Strain wave gear" : gear.name;
 }
 
-/// "T > 0", or "either sense".
+/// The senses of torque that open a crack in words, such as "T > 0" or "either sense".
 [[nodiscard]] std::string_view words_of(OpensUnder opens);
 [[nodiscard]] std::string_view words_of(TorqueSense sense);
 [[nodiscard]] std::string_view words_of(StrengthVerdict verdict);
-/// "T > 0, with the assembly"
+/// A state of strength in words, such as "T > 0, with the assembly".
 [[nodiscard]] std::string words_of(const StrengthState& state);
 /// "stiffness, T > 0" for "cracked.positive.stiffness", "K1, sound" for "curve.intact.K1".
 [[nodiscard]] std::string output_words(std::string_view output);

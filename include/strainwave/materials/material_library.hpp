@@ -11,15 +11,15 @@
 #include "strainwave/model/input/material.hpp"
 
 /// @file
-/// The steels of strain wave gears.  The data are in data/materials.toml, and nowhere else; they
-/// are built into the library.
+/// The steels of strain wave gears.  data/materials.toml holds all data; the build compiles the
+/// file into the library.
 
 namespace strainwave {
 
-/// The format of data/materials.toml that this version reads.
+/// Format of data/materials.toml that this version reads.
 inline constexpr std::string_view kMaterialFormat = "strainwave-materials/1";
 
-/// A file of materials: its sources by key, its records in order.
+/// A file of materials: sources by key, records in order.
 struct MaterialLibrary {
   std::string format;
   std::map<std::string, std::string> source;
@@ -43,36 +43,38 @@ struct MaterialLibrary {
 
 /// Reads and checks a file of materials.
 ///
-/// @param file_name    for messages only
-/// @throws InputError  one sentence with file, line, column, field, value and rule
+/// @param file_name    name of the file in messages
+/// @throws InputError  if the file breaks a rule; the message names file, line, column, field,
+///                     value and rule
 [[nodiscard]] MaterialLibrary parse_material_library(std::string_view text,
                                                      std::string_view file_name);
 
-/// The records that are built in.  Read once, at the first call; may be called from any thread.
+/// The built-in records.  The first call reads them; any thread may call it.
 [[nodiscard]] std::span<const MaterialRecord> material_library();
 
-/// What a source key of the built-in records stands for.
-/// @throws InputError  if there is no such key
+/// The publication behind a source key of the built-in records.
+/// @throws InputError  if the key does not exist
 [[nodiscard]] std::string_view material_source(std::string_view key);
 
 /// All names and aliases of the built-in records, in their order.
 [[nodiscard]] std::vector<std::string> material_names();
 
-/// The record of a name or an alias; null if there is none.  The very name first; else one that
-/// differs in case and blanks only.  Never a similar one.
+/// The record with a name or an alias; null if none matches.  The exact name has priority over a
+/// name that differs in case and blanks only.  A merely similar name does not match.
 [[nodiscard]] const MaterialRecord* find_material(std::string_view name_or_alias);
 
-/// "did you mean 4340 tempered 425 C or 4340 tempered 260 C?": names of `known` that begin with an
-/// unknown one; else a near one, if the name is long enough for likeness to mean something; else
-/// empty.  A short name is never guessed at: 4340 and C300 differ in two letters.
+/// A suggestion such as "did you mean 4340 tempered 425 C or 4340 tempered 260 C?".  It lists the
+/// names of `known` that begin with the unknown name, else a near name if the unknown name is long
+/// enough; otherwise it is empty.  No suggestion is made for a short name, because 4340 and C300
+/// differ in only two letters.
 [[nodiscard]] std::string meant_material(std::string_view unknown,
                                          std::span<const std::string> known);
 
-/// The record of a name or an alias.
-/// @throws InputError  if there is none; the message names a near one, if one is near
+/// The record with a name or an alias.
+/// @throws InputError  if none matches; the message suggests a near name if there is one
 [[nodiscard]] const MaterialRecord& require_material(std::string_view name_or_alias);
 
-/// The record as a material of a drive; its origin says which numbers are unverified.
+/// The record as a material of a drive; its origin states which numbers are unverified.
 [[nodiscard]] Material as_material(const MaterialRecord& record);
 
 /// A material with what it does not give itself taken from a record.  Its origin says what is taken
@@ -94,7 +96,7 @@ struct MaterialLibrary {
 [[nodiscard]] double growth_per_cycle(const ParisLaw& law, double delta_K);
 
 /// Delta K at which two power laws give the same growth (MA-3).
-/// @return             [Pa*m^0.5]
+/// @return             Delta K [Pa*m^0.5]
 /// @throws InputError  if the exponents are equal
 [[nodiscard]] double transition_range(const ParisLaw& first, const ParisLaw& second);
 

@@ -11,20 +11,20 @@
 #include "strainwave/core/fields.hpp"
 
 /// @file
-/// What the material library knows of a steel: every number with its source, how well it is known,
-/// and its scatter where somebody states it.  What is not known is absent.
+/// Knowledge of the material library about a steel: every number with its source, its confidence,
+/// and its scatter if somebody states it.  Unknown values are absent.
 
 namespace strainwave {
 
-/// How well a number is known; chapter MA of the theory manual.
+/// Confidence in a number; see chapter MA of the theory manual.
 enum class Confidence {
-  measured,    ///< by a test whose report was read
+  measured,    ///< measured by a test whose report was read
   handbook,    ///< typical value of a handbook, textbook or maker's data sheet that was read, or
                ///< on which two independent published copies agree
   standard,    ///< minimum, nominal or statistical value of a standard or code, or of a sheet that
                ///< quotes it
   derived,     ///< computed from other values of the same source
-  unverified,  ///< anything else: to be checked before a decision rests on it
+  unverified,  ///< anything else; check it before a decision depends on it
 };
 template <>
 struct EnumNames<Confidence> {
@@ -44,9 +44,9 @@ struct EnumNames<MaterialUse> {
 struct Evidence {
   std::string source;  ///< key of the list of sources
   Confidence confidence = Confidence::unverified;
-  /// One standard deviation over the value [-]; > 0.  Absent: nobody states it.
+  /// One standard deviation over the value [-]; > 0.  Absent if nobody states it.
   std::optional<double> scatter;
-  std::string remark;  ///< what contradicts it, or limits it; may be empty
+  std::string remark;  ///< statement that contradicts or limits the number; may be empty
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -118,7 +118,7 @@ struct EnumNames<FatigueLoading> {
                                                             "not_stated"};
 };
 
-/// Stress amplitude that a smooth specimen bears for a number of cycles [Pa].
+/// Stress amplitude that a smooth specimen withstands for a number of cycles [Pa].
 struct FatigueLimit : Sourced<StressKind> {
   double stress_ratio = -1.0;    ///< R = sigma_min/sigma_max [-]; < 1
   std::optional<double> cycles;  ///< [-]; > 0.  Absent: not stated
@@ -147,7 +147,7 @@ struct FatigueLimit : Sourced<StressKind> {
   }
 };
 
-/// Interval of stress ratios that a growth datum holds for, ends included.
+/// Closed interval of stress ratios for which a growth datum is valid.
 using StressRatios = std::array<double, 2>;
 
 inline constexpr Field kStressRatioField{.name = "stress_ratio",
@@ -171,15 +171,15 @@ struct GrowthThreshold : Sourced<ToughnessKind> {
   }
 };
 
-/// da/dN = C (Delta K/1 MPa*m^0.5)^m (MA-1).  The scatter is that of C.
+/// da/dN = C (Delta K/1 MPa*m^0.5)^m (MA-1).  The scatter applies to C.
 struct ParisLaw : Evidence {
   static constexpr std::string_view kKind = "paris";
   double coefficient = 0.0;  ///< C, growth per cycle at Delta K = 1 MPa*m^0.5 [m]; > 0
   double exponent = 0.0;     ///< m [-]; > 0
   StressRatios stress_ratio = {};
   std::string environment;
-  std::optional<double> from;  ///< least Delta K it holds for [Pa*m^0.5]; absent: not stated
-  std::optional<double> to;    ///< greatest Delta K [Pa*m^0.5]; absent: not stated
+  std::optional<double> from;  ///< least Delta K of the law [Pa*m^0.5]; absent: not stated
+  std::optional<double> to;    ///< greatest Delta K of the law [Pa*m^0.5]; absent: not stated
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -209,7 +209,7 @@ struct ParisLaw : Evidence {
   }
 };
 
-/// Constants of the NASGRO equation with Newman's closure, all stress ratios (MA-5).
+/// Constants of the NASGRO equation with Newman's closure, for all stress ratios (MA-5).
 struct NasgroLaw : Evidence {
   static constexpr std::string_view kKind = "nasgro";
   double coefficient = 0.0;             ///< C, as in ParisLaw [m]; > 0
@@ -278,13 +278,13 @@ using GrowthLaw = std::variant<ParisLaw, NasgroLaw>;
 
 /// A steel in one condition.
 struct MaterialRecord {
-  std::string name;                  ///< as an input file writes it: "17-4PH H900"
+  std::string name;                  ///< name as written in an input file: "17-4PH H900"
   std::vector<std::string> aliases;  ///< other names of the same steel in the same condition
   std::vector<MaterialUse> use;      ///< at least one
   std::string treatment;
   std::string remark;
   std::optional<Sourced<StressKind>> youngs_modulus;  ///< E [Pa]
-  std::optional<Sourced<StressKind>> shear_modulus;   ///< G, where measured by itself [Pa]
+  std::optional<Sourced<StressKind>> shear_modulus;   ///< G, if measured independently [Pa]
   std::optional<Sourced<PoissonKind>> poissons_ratio;
   std::optional<Sourced<StressKind>> yield_strength;
   std::optional<Sourced<StressKind>> ultimate_strength;
@@ -328,13 +328,13 @@ struct MaterialRecord {
   }
 };
 
-/// The unit of a number, SI; "1" if it is pure.
+/// The SI unit of a number; "1" for a pure number.
 template <class Kind>
 [[nodiscard]] std::string_view unit_of(const Sourced<Kind>&) {
   return Kind::unit;
 }
 
-/// Calls `f(field name, words, number)` for each single number that a record has.
+/// Calls `f(field name, words, number)` for each single number in a record.
 template <class F>
 void for_each_property(const MaterialRecord& record, const F& f) {
   const auto visit = [&](std::string_view name, std::string_view words, const auto& number) {

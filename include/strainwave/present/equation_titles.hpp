@@ -12,7 +12,7 @@ struct EquationTitle {
   std::string_view title;  ///< "Added compliance"
 };
 
-/// All equations of the manual; made from docs/theory when the library is built.
+/// All equations of the manual; the build makes them from docs/theory.
 [[nodiscard]] std::span<const EquationTitle> equation_titles();
 
 }  // namespace strainwave

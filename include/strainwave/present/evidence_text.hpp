@@ -8,7 +8,7 @@
 
 namespace strainwave {
 
-/// Notes as a list, one item each: field, sentence, equation, what to do next.
+/// Notes as a list, with one item each: field, sentence, equation, next step.
 [[nodiscard]] std::string notes_text(std::span<const Note> notes);
 
 /// "Verdict: with care.  REASON.  NEXT STEP"

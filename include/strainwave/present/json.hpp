@@ -9,21 +9,21 @@
 
 namespace strainwave {
 
-/// How the numbers of a JSON document stand.
+/// Form of the numbers in a JSON document.
 enum class JsonNumbers {
-  with_unit,  ///< {"value": 0.003, "unit": "m"}; a column tells its unit once
+  with_unit,  ///< {"value": 0.003, "unit": "m"}; a column states its unit once
   as_input,   ///< "0.003 m", in the form that the reader of drives accepts
 };
 
-/// Writes described values as JSON, two spaces deeper at each level; a quantity, and a column with
-/// its values, stands on one line.  Text may be any bytes; the document is UTF-8.
+/// Writes described values as JSON, with an indentation of two spaces per level.  A quantity takes
+/// one line, and so does a column with its values.  Text may be any bytes; the document is UTF-8.
 class JsonWriter : public ValueVisitor {
  public:
   explicit JsonWriter(JsonNumbers numbers = JsonNumbers::with_unit) : numbers_(numbers) {}
 
   /// The document, ended by a line feed.
   [[nodiscard]] std::string document() const { return text_ + '\n'; }
-  /// Other numbers from here on.
+  /// Changes the form of the numbers that follow.
   void write_numbers(JsonNumbers numbers) { numbers_ = numbers; }
   /// Numbers with a unit from here on in these units, by dimension.  A table by columns keeps the
   /// units that stand in a column of their own.

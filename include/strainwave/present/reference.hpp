@@ -7,8 +7,8 @@
 
 namespace strainwave {
 
-/// The fields of a described type as a Markdown table: path, unit, meaning, and the values that a
-/// field may have.  `[]` stands for each element of a list, `<name>` for each name of a map.
+/// The fields of a described type as a Markdown table: path, unit, meaning and allowed values.
+/// `[]` stands for each element of a list, `<name>` for each name of a map.
 [[nodiscard]] std::string fields_reference(TypeWalk walk);
 
 }  // namespace strainwave

@@ -8,10 +8,10 @@
 
 namespace strainwave {
 
-/// Walks a described type; visit_type<T> of one T.
+/// Walks a described type: visit_type<T> for one type T.
 using TypeWalk = void (*)(const Field& field, TypeVisitor& to);
 
-/// What a schema is of.
+/// Subject of a schema.
 enum class SchemaOf {
   result,   ///< numbers are objects with a unit
   options,  ///< numbers are bare, or text with a unit

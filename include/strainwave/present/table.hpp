@@ -12,15 +12,16 @@
 
 namespace strainwave {
 
-/// A table as people read it: a layout fills it, and any kind of document shows it.
+/// A table for people.  A layout fills it, and any kind of document can show it.
 struct Table {
-  std::vector<std::string> head = {};  ///< of each column; all empty: none is shown
-  std::string_view align = {};         ///< "lrr"; what is left out: the first left, others right
-  /// A row may end early.  In text, one of a single cell lies across the columns.
+  std::vector<std::string> head = {};  ///< heads of the columns; all empty: no head is shown
+  /// "lrr"; columns left out: the first is aligned left, others right
+  std::string_view align = {};
+  /// Rows; a row may end early.  In text, a row with a single cell spans the columns.
   std::vector<std::vector<std::string>> rows = {};
 };
 
-/// A table of a result, with what is said above and below it.
+/// A table of a result with its title and its remark.
 struct TitledTable {
   std::string title;
   Table table;
@@ -31,7 +32,7 @@ struct TitledTable {
 [[nodiscard]] std::string exact_text(int value);
 [[nodiscard]] std::string exact_text(bool value);
 
-/// A cell of a file that programs read: all digits of a number, nothing for what is absent.
+/// A cell of a file for programs: all digits of a number, empty if the value is absent.
 template <class Value>
 [[nodiscard]] std::string cell(const Value& value) {
   if constexpr (is_optional<Value>)
@@ -39,22 +40,23 @@ template <class Value>
   else if constexpr (std::is_enum_v<Value>)
     return std::string(enum_name(value));
   else if constexpr (std::is_convertible_v<const Value&, std::string_view>)
-    return std::string(std::string_view(value));  // else a literal would be a truth value
+    return std::string(std::string_view(value));  // otherwise a literal would convert to bool
   else
     return exact_text(value);
 }
-/// A row of such cells.
+/// A row of cells for programs.
 template <class... Values>
 [[nodiscard]] std::vector<std::string> cells(const Values&... values) {
   return {cell(values)...};
 }
 
-/// Columns as wide as what is in them, two blanks between them; every line is indented by two.
+/// A table as text.  Columns are as wide as their content, with two blanks between them; every line
+/// is indented by two blanks.
 [[nodiscard]] std::string text_table(const Table& table);
-/// Each below its title, after an empty line, with its remark.
+/// Tables as text, each after an empty line and its title, with its remark.
 [[nodiscard]] std::string text_tables(const std::vector<TitledTable>& tables);
 [[nodiscard]] std::string markdown_table(const Table& table);
-/// RFC 4180, lines ended by a line feed.
+/// A row as a line of CSV by RFC 4180, ended by a line feed.
 [[nodiscard]] std::string csv_line(const std::vector<std::string>& row);
 [[nodiscard]] std::string csv_table(const Table& table);
 

@@ -9,7 +9,7 @@
 
 namespace strainwave::sif {
 
-/// What the answer for one crack needs of its material.
+/// Material properties that the evaluation of one crack needs.
 struct CrackMaterial {
   double youngs_modulus = 210e9;             ///< E [Pa]; > 0
   double poissons_ratio = 0.3;               ///< nu [-]; in (-1, 0.5)
@@ -29,7 +29,8 @@ struct Input {
   std::string unit;
   std::string doc;
   double value = 0.0;
-  bool given = false;  ///< by the caller; else the example of a field, 0 of a load
+  /// true: given by the caller; false: the example of a field, or 0 for a load
+  bool given = false;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -59,13 +60,13 @@ struct GeometryFactors {
   }
 };
 
-/// Entry (i, j) of the added compliance: what the crack adds to the displacement that does work on
-/// load i, per unit of load j.
+/// Entry (i, j) of the added compliance: increase of the displacement that does work on load i, per
+/// unit of load j.
 struct ComplianceEntry {
   std::string load_i;
   std::string load_j;
   double value = 0.0;
-  std::string unit;  ///< such as "m/N", "1/N", "rad/(N*m)", "m^3/Pa"
+  std::string unit;  ///< unit such as "m/N", "1/N", "rad/(N*m)", "m^3/Pa"
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -82,25 +83,25 @@ struct Evaluation {
   std::vector<Input> fields;
   std::vector<Input> loads;
   CrackMaterial material;
-  double crack_size = 0.0;  ///< a of the geometry factors [m]
+  double crack_size = 0.0;  ///< size a used in the geometry factors [m]
   std::vector<GeometryFactors> factors;
-  /// At the named points under all loads; empty without loads.
+  /// Values at the named points under all loads; empty without loads.
   std::vector<PointIntensity> points;
-  /// Largest K_I, and largest magnitude of K_II and K_III with its sign, along the front, each
-  /// where it occurs; without loads absent.
+  /// Largest K_I, and largest magnitude of K_II and K_III with its sign, along the front, each at
+  /// its own point; absent without loads.
   std::optional<PointIntensity> largest;
-  /// K_I < 0 somewhere on the front: the faces press on each other there, and mode I counts as 0 in
-  /// what follows (FR-17).  The compliance is that of open faces all the same.
+  /// True if K_I < 0 somewhere on the front.  The faces press on each other there, and mode I
+  /// counts as 0 in the results below (FR-17).  The compliance is still that of open faces.
   bool pressed = false;
-  /// sqrt(G E') at the worst point of the front [Pa*m^0.5]; (FR-20).
+  /// Equivalent intensity sqrt(G E') at the worst point of the front [Pa*m^0.5]; (FR-20).
   std::optional<double> equivalent;
   std::optional<double> utilisation;  ///< equivalent/K_Ic [-]
   std::vector<ComplianceEntry> compliance;
-  double quadrature_error = 0.0;  ///< of the compliance, relative [-]
-  bool converged = false;         ///< the quadrature of the compliance
+  double quadrature_error = 0.0;  ///< relative error of the compliance [-]
+  bool converged = false;         ///< whether the quadrature of the compliance converged
   std::vector<ValidityLimit> validity;
 
-  /// Every limit of the validity range is kept, and the stated accuracy holds.
+  /// True if the crack keeps every limit of the validity range, so the stated accuracy is valid.
   [[nodiscard]] bool in_range() const;
 
   template <class Visitor>
@@ -142,18 +143,20 @@ inline constexpr int kFrontScan = 65;
 
 /// Evaluates a solution.
 ///
-/// @param row       of the library
-/// @param values    of fields and loads, by name [SI]; fields left out take their examples, loads
-///                  0.  A field poissons_ratio left out takes that of the material; given, it is
-///                  that of the material, too
+/// @param row       row of the library
+/// @param values    values of fields and loads by name [SI].  A field left out takes its example, a
+///                  load left out is 0.  A field poissons_ratio left out takes the value of the
+///                  material; if it is given, it replaces the value of the material
 /// @param material  E, nu, toughness
-/// @throws InputError   unknown name, number outside its range, impossible geometry
-/// @throws SolverError  a result is not finite: numbers too large or too small for the formulas
+/// @throws InputError   if a name is unknown, a number is outside its range, or the geometry is
+///                      impossible
+/// @throws SolverError  if a result is not finite because numbers are too large or too small for
+///                      the formulas
 [[nodiscard]] Evaluation evaluate(const Row& row, const Assignments& values,
                                   const CrackMaterial& material = {});
 
-/// Unit of the compliance between two loads: the displacement that does work on a force is a
-/// length, on a moment an angle, on a stress a volume.
+/// Unit of the compliance between two loads.  The displacement that does work is a length for a
+/// force, an angle for a moment, and a volume for a stress.
 [[nodiscard]] std::string compliance_unit(const LoadInfo& i, const LoadInfo& j);
 
 }  // namespace strainwave::sif

@@ -7,8 +7,8 @@ namespace strainwave::sif {
 
 /// Stress intensity of an elliptical crack in an infinite body, sheared along its major axis.
 ///
-/// Implements theory manual eq. (FR-10), exact (Kassir and Sih).  Taken for the surface crack of
-/// the same shape, it leaves the free surface out: an estimate of K_II and K_III to 10 %.
+/// Implements theory manual eq. (FR-10), exact (Kassir and Sih).  If it is used for a surface crack
+/// of the same shape, the free surface is left out; K_II and K_III are then estimates within 10 %.
 /// Source: kassirsih1966 (secondary).
 template <class Real>
 class BasicKassirSih {
@@ -17,7 +17,7 @@ class BasicKassirSih {
   /// @param poissons_ratio  nu [-]; in (-1, 0.5)
   BasicKassirSih(const Real& aspect_ratio, const Real& poissons_ratio);
 
-  /// K_II / (tau sqrt(pi a)), a the minor semi-axis [-].
+  /// K_II / (tau sqrt(pi a)) with a the minor semi-axis [-].
   [[nodiscard]] Real factor_II(double phi) const;
   /// K_III / (tau sqrt(pi a)) [-].
   [[nodiscard]] Real factor_III(double phi) const;

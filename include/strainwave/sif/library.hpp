@@ -16,7 +16,7 @@ namespace strainwave::sif {
 
 /// K_I, K_II, K_III at one point of a front [Pa*m^0.5].
 struct PointIntensity {
-  std::string name;  ///< of the point; empty for one found by scanning the front
+  std::string name;  ///< name of the point; empty for a point found by scanning the front
   double s = 0.0;    ///< front parameter
   double K_I = 0.0;
   double K_II = 0.0;
@@ -48,9 +48,9 @@ struct ValidityLimit {
 /// Values of the fields of a solution, by name [SI].
 using Assignments = std::map<std::string, double, std::less<>>;
 
-/// One solution with its numbers, whatever its type: what the rows of the library make.
+/// One solution with its numbers behind a common type; rows of the library make it.
 ///
-/// Stress intensities are per unit of one load; sum them up over the loads that act.
+/// Stress intensities are per unit of one load; sum them over the acting loads.
 class AnyCrack {
  public:
   virtual ~AnyCrack() = default;
@@ -60,12 +60,12 @@ class AnyCrack {
   AnyCrack(AnyCrack&&) = delete;
   AnyCrack& operator=(AnyCrack&&) = delete;
 
-  [[nodiscard]] virtual double size() const = 0;  ///< a of Y = K/(sigma sqrt(pi a)) [m]
+  [[nodiscard]] virtual double size() const = 0;  ///< size a in Y = K/(sigma sqrt(pi a)) [m]
   [[nodiscard]] virtual FrontRange front() const = 0;
-  /// K of all modes per unit of a load, at the crack's size grown or shrunk in proportion to `a`.
+  /// K of all modes per unit of a load, for the crack scaled in proportion to size `a`.
   [[nodiscard]] virtual PointIntensity unit_intensity(std::size_t load, double a,
                                                       double s) const = 0;
-  /// Area that the front sweeps per da and ds (per da, where it is one point) [m].
+  /// Area that the front sweeps per da and ds (per da alone for a front of one point) [m].
   [[nodiscard]] virtual double swept_area(double a, double s) const = 0;
   /// Reference stress of Y at the size a, per unit of a load [1; 1/m^2, 1/m^3].
   [[nodiscard]] virtual double gross_stress(std::size_t load, double a) const = 0;
@@ -89,16 +89,17 @@ struct Row {
   std::vector<LoadInfo> loads;
   std::vector<FrontPoint> points;
   std::vector<Field> fields;  ///< every field is a number; `example` is its default
-  /// The crack with fields set to `values`, the others to their examples.
-  /// @throws InputError  unknown field, number outside its range, impossible geometry
+  /// Makes the crack with fields set to `values`; other fields take their examples.
+  /// @throws InputError  if a field is unknown, a number is outside its range, or the geometry is
+  ///                     impossible
   std::function<std::unique_ptr<AnyCrack>(const Assignments& values)> make;
 };
 
-/// All solutions, sorted by family as they are registered.
+/// All solutions, grouped by family in the order of registration.
 [[nodiscard]] std::span<const Row> library();
 
-/// The solution of that name.
-/// @throws InputError  there is none; the message names near ones
+/// The solution with a given name.
+/// @throws InputError  if no solution has the name; the message names near ones
 [[nodiscard]] const Row& solution(std::string_view name);
 
 }  // namespace strainwave::sif

@@ -11,13 +11,13 @@ namespace strainwave::sif {
 
 /// Stress intensity of a semi-elliptical surface crack in a plate under tension.
 ///
-/// Implements theory manual eq. (FR-4), Newman and Raju's fit of finite elements,
+/// Implements theory manual eq. (FR-4), Newman and Raju's fit to finite elements,
 ///
 ///     K_I = sigma sqrt(pi a/Q) (M_1 + M_2 alpha^2 + M_3 alpha^4) g f_phi,
 ///
-/// for an infinitely wide plate.  Validity 0 < a/c <= 1, 0 <= a/t < 1, 0 <= phi <= pi/2;
-/// accuracy 5 % against the finite elements it was fitted to (a/c >= 0.2, a/t <= 0.8).
-/// Source: newmanraju1981 (secondary).
+/// for an infinitely wide plate.  Validity 0 < a/c <= 1, 0 <= a/t < 1, 0 <= phi <= pi/2; accuracy 5
+/// % against the finite elements of the fit (a/c >= 0.2, a/t <= 0.8).  Source: newmanraju1981
+/// (secondary).
 template <class Real>
 class BasicNewmanRaju {
  public:
@@ -54,15 +54,15 @@ extern template class BasicNewmanRaju<DualReal>;
 
 /// Newman and Raju's surface crack in a plate under tension and bending, shallow and deep.
 ///
-/// Implements theory manual eqs. (SP-1) to (SP-3): FR-4 for a/c <= 1, the second branch for
-/// a/c > 1, and the ratio H of bending to tension.  Source: newmanraju1984 (secondary).
+/// Implements theory manual eqs. (SP-1) to (SP-3): (FR-4) for a/c <= 1, the second branch for a/c >
+/// 1, and the ratio H of bending to tension.  Source: newmanraju1984 (secondary).
 class NewmanRajuPlate {
  public:
   /// @param aspect_ratio  rho = a/c [-]; > 0
   explicit NewmanRajuPlate(double aspect_ratio)
       : rho_(aspect_ratio), shallow_(std::min(aspect_ratio, 1.0)) {}
 
-  /// K_I/(sigma sqrt(pi a)) of tension, wide plate [-].
+  /// K_I/(sigma sqrt(pi a)) for tension of a wide plate [-].
   /// @param alpha  a/t [-]; in [0, 1)
   /// @param phi    from the surface; pi/2 is the deepest point [rad]
   [[nodiscard]] double tension(double alpha, double phi) const {
@@ -80,22 +80,22 @@ class NewmanRajuPlate {
     return M * g * f_phi / std::sqrt(Q);  // (SP-2)
   }
 
-  /// H, K of bending over K of tension of the same surface stress [-].
+  /// Ratio H of K in bending to K in tension for the same surface stress [-].
   [[nodiscard]] double bending_ratio(double alpha, double phi) const {
     return 1 - 2 * alpha * linear_ratio(alpha, phi);  // (SP-3)
   }
 
-  /// K of the stress x/a over K of the stress 1, x from the surface: (1 - H)/(2 alpha), without the
-  /// division [-].
+  /// K of the stress x/a over K of the stress 1, with x from the surface: (1 - H)/(2 alpha),
+  /// computed without the division [-].
   [[nodiscard]] double linear_ratio(double alpha, double phi) const {
     const auto [h1, h2, p] = ends(alpha);
     return -(h1 + (h2 - h1) * std::pow(std::sin(phi), p)) / 2;  // (SP-3)
   }
 
-  /// Exponent p of sin(phi), with which the ratio of two loads goes along the front [-].
+  /// Exponent p of sin(phi) in the ratio of two loads along the front [-].
   [[nodiscard]] double front_exponent(double alpha) const { return ends(alpha).p; }  // (SP-3)
 
-  /// Width correction [-], for a plate of half width b.  @param c_b  c/b [-]; in [0, 1)
+  /// Width correction for a plate of half width b [-].  @param c_b  c/b [-]; in [0, 1)
   [[nodiscard]] static double width_factor(double c_b, double alpha) {
     return 1 / std::sqrt(std::cos(std::numbers::pi / 2 * c_b * std::sqrt(alpha)));  // (SP-1)
   }

@@ -14,19 +14,19 @@
 #include "strainwave/fracture/crack_compliance.hpp"
 
 /// @file
-/// What a solution of the stress intensity library is: a struct of lengths, angles and constants
-/// that knows its stress intensity factors per unit of each load, its validity, its accuracy and
-/// its source.  Each stands in a header of its own and in one row of a registry
-/// (src/sif/<family>.cpp); its added compliance comes from the engine of crack_compliance.hpp.
+/// Types of the stress intensity library.  A solution is a struct of lengths, angles and constants
+/// that provides its stress intensity factors per unit of each load, its validity, its accuracy and
+/// its source.  Each solution has a header of its own and one row of a registry
+/// (src/sif/<family>.cpp).  The engine of crack_compliance.hpp computes its added compliance.
 
 namespace strainwave::sif {
 
-/// What holds a formula up.
+/// Basis of a formula.
 enum class Basis {
-  exact,      ///< derived here or proved by independent computation to be exact
-  read,       ///< from a work that was opened
-  secondary,  ///< from memory or from works that quote the source
-  computed,   ///< a fit or table of strainwave's own computations
+  exact,      ///< derived here, or shown to be exact by independent computation
+  read,       ///< taken from a publication that was read
+  secondary,  ///< taken from memory or from publications that quote the source
+  computed,   ///< fit or table from strainwave's own computations
 };
 
 /// Plane stress or plane strain ahead of the crack: E' = E or E/(1 - nu^2).
@@ -50,14 +50,14 @@ struct EnumNames<sif::Constraint> {
 
 namespace strainwave::sif {
 
-/// What a solution says about itself.
+/// Description of a solution.
 struct SolutionInfo {
-  std::string_view name;      ///< "plate-through": what the command line calls it
+  std::string_view name;      ///< name on the command line: "plate-through"
   std::string_view family;    ///< "plate", "tube", "bar" or "gradient"
   std::string_view title;     ///< one line
   std::string_view modes;     ///< "I, II"
   std::string_view equation;  ///< first tag in the theory manual
-  std::string_view source;    ///< keys of docs/references.bib; "-" where derived
+  std::string_view source;    ///< keys of docs/references.bib; "-" if derived here
   Basis basis = Basis::secondary;
   double relative_uncertainty = 0.0;  ///< one standard, of K, inside the validity range [-]
   /// The same of K_II and K_III, where it is not that of K_I [-].
@@ -93,7 +93,7 @@ struct SolutionInfo {
 struct LoadInfo {
   std::string_view name;  ///< "tension"
   std::string_view unit;  ///< "Pa", "N" or "N*m"
-  std::string_view doc;   ///< meaning, sign, where it acts
+  std::string_view doc;   ///< meaning, sign, point of action
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -117,8 +117,9 @@ struct FrontPoint {
 
 /// A solution of the library.
 ///
-/// Besides being a crack of the engine, whose loads are the entries of kLoadInfo, it
-///   - describes its fields (core/fields.hpp), numbers only, each with an example;
+/// A solution models the concept SweptCrack, and its loads are the entries of kLoadInfo.  In
+/// addition:
+///   - it describes its fields (core/fields.hpp), which are numbers only, each with an example;
 ///   - `check(rule)` calls `rule(ok, field, value, unit, text)` for each rule between fields, which
 ///     an impossible geometry breaks;
 ///   - `validity(range)` calls `range(inside, text)` for each limit of the range in which the

@@ -15,18 +15,18 @@
 #include "strainwave/sif/newman_raju.hpp"
 
 /// @file
-/// Stress intensity of any stress on the plane of a crack, by weight functions.  A stress is a
-/// callable sigma(x) [Pa], x the depth below the cracked surface [m]: the stress that the body
-/// would have there without the crack.
+/// Stress intensity from any stress on the plane of a crack, by weight functions.  A stress is a
+/// callable sigma(x) [Pa], with x the depth below the cracked surface [m].  It gives the stress of
+/// the body without the crack.
 
 namespace strainwave::sif {
 
-/// Tolerance of the integrals, of K or of the K of a uniform stress as large as the largest,
-/// whichever is larger, so that stresses that cancel end too.
+/// Tolerance of the integrals.  It is relative to K or to the K of a uniform stress as large as the
+/// largest stress, whichever is larger, so the quadrature also ends for stresses that cancel.
 inline constexpr QuadratureOptions kWeightQuadrature{.relative_tolerance = 1e-11,
                                                      .max_pieces = 200};
 
-/// K with the K of a uniform stress as large as the largest, which measures its error.
+/// K, with the K of a uniform stress as large as the largest stress; the latter scales the error.
 struct WeightedSum {
   double K = 0.0;
   double uniform = 0.0;
@@ -46,7 +46,7 @@ struct WeightedSum {
   friend double abs(const WeightedSum& a) { return std::max(std::abs(a.K), std::abs(a.uniform)); }
 };
 
-/// Integral of f(v) over [0, 1], in pieces that end at `ends`; those outside (0, 1) are left out.
+/// Integral of f(v) over [0, 1], in pieces that end at `ends`; ends outside (0, 1) are ignored.
 template <class Function>
 [[nodiscard]] Integral<double> integrate_in_pieces(const Function& f, std::vector<double> ends) {
   std::erase_if(ends, [](double v) { return !(v > 0 && v < 1); });
@@ -65,17 +65,18 @@ template <class Function>
   return sum;
 }
 
-/// What the quadrature has to know of a stress beforehand.
+/// Properties of a stress that the quadrature needs in advance.
 struct StressSurvey {
   double largest = 0.0;      ///< largest |sigma| seen [Pa]
-  std::vector<double> ends;  ///< depths at which to begin anew, in (0, a) [m]
+  std::vector<double> ends;  ///< depths at which a new piece begins, in (0, a) [m]
 };
 
-/// Looks at a stress at 33 even depths, at `changes`, and in steps of 16 from a/32 toward the
-/// mouth, down to 1e-9 a: a layer of residual or contact stress far thinner than the crack is deep
-/// would slip through the points of the quadrature.  Where the stress falls by more over a step
-/// than a slope of 5 largest/a would give, the quadrature begins anew at every step out to a/32.  A
-/// layer inside the body can only be found where it is named.  Depths are [m].
+/// Samples a stress at 33 evenly spaced depths, at `changes`, and in steps of a factor of 16 from
+/// a/32 toward the mouth, down to 1e-9 a.  The last samples are needed because the quadrature would
+/// miss a layer of residual or contact stress that is much thinner than the depth of the crack.  If
+/// the stress falls over a step by more than a slope of 5 largest/a gives, the quadrature begins a
+/// new piece at every step out to a/32.  A thin layer inside the body is found only if `changes`
+/// names it.  Depths are [m].
 template <class Stress>
 [[nodiscard]] StressSurvey survey(const Stress& stress, double a, std::span<const double> changes) {
   StressSurvey seen;
@@ -102,7 +103,7 @@ template <class Stress>
 }
 
 /// The value of an integral that converged [unit of the integral].
-/// @throws SolverError  it did not
+/// @throws SolverError  if it did not converge
 [[nodiscard]] inline double converged_value(const Integral<double>& integral) {
   if (!integral.converged)
     throw SolverError(
@@ -117,16 +118,16 @@ template <class Stress>
 ///
 ///     m = sqrt(2/(pi a)) M(v)/v,  v = sqrt(1 - x/a),  M a polynomial in v^2, M(0) = 1,
 ///
-/// from strainwave's own solution of the singular integral equation, 0 <= a/t < 1.  Within 2e-5 of
-/// it for polynomials of x up to the fifth power and 0 <= a/t <= 0.98; within 1e-4 for a stress
-/// that decays as exp(-10 x/a), a/t <= 0.9.  For a/t = 0 the crack is in a half-plane, where m is
-/// that of K_II and the shear stress too.
+/// from strainwave's own solution of the singular integral equation, 0 <= a/t < 1.  The deviation
+/// from this solution is at most 2e-5 for polynomials of x up to the fifth power and 0 <= a/t <=
+/// 0.98, and 1e-4 for a stress that decays as exp(-10 x/a), a/t <= 0.9.  For a/t = 0 the crack is
+/// in a half-plane, and m also applies to K_II with the shear stress.
 class EdgeWeight {
  public:
   /// @param depth_ratio  alpha = a/t [-]; in [0, 1)
   explicit EdgeWeight(double depth_ratio);
 
-  /// M [-].  @param v  sqrt(1 - x/a): 0 at the tip, 1 at the mouth [-]
+  /// Polynomial M [-].  @param v  sqrt(1 - x/a): 0 at the tip, 1 at the mouth [-]
   [[nodiscard]] double value(double v) const { return polynomial(M_, v * v); }
 
  private:
@@ -137,10 +138,11 @@ class EdgeWeight {
 ///
 /// Implements theory manual eq. (SW-1); v removes the singularity at the tip.
 ///
-/// @param weight  of the crack
+/// @param weight  weight function of the crack
 /// @param a       depth [m]; > 0
 /// @param stress   sigma(x) [Pa] for x in [0, a] [m]
-/// @param changes  depths at which the stress changes sharply, where the quadrature begins anew [m]
+/// @param changes  depths at which the stress changes sharply, where the quadrature begins a new
+///                 piece [m]
 /// @return         K_I, with the estimated error of the quadrature
 template <class Stress>
 [[nodiscard]] Integral<double> weighted_intensity(const EdgeWeight& weight, double a,
@@ -162,24 +164,24 @@ template <class Stress>
 ///
 /// Implements theory manual eqs. (SW-3) to (SW-5).  The deepest point and the point at the surface
 /// have universal weight functions of three coefficients each, from Newman and Raju's uniform and
-/// linear stress (SP-1 to SP-3), which they therefore give back, and one condition on the far end.
-/// Between the two points (SW-5) gives back Newman and Raju's bending and, for a half circle, the
-/// exact front of the penny crack under |x|^n.
-/// Source: shenglinka1991 (secondary), coefficients derived here.
+/// linear stress (SP-1 to SP-3) and one condition on the far end.  They therefore reproduce these
+/// two stresses.  Between the two points, (SW-5) reproduces Newman and Raju's bending and, for a
+/// half circle, the exact front of the penny crack under |x|^n.  Source: shenglinka1991
+/// (secondary), coefficients derived here.
 class SurfaceWeight {
  public:
   /// @param aspect_ratio  rho = a/c [-]; > 0
   /// @param depth_ratio   alpha = a/t [-]; in [0, 1)
   SurfaceWeight(double aspect_ratio, double depth_ratio);
 
-  /// K_I of the uniform stress 1 [m^0.5].
+  /// K_I from the uniform stress 1 [m^0.5].
   [[nodiscard]] double uniform(double a, double phi) const {
     return fit_.tension(alpha_, phi) * std::sqrt(std::numbers::pi * a);
   }
-  /// p of (SP-3) [-].
+  /// Exponent p of (SP-3) [-].
   [[nodiscard]] double front_exponent() const { return fit_.front_exponent(alpha_); }
 
-  /// 1, M_1, M_2, M_3 of the deepest point and of the surface [-].
+  /// Coefficients 1, M_1, M_2, M_3 for the deepest point or the surface point [-].
   using Coefficients = std::array<double, 4>;
   [[nodiscard]] const Coefficients& deepest() const { return deepest_; }
   [[nodiscard]] const Coefficients& surface() const { return surface_; }
@@ -191,7 +193,7 @@ class SurfaceWeight {
   Coefficients surface_{};
 };
 
-/// 1 + M_1 v + M_2 v^2 + M_3 v^3 of (SW-3), (SW-4) [-].
+/// The sum 1 + M_1 v + M_2 v^2 + M_3 v^3 of (SW-3), (SW-4) [-].
 [[nodiscard]] inline double power_sum(const SurfaceWeight::Coefficients& M, double v) {
   return M[0] + v * (M[1] + v * (M[2] + v * M[3]));
 }
@@ -205,11 +207,12 @@ class SurfaceWeight {
 /// which takes x^n to s^(p + (n-1) q) x^n, the ratio to the uniform stress is that of the deepest
 /// point under T sigma and that of the surface under sigma - T sigma.
 ///
-/// @param weight  of the crack
+/// @param weight  weight function of the crack
 /// @param a       depth [m]; > 0
 /// @param phi     parametric angle from the surface; pi/2 is the deepest point [rad]
 /// @param stress   sigma(x) [Pa] for x in [0, a] [m]
-/// @param changes  depths at which the stress changes sharply, where the quadrature begins anew [m]
+/// @param changes  depths at which the stress changes sharply, where the quadrature begins a new
+///                 piece [m]
 /// @return         K_I, with the estimated error of the quadrature
 template <class Stress>
 [[nodiscard]] Integral<double> weighted_intensity(const SurfaceWeight& weight, double a, double phi,

@@ -5,17 +5,17 @@
 #include <string_view>
 
 /// @file
-/// How accurate the models are: one standard relative uncertainty of each, of the model's form
-/// alone (the inputs are taken as given), with what it rests on.  Theory manual, table ST-1.
+/// Accuracy of the models: one standard relative uncertainty of each, with its basis.  It covers
+/// the form of the model alone; the inputs are taken as exact.  Theory manual, table ST-1.
 
 namespace strainwave {
 
-/// One standard relative uncertainty of a model, and what it rests on.
+/// One standard relative uncertainty of a model, and its basis.
 struct ModelAccuracy {
   double relative_uncertainty = 0.0;
   std::string_view source;
 
-  // Implicit: it is used as the number it is.
+  // Implicit, so an accuracy can be used as a plain number.
   constexpr operator double() const {  // NOLINT(google-explicit-constructor)
     return relative_uncertainty;
   }
@@ -26,7 +26,7 @@ struct ModelAccuracy {
 namespace strainwave::accuracy {
 
 inline constexpr ModelAccuracy kTube{
-    0.01, "a tube in torsion is exact; ends, fillets and splines are left out"};
+    0.01, "the solution is exact for a tube; ends, fillets and splines are left out"};
 inline constexpr ModelAccuracy kShapeFactor{
     2.0,
     "a factor, whatever its value: of sixteen cups in finite elements, 1.06 to 11 times as "
@@ -41,37 +41,43 @@ inline constexpr ModelAccuracy kContactsLeftOut{
     4.0, "contacts, rings and coning are left out: 2 to 5 times too stiff against catalogues"};
 inline constexpr ModelAccuracy kLoadSharing{0.30, "balls taken to share the lobe force equally"};
 inline constexpr ModelAccuracy kSurfaceCrack{
-    0.10, "Newman and Raju: 5 % of K against finite elements, 10 % of the compliance"};
+    0.10, "Newman and Raju: 5 % of K against finite elements, so 10 % of the compliance"};
 inline constexpr ModelAccuracy kSurfaceCrackDeep{
     0.16, "Newman and Raju beyond a/t = 0.7: 8 % of K against finite elements in a tube"};
 inline constexpr ModelAccuracy kSurfaceCrackShear{
     0.20, "K_II and K_III of an embedded ellipse, without the free surface"};
 inline constexpr ModelAccuracy kSurfaceCrackExtrapolated{
     0.20, "Newman and Raju beyond a/t = 0.8 or below a/c = 0.2"};
-inline constexpr ModelAccuracy kEdgeCrack{0.20, "strip with free ends; the cam holds the ring"};
+inline constexpr ModelAccuracy kEdgeCrack{
+    0.20, "the model is a strip with free ends, but the cam supports the ring"};
 inline constexpr ModelAccuracy kThroughCrack{
     0.02, "curved wall, open: within 1.1 % of finite elements, r/t 20 to 60"};
 inline constexpr ModelAccuracy kThroughCrackLong{
     0.03, "curved wall at a shell parameter of 2 to 4, open: within 1.3 % of finite elements"};
-/// Times (2a/L)^2.
+/// To be multiplied by (2a/L)^2.
 inline constexpr ModelAccuracy kThroughCrackBetweenJoints{
-    0.16, "no ends: half-way between rim and diaphragm finite elements have more, by (2a/L)^2"};
+    0.16,
+    "ends left out: half-way between rim and diaphragm, finite elements are softer by a term in "
+    "(2a/L)^2"};
 inline constexpr ModelAccuracy kThroughCrackNearFreeEnd{
-    0.50, "no ends: half-way to a free end finite elements have more, by (2a/L)^2"};
+    0.50,
+    "ends left out: half-way to a free end, finite elements are softer by a term in (2a/L)^2"};
 inline constexpr ModelAccuracy kThroughCrackAxial{
-    0.05, "curved wall under axial force: by the same shell, not compared with finite elements"};
+    0.05, "curved wall under axial force: same shell theory, not compared with finite elements"};
 inline constexpr ModelAccuracy kThroughCrackPressed{
     0.02, "pressed faces slide without friction: 1 % of compliance, 2 % of G in finite elements"};
 inline constexpr ModelAccuracy kThroughCrackIntensity{
-    0.12, "K of a sheet: finite elements are up to 12 % of K away, Poisson's ratio up to 0.3"};
+    0.12, "K of a sheet: finite elements differ by up to 12 % of K for Poisson's ratios up to 0.3"};
 inline constexpr ModelAccuracy kThroughCrackIntensityOtherRatio{
-    0.20, "K of a sheet: finite elements are 19 % away in the middle of the wall at 0.45"};
+    0.20,
+    "K of a sheet: finite elements differ by 19 % in the middle of the wall at Poisson's ratio "
+    "0.45"};
 inline constexpr ModelAccuracy kAnnularTensionOtherRatio{
-    0.03, "fits and table are those of Poisson's ratio 0.3: 2.5 % at 0 and 0.45"};
+    0.03, "fits and table are for Poisson's ratio 0.3; the error is 2.5 % at 0 and 0.45"};
 inline constexpr ModelAccuracy kDiaphragmArc{
     0.10, "a straight crack in a flat plate under uniform shear"};
 inline constexpr ModelAccuracy kDiaphragmGroove{
-    0.20, "local thickness alone; the corners of the groove are left out"};
+    0.20, "the model uses the local thickness only; the corners of the groove are left out"};
 inline constexpr ModelAccuracy kAnnularTorsion{
     0.002, "fits and table are within 0.04 % of independent computations of the sharp crack"};
 inline constexpr ModelAccuracy kAnnularTension{
@@ -81,20 +87,22 @@ inline constexpr ModelAccuracy kAnnularExtrapolated{
 inline constexpr ModelAccuracy kAnnularTada{
     0.055, "handbook polynomials: 3.6 % in torsion, 5.4 % in tension against finite elements"};
 inline constexpr ModelAccuracy kOrthogonalShear{
-    1.0, "a subsurface shear taken for a hoop tension: an order of magnitude at best"};
+    1.0, "the driver treats a subsurface shear as a hoop tension: an order of magnitude at best"};
 inline constexpr ModelAccuracy kContactEdge{
-    0.50, "an edge tension that decays within the contact, taken as uniform"};
-inline constexpr ModelAccuracy kRingBending{0.30, "a free ring; the cam inside it is left out"};
+    0.50, "the edge tension decays within the contact, but is assumed uniform"};
+inline constexpr ModelAccuracy kRingBending{
+    0.30, "the model is a free ring; the cam inside it is left out"};
 inline constexpr ModelAccuracy kGivenStress{0.10,
-                                            "a given stress, taken as uniform over the crack"};
+                                            "the given stress is assumed uniform over the crack"};
 
-/// K_I of the hollow shaft: the slope of an interpolated table, against a solid shaft and off its
-/// nodes.
+/// Relative uncertainty of K_I of the hollow shaft, from the slope of an interpolated table.  It
+/// was measured against a solid shaft and between the nodes.
 inline constexpr double kHollowTensionIntensity = 0.015;
-/// K_III of the hollow shaft: the same; 0.11 % at the end of the table, a/t = 0.8.
+/// Relative uncertainty of K_III of the hollow shaft, found in the same way; 0.11 % at the end of
+/// the table, a/t = 0.8.
 inline constexpr double kHollowTorsionIntensity = 0.0015;
 
-/// The uncertainty of something that goes with the n-th power of a quantity [-].
+/// The relative uncertainty of a result that is proportional to the n-th power of a quantity [-].
 [[nodiscard]] constexpr ModelAccuracy power(const ModelAccuracy& accuracy, double n) {
   return {n * accuracy.relative_uncertainty, accuracy.source};
 }

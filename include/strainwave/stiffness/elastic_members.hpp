@@ -18,12 +18,13 @@ using Tube = BasicTube<double>;
 
 /// Torsional compliance of a tube [rad/(N*m)].
 ///
-/// Implements theory manual eq. (ST-2), lambda = L/(G J), J = pi/32 (D^4 - d^4).
-/// Exact for a round section of any wall; no teeth, fillets or ends.
+/// Implements theory manual eq. (ST-2), lambda = L/(G J), J = pi/32 (D^4 - d^4).  Exact for a round
+/// section of any wall thickness; teeth, fillets and ends are left out.
 ///
 /// @param tube           geometry
 /// @param shear_modulus  G [Pa]; > 0
-/// @throws InputError    if a length is not positive, the bore not smaller, or G not positive
+/// @throws InputError    if a length or G is not positive, or the bore is not smaller than the
+///                       outer diameter
 [[nodiscard]] double torsional_compliance(const Tube& tube, double shear_modulus);
 [[nodiscard]] DualReal torsional_compliance(const BasicTube<DualReal>& tube,
                                             const DualReal& shear_modulus);
@@ -37,10 +38,10 @@ struct AnnularPlate {
 
 /// Torsional compliance between the two rims of a plate [rad/(N*m)].
 ///
-/// Implements theory manual eq. (ST-3), lambda = (1/(4 pi G h)) (1/r_i^2 - 1/r_o^2).
-/// Exact for shear tau = T/(2 pi h r^2); with rims that stay round.
+/// Implements theory manual eq. (ST-3), lambda = (1/(4 pi G h)) (1/r_i^2 - 1/r_o^2).  Exact for the
+/// shear stress tau = T/(2 pi h r^2) and rims that stay round.
 ///
-/// @throws InputError  as for the tube
+/// @throws InputError  on the same conditions as for the tube
 [[nodiscard]] double torsional_compliance(const AnnularPlate& plate, double shear_modulus);
 
 /// Torsional compliance of a diaphragm of any thickness law [rad/(N*m)].
@@ -48,37 +49,37 @@ struct AnnularPlate {
 /// Implements theory manual eq. (TC-13), lambda = (1/(2 pi G)) integral of dr/(r^3 h(r)), exactly
 /// for a law that is linear between stations.
 ///
-/// @throws InputError  as for the tube
+/// @throws InputError  on the same conditions as for the tube
 [[nodiscard]] double torsional_compliance(const Diaphragm& diaphragm, double shear_modulus);
-/// The same in the scalar of a lift, double or DualReal.
+/// Torsional compliance of a diaphragm in the scalar of a lift, double or DualReal.
 template <class Real>
 [[nodiscard]] Real torsional_compliance(const Lift<Real>& lift, const Diaphragm& diaphragm,
                                         const Real& shear_modulus);
 
-/// What a groove all round a diaphragm adds to its compliance [rad/(N*m)]; eq. (TC-20).
+/// Compliance that a groove all round a diaphragm adds [rad/(N*m)]; eq. (TC-20).
 ///
-/// The thickness is less by the groove's depth over its width.
+/// Over the width of the groove, the thickness is reduced by its depth.
 [[nodiscard]] double groove_compliance(const Diaphragm& diaphragm, const DiaphragmGroove& groove,
                                        double shear_modulus);
-/// The same in the scalar of a lift, double or DualReal.
+/// Compliance of a groove in the scalar of a lift, double or DualReal.
 template <class Real>
 [[nodiscard]] Real groove_compliance(const Lift<Real>& lift, const Diaphragm& diaphragm,
                                      const DiaphragmGroove& groove, const Real& shear_modulus);
 
-/// Deflection of a thin ring under U equal radial forces, evenly spaced, over the force, at a
-/// force [m/N].
+/// Deflection of a thin ring under U equal and evenly spaced radial forces, at one of them and over
+/// the force [m/N].
 ///
 /// Implements theory manual eq. (ST-10), with theta = pi/U,
 ///
 ///     C = (R^3/(2EI)) [(theta + sin(theta)cos(theta))/(2 sin^2(theta)) - 1/theta].
 ///
-/// Inextensible ring without shear; at thickness/R = 0.1 a real one is more compliant, by 1.6 % for
-/// two lobes and 15 % for four.
+/// The ring is inextensible and without shear deformation.  At thickness/R = 0.1 a real ring is
+/// more compliant, by 1.6 % for two lobes and by 15 % for four.
 ///
 /// @param wave_number        U [-]; >= 2
 /// @param mean_radius        R [m]; > 0
 /// @param bending_stiffness  E I of the section [N*m^2]; > 0
-/// @throws InputError        if one of them is out of range
+/// @throws InputError        if a parameter is out of range
 [[nodiscard]] double ring_compliance(int wave_number, double mean_radius, double bending_stiffness);
 [[nodiscard]] DualReal ring_compliance(int wave_number, const DualReal& mean_radius,
                                        const DualReal& bending_stiffness);

@@ -11,10 +11,10 @@
 
 namespace strainwave {
 
-/// The compliances of the series model at the output, without report.
+/// The compliances of the series model at the output, without a report.
 template <class Real>
 struct SeriesCompliance {
-  Real intact{};          ///< of the sound drive [rad/(N*m)]
+  Real intact{};          ///< compliance of the sound drive [rad/(N*m)]
   Real positive{};        ///< cracked, torque about +z [rad/(N*m)]
   Real negative{};        ///< cracked, torque about -z [rad/(N*m)]
   Real positive_added{};  ///< what the cracks add, torque about +z [rad/(N*m)]
@@ -25,32 +25,32 @@ struct SeriesCompliance {
   Real negative_in_line{};
   bool usable = true;  ///< as StiffnessResult::usable
 
-  /// K_HD of the sound drive [N*m/rad]; eq. (ST-1).
+  /// Stiffness K_HD of the sound drive [N*m/rad]; eq. (ST-1).
   [[nodiscard]] Real intact_stiffness() const { return 1 / intact; }
   [[nodiscard]] Real positive_stiffness() const { return 1 / positive; }
   [[nodiscard]] Real negative_stiffness() const { return 1 / negative; }
-  /// -(K/K_intact - 1), the share of its stiffness that the drive has lost [-]; eq. (ST-15).
+  /// Share of its stiffness that the drive has lost, -(K/K_intact - 1) [-]; eq. (ST-15).
   [[nodiscard]] Real positive_loss() const { return positive_added / positive; }
   [[nodiscard]] Real negative_loss() const { return negative_added / negative; }
 };
 
-/// The numbers of `torsional_stiffness`, and nothing else: the same values to the last bit, in a
-/// third of the time, or the values with their derivatives.
+/// The numbers of `torsional_stiffness` alone: the same values to the last bit in a third of the
+/// time, or the values with their derivatives.
 ///
 /// Implements theory manual eqs. (ST-1), (ST-15); derivatives by (SN-2).
 ///
 /// @param gear     has passed `check`
-/// @param lift     reads the numbers; as Lift<DualReal> it knows which of them are the inputs
-/// @param options  tolerance of the crack integrals; derivatives are held to it too
-/// @throws InputError  where a member refuses a number
+/// @param lift     reads the numbers; a Lift<DualReal> also knows which numbers are the inputs
+/// @param options  tolerance of the crack integrals and of their derivatives
+/// @throws InputError  if a member refuses a number
 template <class Real>
 [[nodiscard]] SeriesCompliance<Real> series_compliance(const GearSet& gear,
                                                        const Lift<Real>& lift = Lift<Real>(),
                                                        const StiffnessOptions& options = {});
 
-/// Where the series model has a kink or a step right at this drive, so that a derivative is
+/// Notes on kinks and steps of the series model exactly at this drive, where a derivative is
 /// one-sided or does not exist: a crack between open and closed, an arc crack at a station of the
-/// diaphragm's profile, the bore of a cracked shaft at 0.
+/// diaphragm's profile, a cracked shaft with a bore of 0.
 /// @param gear  has passed `check`
 [[nodiscard]] std::vector<Note> smoothness_notes(const GearSet& gear);
 

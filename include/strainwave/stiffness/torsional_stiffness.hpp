@@ -26,7 +26,7 @@ struct StiffnessOptions {
 /// Compliance of one member at the output, with its cracks.
 struct MemberCompliance {
   double intact = 0.0;                ///< without cracks [rad/(N*m)]
-  double relative_uncertainty = 0.0;  ///< of `intact` [-]
+  double relative_uncertainty = 0.0;  ///< relative uncertainty of `intact` [-]
   std::vector<CrackReport> cracks;
   std::vector<Note> notes;
   std::vector<AccuracyBasis> accuracies;
@@ -34,19 +34,21 @@ struct MemberCompliance {
   std::string unusable_because;  ///< empty if usable
 };
 
-/// Wave generator: lobe compliance (ST-8, ST-9), conversion (ST-6, ST-7), race cracks.
+/// Compliance of the wave generator: lobe compliance (ST-8, ST-9), conversion (ST-6, ST-7), race
+/// cracks.
 [[nodiscard]] MemberCompliance wave_generator_compliance(const GearSet& gear,
                                                          const StiffnessOptions& options = {});
 
-/// Flexspline: factor (ST-4) or sections (ST-2, ST-3), wall cracks under both senses of torque.
+/// Compliance of the flexspline: factor (ST-4) or sections (ST-2, ST-3), wall cracks under both
+/// senses of torque.
 [[nodiscard]] MemberCompliance flexspline_compliance(const GearSet& gear,
                                                      const StiffnessOptions& options = {});
 
-/// Output shaft: tube (ST-2), annular cracks.
+/// Compliance of the output shaft: tube (ST-2), annular cracks.
 [[nodiscard]] MemberCompliance output_shaft_compliance(const GearSet& gear,
                                                        const StiffnessOptions& options = {});
 
-/// Torsional stiffness of a drive by the corrected method, at the output, input locked.
+/// Torsional stiffness of a drive at the output with locked input, by the corrected method.
 ///
 /// Implements theory manual eq. (ST-1),
 ///

@@ -14,20 +14,20 @@ namespace strainwave {
 /// Records of the material library with the sources that they cite.
 struct MaterialData {
   std::vector<MaterialRecord> material;
-  std::map<std::string, std::string> source;  ///< by key
+  std::map<std::string, std::string> source;  ///< publications by key
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"material", "", "the records"}, &MaterialData::material);
-    field({"source", "", "the works that the records cite, by key"}, &MaterialData::source);
+    field({"source", "", "publications that the records cite, by key"}, &MaterialData::source);
   }
 };
 
-/// The built-in records; only those for one use, if it is given.
+/// The built-in records, or only those for one use if it is given.
 [[nodiscard]] MaterialData material_list(std::optional<MaterialUse> use = std::nullopt);
 
-/// One steel.
-/// @throws InputError  there is none of that name
+/// The record of one steel.
+/// @throws InputError  if the library lacks a steel of that name
 [[nodiscard]] MaterialData material_show(std::string_view name);
 
 }  // namespace strainwave

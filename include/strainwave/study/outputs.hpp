@@ -8,13 +8,13 @@
 
 namespace strainwave {
 
-/// The output of a result that a path names, such as "cracked.positive.stiffness"; absent if the
-/// result has none of that name.
+/// The output of a result that a path such as "cracked.positive.stiffness" names; absent if the
+/// result lacks it.
 [[nodiscard]] std::optional<Quantity> output_named(const StiffnessResult& result,
                                                    std::string_view path);
 
-/// Throws InputError: there is no such output; the message names near ones.
-/// @param option  that names the output, for the message
+/// Throws an InputError that an output does not exist; the message names near outputs.
+/// @param option  option that names the output, for the message
 [[noreturn]] void refuse_output(const StiffnessResult& result, std::string_view path,
                                 std::string_view option);
 

@@ -9,30 +9,30 @@
 #include "strainwave/model/result/stiffness_result.hpp"
 
 /// @file
-/// Requirements on the outputs of a drive, answered with regard to their uncertainty.
+/// Requirements on the outputs of a drive, judged with regard to the uncertainty of the outputs.
 
 namespace strainwave {
 
-/// How an output is to compare with a bound.
+/// How an output must compare with a bound.
 enum class Comparison { at_least, more_than, at_most, less_than };
 template <>
 struct EnumNames<Comparison> {
   static constexpr std::array<std::string_view, 4> names = {">=", ">", "<=", "<"};
 };
 
-/// What is asked of one output.
+/// A requirement on one output.
 struct Requirement {
-  std::string output;  ///< as for_each_quantity names it
+  std::string output;  ///< name of the output, as in for_each_quantity
   Comparison comparison = Comparison::at_least;
   double bound = 0.0;           ///< [unit]
-  std::string_view unit = "1";  ///< SI
+  std::string_view unit = "1";  ///< SI unit of the bound
 };
 
 /// One requirement and its answer.
 struct RequirementAnswer {
   Requirement requirement;
-  Quantity value;  ///< of the output
-  /// Between these the value lies, by its uncertainty [unit]; absent where nobody can state it.
+  Quantity value;  ///< value of the output
+  /// Limits of the value by its uncertainty [unit]; absent if the uncertainty cannot be stated.
   std::optional<double> low;
   std::optional<double> high;
   RequirementOutcome outcome = RequirementOutcome::cannot_be_told;
@@ -41,7 +41,7 @@ struct RequirementAnswer {
   static void describe(Visitor&& field) {
     using A = RequirementAnswer;
     field({"output", "", "name of the output"}, [](const A& a) { return a.requirement.output; });
-    field({"comparison", "", "how the output is to compare with the bound"},
+    field({"comparison", "", "how the output must compare with the bound"},
           [](const A& a) { return a.requirement.comparison; });
     field({"bound", kUnitBeside, "the bound"}, [](const A& a) {
       return Quantity{a.requirement.bound, a.requirement.unit};
@@ -61,7 +61,8 @@ struct RequirementAnswer {
 /// All requirements of one drive.
 struct RequirementReport {
   Method method = Method::corrected;
-  double coverage = 1.0;  ///< standard uncertainties that count [-]
+  /// coverage factor: number of standard uncertainties taken into account [-]
+  double coverage = 1.0;
   std::vector<RequirementAnswer> answers;
   RequirementOutcome outcome = RequirementOutcome::cannot_be_told;
   std::vector<Note> notes;
@@ -71,26 +72,26 @@ struct RequirementReport {
   static void describe(Visitor&& field) {
     using R = RequirementReport;
     field({"method", "", "as-printed, repaired or corrected"}, &R::method);
-    field({"coverage", "1", "standard uncertainties that count"}, &R::coverage);
+    field({"coverage", "1", "number of standard uncertainties taken into account"}, &R::coverage);
     field({"requirements", "", "each requirement and its answer"}, &R::answers);
     field({.name = "outcome", .unit = "", .doc = "of all together", .headline = true}, &R::outcome);
   }
 };
 
-/// Its notes and its outcome.
+/// The notes and the outcome of a report.
 [[nodiscard]] ResultEvidence evidence_of(const RequirementReport& report);
 
-/// Answers requirements on the outputs of a result.
+/// Judges requirements on the outputs of a result.
 ///
-/// A requirement is met if the output keeps its bound with all of its uncertainty, not met if it
-/// breaks the bound with all of it, and cannot be told between.  A change has an uncertainty of its
-/// own, which is smaller than that of the stiffnesses it compares.  All together are not met if one
-/// is not met, and met if all are met.
+/// A requirement is met if the whole uncertainty interval of the output keeps the bound.  It is not
+/// met if the whole interval breaks the bound.  In between, the answer is `cannot tell`.  A change
+/// has its own uncertainty, smaller than that of the stiffnesses it compares.  The combined answer
+/// is `not met` if one requirement is not met, and `met` if all are met.
 ///
-/// @param texts     "OUTPUT OP VALUE" with OP one of >=, >, <=, < and a unit at the value:
+/// @param texts     "OUTPUT OP VALUE" where OP is one of >=, >, <=, < and VALUE has a unit:
 ///                  "cracked.positive.stiffness >= 2e4 N*m/rad"
-/// @param coverage  k, standard uncertainties that count [-]; > 0
-/// @throws InputError  a text cannot be read, or names no output of the result
+/// @param coverage  k, number of standard uncertainties taken into account [-]; > 0
+/// @throws InputError  if a text cannot be read, or does not name an output of the result
 [[nodiscard]] RequirementReport require_outputs(const StiffnessResult& result,
                                                 const std::vector<std::string>& texts,
                                                 double coverage);

@@ -12,16 +12,17 @@
 #include "strainwave/torsion/curve_derivatives.hpp"
 
 /// @file
-/// What `strainwave sensitivity` tells: how stiffness and its loss depend on each input.
+/// The results of `strainwave sensitivity`: dependence of stiffness and stiffness loss on each
+/// input.
 
 namespace strainwave {
 
 /// An output that is differentiated.
 struct SensitivityOutput {
   std::string name;  ///< "cracked.positive.stiffness"
-  Quantity value;    ///< with the uncertainty of the model's form, which is not of the inputs
-  /// What the elasticities leave of the dimensions of the output, (SN-6), powers of length and of
-  /// force; 0 but for rounding unless a number was read without its derivative.
+  Quantity value;    ///< value with the uncertainty of the model's form, without that of the inputs
+  /// Residual of the dimensions of the output, (SN-6), as powers of length and of force.  It is
+  /// zero up to rounding unless a number was read without its derivative.
   double length_residual = 0.0;
   double force_residual = 0.0;
   /// Elasticity to constants of the model that are pressures, which (SN-6) counts: the maker's
@@ -32,14 +33,14 @@ struct SensitivityOutput {
   static void describe(Visitor&& field) {
     field({"name", "", "the output"}, &SensitivityOutput::name);
     field({"value", kUnitBeside, "its value"}, &SensitivityOutput::value);
-    field({"length_residual", "1", "what the elasticities leave of the power of length"},
+    field({"length_residual", "1", "residual of the power of length after the elasticities"},
           &SensitivityOutput::length_residual);
-    field({"force_residual", "1", "what the elasticities leave of the power of force"},
+    field({"force_residual", "1", "residual of the power of force after the elasticities"},
           &SensitivityOutput::force_residual);
   }
 };
 
-/// How one output depends on one input.
+/// Dependence of one output on one input.
 struct Influence {
   double derivative = 0.0;  ///< dy/dx [unit of the output per unit of the input]
   double elasticity = 0.0;  ///< d ln y/d ln x [-]; 0 where the input is 0; eq. (SN-1)
@@ -52,10 +53,10 @@ struct Influence {
   }
 };
 
-/// One number of the file.
+/// One number of the file and its influence on each output.
 struct SensitivityInput {
   std::string path;
-  std::string_view unit;  ///< SI
+  std::string_view unit;  ///< SI unit of the number
   double value = 0.0;
   std::vector<Influence> influence;  ///< shape (n outputs)
 
@@ -68,7 +69,8 @@ struct SensitivityInput {
     field({"path", "", "field of the input"}, &SensitivityInput::path);
     field({"unit", "", "SI unit of the field"}, &SensitivityInput::unit);
     field({"value", kUnitBeside, "value in the file"}, &SensitivityInput::value);
-    field({"influence", "", "on each output, in their order"}, &SensitivityInput::influence);
+    field({"influence", "", "influence on each output, in the order of the outputs"},
+          &SensitivityInput::influence);
   }
 };
 
@@ -78,13 +80,13 @@ struct Sensitivity {
   /// Stiffness of the sum, sound and cracked under both senses of torque; its losses that are not
   /// zero; then K1, K2, K3 of the coupled drive, sound, and cracked if there are cracks.
   std::vector<SensitivityOutput> outputs;
-  /// Numbers that any output depends on, the largest elasticity first.
+  /// Numbers on which at least one output depends, the largest elasticity first.
   std::vector<SensitivityInput> inputs;
   std::vector<std::string> no_influence;  ///< paths of all other numbers: every derivative is 0
   /// Numbers to which K1, K2, K3 have no derivative; of the coupled drive, where it is solved.
   std::vector<CurveStep> not_differentiated;
   std::vector<Note> notes;
-  std::string unusable_because;  ///< empty if usable
+  std::string unusable_because;  ///< reason why the result must not be used; empty if usable
 
   [[nodiscard]] bool usable() const { return unusable_because.empty(); }
   /// Largest magnitude of the residuals of all outputs (SN-6).
@@ -103,7 +105,7 @@ struct Sensitivity {
   }
 };
 
-/// A residual beyond this makes a sensitivity not usable; rounding leaves less than 1e-12.
+/// Largest residual of a usable sensitivity; rounding leaves less than 1e-12.
 inline constexpr double kMaxHomogeneityResidual = 1e-9;
 
 /// Derivatives and elasticities of stiffness K_HD, of stiffness loss, and of K1, K2, K3 of the
@@ -116,22 +118,22 @@ inline constexpr double kMaxHomogeneityResidual = 1e-9;
 /// touch the derivative does not exist; a note says so.
 ///
 /// @param gear     drive, cracks, load
-/// @param options  tolerance of the crack integrals; value and derivatives are held to it
+/// @param options  tolerance of the crack integrals, for values and derivatives
 /// @throws InputError  if the gear breaks a rule
 [[nodiscard]] Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options = {});
 
-/// The sensitivity with its residuals of (SN-6) computed; not usable if one of them is too large.
+/// Computes the residuals of (SN-6) of a sensitivity and marks it not usable if one is too large.
 ///
-/// `sensitivity_of` ends with it: a number that the model reads without its derivative, which no
-/// other check would see, leaves its dimension missing.
+/// `sensitivity_of` ends with this check.  A number that the model reads without its derivative
+/// leaves a residual in its dimension; no other check would find such a number.
 [[nodiscard]] Sensitivity held_to_dimensions(Sensitivity sensitivity);
 
-/// Power of length and of force in a unit: those of N*m are 1 and 1.
+/// Powers of length and of force in a unit; for N*m they are 1 and 1.
 struct LengthAndForce {
   double length = 0.0;
   double force = 0.0;
 };
-/// @throws InputError  if the unit has a dimension that length and force do not make up
+/// @throws InputError  if the unit has a dimension other than length and force
 [[nodiscard]] LengthAndForce length_and_force(std::string_view unit);
 
 }  // namespace strainwave

@@ -11,16 +11,16 @@
 #include "strainwave/sif/evaluation.hpp"
 
 /// @file
-/// The stress intensity library in its own words.
+/// Descriptions of the solutions in the stress intensity library.
 
 namespace strainwave {
 
 namespace sif {
-/// What is outside of the range of a solution, and whether the crack runs.
+/// Notes on quantities outside the range of a solution, and on fracture of the crack.
 [[nodiscard]] ResultEvidence evidence_of(const Evaluation& evaluation);
 }  // namespace sif
 
-/// A field of a solution, as `sif show` tells it.
+/// A field of a solution, as `sif show` presents it.
 struct SolutionField {
   std::string_view name;
   std::string_view unit;
@@ -32,20 +32,20 @@ struct SolutionField {
   static void describe(Visitor&& field) {
     field({"name", "", "name of the field"}, &SolutionField::name);
     field({"unit", "", "SI unit"}, &SolutionField::unit);
-    field({"meaning", "", "what it is"}, &SolutionField::meaning);
-    field({"rule", "", "values that it may have"}, &SolutionField::rule);
-    field({"example", "", "value taken when it is left out"}, &SolutionField::example);
+    field({"meaning", "", "meaning of the field"}, &SolutionField::meaning);
+    field({"rule", "", "allowed values"}, &SolutionField::rule);
+    field({"example", "", "value used if the field is left out"}, &SolutionField::example);
   }
 };
 
-/// A solution of the library in its own words.
+/// The description of one solution of the library.
 struct DescribedSolution {
   const sif::Row* row = nullptr;
 
   [[nodiscard]] std::vector<SolutionField> fields() const;
-  /// The limits of the validity range.
+  /// Limits of the validity range.
   [[nodiscard]] std::vector<std::string_view> validity() const;
-  /// The rules between fields; what breaks one is refused.
+  /// Rules between fields; input that breaks a rule is refused.
   [[nodiscard]] std::vector<std::string_view> rules() const;
 
   template <class Visitor>
@@ -54,11 +54,11 @@ struct DescribedSolution {
     sif::SolutionInfo::describe([&](const Field& what, auto member) {
       field(what, [member](const S& s) { return std::invoke(member, s.row->info); });
     });
-    field({"fields", "", "of the crack"}, &S::fields);
-    field({"loads", "", "that the solution takes"}, [](const S& s) { return s.row->loads; });
+    field({"fields", "", "fields of the crack"}, &S::fields);
+    field({"loads", "", "loads that the solution takes"}, [](const S& s) { return s.row->loads; });
     field({"points", "", "named points of the front"}, [](const S& s) { return s.row->points; });
     field({"validity", "", "limits of the range in which the accuracy holds"}, &S::validity);
-    field({"rules", "", "between fields; what breaks one is refused"}, &S::rules);
+    field({"rules", "", "rules between fields; input that breaks a rule is refused"}, &S::rules);
   }
 };
 
@@ -68,16 +68,16 @@ struct SolutionList {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"solutions", "", "each solution in its own words"}, &SolutionList::solutions);
+    field({"solutions", "", "description of each solution"}, &SolutionList::solutions);
   }
 };
 
-/// The solutions of a family; of all if it is empty.
-/// @throws InputError  there is no such family
+/// The solutions of a family, or all solutions if the name is empty.
+/// @throws InputError  if the family does not exist
 [[nodiscard]] SolutionList sif_list(std::string_view family);
 
 /// Reads "depth=2 mm" or "tension=100 MPa" for a solution.
-/// @throws InputError  unknown name, or a quantity of another dimension
+/// @throws InputError  if the name is unknown, or the quantity has another dimension
 [[nodiscard]] sif::Assignments sif_assignments(const sif::Row& row,
                                                std::span<const std::string> texts);
 

@@ -19,31 +19,30 @@ namespace strainwave {
 /// A column of a table of results.
 struct SweepColumn {
   std::string name;
-  std::string_view unit;  ///< SI
+  std::string_view unit;  ///< SI unit of the column
 };
 
-/// A value of an output with its accuracy, as in Quantity; the column has the unit.
+/// A value of an output with its accuracy, as in Quantity; the column states the unit.
 struct SweepValue {
   double value = 0.0;
   std::optional<double> relative_uncertainty;
 };
 
-/// A column with all its values, as documents have it.
+/// A column with all its values, as documents show it.
 struct SweepValues {
   std::string name;
-  std::string_view unit;                      ///< SI
-  bool varied = false;                        ///< an input; else an output
+  std::string_view unit;                      ///< SI unit of the values
+  bool varied = false;                        ///< true for an input, false for an output
   std::vector<std::optional<double>> values;  ///< shape (n rows)
   std::vector<std::optional<double>>
-      relative_uncertainties;  ///< shape (n rows); empty: of an input
+      relative_uncertainties;  ///< shape (n rows); empty for an input
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"name", "", "path of the field or the output"}, &SweepValues::name);
     field({"unit", "", "SI unit of the values"}, &SweepValues::unit);
-    field({"varied", "", "a varied field; else an output"}, &SweepValues::varied);
-    field({"values", kUnitBeside, "a value for each point; null where there is none"},
-          &SweepValues::values);
+    field({"varied", "", "true for a varied field, false for an output"}, &SweepValues::varied);
+    field({"values", kUnitBeside, "a value for each point; null if absent"}, &SweepValues::values);
     field({"relative_uncertainties", "1", "one standard uncertainty of each value, over the value"},
           &SweepValues::relative_uncertainties);
   }
@@ -52,10 +51,10 @@ struct SweepValues {
 /// One point of a sweep.
 struct SweepRow {
   std::vector<double> inputs;  ///< the varied numbers
-  /// Shape (n output columns); empty if the point was refused, an element is absent if this point
-  /// has no such output.
+  /// Shape (n output columns); empty if the point was refused.  An element is absent if the point
+  /// lacks the output.
   std::vector<std::optional<SweepValue>> outputs;
-  std::string reason;  ///< why the point was refused, or why its outputs may not be used
+  std::string reason;  ///< why the point was refused, or why its outputs must not be used
 
   [[nodiscard]] bool usable() const { return reason.empty(); }
 
@@ -63,11 +62,11 @@ struct SweepRow {
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"usable", "", "whether the outputs may be used"}, &SweepRow::usable);
-    field({"reason", "", "why the point was refused, or may not be used"}, &SweepRow::reason);
+    field({"reason", "", "why the point was refused, or must not be used"}, &SweepRow::reason);
   }
 };
 
-/// A note and the rows it was given for; `note.text` is that of the first of them.
+/// A note and the rows that have it; `note.text` is the text in the first of these rows.
 struct SweepNote {
   Note note;
   std::size_t first_row = 0;
@@ -79,8 +78,8 @@ struct SweepNote {
     field({"code", "", "code of the note"}, [](const SweepNote& n) { return n.note.code; });
     field({"path", "", "field that the note concerns"},
           [](const SweepNote& n) { return n.note.path; });
-    field({"first_row", "", "first point that the note was given for"}, &SweepNote::first_row);
-    field({"rows", "", "number of points that the note was given for"}, &SweepNote::n_rows);
+    field({"first_row", "", "first point that has the note"}, &SweepNote::first_row);
+    field({"rows", "", "number of points that have the note"}, &SweepNote::n_rows);
   }
 };
 
@@ -108,20 +107,23 @@ struct SweepResult {
   }
 };
 
-/// The notes of all points; not usable if no point is.
+/// The notes of all points; not usable if no point is usable.
 [[nodiscard]] ResultEvidence evidence_of(const SweepResult& result);
 
-/// @throws InputError  if there are none or more than two, if one of them is not valid, if both are
-///                     of one number, if they have more than kMaxSweepPoints points together
+/// Checks the variations of a sweep.
+/// @throws InputError  if the list is empty or has more than two entries; if a variation is not
+///                     valid; if both vary the same number; if they have more than kMaxSweepPoints
+///                     points together
 void check_variations(std::span<const Variation> variations);
 
-/// Computes the stiffness for all values of one number, or all pairs of values of two.
+/// Computes the stiffness for all values of one number, or for all pairs of values of two numbers.
 ///
-/// A point that the method refuses stays in the table, with the reason in place of outputs; a
-/// point whose result may not be used has both.
+/// A point that the method refuses stays in the table, with the reason in place of outputs.  A
+/// point whose result must not be used has outputs and a reason.
 ///
-/// @param variations   one or two, of different numbers
-/// @throws InputError  as check_variations; the first fault if every point is refused
+/// @param variations   one or two variations of different numbers
+/// @throws InputError  on the same conditions as check_variations; with the first fault if every
+///                     point is refused
 [[nodiscard]] SweepResult sweep(const GearSet& gear, Method method,
                                 std::span<const Variation> variations,
                                 const Progress& progress = {});

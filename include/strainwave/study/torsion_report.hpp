@@ -12,14 +12,15 @@
 #include "strainwave/torsion/torsion_curve.hpp"
 
 /// @file
-/// What `strainwave torsion` tells: the torsion curve in the maker's numbers.
+/// The results of `strainwave torsion`: the torsion curve in the maker's numbers.
 
 namespace strainwave {
 
 struct TorsionReportOptions {
-  bool compare = false;  ///< also without the cracks, and over a turn of the wave generator
-  int angles = 0;        ///< positions of the wave generator for it; 0: every tooth
-  int draws = 200;       ///< of the ranges that the file gives; 0: none
+  /// compare with the drive without cracks, over a turn of the wave generator
+  bool compare = false;
+  int angles = 0;   ///< positions of the wave generator in the comparison; 0: every tooth
+  int draws = 200;  ///< draws of the ranges that the file gives; 0: no bands
 };
 
 /// Quantiles of a prediction whose inputs are drawn from their ranges.
@@ -41,8 +42,8 @@ struct LineBands {
   Band K1;
   Band K2;
   Band K3;
-  int draws = 0;     ///< that gave a curve
-  int rejected = 0;  ///< that broke a rule or did not assemble
+  int draws = 0;     ///< draws that gave a curve
+  int rejected = 0;  ///< draws that broke a rule or did not assemble
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -94,20 +95,22 @@ struct TorsionReport {
     field({"at_load", "", "twist at the torque of the load"}, &TorsionReport::at_load);
     field({"positive", "", "the maker's lines under torque about +z"}, &TorsionReport::positive);
     field({"negative", "", "the maker's lines under torque about -z"}, &TorsionReport::negative);
-    field({"lost_motion", "rad", "between both senses of torque"}, &TorsionReport::lost_motion);
-    field({"hysteresis", "", "loop at rated torque"}, &TorsionReport::loop);
-    field({"curve", "", "under torque about +z"}, &TorsionReport::curve);
-    field({"curve_negative", "", "under torque about -z"}, &TorsionReport::curve_negative);
+    field({"lost_motion", "rad", "lost motion between both senses of torque"},
+          &TorsionReport::lost_motion);
+    field({"hysteresis", "", "hysteresis loop at rated torque"}, &TorsionReport::loop);
+    field({"curve", "", "curve under torque about +z"}, &TorsionReport::curve);
+    field({"curve_negative", "", "curve under torque about -z"}, &TorsionReport::curve_negative);
     field({"rim", "", "rim and barrel over a turn of the wave generator, at rated torque"},
           &TorsionReport::rim);
-    field({"bands", "", "of the lines, under the ranges of the file"}, &TorsionReport::bands);
-    field({"comparison", "", "with cracks against without"}, &TorsionReport::comparison);
+    field({"bands", "", "bands of the lines under the ranges of the file"}, &TorsionReport::bands);
+    field({"comparison", "", "drive with cracks compared with the drive without"},
+          &TorsionReport::comparison);
   }
 };
 
-/// @throws InputError   if the file says too little for a torsion curve, or breaks a rule
+/// @throws InputError   if the file lacks a field for the torsion curve, or breaks a rule
 /// @throws SolverError  if the curve is not usable
-/// @throws Stopped      on request
+/// @throws Stopped      if the caller requests a stop
 [[nodiscard]] TorsionReport torsion_report(const GearSet& gear,
                                            const TorsionReportOptions& options = {},
                                            const Progress& progress = {});
@@ -117,9 +120,9 @@ struct BandOptions {
   int threads = 0;  ///< 0: as many as the machine runs at once; the result is the same
 };
 
-/// K1, K2, K3 with the inputs drawn uniformly from the ranges of the drive's file; fixed seed.
-/// @throws SolverError  if no drive can be built
-/// @throws Stopped      on request
+/// K1, K2, K3 with inputs drawn uniformly from the ranges of the drive's file; the seed is fixed.
+/// @throws SolverError  if no drawn drive can be assembled
+/// @throws Stopped      if the caller requests a stop
 [[nodiscard]] LineBands line_bands(const AssembledDrive& drive, const BandOptions& options = {},
                                    const Progress& progress = {});
 

@@ -10,33 +10,33 @@
 #include "strainwave/torsion/coupled_options.hpp"
 
 /// @file
-/// A drive on its cam, ready for any torque: assembled once, asked often.
+/// A drive on its cam, assembled once and ready for any torque.
 
 namespace strainwave {
 
-/// The coupled drive in equilibrium on its cam without torque, for one state of flank friction.
+/// The coupled drive in equilibrium on its cam at zero torque, for one state of flank friction.
 ///
-/// Implements theory manual eqs. (TC-1) to (TC-13).  A value that never changes: copies share what
-/// was computed, and any number of threads may use one drive.
+/// Implements theory manual eqs. (TC-1) to (TC-13).  The object is immutable.  Copies share the
+/// computed state, and any number of threads may use one drive.
 class AssembledDrive {
  public:
-  /// Assembles the sound drive, then its cracks on the same cam.
+  /// Assembles the sound drive, then adds its cracks on the same cam.
   ///
-  /// A drive that does not assemble is a value too; `fails_because` says why.
+  /// A drive that cannot be assembled gives an object too; `fails_because` then states the reason.
   /// @param gear  with bearing, sections and mesh
-  /// @throws InputError  if a rule is broken or something is missing for this model
+  /// @throws InputError  if a rule is broken or this model lacks an input
   explicit AssembledDrive(const GearSet& gear, const CoupledOptions& options = {});
 
-  /// The same drive without its cracks; nothing is assembled again.
+  /// The same drive without its cracks; the assembled sound drive is reused.
   [[nodiscard]] AssembledDrive without_cracks() const;
   /// The same drive after the wave generator has turned by an angle [rad]: cracks of flexspline,
-  /// circular spline and outer ring move against the wave, those of the inner race stay.
+  /// circular spline and outer ring move relative to the wave, cracks of the inner race do not.
   [[nodiscard]] AssembledDrive turned(double angle) const;
 
-  /// The drive as it was given, or as it was turned.
+  /// The drive as given, or after `turned`.
   [[nodiscard]] const GearSet& gear() const;
   [[nodiscard]] const CoupledOptions& options() const;
-  /// Why there is no state without torque; empty if there is one.
+  /// Reason why there is no equilibrium at zero torque; empty if there is an equilibrium.
   [[nodiscard]] const std::string& fails_because() const;
   /// What limits its answers; of the model's ground, of the cracks, of flanks that press on each
   /// other without torque.
@@ -47,7 +47,7 @@ class AssembledDrive {
   [[nodiscard]] double cam_amplitude() const;
 
   struct Contents;
-  /// What the functions of this module need; opaque to others.
+  /// Data for the functions of this module; opaque to other modules.
   [[nodiscard]] const Contents& contents() const { return *contents_; }
 
  private:
@@ -56,12 +56,12 @@ class AssembledDrive {
   std::shared_ptr<const Contents> contents_;
 };
 
-/// A drive whose flanks all slip: the two envelopes of its hysteresis (TC-16).
+/// A drive with slip on all flanks: the two envelopes of its hysteresis (TC-16).
 struct SlidingDrive {
   AssembledDrive loading;    ///< while the torque grows in size
-  AssembledDrive unloading;  ///< while it falls
+  AssembledDrive unloading;  ///< while the torque falls in size
 
-  /// @throws InputError  as AssembledDrive
+  /// @throws InputError  on the same conditions as AssembledDrive
   explicit SlidingDrive(const GearSet& gear, const CoupledOptions& options = {});
   SlidingDrive(AssembledDrive at_loading, AssembledDrive at_unloading);
 

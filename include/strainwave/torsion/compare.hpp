@@ -10,7 +10,7 @@
 #include "strainwave/torsion/torsion_curve.hpp"
 
 /// @file
-/// The torsion curve of a drive with its cracks beside that of the sound drive.
+/// Comparison of the torsion curves of a drive with its cracks and of the sound drive.
 
 namespace strainwave {
 
@@ -33,31 +33,32 @@ struct LineChanges {
 struct ChangesOverTurn {
   LineChanges as_given;  ///< at the positions of the file
   LineChanges mean;
-  LineChanges worst;  ///< most negative of each
+  LineChanges worst;  ///< most negative change of each
   LineChanges best;
-  LineChanges ripple;    ///< best less worst
-  int ripple_order = 0;  ///< of K1, per turn of the wave generator; 0: no ripple
+  LineChanges ripple;    ///< best minus worst
+  int ripple_order = 0;  ///< periods of K1 per turn of the wave generator; 0: no ripple
   std::vector<LineChanges> at_angle;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"as_given", "", "at the positions of the file"}, &ChangesOverTurn::as_given);
-    field({"mean", "", "over a turn"}, &ChangesOverTurn::mean);
-    field({"worst", "", "most negative of each"}, &ChangesOverTurn::worst);
-    field({"best", "", "least negative of each"}, &ChangesOverTurn::best);
-    field({"ripple", "", "best less worst"}, &ChangesOverTurn::ripple);
-    field({"ripple_order", "", "of K1, per turn of the wave generator; 0: no ripple"},
+    field({"as_given", "", "changes at the positions of the file"}, &ChangesOverTurn::as_given);
+    field({"mean", "", "mean over a turn"}, &ChangesOverTurn::mean);
+    field({"worst", "", "most negative change of each"}, &ChangesOverTurn::worst);
+    field({"best", "", "least negative change of each"}, &ChangesOverTurn::best);
+    field({"ripple", "", "best minus worst"}, &ChangesOverTurn::ripple);
+    field({"ripple_order", "", "periods of K1 per turn of the wave generator; 0: no ripple"},
           &ChangesOverTurn::ripple_order);
-    field({"at_angle", "", "at each position of the wave generator"}, &ChangesOverTurn::at_angle);
+    field({"at_angle", "", "changes at each position of the wave generator"},
+          &ChangesOverTurn::at_angle);
   }
 };
 
-/// What kind of member the cracks are in, told from the change of the curve.
+/// Kind of member that contains the cracks, inferred from the change of the curve.
 enum class CrackClass {
   none,          ///< no change above rounding
-  series,        ///< barrel, diaphragm, shaft: the same compliance in all three lines
+  series,        ///< barrel, diaphragm, shaft: all three lines gain the same compliance
   contact_path,  ///< teeth and rings: K1 changes most, or the change varies over a turn
-  undecided,     ///< inner race, or several
+  undecided,     ///< inner race, or several kinds of members
 };
 template <>
 struct EnumNames<CrackClass> {
@@ -65,11 +66,11 @@ struct EnumNames<CrackClass> {
                                                             "undecided"};
 };
 
-/// The sound and the cracked drive.
+/// Comparison of the sound and the cracked drive.
 struct CurveComparison {
   MakersTorques torques;
   MakersLines sound;
-  std::vector<double> angles;  ///< turned by the wave generator [rad]
+  std::vector<double> angles;  ///< angles by which the wave generator has turned [rad]
   ChangesOverTurn positive;    ///< torque about +z
   ChangesOverTurn negative;
   double lost_motion_sound = 0.0;    ///< [rad]
@@ -78,13 +79,14 @@ struct CurveComparison {
   double hysteresis_cracked = 0.0;   ///< [rad]
   CrackClass crack_class = CrackClass::none;
   double class_ratio = 0.0;  ///< mean dK1/dK3 of the sense that changes more [-]
-  std::string evidence;      ///< one sentence
+  std::string evidence;      ///< reason of the class, one sentence
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"torques", "", "the maker's torques"}, &CurveComparison::torques);
     field({"sound", "", "the maker's lines without cracks"}, &CurveComparison::sound);
-    field({"angles", "rad", "turned by the wave generator"}, &CurveComparison::angles);
+    field({"angles", "rad", "angles by which the wave generator has turned"},
+          &CurveComparison::angles);
     field({"positive", "", "changes under torque about +z"}, &CurveComparison::positive);
     field({"negative", "", "changes under torque about -z"}, &CurveComparison::negative);
     field({"lost_motion_sound", "rad", "lost motion without cracks"},
@@ -95,21 +97,22 @@ struct CurveComparison {
           &CurveComparison::hysteresis_sound);
     field({"hysteresis_cracked", "rad", "largest width of the loop with cracks"},
           &CurveComparison::hysteresis_cracked);
-    field({"crack_class", "", "kind of member that the cracks are in"},
+    field({"crack_class", "", "kind of member that contains the cracks"},
           &CurveComparison::crack_class);
     field({"class_ratio", "1", "mean change of K1 over that of K3"}, &CurveComparison::class_ratio);
-    field({"evidence", "", "what the class rests on"}, &CurveComparison::evidence);
+    field({"evidence", "", "reason of the class"}, &CurveComparison::evidence);
   }
 };
 
 /// Drive without its cracks, and without what it says of their numbers (drop_lost_paths).
 [[nodiscard]] GearSet without_cracks(const GearSet& gear);
 
-/// Whether a crack moves against the wave: of rim, teeth, outer ring or circular spline.
+/// Whether a crack moves relative to the wave, that is, whether it lies in rim, teeth, outer ring
+/// or circular spline.
 [[nodiscard]] bool has_moving_cracks(const GearSet& gear);
 
-/// Where a point of flexspline, circular spline or outer ring is after the wave generator has
-/// turned by an angle, from the major axis [rad].
+/// Position of a point of flexspline, circular spline or outer ring after the wave generator has
+/// turned by an angle, measured from the major axis [rad].
 [[nodiscard]] double turned_position(double position, double angle);
 
 /// The drive after the wave generator has turned by an angle: cracks of flexspline, circular spline
@@ -119,15 +122,16 @@ struct CurveComparison {
 
 /// Compares the maker's stiffnesses of a drive with and without its cracks (TC-26).
 ///
-/// @param angles  positions of the wave generator over a turn [-]; 0 for every tooth, which alone
-///                finds the worst one; taken to whole teeth.  One where no crack moves
+/// @param angles  positions of the wave generator over a turn [-], adjusted to whole teeth; 0 for
+///                every tooth, the only choice that is certain to find the worst position.  One
+///                position is used if no crack moves
 /// @throws InputError   if `angles` is negative
 /// @throws SolverError  if a curve is not usable
-/// @throws Stopped      on request
+/// @throws Stopped      if the caller requests a stop
 [[nodiscard]] CurveComparison compare_curves(const AssembledDrive& drive,
                                              const SlidingDrive& sliding, int angles = 0,
                                              const Progress& progress = {});
-/// The same for a drive that is assembled first.
+/// Compares the curves of a drive that is not assembled yet.
 [[nodiscard]] inline CurveComparison compare_curves(const GearSet& gear, int angles = 0,
                                                     const CoupledOptions& options = {},
                                                     const Progress& progress = {}) {

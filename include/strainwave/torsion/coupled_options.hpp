@@ -2,18 +2,18 @@
 #pragma once
 
 /// @file
-/// How the coupled drive is solved.
+/// Options of the solution of the coupled drive.
 
 namespace strainwave {
 
-/// Way of the flanks' friction: it turns the force by atan(mu) (TC-16).
+/// Direction of the flank friction, which turns the force by atan(mu) (TC-16).
 enum class FlankFriction { none, loading, unloading };
 
 struct CoupledOptions {
-  int harmonics = 32;             ///< N of the ring [-]; 8 to 128; 0.1 % at 32
-  bool diaphragm_warping = true;  ///< the diaphragm's resistance to warping of the barrel (TC-2)
+  int harmonics = 32;             ///< N of the ring [-]; 8 to 128; error 0.1 % at 32
+  bool diaphragm_warping = true;  ///< whether the diaphragm resists warping of the barrel (TC-2)
   FlankFriction friction = FlankFriction::none;
-  double tolerance = 1e-11;  ///< of the contact forces, relative to the largest [-]
+  double tolerance = 1e-11;  ///< tolerance of the contact forces, relative to the largest [-]
   int max_iterations = 200;  ///< Newton steps per load
 };
 

@@ -4,15 +4,15 @@
 #include "strainwave/core/dual.hpp"
 
 /// @file
-/// How a pair of teeth meets: gap of the flanks, force of the pair.
+/// Contact of a pair of teeth: gap of the flanks, force of the pair.
 
 namespace strainwave {
 
-/// Normal gap between straight-sided flanks, left by the kinematics of the wave [m].
+/// Normal gap between straight-sided flanks, from the kinematics of the wave [m].
 ///
-/// Implements theory manual eq. (TC-7),
-/// g(t) = k_g max(0, w_0 [(1 - cos 2t) sin(alpha) - (t - sin(2t)/2) cos(alpha)]).
-/// The side t > 0 of the lobe is nearly conjugate, the other opens.
+/// Implements theory manual eq. (TC-7), g(t) = k_g max(0, w_0 [(1 - cos 2t) sin(alpha) - (t -
+/// sin(2t)/2) cos(alpha)]).  On the side t > 0 of the lobe the flanks are nearly conjugate; on the
+/// other side the gap opens.
 ///
 /// @param t                    angle of the tooth from the lobe, toward its drive flank [rad];
 ///                             in [-pi/2, pi/2]
@@ -32,9 +32,9 @@ namespace strainwave {
 /// Stiffness of a pair of teeth per unit of face width, c' [Pa].
 ///
 /// Implements theory manual eq. (TC-9), E/(9.373 + 3.090 m/t_r): tooth of the flexspline on its
-/// rim, tooth of the circular spline, line contact, in series.  The first is a line through
-/// plane-strain finite elements (0.5 <= t_r/m <= 2.4), within 7 %, 3 % of c'; the others are
-/// estimates.
+/// rim, tooth of the circular spline and line contact in series.  The first term is a line fitted
+/// to plane-strain finite elements (0.5 <= t_r/m <= 2.4) within 7 %, which is 3 % of c'.  The other
+/// terms are estimates.
 ///
 /// @param youngs_modulus  E [Pa]; > 0
 /// @param module          m = pitch diameter/teeth [m]; > 0
@@ -44,7 +44,8 @@ namespace strainwave {
 [[nodiscard]] DualReal tooth_pair_stiffness(const DualReal& youngs_modulus, const DualReal& module,
                                             const DualReal& rim_thickness);
 
-/// Force of a pair over its closing, where the tilt of the cup opens the gap along the face.
+/// Force of a pair of teeth as a function of its closing; the tilt of the cup opens the gap along
+/// the face.
 ///
 /// Implements theory manual eq. (TC-8): F = c' u^2/(2 s) while part of the face touches, u < s b,
 /// and c' b (u - s b/2) after; 0 for u <= 0.

@@ -18,7 +18,8 @@ using ClampedPlate = BasicClampedPlate<double>;
 
 /// Stiffness of the plate's outer edge against an axial displacement u cos(n theta) [N/m].
 ///
-/// Implements theory manual eq. (TC-3): Kirchhoff plate, no edge moment; the energy is k_u u^2/2.
+/// Implements theory manual eq. (TC-3): Kirchhoff plate without edge moment; the energy is k_u
+/// u^2/2.
 ///
 /// @param harmonic     n [-]; >= 2
 /// @throws InputError  if a dimension or n is out of range

@@ -17,11 +17,12 @@
 #include "strainwave/torsion/assembled_drive.hpp"
 
 /// @file
-/// The torsion curve phi(T) of a drive as one system: elastic ring on one-sided balls and flanks.
+/// The torsion curve phi(T) of a drive solved as one system: an elastic ring on one-sided contacts
+/// of balls and flanks.
 
 namespace strainwave {
 
-/// Members that share the tangent compliance, in the order of `CurvePoint::share`.
+/// Members that contribute to the tangent compliance, in the order of `CurvePoint::share`.
 enum class CurveMember {
   balls,
   rim_bending,
@@ -80,64 +81,64 @@ struct ContactForce {
 /// The drive in equilibrium at one torque.
 struct CurvePoint {
   double torque = 0.0;              ///< T at the output [N*m]
-  double twist = 0.0;               ///< phi, of the output, input locked [rad]
-  double ring_rotation = 0.0;       ///< the part of it that contacts and rings give [rad]
+  double twist = 0.0;               ///< twist phi of the output with locked input [rad]
+  double ring_rotation = 0.0;       ///< part of the twist from contacts and rings [rad]
   double tangent_compliance = 0.0;  ///< d phi/dT [rad/(N*m)]; infinite while no flank touches
   MemberShares share{};
   std::vector<ContactForce> balls;         ///< all balls
-  std::vector<ContactForce> drive_flanks;  ///< in contact
-  std::vector<ContactForce> coast_flanks;  ///< in contact
+  std::vector<ContactForce> drive_flanks;  ///< drive flanks in contact
+  std::vector<ContactForce> coast_flanks;  ///< coast flanks in contact
   int balls_in_contact = 0;
   int teeth_in_contact = 0;
-  double residual = 0.0;  ///< of the contact forces, relative to the largest [-]
+  double residual = 0.0;  ///< residual of the contact forces, relative to the largest [-]
   int iterations = 0;     ///< Newton steps
 
-  /// T/phi [N*m/rad]
+  /// Secant stiffness T/phi [N*m/rad].
   [[nodiscard]] double secant_stiffness() const { return torque / twist; }
-  /// dT/d phi [N*m/rad]; 0 while no flank touches
+  /// Tangent stiffness dT/d phi [N*m/rad]; 0 while no flank touches.
   [[nodiscard]] double tangent_stiffness() const { return 1 / tangent_compliance; }
 
   static constexpr bool kTableRow = true;
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"torque", "N*m", "T, torque at the output"}, &CurvePoint::torque);
-    field({"twist", "rad", "phi, of the output, input locked"}, &CurvePoint::twist);
+    field({"twist", "rad", "twist phi of the output with locked input"}, &CurvePoint::twist);
     field({"tangent_stiffness", "N*m/rad", "dT/d phi"}, &CurvePoint::tangent_stiffness);
     field({"secant_stiffness", "N*m/rad", "T/phi"}, &CurvePoint::secant_stiffness);
     field({"teeth_in_contact", "1", "teeth that touch on either flank"},
           &CurvePoint::teeth_in_contact);
-    field({"balls_in_contact", "1", "balls that carry"}, &CurvePoint::balls_in_contact);
+    field({"balls_in_contact", "1", "balls that carry load"}, &CurvePoint::balls_in_contact);
     field({"share", "", "shares of the members in the tangent compliance"}, &CurvePoint::share);
     field({"balls", "", "all balls"}, &CurvePoint::balls);
     field({"drive_flanks", "", "drive flanks in contact"}, &CurvePoint::drive_flanks);
     field({"coast_flanks", "", "coast flanks in contact"}, &CurvePoint::coast_flanks);
-    field({"residual", "1", "of the contact forces, relative to the largest"},
+    field({"residual", "1", "residual of the contact forces, relative to the largest"},
           &CurvePoint::residual);
     field({"iterations", "", "steps of the solver"}, &CurvePoint::iterations);
   }
 };
 
-/// Torsion curve of a drive, with its evidence.
+/// Torsion curve of a drive with its evidence.
 struct TorsionCurve {
   std::vector<CurvePoint> points;
-  int teeth = 0;                     ///< of the flexspline, z
-  double cam_amplitude = 0.0;        ///< A that assembles the lobe to w_0 [m]
+  int teeth = 0;                     ///< teeth of the flexspline, z
+  double cam_amplitude = 0.0;        ///< cam amplitude A that lifts the lobe to w_0 [m]
   double assembly_ball_force = 0.0;  ///< largest ball force without torque [N]
-  double series_compliance = 0.0;    ///< of the members beside the ring [rad/(N*m)]
+  double series_compliance = 0.0;    ///< compliance of the members outside the ring [rad/(N*m)]
   std::vector<Note> notes;
   std::vector<std::string> equations;
-  std::string unusable_because;  ///< empty if the answer may be used
+  std::string unusable_because;  ///< reason why the answer must not be used; empty if usable
 
   [[nodiscard]] bool usable() const { return unusable_because.empty(); }
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"teeth", "", "z, teeth of the flexspline"}, &TorsionCurve::teeth);
-    field({"cam_amplitude", "m", "A, that assembles the lobe to w_0"},
+    field({"cam_amplitude", "m", "cam amplitude A that lifts the lobe to w_0"},
           &TorsionCurve::cam_amplitude);
     field({"assembly_ball_force", "N", "largest ball force without torque"},
           &TorsionCurve::assembly_ball_force);
-    field({"series_compliance", "rad/(N*m)", "of the members beside the ring"},
+    field({"series_compliance", "rad/(N*m)", "compliance of the members outside the ring"},
           &TorsionCurve::series_compliance);
     field({"points", "", "the drive in equilibrium at each torque"}, &TorsionCurve::points);
   }
@@ -147,25 +148,27 @@ struct TorsionCurve {
 /// sections, tooth mesh.  Empty if it does; else one sentence with the fields that are missing.
 [[nodiscard]] std::string missing_for_torsion_curve(const GearSet& gear);
 
-/// Twist of the output over the torque, from the assembled state, input locked.
+/// Twist of the output as a function of the torque, from the assembled state, with locked input.
 ///
-/// Implements theory manual eqs. (TC-1) to (TC-15).  Ring of rim and bearing outer ring in Fourier
-/// modes on barrel and diaphragm; balls by Hertz on a fixed cam; straight flanks with the gap of
-/// the wave's kinematics and the tilt of the cup; circular spline held by its housing; barrel,
-/// diaphragm, rim, boss and flange in series.  Cracks act inside, under the sense of the torque.
+/// Implements theory manual eqs. (TC-1) to (TC-15).  The model is one system: a ring of rim and
+/// bearing outer ring in Fourier modes on barrel and diaphragm, balls by Hertz on a fixed cam,
+/// straight flanks with the gap of the wave's kinematics and the tilt of the cup, a circular spline
+/// held by its housing, and barrel, diaphragm, rim, boss and flange in series.  Cracks act inside
+/// this system, under the sense of the torque.
 ///
-/// Two lobes, a cup.  Geometry alone predicts catalogue stiffness within about 20 % for ratios of
-/// 50 and more; at ratio 30 it is too stiff by a factor of up to 2.2 (theory manual, chapter CV).
+/// The model is for cups with two lobes.  Geometry alone predicts catalogue stiffness within about
+/// 20 % for ratios of 50 and more.  At ratio 30 the model is too stiff by a factor of up to 2.2
+/// (theory manual, chapter CV).
 ///
-/// @param torques  T at the output [N*m], finite; each solved from the state before it, the first
-///                 from the assembly
+/// @param torques  T at the output [N*m], finite; each is solved starting from the state before it,
+///                 the first from the assembly
 /// @throws InputError  if a torque is not finite
-/// @throws Stopped     on request
+/// @throws Stopped     if the caller requests a stop
 [[nodiscard]] TorsionCurve torsion_curve(const AssembledDrive& drive,
                                          std::span<const double> torques,
                                          const Progress& progress = {});
-/// The same for a drive that is assembled first.
-/// @throws InputError  also if a rule is broken or something is missing for this model
+/// Torsion curve of a drive that is not assembled yet.
+/// @throws InputError  also if a rule is broken or this model lacks an input
 [[nodiscard]] inline TorsionCurve torsion_curve(const GearSet& gear,
                                                 std::span<const double> torques,
                                                 const CoupledOptions& options = {},
@@ -173,8 +176,8 @@ struct TorsionCurve {
   return torsion_curve(AssembledDrive(gear, options), torques, progress);
 }
 
-/// The twists alone of `torsion_curve` [rad], at a third of its cost.
-/// @throws SolverError  if the curve is not usable; the message says why
+/// The twists of `torsion_curve` alone [rad], at a third of its cost.
+/// @throws SolverError  if the curve is not usable; the message states the reason
 [[nodiscard]] std::vector<double> twists(const AssembledDrive& drive,
                                          std::span<const double> torques,
                                          const Progress& progress = {});
@@ -187,13 +190,14 @@ struct TorsionCurve {
 
 /// Displacements of the rim and its stresses at the line of the tooth roots, at one torque.
 struct RimState {
-  double position = 0.0;               ///< from the major axis [rad]
-  double radial = 0.0;                 ///< w, outward [m]
-  double tangential = 0.0;             ///< v, toward +theta [m]
-  double rim_outside_stress = 0.0;     ///< hoop, at the tooth roots [Pa]
-  double rim_inside_stress = 0.0;      ///< hoop, at the bore [Pa]
-  double barrel_bending_stress = 0.0;  ///< hoop, at the outer face of the barrel's end [Pa]
-  double barrel_shear_stress = 0.0;    ///< of the torque [Pa]
+  double position = 0.0;            ///< from the major axis [rad]
+  double radial = 0.0;              ///< w, outward [m]
+  double tangential = 0.0;          ///< v, toward +theta [m]
+  double rim_outside_stress = 0.0;  ///< hoop stress at the tooth roots [Pa]
+  double rim_inside_stress = 0.0;   ///< hoop stress at the bore [Pa]
+  /// hoop stress at the outer surface of the barrel's end [Pa]
+  double barrel_bending_stress = 0.0;
+  double barrel_shear_stress = 0.0;  ///< shear stress from the torque [Pa]
 
   static constexpr bool kTableRow = true;
   template <class Visitor>
@@ -204,25 +208,25 @@ struct RimState {
     field({"rim_outside_stress", "Pa", "hoop stress at the tooth roots"},
           &RimState::rim_outside_stress);
     field({"rim_inside_stress", "Pa", "hoop stress at the bore"}, &RimState::rim_inside_stress);
-    field({"barrel_bending_stress", "Pa", "hoop stress at the outer face of the barrel's end"},
+    field({"barrel_bending_stress", "Pa", "hoop stress at the outer surface of the barrel's end"},
           &RimState::barrel_bending_stress);
-    field({"barrel_shear_stress", "Pa", "shear stress of the torque in the barrel"},
+    field({"barrel_shear_stress", "Pa", "shear stress from the torque in the barrel"},
           &RimState::barrel_shear_stress);
   }
 };
 
-/// Rim and barrel over a turn of the wave generator: a point of the flexspline passes all
-/// positions.
+/// States of rim and barrel over a turn of the wave generator, in which a point of the flexspline
+/// passes all positions.
 ///
-/// Implements theory manual eq. (TC-24).  Ring theory: no stress concentration of tooth root or
-/// fillet.
+/// Implements theory manual eq. (TC-24).  Ring theory leaves out stress concentrations at tooth
+/// roots and fillets.
 ///
 /// @param torque     T at the output [N*m], finite
-/// @param positions  how many, evenly over a turn; > 0
+/// @param positions  number of positions, evenly over a turn; > 0
 /// @throws SolverError  if there is no equilibrium
 [[nodiscard]] std::vector<RimState> rim_states(const AssembledDrive& drive, double torque,
                                                int positions);
-/// The same for a drive that is assembled first.
+/// States of rim and barrel for a drive that is not assembled yet.
 [[nodiscard]] inline std::vector<RimState> rim_states(const GearSet& gear, double torque,
                                                       int positions,
                                                       const CoupledOptions& options = {}) {
@@ -252,17 +256,17 @@ struct MakersLines {
   }
 };
 
-/// One standard relative uncertainty of the model's form in K1, K2, K3, from its error against
-/// catalogues with typical geometry (theory manual, chapter CV) [-].
+/// One standard relative uncertainty of the model's form in K1, K2, K3 [-].  It is the error
+/// against catalogues with typical geometry (theory manual, chapter CV).
 [[nodiscard]] double curve_uncertainty(const GearSet& gear);
 
 /// The maker's torques with their defaults filled in.
 [[nodiscard]] MakersTorques makers_torques(const GearSet& gear);
 
 /// K1, K2, K3 by eq. (TC-14), for torque of the given sense (+1 or -1).
-/// @throws SolverError  if the curve is not usable; the message says why
+/// @throws SolverError  if the curve is not usable; the message states the reason
 [[nodiscard]] MakersLines makers_lines(const AssembledDrive& drive, int sense = +1);
-/// The same for a drive that is assembled first.
+/// The maker's lines of a drive that is not assembled yet.
 [[nodiscard]] inline MakersLines makers_lines(const GearSet& gear, int sense = +1,
                                               const CoupledOptions& options = {}) {
   return makers_lines(AssembledDrive(gear, options), sense);

@@ -26,12 +26,12 @@ struct AuditResult {
 Command audit_command() {
   return command<AuditOptions, AuditResult>({
       .name = "audit",
-      .summary = "The article's worked example, number by number",
+      .summary = "Recompute the article's worked example number by number",
       .description =
-          "Recomputes every number and equation of the article's worked example: the printed "
-          "value, what its own printed equation gives with the printed inputs, what the corrected "
-          "theory gives, and a verdict with one sentence; where one exists, also the input that "
-          "would reproduce the printed number, found by root finding.",
+          "Recomputes every number and equation of the article's worked example. Each row gives "
+          "the printed value, the result of the article's own equation for its printed inputs, the "
+          "result of the corrected theory, and a verdict in one sentence. Where possible, root "
+          "finding also gives the value of one input that reproduces the printed number.",
       .example = "strainwave audit --format json",
       .takes = Takes::nothing,
       .function = [](const Request&, const AuditOptions&) { return AuditResult{audit()}; },

@@ -22,11 +22,11 @@ struct CatalogueOptions {
 Command catalogue_command() {
   return command<CatalogueOptions, CatalogueRows>({
       .name = "catalogue",
-      .summary = "What makers state: K1, K2, K3 and torques",
+      .summary = "Print makers' data: K1, K2, K3 and torques",
       .description =
           "Prints the stiffness tables of the makers' catalogues, 35 rows of size and ratio, and "
-          "36 rows of ratings, each with its source. A ratio selects the class of the stiffness "
-          "table, which has 30, 50, and 80 and more in one, and the very ratio of the ratings.",
+          "36 rows of ratings, each with its source. --ratio selects the class of the stiffness "
+          "table (30, 50, or 80 and more) and the exact ratio of the ratings.",
       .example = "strainwave catalogue --size 25 --ratio 100",
       .takes = Takes::nothing,
       .function =

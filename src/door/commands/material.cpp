@@ -29,17 +29,18 @@ struct ShowOptions {
 };
 
 constexpr std::string_view kMaterialDescription =
-    "The steels that come with strainwave, each number with its source, its confidence and its "
-    "scatter. A member of a drive may name any of them in place of a table of the input file. "
-    "list prints them, show prints all that is known of one: elastic constants, strength, "
-    "toughness, fatigue limits, thresholds and growth laws.";
+    "The library holds the steels that come with strainwave, each number with its source, its "
+    "confidence and its scatter. A member of a drive may name any of these steels instead of a "
+    "material table of the input file. material list prints the steels. material show prints all "
+    "data of one steel: elastic constants, strength, toughness, fatigue limits, thresholds and "
+    "growth laws.";
 
 }  // namespace
 
 Command material_list_command() {
   return command<ListOptions, MaterialData>({
       .name = "material list",
-      .summary = "Print all steels, one line each",
+      .summary = "Print all steels, one line for each",
       .description = kMaterialDescription,
       .example = "strainwave material list --use flexspline",
       .takes = Takes::nothing,
@@ -51,7 +52,7 @@ Command material_list_command() {
 Command material_show_command() {
   return command<ShowOptions, MaterialData>({
       .name = "material show",
-      .summary = "Print all that is known of one steel",
+      .summary = "Print all data of one steel",
       .description = kMaterialDescription,
       .example = "strainwave material show '17-4PH H900'",
       .takes = Takes::nothing,

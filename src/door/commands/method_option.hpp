@@ -5,8 +5,8 @@
 
 namespace strainwave {
 
-/// The option that chooses the method, of several commands.
+/// The option that selects the method; several commands share it.
 inline constexpr Field kMethodOption{
-    .name = "method", .unit = "", .doc = "which theory answers", .fallback = "corrected"};
+    .name = "method", .unit = "", .doc = "theory to use", .fallback = "corrected"};
 
 }  // namespace strainwave

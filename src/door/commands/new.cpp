@@ -14,9 +14,9 @@ struct NewOptions {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"size", "", "of the catalogue; prints its typical drive"}, &NewOptions::size);
-    field({"ratio", "1", "of the typical drive, 30 to 320"}, &NewOptions::ratio);
-    field({.name = "cup", .unit = "", .doc = "of the typical drive", .fallback = "short"},
+    field({"size", "", "size in the catalogue; prints its typical drive"}, &NewOptions::size);
+    field({"ratio", "1", "ratio of the typical drive, 30 to 320"}, &NewOptions::ratio);
+    field({.name = "cup", .unit = "", .doc = "cup of the typical drive", .fallback = "short"},
           &NewOptions::cup);
   }
 };
@@ -53,10 +53,10 @@ Command new_command() {
       .name = "new",
       .summary = "Print a commented starting file",
       .description =
-          "Prints an input file that is valid as it stands, with every field that there is and "
-          "its meaning; those that are not needed are commented out. With --size and --ratio, the "
-          "typical drive of that size of the makers' catalogues instead: every number with what "
-          "is known of it, its limits and where they come from, and ranges for the torsion "
+          "Prints a valid input file with every field and its meaning; fields that are not needed "
+          "are commented out. With --size and --ratio, prints the typical drive of that size in "
+          "the makers' catalogues instead. Every number then has a comment on its origin and its "
+          "limits, and ranges for the torsion curve are included."
           "curve.",
       .example = "strainwave new --size 25 --ratio 100 --output drive.toml",
       .takes = Takes::nothing,

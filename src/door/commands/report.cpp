@@ -16,13 +16,13 @@ struct ReportCommandOptions {
     field(kMethodOption, &ReportCommandOptions::method);
     field({.name = "date",
            .unit = "",
-           .doc = "date to print; on a command line that of SOURCE_DATE_EPOCH if left out",
+           .doc = "date to print; if left out, a command line takes SOURCE_DATE_EPOCH",
            .names = "date"},
           &ReportCommandOptions::date);
   }
 };
 
-/// The chapters, and the result that they report.
+/// The chapters of a report and the result that they describe.
 struct ReportedDrive {
   Report report;
 
@@ -30,7 +30,7 @@ struct ReportedDrive {
   static void describe(Visitor&& field) {
     field({"title", "", "name of the drive"},
           [](const ReportedDrive& r) { return r.report.title; });
-    field({"stiffness", "", "the result that is reported"},
+    field({"stiffness", "", "the reported result"},
           [](const ReportedDrive& r) { return r.report.result; });
   }
 };
@@ -50,16 +50,16 @@ ReportedDrive reported(const Request& request, const ReportCommandOptions& optio
 Command report_command() {
   return command<ReportCommandOptions, ReportedDrive>({
       .name = "report",
-      .summary = "Report on a drive as one HTML file",
+      .summary = "Write a report on a drive as one HTML file",
       .description =
-          "Writes what an engineer attaches to a decision: a verdict, the drive drawn to scale in "
-          "section with its cracks, the inputs and who gave each, compliance and stiffness sound "
-          "and cracked, the shares of members and cracks, the torsion curve where the geometry is "
-          "complete, stress intensities against toughness, validity notes, accuracies, the "
-          "equations used, and the provenance with the input word for word. The file stands "
-          "alone: no script and nothing from a network; it is made for light, dark and narrow "
-          "screens and for A4 paper. The same input gives the same bytes. A result that may not "
-          "be used is reported too, with the reason on top.",
+          "Writes a report that an engineer can attach to a decision. It contains a verdict, the "
+          "drive drawn to scale in section with its cracks, the inputs and their origin, "
+          "compliance and stiffness sound and cracked, the shares of members and cracks, and the "
+          "torsion curve if the geometry is complete. Stress intensities against toughness, "
+          "validity notes, accuracies, the equations used, and the provenance with the unchanged "
+          "input follow. The file is self-contained: it has no script and loads nothing from a "
+          "network. It suits light, dark and narrow screens and A4 paper. The same input gives the "
+          "same bytes. A result that must not be used is reported too, with the reason at the top.",
       .example = "strainwave report examples/cracked_size25.toml -o report.html",
       .function = reported,
       .documents = {{Format::html, [](const ReportedDrive& r) { return report_html(r.report); }}},

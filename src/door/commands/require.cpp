@@ -16,14 +16,15 @@ struct RequireOptions {
   static void describe(Visitor&& field) {
     field({.name = "requirements",
            .unit = "",
-           .doc = "OUTPUT OP VALUE with OP one of >=, >, <=, < and a unit; one or more",
+           .doc =
+               "OUTPUT OP VALUE, where OP is one of >=, >, <=, < and VALUE has a unit; one or more",
            .positional = true,
            .names = "output"},
           &RequireOptions::requirements);
     field(kMethodOption, &RequireOptions::method);
     field({.name = "coverage",
            .unit = "1",
-           .doc = "standard uncertainties that count",
+           .doc = "number of standard uncertainties to take into account",
            .range = kPositive,
            .fallback = "1"},
           &RequireOptions::coverage);
@@ -41,13 +42,13 @@ RequirementReport required(const Request& request, const RequireOptions& options
 Command require_command() {
   return command<RequireOptions, RequirementReport>({
       .name = "require",
-      .summary = "Whether a drive meets requirements on its outputs",
+      .summary = "Check a drive against requirements on its outputs",
       .description =
           "Compares outputs of a drive with bounds, with regard to the uncertainty of each output. "
-          "A requirement is met if the output keeps its bound with all of its uncertainty, not met "
-          "if it breaks the bound with all of it, and cannot be told between. A change of "
-          "stiffness has an uncertainty of its own. The exit status is 0 if all are met, 5 if one "
-          "is not met, and 6 if one cannot be told and none is broken.",
+          "A requirement is met if the whole uncertainty interval of the output keeps the bound. "
+          "It is not met if the whole interval breaks the bound. In between it cannot be told. A "
+          "change of stiffness has its own uncertainty. The exit status is 0 if all requirements "
+          "are met, 5 if one is not met, and 6 if none is broken but one cannot be told.",
       .example = "strainwave require examples/article.toml 'cracked.positive.stiffness >= 2e5 "
                  "N*m/rad' 'cracked.positive.stiffness_change >= -1 %'",
       .function = required,

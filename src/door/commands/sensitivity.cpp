@@ -14,7 +14,7 @@ struct SensitivityOptions {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"scatter", "", "combined uncertainty by the scatter that the file gives"},
+    field({"scatter", "", "also propagate the scatter that the file gives"},
           &SensitivityOptions::scatter);
     field({.name = "samples",
            .unit = "",
@@ -22,12 +22,15 @@ struct SensitivityOptions {
            .range = {.lower = 2, .lower_open = false, .upper = kMaxSamples, .upper_open = false},
            .fallback = "100000"},
           &SensitivityOptions::samples);
-    field(
-        {.name = "seed", .unit = "", .doc = "of the draws", .range = kNonNegative, .fallback = "1"},
-        &SensitivityOptions::seed);
+    field({.name = "seed",
+           .unit = "",
+           .doc = "seed of the draws",
+           .range = kNonNegative,
+           .fallback = "1"},
+          &SensitivityOptions::seed);
     field({.name = "threads",
            .unit = "",
-           .doc = "0 for all that there are; the answer is the same for any number",
+           .doc = "number of threads; 0 for all of the machine; the answer does not depend on it",
            .range = {.lower = 0, .lower_open = false, .upper = 256, .upper_open = false},
            .fallback = "0"},
           &SensitivityOptions::threads);
@@ -36,7 +39,7 @@ struct SensitivityOptions {
 
 SensitivityReport report_of(const Request& request, const SensitivityOptions& options) {
   if (!options.scatter && (options.samples || options.seed || options.threads))
-    throw OptionError("scatter", "samples, seed and threads need it; give --scatter too");
+    throw OptionError("scatter", "samples, seed and threads need --scatter; give it too");
   const GearSet& gear = request.drive.gear;
   SensitivityReport report{.sensitivity = sensitivity_of(gear), .scatter = {}};
   if (options.scatter) {
@@ -54,7 +57,7 @@ SensitivityReport report_of(const Request& request, const SensitivityOptions& op
 Command sensitivity_command() {
   return command<SensitivityOptions, SensitivityReport>({
       .name = "sensitivity",
-      .summary = "What stiffness and its loss depend on, and how much",
+      .summary = "Find the inputs that determine stiffness and its loss",
       .description =
           "Prints the elasticities of K1, K2, K3 of the coupled drive, where it is solved, of the "
           "stiffness K_HD of the sum of the members, sound and cracked under both senses of "

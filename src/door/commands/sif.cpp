@@ -12,12 +12,15 @@ struct SifListOptions {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"family", "", "only plate, tube, bar or gradient"}, &SifListOptions::family);
+    field({"family", "", "family to list: plate, tube, bar or gradient"}, &SifListOptions::family);
   }
 };
 
-constexpr Field kSolutionName{
-    .name = "name", .unit = "", .doc = "of a solution", .positional = true, .names = "solution"};
+constexpr Field kSolutionName{.name = "name",
+                              .unit = "",
+                              .doc = "name of the solution",
+                              .positional = true,
+                              .names = "solution"};
 
 struct SifShowOptions {
   std::string name;
@@ -42,7 +45,7 @@ struct SifEvalOptions {
     field(kSet, &SifEvalOptions::set);
     field({.name = "material",
            .unit = "",
-           .doc = "of the material library; E = 210 GPa, nu = 0.3 if left out",
+           .doc = "steel of the material library; if left out, E = 210 GPa and nu = 0.3",
            .names = "material"},
           &SifEvalOptions::material);
   }
@@ -86,19 +89,19 @@ sif::Evaluation evaluated(const Request&, const SifEvalOptions& options) {
 }
 
 constexpr std::string_view kSolutionsDescription =
-    "Solutions for cracks in plates, tubes, round bars and stress gradients, each with its modes, "
-    "validity range, accuracy and source. list names them; show prints what one says about "
-    "itself; eval gives geometry factors, stress intensities under the loads that are set, the "
-    "added compliance matrix, and says what is outside the validity range; plot draws the "
-    "geometry factors over the crack size and along the front. Fields and loads are set by name, "
-    "with units; a field left out takes the value that show prints.";
+    "The library has solutions for cracks in plates, tubes, round bars and stress gradients, each "
+    "with its modes, validity range, accuracy and source. sif list lists the solutions. sif show "
+    "describes one solution. sif eval gives geometry factors, stress intensities under the given "
+    "loads and the added compliance matrix, and reports quantities outside the validity range. sif "
+    "plot draws the geometry factors over the crack size and along the front. Fields and loads are "
+    "set by name, with units; a field left out takes the value that sif show prints.";
 
 }  // namespace
 
 Command sif_list_command() {
   return command<SifListOptions, SolutionList>({
       .name = "sif list",
-      .summary = "All solutions of the library",
+      .summary = "List all solutions of the library",
       .description = kSolutionsDescription,
       .example = "strainwave sif list --family tube",
       .takes = Takes::nothing,
@@ -113,7 +116,7 @@ Command sif_list_command() {
 Command sif_show_command() {
   return command<SifShowOptions, DescribedSolution>({
       .name = "sif show",
-      .summary = "What a solution says about itself",
+      .summary = "Describe one solution",
       .description = kSolutionsDescription,
       .example = "strainwave sif show plate-surface",
       .takes = Takes::nothing,
@@ -128,7 +131,7 @@ Command sif_show_command() {
 Command sif_eval_command() {
   return command<SifEvalOptions, sif::Evaluation>({
       .name = "sif eval",
-      .summary = "Stress intensity, geometry factors, added compliance",
+      .summary = "Compute stress intensity, geometry factors, added compliance",
       .description = kSolutionsDescription,
       .example = "strainwave sif eval plate-surface --set 'depth=1 mm' --set 'half_length=2 mm' "
                  "--set 'tension=200 MPa'",
@@ -141,7 +144,7 @@ Command sif_eval_command() {
 Command sif_plot_command() {
   return command<SifPlotOptions, SifPlot>({
       .name = "sif plot",
-      .summary = "Geometry factors over the crack size and along its front",
+      .summary = "Draw geometry factors over the crack size and along its front",
       .description = kSolutionsDescription,
       .example = "strainwave sif plot plate-surface --output plate-surface.svg",
       .takes = Takes::nothing,

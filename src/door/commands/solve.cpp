@@ -16,7 +16,7 @@ struct SolveOptionTexts {
   static void describe(Visitor&& field) {
     field({.name = "vary",
            .unit = "",
-           .doc = "PATH[=FROM..TO], the field to find, and where",
+           .doc = "PATH[=FROM..TO], the field to find and its search range",
            .names = "field path"},
           &SolveOptionTexts::vary);
     field({.name = "target", .unit = "", .doc = "OUTPUT=VALUE, with a unit", .names = "output"},
@@ -38,13 +38,12 @@ SolveResult solved(const Request& request, const SolveOptionTexts& options) {
 Command solve_command() {
   return command<SolveOptionTexts, SolveResult>({
       .name = "solve",
-      .summary = "The value of a field that gives a wanted output",
-      .description =
-          "Inverts the stiffness: the crack size that lowers it by one per cent, the wall that "
-          "gives a wanted value. All solutions in the range are found by scanning it and refining "
-          "each change of sign; without a range, three decades on either side of the present "
-          "value are searched. It says so when there is none, and lists them when there are "
-          "several.",
+      .summary = "Find the value of a field that gives a wanted output",
+      .description = "Inverts the stiffness: finds, for example, the crack size that lowers the "
+                     "stiffness by one per cent. A scan of the range and the refinement of each "
+                     "change of sign find all solutions. Without a range, three decades on either "
+                     "side of the present value are searched. If there is no solution, the output "
+                     "gives the reason; if there are several, it lists all.",
       .example = "strainwave solve examples/article.toml --vary 'output_shaft.crack[0].depth' "
                  "--target 'cracked.positive.stiffness_change=-1 %'",
       .function = solved,

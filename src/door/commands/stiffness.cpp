@@ -27,7 +27,7 @@ StiffnessResult stiffness(const Request& request, const StiffnessCommandOptions&
 Command stiffness_command() {
   return command<StiffnessCommandOptions, StiffnessResult>({
       .name = "stiffness",
-      .summary = "Torsional stiffness of a drive, sound and cracked",
+      .summary = "Compute the torsional stiffness of a drive, sound and cracked",
       .description =
           "Reads a drive and its cracks and prints the verdict; where the file gives enough for "
           "the "

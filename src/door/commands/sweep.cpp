@@ -26,7 +26,7 @@ struct SweepOptions {
 SweepResult swept(const Request& request, const SweepOptions& options) {
   const GearSet& gear = request.drive.gear;
   const auto variations = from_option([&] {
-    if (options.vary.empty()) throw InputError("vary", "must be given, once or twice");
+    if (options.vary.empty()) throw InputError("vary", "must be given once or twice");
     std::vector<Variation> parsed;
     for (const std::string& text : options.vary) parsed.push_back(parse_variation(gear, text));
     check_variations(parsed);
@@ -40,7 +40,7 @@ SweepResult swept(const Request& request, const SweepOptions& options) {
 Command sweep_command() {
   return command<SweepOptions, SweepResult>({
       .name = "sweep",
-      .summary = "All outputs over one or two fields",
+      .summary = "Tabulate all outputs over one or two fields",
       .description =
           "Varies one or two fields of the input over a range and tabulates all outputs. A field "
           "is named by its path, such as output_shaft.crack[0].depth; the ends of the range carry "

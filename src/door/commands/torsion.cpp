@@ -13,16 +13,17 @@ struct TorsionOptions {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"compare", "", "with the cracks of the file against without"}, &TorsionOptions::compare);
+    field({"compare", "", "compare the drive with the cracks of the file with the sound drive"},
+          &TorsionOptions::compare);
     field({.name = "angles",
            .unit = "",
-           .doc = "positions of the wave generator for --compare; 0 for every tooth",
+           .doc = "number of positions of the wave generator for --compare; 0 for every tooth",
            .range = {.lower = 0, .lower_open = false, .upper = 720, .upper_open = false},
            .fallback = "0"},
           &TorsionOptions::angles);
     field({.name = "draws",
            .unit = "",
-           .doc = "drives drawn from the file's ranges; 0 for none",
+           .doc = "number of drives drawn from the file's ranges; 0 for none",
            .range = {.lower = 0, .lower_open = false, .upper = 100000, .upper_open = false},
            .fallback = "200"},
           &TorsionOptions::draws);
@@ -34,7 +35,7 @@ struct TorsionOptions {
 Command torsion_command() {
   return command<TorsionOptions, TorsionReport>({
       .name = "torsion",
-      .summary = "Torsion curve in the maker's numbers: K1, K2, K3",
+      .summary = "Compute the torsion curve in the maker's numbers: K1, K2, K3",
       .description =
           "Solves the drive as one system, elastic rings on one-sided balls and flanks, and prints "
           "the twist over the torque for both senses: K1, K2, K3 over the maker's torques, the "

@@ -15,7 +15,7 @@ struct ValidateOptions {
   static void describe(Visitor&& field) {
     field({.name = "mode",
            .unit = "",
-           .doc = "what is fitted before the comparison",
+           .doc = "which factors are fitted before the comparison, and to what",
            .fallback = "geometry"},
           &ValidateOptions::mode);
     field({.name = "factors",
@@ -23,11 +23,12 @@ struct ValidateOptions {
            .doc = "other factors to fit, at most three, separated by commas",
            .names = "factor"},
           &ValidateOptions::factors);
-    field({"all_sets", "", "with leave-one-size-out: also fit every set of one to three factors"},
+    field({"all_sets", "",
+           "with mode leave-one-size-out, also fit every set of one to three factors"},
           &ValidateOptions::all_sets);
     field({.name = "draws",
            .unit = "",
-           .doc = "drives drawn for the bands; 0 for none",
+           .doc = "number of drives drawn for the bands; 0 for none",
            .range = {.lower = 0, .lower_open = false, .upper = 100000, .upper_open = false},
            .fallback = "0"},
           &ValidateOptions::draws);
@@ -52,14 +53,14 @@ Validation validated(const Request& request, const ValidateOptions& options) {
 Command validate_command() {
   return command<ValidateOptions, Validation>({
       .name = "validate",
-      .summary = "The torsion curve against the makers' tables",
+      .summary = "Compare the torsion curve with the makers' tables",
       .description =
-          "Predicts every row of the stiffness tables and compares. Mode geometry fits nothing: "
-          "every drive has the typical proportions. Mode leave-one-size-out fits up to three "
-          "factors to all other sizes and predicts the one left out. Mode per-row fits up to three "
-          "factors to each row and shows what the model can follow, not what it predicts. With "
-          "--draws, the proportions are drawn between their limits: the band that a drive of "
-          "unknown geometry has.",
+          "Predicts every row of the stiffness tables and compares prediction and table. Mode "
+          "geometry does not fit factors: every drive has the typical proportions. Mode "
+          "leave-one-size-out fits up to three factors to all other sizes and predicts the "
+          "remaining one. Mode per-row fits up to three factors to each row and shows what the "
+          "model can follow, not what it predicts. With --draws, the proportions are drawn between "
+          "their limits, which gives the band of a drive of unknown geometry.",
       .example = "strainwave validate --mode geometry --draws 200 --plot validation.svg",
       .takes = Takes::nothing,
       .function = validated,

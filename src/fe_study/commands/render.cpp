@@ -7,11 +7,10 @@ namespace strainwave::fe_study {
 Command render_command() {
   return command<MemberOptions, RunResult>({
       .name = "render",
-      .summary = "Pictures of the members by finite elements",
-      .description =
-          "Draws each member that is calculated, as SVG: strain energy density, what the cracks "
-          "change in it, the crack opened, and stress intensity. A result that may not be used is "
-          "drawn with the reason.",
+      .summary = "Draw pictures of the members by finite elements",
+      .description = "Draws each computed member as SVG: strain energy density and its change by "
+                     "the cracks, the opened crack, and stress intensity. If a result must not be "
+                     "used, the picture states the reason.",
       .example = "strainwave-fe render examples/through_crack.toml -o pictures",
       .function =
           [](const Request& request, const MemberOptions& options) {

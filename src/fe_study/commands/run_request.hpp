@@ -7,7 +7,7 @@
 
 namespace strainwave::fe_study {
 
-/// Options of every command: which elements of which crack.
+/// Options of every command: the order of the elements and the crack.
 struct CrackOptions {
   std::optional<std::string> crack;
   std::optional<int> order;
@@ -15,15 +15,15 @@ struct CrackOptions {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"crack", "", "only this crack: flexspline.crack[0], ..."}, &CrackOptions::crack);
+    field({"crack", "", "compute only this crack: flexspline.crack[0], ..."}, &CrackOptions::crack);
     field({.name = "order",
            .unit = "",
-           .doc = "order p of the elements; 6 if left out, 3 (at most 4) of cracks of the wall",
+           .doc = "order p of the elements; if left out 6, for wall cracks 3 (at most 4)",
            .range = {.lower = 2, .lower_open = false, .upper = 8, .upper_open = false}},
           &CrackOptions::order);
     field({.name = "progress",
            .unit = "",
-           .doc = "a line for each solution, as on a terminal",
+           .doc = "print a line for each solution, as on a terminal",
            .names = "watched"},
           &CrackOptions::progress);
   }
@@ -35,12 +35,13 @@ struct MemberOptions : CrackOptions {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"member", "", "every one that the file gives if left out"}, &MemberOptions::member);
+    field({"member", "", "member to compute; every member of the file if left out"},
+          &MemberOptions::member);
     CrackOptions::describe(field);
   }
 };
 
-/// What a run is asked for.
+/// The request for a run.
 inline RunOptions run_options(const Request& request, const CrackOptions& options) {
   RunOptions run{.order = options.order, .crack = options.crack};
   if (options.progress)
@@ -48,7 +49,7 @@ inline RunOptions run_options(const Request& request, const CrackOptions& option
   return run;
 }
 
-/// Why there is too little memory, on any rank; empty if there is enough.
+/// Reason why the memory of a rank does not suffice; empty if all have enough.
 inline std::string memory_refusal(const std::vector<RunSize>& sizes, const Ranks& ranks) {
   try {
     require_memory(sizes, ranks);

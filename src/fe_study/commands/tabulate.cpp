@@ -18,18 +18,18 @@ struct TabulateOptions : CrackOptions {
   static void describe(Visitor&& field) {
     field({.name = "over",
            .unit = "",
-           .doc = "PATH=FROM..TO:N[:log], a field and its range with units; once or more",
+           .doc = "PATH=FROM..TO:N[:log], a field and its range with units; one or more",
            .names = "field path"},
           &TabulateOptions::over);
     CrackOptions::describe(field);
-    field({"dry_run", "", "say size, memory and time of all points, and calculate nothing"},
+    field({"dry_run", "", "print size, memory and time of all points without computing"},
           &TabulateOptions::dry_run);
   }
 };
 
 TableOutcome family_run(const Request& request, const TabulateOptions& options) {
   const GearSet& gear = request.drive.gear;
-  if (options.over.empty()) throw OptionError("over", "must be given, once or more");
+  if (options.over.empty()) throw OptionError("over", "must be given at least once");
   std::vector<Variation> over;
   from_option([&] {
     for (const std::string& text : options.over)
@@ -54,14 +54,14 @@ std::string outcome_text(const TableOutcome& outcome) {
 Command tabulate_command() {
   return command<TabulateOptions, TableOutcome>({
       .name = "tabulate",
-      .summary = "A family of finite element runs of one crack, as a table",
-      .description =
-          "Runs one crack over ranges of one or more numbers, and adds each point to a table as it "
-          "is finished, which a crack of a drive can name as its compliance_table. A run that was "
-          "stopped goes on where it was. A point that may not be used has its reason in the table.",
+      .summary = "Tabulate a family of finite element runs of one crack",
+      .description = "Runs one crack over ranges of one or more numbers and adds each finished "
+                     "point to a table. A crack of a drive can name this table as its "
+                     "compliance_table. A stopped run continues from the table. For a point that "
+                     "must not be used, the table states the reason.",
       .example = "strainwave-fe tabulate examples/through_crack.toml -o through_45.csv --over "
                  "'flexspline.crack[0].half_length=0.5 mm..40 mm:13:log'",
-      .journal = "the table, CSV; added to if it is there",
+      .journal = "the table, CSV; new points are added to an existing one",
       .function = family_run,
       .documents = {{Format::text, outcome_text}},
   });

@@ -15,7 +15,7 @@
 namespace strainwave::fem::solid {
 namespace {
 
-/// u_k of the node = combination of its other components, so that the one along n vanishes.
+/// Expresses u_k of the node by its other components such that the displacement along n vanishes.
 void hold(Constraints& constraints, const Node& node, const Tensor<1, 3>& n) {
   unsigned k = 0;
   for (unsigned i = 1; i < 3; ++i)
@@ -32,7 +32,7 @@ void hold(Constraints& constraints, const Node& node, const Tensor<1, 3>& n) {
 Eigen::MatrixXd stiffness(const dealii::FEValues<3>& values, const Lame& lame) {
   const auto n = static_cast<Eigen::Index>(values.dofs_per_cell);
   const auto points = static_cast<Eigen::Index>(values.n_quadrature_points);
-  Eigen::MatrixXd gradient(3 * n, points);  // scaled by the root of the weight
+  Eigen::MatrixXd gradient(3 * n, points);  // gradients scaled by the root of the weight
   for (Eigen::Index q = 0; q < points; ++q) {
     const double root = std::sqrt(values.JxW(static_cast<unsigned>(q)));
     for (Eigen::Index a = 0; a < n; ++a) {
@@ -141,7 +141,7 @@ Numbering::Numbering(const Space& space, const Constraints& constraints)
       if (seen[i]) number[i] = 0;
       seen[i] = 1;
     }
-  if (space.problem.crack_faces == CrackFaces::contact)  // these will be pushed apart
+  if (space.problem.crack_faces == CrackFaces::contact)  // contact will push these faces apart
     space.visit_crack_faces([&](const Cell& cell, unsigned f) {
       space.visit_face_nodes(cell, f, [&](unsigned, const Node& node) {
         for (const Index i : node) number[i] = 0;
@@ -155,13 +155,13 @@ Numbering::Numbering(const Space& space, const Constraints& constraints)
 }
 
 struct Equations::CellRows {
-  std::vector<Index> dof;              ///< of each row
-  std::vector<Eigen::Index> order;     ///< rows that are not held, the inner ones first
-  Eigen::Index n_inner = 0;            ///< how many of them are inner ones
-  std::vector<Index> inner;            ///< dofs of these
-  std::vector<int> outer;              ///< the unknowns that the other rows turn into
-  std::map<int, Eigen::Index> column;  ///< where an unknown stands in `outer`
-  bool plain = true;                   ///< each of the other rows is an unknown itself
+  std::vector<Index> dof;              ///< dof of each row
+  std::vector<Eigen::Index> order;     ///< rows that are not held, inner rows first
+  Eigen::Index n_inner = 0;            ///< number of inner rows
+  std::vector<Index> inner;            ///< dofs of the inner rows
+  std::vector<int> outer;              ///< unknowns that replace the other rows
+  std::map<int, Eigen::Index> column;  ///< index of an unknown in `outer`
+  bool plain = true;                   ///< whether each other row is itself an unknown
 };
 
 Equations::Equations(const Space& space, const Constraints& constraints)
@@ -202,7 +202,7 @@ Equations::CellRows Equations::rows_of(const Cell& cell) const {
   return rows;
 }
 
-/// The matrix of a cell, whose rows are in the order of `rows`, over its unknowns.
+/// The matrix of a cell, whose rows are in the order of `rows`, expressed by its unknowns.
 Eigen::MatrixXd Equations::turned(const Eigen::MatrixXd& matrix, const CellRows& rows) const {
   const std::vector<int>& number = numbering_.number;
   const Eigen::Index n = matrix.rows();
@@ -220,7 +220,7 @@ Eigen::MatrixXd Equations::turned(const Eigen::MatrixXd& matrix, const CellRows&
   return turn.transpose() * (matrix.selfadjointView<Eigen::Lower>() * turn);
 }
 
-/// Stiffness of this rank's cells; keeps in `cells_` what the inner unknowns need.
+/// Stiffness of this rank's cells; keeps the data for the inner unknowns in `cells_`.
 SymmetricEntries Equations::assemble() {
   const dealii::QGauss<3> rule(static_cast<unsigned>(space_.problem.order) + 1);
   dealii::FEValues<3> values(space_.body.mapping, space_.scalar, rule,
@@ -251,14 +251,16 @@ SymmetricEntries Equations::assemble() {
   return entries;
 }
 
-/// `assemble`; a fault of one rank's cells ends all, for MUMPS would wait for it.
+/// Calls `assemble` on all ranks.  A fault on one rank ends all, because MUMPS would wait for this
+/// rank.
 SymmetricEntries Equations::assemble_together() {
   SymmetricEntries entries;
   std::exception_ptr fault;
   try {
     entries = assemble();
   } catch (const std::bad_alloc&) {
-    fault = std::make_exception_ptr(MemoryError("there is too little memory for the matrix"));
+    fault = std::make_exception_ptr(MemoryError(
+        "the memory does not suffice for the matrix; use a coarser mesh or more ranks"));
   } catch (...) {
     fault = std::current_exception();
   }

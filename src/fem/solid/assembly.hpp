@@ -13,7 +13,7 @@ namespace strainwave::fem::solid {
 /// Nodal forces of the problem's tractions [N].
 [[nodiscard]] Vector nodal_loads(const Space& space);
 
-/// What the problem's supports hold.
+/// Constraints from the supports of the problem.
 [[nodiscard]] Constraints support_constraints(const Space& space);
 
 /// Nodal forces of the stresses, without any constraint [N], and their energy [J].
@@ -23,18 +23,20 @@ struct InternalForces {
 };
 [[nodiscard]] InternalForces internal_forces(const Space& space, const Vector& u);
 
-/// Which unknowns the solver gets: neither constrained ones, nor those of one cell alone.
+/// Numbering of the solver's unknowns, without constrained dofs and dofs of one cell alone.
 struct Numbering {
   static constexpr int kConstrained = -1;
   static constexpr int kInner = -2;
 
-  std::vector<int> number;  ///< of each dof in the linear equations, or why it has none
-  int unknowns = 0;         ///< of the linear equations
+  /// number of each dof in the linear equations, or a code of the reason why it has none
+  std::vector<int> number;
+  int unknowns = 0;  ///< number of unknowns of the linear equations
 
   Numbering(const Space& space, const Constraints& constraints);
 };
 
-/// The stiffness of the body, factorised; every rank makes it and calls it with the same arguments.
+/// The stiffness of the body, factorised; every rank must construct it and call it with the same
+/// arguments.
 class Equations {
  public:
   /// @throws SolverError, MemoryError, OtherRankError  on every rank
@@ -45,17 +47,17 @@ class Equations {
 
   [[nodiscard]] const Numbering& numbering() const { return numbering_; }
   [[nodiscard]] DirectSolver& solver() { return *solver_; }
-  /// When the matrix was complete and its factorisation began.
+  /// Time at which the matrix was complete and its factorisation began.
   [[nodiscard]] std::chrono::steady_clock::time_point assembled() const { return assembled_; }
 
  private:
-  /// A cell after the elimination of the dofs that no other cell has.
+  /// A cell after the elimination of the dofs that belong to it alone.
   struct CondensedCell {
-    std::vector<Index> inner;  ///< dofs that were eliminated
-    std::vector<int> outer;    ///< numbers of the unknowns that were not
-    CondensedMatrix matrix;    ///< its `outer` is given away
+    std::vector<Index> inner;  ///< eliminated dofs
+    std::vector<int> outer;    ///< numbers of the remaining unknowns
+    CondensedMatrix matrix;    ///< without its `outer`, which was moved out
   };
-  /// Rows of a cell's stiffness by their kind.
+  /// Rows of a cell's stiffness, grouped by kind.
   struct CellRows;
 
   [[nodiscard]] SymmetricEntries assemble();
@@ -66,7 +68,7 @@ class Equations {
   const Space& space_;
   const Constraints& constraints_;
   Numbering numbering_;
-  std::vector<CondensedCell> cells_;  ///< of this rank
+  std::vector<CondensedCell> cells_;  ///< cells of this rank
   std::unique_ptr<DirectSolver> solver_;
   std::chrono::steady_clock::time_point assembled_;
 };

@@ -18,9 +18,10 @@ struct Complementarity {
   int steps;
 };
 
-/// x >= 0 with M x + b >= 0 and one of both zero everywhere; M symmetric, positive definite.
+/// Solves x >= 0 with M x + b >= 0 where in each row x or M x + b is zero; M is symmetric, positive
+/// definite.
 ///
-/// Principal pivoting: all wrong signs are changed at once as long as they become fewer, else
+/// Uses principal pivoting.  All wrong signs are changed at once while their number falls, else
 /// only the last one (Murty), which ends after a finite number of steps.
 Complementarity solve_complementarity(const Eigen::MatrixXd& M, const Eigen::VectorXd& b) {
   constexpr int kPatience = 5;
@@ -57,7 +58,8 @@ Complementarity solve_complementarity(const Eigen::MatrixXd& M, const Eigen::Vec
     for (const Eigen::Index i : wrong)
       active[static_cast<std::size_t>(i)] = !active[static_cast<std::size_t>(i)];
   }
-  throw SolverError(fmt::format("contact of the crack faces did not settle in {} steps", most));
+  throw SolverError(
+      fmt::format("the contact of the crack faces did not converge in {} steps", most));
 }
 
 /// The dofs of the crack's two sides at one place.
@@ -66,10 +68,10 @@ struct Pair {
   Node lower;
   Tensor<1, 3> normal;                        ///< from lower to upper
   double area;                                ///< the node's share of the crack [m^2]
-  std::vector<std::pair<Index, double>> row;  ///< its gap as a sum over unconstrained dofs
+  std::vector<std::pair<Index, double>> row;  ///< gap of the pair as a sum over unconstrained dofs
 };
 
-/// What can touch, and what cannot because both sides share it.
+/// Nodes that can touch, and nodes that cannot because both sides share them.
 struct Faces {
   std::vector<Pair> pairs;
   std::set<Index> on_front;  ///< first dofs of the nodes that both sides share
@@ -130,7 +132,7 @@ Faces find_faces(const Space& space, const Constraints& constraints) {
   return faces;
 }
 
-/// Normal distance of the two sides at each pair; < 0: they pass through each other.
+/// Normal distance of the two sides at each pair; < 0 means that the sides pass through each other.
 Eigen::VectorXd gaps(const std::vector<Pair>& pairs, const Vector& u) {
   Eigen::VectorXd gap = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(pairs.size()));
   for (std::size_t i = 0; i < pairs.size(); ++i)
@@ -150,7 +152,8 @@ double largest_jump(const std::vector<Pair>& pairs, const Vector& u) {
   return jump;
 }
 
-/// Gap of pair i under a unit pressure at pair j, that is under a pair of forces of its area.
+/// Gap of pair i under a unit pressure at pair j, that is, under a pair of forces equal to its
+/// area.
 Eigen::MatrixXd contact_flexibility(const std::vector<Pair>& pairs, Equations& equations) {
   constexpr std::size_t kBlock = 64;
   const std::vector<int>& number = equations.numbering().number;
@@ -174,8 +177,8 @@ Eigen::MatrixXd contact_flexibility(const std::vector<Pair>& pairs, Equations& e
   return flexibility;
 }
 
-/// At a front both sides share their nodes and bear no pressure as a pair: it is that of the
-/// neighbour on the face.
+/// At a front both sides share their nodes, so no pair gives a pressure there; the pressure of the
+/// neighbour on the face is used.
 void extend_pressure_to_fronts(const Space& space, Contact& contact) {
   space.visit_crack_faces([&](const Cell& cell, unsigned f) {
     std::vector<std::pair<Point<3>, Index>> shared;
@@ -199,7 +202,7 @@ void extend_pressure_to_fronts(const Space& space, Contact& contact) {
 
 std::optional<Contact> close_crack(const Space& space, const Constraints& constraints,
                                    Equations& equations, const Vector& load, const Vector& u) {
-  constexpr double kNothing = 1e-5;  // of the largest jump
+  constexpr double kNothing = 1e-5;  // share of the largest jump
   const Faces faces = find_faces(space, constraints);
   const std::vector<Pair>& pairs = faces.pairs;
   if (pairs.empty()) throw InputError("mesh", "has no crack faces that could touch");

@@ -16,17 +16,17 @@ struct Contact {
   Vector forces;                 ///< nodal forces of the contact [N]
   std::vector<double> pressure;  ///< at a node's first dof [Pa]
   std::set<Index> on_front;      ///< first dofs of the nodes that both sides share
-  double share = 0;              ///< of the crack's area that touches [-]
+  double share = 0;              ///< share of the crack's area that touches [-]
   int iterations = 0;
-  double overlap = 0;  ///< deepest one that is left, over the largest jump without contact [-]
+  double overlap = 0;  ///< deepest remaining overlap over the largest jump without contact [-]
 };
 
-/// Pressure between the faces where they would pass through each other, (FE-30); nothing where
-/// they stay apart.
+/// Computes the pressure between faces that would pass through each other, (FE-30); absent if they
+/// stay apart.
 /// @param load  nodal forces of the problem [N]
 /// @param u     displacements without contact [m]
-/// @throws InputError   a mesh without faces that could touch
-/// @throws SolverError  the contact does not settle
+/// @throws InputError   if the mesh has no faces that could touch
+/// @throws SolverError  if the contact does not converge
 [[nodiscard]] std::optional<Contact> close_crack(const Space& space, const Constraints& constraints,
                                                  Equations& equations, const Vector& load,
                                                  const Vector& u);

@@ -9,7 +9,7 @@
 namespace strainwave::fem::solid {
 namespace {
 
-/// Points i/n of each unit coordinate, the first one fastest.
+/// Points i/n of each unit coordinate; the first coordinate runs fastest.
 template <int dim>
 dealii::Quadrature<dim> sample_points(int n) {
   std::vector<Point<dim>> points;
@@ -24,7 +24,7 @@ dealii::Quadrature<dim> sample_points(int n) {
   return dealii::Quadrature<dim>(points);
 }
 
-/// sigma:epsilon/2 of a stress [J/m^3].
+/// Energy density sigma:epsilon/2 of a stress [J/m^3].
 double energy_of_stress(const Tensor2& s, const Elasticity& m) {
   const double nu = m.poissons_ratio;
   const double pressure = trace(s);
@@ -53,7 +53,7 @@ std::vector<CrackFace> crack_faces(const Space& space, bool upper) {
 std::vector<CrackFacePatch> crack_face_patches(const Space& space, const Vector& u) {
   const std::vector<CrackFace> lower = crack_faces(space, false);
   const dealii::Quadrature<2> points = sample_points<2>(space.problem.fields.divisions);
-  // There is no normal at a front with a singular map: it is taken next to it.
+  // The normal is not defined at a front with a singular map, so evaluate it next to the front.
   std::vector<Point<2>> inner = points.get_points();
   for (Point<2>& point : inner) point += 1e-6 * (Point<2>(0.5, 0.5) - point);
   dealii::FEFaceValues<3> values(space.body.mapping, space.scalar, points,
@@ -82,7 +82,7 @@ std::vector<CrackFacePatch> crack_face_patches(const Space& space, const Vector&
     CrackFacePatch& patch = patches.emplace_back();
     for (unsigned q = 0; q < points.size(); ++q) {
       const Point<3>& place = values.quadrature_point(q);
-      // The other face may count its points in another direction.
+      // The other face may number its points in another direction.
       const auto same = std::min_element(place_below.begin(), place_below.end(),
                                          [&](const Point<3>& a, const Point<3>& b) {
                                            return a.distance(place) < b.distance(place);
@@ -109,7 +109,7 @@ SampledFields sampled_fields(const Space& space, const Vector& u) {
                        .cells = {},
                        .crack_faces = {}};
   const dealii::Quadrature<3> points = sample_points<3>(request.divisions);
-  // At a front with a singular map the gradient is infinite: it is taken next to it.
+  // The gradient is infinite at a front with a singular map, so evaluate it next to the front.
   std::vector<Point<3>> inner = points.get_points();
   for (Point<3>& point : inner)
     if (point[0] == 0 && point[1] == 0)

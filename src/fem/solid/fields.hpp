@@ -5,7 +5,7 @@
 
 namespace strainwave::fem::solid {
 
-/// The fields that the problem asks for, of this rank's cells or of all.
+/// The fields that the problem requests, for this rank's cells or for all cells.
 [[nodiscard]] SampledFields sampled_fields(const Space& space, const Vector& u);
 
 }  // namespace strainwave::fem::solid

@@ -15,7 +15,7 @@ namespace {
 
 /// Displacement gradient of one mode with K = 1 at a crack tip, in plane strain; (FE-24).
 /// @param mode  0, 1, 2 for I, II, III
-/// @param side  of the crack, which tells +180 from -180 degrees near its faces
+/// @param side  side of the crack, which distinguishes +180 from -180 degrees near its faces
 Tensor2 crack_tip_gradient(std::size_t mode, double x1, double x2, int side, double nu, double mu) {
   using std::numbers::pi;
   const double r = std::hypot(x1, x2);
@@ -73,13 +73,13 @@ FrontFrame front_frame(const HexCell& tip, double w) {
   return frame;
 }
 
-/// Quadratic shape functions on [0,1], nodes 0, 1/2, 1.
+/// Quadratic shape functions on [0,1] with nodes 0, 1/2, 1.
 std::array<double, 3> quadratic(double w) {
   return {(1 - w) * (1 - 2 * w), 4 * w * (1 - w), w * (2 * w - 1)};
 }
 
-/// Gauss points on a face; `toward`: the coordinate (0 or 1) that starts at a crack front, about
-/// which the points crowd so that its inverse root is integrated too.
+/// Gauss points on a face; `toward` is the coordinate (0 or 1) that starts at a crack front.
+/// Points are denser near the front, so the inverse root is integrated accurately too.
 dealii::Quadrature<2> face_points(unsigned n, std::optional<unsigned> toward) {
   dealii::Quadrature<2> rule = dealii::QGauss<2>(n);
   if (!toward) return rule;
@@ -95,8 +95,8 @@ dealii::Quadrature<2> face_points(unsigned n, std::optional<unsigned> toward) {
 
 struct FaceRule {
   dealii::Quadrature<2> points;
-  dealii::FEFaceValues<3> values;    ///< of the displacements
-  dealii::FEFaceValues<3> velocity;  ///< of the virtual crack advance
+  dealii::FEFaceValues<3> values;    ///< values of the displacements
+  dealii::FEFaceValues<3> velocity;  ///< values of the virtual crack advance
 
   FaceRule(const dealii::Mapping<3>& mapping, const dealii::FE_Q<3>& displacements,
            const dealii::FE_Q<3>& advance, const dealii::Quadrature<2>& at)
@@ -107,7 +107,7 @@ struct FaceRule {
         velocity(mapping, advance, at, dealii::update_values) {}
 };
 
-/// Rotation of the cells about a front, mean over their volume: the antisymmetric gradient.
+/// Mean rotation of the cells about a front over their volume, from the antisymmetric gradient.
 Tensor2 mean_spin(const Space& space, const Vector& u, std::size_t front) {
   const dealii::QGauss<3> rule(static_cast<unsigned>(space.problem.order) + 1);
   dealii::FEValues<3> values(space.body.mapping, space.scalar, rule,
@@ -136,8 +136,8 @@ Tensor2 mean_spin(const Space& space, const Vector& u, std::size_t front) {
   return spin;
 }
 
-/// Whether the faces touch next to the nodes of a front: at most of the places of the cells at the
-/// front and of the innermost ring that are closest to it.
+/// Whether the faces touch next to the nodes of a front, that is, at the majority of the nearest
+/// places in the cells at the front and in the innermost ring.
 std::vector<bool> touching_stations(const Space& space, const Contact* contact, std::size_t front,
                                     std::size_t nodes) {
   std::vector<int> balance(nodes, 0);
@@ -175,12 +175,12 @@ struct Front {
 
 constexpr std::size_t kFields = 4;  // G and the interaction with modes I, II, III
 
-/// Domain integrals [field][node of the front][ring].
+/// Domain integrals, indexed [field][node of the front][ring].
 struct Integrals {
   std::size_t nodes;
   std::size_t rings;
   std::vector<double> value = std::vector<double>(kFields * nodes * rings, 0.0);
-  std::vector<double> radius = std::vector<double>(rings, 0.0);  ///< of the rings [m]
+  std::vector<double> radius = std::vector<double>(rings, 0.0);  ///< radii of the rings [m]
 
   [[nodiscard]] double& at(std::size_t field, std::size_t node, std::size_t ring) {
     return value[(field * nodes + node) * rings + ring];
@@ -190,7 +190,7 @@ struct Integrals {
   }
 };
 
-/// Takes the domain integrals about one front, cell by cell.
+/// Computes the domain integrals about one front, cell by cell.
 class FrontIntegrator {
  public:
   FrontIntegrator(const Space& space, const Vector& u, const Contact* contact, const Front& front)
@@ -208,7 +208,7 @@ class FrontIntegrator {
         face_rules_{face_rule({}), face_rule(0U), face_rule(1U)},
         moment_(kFields * velocity_.n_dofs_per_cell()) {}
 
-  /// Summed over the ranks.
+  /// The integrals, summed over the ranks.
   [[nodiscard]] Integrals integrate() {
     Integrals integrals{.nodes = front_.nodes(), .rings = front_.rings};
     const std::size_t segments = front_.tips.size();
@@ -306,7 +306,7 @@ class FrontIntegrator {
     }
   }
 
-  /// Gives what one cell has to the nodes of the front and to the rings.
+  /// Adds the contribution of one cell to the nodes of the front and to the rings.
   void distribute(const HexCell& origin, Integrals& integrals) const {
     const unsigned n_velocity = velocity_.n_dofs_per_cell();
     for (unsigned n = 0; n < n_velocity; ++n) {
@@ -341,21 +341,23 @@ class FrontIntegrator {
   const Vector& u_;
   const Contact* contact_;
   const Front& front_;
-  /// The auxiliary fields are not in equilibrium on a curved front and would take a rotation of the
-  /// body for a stress intensity: it is taken off.
+  /// Mean rotation, which is subtracted.  The auxiliary fields are not in equilibrium on a curved
+  /// front, so a rotation of the body would appear as a stress intensity.
   Tensor2 spin_;
   dealii::FE_Q<3> velocity_;  ///< of the virtual crack advance within a cell
   dealii::QGauss<3> rule_;
-  dealii::FEValues<3> values_;  ///< of the displacements
-  dealii::FEValues<3> slopes_;  ///< of the virtual crack advance
+  dealii::FEValues<3> values_;  ///< values of the displacements
+  dealii::FEValues<3> slopes_;  ///< slopes of the virtual crack advance
   /// The crack's faces at its front: u = 0 has the coordinates (v, w), v = 0 has (w, u).
   std::array<std::unique_ptr<FaceRule>, 3> face_rules_;
-  std::vector<Tensor<1, 3>> moment_;  ///< of one cell [field][node of the virtual crack advance]
+  /// contributions of one cell, indexed [field][node of the virtual crack advance]
+  std::vector<Tensor<1, 3>> moment_;
 };
 
 /// The integrals along a front as values at its nodes.
 ///
-/// The rate of area is given to G by its own shape functions: consistent, not lumped.
+/// The rate of area is distributed by the shape functions of G, that is, consistently and not
+/// lumped.
 class NodalValues {
  public:
   NodalValues(const Front& front, const Integrals& integrals)
@@ -384,7 +386,7 @@ class NodalValues {
     return solver_.solve(b);
   }
   [[nodiscard]] Eigen::VectorXd area() const { return mass_.rowwise().sum(); }
-  [[nodiscard]] double length() const { return length_; }  ///< of the front [m]
+  [[nodiscard]] double length() const { return length_; }  ///< length of the front [m]
 
  private:
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(integrals_.nodes); }
@@ -395,13 +397,13 @@ class NodalValues {
   double length_ = 0;
 };
 
-/// G at the nodes of a front: of each ring but the innermost, whose field is the least accurate,
-/// and their mean [J/m^2].
+/// G at the nodes of a front: for each ring except the innermost, whose field is the least
+/// accurate, and the mean of these rings [J/m^2].
 struct ReleaseRates {
   std::vector<Eigen::VectorXd> of_ring;
   Eigen::VectorXd mean;
   double release = 0;  ///< integral over the front, mean of the rings [N]
-  double spread = 0;   ///< of it between rings, relative [-]
+  double spread = 0;   ///< relative spread of `release` between rings [-]
 };
 
 ReleaseRates release_rates(const NodalValues& nodal, const Integrals& integrals) {
@@ -425,7 +427,8 @@ ReleaseRates release_rates(const NodalValues& nodal, const Integrals& integrals)
 
 /// Stress intensities at the nodes of a front [Pa*m^0.5].
 ///
-/// The interaction integral is exact in the limit of a small ring: a line through two rings.
+/// The interaction integral is exact in the limit of a small ring, so a line through two rings is
+/// extrapolated.
 std::array<Eigen::VectorXd, 3> stress_intensities(const NodalValues& nodal,
                                                   const std::vector<double>& radius,
                                                   double plane_strain, double mu) {

@@ -7,9 +7,9 @@
 namespace strainwave::fem::solid {
 
 /// Fracture quantities of one crack front.
-/// @param contact  of the crack faces; null if they do not touch
+/// @param contact  contact of the crack faces; null if they do not touch
 /// @param front    number of the front in the mesh
-/// @throws InputError  fewer than three rings of cells about the front
+/// @throws InputError  if fewer than three rings of cells surround the front
 [[nodiscard]] CrackFront evaluate_front(const Space& space, const Vector& u, const Contact* contact,
                                         std::size_t front);
 

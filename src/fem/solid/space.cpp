@@ -11,7 +11,7 @@
 namespace strainwave::fem::solid {
 namespace {
 
-constexpr int kGeometryOrder = 4;  // at least; 45 degrees of a circle to 1e-6
+constexpr int kGeometryOrder = 4;  // least order; it maps 45 degrees of a circle to 1e-6
 
 double scaled_determinant(const Tensor2& J) {
   double lengths = 1;
@@ -69,8 +69,8 @@ double worst_jacobian(const HexMesh& mesh, const Body& body) {
       if (is_singular(source) && points[q][0] == 0 && points[q][1] == 0) continue;
       const double scaled = scaled_determinant(Tensor2(values.jacobian(q)));  // (FE-22)
       if (!(scaled > 0))
-        throw InputError("mesh", fmt::format("cell {} is tangled or left-handed: scaled Jacobian "
-                                             "determinant {:.3g} where it must be positive",
+        throw InputError("mesh", fmt::format("cell {} is tangled or left-handed: its scaled "
+                                             "Jacobian determinant is {:.3g}, but must be positive",
                                              cell->index(), scaled));
       worst = std::min(worst, scaled);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// deal.II's own headers do not pass this project's warnings.
+// The headers of deal.II cause warnings that this project treats as errors.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wall"
 #pragma GCC diagnostic ignored "-Wextra"
@@ -29,8 +29,8 @@
 #include "strainwave/fem/solid.hpp"
 
 /// @file
-/// The body as the parts of the solver see it: geometry, displacements, material.  Every rank has
-/// all of it and works on the cells that it owns.
+/// The body as used by the parts of the solver: geometry, displacements, material.  Every rank
+/// holds the whole body and works on the cells that it owns.
 
 namespace strainwave::fem::solid {
 
@@ -55,7 +55,7 @@ void sum_over_ranks(Values& values) {
                               MPI_COMM_WORLD, dealii::ArrayView<double>(&*values.begin(), size));
 }
 
-/// The mesh as deal.II has it, whole on every rank, with the analytic geometry.
+/// The mesh in deal.II with the analytic geometry, complete on every rank.
 struct Body {
   dealii::parallel::shared::Triangulation<3> triangulation;
   dealii::MappingQCache<3> mapping;
@@ -63,11 +63,11 @@ struct Body {
   Body(const HexMesh& mesh, int order);
 };
 
-/// Whether the map of the cell has no inverse on its edge u = v = 0, by design (FE-46).
+/// Whether the map of the cell is singular on its edge u = v = 0 by design (FE-46).
 [[nodiscard]] bool is_singular(const HexCell& cell);
 
 /// The smallest scaled determinant of the Jacobian matrix [-], (FE-22).
-/// @throws InputError  naming the first cell with a determinant <= 0
+/// @throws InputError  if a determinant is <= 0; the message names the first such cell
 [[nodiscard]] double worst_jacobian(const HexMesh& mesh, const Body& body);
 
 /// Lame's constants [Pa].
@@ -77,7 +77,7 @@ struct Lame {
 
   explicit Lame(const Elasticity& m);
 
-  /// Stress of a displacement gradient [i][j] = du_i/dx_j.
+  /// Stress from a displacement gradient [i][j] = du_i/dx_j.
   [[nodiscard]] Tensor2 stress(const Tensor2& gradient) const;
 };
 
@@ -89,7 +89,7 @@ struct Space {
   const SolidProblem& problem;
   Lame lame;
   Body body;
-  double jacobian;  ///< the worst [-]
+  double jacobian;  ///< worst scaled Jacobian determinant [-]
   dealii::FE_Q<3> scalar;
   dealii::FESystem<3> element;
   dealii::DoFHandler<3> dofs;
@@ -125,7 +125,7 @@ struct Space {
         visit(a, Node{of_cell[node_of[0][a]], of_cell[node_of[1][a]], of_cell[node_of[2][a]]});
   }
 
-  /// What `values` are of at a cell, or at one of its faces; both are of the scalar element.
+  /// Evaluates `values` of the scalar element at a cell, or at one of its faces.
   static dealii::FEValues<3>& reinit(dealii::FEValues<3>& values, const Cell& cell);
   static dealii::FEFaceValues<3>& reinit(dealii::FEFaceValues<3>& values, const Cell& cell,
                                          unsigned f);
@@ -136,15 +136,15 @@ class CellDisplacement {
  public:
   CellDisplacement(const Space& space, const Cell& cell, const Vector& u);
 
-  /// At point q of `values`, which are of the scalar element.
+  /// Displacement at point q of `values`, which belong to the scalar element.
   [[nodiscard]] Tensor<1, 3> at(const dealii::FEValuesBase<3>& values, unsigned q) const;
 
-  /// Gradients at all points of `values`.
+  /// Displacement gradients at all points of `values`.
   [[nodiscard]] std::vector<Tensor2> gradients(const dealii::FEValuesBase<3>& values) const;
 
  private:
   const Space& space_;
-  std::vector<double> local_;  ///< by number of the dof in the cell
+  std::vector<double> local_;  ///< values by number of the dof in the cell
 };
 
 }  // namespace strainwave::fem::solid

@@ -14,7 +14,7 @@
 #include "strainwave/core/units.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 
-// Rules between fields.  Rules of one field alone are its Range.
+// Rules between fields.  The rule of a single field is its Range.
 
 namespace strainwave {
 namespace {
@@ -38,7 +38,7 @@ void check_material(const FieldPath& path, const Material& material) {
             "ultimate_strength >= yield_strength");
 }
 
-// Rules of the cracks: one overload of check_crack for each kind.
+// Rules of the cracks.  Each kind has an overload of check_crack.
 
 void need(bool given, std::string_view field, const FieldPath& at, std::string_view why) {
   if (!given) throw InputError(field, fmt::format("must be given for {}{}", at.text(), why));
@@ -53,7 +53,7 @@ void check_waves_that_bend(const GearSet& gear) {
           "wave_number >= 2 where a ring bends between lobes");
 }
 
-/// What the cracks of the inner ring share: depth and stress.
+/// Checks the fields that all cracks of the inner ring share: depth and stress.
 template <class Crack>
 void check_race_crack(const FieldPath& at, const GearSet& gear, const Crack& crack) {
   const WaveGenerator& wg = *gear.wave_generator;
@@ -138,9 +138,10 @@ void check_crack(const FieldPath& at, const GearSet& gear, const CircularSplineR
               "depth < (outer_diameter - inner_diameter)/2");
 }
 
-void check_crack(const FieldPath&, const GearSet&, const ToothCrack&) {}  // its Ranges are all
+void check_crack(const FieldPath&, const GearSet&, const ToothCrack&) {
+}  // its Ranges are its only rules
 
-// A crack of the diaphragm lies on it, and is not deeper or longer than it.
+// A crack of the diaphragm must lie on it, and must not be deeper or longer than it.
 
 const Diaphragm& diaphragm_for(const FieldPath& at, const GearSet& gear) {
   need(gear.flexspline->diaphragm.has_value(), "flexspline.diaphragm", at, "");
@@ -169,13 +170,14 @@ void check_crack(const FieldPath& at, const GearSet& gear, const DiaphragmGroove
   };
   thick_enough(inner);
   thick_enough(outer);
-  // The law is linear between the stations: a thin place inside the groove is at one of them.
+  // The law is linear between the stations, so the thinnest place inside the groove is at a station
+  // or an end.
   for (const DiaphragmStation& station : diaphragm.profile)
     if (station.radius > inner && station.radius < outer) thick_enough(station.radius);
 }
 
-/// A crack of the wall that is longer than the tube, or meets itself round the circumference, is
-/// none.
+/// Refuses a crack of the wall that is longer than the tube or meets itself round the
+/// circumference.
 /// @return  thickness of the wall [m]
 template <class Crack>
 double check_wall_crack(const FieldPath& at, const GearSet& gear, const Crack& crack) {
@@ -222,7 +224,7 @@ void check_crack(const FieldPath& at, const GearSet& gear, const AnnularCrack& c
                      "\"tada\" is for solid shafts; a hollow one has a table");
 }
 
-/// Cracks of one ring, each alone on the length that it softens (TC-22).
+/// Checks that cracks of one ring do not soften the same length (TC-22).
 template <class Crack, class Cracks>
 void check_hinges(const FieldPath& path, const Cracks& cracks, double thickness,
                   double mean_radius) {
@@ -239,7 +241,7 @@ void check_hinges(const FieldPath& path, const Cracks& cracks, double thickness,
         throw InputError(
             (path[i] / "position").text(),
             fmt::format("{:.4g} deg is {:.3g} mm along the ring from {} at {:.4g} deg, and each "
-                        "crack softens {:.3g} mm: give one crack in place of both, or place them "
+                        "crack softens {:.3g} mm: combine them into one crack, or place them "
                         "that far apart",
                         here->position / units::deg, apart / units::mm, path[other].text(),
                         there->position / units::deg, length / units::mm));
@@ -340,11 +342,11 @@ void check_diaphragm(const FieldPath& path, const Diaphragm& diaphragm) {
   }
 }
 
-/// Cracks of the diaphragm that the file puts into the same place are none.
+/// Refuses cracks of the diaphragm at the same place.
 void check_overlaps(const FieldPath& path, const Flexspline& fs) {
   for (std::size_t i = 0; i < fs.crack.size(); ++i)
     for (std::size_t other = 0; other < i; ++other) {
-      // From one radius to another that a groove or an arc takes.
+      // The range of radii that a groove or an arc takes.
       const auto taken = [&](std::size_t n) -> std::optional<std::array<double, 2>> {
         if (const auto* const groove = std::get_if<DiaphragmGroove>(&fs.crack[n]))
           return {{groove->radius - groove->width / 2, groove->radius + groove->width / 2}};
@@ -356,15 +358,15 @@ void check_overlaps(const FieldPath& path, const Flexspline& fs) {
       };
       const auto here = taken(i);
       const auto there = taken(other);
-      // Two arcs may lie one behind the other on one circle; a groove goes all round.
+      // Two arcs may lie one behind the other on one circle, but a groove goes all round.
       const bool groove = std::holds_alternative<DiaphragmGroove>(fs.crack[i]) ||
                           std::holds_alternative<DiaphragmGroove>(fs.crack[other]);
       if (here && there && groove && clearly_less((*here)[0], (*there)[1]) &&
           clearly_less((*there)[0], (*here)[1]))
-        throw InputError(
-            (path[i] / "radius").text(),
-            fmt::format("overlaps {}: cracks are added up as if alone, give one of both",
-                        path[other].text()));
+        throw InputError((path[i] / "radius").text(),
+                         fmt::format("overlaps {}: combine the two cracks into one, because the "
+                                     "model adds cracks without interaction",
+                                     path[other].text()));
     }
 }
 
@@ -436,12 +438,12 @@ void check_one_line(const FieldPath& path, std::string_view field, const std::st
     throw InputError((path / field).text(), "must be one line, without control characters");
 }
 
-/// The number that an entry at `path` names by its own field `path`.
+/// The number that the entry at `path` names in its field `path`.
 NumberAt number_named(const GearSet& gear, const FieldPath& path, const std::string& named) {
   try {
     return number_at(gear, named);
   } catch (const InputError& error) {
-    // Its own words, after its field and a colon.
+    // The problem, which follows the field and a colon.
     const std::string problem = std::string(error.what()).substr(error.field().size() + 2);
     throw InputError((path / "path").text(), fmt::format("\"{}\" {}", shown(named), problem));
   }
@@ -500,7 +502,7 @@ void check_ranges(const GearSet& gear) {
     all_inside = all_inside && field.range.contains(value) && !too_long(field, value);
   });
   if (all_inside) return;
-  // Paths are made only now: a sound drive, the usual case, is checked without them.
+  // Build paths only after a fault, because a drive without faults is checked without them.
   for_each_number(gear, [](const FieldPath& path, const Field& field, const double& value) {
     require(field.range.contains(value), path.text(), value, field.unit,
             std::isfinite(value) ? rule_text(field.range, field.unit) : "a finite number");

@@ -18,7 +18,8 @@ double largest_of(const std::vector<double>& values) {
   return largest;
 }
 
-/// Difference at the nodes that a table without every second node of one axis has lost (FE-43).
+/// Largest difference at the nodes that are removed when every second node of one axis is left out
+/// (FE-43).
 double error_along(const std::vector<std::vector<double>>& nodes,
                    const std::vector<double>& ordinates, std::size_t axis) {
   std::size_t stride = 1;
@@ -31,7 +32,7 @@ double error_along(const std::vector<std::vector<double>>& nodes,
   std::vector<double> coarse;
   for (const std::size_t i : kept) coarse.push_back(x[i]);
   double largest = 0.0;
-  // A line of the grid along the axis starts wherever its own index is 0.
+  // A line of the grid along the axis starts where the index of this axis is 0.
   for (std::size_t start = 0; start < ordinates.size(); ++start) {
     if (start / stride % n != 0) continue;
     std::vector<double> y;
@@ -71,7 +72,7 @@ bool agree(double a, double b) {
   return std::abs(a - b) <= kFixedTolerance * std::max(std::abs(a), std::abs(b));
 }
 
-/// What one crack and its table have to have in common.
+/// Checks a crack against its table.
 template <class Crack>
 void check_one(const GearSet& gear, const std::string& path, const Crack& crack) {
   const std::string at = path + ".compliance_table";
@@ -104,7 +105,7 @@ void check_one(const GearSet& gear, const std::string& path, const Crack& crack)
     }
     const auto fixed = std::ranges::find(table.fixed, number.name, &TableParameter::name);
     if (fixed == table.fixed.end())
-      refuse(fmt::format("does not say what {} it was made with", number.name));
+      refuse(fmt::format("does not state the {} of its computation", number.name));
     same_unit(*fixed, number);
     if (!agree(fixed->value, number.value))
       refuse(fmt::format("was made with {} = {}, and the drive has {}", number.name,

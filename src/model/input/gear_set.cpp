@@ -91,7 +91,7 @@ void set_number(GearSet& gear, std::string_view path, double value) {
     const std::string table = (FieldPath("material") / name).text() + '.';
     if (material.origin.empty() || !path.starts_with(table)) continue;
     const std::string_view field = path.substr(table.size());
-    if (field.find('.') != std::string_view::npos) continue;  // "a" is no part of the name "a.b"
+    if (field.find('.') != std::string_view::npos) continue;  // "a" is not a part of the name "a.b"
     const std::string remark = fmt::format("; {} was set since", field);
     if (material.origin.find(remark) == std::string::npos) material.origin += remark;
     std::erase(material.from_library, field);

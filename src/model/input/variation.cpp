@@ -45,7 +45,7 @@ Variation parse_variation(const GearSet& gear, std::string_view text,
   const std::size_t colon = given.value.find(':');
   if (colon == std::string_view::npos)
     throw InputError(option,
-                     fmt::format("\"{}\" does not say how many points: FROM..TO:N", given.value));
+                     fmt::format("\"{}\" needs a number of points: FROM..TO:N", given.value));
   const Interval interval = parse_interval(number, given.value.substr(0, colon), option_name);
   Variation variation{.path = number.path, .from = interval.from, .to = interval.to};
 

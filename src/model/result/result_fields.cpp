@@ -3,7 +3,7 @@
 
 namespace strainwave {
 
-/// A value begins: in a list its index ends the path.
+/// Begins a value; in a list, its index completes the path.
 void OutputWalk::element() {
   if (levels_.empty() || !levels_.back().list) return;
   Level& list = levels_.back();

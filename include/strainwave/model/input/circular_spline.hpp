@@ -9,13 +9,14 @@
 
 namespace strainwave {
 
-/// Circular spline: a ring that the flank forces make oval, held by its housing (TC-10).
+/// Circular spline: a ring in a housing; flank forces deform the ring to an oval (TC-10).
 struct CircularSpline {
   std::string material;
   double outer_diameter = 0.0;  ///< [m]; > inner_diameter
-  double inner_diameter = 0.0;  ///< at the roots of the teeth [m]; > drive.pitch_diameter
+  double inner_diameter = 0.0;  ///< diameter at the roots of the teeth [m]; > drive.pitch_diameter
   double width = 0.0;           ///< axial [m]; > 0
-  /// s_h, share of the free ring's compliance that the housing leaves [-]: 0 rigid, 1 free.
+  /// Support s_h [-]: share of the free ring's compliance that remains in the housing; 0 rigid, 1
+  /// free.
   double support = 0.0;
   std::vector<CircularSplineCrack> crack;
 

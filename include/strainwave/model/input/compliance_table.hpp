@@ -13,14 +13,14 @@
 #include "strainwave/core/hermite.hpp"
 
 /// @file
-/// What a crack adds, from a table of finite elements (`strainwave fe tabulate`) in place of a
-/// closed form.
+/// Added compliance of a crack from a table of finite elements (`strainwave fe tabulate`), which
+/// replaces the closed form.
 
 namespace strainwave {
 
 struct GearSet;
 
-/// A number that the answer for one crack depends on: of the crack, its member, its material.
+/// A number of the crack, its member or its material on which the result for the crack depends.
 template <class Real>
 struct BasicCrackParameter {
   std::string_view name;  ///< "half_length"
@@ -28,21 +28,21 @@ struct BasicCrackParameter {
   Real value{};
 };
 
-/// One that a table was made with.
+/// A parameter with its value when the table was made.
 struct TableParameter {
   std::string name;
   std::string unit;
   double value = 0.0;
 };
 
-/// A number of the crack that the table runs over.
+/// A parameter over which a table runs.
 struct TableAxis {
-  std::string name;           ///< as BasicCrackParameter::name
+  std::string name;           ///< name as in BasicCrackParameter::name
   std::string unit;           ///< SI
-  bool logarithmic = false;   ///< interpolated over its logarithm
-  std::vector<double> nodes;  ///< rising; 4 or more
+  bool logarithmic = false;   ///< whether interpolation uses the logarithm
+  std::vector<double> nodes;  ///< nodes in ascending order; 4 or more
 
-  /// A value as the coordinate that is interpolated over.
+  /// Converts a value to the coordinate of the interpolation.
   template <class Real>
   [[nodiscard]] Real coordinate(const Real& value) const {
     using std::log;
@@ -53,47 +53,52 @@ struct TableAxis {
 /// Values over the grid of a table.
 struct TableValues {
   enum class Scale {
-    logarithmic,  ///< all are positive: their logarithms are interpolated
-    linear,       ///< the values themselves are
-    nothing,      ///< rounding beside the other sense of torque: 0
+    logarithmic,  ///< all values are positive, so their logarithms are interpolated
+    linear,       ///< the values themselves are interpolated
+    /// the values are rounding compared with the other sense of torque and count as 0
+    nothing,
   };
   std::vector<double> values;  ///< the last axis runs fastest
   Scale scale = Scale::linear;
-  /// (FE-43) of what is interpolated: of the logarithm, or as a share of the largest value [-].
+  /// Interpolation error by (FE-43) [-]: of the logarithm, or as a share of the largest value.
   double interpolation_error = 0.0;
 };
 
 /// A table of added compliances, as read from its file.
 struct ComplianceTable {
-  std::string file;                   ///< as the drive names it
-  std::string kind;                   ///< of the crack: "through", "annular"
-  std::vector<TableAxis> axes;        ///< one or more
-  TableValues positive;               ///< added under torque > 0 [rad/(N*m)]
-  TableValues negative;               ///< added under torque < 0 [rad/(N*m)]
-  TableValues axial;                  ///< added under axial force [m/N]; empty where there is none
-  std::vector<TableParameter> fixed;  ///< everything else that the numbers depend on
+  std::string file;             ///< file name as the drive gives it
+  std::string kind;             ///< kind of the crack: "through", "annular"
+  std::vector<TableAxis> axes;  ///< one or more
+  TableValues positive;         ///< added under torque > 0 [rad/(N*m)]
+  TableValues negative;         ///< added under torque < 0 [rad/(N*m)]
+  /// added under axial force [m/N]; empty if the table has no such column
+  TableValues axial;
+  std::vector<TableParameter> fixed;  ///< all other parameters on which the numbers depend
   double point_error = 0.0;  ///< largest relative error of a point, as the table states it [-]
   std::string made_by;       ///< program, version, revision, order
 };
 
-/// Fewest nodes of an axis: without every second one, two or more must be left.
+/// Fewest nodes of an axis.  The error estimate removes every second node, and two nodes or more
+/// must remain.
 inline constexpr std::size_t kMinTableNodes = 4;
-/// A sense of torque that adds less than this share of the other, at all points, adds nothing.
+/// A sense of torque counts as adding nothing if it adds less than this share of the other sense at
+/// all points.
 inline constexpr double kNothingAdded = 1e-4;
-/// How far a fixed number of a table may be from the drive's, relative.
+/// Largest relative deviation of a fixed number of a table from the drive's number.
 inline constexpr double kFixedTolerance = 1e-6;
 
-/// A table with scales and interpolation errors filled in from its values.
+/// The table with scales and interpolation errors computed from its values.
 ///
-/// Implements theory manual eq. (FE-43): each axis once without every second node, and the largest
-/// difference at the nodes left out; root of the sum of squares over the axes.
+/// Implements theory manual eq. (FE-43).  For each axis, every second node is removed, and the
+/// largest difference at the removed nodes is the error of the axis.  The total is the root of the
+/// sum of squares over the axes.
 [[nodiscard]] ComplianceTable completed(ComplianceTable table);
 
 /// An interpolated value with its error.
 template <class Real>
 struct TabulatedValue {
   Real value{};
-  double relative_error = 0.0;  ///< of the interpolation alone [-]
+  double relative_error = 0.0;  ///< error of the interpolation alone [-]
 };
 
 /// Interpolates one column of a table (FE-41).
@@ -123,18 +128,18 @@ template <class Real>
   return {exp(tensor_interpolation<Real>(nodes, logarithms, at)), column.interpolation_error};
 }
 
-/// What a crack adds according to its table.
+/// Compliance that a crack adds according to its table.
 template <class Real>
 struct TabulatedCompliance {
   TabulatedValue<Real> positive;  ///< [rad/(N*m)]
   TabulatedValue<Real> negative;  ///< [rad/(N*m)]
-  TabulatedValue<Real> axial;     ///< [m/N]; 0 where the table has none
+  TabulatedValue<Real> axial;     ///< [m/N]; 0 if the table has no axial column
 };
 
 /// Reads a table at the numbers of a crack.
 ///
 /// @param table  completed
-/// @param crack  all its numbers; they have passed `check_compliance_tables`
+/// @param crack  all numbers of the crack; they have passed `check_compliance_tables`
 template <class Real>
 [[nodiscard]] TabulatedCompliance<Real> tabulated_compliance(
     const ComplianceTable& table, const std::vector<BasicCrackParameter<Real>>& crack) {
@@ -147,11 +152,12 @@ template <class Real>
           interpolated<Real>(table.axes, table.axial, at)};
 }
 
-/// Holds the cracks of a drive that name a table to it; `check` calls it.
+/// Checks the cracks of a drive against the tables that they name; `check` calls it.
 ///
-/// @throws InputError  naming crack and table: a table that was not read, is of another kind of
-///                     crack, or holds another value fixed; a crack outside its range; an axial
-///                     force on a crack of the wall, which is not in the table
+/// @throws InputError  if a table was not read, is for another kind of crack, or has another fixed
+///                     value; if the crack is outside the range of its table; if an axial force
+///                     acts on a crack of the wall, which tables do not cover.  The message names
+///                     crack and table
 void check_compliance_tables(const GearSet& gear);
 
 }  // namespace strainwave

@@ -12,7 +12,7 @@
 
 namespace strainwave {
 
-/// The part of a drive that a crack is in.
+/// The part of a drive that contains a crack.
 enum class CrackedPart {
   inner_ring,
   outer_ring,
@@ -24,37 +24,39 @@ enum class CrackedPart {
   output_shaft
 };
 
-/// What a crack looks like where a cut through the axis of the drive meets it.
+/// Shape of a crack in a cut through the axis of the drive.
 enum class CrackShape {
-  semi_ellipse,  ///< from a surface
-  over_width,    ///< of one depth over the width of a ring
-  all_round,     ///< of one depth round a shaft
+  semi_ellipse,  ///< semi-elliptical, from a surface
+  over_width,    ///< constant depth over the width of a ring
+  all_round,     ///< constant depth round a shaft
   through,       ///< from surface to surface
-  groove,        ///< all round, as wide as it says
-  whole          ///< all of its part, which it makes softer
+  groove,        ///< groove all round, with a stated width
+  whole          ///< the whole part, which becomes softer
 };
 
-/// Size and place of a crack, as drawings and tables show them whatever its kind.
+/// Size and place of a crack, for drawings and tables, in one form for all kinds.
 struct CrackPlace {
   CrackedPart part{};
   CrackShape shape{};
-  double depth = 0.0;                   ///< a, where it does not go through [m]
-  double half_length = 0.0;             ///< along the surface; of a groove half its width [m]
-  bool from_inside = false;             ///< it starts at the inner surface of its part
-  std::optional<double> angle = {};     ///< beta, of a crack in a wall [rad]
-  std::optional<double> radius = {};    ///< on the diaphragm, if not at the boss [m]
-  std::optional<double> position = {};  ///< from the major axis [rad]
-  double stiffness_loss = 0.0;          ///< of a softer part [-]
+  double depth = 0.0;  ///< depth a; 0 for a through crack [m]
+  /// half length along the surface; for a groove, half its width [m]
+  double half_length = 0.0;
+  /// whether the crack starts at the inner surface of its part
+  bool from_inside = false;
+  std::optional<double> angle = {};     ///< angle beta of a crack in a wall [rad]
+  std::optional<double> radius = {};    ///< radius on the diaphragm; absent: at the boss [m]
+  std::optional<double> position = {};  ///< angle from the major axis [rad]
+  double stiffness_loss = 0.0;          ///< lost share of the stiffness of a softer part [-]
 };
 
-/// A crack that acts through the contacts of balls and teeth, which only the coupled drive has, and
-/// that moves against the wave.
+/// A crack that acts through the contacts of balls and teeth, and moves relative to the wave.  Only
+/// the coupled drive models it.
 template <class Crack>
 concept ContactCrack = Crack::kActsInCoupledDrive;
 
-/// What stresses a crack in a bearing ring of the wave generator.
+/// Source of the stress on a crack in a bearing ring of the wave generator.
 enum class StressDriver {
-  orthogonal_shear,  ///< the article's beta/2 * sigma_max, taken as an input stress (ST-12)
+  orthogonal_shear,  ///< the article's beta/2 * sigma_max, treated as an input stress (ST-12)
   contact_edge,      ///< Hertz edge tension at the end of the minor axis of the contact (CO-7)
   ring_bending,      ///< bending of the ring under the lobe forces (ST-13)
   given,             ///< a stress at the given torque
@@ -77,9 +79,9 @@ struct RaceSurfaceCrack {
   double depth = 0.0;         ///< a, into the ring [m]; > 0, < ring thickness
   double aspect_ratio = 0.0;  ///< a/c, depth per half length [-]; in (0, 1]
   StressDriver stress_driver = StressDriver::orthogonal_shear;
-  std::optional<double> contact_factor;  ///< beta of orthogonal_shear [-]; else computed (CO-5)
+  std::optional<double> contact_factor;  ///< beta of orthogonal_shear [-]; absent: computed (CO-5)
   std::optional<double> stress;          ///< hoop stress at the given torque [Pa]; driver `given`
-  double position = 0.0;                 ///< from the major axis; coupled drive only [rad]
+  double position = 0.0;                 ///< angle from the major axis; coupled drive only [rad]
 
   [[nodiscard]] CrackPlace place() const {
     return {.part = CrackedPart::inner_ring,
@@ -139,7 +141,7 @@ struct RaceEdgeCrack {
   StressDriver stress_driver = StressDriver::orthogonal_shear;
   std::optional<double> contact_factor;  ///< as in RaceSurfaceCrack
   std::optional<double> stress;          ///< as in RaceSurfaceCrack
-  double position = 0.0;                 ///< from the major axis; coupled drive only [rad]
+  double position = 0.0;                 ///< angle from the major axis; coupled drive only [rad]
 
   [[nodiscard]] CrackPlace place() const {
     return {.part = CrackedPart::inner_ring,
@@ -154,7 +156,8 @@ struct RaceEdgeCrack {
   }
 };
 
-/// A table of finite elements (`strainwave fe tabulate`) that says what the crack adds.
+/// The field that names a table of finite elements (`strainwave fe tabulate`) with the added
+/// compliance.
 inline constexpr Field kComplianceTableField{
     .name = "compliance_table",
     .unit = "",
@@ -162,7 +165,7 @@ inline constexpr Field kComplianceTableField{
     .example = R"("tables/through_45.csv")",
     .in_template = InTemplate::commented};
 
-/// The part of a flexspline's wall that carries a crack, where sections are given.
+/// The part of a flexspline's wall that contains a crack, if sections are given.
 enum class WallSection { barrel, rim };
 template <>
 struct EnumNames<WallSection> {
@@ -179,7 +182,8 @@ struct WallThroughCrack {
   double angle = std::numbers::pi / 4;  ///< beta, from +z toward -theta [rad]; in (-pi/2, pi/2]
   bool shell_correction = true;         ///< A_I of the curved shell (FR-9); flat plate if false
   WallSection section = WallSection::barrel;
-  std::optional<std::string> compliance_table = {};  ///< file (FE-41), in place of the closed form
+  /// file of a table (FE-41) that replaces the closed form
+  std::optional<std::string> compliance_table = {};
 
   [[nodiscard]] CrackPlace place() const {
     return {.part = part_of(section),
@@ -255,7 +259,7 @@ struct WallSurfaceCrack {
   }
 };
 
-/// Which stress intensity a solid shaft's annular crack takes.
+/// Stress intensity solution for an annular crack in a solid shaft.
 enum class AnnularSolution {
   improved,  ///< polynomials fitted to finite elements (FR-12)
   tada,      ///< the handbook's polynomials (FR-12)
@@ -289,7 +293,7 @@ struct AnnularCrack {
   }
 };
 
-/// An axial crack over the whole width of a ring, from a surface that bends (TC-22).
+/// An axial crack over the whole width of a ring, from a surface under bending (TC-22).
 template <CrackedPart part_, bool from_inside_>
 struct RingCrack {
   static constexpr bool kActsInCoupledDrive = true;
@@ -325,28 +329,28 @@ struct RingCrack {
   }
 };
 
-/// Axial crack of the toothed rim, from a tooth root; in the coupled drive only.
+/// Axial crack of the toothed rim, from a tooth root; acts in the coupled drive only.
 struct RimAxialCrack : RingCrack<CrackedPart::rim, false> {
   static constexpr std::string_view kKind = "rim_axial";
 };
 
-/// Axial crack of the wave generator bearing's outer ring; in the coupled drive only.
+/// Axial crack of the wave generator bearing's outer ring; acts in the coupled drive only.
 struct OuterRaceCrack : RingCrack<CrackedPart::outer_ring, true> {
   static constexpr std::string_view kKind = "outer_race";
 };
 
-/// Axial crack of the circular spline; in the coupled drive only.
+/// Axial crack of the circular spline; acts in the coupled drive only.
 struct CircularSplineRingCrack : RingCrack<CrackedPart::circular_spline, true> {
   static constexpr std::string_view kKind = "ring";
 };
 
-/// A cracked tooth of the flexspline: its pair is softer, on both flanks (TC-21); in the coupled
-/// drive only.
+/// A cracked tooth of the flexspline.  Its pair is softer on both flanks (TC-21); acts in the
+/// coupled drive only.
 struct ToothCrack {
   static constexpr std::string_view kKind = "tooth";
   static constexpr bool kActsInCoupledDrive = true;
   double stiffness_loss = 0.0;  ///< delta, lost share of the pair's stiffness [-]; in (0, 1]
-  double position = 0.0;        ///< the tooth nearest to it is meant; as in RingCrack [rad]
+  double position = 0.0;        ///< angle as in RingCrack; it selects the nearest tooth [rad]
 
   [[nodiscard]] CrackPlace place() const {
     return {.part = CrackedPart::tooth,
@@ -371,11 +375,11 @@ struct ToothCrack {
   }
 };
 
-/// Circumferential crack through the diaphragm of a cup, an arc round the boss (TC-19).
+/// Circumferential crack through the diaphragm of a cup, along an arc round the boss (TC-19).
 struct DiaphragmArcCrack {
   static constexpr std::string_view kKind = "diaphragm_arc";
   double half_length = 0.0;      ///< a, along the arc [m]; > 0
-  std::optional<double> radius;  ///< of the arc [m]; else the diaphragm's inner radius
+  std::optional<double> radius;  ///< radius of the arc [m]; absent: the diaphragm's inner radius
 
   [[nodiscard]] CrackPlace place() const {
     return {.part = CrackedPart::diaphragm,
@@ -401,12 +405,12 @@ struct DiaphragmArcCrack {
   }
 };
 
-/// Groove all round the diaphragm of a cup, part of the thickness deep (TC-20).
+/// Groove all round the diaphragm of a cup, of less depth than the thickness (TC-20).
 struct DiaphragmGroove {
   static constexpr std::string_view kKind = "diaphragm_groove";
   double depth = 0.0;   ///< into the thickness [m]; > 0, < thickness there
   double width = 0.0;   ///< radial [m]; > 0
-  double radius = 0.0;  ///< of its middle [m]; > 0
+  double radius = 0.0;  ///< radius of its middle [m]; > 0
 
   [[nodiscard]] CrackPlace place() const {
     return {.part = CrackedPart::diaphragm,

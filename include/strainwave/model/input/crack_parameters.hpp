@@ -8,12 +8,13 @@
 #include "strainwave/model/input/gear_set.hpp"
 
 /// @file
-/// The numbers that the finite elements of one crack depend on: the columns and the fixed numbers
-/// of a compliance table.  Another kind of crack is one more overload.
+/// The numbers on which the finite elements of one crack depend: the columns and the fixed numbers
+/// of a compliance table.  Another kind of crack needs another overload.
 
 namespace strainwave {
 
-/// Of a through crack: halfway along a tube, clamped at one end and twisted at the other.
+/// Numbers of a through crack at half length of a tube, clamped at one end and twisted at the
+/// other.
 template <class Real>
 [[nodiscard]] std::vector<BasicCrackParameter<Real>> crack_parameters(
     const Lift<Real>& lift, const GearSet& gear, const WallThroughCrack& crack) {
@@ -36,7 +37,7 @@ template <class Real>
   return numbers;
 }
 
-/// Of an annular crack: halfway along the shaft.
+/// Numbers of an annular crack at half length of the shaft.
 template <class Real>
 [[nodiscard]] std::vector<BasicCrackParameter<Real>> crack_parameters(const Lift<Real>& lift,
                                                                       const GearSet& gear,

@@ -18,9 +18,9 @@ struct EnumNames<FlexsplineShape> {
   static constexpr std::array<std::string_view, 2> names = {"cup", "cylinder"};
 };
 
-/// Where the compliance of the sound flexspline comes from.
+/// Source of the compliance of the sound flexspline.
 enum class CrackFree {
-  factor,    ///< tube times one empirical factor (ST-4)
+  factor,    ///< tube multiplied by an empirical factor (ST-4)
   sections,  ///< rim, barrel, diaphragm and boss in series (ST-2, ST-3)
 };
 template <>
@@ -83,13 +83,13 @@ struct DiaphragmStation {
   }
 };
 
-/// The bottom of a cup: a flat annular plate in in-plane torsion.
+/// The bottom of a cup: a flat annular plate, twisted in its plane.
 struct Diaphragm {
-  double outer_diameter = 0.0;  ///< where it meets the barrel [m]; > inner_diameter
-  double inner_diameter = 0.0;  ///< where it meets the boss [m]; > 0
-  double thickness = 0.0;  ///< h: of the whole, or with a profile at the outer diameter [m]; > 0
-  /// Law of the thickness, linear between the stations and on to the outer diameter, constant
-  /// inside the first; empty: constant.
+  double outer_diameter = 0.0;  ///< diameter at the barrel [m]; > inner_diameter
+  double inner_diameter = 0.0;  ///< diameter at the boss [m]; > 0
+  double thickness = 0.0;       ///< h, constant, or with a profile at the outer diameter [m]; > 0
+  /// Law of the thickness: constant inside the first station, then linear between the stations and
+  /// on to the outer diameter; empty: constant thickness.
   std::vector<DiaphragmStation> profile;
 
   template <class Visitor>
@@ -124,7 +124,7 @@ struct Diaphragm {
 /// Thickness of a diaphragm at a radius [m], by its profile.
 [[nodiscard]] double diaphragm_thickness(const Diaphragm& diaphragm, double radius);
 
-/// The same in the scalar of a lift.  At a station the derivative is that of the law inside it.
+/// Thickness in the scalar of a lift.  At a station, the derivative is that on its inner side.
 template <class Real>
 [[nodiscard]] Real diaphragm_thickness(const Lift<Real>& lift, const Diaphragm& diaphragm,
                                        const Real& radius) {
@@ -159,14 +159,16 @@ struct Flexspline {
   /// L [m]; > 0.  `factor` needs it; of `sections` it is that of rim and barrel.
   std::optional<double> length = {};
   CrackFree crack_free = CrackFree::factor;
-  std::optional<double> shape_factor;  ///< k of `factor` [-]; else 0.83 for a cup, 1 for a cylinder
+  /// k of `factor` [-]; absent: 0.83 for a cup, 1 for a cylinder
+  std::optional<double> shape_factor;
   double stress_nonuniformity = 1.0;   ///< K_u, multiplies the shear stress of torque [-]; > 0
   double dynamic_load = 1.0;           ///< K_d; read by the article's methods only [-]; > 0
-  std::optional<TubeSection> rim;      ///< of `sections`
-  std::optional<TubeSection> barrel;   ///< of `sections`
-  std::optional<Diaphragm> diaphragm;  ///< of `sections`
-  std::optional<TubeSection> boss;     ///< of `sections`
-  double flange_compliance = 0.0;      ///< of boss bolts and output flange [rad/(N*m)]; >= 0
+  std::optional<TubeSection> rim;      ///< rim, for `sections`
+  std::optional<TubeSection> barrel;   ///< barrel, for `sections`
+  std::optional<Diaphragm> diaphragm;  ///< diaphragm, for `sections`
+  std::optional<TubeSection> boss;     ///< boss, for `sections`
+  /// compliance of boss bolts and output flange [rad/(N*m)]; >= 0
+  double flange_compliance = 0.0;
   std::vector<FlexsplineCrack> crack;
 
   /// Length of the toothed and the smooth tube together [m].

@@ -84,8 +84,8 @@ struct Load {
   }
 };
 
-/// Printed intermediate values of the article that do not follow from its inputs; read by the
-/// method as-printed only.
+/// Printed intermediate values of the article that do not follow from its inputs.  Only the method
+/// as-printed reads them.
 struct ArticleOverrides {
   std::optional<double> radial_load;                ///< F_r [N]
   std::optional<double> flaw_parameter;             ///< Q [-]
@@ -116,7 +116,7 @@ struct ArticleOverrides {
   }
 };
 
-/// A strain wave gear with its cracks, material and load: everything an input file says.
+/// A strain wave gear with its cracks, material and load: the content of an input file.
 ///
 /// An absent member adds no compliance.
 struct GearSet {
@@ -128,13 +128,14 @@ struct GearSet {
   std::optional<WaveGenerator> wave_generator;
   std::optional<Flexspline> flexspline;
   std::optional<OutputShaft> output_shaft;
-  std::optional<ToothMesh> mesh;                  ///< of the coupled drive
-  std::optional<CircularSpline> circular_spline;  ///< of the coupled drive; absent: rigid
+  std::optional<ToothMesh> mesh;                  ///< teeth of the coupled drive
+  std::optional<CircularSpline> circular_spline;  ///< ring of the coupled drive; absent: rigid
   std::optional<Rating> rating;                   ///< the maker's torques, for K1, K2, K3
-  std::vector<InputRange> range;                  ///< of inputs that are known only so far
-  std::vector<InputScatter> scatter;              ///< of inputs, for combined uncertainty
+  std::vector<InputRange> range;                  ///< inputs that are known only within limits
+  std::vector<InputScatter> scatter;              ///< inputs that scatter, for combined uncertainty
   std::optional<ArticleOverrides> article;
-  /// The tables that cracks name, by that name; read with the file (io/compliance_table_file.hpp).
+  /// The tables that cracks name, by name; the reader of the file fills them
+  /// (io/compliance_table_file.hpp).
   std::map<std::string, ComplianceTable> compliance_tables;
 
   template <class Visitor>
@@ -233,13 +234,13 @@ void for_each_path_list(Gear& gear, const F& f) {
 void drop_lost_paths(GearSet& gear, const GearSet& before);
 
 /// The material that a member names.
-/// @throws InputError  if there is none of that name
+/// @throws InputError  if no material has that name
 [[nodiscard]] const Material& material_of(const GearSet& gear, std::string_view name,
                                           std::string_view field);
 
-/// Throws InputError for the first number outside its range, and for the first rule between
-/// fields that the gear breaks: inner diameter < outer, crack shallower than the wall, one source
-/// of the radial stiffness, ...  Every computation calls it first.
+/// Throws InputError for the first number outside its range, or for the first broken rule between
+/// fields: inner diameter < outer, crack shallower than the wall, one source of the radial
+/// stiffness, ...  Every computation calls it first.
 void check(const GearSet& gear);
 
 /// Sets the number at `path`, such as "output_shaft.crack[0].depth" [unit of the field].  The path
@@ -255,7 +256,7 @@ struct NumberAt {
   Field field;
   double value = 0.0;
 };
-/// @throws InputError  as set_number
+/// @throws InputError  on the same conditions as set_number
 [[nodiscard]] NumberAt number_at(const GearSet& gear, std::string_view path);
 
 }  // namespace strainwave

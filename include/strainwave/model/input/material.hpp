@@ -13,8 +13,8 @@ namespace strainwave {
 
 /// An isotropic linear elastic material, as an input file describes it.
 ///
-/// Two of E, G, nu define it.  All three may be given, because published examples do so; then E,
-/// G and nu are used where a formula asks for them, and a note reports a contradiction.
+/// Two of E, G, nu define the material.  All three may be given, because published examples do so.
+/// Formulas then use the given E, G and nu, and a note reports a contradiction.
 struct Material {
   /// A record of the material library that gives what this table does not.
   std::optional<std::string> based_on = {};
@@ -25,8 +25,8 @@ struct Material {
   /// sigma_u, tensile strength [Pa]; > 0, >= yield_strength
   std::optional<double> ultimate_strength = {};
   std::optional<double> fracture_toughness;  ///< K_Ic, fracture toughness [Pa*m^0.5]; > 0
-  /// Where the numbers come from if the input only names them: one sentence for the notes of a
-  /// result.  Empty: the input gives them.  No field of the input file.
+  /// Origin of the numbers if the input only names the material: one sentence for the notes of a
+  /// result.  Empty if the input gives the numbers.  This is not a field of the input file.
   std::string origin = {};
   bool verified = true;  ///< false: that sentence names numbers that nobody has checked
   /// Fields that the material library gives.  No field of the input file.
@@ -104,11 +104,11 @@ struct BasicElasticConstants {
 };
 using ElasticConstants = BasicElasticConstants<double>;
 
-/// Completes E, G, nu from those given, G = E/(2(1+nu)).
+/// Completes E, G, nu from the given two by G = E/(2(1+nu)).
 /// @throws InputError  if neither G nor nu is given, or nu = E/(2G) - 1 is outside (-1, 0.5)
 [[nodiscard]] ElasticConstants elastic_constants(const Material& material);
 
-/// The same in the scalar of a lift.
+/// Elastic constants in the scalar of a lift.
 template <class Real>
 [[nodiscard]] BasicElasticConstants<Real> elastic_constants(const Lift<Real>& lift,
                                                             const Material& material) {

@@ -11,7 +11,7 @@ namespace strainwave {
 /// The three methods; the theory manual compares them.
 enum class Method {
   as_printed,  ///< every equation of the article, misprints included, in N and mm
-  repaired,    ///< the article's models with outright errors mended
+  repaired,    ///< the article's models with their plain errors corrected
   corrected,   ///< the corrected theory
 };
 template <>

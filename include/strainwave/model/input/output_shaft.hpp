@@ -13,7 +13,7 @@ namespace strainwave {
 struct OutputShaft {
   std::string material;
   double outer_diameter = 0.0;  ///< D [m]; > 0
-  double inner_diameter = 0.0;  ///< d [m]; >= 0, < D; 0 is solid
+  double inner_diameter = 0.0;  ///< d [m]; >= 0, < D; 0 for a solid shaft
   double length = 0.0;          ///< L_s [m]; > 0
   std::vector<OutputShaftCrack> crack;
 

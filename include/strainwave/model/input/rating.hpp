@@ -9,16 +9,18 @@
 
 namespace strainwave {
 
-/// The maker's torques: where the three straight lines of a torsion curve meet.
+/// The maker's torques, at which the three straight lines of a torsion curve meet.
 ///
-/// They are conventions, about 0.052 d^3 and 0.187 d^3 N/mm^2, which no model can predict.
+/// The torques are conventions, about 0.052 d^3 and 0.187 d^3 N/mm^2; no model can predict them.
 struct Rating {
-  double T1 = 0.0;                     ///< K1 holds up to it [N*m]; > 0
-  double T2 = 0.0;                     ///< K2 holds up to it [N*m]; > T1
-  std::optional<double> T3;            ///< K3 is taken up to it [N*m]; > T2; else 1.6 T2
-  std::optional<double> rated_torque;  ///< T_N [N*m]; > 0; else 1.8 T2
-  double lost_motion_share = 0.04;     ///< of T_N, at which lost motion is measured [-]; in (0, 1)
-  double friction_torque = 0.0;        ///< of seal, grease and bearings at the output [N*m]; >= 0
+  double T1 = 0.0;                     ///< upper torque of K1 [N*m]; > 0
+  double T2 = 0.0;                     ///< upper torque of K2 [N*m]; > T1
+  std::optional<double> T3;            ///< upper torque of K3 [N*m]; > T2; absent: 1.6 T2
+  std::optional<double> rated_torque;  ///< T_N [N*m]; > 0; absent: 1.8 T2
+  /// share of T_N at which lost motion is measured [-]; in (0, 1)
+  double lost_motion_share = 0.04;
+  /// friction of seal, grease and bearings at the output [N*m]; >= 0
+  double friction_torque = 0.0;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -68,20 +70,20 @@ struct Rating {
   }
 };
 
-/// Where a value comes from.
+/// Origin of a value.
 enum class Knowledge {
   catalogue,  ///< a maker's stated value
-  typical,    ///< within the range of published drives
-  assumed,    ///< nobody publishes it
+  typical,    ///< typical of published drives
+  assumed,    ///< assumed, because nobody publishes it
 };
 template <>
 struct EnumNames<Knowledge> {
   static constexpr std::array<std::string_view, 3> names = {"catalogue", "typical", "assumed"};
 };
 
-/// A number of the file that is known only within limits; uniform between them.
+/// A number of the file that is known only within limits, with a uniform distribution between them.
 struct InputRange {
-  std::string path;   ///< of the number, such as "flexspline.diaphragm.thickness"
+  std::string path;   ///< path of the number, such as "flexspline.diaphragm.thickness"
   std::string lower;  ///< quantity text, in the unit of the number
   std::string upper;  ///< as lower; > lower
   Knowledge knowledge = Knowledge::typical;

@@ -9,9 +9,9 @@
 
 namespace strainwave {
 
-/// How a number scatters about the value in the file.
+/// Distribution of a number about the value in the file.
 enum class ScatterDistribution {
-  lognormal,  ///< the file's value is the median; keeps its sign
+  lognormal,  ///< the file's value is the median; the sign cannot change
   normal,     ///< the file's value is the mean
 };
 template <>
@@ -19,10 +19,11 @@ struct EnumNames<ScatterDistribution> {
   static constexpr std::array<std::string_view, 2> names = {"lognormal", "normal"};
 };
 
-/// A number of the file that scatters, independently of the others; read by `strainwave sensitivity
-/// --scatter` only.
+/// A number of the file that scatters independently of the others.  Only `strainwave sensitivity
+/// --scatter` reads it.
 struct InputScatter {
-  std::string path;                          ///< of the number, such as "flexspline.wall_thickness"
+  /// path of the number, such as "flexspline.wall_thickness"
+  std::string path;
   double relative_standard_deviation = 0.0;  ///< s [-]; in (0, 1]
   ScatterDistribution distribution = ScatterDistribution::lognormal;
   std::string source;

@@ -19,34 +19,35 @@ struct EnumNames<Spacing> {
   static constexpr std::array<std::string_view, 2> names = {"linear", "logarithmic"};
 };
 
-/// The values that one number of the gear takes, one after the other.
+/// The sequence of values of one number of the gear.
 struct Variation {
-  std::string path;   ///< of the number: "output_shaft.crack[0].depth"
+  std::string path;   ///< path of the number: "output_shaft.crack[0].depth"
   double from = 0.0;  ///< first value [unit of the field]
-  double to = 0.0;    ///< last value [unit of the field]; may be the smaller one
+  double to = 0.0;    ///< last value [unit of the field]; may be smaller than `from`
   int n_points = 0;   ///< >= 2
   Spacing spacing = Spacing::linear;
 
-  /// Value i of 0 .. n_points - 1; the first is exactly `from`, the last exactly `to`.
+  /// Value i of 0 .. n_points - 1; the first value is exactly `from`, the last exactly `to`.
   [[nodiscard]] double value(int i) const;
 };
 
-/// Most points that one sweep computes.
+/// Largest number of points of one sweep.
 inline constexpr int kMaxSweepPoints = 100'000;
 
 /// Reads "PATH=FROM..TO:N" or "PATH=FROM..TO:N:log", such as
 /// "output_shaft.crack[0].depth=0.05 mm..8 mm:60:log".
 ///
-/// FROM and TO have their units; pure numbers are bare.  They need not lie in the range of the
-/// field: a sweep reports the points that are refused.
+/// FROM and TO have units; pure numbers are bare.  Both may lie outside the range of the field,
+/// because a sweep reports the points that are refused.
 ///
-/// @param option  whose value it is, for messages
-/// @throws InputError  if the path is no number of `gear`, or the text is anything else
+/// @param option  name of the option in messages
+/// @throws InputError  if the path does not name a number of `gear`, or the text has another form
 [[nodiscard]] Variation parse_variation(const GearSet& gear, std::string_view text,
                                         std::string_view option = "--vary");
 
+/// Checks a variation.
 /// @throws InputError  unless both ends are finite and different, the number of points is 2 to
-///                     kMaxSweepPoints, and equal ratios neither reach nor cross 0
+///                     kMaxSweepPoints, and a logarithmic range neither reaches nor crosses 0
 void check_variation(const Variation& variation, std::string_view option = "--vary");
 
 }  // namespace strainwave

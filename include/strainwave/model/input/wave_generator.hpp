@@ -11,10 +11,10 @@
 
 namespace strainwave {
 
-/// How the radial compliance of a lobe becomes a torsional compliance at the output.
+/// Conversion of the radial compliance of a lobe to a torsional compliance at the output.
 enum class Conversion {
   reciprocity,  ///< energy of the lobe forces, input locked (ST-6)
-  cam,          ///< the article's: the cam is turned back over its mean slope (ST-7)
+  cam,          ///< the article's conversion, which turns the cam back over its mean slope (ST-7)
 };
 template <>
 struct EnumNames<Conversion> {
@@ -23,9 +23,9 @@ struct EnumNames<Conversion> {
 
 /// Radial displacements of one lobe at the lobe force of the given torque.
 struct LobeDisplacements {
-  double bearing = 0.0;  ///< Delta_b, of the bearing rings and balls [m]; >= 0
-  double cam = 0.0;      ///< Delta_g, of the cam [m]; >= 0
-  double shaft = 0.0;    ///< Delta_a, of the input shaft in bending [m]; >= 0
+  double bearing = 0.0;  ///< Delta_b of the bearing rings and balls [m]; >= 0
+  double cam = 0.0;      ///< Delta_g of the cam [m]; >= 0
+  double shaft = 0.0;    ///< Delta_a of the input shaft in bending [m]; >= 0
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -52,12 +52,13 @@ struct LobeDisplacements {
   }
 };
 
-/// Outer ring of the bearing as a thin elastic ring.
+/// Outer ring of the bearing, modelled as a thin elastic ring.
 struct BearingRing {
   double mean_radius = 0.0;  ///< R, of the ring's centre line [m]; > 0
   double thickness = 0.0;    ///< radial [m]; > 0, < mean_radius
   double width = 0.0;        ///< axial [m]; > 0
-  /// Share of the full section's bending stiffness that the groove leaves [-]; coupled drive only.
+  /// Share of the full section's bending stiffness that remains with the groove [-]; coupled drive
+  /// only.
   double groove_factor = 0.8;
 
   template <class Visitor>
@@ -176,15 +177,15 @@ struct WaveGenerator {
   double force_transmission_coefficient = 0.0;  ///< k_r [-]; > 0
   double load_factor = 1.15;                    ///< c_F of the lobe force [-]; > 0
   Conversion conversion = Conversion::reciprocity;
-  std::optional<double> radial_stiffness;                  ///< K_G0, of one lobe [N/m]; > 0
-  std::optional<LobeDisplacements> displacements;          ///< or this
-  std::optional<Bearing> bearing;                          ///< or this
+  std::optional<double> radial_stiffness;                  ///< K_G0 of one lobe [N/m]; > 0
+  std::optional<LobeDisplacements> displacements;          ///< alternative to radial_stiffness
+  std::optional<Bearing> bearing;                          ///< alternative to radial_stiffness
   std::optional<std::array<double, 2>> contact_semi_axes;  ///< a', b' of the contact [m]; a' >= b'
   std::optional<double> inner_ring_thickness;              ///< t_i, radial [m]; > 0
   std::optional<double> inner_ring_width;                  ///< B, axial [m]; > 0
   std::optional<double> inner_ring_mean_radius;  ///< R, centre line [m]; > inner_ring_thickness
-  /// c_cam: the cam lies c_cam (w_0^2/R) sin^2(2 psi) inside the cosine; 1.5 for an ellipse [-];
-  /// coupled drive only.
+  /// Flattening c_cam [-]: the cam lies c_cam (w_0^2/R) sin^2(2 psi) inside the cosine; 1.5 for an
+  /// ellipse; coupled drive only.
   double cam_flattening = 0.0;
   std::vector<WaveGeneratorCrack> crack;
 

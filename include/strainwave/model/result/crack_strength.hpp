@@ -15,12 +15,12 @@
 
 namespace strainwave {
 
-/// Answer of the failure assessment.
+/// Verdict of the failure assessment on a crack.
 enum class StrengthVerdict {
-  acceptable,   ///< inside the assessment line
-  fractures,    ///< outside it
-  collapses,    ///< the net section is fully plastic before the crack runs
-  cannot_tell,  ///< not beyond the line, but a property or a stress is not known
+  acceptable,   ///< the point is inside the assessment line
+  fractures,    ///< the point is outside the line
+  collapses,    ///< the net section becomes fully plastic before the crack grows
+  cannot_tell,  ///< the point is not beyond the line, but a property or a stress is unknown
 };
 template <>
 struct EnumNames<StrengthVerdict> {
@@ -35,67 +35,71 @@ struct EnumNames<TorqueSense> {
   static constexpr std::array<std::string_view, 2> names = {"positive", "negative"};
 };
 
-/// Size of a crack at which a criterion is reached, the crack keeping its shape.
+/// Size at which a crack that keeps its shape reaches a criterion.
 struct CriticalSize {
   /// Depth or half length, as the crack states its size [m]; absent: not reached in the range.
   std::optional<double> size = {};
-  /// Where there is no size because the range ends first: its end [m].
+  /// End of the range if the range ends before the criterion is reached [m].
   std::optional<double> none_up_to = {};
-  std::string text = {};  ///< where there is no size: why
+  std::string text = {};  ///< reason why there is no size; else empty
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"size", "m", "depth or half length; absent: not reached in the range"},
           &CriticalSize::size);
-    field({"none_up_to", "m", "end of the range, where the criterion is not reached in it"},
+    field({"none_up_to", "m", "end of the range, if the criterion is not reached in the range"},
           &CriticalSize::none_up_to);
-    field({"text", "", "why there is no size; empty where there is one"}, &CriticalSize::text);
+    field({"text", "", "reason why there is no size; else empty"}, &CriticalSize::text);
   }
 };
 
 /// One crack under one sense of torque, with or without the stress of the assembly.
 struct StrengthState {
   TorqueSense sense = TorqueSense::positive;
-  bool with_assembly = false;  ///< with the wall's bending by the wave generator, worst in a turn
-  double K_load = 0.0;         ///< equivalent K of the load alone, worst point [Pa*m^0.5]
-  double K_assembly = 0.0;     ///< equivalent K of the assembly alone, worst point [Pa*m^0.5]
-  double K = 0.0;              ///< equivalent K of both together, elastic, worst point [Pa*m^0.5]
-  std::optional<double> relative_uncertainty = {};  ///< of K [-]
+  /// include bending of the wall by the wave generator, worst case in a turn
+  bool with_assembly = false;
+  double K_load = 0.0;      ///< equivalent K of the load alone at the worst point [Pa*m^0.5]
+  double K_assembly = 0.0;  ///< equivalent K of the assembly alone at the worst point [Pa*m^0.5]
+  /// equivalent elastic K of both together at the worst point [Pa*m^0.5]
+  double K = 0.0;
+  std::optional<double> relative_uncertainty = {};  ///< relative uncertainty of K [-]
   std::optional<double> utilisation = {};           ///< K/K_Ic [-]
   std::optional<double> L_r = {};                   ///< reference stress over yield strength [-]
-  std::optional<double> interaction = {};           ///< V, on the K of the assembly [-]
+  std::optional<double> interaction = {};           ///< factor V on the K of the assembly [-]
   std::optional<double> K_r = {};      ///< K with V on the assembly's part, over K_Ic [-]
-  std::optional<double> line = {};     ///< f(L_r): the largest K_r that is accepted [-]
+  std::optional<double> line = {};     ///< f(L_r), the largest accepted K_r [-]
   std::optional<double> L_r_max = {};  ///< end of the line [-]
-  /// Factor on the given load at which the line is reached [-]; 0: the assembly alone is beyond it.
-  /// Of the stresses that are known; absent for a crack inside the line but beyond the range.
+  /// Factor on the given load at which the line is reached [-]; 0 if the assembly alone is beyond
+  /// the line.  Only known stresses count.  Absent for a crack inside the line but beyond the
+  /// range.
   std::optional<double> reserve = {};
   std::optional<double> plastic_zone = {};         ///< radius [m]
-  std::optional<CriticalSize> brittle_size = {};   ///< at which K reaches K_Ic
-  std::optional<CriticalSize> critical_size = {};  ///< at which the line is reached
+  std::optional<CriticalSize> brittle_size = {};   ///< size at which K reaches K_Ic
+  std::optional<CriticalSize> critical_size = {};  ///< size at which the line is reached
   StrengthVerdict verdict = StrengthVerdict::cannot_tell;
-  std::string unknown = {};    ///< what is missing, where the verdict is cannot_tell
-  std::string next_step = {};  ///< what would tell, where the verdict is cannot_tell
+  std::string unknown = {};    ///< missing input if the verdict is cannot_tell
+  std::string next_step = {};  ///< step that leads to a verdict if it is cannot_tell
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     using S = StrengthState;
     field({"torque", "", "sense of the torque"}, &S::sense);
-    field({"with_assembly", "", "with the wall's bending by the wave generator"},
+    field({"with_assembly", "", "whether bending of the wall by the wave generator is included"},
           &S::with_assembly);
-    field({"verdict", "", "answer of the failure assessment"}, &S::verdict);
-    field({"unknown", "", "what is missing, where the verdict is cannot_tell"}, &S::unknown);
-    field({"K_load", "Pa*m^0.5", "equivalent K of the load alone, worst point"}, [](const S& s) {
-      return Quantity{s.K_load, "Pa*m^0.5", s.relative_uncertainty};
-    });
-    field({"K_assembly", "Pa*m^0.5", "equivalent K of the assembly alone, worst point"},
+    field({"verdict", "", "verdict of the failure assessment"}, &S::verdict);
+    field({"unknown", "", "missing input if the verdict is cannot_tell"}, &S::unknown);
+    field({"K_load", "Pa*m^0.5", "equivalent K of the load alone at the worst point"},
+          [](const S& s) {
+            return Quantity{s.K_load, "Pa*m^0.5", s.relative_uncertainty};
+          });
+    field({"K_assembly", "Pa*m^0.5", "equivalent K of the assembly alone at the worst point"},
           &S::K_assembly);
-    field({"K", "Pa*m^0.5", "equivalent K of both together, worst point"}, &S::intensity);
+    field({"K", "Pa*m^0.5", "equivalent K of both together at the worst point"}, &S::intensity);
     field({"utilisation", "1", "K/K_Ic"}, &S::toughness_used);
     field({"L_r", "1", "reference stress over yield strength"}, &S::L_r);
-    field({"interaction", "1", "V, on the K of the assembly"}, &S::interaction);
+    field({"interaction", "1", "factor V on the K of the assembly"}, &S::interaction);
     field({"K_r", "1", "K with V on the assembly's part, over K_Ic"}, &S::K_r);
-    field({"line", "1", "f(L_r), the largest K_r that is accepted"}, &S::line);
+    field({"line", "1", "f(L_r), the largest accepted K_r"}, &S::line);
     field({"reserve", "1", "factor on the given load at which the line is reached"}, &S::reserve);
     field({"plastic_zone", "m", "radius of the plastic zone"}, &S::plastic_zone);
     field({"brittle_size", "", "size at which K reaches K_Ic"}, &S::brittle_size);
@@ -114,14 +118,14 @@ struct StrengthState {
   }
 };
 
-/// What a verdict leaves out.
+/// An effect that a verdict leaves out.
 struct StrengthNote {
   std::string text;
   std::string equation;  ///< tag of the theory manual
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"text", "", "what the verdict leaves out"}, &StrengthNote::text);
+    field({"text", "", "effect that the verdict leaves out"}, &StrengthNote::text);
     field({"equation", "", "tag of the theory manual"}, &StrengthNote::equation);
   }
 };
@@ -134,18 +138,18 @@ struct CrackStrength {
   std::string size_name = {};            ///< "depth" or "half_length"
   double size = 0.0;                     ///< present size [m]
   std::optional<double> toughness = {};  ///< K_Ic [Pa*m^0.5]
-  std::optional<double> ligament = {};   ///< what is left of the section [m]
-  /// Given sense of torque first, load alone before load and assembly; then the other sense where
-  /// it differs.  Empty where the crack's stress is not known.
+  std::optional<double> ligament = {};   ///< remaining thickness of the section [m]
+  /// States under the given sense of torque first, with the load alone before load and assembly.
+  /// The other sense follows if it differs.  Empty if the stress of the crack is unknown.
   std::vector<StrengthState> states = {};
   std::size_t governing = 0;  ///< the worst state under either sense of torque
-  StrengthVerdict verdict = StrengthVerdict::cannot_tell;  ///< of that state
+  StrengthVerdict verdict = StrengthVerdict::cannot_tell;  ///< verdict of the governing state
   std::string sentence = {};                               ///< the verdict in words
-  std::string next_step = {};               ///< what would tell, where the verdict is cannot_tell
-  std::vector<StrengthNote> notes = {};     ///< what the verdict leaves out
+  std::string next_step = {};               ///< step that leads to a verdict if it is cannot_tell
+  std::vector<StrengthNote> notes = {};     ///< effects that the verdict leaves out
   std::vector<std::string> equations = {};  ///< tags of the theory manual
 
-  /// The numbers of the worst state first, which are outputs; then all states.
+  /// Describes the numbers of the worst state first, which are outputs, then all states.
   template <class Visitor>
   static void describe(Visitor&& field) {
     using C = CrackStrength;
@@ -162,12 +166,12 @@ struct CrackStrength {
         return state.*member ? (state.*member)->size : std::optional<double>();
       };
     };
-    worst({"K", "Pa*m^0.5", "equivalent K at the worst point, worst state"},
+    worst({"K", "Pa*m^0.5", "equivalent K at the worst point in the worst state"},
           &StrengthState::intensity);
     worst({"utilisation", "1", "K/K_Ic"}, &StrengthState::toughness_used);
     worst({"L_r", "1", "reference stress over yield strength"}, &StrengthState::L_r);
     worst({"K_r", "1", "K over K_Ic, with the interaction of the assembly"}, &StrengthState::K_r);
-    worst({"line", "1", "the largest K_r that is accepted"}, &StrengthState::line);
+    worst({"line", "1", "largest accepted K_r"}, &StrengthState::line);
     field({"reserve", "1", "least factor on the load at which the line is reached"},
           &C::least_reserve);
     worst({"brittle_size", "m", "size at which K reaches K_Ic"},
@@ -175,8 +179,8 @@ struct CrackStrength {
     worst({"critical_size", "m", "size at which the line is reached"},
           size(&StrengthState::critical_size));
     worst({"plastic_zone", "m", "radius of the plastic zone"}, &StrengthState::plastic_zone);
-    field({"ligament", "m", "what is left of the section"}, &C::ligament);
-    field({"verdict", "", "answer of the failure assessment"}, &C::verdict);
+    field({"ligament", "m", "remaining thickness of the section"}, &C::ligament);
+    field({"verdict", "", "verdict of the failure assessment"}, &C::verdict);
     field({"sentence", "", "the verdict in words"}, &C::sentence);
     field({"size_name", "", "depth or half_length"}, &C::size_name);
     field({.name = "size", .unit = "m", .doc = "present size", .detail = true}, &C::size);
@@ -189,8 +193,9 @@ struct CrackStrength {
            .doc = "each sense of torque, load alone and with the assembly",
            .detail = true},
           &C::states);
-    field({.name = "notes", .unit = "", .doc = "what the verdict leaves out", .detail = true},
-          &C::notes);
+    field(
+        {.name = "notes", .unit = "", .doc = "effects that the verdict leaves out", .detail = true},
+        &C::notes);
     field({.name = "equations", .unit = "", .doc = "tags of the theory manual", .detail = true},
           &C::equations);
   }
@@ -198,20 +203,20 @@ struct CrackStrength {
   [[nodiscard]] const StrengthState* worst() const {
     return states.empty() ? nullptr : &states[governing];
   }
-  /// The least reserve of all states [-]; absent where none has one.
+  /// The least reserve of all states [-]; absent if no state has a reserve.
   [[nodiscard]] std::optional<double> least_reserve() const {
     std::optional<double> least;
     for (const StrengthState& state : states)
       if (state.reserve) least = std::min(least.value_or(*state.reserve), *state.reserve);
     return least;
   }
-  /// Whether it fractures or collapses under either sense of torque.
+  /// Whether the crack fractures or collapses under either sense of torque.
   [[nodiscard]] bool breaks() const {
     return verdict == StrengthVerdict::fractures || verdict == StrengthVerdict::collapses;
   }
 };
 
-/// All cracks in a line: "3 of 4 cracks hold, 1 fractures or collapses, 0 cannot be told".
+/// All cracks in one line: "3 of 4 cracks hold, 1 fractures or collapses, 0 cannot be told".
 [[nodiscard]] inline std::string strength_summary(std::span<const CrackStrength> cracks) {
   const auto held =
       std::ranges::count(cracks, StrengthVerdict::acceptable, &CrackStrength::verdict);

@@ -11,16 +11,15 @@
 #include "strainwave/core/fields.hpp"
 
 /// @file
-/// What every result says about itself besides its numbers: notes, accuracies, equations, and one
-/// verdict.
+/// Evidence of every result besides its numbers: notes, accuracies, equations, and one verdict.
 
 namespace strainwave {
 
-/// How much a note weighs.  It is set where the note is made.
+/// Weight of a note.  The code that makes a note sets its severity.
 enum class Severity {
-  information,  ///< says what was done; raises no doubt
-  care,         ///< the answer holds within a limit that the note names
-  cannot_tell,  ///< something that decides is not known
+  information,  ///< states what was done and does not raise doubt
+  care,         ///< the answer is valid within a limit that the note names
+  cannot_tell,  ///< a decisive input is unknown
   critical,     ///< a part fails, or the answer must not be acted on as it stands
 };
 template <>
@@ -33,28 +32,28 @@ struct EnumNames<Severity> {
 struct Note {
   std::string code;
   std::string text;
-  std::string path;            ///< of the field concerned; empty: the whole drive
+  std::string path;            ///< path of the field concerned; empty: the whole drive
   std::string equation;        ///< tag, such as "FR-4"; empty: none
-  Severity severity;           ///< no default: whoever makes a note weighs it
-  std::string next_step = {};  ///< what the reader can do about it; empty: nothing
+  Severity severity;           ///< no default, so the code that makes a note must choose it
+  std::string next_step = {};  ///< action for the reader; empty: none
 
   friend bool operator==(const Note&, const Note&) = default;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"code", "", "machine-readable code"}, &Note::code);
-    field({"severity", "", "how much the note weighs"}, &Note::severity);
+    field({"severity", "", "weight of the note"}, &Note::severity);
     field({"text", "", "the remark, for a person"}, &Note::text);
-    field({"next_step", "", "what the reader can do about it; empty: nothing"}, &Note::next_step);
+    field({"next_step", "", "action for the reader; empty: none"}, &Note::next_step);
     field({"path", "", "field concerned; empty: the whole drive"}, &Note::path);
     field({"equation", "", "tag of the theory manual; empty: none"}, &Note::equation);
   }
 };
 
-/// A model-form uncertainty that entered a result, and what it rests on.
+/// A model-form uncertainty that entered a result, and its basis.
 struct AccuracyBasis {
-  std::string path;                   ///< of the member or crack
-  double relative_uncertainty = 0.0;  ///< one standard, as it enters the compliance [-]
+  std::string path;                   ///< path of the member or crack
+  double relative_uncertainty = 0.0;  ///< one standard uncertainty, as it enters the compliance [-]
   std::string source;
 
   friend bool operator==(const AccuracyBasis&, const AccuracyBasis&) = default;
@@ -62,13 +61,13 @@ struct AccuracyBasis {
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"path", "", "member or crack"}, &AccuracyBasis::path);
-    field({"relative_uncertainty", "1", "one standard, as it enters the compliance"},
+    field({"relative_uncertainty", "1", "one standard uncertainty, as it enters the compliance"},
           &AccuracyBasis::relative_uncertainty);
-    field({"source", "", "what the uncertainty rests on"}, &AccuracyBasis::source);
+    field({"source", "", "basis of the uncertainty"}, &AccuracyBasis::source);
   }
 };
 
-/// What an answer as a whole is worth.
+/// Judgement of an answer as a whole.
 enum class Judgement { good, with_care, critical, cannot_be_told };
 template <>
 struct EnumNames<Judgement> {
@@ -76,49 +75,49 @@ struct EnumNames<Judgement> {
                                                             "cannot be told"};
 };
 
-/// One verdict on an answer, with its reason and what to do next.
+/// The verdict on an answer, with its reason and the next step.
 struct Verdict {
   Judgement judgement = Judgement::good;
   std::string reason;     ///< one sentence
-  std::string next_step;  ///< one sentence; empty where there is nothing to do
+  std::string next_step;  ///< one sentence; empty if no action is needed
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"judgement", "", "good, with care, critical or cannot be told"}, &Verdict::judgement);
-    field({"reason", "", "why, in one sentence"}, &Verdict::reason);
-    field({"next_step", "", "what to do next; empty where there is nothing to do"},
-          &Verdict::next_step);
+    field({"reason", "", "reason in one sentence"}, &Verdict::reason);
+    field({"next_step", "", "next step; empty if no action is needed"}, &Verdict::next_step);
   }
 };
 
-/// The verdict that notes lead to: critical before cannot be told before with care.
+/// The verdict that follows from notes.  The order is critical, cannot be told, with care.
 ///
-/// @param unusable_because  why the answer may not be used; empty if it may.  An answer that may
-///                          not be used cannot be told, whatever the notes say.
+/// @param unusable_because  reason why the answer must not be used; empty if usable.  An unusable
+///                          answer gives the verdict "cannot be told", whatever the notes say.
 /// @return  the judgement of the most severe note, the first if several tie, with its text as the
-///          reason; good where no note raises a doubt
+///          reason; good if no note raises doubt
 [[nodiscard]] Verdict verdict_of(std::string_view unusable_because, std::span<const Note> notes);
 
-/// What became of requirements.
+/// Outcome of requirements.
 enum class RequirementOutcome { met, cannot_be_told, not_met };
 template <>
 struct EnumNames<RequirementOutcome> {
   static constexpr std::array<std::string_view, 3> names = {"met", "cannot be told", "not met"};
 };
 
-/// Everything that a result says about itself.
+/// Evidence of a result.
 struct ResultEvidence {
   std::string unusable_because;  ///< empty if the answer may be used
-  bool refused = false;          ///< it may not, because what the input asks for cannot be done
+  bool refused = false;          ///< unusable because the request in the input cannot be met
   Verdict verdict;
   std::vector<Note> notes;
   std::vector<std::string> equations;  ///< tags of the theory manual
   std::vector<AccuracyBasis> accuracies;
-  std::optional<RequirementOutcome> requirement;  ///< of a command that answers requirements
+  /// outcome, for a command that judges requirements
+  std::optional<RequirementOutcome> requirement;
 };
 
-/// The evidence of a result, from those of its members that hold one: `unusable_because`, `notes`,
-/// `equations`, `accuracies`.  A result whose evidence lies deeper has an overload of its own.
+/// The evidence of a result, taken from its members `unusable_because`, `notes`, `equations` and
+/// `accuracies` if it has them.  A result with nested evidence has an overload of its own.
 template <class Result>
 [[nodiscard]] ResultEvidence evidence_of(const Result& result) {
   ResultEvidence evidence;

@@ -5,12 +5,13 @@
 
 namespace strainwave {
 
-/// Where a result comes from.  The same input and version give the same bytes: no times, no hosts.
+/// Provenance of a result.  The same input and version give the same bytes, so it contains neither
+/// time nor host.
 struct Provenance {
-  std::string version;                ///< of strainwave
-  std::string revision;               ///< of its sources
-  std::string input_file;             ///< as the user named it
-  double quadrature_tolerance = 0.0;  ///< relative, of the crack integrals [-]
+  std::string version;                ///< version of strainwave
+  std::string revision;               ///< revision of the sources
+  std::string input_file;             ///< input file as named by the user
+  double quadrature_tolerance = 0.0;  ///< relative tolerance of the crack integrals [-]
 };
 
 }  // namespace strainwave

@@ -8,7 +8,7 @@
 
 namespace strainwave {
 
-/// Told the name of an output and its value.
+/// Receives the name and the value of an output.
 using QuantityReader = std::function<void(const std::string& path, const Quantity& quantity)>;
 
 /// Walks the outputs of a described result: numbers that are no detail and stand in no column, in
@@ -48,7 +48,7 @@ class OutputWalk : public ValueVisitor {
   int columns_ = 0;
 };
 
-/// Walks the outputs of a result: `read(path, quantity)`.
+/// Walks the outputs of a result and calls `read(path, quantity)` for each.
 template <Described Result>
 void for_each_quantity(const Result& result, QuantityReader read) {
   OutputWalk walk(std::move(read));

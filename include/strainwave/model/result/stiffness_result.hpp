@@ -27,9 +27,10 @@ struct Compliances {
   template <class Visitor>
   static void describe(Visitor&& field) {
     constexpr std::string_view kUnit = "rad/(N*m)";
-    field({"wave_generator", kUnit, "share of the wave generator"}, &Compliances::wave_generator);
-    field({"flexspline", kUnit, "share of the flexspline"}, &Compliances::flexspline);
-    field({"output_shaft", kUnit, "share of the output shaft"}, &Compliances::output_shaft);
+    field({"wave_generator", kUnit, "compliance of the wave generator"},
+          &Compliances::wave_generator);
+    field({"flexspline", kUnit, "compliance of the flexspline"}, &Compliances::flexspline);
+    field({"output_shaft", kUnit, "compliance of the output shaft"}, &Compliances::output_shaft);
     field({"total", kUnit, "sum of the members"}, &Compliances::total);
   }
 };
@@ -54,7 +55,7 @@ struct CrackedDrive {
   Compliances compliance;
   Quantity stiffness;         ///< [N*m/rad]
   Quantity stiffness_change;  ///< K/K_intact - 1 [-]; negative means softer
-  Quantity wind_up;           ///< at the given torque [rad]
+  Quantity wind_up;           ///< twist at the given torque [rad]
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -73,7 +74,7 @@ struct CrackedDrive {
   }
 };
 
-/// Which sense of torque, with the given axial force, pulls the faces of a crack apart.
+/// The sense of torque that, with the given axial force, opens the faces of a crack.
 enum class OpensUnder { neither, positive, negative, both };
 template <>
 struct EnumNames<OpensUnder> {
@@ -81,15 +82,15 @@ struct EnumNames<OpensUnder> {
                                                             "both"};
 };
 
-/// K_I, K_II, K_III at one point of a crack front under the given load; K_II and K_III have the
-/// sign of the shear in the corrected method, magnitudes in the article's.
+/// K_I, K_II, K_III at one point of a crack front under the given load.  In the corrected method,
+/// K_II and K_III have the sign of the shear; in the article's methods they are magnitudes.
 struct StressIntensities {
   Quantity K_I;    ///< [Pa*m^0.5]
   Quantity K_II;   ///< [Pa*m^0.5]
   Quantity K_III;  ///< [Pa*m^0.5]
 
   friend bool operator==(const StressIntensities&, const StressIntensities&) = default;
-  /// The mode of the largest magnitude.
+  /// The mode with the largest magnitude.
   [[nodiscard]] const Quantity& largest() const {
     return *std::max({&K_I, &K_II, &K_III}, [](const Quantity* a, const Quantity* b) {
       return std::abs(a->value) < std::abs(b->value);
@@ -104,12 +105,12 @@ struct StressIntensities {
   }
 };
 
-/// What one crack adds under one sense of torque.
+/// Compliance that one crack adds under one sense of torque.
 struct AddedCompliance {
-  /// Its share of the drive's compliance [rad/(N*m)].
+  /// Contribution of the crack to the drive's compliance [rad/(N*m)].
   Quantity at_output;
-  /// Symmetric matrix over [axial, torsion] of cracks in flexspline and shaft:
-  /// axial-axial [m/N], axial-torsion [1/N], torsion-torsion [rad/(N*m)].
+  /// Symmetric matrix over [axial, torsion] for cracks in flexspline and shaft: axial-axial [m/N],
+  /// axial-torsion [1/N], torsion-torsion [rad/(N*m)].
   std::optional<std::array<Quantity, 3>> axial_torsion;
 
   template <class Visitor>
@@ -119,7 +120,7 @@ struct AddedCompliance {
         return a.axial_torsion ? std::optional((*a.axial_torsion)[index]) : std::nullopt;
       };
     };
-    field({"at_output", "rad/(N*m)", "share of the drive's compliance"},
+    field({"at_output", "rad/(N*m)", "contribution to the drive's compliance"},
           &AddedCompliance::at_output);
     field({"axial_axial", "m/N", "extension per axial force"}, entry(0));
     field({"axial_torsion", "1/N", "twist per axial force, or extension per torque"}, entry(1));
@@ -134,11 +135,12 @@ struct CrackReport {
   OpensUnder opens_under = OpensUnder::neither;
   AddedCompliance positive = {};
   AddedCompliance negative = {};
-  /// At the deepest point of the front (the tip, where a front has no deepest point).
+  /// Stress intensities at the deepest point of the front, or at the tip if the front has no
+  /// deepest point.
   std::optional<StressIntensities> deepest = {};
-  /// The largest magnitude of each mode along the front.
+  /// Largest magnitude of each mode along the front.
   std::optional<StressIntensities> largest = {};
-  /// Relative, of the largest K along the front [-]; absent where there is no K.
+  /// Relative uncertainty of the largest K along the front [-]; absent without K.
   std::optional<double> intensity_uncertainty = {};
 };
 
@@ -162,13 +164,14 @@ struct FrontIntensities {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"deepest", "", "at the deepest point, or the tip"}, &FrontIntensities::deepest);
+    field({"deepest", "", "values at the deepest point, or at the tip"},
+          &FrontIntensities::deepest);
     field({"largest", "", "largest magnitude of each mode along the front"},
           &FrontIntensities::largest);
   }
 };
 
-/// All that is told of one crack: its report by the stiffness model, its strength, or both.
+/// All outputs of one crack: its report by the stiffness model, its strength, or both.
 struct CrackOutputs {
   const CrackReport* report = nullptr;
   const CrackStrength* strength = nullptr;
@@ -186,14 +189,15 @@ struct CrackOutputs {
         return c.report != nullptr ? std::optional<Value>(value(*c.report)) : std::nullopt;
       });
     };
-    of_report({"opens_under", "", "sense of torque that pulls the faces apart"},
+    of_report({"opens_under", "", "sense of torque that opens the faces"},
               [](const CrackReport& r) { return r.opens_under; });
-    of_report({"added_compliance", "", "what the crack adds"}, [](const CrackReport& r) {
+    of_report({"added_compliance", "", "compliance that the crack adds"}, [](const CrackReport& r) {
       return BySense<AddedCompliance>{r.positive, r.negative};
     });
-    of_report({"stress_intensity", "", "at the given load"}, [](const CrackReport& r) {
-      return FrontIntensities{r.deepest, r.largest};
-    });
+    of_report({"stress_intensity", "", "stress intensities at the given load"},
+              [](const CrackReport& r) {
+                return FrontIntensities{r.deepest, r.largest};
+              });
     field({"strength", "", "strength at the given load"}, [](const C& c) {
       return c.strength != nullptr ? std::optional(*c.strength) : std::nullopt;
     });
@@ -208,16 +212,17 @@ struct StiffnessResult {
   CrackedDrive positive;             ///< sum of the members, torque about +z
   CrackedDrive negative;             ///< sum of the members, torque about -z
   std::vector<CrackReport> cracks;
-  /// Of all cracks, where a material gives toughness or yield strength; corrected method only.
+  /// Strength of all cracks, if a material gives toughness or yield strength; corrected method
+  /// only.
   std::vector<CrackStrength> strength;
   std::vector<Note> notes;
-  std::vector<AccuracyBasis> accuracies;  ///< where the uncertainties come from
+  std::vector<AccuracyBasis> accuracies;  ///< origin of the uncertainties
   std::vector<std::string> equations;     ///< tags of the equations used, in order of first use
-  /// Empty if the answer may be used; else one sentence that says why not.
+  /// Reason why the answer must not be used, one sentence; empty if usable.
   std::string unusable_because;
 
   [[nodiscard]] bool usable() const { return unusable_because.empty(); }
-  /// The cracks in the order of their reports; then those that only have a strength.
+  /// The cracks in the order of their reports, then the cracks that have only a strength.
   [[nodiscard]] std::vector<CrackOutputs> crack_outputs() const;
 
   template <class Visitor>

@@ -5,7 +5,7 @@
 
 namespace strainwave::sif {
 
-/// Semicircular surface crack in a solid bar with one K for its front, loads [force, moment].
+/// Semicircular surface crack in a solid bar with one K for the whole front, loads [force, moment].
 ///
 /// Implements theory manual eq. (SB-9), Forman and Shivakumar's factors; the front and its area are
 /// those of (SB-8) with a/c = 1.
@@ -52,7 +52,7 @@ struct BarArcCrack {
 
   [[nodiscard]] double size() const { return depth; }
   [[nodiscard]] FrontRange front() const { return {}; }
-  /// dA/da, both halves [m]; (SB-8).
+  /// Swept area dA/da of both halves [m]; (SB-8).
   [[nodiscard]] double swept_area(double a, double) const {
     return diameter / 2 * one_sided_swept(2 * a / diameter, 1.0);
   }

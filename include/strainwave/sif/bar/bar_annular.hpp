@@ -10,8 +10,8 @@ namespace strainwave::sif {
 /// Annular crack in the surface of a solid bar, loads [force, moment, torque].
 ///
 /// Implements theory manual eqs. (FR-12), (FR-13) in torsion and tension, and (SB-3) in bending.
-/// K_I of the moment varies as cos(theta) along the front and is negative on the pressed side: it
-/// counts where a force keeps the crack open.
+/// K_I of the moment varies as cos(theta) along the front and is negative on the compressed side.
+/// The negative part is valid only while a force keeps the crack open.
 struct BarAnnularCrack {
   static constexpr SolutionInfo kInfo{
       .name = "bar-annular",
@@ -52,9 +52,9 @@ struct BarAnnularCrack {
   }
 
   [[nodiscard]] double size() const { return depth; }
-  /// Half of the front, theta from the most pulled fibre.
+  /// Half of the front, theta from the fibre with the largest tension.
   [[nodiscard]] FrontRange front() const { return {0.0, std::numbers::pi}; }
-  /// Both halves, dA = 2 r_e da dtheta.
+  /// Swept area of both halves, dA = 2 r_e da dtheta.
   [[nodiscard]] double swept_area(double a, double) const { return diameter - 2 * a; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double theta) const {
     const AnnularCrackSolid solid{.depth = depth, .diameter = diameter};
@@ -67,13 +67,14 @@ struct BarAnnularCrack {
     return k;
   }
 
-  /// F_b of eq. (SB-3) [-].  @param x  net/gross diameter [-]; in (0, 1]
+  /// Bending factor F_b of eq. (SB-3) [-].  @param x  net/gross diameter [-]; in (0, 1]
   [[nodiscard]] static double bending_factor(double x) {
     return 3.0 / 8 * polynomial(kP2, x) / (x * x * std::sqrt(x));  // (SB-3)
   }
 
  private:
-  /// p_2: three terms of the neck between two half-spaces, then a fit that ends at the edge crack.
+  /// Polynomial p_2: three terms from the neck between two half-spaces, then a fit that ends at the
+  /// edge crack.
   static constexpr std::array kP2 = {1.0,         0.5,        0.375,       0.58424627,
                                      -1.86002070, 6.24772954, -7.75789181, 3.90166257};
   [[nodiscard]] RoundSection section() const { return {.outer_radius = diameter / 2}; }

@@ -8,9 +8,9 @@ namespace strainwave::sif {
 
 /// Surface crack of elliptical front in a solid bar, loads [force, moment, torque].
 ///
-/// Implements theory manual eqs. (SB-7), (SB-8): the centre of the ellipse lies on the
-/// surface, over the middle of the crack.  Grows at constant a/c.  The
-/// torque makes mode III in the middle and mode II toward the ends.
+/// Implements theory manual eqs. (SB-7), (SB-8): the centre of the ellipse lies on the surface,
+/// over the middle of the crack.  The crack grows at constant a/c.  The torque causes mode III in
+/// the middle and mode II toward the ends.
 struct BarSurfaceCrack {
   static constexpr SolutionInfo kInfo{
       .name = "bar-surface",
@@ -57,7 +57,7 @@ struct BarSurfaceCrack {
   [[nodiscard]] double size() const { return depth; }
   /// Half of the front, from the middle to the surface.
   [[nodiscard]] FrontRange front() const { return {0.0, 1.0}; }
-  /// Both halves; (SB-8).
+  /// Swept area of both halves; (SB-8).
   [[nodiscard]] double swept_area(double a, double) const {
     return diameter / 2 * one_sided_swept(2 * a / diameter, aspect_ratio);
   }

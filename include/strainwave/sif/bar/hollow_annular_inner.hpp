@@ -8,8 +8,8 @@ namespace strainwave::sif {
 
 /// Annular crack in the inner surface of a hollow bar, loads [force, moment, torque].
 ///
-/// Implements theory manual eq. (SB-5): factors on the nominal stress at the front.
-/// K_I of the moment varies as cos(theta) along the front and is negative on the pressed side.
+/// Implements theory manual eq. (SB-5): factors on the nominal stress at the front.  K_I of the
+/// moment varies as cos(theta) along the front and is negative on the compressed side.
 struct HollowAnnularInnerCrack {
   static constexpr SolutionInfo kInfo{
       .name = "hollow-annular-inner",
@@ -59,9 +59,9 @@ struct HollowAnnularInnerCrack {
   [[nodiscard]] double gross_stress(std::size_t load) const { return gross_stress(load, depth); }
 
   [[nodiscard]] double size() const { return depth; }
-  /// Half of the front, theta from the most pulled fibre.
+  /// Half of the front, theta from the fibre with the largest tension.
   [[nodiscard]] FrontRange front() const { return {0.0, std::numbers::pi}; }
-  /// Both halves, dA = 2 (r_i + a) da dtheta.
+  /// Swept area of both halves, dA = 2 (r_i + a) da dtheta.
   [[nodiscard]] double swept_area(double a, double) const { return inner_diameter + 2 * a; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double theta) const {
     const RoundSection shaft = section();

@@ -9,8 +9,8 @@ namespace strainwave::sif {
 
 /// Annular crack in the outer surface of a hollow bar, loads [force, moment, torque].
 ///
-/// Implements theory manual eqs. (FR-14) to (FR-16) in torsion and tension, (SB-4) in bending.
-/// K_I of the moment varies as cos(theta) along the front and is negative on the pressed side.
+/// Implements theory manual eqs. (FR-14) to (FR-16) in torsion and tension, (SB-4) in bending.  K_I
+/// of the moment varies as cos(theta) along the front and is negative on the compressed side.
 struct HollowAnnularOuterCrack {
   static constexpr SolutionInfo kInfo{
       .name = "hollow-annular-outer",
@@ -57,9 +57,9 @@ struct HollowAnnularOuterCrack {
   }
 
   [[nodiscard]] double size() const { return depth; }
-  /// Half of the front, theta from the most pulled fibre.
+  /// Half of the front, theta from the fibre with the largest tension.
   [[nodiscard]] FrontRange front() const { return {0.0, std::numbers::pi}; }
-  /// Both halves, dA = 2 r_e da dtheta.
+  /// Swept area of both halves, dA = 2 r_e da dtheta.
   [[nodiscard]] double swept_area(double a, double) const { return outer_diameter - 2 * a; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double theta) const {
     const RoundSection shaft = section();

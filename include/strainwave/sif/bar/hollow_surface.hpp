@@ -7,17 +7,17 @@
 
 namespace strainwave::sif {
 
-/// From which surface of a hollow bar a crack starts.
+/// The surface of a hollow bar from which a crack starts.
 enum class BarSurface { outer, inner };
 
-/// K of a semi-elliptical surface crack in a hollow bar, the wall taken as a plate.
+/// K of a semi-elliptical surface crack in a hollow bar, with the wall treated as a plate.
 ///
-/// Implements theory manual eqs. (SB-10), (SB-11): the moment's stress through the wall is split
-/// into tension and bending of the plate, and falls along the arc; the torque's shear is that of
+/// Implements theory manual eqs. (SB-10), (SB-11): the stress from the moment is split into tension
+/// and bending of the plate and falls along the arc; the shear stress from the torque is that at
 /// mid-depth.
 ///
 /// @param aspect   a/c [-]; in (0, 1]
-/// @param poisson  nu, of the split between K_II and K_III [-]
+/// @param poisson  nu, which determines the split between K_II and K_III [-]
 /// @param a        depth [m]
 /// @param phi      from the surface; pi/2 is the deepest point [rad]
 [[nodiscard]] inline UnitStressIntensity<3> hollow_surface_intensity(const RoundSection& section,

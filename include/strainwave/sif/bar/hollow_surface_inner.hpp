@@ -7,8 +7,8 @@ namespace strainwave::sif {
 
 /// Semi-elliptical crack in the inner surface of a hollow bar, loads [force, moment, torque].
 ///
-/// Implements theory manual eqs. (SB-10), (SB-11).  c is half of the length along the surface.
-/// Grows at constant a/c.
+/// Implements theory manual eqs. (SB-10), (SB-11).  c is half of the length along the surface.  The
+/// crack grows at constant a/c.
 struct HollowSurfaceInnerCrack {
   static constexpr SolutionInfo kInfo{
       .name = "hollow-surface-inner",
@@ -66,7 +66,7 @@ struct HollowSurfaceInnerCrack {
   [[nodiscard]] double size() const { return depth; }
   /// Half of the front, phi from the surface.
   [[nodiscard]] FrontRange front() const { return {0.0, std::numbers::pi / 2}; }
-  /// Both halves, dA = 2 c da dphi; (FR-3).
+  /// Swept area of both halves, dA = 2 c da dphi; (FR-3).
   [[nodiscard]] double swept_area(double a, double) const { return 2 * a / aspect_ratio; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double phi) const {
     return hollow_surface_intensity(section(), BarSurface::inner, aspect_ratio, poissons_ratio, a,

@@ -9,7 +9,7 @@ namespace strainwave::sif {
 /// Penny-shaped crack in the middle of a solid bar, loads [force, moment, torque].
 ///
 /// Implements theory manual eq. (SB-6): factors on the nominal stress at the front, exact for a
-/// small crack.  K_I of the moment varies as cos(theta) and is negative on the pressed side.
+/// small crack.  K_I of the moment varies as cos(theta) and is negative on the compressed side.
 struct BarPennyCrack {
   static constexpr SolutionInfo kInfo{
       .name = "bar-penny",
@@ -57,9 +57,9 @@ struct BarPennyCrack {
   [[nodiscard]] double gross_stress(std::size_t load) const { return gross_stress(load, radius); }
 
   [[nodiscard]] double size() const { return radius; }
-  /// Half of the front, theta from the most pulled point.
+  /// Half of the front, theta from the point with the largest tension.
   [[nodiscard]] FrontRange front() const { return {0.0, std::numbers::pi}; }
-  /// Both halves, dA = 2 a da dtheta.
+  /// Swept area of both halves, dA = 2 a da dtheta.
   [[nodiscard]] double swept_area(double a, double) const { return 2 * a; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double theta) const {
     return annular_intensity(section(), a, a, theta, penny_in_bar(2 * a / diameter));

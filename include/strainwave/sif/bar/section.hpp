@@ -14,7 +14,7 @@ namespace strainwave::sif {
 /// Indices of the loads of a bar.
 enum BarLoad : std::size_t { kForce = 0, kMoment = 1, kTorque = 2 };
 
-/// The loads of a crack that goes all round.
+/// The loads of a crack all round a bar.
 inline constexpr std::array<LoadInfo, 3> kAnnularLoads{
     LoadInfo{"force", "N", "axial force, tension positive"},
     LoadInfo{"moment", "N*m", "bending moment that pulls at the point theta = 0"},
@@ -26,11 +26,11 @@ inline constexpr std::array<LoadInfo, 3> kOneSidedLoads{
     LoadInfo{"moment", "N*m", "bending moment that pulls at the middle of the crack"},
     LoadInfo{"torque", "N*m", "torque about the axis"}};
 
-/// Points of half of a front on one side.
+/// Points of one half of a front on one side.
 inline constexpr std::array<FrontPoint, 2> kOneSidedPoints{FrontPoint{"middle", 0.0},
                                                            FrontPoint{"surface", 1.0}};
 
-/// Points of a front that goes all round, at the angle theta.
+/// Points of a front all round, at the angle theta.
 inline constexpr std::array<FrontPoint, 3> kAnnularPoints{
     FrontPoint{"pulled", 0.0}, FrontPoint{"neutral", std::numbers::pi / 2},
     FrontPoint{"pressed", std::numbers::pi}};
@@ -67,11 +67,11 @@ struct RoundSection {
   [[nodiscard]] double area() const {
     return std::numbers::pi * (outer_radius + inner_radius) * wall();
   }
-  /// I of bending [m^4]; twice of it is I_p.
+  /// Second moment I of bending [m^4]; the polar moment I_p is 2 I.
   [[nodiscard]] double second_moment() const {
     return area() * (outer_radius * outer_radius + inner_radius * inner_radius) / 4;
   }
-  /// Nominal stress at the radius r per unit of a load: 1/A, r/I, r/I_p [1/m^2, 1/m^3].
+  /// Nominal stress at radius r per unit of a load: 1/A, r/I or r/I_p [1/m^2, 1/m^3].
   [[nodiscard]] double stress(std::size_t load, double r) const {
     if (load == kForce) return 1 / area();            // (SB-1)
     if (load == kMoment) return r / second_moment();  // (SB-1)

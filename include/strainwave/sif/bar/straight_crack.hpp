@@ -8,8 +8,8 @@ namespace strainwave::sif {
 
 /// Edge crack of straight front in a solid bar, loads [force, moment, torque].
 ///
-/// Implements theory manual eqs. (SB-7), (SB-8) with a/c = 0.  Grows with a straight front.  The
-/// torque makes mode III in the middle and mode II toward the ends.
+/// Implements theory manual eqs. (SB-7), (SB-8) with a/c = 0.  The front stays straight during
+/// growth.  The torque causes mode III in the middle and mode II toward the ends.
 struct BarStraightCrack {
   static constexpr SolutionInfo kInfo{
       .name = "bar-straight",
@@ -53,7 +53,7 @@ struct BarStraightCrack {
   [[nodiscard]] double size() const { return depth; }
   /// Half of the front, from the middle to the surface.
   [[nodiscard]] FrontRange front() const { return {0.0, 1.0}; }
-  /// Both halves; (SB-8).
+  /// Swept area of both halves; (SB-8).
   [[nodiscard]] double swept_area(double a, double) const {
     return diameter / 2 * one_sided_swept(2 * a / diameter, 0.0);
   }

@@ -4,8 +4,8 @@
 #include <array>
 
 /// @file
-/// Tables of factors of bars, by tools/reference/annular_fourier.py and bar_surface.py; Poisson's
-/// ratio 0.3.  Docstrings of the solutions that use them say how accurate they are.
+/// Tables of factors for bars, computed by tools/reference/annular_fourier.py and bar_surface.py
+/// for Poisson's ratio 0.3.  The docstrings of the solutions that use a table state its accuracy.
 
 namespace strainwave::sif {
 
@@ -34,10 +34,11 @@ struct OneSidedFactors {
 /// A crack on one side of a solid bar, of elliptical or straight front, (SB-7) [-].
 /// @param depth_ratio  a/d [-]; in (0, 0.5]
 /// @param aspect       a/c [-]; in [0, 1], 0 is the straight front
-/// @param t            along half of the front: 0 in the middle, 1 at the surface [-]
+/// @param t            place on half of the front: 0 in the middle, 1 at the surface [-]
 [[nodiscard]] OneSidedFactors one_sided_factors(double depth_ratio, double aspect, double t);
 
-/// dA/(da dt) of both halves of that front over the radius, growth at constant a/c, (SB-8) [-].
+/// Swept area dA/(da dt) of both halves of the one-sided front over the radius, for growth at
+/// constant a/c, (SB-8) [-].
 /// @param depth   a/r [-]; in (0, 1]
 /// @param aspect  a/c [-]; in [0, 1]
 [[nodiscard]] double one_sided_swept(double depth, double aspect);

@@ -10,11 +10,11 @@ namespace strainwave::sif {
 /// traction].
 ///
 /// Implements theory manual eqs. (SW-7), (SW-8) with the half-plane's weight function (SW-1), which
-/// is the same for K_I and K_II.  The stress along the surface is compression nearly everywhere
-/// below the contact: K_I < 0 means that the faces are pressed together, so that K_I is 0 and
-/// friction of the faces makes |K_II| smaller than stated; behind a sliding contact K_I > 0.  The
-/// contact does not feel the crack, and no lubricant is in it.  K_II > 0 where tau_xz > 0, x along
-/// the surface, z into the body.
+/// is the same for K_I and K_II.  The stress along the surface is compressive nearly everywhere
+/// below the contact.  K_I < 0 means that the faces are pressed together: the true K_I is 0, and
+/// friction of the faces makes |K_II| smaller than stated.  Behind a sliding contact K_I > 0.  The
+/// model assumes that the crack does not change the contact and does not contain lubricant.  K_II >
+/// 0 if tau_xz > 0, with x along the surface and z into the body.
 struct ContactEdgeCrack {
   static constexpr SolutionInfo kInfo{
       .name = "contact-edge",

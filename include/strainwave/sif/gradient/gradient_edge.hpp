@@ -9,8 +9,8 @@ namespace strainwave::sif {
 /// Edge crack in a strip under a stress that is a cubic of the depth.
 ///
 /// Implements theory manual eqs. (SW-1), (SW-2): sigma = A_0 + A_1 x/t + A_2 (x/t)^2 + A_3 (x/t)^3,
-/// x from the cracked surface.  The ends of the strip are free to move and to rotate, an upper
-/// bound for a section whose neighbours hold it.
+/// x from the cracked surface.  The ends of the strip are free to move and to rotate, which gives
+/// an upper bound for a section held by its neighbours.
 struct GradientEdgeCrack {
   static constexpr SolutionInfo kInfo{
       .name = "gradient-edge",

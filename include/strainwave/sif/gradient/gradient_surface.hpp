@@ -9,7 +9,7 @@ namespace strainwave::sif {
 /// Semi-elliptical surface crack in a wide plate under a stress that is a cubic of the depth.
 ///
 /// Implements theory manual eqs. (SW-3) to (SW-5), both branches of Newman and Raju's fit, a/c <= 1
-/// and > 1.  Grows at constant a/c.
+/// and > 1.  The crack grows at constant a/c.
 struct GradientSurfaceCrack {
   static constexpr SolutionInfo kInfo{
       .name = "gradient-surface",
@@ -59,7 +59,7 @@ struct GradientSurfaceCrack {
   [[nodiscard]] double size() const { return depth; }
   /// Half of the front, phi from the surface.
   [[nodiscard]] FrontRange front() const { return {0.0, std::numbers::pi / 2}; }
-  /// Both halves, dA = 2 c da dphi; (FR-3).
+  /// Swept area of both halves, dA = 2 c da dphi; (FR-3).
   [[nodiscard]] double swept_area(double a, double) const { return 2 * a * half_length / depth; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double phi) const {
     const SurfaceWeight weight(depth / half_length, a / thickness);

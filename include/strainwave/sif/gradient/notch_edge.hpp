@@ -10,8 +10,8 @@ namespace strainwave::sif {
 ///
 /// Implements theory manual eqs. (SW-10), (SW-11): the nominal stress of the section of thickness t
 /// behind the root, times the stress of the equivalent elliptical notch of the same root radius and
-/// concentration. For a << rho it is the shallow crack under K_t sigma, for a >> rho the edge crack
-/// of the depth of notch and crack together.
+/// concentration. For a << rho the result is that of a shallow crack under K_t sigma; for a >> rho
+/// it is that of an edge crack with the combined depth of notch and crack.
 struct NotchEdgeCrack {
   static constexpr SolutionInfo kInfo{.name = "notch-edge",
                                       .family = "gradient",

@@ -10,8 +10,8 @@ namespace strainwave::sif {
 ///
 /// Implements theory manual eqs. (SW-10), (SW-5): the nominal stress of the section of thickness t
 /// behind the root, times the stress of the equivalent elliptical notch of the same root radius and
-/// concentration. The flanks are taken as flat, an upper bound: by (SW-11) at most 13 % too much at
-/// a = 0.3 rho, where the range ends.
+/// concentration. The flanks are treated as flat, which gives an upper bound: by (SW-11), K is at
+/// most 13 % too large at a = 0.3 rho, the end of the range.
 struct NotchSurfaceCrack {
   static constexpr SolutionInfo kInfo{
       .name = "notch-surface",
@@ -73,7 +73,7 @@ struct NotchSurfaceCrack {
   [[nodiscard]] double size() const { return depth; }
   /// Half of the front, phi from the surface.
   [[nodiscard]] FrontRange front() const { return {0.0, std::numbers::pi / 2}; }
-  /// Both halves, dA = 2 c da dphi; (FR-3).
+  /// Swept area of both halves, dA = 2 c da dphi; (FR-3).
   [[nodiscard]] double swept_area(double a, double) const { return 2 * a * half_length / depth; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double phi) const {
     const SurfaceWeight weight(depth / half_length, a / thickness);

@@ -9,12 +9,13 @@ namespace strainwave::sif {
 /// Crack through the width of a bearing ring under hoop stress, at an angle to the major axis of
 /// the cam.
 ///
-/// Implements theory manual eq. (SW-9): sigma(x) = sigma_m + sigma_b cos(U theta) (1 - 2x/t).  Over
-/// the lobe the ring is bent more sharply: there sigma_b is tension outside and compression in the
-/// bore, between the lobes the reverse.  By (ST-17) its magnitude is E/(1 - nu^2) (t/2) (U^2 - 1)
-/// w_0/r_m^2.  A negative total K means closed faces.  The ring is taken as a straight strip, free
-/// to rotate beside the crack: an upper bound, because a closed ring resists the opening, and one
-/// on a cam still more.  For deep cracks in a ring of known radius take tube-edge-axial (SU-11).
+/// Implements theory manual eq. (SW-9): sigma(x) = sigma_m + sigma_b cos(U theta) (1 - 2x/t).  At a
+/// lobe the ring is bent more sharply, so sigma_b is tensile outside and compressive in the bore;
+/// between the lobes the signs are reversed.  By (ST-17) its magnitude is E/(1 - nu^2) (t/2) (U^2 -
+/// 1) w_0/r_m^2.  A negative total K means closed faces.  The ring is treated as a straight strip
+/// that is free to rotate beside the crack.  This gives an upper bound, because a closed ring
+/// resists the opening, and a ring on a cam resists even more.  For deep cracks in a ring of known
+/// radius, use tube-edge-axial (SU-11).
 struct RaceHoopEdgeCrack {
   static constexpr SolutionInfo kInfo{
       .name = "race-hoop-edge",

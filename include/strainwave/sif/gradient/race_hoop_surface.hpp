@@ -9,12 +9,12 @@ namespace strainwave::sif {
 /// Semi-elliptical surface crack in a bearing ring under hoop stress, at an angle to the major axis
 /// of the cam.
 ///
-/// Implements theory manual eq. (SW-9): sigma(x) = sigma_m + sigma_b cos(U theta) (1 - 2x/t).  Over
-/// the lobe the ring is bent more sharply: there sigma_b is tension outside and compression in the
-/// bore, between the lobes the reverse.  By (ST-17) its magnitude is E/(1 - nu^2) (t/2) (U^2 - 1)
-/// w_0/r_m^2.  A negative total K means closed faces.  The ring is taken as a straight strip, wide
-/// beside the crack: an upper bound, because a closed ring resists the opening, at most as much as
-/// that of a crack all along it (RaceHoopEdgeCrack).
+/// Implements theory manual eq. (SW-9): sigma(x) = sigma_m + sigma_b cos(U theta) (1 - 2x/t).  At a
+/// lobe the ring is bent more sharply, so sigma_b is tensile outside and compressive in the bore;
+/// between the lobes the signs are reversed.  By (ST-17) its magnitude is E/(1 - nu^2) (t/2) (U^2 -
+/// 1) w_0/r_m^2.  A negative total K means closed faces.  The ring is treated as a straight strip
+/// that is wide compared with the crack.  This gives an upper bound, because a closed ring resists
+/// the opening, at most as much as for a crack over its whole width (RaceHoopEdgeCrack).
 struct RaceHoopSurfaceCrack {
   static constexpr SolutionInfo kInfo{
       .name = "race-hoop-surface",
@@ -84,7 +84,7 @@ struct RaceHoopSurfaceCrack {
   [[nodiscard]] double size() const { return depth; }
   /// Half of the front, phi from the surface.
   [[nodiscard]] FrontRange front() const { return {0.0, std::numbers::pi / 2}; }
-  /// Both halves, dA = 2 c da dphi; (FR-3).
+  /// Swept area of both halves, dA = 2 c da dphi; (FR-3).
   [[nodiscard]] double swept_area(double a, double) const { return 2 * a * half_length / depth; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double phi) const {
     const SurfaceWeight weight(depth / half_length, a / thickness);

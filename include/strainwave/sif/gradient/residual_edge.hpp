@@ -8,11 +8,11 @@ namespace strainwave::sif {
 
 /// Edge crack in a strip under applied and residual stress.
 ///
-/// Implements theory manual eq. (SW-6) with (SW-1).  Superposition holds while the faces are apart:
-/// the applied loads and the residual stress give K_max, K_min and R = K_min/K_max.  A negative K
-/// means that the faces touch; K is 0 then, and so is what it adds to the compliance, but the
-/// distribution of the contact along the faces is beyond this solution.  The section keeps its
-/// equilibrium without the crack; that the crack releases residual stress is what K describes.
+/// Implements theory manual eq. (SW-6) with (SW-1).  While the faces are open, superposition is
+/// valid: the applied loads and the residual stress give K_max, K_min and R = K_min/K_max.  A
+/// negative K means that the faces touch.  The true K and its added compliance are then 0, but this
+/// solution cannot give the distribution of the contact along the faces.  The residual stress is in
+/// equilibrium over the uncracked section; K describes its release by the crack.
 struct ResidualEdgeCrack {
   static constexpr SolutionInfo kInfo{
       .name = "residual-edge",

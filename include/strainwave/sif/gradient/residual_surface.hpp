@@ -8,11 +8,11 @@ namespace strainwave::sif {
 
 /// Semi-elliptical surface crack in a wide plate under applied and residual stress.
 ///
-/// Implements theory manual eq. (SW-6) with (SW-5).  Superposition holds while the faces are apart:
-/// the applied loads and the residual stress give K_max, K_min and R = K_min/K_max.  A negative K
-/// means that the faces touch; K is 0 then, and so is what it adds to the compliance, but the
-/// distribution of the contact along the faces is beyond this solution.  The section keeps its
-/// equilibrium without the crack; that the crack releases residual stress is what K describes.
+/// Implements theory manual eq. (SW-6) with (SW-5).  While the faces are open, superposition is
+/// valid: the applied loads and the residual stress give K_max, K_min and R = K_min/K_max.  A
+/// negative K means that the faces touch.  The true K and its added compliance are then 0, but this
+/// solution cannot give the distribution of the contact along the faces.  The residual stress is in
+/// equilibrium over the uncracked section; K describes its release by the crack.
 struct ResidualSurfaceCrack {
   static constexpr SolutionInfo kInfo{
       .name = "residual-surface",
@@ -78,7 +78,7 @@ struct ResidualSurfaceCrack {
   [[nodiscard]] double size() const { return depth; }
   /// Half of the front, phi from the surface.
   [[nodiscard]] FrontRange front() const { return {0.0, std::numbers::pi / 2}; }
-  /// Both halves, dA = 2 c da dphi; (FR-3).
+  /// Swept area of both halves, dA = 2 c da dphi; (FR-3).
   [[nodiscard]] double swept_area(double a, double) const { return 2 * a * half_length / depth; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double phi) const {
     const SurfaceWeight weight(depth / half_length, a / thickness);

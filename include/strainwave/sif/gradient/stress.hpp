@@ -7,7 +7,7 @@
 #include "strainwave/sif/solution.hpp"
 
 /// @file
-/// Stresses without the crack that the solutions of this family weigh, and fields they share.
+/// Stresses of the uncracked body that the solutions of this family integrate, and shared fields.
 
 namespace strainwave::sif {
 
@@ -26,17 +26,17 @@ inline constexpr Field kGradientWidth{.name = "width",
                                       .range = kPositive,
                                       .example = "20 mm"};
 
-/// Stress of bending of a section of thickness t, 1 at the surface from which x counts [-].
+/// Bending stress of a section of thickness t, equal to 1 at the surface from which x counts [-].
 [[nodiscard]] inline double bending_profile(double x, double t) { return 1 - 2 * x / t; }
 
-/// Residual stress below a treated surface, over its value there [-].
+/// Residual stress below a treated surface, over its value at the surface [-].
 ///
 /// Implements theory manual eq. (SW-6),
 ///
 ///     r = (g - A - B (1 - 2x/t))/(1 - A - B),  g = (1 + h x/delta) exp(-x/delta),
 ///
-/// A and B so that the section carries neither force nor moment.  h > 1 puts the largest value
-/// below the surface, at x = delta (1 - 1/h).
+/// with A and B such that the section carries neither force nor moment.  h > 1 puts the largest
+/// value below the surface, at x = delta (1 - 1/h).
 class ResidualProfile {
  public:
   /// @param decay      delta, depth in which the treatment's stress decays [m]; > 0
@@ -44,7 +44,7 @@ class ResidualProfile {
   /// @param thickness  t [m]; > 0
   ResidualProfile(double decay, double hump, double thickness)
       : delta_(decay), hump_(hump), t_(thickness) {
-    // int_0^t g dx/t and int_0^t g (1 - 2x/t) dx/t; q = delta/t.
+    // Integrals int_0^t g dx/t and int_0^t g (1 - 2x/t) dx/t, with q = delta/t.
     const double q = delta_ / t_;
     const double e = std::exp(-1 / q);
     const double I0 = q * (1 - e);
@@ -67,12 +67,12 @@ class ResidualProfile {
 
 /// Stress ahead of a notch or fillet over the nominal stress of the section at its root [-].
 ///
-/// Implements theory manual eq. (SW-10): Inglis' stress ahead of the elliptical hole that has the
-/// same root radius and the same stress concentration, whose half length is
-/// D = rho ((K_t - 1)/2)^2.  Starts at K_t, falls at first by (2 + 1/K_t)/rho of it, ends at 1.
+/// Implements theory manual eq. (SW-10): Inglis' stress ahead of the elliptical hole with the same
+/// root radius and stress concentration, whose half length is D = rho ((K_t - 1)/2)^2.  The stress
+/// starts at K_t with the relative slope -(2 + 1/K_t)/rho and ends at 1.
 class NotchProfile {
  public:
-  /// @param radius         rho, of the root [m]; > 0
+  /// @param radius         root radius rho [m]; > 0
   /// @param concentration  K_t, largest over nominal stress [-]; > 1
   NotchProfile(double radius, double concentration)
       : k_((concentration - 1) / 2),
@@ -81,12 +81,12 @@ class NotchProfile {
         depth_(radius * k_ * k_),
         radius_(radius) {}
 
-  /// D, depth of the equivalent notch [m].
+  /// Depth D of the equivalent notch [m].
   [[nodiscard]] double depth() const { return depth_; }
 
-  /// @param x  from the root [m]; >= 0
+  /// @param x  distance from the root [m]; >= 0
   [[nodiscard]] double operator()(double x) const {
-    // X^2 - 4 m R^2 and zeta^2 - m, without their cancellation for K_t >> 1.
+    // X^2 - 4 m R^2 and zeta^2 - m, written without cancellation for K_t >> 1.
     const double root = std::sqrt(x * (x + 2 * depth_) + std::pow(radius_ * k_, 2));
     const double zeta = (depth_ + x + root) / (2 * R_);
     const double z2 = zeta * zeta;
@@ -99,7 +99,8 @@ class NotchProfile {
   /// K of an edge crack at the root over that of a flat surface under the same stress [-].
   ///
   /// Implements theory manual eq. (SW-11), a fit to strainwave's own cracks at elliptical holes:
-  /// the flanks of the notch, parallel to the crack, carry no stress where a flat surface would.
+  /// the flanks of the notch, parallel to the crack, do not carry the stress that a flat surface
+  /// would carry.
   /// @param a  depth of the crack [m]
   [[nodiscard]] double flank_factor(double a) const {
     return 1 - 0.286 * a / (a + 0.4 * radius_) / (1 + 0.8 * a / depth_);  // (SW-11)
@@ -116,16 +117,16 @@ struct SubsurfaceStress {
   double shear = 0.0;   ///< tau_xz, z into the body
 };
 
-/// McEwen's m and n, over b: m^2 - n^2 = 1 - X^2 + Z^2, m n = X Z, m >= 0; (SW-7).  With the
-/// differences that vanish far from the contact, from u = m^2 - Z^2, u^2 - (1 - X^2 - Z^2) u = Z^2.
-/// All are [-].
+/// McEwen's m and n over b: m^2 - n^2 = 1 - X^2 + Z^2, m n = X Z, m >= 0; (SW-7).  The struct also
+/// holds the differences that vanish far from the contact, from u = m^2 - Z^2 with u^2 - (1 - X^2 -
+/// Z^2) u = Z^2.  All are [-].
 struct McEwen {
   double m, n;
   double m_less_Z;  ///< >= 0
   double n_less_X;
   double share;  ///< (m^2 - Z^2)/(m^2 + n^2); 0 at the edge of the contact
 };
-/// They, at a place (x, z) below a contact of half width b [m].
+/// McEwen's m and n at a place (x, z) below a contact of half width b [m].
 [[nodiscard]] inline McEwen mcewen(double x, double z, double b) {
   const double X = x / b;
   const double Z = z / b;
@@ -133,7 +134,7 @@ struct McEwen {
   const double root = std::hypot(e, 2 * Z);
   const double u = e >= 0 ? (root + e) / 2 : 2 * Z * Z / (root - e);
   const double m = std::sqrt(u + Z * Z);
-  // n^2 = X^2 - 1 + u or n = X Z/m: the one that does not cancel.
+  // Of n^2 = X^2 - 1 + u and n = X Z/m, use the form without cancellation.
   const bool beside = std::abs(X) > 1 && Z < std::abs(X);
   const double n = beside  ? std::copysign(std::sqrt((X - 1) * (X + 1) + u), X)
                    : m > 0 ? X * Z / m
@@ -160,8 +161,8 @@ struct McEwen {
           .shear = -c.n * c.share};  // (SW-7)
 }
 
-/// Stress below a contact whose shear traction is q = q_0 sqrt(1 - x^2/b^2), per unit of q_0; place
-/// and half width as above [m].
+/// Stress below a contact whose shear traction is q = q_0 sqrt(1 - x^2/b^2), per unit of q_0.
+/// Place and half width are as above [m].
 ///
 /// Implements theory manual eq. (SW-8), sliding in the direction of +x: the traction on this body
 /// points to +x.  Exact for a half-plane.  Source: johnson1985 (secondary); confirmed as above.

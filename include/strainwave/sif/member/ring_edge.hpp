@@ -16,10 +16,9 @@ enum class StripLoading {
 /// K_I / (sigma sqrt(pi a)) of an edge crack in a strip [-].
 ///
 /// Implements theory manual eq. (FR-11): polynomials over (1 - alpha)^(3/2), fitted to plane finite
-/// elements, with the half plane and the deep ligament as limits.  Accuracy 0.02 % for
-/// alpha <= 0.9, 0.1 % beyond, by an independent integral equation.
-/// The ends are free to rotate: an upper bound for a ring that sits on a cam.
-/// Source: tools/reference/cracked_strip.py.
+/// elements, with the half plane and the deep ligament as limits.  Accuracy 0.02 % for alpha <=
+/// 0.9, 0.1 % beyond, by an independent integral equation.  The ends are free to rotate, which
+/// gives an upper bound for a ring on a cam.  Source: tools/reference/cracked_strip.py.
 ///
 /// @param loading      how the stress sigma varies over the thickness
 /// @param depth_ratio  alpha = a/t [-]; in [0, 1)

@@ -19,7 +19,8 @@ inline constexpr double kFittedAspectRatio = 0.2;
 
 /// Semi-elliptical surface crack under N generalised loads, growing at a constant aspect ratio.
 ///
-/// The front is phi in [0, pi/2], half of it; the area swept by both halves is 2 (a/rho) dphi da.
+/// The parameter phi in [0, pi/2] covers half of the front.  Both halves together sweep the area 2
+/// (a/rho) dphi da.
 template <std::size_t N, class Real = double>
 class SurfaceCrack {
  public:

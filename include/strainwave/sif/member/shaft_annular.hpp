@@ -27,7 +27,8 @@ enum class AnnularPolynomials {
 ///     K_III = (3/8) sqrt(x) p_3(x) 16T/(pi d_e^3) sqrt(pi a),
 ///     K_I   = (1/2) sqrt(x) p_1(x) 4P/(pi d_e^2) sqrt(pi a).
 ///
-/// Exact for shallow and for deep cracks (K_III); free length of about one diameter each side.
+/// K_III is exact for shallow and for deep cracks.  The shaft needs a free length of about one
+/// diameter on each side.
 template <class Real>
 struct BasicAnnularCrackSolid {
   static constexpr std::size_t kLoads = 2;
@@ -35,7 +36,7 @@ struct BasicAnnularCrackSolid {
   Real depth{};     ///< a [m]; > 0, < diameter/2
   Real diameter{};  ///< d [m]
   AnnularPolynomials polynomials = AnnularPolynomials::improved;
-  bool open = true;  ///< false: pressed together by the axial force, K_I = 0 (FR-17)
+  bool open = true;  ///< false: the axial force presses the faces together, K_I = 0 (FR-17)
 
   /// The same crack with its faces pressed together (FR-17).
   [[nodiscard]] BasicAnnularCrackSolid pressed() const {
@@ -46,7 +47,7 @@ struct BasicAnnularCrackSolid {
   [[nodiscard]] Real size() const { return depth; }
   [[nodiscard]] FrontRange front() const { return {}; }
   [[nodiscard]] UnitStressIntensity<2, Real> stress_intensity(const Real& a, double s) const;
-  /// pi d_e: the circle that the front is [m].
+  /// Length pi d_e of the circular front [m].
   [[nodiscard]] Real swept_area(const Real& a, double s) const;
 };
 using AnnularCrackSolid = BasicAnnularCrackSolid<double>;
@@ -56,10 +57,10 @@ extern template struct BasicAnnularCrackSolid<DualReal>;
 
 /// Annular crack in the outer surface of a hollow shaft, loads [axial force, torque].
 ///
-/// Implements theory manual eqs. (FR-14), (FR-15), (FR-16): the compliance is a table over depth
-/// and radius ratio, interpolated; the stress intensity is its derivative.  a/t <= 0.8.
-/// Torsion: any r_i/r_o, 0.04 % of an independent computation.  Tension: r_i/r_o <= 0.95 and
-/// nu = 0.3, 0.3 %; nu between 0.25 and 0.35 changes it by up to 0.6 %.
+/// Implements theory manual eqs. (FR-14), (FR-15), (FR-16): the compliance is interpolated from a
+/// table over depth and radius ratio, a/t <= 0.8, and the stress intensity is its derivative.
+/// Torsion is within 0.04 % of an independent computation for any r_i/r_o.  Tension is within 0.3 %
+/// for r_i/r_o <= 0.95 and nu = 0.3; nu between 0.25 and 0.35 changes it by up to 0.6 %.
 template <class Real>
 class BasicAnnularCrackHollow {
  public:
@@ -71,7 +72,7 @@ class BasicAnnularCrackHollow {
     Real depth{};         ///< a [m]; > 0, <= 0.8 of the wall
     Real outer_radius{};  ///< r_o [m]
     Real inner_radius{};  ///< r_i [m]; >= 0, < outer_radius
-    bool open = true;     ///< false: pressed together by the axial force, K_I = 0 (FR-17)
+    bool open = true;     ///< false: the axial force presses the faces together, K_I = 0 (FR-17)
   };
 
   explicit BasicAnnularCrackHollow(const Parameters& parameters);
@@ -85,12 +86,12 @@ class BasicAnnularCrackHollow {
   [[nodiscard]] Real size() const { return p_.depth; }
   [[nodiscard]] FrontRange front() const { return {}; }
   [[nodiscard]] UnitStressIntensity<2, Real> stress_intensity(const Real& a, double s) const;
-  /// 2 pi r_e, r_e = r_o - a: the circle that the front is [m].
+  /// Length 2 pi r_e of the circular front, r_e = r_o - a [m].
   [[nodiscard]] Real swept_area(const Real& a, double s) const;
 
-  /// C_T(alpha) of (FR-14) at this radius ratio [-].
+  /// Factor C_T(alpha) of (FR-14) at this radius ratio [-].
   [[nodiscard]] Real torsion_factor(const Real& depth_ratio) const;
-  /// C_P(alpha) of (FR-15) at this radius ratio [-].
+  /// Factor C_P(alpha) of (FR-15) at this radius ratio [-].
   [[nodiscard]] Real tension_factor(const Real& depth_ratio) const;
 
  private:

@@ -33,20 +33,23 @@ using CrackPlaneStress = BasicCrackPlaneStress<double>;
 
 /// Straight through crack in the wall of a thin tube, loads [axial force, torque].
 ///
-/// Stress intensity (FR-7) of the curved sheet (FR-8), (FR-9), linear through the wall: s from -1
-/// (inner face) to +1 (outer face).  The thickness of the wall changes the energy release rate by
-/// (FR-21), unless it is taken as a thin sheet.  Range: shell parameter <= 4.  Accuracy with
-/// (FR-21), open faces under torque, nu = 0.3, r/t 20 to 60, any angle: added compliance 1.1 %, G
-/// 1.2 % up to a shell parameter of 3, 1.3 and 2.7 % up to 4; at nu = 0 and 0.45 1.1 and 1.7 % up
-/// to 1.4 (finite elements).  Pressed faces, without friction, nu = 0.3, up to a shell parameter of
-/// 2.8: added compliance 1 %, G 2 %.  K of the sheet is within 12 % of the whole of local K in the
-/// middle and at the outer face (nu = 0.45: 19 %); near 0 and 90 degrees it has too little K_II at
-/// the inner face, by up to 28 % of the largest K in the wall.  As a thin sheet: added compliance
-/// 9 % too large at a = 0.05 t, 5 % too small at a shell parameter of 4.
+/// The stress intensity (FR-7) is that of the curved sheet (FR-8), (FR-9), linear through the wall:
+/// s runs from -1 (inner face) to +1 (outer face).  The thickness of the wall changes the energy
+/// release rate by (FR-21), unless the wall is treated as a thin sheet.  Range: shell parameter <=
+/// 4.
+/// Accuracy against finite elements with (FR-21), open faces under torque, nu = 0.3, r/t 20 to 60,
+/// any angle: 1.1 % of the added compliance and 1.2 % of G up to a shell parameter of 3, 1.3 and
+/// 2.7 % up to 4.  At nu = 0 and 0.45, the errors are 1.1 and 1.7 % up to a shell parameter of 1.4.
+/// For pressed faces without friction, nu = 0.3, up to a shell parameter of 2.8: 1 % of the added
+/// compliance and 2 % of G.
+/// In the middle and at the outer face, K of the sheet is within 12 % of the whole local K (nu =
+/// 0.45: 19 %).  Near 0 and 90 degrees, K_II at the inner face is too small by up to 28 % of the
+/// largest K in the wall.  As a thin sheet, the added compliance is 9 % too large at a = 0.05 t,
+/// and 5 % too small at a shell parameter of 4.
 template <class Real>
 struct BasicThroughCrackInTube {
   static constexpr std::size_t kLoads = 2;
-  /// Shell parameter up to which finite elements confirm it [-].
+  /// Largest shell parameter at which finite elements confirm the solution [-].
   static constexpr double kMaxShellParameter = 4.0;
 
   Real half_length{};              ///< a [m]; > 0
@@ -69,19 +72,19 @@ struct BasicThroughCrackInTube {
   [[nodiscard]] FrontRange front() const { return {-1.0, 1.0}; }
   /// K of the sheet through the wall [Pa*m^0.5 per unit of load].
   [[nodiscard]] LinearStressIntensity<2, Real> linear_stress_intensity(const Real& a) const;
-  /// The same at one place, s in [-1, 1].
+  /// K of the sheet at one place, s in [-1, 1].
   [[nodiscard]] UnitStressIntensity<2, Real> stress_intensity(const Real& a, double s) const {
     return linear_stress_intensity(a).at(s);
   }
-  /// Two tips: the integral over s is 2 t [m].
+  /// Swept area of two tips; its integral over s is 2 t [m].
   [[nodiscard]] Real swept_area(const Real&, double) const { return wall_thickness; }
-  /// What the wall's thickness multiplies the energy release rate of the sheet by [-]; eq. (FR-21).
+  /// Factor of the wall's thickness on the energy release rate of the sheet [-]; eq. (FR-21).
   [[nodiscard]] Real wall_factor(const Real& a) const;
 
   /// Shell parameter squared, lambda^2 = sqrt(12(1-nu^2)) a^2/(r t) [-]; eq. (FR-8).
   [[nodiscard]] Real shell_parameter_squared(const Real& a) const;
-  /// What the shell multiplies the energy release rate of an open crack under torque by, whether
-  /// switched on or not [-]; eq. (FR-9).
+  /// Factor of the shell on the energy release rate of an open crack under torque, whether the
+  /// correction is on or off [-]; eq. (FR-9).
   [[nodiscard]] Real shell_release(const Real& a) const;
 };
 using ThroughCrackInTube = BasicThroughCrackInTube<double>;

@@ -54,9 +54,9 @@ struct BodyEllipse {
   [[nodiscard]] double gross_stress(std::size_t) const { return 1.0; }
 
   [[nodiscard]] double size() const { return semi_minor; }
-  /// All round: shear slides opposite quarters in opposite senses.
+  /// The whole front, because shear slides opposite quarters in opposite senses.
   [[nodiscard]] FrontRange front() const { return {0.0, 2 * std::numbers::pi}; }
-  /// dA = c da dphi; (FR-3).
+  /// Swept area dA = c da dphi; (FR-3).
   [[nodiscard]] double swept_area(double a, double) const { return a * semi_major / semi_minor; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double phi) const {
     const double rho = semi_minor / semi_major;

@@ -48,7 +48,7 @@ struct BodyPenny {
   [[nodiscard]] double gross_stress(std::size_t) const { return 1.0; }
 
   [[nodiscard]] double size() const { return radius; }
-  /// All round: the shear slides opposite quarters in opposite senses.
+  /// The whole front, because the shear slides opposite quarters in opposite senses.
   [[nodiscard]] FrontRange front() const { return {0.0, 2 * std::numbers::pi}; }
   [[nodiscard]] double swept_area(double a, double) const { return a; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double phi) const {

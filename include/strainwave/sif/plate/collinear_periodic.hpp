@@ -49,7 +49,7 @@ struct PlateCollinearPeriodic {
 
   [[nodiscard]] double size() const { return half_length; }
   [[nodiscard]] FrontRange front() const { return {}; }
-  /// Two tips of one crack.
+  /// Swept area of the two tips of one crack.
   [[nodiscard]] double swept_area(double, double) const { return 2 * thickness; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double) const {
     const double K = std::sqrt(pitch * std::tan(std::numbers::pi * a / pitch));  // (SP-12)

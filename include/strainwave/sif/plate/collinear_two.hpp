@@ -16,8 +16,8 @@ namespace strainwave::sif {
 ///     outer tip  K_m = stress sqrt(pi 4 a d/(d + a)) D/K,
 ///     inner tip  K_m = stress sqrt(pi 4 a d/(d - a)) (1 - D/K).
 ///
-/// The front parameter counts the tips: inner below 1/2, outer above.  Both cracks grow, about
-/// their middles.
+/// The front parameter counts the tips: inner below 1/2, outer above.  Both cracks grow about their
+/// middles.
 struct PlateCollinearTwo {
   static constexpr SolutionInfo kInfo{
       .name = "plate-collinear-two",
@@ -60,13 +60,13 @@ struct PlateCollinearTwo {
 
   [[nodiscard]] double size() const { return half_length; }
   [[nodiscard]] FrontRange front() const { return {0.0, 1.0}; }
-  /// Four tips over a parameter of length 1.
+  /// Swept area of four tips over a parameter of length 1.
   [[nodiscard]] double swept_area(double, double) const { return 4 * thickness; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double s) const {
     const double d = half_distance;
     const double inner = d - a;
     const double outer = d + a;
-    // K and D by Carlson's integrals, which keep their digits as the inner tips approach.
+    // K and D by Carlson's integrals, which stay accurate as the inner tips approach each other.
     const double kc2 = (inner / outer) * (inner / outer);
     const double share =
         boost::math::ellint_rd(0.0, kc2, 1.0) / (3 * boost::math::ellint_rf(0.0, kc2, 1.0));

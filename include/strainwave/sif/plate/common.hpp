@@ -10,7 +10,7 @@
 #include "strainwave/sif/solution.hpp"
 
 /// @file
-/// What the solutions for plates and strips share.
+/// Fields, loads and functions shared by the solutions for plates and strips.
 
 namespace strainwave::sif {
 
@@ -26,13 +26,13 @@ inline constexpr Field kPoissonsRatioField{.name = "poissons_ratio",
                                            .range = {.lower = -1.0, .upper = 0.5},
                                            .example = "0.3"};
 
-/// Transverse force on a strip, by its mean stress.
+/// Transverse force on a strip, given by its mean stress.
 inline constexpr LoadInfo kTransverseShear{
     "shear", "Pa", "mean shear stress of a transverse force without moment at the crack"};
 
 inline constexpr std::array<FrontPoint, 1> kTip{FrontPoint{"tip", 0.0}};
 
-/// tan(x)/x, 1 at x = 0 [-].
+/// Ratio tan(x)/x, with the value 1 at x = 0 [-].
 [[nodiscard]] inline double tan_ratio(double x) { return x > 0 ? std::tan(x) / x : 1.0; }
 
 }  // namespace strainwave::sif

@@ -9,9 +9,9 @@ namespace strainwave::sif {
 
 /// Quarter-elliptical crack at the corner of a plate, loads [tension, bending].
 ///
-/// Implements theory manual eqs. (SP-16), (SP-17), both branches of Newman and Raju's fit.  phi
-/// is the parametric angle from the face of the plate: x = c cos(phi) along the width,
-/// y = a sin(phi) into the thickness.  Grows at constant a/c.
+/// Implements theory manual eqs. (SP-16), (SP-17), both branches of Newman and Raju's fit.  phi is
+/// the parametric angle from the face of the plate: x = c cos(phi) along the width, y = a sin(phi)
+/// into the thickness.  The crack grows at constant a/c.
 struct PlateCornerCrack {
   static constexpr SolutionInfo kInfo{
       .name = "plate-corner",
@@ -62,7 +62,7 @@ struct PlateCornerCrack {
 
   [[nodiscard]] double size() const { return depth; }
   [[nodiscard]] FrontRange front() const { return {0.0, std::numbers::pi / 2}; }
-  /// dA = c da dphi; (FR-3).
+  /// Swept area dA = c da dphi; (FR-3).
   [[nodiscard]] double swept_area(double a, double) const { return a * length / depth; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double phi) const {
     const double rho = depth / length;
@@ -72,7 +72,7 @@ struct PlateCornerCrack {
     return {.I = {K, K * bending_ratio(rho, alpha, phi)}, .II = {}, .III = {}};
   }
 
-  /// K_I/(sigma sqrt(pi a)) of tension, wide plate [-].
+  /// K_I/(sigma sqrt(pi a)) for tension of a wide plate [-].
   /// @param rho    a/c [-]; > 0
   /// @param alpha  a/t [-]; in [0, 1)
   /// @param phi    parametric angle [rad]; in [0, pi/2]
@@ -93,7 +93,7 @@ struct PlateCornerCrack {
     return M * free_faces(a2 * q * q, s, c) * f / root_Q;  // (SP-16)
   }
 
-  /// H, K of bending over K of tension of the same stress at the face [-].
+  /// Ratio H of K in bending to K in tension for the same stress at the face [-].
   [[nodiscard]] static double bending_ratio(double rho, double alpha, double phi) {
     const double q = std::min(rho, 1 / rho);
     const double q3 = std::pow(q, 0.75);
@@ -106,14 +106,14 @@ struct PlateCornerCrack {
     return H1 + (H2 - H1) * std::pow(std::sin(phi), 0.2 + q + 0.6 * alpha);  // (SP-17)
   }
 
-  /// f_w, for the plate's width [-].  @param c_b  c/b [-]; in [0, 0.5]
+  /// Factor f_w for the plate's width [-].  @param c_b  c/b [-]; in [0, 0.5]
   [[nodiscard]] static double width_factor(double c_b, double alpha) {
     const double x = c_b * std::sqrt(alpha);
     return 1 + x * (-0.2 + x * (9.4 + x * (-19.4 + x * 27.1)));  // (SP-16)
   }
 
  private:
-  /// g_1 g_2; @param ratio2  square of the shorter semi-axis over the thickness
+  /// Factors g_1 g_2.  @param ratio2  square of the shorter semi-axis over the thickness
   [[nodiscard]] static double free_faces(double ratio2, double s, double c) {
     return (1 + (0.08 + 0.4 * ratio2) * (1 - s) * (1 - s) * (1 - s)) *
            (1 + (0.08 + 0.15 * ratio2) * (1 - c) * (1 - c) * (1 - c));  // (SP-16)

@@ -11,7 +11,7 @@ namespace strainwave::sif {
 ///
 /// Implements theory manual eq. (SP-18), both branches of Newman and Raju's fit.  phi is the
 /// parametric angle from the middle plane: x = c cos(phi) along the width, y = a sin(phi) towards
-/// the faces.  Grows at constant a/c.
+/// the faces.  The crack grows at constant a/c.
 struct PlateEllipse {
   static constexpr SolutionInfo kInfo{
       .name = "plate-ellipse",
@@ -63,7 +63,7 @@ struct PlateEllipse {
   [[nodiscard]] double size() const { return half_depth; }
   /// A quarter of the front, phi from the middle plane.
   [[nodiscard]] FrontRange front() const { return {0.0, std::numbers::pi / 2}; }
-  /// All four quarters, dA = 4 c da dphi; (FR-3).
+  /// Swept area of all four quarters, dA = 4 c da dphi; (FR-3).
   [[nodiscard]] double swept_area(double a, double) const {
     return 4 * a * half_length / half_depth;
   }
@@ -77,7 +77,7 @@ struct PlateEllipse {
     return {.I = {K}, .II = {}, .III = {}};
   }
 
-  /// K_I/(sigma sqrt(pi a)), wide plate [-].
+  /// K_I/(sigma sqrt(pi a)) for a wide plate [-].
   /// @param rho    a/c [-]; > 0
   /// @param alpha  a/t, 2t the thickness [-]; in [0, 1)
   /// @param phi    parametric angle [rad]; in [0, pi/2]

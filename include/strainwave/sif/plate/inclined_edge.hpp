@@ -13,7 +13,7 @@ namespace strainwave::sif {
 ///     K_I  = sigma sqrt(pi a) cos(beta) (1.1215 - 0.2305 s^2 + ...),
 ///     K_II = sigma sqrt(pi a) sin(beta) cos(beta) (0.6923 + 0.0265 s^2 + ...).
 ///
-/// Of K_II the magnitude.  Grows straight on.
+/// K_II is given as a magnitude.  The crack grows straight ahead.
 struct HalfPlaneEdgeCrack {
   static constexpr SolutionInfo kInfo{
       .name = "halfplane-edge",

@@ -7,12 +7,12 @@ namespace strainwave::sif {
 
 /// Through crack opened by two pins, on its perpendicular bisector on both sides; load [force].
 ///
-/// Implements theory manual eq. (SP-23), exact for point forces P in an infinite plate, at the
-/// distance y from the crack and away from it, R^2 = a^2 + y^2:
+/// Implements theory manual eq. (SP-23), exact for point forces P in an infinite plate.  The forces
+/// act at the distance y from the crack and point away from it; R^2 = a^2 + y^2:
 ///
 ///     K_I = (P/t) sqrt(a/pi)/R (1 + (1 + nu)/2 (y/R)^2).
 ///
-/// A pin or a rivet is a point force as long as its hole is small beside y.
+/// A pin or a rivet acts as a point force if its hole is small compared with y.
 struct PlatePinForces {
   static constexpr SolutionInfo kInfo{
       .name = "plate-pin",
@@ -57,7 +57,7 @@ struct PlatePinForces {
 
   [[nodiscard]] double size() const { return half_length; }
   [[nodiscard]] FrontRange front() const { return {}; }
-  /// Two tips, dA = 2 t da.
+  /// Swept area of two tips, dA = 2 t da.
   [[nodiscard]] double swept_area(double, double) const { return 2 * thickness; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double) const {
     const double R2 = a * a + distance * distance;

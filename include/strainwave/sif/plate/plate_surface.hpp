@@ -9,7 +9,7 @@ namespace strainwave::sif {
 /// Semi-elliptical surface crack in a plate, loads [tension, bending].
 ///
 /// Implements theory manual eqs. (SP-1), (SP-2), (SP-3), both branches of Newman and Raju's fit:
-/// shallow (a/c <= 1) and deep (a/c > 1).  Grows at constant a/c.
+/// shallow (a/c <= 1) and deep (a/c > 1).  The crack grows at constant a/c.
 struct PlateSurfaceCrack {
   static constexpr SolutionInfo kInfo{
       .name = "plate-surface",
@@ -72,7 +72,7 @@ struct PlateSurfaceCrack {
   [[nodiscard]] double size() const { return depth; }
   /// Half of the front, phi from the surface.
   [[nodiscard]] FrontRange front() const { return {0.0, std::numbers::pi / 2}; }
-  /// Both halves, dA = 2 c da dphi; (FR-3).
+  /// Swept area of both halves, dA = 2 c da dphi; (FR-3).
   [[nodiscard]] double swept_area(double a, double) const { return 2 * a * half_length / depth; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double phi) const {
     const NewmanRajuPlate fit(depth / half_length);

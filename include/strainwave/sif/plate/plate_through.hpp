@@ -61,7 +61,7 @@ struct PlateThroughCrack {
 
   [[nodiscard]] double size() const { return half_length; }
   [[nodiscard]] FrontRange front() const { return {}; }
-  /// Two tips, dA = 2 t da.
+  /// Swept area of two tips, dA = 2 t da.
   [[nodiscard]] double swept_area(double, double) const { return 2 * thickness; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double) const {
     const double root = std::sqrt(std::numbers::pi * a);

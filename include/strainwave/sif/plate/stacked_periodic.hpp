@@ -8,9 +8,9 @@ namespace strainwave::sif {
 /// Infinite stack of equal parallel cracks in a plate, loads [tension, shear, antiplane shear].
 ///
 /// Implements theory manual eqs. (SP-14), (SP-15), (SP-13).  Neighbours shield each other in modes
-/// I and III, K -> sigma sqrt(h/2) and tau sqrt(h) of a dense stack; in mode II the layers
-/// between them bend, and K is above that of a single crack.  The added compliance is that of one
-/// crack.
+/// I and III: for a dense stack, K -> sigma sqrt(h/2) and tau sqrt(h).  In mode II the layers
+/// between the cracks bend, and K is larger than for a single crack.  The added compliance is that
+/// of one crack.
 struct PlateStackedPeriodic {
   static constexpr SolutionInfo kInfo{
       .name = "plate-stacked-periodic",
@@ -27,8 +27,8 @@ struct PlateStackedPeriodic {
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{kTension, kInPlaneShear, kAntiplaneShear};
   static constexpr std::array<FrontPoint, 1> kPoints = kTip;
 
-  double half_length = 0.0;  ///< a, of each crack [m]
-  double spacing = 0.0;      ///< h, between neighbours [m]
+  double half_length = 0.0;  ///< half length a of each crack [m]
+  double spacing = 0.0;      ///< spacing h between neighbours [m]
   double thickness = 0.0;    ///< t [m]
 
   template <class Visitor>
@@ -49,7 +49,7 @@ struct PlateStackedPeriodic {
 
   [[nodiscard]] double size() const { return half_length; }
   [[nodiscard]] FrontRange front() const { return {}; }
-  /// Two tips of one crack.
+  /// Swept area of the two tips of one crack.
   [[nodiscard]] double swept_area(double, double) const { return 2 * thickness; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double) const {
     const double x = a / spacing;

@@ -7,8 +7,8 @@ namespace strainwave::sif {
 
 /// Centre crack across a long strip, loads [tension, shear, antiplane shear].
 ///
-/// Implements theory manual eqs. (SP-5), (SP-7), (SP-6).  The shear is that of a transverse force,
-/// parabolic over the width of the uncracked strip.
+/// Implements theory manual eqs. (SP-5), (SP-7), (SP-6).  The shear stress results from a
+/// transverse force and is parabolic over the width of the uncracked strip.
 struct StripCentreCrack {
   static constexpr SolutionInfo kInfo{.name = "strip-centre",
                                       .family = "plate",
@@ -51,7 +51,7 @@ struct StripCentreCrack {
 
   [[nodiscard]] double size() const { return half_length; }
   [[nodiscard]] FrontRange front() const { return {}; }
-  /// Two tips, dA = 2 t da.
+  /// Swept area of two tips, dA = 2 t da.
   [[nodiscard]] double swept_area(double, double) const { return 2 * thickness; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double) const {
     const double root = std::sqrt(std::numbers::pi * a);

@@ -8,8 +8,8 @@ namespace strainwave::sif {
 /// Two equal edge cracks opposite each other across a long strip, loads [tension, shear, antiplane
 /// shear].
 ///
-/// Implements theory manual eqs. (SP-9), (SP-10), (SP-6).  The shear is that of a transverse
-/// force, parabolic over the width of the uncracked strip.
+/// Implements theory manual eqs. (SP-9), (SP-10), (SP-6).  The shear stress results from a
+/// transverse force and is parabolic over the width of the uncracked strip.
 struct StripDoubleEdgeCrack {
   static constexpr SolutionInfo kInfo{.name = "strip-double-edge",
                                       .family = "plate",
@@ -52,7 +52,7 @@ struct StripDoubleEdgeCrack {
 
   [[nodiscard]] double size() const { return depth; }
   [[nodiscard]] FrontRange front() const { return {}; }
-  /// Both cracks, dA = 2 t da.
+  /// Swept area of both cracks, dA = 2 t da.
   [[nodiscard]] double swept_area(double, double) const { return 2 * thickness; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double) const {
     const double root = std::sqrt(std::numbers::pi * a);

@@ -9,8 +9,8 @@ namespace strainwave::sif {
 /// Edge crack across a long strip, loads [tension, bending, shear, antiplane shear].
 ///
 /// Implements theory manual eqs. (SP-22), (FR-11), (SP-8), (SP-6).  The ends of the strip are free
-/// to rotate.  The shear is that of a transverse force, parabolic over the width of the uncracked
-/// strip, without a moment in the plane of the crack.
+/// to rotate.  The shear stress results from a transverse force without a moment in the plane of
+/// the crack, and is parabolic over the width of the uncracked strip.
 struct StripEdgeCrack {
   static constexpr SolutionInfo kInfo{.name = "strip-edge",
                                       .family = "plate",
@@ -31,7 +31,7 @@ struct StripEdgeCrack {
   static constexpr std::array<FrontPoint, 1> kPoints = kTip;
 
   double depth = 0.0;      ///< a [m]; > 0, < width
-  double width = 0.0;      ///< w, of the strip, along the crack [m]
+  double width = 0.0;      ///< width w of the strip, in the direction of the crack [m]
   double thickness = 0.0;  ///< t, length of the front [m]
 
   template <class Visitor>

@@ -27,13 +27,13 @@ namespace strainwave::sif {
   return polynomial(kC, x * x) / std::sqrt(std::cos(std::numbers::pi / 2 * x));  // (SP-5)
 }
 
-/// Centre crack under a transverse force, by its mean stress [-]; (SP-7).
+/// Centre crack under a transverse force, given by its mean stress [-]; (SP-7).
 [[nodiscard]] inline double strip_centre_shear(double x) {
   constexpr std::array kC = {1.5, -0.7498, 0.0589, -0.1846, 0.202};
   return polynomial(kC, x) / std::sqrt(1 - x);  // (SP-7)
 }
 
-/// Edge crack under a transverse force, by its mean stress [-]; (SP-8).
+/// Edge crack under a transverse force, given by its mean stress [-]; (SP-8).
 [[nodiscard]] inline double strip_edge_shear(double x) {
   constexpr std::array kC = {4.0973, -5.2002, 0.8109, 3.2737, -3.36, 1.2056};
   return x * polynomial(kC, x) / std::sqrt(1 - x);  // (SP-8)
@@ -45,7 +45,7 @@ namespace strainwave::sif {
   return polynomial(kC, x) / std::sqrt(1 - x);  // (SP-9)
 }
 
-/// Two edge cracks under a transverse force, by its mean stress [-]; (SP-10).
+/// Two edge cracks under a transverse force, given by its mean stress [-]; (SP-10).
 [[nodiscard]] inline double strip_double_edge_shear(double x) {
   constexpr std::array kC = {2.0484, -1.8033, -0.0018, 0.8884, -0.6627, 0.1676};
   return x * polynomial(kC, x) / std::sqrt(1 - x);  // (SP-10)
@@ -70,7 +70,7 @@ namespace strainwave::sif {
 /// Stack in shear, K/(tau sqrt(h)); x = a/h in (0, infinity) [-]; (SP-15).
 [[nodiscard]] inline double stack_shear(double x) {
   constexpr double kRate = 15.0;
-  constexpr double kRoot = 0.143275;  // length by which a layer bends beyond the tip, over h
+  constexpr double kRoot = 0.143275;  // length over which a layer bends beyond the tip, over h
   constexpr std::array kC = {
       6 * kRoot * kRoot, 12 * kRoot + kRate * 6 * kRoot * kRoot - std::numbers::pi,
       -1.49055,          -10.4285,

@@ -10,9 +10,9 @@ namespace strainwave::sif {
 /// Axial crack of even depth along a whole tube or ring, loads [pressure, hoop stress, wall
 /// bending].
 ///
-/// Implements theory manual eq. (SU-11): the strip (FR-11) under the wall's stress, taken as
-/// linear over the depth, and the force and moment with which the rest of the ring, a curved beam,
-/// resists the opening.  Plane strain.  Neglects: the curvature of the wall at the crack.
+/// Implements theory manual eq. (SU-11): the strip (FR-11) under the wall's stress, assumed linear
+/// over the depth, and the force and moment with which the rest of the ring, a curved beam, resists
+/// the opening.  Plane strain is assumed. The curvature of the wall at the crack is neglected.
 template <Face face>
 struct TubeEdgeAxial {
   static constexpr SolutionInfo kInfo{
@@ -41,7 +41,7 @@ struct TubeEdgeAxial {
   double depth = 0.0;        ///< a [m]; > 0, <= 0.99 thickness
   double mean_radius = 0.0;  ///< r [m]; > thickness/2
   double thickness = 0.0;    ///< t [m]; > 0
-  double length = 0.0;       ///< of the front, along the axis [m]; > 0
+  double length = 0.0;       ///< length of the front along the axis [m]; > 0
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -80,7 +80,7 @@ struct TubeEdgeAxial {
   [[nodiscard]] TubeWall wall() const {
     return {.mean_radius = mean_radius, .thickness = thickness};
   }
-  /// Of the pressure: mean over the wall, r_i/t.
+  /// For the pressure, the mean over the wall, r_i/t.
   [[nodiscard]] double gross_stress(std::size_t load) const {
     return load == 0 ? wall().inner() / thickness : 1.0;
   }
@@ -103,7 +103,7 @@ struct TubeEdgeAxial {
   }
 
  private:
-  /// Added flexibility of the strip over tension and bending stress, times E'/t [-].
+  /// Added flexibility of the strip under tension and bending stress, times E'/t [-].
   struct Flexibility {
     double tt, tb, bb;
   };
@@ -130,7 +130,7 @@ struct TubeEdgeAxial {
     if (face == Face::inner) hoop.tension += 1;  // on the faces (SU-7)
     return hoop;
   }
-  /// What is left of the stress when the ring resists the opening.
+  /// The stress that remains when the ring resists the opening.
   [[nodiscard]] WallStress relieved(const WallStress& stress, const Flexibility& crack) const {
     const double rho = mean_radius / thickness;
     const double pi = std::numbers::pi;

@@ -9,9 +9,9 @@ namespace strainwave::sif {
 /// (SU-9).
 ///
 /// The wall bending is the stress at the cracked face that (ST-17) gives for a flexspline on its
-/// wave generator, linear through the wall; the sign changes twice in a turn of a double wave.
-/// Either face.  Neglects: the curvature of the wall, the change of the bending along the
-/// circumference, and that the crack unloads the wall it bends.
+/// wave generator.  The stress is linear through the wall, and its sign changes twice in a turn of
+/// a double wave.  The crack may be in either face.  The model neglects the curvature of the wall,
+/// the change of the bending along the circumference, and the unloading of the wall by the crack.
 struct OvalisedSurfaceCase {
   static constexpr SolutionInfo kInfo{
       .name = "tube-ovalised-surface",

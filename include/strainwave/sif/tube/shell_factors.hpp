@@ -8,8 +8,8 @@
 #include "strainwave/sif/solution.hpp"
 
 /// @file
-/// Through cracks in the wall of a tube: what the curvature multiplies the plate's K by.  The front
-/// is the wall, s from -1 (inner face) to +1 (outer face); K = mean + s linear.
+/// Through cracks in the wall of a tube: factors of the curvature on the K of a plate.  The front
+/// runs through the wall, s from -1 (inner face) to +1 (outer face); K = mean + s linear.
 
 namespace strainwave::sif {
 
@@ -20,13 +20,13 @@ namespace strainwave::sif {
 /// Stress intensity through the wall over sigma sqrt(pi a) [-].
 template <class Real>
 struct BasicWallIntensity {
-  Real mean{};    ///< of the wall: membrane
-  Real linear{};  ///< what the outer face has more; its energy is that of shell bending
+  Real mean{};    ///< mean over the wall: membrane part
+  Real linear{};  ///< excess at the outer face; its energy is that of shell bending
   [[nodiscard]] Real at(double s) const { return mean + s * linear; }
 };
 using WallIntensity = BasicWallIntensity<double>;
 
-/// Answer of a crack in a shallow cylindrical shell to a unit stress far away.
+/// Stress intensities of a crack in a shallow cylindrical shell under a remote unit stress.
 template <class Real>
 struct BasicShellFactors {
   BasicWallIntensity<Real> opening_by_normal;  ///< K_I from the normal stress; flat plate: mean 1

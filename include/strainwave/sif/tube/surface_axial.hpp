@@ -6,10 +6,9 @@
 namespace strainwave::sif {
 
 /// Axial surface crack in the wall of a tube, loads [pressure, hoop stress]; (SU-6), (SU-7).
-///
-/// The pressure also acts on the faces of an inner crack.  Neglects: the curvature of the wall
-/// except in its stress; the fit is that of a plate free to bend, which is on the safe side for the
-/// deepest point of an inner crack and misses the bulging of a long deep one.
+/// The pressure also acts on the faces of an inner crack.  The model neglects the curvature of the
+/// wall except in its stress.  The fit is that of a plate free to bend.  It is conservative for the
+/// deepest point of an inner crack, and leaves out the bulging of a long deep crack.
 template <Face face>
 struct AxialSurfaceCase {
   static constexpr SolutionInfo kInfo{
@@ -39,7 +38,7 @@ struct AxialSurfaceCase {
     if (face == Face::inner) hoop.tension += 1;  // on the faces (SU-7)
     return hoop;
   }
-  /// Of the pressure: mean over the wall, r_i/t.
+  /// For the pressure, the mean over the wall, r_i/t.
   static double gross(std::size_t load, const TubeWall& wall) {
     return load == 0 ? wall.inner() / wall.thickness : 1.0;
   }

@@ -8,8 +8,8 @@ namespace strainwave::sif {
 /// Circumferential surface crack in the wall of a tube, loads [axial force, bending moment];
 /// (SU-6), (SU-8).
 ///
-/// The bending moment is largest in the middle of the crack.  Neglects: the curvature of the wall,
-/// and the decrease of the bending stress along the crack, cos(c/r).
+/// The bending moment is largest in the middle of the crack.  The model neglects the curvature of
+/// the wall and the decrease of the bending stress along the crack, cos(c/r).
 template <Face face>
 struct CircumferentialSurfaceCase {
   static constexpr SolutionInfo kInfo{
@@ -37,7 +37,7 @@ struct CircumferentialSurfaceCase {
     return WallStress::line(unit * wall.radius(face, 0.0), unit * wall.radius(face, a), a,
                             wall.thickness);  // (SU-8)
   }
-  /// Of the moment: at the cracked face.
+  /// For the moment, the stress at the cracked face.
   static double gross(std::size_t load, const TubeWall& wall) {
     if (load == 0) return 1 / (2 * std::numbers::pi * wall.mean_radius * wall.thickness);
     return wall.radius(face, 0.0) / second_moment(wall);

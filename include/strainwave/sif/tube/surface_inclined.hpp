@@ -10,9 +10,9 @@ namespace strainwave::sif {
 /// Surface crack at any angle in the wall of a tube, either face, loads [axial force, torque].
 ///
 /// Implements theory manual eq. (SU-10): stresses on the plane of the crack (FR-6), Newman and
-/// Raju's fit (FR-4) for K_I, Kassir and Sih's ellipse (FR-10) for K_II and K_III.  Grows at
-/// constant a/c.  Neglects: the curvature of the wall, the difference of the shear stress between
-/// its faces, t/(2r), and, in K_II and K_III, the free faces.
+/// Raju's fit (FR-4) for K_I, Kassir and Sih's ellipse (FR-10) for K_II and K_III.  The crack grows
+/// at constant a/c.  The model neglects the curvature of the wall, the difference t/(2r) of the
+/// shear stress between its faces and, in K_II and K_III, the free faces.
 struct TubeSurfaceInclined {
   static constexpr SolutionInfo kInfo{
       .name = "tube-surface-inclined",
@@ -92,7 +92,7 @@ struct TubeSurfaceInclined {
     limit(mean_radius >= 10 * thickness, "r >= 10 t");
     limit(half_length * half_length <= mean_radius * thickness, "c <= sqrt(r t)");
   }
-  /// Mean over the wall: axial stress, shear stress.
+  /// Mean axial stress and mean shear stress over the wall.
   [[nodiscard]] double gross_stress(std::size_t load) const {
     const double section = 2 * std::numbers::pi * mean_radius * thickness;
     return load == kAxial ? 1 / section : 1 / (section * mean_radius);
@@ -101,7 +101,7 @@ struct TubeSurfaceInclined {
   [[nodiscard]] double size() const { return depth; }
   /// Half of the front, phi from the surface.
   [[nodiscard]] FrontRange front() const { return {0.0, std::numbers::pi / 2}; }
-  /// Both halves, dA = 2 c da dphi; (FR-3).
+  /// Swept area of both halves, dA = 2 c da dphi; (FR-3).
   [[nodiscard]] double swept_area(double a, double) const { return 2 * a * half_length / depth; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double phi) const {
     const CrackPlaneStress plane = crack_plane_stress(mean_radius, thickness, angle, 1.0);

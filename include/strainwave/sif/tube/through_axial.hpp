@@ -7,9 +7,10 @@ namespace strainwave::sif {
 
 /// Axial through crack in the wall of a tube, loads [pressure, hoop stress, torque].
 ///
-/// Implements theory manual eq. (SU-3) with the shell factors (SU-2) at beta = 0.  Neglects: free
-/// ends within about 2 sqrt(r t) of the crack, pressure on the crack's faces, and the tension that
-/// the deflection of a pressurised bulge would meet (linear theory, an upper bound).
+/// Implements theory manual eq. (SU-3) with the shell factors (SU-2) at beta = 0.  The model
+/// neglects free ends within about 2 sqrt(r t) of the crack and pressure on the faces of the crack.
+/// As a linear theory, it also neglects the tension that resists the bulging under pressure, so it
+/// gives an upper bound.
 struct TubeThroughAxial {
   static constexpr SolutionInfo kInfo{.name = "tube-through-axial",
                                       .family = "tube",
@@ -78,7 +79,7 @@ struct TubeThroughAxial {
     limit(mean_radius >= 10 * thickness, "r >= 10 t, thin shell");
     limit(poissons_ratio >= 0.25 && poissons_ratio <= 0.35, "0.25 <= nu <= 0.35");
   }
-  /// Mean over the wall.
+  /// Mean stress over the wall.
   [[nodiscard]] double gross_stress(std::size_t load) const {
     const double r = mean_radius;
     const double t = thickness;
@@ -88,7 +89,7 @@ struct TubeThroughAxial {
 
   [[nodiscard]] double size() const { return half_length; }
   [[nodiscard]] FrontRange front() const { return {-1.0, 1.0}; }
-  /// Two tips: the integral over s is 2 t [m].
+  /// Swept area of two tips; its integral over s is 2 t [m].
   [[nodiscard]] double swept_area(double, double) const { return thickness; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double s) const {
     const ShellFactors shell =

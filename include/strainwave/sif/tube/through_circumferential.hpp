@@ -8,9 +8,9 @@ namespace strainwave::sif {
 /// Circumferential through crack in the wall of a tube, loads [axial force, bending moment,
 /// torque].
 ///
-/// Implements theory manual eq. (SU-4): finite angle up to half of the circumference.  The tube is
-/// long and free to bend where an axial force acts off the centre of what is left.  Neglects: ends
-/// within about r sqrt(r/t) of a long crack.
+/// Implements theory manual eq. (SU-4): the finite angle may reach half of the circumference.  The
+/// tube is long and free to bend under an axial force that is eccentric to the remaining section.
+/// The model neglects ends within about r sqrt(r/t) of a long crack.
 struct TubeThroughCircumferential {
   static constexpr SolutionInfo kInfo{
       .name = "tube-through-circumferential",
@@ -80,7 +80,7 @@ struct TubeThroughCircumferential {
     limit(mean_radius >= 10 * thickness, "r >= 10 t, thin shell");
     limit(poissons_ratio >= 0.25 && poissons_ratio <= 0.35, "0.25 <= nu <= 0.35");
   }
-  /// Mean over the wall, of a moment in the middle of the crack.
+  /// Mean stress over the wall; for a moment, in the middle of the crack.
   [[nodiscard]] double gross_stress(std::size_t load) const {
     const double section = std::numbers::pi * mean_radius * thickness;
     if (load == 0) return 1 / (2 * section);
@@ -89,7 +89,7 @@ struct TubeThroughCircumferential {
 
   [[nodiscard]] double size() const { return half_length; }
   [[nodiscard]] FrontRange front() const { return {-1.0, 1.0}; }
-  /// Two tips: the integral over s is 2 t [m].
+  /// Swept area of two tips; its integral over s is 2 t [m].
   [[nodiscard]] double swept_area(double, double) const { return thickness; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double s) const {
     const CircumferentialFactors shell =

@@ -9,8 +9,8 @@ namespace strainwave::sif {
 /// Through crack at any angle in the wall of a tube, loads [axial force, torque, pressure].
 ///
 /// Implements theory manual eq. (SU-5): stresses on the plane of the crack (FR-6) and the shell
-/// factors (SU-2), which couple opening and sliding.  Neglects: the finite angle that the crack
-/// takes of the circumference, a sin(beta)/r; see tube-through-circumferential.
+/// factors (SU-2), which couple opening and sliding.  The model neglects the finite angle a
+/// sin(beta)/r of the crack round the circumference; see tube-through-circumferential.
 struct TubeThroughInclined {
   static constexpr SolutionInfo kInfo{
       .name = "tube-through-inclined",
@@ -90,7 +90,7 @@ struct TubeThroughInclined {
           "a |sin beta| <= 0.3 r, shallow");
     limit(poissons_ratio >= 0.25 && poissons_ratio <= 0.35, "0.25 <= nu <= 0.35");
   }
-  /// Mean over the wall: axial stress, shear stress, hoop stress.
+  /// Mean axial, shear and hoop stress over the wall.
   [[nodiscard]] double gross_stress(std::size_t load) const {
     const double section = 2 * std::numbers::pi * mean_radius * thickness;
     if (load == 0) return 1 / section;
@@ -100,7 +100,7 @@ struct TubeThroughInclined {
 
   [[nodiscard]] double size() const { return half_length; }
   [[nodiscard]] FrontRange front() const { return {-1.0, 1.0}; }
-  /// Two tips: the integral over s is 2 t [m].
+  /// Swept area of two tips; its integral over s is 2 t [m].
   [[nodiscard]] double swept_area(double, double) const { return thickness; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double s) const {
     const ShellFactors shell =

@@ -5,8 +5,8 @@
 #include "strainwave/sif/solution.hpp"
 
 /// @file
-/// What the surface cracks in the wall of a tube share: Newman and Raju's plate under the stress
-/// of the tube's wall, taken as linear over the depth of the crack.
+/// Base of the surface cracks in the wall of a tube: Newman and Raju's plate under the stress of
+/// the tube's wall, assumed linear over the depth of the crack.
 
 namespace strainwave::sif {
 
@@ -19,18 +19,18 @@ struct TubeWall {
   double thickness = 0.0;    ///< t [m]
   [[nodiscard]] double inner() const { return mean_radius - thickness / 2; }
   [[nodiscard]] double outer() const { return mean_radius + thickness / 2; }
-  /// Radius at a depth under a face.
+  /// Radius at a depth below a face.
   [[nodiscard]] double radius(Face face, double depth) const {
     return face == Face::inner ? inner() + depth : outer() - depth;
   }
 };
 
-/// Stress over the wall, tension + bending (1 - 2 x/t), x from the cracked face.
+/// Stress over the wall, tension + bending (1 - 2 x/t), with x from the cracked face.
 struct WallStress {
   double tension = 0.0;
   double bending = 0.0;  ///< at the cracked face
 
-  /// The line through the stress at the face and at a depth; (SU-6).
+  /// The linear stress through the values at the face and at a depth; (SU-6).
   static WallStress line(double at_face, double at_depth, double depth, double thickness) {
     const double bending = (at_face - at_depth) * thickness / (2 * depth);  // (SU-6)
     return {.tension = at_face - bending, .bending = bending};
@@ -46,9 +46,9 @@ struct WallStress {
 
 /// Semi-elliptical surface crack in the wall of a tube, normal to a principal stress.
 ///
-/// Implements theory manual eq. (SU-6).  `Case` says what it is called, its loads and their stress:
+/// Implements theory manual eq. (SU-6).  `Case` provides the name, the loads and their stress:
 /// `Case::stress(load, wall, a)` is the wall's stress over a crack of depth a, per unit of load,
-/// and `Case::gross(load, wall)` the nominal one.  Grows at constant a/c.
+/// and `Case::gross(load, wall)` is the nominal stress.  The crack grows at constant a/c.
 template <class Case>
 struct TubeSurfaceCrack {
   static constexpr SolutionInfo kInfo = Case::kInfo;
@@ -107,7 +107,7 @@ struct TubeSurfaceCrack {
   [[nodiscard]] double size() const { return depth; }
   /// Half of the front, phi from the surface.
   [[nodiscard]] FrontRange front() const { return {0.0, std::numbers::pi / 2}; }
-  /// Both halves, dA = 2 c da dphi; (FR-3).
+  /// Swept area of both halves, dA = 2 c da dphi; (FR-3).
   [[nodiscard]] double swept_area(double a, double) const { return 2 * a * half_length / depth; }
   [[nodiscard]] UnitStressIntensity<kLoads> stress_intensity(double a, double phi) const {
     const NewmanRajuPlate fit(depth / half_length);
