@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "exit_code.hpp"
 #include "files.hpp"
 
 namespace strainwave::cli {
