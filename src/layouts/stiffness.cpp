@@ -193,7 +193,7 @@ std::string stiffness_text(const StiffnessResult& result, const GearSet& gear,
   for (const CrackStrength& crack : result.strength)
     if (crack.breaks()) text += paragraph("WARNING: " + crack.path + " " + crack.sentence);
   if (std::ranges::any_of(result.strength, &CrackStrength::breaks))
-    text += "The stiffness below is that of the cracks as they stand.\n\n";
+    text += "The stiffness below is for the cracks in their present state.\n\n";
   text += verdict_text(evidence_of(result).verdict) + '\n';
   if (result.curve) {
     text += fmt::format("{}{}\n", kCoupledTitle,
