@@ -30,7 +30,7 @@ std::vector<std::string> names_of(std::string_view what, const std::string& file
     for (const sif::Row& row : sif::library()) names.emplace_back(row.info.name);
     std::ranges::copy(material_names(), std::back_inserter(names));
     std::ranges::sort(names);
-    names.erase(std::ranges::unique(names).begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
   }
   if (what == "factor")
     names.assign(EnumNames<Factor>::names.begin(), EnumNames<Factor>::names.end());

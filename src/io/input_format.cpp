@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
@@ -139,29 +140,18 @@ class TemplateWriter {
 
 using Json = nlohmann::ordered_json;
 
-bool is_unit(const std::string& text) {
-  try {
-    (void)parse_unit(text);
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
 /// The units of one word that have the dimension of a unit, as a group of a pattern: "(mm|m|in)".
 std::string words_like(std::string_view unit) {
-  const Dimension dimension = parse_unit(unit).dimension;
-  std::string group;
-  for (const std::string_view word :
-       {"m", "g",  "s",  "min", "h", "K",  "rad",  "deg", "°",  "arcmin", "arcsec", "Hz",  "rpm",
-        "N", "Nm", "Pa", "J",   "W", "in", "inch", "ft",  "lb", "lbf",    "kip",    "psi", "ksi"})
-    for (const std::string_view prefix :
-         {"", "n", "u", "\xC2\xB5", "\xCE\xBC", "m", "c", "k", "M", "G"}) {
-      const std::string symbol = fmt::format("{}{}", prefix, word);
-      if (is_unit(symbol) && parse_unit(symbol).dimension == dimension)
-        group += (group.empty() ? "" : "|") + symbol;
-    }
-  return '(' + group + ')';
+  const Unit wanted = parse_unit(unit);
+  std::vector<std::string> symbols;
+  for (const KnownUnit& known : known_units()) {
+    if (!same_dimension(known.unit, wanted)) continue;
+    symbols.emplace_back(known.symbol);
+    if (known.takes_prefix)
+      for (const UnitPrefix& prefix : unit_prefixes())
+        symbols.push_back(fmt::format("{}{}", prefix.symbol, known.symbol));
+  }
+  return fmt::format("({})", fmt::join(symbols, "|"));
 }
 
 /// The units that quantities of a unit may have, as patterns: words, and usual products of words.
@@ -169,7 +159,7 @@ std::map<std::string_view, std::string> unit_patterns() {
   const std::string length = words_like("m");
   const std::string force = words_like("N");
   const std::string angle = words_like("rad");
-  const std::string times = is_unit("N·m") ? "(\\*|·)" : "\\*";
+  const std::string times = "(\\*|·)";
   const auto any = [](std::initializer_list<std::string> forms) {
     return fmt::format("({})", fmt::join(forms, "|"));
   };
