@@ -27,16 +27,6 @@
 namespace strainwave::cli {
 namespace {
 
-/// A fault of an option names it as it is typed.
-std::string as_typed(const OptionError& error, const std::vector<Argument>& arguments) {
-  const std::string message = error.what();
-  for (const Argument& argument : arguments)
-    if (argument.name == "--" + error.field() ||
-        (argument.role == Role::option && argument.key == error.field()))
-      return argument.name + message.substr(error.field().size());
-  return message;
-}
-
 void add_argument(CLI::App* sub, const Argument& argument, std::vector<std::string>& texts) {
   if (argument.type.empty()) {
     sub->add_flag_function(

@@ -11,6 +11,15 @@ bool has(const Given& given, Role role) {
   return false;
 }
 
+std::string as_typed(const OptionError& error, const std::vector<Argument>& arguments) {
+  const std::string message = error.what();
+  for (const Argument& argument : arguments)
+    if (argument.name == "--" + error.field() ||
+        (argument.role == Role::option && argument.key == error.field()))
+      return argument.name + message.substr(error.field().size());
+  return message;
+}
+
 void warn(const Program& program, std::string_view message) {
   std::cerr << program.name << ": " << message << '\n';
 }

@@ -20,6 +20,10 @@ struct Given {
 /// Whether there is a value of this role.
 [[nodiscard]] bool has(const Given& given, Role role);
 
+/// The message of a fault of an option, which names the option as it is typed.
+[[nodiscard]] std::string as_typed(const OptionError& error,
+                                   const std::vector<Argument>& arguments);
+
 /// Says a sentence on standard error.
 void warn(const Program& program, std::string_view message);
 

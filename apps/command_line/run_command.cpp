@@ -75,12 +75,18 @@ ExitCode exit_code_of(RequirementOutcome outcome) {
   return kCannotTell;
 }
 
+ExitCode exit_code_of(const Answer& answer) {
+  const ResultEvidence& evidence = answer.evidence();
+  if (!answer.usable()) return evidence.refused ? kInput : kNotUsable;
+  return exit_code_of(evidence.requirement.value_or(RequirementOutcome::met));
+}
+
 /// Says on standard error what the main document cannot, and how the program ends.
 ExitCode judged(const Program& program, const Answer& answer, std::string_view main) {
   const ResultEvidence& evidence = answer.evidence();
   if (!answer.usable()) {
     warn(program, evidence.unusable_because);
-    return evidence.refused ? kInput : kNotUsable;
+    return exit_code_of(answer);
   }
   // A table has no place for notes.  A doubt of the command itself concerns all of it.
   if (main == "csv")
@@ -88,7 +94,7 @@ ExitCode judged(const Program& program, const Answer& answer, std::string_view m
       if (note.severity != Severity::information &&
           note.code.starts_with(fmt::format("{}.", answer.command().name)))
         warn(program, note.text);
-  return exit_code_of(evidence.requirement.value_or(RequirementOutcome::met));
+  return exit_code_of(answer);
 }
 
 /// @throws UsageError       a drive would take the place of a file, and nobody said so
@@ -211,13 +217,10 @@ FileAnswer answer_for(const Given& given, const std::string& file, KnownFiles& k
     const Asked asked = asked_by(given, &file, known);
     of.answer.emplace(run(given.command, asked.drive, asked.options, asked.attached, progress,
                           {.units = asked.units, .beside = attachments_beside}));
-    const ResultEvidence& evidence = of.answer->evidence();
-    of.fault = evidence.unusable_because;
-    of.code = !of.answer->usable()
-                  ? (evidence.refused ? kInput : kNotUsable)
-                  : exit_code_of(evidence.requirement.value_or(RequirementOutcome::met));
+    of.fault = of.answer->evidence().unusable_because;
+    of.code = exit_code_of(*of.answer);
   } catch (const OptionError& error) {
-    of.fault = error.what();
+    of.fault = as_typed(error, given.arguments);
     of.code = kUsage;
   } catch (const InputError& error) {
     of.fault = error.what();

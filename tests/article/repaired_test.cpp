@@ -283,7 +283,7 @@ TEST(Repaired, ScalingStiffnessIsTorquePerAngle) {
     *gear.wave_generator->radial_stiffness *= pressure * length;
     *gear.wave_generator->inner_ring_thickness *= length;
     for (double& axis : *gear.wave_generator->contact_semi_axes) axis *= length;
-    gear.flexspline->wall_thickness *= length;
+    *gear.flexspline->wall_thickness *= length;
     *gear.flexspline->length *= length;
     gear.output_shaft->outer_diameter *= length;
     gear.output_shaft->inner_diameter *= length;

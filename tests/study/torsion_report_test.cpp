@@ -233,7 +233,7 @@ TEST(TorsionReport, IdentityTwistAtTheLoad) {
                         1e-12);
   test::expect_relative(report.at_load.negative.value(),
                         -twists(AssembledDrive(gear), {{-31.0}})[0], 1e-12);
-  EXPECT_NE(torsion_text(report, gear).find("twist at 31 N*m, the load [arcmin]"),
+  EXPECT_NE(torsion_text(report, gear, {}).find("twist at 31 N*m, the load [arcmin]"),
             std::string::npos);
   EXPECT_NE(torsion_csv(report).find("\n31,"), std::string::npos);
   EXPECT_NE(torsion_csv(report).find("\n-31,"), std::string::npos);
@@ -245,7 +245,7 @@ TEST(TorsionReport, InputALoadThatIsNotReachedIsSaid) {
   const TorsionReport report = torsion_report(gear, {.draws = 0});
   EXPECT_FALSE(report.at_load.positive);
   EXPECT_EQ(test::count_notes(report.notes, "curve.no_wind_up", "load.torque"), 1);
-  EXPECT_NE(torsion_text(report, gear).find("not reached"), std::string::npos);
+  EXPECT_NE(torsion_text(report, gear, {}).find("not reached"), std::string::npos);
 }
 
 TEST(TorsionPlot, BehaviourPanels) {
