@@ -100,8 +100,7 @@ function(strainwave_flags target)
   if(STRAINWAVE_SANITIZE)
     target_compile_options(${target} PRIVATE
       -fsanitize=${STRAINWAVE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
-    target_link_options(${target} PUBLIC -fsanitize=${STRAINWAVE_SANITIZE}
-      $<$<LINK_LANG_AND_ID:C,Clang>:-fsanitize-link-c++-runtime>)
+    target_link_options(${target} PUBLIC -fsanitize=${STRAINWAVE_SANITIZE})
   endif()
 endfunction()
 

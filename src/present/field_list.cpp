@@ -33,7 +33,7 @@ class FieldLister : public TypeVisitor {
                        .values = {},
                        .kind = std::string(kind)});
   }
-  void column(const Field& field) override { line(field.unit, "one value each"); }
+  void column(const Field& field) override { line(field.unit, "one value for each element"); }
   void number(const Field& field) override { line(field.unit, ""); }
   void quantity(const Field& field) override { line(field.unit, "with its uncertainty"); }
   void whole(const Field&) override { line("", "whole number"); }

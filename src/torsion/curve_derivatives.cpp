@@ -72,9 +72,9 @@ class Functional {
  public:
   /// @param weight  a, of the forces of all contacts
   /// @param turn    b, of the rotation
-  Functional(const CoupledDrive& drive, Equilibrium state, const Eigen::VectorXd& weight,
+  Functional(const CoupledDrive& drive, const Equilibrium& state, const Eigen::VectorXd& weight,
              double turn)
-      : Functional(drive, std::move(state), drive.linear_response(state, weight, -turn)) {}
+      : Functional(drive, state, drive.linear_response(state, weight, -turn)) {}
 
   /// Of a state in which no flank touches: those that are about to are left out.
   [[nodiscard]] static Functional of_balls(const CoupledDrive& drive, const Equilibrium& state,
@@ -136,8 +136,8 @@ DualReal with_derivatives(double value, DualReal derivative) {
   return derivative;
 }
 
-Functional of_rotation(const CoupledDrive& drive, Equilibrium state) {
-  return {drive, std::move(state), Eigen::VectorXd::Zero(drive.contacts()), 1.0};
+Functional of_rotation(const CoupledDrive& drive, const Equilibrium& state) {
+  return {drive, state, Eigen::VectorXd::Zero(drive.contacts()), 1.0};
 }
 
 /// Where the ring rests without torque (TC-11).

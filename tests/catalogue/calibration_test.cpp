@@ -203,7 +203,7 @@ TEST(MeasuredCurve, InputRefusals) {
   };
   EXPECT_NE(message("").find("bench.csv: is empty"), std::string::npos);
   EXPECT_NE(message("torque [N*m],angle [rad]\n").find("must name the columns"), std::string::npos);
-  EXPECT_NE(message("torque,twist [rad]\n").find("lacks a unit"), std::string::npos);
+  EXPECT_NE(message("torque,twist [rad]\n").find("has no unit"), std::string::npos);
   EXPECT_NE(message("torque [N],twist [rad]\n").find("bench.csv:1"), std::string::npos);
   EXPECT_NE(message("torque [N*m],twist [rad]\n").find("no point under torque"), std::string::npos);
   const std::string head = "torque [N*m];twist [rad]\n";

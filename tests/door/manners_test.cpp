@@ -59,7 +59,7 @@ TEST(AskedUnits, BehaviourSiIsSiThroughout) {
                           "target": "cracked.positive.stiffness_change=-1 %"})",
                       "si")
                 .document("text")
-                .find("output_shaft.crack[0].depth = 0.003354 m"),
+                .find("output_shaft.crack[0].depth = 0.00335 m"),
             std::string::npos);
 }
 
