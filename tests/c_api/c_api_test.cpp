@@ -416,7 +416,7 @@ TEST(CApi, BehaviourMemoryDoesNotGrow) {
   // The smallest possible leak per repetition, ten bytes of a freed handle, would add up to a
   // megabyte.  A sanitizer keeps freed memory for some time and detects leaks itself, so it is
   // excluded.
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifndef STRAINWAVE_SANITIZED
   EXPECT_LT(resident() - before, 512);
 #endif
 }
