@@ -185,8 +185,8 @@ void contain_left_out(StiffnessResult& result, const GearSet& gear, const Member
       {.code = "sum.left_out",
        .text = fmt::format(
            "the sum of the members leaves out the contacts of balls and teeth, the rings and the "
-           "coning of the cup: its stiffness is an upper bound, and the drive is softer; the "
-           "accuracy of the sum contains {}",
+           "coning of the cup: apart from the errors of the members the drive is softer; the "
+           "accuracy of the sum contains {}, and is stated to both sides alike",
            coupled == nullptr
                ? "this, as catalogues show it: the sum is 2 to 5 times too stiff without a shaft"
                : "the coupled drive, which is the answer"),

@@ -238,13 +238,29 @@ double slope_at(Probe& probe, const Sample& at) {
   return (b.y - a.y) / (b.x - a.x);
 }
 
-Solution solution_at(Probe& probe, const Sample& at, const SolveResult& problem) {
+/// From here on an accuracy to first order says nothing of where the value is [-].
+constexpr double kMostAccuracy = 1.0;
+
+Solution solution_at(Probe& probe, const Sample& at, SolveResult& problem) {
   Solution solution{.value = {at.x, problem.unit}, .output = {}, .result = probe.result(at.x)};
   solution.output = *output_named(solution.result, problem.target.output);
   if (solution.output.relative_uncertainty) {
     const double u = std::abs(*solution.output.relative_uncertainty * solution.output.value /
                               (at.x * slope_at(probe, at)));
-    if (std::isfinite(u)) solution.value.relative_uncertainty = u;
+    if (std::isfinite(u) && u <= kMostAccuracy)
+      solution.value.relative_uncertainty = u;
+    else if (problem.notes.empty())
+      problem.notes.push_back(
+          {.code = "solve.accuracy",
+           .text =
+               fmt::format("its accuracy cannot be told: to first order, a change of it by "
+                           "100 % moves {} by less than the uncertainty of {}",
+                           problem.target.output, percent(*solution.output.relative_uncertainty)),
+           .path = problem.path,
+           .equation = "ST-18",
+           .severity = Severity::cannot_tell,
+           .next_step = "Choose an output that depends more on this field, or one with a smaller "
+                        "uncertainty."});
   }
   return solution;
 }
@@ -440,7 +456,8 @@ SolveResult solve(const GearSet& gear, Method method, const Unknown& unknown, co
                      .excluded = {},
                      .least = {},
                      .greatest = {},
-                     .reason = {}};
+                     .reason = {},
+                     .notes = {}};
   describe_range(samples, result);
   Findings findings(probe, result);
   find_solutions(samples, findings, target.value);
@@ -459,6 +476,7 @@ std::string output_range(const SolveResult& result) {
 ResultEvidence evidence_of(const SolveResult& result) {
   ResultEvidence evidence;
   if (!result.solutions.empty()) evidence = evidence_of(result.solutions.front().result);
+  evidence.notes.insert(evidence.notes.end(), result.notes.begin(), result.notes.end());
   if (!result.usable())
     evidence.unusable_because = result.reason;
   else if (!result.reason.empty())

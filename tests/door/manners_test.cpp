@@ -173,9 +173,9 @@ TEST(Explain, BehaviourEachKindOfWordIsExplained) {
 
 TEST(Explain, InputAnUnknownWordGetsTheNearest) {
   EXPECT_EQ(test::broken_rule([] { return explained("stifness"); }),
-            "word: stifness names nothing that strainwave knows; did you mean stiffness?");
+            "word: stifness is unknown to strainwave; did you mean stiffness?");
   EXPECT_EQ(test::broken_rule([] { return explained("crack.thick_walls"); }),
-            "word: crack.thick_walls names nothing that strainwave knows; did you mean "
+            "word: crack.thick_walls is unknown to strainwave; did you mean "
             "crack.thick_wall?");
 }
 
@@ -214,7 +214,7 @@ AnyJson diff_result(const Answer& answer) { return AnyJson::parse(answer.json())
 
 /// The difference of an output, among those that count and those that do not.
 AnyJson difference_of(const AnyJson& result, const std::string& output) {
-  for (const char* const group : {"outputs", "within_uncertainty"})
+  for (const char* const group : {"outputs", "within_uncertainty", "uncertainty_not_stated"})
     for (const AnyJson& one : result[group])
       if (one["output"] == output) return one;
   ADD_FAILURE() << output;

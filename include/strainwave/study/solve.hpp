@@ -68,7 +68,7 @@ struct SolveOptions {
 /// One value of the sought number that gives the target.
 struct Solution {
   /// The sought number [unit of the field].  Its uncertainty follows from that of the output to
-  /// first order, u_x = u_y |y/(x dy/dx)|; absent if it cannot be stated.
+  /// first order, u_x = u_y |y/(x dy/dx)|; absent if it cannot be stated or exceeds 100 %.
   Quantity value;
   Quantity output;         ///< the output at this value
   StiffnessResult result;  ///< the complete result at this value
@@ -116,6 +116,7 @@ struct SolveResult {
   /// Empty for a single solution without remarks; else sentences on no solution, several solutions,
   /// jumps over the target, or solutions that must not be used.
   std::string reason;
+  std::vector<Note> notes;  ///< on the accuracies of the solutions
   [[nodiscard]] bool usable() const { return !solutions.empty(); }
 
   template <class Visitor>

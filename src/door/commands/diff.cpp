@@ -40,14 +40,14 @@ struct DiffOptions {
           &DiffOptions::first);
     field({.name = "second",
            .unit = "",
-           .doc = "what it is compared with, likewise",
+           .doc = "a drive or a result to compare with the first",
            .positional = true,
            .names = "attachment"},
           &DiffOptions::second);
     field(kMethodOption, &DiffOptions::method);
     field({.name = "coverage",
            .unit = "1",
-           .doc = "standard uncertainties of a difference that count",
+           .doc = "number of standard uncertainties that a difference must exceed",
            .range = kPositive,
            .fallback = "1"},
           &DiffOptions::coverage);
@@ -70,7 +70,11 @@ struct Side {
   Inputs inputs;
   Outputs outputs;
   std::vector<std::string> order;  // of the outputs
+  double left_out = 0.0;           // lambda_l over the sound sum (ST-18)
+  Inputs tables;  // contents of tables of compliances by path of the field; a result has none
 };
+
+constexpr std::string_view kTableField = ".compliance_table";
 
 void read_inputs(const Json& value, const std::string& path, Inputs& to) {
   if (value.is_object()) {
@@ -115,11 +119,15 @@ Side side_of_result(const std::string& text, const std::string& name) {
               .unusable_because = document.at("unusable_because"),
               .inputs = {},
               .outputs = {},
-              .order = {}};
+              .order = {},
+              .left_out = 0.0,
+              .tables = {}};
     if (const auto input = document.at("provenance").find("input");
         input != document.at("provenance").end())
       read_inputs(*input, "", side.inputs);
     read_outputs(document.at("result"), "", side);
+    for (const Json& basis : document.at("accuracies"))
+      if (basis.at("path") == "total") side.left_out = basis.at("relative_uncertainty").at("value");
     return side;
   } catch (const Json::exception&) {
   } catch (const InputError&) {
@@ -131,7 +139,7 @@ Side side_of_result(const std::string& text, const std::string& name) {
 
 Side side_of(const std::string& name, Method method, const Request& request) {
   const auto given = request.texts.find(name);
-  if (given == request.texts.end()) throw OptionError(name, "its text is not given");
+  if (given == request.texts.end()) throw OptionError(name, "the text of this file is missing");
   const std::string& text = given->second;
   if (text.find_first_not_of(" \t\r\n") != std::string::npos &&
       text[text.find_first_not_of(" \t\r\n")] == '{')
@@ -139,8 +147,11 @@ Side side_of(const std::string& name, Method method, const Request& request) {
   static const Command stiffness = stiffness_command();
   OptionValues options(stiffness.options);
   options.set("method", enum_name(method));
-  return side_of_result(
-      run(stiffness, read_drive(text, name, request.beside(name)), options).json(), name);
+  const Attachments beside = request.beside(name);
+  Side side = side_of_result(run(stiffness, read_drive(text, name, beside), options).json(), name);
+  for (const auto& [path, file] : side.inputs)
+    if (path.ends_with(kTableField)) side.tables[path] = beside.text(file, path);
+  return side;
 }
 
 /// What two texts say of one input.
@@ -184,8 +195,9 @@ struct Difference {
   std::string second;
   double coverage = 1.0;
   std::vector<InputDifference> inputs;
-  std::vector<OutputDifference> outputs;  ///< beyond the uncertainty of their difference
-  std::vector<OutputDifference> within;   ///< others that differ
+  std::vector<OutputDifference> outputs;   ///< beyond the uncertainty of their difference
+  std::vector<OutputDifference> within;    ///< others that differ
+  std::vector<OutputDifference> unstated;  ///< that differ without a stated uncertainty
   std::vector<std::string> only_first;
   std::vector<std::string> only_second;
   std::size_t equal = 0;
@@ -196,14 +208,17 @@ struct Difference {
   static void describe(Visitor&& field) {
     using D = Difference;
     field({"first", "", "a drive or a result"}, &D::first);
-    field({"second", "", "what it is compared with"}, &D::second);
-    field({"coverage", "1", "standard uncertainties of a difference that count"}, &D::coverage);
+    field({"second", "", "a drive or a result that is compared with the first"}, &D::second);
+    field({"coverage", "1", "number of standard uncertainties that a difference must exceed"},
+          &D::coverage);
     field({"inputs", "", "that differ"}, &D::inputs);
     field({"outputs", "", "that differ by more than the uncertainty of their difference"},
           &D::outputs);
     field({"within_uncertainty", "", "outputs that differ by less"}, &D::within);
-    field({"only_first", "", "outputs that the second has not"}, &D::only_first);
-    field({"only_second", "", "outputs that the first has not"}, &D::only_second);
+    field({"uncertainty_not_stated", "", "outputs that differ without a stated uncertainty"},
+          &D::unstated);
+    field({"only_first", "", "outputs that exist only in the first"}, &D::only_first);
+    field({"only_second", "", "outputs that exist only in the second"}, &D::only_second);
     field({"equal", "", "number of outputs that are the same"}, &D::equal);
   }
 };
@@ -323,8 +338,69 @@ std::optional<double> part_uncertainty(const Side& side, const std::string& path
   return found != side.outputs.end() ? found->second.relative_uncertainty : std::nullopt;
 }
 
+/// What an output of the sum is in the drive, with what the sum leaves out (ST-18).
+struct InDrive {
+  bool coupled = false;        ///< from the coupled drive
+  std::vector<double> values;  ///< at K1, K2, K3, or one; none of any other output
+};
+
+InDrive in_drive(const Side& side, const std::string& path) {
+  const auto value_of = [&](const std::string& name) {
+    const auto found = side.outputs.find(name);
+    return found != side.outputs.end() ? std::optional(found->second.value) : std::nullopt;
+  };
+  for (const std::string_view of : kDrives) {
+    const std::string drive(of);
+    if (!path.starts_with(drive + ".")) continue;
+    const std::string output = path.substr(drive.size() + 1);
+    const bool change = output == "stiffness_change";
+    const bool softer = output == "wind_up" || output == "compliance.total";
+    if (output != "stiffness" && !softer && !change) return {};
+    const double y = *value_of(path);
+    const std::string curve = "curve." + drive.substr(drive.find('.') + 1);
+    if (const auto K = value_of(curve + ".K1")) {
+      if (const auto wind_up = value_of(curve + ".wind_up"); wind_up && output == "wind_up")
+        return {.coupled = true, .values = {*wind_up}};
+      InDrive coupled{.coupled = true, .values = {}};
+      for (const std::string_view at : {"K1", "K2", "K3"}) {
+        const double K_i = *value_of(fmt::format("{}.{}", curve, at));
+        coupled.values.push_back(change   ? *value_of(fmt::format("{}.change.{}", curve, at))
+                                 : softer ? y * *value_of(drive + ".stiffness") / K_i
+                                          : K_i);
+      }
+      return coupled;
+    }
+    const double left =
+        side.left_out * parts_of(side, "intact").total / parts_of(side, drive).total;
+    return {.coupled = false, .values = {softer ? y * (1 + left) : y / (1 + left)}};
+  }
+  return {};
+}
+
+/// What the sums leave out, in second - first: u_l of (ST-19).
+double left_out_of(const Side& first, const Side& second, const std::string& path,
+                   const SameParts& same) {
+  const InDrive a = in_drive(first, path);
+  const InDrive b = in_drive(second, path);
+  const double y_a = first.outputs.at(path).value;
+  const double y_b = second.outputs.at(path).value;
+  const auto farthest = [](const std::vector<double>& values, double y) {
+    double most = 0.0;
+    for (const double value : values) most = std::max(most, std::abs(value - y));
+    return most;
+  };
+  const bool one_error = a.coupled == b.coupled && a.values.size() == b.values.size() &&
+                         (a.coupled || (same.same("wave_generator") && same.same("flexspline")));
+  if (!one_error) return std::hypot(farthest(a.values, y_a), farthest(b.values, y_b));  // (ST-19)
+  std::vector<double> differences;
+  for (std::size_t i = 0; i < a.values.size(); ++i)
+    differences.push_back(b.values[i] - a.values[i]);
+  return farthest(differences, y_b - y_a);
+}
+
 /// One standard uncertainty of second - first: the model error of a part that is the same in both
-/// is one error, which cancels; those of a part that differs are two (ST-19).
+/// is one error, which cancels; those of a part that differs are two; and what the sums leave out
+/// (ST-19).
 std::optional<double> uncertainty_of(const Side& first, const Side& second, const std::string& path,
                                      const SameParts& same) {
   const Output& a = first.outputs.at(path);
@@ -344,7 +420,7 @@ std::optional<double> uncertainty_of(const Side& first, const Side& second, cons
   std::set<std::string> parts;
   for (const Slopes* const slopes : {&of_a, &of_b})
     for (const auto& [part, slope] : *slopes) parts.insert(part);
-  double variance = 0.0;
+  double variance = std::pow(left_out_of(first, second, path, same), 2);
   for (const std::string& part : parts) {
     const auto error = [&](const Side& side, const Slopes& slopes) {
       const auto slope = slopes.find(part);
@@ -371,7 +447,23 @@ std::vector<InputDifference> differing_inputs(const Side& first, const Side& sec
   for (const std::string& path : paths)
     if (text_of(first, path) != text_of(second, path))
       differing.push_back({path, text_of(first, path), text_of(second, path)});
+  for (const auto& [path, text] : first.tables) {
+    const auto other = second.tables.find(path);
+    const std::string file = text_of(first, path);
+    if (other != second.tables.end() && other->second != text && text_of(second, path) == file)
+      differing.push_back({path, file, file + " with another content"});
+  }
   return differing;
+}
+
+/// The fields of tables whose contents a side does not have: nobody can tell whether they differ.
+std::vector<InputDifference> unknown_tables(const Side& first, const Side& second) {
+  std::vector<InputDifference> unknown;
+  for (const Side* const side : {&first, &second})
+    for (const auto& [path, file] : side->inputs)
+      if (path.ends_with(kTableField) && !side->tables.contains(path))
+        unknown.push_back({path, file, file});
+  return unknown;
 }
 
 Difference difference(const Request& request, const DiffOptions& options) {
@@ -388,13 +480,16 @@ Difference difference(const Request& request, const DiffOptions& options) {
                         .inputs = differing_inputs(first, second),
                         .outputs = {},
                         .within = {},
+                        .unstated = {},
                         .only_first = {},
                         .only_second = {},
                         .unusable_because = {}};
   for (const auto& [side, name] : {std::pair(&first, &options.first), {&second, &options.second}})
     if (!side->unusable_because.empty() && difference.unusable_because.empty())
       difference.unusable_because = fmt::format("{}: {}", *name, side->unusable_because);
-  const SameParts same(first, second, difference.inputs);
+  std::vector<InputDifference> not_shared = unknown_tables(first, second);
+  not_shared.insert(not_shared.end(), difference.inputs.begin(), difference.inputs.end());
+  const SameParts same(first, second, not_shared);
   for (const std::string& path : second.order)
     if (!first.outputs.contains(path)) difference.only_second.push_back(path);
   for (const std::string& path : first.order) {
@@ -420,9 +515,12 @@ Difference difference(const Request& request, const DiffOptions& options) {
       ++difference.equal;
       continue;
     }
-    const double counts = options.coverage * differing.uncertainty.value_or(0.0);
-    (std::abs(differing.difference) > counts ? difference.outputs : difference.within)
-        .push_back(std::move(differing));
+    std::vector<OutputDifference>& group =
+        !differing.uncertainty ? difference.unstated
+        : std::abs(differing.difference) > options.coverage * *differing.uncertainty
+            ? difference.outputs
+            : difference.within;
+    group.push_back(std::move(differing));
   }
   return difference;
 }
@@ -455,26 +553,31 @@ std::string difference_text(const Difference& difference) {
     inputs.rows.push_back(cells(path, shown_input(path, first), shown_input(path, second)));
   text += "\nInputs that differ\n" +
           (inputs.rows.empty() ? std::string("  none\n") : text_table(inputs));
-  Table outputs{.head = {"output", "first", "second", "difference", "uncertainty", "unit"},
-                .align = "lrrrrl"};
-  for (const OutputDifference& output : difference.outputs) {
-    const DisplayUnit unit = display_unit(output.path, output.unit);
-    const auto number = [&](double value, int digits) {
-      return fmt::format("{:.{}g}", value / unit.in_si, digits);
-    };
-    outputs.rows.push_back(
-        cells(output.path, number(output.first, 6), number(output.second, 6),
-              number(output.difference, 3),
-              output.uncertainty ? number(*output.uncertainty, 2) : std::string("not stated"),
-              unit.text == "1" ? std::string_view() : unit.text));
-  }
-  text += "\nOutputs that differ by more than the uncertainty of their difference\n" +
-          (outputs.rows.empty() ? std::string("  none\n") : text_table(outputs));
+  const auto list = [&](std::string_view title, const std::vector<OutputDifference>& listed) {
+    Table outputs{.head = {"output", "first", "second", "difference", "uncertainty", "unit"},
+                  .align = "lrrrrl"};
+    for (const OutputDifference& output : listed) {
+      const DisplayUnit unit = display_unit(output.path, output.unit);
+      const auto number = [&](double value, int digits) {
+        return fmt::format("{:.{}g}", value / unit.in_si, digits);
+      };
+      outputs.rows.push_back(
+          cells(output.path, number(output.first, 6), number(output.second, 6),
+                number(output.difference, 3),
+                output.uncertainty ? number(*output.uncertainty, 2) : std::string("not stated"),
+                unit.text == "1" ? std::string_view() : unit.text));
+    }
+    text += fmt::format("\n{}\n{}", title,
+                        outputs.rows.empty() ? std::string("  none\n") : text_table(outputs));
+  };
+  list("Outputs that differ by more than the uncertainty of their difference", difference.outputs);
+  if (!difference.unstated.empty())
+    list("Outputs that differ without a stated uncertainty", difference.unstated);
   const auto only = [&](std::string_view which, const std::vector<std::string>& paths) {
     if (!paths.empty())
-      text +=
-          paragraph(fmt::format("Only the {} has {} of {}", which, counted(paths.size(), "output"),
-                                fmt::join(parts_with(paths), ", ")));
+      text += paragraph(fmt::format("{} {} only in the {}: {}", counted(paths.size(), "output"),
+                                    paths.size() == 1 ? "exists" : "exist", which,
+                                    fmt::join(parts_with(paths), ", ")));
   };
   text += '\n';
   only("first", difference.only_first);
@@ -496,6 +599,7 @@ std::string difference_csv(const Difference& difference) {
   };
   add(difference.outputs, "output");
   add(difference.within, "within uncertainty");
+  add(difference.unstated, "uncertainty not stated");
   return csv_table(table);
 }
 
@@ -509,7 +613,7 @@ Command diff_command() {
           "Compares two drives, or two results that --format json wrote. Prints the inputs that "
           "differ, and the outputs that differ by more than the uncertainty of their difference: "
           "the model error of a member or crack that is the same in both cancels, that of one "
-          "whose inputs differ does not. The csv and json formats have also the outputs that "
+          "whose inputs differ does not. The csv and json formats also list the outputs that "
           "differ by less.",
       .example = "strainwave diff examples/article.toml examples/through_crack.toml",
       .takes = Takes::nothing,

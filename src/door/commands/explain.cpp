@@ -102,13 +102,13 @@ class Search {
     if (meanings_.empty()) {
       const std::string near = nearest_word(word_, known_);
       throw OptionError(
-          "word", near.empty()
-                      ? fmt::format("{} names nothing that strainwave knows; strainwave --help "
-                                    "lists the commands, strainwave schema --format markdown "
-                                    "the fields",
-                                    shown(word_))
-                      : fmt::format("{} names nothing that strainwave knows; did you mean {}?",
-                                    shown(word_), near));
+          "word",
+          near.empty()
+              ? fmt::format("{} is unknown to strainwave; strainwave --help "
+                            "lists the commands, strainwave schema --format markdown "
+                            "the fields",
+                            shown(word_))
+              : fmt::format("{} is unknown to strainwave; did you mean {}?", shown(word_), near));
     }
     return {std::string(word_), std::move(meanings_)};
   }
@@ -205,7 +205,7 @@ Explained explained(std::string_view word, std::span<const Command> table) {
   for (const auto& [code, text] : note_texts())
     search.thing(
         "note", code,
-        text.empty() ? "the answer says it; the text depends on the case" : without_places(text));
+        text.empty() ? "The text depends on the case; the result shows it" : without_places(text));
   for (const auto& [tag, title] : equation_titles())
     search.thing("equation of the theory manual", tag, std::string(title));
   for (const auto& [status, meaning] : kExitStatuses)
@@ -236,7 +236,7 @@ std::string explained_text(const Explained& explained) {
     if (!more.empty()) text += paragraph("More: " + more, 2, 0);
   }
   if (explained.meanings.size() > kMost)
-    text += fmt::format("{} more; --format json has all, a longer path has fewer\n",
+    text += fmt::format("{} more; --format json shows all; a longer path gives fewer\n",
                         explained.meanings.size() - kMost);
   return text;
 }
