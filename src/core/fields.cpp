@@ -28,7 +28,11 @@ std::string rule_text(const Range& range, std::string_view unit) {
 }
 
 Range usual_range(const Field& field) {
-  if (std::isfinite(field.usual.lower)) return field.usual;
+  const auto closed = [](const Range& range) {
+    return Range{
+        .lower = range.lower, .lower_open = false, .upper = range.upper, .upper_open = false};
+  };
+  if (std::isfinite(field.usual.lower)) return closed(field.usual);
   // Of strain wave drives from a watch's to a crane's, with a decade to spare.
   static constexpr std::array<std::pair<std::string_view, Range>, 6> kByUnit = {
       {{"m", {.lower = 1e-7, .upper = 10.0}},
@@ -38,7 +42,7 @@ Range usual_range(const Field& field) {
        {"Pa", {.lower = 1.0, .upper = 1e12}},
        {"Pa*m^0.5", {.lower = 1e6, .upper = 1e9}}}};
   for (const auto& [unit, range] : kByUnit)
-    if (unit == field.unit) return range;
+    if (unit == field.unit) return closed(range);
   return kFinite;
 }
 

@@ -439,8 +439,15 @@ class Maker {
             surface.stress_intensity(size.size, pi / 2 * i / (kFrontPoints - 1)).I[0] * f;
       return front;
     };
-    made.range_end = sif::kFittedDepthRatio * *gear_.wave_generator->inner_ring_thickness;
+    const WaveGenerator& wg = *gear_.wave_generator;
+    made.range_end = sif::kFittedDepthRatio * *wg.inner_ring_thickness;
     made.range_text = "0.8 of the ring, the range of the stress intensity";
+    if (!wg.inner_ring_width) return;
+    use(made, {"SP-1"});
+    const double as_long_as_wide = crack.aspect_ratio * *wg.inner_ring_width / 2;
+    if (as_long_as_wide >= made.range_end) return;
+    made.range_end = as_long_as_wide;
+    made.range_text = "where the crack is as long as the ring is wide";
   }
 
   void fill(DriveCrack& made, const RaceEdgeCrack& crack,

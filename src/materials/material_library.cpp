@@ -272,7 +272,10 @@ Material completed(const Material& own, const MaterialRecord& record) {
       if (number.confidence == Confidence::unverified) unverified.emplace_back(words);
     });
   };
-  take(material.youngs_modulus, "youngs_modulus", !own_E);
+  // Two of E, G and nu define a material: both others of the file define E.
+  const bool defines_E = !own_E && own.shear_modulus && own.poissons_ratio;
+  if (defines_E) material.youngs_modulus = 2 * *own.shear_modulus * (1 + *own.poissons_ratio);
+  take(material.youngs_modulus, "youngs_modulus", !own_E && !defines_E);
   take(material.shear_modulus, "shear_modulus",
        !own_elastic || (!own.shear_modulus && !own.poissons_ratio && !record.poissons_ratio));
   take(material.poissons_ratio, "poissons_ratio", !own.poissons_ratio && !own.shear_modulus);
@@ -284,6 +287,9 @@ Material completed(const Material& own, const MaterialRecord& record) {
       own_numbers.push_back(
           fmt::format("{} {}", path.text(), shown_quantity(value, field.unit, 4)));
   });
+  if (defines_E)
+    own_numbers.push_back(fmt::format("youngs_modulus {} = 2 G (1 + nu)",
+                                      shown_quantity(material.youngs_modulus, "Pa", 4)));
   const std::string numbers = taken.empty() ? "nothing" : fmt::format("{}", fmt::join(taken, ", "));
   material.origin =
       own.based_on
@@ -293,7 +299,7 @@ Material completed(const Material& own, const MaterialRecord& record) {
           : fmt::format("taken from the material library, {}: {}", record.name, numbers);
   material.verified = unverified.empty();
   if (!material.verified)
-    material.origin += fmt::format("; unverified, to be checked before a decision rests on it: {}",
+    material.origin += fmt::format("; unverified, check it before you base a decision on it: {}",
                                    fmt::join(unverified, ", "));
   return material;
 }

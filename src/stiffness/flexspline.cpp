@@ -29,12 +29,13 @@ void add_sound_flexspline(const GearSet& gear, const SeriesModel<double>& model,
     if (!plain_tube)
       member.notes.push_back(
           {.code = "flexspline.shape_factor",
-           .text = fmt::format(
-               "the factor {:.4g} stands for everything but the barrel; cups are 1.06 to 11 times "
-               "as compliant as their barrel in finite elements{}",
-               model.shape_factor(),
-               model.shape_factor() < 1 ? ", so that a factor below 1 makes the cup too stiff"
-                                        : ""),
+           .text = fmt::format("the factor {:.4g} represents all parts except the barrel; cups are "
+                               "1.06 to 11 times "
+                               "as compliant as their barrel in finite elements{}",
+                               model.shape_factor(),
+                               model.shape_factor() < 1
+                                   ? ", so that a factor below 1 makes the cup too stiff"
+                                   : ""),
            .path = "flexspline.crack_free",
            .equation = "ST-4",
            .severity = Severity::care,

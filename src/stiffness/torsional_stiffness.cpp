@@ -178,8 +178,8 @@ void contain_left_out(StiffnessResult& result, const GearSet& gear, const Member
   result.accuracies.push_back(
       {"total", sound.compliance,
        std::string(coupled == nullptr ? accuracy::kContactsLeftOut.source
-                                      : "contacts, rings and coning are left out: the "
-                                        "coupled drive lies so far away")});
+                                      : "contacts, rings and coning are left out: "
+                                        "this is the distance to the coupled drive")});
   use_equations(result.equations, {"ST-18"});
   result.notes.push_back(
       {.code = "sum.left_out",

@@ -140,9 +140,14 @@ class RaceCracks : public CrackAdder {
   void add(const CrackReport& report, const RaceSurfaceCrack& crack,
            const LoadedCrack<sif::SurfaceCrack<1>>& loaded) {
     if (crack.stress_driver == StressDriver::ring_bending) use({"SP-3"});
+    if (gear.wave_generator->inner_ring_width) use({"SP-1"});
     add_race_crack(report, crack, loaded, {"FR-2", "FR-3", "FR-4", "FR-5", "FR-18"}, [&] {
-      return surface_crack_fit(member, report.path, crack.depth, crack.aspect_ratio,
-                               *gear.wave_generator->inner_ring_thickness);
+      const ModelAccuracy fit =
+          surface_crack_fit(member, report.path, crack.depth, crack.aspect_ratio,
+                            *gear.wave_generator->inner_ring_thickness);
+      return ModelAccuracy{
+          accuracy::combined(fit, beyond_width_range(report.path, crack, loaded.solution)),
+          fit.source};
     });
   }
   void add(const CrackReport& report, const RaceEdgeCrack& crack,
@@ -161,12 +166,36 @@ class RaceCracks : public CrackAdder {
     if (clearly_less(kDeepEdgeCrack * thickness, depth))
       member.notes.push_back(
           {.code = "crack.edge_range",
-           .text = fmt::format("a/t = {:.3g}: beyond {:g} the ring is little more than a hinge at "
-                               "the crack, and the cam that holds it decides; extrapolated",
+           .text = fmt::format("a/t = {:.3g}: beyond {:g} the cracked section acts like a hinge, "
+                               "and the support by the cam determines the result; extrapolated",
                                depth / thickness, kDeepEdgeCrack),
            .path = path,
            .equation = "FR-11",
            .severity = Severity::care});
+  }
+
+  /// Relative uncertainty of the compliance by the width factor beyond its range, f_w^2 - 1 [-],
+  /// with a note; 0 in the range.
+  double beyond_width_range(const std::string& path, const RaceSurfaceCrack& crack,
+                            const sif::SurfaceCrack<1>& solution) {
+    const auto& width = gear.wave_generator->inner_ring_width;
+    if (!width) return 0.0;
+    const double c_b = 2 * crack.depth / crack.aspect_ratio / *width;
+    if (!clearly_less(sif::kFittedWidthRatio, c_b)) return 0.0;
+    const double f_w = solution.width_factor(crack.depth);
+    const ModelAccuracy beyond{f_w * f_w - 1, accuracy::kBeyondWidthRange};
+    rest_on(member, path, beyond);
+    member.notes.push_back(
+        {.code = "crack.wide",
+         .text =
+             fmt::format("the crack is {:.3g} of the ring's width: beyond {:g} the width "
+                         "factor, {:.3g} here, is extrapolated, and the uncertainty contains it",
+                         c_b, sif::kFittedWidthRatio, f_w),
+         .path = path,
+         .equation = "SP-1",
+         .severity = Severity::care,
+         .next_step = "Compare with an edge crack of the same depth, kind = \"edge\"."});
+    return beyond;
   }
 
   template <class Crack, class Solution, class Fit>

@@ -63,11 +63,12 @@ std::vector<Missing> missing(const GearSet& gear) {
   return fields;
 }
 
-/// "must be given for the torsion curve (balls and raceways), as must mesh": of the first of them.
+/// "must be given for the torsion curve (balls and raceways)": of the first field, with the others.
 std::string rule_of(const std::vector<Missing>& gaps) {
   std::string rule = fmt::format("must be given for the torsion curve ({})", gaps.front().what);
   for (std::size_t i = 1; i < gaps.size(); ++i)
-    rule += fmt::format("{}{}", i == 1 ? ", as must " : ", ", gaps[i].field);
+    rule += fmt::format("{}{}", i == 1 ? "; the torsion curve also needs these fields: " : ", ",
+                        gaps[i].field);
   return rule;
 }
 

@@ -389,7 +389,7 @@ TEST_F(Program, BehaviourLibraryMaterialIsNotedAndCanBeVaried) {
   const std::string& text = notes["material.17-4PH H900"];
   EXPECT_NE(text.find("yield strength 1170 MPa (standard)"), std::string::npos) << text;
   EXPECT_NE(notes["material.52100 hardened"].find(
-                "unverified, to be checked before a decision rests on it: "
+                "unverified, check it before you base a decision on it: "
                 "Poisson's ratio"),
             std::string::npos);
   EXPECT_EQ(json.at("/provenance/input/material/17-4PH H900/yield_strength"_json_pointer),
@@ -508,6 +508,13 @@ TEST_F(Program, BehaviourEveryRowIsFitted) {
   const Outcome rows = run("validate --mode per-row --format csv");
   EXPECT_EQ(rows.exit_code, 0) << rows.err;
   EXPECT_TRUE(rows.err.empty()) << rows.err;
+}
+
+TEST_F(Program, InputAnglesNeedCompare) {
+  const Outcome refused = run("torsion " + kArticle + " --angles 8");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("--angles: needs --compare; give it too"), std::string::npos)
+      << refused.err;
 }
 
 TEST_F(Program, InputTorsionSaysWhatIsMissingAndWhatFails) {

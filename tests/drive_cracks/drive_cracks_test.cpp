@@ -186,5 +186,28 @@ TEST(DriveCracks, ScalingRaceCrackFollowsTheLobeForceOfEitherSense) {
             crack.reference_stress(crack.size, 0.0, -T));
 }
 
+TEST(DriveCracks, LimitRaceCrackEndsAsLongAsTheRingIsWide) {
+  GearSet gear = test::article_gear(1 * mm);
+  const double t = *gear.wave_generator->inner_ring_thickness;
+  EXPECT_EQ(crack_of(gear, "wave_generator.crack[0]").range_end, 0.8 * t);
+  auto& race = std::get<RaceSurfaceCrack>(gear.wave_generator->crack.at(0));
+  race.aspect_ratio = 0.5;
+  gear.wave_generator->inner_ring_width = 10 * mm;
+  const DriveCrack crack = crack_of(gear, "wave_generator.crack[0]");
+  test::expect_relative(crack.range_end, 2.5 * mm, 1e-14);
+  EXPECT_EQ(crack.range_text, "where the crack is as long as the ring is wide");
+  EXPECT_NE(std::ranges::find(crack.equations, "SP-1"), crack.equations.end());
+  // A longer crack stays as long as the ring is wide: the width factor is that of c = b.
+  const double at_end =
+      crack.front({.size = 4 * mm, .aspect_ratio = 0.5}, Faces::open).back().load.I[kTorsion];
+  gear.wave_generator->inner_ring_width.reset();
+  const double wide = crack_of(gear, "wave_generator.crack[0]")
+                          .front({.size = 4 * mm, .aspect_ratio = 0.5}, Faces::open)
+                          .back()
+                          .load.I[kTorsion];
+  test::expect_relative(at_end / wide, 1 / std::sqrt(std::cos(pi / 2 * std::sqrt(4 * mm / t))),
+                        1e-12);
+}
+
 }  // namespace
 }  // namespace strainwave

@@ -651,8 +651,8 @@ TEST(AsMaterial, BehaviourNumbersAndOrigin) {
       "taken from the material library, Alpha 1: Young's modulus 200 GPa (handbook; as printed), "
       "Poisson's "
       "ratio 0.25 (unverified), yield strength 900 MPa (measured), tensile strength 1000 MPa "
-      "(standard), fracture toughness 60 MPa*m^0.5 (derived); unverified, to be checked before "
-      "a decision rests on it: Poisson's ratio");
+      "(standard), fracture toughness 60 MPa*m^0.5 (derived); unverified, check it before you "
+      "base a decision on it: Poisson's ratio");
   const Material b = as_material(library.material[1]);
   EXPECT_EQ(b.shear_modulus, 80e9);
   EXPECT_EQ(b.poissons_ratio, std::nullopt);
@@ -676,8 +676,8 @@ TEST(AsMaterial, BehaviourARecordCompletedByOwnNumbers) {
       "based on Alpha 1 of the material library, taken: Young's modulus 200 GPa (handbook; "
       "as printed), "
       "Poisson's ratio 0.25 (unverified), yield strength 900 MPa (measured), tensile strength "
-      "1000 MPa (standard); own: fracture_toughness 75 MPa*m^0.5; unverified, to be checked "
-      "before a decision rests on it: Poisson's ratio");
+      "1000 MPa (standard); own: fracture_toughness 75 MPa*m^0.5; unverified, check it "
+      "before you base a decision on it: Poisson's ratio");
   EXPECT_TRUE(a.in_file());
   // A number of its own takes the doubt about the library's away.
   own.poissons_ratio = 0.3;
@@ -701,6 +701,20 @@ TEST(AsMaterial, IdentityTwoElasticConstantsDefineACompletedMaterial) {
   own.poissons_ratio = 0.31;  // in place of G = 80 GPa
   EXPECT_EQ(completed(own, library.material[1]).shear_modulus, std::nullopt);
   EXPECT_EQ(constants(own, 1).nu, 0.31);
+  own = {};
+  own.based_on = "Alpha 1";
+  own.shear_modulus = 60e9;
+  own.poissons_ratio = 0.3;  // both others define E
+  for (const std::size_t record : {0U, 1U}) {
+    const Material both = completed(own, library.material[record]);
+    EXPECT_NEAR(both.youngs_modulus, 156e9, 1e-3);
+    EXPECT_NEAR(elastic_contradiction(both), 0, 1e-15);
+    EXPECT_EQ(std::ranges::count(both.from_library, "youngs_modulus"), 0);
+    EXPECT_EQ(both.origin.find("Young's modulus"), std::string::npos) << both.origin;
+    EXPECT_NE(both.origin.find("poissons_ratio 0.3, youngs_modulus 156 GPa = 2 G (1 + nu)"),
+              std::string::npos)
+        << both.origin;
+  }
 }
 
 }  // namespace

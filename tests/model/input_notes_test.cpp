@@ -53,10 +53,15 @@ TEST(InputNotes, InputOutOfProportion) {
     return text_of(gear, "input.implausible", path);
   };
   EXPECT_EQ(noted("material.steel.youngs_modulus", 210),
-            "0.00021 MPa is out of proportion; usual is 20 GPa to 800 GPa");
+            "0.00021 MPa is unusual; the usual range is 20 GPa to 800 GPa");
   EXPECT_EQ(noted("flexspline.wall_thickness", 2.24e-6),
-            "0.00224 mm is out of proportion; usual is 0.05 mm to 200 mm");
-  EXPECT_EQ(noted("drive.ratio", 1e-9), "1e-09 is out of proportion; usual is 10 to 1000");
+            "0.00224 mm is unusual; the usual range is 0.05 mm to 200 mm");
+  EXPECT_EQ(noted("drive.ratio", 1e-9), "1e-09 is unusual; the usual range is 10 to 1000");
+  // The bounds themselves are usual.
+  EXPECT_TRUE(noted("drive.ratio", 1000).empty());
+  EXPECT_TRUE(noted("drive.ratio", 10).empty());
+  EXPECT_FALSE(noted("drive.ratio", 1000.5).empty());
+  EXPECT_TRUE(noted("load.torque", 1e6).empty());
   // By the unit alone, and whatever the sign.
   EXPECT_FALSE(noted("load.torque", 1e12).empty());
   EXPECT_FALSE(noted("load.torque", -1e12).empty());
@@ -70,9 +75,10 @@ TEST(InputNotes, InputLengthsThatTheSectionsContradict) {
   gear.flexspline->length = 145 * mm;
   gear.flexspline->wall_thickness = 0.6 * mm;
   EXPECT_EQ(text_of(gear, "flexspline.contradiction", "flexspline.length"),
-            "145 mm is given here and 130 mm by rim.length + barrel.length, which holds");
+            "the file gives 145 mm here, but rim.length + barrel.length gives 130 mm; the program "
+            "uses 130 mm");
   EXPECT_EQ(text_of(gear, "flexspline.contradiction", "flexspline.wall_thickness"),
-            "0.6 mm is given here and 3 mm by rim.wall_thickness, which holds");
+            "the file gives 0.6 mm here, but rim.wall_thickness gives 3 mm; the program uses 3 mm");
   gear.flexspline->length = 130.1 * mm;  // rounded
   gear.flexspline->wall_thickness = 3 * mm;
   EXPECT_TRUE(input_notes(gear).empty());

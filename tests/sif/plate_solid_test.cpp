@@ -158,8 +158,8 @@ TEST(PlateSurface, LimitNarrowDeepCrack) {
 
 TEST(PlateSurface, ReferenceWidth) {
   // sqrt(sec(pi c/(2 b) sqrt(a/t))): sec 60 deg = 2, sec 45 deg = sqrt 2.
-  EXPECT_NEAR(NewmanRajuPlate::width_factor(4.0 / 3, 0.25), std::sqrt(2.0), 1e-14);
-  EXPECT_NEAR(NewmanRajuPlate::width_factor(0.5, 1), std::pow(2.0, 0.25), 1e-14);
+  EXPECT_NEAR(NewmanRaju::width_factor(4.0 / 3, 0.25), std::sqrt(2.0), 1e-14);
+  EXPECT_NEAR(NewmanRaju::width_factor(0.5, 1), std::pow(2.0, 0.25), 1e-14);
   const auto wide = surface(0.5, 0.5, 1e-9).stress_intensity(1, 1.0).I;
   const auto narrow = surface(0.5, 0.5, 0.5).stress_intensity(1, 1.0).I;
   const double width = 1 / std::sqrt(std::cos(pi / 4 * std::sqrt(0.5)));

@@ -143,10 +143,14 @@ class CrackLoads {
   [[nodiscard]] Loaded<sif::SurfaceCrack<1, Real>> loaded(const RaceSurfaceCrack& crack) const {
     const Elastic steel = ring_steel();
     const Real stress = unit_stress(crack);
-    const double& thickness = *gear_.wave_generator->inner_ring_thickness;
+    const WaveGenerator& wg = *gear_.wave_generator;
+    const double& thickness = *wg.inner_ring_thickness;
+    std::optional<Real> half_width;
+    if (wg.inner_ring_width) half_width = lift_(*wg.inner_ring_width) / 2;
     return {.solution = sif::SurfaceCrack<1, Real>({.depth = lift_(crack.depth),
                                                     .aspect_ratio = lift_(crack.aspect_ratio),
                                                     .thickness = lift_(thickness),
+                                                    .half_width = half_width,
                                                     .poissons_ratio = steel.nu,
                                                     .normal_stress = {stress},
                                                     .loading = race_loading(crack)}),

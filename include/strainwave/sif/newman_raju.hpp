@@ -15,9 +15,9 @@ namespace strainwave::sif {
 ///
 ///     K_I = sigma sqrt(pi a/Q) (M_1 + M_2 alpha^2 + M_3 alpha^4) g f_phi,
 ///
-/// for an infinitely wide plate.  Validity 0 < a/c <= 1, 0 <= a/t < 1, 0 <= phi <= pi/2; accuracy 5
-/// % against the finite elements of the fit (a/c >= 0.2, a/t <= 0.8).  Source: newmanraju1981
-/// (secondary).
+/// for an infinitely wide plate, and the factor f_w for a plate of finite width.  Validity 0 < a/c
+/// <= 1, 0 <= a/t < 1, 0 <= phi <= pi/2; accuracy 5 % against the finite elements of the fit (a/c
+/// >= 0.2, a/t <= 0.8).  Source: newmanraju1981 (secondary).
 template <class Real>
 class BasicNewmanRaju {
  public:
@@ -40,6 +40,14 @@ class BasicNewmanRaju {
     Real h1, h2, p;
   };
   [[nodiscard]] BendingEnds bending_ends(const Real& depth_ratio) const;
+
+  /// Width factor f_w for a plate of half width b [-]; (SP-1).
+  /// @param c_b          c/b [-]; in [0, 1]
+  /// @param depth_ratio  alpha = a/t [-]; in [0, 1)
+  [[nodiscard]] static Real width_factor(const Real& c_b, const Real& depth_ratio) {
+    using std::cos, std::sqrt;
+    return 1 / sqrt(cos(std::numbers::pi / 2 * c_b * sqrt(depth_ratio)));  // (SP-1)
+  }
 
   /// Q, approximates the square of the elliptic integral of the second kind [-]; (FR-5).
   [[nodiscard]] Real shape_parameter() const { return Q_; }
@@ -94,11 +102,6 @@ class NewmanRajuPlate {
 
   /// Exponent p of sin(phi) in the ratio of two loads along the front [-].
   [[nodiscard]] double front_exponent(double alpha) const { return ends(alpha).p; }  // (SP-3)
-
-  /// Width correction for a plate of half width b [-].  @param c_b  c/b [-]; in [0, 1)
-  [[nodiscard]] static double width_factor(double c_b, double alpha) {
-    return 1 / std::sqrt(std::cos(std::numbers::pi / 2 * c_b * std::sqrt(alpha)));  // (SP-1)
-  }
 
  private:
   using Ends = NewmanRaju::BendingEnds;

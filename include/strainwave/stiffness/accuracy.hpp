@@ -44,6 +44,9 @@ inline constexpr ModelAccuracy kSurfaceCrack{
     0.10, "Newman and Raju: 5 % of K against finite elements, so 10 % of the compliance"};
 inline constexpr ModelAccuracy kSurfaceCrackDeep{
     0.16, "Newman and Raju beyond a/t = 0.7: 8 % of K against finite elements in a tube"};
+/// Of a crack longer than half of the ring's width, whose width factor f_w gives f_w^2 - 1.
+inline constexpr std::string_view kBeyondWidthRange =
+    "width factor f_w beyond c/b = 0.5: f_w^2 - 1 of the compliance";
 inline constexpr ModelAccuracy kSurfaceCrackShear{
     0.20, "K_II and K_III of an embedded ellipse, without the free surface"};
 inline constexpr ModelAccuracy kSurfaceCrackExtrapolated{

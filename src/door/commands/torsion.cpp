@@ -48,8 +48,7 @@ Command torsion_command() {
       .example = "strainwave torsion examples/catalogue_size25.toml --plot torsion.svg",
       .function =
           [](const Request& request, const TorsionOptions& o) {
-            if (o.angles && !o.compare)
-              throw OptionError("compare", "angles needs it; give --compare too");
+            if (o.angles && !o.compare) throw OptionError("angles", "needs --compare; give it too");
             return torsion_report(
                 request.drive.gear,
                 {.compare = o.compare, .angles = o.angles.value_or(0), .draws = o.draws},

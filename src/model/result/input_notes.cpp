@@ -28,16 +28,16 @@ void note_unusual(const GearSet& gear, std::vector<Note>& notes) {
   for_each_number(gear, [&](const FieldPath& path, const Field& field, const double& value) {
     if (!unusual(field, value)) return;
     const Range usual = usual_range(field);
-    notes.push_back(
-        {.code = "input.implausible",
-         .text = fmt::format("{} is out of proportion; usual is {} to {}",
-                             shown_quantity(value, field.unit, 4),
-                             shown_quantity(usual.lower, field.unit, 4),
-                             shown_quantity(usual.upper, field.unit, 4)),
-         .path = path.text(),
-         .equation = "",
-         .severity = Severity::care,
-         .next_step = "Check the value and its unit; if it is meant, the answer holds for it."});
+    notes.push_back({.code = "input.implausible",
+                     .text = fmt::format("{} is unusual; the usual range is {} to {}",
+                                         shown_quantity(value, field.unit, 4),
+                                         shown_quantity(usual.lower, field.unit, 4),
+                                         shown_quantity(usual.upper, field.unit, 4)),
+                     .path = path.text(),
+                     .equation = "",
+                     .severity = Severity::care,
+                     .next_step = "Check the value and its unit. If the value is intended, the "
+                                  "answer is valid for it."});
   });
 }
 
@@ -46,13 +46,15 @@ void note_contradiction(std::vector<Note>& notes, std::string_view field, double
                         double by_sections, std::string_view sections) {
   constexpr double kRounding = 1e-3;  // of numbers with few digits
   if (std::abs(given - by_sections) <= kRounding * by_sections) return;
-  notes.push_back({.code = "flexspline.contradiction",
-                   .text = fmt::format("{:.4g} mm is given here and {:.4g} mm by {}, which holds",
-                                       given / units::mm, by_sections / units::mm, sections),
-                   .path = fmt::format("flexspline.{}", field),
-                   .equation = "",
-                   .severity = Severity::care,
-                   .next_step = fmt::format("Remove {}: with sections it is not needed.", field)});
+  notes.push_back(
+      {.code = "flexspline.contradiction",
+       .text = fmt::format("the file gives {0:.4g} mm here, but {2} gives {1:.4g} mm; the "
+                           "program uses {1:.4g} mm",
+                           given / units::mm, by_sections / units::mm, sections),
+       .path = fmt::format("flexspline.{}", field),
+       .equation = "",
+       .severity = Severity::care,
+       .next_step = fmt::format("Remove {}: with sections it is not needed.", field)});
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 
 #include "strainwave/fracture/crack_compliance.hpp"
 #include "strainwave/sif/kassir_sih.hpp"
@@ -16,6 +17,8 @@ namespace strainwave::sif {
 /// a/t and a/c to which the finite elements behind Newman and Raju's fit reach [-]; (FR-4).
 inline constexpr double kFittedDepthRatio = 0.8;
 inline constexpr double kFittedAspectRatio = 0.2;
+/// c/b to which the width factor is valid [-]; (SP-1).
+inline constexpr double kFittedWidthRatio = 0.5;
 
 /// Semi-elliptical surface crack under N generalised loads, growing at a constant aspect ratio.
 ///
@@ -30,6 +33,8 @@ class SurfaceCrack {
     Real depth{};         ///< a [m]; > 0, < thickness
     Real aspect_ratio{};  ///< rho = a/c [-]; in (0, 1]
     Real thickness{};     ///< t, of the plate [m]
+    /// b, half of the plate's width [m]; > 0.  A plate without it is wide.
+    std::optional<Real> half_width = {};
     Real poissons_ratio{0.3};
     std::array<Real, N> normal_stress{};  ///< on the crack plane, per unit of load [1/m^2 ...]
     std::array<Real, N> shear_stress{};   ///< along the surface, per unit of load
@@ -67,7 +72,7 @@ class SurfaceCrack {
   [[nodiscard]] UnitStressIntensity<N, Real> stress_intensity(const Real& a, double phi) const {
     using std::sqrt;
     const Real root = sqrt(std::numbers::pi * a);
-    const Real F_I = p_.open ? Real(opening_factor(a / p_.thickness, phi) * root) : Real(0.0);
+    const Real F_I = p_.open ? Real(opening_factor(a, phi) * root) : Real(0.0);
     const Real F_II = sheared_ ? Real(shear_.factor_II(phi) * root) : Real(0.0);
     const Real F_III = sheared_ ? Real(shear_.factor_III(phi) * root) : Real(0.0);
     UnitStressIntensity<N, Real> k;
@@ -79,10 +84,19 @@ class SurfaceCrack {
     return k;
   }
 
+  /// f_w [-]; (SP-1), 1 in a wide plate.  A crack as long as the plate is wide grows no longer.
+  [[nodiscard]] Real width_factor(const Real& a) const {
+    if (!p_.half_width) return 1.0;
+    const Real c_b = a / p_.aspect_ratio / *p_.half_width;
+    return BasicNewmanRaju<Real>::width_factor(value_of(c_b) < 1 ? c_b : Real(1.0),
+                                               a / p_.thickness);
+  }
+
  private:
-  /// K_I/(sigma sqrt(pi a)) [-]; (FR-4), in bending times (SP-3).
-  [[nodiscard]] Real opening_factor(const Real& alpha, double phi) const {
-    const Real tension = tension_.factor(alpha, phi);
+  /// K_I/(sigma sqrt(pi a)) [-]; (FR-4) times (SP-1), in bending times (SP-3).
+  [[nodiscard]] Real opening_factor(const Real& a, double phi) const {
+    const Real alpha = a / p_.thickness;
+    const Real tension = tension_.factor(alpha, phi) * width_factor(a);
     return p_.loading == StripLoading::tension ? tension
                                                : Real(tension * tension_.bending_ratio(alpha, phi));
   }

@@ -78,8 +78,7 @@ struct PlateSurfaceCrack {
     const NewmanRajuPlate fit(depth / half_length);
     const double alpha = a / thickness;
     const double c = a * half_length / depth;
-    const double K = fit.tension(alpha, phi) *
-                     NewmanRajuPlate::width_factor(c / half_width, alpha) *
+    const double K = fit.tension(alpha, phi) * NewmanRaju::width_factor(c / half_width, alpha) *
                      std::sqrt(std::numbers::pi * a);  // (SP-1)
     return {.I = {K, K * fit.bending_ratio(alpha, phi)}, .II = {}, .III = {}};
   }
