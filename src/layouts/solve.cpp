@@ -42,7 +42,7 @@ std::string solve_text(const SolveResult& result) {
   }
   if (!result.reason.empty())
     text += paragraph((result.usable() ? "Note: " : "NO SOLUTION: ") + result.reason) + '\n';
-  text += notes_text(result.notes);
+  if (!result.notes.empty()) text += "Note on the accuracy\n" + notes_text(result.notes) + '\n';
   if (result.usable())  // otherwise the reason contains the range
     text += paragraph(fmt::format("Over the searched range {} lies {}", result.target.output,
                                   output_range(result)));

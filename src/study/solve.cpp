@@ -257,7 +257,7 @@ Solution solution_at(Probe& probe, const Sample& at, SolveResult& problem) {
                            "100 % moves {} by less than the uncertainty of {}",
                            problem.target.output, percent(*solution.output.relative_uncertainty)),
            .path = problem.path,
-           .equation = "ST-18",
+           .equation = "ST-16",
            .severity = Severity::cannot_tell,
            .next_step = "Choose an output that depends more on this field, or one with a smaller "
                         "uncertainty."});

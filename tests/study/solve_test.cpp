@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -115,6 +116,36 @@ TEST(Solve, IdentityUncertaintyIsCarriedOver) {
   const Solution& found = result.solutions[0];
   ASSERT_TRUE(found.value.relative_uncertainty && found.output.relative_uncertainty);
   EXPECT_NEAR(*found.value.relative_uncertainty / *found.output.relative_uncertainty, 0.5, 1e-3);
+}
+
+TEST(Solve, BehaviourNoAccuracyAboveAHundredPercent) {
+  // The stiffness is uncertain by more than the crack changes it.
+  const SolveResult result =
+      solved(test::article_gear(), "output_shaft.crack[0].depth=0.1 mm..8 mm",
+             "cracked.positive.stiffness=6e5 N*m/rad");
+  ASSERT_EQ(result.solutions.size(), 1U) << result.reason;
+  EXPECT_FALSE(result.solutions[0].value.relative_uncertainty);
+  const ResultEvidence evidence = evidence_of(result);
+  const auto note = std::ranges::find(evidence.notes, "solve.accuracy", &Note::code);
+  ASSERT_NE(note, evidence.notes.end());
+  EXPECT_EQ(note->severity, Severity::cannot_tell);
+  EXPECT_EQ(note->path, kDepth);
+  EXPECT_TRUE(note->text.starts_with(
+      "its accuracy cannot be told: to first order, a change of it by 100 % moves "
+      "cracked.positive.stiffness by less than the uncertainty of "))
+      << note->text;
+  EXPECT_EQ(evidence.verdict.judgement, Judgement::cannot_be_told);
+  const std::string text = solve_text(result);
+  EXPECT_NE(text.find("its accuracy cannot be told"), std::string::npos) << text;
+  EXPECT_EQ(text.find("depth = 5.18 mm (accuracy"), std::string::npos) << text;
+  // One that the crack alone determines keeps its accuracy, and has no such note.
+  EXPECT_EQ(test::count_notes(
+                evidence_of(solved(solid_shaft(), "output_shaft.crack[0].depth=1 um..100 um",
+                                   "output_shaft.crack[0].added_compliance.positive.at_output="
+                                   "1e-12 rad/(N*m)"))
+                    .notes,
+                "solve.accuracy"),
+            0);
 }
 
 TEST(Solve, LimitAJumpIsNoSolution) {
