@@ -77,7 +77,7 @@ TEST(PathLists, BehaviourWhatIsLostGoesAndTheRestStays) {
   drop_lost_paths(gear, before);
   EXPECT_EQ(gear.range.size(), 3U);
   gear.wave_generator->crack.clear();
-  gear.flexspline->wall_thickness *= 2;
+  *gear.flexspline->wall_thickness *= 2;
   drop_lost_paths(gear, before);
   for_each_path_list(gear, [](std::string_view, const auto& entries) {
     ASSERT_EQ(entries.size(), 1U);
