@@ -45,8 +45,8 @@ TEST_F(SeveralFiles, BehaviourOneRowForEachAndTheStatusOfTheWorst) {
 }
 
 TEST_F(SeveralFiles, BehaviourRequireTakesFilesAmongItsRequirements) {
-  const std::string bound = "'cracked.positive.stiffness >= 4e5 N*m/rad'";
-  const std::string too_much = "'cracked.positive.stiffness >= 9e5 N*m/rad'";
+  const std::string bound = "'cracked.positive.stiffness >= 2.5e5 N*m/rad'";
+  const std::string too_much = "'cracked.positive.stiffness >= 1e6 N*m/rad'";
   const std::string files = example("article") + " " + example("through_crack") + " ";
   EXPECT_EQ(run("require " + files + bound).exit_code, 0);
   const Outcome broken = run("require " + files + too_much);
