@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "strainwave/core/shown_text.hpp"
+#include "strainwave/present/evidence_text.hpp"
 #include "strainwave/present/table.hpp"
 
 namespace strainwave {
@@ -23,7 +24,9 @@ std::string requirements_text(const RequirementReport& report) {
   }
   std::string text = text_table(table);
   if (!report.unusable_because.empty()) text += paragraph("NOT USABLE: " + report.unusable_because);
-  return text + fmt::format("All together: {}\n", enum_name(report.outcome));
+  text += fmt::format("All together: {}\n", enum_name(report.outcome));
+  if (!report.notes.empty()) text += "\nNotes\n" + notes_text(report.notes);
+  return text;
 }
 
 }  // namespace strainwave

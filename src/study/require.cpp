@@ -75,16 +75,29 @@ std::string sentence(const RequirementAnswer& answer) {
                      number(answer.value.value), between);
 }
 
-Note note_of(const RequirementAnswer& answer) {
+/// Whether the uncertainty of an output contains what the sum leaves out (ST-18).
+bool contains_left_out(const StiffnessResult& result, std::string_view output) {
+  const auto is = [&](std::string_view ending) { return output.ends_with(ending); };
+  return std::ranges::find(result.notes, "sum.left_out", &Note::code) != result.notes.end() &&
+         (output.starts_with("intact.") || output.starts_with("cracked.")) &&
+         (is(".stiffness") || is(".stiffness_change") || is(".wind_up") || is(".total"));
+}
+
+Note note_of(const RequirementAnswer& answer, bool left_out) {
   const bool broken = answer.outcome == RequirementOutcome::not_met;
-  return {.code = broken ? "require.not_met" : "require.cannot_be_told",
-          .text = sentence(answer),
-          .path = {},
-          .equation = "ST-16",
-          .severity = broken ? Severity::critical : Severity::cannot_tell,
-          .next_step = broken ? "Change the drive, or the requirement."
-                              : "Give the value that the accuracies name as the largest "
-                                "uncertainty, or measure the output."};
+  const bool both_sides = left_out && !broken;
+  return {
+      .code = broken ? "require.not_met" : "require.cannot_be_told",
+      .text = sentence(answer) +
+              (both_sides ? "; the uncertainty contains what the sum of the members leaves out, "
+                            "to both sides alike, although it only makes the drive softer"
+                          : ""),
+      .path = {},
+      .equation = both_sides ? "ST-18" : "ST-16",
+      .severity = broken ? Severity::critical : Severity::cannot_tell,
+      .next_step = broken ? "Change the drive, or the requirement."
+                          : "Give the value that the accuracies name as the largest "
+                            "uncertainty, or measure the output."};
 }
 
 }  // namespace
@@ -105,7 +118,8 @@ RequirementReport require_outputs(const StiffnessResult& result,
     report.answers.push_back(answer_of(std::move(requirement), value, coverage));
     const RequirementAnswer& answer = report.answers.back();
     report.outcome = std::max(report.outcome, answer.outcome);
-    if (answer.outcome != RequirementOutcome::met) report.notes.push_back(note_of(answer));
+    if (answer.outcome != RequirementOutcome::met)
+      report.notes.push_back(note_of(answer, contains_left_out(result, answer.requirement.output)));
   }
   return report;
 }

@@ -404,6 +404,21 @@ TEST(Diff, BehaviourTheContentOfATableCounts) {
   EXPECT_EQ(result["inputs"][0]["path"], "flexspline.crack[0].compliance_table");
   EXPECT_EQ(result["inputs"][0]["first"], "tables/through_45.csv");
   EXPECT_EQ(result["inputs"][0]["second"], "tables/through_45.csv with another content");
+  // A result does not have its table, so nobody can tell whether the crack is the same.
+  const std::string with_shaft =
+      drive +
+      "\n[output_shaft]\nmaterial = \"steel\"\nouter_diameter = \"40 mm\"\nlength = \"40 mm\"\n";
+  const std::string saved =
+      test::run_command(
+          "stiffness",
+          read_drive(with_shaft, "x.toml",
+                     Attachments(Attachments::Texts{{"tables/through_45.csv", table}})))
+          .json();
+  const auto uncertainty = [&](const std::string& first) {
+    return difference_of(compared(table, first), "cracked.positive.stiffness_change")["uncertainty"]
+        .get<double>();
+  };
+  EXPECT_GT(uncertainty(saved), 1.01 * uncertainty(with_shaft));
 }
 
 TEST(Diff, LimitOfOneDriveTheUncertaintyIsItsOwn) {
