@@ -345,13 +345,15 @@ TEST(RaceCrack, ReferenceLobeCompliance) {
     const double mm_per_N = mm / N;
     test::expect_reference(added_lobe_compliance(test::article_gear(c.depth * mm)) / mm_per_N,
                            race_digits(c.half_beta, "mm/N"));
-    test::expect_reference(
-        added_lobe_compliance(driven_by(StressDriver::contact_edge, c.depth * mm)) / mm_per_N,
-        race_digits(c.edge, "mm/N"));
+    // The digits are those of a wide plate.
+    GearSet edge = driven_by(StressDriver::contact_edge, c.depth * mm);
+    edge.wave_generator->inner_ring_width.reset();
+    test::expect_reference(added_lobe_compliance(edge) / mm_per_N, race_digits(c.edge, "mm/N"));
     // The stress of ring bending, taken as uniform over the thickness.
     GearSet uniform = driven_by(StressDriver::given, c.depth * mm);
     const double stress = 6 / pi * 60 * mm / (20 * mm * std::pow(10 * mm, 2));
     surface_crack(uniform).stress = stress * force_per_torque(uniform) * uniform.load.torque;
+    uniform.wave_generator->inner_ring_width.reset();
     test::expect_reference(added_lobe_compliance(uniform) / mm_per_N, race_digits(c.ring, "mm/N"));
   }
 }
@@ -764,8 +766,9 @@ TEST(WaveGenerator, BehaviourEquationsOfEachCase) {
   EXPECT_EQ(wave_generator_compliance(sound_wave_generator()).equations, (Tags{"ST-5", "ST-6"}));
   EXPECT_EQ(wave_generator_compliance(test::article_gear()).equations,
             (Tags{"ST-5", "ST-6", "ST-12", "CO-3", "FR-2", "FR-3", "FR-4", "FR-5", "FR-18"}));
-  EXPECT_EQ(wave_generator_compliance(driven_by(StressDriver::contact_edge)).equations,
-            (Tags{"ST-5", "ST-6", "CO-7", "CO-3", "FR-2", "FR-3", "FR-4", "FR-5", "FR-18"}));
+  EXPECT_EQ(
+      wave_generator_compliance(driven_by(StressDriver::contact_edge)).equations,
+      (Tags{"ST-5", "ST-6", "SP-1", "CO-7", "CO-3", "FR-2", "FR-3", "FR-4", "FR-5", "FR-18"}));
   EXPECT_EQ(wave_generator_compliance(edge_crack_driven_by(StressDriver::ring_bending)).equations,
             (Tags{"ST-5", "ST-6", "ST-13", "FR-2", "FR-11", "FR-18"}));
 }
