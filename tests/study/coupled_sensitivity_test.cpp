@@ -94,6 +94,7 @@ GearSet inside(GearSet gear) {
   gear.wave_generator->bearing->ball_diameter *= 0.999;
   gear.wave_generator->bearing->clearance = 2e-6;
   gear.wave_generator->cam_flattening = 0.3;
+  *gear.flexspline->length += 1e-4;
   gear.flexspline->flange_compliance = 1e-7;
   gear.mesh->lobe_gap = 1.5e-6;
   if (gear.rating) gear.rating->friction_torque = 0.3;
