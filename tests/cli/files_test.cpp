@@ -320,7 +320,7 @@ TEST_F(Files, BehaviourAnInterruptEndsTheWaitForAReader) {
   const std::string command = kPlotted + " --plot " + at("x.svg") + " -o ";
   const auto begin = std::chrono::steady_clock::now();
   const Outcome outcome =
-      execute("timeout --signal=INT 3 " + word(STRAINWAVE_CLI) + " " + command + at("pipe"));
+      execute("timeout --signal=INT 8 " + word(STRAINWAVE_CLI) + " " + command + at("pipe"));
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
   EXPECT_EQ(outcome.err, "strainwave: interrupted: nothing was written\n");
   EXPECT_EQ(left(), std::vector<std::string>{"pipe"});
@@ -330,14 +330,13 @@ TEST_F(Files, BehaviourAnInterruptEndsTheWaitForAReader) {
 
 TEST_F(Files, BehaviourProgressIsSaidWhereItIsWanted) {
   const std::string command = kLong[1] + " --format csv";
-  const std::string progress = "timeout --signal=INT 5 ";
-  const auto said = [&](const std::string& option) {
-    return execute(progress + word(STRAINWAVE_CLI) + " " + command + option).err;
+  const auto interrupted_with = [&](const std::string& option, const std::string& said) {
+    return interrupted(STRAINWAVE_CLI, command + option, said).err;
   };
-  EXPECT_EQ(said(""),
-            "strainwave: interrupted: nothing was written\n");  // standard error is a file
-  EXPECT_EQ(said(" --quiet"), "strainwave: interrupted: nothing was written\n");
-  const std::string lines = said(" --progress");
+  const std::string interruption = "strainwave: interrupted: nothing was written\n";
+  EXPECT_EQ(interrupted_with("", ""), interruption);  // standard error is a file
+  EXPECT_EQ(interrupted_with(" --quiet", ""), interruption);
+  const std::string lines = interrupted_with(" --progress", " left\n");
   EXPECT_NE(lines.find(" %, "), std::string::npos) << lines;
   EXPECT_NE(lines.find(" %/s, "), std::string::npos) << lines;
   EXPECT_NE(lines.find(" left\n"), std::string::npos) << lines;

@@ -50,9 +50,11 @@ class ProgramTest : public testing::Test {
     return outcome(std::system((command + into()).c_str()));
   }
 
-  /// Runs a program and sends SIGINT as soon as the program handles this signal.
+  /// Runs a program and sends SIGINT as soon as the program handles this signal and has written a
+  /// text to standard error.
   [[nodiscard]] Outcome interrupted(const std::filesystem::path& program,
-                                    const std::string& arguments) const {
+                                    const std::string& arguments,
+                                    const std::string& said = {}) const {
     const std::string command = "exec " + quoted(program.string()) + " " + arguments + into();
     const pid_t child = ::fork();
     if (child == 0) {
@@ -71,7 +73,7 @@ class ProgramTest : public testing::Test {
              (std::stoull(status.substr(caught + 7), nullptr, 16) & kMask) != 0;
     };
     int status = 0;
-    while (!handles()) {
+    while (!handles() || contents(err()).find(said) == std::string::npos) {
       if (::waitpid(child, &status, WNOHANG) == child) return outcome(status);
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
