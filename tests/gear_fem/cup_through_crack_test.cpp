@@ -204,9 +204,9 @@ TEST(CupThroughCrack, InputEveryRuleBrokenOnce) {
             std::string::npos);
   EXPECT_NE(refused([](auto& c) { c.place = 15.9e-3; }).find("the crack crosses the rim"),
             std::string::npos);
-  EXPECT_NE(refused([](auto& c) { c.place = 2.5e-3; }).find("m from the diaphragm, where 2.5"),
+  EXPECT_NE(refused([](auto& c) { c.place = 2.5e-3; }).find("m from the diaphragm, but 2.5"),
             std::string::npos);
-  EXPECT_NE(refused([](auto& c) { c.place = 14.7e-3; }).find("m from the rim, where 2.5"),
+  EXPECT_NE(refused([](auto& c) { c.place = 14.7e-3; }).find("m from the rim, but 2.5"),
             std::string::npos);
   EXPECT_EQ(refused([](auto& c) { c.ends.rim->wall_thickness = 0.5e-3; }).rfind("rim", 0), 0U);
   EXPECT_EQ(refused([](auto& c) { c.ends.rim->outer_diameter = 62.4e-3; }).rfind("rim", 0), 0U);

@@ -63,7 +63,7 @@ struct FrontStation {
 };
 
 struct CrackFront {
-  std::vector<FrontStation> stations;
+  std::vector<FrontStation> stations{};
   double release{};  ///< dU/da, the integral of G over the front, per unit of growth [N]
   double length{};   ///< length of the front [m]
   /// relative spread of `release` between rings without the innermost [-]
