@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/units.hpp"
 
 namespace strainwave::gear_fem {
 namespace {
@@ -96,9 +97,10 @@ class Patch {
         kNeighbour * plan.sized_for * std::cosh(kTipSectors * 2 * pi / plan.sectors) / 0.9;
     if (!(room > needed))
       throw InputError("half_length",
-                       fmt::format("the crack needs a clear distance of {:.4g} m from its middle "
-                                   "to either {} and half-way round, {:.4g} m is there",
-                                   needed, plan.end, room));
+                       fmt::format("the crack needs a clear distance of {:.4g} mm from its middle "
+                                   "to either {} and half-way round, but only {:.4g} mm is "
+                                   "available",
+                                   needed / units::mm, plan.end, room / units::mm));
     // A patch larger than a few grid cells would have larger cells than the grid.
     return std::min(room,
                     std::max({kPatchCells * plan.longest_round, 2.5 * plan.sized_for, needed}));

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/units.hpp"
 
 namespace strainwave::gear_fem {
 namespace {
@@ -61,9 +62,10 @@ TubeBody tube_body(const TubePlan& plan) {
   if (!(r2 > least * r1))
     throw InputError(
         "half_length",
-        fmt::format("the crack needs a clear distance of {:.4g} m from its middle to either end of "
-                    "the tube and half-way round, but only {:.4g} m is available",
-                    least * r1 / kTurnRoom, room / kTurnRoom));
+        fmt::format(
+            "the crack needs a clear distance of {:.4g} mm from its middle to either end of "
+            "the tube and half-way round, but only {:.4g} mm is available",
+            least * r1 / kTurnRoom / units::mm, room / kTurnRoom / units::mm));
   TubeBody body;
   body.plan = plan;
   body.map = [=](const fem::Point3& p) {

@@ -15,6 +15,7 @@
 #include "crack_plan.hpp"
 #include "cup_ends.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/units.hpp"
 #include "strainwave/fem/swept_section.hpp"
 #include "strainwave/gear_fem/cup_section.hpp"
 #include "tube_body.hpp"
@@ -171,13 +172,14 @@ void check_joints(const TubeWithThroughCrack& tube) {
     const double clear = distance - reach;
     const double needed = kClearOfJoint * tube.wall_thickness;
     if (clear >= needed) return;
-    throw InputError("half_length",
-                     clear < 0 ? fmt::format("the crack crosses the {}: it reaches {:.4g} m toward "
-                                             "it, but the distance from its middle is {:.4g} m",
-                                             joint, reach, distance)
-                               : fmt::format("the crack ends {:.4g} m from the {}, but {} wall "
-                                             "thicknesses, {:.4g} m, are needed",
-                                             clear, joint, kClearOfJoint, needed));
+    throw InputError(
+        "half_length",
+        clear < 0 ? fmt::format("the crack crosses the {}: it reaches {:.4g} mm toward "
+                                "it, but the distance from its middle is {:.4g} mm",
+                                joint, reach / units::mm, distance / units::mm)
+                  : fmt::format("the crack ends {:.4g} mm from the {}, but {} wall "
+                                "thicknesses, {:.4g} mm, are needed",
+                                clear / units::mm, joint, kClearOfJoint, needed / units::mm));
   };
   check(tube.ends.diaphragm.has_value(), "diaphragm", tube.place);
   check(tube.ends.rim.has_value(), "rim", tube.length - tube.place);

@@ -178,7 +178,7 @@ TEST_F(FeProgram, InputErrorsByCodeAndName) {
   refused(changed("cracked_size25.toml", "\"2 mm\"\n\n[[flexspline.crack]]\nkind = \"diaphragm_arc",
                   "\"11 mm\"\n\n[[flexspline.crack]]\nkind = \"diaphragm_arc") +
               " --crack 'flexspline.crack[0]' --dry-run",
-          "flexspline.crack[0]: half_length: the crack ends 0.0008218 m from the diaphragm");
+          "flexspline.crack[0]: half_length: the crack ends 0.8218 mm from the diaphragm");
   refused(kCup + " --member output-shaft", "output_shaft: must be given to be computed");
   refused(kShaft + " --member flexspline", "flexspline: must be given to be computed");
   refused("/nowhere.toml", "/nowhere.toml");
