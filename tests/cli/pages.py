@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the commands of README and guides, in their order, as a reader would type them.
 
-    tests/cli/pages.py PROGRAM        PROGRAM is strainwave, wherever it was built
+    tests/cli/pages.py PROGRAM [PAGE ...]   PROGRAM is strainwave, wherever it was built;
+                                            without a PAGE, README and all guides
     tests/cli/pages.py --self-test PROGRAM
 
 The commands of a page run in one folder that has the examples.  A block below a block of commands
-is what they print: each of its lines is in their output, in this order, whatever blanks it has; `...`
-stands for any lines.
+is what they print: each of its lines is in their output, in this order, whatever blanks it has. `...`
+stands for any lines, and within a line for any words.
 Commands of `strainwave fe` run where strainwave-fe is beside the program.  A block of a shell that
 is not a command of strainwave is one of KNOWN, which other tests run.
 """
@@ -51,9 +52,10 @@ def faults_of_block(page, commands, folder, programs):
 
 def unprinted(block, printed):
     """The first line of a block that is not printed behind those before it; none if all are."""
-    lines = iter([line.split() for line in printed.splitlines()])
+    lines = iter([" ".join(line.split()) for line in printed.splitlines()])
     for line in block.splitlines():
-        if line.strip() not in ("", "...") and line.split() not in lines:
+        pattern = re.escape(" ".join(line.split())).replace(re.escape("..."), ".*")
+        if line.strip() not in ("", "...") and not any(re.fullmatch(pattern, one) for one in lines):
             return line
     return None
 
@@ -90,11 +92,11 @@ def self_test(program):
 
 
 def main(arguments):
-    program = pathlib.Path(arguments[-1]).resolve()
+    program = pathlib.Path(arguments[1 if arguments[0] == "--self-test" else 0]).resolve()
     if arguments[0] == "--self-test":
         faults = self_test(program)
     else:
-        faults = [fault for page in PAGES for fault in faults_of_page(page, (ROOT / page).read_text(), program)]
+        faults = [fault for page in arguments[1:] or PAGES for fault in faults_of_page(page, (ROOT / page).read_text(), program)]
     for fault in faults:
         print(fault, file=sys.stderr)
     return 1 if faults else 0
