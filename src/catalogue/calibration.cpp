@@ -84,7 +84,7 @@ GearSet component_set(const GearSet& gear) {
   return set;
 }
 
-/// Which combinations of factors the values tell, and how well each factor is known.
+/// Finds the combinations of factors that the values determine, and the uncertainty of each factor.
 void tell_identified(Calibration& result, const FactorProblem& problem, const FactorFit& fit) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(fit.jacobian,
                                               Eigen::ComputeThinU | Eigen::ComputeThinV);

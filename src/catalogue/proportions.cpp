@@ -191,8 +191,8 @@ std::map<std::string, std::string> origins(int size, double ratio, Cup cup) {
                                        : "assumed: the rating of this size and ratio is unknown"},
       {"drive.wave_number", "catalogue: all makers' drives of this kind"},
       {"drive.pitch_diameter", "catalogue: 2.54 mm times the size"},
-      {"load.torque",
-       rated != nullptr ? "catalogue: rated torque" : "catalogue: T2, as no rated torque is known"},
+      {"load.torque", rated != nullptr ? "catalogue: rated torque"
+                                       : "catalogue: T2, because the rated torque is unknown"},
       {"material.steel.youngs_modulus", "typical: alloy steel, 2 %"},
       {"material.steel.poissons_ratio", "typical"},
       {"rating.T1", "catalogue: T1 of this size, the same for all ratios"},

@@ -25,8 +25,8 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int kFrontPoints = 33;         // of half a front; K varies slowly along it
-constexpr double kNearlyAll = 1 - 1e-6;  // of a length that a crack must not reach
+constexpr int kFrontPoints = 33;         // points on half of a front; K varies slowly along it
+constexpr double kNearlyAll = 1 - 1e-6;  // share of a length that a crack must not reach
 
 const StrengthNote kAssembly = {
     "the assembly is assumed to bend the cracked wall by the full w_0 cos(U theta): an upper bound "

@@ -38,7 +38,7 @@ std::error_code write_all(int descriptor, std::string_view text) {
 /// @param safe  true: the text is on the disk on return
 std::error_code write_and_close(int descriptor, std::string_view text, bool safe) {
   std::error_code fault = write_all(descriptor, text);
-  // A device and a pipe have nothing to make safe, and say EINVAL.
+  // Devices and pipes cannot be synchronised and return EINVAL.
   if (!fault && safe && ::fsync(descriptor) != 0 && errno != EINVAL) fault = last_fault();
   if (::close(descriptor) != 0 && !fault) fault = last_fault();
   return fault;

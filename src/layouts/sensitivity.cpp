@@ -27,7 +27,8 @@ struct Group {
   [[nodiscard]] bool is_of_sum() const { return is_loss() || symbol == "K"; }
 };
 
-/// K1, K2, K3 of the coupled drive, then stiffness of the sum and its loss.
+/// The groups of outputs: K1, K2, K3 of the coupled drive, then the stiffness of the sum and its
+/// loss.
 std::vector<Group> groups_of(const Sensitivity& sensitivity) {
   std::vector<Group> groups;
   for (const char* const line : {"K1", "K2", "K3"})
@@ -127,7 +128,7 @@ std::vector<TitledTable> elasticity_tables(const Sensitivity& sensitivity) {
                 return std::abs(e) < kNoise ? std::string("0") : fmt::format("{:+.4g}", e);
               });
     tables.push_back(
-        {fmt::format("Elasticities of {}{}: per cent of change per per cent of input (SN-1)",
+        {fmt::format("Elasticities of {}{}: per cent of change per per cent of the input (SN-1)",
                      group.is_of_sum() ? "the " : "", group.what),
          std::move(table)});
   }
@@ -199,7 +200,7 @@ std::string sensitivity_text(const SensitivityReport& report, const GearSet& gea
   for (const CurveStep& step : sensitivity.not_differentiated)
     text +=
         paragraph(fmt::format("K1, K2, K3 have no derivative to {}: {}", step.path, step.reason));
-  text += fmt::format("\nDimensions hold to {:.1g}, at most {:.0g} is accepted (SN-6)\n",
+  text += fmt::format("\nResidual of the dimensions: {:.1g}; at most {:.0g} is accepted (SN-6)\n",
                       sensitivity.homogeneity_residual(), kMaxHomogeneityResidual);
   if (const auto& scatter = report.scatter)
     text += text_tables(scatter_tables(*scatter, sensitivity)) +
@@ -245,7 +246,7 @@ std::string sensitivity_plot(const SensitivityReport& report, const GearSet& gea
   const Sensitivity& sensitivity = report.sensitivity;
   std::vector<TornadoPanel> panels;
   for (Group group : groups_of(sensitivity)) {
-    // The sound drive: both cracked ones show it too.
+    // Leave out the sound drive, because the tables of both cracked drives show it too.
     if (!group.is_loss() && group.outputs.size() > 1) group.outputs.erase(group.outputs.begin());
     TornadoPanel panel = panel_of(sensitivity, group);
     panel.title = group.what;

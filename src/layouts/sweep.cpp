@@ -156,7 +156,7 @@ std::vector<PlotPanel> panels_over_one(const SweepResult& result, const GearSet&
   const bool positive = std::ranges::none_of(total, [](double loss) { return loss <= 0; });
   PlotPanel loss{
       .title = "Loss of stiffness of the sum by cracks",
-      .subtitle = "and what the cracks of each member contribute to it under T > 0",
+      .subtitle = "and the contribution of the cracks of each member under T > 0",
       .x_label = table.axis_label(0),
       .y_label = "loss of stiffness −ΔK/K [%]",
       .x_scale = scale_of(result.variations[0]),
@@ -175,7 +175,7 @@ std::vector<PlotPanel> panels_over_one(const SweepResult& result, const GearSet&
   return panels;
 }
 
-/// Whether two outputs differ so far that both are worth a panel.
+/// Whether two outputs differ enough to need a panel each.
 bool differ(const std::vector<double>& one, const std::vector<double>& other) {
   double largest = 0.0;
   double difference = 0.0;

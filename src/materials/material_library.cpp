@@ -264,7 +264,8 @@ Material completed(const Material& own, const MaterialRecord& record) {
       if (at != name || !wanted) return;
       value = number.value;
       material.from_library.emplace_back(name);
-      // Every stiffness rests on Young's modulus: what contradicts it is said with it.
+      // Every stiffness depends on Young's modulus, so the text also gives the remark that
+      // contradicts it.
       const bool with_remark = name == "youngs_modulus" && !number.remark.empty();
       taken.push_back(fmt::format(
           "{} {} ({}{}{})", words, shown_quantity(number.value, unit_of(number), 4),

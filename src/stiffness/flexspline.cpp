@@ -59,7 +59,8 @@ void note_thick_wall(MemberCompliance& member, const Wall<double>& wall, const s
                             .severity = Severity::care});
 }
 
-/// r/t of the tubes that the closed form of a through crack was compared in [-].
+/// Range of r/t of the tubes in which the closed form of a through crack was compared with finite
+/// elements [-].
 constexpr Range kComparedRadiusRatio{
     .lower = 20.0, .lower_open = false, .upper = 60.0, .upper_open = false};
 
@@ -77,7 +78,7 @@ void note_radius_ratio(MemberCompliance& member, const Wall<double>& wall,
        .severity = Severity::care});
 }
 
-/// How accurate the closed form of a wall crack is; relative uncertainties [-].
+/// Accuracy of the closed form of a wall crack, as relative uncertainties [-].
 struct WallCrackAccuracy {
   double axial = 0.0;      ///< of the added compliance, entries with the force
   double torsion = 0.0;    ///< of the added compliance in torsion
@@ -161,7 +162,7 @@ void share_between_modes(CrackReport& report) {
   }
 }
 
-/// Reports the cracks of a flexspline, each kind in its own words.
+/// Reports the cracks of a flexspline, with separate notes for each kind.
 class FlexsplineCracks : public CrackAdder {
  public:
   explicit FlexsplineCracks(const CrackAdder& adder) : CrackAdder(adder) {}

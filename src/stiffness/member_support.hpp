@@ -95,7 +95,7 @@ void report_intensities(CrackReport& report, const Crack& crack,
   report.intensity_uncertainty = std::ranges::max(uncertainties);
 }
 
-/// The answer may not be used where a crack of the depth a has all but cut through the thickness t.
+/// Marks the answer as not usable if a crack of depth a leaves almost nothing of the thickness t.
 inline void demand_ligament(MemberCompliance& member, const std::string& path, double depth,
                             double thickness) {
   if (!clearly_less(sif::kUsableDepthRatio * thickness, depth)) return;
@@ -105,7 +105,7 @@ inline void demand_ligament(MemberCompliance& member, const std::string& path, d
       path, depth / thickness, sif::kUsableDepthRatio);
 }
 
-/// How accurate Newman and Raju's fit is for a surface crack, with a note outside its range.
+/// Accuracy of Newman and Raju's fit for a surface crack, with a note outside its range.
 inline ModelAccuracy surface_crack_fit(MemberCompliance& member, const std::string& path,
                                        double depth, double aspect_ratio, double thickness) {
   ModelAccuracy fit = accuracy::kSurfaceCrack;

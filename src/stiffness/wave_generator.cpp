@@ -129,10 +129,10 @@ Driver driver_of(const Crack& crack, const std::string& path) {
   return {.equations = {}, .note = {}, .accuracy = accuracy::kGivenStress, .force_exponent = -1.0};
 }
 
-/// a/t up to which a ring with an edge crack is still a ring [-]; (FR-11).
+/// Largest a/t at which the model of a ring with an edge crack is valid [-]; (FR-11).
 constexpr double kDeepEdgeCrack = 0.8;
 
-/// Reports the cracks of the bearing's races, each kind in its own words.
+/// Reports the cracks of the bearing's races, with separate notes for each kind.
 class RaceCracks : public CrackAdder {
  public:
   explicit RaceCracks(const CrackAdder& adder) : CrackAdder(adder) {}

@@ -96,7 +96,7 @@ std::string no_assembly(const CoupledDrive& drive) {
                    state.residual, state.iterations);
 }
 
-/// Flanks that press on each other without torque.
+/// Notes flanks that press on each other without torque.
 void note_interference(const CoupledDrive& drive, std::vector<Note>& notes) {
   const double jam = drive.largest_flank_force(drive.assembled());
   if (!(jam > 0)) return;
@@ -111,7 +111,7 @@ void note_interference(const CoupledDrive& drive, std::vector<Note>& notes) {
        "mesh.lobe_gap", "TC-6", Severity::care, "Check mesh.lobe_gap and the fields named here."});
 }
 
-/// Puts the cracks into the sound drive, on its cam, if it has one.
+/// Adds the cracks to the sound drive on its cam, if the sound drive assembles.
 void crack(AssembledDrive::Contents& into) {
   const ContactCracks& cracks = into.cracks;
   into.drive = into.sound;

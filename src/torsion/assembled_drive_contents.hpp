@@ -12,7 +12,7 @@
 
 namespace strainwave {
 
-/// The members beside the ring, in series with it [rad/(N*m)].
+/// Compliances of the members in series with the ring [rad/(N*m)].
 template <class Real>
 struct BasicSeriesMembers {
   Real barrel{};

@@ -13,7 +13,7 @@
 
 namespace strainwave {
 
-/// The numbers of the model, taken from the file [SI].
+/// The numbers of the model, from the file [SI].
 template <class Real>
 struct BasicCoupledGeometry {
   // transmission
@@ -21,7 +21,7 @@ struct BasicCoupledGeometry {
   Real radial_displacement{};  // w_0
   int teeth = 0;               // z
   Real module{};               // m
-  // rim and outer ring, as one ring
+  // rim and outer ring as one ring
   Real ring_radius{};    // R
   Real rim_thickness{};  // t_r
   Real rim_width{};      // b
@@ -54,7 +54,7 @@ struct BasicCoupledGeometry {
 };
 using CoupledGeometry = BasicCoupledGeometry<double>;
 
-/// What a crack changes inside the contact problem.
+/// The rings that a crack can soften in the contact problem.
 enum class HingedRing { rim, outer, spline };
 template <class Real>
 struct BasicRingHinge {
@@ -72,7 +72,7 @@ struct BasicSoftTooth {
 template <class Real>
 struct BasicSoftBall {
   double position = 0.0;
-  Real compliance{};  // in series with the contact [m/N]
+  Real compliance{};  // compliance in series with the contact [m/N]
 };
 template <class Real>
 struct BasicContactCracks {

@@ -16,7 +16,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// Shares of the members in the tangent compliance, those of the contact problem and in series.
+/// Sets the shares of the members in the tangent compliance: members of the contact problem and
+/// members in series.
 void set_shares(CurvePoint& point, const AssembledDrive::Contents& contents,
                 const Equilibrium& state, const CoupledDrive::Tangent& tangent) {
   const SeriesMembers& series = contents.series;

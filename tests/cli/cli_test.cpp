@@ -738,7 +738,7 @@ TEST_F(Program, BehaviourSensitivityInEveryForm) {
   const Outcome csv = run("sensitivity " + file + " --format csv");
   EXPECT_TRUE(
       csv.out.starts_with("output,path,unit,value,derivative,derivative_unit,elasticity\n"));
-  // One thread or three, the same bytes.
+  // One thread and three threads give the same bytes.
   const std::string scatter = "sensitivity " + file + " --scatter --samples 600 --threads ";
   EXPECT_EQ(run(scatter + "1").out, run(scatter + "3").out);
   EXPECT_NE(run(scatter + "1").out, run(scatter + "1 --seed 2").out);

@@ -87,8 +87,8 @@ struct Request {
   const OptionTexts& texts;
   const Progress& progress;
   const Ranks& ranks;
-  Journal* journal;  ///< of a command that keeps one; on the first rank
-  const std::function<Attachments(const std::string& name)>& beside;  ///< as of Host
+  Journal* journal;  ///< null unless the command keeps a journal and this is the first rank
+  const std::function<Attachments(const std::string& name)>& beside;  ///< as Host::beside
 };
 
 /// Whether a command takes a drive.

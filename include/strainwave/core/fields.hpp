@@ -65,10 +65,10 @@ struct Field {
   InTemplate in_template = InTemplate::yes;
   /// For a result: evidence that only complete documents show; it is not an output of a table.
   bool detail = false;
-  /// Of a result: what a table of many drives shows of each; a result with such a field can stand
-  /// in one.
+  /// For a field of a result: a table of many drives shows this field.  A result with such a field
+  /// can be a row of this table.
   bool headline = false;
-  /// Of an option: given by its place on the command line instead of by `--name`.
+  /// For an option: the command line recognises it by its place and not by `--name`.
   bool positional = false;
   /// For an option: the kind of thing that its text names, such as "field path" or "material";
   /// empty if there is nothing to list.  "attachment": a file whose text the command reads.

@@ -59,10 +59,11 @@ struct SolutionInfo {
   std::string_view equation;  ///< first tag in the theory manual
   std::string_view source;    ///< keys of docs/references.bib; "-" if derived here
   Basis basis = Basis::secondary;
-  double relative_uncertainty = 0.0;  ///< one standard, of K, inside the validity range [-]
-  /// The same of K_II and K_III, where it is not that of K_I [-].
+  double relative_uncertainty =
+      0.0;  ///< one standard uncertainty of K inside the validity range [-]
+  /// One standard uncertainty of K_II and K_III, if it differs from that of K_I [-].
   std::optional<double> shear_uncertainty = {};
-  std::string_view accuracy;  ///< what was compared with what, and how it came out
+  std::string_view accuracy;  ///< comparisons made and their results
   Constraint constraint = Constraint::plane_strain;
   /// sigma of Y = K/(sigma sqrt(pi a)): a stress of the uncracked body, and where.
   std::string_view reference_stress = "the load itself";
@@ -81,8 +82,7 @@ struct SolutionInfo {
           &SolutionInfo::relative_uncertainty);
     field({"shear_uncertainty", "1", "the same of K_II and K_III, if it is not that of K_I"},
           &SolutionInfo::shear_uncertainty);
-    field({"accuracy", "", "what was compared with what, and how it came out"},
-          &SolutionInfo::accuracy);
+    field({"accuracy", "", "comparisons made and their results"}, &SolutionInfo::accuracy);
     field({"constraint", "", "plane strain or plane stress"}, &SolutionInfo::constraint);
     field({"reference_stress", "", "sigma of Y = K/(sigma sqrt(pi a)), and where it is taken"},
           &SolutionInfo::reference_stress);

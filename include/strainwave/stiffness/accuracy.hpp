@@ -35,11 +35,12 @@ inline constexpr ModelAccuracy kSections{
     0.05, "1.1 % against finite elements with sharp corners; fillets and teeth are left out"};
 inline constexpr ModelAccuracy kLobeForce{0.15, "lobe force: c_F between 1 and 1.15"};
 inline constexpr ModelAccuracy kCamConversion{
-    0.70, "cam conversion: off by a factor of about 1.7 against reciprocity"};
-/// Of the compliance of wave generator and flexspline, (ST-18).
+    0.70, "cam conversion: reciprocity gives a result different by a factor of about 1.7"};
+/// Accuracy of the compliance of wave generator and flexspline, (ST-18).
 inline constexpr ModelAccuracy kContactsLeftOut{
     4.0, "contacts, rings and coning are left out: 2 to 5 times too stiff against catalogues"};
-inline constexpr ModelAccuracy kLoadSharing{0.30, "balls taken to share the lobe force equally"};
+inline constexpr ModelAccuracy kLoadSharing{
+    0.30, "the balls are assumed to share the lobe force equally"};
 inline constexpr ModelAccuracy kSurfaceCrack{
     0.10, "Newman and Raju: 5 % of K against finite elements, so 10 % of the compliance"};
 inline constexpr ModelAccuracy kSurfaceCrackDeep{

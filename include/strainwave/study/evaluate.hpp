@@ -21,7 +21,7 @@ struct EvaluationOptions {
 /// Torsional stiffness of a drive by one of the three methods: the coupled drive where it can be
 /// solved, and the sum of the members.
 ///
-/// @throws InputError  if the gear breaks a rule, or holds what the method cannot treat
+/// @throws InputError  if the gear breaks a rule, or if the method cannot treat it
 [[nodiscard]] StiffnessResult evaluate(const GearSet& gear, Method method,
                                        const EvaluationOptions& options = {});
 

@@ -82,8 +82,8 @@ struct Sensitivity {
   std::vector<SensitivityOutput> outputs;
   /// Numbers on which at least one output depends, the largest elasticity first.
   std::vector<SensitivityInput> inputs;
-  std::vector<std::string> no_influence;  ///< paths of all other numbers: every derivative is 0
-  /// Numbers to which K1, K2, K3 have no derivative; of the coupled drive, where it is solved.
+  std::vector<std::string> no_influence;  ///< paths of the numbers whose derivatives are all 0
+  /// Numbers with respect to which K1, K2, K3 have no derivative, if the coupled drive is solved.
   std::vector<CurveStep> not_differentiated;
   std::vector<Note> notes;
   std::string unusable_because;  ///< reason why the result must not be used; empty if usable
@@ -109,13 +109,13 @@ struct Sensitivity {
 inline constexpr double kMaxHomogeneityResidual = 1e-9;
 
 /// Derivatives and elasticities of stiffness K_HD, of stiffness loss, and of K1, K2, K3 of the
-/// coupled drive where it is solved, to every number of a drive.
+/// coupled drive if it is solved, with respect to every number of a drive.
 ///
 /// Implements theory manual eqs. (SN-1), (SN-2), (SN-6), (TC-27): forward-mode automatic
 /// differentiation of the corrected series model and of the equilibrium of the coupled drive, exact
-/// but for rounding and the tolerance of the crack integrals.
-/// Whole numbers, such as the wave number, are not differentiated.  At a crack whose faces just
-/// touch the derivative does not exist; a note says so.
+/// apart from rounding and the tolerance of the crack integrals.
+/// Whole numbers, such as the wave number, are not differentiated.  If the faces of a crack just
+/// touch, the derivative does not exist; a note reports this.
 ///
 /// @param gear     drive, cracks, load
 /// @param options  tolerance of the crack integrals, for values and derivatives

@@ -144,8 +144,9 @@ struct TorsionCurve {
   }
 };
 
-/// Whether a drive says enough for a torsion curve: bearing with balls and outer ring, cup by
-/// sections, tooth mesh.  Empty if it does; else one sentence with the fields that are missing.
+/// The fields that a drive lacks for a torsion curve, which needs a bearing with balls and outer
+/// ring, a cup by sections, and a tooth mesh.  Empty if the drive is complete; else one sentence
+/// that names the missing fields.
 [[nodiscard]] std::string missing_for_torsion_curve(const GearSet& gear);
 
 /// Twist of the output as a function of the torque, from the assembled state, with locked input.
@@ -238,9 +239,9 @@ struct MakersLines {
   double K1 = 0.0;    ///< T1/phi(T1) [N*m/rad]
   double K2 = 0.0;    ///< (T2 - T1)/(phi(T2) - phi(T1)) [N*m/rad]
   double K3 = 0.0;    ///< (T3 - T2)/(phi(T3) - phi(T2)) [N*m/rad]
-  double phi1 = 0.0;  ///< at T1 [rad]
-  double phi2 = 0.0;  ///< at T2 [rad]
-  double phi3 = 0.0;  ///< at T3 [rad]
+  double phi1 = 0.0;  ///< twist at T1 [rad]
+  double phi2 = 0.0;  ///< twist at T2 [rad]
+  double phi3 = 0.0;  ///< twist at T3 [rad]
 
   template <class Visitor>
   static void describe(Visitor&& field) {

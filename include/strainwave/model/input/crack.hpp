@@ -300,7 +300,7 @@ struct RingCrack {
   double depth = 0.0;     ///< a, into the ring [m]; > 0, < its thickness
   double position = 0.0;  ///< angle from the wave generator's major axis, toward +theta [rad]
 
-  /// Length of a ring of a thickness [m] over which the crack softens it, l = 2t [m].
+  /// Length over which the crack softens a ring of thickness t [m], l = 2t [m].
   template <class Real>
   [[nodiscard]] static Real softened_length(const Real& thickness) {
     return 2 * thickness;

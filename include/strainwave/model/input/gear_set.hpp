@@ -243,11 +243,11 @@ void drop_lost_paths(GearSet& gear, const GearSet& before);
 /// stiffness, ...  Every computation calls it first.
 void check(const GearSet& gear);
 
-/// Sets the number at `path`, such as "output_shaft.crack[0].depth" [unit of the field].  The path
-/// is text: "material.17-4PH H900.yield_strength" needs no quotes.  The origin of a material says
-/// which of its numbers were set to another value.  A number that is set is known: its range and
-/// its scatter go.
-/// @throws InputError  if there is no number at the path; the message names near ones
+/// Sets the number at `path`, such as "output_shaft.crack[0].depth" [unit of the field].  A path is
+/// plain text, so "material.17-4PH H900.yield_strength" needs no quotes.  The origin of a material
+/// records which of its numbers were changed.  The range and the scatter of the number are removed,
+/// because its value is now known.
+/// @throws InputError  if no number has the path; the message names near paths
 void set_number(GearSet& gear, std::string_view path, double value);
 
 /// A number of the gear by its path.
