@@ -38,7 +38,8 @@ struct ReproducingInput {
     field({"input", "", "name of the input, by its symbol"}, &ReproducingInput::name);
     field({"unit", "", "unit used in the article: mm, N, MPa, rad, or \"1\""},
           &ReproducingInput::unit);
-    field({"value", kUnitBeside, "its value, in the unit beside it"}, &ReproducingInput::value);
+    field({"value", kUnitBeside, "value of the input, in the unit beside it"},
+          &ReproducingInput::value);
   }
 };
 

@@ -70,21 +70,24 @@ struct SolutionInfo {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"name", "", "what the command line calls it"}, &SolutionInfo::name);
+    field({"name", "", "name on the command line"}, &SolutionInfo::name);
     field({"family", "", "plate, tube, bar or gradient"}, &SolutionInfo::family);
     field({"title", "", "one line"}, &SolutionInfo::title);
-    field({"modes", "", "modes that it gives"}, &SolutionInfo::modes);
+    field({"modes", "", "modes for which the solution gives K"}, &SolutionInfo::modes);
     field({"equation", "", "first tag in the theory manual"}, &SolutionInfo::equation);
-    field({"source", "", "keys of the references; - where derived"}, &SolutionInfo::source);
-    field({"basis", "", "what holds the formula up"}, &SolutionInfo::basis);
+    field({"source", "", "keys of the references; - if derived here"}, &SolutionInfo::source);
+    field({"basis", "", "basis of the formula"}, &SolutionInfo::basis);
     field({"relative_uncertainty", "1",
-           "one standard, of K, inside the validity range; of K_I, if shear_uncertainty is there"},
+           "one standard uncertainty of K inside the validity range; of K_I only, if "
+           "shear_uncertainty is given"},
           &SolutionInfo::relative_uncertainty);
-    field({"shear_uncertainty", "1", "the same of K_II and K_III, if it is not that of K_I"},
+    field({"shear_uncertainty", "1",
+           "one standard uncertainty of K_II and K_III, if it differs from that of K_I"},
           &SolutionInfo::shear_uncertainty);
     field({"accuracy", "", "comparisons made and their results"}, &SolutionInfo::accuracy);
     field({"constraint", "", "plane strain or plane stress"}, &SolutionInfo::constraint);
-    field({"reference_stress", "", "sigma of Y = K/(sigma sqrt(pi a)), and where it is taken"},
+    field({"reference_stress", "",
+           "sigma in Y = K/(sigma sqrt(pi a)), and the place at which it is taken"},
           &SolutionInfo::reference_stress);
   }
 };
@@ -99,7 +102,8 @@ struct LoadInfo {
   static void describe(Visitor&& field) {
     field({"name", "", "name of the load"}, &LoadInfo::name);
     field({"unit", "", "its unit"}, &LoadInfo::unit);
-    field({"meaning", "", "meaning, sign, where it acts"}, &LoadInfo::doc);
+    field({"meaning", "", "meaning and sign of the load, and the place where it acts"},
+          &LoadInfo::doc);
   }
 };
 

@@ -98,7 +98,7 @@ struct Sensitivity {
     field({"inputs", "", "fields with an influence, the largest elasticity first"},
           &Sensitivity::inputs);
     field({"no_influence", "", "all other numbers of the file"}, &Sensitivity::no_influence);
-    field({"not_differentiated", "", "fields to which K1, K2, K3 have no derivative"},
+    field({"not_differentiated", "", "fields with respect to which K1, K2, K3 have no derivative"},
           &Sensitivity::not_differentiated);
     field({"homogeneity_residual", "1", "largest residual of the dimensions"},
           &Sensitivity::homogeneity_residual);

@@ -67,7 +67,7 @@ struct CurveStep {
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"path", "", "field of the input"}, &CurveStep::path);
-    field({"reason", "", "why it has no derivative"}, &CurveStep::reason);
+    field({"reason", "", "the reason why there is no derivative"}, &CurveStep::reason);
   }
 };
 

@@ -65,14 +65,14 @@ struct MemberShares : std::array<double, kCurveMembers> {
 
 /// Force of one contact.
 struct ContactForce {
-  double position = 0.0;  ///< from the major axis, toward +theta [rad]
+  double position = 0.0;  ///< angle from the major axis, toward +theta [rad]
   double force = 0.0;     ///< [N]
   double tangent = 0.0;   ///< dQ/dT [1/m]
 
   static constexpr bool kTableRow = true;
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"position", "rad", "from the major axis, toward +theta"}, &ContactForce::position);
+    field({"position", "rad", "angle from the major axis, toward +theta"}, &ContactForce::position);
     field({"force", "N", "force of the contact"}, &ContactForce::force);
     field({"tangent", "1/m", "change of the force with the torque"}, &ContactForce::tangent);
   }
@@ -203,7 +203,7 @@ struct RimState {
   static constexpr bool kTableRow = true;
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"position", "rad", "from the major axis"}, &RimState::position);
+    field({"position", "rad", "angle from the major axis"}, &RimState::position);
     field({"radial", "m", "w, outward"}, &RimState::radial);
     field({"tangential", "m", "v, toward +theta"}, &RimState::tangential);
     field({"rim_outside_stress", "Pa", "hoop stress at the tooth roots"},

@@ -163,8 +163,8 @@ struct InputDifference {
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"path", "", "field of the input"}, &InputDifference::path);
-    field({"first", "", "of the first; empty: not there"}, &InputDifference::first);
-    field({"second", "", "of the second; empty: not there"}, &InputDifference::second);
+    field({"first", "", "value in the first; empty if absent"}, &InputDifference::first);
+    field({"second", "", "value in the second; empty if absent"}, &InputDifference::second);
   }
 };
 
@@ -212,7 +212,7 @@ struct Difference {
     field({"coverage", "1", "number of standard uncertainties that a difference must exceed"},
           &D::coverage);
     field({"inputs", "", "that differ"}, &D::inputs);
-    field({"outputs", "", "that differ by more than the uncertainty of their difference"},
+    field({"outputs", "", "outputs that differ by more than the uncertainty of their difference"},
           &D::outputs);
     field({"within_uncertainty", "", "outputs that differ by less"}, &D::within);
     field({"uncertainty_not_stated", "", "outputs that differ without a stated uncertainty"},

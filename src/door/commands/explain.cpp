@@ -43,7 +43,7 @@ struct Meaning {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"kind", "", "what the word names"}, &Meaning::kind);
+    field({"kind", "", "the kind of thing that the word names"}, &Meaning::kind);
     field({"name", "", "in full"}, &Meaning::name);
     field({"text", "", "what it means"}, &Meaning::text);
     field({"more", "", "the command that tells more; empty: none"}, &Meaning::more);
@@ -56,7 +56,7 @@ struct Explained {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"word", "", "as it was given"}, &Explained::word);
+    field({"word", "", "the word as it was given"}, &Explained::word);
     field({"meanings", "", "each thing of this name"}, &Explained::meanings);
   }
 };

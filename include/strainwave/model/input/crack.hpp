@@ -107,7 +107,7 @@ struct RaceSurfaceCrack {
   static void describe_driver(Visitor&& field) {
     field(Field{.name = "stress_driver",
                 .unit = "",
-                .doc = "what stresses the crack",
+                .doc = "source of the stress on the crack",
                 .example = R"("orthogonal_shear")",
                 .fallback = R"("orthogonal_shear")"},
           &Crack::stress_driver);
@@ -126,7 +126,8 @@ struct RaceSurfaceCrack {
           &Crack::stress);
     field(Field{.name = "position",
                 .unit = "rad",
-                .doc = "from the wave generator's major axis, toward +theta; coupled drive only",
+                .doc =
+                    "angle from the wave generator's major axis, toward +theta; coupled drive only",
                 .example = R"("0 deg")",
                 .fallback = R"("0 deg")",
                 .in_template = InTemplate::commented},
@@ -202,7 +203,7 @@ struct WallThroughCrack {
     describe_place<WallThroughCrack>(field);
     field(Field{.name = "shell_correction",
                 .unit = "",
-                .doc = "raise K_I by the curvature of the shell",
+                .doc = "whether the curvature of the shell raises K_I",
                 .example = "true",
                 .fallback = "true",
                 .in_template = InTemplate::commented},
@@ -223,7 +224,7 @@ struct WallThroughCrack {
           &Crack::angle);
     field(Field{.name = "section",
                 .unit = "",
-                .doc = "where the crack is; only with crack_free = \"sections\"",
+                .doc = "section that contains the crack; only with crack_free = \"sections\"",
                 .example = R"("barrel")",
                 .fallback = R"("barrel")",
                 .in_template = InTemplate::commented},
@@ -284,7 +285,7 @@ struct AnnularCrack {
     field(kCrackDepthField, &AnnularCrack::depth);
     field(Field{.name = "solution",
                 .unit = "",
-                .doc = "stress intensity of a solid shaft; a hollow one has a table",
+                .doc = "stress intensity solution of a solid shaft; a hollow shaft uses a table",
                 .example = R"("improved")",
                 .fallback = R"("improved")",
                 .in_template = InTemplate::commented},
@@ -322,7 +323,7 @@ struct RingCrack {
           &RingCrack::depth);
     field(Field{.name = "position",
                 .unit = "rad",
-                .doc = "from the wave generator's major axis, toward +theta",
+                .doc = "angle from the wave generator's major axis, toward +theta",
                 .example = R"("20 deg")",
                 .fallback = R"("0 deg")"},
           &RingCrack::position);
@@ -368,7 +369,8 @@ struct ToothCrack {
           &ToothCrack::stiffness_loss);
     field(Field{.name = "position",
                 .unit = "rad",
-                .doc = "from the wave generator's major axis, toward +theta; the nearest tooth",
+                .doc = "angle from the wave generator's major axis, toward +theta; the crack is in "
+                       "the nearest tooth",
                 .example = R"("10 deg")",
                 .fallback = R"("0 deg")"},
           &ToothCrack::position);
@@ -397,7 +399,7 @@ struct DiaphragmArcCrack {
           &DiaphragmArcCrack::half_length);
     field(Field{.name = "radius",
                 .unit = "m",
-                .doc = "of the arc; the diaphragm's inner radius if left out",
+                .doc = "radius of the arc; the diaphragm's inner radius if left out",
                 .range = kPositive,
                 .example = R"("42 mm")",
                 .in_template = InTemplate::commented},

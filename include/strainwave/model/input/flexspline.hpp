@@ -96,13 +96,13 @@ struct Diaphragm {
   static void describe(Visitor&& field) {
     field(Field{.name = "outer_diameter",
                 .unit = "m",
-                .doc = "where it meets the barrel",
+                .doc = "diameter at which the diaphragm meets the barrel",
                 .range = kPositive,
                 .example = R"("157.76 mm")"},
           &Diaphragm::outer_diameter);
     field(Field{.name = "inner_diameter",
                 .unit = "m",
-                .doc = "where it meets the boss",
+                .doc = "diameter at which the diaphragm meets the boss",
                 .range = kPositive,
                 .example = R"("80 mm")"},
           &Diaphragm::inner_diameter);
@@ -196,14 +196,16 @@ struct Flexspline {
           &Flexspline::shape);
     field(Field{.name = "wall_thickness",
                 .unit = "m",
-                .doc = "delta, at the tooth ring; not needed with sections, whose rim gives it",
+                .doc = "wall thickness delta at the tooth ring; not needed with sections, because "
+                       "the rim gives it",
                 .range = kPositive,
                 .example = R"("2.24 mm")",
                 .usual = kUsualThickness},
           &Flexspline::wall_thickness);
     field(Field{.name = "length",
                 .unit = "m",
-                .doc = "L, of the cylinder; not needed with sections, whose rim and barrel give it",
+                .doc = "length L of the cylinder; not needed with sections, because rim and barrel "
+                       "give it",
                 .range = kPositive,
                 .example = R"("160 mm")"},
           &Flexspline::length);
@@ -237,7 +239,7 @@ struct Flexspline {
           &Flexspline::dynamic_load);
     field(Field{.name = "flange_compliance",
                 .unit = "rad/(N*m)",
-                .doc = "of bolts and output flange, added in series",
+                .doc = "compliance of bolts and output flange, added in series",
                 .range = kNonNegative,
                 .example = R"x("0 rad/(N*m)")x",
                 .fallback = R"x("0 rad/(N*m)")x",

@@ -26,7 +26,7 @@ inline constexpr std::string_view kDriveFormat = "strainwave-drive/1";
 /// Transmission data of the drive as a whole.
 struct Transmission {
   double ratio = 0.0;                ///< i_h, circular spline fixed [-]; > 0
-  int wave_number = 2;               ///< U, lobes of the wave generator [-]; 1 to 8
+  int wave_number = 2;               ///< U, number of lobes of the wave generator [-]; 1 to 8
   double pitch_diameter = 0.0;       ///< d_1, of the flexspline [m]; > 0
   double radial_displacement = 0.0;  ///< w_0, amplitude of the flexspline's deflection [m]; > 0
 
@@ -41,7 +41,7 @@ struct Transmission {
           &Transmission::ratio);
     field(Field{.name = "wave_number",
                 .unit = "1",
-                .doc = "U, lobes of the wave generator",
+                .doc = "U, number of lobes of the wave generator",
                 .range = {.lower = 1.0, .lower_open = false, .upper = 8.0, .upper_open = false},
                 .example = "2",
                 .fallback = "2"},
@@ -153,7 +153,7 @@ struct GearSet {
           &GearSet::name);
     field(Field{.name = "material",
                 .unit = "",
-                .doc = "materials by name; those of the library need none"},
+                .doc = "materials by name; steels of the library need no entry"},
           &GearSet::material);
     field(Field{.name = "drive", .unit = "", .doc = "the drive as a whole"}, &GearSet::drive);
     field(Field{.name = "load", .unit = "", .doc = "static load at the output"}, &GearSet::load);

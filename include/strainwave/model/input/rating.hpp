@@ -60,8 +60,8 @@ struct Rating {
           &Rating::lost_motion_share);
     field(Field{.name = "friction_torque",
                 .unit = "N*m",
-                .doc = "of seal, grease and bearings, at the output without load; for the "
-                       "hysteresis",
+                .doc = "friction torque of seal, grease and bearings, at the output without load; "
+                       "for the hysteresis",
                 .range = kNonNegative,
                 .example = R"("0 N*m")",
                 .fallback = R"("0 N*m")",

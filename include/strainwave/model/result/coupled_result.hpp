@@ -23,11 +23,12 @@ struct MakersTorques {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"T1", "N*m", "up to which K1 holds"}, &MakersTorques::T1);
-    field({"T2", "N*m", "up to which K2 holds"}, &MakersTorques::T2);
-    field({"T3", "N*m", "up to which K3 is taken"}, &MakersTorques::T3);
+    field({"T1", "N*m", "torque up to which K1 holds"}, &MakersTorques::T1);
+    field({"T2", "N*m", "torque up to which K2 holds"}, &MakersTorques::T2);
+    field({"T3", "N*m", "torque up to which K3 is taken"}, &MakersTorques::T3);
     field({"rated", "N*m", "T_N"}, &MakersTorques::rated);
-    field({"lost_motion", "N*m", "where lost motion is measured"}, &MakersTorques::lost_motion);
+    field({"lost_motion", "N*m", "torque at which lost motion is measured"},
+          &MakersTorques::lost_motion);
     field({"by_convention", "", "whether T1 and T2 were not given"}, &MakersTorques::by_convention);
   }
 };
@@ -79,7 +80,7 @@ struct CrackedCurve : CurveStiffness {
   template <class Visitor>
   static void describe(Visitor&& field) {
     CurveStiffness::describe(field);
-    field({"change", "", "what the cracks change"}, &CrackedCurve::change);
+    field({"change", "", "changes by the cracks"}, &CrackedCurve::change);
   }
 };
 

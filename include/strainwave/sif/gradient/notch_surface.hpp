@@ -34,7 +34,7 @@ struct NotchSurfaceCrack {
   double depth = 0.0;          ///< a [m]; > 0, <= 0.99 thickness
   double half_length = 0.0;    ///< c, at the surface [m]; > 0
   double thickness = 0.0;      ///< t [m]
-  double root_radius = 0.0;    ///< rho, of the notch, fillet or tooth root [m]
+  double root_radius = 0.0;    ///< rho, radius of the notch, fillet or tooth root [m]
   double concentration = 0.0;  ///< K_t, largest over nominal stress at the root [-]; > 1
 
   template <class Visitor>
@@ -44,7 +44,7 @@ struct NotchSurfaceCrack {
     field(kGradientThickness, &NotchSurfaceCrack::thickness);
     field(Field{.name = "root_radius",
                 .unit = "m",
-                .doc = "rho, of the notch, fillet or tooth root",
+                .doc = "rho, radius of the notch, fillet or tooth root",
                 .range = kPositive,
                 .example = "4 mm"},
           &NotchSurfaceCrack::root_radius);

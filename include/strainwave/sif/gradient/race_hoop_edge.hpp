@@ -60,7 +60,7 @@ struct RaceHoopEdgeCrack {
           &RaceHoopEdgeCrack::angle);
     field(Field{.name = "lobes",
                 .unit = "1",
-                .doc = "U, lobes of the cam",
+                .doc = "U, number of lobes of the cam",
                 .range = {.lower = 2.0, .lower_open = false},
                 .example = "2"},
           &RaceHoopEdgeCrack::lobes);

@@ -62,7 +62,7 @@ struct RaceHoopSurfaceCrack {
           &RaceHoopSurfaceCrack::angle);
     field(Field{.name = "lobes",
                 .unit = "1",
-                .doc = "U, lobes of the cam",
+                .doc = "U, number of lobes of the cam",
                 .range = {.lower = 2.0, .lower_open = false},
                 .example = "2"},
           &RaceHoopSurfaceCrack::lobes);

@@ -28,7 +28,7 @@ struct HalfPlaneEdgeCrack {
       .constraint = Constraint::plane_strain};
   static constexpr std::size_t kLoads = 1;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
-      LoadInfo{"tension", "Pa", "stress along the edge"}};
+      LoadInfo{"tension", "Pa", "stress in the direction of the edge"}};
   static constexpr std::array<FrontPoint, 1> kPoints = kTip;
 
   double length = 0.0;     ///< a, along the crack [m]

@@ -74,7 +74,7 @@ struct TubeSurfaceCrack {
           &TubeSurfaceCrack::half_length);
     field(Field{.name = "mean_radius",
                 .unit = "m",
-                .doc = "r, of the middle of the wall",
+                .doc = "r, radius of the middle of the wall",
                 .range = kPositive,
                 .example = "40 mm"},
           &TubeSurfaceCrack::mean_radius);
