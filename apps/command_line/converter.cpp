@@ -85,7 +85,8 @@ class ScratchFolder {
     std::error_code fault;
     std::string name = (fs::temp_directory_path(fault) / "strainwave-XXXXXX").string();
     if (fault || ::mkdtemp(name.data()) == nullptr)
-      throw UnwritableError("no temporary folder can be made; TMPDIR says where");
+      throw UnwritableError(
+          "no temporary folder can be created; set TMPDIR to a folder that can be written");
     path_ = name;
   }
   ~ScratchFolder() {

@@ -35,7 +35,8 @@ std::string build_date() {
   std::int64_t seconds = 0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), seconds);
   if (fault != std::errc() || end != text.data() + text.size() || seconds < 0 || seconds > kMost)
-    throw UsageError(fmt::format("SOURCE_DATE_EPOCH is not seconds since 1970: {}", shown(text)));
+    throw UsageError(fmt::format(
+        "SOURCE_DATE_EPOCH is {}, but must be a number of seconds since 1970", shown(text)));
   const std::chrono::year_month_day day{std::chrono::floor<std::chrono::days>(
       std::chrono::sys_seconds(std::chrono::seconds(seconds)))};
   return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(day.year()),

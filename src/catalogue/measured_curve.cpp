@@ -94,14 +94,14 @@ class CurveReader {
     constexpr std::string_view kMark = "\xEF\xBB\xBF";
     if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
     if (text.find('\0') != std::string_view::npos)
-      refuse(0, "is no CSV text in UTF-8; save the table as \"CSV UTF-8\"");
+      refuse(0, "is not CSV text in UTF-8; save the table as \"CSV UTF-8\"");
     while (!text.empty()) {
       ++place_.line;
       take(take_line(text));
     }
     place_.line = 0;
     if (!separator_) refuse(0, "is empty");
-    if (points_.empty()) refuse(0, "has no point under torque");
+    if (points_.empty()) refuse(0, "has no point with a torque; give at least one");
     return std::move(points_);
   }
 
@@ -128,7 +128,7 @@ class CurveReader {
     if (torque == 0.0 && twist == 0.0) return;
     if (!(torque * twist > 0))
       refuse(cells[*twist_.index].column,
-             "torque and twist must have the same sign: count the twist from the unloaded state");
+             "torque and twist must have the same sign; measure the twist from the unloaded state");
     points_.push_back({torque, twist});
   }
 
@@ -146,7 +146,8 @@ class CurveReader {
       if (open == std::string_view::npos || close == std::string_view::npos || close < open)
         refuse(cells[i].column,
                fmt::format("the column {0} has no unit; write {0} [{1}]", name, column->usual));
-      if (column->index) refuse(cells[i].column, fmt::format("names the column {} twice", name));
+      if (column->index)
+        refuse(cells[i].column, fmt::format("names the column {} twice; name it once", name));
       column->unit = trimmed(cell.substr(open + 1, close - open - 1));
       column->index = i;
       try {
@@ -163,8 +164,11 @@ class CurveReader {
 
   double number(const std::vector<Cell>& cells, const Column& column, std::size_t length) {
     if (cells.size() <= *column.index)
-      refuse(length + 1, fmt::format("has too few columns: {} is the column {}", column.name,
-                                     *column.index + 1));
+      refuse(
+          length + 1,
+          fmt::format(
+              "has too few columns, because {} is column {}; give torque and twist in every line",
+              column.name, *column.index + 1));
     const Cell& cell = cells[*column.index];
     const auto fault = [&](std::string_view why) {
       refuse(cell.column, fmt::format("{} = \"{}\" {}", column.name, shown(cell.text), why));
@@ -184,7 +188,7 @@ class CurveReader {
     try {
       return parse_quantity(column.name, fmt::format("{} {}", text, column.unit), column.si);
     } catch (const InputError&) {
-      fault("is not a number, such as 12.5 or 12,5");
+      fault("is not a number; write a number such as 12.5 or 12,5");
     }
     return 0.0;
   }

@@ -57,7 +57,7 @@ constexpr std::array<Proportion, 25> kProportions = {{
     {"ball_diameter", "over the section", &Values::ball_diameter, 0.5185, 0.7015, kTypical,
      "published samples and bearing practice", ""},
     {"ball_count", "balls", &Values::ball_count, 19, 27, kTypical,
-     "bearings of this kind have 19 to 27", ""},
+     "bearings of this kind have 19 to 27 balls", ""},
     {"conformity", "groove radius over ball", &Values::conformity, 0.52, 0.54, kTypical,
      "bearing practice", ""},
     {"groove_factor", "share of the ring's bending stiffness", &Values::groove_factor, 0.7, 0.9, kAssumed,

@@ -149,9 +149,10 @@ std::string Answer::document(std::string_view name) const {
   if (name == "json") return json();
   std::vector<OutputFile> made = files(name);
   if (made.size() != 1 || !made.front().name.empty())
-    throw OptionError("document",
-                      fmt::format("{} of {} is a folder of files, not a text; write it to a folder",
-                                  shown(name), command_->name));
+    throw OptionError(
+        "document",
+        fmt::format("{} of {} is a folder of files and not a text; name a folder for it",
+                    shown(name), command_->name));
   return std::move(made.front().text);
 }
 

@@ -192,14 +192,13 @@ std::string sensitivity_text(const SensitivityReport& report, const GearSet& gea
       zeros += fmt::format("  d {}/d {} = {:.5g} in SI units\n", sensitivity.outputs[y].name,
                            input.path, input.influence[y].derivative);
   }
-  if (!zeros.empty())
-    text += "\nInputs that are 0: the derivative exists, the elasticity does not\n" + zeros;
+  if (!zeros.empty()) text += "\nInputs that are 0 have a derivative but no elasticity\n" + zeros;
   if (!sensitivity.no_influence.empty())
     text += '\n' +
             paragraph(fmt::format("No influence: {}", fmt::join(sensitivity.no_influence, ", ")));
   for (const CurveStep& step : sensitivity.not_differentiated)
-    text +=
-        paragraph(fmt::format("K1, K2, K3 have no derivative to {}: {}", step.path, step.reason));
+    text += paragraph(fmt::format("K1, K2, K3 have no derivative with respect to {}: {}", step.path,
+                                  step.reason));
   text += fmt::format("\nResidual of the dimensions: {:.1g}; at most {:.0g} is accepted (SN-6)\n",
                       sensitivity.homogeneity_residual(), kMaxHomogeneityResidual);
   if (const auto& scatter = report.scatter)

@@ -112,7 +112,7 @@ std::vector<PlotPanel> coupled_panels(const SweepResult& result, const SweepTabl
   };
   PlotPanel stiffness = panel(title, "K1, K2, K3 of the coupled drive [N·m/arcmin]");
   stiffness.subtitle = subtitle(result);
-  PlotPanel change = panel("What cracks change in the coupled drive", "change ΔK/K [%]");
+  PlotPanel change = panel("Changes of the coupled drive by the cracks", "change ΔK/K [%]");
   const bool cracked = !result.crack_paths.empty();
   const auto add = [&](PlotPanel& to, std::string label, const std::string& output) {
     std::vector<double> values = table.output(output);

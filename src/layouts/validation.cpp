@@ -119,8 +119,9 @@ std::string failing_rows(const Validation& v) {
       failing += fmt::format("{} size {} ratio {} ({:.1f} %)", failing.empty() ? "" : ",",
                              row.catalogue.size, enum_name(row.catalogue.ratio_class), 100 * worst);
   }
-  return fmt::format("\nOf {} rows of ratio 50 and more, not within 2 %:{}\n", rows,
-                     failing.empty() ? " none" : failing);
+  return fmt::format(
+      "\nRows that differ by more than 2 %, of the {} rows of ratio 50 and more:{}\n", rows,
+      failing.empty() ? " none" : failing);
 }
 
 }  // namespace

@@ -178,22 +178,22 @@ void contain_left_out(StiffnessResult& result, const GearSet& gear, const Member
   result.accuracies.push_back(
       {"total", sound.compliance,
        std::string(coupled == nullptr ? accuracy::kContactsLeftOut.source
-                                      : "contacts, rings and coning are left out: "
-                                        "this is the distance to the coupled drive")});
+                                      : "contacts, rings and coning are left out; this is the "
+                                        "difference from the coupled drive")});
   use_equations(result.equations, {"ST-18"});
   result.notes.push_back(
       {.code = "sum.left_out",
        .text = fmt::format(
            "the sum of the members leaves out the contacts of balls and teeth, the rings and the "
-           "coning of the cup: apart from the errors of the members the drive is softer; the "
-           "accuracy of the sum contains {}, and is stated to both sides alike",
-           coupled == nullptr
-               ? "this, as catalogues show it: the sum is 2 to 5 times too stiff without a shaft"
-               : "the coupled drive, which is the answer"),
+           "coning of the cup, so the drive is softer apart from the errors of the members; the "
+           "accuracy of the sum contains {}, and counts equally to both sides",
+           coupled == nullptr ? "this effect as catalogues show it: without a shaft the sum is 2 "
+                                "to 5 times too stiff"
+                              : "the coupled drive, which is the answer"),
        .path = "",
        .equation = "ST-18",
        .severity = coupled == nullptr ? Severity::care : Severity::information,
-       .next_step = coupled == nullptr ? "Give what the coupled drive needs." : ""});
+       .next_step = coupled == nullptr ? "Give the fields that the coupled drive needs." : ""});
 }
 
 void note_materials(const GearSet& gear, std::vector<Note>& notes) {
@@ -217,7 +217,9 @@ void note_materials(const GearSet& gear, std::vector<Note>& notes) {
            .path = "material." + name,
            .equation = "",
            .severity = material.verified ? Severity::information : Severity::care,
-           .next_step = material.verified ? "" : "Give the unverified numbers of your own steel."});
+           .next_step = material.verified
+                            ? ""
+                            : "Give the values of your own steel for the unverified numbers."});
   }
 }
 
@@ -236,11 +238,12 @@ StiffnessResult torsional_stiffness(const GearSet& gear, const StiffnessOptions&
   const auto add_member = [&](bool given, std::string_view name, Sum Members::*sum,
                               const auto& compliance) {
     if (!given) {
-      result.notes.push_back({.code = "member.absent",
-                              .text = "not in the file: it adds no compliance",
-                              .path = std::string(name),
-                              .equation = "ST-1",
-                              .severity = Severity::information});
+      result.notes.push_back(
+          {.code = "member.absent",
+           .text = "the file does not give this member, so it adds no compliance",
+           .path = std::string(name),
+           .equation = "ST-1",
+           .severity = Severity::information});
       return;
     }
     MemberCompliance member = compliance(gear, options);

@@ -93,14 +93,13 @@ void add_strength(StiffnessResult& result, const GearSet& gear) {
 Coupled coupled_drive(const GearSet& gear) {
   Coupled coupled;
   if (const std::string missing = missing_for_torsion_curve(gear); !missing.empty()) {
-    coupled.notes.push_back(
-        {.code = "curve.missing",
-         .text = "the coupled drive is not solved; " + missing,
-         .path = "",
-         .equation = "TC-1",
-         .severity = Severity::information,
-         .next_step = "Give these fields; strainwave new --size SIZE --ratio RATIO writes a file "
-                      "that has them all."});
+    coupled.notes.push_back({.code = "curve.missing",
+                             .text = "the coupled drive is not solved; " + missing,
+                             .path = "",
+                             .equation = "TC-1",
+                             .severity = Severity::information,
+                             .next_step = "Give these fields; strainwave new --size SIZE --ratio "
+                                          "RATIO writes a file with all of them."});
     return coupled;
   }
   try {

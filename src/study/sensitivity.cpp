@@ -132,7 +132,7 @@ LengthAndForce length_and_force(std::string_view unit) {
   // Units in text distinguish joules and radians; here they count as N*m and 1.
   const Dimension d = parse_unit(unit).dimension;
   if (d[2] != -2 * d[1] || d[3] != 0)
-    throw InputError("unit", fmt::format("{} is not made of length and force", unit));
+    throw InputError("unit", fmt::format("{} does not consist of length and force", unit));
   return {.length = d[0] - d[1], .force = d[1]};  // N = kg m/s^2
 }
 
@@ -152,7 +152,8 @@ Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options)
       fixed += (fixed.empty() ? "" : ", ") + number.name;
     if (!fixed.empty())
       sensitivity.unusable_because = fmt::format(
-          "{}.compliance_table: \"{}\" holds {} fixed, so the derivatives to them are not known",
+          "{}.compliance_table: \"{}\" keeps {} fixed, so the derivatives with respect to these "
+          "are not known",
           path, shown(*crack.compliance_table), fixed);
   });
   sensitivity.notes = smoothness_notes(gear);

@@ -252,15 +252,15 @@ Solution solution_at(Probe& probe, const Sample& at, SolveResult& problem) {
     else if (problem.notes.empty())
       problem.notes.push_back(
           {.code = "solve.accuracy",
-           .text =
-               fmt::format("its accuracy cannot be told: to first order, a change of it by "
-                           "100 % moves {} by less than the uncertainty of {}",
-                           problem.target.output, percent(*solution.output.relative_uncertainty)),
+           .text = fmt::format(
+               "the accuracy of this solution cannot be told, because to first order a change of "
+               "the field by 100 % changes {} by less than the uncertainty of {}",
+               problem.target.output, percent(*solution.output.relative_uncertainty)),
            .path = problem.path,
            .equation = "ST-16",
            .severity = Severity::cannot_tell,
-           .next_step = "Choose an output that depends more on this field, or one with a smaller "
-                        "uncertainty."});
+           .next_step =
+               "Choose an output that depends more on this field or has a smaller uncertainty."});
   }
   return solution;
 }
@@ -297,7 +297,7 @@ class Findings {
   }
 
   void found_everywhere(double from, double to) {
-    remark(fmt::format("{} all the way from {} = {}", wanted(), result_.path,
+    remark(fmt::format("{} over the whole range from {} = {}", wanted(), result_.path,
                        span_shown(result_.path, from, to, result_.unit, "to")));
   }
 

@@ -50,7 +50,7 @@ std::vector<Missing> missing(const GearSet& gear) {
     const Bearing& bearing = *gear.wave_generator->bearing;
     need(bearing.ball_count.has_value(), "wave_generator.bearing.ball_count", "balls all round");
     need(bearing.outer_ring.has_value(), "wave_generator.bearing.outer_ring",
-         "it bends with the rim");
+         "which bends with the rim");
   }
   if (need(gear.flexspline.has_value(), "flexspline", "the cup")) {
     const Flexspline& fs = *gear.flexspline;
@@ -297,14 +297,13 @@ class ContactCracksOf {
   }
 
   void note_rigid_spline() {
-    const Note note{.code = "crack.rigid_ring",
-                    .text =
-                        "the circular spline is held rigidly (support = 0): a crack in it has "
-                        "no effect",
-                    .path = "circular_spline.support",
-                    .equation = "TC-10",
-                    .severity = Severity::care,
-                    .next_step = "Give a support above 0."};
+    const Note note{
+        .code = "crack.rigid_ring",
+        .text = "the circular spline is held rigidly (support = 0), so a crack in it has no effect",
+        .path = "circular_spline.support",
+        .equation = "TC-10",
+        .severity = Severity::care,
+        .next_step = "Give a support above 0."};
     if (std::ranges::find(notes_, note) == notes_.end()) notes_.push_back(note);
   }
 
@@ -349,8 +348,8 @@ void check_coupled(const GearSet& gear, const CoupledOptions& options) {
   if (std::abs(ring_outside - bore) > kFitInBore * bore)
     throw InputError(
         "wave_generator.bearing.outer_ring.mean_radius",
-        fmt::format("makes an outer radius of {:.5g} mm in a flexspline bore of {:.5g} mm: the "
-                    "bearing does not assemble; rule: within 0.5 %",
+        fmt::format("makes an outer radius of {:.5g} mm in a flexspline bore of {:.5g} mm, so the "
+                    "bearing does not assemble; both must agree within 0.5 %",
                     1e3 * ring_outside, 1e3 * bore));
   if (bearing.outer_raceway_diameter / 2 > ring_outside)
     throw InputError("wave_generator.bearing.outer_raceway_diameter",

@@ -314,12 +314,13 @@ CurveDerivatives CurveDifferentiator::of(const GearSet& gear, const Lift<DualRea
 }
 
 std::vector<CurveStep> curve_steps(const GearSet& gear) {
-  std::vector<CurveStep> steps = {{"drive.ratio", "it sets the number of teeth, which is whole"}};
+  std::vector<CurveStep> steps = {
+      {"drive.ratio", "the field determines the number of teeth, which is a whole number"}};
   for_each_crack(gear, [&]<class Crack>(const std::string& path, const Crack&) {
     if constexpr (std::is_same_v<Crack, ToothCrack>)
-      steps.push_back({path + ".position", "it chooses the nearest tooth"});
+      steps.push_back({path + ".position", "the field only selects the nearest tooth"});
     else if constexpr (requires(const Crack& crack) { crack.stress_driver; })
-      steps.push_back({path + ".position", "it chooses the nearest ball"});
+      steps.push_back({path + ".position", "the field only selects the nearest ball"});
   });
   return steps;
 }

@@ -244,8 +244,8 @@ class RingModel {
     const Real left = 1 - soft.softening * soft.curvature.dot(soft.response);
     if (!(left > 0))
       throw SolverError(
-          "two cracks of a ring soften the same length of it, which leaves it no stiffness there "
-          "(TC-22): give one crack in place of both");
+          "two cracks of a ring soften the same length of the ring and leave no stiffness there "
+          "(TC-22); give one crack instead of the two");
     soft.factor = soft.softening / left;
     softenings_.push_back(std::move(soft));
     return true;

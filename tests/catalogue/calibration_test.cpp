@@ -209,8 +209,10 @@ TEST(MeasuredCurve, InputRefusals) {
   const std::string head = "torque [N*m];twist [rad]\n";
   for (const auto& [text, sentence] : std::map<std::string, std::string>{
            {head + "1\n", "bench.csv:2:2: has too few columns: twist is the column 2"},
-           {head + "1;x\n", "bench.csv:2:3: twist = \"x\" is not a number, such as 12.5 or 12,5"},
-           {head + "1;\n", "bench.csv:2:3: twist = \"\" is not a number, such as 12.5 or 12,5"},
+           {head + "1;x\n",
+            "bench.csv:2:3: twist = \"x\" is not a number; write a number such as 12.5 or 12,5"},
+           {head + "1;\n",
+            "bench.csv:2:3: twist = \"\" is not a number; write a number such as 12.5 or 12,5"},
            {head + "\n 1.234,5; 1\n",
             "bench.csv:3:2: torque = \"1.234,5\" has separators of thousands; write the number "
             "without them"},
@@ -223,7 +225,7 @@ TEST(MeasuredCurve, InputRefusals) {
            {"a;torque [N*m];torque [N*m]\n", "bench.csv:1:16: names the column torque twice"},
            {"a;torque [kg];twist [rad]\n", "bench.csv:1:3: torque"},
            {std::string("\xFF\xFEt\0o\0", 6),
-            "bench.csv: is no CSV text in UTF-8; save the table as \"CSV UTF-8\""}})
+            "bench.csv: is not CSV text in UTF-8; save the table as \"CSV UTF-8\""}})
     EXPECT_EQ(message(text).substr(0, sentence.size()), sentence) << text;
   EXPECT_NE(message("torque [N*m],twist [rad]\n1,-1\n").find("same sign"), std::string::npos);
   EXPECT_NE(broken_rule([] {

@@ -389,7 +389,7 @@ TEST_F(Program, BehaviourLibraryMaterialIsNotedAndCanBeVaried) {
   const std::string& text = notes["material.17-4PH H900"];
   EXPECT_NE(text.find("yield strength 1170 MPa (standard)"), std::string::npos) << text;
   EXPECT_NE(notes["material.52100 hardened"].find(
-                "unverified, check it before you base a decision on it: "
+                "these values are unverified, so check them before you base a decision on them: "
                 "Poisson's ratio"),
             std::string::npos);
   EXPECT_EQ(json.at("/provenance/input/material/17-4PH H900/yield_strength"_json_pointer),

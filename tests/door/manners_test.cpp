@@ -119,9 +119,9 @@ TEST(AskedUnits, InputUnitsThatCannotBeAskedForAreRefused) {
   const auto refusal = [](std::string_view units) {
     return test::broken_rule([&] { return AskedUnits(units); });
   };
-  EXPECT_EQ(refusal("mm,in"), "units: mm and in have one dimension: choose one of them");
+  EXPECT_EQ(refusal("mm,in"), "units: mm and in have the same dimension; choose one of them");
   EXPECT_EQ(refusal("%"),
-            "units: % is of pure numbers, which are always told as they are: leave it out");
+            "units: % is a unit of pure numbers, which the answer never converts; leave it out");
   EXPECT_NE(refusal("furlong").find("units: \"furlong\" has the unknown unit"), std::string::npos);
 }
 
@@ -463,8 +463,8 @@ TEST(Diff, IdentityResultsDifferAsTheirDrivesDo) {
 TEST(Diff, InputWhatCannotBeComparedIsRefused) {
   const std::string drive = test::contents(STRAINWAVE_EXAMPLES "/article.toml");
   EXPECT_EQ(test::broken_rule([&] { return diff(drive, "{\"a\": 1}"); }),
-            "b: is neither a drive nor a result: write one with strainwave stiffness FILE --format "
-            "json --output RESULT");
+            "b: is neither a drive nor a result; strainwave stiffness FILE --format json --output "
+            "RESULT writes a result");
   EXPECT_EQ(test::broken_rule([&] {
               return diff(drive, test::run_on_example("audit", "article").json());
             }).substr(0, 3),

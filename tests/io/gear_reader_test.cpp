@@ -659,11 +659,11 @@ const std::vector<Wrong> kWrong = {
     {"WrongDimensionInAList", "[\"5 mm\", \"2 mm\"]", "[\"5 mm\", \"2 mm^2\"]",
      "25:30: wave_generator.contact_semi_axes[1]: \"2 mm^2\" is not convertible to m"},
     {"UnknownUnit", "\"160 mm\"", "\"160 inch\"",
-     "12:18: drive.pitch_diameter: \"160 inch\" has the unknown unit \"inch\"; known are products "
-     "such as mm, N*m/rad or MPa*m^0.5; strainwave units lists all"},
+     "12:18: drive.pitch_diameter: \"160 inch\" has the unknown unit \"inch\"; write a unit such "
+     "as mm, N*m/rad or MPa*m^0.5; strainwave units lists all units"},
     {"UnitOfTwoLines", "\"160 mm\"", "\"160\\nmm\"",
-     "12:18: drive.pitch_diameter: \"160\\nmm\" has the unknown unit \"\\nmm\"; known are products "
-     "such as mm, N*m/rad or MPa*m^0.5; strainwave units lists all"},
+     "12:18: drive.pitch_diameter: \"160\\nmm\" has the unknown unit \"\\nmm\"; write a unit such "
+     "as mm, N*m/rad or MPa*m^0.5; strainwave units lists all units"},
     {"DecimalComma", "\"2.24 mm\"", "\"2,24 mm\"",
      "37:18: flexspline.wall_thickness: \"2,24 mm\" has a comma; write a decimal point"},
     {"NaN", "\"2.24 mm\"", "\"nan mm\"",
@@ -819,8 +819,8 @@ const std::vector<Wrong> kWrong = {
      "(stress_driver = \"ring_bending\" needs it)"},
     {"SecondSourceOfStiffness", "[[wave_generator.crack]]",
      "[wave_generator.displacements]\nbearing = \"3 um\"\n[[wave_generator.crack]]",
-     "27:1: wave_generator.displacements: is one source of the radial stiffness too many; give one "
-     "of radial_stiffness, displacements, bearing"},
+     "27:1: wave_generator.displacements: is a second source of the radial stiffness; give only "
+     "one of radial_stiffness, displacements, bearing"},
     {"SectionsNeedABarrel", "crack_free = \"factor\"", "crack_free = \"sections\"",
      "34:1: flexspline.barrel: must be given where crack_free = \"sections\" (smooth tube)"},
 };

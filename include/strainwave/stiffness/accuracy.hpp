@@ -29,8 +29,9 @@ inline constexpr ModelAccuracy kTube{
     0.01, "the solution is exact for a tube; ends, fillets and splines are left out"};
 inline constexpr ModelAccuracy kShapeFactor{
     2.0,
-    "a factor, whatever its value: of sixteen cups in finite elements, 1.06 to 11 times as "
-    "compliant as their barrel, eleven are within 200 % of 0.83 and twelve within 200 % of 1"};
+    "the same accuracy for any factor: sixteen cups in finite elements are 1.06 to 11 times as "
+    "compliant as their barrel; eleven of these cups agree within 200 % with the factor 0.83, and "
+    "twelve with the factor 1"};
 inline constexpr ModelAccuracy kSections{
     0.05, "1.1 % against finite elements with sharp corners; fillets and teeth are left out"};
 inline constexpr ModelAccuracy kLobeForce{0.15, "lobe force: c_F between 1 and 1.15"};
@@ -67,7 +68,8 @@ inline constexpr ModelAccuracy kThroughCrackNearFreeEnd{
     0.50,
     "ends left out: half-way to a free end, finite elements are softer by a term in (2a/L)^2"};
 inline constexpr ModelAccuracy kThroughCrackAxial{
-    0.05, "curved wall under axial force: same shell theory, not compared with finite elements"};
+    0.05,
+    "curved wall under axial force: the same shell theory, but not compared with finite elements"};
 inline constexpr ModelAccuracy kThroughCrackPressed{
     0.02, "pressed faces slide without friction: 1 % of compliance, 2 % of G in finite elements"};
 inline constexpr ModelAccuracy kThroughCrackIntensity{
@@ -91,7 +93,9 @@ inline constexpr ModelAccuracy kAnnularExtrapolated{
 inline constexpr ModelAccuracy kAnnularTada{
     0.055, "handbook polynomials: 3.6 % in torsion, 5.4 % in tension against finite elements"};
 inline constexpr ModelAccuracy kOrthogonalShear{
-    1.0, "the driver treats a subsurface shear as a hoop tension: an order of magnitude at best"};
+    1.0,
+    "the driver treats a subsurface shear as a hoop tension, which gives an order of magnitude at "
+    "best"};
 inline constexpr ModelAccuracy kContactEdge{
     0.50, "the edge tension decays within the contact, but is assumed uniform"};
 inline constexpr ModelAccuracy kRingBending{

@@ -133,8 +133,8 @@ Side side_of_result(const std::string& text, const std::string& name) {
   } catch (const InputError&) {
   }
   throw InputError(name,
-                   "is neither a drive nor a result: write one with strainwave stiffness FILE "
-                   "--format json --output RESULT");
+                   "is neither a drive nor a result; strainwave stiffness FILE --format json "
+                   "--output RESULT writes a result");
 }
 
 Side side_of(const std::string& name, Method method, const Request& request) {
@@ -470,10 +470,11 @@ Difference difference(const Request& request, const DiffOptions& options) {
   const Side first = side_of(options.first, options.method, request);
   const Side second = side_of(options.second, options.method, request);
   if (first.command != second.command)
-    throw InputError(options.second,
-                     fmt::format("is a result of {}, and {} one of {}: compare results of one "
-                                 "command",
-                                 second.command, options.first, first.command));
+    throw InputError(
+        options.second,
+        fmt::format(
+            "is a result of {}, but {} is a result of {}; compare results of the same command",
+            second.command, options.first, first.command));
   Difference difference{.first = options.first,
                         .second = options.second,
                         .coverage = options.coverage,
@@ -501,9 +502,10 @@ Difference difference(const Request& request, const DiffOptions& options) {
     const Output& a = first.outputs.at(path);
     const Output& b = other->second;
     if (a.unit != b.unit)
-      throw InputError(options.second, fmt::format("has {} in {}, and {} in {}: write both without "
-                                                   "--units",
-                                                   path, b.unit, options.first, a.unit));
+      throw InputError(
+          options.second,
+          fmt::format("has {} in {}, but {} has it in {}; write both results without --units", path,
+                      b.unit, options.first, a.unit));
     OutputDifference differing{.path = path,
                                .unit = a.unit,
                                .first = a.value,
@@ -582,7 +584,7 @@ std::string difference_text(const Difference& difference) {
   text += '\n';
   only("first", difference.only_first);
   only("second", difference.only_second);
-  text += fmt::format("Of the others, {} differ by less and {} are the same.\n",
+  text += fmt::format("Of the other outputs, {} differ by less and {} are the same.\n",
                       difference.within.size(), difference.equal);
   return text + equations_text(difference.equations);
 }
@@ -608,12 +610,12 @@ std::string difference_csv(const Difference& difference) {
 Command diff_command() {
   return command<DiffOptions, Difference>({
       .name = "diff",
-      .summary = "What differs between two drives or two results",
+      .summary = "Compare two drives or two results",
       .description =
           "Compares two drives, or two results that --format json wrote. Prints the inputs that "
           "differ, and the outputs that differ by more than the uncertainty of their difference: "
-          "the model error of a member or crack that is the same in both cancels, that of one "
-          "whose inputs differ does not. The csv and json formats also list the outputs that "
+          "the model error of a member or crack cancels if its inputs are the same in both; "
+          "otherwise it counts. The csv and json formats also list the outputs that "
           "differ by less.",
       .example = "strainwave diff examples/article.toml examples/through_crack.toml",
       .takes = Takes::nothing,

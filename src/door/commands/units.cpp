@@ -26,7 +26,7 @@ struct UnitRow {
   bool prefixed = false;  ///< it takes prefixes
   double factor = 0.0;    ///< value in SI of one of this unit
   std::string si;         ///< unit of the factor
-  std::string written;    ///< a field of the input that takes it; empty: none by itself
+  std::string written;    ///< a field of the input that takes the unit; empty: none by itself
 
   static constexpr bool kTableRow = true;
   template <class Visitor>
@@ -135,10 +135,11 @@ std::string units_text(const UnitList& list) {
 Command units_command() {
   return command<UnitsOptions, UnitList>({
       .name = "units",
-      .summary = "All units: dimension, factor to SI, and where they are written",
+      .summary = "List all units with dimension, factor to SI and a field that takes them",
       .description =
           "Prints the units that the input file, the options and --units know, each with its "
-          "dimension, its factor to SI and a field of the input that takes it, and the prefixes. "
+          "dimension, its factor to SI and a field of the input that takes the unit, and the "
+          "prefixes. "
           "Products of units are formed with * / ^ and parentheses.",
       .example = "strainwave units --format csv",
       .takes = Takes::nothing,

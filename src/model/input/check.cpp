@@ -282,7 +282,7 @@ void check_wave_generator(const GearSet& gear) {
   if (sources > 1)
     throw InputError(
         (path / (wg.radial_stiffness && wg.displacements ? "displacements" : "bearing")).text(),
-        "is one source of the radial stiffness too many; give one of radial_stiffness, "
+        "is a second source of the radial stiffness; give only one of radial_stiffness, "
         "displacements, bearing");
   if (wg.displacements) {
     const LobeDisplacements& d = *wg.displacements;
@@ -309,8 +309,9 @@ void check_wave_generator(const GearSet& gear) {
             wg.bearing->ball_diameter, "m",
             "ball_diameter <= (outer_raceway_diameter - inner_raceway_diameter)/2");
     if (wg.contact_semi_axes)
-      throw InputError((path / "contact_semi_axes").text(),
-                       "is one source of the contact too many; it follows from bearing");
+      throw InputError(
+          (path / "contact_semi_axes").text(),
+          "is a second source of the contact, which follows from bearing; remove one of them");
     if (wg.bearing->ball_count)
       require(*wg.bearing->ball_count >= 3 && *wg.bearing->ball_count <= 200,
               (bearing / "ball_count").text(), *wg.bearing->ball_count, "1", ">= 3 and <= 200");
@@ -473,11 +474,14 @@ void check_scatter(const GearSet& gear, std::size_t which) {
     throw InputError((path / "path").text(), "must be a number of the drive, not of its scatter");
   if (number.value == 0)
     throw InputError((path / "path").text(),
-                     fmt::format("{} is 0, of which no share can scatter", scatter.path));
+                     fmt::format("{} is 0, so a relative scatter has no effect; give a value other "
+                                 "than 0 or remove the scatter",
+                                 scatter.path));
   for (std::size_t i = 0; i < which; ++i)
     if (gear.scatter[i].path == scatter.path)
       throw InputError((path / "path").text(),
-                       fmt::format("{} scatters already by scatter[{}]", scatter.path, i));
+                       fmt::format("{} already has a scatter, scatter[{}]; remove one of them",
+                                   scatter.path, i));
 }
 
 void check_output_shaft(const GearSet& gear) {

@@ -54,7 +54,7 @@ void note_contradiction(std::vector<Note>& notes, std::string_view field, double
        .path = fmt::format("flexspline.{}", field),
        .equation = "",
        .severity = Severity::care,
-       .next_step = fmt::format("Remove {}: with sections it is not needed.", field)});
+       .next_step = fmt::format("Remove {}; a flexspline by sections does not need it.", field)});
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ struct MakersTorques {
   double T2 = 0.0;             ///< [N*m]
   double T3 = 0.0;             ///< [N*m]
   double rated = 0.0;          ///< T_N [N*m]
-  double lost_motion = 0.0;    ///< where lost motion is measured [N*m]
+  double lost_motion = 0.0;    ///< torque at which lost motion is measured [N*m]
   bool by_convention = false;  ///< T1 and T2 were not given: 0.0517 d^3 and 0.187 d^3 N/mm^2
 
   template <class Visitor>
@@ -65,10 +65,13 @@ struct CurveChange {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"K1", "1", "cracked/sound - 1 of K1; negative means softer"}, &CurveChange::K1);
+    field(
+        {"K1", "1", "K1 of the cracked over K1 of the sound drive, minus 1; negative means softer"},
+        &CurveChange::K1);
     field({"K2", "1", "cracked/sound - 1 of K2"}, &CurveChange::K2);
     field({"K3", "1", "cracked/sound - 1 of K3"}, &CurveChange::K3);
-    field({"wind_up", "1", "cracked/sound - 1 of the wind-up at the given torque"},
+    field({"wind_up", "1",
+           "wind-up of the cracked over that of the sound drive at the given torque, minus 1"},
           &CurveChange::wind_up);
   }
 };

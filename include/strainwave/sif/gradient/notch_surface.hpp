@@ -22,7 +22,8 @@ struct NotchSurfaceCrack {
       .source = "inglis1913, shenglinka1991",
       .basis = Basis::secondary,
       .relative_uncertainty = 0.1,
-      .accuracy = "as gradient-surface; the flanks, taken as flat, make K up to 13 % too large",
+      .accuracy =
+          "as gradient-surface; the flanks are assumed flat, which makes K up to 13 % too large",
       .constraint = Constraint::plane_strain};
   static constexpr std::size_t kLoads = 2;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{

@@ -27,8 +27,8 @@ struct RaceHoopEdgeCrack {
       .basis = Basis::computed,
       .relative_uncertainty = 0.04,
       .accuracy =
-          "upper bound: the closed ring resists; tube-edge-axial at a/t 0.2 is 2 % lower for r/t "
-          "10, 4 % for r/t 5; curvature, left out, makes about t/(3 r)",
+          "upper bound, because the closed ring resists; tube-edge-axial at a/t 0.2 is 2 % lower "
+          "for r/t 10 and 4 % lower for r/t 5; the neglected curvature changes K by about t/(3 r)",
       .constraint = Constraint::plane_strain};
   static constexpr std::size_t kLoads = 2;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{

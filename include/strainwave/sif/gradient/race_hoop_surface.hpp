@@ -27,9 +27,9 @@ struct RaceHoopSurfaceCrack {
       .basis = Basis::secondary,
       .relative_uncertainty = 0.07,
       .accuracy =
-          "upper bound: the closed ring resists, by at most 2 % for r/t 10; Newman and Raju's "
-          "plate to "
-          "rounding (5 %); curvature, left out, makes about t/(3 r)",
+          "upper bound, because the closed ring resists, by at most 2 % for r/t 10; equal to "
+          "Newman and Raju's plate (5 %) except for rounding; the neglected curvature changes K by "
+          "about t/(3 r)",
       .constraint = Constraint::plane_strain};
   static constexpr std::size_t kLoads = 2;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{

@@ -30,7 +30,7 @@ struct AxialSurfaceCase {
       LoadInfo{"pressure", "Pa",
                face == Face::inner ? "pressure inside the tube, also on the crack's faces"
                                    : "pressure inside the tube"},
-      LoadInfo{"hoop_stress", "Pa", "uniform over the wall, in the direction of theta"}};
+      LoadInfo{"hoop_stress", "Pa", "hoop stress, uniform over the wall"}};
 
   static WallStress stress(std::size_t load, const TubeWall& wall, double a) {
     if (load == 1) return {.tension = 1.0, .bending = 0.0};
