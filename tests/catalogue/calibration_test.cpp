@@ -205,7 +205,8 @@ TEST(MeasuredCurve, InputRefusals) {
   EXPECT_NE(message("torque [N*m],angle [rad]\n").find("must name the columns"), std::string::npos);
   EXPECT_NE(message("torque,twist [rad]\n").find("has no unit"), std::string::npos);
   EXPECT_NE(message("torque [N],twist [rad]\n").find("bench.csv:1"), std::string::npos);
-  EXPECT_NE(message("torque [N*m],twist [rad]\n").find("no point under torque"), std::string::npos);
+  EXPECT_NE(message("torque [N*m],twist [rad]\n").find("no point with a torque"),
+            std::string::npos);
   const std::string head = "torque [N*m];twist [rad]\n";
   for (const auto& [text, sentence] : std::map<std::string, std::string>{
            {head + "1\n", "bench.csv:2:2: has too few columns: twist is the column 2"},

@@ -359,9 +359,8 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
     std::function<void(Lines&)> besides;
   };
   const std::vector<Table> tables = {
-      {"[wave_generator.displacements]", "one source of the radial stiffness too many",
-       no_stiffness},
-      {"[wave_generator.bearing]", "one source of the radial stiffness too many", bearing_alone},
+      {"[wave_generator.displacements]", "a second source of the radial stiffness", no_stiffness},
+      {"[wave_generator.bearing]", "a second source of the radial stiffness", bearing_alone},
       {"[wave_generator.bearing.outer_ring]", "wave_generator.bearing.ball_diameter: must be given",
        with_bearing},
       {"[[wave_generator.crack]] edge", "is read only with stress_driver = \"given\"",

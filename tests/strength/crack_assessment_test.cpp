@@ -558,7 +558,7 @@ TEST(Assembly, LimitBeyondYieldIsNotAnswered) {
   EXPECT_EQ(strength.states.at(0).verdict, Verdict::acceptable);
   EXPECT_EQ(strength.states.at(1).verdict, Verdict::cannot_tell);
   EXPECT_EQ(strength.verdict, Verdict::cannot_tell);
-  EXPECT_TRUE(mentions(strength.sentence, "beyond the yield strength")) << strength.sentence;
+  EXPECT_TRUE(mentions(strength.sentence, "exceeds the yield strength")) << strength.sentence;
 }
 
 TEST(Assembly, LimitFractureByAssemblyAloneHasNoReserve) {

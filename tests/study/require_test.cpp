@@ -114,14 +114,14 @@ TEST(Require, BehaviourTheNoteSaysThatWhatIsLeftOutActsToOneSide) {
     const StiffnessResult result = evaluate(gear, Method::corrected);
     const std::string text = bound(output, "<=", share * output_named(result, output)->value);
     const Note note = require_outputs(result, {text}, 1.0).notes.at(0);
-    return note.text.find("to both sides alike") != std::string::npos && note.equation == "ST-18";
+    return note.text.find("equally to both sides") != std::string::npos && note.equation == "ST-18";
   };
   const GearSet gear = test::article_gear();
   EXPECT_TRUE(says(gear, "intact.stiffness", 1.1));
   EXPECT_TRUE(says(gear, "intact.compliance.total", 1.1));
   // People read it below the table.
   EXPECT_NE(
-      requirements_text(asked({"intact.stiffness <= 7e5 N*m/rad"})).find("to both sides alike"),
+      requirements_text(asked({"intact.stiffness <= 7e5 N*m/rad"})).find("equally to both sides"),
       std::string::npos);
   // Neither what is not met, nor a member, nor a sum that leaves out nothing.
   EXPECT_FALSE(says(gear, "intact.stiffness", 0.001));
