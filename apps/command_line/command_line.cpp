@@ -148,7 +148,8 @@ ExitCode parse_and_run(const Program& program, std::span<const std::string> word
 }  // namespace
 
 int run_command_line(const Program& program, std::span<const std::string> words) {
-  // A file that grows beyond the limit of the shell is a fault like a full disk, no end by signal.
+  // Ignore this signal, so that a file that grows beyond the limit of the shell is a fault like a
+  // full disk.
   (void)std::signal(SIGXFSZ, SIG_IGN);
   const Ranks& ranks = program.ranks != nullptr ? *program.ranks : kAlone;
   // All ranks end with a single message, that of the first rank with a complaint.

@@ -49,7 +49,7 @@ void require_that_it_ends(const std::string& file) {
                      "file, or - for standard input");
 }
 
-/// Runs `write`, whose faults are those of an output.
+/// Runs `write` and reports its faults as faults of an output.
 template <class Write>
 void as_output(const Write& write) {
   try {

@@ -55,7 +55,7 @@ void deliver(const std::vector<OutputFile>& files, const std::string& folder, co
 /// A journal in a file.  If the file cannot be written, `begin` and `append` throw UnwritableError.
 class FileJournal : public Journal {
  public:
-  /// @throws UnwritableError  it could not be read back: a device, a pipe, a folder
+  /// @throws UnwritableError  if it could not be read back, such as a device, a pipe or a folder
   explicit FileJournal(std::string path);
 
   [[nodiscard]] std::string name() const override { return path_; }

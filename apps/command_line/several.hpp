@@ -12,11 +12,11 @@
 
 namespace strainwave::cli {
 
-/// What a command answered for one of several files.
+/// The answer of a command for one of several files.
 struct FileAnswer {
   std::string file;
   std::optional<Answer> answer;
-  std::string fault;  ///< why there is no answer, or why it may not be used; empty: it may
+  std::string fault;  ///< the reason why there is no usable answer; empty if the answer may be used
   ExitCode code = kOk;
 };
 

@@ -10,15 +10,16 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
 
-// The tables that spreadsheets write: with or without a byte order mark, any line end, cells
-// between commas, semicolons or tabs, in quotes or not, numbers with a point or a comma.
+// Reads the tables that spreadsheets write: with or without a byte order mark, with any line end,
+// cells between commas, semicolons or tabs, with or without quotes, and numbers with a point or a
+// comma.
 
 namespace strainwave {
 namespace {
 
 struct Cell {
   std::string text;
-  std::size_t column = 0;  // of its first byte in the line, from 1
+  std::size_t column = 0;  // column of its first byte in the line, from 1
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -28,7 +29,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
-/// Takes a line off a text, with its end: \n, \r\n or \r.
+/// Removes the first line of a text with its end (\n, \r\n or \r), and returns the line.
 std::string_view take_line(std::string_view& text) {
   const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
   const std::string_view line = text.substr(0, end);
@@ -65,7 +66,7 @@ std::vector<Cell> cells_of(std::string_view line, char separator, TextPlace plac
   return cells;
 }
 
-/// The separator that a line of names uses: what stands outside of its quotes.
+/// The separator that a line of names uses outside its quotes.
 char separator_of(std::string_view line) {
   bool quoted = false;
   bool semicolon = false;
@@ -121,7 +122,7 @@ class CurveReader {
       return read_names(cells_of(line, *separator_, place_));
     }
     const std::vector<Cell> cells = cells_of(line, *separator_, place_);
-    // Spreadsheets write empty rows as separators alone.
+    // Spreadsheets write an empty row as a line of separators.
     if (std::ranges::all_of(cells, [](const Cell& cell) { return cell.text.empty(); })) return;
     const double torque = number(cells, torque_, line.size());
     const double twist = number(cells, twist_, line.size());
@@ -198,7 +199,7 @@ class CurveReader {
   std::optional<char> separator_;
   Column torque_{.name = "torque", .si = "N*m", .usual = "N*m"};
   Column twist_{.name = "twist", .si = "rad", .usual = "arcmin"};
-  std::array<std::size_t, 2> decimal_line_ = {};  // where a point, and a comma, was seen
+  std::array<std::size_t, 2> decimal_line_ = {};  // lines in which a point and a comma were seen
   std::vector<MeasuredPoint> points_;
 };
 

@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::string_view kEnvelope = "strainwave-result/1";
 
-/// The unit of "PATH=FROM..TO:N" or "OUTPUT >= VALUE"; asks for nothing where there is none.  What
+/// Asks for the unit of "PATH=FROM..TO:N" or "OUTPUT >= VALUE", if the text has a unit.  What
 /// is wrong with the text, the command says.
 void ask_as_typed(AskedUnits& units, std::string_view text) {
   const std::size_t sign = text.find_first_of("<>");

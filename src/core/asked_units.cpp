@@ -22,7 +22,7 @@ Unit unit_of(std::string_view text) {
   }
 }
 
-/// The unit that a text of a result names; nothing where it names none.
+/// The unit that a text of a result names; absent if the text names no unit.
 std::optional<Unit> unit_if_any(std::string_view text) {
   try {
     return parse_unit(text);

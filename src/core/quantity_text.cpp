@@ -289,8 +289,8 @@ double parse_quantity(std::string_view field, std::string_view text, std::string
 
 namespace {
 
-/// A number in plain digits, or in those of an exponent where it is far from 1.
-/// @param text  a number as number_length knows it, such as "0.0102e3"
+/// A number in plain digits, or with an exponent if it is far from 1.
+/// @param text  a number in the form that number_length accepts, such as "0.0102e3"
 std::string plain_digits(std::string_view text) {
   const std::size_t e = std::min(text.find('e'), text.size());
   int exponent = 0;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kNoise = 1e-12;  // rounding noise; elasticities are of the order of one
 
-/// The outputs of one kind: they stand in a table of their own.
+/// The outputs of one kind, which share a table.
 struct Group {
   std::string what;                  ///< "stiffness of the sum"
   std::string symbol;                ///< "K", for the head of a column

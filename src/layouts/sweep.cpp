@@ -92,14 +92,15 @@ std::string subtitle(const SweepResult& result) {
   return text;
 }
 
-/// Whether any point has an output.
+/// Whether any point has a value of this output.
 bool any(const std::vector<double>& values) {
   return std::ranges::any_of(values, [](double value) { return std::isfinite(value); });
 }
 
 constexpr std::array<const char*, 3> kLines = {"K1", "K2", "K3"};
 
-/// K1, K2, K3 of the coupled drive, and what cracks change in them; none where it is not solved.
+/// Panels of K1, K2, K3 of the coupled drive and of their changes by cracks; empty if it is not
+/// solved.
 std::vector<PlotPanel> coupled_panels(const SweepResult& result, const SweepTable& table,
                                       const std::string& title) {
   const std::vector<double> x = table.input(0);
@@ -187,7 +188,7 @@ bool differ(const std::vector<double>& one, const std::vector<double>& other) {
   return difference > 0.005 * largest;  // visible
 }
 
-/// One output over both numbers.
+/// A contour panel of one output over both numbers.
 ContourPanel panel_over_two(const SweepResult& result, const SweepTable& table,
                             const std::string& output) {
   ContourPanel panel{.title = {},

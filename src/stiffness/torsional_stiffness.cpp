@@ -95,20 +95,22 @@ CrackedDrive cracked_drive(const Members& intact, const Members& added, double t
   return drive;
 }
 
-/// From here on a change is said as a multiple [-].
+/// From this change on, the text gives a multiple [-].
 constexpr double kManifold = 9.0;
-/// What the sum of the members leaves out, over the quantities of the sum (ST-18): how far those of
-/// the drive may lie from them.
+/// The largest distances of the drive's quantities from those of the sum, relative to the sum
+/// (ST-18), because of what the sum leaves out.
 struct LeftOut {
   double compliance = 0.0;
   double stiffness = 0.0;
   double wind_up = 0.0;
-  std::optional<double> change = 0.0;  ///< absent if nobody can state it
+  std::optional<double> change = 0.0;  ///< absent if it cannot be stated
 };
 
-/// From the ground of catalogues: a share of the compliance of the members that the mesh connects.
+/// The distances estimated from catalogues, as a multiple of the compliance of the members that the
+/// mesh connects.
 LeftOut left_out_of(const GearSet& gear, const Members& intact, const Quantity& compliance) {
-  if (!gear.wave_generator || !gear.flexspline) return {};  // no mesh between them
+  if (!gear.wave_generator || !gear.flexspline)
+    return {};  // without both members, there is no mesh
   const double left =
       accuracy::kContactsLeftOut * (intact.wave_generator.value() + intact.flexspline.value());
   const double of_drive = left / (compliance.value + left);
@@ -118,7 +120,7 @@ LeftOut left_out_of(const GearSet& gear, const Members& intact, const Quantity& 
           .change = of_drive};  // (ST-18)
 }
 
-/// From the coupled drive itself.
+/// The distances to the coupled drive.
 LeftOut left_out_of(const CurveStiffness& coupled, const Quantity& compliance,
                     const Quantity& wind_up) {
   LeftOut left;
@@ -158,7 +160,7 @@ void widen(Drive& drive, const LeftOut& left_out) {
     widen(drive.stiffness_change, left_out.change);
 }
 
-/// Makes the accuracies of the sum contain what it leaves out, and says so.
+/// Adds the uncertainty of what the sum leaves out to the accuracies of the sum, with a note.
 void contain_left_out(StiffnessResult& result, const GearSet& gear, const Members& intact,
                       const CurveResult* coupled) {
   const auto of = [&](const auto& drive, auto curve) {

@@ -22,7 +22,7 @@ struct Estimate {
 };
 
 /// Radial compliance of one lobe by Hertz contacts, C_0 [m/N].
-/// @param left_out  severity of what the coupled drive contains and this sum leaves out
+/// @param left_out  severity of notes on effects that only the coupled drive contains
 Estimate hertz_compliance(const GearSet& gear, const SeriesModel<double>& model,
                           MemberCompliance& member, Severity left_out) {
   use_equations(member.equations, {"ST-9", "CO-1", "CO-2", "CO-3", "CO-4"});

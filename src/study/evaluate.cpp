@@ -140,7 +140,7 @@ StiffnessResult evaluate(const GearSet& gear, Method method, const EvaluationOpt
   StiffnessResult result =
       torsional_stiffness(gear, {.coupled = coupled.curve ? &*coupled.curve : nullptr});
   result.curve = std::move(coupled.curve);
-  // What limits the answer comes first.
+  // Put the notes that limit the answer first.
   for (Note& note : result.notes)
     if (std::ranges::find(coupled.notes, note) == coupled.notes.end())
       coupled.notes.push_back(std::move(note));

@@ -183,7 +183,7 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
   for (std::size_t y = 0; y < sensitivity.outputs.size(); ++y) {
     const SensitivityOutput& of = sensitivity.outputs[y];
     const auto name = std::ranges::find(kNames, of.name);
-    if (name == kNames.end()) {  // of the coupled drive, which is not drawn
+    if (name == kNames.end()) {  // an output of the coupled drive, which the draws do not solve
       coupled = true;
       continue;
     }

@@ -238,7 +238,7 @@ double slope_at(Probe& probe, const Sample& at) {
   return (b.y - a.y) / (b.x - a.x);
 }
 
-/// From here on an accuracy to first order says nothing of where the value is [-].
+/// From this value on, an accuracy to first order has no meaning [-].
 constexpr double kMostAccuracy = 1.0;
 
 Solution solution_at(Probe& probe, const Sample& at, SolveResult& problem) {

@@ -57,7 +57,7 @@ void gather_notes(std::vector<SweepNote>& gathered, const std::vector<Note>& not
   }
 }
 
-/// A value without the digits of rounding, which nobody asked for: 0.0102, not
+/// Rounds a value so that it has no digits from rounding errors, such as 0.0102 instead of
 /// 0.010199999999999999.
 double short_value(const Variation& variation, int i) {
   const double exact = variation.value(i);

@@ -37,7 +37,7 @@ struct Missing {
   std::string what;
 };
 
-/// Everything that is missing for the coupled drive, in the order of the file.
+/// All fields that are missing for the coupled drive, in the order of the file.
 std::vector<Missing> missing(const GearSet& gear) {
   std::vector<Missing> fields;
   const auto need = [&](bool given, const char* field, const char* what) {

@@ -61,8 +61,8 @@ struct BasicRingHinge {
   using Ring = HingedRing;
   Ring ring = Ring::rim;
   Real position{};   // theta_c
-  Real length{};     // l, over which the crack softens the ring [m]
-  Real softening{};  // alpha, bending stiffness lost times length (TC-22) [N*m^3]
+  Real length{};     // length l over which the crack softens the ring [m]
+  Real softening{};  // alpha, lost bending stiffness times length (TC-22) [N*m^3]
 };
 template <class Real>
 struct BasicSoftTooth {

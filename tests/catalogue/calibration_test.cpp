@@ -103,7 +103,7 @@ TEST(Calibration, IdentityCatalogueStiffnessIsOfTheComponentSet) {
   gear.output_shaft = shaft;
   gear.flexspline->flange_compliance = 1e-6;
   gear.flexspline->crack.push_back(WallThroughCrack{.half_length = 2e-3});
-  // What the drive says of numbers of the customer's parts stays in the drive, too.
+  // Ranges and scatters of the customer's parts stay in the drive too.
   for (const auto& [path, lower, upper] :
        {std::array{"output_shaft.length", "30 mm", "50 mm"},
         std::array{"flexspline.flange_compliance", "0.5e-6 rad/(N*m)", "2e-6 rad/(N*m)"},
@@ -179,8 +179,8 @@ TEST(MeasuredCurve, CrosscheckCalibratesBothSenses) {
   test::expect_relative(c.factors[0].value, 0.8, 1e-3);  // where the fit stops
 }
 
-// A bench writes thousands of points; the drive is solved at some of them.  The answer is that of
-// the points themselves, within a tenth of the uncertainty of a measured value, 1 %.
+// A test bench records thousands of points, and the drive is solved at some of them. The answer
+// agrees with that of all points within a tenth of the uncertainty of a measured value, 1 %.
 TEST(MeasuredCurve, CrosscheckManyPointsAreFittedAsFew) {
   const GearSet gear = typical_drive_of_size(25, 100);
   const CoupledOptions coarse{.harmonics = 8};

@@ -541,7 +541,7 @@ TEST_F(Program, BehaviourAuditPrintsItsRowsInAllForms) {
   EXPECT_NE(run("audit --format markdown").out.find('|'), std::string::npos);
 }
 
-// Every number of every crack may have a range and a scatter, whatever is asked of the drive.
+// Every number of every crack may have a range and a scatter, for every command.
 TEST_F(Program, BehaviourWhatIsSaidOfCracksStopsNoCommand) {
   const std::string text = contents(STRAINWAVE_EXAMPLES "/cracked_size25.toml");
   std::string said;

@@ -188,7 +188,7 @@ TEST(GearReader, CrosscheckTheTextIsTheDriveBuiltInCode) {
 }
 
 TEST(GearReader, BehaviourValuesArriveInSiExactly) {
-  // A prefix moves the decimal point: the value is the double nearest to the decimal number.
+  // A prefix moves the decimal point, so the value is the double nearest to the decimal number.
   const GearSet gear = read_gear_set(kArticle, "gear.toml");
   EXPECT_EQ(gear.drive.pitch_diameter, 0.16);
   EXPECT_EQ(gear.drive.radial_displacement, 0.0008);
@@ -481,12 +481,14 @@ TEST(GearReader, BehaviourATableCompletesARecordOfTheLibrary) {
   EXPECT_EQ(steel.fracture_toughness, 90e6);
   EXPECT_NE(steel.origin.find("own: fracture_toughness 90 MPa*m^0.5"), std::string::npos)
       << steel.origin;
-  // Sweep and solve may set a number that the library gives; it is the file's own then.
+  // Sweep and solve may set a number that the library gives; the number then counts as the file's
+  // own.
   GearSet swept = gear;
   set_number(swept, "material.steel.yield_strength", 1e9);
   EXPECT_EQ(std::ranges::count(swept.material.at("steel").from_library, "yield_strength"), 0);
   EXPECT_EQ(std::ranges::count(steel.from_library, "yield_strength"), 1);
-  // Faults: no such steel, a contradiction between the file's number and the library's.
+  // The faults are an unknown steel and a contradiction between numbers of the file and of the
+  // library.
   EXPECT_EQ(
       refusal(with(whole, "[material.steel]\nbased_on = \"40CrNiMoA\"\n")),
       "gear.toml:5:12: material.steel.based_on: \"40CrNiMoA\" is not in the material library; "

@@ -679,7 +679,7 @@ TEST(InputSchema, BehaviourTypesRangesAndDefaults) {
       });
 }
 
-/// Whether the reader takes a text for a quantity of a field, alone.
+/// Whether the reader accepts a text as a quantity of a field, without regard to other fields.
 bool reader_takes(const Field& field, const std::string& text) {
   try {
     return field.range.contains(parse_quantity("field", text, field.unit));

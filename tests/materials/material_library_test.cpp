@@ -681,7 +681,7 @@ TEST(AsMaterial, BehaviourARecordCompletedByOwnNumbers) {
       "1000 MPa (standard); own values: fracture_toughness 75 MPa*m^0.5; these values are "
       "unverified, so check them before you base a decision on it: Poisson's ratio");
   EXPECT_TRUE(a.in_file());
-  // A number of its own takes the doubt about the library's away.
+  // An own number removes the doubt about the number of the library.
   own.poissons_ratio = 0.3;
   EXPECT_TRUE(completed(own, library.material[0]).verified);
   EXPECT_FALSE(as_material(library.material[0]).in_file());

@@ -119,7 +119,7 @@ TEST(Solve, IdentityUncertaintyIsCarriedOver) {
 }
 
 TEST(Solve, BehaviourNoAccuracyAboveAHundredPercent) {
-  // The stiffness is uncertain by more than the crack changes it.
+  // The uncertainty of the stiffness exceeds its change by the crack.
   const SolveResult result =
       solved(test::article_gear(), "output_shaft.crack[0].depth=0.1 mm..8 mm",
              "cracked.positive.stiffness=6e5 N*m/rad");
@@ -139,7 +139,7 @@ TEST(Solve, BehaviourNoAccuracyAboveAHundredPercent) {
   const std::string text = solve_text(result);
   EXPECT_NE(text.find("the accuracy of this solution cannot be told"), std::string::npos) << text;
   EXPECT_EQ(text.find("depth = 5.18 mm (accuracy"), std::string::npos) << text;
-  // One that the crack alone determines keeps its accuracy, and has no such note.
+  // An output that the crack alone determines keeps its accuracy and has no such note.
   EXPECT_EQ(test::count_notes(
                 evidence_of(solved(solid_shaft(), "output_shaft.crack[0].depth=1 um..100 um",
                                    "output_shaft.crack[0].added_compliance.positive.at_output="
@@ -345,7 +345,7 @@ TEST(Solve, InputEveryRuleOfTheFunctionItself) {
 }
 
 TEST(Solve, BehaviourARangeEndsWhereTheCrackNoLongerFits) {
-  // 0.1 mm deep in a ring 20 mm wide: the crack is as long as the ring is wide at a/c = 0.01.
+  // A crack 0.1 mm deep in a ring 20 mm wide is as long as the ring is wide at a/c = 0.01.
   GearSet gear = test::article_gear();
   gear.wave_generator->inner_ring_width = 0.02;
   const SolveResult result = solved(gear, "wave_generator.crack[0].aspect_ratio",
@@ -393,7 +393,7 @@ TEST(Solve, CrosscheckATargetOfTheCoupledDrive) {
       parse_target(thin, Method::corrected, fmt::format("curve.intact.K2={:.17g} N*m/rad", K2)),
       {.n_scan = 7});
   ASSERT_EQ(found.solutions.size(), 1U) << found.reason;
-  // The value that the file has gives this stiffness; the curve is solved to 1e-11.
+  // The value in the file gives this stiffness; the curve is solved to 1e-11.
   EXPECT_NEAR(found.solutions[0].value.value, gear.mesh->gap_factor, 1e-7);
   EXPECT_TRUE(found.solutions[0].result.curve);
 }

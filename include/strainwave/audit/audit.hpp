@@ -19,7 +19,7 @@ enum class AuditVerdict {
   physics,           ///< the equation is wrong for all numbers
   not_reproducible,  ///< nothing printed leads to the number
   ambiguous,         ///< the text has more than one meaning
-  input,             ///< the article takes it from elsewhere; there is nothing to reproduce
+  input,  ///< the article takes the number from elsewhere, so there is nothing to reproduce
 };
 template <>
 struct EnumNames<AuditVerdict> {

@@ -74,8 +74,8 @@ struct Host {
   /// Texts, tables and JSON have these units.  Texts and tables have first of all the units that
   /// options name: a target "x=1 mm" is answered in mm.
   AskedUnits units = {};
-  std::vector<std::string> columns = {};  ///< of CSV tables, by name; empty: all
-  /// The attachments of a drive that an option names; of its name.
+  std::vector<std::string> columns = {};  ///< columns of CSV tables, by name; empty means all
+  /// Returns the attachments of a drive that an option names, for its name.
   std::function<Attachments(const std::string& name)> beside = [](const std::string&) {
     return Attachments();
   };

@@ -44,7 +44,7 @@ struct EnumNames<MaterialUse> {
 struct Evidence {
   std::string source;  ///< key of the list of sources
   Confidence confidence = Confidence::unverified;
-  /// One standard deviation over the value [-]; > 0.  Absent if nobody states it.
+  /// One standard deviation over the value [-]; > 0.  Absent if no source states it.
   std::optional<double> scatter;
   std::string remark;  ///< statement that contradicts or limits the number; may be empty
 

@@ -138,9 +138,10 @@ struct ModeAccuracy {
   std::string_view of;                ///< "K", "K_I", or "K_II and K_III"
   double relative_uncertainty = 0.0;  ///< [-]
 };
-/// Of all modes that a solution gives.
+/// The accuracy of all modes for which a solution gives K.
 [[nodiscard]] std::vector<ModeAccuracy> mode_accuracies(const SolutionInfo& info);
-/// Of the modes that the loads of an evaluation make; of any load, if none is given.
+/// The accuracy of the modes that the loads of an evaluation cause; if no load is given, of the
+/// modes of any load.
 [[nodiscard]] std::vector<ModeAccuracy> mode_accuracies(const Evaluation& evaluation);
 
 /// Number of points at which a front is scanned for its largest stress intensity.

@@ -65,7 +65,7 @@ struct SolutionInfo {
   std::optional<double> shear_uncertainty = {};
   std::string_view accuracy;  ///< comparisons made and their results
   Constraint constraint = Constraint::plane_strain;
-  /// sigma of Y = K/(sigma sqrt(pi a)): a stress of the uncracked body, and where.
+  /// sigma in Y = K/(sigma sqrt(pi a)): the name of a stress of the uncracked body and its place.
   std::string_view reference_stress = "the load itself";
 
   template <class Visitor>
@@ -129,8 +129,8 @@ struct FrontPoint {
 ///   - `validity(range)` calls `range(inside, text)` for each limit of the range in which the
 ///     stated accuracy holds;
 ///   - `gross_stress(load)`: nominal stress of the uncracked section per unit of a load, which
-///     makes K dimensionless, Y = K/(sigma sqrt(pi a)) [1 for a stress; 1/m^2, 1/m^3].  Where it is
-///     that at the front, `gross_stress(load, a)` is that at the size a.
+///     makes K dimensionless, Y = K/(sigma sqrt(pi a)) [1 for a stress; 1/m^2, 1/m^3].  If Y refers
+///     to the stress at the front, `gross_stress(load, a)` is the stress at the size a.
 template <class S>
 concept Solution = SweptCrack<S> && Described<S> && requires(const S& s, std::size_t load) {
   { S::kInfo } -> std::convertible_to<const SolutionInfo&>;

@@ -46,7 +46,8 @@ inline constexpr ModelAccuracy kSurfaceCrack{
     0.10, "Newman and Raju: 5 % of K against finite elements, so 10 % of the compliance"};
 inline constexpr ModelAccuracy kSurfaceCrackDeep{
     0.16, "Newman and Raju beyond a/t = 0.7: 8 % of K against finite elements in a tube"};
-/// Of a crack longer than half of the ring's width, whose width factor f_w gives f_w^2 - 1.
+/// Uncertainty f_w^2 - 1 of a crack longer than half of the ring's width, from its width factor
+/// f_w.
 inline constexpr std::string_view kBeyondWidthRange =
     "width factor f_w beyond c/b = 0.5: f_w^2 - 1 of the compliance";
 inline constexpr ModelAccuracy kSurfaceCrackShear{
@@ -59,7 +60,7 @@ inline constexpr ModelAccuracy kThroughCrack{
     0.02, "curved wall, open: within 1.1 % of finite elements, r/t 20 to 60"};
 inline constexpr ModelAccuracy kThroughCrackLong{
     0.03, "curved wall at a shell parameter of 2 to 4, open: within 1.3 % of finite elements"};
-/// To be multiplied by (2a/L)^2.
+/// The code multiplies this value by (2a/L)^2.
 inline constexpr ModelAccuracy kThroughCrackBetweenJoints{
     0.16,
     "ends left out: half-way between rim and diaphragm, finite elements are softer by a term in "

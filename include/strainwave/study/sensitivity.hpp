@@ -25,8 +25,9 @@ struct SensitivityOutput {
   /// zero up to rounding unless a number was read without its derivative.
   double length_residual = 0.0;
   double force_residual = 0.0;
-  /// Elasticity to constants of the model that are pressures, which (SN-6) counts: the maker's
-  /// torques by convention, (TC-14).  Not part of documents.
+  /// Elasticity with respect to constants of the model that are pressures, which (SN-6) includes:
+  /// the constants of the maker's torques by convention, (TC-14).  Documents do not contain this
+  /// number.
   double of_pressures = 0.0;
 
   template <class Visitor>
@@ -74,8 +75,8 @@ struct SensitivityInput {
   }
 };
 
-/// Exact first derivatives at one drive: of the sum of the members, and of the coupled drive where
-/// it is solved.
+/// Exact first derivatives at one drive: those of the sum of the members and, if it is solved,
+/// those of the coupled drive.
 struct Sensitivity {
   /// Stiffness of the sum, sound and cracked under both senses of torque; its losses that are not
   /// zero; then K1, K2, K3 of the coupled drive, sound, and cracked if there are cracks.

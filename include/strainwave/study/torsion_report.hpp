@@ -56,10 +56,11 @@ struct LineBands {
   }
 };
 
-/// Twist at the torque of the file's load, in size.
+/// Magnitude of the twist at the torque of the file's load.
 struct TwistAtLoad {
   double torque = 0.0;             ///< in size [N*m]
-  std::optional<double> positive;  ///< under torque about +z [rad]; absent if it is not reached
+  std::optional<double> positive;  ///< twist under torque about +z [rad]; absent if the drive does
+                                   ///< not reach the torque
   std::optional<double> negative;  ///< [rad]
 
   template <class Visitor>

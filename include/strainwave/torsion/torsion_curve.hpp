@@ -161,7 +161,8 @@ struct TorsionCurve {
 /// 20 % for ratios of 50 and more.  At ratio 30 the model is too stiff by a factor of up to 2.2
 /// (theory manual, chapter CV).
 ///
-/// @param torques  T at the output [N*m], finite; each is solved starting from the state before it,
+/// @param torques  torque T at the output [N*m], finite; each is solved starting from the state
+///                 before it,
 ///                 the first from the assembly
 /// @throws InputError  if a torque is not finite
 /// @throws Stopped     if the caller requests a stop
@@ -185,13 +186,13 @@ struct TorsionCurve {
 
 /// The twist at one torque [rad]; absent, with one note `curve.no_wind_up`, if the drive does not
 /// reach it.
-/// @param torque  T at the output [N*m], finite
+/// @param torque  torque T at the output [N*m], finite
 [[nodiscard]] std::optional<double> reached_twist(const AssembledDrive& drive, double torque,
                                                   std::vector<Note>& notes);
 
 /// Displacements of the rim and its stresses at the line of the tooth roots, at one torque.
 struct RimState {
-  double position = 0.0;            ///< from the major axis [rad]
+  double position = 0.0;            ///< angle from the major axis [rad]
   double radial = 0.0;              ///< w, outward [m]
   double tangential = 0.0;          ///< v, toward +theta [m]
   double rim_outside_stress = 0.0;  ///< hoop stress at the tooth roots [Pa]
@@ -222,7 +223,7 @@ struct RimState {
 /// Implements theory manual eq. (TC-24).  Ring theory leaves out stress concentrations at tooth
 /// roots and fillets.
 ///
-/// @param torque     T at the output [N*m], finite
+/// @param torque     torque T at the output [N*m], finite
 /// @param positions  number of positions, evenly over a turn; > 0
 /// @throws SolverError  if there is no equilibrium
 [[nodiscard]] std::vector<RimState> rim_states(const AssembledDrive& drive, double torque,

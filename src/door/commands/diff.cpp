@@ -71,7 +71,7 @@ struct Side {
   Outputs outputs;
   std::vector<std::string> order;  // of the outputs
   double left_out = 0.0;           // lambda_l over the sound sum (ST-18)
-  Inputs tables;  // contents of tables of compliances by path of the field; a result has none
+  Inputs tables;  // contents of the tables of compliances, by path of the field; empty for a result
 };
 
 constexpr std::string_view kTableField = ".compliance_table";
@@ -197,7 +197,7 @@ struct Difference {
   std::vector<InputDifference> inputs;
   std::vector<OutputDifference> outputs;   ///< beyond the uncertainty of their difference
   std::vector<OutputDifference> within;    ///< others that differ
-  std::vector<OutputDifference> unstated;  ///< that differ without a stated uncertainty
+  std::vector<OutputDifference> unstated;  ///< outputs that differ without a stated uncertainty
   std::vector<std::string> only_first;
   std::vector<std::string> only_second;
   std::size_t equal = 0;
@@ -215,8 +215,9 @@ struct Difference {
     field({"outputs", "", "outputs that differ by more than the uncertainty of their difference"},
           &D::outputs);
     field({"within_uncertainty", "", "outputs that differ by less"}, &D::within);
-    field({"uncertainty_not_stated", "", "outputs that differ without a stated uncertainty"},
-          &D::unstated);
+    field(
+        {"uncertainty_not_stated", "", "outputs outputs that differ without a stated uncertainty"},
+        &D::unstated);
     field({"only_first", "", "outputs that exist only in the first"}, &D::only_first);
     field({"only_second", "", "outputs that exist only in the second"}, &D::only_second);
     field({"equal", "", "number of outputs that are the same"}, &D::equal);
@@ -338,10 +339,12 @@ std::optional<double> part_uncertainty(const Side& side, const std::string& path
   return found != side.outputs.end() ? found->second.relative_uncertainty : std::nullopt;
 }
 
-/// What an output of the sum is in the drive, with what the sum leaves out (ST-18).
+/// The values of an output of the sum in the coupled drive, which contains what the sum leaves out
+/// (ST-18).
 struct InDrive {
-  bool coupled = false;        ///< from the coupled drive
-  std::vector<double> values;  ///< at K1, K2, K3, or one; none of any other output
+  bool coupled = false;  ///< from the coupled drive
+  std::vector<double>
+      values;  ///< values at K1, K2, K3, or a single value; empty for all other outputs
 };
 
 InDrive in_drive(const Side& side, const std::string& path) {
@@ -377,7 +380,7 @@ InDrive in_drive(const Side& side, const std::string& path) {
   return {};
 }
 
-/// What the sums leave out, in second - first: u_l of (ST-19).
+/// Uncertainty u_l of the difference, second minus first, from what the sums leave out (ST-19).
 double left_out_of(const Side& first, const Side& second, const std::string& path,
                    const SameParts& same) {
   const InDrive a = in_drive(first, path);
@@ -456,7 +459,7 @@ std::vector<InputDifference> differing_inputs(const Side& first, const Side& sec
   return differing;
 }
 
-/// The fields of tables whose contents a side does not have: nobody can tell whether they differ.
+/// The fields of tables whose contents are missing on one side, so that a comparison is impossible.
 std::vector<InputDifference> unknown_tables(const Side& first, const Side& second) {
   std::vector<InputDifference> unknown;
   for (const Side* const side : {&first, &second})
@@ -527,7 +530,7 @@ Difference difference(const Request& request, const DiffOptions& options) {
   return difference;
 }
 
-/// An input in the unit for people: "0.1 mm" for "0.0001 m".
+/// An input in its display unit, such as "0.1 mm" for "0.0001 m".
 std::string shown_input(const std::string& path, const std::string& text) {
   if (text.empty()) return "-";
   const std::size_t length = number_length(text);
@@ -536,7 +539,8 @@ std::string shown_input(const std::string& path, const std::string& text) {
   return shown_quantity(*value, text.substr(length + 1), 9, path);
 }
 
-/// The drives' parts that outputs belong to, such as cracks; an output of none as it is.
+/// The parts of the drives to which outputs belong, such as cracks; an output that belongs to no
+/// part stays unchanged.
 std::set<std::string> parts_with(const std::vector<std::string>& paths) {
   std::set<std::string> parts;
   for (const std::string& path : paths) {
@@ -574,7 +578,7 @@ std::string difference_text(const Difference& difference) {
   };
   list("Outputs that differ by more than the uncertainty of their difference", difference.outputs);
   if (!difference.unstated.empty())
-    list("Outputs that differ without a stated uncertainty", difference.unstated);
+    list("Outputs outputs that differ without a stated uncertainty", difference.unstated);
   const auto only = [&](std::string_view which, const std::vector<std::string>& paths) {
     if (!paths.empty())
       text += paragraph(fmt::format("{} {} only in the {}: {}", counted(paths.size(), "output"),

@@ -61,7 +61,7 @@ struct Explained {
   }
 };
 
-/// Gathers meanings of a word, and the words near to one that has none.
+/// Collects the meanings of a word or, for an unknown word, the nearest known words.
 class Search {
  public:
   explicit Search(std::string_view word) : word_(word) {}
@@ -97,7 +97,7 @@ class Search {
 
   [[nodiscard]] std::string_view word() const { return word_; }
 
-  /// @throws OptionError  nothing has this name
+  /// @throws OptionError  if nothing has this name
   Explained explained() && {
     if (meanings_.empty()) {
       const std::string near = nearest_word(word_, known_);
@@ -118,7 +118,7 @@ class Search {
   std::vector<Meaning> meanings_;
 };
 
-/// The text of a note with dots for what a run puts in.
+/// The text of a note with dots in place of the values of a run.
 std::string without_places(std::string_view text) {
   std::string shown;
   while (!text.empty()) {

@@ -26,7 +26,8 @@ struct UnitRow {
   bool prefixed = false;  ///< it takes prefixes
   double factor = 0.0;    ///< value in SI of one of this unit
   std::string si;         ///< unit of the factor
-  std::string written;    ///< a field of the input that takes the unit; empty: none by itself
+  std::string written;    ///< a field of the input that takes the unit; empty if no field takes the
+                          ///< unit alone
 
   static constexpr bool kTableRow = true;
   template <class Visitor>

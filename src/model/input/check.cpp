@@ -84,9 +84,9 @@ void check_race_crack(const FieldPath& at, const GearSet& gear, const Crack& cra
                      "is read only with stress_driver = \"orthogonal_shear\"");
 }
 
-/// A crack of the inner ring lies across the hoop stress that opens it: its length runs along the
-/// axis of the drive, over the width of the ring.  A ring without a width is at least no wider than
-/// its circumference.
+/// A crack of the inner ring lies across the hoop stress that opens it, so its length runs along
+/// the axis of the drive, over the width of the ring.  If the file gives no width, assume that the
+/// ring is not wider than its circumference.
 void check_length_in_ring(const FieldPath& at, const GearSet& gear, const RaceSurfaceCrack& crack) {
   const WaveGenerator& wg = *gear.wave_generator;
   const double length = 2 * crack.depth / crack.aspect_ratio;
@@ -255,7 +255,8 @@ void check_cracks(const GearSet& gear, const FieldPath& member, const Cracks& cr
                cracks[i]);
 }
 
-/// Balls fit side by side on the pitch circle, and no more carry a lobe than there are.
+/// Checks that the balls fit side by side on the pitch circle, and that no more balls carry a lobe
+/// than there are.
 void check_balls(const FieldPath& path, const Bearing& bearing) {
   if (!bearing.ball_count) return;
   const int count = *bearing.ball_count;
@@ -493,7 +494,8 @@ void check_output_shaft(const GearSet& gear) {
   check_cracks(gear, path, shaft.crack);
 }
 
-/// Far beyond every drive; beyond it, lengths cannot be told from their sums and differences.
+/// A limit far beyond the size of any drive.  Beyond this limit, sums and differences of lengths
+/// lose their digits.
 constexpr double kLongest = 1e6;  // m
 
 bool too_long(const Field& field, double value) {

@@ -28,7 +28,7 @@ struct EnumNames<CrackFree> {
   static constexpr std::array<std::string_view, 2> names = {"factor", "sections"};
 };
 
-/// What walls and rings are as a rule [m].
+/// The usual thickness of walls and rings [m].
 inline constexpr Range kUsualThickness{.lower = 5e-5, .upper = 0.2};
 
 /// A round tube: rim, barrel or boss of a flexspline.
@@ -154,9 +154,10 @@ template <class Real>
 struct Flexspline {
   std::string material;
   FlexsplineShape shape = FlexsplineShape::cup;
-  /// delta, at the tooth ring [m]; > 0.  `factor` needs it; of `sections` it is that of the rim.
+  /// Wall thickness delta at the tooth ring [m]; > 0. `factor` needs this field; with `sections`
+  /// the rim gives the thickness.
   std::optional<double> wall_thickness = {};
-  /// L [m]; > 0.  `factor` needs it; of `sections` it is that of rim and barrel.
+  /// L [m]; > 0.  `factor` needs this field; with `sections` rim and barrel give the length.
   std::optional<double> length = {};
   CrackFree crack_free = CrackFree::factor;
   /// k of `factor` [-]; absent: 0.83 for a cup, 1 for a cylinder
@@ -175,7 +176,7 @@ struct Flexspline {
   [[nodiscard]] double tube_length() const {
     return crack_free == CrackFree::factor ? *length : (rim ? rim->length : 0.0) + barrel->length;
   }
-  /// Thickness of the wall that the wave generator bends: of the rim, if there is one [m].
+  /// Thickness of the wall that the wave generator bends, which is the rim if there is one [m].
   [[nodiscard]] const double& ring_thickness() const {
     if (crack_free == CrackFree::factor) return *wall_thickness;
     return rim ? rim->wall_thickness : wall_thickness ? *wall_thickness : barrel->wall_thickness;

@@ -228,9 +228,9 @@ void for_each_path_list(Gear& gear, const F& f) {
   f("scatter", gear.scatter);
 }
 
-/// Drops what the lists of for_each_path_list say of numbers that are no longer in the drive, or
-/// that no longer have the value that they had.
-/// @param before  the drive that the lists were written for
+/// Removes the entries of the lists of for_each_path_list whose numbers are no longer in the drive
+/// or have changed their values.
+/// @param before  the drive for which the lists were written
 void drop_lost_paths(GearSet& gear, const GearSet& before);
 
 /// The material that a member names.

@@ -16,7 +16,7 @@ namespace strainwave {
 /// Two of E, G, nu define the material.  All three may be given, because published examples do so.
 /// Formulas then use the given E, G and nu, and a note reports a contradiction.
 struct Material {
-  /// A record of the material library that gives what this table does not.
+  /// A record of the material library that gives the fields that this table leaves out.
   std::optional<std::string> based_on = {};
   double youngs_modulus = 0.0;           ///< E, Young's modulus [Pa]; > 0
   std::optional<double> shear_modulus;   ///< G (mu in the manual), shear modulus [Pa]; > 0

@@ -74,7 +74,7 @@ struct Rating {
 enum class Knowledge {
   catalogue,  ///< a maker's stated value
   typical,    ///< typical of published drives
-  assumed,    ///< assumed, because nobody publishes it
+  assumed,    ///< assumed, because makers do not publish the value
 };
 template <>
 struct EnumNames<Knowledge> {

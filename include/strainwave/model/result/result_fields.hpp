@@ -36,7 +36,7 @@ class OutputWalk : public ValueVisitor {
 
  private:
   struct Level {
-    std::string path;      ///< of the record or list
+    std::string path;      ///< path of the record or list
     std::size_t next = 0;  ///< index of the next element of a list
     bool list = false;
   };
@@ -44,7 +44,7 @@ class OutputWalk : public ValueVisitor {
 
   QuantityReader read_;
   std::string path_;
-  std::string_view name_;  ///< of the last field
+  std::string_view name_;  ///< path of the last field
   std::vector<Level> levels_;
   int columns_ = 0;
 };

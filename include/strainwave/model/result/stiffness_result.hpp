@@ -207,7 +207,7 @@ struct CrackOutputs {
 /// Torsional stiffness of a drive, sound and cracked, by one method, with its evidence.
 struct StiffnessResult {
   Method method = Method::corrected;
-  std::optional<CurveResult> curve;  ///< the answer, where the coupled drive is solved
+  std::optional<CurveResult> curve;  ///< results of the coupled drive, if it is solved
   IntactDrive intact;                ///< sum of the members
   CrackedDrive positive;             ///< sum of the members, torque about +z
   CrackedDrive negative;             ///< sum of the members, torque about -z
