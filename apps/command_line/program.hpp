@@ -39,7 +39,8 @@ struct Program {
 /// The first words of all commands, each once, in the order of the table.
 [[nodiscard]] std::vector<std::string_view> first_words(const Program& program);
 
-/// The commands whose names begin with this word: one, those of a group, or none.
+/// The commands whose names begin with this word: a single command, the commands of a group, or no
+/// command.
 [[nodiscard]] std::vector<const Command*> commands_of(const Program& program,
                                                       std::string_view first_word);
 

@@ -23,7 +23,7 @@ struct FileAnswer {
 /// Whether the answers of a command can stand in one table: its result has a headline.
 [[nodiscard]] bool answers_several(const Command& command);
 
-/// The exit status of a run over several files: that of the worst.
+/// The exit status of a run over several files, which is that of the worst file.
 [[nodiscard]] ExitCode worst_of(std::span<const FileAnswer> answers);
 
 /// One document of several answers, a row for each file.

@@ -89,7 +89,7 @@ double rounded(double value, double unit, std::string_view name, std::string_vie
 
 /// The toothed ring, from which the other dimensions follow.
 struct TypicalRim {
-  double radius = 0.0;     // R, of the mean line [m]
+  double radius = 0.0;     // radius R of the mean line [m]
   double thickness = 0.0;  // t_r [m]
   double width = 0.0;      // b [m]
 };

@@ -378,7 +378,7 @@ std::string tornado_panel_svg(const TornadoPanel& panel, double top) {
   return svg + words((left + right) / 2, lower + 42, "label middle", panel.x_label);
 }
 
-/// What a reader who does not see the panels is told: title and description.
+/// Title and description for readers who cannot see the panels.
 struct Spoken {
   std::string title;
   std::string description;

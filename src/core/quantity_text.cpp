@@ -111,7 +111,7 @@ std::string plainly_written(std::string_view text) {
   return plain;
 }
 
-/// A decimal number times a power of ten, as text: exact.
+/// A decimal number times a power of ten, as exact text.
 /// @param text  a number as number_length knows it
 std::string shifted_text(std::string_view text, int power) {
   const std::size_t e = text.find_first_of("eE");

@@ -106,7 +106,7 @@ Note note_of(const RequirementAnswer& answer, bool left_out) {
 RequirementReport require_outputs(const StiffnessResult& result,
                                   const std::vector<std::string>& texts, double coverage) {
   require(coverage > 0, "coverage", coverage, "1", "> 0");
-  if (texts.empty()) throw InputError(kOption, "must be given: at least one");
+  if (texts.empty()) throw InputError(kOption, "must contain at least one requirement");
   RequirementReport report{.method = result.method,
                            .coverage = coverage,
                            .answers = {},

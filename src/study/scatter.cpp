@@ -156,9 +156,9 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
                    const ScatterOptions& options, const Progress& progress) {
   check(gear);
   if (gear.scatter.empty())
-    throw InputError("scatter",
-                     "must be given: at least one [[scatter]] with path and "
-                     "relative_standard_deviation");
+    throw InputError(
+        "scatter",
+        "must be given; add at least one [[scatter]] with path and relative_standard_deviation");
   require(options.samples >= 2 && options.samples <= kMaxSamples, "--samples", options.samples, "1",
           fmt::format(">= 2 and <= {}", kMaxSamples));
   require(options.threads >= 0, "--threads", options.threads, "1", ">= 0");

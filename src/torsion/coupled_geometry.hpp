@@ -35,7 +35,7 @@ struct BasicCoupledGeometry {
   // barrel and diaphragm
   Real barrel_length{};
   Real barrel_thickness{};
-  Real length{};  // L, from the bottom to the open end
+  Real length{};  // length L from the bottom to the open end
   // bearing
   Real ball_stiffness{};  // K_h, Q = K_h d^1.5
   int balls = 0;

@@ -603,10 +603,10 @@ const std::vector<Wrong> kWrong = {
     {"MissingFormat", "format = \"strainwave-drive/1\"\n", "",
      "1:1: format: must be given (always \"strainwave-drive/1\")"},
     {"MissingNumber", "ratio = 100\n", "",
-     "9:1: drive.ratio: must be given (i_h, with the circular spline fixed)"},
+     "9:1: drive.ratio: must be given (transmission ratio i_h with fixed circular spline)"},
     {"MissingQuantity", "torque = \"100 N*m\"\n", "",
-     "15:1: load.torque: must be given (T at the output, right-handed about +z; both senses are "
-     "computed [N*m])"},
+     "15:1: load.torque: must be given (torque T at the output, right-handed about +z; both senses "
+     "are computed [N*m])"},
     {"MissingQuantityOfACrack", "half_length = \"0.1 mm\"\n", "",
      "43:1: flexspline.crack[0].half_length: must be given (half of the crack's length, a [m])"},
     {"MissingText", "material = \"steel\"\nouter", "outer",

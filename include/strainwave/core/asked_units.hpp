@@ -51,7 +51,7 @@ class AskedUnits {
 
 /// Converts the number of a value from one unit to another, with the shortest digits that read back
 /// exactly.
-/// @param from, to  as `parse_unit` reads them; of one dimension
+/// @param from, to units in the form that `parse_unit` reads; both of the same dimension
 [[nodiscard]] std::string number_in(double value, std::string_view from, std::string_view to);
 
 /// While it lives, texts that this thread writes have the units asked for.

@@ -85,7 +85,7 @@ struct DriveCrack {
   std::vector<std::string> equations;  ///< tags of the theory manual
 
   /// Factor cos(U theta) by which K of the assembly varies round the wall [-].
-  /// @param wave_angle  theta, from a lobe to the crack [rad]
+  /// @param wave_angle  angle theta from a lobe to the crack [rad]
   [[nodiscard]] double assembly_phase(double wave_angle) const;
 };
 

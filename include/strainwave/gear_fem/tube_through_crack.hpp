@@ -35,7 +35,7 @@ struct TubeWithThroughCrack {
   double mean_radius{};     ///< r [m]; > 0
   double wall_thickness{};  ///< t [m]; 0 < t <= 0.5 r
   double length{};          ///< L [m]; > 0
-  double half_length{};     ///< a, on the middle surface [m]; > 0
+  double half_length{};     ///< half length a on the middle surface [m]; > 0
   double angle{};           ///< beta [rad]; -pi/2 < angle <= pi/2
   double place{};           ///< z of the crack's middle [m]; 0: half the length
   BarrelEnds ends = {};     ///< parts of a cup; empty: a tube

@@ -15,8 +15,8 @@ namespace strainwave {
 template <class Real>
 struct SeriesCompliance {
   Real intact{};          ///< compliance of the sound drive [rad/(N*m)]
-  Real positive{};        ///< cracked, torque about +z [rad/(N*m)]
-  Real negative{};        ///< cracked, torque about -z [rad/(N*m)]
+  Real positive{};        ///< compliance of the cracked drive, torque about +z [rad/(N*m)]
+  Real negative{};        ///< compliance of the cracked drive, torque about -z [rad/(N*m)]
   Real positive_added{};  ///< compliance added by cracks, torque about +z [rad/(N*m)]
   Real negative_added{};  ///< compliance added by cracks, torque about -z [rad/(N*m)]
   Real output_shaft{};    ///< compliance of the sound shaft, a part of `intact` [rad/(N*m)]

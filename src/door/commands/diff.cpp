@@ -157,7 +157,7 @@ Side side_of(const std::string& name, Method method, const Request& request) {
 /// What two texts say of one input.
 struct InputDifference {
   std::string path;
-  std::string first;  ///< empty: it is not there
+  std::string first;  ///< empty if absent
   std::string second;
 
   template <class Visitor>
@@ -215,9 +215,8 @@ struct Difference {
     field({"outputs", "", "outputs that differ by more than the uncertainty of their difference"},
           &D::outputs);
     field({"within_uncertainty", "", "outputs that differ by less"}, &D::within);
-    field(
-        {"uncertainty_not_stated", "", "outputs outputs that differ without a stated uncertainty"},
-        &D::unstated);
+    field({"uncertainty_not_stated", "", "outputs that differ without a stated uncertainty"},
+          &D::unstated);
     field({"only_first", "", "outputs that exist only in the first"}, &D::only_first);
     field({"only_second", "", "outputs that exist only in the second"}, &D::only_second);
     field({"equal", "", "number of outputs that are the same"}, &D::equal);
@@ -298,7 +297,7 @@ Parts parts_of(const Side& side, std::string_view drive) {
   return parts;
 }
 
-/// The slopes of an output of the series model; none of any other output (ST-19).
+/// The slopes of an output of the series model (ST-19); empty for any other output.
 Slopes slopes_of(const Side& side, const std::string& path) {
   Slopes slopes;
   for (const std::string_view drive : kDrives) {
@@ -401,8 +400,9 @@ double left_out_of(const Side& first, const Side& second, const std::string& pat
   return farthest(differences, y_b - y_a);
 }
 
-/// One standard uncertainty of second - first: the model error of a part that is the same in both
-/// is one error, which cancels; those of a part that differs are two; and what the sums leave out
+/// One standard uncertainty of second - first: a part that is the same in both has a single model
+/// error, which cancels; a part that differs has two independent errors; a further term is what the
+/// sums leave out
 /// (ST-19).
 std::optional<double> uncertainty_of(const Side& first, const Side& second, const std::string& path,
                                      const SameParts& same) {
@@ -578,7 +578,7 @@ std::string difference_text(const Difference& difference) {
   };
   list("Outputs that differ by more than the uncertainty of their difference", difference.outputs);
   if (!difference.unstated.empty())
-    list("Outputs outputs that differ without a stated uncertainty", difference.unstated);
+    list("Outputs that differ without a stated uncertainty", difference.unstated);
   const auto only = [&](std::string_view which, const std::vector<std::string>& paths) {
     if (!paths.empty())
       text += paragraph(fmt::format("{} {} only in the {}: {}", counted(paths.size(), "output"),

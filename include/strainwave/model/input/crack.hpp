@@ -179,9 +179,10 @@ constexpr CrackedPart part_of(WallSection section) {
 /// Straight crack through the wall of the flexspline.
 struct WallThroughCrack {
   static constexpr std::string_view kKind = "through";
-  double half_length = 0.0;             ///< a, along the crack [m]; > 0
-  double angle = std::numbers::pi / 4;  ///< beta, from +z toward -theta [rad]; in (-pi/2, pi/2]
-  bool shell_correction = true;         ///< A_I of the curved shell (FR-9); flat plate if false
+  double half_length = 0.0;  ///< a, along the crack [m]; > 0
+  double angle =
+      std::numbers::pi / 4;      ///< angle beta from +z toward -theta [rad]; in (-pi/2, pi/2]
+  bool shell_correction = true;  ///< A_I of the curved shell (FR-9); flat plate if false
   WallSection section = WallSection::barrel;
   /// file of a table (FE-41) that replaces the closed form
   std::optional<std::string> compliance_table = {};
@@ -213,15 +214,18 @@ struct WallThroughCrack {
 
   template <class Crack, class Visitor>
   static void describe_place(Visitor&& field) {
-    field(Field{.name = "angle",
-                .unit = "rad",
-                .doc = "beta, from the generator (+z) toward -theta; +45 deg is opened by T > 0",
-                .range = {.lower = -std::numbers::pi / 2,
-                          .upper = std::numbers::pi / 2,
-                          .upper_open = false},
-                .example = R"("45 deg")",
-                .fallback = R"("45 deg")"},
-          &Crack::angle);
+    field(
+        Field{
+            .name = "angle",
+            .unit = "rad",
+            .doc =
+                "angle beta from the generator (+z) toward -theta; T > 0 opens a crack at +45 deg",
+            .range = {.lower = -std::numbers::pi / 2,
+                      .upper = std::numbers::pi / 2,
+                      .upper_open = false},
+            .example = R"("45 deg")",
+            .fallback = R"("45 deg")"},
+        &Crack::angle);
     field(Field{.name = "section",
                 .unit = "",
                 .doc = "section that contains the crack; only with crack_free = \"sections\"",
@@ -236,7 +240,7 @@ struct WallThroughCrack {
 struct WallSurfaceCrack {
   static constexpr std::string_view kKind = "surface";
   double depth = 0.0;                   ///< a, into the wall [m]; > 0, < wall thickness
-  double half_length = 0.0;             ///< c, along the surface [m]; >= depth
+  double half_length = 0.0;             ///< half length c along the surface [m]; >= depth
   double angle = std::numbers::pi / 4;  ///< as in WallThroughCrack
   WallSection section = WallSection::barrel;
 

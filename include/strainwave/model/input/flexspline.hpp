@@ -108,7 +108,7 @@ struct Diaphragm {
           &Diaphragm::inner_diameter);
     field(Field{.name = "thickness",
                 .unit = "m",
-                .doc = "constant thickness; with a profile, that at the outer diameter",
+                .doc = "constant thickness; with a profile, the thickness at the outer diameter",
                 .range = kPositive,
                 .example = R"("3 mm")",
                 .usual = kUsualThickness},

@@ -34,7 +34,7 @@ struct Transmission {
   static void describe(Visitor&& field) {
     field(Field{.name = "ratio",
                 .unit = "1",
-                .doc = "i_h, with the circular spline fixed",
+                .doc = "transmission ratio i_h with fixed circular spline",
                 .range = kPositive,
                 .example = "100",
                 .usual = {.lower = 10.0, .upper = 1000.0}},
@@ -72,12 +72,12 @@ struct Load {
   static void describe(Visitor&& field) {
     field(Field{.name = "torque",
                 .unit = "N*m",
-                .doc = "T at the output, right-handed about +z; both senses are computed",
+                .doc = "torque T at the output, right-handed about +z; both senses are computed",
                 .example = R"("100 N*m")"},
           &Load::torque);
     field(Field{.name = "axial_force",
                 .unit = "N",
-                .doc = "P at the output, tension > 0",
+                .doc = "axial force P at the output, tension > 0",
                 .example = R"("0 N")",
                 .fallback = R"("0 N")"},
           &Load::axial_force);

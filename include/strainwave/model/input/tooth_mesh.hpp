@@ -16,9 +16,10 @@ struct ToothMesh {
   double gap_factor = 1.0;  ///< k_g, multiplies the kinematic gap of the flanks [-]; >= 0
   /// chi: 1 for teeth not corrected for the cup's tilt, 0 for corrected [-]
   double coning = 1.0;
-  double lobe_gap = 0.0;              ///< g_0, normal gap at the lobe; < 0 means interference [m]
-  double friction_coefficient = 0.1;  ///< mu, on the flanks, for the hysteresis [-]; >= 0
-  /// C_tr, stiffening of the rim in bending by its teeth [-]; > 0
+  double lobe_gap = 0.0;  ///< g_0, normal gap at the lobe; < 0 means interference [m]
+  double friction_coefficient =
+      0.1;  ///< friction coefficient mu of the flanks, for the hysteresis [-]; >= 0
+  /// C_tr, factor by which the teeth stiffen the rim in bending [-]; > 0
   double rim_stiffening = 1.25;
   std::optional<double> pair_stiffness;  ///< c' of a pair per face width [Pa]; absent: (TC-9)
   std::vector<ToothMeshCrack> crack;

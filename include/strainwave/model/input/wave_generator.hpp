@@ -54,7 +54,7 @@ struct LobeDisplacements {
 
 /// Outer ring of the bearing, modelled as a thin elastic ring.
 struct BearingRing {
-  double mean_radius = 0.0;  ///< R, of the ring's centre line [m]; > 0
+  double mean_radius = 0.0;  ///< radius R of the ring's centre line [m]; > 0
   double thickness = 0.0;    ///< radial [m]; > 0, < mean_radius
   double width = 0.0;        ///< axial [m]; > 0
   /// Share of the full section's bending stiffness that remains with the groove [-]; coupled drive
@@ -97,8 +97,8 @@ struct BearingRing {
 /// Deep groove ball bearing between cam and flexspline.
 struct Bearing {
   double ball_diameter = 0.0;           ///< D_w [m]; > 0
-  double inner_raceway_diameter = 0.0;  ///< d_i, at the bottom of the groove [m]; > 0
-  double outer_raceway_diameter = 0.0;  ///< d_o, at the bottom of the groove [m]; > d_i
+  double inner_raceway_diameter = 0.0;  ///< diameter d_i at the bottom of the groove [m]; > 0
+  double outer_raceway_diameter = 0.0;  ///< diameter d_o at the bottom of the groove [m]; > d_i
   double inner_conformity = 0.52;       ///< f_i = groove radius / D_w [-]; > 0.5
   double outer_conformity = 0.53;       ///< f_o [-]; > 0.5
   double loaded_balls = 1.0;            ///< balls that share the lobe force equally [-]; >= 1

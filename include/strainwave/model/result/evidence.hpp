@@ -112,7 +112,7 @@ struct ResultEvidence {
   std::vector<Note> notes;
   std::vector<std::string> equations;  ///< tags of the theory manual
   std::vector<AccuracyBasis> accuracies;
-  /// outcome, for a command that judges requirements
+  /// outcome of a command that judges requirements
   std::optional<RequirementOutcome> requirement;
 };
 

@@ -33,7 +33,7 @@ struct NotchSurfaceCrack {
                                                      FrontPoint{"deepest", std::numbers::pi / 2}};
 
   double depth = 0.0;          ///< a [m]; > 0, <= 0.99 thickness
-  double half_length = 0.0;    ///< c, at the surface [m]; > 0
+  double half_length = 0.0;    ///< half length c at the surface [m]; > 0
   double thickness = 0.0;      ///< t [m]
   double root_radius = 0.0;    ///< rho, radius of the notch, fillet or tooth root [m]
   double concentration = 0.0;  ///< K_t, largest over nominal stress at the root [-]; > 1

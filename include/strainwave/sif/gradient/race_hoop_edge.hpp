@@ -41,7 +41,7 @@ struct RaceHoopEdgeCrack {
   double depth = 0.0;      ///< a [m]; > 0, <= 0.99 thickness
   double thickness = 0.0;  ///< t [m]
   double width = 0.0;      ///< B, length of the front [m]
-  double angle = 0.0;      ///< theta, from the major axis of the cam to the crack [rad]
+  double angle = 0.0;      ///< angle theta from the major axis of the cam to the crack [rad]
   double lobes = 0.0;      ///< U, lobes of the cam: 2, 3, ... [-]
 
   template <class Visitor>
@@ -51,7 +51,7 @@ struct RaceHoopEdgeCrack {
     field(kGradientWidth, &RaceHoopEdgeCrack::width);
     field(Field{.name = "angle",
                 .unit = "rad",
-                .doc = "theta, from the major axis of the cam to the crack",
+                .doc = "angle theta from the major axis of the cam to the crack",
                 .range = {.lower = -std::numbers::pi,
                           .lower_open = false,
                           .upper = std::numbers::pi,

@@ -41,9 +41,9 @@ struct RaceHoopSurfaceCrack {
                                                      FrontPoint{"deepest", std::numbers::pi / 2}};
 
   double depth = 0.0;        ///< a [m]; > 0, <= 0.99 thickness
-  double half_length = 0.0;  ///< c, at the surface [m]; > 0
+  double half_length = 0.0;  ///< half length c at the surface [m]; > 0
   double thickness = 0.0;    ///< t [m]
-  double angle = 0.0;        ///< theta, from the major axis of the cam to the crack [rad]
+  double angle = 0.0;        ///< angle theta from the major axis of the cam to the crack [rad]
   double lobes = 0.0;        ///< U, lobes of the cam: 2, 3, ... [-]
 
   template <class Visitor>
@@ -53,7 +53,7 @@ struct RaceHoopSurfaceCrack {
     field(kGradientThickness, &RaceHoopSurfaceCrack::thickness);
     field(Field{.name = "angle",
                 .unit = "rad",
-                .doc = "theta, from the major axis of the cam to the crack",
+                .doc = "angle theta from the major axis of the cam to the crack",
                 .range = {.lower = -std::numbers::pi,
                           .lower_open = false,
                           .upper = std::numbers::pi,

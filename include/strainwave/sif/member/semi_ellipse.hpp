@@ -33,7 +33,7 @@ class SurfaceCrack {
   struct Parameters {
     Real depth{};         ///< a [m]; > 0, < thickness
     Real aspect_ratio{};  ///< rho = a/c [-]; in (0, 1]
-    Real thickness{};     ///< t, of the plate [m]
+    Real thickness{};     ///< thickness t of the plate [m]
     /// b, half of the plate's width [m]; > 0.  A plate without it is wide.
     std::optional<Real> half_width = {};
     Real poissons_ratio{0.3};

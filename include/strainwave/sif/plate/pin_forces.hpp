@@ -32,7 +32,7 @@ struct PlatePinForces {
   static constexpr std::array<FrontPoint, 1> kPoints = kTip;
 
   double half_length = 0.0;     ///< a [m]
-  double distance = 0.0;        ///< y, of each pin from the crack's middle [m]
+  double distance = 0.0;        ///< distance y of each pin from the crack's middle [m]
   double thickness = 0.0;       ///< t [m]
   double poissons_ratio = 0.3;  ///< nu [-]; in (-1, 0.5)
 

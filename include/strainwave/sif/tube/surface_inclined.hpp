@@ -36,8 +36,8 @@ struct TubeSurfaceInclined {
                                                      FrontPoint{"deepest", std::numbers::pi / 2}};
 
   double depth = 0.0;           ///< a [m]; > 0, <= 0.99 thickness, <= half_length
-  double half_length = 0.0;     ///< c, at the surface [m]; > 0
-  double angle = 0.0;           ///< beta, from the generator (+z) toward -theta [rad]
+  double half_length = 0.0;     ///< half length c at the surface [m]; > 0
+  double angle = 0.0;           ///< angle beta from the generator (+z) toward -theta [rad]
   double mean_radius = 0.0;     ///< r [m]; > thickness/2
   double thickness = 0.0;       ///< t [m]; > 0
   double poissons_ratio = 0.0;  ///< nu [-]
@@ -54,7 +54,8 @@ struct TubeSurfaceInclined {
           &TubeSurfaceInclined::half_length);
     field(Field{.name = "angle",
                 .unit = "rad",
-                .doc = "beta, from the generator (+z) toward -theta; +45 deg is opened by torque",
+                .doc = "angle beta from the generator (+z) toward -theta; positive torque opens a "
+                       "crack at +45 deg",
                 .range = {.lower = -std::numbers::pi / 2,
                           .upper = std::numbers::pi / 2,
                           .upper_open = false},

@@ -36,7 +36,7 @@ struct TubeThroughCircumferential {
                "torque on the output side, right-handed about +z; K_II counts as positive"}};
   static constexpr auto kPoints = kWallPoints;
 
-  double half_length = 0.0;     ///< a, along the middle of the wall [m]; > 0, <= pi r/2
+  double half_length = 0.0;     ///< half length a along the middle of the wall [m]; > 0, <= pi r/2
   double mean_radius = 0.0;     ///< r [m]; 5 t to 60 t
   double thickness = 0.0;       ///< t [m]; > 0
   double poissons_ratio = 0.0;  ///< nu [-]

@@ -38,7 +38,7 @@ struct TubeThroughInclined {
   static constexpr auto kPoints = kWallPoints;
 
   double half_length = 0.0;     ///< a [m]; > 0
-  double angle = 0.0;           ///< beta, from the generator (+z) toward -theta [rad]
+  double angle = 0.0;           ///< angle beta from the generator (+z) toward -theta [rad]
   double mean_radius = 0.0;     ///< r [m]; > thickness/2
   double thickness = 0.0;       ///< t [m]; > 0
   double poissons_ratio = 0.0;  ///< nu [-]
@@ -53,7 +53,8 @@ struct TubeThroughInclined {
           &TubeThroughInclined::half_length);
     field(Field{.name = "angle",
                 .unit = "rad",
-                .doc = "beta, from the generator (+z) toward -theta; +45 deg is opened by torque",
+                .doc = "angle beta from the generator (+z) toward -theta; positive torque opens a "
+                       "crack at +45 deg",
                 .range = {.lower = -std::numbers::pi / 2,
                           .upper = std::numbers::pi / 2,
                           .upper_open = false},

@@ -58,7 +58,7 @@ struct TubeSurfaceCrack {
                                                      FrontPoint{"deepest", std::numbers::pi / 2}};
 
   double depth = 0.0;        ///< a [m]; > 0, <= 0.99 thickness
-  double half_length = 0.0;  ///< c, at the surface [m]; > 0
+  double half_length = 0.0;  ///< half length c at the surface [m]; > 0
   double mean_radius = 0.0;  ///< r [m]; > thickness/2
   double thickness = 0.0;    ///< t [m]; > 0
 
