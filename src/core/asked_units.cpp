@@ -13,7 +13,7 @@ namespace {
 const AskedUnits kNone;
 thread_local const AskedUnits* innermost = &kNone;
 
-/// @throws InputError  the text is no unit
+/// @throws InputError  if the text is not a unit
 Unit unit_of(std::string_view text) {
   try {
     return parse_unit(text);

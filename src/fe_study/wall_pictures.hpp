@@ -29,7 +29,7 @@ struct CrackedWall {
   std::vector<DrawnTube> outline;  ///< outline of the body, from the lowest to the open end
   double place{};                  ///< z of the crack's middle [m]
   double half_length{};            ///< half length a on the visible face [m]
-  double angle{};                  ///< from +z toward -theta [rad]
+  double angle{};                  ///< angle from +z toward -theta [rad]
   /// true: pictures show the inner face, from which the crack starts
   bool inside = false;
   double torque{};      ///< torque with its sign [N*m]

@@ -468,7 +468,7 @@ SolveResult solve(const GearSet& gear, Method method, const Unknown& unknown, co
 std::string output_range(const SolveResult& result) {
   const std::string_view name = result.target.output;
   if (*result.least == *result.greatest)
-    return fmt::format("{} everywhere there: it does not depend on {}",
+    return fmt::format("{} everywhere in this range, because the output does not depend on {}",
                        shown_at(name, *result.least, result.target.unit), result.path);
   return "between " + span_shown(name, *result.least, *result.greatest, result.target.unit, "and");
 }

@@ -77,8 +77,9 @@ void check_variations(std::span<const Variation> variations) {
   const Variation& fast = variations[1];
   if (slow.path == fast.path) throw InputError(vary_option(slow.path), "is given twice");
   if (std::ptrdiff_t{slow.n_points} * fast.n_points > kMaxSweepPoints)
-    throw InputError("--vary", fmt::format("{} times {} points; {} at most", slow.n_points,
-                                           fast.n_points, kMaxSweepPoints));
+    throw InputError("--vary",
+                     fmt::format("{} times {} points are too many; at most {} are possible",
+                                 slow.n_points, fast.n_points, kMaxSweepPoints));
 }
 
 SweepResult sweep(const GearSet& gear, Method method, std::span<const Variation> variations,

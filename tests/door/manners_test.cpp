@@ -97,7 +97,7 @@ TEST(AskedUnits, IdentityColumnsOfJsonAreConvertedWithTheirUnit) {
   EXPECT_EQ(other["unit"], "mm");
   EXPECT_EQ(other["values"], AnyJson::parse(R"({"values": [1, 2]})"));
   EXPECT_EQ(one["values"], AnyJson::parse(R"({"values": [0.001, 0.002]})"));
-  // Another column keeps the unit that nobody asked to change.
+  // Another column keeps its unit.
   EXPECT_EQ(si["result"]["columns"][1], mm["result"]["columns"][1]);
 }
 
@@ -424,8 +424,8 @@ TEST(Diff, BehaviourTheContentOfATableCounts) {
 }
 
 TEST(Diff, LimitOfOneDriveTheUncertaintyIsItsOwn) {
-  // Everything differs by a load that moves nothing but wind-up: no error is shared, and the
-  // variance is that of both sides (ST-19).
+  // The loads differ, so no error is shared and the variances of both sides add (ST-19); the load
+  // affects the wind-up only.
   const std::string first = test::contents(STRAINWAVE_EXAMPLES "/article.toml");
   const AnyJson result =
       diff_result(diff(first, article_with("torque = \"100 N*m\"", "torque = \"200 N*m\"")));

@@ -197,7 +197,7 @@ struct Broken {
   Mutation change;
   std::string field;
   std::string rule;     ///< of a number; else empty
-  std::string problem;  ///< what the message says after the field, if it is no rule
+  std::string problem;  ///< the message after the field, if the message is not a rule
 
   friend std::ostream& operator<<(std::ostream& out, const Broken& b) { return out << b.name; }
 };

@@ -156,7 +156,7 @@ TEST(BarAnnular, IdentityTwoLoadCracks) {
   }
 }
 
-// (SB-2): the moment's K_I is the first harmonic, and does not couple with other loads.
+// (SB-2): K_I of the moment is a first harmonic and does not couple with other loads.
 TEST(BarAnnular, IdentityFirstHarmonic) {
   const auto check = [](const auto& crack) {
     const double a = crack.size();

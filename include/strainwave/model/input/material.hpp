@@ -28,7 +28,7 @@ struct Material {
   /// Origin of the numbers if the input only names the material: one sentence for the notes of a
   /// result.  Empty if the input gives the numbers.  This is not a field of the input file.
   std::string origin = {};
-  bool verified = true;  ///< false: `origin` names numbers that nobody has checked
+  bool verified = true;  ///< false: `origin` names numbers that are not verified
   /// Fields whose values come from the material library.  The input file does not have this field.
   std::vector<std::string> from_library = {};
 

@@ -12,7 +12,7 @@ namespace strainwave {
 /// lengths that the sections contradict.
 ///
 /// @param gear  has passed `check`
-/// @return  notes notes of severity care, each with the field, its value, and the usual range or
+/// @return  notes of severity care, each with the field, its value, and the usual range or
 ///          the contradicting value
 [[nodiscard]] std::vector<Note> input_notes(const GearSet& gear);
 
