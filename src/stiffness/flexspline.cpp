@@ -80,10 +80,10 @@ void note_radius_ratio(MemberCompliance& member, const Wall<double>& wall,
 
 /// Accuracy of the closed form of a wall crack, as relative uncertainties [-].
 struct WallCrackAccuracy {
-  double axial = 0.0;      ///< of the added compliance, entries with the force
-  double torsion = 0.0;    ///< of the added compliance in torsion
+  double axial = 0.0;      ///< uncertainty of the added compliance, entries with the force
+  double torsion = 0.0;    ///< uncertainty of the added compliance in torsion
   double pressed = 0.0;    ///< added if the faces are pressed together
-  double intensity = 0.0;  ///< of K, if more than half of that of the compliance
+  double intensity = 0.0;  ///< uncertainty of K, if it exceeds half of that of the compliance
 };
 
 void note_closed(MemberCompliance& member, const std::string& path, const BothSenses& state) {

@@ -16,7 +16,7 @@ namespace {
 struct AnnularAccuracy {
   ModelAccuracy torsion = accuracy::kAnnularTorsion;
   ModelAccuracy tension = accuracy::kAnnularTension;
-  double K_I = accuracy::kAnnularTension / 2;  ///< of the stress intensity
+  double K_I = accuracy::kAnnularTension / 2;  ///< uncertainty of the stress intensity
   double K_III = accuracy::kAnnularTorsion / 2;
 };
 

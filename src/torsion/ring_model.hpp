@@ -221,7 +221,7 @@ class RingModel {
   }
 
   /// Softens a ring by one crack.
-  /// @return  whether true if there is a ring to soften, because a rigid ring cannot bend
+  /// @return  whether there is a ring to soften, because a rigid ring cannot bend
   /// @throws SolverError  if hinges of one ring overlap so far that the ring has no stiffness left
   bool soften(const BasicRingHinge<Real>& hinge) {
     using std::cos, std::sin;

@@ -196,7 +196,7 @@ struct Broken {
   GearSet (*base)();
   Mutation change;
   std::string field;
-  std::string rule;     ///< of a number; else empty
+  std::string rule;     ///< rule of a number; else empty
   std::string problem;  ///< the message after the field, if the message is not a rule
 
   friend std::ostream& operator<<(std::ostream& out, const Broken& b) { return out << b.name; }

@@ -55,7 +55,7 @@ GearSet sound_drive() {
 struct CrackKind {
   std::string name;
   std::function<void(GearSet&, double)> add;
-  double largest;   ///< of the valid range [m]
+  double largest;   ///< end of the valid range [m]
   double exponent;  ///< of the added compliance of a small crack
 };
 

@@ -22,7 +22,7 @@ namespace strainwave {
 /// A point of a torsion curve measured with locked input.
 struct MeasuredPoint {
   double torque = 0.0;  ///< [N*m]; not 0
-  double twist = 0.0;   ///< from the unloaded state; same sign as the torque [rad]
+  double twist = 0.0;   ///< twist from the unloaded state; same sign as the torque [rad]
 
   static constexpr bool kTableRow = true;
   template <class Visitor>
@@ -38,7 +38,7 @@ struct MeasuredPoint {
 /// order mark, any line end, cells between commas, semicolons or tabs, cells in quotes, a line
 /// "sep=;", and numbers with a point or a comma.
 /// @param file_name  used in messages only
-/// @throws InputError  with file, line and column
+/// @throws InputError  if the text is not such a curve; the message gives file, line and column
 [[nodiscard]] std::vector<MeasuredPoint> parse_measured_curve(std::string_view text,
                                                               std::string_view file_name);
 

@@ -269,7 +269,7 @@ class Answer {
   std::shared_ptr<const void> result_;
   ResultEvidence evidence_;
   const Ranks* ranks_;
-  AskedUnits units_;       // with those that options name
+  AskedUnits units_;       // including the units that options name
   AskedUnits json_units_;  // without them
   std::vector<std::string> columns_;
 };

@@ -16,7 +16,7 @@ namespace strainwave {
 
 /// A unit for people.
 struct DisplayUnit {
-  std::string_view text;  ///< as `parse_unit` reads it
+  std::string_view text;  ///< unit in the form that `parse_unit` reads
   double in_si = 1.0;     ///< divide a value in SI by it
 };
 

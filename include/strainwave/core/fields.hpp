@@ -42,8 +42,8 @@ inline constexpr Range kNonNegative{.lower = 0.0, .lower_open = false};
 
 /// The form in which the template of `strainwave new` shows a field.
 enum class InTemplate {
-  yes,        ///< as an active line
-  commented,  ///< as a comment that the user can activate
+  yes,        ///< shown as an active line
+  commented,  ///< shown as a comment that the user can activate
 };
 
 /// Whether every value of a struct has the field.

@@ -94,8 +94,8 @@ struct DriveCrack {
 /// Implements theory manual eqs. (FR-4) to (FR-17), (FA-6) to (FA-12), (FA-14).
 ///
 /// @param gear  has passed `check`
-/// @return      one per crack, in the order wave generator, flexspline, mesh, circular spline,
-///              output shaft
+/// @return      one element per crack, in the order wave generator, flexspline, mesh, circular
+///              spline, output shaft
 /// @throws InputError  if the material of a crack is missing or contradicts itself
 [[nodiscard]] std::vector<DriveCrack> drive_cracks(const GearSet& gear);
 

@@ -20,7 +20,7 @@ namespace strainwave {
 /// The text does not need to be a complete drive before or after the edit.
 ///
 /// @param text   TOML, at most kMaxTextSize
-/// @param path   as the program prints it: `output_shaft.crack[0].depth`, `material.40CrNiMoA
+/// @param path   path as the program prints it: `output_shaft.crack[0].depth`, `material.40CrNiMoA
 ///               QT.youngs_modulus` or `material."40CrNiMoA QT".youngs_modulus`; `[+]`, or the
 ///               number of elements as the index, adds one element
 /// @param value  TOML as behind `=`, such as `"3 mm"` with its quotes; for a table also the lines

@@ -31,7 +31,7 @@ class BasicNewmanRaju {
 
   /// H, the ratio of K in bending to K in tension for the same surface stress [-]; (SP-3).
   /// @param depth_ratio  alpha = a/t [-]
-  /// @param phi          as in `factor` [rad]
+  /// @param phi          angle as in `factor` [rad]
   [[nodiscard]] Real bending_ratio(const Real& depth_ratio, double phi) const;
 
   /// H = 1 + alpha h at the surface and at the deepest point, and the exponent of sin(phi) with

@@ -29,7 +29,7 @@ enum class CrackShape {
   semi_ellipse,  ///< semi-elliptical, from a surface
   over_width,    ///< constant depth over the width of a ring
   all_round,     ///< constant depth round a shaft
-  through,       ///< from surface to surface
+  through,       ///< a crack through the wall, from surface to surface
   groove,        ///< groove all round, with a stated width
   whole          ///< the whole part, which becomes softer
 };

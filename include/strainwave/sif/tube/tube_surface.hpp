@@ -28,7 +28,7 @@ struct TubeWall {
 /// Stress over the wall, tension + bending (1 - 2 x/t), with x from the cracked face.
 struct WallStress {
   double tension = 0.0;
-  double bending = 0.0;  ///< at the cracked face
+  double bending = 0.0;  ///< stress at the cracked face
 
   /// The linear stress through the values at the face and at a depth; (SU-6).
   static WallStress line(double at_face, double at_depth, double depth, double thickness) {
