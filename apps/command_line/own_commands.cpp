@@ -66,7 +66,7 @@ struct CompletionOptions {
   static void describe(Visitor&& field) {
     field({.name = "subject",
            .unit = "",
-           .doc = "name of the shell; `words` answers the question of such a script",
+           .doc = "name of the shell; scripts use `words`, which prints the words that may follow",
            .positional = true},
           &CompletionOptions::subject);
     field({.name = "words",

@@ -84,9 +84,9 @@ CrackedDrive cracked_drive(const Members& intact, const Members& added, double t
   drive.compliance = cracked.compliances();
   drive.stiffness = stiffness_of(total);
   drive.wind_up = wind_up_of(total, torque);
-  // (ST-15): K/K_intact - 1 without the difference of nearly equal numbers.  For -x/(y + x) with
-  // independent x and y, d ln = (d ln x - d ln y) y/(x + y), so a large loss has a smaller relative
-  // uncertainty.
+  // (ST-15): K/K_intact - 1 without the difference of nearly equal numbers.  The logarithm of -x/(y
+  // + x) has the differential (d ln x - d ln y) y/(x + y), so a large loss has a smaller relative
+  // uncertainty if x and y are independent.
   const double sound_share = intact.total().value() / total.value();
   drive.stiffness_change = {
       extra.value() == 0 ? 0.0 : -extra.value() / total.value(), "1",

@@ -50,7 +50,7 @@ std::vector<Missing> missing(const GearSet& gear) {
     const Bearing& bearing = *gear.wave_generator->bearing;
     need(bearing.ball_count.has_value(), "wave_generator.bearing.ball_count", "balls all round");
     need(bearing.outer_ring.has_value(), "wave_generator.bearing.outer_ring",
-         "which bends with the rim");
+         "the ring that bends with the rim");
   }
   if (need(gear.flexspline.has_value(), "flexspline", "the cup")) {
     const Flexspline& fs = *gear.flexspline;

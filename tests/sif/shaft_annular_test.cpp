@@ -314,7 +314,8 @@ TEST(AnnularCrackSolid, LimitDeepIsTwoHalfSpaces) {
 }
 
 TEST(AnnularCrackSolid, LimitShallowIsAnEdgeCrack) {
-  // 128 M_M^2 a^2/(mu d^5) and 16 M_p^2 (1-nu^2) a^2/(E d^3); the next term is of order a/d.
+  // The limits are 128 M_M^2 a^2/(mu d^5) and 16 M_p^2 (1-nu^2) a^2/(E d^3); the next term is of
+  // order a/d.
   const double d = 60 * mm;
   const double a = 1e-9 * d;
   for (const sif::AnnularPolynomials which : {kTada, kImproved}) {

@@ -30,7 +30,7 @@ enum class AxisScale { linear, logarithmic };
 /// One pair of axes.
 struct PlotPanel {
   std::string title;
-  std::string subtitle = {};  ///< shown smaller text below the title
+  std::string subtitle = {};  ///< smaller text below the title
   std::string x_label;
   std::string y_label;
   std::string legend_title = {};

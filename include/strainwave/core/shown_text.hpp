@@ -8,7 +8,8 @@
 #include "strainwave/core/quantity.hpp"
 
 /// @file
-/// Numbers and text for people: few digits, and the units of drawings.  Files use SI units and all
+/// Numbers and text for people, with few digits and in the units of engineering drawings.  Files
+/// use SI units and all
 /// digits.
 
 namespace strainwave {

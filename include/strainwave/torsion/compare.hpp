@@ -31,7 +31,7 @@ struct LineChanges {
 
 /// Changes over a turn of the wave generator, under one sense of torque.
 struct ChangesOverTurn {
-  LineChanges as_given;  ///< values at the positions of the file
+  LineChanges as_given;  ///< changes at the positions of the file
   LineChanges mean;
   LineChanges worst;  ///< most negative change of each
   LineChanges best;
@@ -41,7 +41,7 @@ struct ChangesOverTurn {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"as_given", "", "changes values at the positions of the file"},
+    field({"as_given", "", "changes at the positions of the file"},
           &ChangesOverTurn::as_given);
     field({"mean", "", "mean over a turn"}, &ChangesOverTurn::mean);
     field({"worst", "", "most negative change of each"}, &ChangesOverTurn::worst);
@@ -75,7 +75,7 @@ struct CurveComparison {
   ChangesOverTurn positive;    ///< torque about +z
   ChangesOverTurn negative;
   double lost_motion_sound = 0.0;    ///< [rad]
-  double lost_motion_cracked = 0.0;  ///< values at the positions of the file [rad]
+  double lost_motion_cracked = 0.0;  ///< value at the positions of the file [rad]
   double hysteresis_sound = 0.0;     ///< largest width of the loop at rated torque [rad]
   double hysteresis_cracked = 0.0;   ///< [rad]
   CrackClass crack_class = CrackClass::none;
@@ -93,7 +93,7 @@ struct CurveComparison {
     field({"lost_motion_sound", "rad", "lost motion without cracks"},
           &CurveComparison::lost_motion_sound);
     field({"lost_motion_cracked", "rad",
-           "lost motion with cracks, values at the positions of the file"},
+           "lost motion with cracks, at the positions of the file"},
           &CurveComparison::lost_motion_cracked);
     field({"hysteresis_sound", "rad", "largest width of the loop without cracks"},
           &CurveComparison::hysteresis_sound);
