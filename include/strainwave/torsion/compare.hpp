@@ -41,8 +41,7 @@ struct ChangesOverTurn {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"as_given", "", "changes at the positions of the file"},
-          &ChangesOverTurn::as_given);
+    field({"as_given", "", "changes at the positions of the file"}, &ChangesOverTurn::as_given);
     field({"mean", "", "mean over a turn"}, &ChangesOverTurn::mean);
     field({"worst", "", "most negative change of each"}, &ChangesOverTurn::worst);
     field({"best", "", "least negative change of each"}, &ChangesOverTurn::best);
@@ -92,8 +91,7 @@ struct CurveComparison {
     field({"negative", "", "changes under torque about -z"}, &CurveComparison::negative);
     field({"lost_motion_sound", "rad", "lost motion without cracks"},
           &CurveComparison::lost_motion_sound);
-    field({"lost_motion_cracked", "rad",
-           "lost motion with cracks, at the positions of the file"},
+    field({"lost_motion_cracked", "rad", "lost motion with cracks, at the positions of the file"},
           &CurveComparison::lost_motion_cracked);
     field({"hysteresis_sound", "rad", "largest width of the loop without cracks"},
           &CurveComparison::hysteresis_sound);

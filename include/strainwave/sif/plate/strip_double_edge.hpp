@@ -35,8 +35,7 @@ struct StripDoubleEdgeCrack {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field(length_field("depth", "a, depth of each crack", "2 mm"),
-          &StripDoubleEdgeCrack::depth);
+    field(length_field("depth", "a, depth of each crack", "2 mm"), &StripDoubleEdgeCrack::depth);
     field(length_field("half_width", "b, half of the strip's width", "10 mm"),
           &StripDoubleEdgeCrack::half_width);
     field(length_field("thickness", "t", "2 mm"), &StripDoubleEdgeCrack::thickness);
