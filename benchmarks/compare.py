@@ -7,8 +7,7 @@
 
 Prints the time of one full corrected evaluation of the article's three-crack drive by both, and of
 the torsion curve of a drive of size 25, their ratios, whether they agree, and how long the program
-takes to start.  Exit status 1 if a goal of
-`GOALS` is missed: run it on a quiet machine.
+takes to start.  The exit status is 1 if a goal of `GOALS` is missed.  Run the script on a quiet machine.
 """
 import json
 import os

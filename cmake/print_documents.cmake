@@ -1,5 +1,6 @@
-# Lets the program PROGRAM, called NAME, print into FOLDER what is installed with it: man/man1 has a page for each
-# command, man/man5 that of the input file, share/ the completions for shells and the schema of the input.
+# Makes the program PROGRAM, called NAME, print the documents that are installed with it into FOLDER: man/man1
+# gets a page for each command, man/man5 the page of the input file, and share/ the completions for shells and the
+# schema of the input.
 function(print file)
   execute_process(COMMAND "${PROGRAM}" ${ARGN} OUTPUT_FILE "${FOLDER}/${file}" COMMAND_ERROR_IS_FATAL ANY)
 endfunction()

@@ -93,8 +93,8 @@ endfunction()
 function(strainwave_flags target)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion
-    # clang warns of names that other namespaces hide.  g++ 12 warns of overlapping strings and of
-    # members of empty classes and variants without a value, where there is no such fault.
+    # clang warns of names that other namespaces hide.  g++ 12 falsely warns of overlapping strings and of
+    # members of empty classes and variants without a value.
     $<$<CXX_COMPILER_ID:GNU>:-Wshadow;-Wno-restrict;-Wno-maybe-uninitialized>
     $<$<BOOL:${STRAINWAVE_WERROR}>:-Werror>)
   if(STRAINWAVE_SANITIZE)
@@ -187,7 +187,7 @@ function(strainwave_install)
     PATTERN "strainwave/gear_fem" EXCLUDE
     PATTERN "strainwave/fe_study" EXCLUDE)
   install(FILES LICENSE README.md CHANGELOG.md CITATION.cff DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-  # The guides lead to the manual and its pictures, and run the examples.
+  # Install the manual with its pictures and the examples too, because the guides refer to them.
   install(DIRECTORY docs/guide docs/theory docs/images DESTINATION "${CMAKE_INSTALL_DOCDIR}/docs")
   install(DIRECTORY examples DESTINATION "${CMAKE_INSTALL_DOCDIR}" PATTERN CMakeLists.txt EXCLUDE)
   install(EXPORT strainwaveTargets NAMESPACE strainwave:: DESTINATION "${package_dir}")

@@ -1,6 +1,6 @@
 # Script: writes OUTPUT, a table of code and text of every note, from the sources in SOURCES, which
-# make notes as {.code = "x.y", .text = "...", ...}, {"x.y", "...", ...} or upper_bound("x.y", "...").  A text is the literal in the
-# source, with {} for what a run puts in; it is empty where it is no literal.
+# make notes as {.code = "x.y", .text = "...", ...}, {"x.y", "...", ...} or upper_bound("x.y", "...").  A text is the
+# literal in the source, with {} in place of values; it is empty if the source has no literal.
 # A list of CMake ends at a semicolon and may not break off inside brackets.
 set(marks ";" "<semicolon>" "[" "<left>" "]" "<right>")
 set(entries "")

@@ -59,7 +59,7 @@ def owner_of(parts):
 
 
 def meant(target, path, tree):
-    """The files of the tree that an include can mean, whatever folders the compiler searches.
+    """The files of the tree that an include can mean, for any search folders of the compiler.
 
     A file beside the including file, or under include/ or tests/, comes first.  Otherwise the include
     means every file whose path ends with it: "series_model.hpp" and "stiffness/series_model.hpp" mean

@@ -18,7 +18,7 @@ struct FeOptions {
   static void describe(Visitor&& field) {
     field({.name = "arguments",
            .unit = "",
-           .doc = "of strainwave-fe; --help prints its commands",
+           .doc = "arguments of strainwave-fe; --help prints its commands",
            .positional = true,
            .names = "file"},
           &FeOptions::arguments);
@@ -45,8 +45,8 @@ NoAnswer become_finite_elements(const Request&, const FeOptions& options) {
   if (!self.empty()) ::execv((self.parent_path() / name).c_str(), argv.data());
   ::execvp(name.c_str(), argv.data());  // returns only if the program does not exist
   throw OptionError(name,
-                    "is neither beside this program nor on PATH: it is built on request, see "
-                    "docs/guide/finite_elements.md");
+                    "is neither beside this program nor on PATH; build it as "
+                    "docs/guide/finite_elements.md describes");
 }
 
 }  // namespace
@@ -56,11 +56,11 @@ Command fe_command() {
       .name = "fe",
       .summary = "Finite elements of shaft and cup, without any closed form",
       .description =
-          "Starts strainwave-fe, a program of its own that is built on request, and passes "
-          "everything on to it: strainwave fe --help lists its commands, strainwave fe run --help "
-          "the options of one. It calculates an output "
+          "Starts strainwave-fe, a separate program that is built on request, and passes all "
+          "arguments on to it. strainwave fe --help lists its commands, and strainwave fe run "
+          "--help lists the options of the command run. It calculates an output "
           "shaft with annular cracks, cracks of the flexspline's wall and a sound flexspline by "
-          "sections, with the evidence whether the answer may be used. strainwave fe tabulate "
+          "sections, and checks whether the answer may be used. strainwave fe tabulate "
           "makes a table of many runs, which a crack can name as its compliance_table; strainwave "
           "fe render draws pictures of the strain energy and of the opened crack.",
       .example = "strainwave fe examples/solid_shaft.toml --member output-shaft",

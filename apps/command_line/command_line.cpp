@@ -81,13 +81,14 @@ void require_command(const Program& program, std::span<const std::string> words)
   const auto refuse = [&](std::string_view what, std::string_view word,
                           const std::vector<std::string>& known) {
     const std::string near = nearest_word(word, known);
-    throw UsageError(near.empty() ? fmt::format("{} is no command; {}{} --help lists them",
-                                                shown(word), program.name, what)
-                                  : fmt::format("{} is no command; did you mean {}{} {}?",
-                                                shown(word), program.name, what, near));
+    throw UsageError(near.empty()
+                         ? fmt::format("{} is not a command; {}{} --help lists the commands",
+                                       shown(word), program.name, what)
+                         : fmt::format("{} is not a command; did you mean {}{} {}?", shown(word),
+                                       program.name, what, near));
   };
   if (words.empty())
-    throw UsageError(fmt::format("name a command; {} --help lists them", program.name));
+    throw UsageError(fmt::format("name a command; {} --help lists the commands", program.name));
   const std::string& first = words.front();
   if (first.starts_with('-') || means_unnamed(program, first)) return;
   const auto commands = commands_of(program, first);
@@ -147,7 +148,8 @@ ExitCode parse_and_run(const Program& program, std::span<const std::string> word
 }  // namespace
 
 int run_command_line(const Program& program, std::span<const std::string> words) {
-  // A file that grows beyond the limit of the shell is a fault like a full disk, no end by signal.
+  // Ignore this signal, so that a file that grows beyond the limit of the shell is a fault like a
+  // full disk.
   (void)std::signal(SIGXFSZ, SIG_IGN);
   const Ranks& ranks = program.ranks != nullptr ? *program.ranks : kAlone;
   // All ranks end with a single message, that of the first rank with a complaint.
@@ -174,8 +176,8 @@ int run_command_line(const Program& program, std::span<const std::string> words)
   } catch (const std::exception& error) {
     if (lacks_memory(error))
       return complain(
-          "there is not enough memory for this: ask for fewer points, samples or threads, or for a "
-          "coarser mesh",
+          "there is not enough memory for this computation; ask for fewer points, samples or "
+          "threads, or for a coarser mesh",
           kNoMemory);
     return complain(fmt::format("internal error: {}; please report it", error.what()), kInternal);
   }

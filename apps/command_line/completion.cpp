@@ -82,7 +82,7 @@ std::vector<std::string> values(const Program& program, const Argument& argument
   std::vector<std::string> known(argument.choices.begin(), argument.choices.end());
   if (!argument.names.empty()) {
     known = names_of(program, argument.names, file);
-    // Of a list with commas, the last name is completed.
+    // In a list with commas, complete the last name.
     if (argument.names == "factor" || argument.names == "unit")
       if (const std::size_t comma = line.current.rfind(','); comma != std::string::npos) {
         line.kept += line.current.substr(0, comma + 1);

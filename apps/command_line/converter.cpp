@@ -30,8 +30,8 @@ namespace fs = std::filesystem;
 /// One line per way from a document to a file.
 struct Way {
   Format from;
-  std::string_view to;                       ///< how the name of the file ends
-  std::array<std::string_view, 3> programs;  ///< that can do it, the best first
+  std::string_view to;                       ///< ending of the file name
+  std::array<std::string_view, 3> programs;  ///< programs that can make such a file, the best first
   std::string_view package;                  ///< of Debian
   std::string_view input;
   std::vector<std::string> arguments;
@@ -59,7 +59,7 @@ const std::vector<Way>& ways() {
   return all;
 }
 
-/// Files that no document of ours is, as it stands.
+/// Formats that need a conversion, because no document of ours has them.
 constexpr std::array<std::string_view, 12> kPictures = {".png",  ".pdf", ".jpg", ".jpeg",
                                                         ".gif",  ".bmp", ".tif", ".tiff",
                                                         ".webp", ".eps", ".ps",  ".xlsx"};
@@ -78,14 +78,15 @@ std::string installed(std::string_view program) {
   return {};
 }
 
-/// A folder of its own, which goes with this object.
+/// A temporary folder that is removed with this object.
 class ScratchFolder {
  public:
   ScratchFolder() {
     std::error_code fault;
     std::string name = (fs::temp_directory_path(fault) / "strainwave-XXXXXX").string();
     if (fault || ::mkdtemp(name.data()) == nullptr)
-      throw UnwritableError("no temporary folder can be made; TMPDIR says where");
+      throw UnwritableError(
+          "no temporary folder can be created; set TMPDIR to a folder that can be written");
     path_ = name;
   }
   ~ScratchFolder() {
@@ -108,8 +109,8 @@ std::string bytes_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Runs a program without a shell, without input; what it prints goes to a file.
-/// @return  its exit code; 127 where it cannot be run
+/// Runs a program without a shell and without input; its output goes to a file.
+/// @return  its exit code; 127 if the program cannot be run
 int run_to_end(std::vector<std::string> words, const fs::path& log) {
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
@@ -148,7 +149,7 @@ std::optional<Converter> converter_for(Format format, std::string_view path) {
       std::string program = name.empty() ? "" : installed(name);
       if (program.empty()) continue;
       Converter converter{std::move(program), way.arguments, way.input};
-      // Chromium refuses its own sandbox to root.
+      // Chromium does not run in its sandbox as root.
       if (format == Format::html && ::geteuid() == 0)
         converter.arguments.insert(converter.arguments.begin(), "--no-sandbox");
       return converter;

@@ -13,21 +13,21 @@
 
 namespace strainwave::cli {
 
-/// A program that makes a file of another kind of a document.
+/// A program that converts a document into a file of another kind.
 struct Converter {
   std::string program;                 ///< with its folder
   std::vector<std::string> arguments;  ///< "IN", "OUT" and "HOME" stand for its files and folder
   std::string_view input;              ///< name of the file that it reads
 };
 
-/// What has to be called so that a file has what its name says.
-/// @param format  of the document that goes to the file
-/// @return        nothing: the document is written as it is
-/// @throws UnwritableError  no installed program makes such a file; the message names the package,
-///                          or the names that are possible
+/// Finds the program that must run so that the content of a file agrees with its name.
+/// @param format  name of the document that goes to the file
+/// @return        empty if the document is written without conversion
+/// @throws UnwritableError  if no installed program makes such a file; the message names the
+///                          package or the possible names
 [[nodiscard]] std::optional<Converter> converter_for(Format format, std::string_view path);
 
-/// The bytes that a converter makes of a document.
+/// Converts a document and returns the bytes.
 /// @throws UnwritableError  it fails
 /// @throws Stopped          SIGINT came
 [[nodiscard]] std::string converted(const Converter& converter, const std::string& document);

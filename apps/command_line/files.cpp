@@ -49,7 +49,7 @@ void require_that_it_ends(const std::string& file) {
                      "file, or - for standard input");
 }
 
-/// Runs `write`, whose faults are those of an output.
+/// Runs `write` and reports its faults as faults of an output.
 template <class Write>
 void as_output(const Write& write) {
   try {
@@ -126,7 +126,7 @@ void deliver(const std::vector<std::pair<std::string, std::string>>& texts) {
 void require_folder(const std::string& path) {
   std::error_code unseen;
   if (fs::exists(path, unseen) && !fs::is_directory(path, unseen))
-    throw UnwritableError(path + ": is a file, and the results need a folder");
+    throw UnwritableError(path + ": is a file, but the results need a folder; name a folder");
 }
 
 void deliver(const std::vector<OutputFile>& files, const std::string& folder, const Ranks& ranks) {
@@ -138,7 +138,8 @@ void deliver(const std::vector<OutputFile>& files, const std::string& folder, co
     made = fs::create_directories(place, fault);
     std::error_code unseen;
     if (!fs::is_directory(place, unseen))
-      problem = fmt::format("{}: no folder of this name can be made", folder);
+      problem =
+          fmt::format("{}: a folder of this name cannot be created; name another folder", folder);
   }
   std::deque<WaitingFile> waiting;
   const auto attempt = [&](const auto& work) {
@@ -165,8 +166,8 @@ void deliver(const std::vector<OutputFile>& files, const std::string& folder, co
 
 FileJournal::FileJournal(std::string path) : path_(std::move(path)) {
   if (!file_behind(path_))
-    throw UnwritableError(
-        path_ + ": must be a regular file, because a run that was stopped goes on from it");
+    throw UnwritableError(path_ +
+                          ": must be a regular file, because a stopped run continues from it");
 }
 
 std::optional<std::string> FileJournal::text() const {

@@ -12,34 +12,36 @@
 
 namespace strainwave::cli {
 
-/// The largest table that an option may name [bytes].
+/// Size limit of a table that an option names [bytes].
 inline constexpr std::size_t kMaxTableSize = std::size_t{64} << 20;  // 64 MiB
 
 /// The text of a file, or of standard input, whose name is "-".
 ///
-/// A device, a socket and a named pipe may never end, and are not read; a pipe that the caller has
-/// opened is, such as /dev/stdin or /dev/fd/63.
-/// @param most  its largest size [bytes]
-/// @throws InputError  if it cannot be read, is larger, or is not read
+/// The function does not read a device, a socket or a named pipe, because they may never end.  It
+/// reads a pipe that the caller has opened, such as /dev/stdin or /dev/fd/63.
+/// @param most  size limit of the file [bytes]
+/// @throws InputError  if the file cannot be read, is too large, or is of a kind that is not read
 [[nodiscard]] std::string text_of(const std::string& file, std::size_t most = kMaxTextSize);
 
 /// The name of an input in messages: "standard input" for "-".
 [[nodiscard]] std::string shown_name(const std::string& file);
 
-/// Whether a path means standard output: none, "-" or /dev/stdout.
+/// Whether a path means standard output: an empty path, "-" or /dev/stdout.
 [[nodiscard]] bool is_standard_output(std::string_view path);
 
-/// Two paths with one identity lead to one file, by links of either kind; "-" is standard input.
-/// @return  empty where the path leads to no regular file, nor to a place where one can be made
+/// The identity of the file behind a path.  Two paths that lead to the same file, also through
+/// links, have the same identity.  "-" is standard input.
+/// @return  empty if the path leads neither to a regular file nor to a place where a file can be
+///          created
 [[nodiscard]] std::string identity_of(const std::string& path);
 
-/// Tries an output before the work whose result will go there.  Nothing is changed.
-/// @throws UnwritableError  it cannot be written
+/// Checks that an output can be written, before the work starts.  The function changes nothing.
+/// @throws UnwritableError  if the output cannot be written
 void require_writable(const std::string& path);
 
-/// Writes all texts, each behind its path, or none; to standard output where the path means it.
-/// @throws UnwritableError  if one of them cannot be written
-/// @throws Stopped          SIGINT came while a reader of a pipe kept it waiting
+/// Writes all texts to their paths, or none.  A path may mean standard output.
+/// @throws UnwritableError  if a text cannot be written
+/// @throws Stopped          if SIGINT comes while the function waits for the reader of a pipe
 void deliver(const std::vector<std::pair<std::string, std::string>>& texts);
 
 /// Checks that the path can be a folder.  @throws UnwritableError  if the path is that of a file
@@ -53,7 +55,7 @@ void deliver(const std::vector<OutputFile>& files, const std::string& folder, co
 /// A journal in a file.  If the file cannot be written, `begin` and `append` throw UnwritableError.
 class FileJournal : public Journal {
  public:
-  /// @throws UnwritableError  it could not be read back: a device, a pipe, a folder
+  /// @throws UnwritableError  if it could not be read back, such as a device, a pipe or a folder
   explicit FileJournal(std::string path);
 
   [[nodiscard]] std::string name() const override { return path_; }

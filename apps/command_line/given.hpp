@@ -9,7 +9,7 @@
 
 namespace strainwave::cli {
 
-/// What the command line says for one command.
+/// The arguments of one command as given on the command line.
 struct Given {
   const Program& program;
   const Command& command;
@@ -17,14 +17,14 @@ struct Given {
   std::vector<std::vector<std::string>> texts;  // of each argument
 };
 
-/// Whether there is a value of this role.
+/// Whether the command line gives a value for this role.
 [[nodiscard]] bool has(const Given& given, Role role);
 
-/// The message of a fault of an option, which names the option as it is typed.
+/// The message of a faulty option, with the option spelled as typed.
 [[nodiscard]] std::string as_typed(const OptionError& error,
                                    const std::vector<Argument>& arguments);
 
-/// Says a sentence on standard error.
+/// Writes a sentence to standard error.
 void warn(const Program& program, std::string_view message);
 
 }  // namespace strainwave::cli

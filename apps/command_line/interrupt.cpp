@@ -15,7 +15,7 @@ Interrupt::Interrupt() {
   if (before_.sa_handler == SIG_IGN) return;  // jobs in the background ignore SIGINT
   struct sigaction action {};
   action.sa_handler = remember;
-  // Without SA_RESTART: what waits for the reader of a pipe is told.
+  // SA_RESTART is not set, so the signal also ends a wait for the reader of a pipe.
   action.sa_flags = static_cast<int>(SA_RESETHAND);
   ::sigaction(SIGINT, &action, nullptr);
 }

@@ -10,16 +10,17 @@
 
 namespace strainwave::cli {
 
-/// The files of a command line, each known by what names it.
+/// The files of a command line, each with the argument that names it.
 class KnownFiles {
  public:
   /// @param inputs  the files of the drives
-  /// @throws UsageError  an output has no name, or would be written twice, or over what is read
+  /// @throws UsageError  if an output has no name, or would be written twice, or would overwrite an
+  ///                     input
   KnownFiles(const Given& given, const std::vector<std::string>& inputs);
 
-  /// @throws UsageError  an output would be written over a table that the drive names
+  /// @throws UsageError  if an output would overwrite a table that the drive names
   void add_tables_of(const Drive& drive, const std::string& file);
-  /// @throws UsageError  the file is one that is read
+  /// @throws UsageError  if the file is also an input
   void require_not_read(const std::string& name, const std::string& path) const;
 
  private:

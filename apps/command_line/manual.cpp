@@ -93,7 +93,7 @@ std::string program_page(const Program& program) {
     page += fmt::format(".TP\n\\fB{} {}\\fR\n{}\n", program.name, command.name,
                         escaped(command.summary));
   page +=
-      ".SH OPTIONS\n.TP\n\\fB\\-\\-help\\fR\nprint help, also of a command\n"
+      ".SH OPTIONS\n.TP\n\\fB\\-\\-help\\fR\nprint help; behind a command, print its help\n"
       ".TP\n\\fB\\-\\-version\\fR\nprint version and revision\n";
   page += exit_status();
   std::vector<std::string> pages;
@@ -113,8 +113,8 @@ std::string format_page() {
              "no compliance. The command strainwave new prints a file to begin with.\n") +
          ".SH FIELDS\n" + input_manual() + ".SH EDITORS\n" +
          escaped(
-             "The command strainwave schema prints a JSON Schema. Editors take it where the "
-             "first line of a drive names its file:\n") +
+             "The command strainwave schema prints a JSON Schema. An editor uses this schema if "
+             "the first line of a drive names its file:\n") +
          ".PP\n.nf\n#:schema ./strainwave\\-drive\\-1.schema.json\n.fi\n" +
          ".SH SEE ALSO\n.BR strainwave (1),\n.BR strainwave\\-new (1),\n.BR strainwave\\-schema "
          "(1)\n";
@@ -123,9 +123,9 @@ std::string format_page() {
 std::string command_page(const Program& program, std::string_view first_word) {
   const auto commands = commands_of(program, first_word);
   if (commands.empty())
-    throw OptionError("command", fmt::format("{} has no manual page; {} man --list prints those "
-                                             "that there are",
-                                             shown(first_word), program.name));
+    throw OptionError("command",
+                      fmt::format("{} has no manual page; {} man --list prints all pages",
+                                  shown(first_word), program.name));
   const Command& first = *commands.front();
   const bool group = !second_word(first).empty();
   std::string synopses;

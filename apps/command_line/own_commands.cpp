@@ -42,11 +42,13 @@ struct ManOptions {
   static void describe(Visitor&& field) {
     field({.name = "command",
            .unit = "",
-           .doc = "a command, or strainwave-drive for the input file; the program if left out",
+           .doc = "a command, or strainwave-drive for the input file; if left out, the page of the "
+                  "program",
            .positional = true,
            .names = "command"},
           &ManOptions::command);
-    field({"list", "", "print the commands that have a page, one a line"}, &ManOptions::list);
+    field({"list", "", "print the commands that have a manual page, one on each line"},
+          &ManOptions::list);
   }
 };
 
@@ -64,12 +66,12 @@ struct CompletionOptions {
   static void describe(Visitor&& field) {
     field({.name = "subject",
            .unit = "",
-           .doc = "the shell, or words for what a script asks",
+           .doc = "name of the shell; scripts use `words`, which prints the words that may follow",
            .positional = true},
           &CompletionOptions::subject);
     field({.name = "words",
            .unit = "",
-           .doc = "of a command line, behind --; the last one is completed",
+           .doc = "words of a command line, behind --; the command completes the last word",
            .positional = true},
           &CompletionOptions::words);
   }
@@ -102,10 +104,10 @@ Command completion_command(ProgramOf program, std::string_view example) {
   return command<CompletionOptions, PrintedText>({
       .name = "completion",
       .summary = "Print a script that completes words in a shell",
-      .description =
-          "Prints a script for bash, zsh or fish. The script asks the program what may stand in "
-          "place of a word: commands, options and their values, and by the input file on the line "
-          "the paths of its fields and outputs. An installed program brings the scripts with it.",
+      .description = "Prints a script for bash, zsh or fish. The script asks the program for the "
+                     "words that may follow: commands, options and their values. If the line names "
+                     "an input file, the paths of its fields and outputs are also offered. An "
+                     "installation already contains the scripts.",
       .example = example,
       .takes = Takes::nothing,
       .function = [program](

@@ -151,8 +151,8 @@ std::vector<Argument> arguments_of(const Command& command) {
                          .type = "PATH",
                          .repeatable = several && alone,
                          .required = true,
-                         .doc = several ? "input file, or - for standard input; of several files "
-                                          "a table, one row for each"
+                         .doc = several ? "input file, or - for standard input; several files give "
+                                          "a table with one row for each"
                                         : "input file, or - for standard input",
                          .fallback = {}});
   }
@@ -170,7 +170,7 @@ std::vector<Argument> arguments_of(const Command& command) {
   if (std::ranges::any_of(command.documents, &Document::folder))
     output.doc = std::ranges::all_of(command.documents, &Document::folder)
                      ? "write into this folder"
-                     : output.doc + "; a folder where the format has several files";
+                     : output.doc + "; a folder if the format has several files";
   if (!command.journal.empty()) {
     output = path_argument(Role::journal, "output", {}, command.journal);
     output.required = true;
@@ -188,13 +188,14 @@ std::vector<Argument> arguments_of(const Command& command) {
   arguments.push_back(std::move(format));
   arguments.push_back(std::move(output));
   if (has_units(command))
-    arguments.push_back({.role = Role::units,
-                         .name = "--units",
-                         .key = {},
-                         .type = "TEXT",
-                         .doc = "of the answer, such as mm,N*m/rad; si for SI throughout",
-                         .fallback = {},
-                         .names = "unit"});
+    arguments.push_back(
+        {.role = Role::units,
+         .name = "--units",
+         .key = {},
+         .type = "TEXT",
+         .doc = "units of the answer, such as mm,N*m/rad; si for SI units throughout",
+         .fallback = {},
+         .names = "unit"});
   if (std::ranges::any_of(command.documents, [](const Document& document) {
         return document.format == Format::csv && document.option.empty();
       }))
@@ -202,20 +203,21 @@ std::vector<Argument> arguments_of(const Command& command) {
                          .name = "--columns",
                          .key = {},
                          .type = "TEXT",
-                         .doc = "of the csv format, names separated by commas",
+                         .doc = "columns of the csv format, as names separated by commas",
                          .fallback = {}});
   arguments.insert(arguments.end(), beside.begin(), beside.end());
   if (std::ranges::find(command.documents, Format::toml, &Document::format) !=
       command.documents.end())
     arguments.push_back(
-        flag_argument(Role::force, "--force", "replace a drive that is in the file already"));
+        flag_argument(Role::force, "--force", "replace a drive that the file already contains"));
   const bool own = std::ranges::any_of(
       command.options.options, [](const Option& one) { return one.field.name == "progress"; });
   if (!own)
-    arguments.push_back(flag_argument(
-        Role::progress, "--progress",
-        "say how far the work is, with rate and time left, as on a terminal after one second"));
-  arguments.push_back(flag_argument(Role::quiet, "--quiet", "do not say how far the work is"));
+    arguments.push_back(flag_argument(Role::progress, "--progress",
+                                      "report the progress of the work, with rate and time left, "
+                                      "as a terminal does after one second"));
+  arguments.push_back(
+      flag_argument(Role::quiet, "--quiet", "do not report the progress of the work"));
   return arguments;
 }
 

@@ -39,7 +39,8 @@ struct Program {
 /// The first words of all commands, each once, in the order of the table.
 [[nodiscard]] std::vector<std::string_view> first_words(const Program& program);
 
-/// The commands whose names begin with this word: one, those of a group, or none.
+/// The commands whose names begin with this word: a single command, the commands of a group, or no
+/// command.
 [[nodiscard]] std::vector<const Command*> commands_of(const Program& program,
                                                       std::string_view first_word);
 
@@ -59,9 +60,9 @@ enum class Role {
   columns,   ///< chooses the columns of a CSV table
   journal,   ///< takes the path of the journal
   document,  ///< takes the path of a document beside the main one
-  force,     ///< a drive may take the place of a file that exists
-  progress,  ///< says how far it is, wherever standard error goes
-  quiet,     ///< does not say how far it is
+  force,     ///< a drive may replace an existing file
+  progress,  ///< reports the progress, wherever standard error goes
+  quiet,     ///< does not report the progress
 };
 
 /// An argument of a command as the command line spells it.  Parser, help, manual and completion use
@@ -77,7 +78,8 @@ struct Argument {
   std::string doc;
   std::string fallback;
   std::vector<std::string_view> choices = {};
-  std::string_view names = {};  ///< as Field::names; "file" for a file that is not read here
+  std::string_view names =
+      {};  ///< as Field::names; "file" for a file that the parser does not read
 
   [[nodiscard]] bool positional() const { return !name.starts_with('-'); }
 };

@@ -9,7 +9,7 @@
 namespace strainwave::cli {
 namespace {
 
-/// A time to two digits or so, in the unit that a person would use.
+/// A time with about two digits, in a unit that suits its size.
 std::string time_text(double seconds) {
   if (seconds < 99.5) return fmt::format("{:.0f} s", seconds);
   if (seconds < 99.5 * 60) return fmt::format("{:.0f} min", seconds / 60);

@@ -6,13 +6,13 @@
 
 namespace strainwave::cli {
 
-/// Says on standard error how far a computation is, once it has run for a second: the share that is
-/// done, its rate and the time that is left.
+/// Reports the progress of a computation on standard error, from its first second on: the finished
+/// share, the rate and the time left.
 class ProgressLine {
  public:
   enum class Style {
     none,
-    rewritten,  ///< one line, written again and again, for a terminal
+    rewritten,  ///< one line that is overwritten repeatedly, for a terminal
     appended,   ///< a line every two seconds, for a file
   };
 
@@ -23,9 +23,9 @@ class ProgressLine {
   ProgressLine(ProgressLine&&) = delete;
   ProgressLine& operator=(ProgressLine&&) = delete;
 
-  /// @param share  that is done, 0 to 1
+  /// @param share  finished share, 0 to 1
   void at(double share);
-  /// Takes a rewritten line away, before something else is written to standard error.
+  /// Removes the overwritten line before other text is written to standard error.
   void clear();
 
  private:
@@ -39,7 +39,7 @@ class ProgressLine {
 };
 
 /// "37 %, 2.1 %/s, 30 s left".
-/// @param share    that is done, 0 to 1
+/// @param share    finished share, 0 to 1
 /// @param seconds  that this took
 [[nodiscard]] std::string progress_text(double share, double seconds);
 

@@ -26,7 +26,7 @@
 namespace strainwave::cli {
 namespace {
 
-/// The day of SOURCE_DATE_EPOCH, which makes builds repeatable; empty if it is not set.
+/// The day of SOURCE_DATE_EPOCH, a variable that makes builds repeatable; empty if it is not set.
 std::string build_date() {
   const char* const variable = std::getenv("SOURCE_DATE_EPOCH");
   if (variable == nullptr || *variable == '\0') return {};
@@ -35,7 +35,8 @@ std::string build_date() {
   std::int64_t seconds = 0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), seconds);
   if (fault != std::errc() || end != text.data() + text.size() || seconds < 0 || seconds > kMost)
-    throw UsageError(fmt::format("SOURCE_DATE_EPOCH is not seconds since 1970: {}", shown(text)));
+    throw UsageError(fmt::format(
+        "SOURCE_DATE_EPOCH is {}, but must be a number of seconds since 1970", shown(text)));
   const std::chrono::year_month_day day{std::chrono::floor<std::chrono::days>(
       std::chrono::sys_seconds(std::chrono::seconds(seconds)))};
   return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(day.year()),
@@ -44,7 +45,7 @@ std::string build_date() {
 
 bool on_terminal() { return ::isatty(STDERR_FILENO) == 1; }
 
-/// What an option that is left out gets from where the program runs.
+/// Values that an omitted option takes from the environment of the program.
 std::vector<std::string> told_by_surroundings(const Given& given, const Argument& argument) {
   if (argument.names == "date")
     if (std::string date = build_date(); !date.empty()) return {std::move(date)};
@@ -52,7 +53,7 @@ std::vector<std::string> told_by_surroundings(const Given& given, const Argument
   return {};
 }
 
-/// @throws UsageError  progress is both wanted and not wanted
+/// @throws UsageError  if both --progress and --quiet are given
 ProgressLine::Style progress_style(const Given& given) {
   const bool wanted = has(given, Role::progress);
   const bool quiet = has(given, Role::quiet);
@@ -81,14 +82,16 @@ ExitCode exit_code_of(const Answer& answer) {
   return exit_code_of(evidence.requirement.value_or(RequirementOutcome::met));
 }
 
-/// Says on standard error what the main document cannot, and how the program ends.
+/// Prints on standard error the evidence that the main document cannot show, and determines the
+/// exit code.
 ExitCode judged(const Program& program, const Answer& answer, std::string_view main) {
   const ResultEvidence& evidence = answer.evidence();
   if (!answer.usable()) {
     warn(program, evidence.unusable_because);
     return exit_code_of(answer);
   }
-  // A table has no place for notes.  A doubt of the command itself concerns all of it.
+  // A CSV table cannot hold notes, so print them. A doubt about the command itself concerns the
+  // whole table.
   if (main == "csv")
     for (const Note& note : evidence.notes)
       if (note.severity != Severity::information &&
@@ -97,8 +100,8 @@ ExitCode judged(const Program& program, const Answer& answer, std::string_view m
   return exit_code_of(answer);
 }
 
-/// @throws UsageError       a drive would take the place of a file, and nobody said so
-/// @throws UnwritableError  there is no program that makes the document what its name says
+/// @throws UsageError       if a drive would replace an existing file without --force
+/// @throws UnwritableError  if no installed program converts the document to the format of its name
 std::optional<Converter> prepared(const Document& document, const std::string& path, bool force) {
   std::error_code unseen;
   if (document.format == Format::toml && !force && !is_standard_output(path) &&
@@ -108,7 +111,7 @@ std::optional<Converter> prepared(const Document& document, const std::string& p
   return converter_for(document.format, path);
 }
 
-/// What stands between the commas of a text.
+/// The parts of a text between its commas.
 std::vector<std::string> parts_of(std::string_view text) {
   std::vector<std::string> parts;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -119,7 +122,7 @@ std::vector<std::string> parts_of(std::string_view text) {
   return parts;
 }
 
-/// What the words of a command line ask for.
+/// The requests that the words of a command line make.
 struct Asked {
   OptionValues options;
   OptionTexts attached = {};
@@ -127,15 +130,15 @@ struct Asked {
   std::string main = "json";
   std::string main_path = {};
   std::vector<std::pair<std::string, std::string_view>> beside = {};  // path, document
-  std::string journal = {};                                           // its path; empty: none
+  std::string journal = {};  // its path; empty if there is none
   AskedUnits units = {};
   std::vector<std::string> columns = {};
 };
 
-/// Takes the words in, and reads the files that they name.
-/// @param file   of the drive; null: none is read
-/// @param known  gets the tables that the drive names
-/// @throws UsageError  an output would be written over such a table
+/// Stores the words, and reads the files that they name.
+/// @param file   file of the drive; null if the command reads none
+/// @param known  receives the tables that the drive names
+/// @throws UsageError  if an output would overwrite such a table
 Asked asked_by(const Given& given, const std::string* file, KnownFiles& known) {
   const Command& command = given.command;
   Asked asked{.options = OptionValues(command.options)};
@@ -187,8 +190,8 @@ Asked asked_by(const Given& given, const std::string* file, KnownFiles& known) {
   return asked;
 }
 
-/// The files of the drives.  Among the words of a positional option, those that name a file are
-/// files too: `require a.toml b.toml 'OUTPUT >= VALUE'`.
+/// The files of the drives.  If a word of a positional option names a file, the word is a file too,
+/// as in `require a.toml b.toml 'OUTPUT >= VALUE'`.
 std::vector<std::string> take_files(Given& given) {
   std::vector<std::string> files;
   const bool several = answers_several(given.command);
@@ -209,7 +212,7 @@ std::vector<std::string> take_files(Given& given) {
   return files;
 }
 
-/// The answer for one of several files; what is wrong with it does not stop the others.
+/// The answer for one of several files.  A fault of this file does not stop the other files.
 FileAnswer answer_for(const Given& given, const std::string& file, KnownFiles& known,
                       const Progress& progress) {
   FileAnswer of{.file = file, .answer = {}, .fault = {}};
@@ -296,8 +299,8 @@ ExitCode run_command(Given given) {
     throw UsageError(fmt::format("--format {} writes several files: name a folder with -o", main));
   if (!chosen.needs.empty() && chosen.folder && !options.given(chosen.needs))
     options.set(chosen.needs, "true");
-  // What cannot be written is refused before the work.
-  std::map<std::string, Converter> converters;  // by the path of what they make
+  // Refuse an output that cannot be written before the work starts.
+  std::map<std::string, Converter> converters;  // by the path of their output
   ranks.together([&] {
     if (chosen.folder) return require_folder(main_path);
     if (!ranks.first() || command.documents.empty()) return;
@@ -323,7 +326,7 @@ ExitCode run_command(Given given) {
         line.clear();
         if (ranks.first()) warn(given.program, words);
       });
-  // All documents are made before any file is written: a failure leaves nothing behind.
+  // Make all documents before writing any file, so a failure leaves no file behind.
   std::optional<Answer> answer;
   std::vector<OutputFile> files;
   std::vector<std::pair<std::string, std::string>> texts;  // path, document

@@ -6,7 +6,8 @@
 
 namespace strainwave::cli {
 
-/// Reads what a command line names, runs its command, and writes the documents.  With several files
+/// Reads the files that a command line names, runs its command, and writes the documents.  With
+/// several files
 /// it answers for each of them, in one document.
 /// @return  how the program ends
 /// @throws UsageError, UnwritableError, InputError, SolverError, Stopped

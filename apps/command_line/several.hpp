@@ -12,18 +12,18 @@
 
 namespace strainwave::cli {
 
-/// What a command answered for one of several files.
+/// The answer of a command for one of several files.
 struct FileAnswer {
   std::string file;
   std::optional<Answer> answer;
-  std::string fault;  ///< why there is no answer, or why it may not be used; empty: it may
+  std::string fault;  ///< the reason why there is no usable answer; empty if the answer may be used
   ExitCode code = kOk;
 };
 
 /// Whether the answers of a command can stand in one table: its result has a headline.
 [[nodiscard]] bool answers_several(const Command& command);
 
-/// The exit status of a run over several files: that of the worst.
+/// The exit status of a run over several files, which is that of the worst file.
 [[nodiscard]] ExitCode worst_of(std::span<const FileAnswer> answers);
 
 /// One document of several answers, a row for each file.

@@ -92,9 +92,8 @@ Rows wall_compliance_rows() {
                   .own = article::sound_flexspline_compliance(p.cup(0.83, 0.83)),
                   .corrected = true_sound,
                   .verdict = AuditVerdict::misprint,
-                  .sentence =
-                      "k_f and k_G are the same 0.83: the formula uses it twice, the number "
-                      "once",
+                  .sentence = "k_f and k_G are the same factor 0.83; the formula contains this "
+                              "factor twice, the printed number once",
                   .reproduce = reproducing("k_f k_G", "1", 2.359e-10, 0.1, 2, with_factor)});
   rows.push_back({.id = "C7",
                   .quantity = "mean radius r_m",
@@ -103,7 +102,7 @@ Rows wall_compliance_rows() {
                   .own = mean_radius,
                   .corrected = mean_radius,
                   .verdict = AuditVerdict::misprint,
-                  .sentence = "(160 - 2.24)/2; one digit is wrong"});
+                  .sentence = "(160 - 2.24)/2 differs from the printed number in one digit"});
   rows.push_back({.id = "C8",
                   .quantity = "Delta l_f",
                   .unit = kCompliance,
@@ -111,7 +110,7 @@ Rows wall_compliance_rows() {
                   .own = article::wall_crack_compliance(p.wall()),
                   .corrected = corrected_crack,
                   .verdict = AuditVerdict::not_reproducible,
-                  .sentence = "a power of ten too large",
+                  .sentence = "the printed number is ten times too large",
                   .reproduce = reproducing("a", "mm", 1.0e-15, 0.01, 10, [&](double a) {
                     return article::wall_crack_compliance(with(&Printed::a, a).wall());
                   })});

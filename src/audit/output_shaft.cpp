@@ -108,8 +108,8 @@ Rows shaft_crack_terms_rows() {
                   .own = terms.torsion_term,
                   .corrected = solid,
                   .verdict = AuditVerdict::physics,
-                  .sentence = "right algebra for the wrong area and coefficient; M_M and d_e vary "
-                              "during crack growth"});
+                  .sentence = "the algebra is right, but area and coefficient are wrong; M_M and "
+                              "d_e vary during crack growth"});
   rows.push_back({.id = "D8",
                   .quantity = "2/E in front of K_I^2, over plane strain",
                   .unit = "1",
@@ -174,8 +174,8 @@ Rows shaft_crack_rows(const StiffnessResult& result) {
                   .own = article::shaft_crack_compliance(p.shaft()).total(),
                   .corrected = compliance_in_mm(result.cracks[2].positive.at_output),
                   .verdict = AuditVerdict::not_reproducible,
-                  .sentence = "printed formula and inputs give a third of the value; its agreement "
-                              "with the corrected value is chance",
+                  .sentence = "the printed formula and inputs give a third of the value; the "
+                              "printed value agrees with the corrected value by chance",
                   .reproduce = reproducing("a", "mm", 3.9e-14, 0.01, 10, [&](double a) {
                     return article::shaft_crack_compliance(with(&Printed::a, a).shaft()).total();
                   })});

@@ -164,8 +164,8 @@ Rows race_crack_rows(const StiffnessResult& result) {
                   .own = crack_stiffness(p),
                   .corrected = 1 / newman_raju,
                   .verdict = AuditVerdict::not_reproducible,
-                  .sentence = fmt::format("no input of the article gives it, and F_r in the "
-                                          "denominator leaves the dimension {}",
+                  .sentence = fmt::format("no input of the article gives this value, and F_r in "
+                                          "the denominator leaves the dimension {}",
                                           dimension_text(exponents_of(crack_stiffness))),
                   .reproduce = reproducing("a", "mm", p.dK_G, 0.01, 100, crack_stiffness_at)});
   return rows;
@@ -181,8 +181,8 @@ Rows radial_stiffness_rows(const StiffnessResult& result) {
                   .printed = p.K_G0,
                   .own = article::sound_radial_stiffness(p.F_r, p.F_r / p.K_G0, 0, 0),
                   .verdict = AuditVerdict::input,
-                  .sentence = "the article estimates it from literature; displacements add, and "
-                              "the shaft's is zero for two symmetric lobes"});
+                  .sentence = "the article estimates this value from literature; displacements "
+                              "add, and that of the shaft is zero for two symmetric lobes"});
   const auto by_subtraction = [&](double a) {
     return article::radial_stiffness(p.K_G0, crack_stiffness_at(a));
   };

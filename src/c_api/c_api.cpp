@@ -128,7 +128,7 @@ std::string all_of(const sw_source& source) {
     const std::size_t wanted = std::min(piece.size(), kMaxTextSize + 1 - text.size());
     const std::ptrdiff_t n = source.next(source.context, piece.data(), wanted);
     if (n < 0 || static_cast<std::size_t>(n) > wanted)
-      throw CallbackFault("the source of the caller reported a fault");
+      throw CallbackFault("the source function of the caller reported a fault");
     if (n == 0) break;
     text.append(piece.data(), static_cast<std::size_t>(n));
   }
@@ -242,9 +242,9 @@ sw_error* sw_answer_write(const sw_answer* answer, sw_text name, const sw_sink* 
     for (std::size_t at = 0; at < document.size(); at += kPiece)
       if (sink->write(sink->context, document.data() + at,
                       std::min(kPiece, document.size() - at)) != 0)
-        throw CallbackFault("the sink of the caller reported a fault");
+        throw CallbackFault("the sink function of the caller reported a fault");
     if (sink->commit != nullptr && sink->commit(sink->context) != 0)
-      throw CallbackFault("the sink of the caller reported a fault");
+      throw CallbackFault("the sink function of the caller reported a fault");
   });
 }
 
@@ -254,7 +254,7 @@ sw_error* sw_batch(const sw_drive* drive, const sw_batch_task* task, const sw_pr
     const auto method = enum_value<Method>(view(task->method));
     if (!method)
       throw OptionError("method", "\"" + shown(view(task->method)) +
-                                      "\" is not as-printed, repaired or corrected");
+                                      "\" is not one of as-printed, repaired or corrected");
     const std::vector<std::string> paths = strings(task->paths, task->n_paths);
     const std::vector<std::string> outputs = strings(task->outputs, task->n_outputs);
     const BatchResult result = batch(drive->drive->gear,

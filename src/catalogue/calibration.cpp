@@ -17,11 +17,12 @@ namespace {
 
 constexpr double kMostUncertainty = 0.5;  // largest uncertainty of an identified factor
 
-/// Most torques of one sense that a drive is solved at; a bench writes more of them.  Straight
-/// lines between so many err by less than a tenth of what a measurement does.
+/// Largest number of torques of one sense at which a drive is solved; a test bench records more.
+/// Straight lines between so many points have a smaller error than a tenth of the measurement
+/// error.
 constexpr std::size_t kMostTorques = 200;
 
-/// Evenly chosen from sorted torques, with the first and the last; all of them if they are few.
+/// Selects evenly from sorted torques, including the first and the last; few torques are all kept.
 std::vector<double> chosen(const std::vector<double>& torques) {
   if (torques.size() <= kMostTorques) return torques;
   std::vector<double> some;
@@ -84,7 +85,7 @@ GearSet component_set(const GearSet& gear) {
   return set;
 }
 
-/// Which combinations of factors the values tell, and how well each factor is known.
+/// Finds the combinations of factors that the values determine, and the uncertainty of each factor.
 void tell_identified(Calibration& result, const FactorProblem& problem, const FactorFit& fit) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(fit.jacobian,
                                               Eigen::ComputeThinU | Eigen::ComputeThinV);

@@ -10,15 +10,16 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
 
-// The tables that spreadsheets write: with or without a byte order mark, any line end, cells
-// between commas, semicolons or tabs, in quotes or not, numbers with a point or a comma.
+// Reads the tables that spreadsheets write: with or without a byte order mark, with any line end,
+// cells between commas, semicolons or tabs, with or without quotes, and numbers with a point or a
+// comma.
 
 namespace strainwave {
 namespace {
 
 struct Cell {
   std::string text;
-  std::size_t column = 0;  // of its first byte in the line, from 1
+  std::size_t column = 0;  // column of its first byte in the line, from 1
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -28,7 +29,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
-/// Takes a line off a text, with its end: \n, \r\n or \r.
+/// Removes the first line of a text with its end (\n, \r\n or \r), and returns the line.
 std::string_view take_line(std::string_view& text) {
   const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
   const std::string_view line = text.substr(0, end);
@@ -65,7 +66,7 @@ std::vector<Cell> cells_of(std::string_view line, char separator, TextPlace plac
   return cells;
 }
 
-/// The separator that a line of names uses: what stands outside of its quotes.
+/// The separator that a line of names uses outside its quotes.
 char separator_of(std::string_view line) {
   bool quoted = false;
   bool semicolon = false;
@@ -94,14 +95,14 @@ class CurveReader {
     constexpr std::string_view kMark = "\xEF\xBB\xBF";
     if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
     if (text.find('\0') != std::string_view::npos)
-      refuse(0, "is no CSV text in UTF-8; save the table as \"CSV UTF-8\"");
+      refuse(0, "is not CSV text in UTF-8; save the table as \"CSV UTF-8\"");
     while (!text.empty()) {
       ++place_.line;
       take(take_line(text));
     }
     place_.line = 0;
     if (!separator_) refuse(0, "is empty");
-    if (points_.empty()) refuse(0, "has no point under torque");
+    if (points_.empty()) refuse(0, "has no point with a torque; give at least one");
     return std::move(points_);
   }
 
@@ -121,14 +122,14 @@ class CurveReader {
       return read_names(cells_of(line, *separator_, place_));
     }
     const std::vector<Cell> cells = cells_of(line, *separator_, place_);
-    // Spreadsheets write empty rows as separators alone.
+    // Spreadsheets write an empty row as a line of separators.
     if (std::ranges::all_of(cells, [](const Cell& cell) { return cell.text.empty(); })) return;
     const double torque = number(cells, torque_, line.size());
     const double twist = number(cells, twist_, line.size());
     if (torque == 0.0 && twist == 0.0) return;
     if (!(torque * twist > 0))
       refuse(cells[*twist_.index].column,
-             "torque and twist must have the same sign: count the twist from the unloaded state");
+             "torque and twist must have the same sign; measure the twist from the unloaded state");
     points_.push_back({torque, twist});
   }
 
@@ -146,7 +147,8 @@ class CurveReader {
       if (open == std::string_view::npos || close == std::string_view::npos || close < open)
         refuse(cells[i].column,
                fmt::format("the column {0} has no unit; write {0} [{1}]", name, column->usual));
-      if (column->index) refuse(cells[i].column, fmt::format("names the column {} twice", name));
+      if (column->index)
+        refuse(cells[i].column, fmt::format("names the column {} twice; name it once", name));
       column->unit = trimmed(cell.substr(open + 1, close - open - 1));
       column->index = i;
       try {
@@ -163,8 +165,11 @@ class CurveReader {
 
   double number(const std::vector<Cell>& cells, const Column& column, std::size_t length) {
     if (cells.size() <= *column.index)
-      refuse(length + 1, fmt::format("has too few columns: {} is the column {}", column.name,
-                                     *column.index + 1));
+      refuse(
+          length + 1,
+          fmt::format(
+              "has too few columns, because {} is column {}; give torque and twist in every line",
+              column.name, *column.index + 1));
     const Cell& cell = cells[*column.index];
     const auto fault = [&](std::string_view why) {
       refuse(cell.column, fmt::format("{} = \"{}\" {}", column.name, shown(cell.text), why));
@@ -184,7 +189,7 @@ class CurveReader {
     try {
       return parse_quantity(column.name, fmt::format("{} {}", text, column.unit), column.si);
     } catch (const InputError&) {
-      fault("is not a number, such as 12.5 or 12,5");
+      fault("is not a number; write a number such as 12.5 or 12,5");
     }
     return 0.0;
   }
@@ -194,7 +199,7 @@ class CurveReader {
   std::optional<char> separator_;
   Column torque_{.name = "torque", .si = "N*m", .usual = "N*m"};
   Column twist_{.name = "twist", .si = "rad", .usual = "arcmin"};
-  std::array<std::size_t, 2> decimal_line_ = {};  // where a point, and a comma, was seen
+  std::array<std::size_t, 2> decimal_line_ = {};  // lines in which a point and a comma were seen
   std::vector<MeasuredPoint> points_;
 };
 

@@ -57,7 +57,7 @@ constexpr std::array<Proportion, 25> kProportions = {{
     {"ball_diameter", "over the section", &Values::ball_diameter, 0.5185, 0.7015, kTypical,
      "published samples and bearing practice", ""},
     {"ball_count", "balls", &Values::ball_count, 19, 27, kTypical,
-     "bearings of this kind have 19 to 27", ""},
+     "bearings of this kind have 19 to 27 balls", ""},
     {"conformity", "groove radius over ball", &Values::conformity, 0.52, 0.54, kTypical,
      "bearing practice", ""},
     {"groove_factor", "share of the ring's bending stiffness", &Values::groove_factor, 0.7, 0.9, kAssumed,
@@ -89,7 +89,7 @@ double rounded(double value, double unit, std::string_view name, std::string_vie
 
 /// The toothed ring, from which the other dimensions follow.
 struct TypicalRim {
-  double radius = 0.0;     // R, of the mean line [m]
+  double radius = 0.0;     // radius R of the mean line [m]
   double thickness = 0.0;  // t_r [m]
   double width = 0.0;      // b [m]
 };
@@ -191,8 +191,8 @@ std::map<std::string, std::string> origins(int size, double ratio, Cup cup) {
                                        : "assumed: the rating of this size and ratio is unknown"},
       {"drive.wave_number", "catalogue: all makers' drives of this kind"},
       {"drive.pitch_diameter", "catalogue: 2.54 mm times the size"},
-      {"load.torque",
-       rated != nullptr ? "catalogue: rated torque" : "catalogue: T2, as no rated torque is known"},
+      {"load.torque", rated != nullptr ? "catalogue: rated torque"
+                                       : "catalogue: T2, because the rated torque is unknown"},
       {"material.steel.youngs_modulus", "typical: alloy steel, 2 %"},
       {"material.steel.poissons_ratio", "typical"},
       {"rating.T1", "catalogue: T1 of this size, the same for all ratios"},

@@ -74,8 +74,8 @@ struct Tick {
 /// One axis: its range of values, their positions, and its ticks.
 class Axis {
  public:
-  /// @param label  of the axis: angles of about a turn are divided by 60 deg
-  /// @param steps  how many the ticks of a linear axis make, about
+  /// @param label  label of the axis; an axis of angles over about a turn has ticks every 60 deg
+  /// @param steps  approximate number of steps between the ticks of a linear axis
   Axis(ValueRange values, AxisScale scale, double from_px, double to_px,
        std::string_view label = {}, int steps = 6)
       : scale_(scale),
@@ -109,7 +109,7 @@ class Axis {
     return {values.lower - lacking / 2, values.upper + lacking / 2};
   }
 
-  /// Steps of 1, 2 or 5 times a power of ten; the axis ends at ticks.
+  /// Places ticks in steps of 1, 2 or 5 times a power of ten; the axis ends at ticks.
   void place_linear_ticks(const ValueRange& values) {
     const double raw = (values.upper - values.lower) / steps_;
     const double decade = std::pow(10.0, std::floor(std::log10(raw)));
@@ -183,7 +183,7 @@ class Axis {
   double from_px_, to_px_;
   bool in_degrees_ = false;
   int steps_ = 6;
-  double lower_ = 0.0, upper_ = 1.0;  ///< of the values, or of their logarithms
+  double lower_ = 0.0, upper_ = 1.0;  ///< limits of the values, or of their logarithms
   std::vector<Tick> ticks_;
   std::string factor_;
 };
@@ -378,7 +378,7 @@ std::string tornado_panel_svg(const TornadoPanel& panel, double top) {
   return svg + words((left + right) / 2, lower + 42, "label middle", panel.x_label);
 }
 
-/// What a reader who does not see the panels is told: title and description.
+/// Title and description for readers who cannot see the panels.
 struct Spoken {
   std::string title;
   std::string description;

@@ -24,7 +24,7 @@ class Grid {
   Grid(std::span<const double> values, std::size_t n_j, double level)
       : values_(values), n_j_(n_j), level_(level) {}
 
-  /// The value at a point above the level.
+  /// The value at a point minus the level.
   [[nodiscard]] double above(std::size_t i, std::size_t j) const {
     return values_[i * n_j_ + j] - level_;
   }
@@ -42,7 +42,7 @@ class Grid {
 
   /// The pieces of the line in the cell whose first corner is (i, j): none, one or two.
   void add_pieces(std::size_t i, std::size_t j, std::vector<Segment>& pieces) const {
-    // Round the cell, beginning at its corner (i, j).
+    // The edges round the cell, beginning at its corner (i, j).
     const std::array<double, 4> corner = {above(i, j), above(i + 1, j), above(i + 1, j + 1),
                                           above(i, j + 1)};
     if (!std::ranges::all_of(corner, [](double value) { return std::isfinite(value); })) return;
@@ -53,7 +53,7 @@ class Grid {
       if (crosses(edge[k])) cut.push_back(k);
     if (cut.size() == 2) pieces.emplace_back(edge[cut[0]], edge[cut[1]]);
     if (cut.size() != 4) return;
-    // A saddle: the first corner and the middle are on one side, or they are not.
+    // In a saddle, the mean decides on which side of the level the middle lies.
     const double middle = (corner[0] + corner[1] + corner[2] + corner[3]) / 4;
     const std::size_t shift = (corner[0] >= 0) == (middle >= 0) ? 0 : 3;
     pieces.emplace_back(edge[shift % 4], edge[(shift + 1) % 4]);
@@ -70,7 +70,7 @@ class Grid {
   double level_;
 };
 
-/// Pieces that share edges, one after the other.
+/// Joins pieces that share edges into lines.
 class Chains {
  public:
   explicit Chains(const std::vector<Segment>& pieces) : pieces_(pieces), used_(pieces.size()) {
@@ -80,7 +80,7 @@ class Chains {
     }
   }
 
-  /// Open lines from their ends, then closed ones.
+  /// Follow open lines from their ends first, then closed lines.
   [[nodiscard]] std::vector<std::vector<Edge>> all() {
     std::vector<std::vector<Edge>> chains;
     for (const auto& [edge, touching] : at_)

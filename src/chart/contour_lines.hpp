@@ -17,8 +17,9 @@ struct GridPoint {
 };
 using GridLine = std::vector<GridPoint>;
 
-/// Lines on which a grid of values has one level, by linear interpolation along the edges of its
-/// cells; a cell with a corner that is not finite has none.  A saddle is parted by its mean.
+/// Lines on which a grid of values has a given level, by linear interpolation along the edges of
+/// its cells.  A cell with a corner that is not finite has no line.  In a saddle, the mean of the
+/// corners decides how the lines run.
 ///
 /// @param values  shape (n_i, n_j), the second index runs fastest
 [[nodiscard]] std::vector<GridLine> contour_lines(std::span<const double> values, std::size_t n_i,

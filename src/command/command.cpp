@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::string_view kEnvelope = "strainwave-result/1";
 
-/// The unit of "PATH=FROM..TO:N" or "OUTPUT >= VALUE"; asks for nothing where there is none.  What
+/// Asks for the unit of "PATH=FROM..TO:N" or "OUTPUT >= VALUE", if the text has a unit.  What
 /// is wrong with the text, the command says.
 void ask_as_typed(AskedUnits& units, std::string_view text) {
   const std::size_t sign = text.find_first_of("<>");
@@ -149,9 +149,10 @@ std::string Answer::document(std::string_view name) const {
   if (name == "json") return json();
   std::vector<OutputFile> made = files(name);
   if (made.size() != 1 || !made.front().name.empty())
-    throw OptionError("document",
-                      fmt::format("{} of {} is a folder of files, not a text; write it to a folder",
-                                  shown(name), command_->name));
+    throw OptionError(
+        "document",
+        fmt::format("{} of {} is a folder of files and not a text; name a folder for it",
+                    shown(name), command_->name));
   return std::move(made.front().text);
 }
 

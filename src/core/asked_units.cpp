@@ -13,7 +13,7 @@ namespace {
 const AskedUnits kNone;
 thread_local const AskedUnits* innermost = &kNone;
 
-/// @throws InputError  the text is no unit
+/// @throws InputError  if the text is not a unit
 Unit unit_of(std::string_view text) {
   try {
     return parse_unit(text);
@@ -22,7 +22,7 @@ Unit unit_of(std::string_view text) {
   }
 }
 
-/// The unit that a text of a result names; nothing where it names none.
+/// The unit that a text of a result names; absent if the text names no unit.
 std::optional<Unit> unit_if_any(std::string_view text) {
   try {
     return parse_unit(text);
@@ -44,13 +44,15 @@ AskedUnits::AskedUnits(std::string_view text) {
     begin = end + 1;
     const Unit unit = unit_of(one);
     if (same_dimension(unit, Unit{}))
-      throw InputError("units", fmt::format("{} is of pure numbers, which are always told as they "
-                                            "are: leave it out",
-                                            shown(one)));
+      throw InputError(
+          "units",
+          fmt::format("{} is a unit of pure numbers, which the answer never converts; leave it out",
+                      shown(one)));
     for (const Asked& other : asked_)
       if (same_dimension(unit, other.unit))
-        throw InputError("units", fmt::format("{} and {} have one dimension: choose one of them",
-                                              other.text, shown(one)));
+        throw InputError("units",
+                         fmt::format("{} and {} have the same dimension; choose one of them",
+                                     other.text, shown(one)));
     asked_.push_back({.name = {}, .text = std::string(one), .unit = unit});
   }
 }

@@ -33,7 +33,8 @@ Range usual_range(const Field& field) {
         .lower = range.lower, .lower_open = false, .upper = range.upper, .upper_open = false};
   };
   if (std::isfinite(field.usual.lower)) return closed(field.usual);
-  // Of strain wave drives from a watch's to a crane's, with a decade to spare.
+  // Usual ranges of strain wave drives, from the size of a watch to that of a crane, widened by a
+  // factor of ten.
   static constexpr std::array<std::pair<std::string_view, Range>, 6> kByUnit = {
       {{"m", {.lower = 1e-7, .upper = 10.0}},
        {"N", {.lower = 1e-3, .upper = 1e7}},

@@ -111,7 +111,7 @@ std::string plainly_written(std::string_view text) {
   return plain;
 }
 
-/// A decimal number times a power of ten, as text: exact.
+/// A decimal number times a power of ten, as exact text.
 /// @param text  a number as number_length knows it
 std::string shifted_text(std::string_view text, int power) {
   const std::size_t e = text.find_first_of("eE");
@@ -147,7 +147,7 @@ class UnitParser {
 
   Unit parse() {
     const Unit unit = product(0);
-    if (!rest_.empty()) refuse("has something after the unit");
+    if (!rest_.empty()) refuse("has text after the unit; remove this text");
     return unit;
   }
 
@@ -169,7 +169,7 @@ class UnitParser {
     Unit result = power(depth);
     while (!rest_.empty() && rest_.front() != ')') {
       const double sign = take('*') ? 1.0 : take('/') ? -1.0 : 0.0;
-      if (sign == 0.0) refuse("may have only * / ^ and parentheses between units");
+      if (sign == 0.0) refuse("may contain only * / ^ and parentheses between units");
       multiply(result, power(depth), sign);
     }
     return result;
@@ -181,7 +181,7 @@ class UnitParser {
     const std::size_t length = number_length(rest_);
     const std::optional<double> exponent = parse_number(rest_.substr(0, length));
     if (!exponent || std::abs(*exponent) > 12.0)
-      refuse("needs a number between -12 and 12 after ^");
+      refuse("needs an exponent between -12 and 12 after ^");
     rest_.remove_prefix(length);
     Unit result;
     multiply(result, base, *exponent);
@@ -192,7 +192,7 @@ class UnitParser {
     if (take('(')) {
       if (depth == kMaxDepth) refuse("has too many nested parentheses");
       const Unit inner = product(depth + 1);
-      if (!take(')')) refuse("has an opening parenthesis that is not closed");
+      if (!take(')')) refuse("has an opening parenthesis without a closing one");
       return inner;
     }
     const std::size_t n = std::min(rest_.find_first_of("*/^()"), rest_.size());
@@ -205,11 +205,10 @@ class UnitParser {
         return {power_of_ten(prefix.power + *unit->power_of_ten), unit->dimension,
                 prefix.power + *unit->power_of_ten};
     }
-    refuse(symbol.empty()
-               ? "lacks a unit where one is due"
-               : fmt::format("has the unknown unit \"{}\"; known are products such as mm, N*m/rad "
-                             "or MPa*m^0.5; strainwave units lists all",
-                             shown(symbol)));
+    refuse(symbol.empty() ? "lacks a unit where the text needs one"
+                          : fmt::format("has the unknown unit \"{}\"; write a unit such as mm, "
+                                        "N*m/rad or MPa*m^0.5; strainwave units lists all units",
+                                        shown(symbol)));
   }
 
   static void multiply(Unit& result, const Unit& by, double exponent) {
@@ -290,8 +289,8 @@ double parse_quantity(std::string_view field, std::string_view text, std::string
 
 namespace {
 
-/// A number in plain digits, or in those of an exponent where it is far from 1.
-/// @param text  a number as number_length knows it, such as "0.0102e3"
+/// A number in plain digits, or with an exponent if it is far from 1.
+/// @param text  a number in the form that number_length accepts, such as "0.0102e3"
 std::string plain_digits(std::string_view text) {
   const std::size_t e = std::min(text.find('e'), text.size());
   int exponent = 0;

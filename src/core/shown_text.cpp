@@ -54,9 +54,10 @@ std::string shown_number(double value, int digits) {
 }
 
 std::string percent(double share, int digits) {
-  const double p = share == 0 ? 0.0 : 100 * share;                    // without the sign of a zero
-  if (std::abs(p) >= 1e4) return fmt::format("{:.3g} times", share);  // nobody reads so many digits
-  // From 100 on, significant digits would turn into an exponent.
+  const double p = share == 0 ? 0.0 : 100 * share;  // avoids a negative zero
+  if (std::abs(p) >= 1e4)
+    return fmt::format("{:.3g} times", share);  // a percentage of five digits is hard to read
+  // From 100 on, the format with significant digits would show an exponent.
   return std::abs(p) >= 99.5 ? fmt::format("{:.0f} %", p) : fmt::format("{:.{}g} %", p, digits);
 }
 
@@ -105,7 +106,7 @@ DisplayUnit display_unit(std::string_view name, std::string_view si) {
 }
 
 std::string shown_quantity(double value, std::string_view si, int digits, std::string_view name) {
-  constexpr double kStiff = 10 * units::GPa;  // moduli are above, stresses below
+  constexpr double kStiff = 10 * units::GPa;  // moduli are larger, stresses smaller
   const bool stiff = si == "Pa" && std::abs(value) >= kStiff && !asked_units().of(name, si);
   const DisplayUnit unit = stiff ? DisplayUnit{"GPa", units::GPa} : display_unit(name, si);
   const std::string number = fmt::format("{:.{}g}", value / unit.in_si, digits);

@@ -25,18 +25,18 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int kFrontPoints = 33;         // of half a front; K varies slowly along it
-constexpr double kNearlyAll = 1 - 1e-6;  // of a length that a crack must not reach
+constexpr int kFrontPoints = 33;         // points on half of a front; K varies slowly along it
+constexpr double kNearlyAll = 1 - 1e-6;  // share of a length that a crack must not reach
 
 const StrengthNote kAssembly = {
-    "the assembly is assumed to bend the cracked wall by the full w_0 cos(U theta): an upper bound "
-    "away from the open end of a cup, but not for a flattened cam or on the rim; in a turn each "
-    "face is in tension once per lobe, so the crack may start from either",
+    "the assembly is assumed to bend the cracked wall by the full w_0 cos(U theta); this is an "
+    "upper bound away from the open end of a cup, but not for a flattened cam or on the rim; in a "
+    "turn each face is in tension once per lobe, so the crack may start from either face",
     "FA-12"};
 const StrengthNote kThroughBending = {
-    "a through crack is assessed with the full bending of the assembly at the outer fibre: exact "
-    "for a crack that is short compared with the wall's thickness, up to 1.6 times too much for a "
-    "long one; contact of its closed half is left out",
+    "a through crack is assessed with the full bending of the assembly at the outer fibre; this is "
+    "exact for a crack that is short compared with the wall's thickness, and up to 1.6 times too "
+    "much for a long crack; contact of its closed half is left out",
     "FA-14"};
 const StrengthNote kFit = {
     "stresses of fit and rotation in the ring are unknown and left out; the stress of the crack is "
@@ -46,8 +46,8 @@ const StrengthNote kGroove = {
     "a groove is treated as a sharp crack of its depth all round, which is conservative", "FA-11"};
 const char* const kDiaphragm = "the bending of the diaphragm by the assembly is unknown";
 const char* const kRim =
-    "on the rim the wall's bending is not an upper bound: membrane stress of the assembly and "
-    "tooth forces are left out";
+    "on the rim the wall's bending is not an upper bound, because membrane stress of the assembly "
+    "and tooth forces are left out";
 const char* const kOrder =
     "the driver orthogonal_shear gives an order of magnitude at best (ST-12)";
 
@@ -162,7 +162,7 @@ class Maker {
     made.range_text = "the radius of the shaft";
     made.kinks.push_back(
         {.code = "sensitivity.solid_shaft",
-         .text = "a bore of 0 is a solid shaft, whose crack has a solution of its own: the "
+         .text = "a bore of 0 is a solid shaft, whose crack has a separate solution, so the "
                  "derivative with respect to the bore is that of the sound shaft",
          .path = "output_shaft.inner_diameter",
          .equation = "FR-12",
@@ -209,8 +209,8 @@ class Maker {
     if (touching && normal_stress_of_torque != 0)
       made.kinks.push_back(
           {.code = "sensitivity.step",
-           .text = "the crack is exactly between open and closed, where the stiffness steps: the "
-                   "derivatives are those of the open crack and valid on one side only",
+           .text = "the crack is exactly between open and closed, where the stiffness steps, so "
+                   "the derivatives are those of the open crack and valid on one side only",
            .path = made.path,
            .equation = "FR-17",
            .severity = Severity::care});
@@ -345,8 +345,9 @@ class Maker {
     if (at_station)
       made.kinks.push_back(
           {.code = "sensitivity.kink",
-           .text = "the arc is at a station of the diaphragm's profile, where the slope of the "
-                   "thickness steps: the derivatives are those of the profile inside the station",
+           .text =
+               "the arc is at a station of the diaphragm's profile, where the slope of the "
+               "thickness steps, so the derivatives are those of the profile inside the station",
            .path = made.path,
            .equation = "TC-19",
            .severity = Severity::care});
@@ -505,7 +506,8 @@ class Maker {
           bending_to_shape(gear_.drive, loads_.ring_steel(), *R, t) / units::MPa);  // (SW-9)
     if (!text.empty()) text += ", and ";
     return text +
-           fmt::format("the driver's stress leaves out the ring's bending by its cam{}", size);
+           fmt::format("the stress of this driver leaves out the bending of the ring by its cam{}",
+                       size);
   }
 
   const GearSet& gear_;

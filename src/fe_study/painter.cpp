@@ -216,7 +216,8 @@ std::string BandPainter::svg() const {
 
 void DepthPainter::polygon(double depth, std::vector<PaperPoint> points, std::string fill,
                            std::string_view edge) {
-  // Orient all polygons alike, because overlapping polygons of opposite orientation in one path
+  // Give all polygons the same orientation, because overlapping polygons of opposite orientation in
+  // one path
   // would leave a hole.
   double twice_area = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {

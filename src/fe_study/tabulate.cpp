@@ -252,11 +252,10 @@ void refuse_other_head(const std::string& there, const std::string& here, const 
     if (old_ends) old_line = "(nothing)";
     if (new_ends) new_line = "(nothing)";
     if (old_line == new_line && !old_ends) continue;
-    throw InputError(
-        fmt::format("{}:{}", file, line),
-        fmt::format("belongs to another run: it has \"{}\", this run \"{}\"; name another "
-                    "file",
-                    shown(old_line), shown(new_line)));
+    throw InputError(fmt::format("{}:{}", file, line),
+                     fmt::format("belongs to another run: the file has \"{}\", but this run has "
+                                 "\"{}\"; name another file",
+                                 shown(old_line), shown(new_line)));
   }
 }
 

@@ -35,7 +35,7 @@ double norm(const Point3& a) { return std::sqrt(dot(a, a)); }
 /// One face of a cell on the boundary, with the points of its grid; the first index runs fastest.
 struct BoundaryFace {
   std::vector<const FieldPoint*> points;
-  Point3 outward{};  ///< from the middle of the cell [m]
+  Point3 outward{};  ///< vector from the middle of the cell [m]
 };
 
 std::vector<BoundaryFace> boundary_faces(const fem::SampledFields& fields) {

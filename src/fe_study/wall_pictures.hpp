@@ -17,8 +17,8 @@ struct DrawnTube {
   double to{};            ///< z [m]
 };
 
-/// A crack of a tube's wall whose middle is at theta = 0and whose shape is arbitrary, as pictures
-/// need it.
+/// A crack of any shape in a tube's wall, in the form that pictures need.  Its middle is at theta =
+/// 0.
 struct CrackedWall {
   std::string path;                ///< "flexspline.crack[0]"
   std::string description;         ///< "through crack 2a = 20 mm at 45° from the generator, ..."
@@ -28,8 +28,8 @@ struct CrackedWall {
   std::string body;                ///< "tube", "cup"
   std::vector<DrawnTube> outline;  ///< outline of the body, from the lowest to the open end
   double place{};                  ///< z of the crack's middle [m]
-  double half_length{};            ///< a, on the visible face [m]
-  double angle{};                  ///< from +z toward -theta [rad]
+  double half_length{};            ///< half length a on the visible face [m]
+  double angle{};                  ///< angle from +z toward -theta [rad]
   /// true: pictures show the inner face, from which the crack starts
   bool inside = false;
   double torque{};      ///< torque with its sign [N*m]

@@ -746,7 +746,7 @@ class Solver {
           p.energy_density = (shear_r * shear_r + shear_z * shear_z) / (2 * mu_);  // (FE-38)
         } else {
           p.displacement = {value[0], 0, value[1]};
-          const double hoop = r > tiny ? value[0] / r : slope[0][0];  // on the axis, its limit
+          const double hoop = r > tiny ? value[0] / r : slope[0][0];  // limit on the axis
           const double volume = lambda_ * (slope[0][0] + hoop + slope[1][1]);
           const double shear = mu_ * (slope[0][1] + slope[1][0]);
           p.stress = {volume + 2 * mu_ * slope[0][0],

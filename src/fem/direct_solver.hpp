@@ -33,7 +33,7 @@ class DirectSolver {
   ///                           decides
   /// @throws SolverError  if the matrix is singular
   /// @throws MemoryError  if the memory does not suffice
-  /// @throws Error        on any other fault of MUMPS
+  /// @throws Error        if MUMPS reports any other fault
   DirectSolver(SymmetricEntries entries, int unknowns,
                std::optional<int> workspace_percent = std::nullopt);
   ~DirectSolver();

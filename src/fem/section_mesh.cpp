@@ -148,7 +148,7 @@ class Grid {
   Grid(const SectionShape& shape, const SectionSpacing& spacing) : shape_(shape) {
     require(spacing.coarse_r > 0, "spacing.coarse_r", spacing.coarse_r, "m", "> 0");
     require(spacing.coarse_z > 0, "spacing.coarse_z", spacing.coarse_z, "m", "> 0");
-    if (shape.rectangles.empty()) throw InputError("rectangles", "must have at least one");
+    if (shape.rectangles.empty()) throw InputError("rectangles", "must have at least one element");
     LineSpacing r{.breaks = {}, .focus = {}, .coarse = spacing.coarse_r, .growth = spacing.growth};
     LineSpacing z = r;
     z.coarse = spacing.coarse_z;

@@ -33,7 +33,7 @@ constexpr double kPatchCells = 1.3;
 /// Radius of the outermost circle about a tip over half the square's side.
 constexpr double kCircle = 0.65;
 
-/// The patch of cells about the crack, a rectangle.
+/// The rectangular patch of cells about the crack.
 class Patch {
  public:
   explicit Patch(const ConfocalPlan& plan)

@@ -701,7 +701,7 @@ void settle(const toml::node& document, Steps& path) {
   }
 }
 
-/// The text with this change and no other.
+/// The text with this change only.
 /// @param value  null: remove
 std::string with_change(const std::string& text, const KnownPath& path, const NewValue* value) {
   const toml::table before = parse_toml(text, "text");
@@ -726,7 +726,7 @@ std::string printed_path(const Steps& path) {
   return text.text();
 }
 
-/// The steps of a path that a list of the drive has in its text; none if it has other text there.
+/// The steps of a path in an entry of a list of the drive; empty if the text is not a path.
 Steps named_steps(const toml::node* entry) {
   const toml::node* const path = child(entry, key_step("path"));
   const auto text = path != nullptr ? path->value<std::string>() : std::nullopt;
@@ -737,7 +737,8 @@ Steps named_steps(const toml::node* entry) {
   }
 }
 
-/// Where a path leads after an element of a list has been removed; nothing if it led into it.
+/// The new path after an element of a list has been removed; absent if the path led into this
+/// element.
 std::optional<Steps> after_removal(Steps path, const Steps& removed) {
   if (!removed.back().is_index || !begins_with(path, part(removed, removed.size() - 1)) ||
       path.size() < removed.size())
@@ -748,8 +749,8 @@ std::optional<Steps> after_removal(Steps path, const Steps& removed) {
   return path;
 }
 
-/// The lists that name numbers by their paths follow a change of a table or a list: an entry goes
-/// with the number that it names, and gets the new path of one that has moved.
+/// Adapts the lists that name numbers by their paths to a change of a table or a list.  An entry is
+/// removed with the number that it names, and gets the new path if the number has moved.
 /// @param before  the document without the change
 std::string with_paths_after(std::string text, const toml::table& before, const Steps& change,
                              bool removes) {

@@ -44,7 +44,8 @@ void add_from_library(GearSet& gear, const std::optional<Member>& member, std::s
                   meant.empty() ? "strainwave material list has the names" : shown(meant)));
 }
 
-/// Takes from the library what the tables of the file that name a record of it leave out.
+/// Completes the tables of the file that name a record of the library with the values that they
+/// leave out.
 void complete_from_library(GearSet& gear) {
   for (auto& [name, material] : gear.material) {
     if (!material.based_on) continue;

@@ -52,7 +52,7 @@ template <class T>
 bool required(const Field& field) {
   return !is_optional<T> && !is_vector<T> && !is_string_map<T> && field.fallback.empty();
 }
-/// The same whatever the fields beside it.
+/// Whether the field is required regardless of the other fields of its table.
 template <class T>
 bool always_required(const Field& field) {
   return required<T>(field) && field.unless.empty();
@@ -140,7 +140,7 @@ class TemplateWriter {
 
 using Json = nlohmann::ordered_json;
 
-/// The units of one word that have the dimension of a unit, as a group of a pattern: "(mm|m|in)".
+/// The one-word units with the dimension of a unit, as a group of a pattern such as "(mm|m|in)".
 std::string words_like(std::string_view unit) {
   const Unit wanted = parse_unit(unit);
   std::vector<std::string> symbols;
@@ -178,8 +178,8 @@ std::map<std::string_view, std::string> unit_patterns() {
           {"rad/(N*m)", fmt::format("{}/(\\({}\\)|{})", angle, torque, words_like("N*m"))}};
 }
 
-/// The texts of quantities that the reader accepts: sign and dimension as the field has them.  Of
-/// the products that are no usual unit, such as kg*m/s^2, the pattern knows none.
+/// The texts of quantities that the reader accepts, with the sign and dimension of the field.  The
+/// pattern does not contain products that are unusual as a unit, such as kg*m/s^2.
 std::string quantity_pattern(const Field& field) {
   static const std::map<std::string_view, std::string> kUnits = unit_patterns();
   const Range& range = field.range;
@@ -274,10 +274,10 @@ Json table_schema(std::string_view kind) {
 // ---------------------------------------------------------------------------------------------
 // Reference
 
-/// How a page shows its tables of fields.
+/// The form in which a page shows its tables of fields.
 enum class Form { markdown, roff };
 
-/// Text as roff shows it.
+/// Text with the characters of roff escaped.
 std::string as_roff(std::string_view text) {
   std::string result;
   for (const char c : text)

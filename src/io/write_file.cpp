@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 /// Reason why the last system call failed.
 std::error_code last_fault() { return {errno, std::system_category()}; }
 
-/// Writes all of a text; a signal ends it with EINTR if it waits.
+/// Writes a whole text.  A signal during a wait ends the function with EINTR.
 std::error_code write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t n = ::write(descriptor, text.data(), text.size());
@@ -38,7 +38,7 @@ std::error_code write_all(int descriptor, std::string_view text) {
 /// @param safe  true: the text is on the disk on return
 std::error_code write_and_close(int descriptor, std::string_view text, bool safe) {
   std::error_code fault = write_all(descriptor, text);
-  // A device and a pipe have nothing to make safe, and say EINVAL.
+  // Devices and pipes cannot be synchronised and return EINVAL.
   if (!fault && safe && ::fsync(descriptor) != 0 && errno != EINVAL) fault = last_fault();
   if (::close(descriptor) != 0 && !fault) fault = last_fault();
   return fault;
@@ -67,7 +67,7 @@ WaitingFile::WaitingFile(const fs::path& path, std::string_view text)
   const fs::file_status old = fs::status(file_, fault);
   const auto mode = fs::exists(old) ? static_cast<mode_t>(old.permissions()) : mode_t{0666};
   if (fs::is_directory(old)) refuse(path, "it is a directory");
-  // Its folder would allow another file in its place, whoever may write.
+  // Check the file itself, because a writable folder would allow replacing a write-protected file.
   constexpr fs::perms kWritable =
       fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
   if (fs::exists(old) &&
@@ -106,7 +106,7 @@ void require_open_end(const fs::path& path) {
   if (fault) refuse(path, fault.message());
   if (type == fs::file_type::directory) refuse(path, "it is a directory");
   if (::access(path.c_str(), W_OK) != 0) refuse(path, last_fault().message());
-  // Opening a pipe and closing it again would tell its reader that all is said.
+  // Do not open and close a pipe here, because the reader would take this as the end of the text.
   if (type != fs::file_type::character) return;
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   if (descriptor < 0) refuse(path, last_fault().message());

@@ -120,20 +120,22 @@ std::string material_list_markdown(const MaterialData& data) {
       "`data/materials.toml`.\n\n"
       "A member of a drive may name any of these steels, by name or alias, in place of a table of\n"
       "the input file: `material = \"17-4PH H900\"`. Case and blanks do not matter. A table\n"
-      "`[material.\"17-4PH H900\"]` in the file always wins over the library. With\n"
-      "`based_on = \"17-4PH H900\"` such a table, under any name, takes from the library what it\n"
-      "leaves out, so that one number can be added or replaced:\n\n"
+      "`[material.\"17-4PH H900\"]` in the file always wins over the library. A table with\n"
+      "`based_on = \"17-4PH H900\"`, under any name, uses the library's values for all fields that "
+      "it\n"
+      "leaves out. In this way you can add or replace one number:\n\n"
       "```toml\n[material.flexspline]\nbased_on = \"17-4PH H900\"\n"
       "fracture_toughness = \"50 MPa*m^0.5\"\n```\n\n"
-      "Two of E, G and nu define a material: a shear modulus of the table stands in place of the\n"
-      "Poisson's ratio of the library, and any of the three in place of its shear modulus. G and "
-      "nu\n"
-      "of the table define E = 2G(1+nu) in place of the library's Young's modulus. The\n"
-      "corrected method lists in a note what it took from the library, what is the table's own, "
+      "Two of E, G and nu define a material. A shear modulus in the table therefore replaces the\n"
+      "Poisson's ratio of the library, and any of the three in the table replaces the library's "
+      "shear\n"
+      "modulus. G and nu of the table define E = 2G(1+nu) in place of the library's Young's "
+      "modulus.\n"
+      "The corrected method lists in a note the values of the library, the values of the table, "
       "and\n"
-      "which of it is unverified.\n\n"
-      "What the confidences mean, and how numbers were converted, is in chapter MA of the theory\n"
-      "manual. Scatter is one standard deviation over the value.\n";
+      "the unverified values.\n\n"
+      "Chapter MA of the theory manual explains the confidences and the conversion of numbers.\n"
+      "Scatter is one standard deviation over the value.\n";
   for (const MaterialRecord& record : data.material) {
     const Table about{
         .head = {"use", "treatment", "other names", "remark"},

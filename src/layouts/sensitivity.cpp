@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kNoise = 1e-12;  // rounding noise; elasticities are of the order of one
 
-/// The outputs of one kind: they stand in a table of their own.
+/// The outputs of one kind, which share a table.
 struct Group {
   std::string what;                  ///< "stiffness of the sum"
   std::string symbol;                ///< "K", for the head of a column
@@ -27,7 +27,8 @@ struct Group {
   [[nodiscard]] bool is_of_sum() const { return is_loss() || symbol == "K"; }
 };
 
-/// K1, K2, K3 of the coupled drive, then stiffness of the sum and its loss.
+/// The groups of outputs: K1, K2, K3 of the coupled drive, then the stiffness of the sum and its
+/// loss.
 std::vector<Group> groups_of(const Sensitivity& sensitivity) {
   std::vector<Group> groups;
   for (const char* const line : {"K1", "K2", "K3"})
@@ -127,7 +128,7 @@ std::vector<TitledTable> elasticity_tables(const Sensitivity& sensitivity) {
                 return std::abs(e) < kNoise ? std::string("0") : fmt::format("{:+.4g}", e);
               });
     tables.push_back(
-        {fmt::format("Elasticities of {}{}: per cent of change per per cent of input (SN-1)",
+        {fmt::format("Elasticities of {}{}: per cent of change per per cent of the input (SN-1)",
                      group.is_of_sum() ? "the " : "", group.what),
          std::move(table)});
   }
@@ -191,15 +192,14 @@ std::string sensitivity_text(const SensitivityReport& report, const GearSet& gea
       zeros += fmt::format("  d {}/d {} = {:.5g} in SI units\n", sensitivity.outputs[y].name,
                            input.path, input.influence[y].derivative);
   }
-  if (!zeros.empty())
-    text += "\nInputs that are 0: the derivative exists, the elasticity does not\n" + zeros;
+  if (!zeros.empty()) text += "\nInputs that are 0 have a derivative but no elasticity\n" + zeros;
   if (!sensitivity.no_influence.empty())
     text += '\n' +
             paragraph(fmt::format("No influence: {}", fmt::join(sensitivity.no_influence, ", ")));
   for (const CurveStep& step : sensitivity.not_differentiated)
-    text +=
-        paragraph(fmt::format("K1, K2, K3 have no derivative to {}: {}", step.path, step.reason));
-  text += fmt::format("\nDimensions hold to {:.1g}, at most {:.0g} is accepted (SN-6)\n",
+    text += paragraph(fmt::format("K1, K2, K3 have no derivative with respect to {}: {}", step.path,
+                                  step.reason));
+  text += fmt::format("\nResidual of the dimensions: {:.1g}; at most {:.0g} is accepted (SN-6)\n",
                       sensitivity.homogeneity_residual(), kMaxHomogeneityResidual);
   if (const auto& scatter = report.scatter)
     text += text_tables(scatter_tables(*scatter, sensitivity)) +
@@ -245,7 +245,7 @@ std::string sensitivity_plot(const SensitivityReport& report, const GearSet& gea
   const Sensitivity& sensitivity = report.sensitivity;
   std::vector<TornadoPanel> panels;
   for (Group group : groups_of(sensitivity)) {
-    // The sound drive: both cracked ones show it too.
+    // Leave out the sound drive, because the tables of both cracked drives show it too.
     if (!group.is_loss() && group.outputs.size() > 1) group.outputs.erase(group.outputs.begin());
     TornadoPanel panel = panel_of(sensitivity, group);
     panel.title = group.what;

@@ -22,7 +22,7 @@ std::string digits_in(const Quantity& q, double unit_in_si) {
   return warranted_digits({q.value / unit_in_si, q.unit, q.relative_uncertainty});
 }
 
-/// The coupled drive: what it answers, and what the cracks change.
+/// The table of the coupled drive: its answers and their changes by the cracks.
 Table coupled_table(const CurveResult& curve, const GearSet& gear) {
   Table table{{"", "sound", "cracked, T > 0", "cracked, T < 0", "accuracy"}};
   for (const CoupledRow& row : coupled_rows(curve, gear)) {

@@ -13,7 +13,7 @@
 namespace strainwave {
 namespace {
 
-/// "K to 5 %", "K exact", or "K_I to 3 %, K_II and K_III to 5 %".
+/// The accuracy in words: "K to 5 %", "K exact", or "K_I to 3 %, K_II and K_III to 5 %".
 std::string accuracy_of(const std::vector<sif::ModeAccuracy>& accuracies) {
   std::vector<std::string> texts;
   for (const sif::ModeAccuracy& accuracy : accuracies)
@@ -155,7 +155,8 @@ std::string sif_evaluation_text(const sif::Evaluation& e) {
                           fmt::format("{:.6g}", entry.value), std::string(entry.unit)});
   text += text_table(added);
   if (!e.converged)
-    text += fmt::format("  not converged: relative error {:.2g}\n", e.quadrature_error);
+    text +=
+        fmt::format("  the integral did not converge: relative error {:.2g}\n", e.quadrature_error);
   text += fmt::format("\nAccuracy: {}; {}\nSource {} ({}); equation ({})\n",
                       accuracy_of(sif::mode_accuracies(e)), e.info.accuracy, e.info.source,
                       enum_name(e.info.basis), e.info.equation);

@@ -92,14 +92,15 @@ std::string subtitle(const SweepResult& result) {
   return text;
 }
 
-/// Whether any point has an output.
+/// Whether any point has a value of this output.
 bool any(const std::vector<double>& values) {
   return std::ranges::any_of(values, [](double value) { return std::isfinite(value); });
 }
 
 constexpr std::array<const char*, 3> kLines = {"K1", "K2", "K3"};
 
-/// K1, K2, K3 of the coupled drive, and what cracks change in them; none where it is not solved.
+/// Panels of K1, K2, K3 of the coupled drive and of their changes by cracks; empty if it is not
+/// solved.
 std::vector<PlotPanel> coupled_panels(const SweepResult& result, const SweepTable& table,
                                       const std::string& title) {
   const std::vector<double> x = table.input(0);
@@ -112,7 +113,7 @@ std::vector<PlotPanel> coupled_panels(const SweepResult& result, const SweepTabl
   };
   PlotPanel stiffness = panel(title, "K1, K2, K3 of the coupled drive [N·m/arcmin]");
   stiffness.subtitle = subtitle(result);
-  PlotPanel change = panel("What cracks change in the coupled drive", "change ΔK/K [%]");
+  PlotPanel change = panel("Changes of the coupled drive by the cracks", "change ΔK/K [%]");
   const bool cracked = !result.crack_paths.empty();
   const auto add = [&](PlotPanel& to, std::string label, const std::string& output) {
     std::vector<double> values = table.output(output);
@@ -156,7 +157,7 @@ std::vector<PlotPanel> panels_over_one(const SweepResult& result, const GearSet&
   const bool positive = std::ranges::none_of(total, [](double loss) { return loss <= 0; });
   PlotPanel loss{
       .title = "Loss of stiffness of the sum by cracks",
-      .subtitle = "and what the cracks of each member contribute to it under T > 0",
+      .subtitle = "and the contribution of the cracks of each member under T > 0",
       .x_label = table.axis_label(0),
       .y_label = "loss of stiffness −ΔK/K [%]",
       .x_scale = scale_of(result.variations[0]),
@@ -175,7 +176,7 @@ std::vector<PlotPanel> panels_over_one(const SweepResult& result, const GearSet&
   return panels;
 }
 
-/// Whether two outputs differ so far that both are worth a panel.
+/// Whether two outputs differ enough to need a panel each.
 bool differ(const std::vector<double>& one, const std::vector<double>& other) {
   double largest = 0.0;
   double difference = 0.0;
@@ -187,7 +188,7 @@ bool differ(const std::vector<double>& one, const std::vector<double>& other) {
   return difference > 0.005 * largest;  // visible
 }
 
-/// One output over both numbers.
+/// A contour panel of one output over both numbers.
 ContourPanel panel_over_two(const SweepResult& result, const SweepTable& table,
                             const std::string& output) {
   ContourPanel panel{.title = {},

@@ -133,13 +133,13 @@ TitledTable comparison_table(const CurveComparison& c) {
                             : c.crack_class == CrackClass::contact_path
                                 ? "in the path of the contacts"
                             : c.crack_class == CrackClass::none ? "cannot tell"
-                                                                : "cannot tell, or in several";
+                                                                : "cannot tell, or several members";
   return {fmt::format("Change of stiffness by the cracks, at {} position{} over a turn of the wave "
                       "generator",
                       c.angles.size(), c.angles.size() == 1 ? "" : "s"),
           table,
-          fmt::format("Lost motion {} without, {} arcmin with cracks; largest width of the loop {} "
-                      "and {} arcmin. Place of the crack: {}; {} (TC-26)",
+          fmt::format("Lost motion is {} arcmin without and {} arcmin with cracks; the largest "
+                      "width of the loop is {} and {} arcmin. Place of the crack: {}; {} (TC-26)",
                       arcmin(c.lost_motion_sound), arcmin(c.lost_motion_cracked),
                       arcmin(c.hysteresis_sound), arcmin(c.hysteresis_cracked), where, c.evidence)};
 }

@@ -45,9 +45,9 @@ std::string what_was_done(const Validation& v) {
 constexpr std::string_view kHonesty =
     "The proportions were fixed before the comparison, but the choice of factors was not.  "
     "During\ndevelopment, every set of one to three of the seven factors was fitted to all sizes "
-    "at once, and\nmany sets fit equally well.  The default set has one unknown each of housing "
-    "(support), tooth\n(coning) and cam (cam_flattening), which nobody publishes, and none of them "
-    "ends at a limit.\nUse --all-sets to fit all sets again.";
+    "at once, and\nmany sets fit equally well.  The default set contains one unknown each of "
+    "housing (support), tooth (coning) and cam (cam_flattening), because makers do not publish "
+    "these; none of the three ends at a limit.\nUse --all-sets to fit all sets again.";
 
 std::string trial_values(const FactorTrial& trial) {
   std::string values;
@@ -119,8 +119,9 @@ std::string failing_rows(const Validation& v) {
       failing += fmt::format("{} size {} ratio {} ({:.1f} %)", failing.empty() ? "" : ",",
                              row.catalogue.size, enum_name(row.catalogue.ratio_class), 100 * worst);
   }
-  return fmt::format("\nOf {} rows of ratio 50 and more, not within 2 %:{}\n", rows,
-                     failing.empty() ? " none" : failing);
+  return fmt::format(
+      "\nRows that differ by more than 2 %, of the {} rows of ratio 50 and more:{}\n", rows,
+      failing.empty() ? " none" : failing);
 }
 
 }  // namespace

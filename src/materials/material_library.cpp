@@ -264,7 +264,8 @@ Material completed(const Material& own, const MaterialRecord& record) {
       if (at != name || !wanted) return;
       value = number.value;
       material.from_library.emplace_back(name);
-      // Every stiffness rests on Young's modulus: what contradicts it is said with it.
+      // Every stiffness depends on Young's modulus, so the text also gives the remark that
+      // contradicts it.
       const bool with_remark = name == "youngs_modulus" && !number.remark.empty();
       taken.push_back(fmt::format(
           "{} {} ({}{}{})", words, shown_quantity(number.value, unit_of(number), 4),
@@ -294,13 +295,15 @@ Material completed(const Material& own, const MaterialRecord& record) {
   material.origin =
       own.based_on
           ? fmt::format(
-                "based on {} of the material library, taken: {}; own: {}", record.name, numbers,
+                "based on {} of the material library; values of the library: {}; own values: {}",
+                record.name, numbers,
                 own_numbers.empty() ? "nothing" : fmt::format("{}", fmt::join(own_numbers, ", ")))
-          : fmt::format("taken from the material library, {}: {}", record.name, numbers);
+          : fmt::format("values of the material library, {}: {}", record.name, numbers);
   material.verified = unverified.empty();
   if (!material.verified)
-    material.origin += fmt::format("; unverified, check it before you base a decision on it: {}",
-                                   fmt::join(unverified, ", "));
+    material.origin += fmt::format(
+        "; these values are unverified, so check them before you base a decision on them: {}",
+        fmt::join(unverified, ", "));
   return material;
 }
 
@@ -311,7 +314,7 @@ double growth_per_cycle(const ParisLaw& law, double delta_K) {
 
 double transition_range(const ParisLaw& first, const ParisLaw& second) {
   require(first.exponent != second.exponent, "exponent", second.exponent, "1",
-          "another exponent than the first law's");
+          "an exponent that differs from that of the first law");
   return units::MPa * std::pow(first.coefficient / second.coefficient,
                                1 / (second.exponent - first.exponent));  // (MA-3)
 }

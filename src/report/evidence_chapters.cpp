@@ -33,7 +33,7 @@ struct NoteGroup {
 };
 constexpr std::array kNoteGroups = {NoteGroup{Severity::critical, "Critical", "critical"},
                                     NoteGroup{Severity::cannot_tell, "Cannot be told", "open"},
-                                    NoteGroup{Severity::care, "To be taken with care", "care"},
+                                    NoteGroup{Severity::care, "Take with care", "care"},
                                     NoteGroup{Severity::information, "For information", "info"}};
 
 }  // namespace
@@ -48,7 +48,7 @@ ReportSection notes_chapter(const Draft& draft) {
       html += fmt::format("<h3>{}</h3>\n<ul class=\"notes {}\">\n{}</ul>\n", group.title,
                           group.style, items);
   }
-  if (html.empty()) html = paragraph("There is nothing to remark.");
+  if (html.empty()) html = paragraph("There are no notes.");
   return {"notes", "Validity notes", html};
 }
 

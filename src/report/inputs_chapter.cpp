@@ -158,8 +158,8 @@ class Collector {
   const GearSet& gear_;
   std::map<std::string, InputRemark> remarks_;
   std::string group_;
-  std::string key_;     ///< of the table that is walked, where it is one of many
-  std::string record_;  ///< of the library, of the material that is walked
+  std::string key_;     ///< key of the walked table, if it is one of many
+  std::string record_;  ///< library record of the walked material
   std::vector<std::pair<std::string, std::vector<Entry>>> groups_;
 };
 

@@ -28,7 +28,7 @@ struct Ring {
   [[nodiscard]] Polygon polygon() const { return rectangle(z1, inner, z2, outer); }
 };
 
-/// All parts of a drive.
+/// All parts of a drive that the drawings show.
 struct Layout {
   std::optional<Ring> cam;
   std::optional<Ring> inner_ring;

@@ -135,7 +135,7 @@ ReportSection shares_chapter(const Draft& draft) {
   }
   std::string html = figure(
       bar_chart(members),
-      "Where the compliance of the sum is: members of the sound drive in series, without contacts.",
+      "Compliance of the sum by members of the sound drive, which act in series without contacts.",
       "bars");
   if (!r.cracks.empty()) {
     BarChart cracks{.id = "shares-cracks",

@@ -71,16 +71,17 @@ ReportSection absent(std::string_view why) {
 ReportSection sensitivity_chapter(Draft& draft) {
   if (!draft.corrected())
     return absent(
-        fmt::format("No sensitivity: only the method corrected has one, and this report uses "
-                    "the method {}.",
+        fmt::format("This report has no sensitivities, because it uses the method {}; only the "
+                    "method corrected gives sensitivities.",
                     enum_name(draft.result.method)));
   try {
     const Sensitivity s = sensitivity_of(draft.gear);
     if (!s.usable()) return absent("No sensitivity: " + s.unusable_because + ".");
     std::string html = paragraph(
-        "Exact first derivatives, of K1, K2, K3 where the coupled drive is solved and of the sum "
-        "of the members, as elasticities: by how many percent an output changes for one percent "
-        "more of an input, all others kept.");
+        "The table gives exact first derivatives as elasticities: the change of an output in "
+        "percent when one input increases by one percent and all other inputs stay the same. The "
+        "outputs are those of the sum of the members and, if the coupled drive is solved, K1, K2, "
+        "K3.");
     const std::string sense = draft.gear.load.torque > 0 ? "positive" : "negative";
     const std::string coupled = draft.cracks.empty() ? "curve.intact." : "curve." + sense + ".";
     std::size_t charts = 0;
@@ -106,9 +107,9 @@ ReportSection sensitivity_chapter(Draft& draft) {
                                 s.no_influence.size()),
                     "remark");
     for (const CurveStep& step : s.not_differentiated)
-      html += paragraph(
-          fmt::format("K1, K2, K3 have no derivative to {}: {}.", escaped(step.path), step.reason),
-          "remark");
+      html += paragraph(fmt::format("K1, K2, K3 have no derivative with respect to {}: {}.",
+                                    escaped(step.path), step.reason),
+                        "remark");
     draft.add(s.notes);
     draft.add(std::vector<std::string>{"SN-1", "SN-2", "SN-6", "TC-27"});
     if (!draft.gear.scatter.empty()) html += scatter_html(draft, s);

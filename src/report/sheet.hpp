@@ -74,7 +74,7 @@ class Sheet {
   void hatch_on_paper(const Polygon& outline, const Hatch& hatch);
 
   /// The document.
-  /// @param size  of the paper [mm]
+  /// @param size  size of the paper [mm]
   [[nodiscard]] std::string svg(std::string_view id, Point size, std::string_view title,
                                 std::string_view description) const;
 

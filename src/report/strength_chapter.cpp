@@ -50,8 +50,8 @@ ReportSection strength_chapter(const Draft& draft) {
     section.html = paragraph(
         draft.cracks.empty() ? "The file has no cracks."
         : !draft.corrected()
-            ? fmt::format("No failure assessment: only the method corrected has one, and this "
-                          "report uses the method {}.",
+            ? fmt::format("This report has no failure assessment, because it uses the method {}; "
+                          "only the method corrected gives one.",
                           enum_name(r.method))
             : "Cannot tell: no material of the file gives fracture_toughness or yield_strength, so "
               "the cracks cannot be assessed.",

@@ -21,12 +21,15 @@ ReportSection without_curve(std::string_view why) {
 ReportSection torsion_chapter(Draft& draft) {
   if (!draft.corrected())
     return without_curve(
-        fmt::format("No torsion curve: the method {} has none; it is a model of the method "
-                    "corrected.",
+        fmt::format("This report has no torsion curve, because it uses the method {}; only the "
+                    "method corrected gives one.",
                     enum_name(draft.result.method)));
   const std::string missing = missing_for_torsion_curve(draft.gear);
   if (!missing.empty())
-    return without_curve("No torsion curve: the file does not say enough for it. " + missing + ".");
+    return without_curve(
+        "This report has no torsion curve, because the file does not give all fields that the "
+        "curve needs. " +
+        missing + ".");
   try {
     const bool cracked = !draft.cracks.empty();
     const TorsionReport t = torsion_report(
@@ -37,13 +40,13 @@ ReportSection torsion_chapter(Draft& draft) {
         "The drive as one system of elastic rings on one-sided balls and flanks, output against "
         "locked input. The maker's torques are T₁ = {}, T₂ = {}, T₃ = {}, rated {} N·m{}.",
         number(t.torques.T1), number(t.torques.T2), number(t.torques.T3), number(t.torques.rated),
-        t.torques.by_convention ? ", by convention, as the file does not give them" : ""));
+        t.torques.by_convention ? ", by convention, because the file does not give them" : ""));
     for (const PlotPanel& panel : torsion_panels(t, draft.gear)) {
       const std::string caption =
           panel.title == draft.gear.name || panel.title == "Torsion curve"
               ? std::string(
-                    "Twist over torque, input locked; the maker's three lines; loop of the "
-                    "flank friction at rated torque.")
+                    "Twist over torque with locked input, the maker's three lines, and the loop of "
+                    "the flank friction at rated torque.")
               : panel.title + (panel.subtitle.empty() ? "" : ", " + panel.subtitle) + ".";
       html += plot_figure(svg_plot(std::span(&panel, 1)), caption);
     }

@@ -131,9 +131,10 @@ std::string wall_drawing(const GearSet& gear) {
               fmt::format("wall of the flexspline seen from outside, unrolled; scale {}",
                           scale_text(scale)),
               "small end");
-  sheet.words({kPaperWidth - 2, end + 4.8},
-              "where on the wall a crack lies is not in the file; length and angle β are to scale",
-              "small end");
+  sheet.words(
+      {kPaperWidth - 2, end + 4.8},
+      "the file does not give the place of a crack on the wall; length and angle β are to scale",
+      "small end");
   return sheet.svg(
       "wall", {kPaperWidth, end + 8}, "Developed wall of the flexspline with its cracks",
       fmt::format("Scale {}; the angle beta is counter-clockwise from +z.", scale_text(scale)));

@@ -156,7 +156,7 @@ void add_compliance(Evaluation& result, const Row& row, const AnyCrack& crack,
                                    .unit = compliance_unit(row.loads[i], row.loads[j])});
 }
 
-/// Which modes loads make.
+/// The modes that the loads cause.
 struct ModesThere {
   bool opening = false;
   bool shear = false;

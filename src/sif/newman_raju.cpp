@@ -41,7 +41,7 @@ Real BasicNewmanRaju<Real>::bending_ratio(const Real& depth_ratio, double phi) c
   using std::exp;
   const auto [h1, h2, p] = bending_ends(depth_ratio);
   const double s = std::sin(phi);
-  // p > 0, so that the power vanishes at the surface.
+  // Because p > 0, the power vanishes at the surface.
   const Real along = s > 0 ? Real(exp(p * std::log(s))) : Real(0.0);
   return 1 + depth_ratio * (h1 + (h2 - h1) * along);  // (SP-3)
 }

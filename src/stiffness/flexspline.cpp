@@ -29,18 +29,17 @@ void add_sound_flexspline(const GearSet& gear, const SeriesModel<double>& model,
     if (!plain_tube)
       member.notes.push_back(
           {.code = "flexspline.shape_factor",
-           .text = fmt::format("the factor {:.4g} represents all parts except the barrel; cups are "
-                               "1.06 to 11 times "
-                               "as compliant as their barrel in finite elements{}",
-                               model.shape_factor(),
-                               model.shape_factor() < 1
-                                   ? ", so that a factor below 1 makes the cup too stiff"
-                                   : ""),
+           .text = fmt::format(
+               "the factor {:.4g} represents all parts except the barrel; cups are "
+               "1.06 to 11 times "
+               "as compliant as their barrel in finite elements{}",
+               model.shape_factor(),
+               model.shape_factor() < 1 ? ", so a factor below 1 makes the cup too stiff" : ""),
            .path = "flexspline.crack_free",
            .equation = "ST-4",
            .severity = Severity::care,
-           .next_step = "Give the sections of the flexspline, crack_free = \"sections\", where its "
-                        "geometry is known."});
+           .next_step = "If the geometry of the flexspline is known, give its sections with "
+                        "crack_free = \"sections\"."});
     return;
   }
   member.relative_uncertainty = accuracy::kSections;
@@ -59,7 +58,8 @@ void note_thick_wall(MemberCompliance& member, const Wall<double>& wall, const s
                             .severity = Severity::care});
 }
 
-/// r/t of the tubes that the closed form of a through crack was compared in [-].
+/// Range of r/t of the tubes in which the closed form of a through crack was compared with finite
+/// elements [-].
 constexpr Range kComparedRadiusRatio{
     .lower = 20.0, .lower_open = false, .upper = 60.0, .upper_open = false};
 
@@ -69,20 +69,21 @@ void note_radius_ratio(MemberCompliance& member, const Wall<double>& wall,
   if (wall.mean_radius < 10 * wall.thickness || kComparedRadiusRatio.contains(ratio)) return;
   member.notes.push_back(
       {.code = "crack.radius_ratio",
-       .text = fmt::format("r/t = {:.4g}: the closed form was compared with finite elements for "
-                           "r/t from {:g} to {:g}, and its accuracy is stated for those",
-                           ratio, kComparedRadiusRatio.lower, kComparedRadiusRatio.upper),
+       .text = fmt::format(
+           "r/t = {:.4g} is outside the range from {:g} to {:g} in which the closed form was "
+           "compared with finite elements; the stated accuracy holds only in this range",
+           ratio, kComparedRadiusRatio.lower, kComparedRadiusRatio.upper),
        .path = path,
        .equation = "FR-9",
        .severity = Severity::care});
 }
 
-/// How accurate the closed form of a wall crack is; relative uncertainties [-].
+/// Accuracy of the closed form of a wall crack, as relative uncertainties [-].
 struct WallCrackAccuracy {
-  double axial = 0.0;      ///< of the added compliance, entries with the force
-  double torsion = 0.0;    ///< of the added compliance in torsion
+  double axial = 0.0;      ///< uncertainty of the added compliance, entries with the force
+  double torsion = 0.0;    ///< uncertainty of the added compliance in torsion
   double pressed = 0.0;    ///< added if the faces are pressed together
-  double intensity = 0.0;  ///< of K, if more than half of that of the compliance
+  double intensity = 0.0;  ///< uncertainty of K, if it exceeds half of that of the compliance
 };
 
 void note_closed(MemberCompliance& member, const std::string& path, const BothSenses& state) {
@@ -90,8 +91,8 @@ void note_closed(MemberCompliance& member, const std::string& path, const BothSe
   use_equations(member.equations, {"FR-17"});
   member.notes.push_back(
       {.code = "crack.closed",
-       .text = fmt::format("closed under {} torque: mode I adds nothing there, and the faces slide "
-                           "without friction, an upper bound",
+       .text = fmt::format("the crack is closed under {} torque: mode I adds nothing, and the "
+                           "faces are assumed to slide without friction, which is an upper bound",
                            state.positive != Faces::pressed   ? "negative"
                            : state.negative != Faces::pressed ? "positive"
                                                               : "either sense of"),
@@ -161,7 +162,7 @@ void share_between_modes(CrackReport& report) {
   }
 }
 
-/// Reports the cracks of a flexspline, each kind in its own words.
+/// Reports the cracks of a flexspline, with separate notes for each kind.
 class FlexsplineCracks : public CrackAdder {
  public:
   explicit FlexsplineCracks(const CrackAdder& adder) : CrackAdder(adder) {}
@@ -252,7 +253,8 @@ void FlexsplineCracks::add_flat_plate(const std::string& path,
                                       const sif::ThroughCrackInTube& solution,
                                       ThroughCrackAccuracy& accuracy) {
   const double missing = solution.shell_release(solution.half_length) - 1;  // (FR-9)
-  const ModelAccuracy flat{missing, "flat plate instead of the curved shell: too stiff"};
+  const ModelAccuracy flat{
+      missing, "the crack is treated as in a flat plate, which is too stiff for a curved shell"};
   accuracy.wall.torsion = accuracy::combined(accuracy.wall.torsion, flat);
   accuracy.wall.intensity = accuracy::combined(accuracy.wall.intensity, missing / 2);
   accuracy.compliance_rests_on.push_back(flat);
@@ -306,8 +308,8 @@ void FlexsplineCracks::add(CrackReport report, const WallThroughCrack& crack,
   use({"FR-2", "FR-6", "FR-7", "FR-18", "FR-21"});
   if (!loaded.in_range)
     member.unusable_because = fmt::format(
-        "{}: shell parameter {:.3g} is outside the range that finite elements confirm, <= {:g}: "
-        "such a long crack needs finite elements of its own",
+        "{}: shell parameter {:.3g} is outside the range that finite elements confirm, <= {:g}; "
+        "compute so long a crack by strainwave fe",
         report.path, lambda, kMaxShellParameter);
   const ThroughCrackAccuracy accuracy = accuracy_of(report.path, crack, loaded.solution, lambda);
   for (const ModelAccuracy& basis : accuracy.compliance_rests_on)
@@ -340,8 +342,8 @@ void FlexsplineCracks::add_tabulated(CrackReport report, const WallThroughCrack&
   }
   if (gear.flexspline->stress_nonuniformity != 1)
     member.notes.push_back({.code = "crack.stress_nonuniformity",
-                            .text = "the compliance table has the stress of its own finite "
-                                    "elements: stress_nonuniformity is not applied to it",
+                            .text = "the compliance table contains the stress of its finite "
+                                    "elements, so stress_nonuniformity is not applied",
                             .path = report.path,
                             .equation = "FE-41",
                             .severity = Severity::information});
@@ -380,8 +382,8 @@ void FlexsplineCracks::add(CrackReport report, const DiaphragmArcCrack& crack,
   use({"TC-19", "FR-2", "FR-18"});
   if (crack.half_length > model.loads().arc_radius(crack) / 2)
     member.notes.push_back({.code = "crack.diaphragm_arc",
-                            .text = "the arc is longer than its radius: the shear varies along it "
-                                    "and it is not straight",
+                            .text = "the arc is longer than its radius, so the shear varies along "
+                                    "the arc and the arc is not straight",
                             .path = report.path,
                             .equation = "TC-19",
                             .severity = Severity::care});
@@ -434,7 +436,8 @@ MemberCompliance flexspline_compliance(const GearSet& gear, const StiffnessOptio
   if (in_the_wall) note_ovalisation(gear, member);
   if (fs.dynamic_load != 1)
     member.notes.push_back({.code = "flexspline.dynamic_load",
-                            .text = "a factor of the load has no place in a compliance: not used",
+                            .text = "this factor of the load is not used, because a compliance "
+                                    "does not depend on the load",
                             .path = "flexspline.dynamic_load",
                             .equation = "",
                             .severity = Severity::information});

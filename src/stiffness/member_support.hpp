@@ -95,7 +95,7 @@ void report_intensities(CrackReport& report, const Crack& crack,
   report.intensity_uncertainty = std::ranges::max(uncertainties);
 }
 
-/// The answer may not be used where a crack of the depth a has all but cut through the thickness t.
+/// Marks the answer as not usable if a crack of depth a leaves almost nothing of the thickness t.
 inline void demand_ligament(MemberCompliance& member, const std::string& path, double depth,
                             double thickness) {
   if (!clearly_less(sif::kUsableDepthRatio * thickness, depth)) return;
@@ -105,7 +105,7 @@ inline void demand_ligament(MemberCompliance& member, const std::string& path, d
       path, depth / thickness, sif::kUsableDepthRatio);
 }
 
-/// How accurate Newman and Raju's fit is for a surface crack, with a note outside its range.
+/// Accuracy of Newman and Raju's fit for a surface crack, with a note outside its range.
 inline ModelAccuracy surface_crack_fit(MemberCompliance& member, const std::string& path,
                                        double depth, double aspect_ratio, double thickness) {
   ModelAccuracy fit = accuracy::kSurfaceCrack;
@@ -200,8 +200,8 @@ void add_cracks(MemberCompliance& member, const CrackLoads<double>& loads, std::
     if constexpr (ContactCrack<Crack>)
       member.notes.push_back(
           {.code = "crack.contact_path",
-           .text = "the series model has no contacts of balls and teeth, through which this "
-                   "crack acts: it adds no compliance here",
+           .text = "the series model has no contacts of balls and teeth, so this crack, which acts "
+                   "through them, adds no compliance here",
            .path = path,
            .equation = "ST-1",
            .severity = adder.options.left_out(),
@@ -217,12 +217,12 @@ void add_cracks(MemberCompliance& member, const CrackLoads<double>& loads, std::
 inline void note_superposition(std::vector<Note>& notes, std::size_t n_cracks,
                                std::string_view member) {
   if (n_cracks > 1)
-    notes.push_back(
-        {.code = "crack.superposed",
-         .text = "the cracks of this member are added up; their interaction is left out",
-         .path = std::string(member),
-         .equation = "ST-1",
-         .severity = Severity::care});
+    notes.push_back({.code = "crack.superposed",
+                     .text = "the compliances of the cracks of this member are added; the "
+                             "interaction of the cracks is left out",
+                     .path = std::string(member),
+                     .equation = "ST-1",
+                     .severity = Severity::care});
 }
 
 /// Notes that a quadrature did not reach its tolerance, and marks the answer as unusable.

@@ -16,7 +16,7 @@ namespace {
 struct AnnularAccuracy {
   ModelAccuracy torsion = accuracy::kAnnularTorsion;
   ModelAccuracy tension = accuracy::kAnnularTension;
-  double K_I = accuracy::kAnnularTension / 2;  ///< of the stress intensity
+  double K_I = accuracy::kAnnularTension / 2;  ///< uncertainty of the stress intensity
   double K_III = accuracy::kAnnularTorsion / 2;
 };
 
@@ -77,16 +77,16 @@ void ShaftCracks::note_load_and_ends(const CrackReport& report, const BothSenses
     use({"FR-17"});
     member.notes.push_back(
         {.code = "crack.closed",
-         .text = "the axial force presses the faces together: no mode I; friction, which would "
-                 "hinder mode III until the torque overcomes it, is left out",
+         .text = "the axial force presses the faces together, so there is no mode I; friction is "
+                 "left out, although it would hinder mode III until the torque overcomes it",
          .path = report.path,
          .equation = "FR-17",
          .severity = Severity::care});
   }
   if (clearly_less(shaft.length, 2 * shaft.outer_diameter))
     member.notes.push_back({.code = "crack.short_shaft",
-                            .text = "less than one diameter of shaft on each side of a crack even "
-                                    "in the middle: the ends disturb its field",
+                            .text = "even a crack in the middle has less than one diameter of "
+                                    "shaft on each side, so the ends disturb its field",
                             .path = report.path,
                             .equation = "FR-12",
                             .severity = Severity::care});
@@ -124,8 +124,8 @@ AnnularAccuracy ShaftCracks::hollow_accuracy(const std::string& path) {
   accuracy.K_I = accuracy.tension / 2;
   if (gear.load.axial_force != 0)
     member.notes.push_back({.code = "crack.tension_range",
-                            .text = "the wall is thinner than r_i/r_o = 0.95 of the table in "
-                                    "tension: the axial entries are extrapolated",
+                            .text = "the wall is thinner than in the table in tension, r_i/r_o <= "
+                                    "0.95, so the axial entries are extrapolated",
                             .path = path,
                             .equation = "FR-15",
                             .severity = Severity::care});

@@ -84,9 +84,9 @@ CrackedDrive cracked_drive(const Members& intact, const Members& added, double t
   drive.compliance = cracked.compliances();
   drive.stiffness = stiffness_of(total);
   drive.wind_up = wind_up_of(total, torque);
-  // (ST-15): K/K_intact - 1 without the difference of nearly equal numbers.  For -x/(y + x) with
-  // independent x and y, d ln = (d ln x - d ln y) y/(x + y), so a large loss has a smaller relative
-  // uncertainty.
+  // (ST-15): K/K_intact - 1 without the difference of nearly equal numbers.  The logarithm of -x/(y
+  // + x) has the differential (d ln x - d ln y) y/(x + y), so a large loss has a smaller relative
+  // uncertainty if x and y are independent.
   const double sound_share = intact.total().value() / total.value();
   drive.stiffness_change = {
       extra.value() == 0 ? 0.0 : -extra.value() / total.value(), "1",
@@ -95,20 +95,22 @@ CrackedDrive cracked_drive(const Members& intact, const Members& added, double t
   return drive;
 }
 
-/// From here on a change is said as a multiple [-].
+/// From this change on, the text gives a multiple [-].
 constexpr double kManifold = 9.0;
-/// What the sum of the members leaves out, over the quantities of the sum (ST-18): how far those of
-/// the drive may lie from them.
+/// The largest distances of the drive's quantities from those of the sum, relative to the sum
+/// (ST-18), because of what the sum leaves out.
 struct LeftOut {
   double compliance = 0.0;
   double stiffness = 0.0;
   double wind_up = 0.0;
-  std::optional<double> change = 0.0;  ///< absent if nobody can state it
+  std::optional<double> change = 0.0;  ///< absent if it cannot be stated
 };
 
-/// From the ground of catalogues: a share of the compliance of the members that the mesh connects.
+/// The distances estimated from catalogues, as a multiple of the compliance of the members that the
+/// mesh connects.
 LeftOut left_out_of(const GearSet& gear, const Members& intact, const Quantity& compliance) {
-  if (!gear.wave_generator || !gear.flexspline) return {};  // no mesh between them
+  if (!gear.wave_generator || !gear.flexspline)
+    return {};  // without both members, there is no mesh
   const double left =
       accuracy::kContactsLeftOut * (intact.wave_generator.value() + intact.flexspline.value());
   const double of_drive = left / (compliance.value + left);
@@ -118,7 +120,7 @@ LeftOut left_out_of(const GearSet& gear, const Members& intact, const Quantity& 
           .change = of_drive};  // (ST-18)
 }
 
-/// From the coupled drive itself.
+/// The distances to the coupled drive.
 LeftOut left_out_of(const CurveStiffness& coupled, const Quantity& compliance,
                     const Quantity& wind_up) {
   LeftOut left;
@@ -158,7 +160,7 @@ void widen(Drive& drive, const LeftOut& left_out) {
     widen(drive.stiffness_change, left_out.change);
 }
 
-/// Makes the accuracies of the sum contain what it leaves out, and says so.
+/// Adds the uncertainty of what the sum leaves out to the accuracies of the sum, with a note.
 void contain_left_out(StiffnessResult& result, const GearSet& gear, const Members& intact,
                       const CurveResult* coupled) {
   const auto of = [&](const auto& drive, auto curve) {
@@ -178,22 +180,22 @@ void contain_left_out(StiffnessResult& result, const GearSet& gear, const Member
   result.accuracies.push_back(
       {"total", sound.compliance,
        std::string(coupled == nullptr ? accuracy::kContactsLeftOut.source
-                                      : "contacts, rings and coning are left out: "
-                                        "this is the distance to the coupled drive")});
+                                      : "contacts, rings and coning are left out; this is the "
+                                        "difference from the coupled drive")});
   use_equations(result.equations, {"ST-18"});
   result.notes.push_back(
       {.code = "sum.left_out",
        .text = fmt::format(
            "the sum of the members leaves out the contacts of balls and teeth, the rings and the "
-           "coning of the cup: apart from the errors of the members the drive is softer; the "
-           "accuracy of the sum contains {}, and is stated to both sides alike",
-           coupled == nullptr
-               ? "this, as catalogues show it: the sum is 2 to 5 times too stiff without a shaft"
-               : "the coupled drive, which is the answer"),
+           "coning of the cup, so the drive is softer apart from the errors of the members; the "
+           "accuracy of the sum contains {}, and counts equally to both sides",
+           coupled == nullptr ? "this effect as catalogues show it: without a shaft the sum is 2 "
+                                "to 5 times too stiff"
+                              : "the coupled drive, which is the answer"),
        .path = "",
        .equation = "ST-18",
        .severity = coupled == nullptr ? Severity::care : Severity::information,
-       .next_step = coupled == nullptr ? "Give what the coupled drive needs." : ""});
+       .next_step = coupled == nullptr ? "Give the fields that the coupled drive needs." : ""});
 }
 
 void note_materials(const GearSet& gear, std::vector<Note>& notes) {
@@ -217,7 +219,9 @@ void note_materials(const GearSet& gear, std::vector<Note>& notes) {
            .path = "material." + name,
            .equation = "",
            .severity = material.verified ? Severity::information : Severity::care,
-           .next_step = material.verified ? "" : "Give the unverified numbers of your own steel."});
+           .next_step = material.verified
+                            ? ""
+                            : "Give the values of your own steel for the unverified numbers."});
   }
 }
 
@@ -236,11 +240,12 @@ StiffnessResult torsional_stiffness(const GearSet& gear, const StiffnessOptions&
   const auto add_member = [&](bool given, std::string_view name, Sum Members::*sum,
                               const auto& compliance) {
     if (!given) {
-      result.notes.push_back({.code = "member.absent",
-                              .text = "not in the file: it adds no compliance",
-                              .path = std::string(name),
-                              .equation = "ST-1",
-                              .severity = Severity::information});
+      result.notes.push_back(
+          {.code = "member.absent",
+           .text = "the file does not give this member, so it adds no compliance",
+           .path = std::string(name),
+           .equation = "ST-1",
+           .severity = Severity::information});
       return;
     }
     MemberCompliance member = compliance(gear, options);

@@ -22,38 +22,39 @@ struct Estimate {
 };
 
 /// Radial compliance of one lobe by Hertz contacts, C_0 [m/N].
-/// @param left_out  severity of what the coupled drive contains and this sum leaves out
+/// @param left_out  severity of notes on effects that only the coupled drive contains
 Estimate hertz_compliance(const GearSet& gear, const SeriesModel<double>& model,
                           MemberCompliance& member, Severity left_out) {
   use_equations(member.equations, {"ST-9", "CO-1", "CO-2", "CO-3", "CO-4"});
   member.notes.push_back(
       {.code = "wave_generator.hertz",
        .text = fmt::format(
-           "the contacts are not linear: stiffness is the tangent at the given torque, at "
-           "{:.3g} MPa peak pressure on the inner race; the wind-up takes this tangent too, "
-           "and its contact part is a third short; cam and inner ring are rigid",
+           "the contacts are not linear; the stiffness is the tangent at the given torque, where "
+           "the peak pressure on the inner race is {:.3g} MPa; the wind-up uses this tangent too, "
+           "which makes its contact part a third too small; cam and inner ring are assumed rigid",
            model.ball_contacts().inner.peak_pressure / units::MPa),
        .path = "wave_generator.bearing",
        .equation = "ST-9",
        .severity = left_out});
   if (model.free_outer_ring()) {
     use_equations(member.equations, {"ST-10"});
-    member.notes.push_back({.code = "wave_generator.free_ring",
-                            .text = "the outer ring is taken as free between the lobes, an upper "
-                                    "bound: in a drive it lies in the flexspline and on all balls",
-                            .path = "wave_generator.bearing.outer_ring",
-                            .equation = "ST-10",
-                            .severity = Severity::care,
-                            .next_step = "Give ball_count and run strainwave torsion."});
+    member.notes.push_back(
+        {.code = "wave_generator.free_ring",
+         .text = "the outer ring is assumed free between the lobes, which is an upper bound, "
+                 "because in a drive the ring lies in the flexspline and on all balls",
+         .path = "wave_generator.bearing.outer_ring",
+         .equation = "ST-10",
+         .severity = Severity::care,
+         .next_step = "Give ball_count and run strainwave torsion."});
   } else if (gear.wave_generator->bearing->outer_ring) {
     member.notes.push_back(
         {.code = "wave_generator.held_ring",
-         .text = "the outer ring lies on all balls and in the flexspline: its bending is left out "
-                 "here, since a ring free between the lobes would be many times too soft",
+         .text = "the outer ring lies on all balls and in the flexspline; its bending is left out "
+                 "here, because a ring free between the lobes would be many times too soft",
          .path = "wave_generator.bearing.outer_ring",
          .equation = "ST-10",
          .severity = left_out,
-         .next_step = "Run strainwave torsion, which has the ring as it is held."});
+         .next_step = "Run strainwave torsion, which models the ring with its supports."});
   }
   return {model.lobe_compliance(), accuracy::kLoadSharing, -1.0 / 3};  // (CO-4): ~ force^(-1/3)
 }
@@ -66,8 +67,8 @@ Estimate lobe_compliance(const GearSet& gear, const SeriesModel<double>& model,
   if (!wg.displacements) return hertz_compliance(gear, model, member, left_out);
   if (wg.displacements->shaft > 0 && gear.drive.wave_number >= 2)
     member.notes.push_back({.code = "wave_generator.shaft_bending",
-                            .text = "the forces of evenly spaced lobes balance: the shaft does not "
-                                    "bend, and this displacement ought to be 0",
+                            .text = "the forces of evenly spaced lobes balance, so the shaft does "
+                                    "not bend and this displacement should be 0",
                             .path = "wave_generator.displacements.shaft",
                             .equation = "ST-8",
                             .severity = Severity::care,
@@ -96,31 +97,30 @@ Driver driver_of(const Crack& crack, const std::string& path) {
           .equations = {"ST-12", "CO-3"},
           .note = upper_bound(
               "crack.orthogonal_shear",
-              "half beta times the contact pressure is a subsurface shear stress; taken "
-              "for a hoop tension, as the article does, it gives an order of magnitude at "
-              "best",
+              "half beta times the contact pressure is a subsurface shear stress; the article uses "
+              "this stress as a hoop tension, which gives an order of magnitude at best",
               "ST-12"),
           .accuracy = accuracy::kOrthogonalShear};
       driver.note->next_step =
-          "Give the stress of the crack, stress_driver = \"given\", or take "
-          "contact_edge or ring_bending.";
+          "Give the stress of the crack with stress_driver = \"given\", or choose contact_edge or "
+          "ring_bending.";
       if (!crack.contact_factor) driver.equations.insert(driver.equations.begin(), "CO-5");
       return driver;
     }
     case StressDriver::contact_edge:
       return {.equations = {"CO-7", "CO-3"},
               .note = upper_bound("crack.contact_edge",
-                                  "the tension at the edge of the contact decays like 1/r^2; taken "
-                                  "as uniform over the crack, it is an upper bound",
+                                  "the tension at the edge of the contact decays like 1/r^2, but "
+                                  "is assumed uniform over the crack, which is an upper bound",
                                   "CO-7"),
               .accuracy = accuracy::kContactEdge};
     case StressDriver::ring_bending:
       return {.equations = {"ST-13"},
               .note = upper_bound(
                   "crack.ring_bending",
-                  "a free ring under the lobe forces: its bore is in tension there, its raceway in "
-                  "compression, so this is for a crack at the bore; the cam inside makes it an "
-                  "upper bound",
+                  "the model is a free ring under the lobe forces, whose bore is in tension at the "
+                  "lobes and whose raceway is in compression, so the result is for a crack at the "
+                  "bore; because of the cam inside, the result is an upper bound",
                   "ST-13"),
               .accuracy = accuracy::kRingBending};
     case StressDriver::given:
@@ -129,10 +129,10 @@ Driver driver_of(const Crack& crack, const std::string& path) {
   return {.equations = {}, .note = {}, .accuracy = accuracy::kGivenStress, .force_exponent = -1.0};
 }
 
-/// a/t up to which a ring with an edge crack is still a ring [-]; (FR-11).
+/// Largest a/t at which the model of a ring with an edge crack is valid [-]; (FR-11).
 constexpr double kDeepEdgeCrack = 0.8;
 
-/// Reports the cracks of the bearing's races, each kind in its own words.
+/// Reports the cracks of the bearing's races, with separate notes for each kind.
 class RaceCracks : public CrackAdder {
  public:
   explicit RaceCracks(const CrackAdder& adder) : CrackAdder(adder) {}
@@ -188,8 +188,8 @@ class RaceCracks : public CrackAdder {
     member.notes.push_back(
         {.code = "crack.wide",
          .text =
-             fmt::format("the crack is {:.3g} of the ring's width: beyond {:g} the width "
-                         "factor, {:.3g} here, is extrapolated, and the uncertainty contains it",
+             fmt::format("the crack spans {:.3g} of the ring's width; beyond {:g} the width "
+                         "factor, {:.3g} here, is extrapolated, and the uncertainty contains this",
                          c_b, sif::kFittedWidthRatio, f_w),
          .path = path,
          .equation = "SP-1",
@@ -223,11 +223,12 @@ void RaceCracks::add_race_crack(CrackReport report, const Crack& crack,
   report.opens_under = opens_under(loaded.faces.positive, loaded.faces.negative);
   if (loaded.faces.positive == Faces::pressed) {
     use_equations(member.equations, {"FR-17"});
-    member.notes.push_back({.code = "crack.closed",
-                            .text = "the stress presses the faces together: the crack adds nothing",
-                            .path = report.path,
-                            .equation = "FR-17",
-                            .severity = Severity::care});
+    member.notes.push_back(
+        {.code = "crack.closed",
+         .text = "the stress presses the faces together, so the crack adds no compliance",
+         .path = report.path,
+         .equation = "FR-17",
+         .severity = Severity::care});
   }
   const ModelAccuracy fit = accuracy_of_fit();
   use_equations(member.equations, equations);
@@ -252,14 +253,13 @@ void add_sound_wave_generator(const GearSet& gear, const SeriesModel<double>& mo
   const Estimate C_0 = lobe_compliance(gear, model, member, left_out);
   const bool cam = gear.wave_generator->conversion == Conversion::cam;
   if (cam)
-    member.notes.push_back(
-        {.code = "wave_generator.cam_conversion",
-         .text = "turning the cam back over its mean slope does not obey reciprocity with the lobe "
-                 "force, and answers another question: the input is not locked",
-         .path = "wave_generator.conversion",
-         .equation = "ST-7",
-         .severity = Severity::care,
-         .next_step = "Leave wave_generator.conversion at its default."});
+    member.notes.push_back({.code = "wave_generator.cam_conversion",
+                            .text = "turning the cam back over its mean slope violates reciprocity "
+                                    "with the lobe force, because the input is then not locked",
+                            .path = "wave_generator.conversion",
+                            .equation = "ST-7",
+                            .severity = Severity::care,
+                            .next_step = "Leave wave_generator.conversion at its default."});
   use_equations(member.equations, {cam ? "ST-7" : "ST-6"});
   member.intact = model.conversion().all_lobes * C_0.value;
   // The conversion by reciprocity contains the square of the lobe force; the article's conversion
@@ -287,8 +287,8 @@ MemberCompliance wave_generator_compliance(const GearSet& gear, const StiffnessO
   if (!member.cracks.empty())
     member.notes.push_back(
         {.code = "wave_generator.crack_under_lobe",
-         .text = "each crack is taken under the full force of one lobe; the inner ring turns with "
-                 "the cam, so it stays at its place relative to the lobe",
+         .text = "each crack is assumed under the full force of one lobe; the inner ring turns "
+                 "with the cam, so the crack stays at its place relative to the lobe",
          .path = "wave_generator.crack",
          .equation = "ST-6",
          .severity = Severity::information});

@@ -258,14 +258,14 @@ void doubt(StrengthState& state, const AssessedCrack& asked, const InDiagram& po
     cannot_tell(state,
                 fmt::format("the crack is larger than {:.3g} mm, {}", crack.range_end / units::mm,
                             crack.range_text),
-                "Assess so large a crack by finite elements, because no field of the file can make "
-                "it assessable.");
+                "Assess so large a crack by finite elements, because no field of the file makes an "
+                "assessment possible.");
   } else if (state.with_assembly && point.chi() > kMaxInteractionRatio &&
              crack.assembly_peak > *asked.material.yield_strength) {
     cannot_tell(
         state,
-        "the assembly alone, if elastic, is beyond the yield strength: outside the range of "
-        "the plasticity interaction (FA-3)",
+        "the elastic stress of the assembly alone exceeds the yield strength, which is outside the "
+        "range of the plasticity interaction (FA-3)",
         "Check drive.radial_displacement and the wall's thickness against the part; if they "
         "are right, judge the crack by elastic-plastic finite elements.");
   } else if (!crack.unknown.empty()) {
@@ -400,8 +400,9 @@ std::string words(const CrackStrength& crack, const StrengthState& state, Torque
                          beyond_the_end(state), size_words(crack, state));
     case StrengthVerdict::acceptable:
       return fmt::format("holds at this load{}{}{}{}", with,
-                         state.reserve ? fmt::format(": reserve factor {:.3g}", *state.reserve)
-                                       : std::string(": the load does not stress it"),
+                         state.reserve
+                             ? fmt::format(": reserve factor {:.3g}", *state.reserve)
+                             : std::string(", because the load does not stress the crack"),
                          accuracy_words(state), size_words(crack, state));
     case StrengthVerdict::cannot_tell:
       break;

@@ -18,14 +18,17 @@ const StrengthNote kResidual = {
     "steels that yield continuously",
     "FA-1"};
 const StrengthNote kLineEnds = {
-    "the material gives no ultimate_strength: the line ends at L_r = 1, on the safe side", "FA-2"};
+    "the material gives no ultimate_strength, so the line ends at L_r = 1, on the safe side",
+    "FA-2"};
 
 /// The answer for a crack whose stress is not computed.
 CrackStrength acts_in_coupled_drive(CrackStrength report) {
   report.sentence =
-      "cannot tell: it acts in the coupled drive only, where its stress is not computed";
+      "cannot tell, because the crack acts in the coupled drive only, where its stress is not "
+      "computed";
   report.next_step =
-      "Assess the crack by finite elements, because no field of the file can make it assessable.";
+      "Assess the crack by finite elements, because no field of the file makes an assessment "
+      "possible.";
   report.equations = {"FA-13"};
   return report;
 }
@@ -61,9 +64,8 @@ void note_plastic_zone(std::vector<Note>& notes, const CrackStrength& crack) {
   const double length = std::min(crack.size, crack.ligament.value_or(crack.size));
   if (*crack.states.front().plastic_zone <= kSmallScaleYielding * length) return;
   notes.push_back({.code = "crack.plastic_zone",
-                   .text =
-                       "the plastic zone is more than a tenth of the crack or of what is left of "
-                       "the section: linear elasticity is no longer accurate",
+                   .text = "the plastic zone is larger than a tenth of the crack or of the "
+                           "remaining section, so linear elasticity is no longer accurate",
                    .path = crack.path,
                    .equation = "FR-19",
                    .severity = Severity::care});

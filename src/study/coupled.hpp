@@ -11,10 +11,11 @@
 
 namespace strainwave {
 
-/// The coupled drive of a gear, and what limits its answers.
+/// The coupled drive of a gear with the notes on the limits of its answers.
 struct Coupled {
-  std::optional<AssembledDrive> drive;  ///< absent where it cannot be solved; a note says why
-  std::optional<CurveResult> curve;     ///< absent where it cannot be solved
+  std::optional<AssembledDrive>
+      drive;  ///< absent if the drive cannot be solved; a note gives the reason
+  std::optional<CurveResult> curve;  ///< absent if the drive cannot be solved
   std::vector<Note> notes;
   std::vector<std::string> equations;
 };

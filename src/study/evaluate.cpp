@@ -27,7 +27,7 @@ void use_equations(std::vector<std::string>& equations, const std::vector<std::s
     if (std::ranges::find(equations, tag) == equations.end()) equations.push_back(tag);
 }
 
-/// K1, K2, K3 and the wind-up under one sense of torque, +1 or -1.
+/// K1, K2, K3 and the wind-up for one sense of torque, +1 or -1.
 CurveStiffness lines_of(const AssembledDrive& drive, int sense, std::vector<Note>& notes) {
   const GearSet& gear = drive.gear();
   const double uncertainty = curve_uncertainty(gear);
@@ -46,8 +46,9 @@ CurveStiffness lines_of(const AssembledDrive& drive, int sense, std::vector<Note
   return result;
 }
 
-/// What the cracks change.  The form of the model is the same with and without them; how far off
-/// the effect of a crack in the contacts is, nobody can state.
+/// The relative change by the cracks.  It has no stated accuracy: the form of the model is the same
+/// with and without cracks, and no reference tells how accurate the effect of a crack in the
+/// contacts is.
 Quantity change_of(const Quantity& cracked, const Quantity& sound) {
   return {sound.value == 0 ? 0.0 : cracked.value / sound.value - 1, "1"};
 }
@@ -92,14 +93,13 @@ void add_strength(StiffnessResult& result, const GearSet& gear) {
 Coupled coupled_drive(const GearSet& gear) {
   Coupled coupled;
   if (const std::string missing = missing_for_torsion_curve(gear); !missing.empty()) {
-    coupled.notes.push_back(
-        {.code = "curve.missing",
-         .text = "the coupled drive is not solved; " + missing,
-         .path = "",
-         .equation = "TC-1",
-         .severity = Severity::information,
-         .next_step = "Give these fields; strainwave new --size SIZE --ratio RATIO writes a file "
-                      "that has them all."});
+    coupled.notes.push_back({.code = "curve.missing",
+                             .text = "the coupled drive is not solved; " + missing,
+                             .path = "",
+                             .equation = "TC-1",
+                             .severity = Severity::information,
+                             .next_step = "Give these fields; strainwave new --size SIZE --ratio "
+                                          "RATIO writes a file with all of them."});
     return coupled;
   }
   try {
@@ -140,7 +140,7 @@ StiffnessResult evaluate(const GearSet& gear, Method method, const EvaluationOpt
   StiffnessResult result =
       torsional_stiffness(gear, {.coupled = coupled.curve ? &*coupled.curve : nullptr});
   result.curve = std::move(coupled.curve);
-  // What limits the answer comes first.
+  // Put the notes that limit the answer first.
   for (Note& note : result.notes)
     if (std::ranges::find(coupled.notes, note) == coupled.notes.end())
       coupled.notes.push_back(std::move(note));

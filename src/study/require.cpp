@@ -89,13 +89,14 @@ Note note_of(const RequirementAnswer& answer, bool left_out) {
   return {
       .code = broken ? "require.not_met" : "require.cannot_be_told",
       .text = sentence(answer) +
-              (both_sides ? "; the uncertainty contains what the sum of the members leaves out, "
-                            "to both sides alike, although it only makes the drive softer"
-                          : ""),
+              (both_sides
+                   ? "; the uncertainty contains the effects that the sum of the members leaves "
+                     "out, equally to both sides, although these effects only make the drive softer"
+                   : ""),
       .path = {},
       .equation = both_sides ? "ST-18" : "ST-16",
       .severity = broken ? Severity::critical : Severity::cannot_tell,
-      .next_step = broken ? "Change the drive, or the requirement."
+      .next_step = broken ? "Change the drive or the requirement."
                           : "Give the value that the accuracies name as the largest "
                             "uncertainty, or measure the output."};
 }
@@ -105,7 +106,7 @@ Note note_of(const RequirementAnswer& answer, bool left_out) {
 RequirementReport require_outputs(const StiffnessResult& result,
                                   const std::vector<std::string>& texts, double coverage) {
   require(coverage > 0, "coverage", coverage, "1", "> 0");
-  if (texts.empty()) throw InputError(kOption, "must be given: at least one");
+  if (texts.empty()) throw InputError(kOption, "must contain at least one requirement");
   RequirementReport report{.method = result.method,
                            .coverage = coverage,
                            .answers = {},

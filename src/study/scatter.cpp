@@ -142,10 +142,11 @@ void note_nonlinear(Scatter& scatter, const ScatterOutput& output) {
   if (difference > 3 * output.relative_deviation_error && difference > 0.05 * output.first_order)
     scatter.notes.push_back(
         {"scatter.not_linear",
-         fmt::format("first order is {:+.2g} % off the Monte Carlo deviation, beyond its standard "
-                     "error of {:.1g} %: the inputs scatter too far for a linear estimate",
-                     100 * (output.first_order / output.relative_deviation - 1),
-                     100 * output.relative_deviation_error / output.relative_deviation),
+         fmt::format(
+             "the first-order deviation differs by {:+.2g} % from the Monte Carlo deviation, whose "
+             "standard error is {:.1g} %; the inputs scatter too much for a linear estimate",
+             100 * (output.first_order / output.relative_deviation - 1),
+             100 * output.relative_deviation_error / output.relative_deviation),
          output.name, "SN-7", Severity::care});
 }
 
@@ -155,9 +156,9 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
                    const ScatterOptions& options, const Progress& progress) {
   check(gear);
   if (gear.scatter.empty())
-    throw InputError("scatter",
-                     "must be given: at least one [[scatter]] with path and "
-                     "relative_standard_deviation");
+    throw InputError(
+        "scatter",
+        "must be given; add at least one [[scatter]] with path and relative_standard_deviation");
   require(options.samples >= 2 && options.samples <= kMaxSamples, "--samples", options.samples, "1",
           fmt::format(">= 2 and <= {}", kMaxSamples));
   require(options.threads >= 0, "--threads", options.threads, "1", ">= 0");
@@ -175,14 +176,14 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
   }
   if (scatter.evaluated < 2)
     throw SolverError(fmt::format(
-        "of {} draws {} break a rule of the input and {} are beyond the validity of the model",
+        "of {} draws, {} break a rule of the input and {} are outside the validity of the model",
         scatter.samples, scatter.refused, scatter.unusable));
 
   bool coupled = false;
   for (std::size_t y = 0; y < sensitivity.outputs.size(); ++y) {
     const SensitivityOutput& of = sensitivity.outputs[y];
     const auto name = std::ranges::find(kNames, of.name);
-    if (name == kNames.end()) {  // of the coupled drive, which is not drawn
+    if (name == kNames.end()) {  // an output of the coupled drive, which the draws do not solve
       coupled = true;
       continue;
     }
@@ -206,22 +207,21 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
     scatter.notes.push_back(
         {"scatter.left_out",
          fmt::format(
-             "{} draws break a rule of the input, such as a crack deeper than its wall, and "
-             "{} are beyond the validity of the model: means and quantiles are those of the "
-             "other {}",
+             "{} draws break a rule of the input, such as a crack deeper than its wall, and {} are "
+             "outside the validity of the model; means and quantiles are those of the other {}",
              scatter.refused, scatter.unusable, scatter.evaluated),
          "scatter", "SN-8", Severity::care});
   if (coupled)
     scatter.notes.push_back(
         {"scatter.sum_alone",
-         "the scatter is that of the sum of the members; that of K1, K2, K3 of the coupled drive "
-         "is not drawn",
+         "the scatter is given for the sum of the members only, and not for K1, K2, K3 of the "
+         "coupled drive",
          "scatter", "SN-8", Severity::information,
          "Give [[range]] tables and run strainwave torsion, which draws bands of K1, K2, K3."});
   scatter.notes.push_back(
       {"scatter.model_form",
-       "the scatter by the inputs does not include the uncertainty of the model's form", "scatter",
-       "ST-16", Severity::information});
+       "the scatter from the inputs does not include the uncertainty of the model's form",
+       "scatter", "ST-16", Severity::information});
   scatter.notes.push_back({"scatter.independent",
                            "the inputs are drawn independently of each other, although numbers "
                            "of one casting or one heat treatment may depend on each other",

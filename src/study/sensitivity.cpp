@@ -49,7 +49,7 @@ std::vector<Number> numbers_of(const GearSet& gear) {
 /// K1, K2, K3 of the coupled drive as outputs, with their derivatives.
 class CoupledOutputs {
  public:
-  /// None where the coupled drive is not solved.
+  /// Empty if the coupled drive is not solved.
   CoupledOutputs(const GearSet& gear, const Coupled& coupled) {
     if (!coupled.curve || !coupled.drive) return;
     differentiator_.emplace(*coupled.drive);
@@ -64,7 +64,7 @@ class CoupledOutputs {
   }
 
   [[nodiscard]] const std::vector<SensitivityOutput>& outputs() const { return outputs_; }
-  /// Of the outputs, in their order.
+  /// The derivatives of the outputs, in their order.
   [[nodiscard]] std::vector<DualReal> values(const GearSet& gear, const Lift<DualReal>& lift,
                                              const SeriesCompliance<DualReal>& series) const {
     std::vector<DualReal> values;
@@ -87,7 +87,8 @@ class CoupledOutputs {
     line("K2", curve.K2, &LineValues<DualReal>::K2);
     line("K3", curve.K3, &LineValues<DualReal>::K3);
   }
-  /// Torques by convention contain a pressure (TC-14): the same drive with the torques given.
+  /// The same drive with the torques given explicitly, because torques by convention contain a
+  /// pressure (TC-14).
   void add_pressures(const GearSet& gear) {
     GearSet given = gear;
     const MakersTorques at = makers_torques(gear);
@@ -132,7 +133,7 @@ LengthAndForce length_and_force(std::string_view unit) {
   // Units in text distinguish joules and radians; here they count as N*m and 1.
   const Dimension d = parse_unit(unit).dimension;
   if (d[2] != -2 * d[1] || d[3] != 0)
-    throw InputError("unit", fmt::format("{} is not made of length and force", unit));
+    throw InputError("unit", fmt::format("{} does not consist of length and force", unit));
   return {.length = d[0] - d[1], .force = d[1]};  // N = kg m/s^2
 }
 
@@ -152,7 +153,8 @@ Sensitivity sensitivity_of(const GearSet& gear, const StiffnessOptions& options)
       fixed += (fixed.empty() ? "" : ", ") + number.name;
     if (!fixed.empty())
       sensitivity.unusable_because = fmt::format(
-          "{}.compliance_table: \"{}\" holds {} fixed, so the derivatives to them are not known",
+          "{}.compliance_table: \"{}\" keeps {} fixed, so the derivatives with respect to these "
+          "are not known",
           path, shown(*crack.compliance_table), fixed);
   });
   sensitivity.notes = smoothness_notes(gear);

@@ -33,7 +33,7 @@ ResultEvidence evidence_of(const Evaluation& evaluation) {
                               .path = {},
                               .equation = "FR-20",
                               .severity = Severity::critical,
-                              .next_step = "Lower the load, or take a tougher material."});
+                              .next_step = "Lower the load or choose a tougher material."});
   evidence.equations.emplace_back(evaluation.info.equation);
   for (const ModeAccuracy& accuracy : mode_accuracies(evaluation))
     evidence.accuracies.push_back(

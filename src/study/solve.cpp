@@ -238,7 +238,7 @@ double slope_at(Probe& probe, const Sample& at) {
   return (b.y - a.y) / (b.x - a.x);
 }
 
-/// From here on an accuracy to first order says nothing of where the value is [-].
+/// From this value on, an accuracy to first order has no meaning [-].
 constexpr double kMostAccuracy = 1.0;
 
 Solution solution_at(Probe& probe, const Sample& at, SolveResult& problem) {
@@ -252,15 +252,15 @@ Solution solution_at(Probe& probe, const Sample& at, SolveResult& problem) {
     else if (problem.notes.empty())
       problem.notes.push_back(
           {.code = "solve.accuracy",
-           .text =
-               fmt::format("its accuracy cannot be told: to first order, a change of it by "
-                           "100 % moves {} by less than the uncertainty of {}",
-                           problem.target.output, percent(*solution.output.relative_uncertainty)),
+           .text = fmt::format(
+               "the accuracy of this solution cannot be told, because to first order a change of "
+               "the field by 100 % changes {} by less than the uncertainty of {}",
+               problem.target.output, percent(*solution.output.relative_uncertainty)),
            .path = problem.path,
            .equation = "ST-16",
            .severity = Severity::cannot_tell,
-           .next_step = "Choose an output that depends more on this field, or one with a smaller "
-                        "uncertainty."});
+           .next_step =
+               "Choose an output that depends more on this field or has a smaller uncertainty."});
   }
   return solution;
 }
@@ -297,7 +297,7 @@ class Findings {
   }
 
   void found_everywhere(double from, double to) {
-    remark(fmt::format("{} all the way from {} = {}", wanted(), result_.path,
+    remark(fmt::format("{} over the whole range from {} = {}", wanted(), result_.path,
                        span_shown(result_.path, from, to, result_.unit, "to")));
   }
 
@@ -468,7 +468,7 @@ SolveResult solve(const GearSet& gear, Method method, const Unknown& unknown, co
 std::string output_range(const SolveResult& result) {
   const std::string_view name = result.target.output;
   if (*result.least == *result.greatest)
-    return fmt::format("{} everywhere there: it does not depend on {}",
+    return fmt::format("{} everywhere in this range, because the output does not depend on {}",
                        shown_at(name, *result.least, result.target.unit), result.path);
   return "between " + span_shown(name, *result.least, *result.greatest, result.target.unit, "and");
 }

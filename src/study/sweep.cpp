@@ -57,7 +57,7 @@ void gather_notes(std::vector<SweepNote>& gathered, const std::vector<Note>& not
   }
 }
 
-/// A value without the digits of rounding, which nobody asked for: 0.0102, not
+/// Rounds a value so that it has no digits from rounding errors, such as 0.0102 instead of
 /// 0.010199999999999999.
 double short_value(const Variation& variation, int i) {
   const double exact = variation.value(i);
@@ -77,8 +77,9 @@ void check_variations(std::span<const Variation> variations) {
   const Variation& fast = variations[1];
   if (slow.path == fast.path) throw InputError(vary_option(slow.path), "is given twice");
   if (std::ptrdiff_t{slow.n_points} * fast.n_points > kMaxSweepPoints)
-    throw InputError("--vary", fmt::format("{} times {} points; {} at most", slow.n_points,
-                                           fast.n_points, kMaxSweepPoints));
+    throw InputError("--vary",
+                     fmt::format("{} times {} points are too many; at most {} are possible",
+                                 slow.n_points, fast.n_points, kMaxSweepPoints));
 }
 
 SweepResult sweep(const GearSet& gear, Method method, std::span<const Variation> variations,

@@ -178,8 +178,8 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   }
   if (report.torques.by_convention)
     report.notes.push_back({"rating.convention",
-                            "not given: T1 and T2 are taken as 0.0517 and 0.187 N/mm^2 times the "
-                            "cube of the pitch diameter, as catalogues choose them",
+                            "the file does not give T1 and T2; they are assumed as 0.0517 and "
+                            "0.187 N/mm^2 times the cube of the pitch diameter, as in catalogues",
                             "rating", "TC-14", Severity::information,
                             "Give rating.T1 and rating.T2 to use the maker's torques."});
   add_once(report.notes, input_notes(gear));
@@ -189,18 +189,18 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   if (gear.mesh->friction_coefficient > 0 && (!gear.rating || gear.rating->friction_torque == 0))
     report.notes.push_back({"hysteresis.no_load",
                             "flank friction vanishes with the load, so the loop closes at zero "
-                            "torque; a maker's hysteresis loss there is of seal, grease and "
-                            "bearings: give friction_torque",
+                            "torque; a maker's hysteresis loss at zero torque comes from seal, "
+                            "grease and bearings, which friction_torque describes",
                             "rating.friction_torque", "TC-17", Severity::care,
                             "Give rating.friction_torque."});
   if (has_cracks(gear) && !options.compare)
     report.notes.push_back({"torsion.compare",
-                            "the drive has cracks; --compare shows what they change, and over a "
-                            "turn of the wave generator",
+                            "the drive has cracks; --compare shows the changes by the cracks, also "
+                            "over a turn of the wave generator",
                             "", "TC-26", Severity::information, "Run the command with --compare."});
   if (options.compare && !has_cracks(gear))
     report.notes.push_back({"torsion.no_cracks",
-                            "the file has no cracks: there is nothing to compare", "", "TC-26",
+                            "the file has no cracks, so there is nothing to compare", "", "TC-26",
                             Severity::information});
   report.equations = report.curve.equations;
   for (const char* const tag : {"TC-16", "TC-17", "TC-18", "TC-24"})

@@ -49,34 +49,33 @@ constexpr double kSize17 = 0.043;
 void note_geometry(const GearSet& gear, const CoupledGeometry& g, std::vector<Note>& notes) {
   const double kappa = g.radial_displacement / g.module;
   if (kappa < kLeastKappa || kappa > kMostKappa)
-    notes.push_back({"torsion.deflection",
-                     fmt::format("w_0 is {:.3g} modules; the gap law is for about one", kappa),
-                     "drive.radial_displacement", "TC-7", Severity::care,
-                     "Check drive.radial_displacement."});
-  if (const double least = least_flank_angle(kappa); g.flank_angle < least)
     notes.push_back(
-        {"torsion.flank_angle",
-         fmt::format("w_0 of {:.3g} modules needs flanks of {:.3g} degrees or more, else the "
-                     "tooth path crosses the flank",
-                     kappa, least * 180 / pi),
-         "mesh.flank_angle", "TC-25", Severity::care,
-         "Check mesh.flank_angle and drive.radial_displacement."});
+        {"torsion.deflection",
+         fmt::format("w_0 is {:.3g} modules, but the gap law is for about one module", kappa),
+         "drive.radial_displacement", "TC-7", Severity::care, "Check drive.radial_displacement."});
+  if (const double least = least_flank_angle(kappa); g.flank_angle < least)
+    notes.push_back({"torsion.flank_angle",
+                     fmt::format("w_0 of {:.3g} modules needs a flank angle of at least {:.3g} "
+                                 "degrees, because otherwise the tooth path crosses the flank",
+                                 kappa, least * 180 / pi),
+                     "mesh.flank_angle", "TC-25", Severity::care,
+                     "Check mesh.flank_angle and drive.radial_displacement."});
   if (gear.drive.ratio < 50)
     notes.push_back({"torsion.low_ratio",
-                     "against catalogues the model is too stiff below ratio 50, by a factor "
-                     "of up to 2.2 at 30: take it as empirical there",
+                     "compared with catalogues, the model is too stiff below ratio 50, by a factor "
+                     "of up to 2.2 at ratio 30",
                      "drive.ratio", "TC-14", Severity::care,
                      "Calibrate the drive with a measured curve."});
   if (gear.drive.pitch_diameter < kSize17)
     notes.push_back({"torsion.small_size",
-                     "makers' drives below size 17 are not similar to the larger ones, and "
-                     "typical proportions miss their stiffness by 20 to 60 %",
+                     "makers' drives below size 17 are not similar to larger drives, and typical "
+                     "proportions miss their stiffness by 20 to 60 %",
                      "drive.pitch_diameter", "TC-14", Severity::care,
                      "Calibrate the drive with a measured curve or a catalogue."});
   if (gear.circular_spline == std::nullopt)
     notes.push_back({"torsion.rigid_spline",
-                     "no circular spline given: it is taken as rigid, which is 13 to 36 % "
-                     "too stiff",
+                     "the file gives no circular spline, so a rigid one is assumed, which makes "
+                     "the drive 13 to 36 % too stiff",
                      "circular_spline", "TC-10", Severity::care,
                      "Give the table circular_spline."});
 }
@@ -91,12 +90,12 @@ std::string no_assembly(const CoupledDrive& drive) {
                    "{:.4g} um",
                    1e3 * g.radial_displacement, 1e6 * g.lobe_gap, 1e6 * g.clearance)
              : fmt::format(
-                   "the assembled state was not found: residual {:.2g} of the largest "
-                   "contact force after {} steps",
+                   "the solver did not find the assembled state: after {1} steps the residual is "
+                   "{0:.2g} of the largest contact force",
                    state.residual, state.iterations);
 }
 
-/// Flanks that press on each other without torque.
+/// Notes flanks that press on each other without torque.
 void note_interference(const CoupledDrive& drive, std::vector<Note>& notes) {
   const double jam = drive.largest_flank_force(drive.assembled());
   if (!(jam > 0)) return;
@@ -111,7 +110,7 @@ void note_interference(const CoupledDrive& drive, std::vector<Note>& notes) {
        "mesh.lobe_gap", "TC-6", Severity::care, "Check mesh.lobe_gap and the fields named here."});
 }
 
-/// Puts the cracks into the sound drive, on its cam, if it has one.
+/// Adds the cracks to the sound drive on its cam, if the sound drive assembles.
 void crack(AssembledDrive::Contents& into) {
   const ContactCracks& cracks = into.cracks;
   into.drive = into.sound;

@@ -12,7 +12,7 @@
 
 namespace strainwave {
 
-/// The members beside the ring, in series with it [rad/(N*m)].
+/// Compliances of the members in series with the ring [rad/(N*m)].
 template <class Real>
 struct BasicSeriesMembers {
   Real barrel{};
@@ -32,7 +32,7 @@ struct BasicSeriesMembers {
 };
 using SeriesMembers = BasicSeriesMembers<double>;
 
-/// The members of the flexspline beside the ring, without cracks.
+/// Compliances of the flexspline's members in series with the ring, without cracks.
 template <class Real>
 [[nodiscard]] BasicSeriesMembers<Real> cup_members(const GearSet& gear, const Lift<Real>& lift) {
   const Flexspline& fs = *gear.flexspline;
@@ -48,15 +48,16 @@ template <class Real>
   BasicSeriesMembers<Real> series;
   series.barrel = tube(*fs.barrel, lift(fs.barrel->length));
   series.diaphragm = torsional_compliance(lift, *fs.diaphragm, G);  // (TC-13)
-  // (TC-13): traction spread evenly over the teeth twists the rim like a third of its length.
+  // (TC-13): traction spread evenly over the teeth twists the rim as much as a third of its length
+  // would.
   series.rim = tube(*fs.rim, lift(fs.rim->length) / 3);
   if (fs.boss) series.boss_and_flange += tube(*fs.boss, lift(fs.boss->length));
   series.boss_and_flange += lift(fs.flange_compliance);
   return series;
 }
 
-/// The state of the sound drive, of both senses of a torque, in which the ball nearest to a
-/// position carries more.
+/// Of the states of the sound drive under both senses of a torque, the one in which the ball
+/// nearest to a position carries the larger force.
 [[nodiscard]] Equilibrium worst_of_ball(const CoupledDrive& sound, double torque, double position);
 
 struct AssembledDrive::Contents {

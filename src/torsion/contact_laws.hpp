@@ -7,7 +7,7 @@
 #include "ring_model.hpp"
 #include "strainwave/torsion/flank.hpp"
 
-// Gaps and forces of balls and flanks, each once, for double and for dual numbers.
+// Gaps and forces of balls and flanks, as templates for double and for dual numbers.
 
 namespace strainwave {
 

@@ -15,7 +15,7 @@ using std::numbers::pi;
 
 constexpr double kToothSpan = pi / 4;  // teeth farther from a lobe cannot touch
 
-/// Balls all round, and the teeth near the lobes.
+/// Places of all balls, and of the teeth near the lobes.
 ContactPlaces contact_places(int balls, int teeth) {
   ContactPlaces places{.balls = {}, .teeth = {}, .pitches = teeth};
   for (int k = 0; k < balls; ++k) places.balls.push_back(2 * pi * k / balls);

@@ -80,9 +80,9 @@ class CoupledDrive {
   [[nodiscard]] int ball_nearest_to(double position) const {
     return nearest_of(0, g_.balls, position);
   }
-  /// The drive flank of the tooth at a position; none if that tooth is never loaded.
+  /// The drive flank of the tooth at a position; absent if this tooth is never loaded.
   [[nodiscard]] std::optional<int> drive_flank_at(double position) const;
-  /// Stiffness of a contact that is pressed [N/m]; 0 if it is not.
+  /// Stiffness of a pressed contact [N/m]; 0 for an open contact.
   [[nodiscard]] double stiffness_of(const Equilibrium& state, int contact) const {
     return law(contact, state.closing[contact]).stiffness;
   }

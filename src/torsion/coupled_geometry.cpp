@@ -31,13 +31,13 @@ constexpr double kMostDisplacement = 2;     //   with a note outside 0.6 to 1.3
 constexpr int kLeastTeeth = 20;             // [-]: a tooth is small against the wave
 constexpr double kWhole = 1e-9;             // rounding of a number of teeth [-]
 
-/// A field that the coupled drive needs and `check` does not ask for, and its meaning.
+/// A missing input of the coupled drive that `check` does not require: its field and meaning.
 struct Missing {
   std::string field;
   std::string what;
 };
 
-/// Everything that is missing for the coupled drive, in the order of the file.
+/// All fields that are missing for the coupled drive, in the order of the file.
 std::vector<Missing> missing(const GearSet& gear) {
   std::vector<Missing> fields;
   const auto need = [&](bool given, const char* field, const char* what) {
@@ -50,7 +50,7 @@ std::vector<Missing> missing(const GearSet& gear) {
     const Bearing& bearing = *gear.wave_generator->bearing;
     need(bearing.ball_count.has_value(), "wave_generator.bearing.ball_count", "balls all round");
     need(bearing.outer_ring.has_value(), "wave_generator.bearing.outer_ring",
-         "it bends with the rim");
+         "the ring that bends with the rim");
   }
   if (need(gear.flexspline.has_value(), "flexspline", "the cup")) {
     const Flexspline& fs = *gear.flexspline;
@@ -79,7 +79,7 @@ Real third_power_bending(const Real& E, const Real& width, const Real& thickness
   return E * width * thickness * thickness * thickness / 12 * factor;
 }
 
-/// Rotation of a hinge per unit of moment, c_M: an edge crack in bending [rad/(N*m)].
+/// Rotation c_M of a hinge per unit of moment, from an edge crack in bending [rad/(N*m)].
 template <class Real>
 Real hinge_compliance(const Real& depth, const Real& thickness, const Real& width,
                       const BasicElasticConstants<Real>& steel) {
@@ -93,7 +93,7 @@ Real hinge_compliance(const Real& depth, const Real& thickness, const Real& widt
       .matrix(0, 0);  // (TC-22)
 }
 
-/// The series model's drive whose one lobe carries the force of one ball, in place of the torque.
+/// The drive of the series model with the lobe force set to the force of one ball.
 GearSet under_one_ball(const GearSet& gear, double ball_force) {
   GearSet single = gear;
   WaveGenerator& wg = *single.wave_generator;
@@ -118,13 +118,15 @@ double race_crack_compliance(const GearSet& gear, const Lift<double>&, const std
   return 0.0;
 }
 
-/// The same with its derivatives, at a fixed torque and by the torque; (SN-2).
+/// The race crack compliance with its derivatives at a fixed torque and with respect to the torque;
+/// (SN-2).
 template <class Crack>
 DualReal race_crack_compliance(const GearSet& gear, const Lift<DualReal>& lift,
                                const std::string& path, const Crack&, const DualReal& ball_force,
                                std::vector<Note>&) {
   const GearSet single = under_one_ball(gear, ball_force.value);
-  // The copy has addresses of its own.  Torque and number of balls are not those of the drive.
+  // The inputs of the copy have other addresses.  Torque and number of balls differ from those of
+  // the drive.
   std::array<const double*, kDualWidth> inputs{};
   std::vector<const double*> of_drive;
   for_each_number(gear, [&](const FieldPath&, const Field&, const double& number) {
@@ -156,13 +158,14 @@ DualReal race_crack_compliance(const GearSet& gear, const Lift<DualReal>& lift,
   const DualReal at_force = compliance(Lift<DualReal>(inputs));
   std::array<const double*, 1> torque = {&single.load.torque};
   const DualReal by_force = compliance(Lift<DualReal>(torque));
-  // The force of the ball, not the torque that stands for it, is what the crack is under.
+  // The crack is loaded by the force of the ball; the torque of the copy only represents this
+  // force.
   const DualReal of_torque =
       ball_force / lobe_force_per_torque(lift, gear.drive, *gear.wave_generator);
   return at_force + chain(of_torque / of_torque.value, 0.0, by_force.partial[0]);  // (TC-23)
 }
 
-/// Flank angle, turned by friction, gaps and stiffness of the tooth pairs.
+/// Sets the flank angle, turned by friction, and the gaps and stiffness of the tooth pairs.
 template <class Real>
 void add_mesh(BasicCoupledGeometry<Real>& g, const ToothMesh& mesh, const Lift<Real>& lift,
               FlankFriction friction) {
@@ -172,8 +175,9 @@ void add_mesh(BasicCoupledGeometry<Real>& g, const ToothMesh& mesh, const Lift<R
   g.force_angle = g.flank_angle;
   if (friction == FlankFriction::loading) g.force_angle -= turn;    // (TC-16)
   if (friction == FlankFriction::unloading) g.force_angle += turn;  // (TC-16)
-  require(g.force_angle > 0, "mesh.friction_coefficient", mesh.friction_coefficient, "1",
-          "less than the tangent of mesh.flank_angle: else the flanks lock themselves");
+  require(
+      g.force_angle > 0, "mesh.friction_coefficient", mesh.friction_coefficient, "1",
+      "less than the tangent of mesh.flank_angle, because otherwise the flanks lock themselves");
   g.gap_factor = lift(mesh.gap_factor);
   g.lobe_gap = lift(mesh.lobe_gap);
   g.flank = {.pair_stiffness = mesh.pair_stiffness
@@ -190,13 +194,13 @@ struct CrackedRing {
   RingHinge::Ring ring{};
   Real thickness{};   // [m]
   Real width{};       // [m]
-  Real bending{};     // EI, of the circular spline over its support [N*m^2]
-  Real support{1.0};  // share of the ring's compliance that its housing leaves [-]
+  Real bending{};     // EI; for the circular spline, EI over its support [N*m^2]
+  Real support{1.0};  // share of the ring's compliance that remains in its housing [-]
   BasicElasticConstants<Real> steel;
 };
 
-/// Turns cracks into what they change inside the contact problem: one overload of `add` for each
-/// way in which a crack does so.
+/// Turns cracks into their effects in the contact problem.  Each kind of effect has an overload of
+/// `add`.
 template <class Real>
 class ContactCracksOf {
  public:
@@ -209,7 +213,7 @@ class ContactCracksOf {
     const auto take = [&]<class Crack>(const std::string& path, const Crack& crack) {
       if constexpr (ContactCrack<Crack> || requires { crack.stress_driver; }) add(path, crack);
     };
-    // The order of the hinges is that of a sum, and with it of its rounding.
+    // The order of the hinges determines the order of a sum, and so its rounding.
     if (gear_.mesh) for_each_crack("mesh", gear_.mesh->crack, take);
     for_each_crack("flexspline", gear_.flexspline->crack, take);
     if (gear_.circular_spline)
@@ -240,29 +244,31 @@ class ContactCracksOf {
                               .softening = (ring.bending - left) * length});  // (TC-22)
   }
 
-  /// A crack of the inner race, which the balls load.
+  /// Adds a crack of the inner race, which the balls load.
   template <class Crack>
   requires requires(const Crack& crack) { crack.stress_driver; }
   void add(const std::string& path, const Crack& crack) {
     if (crack.stress_driver != StressDriver::orthogonal_shear &&
         crack.stress_driver != StressDriver::contact_edge) {
       notes_.push_back({"crack.not_of_a_ball",
-                        "its stress does not follow from the force of the ball over it: it is "
-                        "left out of the torsion curve",
+                        "the stress of this crack does not follow from the force of the ball over "
+                        "it, so the torsion curve leaves the crack out",
                         path, "TC-23", Severity::care,
                         "Choose a stress_driver of the ball, orthogonal_shear or contact_edge."});
     } else if (const Real force = ball_force_(crack.position); force > 0) {
       result_.balls.push_back(
           {crack.position, race_crack_compliance(gear_, lift_, path, crack, force, notes_)});
-      notes_.push_back({"crack.under_a_ball",
-                        fmt::format("taken with the nearest ball exactly over it, the worst "
-                                    "place, linear at {:.3g} N; the balls roll over it, so its "
-                                    "effect comes and goes at ball-pass frequency",
-                                    value_of(force)),
-                        path, "TC-23", Severity::care});
+      notes_.push_back(
+          {"crack.under_a_ball",
+           fmt::format("the nearest ball is assumed to be exactly over this crack, the worst "
+                       "place, with a linear response at {:.3g} N; in a turning drive the balls "
+                       "roll over the crack, so its effect comes and goes at ball-pass frequency",
+                       value_of(force)),
+           path, "TC-23", Severity::care});
     } else {
-      notes_.push_back({"crack.unloaded_ball", "no ball that carries is near it: no effect", path,
-                        "TC-23", Severity::information});
+      notes_.push_back({"crack.unloaded_ball",
+                        "no loaded ball is near this crack, so it has no effect", path, "TC-23",
+                        Severity::information});
     }
   }
 
@@ -291,14 +297,13 @@ class ContactCracksOf {
   }
 
   void note_rigid_spline() {
-    const Note note{.code = "crack.rigid_ring",
-                    .text =
-                        "the circular spline is held rigidly (support = 0): a crack in it has "
-                        "no effect",
-                    .path = "circular_spline.support",
-                    .equation = "TC-10",
-                    .severity = Severity::care,
-                    .next_step = "Give a support above 0."};
+    const Note note{
+        .code = "crack.rigid_ring",
+        .text = "the circular spline is held rigidly (support = 0), so a crack in it has no effect",
+        .path = "circular_spline.support",
+        .equation = "TC-10",
+        .severity = Severity::care,
+        .next_step = "Give a support above 0."};
     if (std::ranges::find(notes_, note) == notes_.end()) notes_.push_back(note);
   }
 
@@ -334,17 +339,17 @@ void check_coupled(const GearSet& gear, const CoupledOptions& options) {
           drive.ratio, "1", "a whole number of teeth, wave_number times ratio, of 20 or more");
   const double module = drive.pitch_diameter / teeth;
   require(rim.outer_diameter < drive.pitch_diameter, "flexspline.rim.outer_diameter",
-          rim.outer_diameter, "m", "outer_diameter, of the tooth roots, < drive.pitch_diameter");
+          rim.outer_diameter, "m", "outer_diameter (of the tooth roots) < drive.pitch_diameter");
   require(drive.pitch_diameter - rim.outer_diameter < kMostRootDistance * module,
           "flexspline.rim.outer_diameter", rim.outer_diameter, "m",
-          "outer_diameter, of the tooth roots, within 4 modules of drive.pitch_diameter/2");
+          "outer_diameter (of the tooth roots) within 4 modules of drive.pitch_diameter/2");
   const double bore = rim.outer_diameter / 2 - rim.wall_thickness;
   const double ring_outside = bearing.outer_ring->mean_radius + bearing.outer_ring->thickness / 2;
   if (std::abs(ring_outside - bore) > kFitInBore * bore)
     throw InputError(
         "wave_generator.bearing.outer_ring.mean_radius",
-        fmt::format("makes an outer radius of {:.5g} mm in a flexspline bore of {:.5g} mm: the "
-                    "bearing does not assemble; rule: within 0.5 %",
+        fmt::format("makes an outer radius of {:.5g} mm in a flexspline bore of {:.5g} mm, so the "
+                    "bearing does not assemble; both must agree within 0.5 %",
                     1e3 * ring_outside, 1e3 * bore));
   if (bearing.outer_raceway_diameter / 2 > ring_outside)
     throw InputError("wave_generator.bearing.outer_raceway_diameter",

@@ -13,7 +13,7 @@
 
 namespace strainwave {
 
-/// The numbers of the model, taken from the file [SI].
+/// The numbers of the model, from the file [SI].
 template <class Real>
 struct BasicCoupledGeometry {
   // transmission
@@ -21,7 +21,7 @@ struct BasicCoupledGeometry {
   Real radial_displacement{};  // w_0
   int teeth = 0;               // z
   Real module{};               // m
-  // rim and outer ring, as one ring
+  // rim and outer ring as one ring
   Real ring_radius{};    // R
   Real rim_thickness{};  // t_r
   Real rim_width{};      // b
@@ -35,7 +35,7 @@ struct BasicCoupledGeometry {
   // barrel and diaphragm
   Real barrel_length{};
   Real barrel_thickness{};
-  Real length{};  // L, from the bottom to the open end
+  Real length{};  // length L from the bottom to the open end
   // bearing
   Real ball_stiffness{};  // K_h, Q = K_h d^1.5
   int balls = 0;
@@ -54,15 +54,15 @@ struct BasicCoupledGeometry {
 };
 using CoupledGeometry = BasicCoupledGeometry<double>;
 
-/// What a crack changes inside the contact problem.
+/// The rings that a crack can soften in the contact problem.
 enum class HingedRing { rim, outer, spline };
 template <class Real>
 struct BasicRingHinge {
   using Ring = HingedRing;
   Ring ring = Ring::rim;
   Real position{};   // theta_c
-  Real length{};     // l, over which the crack softens the ring [m]
-  Real softening{};  // alpha, bending stiffness lost times length (TC-22) [N*m^3]
+  Real length{};     // length l over which the crack softens the ring [m]
+  Real softening{};  // alpha, lost bending stiffness times length (TC-22) [N*m^3]
 };
 template <class Real>
 struct BasicSoftTooth {
@@ -72,7 +72,7 @@ struct BasicSoftTooth {
 template <class Real>
 struct BasicSoftBall {
   double position = 0.0;
-  Real compliance{};  // in series with the contact [m/N]
+  Real compliance{};  // compliance in series with the contact [m/N]
 };
 template <class Real>
 struct BasicContactCracks {

@@ -12,7 +12,8 @@
 #include "strainwave/torsion/torsion_curve.hpp"
 
 namespace strainwave {
-namespace adjoint {  // with a name: CurveDifferentiator::Contents is made of these
+namespace adjoint {  // a named namespace, because CurveDifferentiator::Contents has members of
+                     // these types
 
 /// The contact problem in dual numbers, for one set of inputs.
 struct DualDrive {
@@ -45,8 +46,7 @@ struct DualDrive {
   [[nodiscard]] DualReal turn(int flank) const {
     return drive.side_of(flank) * rings.drive_flank().tangential;
   }
-  /// Closing of a contact on rigid rings less what gives way in itself, at fixed force and
-  /// rotation.
+  /// Closing of a contact on rigid rings minus its own deflection, at fixed force and rotation.
   [[nodiscard]] DualReal closing(int contact, const Equilibrium& at) const {
     const double theta = drive.position_of(contact);
     const DualReal& soft = own[static_cast<std::size_t>(contact)];
@@ -66,17 +66,18 @@ struct DualDrive {
   }
 };
 
-/// The derivative, to any number, of a linear functional a.forces + b rotation of one state
-/// (TC-27).
+/// The derivative of a linear functional a.forces + b rotation of one state with respect to any
+/// number (TC-27).
 class Functional {
  public:
-  /// @param weight  a, of the forces of all contacts
+  /// @param weight  coefficients a of the forces of all contacts
   /// @param turn    b, of the rotation
   Functional(const CoupledDrive& drive, const Equilibrium& state, const Eigen::VectorXd& weight,
              double turn)
       : Functional(drive, state, drive.linear_response(state, weight, -turn)) {}
 
-  /// Of a state in which no flank touches: those that are about to are left out.
+  /// The functional of a state in which no flank touches; flanks that are about to touch are left
+  /// out.
   [[nodiscard]] static Functional of_balls(const CoupledDrive& drive, const Equilibrium& state,
                                            const Eigen::VectorXd& weight) {
     CoupledDrive::Tangent adjoint = drive.linear_response(state, weight, 0.0);
@@ -84,7 +85,7 @@ class Functional {
     adjoint.rotation = 0.0;
     return {drive, state, std::move(adjoint)};
   }
-  /// Of the closing of one flank that does not touch, rotation kept.
+  /// The functional of the closing of one flank that does not touch, at fixed rotation.
   [[nodiscard]] static Functional of_closing(const CoupledDrive& drive, const Equilibrium& state,
                                              int flank) {
     CoupledDrive::Tangent adjoint =
@@ -100,7 +101,7 @@ class Functional {
   [[nodiscard]] DualReal derivative(const DualDrive& dual, const DualReal& load) const {
     const auto left = dual.rings.load_of(adjoint_waves_);
     const auto right = dual.rings.response_to(dual.rings.load_of(force_waves_));
-    DualReal sum = -left.dot(right);  // what the rings close
+    DualReal sum = -left.dot(right);  // closing by the rings
     DualReal missing = load;
     for (int i = 0; i < drive_.contacts(); ++i) {
       if (i >= drive_.balls() && state_.force[i] != 0) missing -= dual.turn(i) * state_.force[i];
@@ -130,7 +131,7 @@ class Functional {
   ForceWaves force_waves_;
 };
 
-/// A value whose derivatives are those of another number.
+/// A value with the derivatives of another number.
 DualReal with_derivatives(double value, DualReal derivative) {
   derivative.value = value;
   return derivative;
@@ -140,7 +141,7 @@ Functional of_rotation(const CoupledDrive& drive, const Equilibrium& state) {
   return {drive, state, Eigen::VectorXd::Zero(drive.contacts()), 1.0};
 }
 
-/// Where the ring rests without torque (TC-11).
+/// The rotation at which the ring rests without torque (TC-11).
 class Rest {
  public:
   explicit Rest(const CoupledDrive& drive) : value_(drive.assembled().rotation) {
@@ -165,7 +166,7 @@ class Rest {
 
  private:
   double value_ = 0.0;
-  std::optional<Functional> held_;  // none: inside its play, at 0
+  std::optional<Functional> held_;  // absent if the ring rests inside its play, at 0
   std::optional<int> touching_;     // the flank that ends its play
 };
 
@@ -186,7 +187,7 @@ struct Curve {
     }
   }
 
-  /// @param in_series  compliance of the members beside the ring
+  /// @param in_series  compliance of the members in series with the ring
   [[nodiscard]] LineValues<DualReal> lines(const DualDrive& dual,
                                            const LineTorques<DualReal>& torques,
                                            const DualReal& in_series) const {
@@ -220,7 +221,7 @@ class Cam {
     rise_ = sound.rings().lobe(sound.linear_response(sound.assembled(), cam, 0.0).force);
   }
 
-  /// @param dual  the sound drive, its amplitude without derivatives
+  /// @param dual  the sound drive, with an amplitude without derivatives
   [[nodiscard]] DualReal amplitude(const DualDrive& dual) const {
     const auto& rings = dual.rings;
     // The functional itself depends on the rings: mean of w over the lobes at fixed forces.
@@ -298,7 +299,7 @@ CurveDerivatives CurveDifferentiator::of(const GearSet& gear, const Lift<DualRea
     }
     return 0.0;
   };
-  std::vector<Note> notes;  // said when the drive was assembled
+  std::vector<Note> notes;  // these notes were made when the drive was assembled
   const auto cracks = contact_cracks(gear, lift, geometry, ball_over, notes);
   const adjoint::DualDrive cracked(of_drive.drive, geometry, rings, cracks, sound.amplitude);
 
@@ -314,12 +315,13 @@ CurveDerivatives CurveDifferentiator::of(const GearSet& gear, const Lift<DualRea
 }
 
 std::vector<CurveStep> curve_steps(const GearSet& gear) {
-  std::vector<CurveStep> steps = {{"drive.ratio", "it sets the number of teeth, which is whole"}};
+  std::vector<CurveStep> steps = {
+      {"drive.ratio", "the field determines the number of teeth, which is a whole number"}};
   for_each_crack(gear, [&]<class Crack>(const std::string& path, const Crack&) {
     if constexpr (std::is_same_v<Crack, ToothCrack>)
-      steps.push_back({path + ".position", "it chooses the nearest tooth"});
+      steps.push_back({path + ".position", "the field only selects the nearest tooth"});
     else if constexpr (requires(const Crack& crack) { crack.stress_driver; })
-      steps.push_back({path + ".position", "it chooses the nearest ball"});
+      steps.push_back({path + ".position", "the field only selects the nearest ball"});
   });
   return steps;
 }

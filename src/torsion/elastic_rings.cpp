@@ -108,7 +108,7 @@ void ElasticRings::fill_flexibility(const ContactPlaces& places) {
       at_balls_.cosine * (at_balls_.cosine * balls.even.asDiagonal()).transpose() +
       at_balls_.sine * (at_balls_.sine * balls.even.asDiagonal()).transpose();
 
-  // A ball sees a coast flank as it sees the drive flank on its other side.
+  // For a ball, a coast flank is equivalent to the drive flank on its other side.
   const Kernel mixed = kernel(model_.ball(), model_.drive_flank());
   const Eigen::MatrixXd even =
       at_balls_.cosine * (at_teeth_.cosine * mixed.even.asDiagonal()).transpose() +
@@ -230,7 +230,7 @@ double ElasticRings::tangential(const Eigen::VectorXd& x, double theta) const {
 
 double ElasticRings::curvature(const Eigen::VectorXd& x, double theta) const {
   const double R2 = model_.ring_radius() * model_.ring_radius();
-  double kappa = 0.0;  // -(w'' + w)/R^2, positive where the ring bends more
+  double kappa = 0.0;  // -(w'' + w)/R^2, positive if the ring bends more
   for (int n = 2; n <= model_.harmonics(); ++n)
     kappa += (n * n - 1.0) / R2 *
              (x[model_.at(n)] * std::cos(n * theta) + x[model_.at(n) + 1] * std::sin(n * theta));

@@ -15,7 +15,7 @@
 
 namespace strainwave {
 
-/// Cosines and sines of the harmonics 0 to N at some positions, a row each.
+/// Cosines and sines of the harmonics 0 to N at given positions, one row for each position.
 struct Waves {
   Waves(const std::vector<double>& positions, int harmonics);
   Eigen::MatrixXd cosine;
@@ -49,13 +49,13 @@ class ElasticRings {
   }
   /// Closing of a contact under the nominal wave w_0 cos(2 theta) of an inextensional ring.
   [[nodiscard]] double of_nominal_wave(int contact, double amplitude) const;
-  /// The rings in their coefficients.
+  /// The model of the rings, in its coefficients.
   [[nodiscard]] const RingModel<double>& model() const { return model_; }
-  /// Contact forces as the rings see them.
+  /// The harmonics of the contact forces on the rings.
   [[nodiscard]] ForceWaves waves_of(const Eigen::VectorXd& force) const;
   /// Mean of w over the lobes per unit of the force of each contact.
   [[nodiscard]] const Eigen::VectorXd& lobe_of_forces() const { return lobe_; }
-  /// Closing of contact i under a unit force of contact j, by the rings [m/N] (TC-4).
+  /// Closing of contact i under a unit force of contact j, due to the rings [m/N] (TC-4).
   [[nodiscard]] const Eigen::MatrixXd& flexibility() const { return flexibility_; }
   /// Closings of all contacts under contact forces.
   [[nodiscard]] Eigen::VectorXd closings(const Eigen::VectorXd& force) const;
@@ -74,7 +74,7 @@ class ElasticRings {
   [[nodiscard]] double hoop_strain(const Eigen::VectorXd& x, double theta) const;
 
  private:
-  /// Closing of one contact by another as a Fourier series in the angle between them (TC-4).
+  /// Closing of one contact due to another as a Fourier series in the angle between them (TC-4).
   struct Kernel {
     Eigen::VectorXd even;
     Eigen::VectorXd odd;
@@ -93,10 +93,10 @@ class ElasticRings {
   RingModel<double> model_;
   int balls_ = 0;
   int teeth_ = 0;
-  std::vector<double> position_;  // of balls, drive flanks, coast flanks
+  std::vector<double> position_;  // positions of balls, drive flanks, coast flanks
   Waves at_balls_;
   Waves at_teeth_;
-  Eigen::VectorXd lobe_;  // per unit of the force of each contact
+  Eigen::VectorXd lobe_;  // lobe displacement per unit force of each contact
   Eigen::MatrixXd flexibility_;
 };
 

@@ -19,9 +19,9 @@ Real gap_of(double t, const Real& w0, const Real& flank_angle, const Real& gap_f
 
 template <class Real>
 Real pair_stiffness_of(const Real& E, const Real& module, const Real& rim_thickness) {
-  // Compliances per face width, times E.  The line is fitted to plane-strain finite elements.
+  // Compliances per face width, times E.  This line is fitted to plane-strain finite elements.
   const Real flexspline_tooth = 3.296 + 3.090 * module / rim_thickness;
-  // Estimates, which no computation or measurement supports.
+  // These numbers are estimates that no computation or measurement supports.
   constexpr double circular_spline_tooth = 3.605;
   constexpr double line_contact = 2.472;
   return E / (flexspline_tooth + circular_spline_tooth + line_contact);  // (TC-9)

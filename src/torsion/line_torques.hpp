@@ -8,7 +8,7 @@
 
 namespace strainwave {
 
-// The maker's torques where the file gives none, from catalogues (TC-14): T1 and T2 over the cube
+// Default torques of the maker, from catalogues (TC-14): T1 and T2 over the cube
 // of the pitch diameter [Pa], T3 and rated torque over T2.
 inline constexpr double kConventionT1 = 0.0517e6;
 inline constexpr double kConventionT2 = 0.187e6;

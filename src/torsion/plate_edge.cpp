@@ -12,7 +12,7 @@ namespace strainwave {
 
 namespace {
 
-/// Amplitudes of the four powers of the radius that meet the conditions of the edges.
+/// Amplitudes of the four powers of the radius that satisfy the conditions at the edges.
 std::array<double, 4> amplitudes_of(const std::array<std::array<double, 4>, 4>& conditions,
                                     const std::array<double, 4>& wanted) {
   Eigen::Matrix4d matrix;

@@ -12,8 +12,8 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/torsion/plate_edge.hpp"
 
-// The numbers of flexspline, outer ring and circular spline as Fourier modes, each once, for double
-// and for dual numbers.
+// Flexspline, outer ring and circular spline as Fourier modes, in templates for double and for dual
+// numbers.
 
 namespace Eigen {
 
@@ -30,7 +30,7 @@ struct NumTraits<strainwave::Dual<N>> : NumTraits<double> {
 
 namespace strainwave {
 
-/// How a contact sees the rings: closing per unit of displacement at its position.
+/// Closing of a contact per unit of displacement of the rings at its position.
 template <class Real>
 struct BasicContactDirection {
   Real radial{};
@@ -43,21 +43,21 @@ struct BasicContactDirection {
   /// Closing per unit of the n-th amplitude by tilt and shift of the circular spline, whose ring
   /// does not stretch.
   [[nodiscard]] Real spline_turn(int n) const { return n * spline_slope + spline_tangential / n; }
-  /// That of the other flank of a tooth.
+  /// The direction of the other flank of a tooth.
   [[nodiscard]] BasicContactDirection mirrored() const {
     return {radial, -tangential, -slope, spline_radial, -spline_tangential, -spline_slope};
   }
 };
 using ContactDirection = BasicContactDirection<double>;
 
-/// How a ball sees the rings: the ring that moves outward opens it.
+/// The direction of a ball: a ring that moves outward opens the contact.
 template <class Real>
 [[nodiscard]] BasicContactDirection<Real> ball_direction() {
   return {.radial = Real(-1.0)};
 }
 
-/// How a drive flank sees the rings (TC-6): the circular spline's tooth moves away under the same
-/// force.
+/// The direction of a drive flank (TC-6); the tooth of the circular spline moves away under the
+/// same force.
 template <class Real>
 [[nodiscard]] BasicContactDirection<Real> flank_direction(const BasicCoupledGeometry<Real>& g) {
   using std::cos, std::sin;
@@ -74,7 +74,7 @@ template <class Real>
           .spline_slope = across * spline_reach};
 }
 
-/// What a contact sees of the nominal wave w_0 cos(2 theta) of an inextensional ring.
+/// Closing of a contact by the nominal wave w_0 cos(2 theta) of an inextensional ring.
 template <class Real>
 [[nodiscard]] Real of_nominal_wave(const BasicContactDirection<Real>& d, double theta,
                                    const Real& amplitude) {
@@ -121,7 +121,8 @@ struct RingMode {
   }
 };
 
-/// The elastic rings of a drive in their coefficients: forces of contacts to displacements.
+/// The elastic rings of a drive in their coefficients; the model turns forces of contacts into
+/// displacements.
 template <class Real>
 class RingModel {
  public:
@@ -132,8 +133,8 @@ class RingModel {
   struct Softening {
     RingHinge::Ring ring = RingHinge::Ring::rim;
     Real softening{};  // alpha
-    Vector curvature;  // mean over the length, as a row
-    Vector response;   // coefficients that a unit of its conjugate makes
+    Vector curvature;  // mean curvature over the length, as a row
+    Vector response;   // coefficients under a unit of its conjugate
     Real factor{};     // alpha/(1 - alpha curvature.response)
   };
 
@@ -153,7 +154,7 @@ class RingModel {
   [[nodiscard]] const Real& ring_radius() const { return ring_radius_; }
   [[nodiscard]] const Mode& mode(int n) const { return modes_[static_cast<std::size_t>(n)]; }
   [[nodiscard]] const std::vector<Softening>& softenings() const { return softenings_; }
-  /// Of balls, drive flanks, coast flanks.
+  /// Directions of balls, drive flanks and coast flanks.
   [[nodiscard]] std::array<BasicContactDirection<Real>, 3> directions() const {
     return {ball_, drive_flank_, drive_flank_.mirrored()};
   }
@@ -164,8 +165,7 @@ class RingModel {
   [[nodiscard]] int spline_at(int n) const { return 1 + 4 * N_ + 2 * (n - 2); }  // a_n, b_n
   [[nodiscard]] int coefficients() const { return 1 + 4 * N_ + (has_spline_ ? 2 * (N_ - 1) : 0); }
 
-  /// Generalised forces of contact forces: the transpose of what closes the contacts, with the
-  /// other sign.
+  /// Generalised forces of contact forces, by the transposed operation with opposite sign.
   [[nodiscard]] Vector load_of(const ForceWaves& forces) const {
     Vector load = Vector::Constant(coefficients(), Real(0.0));
     const auto all = directions();
@@ -190,7 +190,7 @@ class RingModel {
     return load;
   }
 
-  /// Coefficients that generalised forces make (TC-4).
+  /// Coefficients under generalised forces (TC-4).
   [[nodiscard]] Vector response_to(const Vector& load) const {
     Vector out = Vector::Constant(coefficients(), Real(0.0));
     out[0] = mode(0).inverse.ww * load[0];
@@ -221,8 +221,8 @@ class RingModel {
   }
 
   /// Softens a ring by one crack.
-  /// @return  whether there is a ring to soften: a rigid one does not bend
-  /// @throws SolverError  if hinges of one ring overlap so far that nothing of it is left
+  /// @return  whether there is a ring to soften, because a rigid ring cannot bend
+  /// @throws SolverError  if hinges of one ring overlap so far that the ring has no stiffness left
   bool soften(const BasicRingHinge<Real>& hinge) {
     using std::cos, std::sin;
     const bool spline = hinge.ring == RingHinge::Ring::spline;
@@ -244,20 +244,20 @@ class RingModel {
     const Real left = 1 - soft.softening * soft.curvature.dot(soft.response);
     if (!(left > 0))
       throw SolverError(
-          "two cracks of a ring soften the same length of it, which leaves it no stiffness there "
-          "(TC-22): give one crack in place of both");
+          "two cracks of a ring soften the same length of the ring and leave no stiffness there "
+          "(TC-22); give one crack instead of the two");
     soft.factor = soft.softening / left;
     softenings_.push_back(std::move(soft));
     return true;
   }
 
  private:
-  /// Up to this harmonic the whole barrel follows its end.  Beyond, the part that follows shrinks
-  /// like 1/n: short waves stay near the rim.  The number has no derivation (TC-2); the ring's own
-  /// bending rules there.
+  /// Up to this harmonic the whole barrel follows its end.  Beyond, the part that follows decreases
+  /// like 1/n, because short waves stay near the rim.  The number is not derived (TC-2), but the
+  /// ring's own bending dominates there.
   static constexpr double kDecay = 2.5;
 
-  /// Mean over the radius: the plate's own thickness law matters little here.
+  /// Mean thickness over the radius; the thickness law of the plate matters little here.
   static Real mean_thickness(const Lift<Real>& lift, const Diaphragm& diaphragm) {
     if (diaphragm.profile.empty()) return lift(diaphragm.thickness);
     constexpr int kPoints = 64;

@@ -16,7 +16,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// Shares of the members in the tangent compliance, those of the contact problem and in series.
+/// Sets the shares of the members in the tangent compliance: members of the contact problem and
+/// members in series.
 void set_shares(CurvePoint& point, const AssembledDrive::Contents& contents,
                 const Equilibrium& state, const CoupledDrive::Tangent& tangent) {
   const SeriesMembers& series = contents.series;
@@ -91,7 +92,7 @@ std::string walk(const AssembledDrive::Contents& contents, std::span<const doubl
           torque, state.residual, state.iterations);
     if (std::abs(state.rotation) > most)
       return fmt::format(
-          "at {:.6g} N*m the ring has turned by {:.4g} mm, more than half a tooth pitch: the "
+          "at {:.6g} N*m the ring has turned by {:.4g} mm, more than half a tooth pitch, so the "
           "flanks do not hold; the torque, the lobe gap of {:.4g} um or the gap factor is too "
           "large",
           torque, 1e3 * state.rotation, 1e6 * g.lobe_gap);

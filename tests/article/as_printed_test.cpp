@@ -281,7 +281,7 @@ TEST(AsPrinted, ReferencePolynomialsAtAShallowCrack) {
 // --- The same by a script ------------------------------------------------------------------------
 
 /// The numbers of tests/data/article_example.csv in SI.  The file uses N/mm wherever the article
-/// does, whatever the dimension.
+/// does, even if the dimension is wrong.
 std::map<std::string, double> numbers_of(const GearSet& gear) {
   const double a = std::get<RaceSurfaceCrack>(gear.wave_generator->crack[0]).depth / mm;
   const article::CrackedRace race = race_of(a, 10, 5, 2, 2.1e5);

@@ -206,7 +206,7 @@ TEST(Audit, IdentityRatioIsPrintedOverOwnElseOwnOverCorrected) {
 }
 
 TEST(Audit, BehaviourANumberFromElsewhereIsAnInput) {
-  // K_G0 of B10 is estimated from literature: there is nothing to reproduce.
+  // The article estimates K_G0 of B10 from literature, so there is nothing to reproduce.
   const std::vector<AuditRow> rows = audit();
   const auto row = std::ranges::find(rows, "B10", &AuditRow::id);
   ASSERT_NE(row, rows.end());

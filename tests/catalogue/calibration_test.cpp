@@ -103,7 +103,7 @@ TEST(Calibration, IdentityCatalogueStiffnessIsOfTheComponentSet) {
   gear.output_shaft = shaft;
   gear.flexspline->flange_compliance = 1e-6;
   gear.flexspline->crack.push_back(WallThroughCrack{.half_length = 2e-3});
-  // What the drive says of numbers of the customer's parts stays in the drive, too.
+  // Ranges and scatters of the customer's parts stay in the drive too.
   for (const auto& [path, lower, upper] :
        {std::array{"output_shaft.length", "30 mm", "50 mm"},
         std::array{"flexspline.flange_compliance", "0.5e-6 rad/(N*m)", "2e-6 rad/(N*m)"},
@@ -179,8 +179,8 @@ TEST(MeasuredCurve, CrosscheckCalibratesBothSenses) {
   test::expect_relative(c.factors[0].value, 0.8, 1e-3);  // where the fit stops
 }
 
-// A bench writes thousands of points; the drive is solved at some of them.  The answer is that of
-// the points themselves, within a tenth of the uncertainty of a measured value, 1 %.
+// A test bench records thousands of points, and the drive is solved at some of them. The answer
+// agrees with that of all points within a tenth of the uncertainty of a measured value, 1 %.
 TEST(MeasuredCurve, CrosscheckManyPointsAreFittedAsFew) {
   const GearSet gear = typical_drive_of_size(25, 100);
   const CoupledOptions coarse{.harmonics = 8};
@@ -205,12 +205,15 @@ TEST(MeasuredCurve, InputRefusals) {
   EXPECT_NE(message("torque [N*m],angle [rad]\n").find("must name the columns"), std::string::npos);
   EXPECT_NE(message("torque,twist [rad]\n").find("has no unit"), std::string::npos);
   EXPECT_NE(message("torque [N],twist [rad]\n").find("bench.csv:1"), std::string::npos);
-  EXPECT_NE(message("torque [N*m],twist [rad]\n").find("no point under torque"), std::string::npos);
+  EXPECT_NE(message("torque [N*m],twist [rad]\n").find("no point with a torque"),
+            std::string::npos);
   const std::string head = "torque [N*m];twist [rad]\n";
   for (const auto& [text, sentence] : std::map<std::string, std::string>{
            {head + "1\n", "bench.csv:2:2: has too few columns: twist is the column 2"},
-           {head + "1;x\n", "bench.csv:2:3: twist = \"x\" is not a number, such as 12.5 or 12,5"},
-           {head + "1;\n", "bench.csv:2:3: twist = \"\" is not a number, such as 12.5 or 12,5"},
+           {head + "1;x\n",
+            "bench.csv:2:3: twist = \"x\" is not a number; write a number such as 12.5 or 12,5"},
+           {head + "1;\n",
+            "bench.csv:2:3: twist = \"\" is not a number; write a number such as 12.5 or 12,5"},
            {head + "\n 1.234,5; 1\n",
             "bench.csv:3:2: torque = \"1.234,5\" has separators of thousands; write the number "
             "without them"},
@@ -223,7 +226,7 @@ TEST(MeasuredCurve, InputRefusals) {
            {"a;torque [N*m];torque [N*m]\n", "bench.csv:1:16: names the column torque twice"},
            {"a;torque [kg];twist [rad]\n", "bench.csv:1:3: torque"},
            {std::string("\xFF\xFEt\0o\0", 6),
-            "bench.csv: is no CSV text in UTF-8; save the table as \"CSV UTF-8\""}})
+            "bench.csv: is not CSV text in UTF-8; save the table as \"CSV UTF-8\""}})
     EXPECT_EQ(message(text).substr(0, sentence.size()), sentence) << text;
   EXPECT_NE(message("torque [N*m],twist [rad]\n1,-1\n").find("same sign"), std::string::npos);
   EXPECT_NE(broken_rule([] {

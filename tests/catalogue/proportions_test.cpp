@@ -71,7 +71,7 @@ TEST(TypicalDrive, ReferenceLengthsOfSize25) {
   EXPECT_EQ(gear.rating->T2, 48);
   EXPECT_EQ(gear.rating->rated_torque, 87);
   EXPECT_EQ(typical_drive_of_size(25, 120).rating->rated_torque, std::nullopt);
-  EXPECT_EQ(typical_drive_of_size(100, 100).rating->T1, 843);  // no row of its class
+  EXPECT_EQ(typical_drive_of_size(100, 100).rating->T1, 843);  // the table lacks a row of its class
   test::expect_relative(*typical_drive_of_size(25, 100, Cup::standard).flexspline->length,
                         0.85 * 63.5 * kMm, 1e-12);
 }

@@ -389,7 +389,7 @@ TEST_F(Program, BehaviourLibraryMaterialIsNotedAndCanBeVaried) {
   const std::string& text = notes["material.17-4PH H900"];
   EXPECT_NE(text.find("yield strength 1170 MPa (standard)"), std::string::npos) << text;
   EXPECT_NE(notes["material.52100 hardened"].find(
-                "unverified, check it before you base a decision on it: "
+                "these values are unverified, so check them before you base a decision on them: "
                 "Poisson's ratio"),
             std::string::npos);
   EXPECT_EQ(json.at("/provenance/input/material/17-4PH H900/yield_strength"_json_pointer),
@@ -541,7 +541,7 @@ TEST_F(Program, BehaviourAuditPrintsItsRowsInAllForms) {
   EXPECT_NE(run("audit --format markdown").out.find('|'), std::string::npos);
 }
 
-// Every number of every crack may have a range and a scatter, whatever is asked of the drive.
+// Every number of every crack may have a range and a scatter, for every command.
 TEST_F(Program, BehaviourWhatIsSaidOfCracksStopsNoCommand) {
   const std::string text = contents(STRAINWAVE_EXAMPLES "/cracked_size25.toml");
   std::string said;
@@ -738,7 +738,7 @@ TEST_F(Program, BehaviourSensitivityInEveryForm) {
   const Outcome csv = run("sensitivity " + file + " --format csv");
   EXPECT_TRUE(
       csv.out.starts_with("output,path,unit,value,derivative,derivative_unit,elasticity\n"));
-  // One thread or three, the same bytes.
+  // One thread and three threads give the same bytes.
   const std::string scatter = "sensitivity " + file + " --scatter --samples 600 --threads ";
   EXPECT_EQ(run(scatter + "1").out, run(scatter + "3").out);
   EXPECT_NE(run(scatter + "1").out, run(scatter + "1 --seed 2").out);

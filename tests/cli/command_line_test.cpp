@@ -50,8 +50,8 @@ std::string complaint_about(const Fault& fault, ExitCode code) {
 
 TEST(CommandLine, InputTooLittleMemorySaysWhatToLower) {
   const std::string sentence =
-      "program: there is not enough memory for this: ask for fewer points, samples or threads, or "
-      "for a coarser mesh\n";
+      "program: there is not enough memory for this computation; ask for fewer points, samples or "
+      "threads, or for a coarser mesh\n";
   EXPECT_EQ(complaint_about(std::bad_alloc(), kNoMemory), sentence);
   // The exception that std::thread throws.
   const std::error_code thread = std::make_error_code(std::errc::resource_unavailable_try_again);

@@ -25,7 +25,7 @@ using test::quoted;
 const std::string kDrive = STRAINWAVE_EXAMPLES "/article.toml";
 const std::string kTables = STRAINWAVE_EXAMPLES;
 
-/// A word that the shell takes as it is, whatever is in it.
+/// A word quoted so that the shell does not interpret its characters.
 std::string word(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -46,7 +46,7 @@ class Files : public test::ProgramTest {
     return word(in_folder(name).string());
   }
 
-  /// What lies in the folder besides what the test itself writes there.
+  /// The files in the folder except those that the test itself writes.
   [[nodiscard]] std::vector<std::string> left() const {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder_))
@@ -56,7 +56,7 @@ class Files : public test::ProgramTest {
     return names;
   }
 
-  /// Ends with this exit code and one sentence that has these words.
+  /// Expects this exit code and one sentence that contains these words.
   void expect_refused(const std::string& arguments, int code, const std::string& words,
                       const std::string& before = {}) const {
     const Outcome outcome = run(arguments, before);
@@ -113,7 +113,7 @@ TEST_F(Files, BehaviourNamesOfAnyKind) {
     const Outcome outcome = run("stiffness " + at(name) + " -o " + word(out));
     EXPECT_EQ(outcome.exit_code, 0) << name << outcome.err;
     EXPECT_NE(contents(out).find("Torsional stiffness"), std::string::npos) << name;
-    // The name of a file that is not there is shown on one line.
+    // The message shows the name of a missing file on one line.
     fs::remove(in_folder(name));
     expect_refused("stiffness " + at(name), 3, "cannot be opened for reading");
   }
@@ -155,7 +155,7 @@ TEST_F(Files, InputFaultsOfTheOutputEndWithSevenBeforeTheWork) {
 
 TEST_F(Files, InputADiskThatFillsEndsWithSevenAndLeavesNothing) {
   write("old.json", "old");
-  // The shell allows files of one block of 512 or 1024 bytes, its own pages of errors included.
+  // The shell limits files to one block of 512 or 1024 bytes, including its own error output.
   for (const char* const name : {"new.json", "old.json"})
     expect_refused("stiffness " + word(kDrive) + " --format json -o " + at(name), 7,
                    "File too large", "ulimit -f 1; ");
@@ -177,7 +177,7 @@ TEST_F(Files, BehaviourDevicesAndPipesAreOutputs) {
                     at("pipe") + "; wait)")
                 .out,
             answer);
-  // A reader that goes away is no fault worth a word.
+  // If the reader goes away, the program prints no message.
   EXPECT_EQ(run(command + " | head -n 1").err, "");
 }
 
@@ -263,7 +263,7 @@ TEST_F(Files, InputAPictureNeedsItsConverter) {
 }
 
 TEST_F(Files, BehaviourAConverterIsCalledWithoutAShell) {
-  // Stands in for the real one: says how it was called, and copies.
+  // Replaces the real converter: records its arguments and copies the file.
   fs::create_directory(in_folder("bin"));
   write("bin/rsvg-convert",
         "#!/bin/sh\nprintf '%s\\n' \"$#\" \"$1\" \"$2\" \"$3\" >>\"$TOLD\"\ncp \"$5\" \"$4\"\n");
@@ -286,7 +286,7 @@ TEST_F(Files, BehaviourAConverterIsCalledWithoutAShell) {
   const Outcome page = run("report " + word(kDrive) + " -o " + at("page.pdf"), before);
   EXPECT_EQ(page.exit_code, 0) << page.err;
   EXPECT_NE(contents(in_folder("page.pdf")).find("<html"), std::string::npos);
-  // One that fails leaves nothing and is quoted.
+  // A converter that fails leaves no file, and the message quotes its error.
   write("bin/rsvg-convert", "#!/bin/sh\necho 'no such font'\nexit 3\n");
   expect_refused(kPlotted + " -o " + at("y.txt") + " --plot " + at("y.png"), 7,
                  "failed with exit code 3: no such font", before);
@@ -296,7 +296,7 @@ TEST_F(Files, BehaviourAConverterIsCalledWithoutAShell) {
 
 // --- Interrupts
 
-/// Long enough that the signal comes while they work.
+/// Commands that run long enough to receive the signal during their work.
 const std::array kLong = {
     "sweep " + word(kDrive) +
         " --vary 'load.torque=1 N*m..9 N*m:300' --vary 'load.axial_force=0 N..9 N:300'",

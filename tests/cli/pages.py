@@ -6,11 +6,11 @@
                                             without a PAGE, README and all guides
     tests/cli/pages.py --self-test PROGRAM
 
-The commands of a page run in one folder that has the examples.  A block below a block of commands
-is what they print: each of its lines is in their output, in this order, whatever blanks it has. `...`
-stands for any lines, and within a line for any words.
-Commands of `strainwave fe` run where strainwave-fe is beside the program.  A block of a shell that
-is not a command of strainwave is one of KNOWN, which other tests run.
+The commands of a page run in one folder that has the examples.  A block below a block of commands shows their
+output: each of its lines must be in this output, in this order, with any number of blanks. `...` stands for
+any lines, and within a line for any words.
+Commands of `strainwave fe` run only if strainwave-fe is beside the program.  A shell command of another
+program must be one of KNOWN, which other tests run.
 """
 
 import pathlib
@@ -28,13 +28,13 @@ ENDS = {"require": {0, 5, 6}}  # met, not met, cannot be told
 
 
 def commands_of(block):
-    """The commands of a block of a shell; none where it is something else."""
+    """The commands of a block of a shell; empty if the block is not one."""
     lines = [line for line in re.sub(r"\\\n\s*", "", block).splitlines() if line.strip() and not line.startswith("#")]
     return lines if lines and lines[0].split()[0] in {"strainwave", *KNOWN} else []
 
 
 def faults_of_block(page, commands, folder, programs):
-    """(faults, what is printed) of the commands, run in the folder."""
+    """(faults, output) of the commands, run in the folder."""
     faults, printed = [], ""
     for command in commands:
         words = command.split()
@@ -51,7 +51,8 @@ def faults_of_block(page, commands, folder, programs):
 
 
 def unprinted(block, printed):
-    """The first line of a block that is not printed behind those before it; none if all are."""
+    """The first line of a block that does not follow the previous lines in the output; None if all lines
+    follow."""
     lines = iter([" ".join(line.split()) for line in printed.splitlines()])
     for line in block.splitlines():
         pattern = re.escape(" ".join(line.split())).replace(re.escape("..."), ".*")

@@ -87,11 +87,11 @@ TEST_F(SeveralFiles, InputWhatShowsOneDriveIsRefusedForSeveral) {
 
 TEST_F(SeveralFiles, InputAWordThatIsNoCommandIsNamed) {
   for (const auto& [line, says] : std::vector<std::pair<std::string, std::string>>{
-           {"stifness f.toml", "stifness is no command; did you mean strainwave stiffness?"},
-           {"sif lst", "lst is no command; did you mean strainwave sif list?"},
+           {"stifness f.toml", "stifness is not a command; did you mean strainwave stiffness?"},
+           {"sif lst", "lst is not a command; did you mean strainwave sif list?"},
            {"sif", "sif needs a second word: list, show, eval, plot"},
-           {"xyzzyxyzzy", "xyzzyxyzzy is no command; strainwave --help lists them"},
-           {"", "name a command; strainwave --help lists them"}}) {
+           {"xyzzyxyzzy", "xyzzyxyzzy is not a command; strainwave --help lists the commands"},
+           {"", "name a command; strainwave --help lists the commands"}}) {
     const Outcome outcome = run(line);
     EXPECT_EQ(outcome.exit_code, 2) << line;
     EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err;

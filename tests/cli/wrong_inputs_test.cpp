@@ -21,7 +21,7 @@ using test::contents;
 using test::Outcome;
 using test::quoted;
 
-/// Two lines of the table: "$ " and a command line, then the exit code and what is said.
+/// Two lines of the table: "$ " and a command line, then the exit code and the message.
 struct Row {
   std::string command;
   std::string outcome;
@@ -94,7 +94,7 @@ class WrongInputs : public test::ProgramTest {
     return write("drive.toml", text);
   }
 
-  /// How the program ends, and what it says, with names of files as FILE.
+  /// The exit code and the message of the program, with names of files as FILE.
   [[nodiscard]] std::string outcome_of(const Row& row) const {
     static const std::regex kBraces(R"(\{([a-z_0-9]+( \| .*?)?)\})");
     std::string words = row.command;
@@ -123,7 +123,7 @@ TEST_F(WrongInputs, ReferenceTable) {
     if (!renew) {
       EXPECT_EQ(outcome, row.outcome) << row.command;
     }
-    // Wrong input is no mistake of ours, and no success.
+    // Wrong input must give neither an internal error nor success.
     EXPECT_TRUE(outcome[0] >= '2' && outcome[0] <= '7' && outcome[1] == ' ') << row.command << '\n'
                                                                              << outcome;
     EXPECT_EQ(outcome.find("internal error"), std::string::npos) << row.command;

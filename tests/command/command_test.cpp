@@ -284,7 +284,7 @@ TEST(CommandRow, BehaviourAJournalIsKeptAndAFolderIsNoText) {
     EXPECT_EQ(files[0].name, "one.svg");
     EXPECT_EQ(files[1].text, answer.json());
     EXPECT_PRED2(says, test::broken_rule([&] { return answer.document("svg"); }),
-                 "svg of keep is a folder of files, not a text; write it to a folder");
+                 "svg of keep is a folder of files and not a text; name a folder for it");
   }
   EXPECT_EQ(journal.text(), "head\nline\nline\n");
   EXPECT_EQ(said, "a linea line");

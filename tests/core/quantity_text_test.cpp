@@ -314,15 +314,15 @@ TEST(QuantityText, InputRefusalsSayWhatIsWrong) {
            {"1 m^0.999999", "m", "field: \"1 m^0.999999\" is not convertible to m"},
            // a unit that does not exist
            {"2 furlong", "m",
-            "field: \"2 furlong\" has the unknown unit \"furlong\"; known are products such as mm, "
-            "N*m/rad or MPa*m^0.5; strainwave units lists all"},
+            "field: \"2 furlong\" has the unknown unit \"furlong\"; write a unit such as mm, "
+            "N*m/rad or MPa*m^0.5; strainwave units lists all units"},
            {"0x10 mm", "m",
-            "field: \"0x10 mm\" has the unknown unit \"x10 mm\"; known are products such as mm, "
-            "N*m/rad or MPa*m^0.5; strainwave units lists all"},
+            "field: \"0x10 mm\" has the unknown unit \"x10 mm\"; write a unit such as mm, N*m/rad "
+            "or MPa*m^0.5; strainwave units lists all units"},
            {"1,5 mm", "m", "field: \"1,5 mm\" has a comma; write a decimal point"},
            {"100\tN*m", "N*m",
-            "field: \"100\\tN*m\" has the unknown unit \"\\tN\"; known are products such as mm, "
-            "N*m/rad or MPa*m^0.5; strainwave units lists all"},
+            "field: \"100\\tN*m\" has the unknown unit \"\\tN\"; write a unit such as mm, N*m/rad "
+            "or MPa*m^0.5; strainwave units lists all units"},
            // no number, or one that no measurement gives
            {"", "m", "field: \"\" must start with a finite number, such as 2.24 or 1.2e5"},
            {" ", "m", "field: \" \" must start with a finite number, such as 2.24 or 1.2e5"},
@@ -341,17 +341,19 @@ TEST(QuantityText, InputRefusalsSayWhatIsWrong) {
            {"1e-999 mm", "m", "field: \"1e-999 mm\" has a number that is too large or too small"},
            {"1e305 GPa", "Pa", "field: \"1e305 GPa\" is too large"},
            // malformed products
-           {"1 m)", "m", "field: \"1 m)\" has something after the unit"},
-           {"1 (m", "m", "field: \"1 (m\" has an opening parenthesis that is not closed"},
-           {"1 m^", "m", "field: \"1 m^\" needs a number between -12 and 12 after ^"},
-           {"1 m^13", "m", "field: \"1 m^13\" needs a number between -12 and 12 after ^"},
-           {"1 m^nan", "m", "field: \"1 m^nan\" needs a number between -12 and 12 after ^"},
-           {"1 m^1^1", "m", "field: \"1 m^1^1\" may have only * / ^ and parentheses between units"},
-           {"1 m(m)", "m^2", "field: \"1 m(m)\" may have only * / ^ and parentheses between units"},
-           {"1 m*", "m", "field: \"1 m*\" lacks a unit where one is due"},
-           {"1 *m", "m", "field: \"1 *m\" lacks a unit where one is due"},
-           {"1 m//m", "1", "field: \"1 m//m\" lacks a unit where one is due"},
-           {"1 ()", "1", "field: \"1 ()\" lacks a unit where one is due"},
+           {"1 m)", "m", "field: \"1 m)\" has text after the unit; remove this text"},
+           {"1 (m", "m", "field: \"1 (m\" has an opening parenthesis without a closing one"},
+           {"1 m^", "m", "field: \"1 m^\" needs an exponent between -12 and 12 after ^"},
+           {"1 m^13", "m", "field: \"1 m^13\" needs an exponent between -12 and 12 after ^"},
+           {"1 m^nan", "m", "field: \"1 m^nan\" needs an exponent between -12 and 12 after ^"},
+           {"1 m^1^1", "m",
+            "field: \"1 m^1^1\" may contain only * / ^ and parentheses between units"},
+           {"1 m(m)", "m^2",
+            "field: \"1 m(m)\" may contain only * / ^ and parentheses between units"},
+           {"1 m*", "m", "field: \"1 m*\" lacks a unit where the text needs one"},
+           {"1 *m", "m", "field: \"1 *m\" lacks a unit where the text needs one"},
+           {"1 m//m", "1", "field: \"1 m//m\" lacks a unit where the text needs one"},
+           {"1 ()", "1", "field: \"1 ()\" lacks a unit where the text needs one"},
            {"1 (((((((((m)))))))))", "m",
             "field: \"1 (((((((((m)))))))))\" has too many nested parentheses"},
        })
@@ -391,15 +393,15 @@ TEST(QuantityText, InputHostileLengthsAreRefusedBriefly) {
 
 TEST(QuantityText, InputRefusedUnitsNameThemselves) {
   EXPECT_EQ(unit_refusal("parsec/s"),
-            "unit: \"parsec/s\" has the unknown unit \"parsec\"; known are products such as mm, "
-            "N*m/rad or MPa*m^0.5; strainwave units lists all");
-  EXPECT_EQ(unit_refusal(""), "unit: \"\" lacks a unit where one is due");
+            "unit: \"parsec/s\" has the unknown unit \"parsec\"; write a unit such as mm, N*m/rad "
+            "or MPa*m^0.5; strainwave units lists all units");
+  EXPECT_EQ(unit_refusal(""), "unit: \"\" lacks a unit where the text needs one");
   EXPECT_EQ(unit_refusal("2"),
-            "unit: \"2\" has the unknown unit \"2\"; known are products such as mm, N*m/rad or "
-            "MPa*m^0.5; strainwave units lists all");
+            "unit: \"2\" has the unknown unit \"2\"; write a unit such as mm, N*m/rad or "
+            "MPa*m^0.5; strainwave units lists all units");
   EXPECT_EQ(unit_refusal("m "),
-            "unit: \"m \" has the unknown unit \"m \"; known are products such as mm, N*m/rad or "
-            "MPa*m^0.5; strainwave units lists all");
+            "unit: \"m \" has the unknown unit \"m \"; write a unit such as mm, N*m/rad or "
+            "MPa*m^0.5; strainwave units lists all units");
 }
 
 // --- Writing -------------------------------------------------------------------------------------

@@ -100,7 +100,8 @@ std::string_view refusal(const std::function<double(double)>& f, double lower, d
 
 TEST(BracketedRoot, InputBracketsWithoutChangeOfSignAreRefused) {
   constexpr std::string_view kNoChange =
-      "no change of sign in the bracket: there is no root, or an even number";
+      "the function does not change its sign in the bracket, so the bracket contains no root or an "
+      "even number of roots";
   EXPECT_EQ(refusal([](double x) { return x * x + 1; }, -1, 1), kNoChange);
   EXPECT_EQ(refusal([](double x) { return -x * x - 1; }, -1, 1), kNoChange);
   EXPECT_EQ(refusal([](double x) { return (x - 0.2) * (x - 0.4); }, 0, 1), kNoChange);
@@ -108,7 +109,8 @@ TEST(BracketedRoot, InputBracketsWithoutChangeOfSignAreRefused) {
 }
 
 TEST(BracketedRoot, InputFunctionsThatAreNoNumberAreRefused) {
-  constexpr std::string_view kNoNumber = "the function is not a number at an end of the bracket";
+  constexpr std::string_view kNoNumber =
+      "the value of the function at an end of the bracket is not a number";
   for (const double nan : {kNaN, -kNaN})
     for (const double other : {1.0, -1.0, 0.0, nan}) {
       EXPECT_EQ(refusal([&](double x) { return x < 0.5 ? nan : other; }, 0, 1), kNoNumber);

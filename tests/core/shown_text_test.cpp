@@ -27,7 +27,7 @@ TEST(Percent, BehaviourDigitsAndSigns) {
   EXPECT_EQ(percent_change(-0.01234), "-1.23 %");
   EXPECT_EQ(percent_change(1.176), "+118 %");
   EXPECT_EQ(percent_change(-1e-12), "0 %");
-  // Beyond sense in per cent.
+  // Values too large for per cent.
   EXPECT_EQ(percent(99.9), "9990 %");
   EXPECT_EQ(percent(123.4), "123 times");
   EXPECT_EQ(percent_change(99.0), "+9900 %");

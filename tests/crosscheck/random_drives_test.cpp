@@ -154,7 +154,7 @@ TEST(RandomDrives, IdentityADeeperCrackNeverStiffens) {
         std::visit(
             [](auto& crack) {
               if constexpr (requires { crack.depth; }) crack.depth *= 1.01;
-              // The length stays: it may be all that the ring has room for.
+              // Keep the length, because the ring may have no room for a longer crack.
               if constexpr (requires { crack.aspect_ratio; })
                 crack.aspect_ratio = std::min(1.0, 1.01 * crack.aspect_ratio);
               if constexpr (requires { crack.half_length; }) crack.half_length *= 1.01;

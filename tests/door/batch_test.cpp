@@ -63,7 +63,7 @@ TEST(Batch, CrosscheckEqualsSingleEvaluations) {
 }
 
 TEST(Batch, CrosscheckOutputsOfTheCoupledDrive) {
-  // It is solved only if an output of it is asked for; the sum is the same then.
+  // The coupled drive is solved only if one of its outputs is asked for; the sum does not change.
   const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/cracked_size25.toml");
   const std::vector<std::string> paths = {"flexspline.barrel.wall_thickness"};
   const std::vector<double> values = {0.40e-3, 0.46e-3};

@@ -97,7 +97,7 @@ TEST(AskedUnits, IdentityColumnsOfJsonAreConvertedWithTheirUnit) {
   EXPECT_EQ(other["unit"], "mm");
   EXPECT_EQ(other["values"], AnyJson::parse(R"({"values": [1, 2]})"));
   EXPECT_EQ(one["values"], AnyJson::parse(R"({"values": [0.001, 0.002]})"));
-  // Another column keeps the unit that nobody asked to change.
+  // Another column keeps its unit.
   EXPECT_EQ(si["result"]["columns"][1], mm["result"]["columns"][1]);
 }
 
@@ -119,9 +119,9 @@ TEST(AskedUnits, InputUnitsThatCannotBeAskedForAreRefused) {
   const auto refusal = [](std::string_view units) {
     return test::broken_rule([&] { return AskedUnits(units); });
   };
-  EXPECT_EQ(refusal("mm,in"), "units: mm and in have one dimension: choose one of them");
+  EXPECT_EQ(refusal("mm,in"), "units: mm and in have the same dimension; choose one of them");
   EXPECT_EQ(refusal("%"),
-            "units: % is of pure numbers, which are always told as they are: leave it out");
+            "units: % is a unit of pure numbers, which the answer never converts; leave it out");
   EXPECT_NE(refusal("furlong").find("units: \"furlong\" has the unknown unit"), std::string::npos);
 }
 
@@ -259,8 +259,8 @@ double variance_of_members(const std::map<std::string, Quantity>& a,
 }
 
 TEST(Diff, ReferenceASharedErrorCancelsByST19) {
-  // Only the shaft differs: wave generator and flexspline have one error in both, and so has what
-  // the sum leaves out, (ST-19).
+  // Only the shaft differs, so the errors of wave generator, flexspline and the missing compliance
+  // are the same in both, (ST-19).
   const std::string first = test::contents(STRAINWAVE_EXAMPLES "/article.toml");
   const std::string second = article_with("length = \"200 mm\"", "length = \"150 mm\"");
   const AnyJson result = diff_result(diff(first, second));
@@ -286,7 +286,8 @@ TEST(Diff, ReferenceASharedErrorCancelsByST19) {
   const double apart = std::hypot(*a.at("intact.stiffness").relative_uncertainty * K_a,
                                   *b.at("intact.stiffness").relative_uncertainty * K_b);
   EXPECT_LT(difference["uncertainty"].get<double>(), apart);
-  // What is left out is in series with the shaft: the compliances differ by the shafts' alone.
+  // The missing compliance is in series with the shaft, so the compliances differ only by those of
+  // the shafts.
   const AnyJson compliance = difference_of(result, "intact.compliance.total");
   EXPECT_NEAR(
       compliance["uncertainty"].get<double>() /
@@ -301,7 +302,7 @@ std::string with_shaft_of_40_mm(std::string text) {
 }
 
 TEST(Diff, CrosscheckTheCoupledDrivesDifferWithinTheUncertaintyByST19) {
-  // A thicker shaft moves the sum about ten times as far as K1 of the drive.  The second road is
+  // A thicker shaft changes the sum about ten times as much as K1 of the drive.  The second road is
   // the command torsion, which solves each drive by itself.
   const std::string first = test::contents(STRAINWAVE_EXAMPLES "/cracked_size25.toml");
   const std::string second = with_shaft_of_40_mm(first);
@@ -338,8 +339,9 @@ TEST(Diff, CrosscheckTheCoupledDrivesDifferWithinTheUncertaintyByST19) {
 }
 
 TEST(Diff, LimitOnlyOneCoupledDriveIsSolvedByST19) {
-  // Without mesh and circular spline nothing is known to be the same: the variance is that of both
-  // sides, with the distance to the coupled drive of one and the estimate of the other (ST-18).
+  // Without mesh and circular spline the missing compliances may differ, so the variances of both
+  // sides add: the distance to the coupled drive for one side, and the estimate for the other
+  // (ST-18).
   const std::string first = test::contents(STRAINWAVE_EXAMPLES "/cracked_size25.toml");
   std::string second = with_shaft_of_40_mm(first);
   const std::size_t mesh = second.find("[mesh]");
@@ -404,7 +406,7 @@ TEST(Diff, BehaviourTheContentOfATableCounts) {
   EXPECT_EQ(result["inputs"][0]["path"], "flexspline.crack[0].compliance_table");
   EXPECT_EQ(result["inputs"][0]["first"], "tables/through_45.csv");
   EXPECT_EQ(result["inputs"][0]["second"], "tables/through_45.csv with another content");
-  // A result does not have its table, so nobody can tell whether the crack is the same.
+  // A result does not contain its table, so the program cannot tell whether the crack is the same.
   const std::string with_shaft =
       drive +
       "\n[output_shaft]\nmaterial = \"steel\"\nouter_diameter = \"40 mm\"\nlength = \"40 mm\"\n";
@@ -422,8 +424,8 @@ TEST(Diff, BehaviourTheContentOfATableCounts) {
 }
 
 TEST(Diff, LimitOfOneDriveTheUncertaintyIsItsOwn) {
-  // Everything differs by a load that moves nothing but wind-up: no error is shared, and the
-  // variance is that of both sides (ST-19).
+  // The loads differ, so no error is shared and the variances of both sides add (ST-19); the load
+  // affects the wind-up only.
   const std::string first = test::contents(STRAINWAVE_EXAMPLES "/article.toml");
   const AnyJson result =
       diff_result(diff(first, article_with("torque = \"100 N*m\"", "torque = \"200 N*m\"")));
@@ -463,8 +465,8 @@ TEST(Diff, IdentityResultsDifferAsTheirDrivesDo) {
 TEST(Diff, InputWhatCannotBeComparedIsRefused) {
   const std::string drive = test::contents(STRAINWAVE_EXAMPLES "/article.toml");
   EXPECT_EQ(test::broken_rule([&] { return diff(drive, "{\"a\": 1}"); }),
-            "b: is neither a drive nor a result: write one with strainwave stiffness FILE --format "
-            "json --output RESULT");
+            "b: is neither a drive nor a result; strainwave stiffness FILE --format json --output "
+            "RESULT writes a result");
   EXPECT_EQ(test::broken_rule([&] {
               return diff(drive, test::run_on_example("audit", "article").json());
             }).substr(0, 3),

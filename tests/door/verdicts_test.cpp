@@ -27,7 +27,7 @@ std::shared_ptr<const Drive> sound_shaft() {
   return read_drive(text, "sound.toml");
 }
 
-/// The whole drive of the examples with what its hysteresis loop needs.
+/// The complete drive of the examples with the fields that its hysteresis loop needs.
 std::shared_ptr<const Drive> sound_drive() {
   std::string text = test::example_drives().at("catalogue_size25")->text;
   const std::string rating = "[rating]\n";
@@ -39,7 +39,7 @@ TEST(Verdicts, ReferenceEachOfTheFourIsReached) {
   const auto example = [](const char* name) { return test::example_drives().at(name); };
   EXPECT_EQ(judged("stiffness", sound_shaft()), Judgement::good);
   EXPECT_EQ(judged("sensitivity", sound_shaft()), Judgement::good);
-  // A whole drive whose coupled drive is solved: what the sum leaves out raises no doubt.
+  // If the coupled drive is solved, the effects that the sum leaves out raise no doubt.
   EXPECT_EQ(judged("stiffness", example("catalogue_size25")), Judgement::good);
   EXPECT_EQ(judged("stiffness", example("cracked_size25")), Judgement::cannot_be_told);
   EXPECT_EQ(judged("stiffness", example("solid_shaft")), Judgement::with_care);

@@ -375,7 +375,7 @@ def refusals(program, examples, folder):
     blocked = folder / "blocked"
     blocked.write_text("mine")
     done = run(program, "render", gear, *wanted, "-o", blocked, codes=(7,))
-    assert "blocked: is a file, and the results need a folder" in done.stderr, done.stderr
+    assert "blocked: is a file, but the results need a folder; name a folder" in done.stderr, done.stderr
     assert blocked.read_text() == "mine"
     taken = folder / "taken"
     (taken / "output_shaft_crack_0_energy.svg").mkdir(parents=True)

@@ -35,7 +35,7 @@ kind = "annular"
 depth = "1 mm"
 )";
 
-/// Runs what reads the text; a refusal is no finding.
+/// Runs the reader of the text; a refusal is not a finding.
 template <class Read>
 void read(const Read& what) {
   try {

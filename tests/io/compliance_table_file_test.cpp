@@ -227,7 +227,7 @@ TEST_F(TableFolder, InputFaultsNameTheCrack) {
   std::ofstream(folder_ / "large.csv") << std::string(kMaxTextSize + 1, '#');
   refused("large.csv", "is larger than 1 MiB");
   std::ofstream(folder_ / "other.csv") << replaced(shaft_table(), "0.06 m", "0.07 m");
-  refused("other.csv", "was made with outer_diameter = 70 mm, and the drive has 60 mm");
+  refused("other.csv", "was made with outer_diameter = 70 mm, but the drive has 60 mm");
 }
 
 }  // namespace

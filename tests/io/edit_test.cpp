@@ -160,7 +160,8 @@ TEST(Edit, ReferenceACrackIsAppendedAndRemoved) {
 }
 
 TEST(Edit, ReferencePathsFollowTheirCracks) {
-  // Ranges and scatters of a crack that goes go too; those of the next crack name it where it is.
+  // Ranges and scatters of a removed crack are removed too; those of the next crack get its new
+  // path.
   const std::string first =
       "\n[[range]]\npath = \"output_shaft.crack[0].depth\"\nlower = \"2 mm\"\nupper = \"4 mm\"\n";
   const std::string length = "\n[[range]]\npath = \"output_shaft.length\"\nlower = \"1 mm\"\n";
@@ -180,7 +181,7 @@ TEST(Edit, ReferencePathsFollowTheirCracks) {
   const std::string other = "{ kind = \"annular\", solution = \"tada\" }";
   EXPECT_EQ(edit(text, "output_shaft.crack[1]", other),
             edit(kShaft, "output_shaft.crack[1]", other) + first + length + scatters);
-  // An inline list follows as well; what names nothing of the text is left alone.
+  // An inline list is adapted as well; entries that name nothing in the text stay unchanged.
   const std::string inline_list =
       "scatter = [{ path = \"flexspline.crack[1].depth\" }, { path = \"no such thing\" }, 3]\n"
       "[[flexspline.crack]]\ndepth = 1\n[[flexspline.crack]]\ndepth = 2\n";

@@ -188,7 +188,7 @@ TEST(GearReader, CrosscheckTheTextIsTheDriveBuiltInCode) {
 }
 
 TEST(GearReader, BehaviourValuesArriveInSiExactly) {
-  // A prefix moves the decimal point: the value is the double nearest to the decimal number.
+  // A prefix moves the decimal point, so the value is the double nearest to the decimal number.
   const GearSet gear = read_gear_set(kArticle, "gear.toml");
   EXPECT_EQ(gear.drive.pitch_diameter, 0.16);
   EXPECT_EQ(gear.drive.radial_displacement, 0.0008);
@@ -481,12 +481,14 @@ TEST(GearReader, BehaviourATableCompletesARecordOfTheLibrary) {
   EXPECT_EQ(steel.fracture_toughness, 90e6);
   EXPECT_NE(steel.origin.find("own: fracture_toughness 90 MPa*m^0.5"), std::string::npos)
       << steel.origin;
-  // Sweep and solve may set a number that the library gives; it is the file's own then.
+  // Sweep and solve may set a number that the library gives; the number then counts as the file's
+  // own.
   GearSet swept = gear;
   set_number(swept, "material.steel.yield_strength", 1e9);
   EXPECT_EQ(std::ranges::count(swept.material.at("steel").from_library, "yield_strength"), 0);
   EXPECT_EQ(std::ranges::count(steel.from_library, "yield_strength"), 1);
-  // Faults: no such steel, a contradiction between the file's number and the library's.
+  // The faults are an unknown steel and a contradiction between numbers of the file and of the
+  // library.
   EXPECT_EQ(
       refusal(with(whole, "[material.steel]\nbased_on = \"40CrNiMoA\"\n")),
       "gear.toml:5:12: material.steel.based_on: \"40CrNiMoA\" is not in the material library; "
@@ -601,10 +603,10 @@ const std::vector<Wrong> kWrong = {
     {"MissingFormat", "format = \"strainwave-drive/1\"\n", "",
      "1:1: format: must be given (always \"strainwave-drive/1\")"},
     {"MissingNumber", "ratio = 100\n", "",
-     "9:1: drive.ratio: must be given (i_h, with the circular spline fixed)"},
+     "9:1: drive.ratio: must be given (transmission ratio i_h with fixed circular spline)"},
     {"MissingQuantity", "torque = \"100 N*m\"\n", "",
-     "15:1: load.torque: must be given (T at the output, right-handed about +z; both senses are "
-     "computed [N*m])"},
+     "15:1: load.torque: must be given (torque T at the output, right-handed about +z; both senses "
+     "are computed [N*m])"},
     {"MissingQuantityOfACrack", "half_length = \"0.1 mm\"\n", "",
      "43:1: flexspline.crack[0].half_length: must be given (half of the crack's length, a [m])"},
     {"MissingText", "material = \"steel\"\nouter", "outer",
@@ -659,11 +661,11 @@ const std::vector<Wrong> kWrong = {
     {"WrongDimensionInAList", "[\"5 mm\", \"2 mm\"]", "[\"5 mm\", \"2 mm^2\"]",
      "25:30: wave_generator.contact_semi_axes[1]: \"2 mm^2\" is not convertible to m"},
     {"UnknownUnit", "\"160 mm\"", "\"160 inch\"",
-     "12:18: drive.pitch_diameter: \"160 inch\" has the unknown unit \"inch\"; known are products "
-     "such as mm, N*m/rad or MPa*m^0.5; strainwave units lists all"},
+     "12:18: drive.pitch_diameter: \"160 inch\" has the unknown unit \"inch\"; write a unit such "
+     "as mm, N*m/rad or MPa*m^0.5; strainwave units lists all units"},
     {"UnitOfTwoLines", "\"160 mm\"", "\"160\\nmm\"",
-     "12:18: drive.pitch_diameter: \"160\\nmm\" has the unknown unit \"\\nmm\"; known are products "
-     "such as mm, N*m/rad or MPa*m^0.5; strainwave units lists all"},
+     "12:18: drive.pitch_diameter: \"160\\nmm\" has the unknown unit \"\\nmm\"; write a unit such "
+     "as mm, N*m/rad or MPa*m^0.5; strainwave units lists all units"},
     {"DecimalComma", "\"2.24 mm\"", "\"2,24 mm\"",
      "37:18: flexspline.wall_thickness: \"2,24 mm\" has a comma; write a decimal point"},
     {"NaN", "\"2.24 mm\"", "\"nan mm\"",
@@ -819,8 +821,8 @@ const std::vector<Wrong> kWrong = {
      "(stress_driver = \"ring_bending\" needs it)"},
     {"SecondSourceOfStiffness", "[[wave_generator.crack]]",
      "[wave_generator.displacements]\nbearing = \"3 um\"\n[[wave_generator.crack]]",
-     "27:1: wave_generator.displacements: is one source of the radial stiffness too many; give one "
-     "of radial_stiffness, displacements, bearing"},
+     "27:1: wave_generator.displacements: is a second source of the radial stiffness; give only "
+     "one of radial_stiffness, displacements, bearing"},
     {"SectionsNeedABarrel", "crack_free = \"factor\"", "crack_free = \"sections\"",
      "34:1: flexspline.barrel: must be given where crack_free = \"sections\" (smooth tube)"},
 };

@@ -359,9 +359,8 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
     std::function<void(Lines&)> besides;
   };
   const std::vector<Table> tables = {
-      {"[wave_generator.displacements]", "one source of the radial stiffness too many",
-       no_stiffness},
-      {"[wave_generator.bearing]", "one source of the radial stiffness too many", bearing_alone},
+      {"[wave_generator.displacements]", "a second source of the radial stiffness", no_stiffness},
+      {"[wave_generator.bearing]", "a second source of the radial stiffness", bearing_alone},
       {"[wave_generator.bearing.outer_ring]", "wave_generator.bearing.ball_diameter: must be given",
        with_bearing},
       {"[[wave_generator.crack]] edge", "is read only with stress_driver = \"given\"",
@@ -680,7 +679,7 @@ TEST(InputSchema, BehaviourTypesRangesAndDefaults) {
       });
 }
 
-/// Whether the reader takes a text for a quantity of a field, alone.
+/// Whether the reader accepts a text as a quantity of a field, without regard to other fields.
 bool reader_takes(const Field& field, const std::string& text) {
   try {
     return field.range.contains(parse_quantity("field", text, field.unit));

@@ -648,10 +648,11 @@ TEST(AsMaterial, BehaviourNumbersAndOrigin) {
   EXPECT_EQ(a.fracture_toughness, 60e6);
   EXPECT_EQ(
       a.origin,
-      "taken from the material library, Alpha 1: Young's modulus 200 GPa (handbook; as printed), "
+      "values of the material library, Alpha 1: Young's modulus 200 GPa (handbook; as printed), "
       "Poisson's "
       "ratio 0.25 (unverified), yield strength 900 MPa (measured), tensile strength 1000 MPa "
-      "(standard), fracture toughness 60 MPa*m^0.5 (derived); unverified, check it before you "
+      "(standard), fracture toughness 60 MPa*m^0.5 (derived); these values are unverified, so "
+      "check them before you "
       "base a decision on it: Poisson's ratio");
   const Material b = as_material(library.material[1]);
   EXPECT_EQ(b.shear_modulus, 80e9);
@@ -673,13 +674,14 @@ TEST(AsMaterial, BehaviourARecordCompletedByOwnNumbers) {
                                                       "yield_strength", "ultimate_strength"}));
   EXPECT_EQ(
       a.origin,
-      "based on Alpha 1 of the material library, taken: Young's modulus 200 GPa (handbook; "
+      "based on Alpha 1 of the material library; values of the library: Young's modulus 200 GPa "
+      "(handbook; "
       "as printed), "
       "Poisson's ratio 0.25 (unverified), yield strength 900 MPa (measured), tensile strength "
-      "1000 MPa (standard); own: fracture_toughness 75 MPa*m^0.5; unverified, check it "
-      "before you base a decision on it: Poisson's ratio");
+      "1000 MPa (standard); own values: fracture_toughness 75 MPa*m^0.5; these values are "
+      "unverified, so check them before you base a decision on it: Poisson's ratio");
   EXPECT_TRUE(a.in_file());
-  // A number of its own takes the doubt about the library's away.
+  // An own number removes the doubt about the number of the library.
   own.poissons_ratio = 0.3;
   EXPECT_TRUE(completed(own, library.material[0]).verified);
   EXPECT_FALSE(as_material(library.material[0]).in_file());

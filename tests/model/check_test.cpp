@@ -196,8 +196,8 @@ struct Broken {
   GearSet (*base)();
   Mutation change;
   std::string field;
-  std::string rule;     ///< of a number; else empty
-  std::string problem;  ///< what the message says after the field, if it is no rule
+  std::string rule;     ///< rule of a number; else empty
+  std::string problem;  ///< the message after the field, if the message is not a rule
 
   friend std::ostream& operator<<(std::ostream& out, const Broken& b) { return out << b.name; }
 };
@@ -271,25 +271,21 @@ const std::vector<Broken> kBroken = {
     {"StiffnessAndDisplacements", article,
      [](GearSet& g) { wave_generator(g).displacements = LobeDisplacements{.bearing = 3e-6}; },
      "wave_generator.displacements", "",
-     "is one source of the radial stiffness too many; give one of radial_stiffness, "
-     "displacements, bearing"},
+     "is a second source of the radial stiffness; give only one of radial_stiffness, displacements, bearing"},
     {"StiffnessAndBearing", sections_gear,
      [](GearSet& g) { wave_generator(g).radial_stiffness = 1e8; }, "wave_generator.bearing", "",
-     "is one source of the radial stiffness too many; give one of radial_stiffness, "
-     "displacements, bearing"},
+     "is a second source of the radial stiffness; give only one of radial_stiffness, displacements, bearing"},
     {"DisplacementsAndBearing", sections_gear,
      [](GearSet& g) { wave_generator(g).displacements = LobeDisplacements{.bearing = 3e-6}; },
      "wave_generator.bearing", "",
-     "is one source of the radial stiffness too many; give one of radial_stiffness, "
-     "displacements, bearing"},
+     "is a second source of the radial stiffness; give only one of radial_stiffness, displacements, bearing"},
     {"AllThreeSources", sections_gear,
      [](GearSet& g) {
        wave_generator(g).radial_stiffness = 1e8;
        wave_generator(g).displacements = LobeDisplacements{.bearing = 3e-6};
      },
      "wave_generator.displacements", "",
-     "is one source of the radial stiffness too many; give one of radial_stiffness, "
-     "displacements, bearing"},
+     "is a second source of the radial stiffness; give only one of radial_stiffness, displacements, bearing"},
     {"NoDisplacementAtAll", article,
      [](GearSet& g) {
        wave_generator(g).radial_stiffness.reset();
@@ -326,7 +322,7 @@ const std::vector<Broken> kBroken = {
        wave_generator(g).contact_semi_axes = {5 * mm, 2 * mm};
      },
      "wave_generator.contact_semi_axes", "",
-     "is one source of the contact too many; it follows from bearing"},
+     "is a second source of the contact, which follows from bearing; remove one of them"},
     {"OuterRingThickerThanItsRadius", sections_gear,
      [](GearSet& g) { wave_generator(g).bearing->outer_ring->thickness = 70 * mm; },
      "wave_generator.bearing.outer_ring.thickness", "thickness < mean_radius", ""},
@@ -658,9 +654,9 @@ const std::vector<Broken> kBroken = {
      [](GearSet& g) { g.scatter[0].path = "scatter[1].relative_standard_deviation"; },
      "scatter[0].path", "", "must be a number of the drive, not of its scatter"},
     {"ScatterOfNothing", coupled_gear, [](GearSet& g) { g.scatter[0].path = "load.axial_force"; },
-     "scatter[0].path", "", "load.axial_force is 0, of which no share can scatter"},
+     "scatter[0].path", "", "load.axial_force is 0, so a relative scatter has no effect; give a value other than 0 or remove the scatter"},
     {"ScatterTwice", coupled_gear, [](GearSet& g) { g.scatter[1].path = g.scatter[0].path; },
-     "scatter[1].path", "", "flexspline.wall_thickness scatters already by scatter[0]"},
+     "scatter[1].path", "", "flexspline.wall_thickness already has a scatter, scatter[0]; remove one of them"},
     {"ScatterOfNoWidth", coupled_gear,
      [](GearSet& g) { g.scatter[0].relative_standard_deviation = 0; },
      "scatter[0].relative_standard_deviation", "> 0 and <= 1", ""},

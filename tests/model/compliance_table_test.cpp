@@ -109,9 +109,9 @@ TEST(ComplianceTable, InputRulesBrokenOnce) {
   refused(gear, "has not been read");
   gear = tabulated_gear();
   gear.compliance_tables["made_up.csv"].kind = "annular";
-  refused(gear, "is of cracks of kind \"annular\", not \"through\"");
+  refused(gear, "is a table of cracks of kind \"annular\", not \"through\"");
   refused(tabulated_gear(0.0999 * mm), "reaches from");
-  refused(tabulated_gear(0.0405), "in half_length, and the drive has 40.5 mm");
+  refused(tabulated_gear(0.0405), "of half_length, but the drive has 40.5 mm");
   gear = tabulated_gear();
   gear.load.axial_force = 1;
   refused(gear, "load.axial_force must be 0");

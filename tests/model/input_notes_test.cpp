@@ -62,7 +62,7 @@ TEST(InputNotes, InputOutOfProportion) {
   EXPECT_TRUE(noted("drive.ratio", 10).empty());
   EXPECT_FALSE(noted("drive.ratio", 1000.5).empty());
   EXPECT_TRUE(noted("load.torque", 1e6).empty());
-  // By the unit alone, and whatever the sign.
+  // The unit alone determines the range, for either sign.
   EXPECT_FALSE(noted("load.torque", 1e12).empty());
   EXPECT_FALSE(noted("load.torque", -1e12).empty());
   EXPECT_FALSE(noted("output_shaft.length", 100).empty());
@@ -85,7 +85,7 @@ TEST(InputNotes, InputLengthsThatTheSectionsContradict) {
 }
 
 TEST(InputNotes, IdentityEveryUsualRangeContainsItsExample) {
-  // The template of an input file is a drive in proportion: its examples are usual.
+  // The template of an input file describes a plausible drive, so its examples are usual.
   const GearSet gear = test::article_gear();
   for_each_number(gear, [](const FieldPath& path, const Field& field, const double& value) {
     const Range usual = usual_range(field);

@@ -17,7 +17,7 @@ namespace strainwave::test {
 struct Element {
   std::string name;
   std::map<std::string, std::string> attributes;
-  std::string text;  ///< of itself and all below, entities as they stand
+  std::string text;  ///< text of this element and all elements below, with entities unchanged
 
   [[nodiscard]] const std::string& at(const std::string& attribute) const {
     const auto found = attributes.find(attribute);

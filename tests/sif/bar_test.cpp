@@ -156,7 +156,7 @@ TEST(BarAnnular, IdentityTwoLoadCracks) {
   }
 }
 
-// (SB-2): the moment's K_I is the first harmonic, and does not couple with other loads.
+// (SB-2): K_I of the moment is a first harmonic and does not couple with other loads.
 TEST(BarAnnular, IdentityFirstHarmonic) {
   const auto check = [](const auto& crack) {
     const double a = crack.size();
@@ -325,8 +325,8 @@ TEST(BarAnnular, IdentityGrossStress) {
   test::expect_relative(penny(0.1).gross_stress(kMoment), 0.4 / pi, 1e-14);
 }
 
-// (SB-5), (SB-6): what is printed as Y is the factor of the manual's equation, on the stress at the
-// front, for every load and at every size.
+// (SB-5), (SB-6): the printed Y is the factor of the manual's equation, which refers to the stress
+// at the front, for every load and size.
 TEST(BarAnnular, IdentityYIsTheFactorOfTheManual) {
   for (const double x : {0.05, 0.2, 0.5, 0.9}) {
     const Evaluation e =
@@ -353,7 +353,7 @@ TEST(BarAnnular, IdentityYIsTheFactorOfTheManual) {
       test::expect_relative(load == kTorque ? factor.Y_III : factor.Y_I, F[load], 1e-12);
     }
   }
-  // Both say where the stress is taken; K is what it was.
+  // Both name the place of the stress; K is unchanged.
   for (const char* const name : {"bar-penny", "hollow-annular-inner"})
     EXPECT_NE(solution(name).info.reference_stress.find("at the front"), std::string_view::npos);
 }

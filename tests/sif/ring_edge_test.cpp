@@ -105,8 +105,8 @@ TEST(EdgeCrackFactor, CrosscheckIntegralEquation) {
 }
 
 TEST(EdgeCrackFactor, CrosscheckGrossAndSrawley) {
-  // Handbook fits to boundary collocation, alpha <= 0.6, stated to 0.5 % (tada2000, secondary);
-  // measured 0.46 % in tension, 0.35 % in bending.
+  // The handbook states 0.5 % for these fits to boundary collocation, alpha <= 0.6 (tada2000,
+  // secondary); the measured differences are 0.46 % in tension and 0.35 % in bending.
   int n = 0;
   for (const test::CsvRow& row : test::read_reference_csv("edge_crack")) {
     if (!row.quantity.ends_with("_gross_srawley")) continue;
@@ -121,7 +121,8 @@ TEST(EdgeCrackFactor, CrosscheckGrossAndSrawley) {
 }
 
 TEST(EdgeCrackFactor, CrosscheckTadaAsRecalled) {
-  // Another handbook form, stated to 0.5 % for every depth (tada2000, secondary: from memory),
+  // Another handbook form, with a stated accuracy of 0.5 % for every depth (tada2000, secondary:
+  // from memory),
   // agrees within 0.67 % in tension but is 2.34 % low in bending at alpha = 0.3; the library does
   // not use it.
   double lowest = 1.0;

@@ -159,7 +159,7 @@ TEST(NewmanRaju, CrosscheckRajuNewmanFiniteElements) {
                         Case{1.0, 0.2, 1.174, 1.049}, Case{1.0, 0.6, 1.355, 1.107}}) {
     const sif::NewmanRaju solution(c.aspect_ratio);
     const double root_Q = std::sqrt(solution.shape_parameter());
-    // The fit is stated to 5 %; the tested values agree to 4.8 %.
+    // The stated accuracy of the fit is 5 %; the tested values agree within 4.8 %.
     EXPECT_NEAR(solution.factor(c.depth_ratio, 0) * root_Q / c.at_surface, 1, 0.055);
     EXPECT_NEAR(solution.factor(c.depth_ratio, pi / 2) * root_Q / c.at_deepest, 1, 0.055);
   }

@@ -314,7 +314,8 @@ TEST(AnnularCrackSolid, LimitDeepIsTwoHalfSpaces) {
 }
 
 TEST(AnnularCrackSolid, LimitShallowIsAnEdgeCrack) {
-  // 128 M_M^2 a^2/(mu d^5) and 16 M_p^2 (1-nu^2) a^2/(E d^3); the next term is of order a/d.
+  // The limits are 128 M_M^2 a^2/(mu d^5) and 16 M_p^2 (1-nu^2) a^2/(E d^3); the next term is of
+  // order a/d.
   const double d = 60 * mm;
   const double a = 1e-9 * d;
   for (const sif::AnnularPolynomials which : {kTada, kImproved}) {
@@ -487,12 +488,12 @@ TEST(AnnularCrackHollow, CrosscheckArticleShaftPolynomials) {
     const double C_T =
         1.7228065 *
         polynomial({1, 0.003945, 0.440597, -0.84478, 1.411537, -1.264648, 0.474897}, alpha);
-    // The fit is stated to 6.5e-5; interpolation 3e-5.
+    // The stated accuracy of the fit is 6.5e-5, and that of the interpolation is 3e-5.
     EXPECT_NEAR(torsion_factor_of(rho, alpha) / C_T, 1, 1.1e-4) << alpha;
     if (alpha > 0.7) continue;
     const double C_P =
         polynomial({1, 0.045641, 2.287064, -4.709614, 9.224543, -9.972397, 5.298959}, alpha);
-    // The fit is stated to 2e-4 relative to elements that are up to 4e-4 low.
+    // The stated accuracy of the fit is 2e-4 relative to elements that are up to 4e-4 low.
     EXPECT_NEAR(tension_factor_of(rho, alpha) / C_P, 1, 6e-4) << alpha;
   }
 }

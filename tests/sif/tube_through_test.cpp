@@ -181,7 +181,7 @@ TEST(TubeThroughAxial, IdentityLoads) {
 }
 
 TEST(TubeThroughAxial, LimitFlatSheet) {
-  // Two tips in a plate under sigma: 2 pi a^2 t/E; the next term is 5 pi/64 lambda^2, 3e-7.
+  // Two tips in a plate under sigma give 2 pi a^2 t/E; the next term, 5 pi/64 lambda^2, is 3e-7.
   const TubeThroughAxial crack{
       .half_length = 0.01, .mean_radius = 1e5, .thickness = 0.001, .poissons_ratio = 0.3};
   const auto added = added_compliance(crack, {.opening = 2e11, .shear = 8e10});

@@ -558,7 +558,8 @@ std::string note_text(const GearSet& gear, std::string_view code) {
 }
 
 TEST(Flexspline, LimitFactorOfOne) {
-  // One statement on both sides of 1; below, that the factor makes the cup too stiff.
+  // The statement is the same on both sides of 1; below 1, it adds that the factor makes the cup
+  // too stiff.
   GearSet gear = sound_flexspline();
   for (const auto& [factor, too_stiff] : {std::pair{0.999, true}, {1.0, false}, {1.3, false}}) {
     gear.flexspline->shape_factor = factor;
@@ -867,7 +868,7 @@ TEST(Ovalisation, IdentityCurvatureOfTheDeflection) {
   GearSet gear = cup_of_sections();
   gear.flexspline->barrel->wall_thickness = 3 * mm;
   EXPECT_EQ(ovalisation_stress(gear), ovalisation_stress(cup_of_sections()));
-  // Where the sections give that wall, it holds, whatever wall_thickness says.
+  // If the sections give this wall, the program uses it and ignores wall_thickness.
   gear.flexspline->rim =
       TubeSection{.outer_diameter = 162 * mm, .wall_thickness = 4 * mm, .length = 40 * mm};
   for (const std::optional<double> given : {std::optional<double>(), {kWall}, {9 * mm}}) {

@@ -55,7 +55,7 @@ GearSet sound_drive() {
 struct CrackKind {
   std::string name;
   std::function<void(GearSet&, double)> add;
-  double largest;   ///< of the valid range [m]
+  double largest;   ///< end of the valid range [m]
   double exponent;  ///< of the added compliance of a small crack
 };
 
@@ -574,8 +574,8 @@ TEST(TorsionalStiffness, IdentityWithoutAMeshNothingIsLeftOut) {
 }
 
 TEST(TorsionalStiffness, IdentityTheAccuracyContainsACoupledDrive) {
-  // (ST-18): whatever coupled drive stands beside it, softer or stiffer, with or without an effect
-  // of the cracks.
+  // (ST-18) holds for any coupled drive, softer or stiffer, with or without an effect of the
+  // cracks.
   const GearSet gear = article_drive(2 * mm);
   const double K = torsional_stiffness(gear).intact.stiffness.value;
   for (const double share : {0.2, 0.7, 1.5}) {
@@ -611,7 +611,8 @@ TEST(TorsionalStiffness, IdentityTheAccuracyContainsACoupledDrive) {
 }
 
 TEST(TorsionalStiffness, LimitAChangeThatTheSumDoesNotSeeHasNoAccuracy) {
-  // Cracks that act on contacts alone: 0 of the sum cannot contain what they change.
+  // For cracks that act on contacts alone, the change of the sum is 0, so its uncertainty cannot
+  // contain the change of the drive.
   CurveResult coupled;
   for (Quantity* const K : {&coupled.intact.K1, &coupled.intact.K2, &coupled.intact.K3})
     *K = {1e5, "N*m/rad", 0.15};
@@ -690,7 +691,7 @@ TEST(TorsionalStiffness, InputOutOfProportionIsNoted) {
   gear.load.torque = 1e12;
   EXPECT_EQ(test::count_notes(torsional_stiffness(gear).notes, "input.implausible", "load.torque"),
             1);
-  // A contradiction beyond sense is said as a multiple.
+  // A very large contradiction is stated as a multiple.
   gear = sound_drive();
   gear.material["steel"].youngs_modulus = 210;
   gear.material["steel"].shear_modulus = 80e9;

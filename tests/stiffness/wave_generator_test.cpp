@@ -514,7 +514,7 @@ TEST(RaceCrack, BehaviourLongerThanHalfOfTheRing) {
 }
 
 TEST(RaceCrack, BehaviourNearTheFullThicknessOfTheRing) {
-  // 0.8 is where the fit of the surface crack ends, 0.9 where neither crack has an answer.
+  // The fit of the surface crack ends at 0.8; beyond 0.9 neither crack has a usable answer.
   for (const auto& [depth, extrapolated, usable] :
        {std::tuple{8.0, 0, true}, {8.01, 1, true}, {9.0, 1, true}, {9.01, 1, false}}) {
     GearSet surface = driven_by(StressDriver::given, depth * mm);

@@ -25,7 +25,7 @@ GearSet example_drive(const char* name) {
 /// K1, K2, K3 of the sound drive, then cracked under both senses.
 std::array<double, 9> all_lines(const GearSet& gear) {
   CoupledOptions options;
-  options.tolerance = 1e-13;  // so that differences over small steps mean something
+  options.tolerance = 1e-13;  // tight tolerance, so that differences over small steps are accurate
   const AssembledDrive drive(gear, options);
   std::array<double, 9> K{};
   std::size_t i = 0;
@@ -43,8 +43,8 @@ constexpr std::array<const char*, 9> kLineNames = {
     "curve.positive.K1", "curve.positive.K2", "curve.positive.K3",
     "curve.negative.K1", "curve.negative.K2", "curve.negative.K3"};
 
-/// Derivatives to ln x, or to x where it is 0, by central differences of two steps and one step of
-/// Richardson's extrapolation.
+/// Derivatives with respect to ln x, or to x if x is 0, by central differences of two steps and one
+/// step of Richardson's extrapolation.
 std::array<double, 9> line_differences(const GearSet& gear, const std::string& path, double step) {
   const double x = number_at(gear, path).value;
   const auto central = [&](double h) {
@@ -104,7 +104,7 @@ GearSet inside(GearSet gear) {
 
 // Kind: crosscheck of derivatives of the equilibrium (TC-27) with central differences of the whole
 // model, solved to 1e-13.  Tolerance 1e-8 of an elasticity: rounding of the differences, 1e-9, and
-// what is left of their truncation.  No contact opens or closes within the steps.
+// the rest of their truncation.  No contact opens or closes within the steps.
 constexpr double kStep = 3e-5;
 constexpr double kTolerance = 1e-8;
 
@@ -117,7 +117,8 @@ TEST(CoupledSensitivity, CrosscheckDifferencesOfADriveWithEveryCrack) {
 }
 
 TEST(CoupledSensitivity, CrosscheckDifferencesWhereFlanksHoldTheRestingRing) {
-  // An interference at the lobes, and torques by convention, which contain a pressure (TC-14).
+  // The drive has an interference at the lobes, and torques by convention, which contain a pressure
+  // (TC-14).
   GearSet gear = inside(example_drive("cracked_size25"));
   gear.rating.reset();
   gear.mesh->lobe_gap = -3e-6;
@@ -144,7 +145,7 @@ TEST(CoupledSensitivity, BehaviourWhatHasNoDerivativeIsListed) {
                                              "mesh.crack[0].position"}));
   for (const std::string& path : paths)
     EXPECT_EQ(std::ranges::find(s.no_influence, path), s.no_influence.end()) << path;
-  // A drive without the coupled one has none of it, and says what is missing.
+  // A drive without a coupled solution gives no such outputs, and a note names the missing fields.
   const Sensitivity article = sensitivity_of(example_drive("article"));
   EXPECT_TRUE(article.not_differentiated.empty());
   EXPECT_EQ(test::count_notes(article.notes, "curve.missing"), 1);
@@ -161,7 +162,7 @@ TEST(CoupledSensitivity, BehaviourScatterIsOfTheSumAlone) {
   for (std::size_t y = 0; y < scatter.outputs.size(); ++y)
     EXPECT_EQ(scatter.outputs[y].name, s.outputs[y].name);
   EXPECT_EQ(test::count_notes(scatter.notes, "scatter.sum_alone"), 1);
-  // Outputs that are not drawn have no share in the CSV, and no table of their scatter.
+  // Outputs that are not drawn have neither a share in the CSV nor a table of their scatter.
   const SensitivityReport report{.sensitivity = s, .scatter = scatter};
   const std::string csv = sensitivity_csv(report);
   EXPECT_NE(csv.find("curve.intact.K1,flexspline.barrel.wall_thickness,"), std::string::npos);

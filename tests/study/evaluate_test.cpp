@@ -38,7 +38,7 @@ TEST(Evaluate, CrosscheckTheCoupledDriveIsThatOfTheModule) {
     EXPECT_EQ(curve.K3.value, lines.K3);
     EXPECT_EQ(curve.wind_up_at_T1.value, lines.phi1);
     EXPECT_EQ(curve.wind_up_at_T3.value, lines.phi3);
-    // The load of the example is T2: the same state by another path of the torque.
+    // The load of the example is T2, so this is the same state on another path of the torque.
     test::expect_relative(curve.wind_up.value().value, lines.phi2, 1e-8);
     test::expect_relative(curve.change.K1.value, lines.K1 / sound.K1 - 1, 1e-12);
     test::expect_relative(curve.change.K3.value, lines.K3 / sound.K3 - 1, 1e-12);
@@ -46,7 +46,7 @@ TEST(Evaluate, CrosscheckTheCoupledDriveIsThatOfTheModule) {
     EXPECT_GT(curve.change.wind_up->value, 0);
   }
   EXPECT_EQ(*result.curve->intact.K1.relative_uncertainty, curve_uncertainty(gear));
-  // Twist and lines fit each other: K1 is a secant, K2 and K3 slopes between the torques.
+  // Twists and lines agree: K1 is a secant, and K2 and K3 are slopes between the torques.
   const CurveStiffness& sound = result.curve->intact;
   const MakersTorques& at = result.curve->torques;
   test::expect_relative(at.T1 / sound.wind_up_at_T1.value, sound.K1.value, 1e-14);
@@ -83,7 +83,7 @@ TEST(Evaluate, BehaviourNotesOnWhatTheCoupledDriveContainsAreInformation) {
     EXPECT_EQ(note_of(coupled, code).severity, Severity::information) << code;
     EXPECT_EQ(note_of(sum, code).severity, Severity::care) << code;
   }
-  // The members are the same, with and without it.
+  // The members are the same with and without the coupled drive.
   EXPECT_EQ(coupled.intact.stiffness.value, sum.intact.stiffness.value);
   EXPECT_EQ(coupled.positive.compliance.flexspline, sum.positive.compliance.flexspline);
 }

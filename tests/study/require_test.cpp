@@ -109,21 +109,22 @@ TEST(Require, LimitWithoutUncertaintyItCannotBeTold) {
 }
 
 TEST(Require, BehaviourTheNoteSaysThatWhatIsLeftOutActsToOneSide) {
-  // A bound above the stiffness of the sum: the drive is softer, but the uncertainty has two sides.
+  // The bound lies above the stiffness of the sum; the drive is softer, but the uncertainty has two
+  // sides.
   const auto says = [](const GearSet& gear, const std::string& output, double share) {
     const StiffnessResult result = evaluate(gear, Method::corrected);
     const std::string text = bound(output, "<=", share * output_named(result, output)->value);
     const Note note = require_outputs(result, {text}, 1.0).notes.at(0);
-    return note.text.find("to both sides alike") != std::string::npos && note.equation == "ST-18";
+    return note.text.find("equally to both sides") != std::string::npos && note.equation == "ST-18";
   };
   const GearSet gear = test::article_gear();
   EXPECT_TRUE(says(gear, "intact.stiffness", 1.1));
   EXPECT_TRUE(says(gear, "intact.compliance.total", 1.1));
-  // People read it below the table.
+  // The text shows the note below the table.
   EXPECT_NE(
-      requirements_text(asked({"intact.stiffness <= 7e5 N*m/rad"})).find("to both sides alike"),
+      requirements_text(asked({"intact.stiffness <= 7e5 N*m/rad"})).find("equally to both sides"),
       std::string::npos);
-  // Neither what is not met, nor a member, nor a sum that leaves out nothing.
+  // A requirement that is not met, a member, and a sum that leaves out nothing get no such note.
   EXPECT_FALSE(says(gear, "intact.stiffness", 0.001));
   EXPECT_FALSE(says(gear, "intact.compliance.flexspline", 1.001));
   GearSet shaft = gear;

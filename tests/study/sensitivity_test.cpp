@@ -160,7 +160,7 @@ TEST(Sensitivity, InputTableHoldsNumbersFixed) {
   EXPECT_EQ(s.unusable_because,
             "flexspline.crack[0].compliance_table: \"tables/through_45.csv\" holds angle, "
             "outer_diameter, wall_thickness, length, youngs_modulus, poissons_ratio fixed, so the "
-            "derivatives to them are not known");
+            "derivatives with respect to these are not known");
 }
 
 TEST(Sensitivity, CrosscheckRandomDrivesAgainstDifferences) {

@@ -119,7 +119,7 @@ TEST(Solve, IdentityUncertaintyIsCarriedOver) {
 }
 
 TEST(Solve, BehaviourNoAccuracyAboveAHundredPercent) {
-  // The stiffness is uncertain by more than the crack changes it.
+  // The uncertainty of the stiffness exceeds its change by the crack.
   const SolveResult result =
       solved(test::article_gear(), "output_shaft.crack[0].depth=0.1 mm..8 mm",
              "cracked.positive.stiffness=6e5 N*m/rad");
@@ -130,15 +130,16 @@ TEST(Solve, BehaviourNoAccuracyAboveAHundredPercent) {
   ASSERT_NE(note, evidence.notes.end());
   EXPECT_EQ(note->severity, Severity::cannot_tell);
   EXPECT_EQ(note->path, kDepth);
-  EXPECT_TRUE(note->text.starts_with(
-      "its accuracy cannot be told: to first order, a change of it by 100 % moves "
-      "cracked.positive.stiffness by less than the uncertainty of "))
+  EXPECT_TRUE(
+      note->text.starts_with("the accuracy of this solution cannot be told, because to first order "
+                             "a change of the field by 100 % changes "
+                             "cracked.positive.stiffness by less than the uncertainty of "))
       << note->text;
   EXPECT_EQ(evidence.verdict.judgement, Judgement::cannot_be_told);
   const std::string text = solve_text(result);
-  EXPECT_NE(text.find("its accuracy cannot be told"), std::string::npos) << text;
+  EXPECT_NE(text.find("the accuracy of this solution cannot be told"), std::string::npos) << text;
   EXPECT_EQ(text.find("depth = 5.18 mm (accuracy"), std::string::npos) << text;
-  // One that the crack alone determines keeps its accuracy, and has no such note.
+  // An output that the crack alone determines keeps its accuracy and has no such note.
   EXPECT_EQ(test::count_notes(
                 evidence_of(solved(solid_shaft(), "output_shaft.crack[0].depth=1 um..100 um",
                                    "output_shaft.crack[0].added_compliance.positive.at_output="
@@ -207,7 +208,7 @@ TEST(Solve, BehaviourAnOutputThatDoesNotDependOnTheNumber) {
                        .value = evaluate(gear, Method::corrected).intact.stiffness.value};
   const SolveResult met = solve(gear, Method::corrected, parse_unknown(gear, kDepth), present);
   EXPECT_FALSE(met.usable());
-  EXPECT_NE(met.reason.find("all the way from"), std::string::npos) << met.reason;
+  EXPECT_NE(met.reason.find("over the whole range from"), std::string::npos) << met.reason;
 }
 
 TEST(Solve, BehaviourRangeIsChosenFromTheField) {
@@ -344,7 +345,7 @@ TEST(Solve, InputEveryRuleOfTheFunctionItself) {
 }
 
 TEST(Solve, BehaviourARangeEndsWhereTheCrackNoLongerFits) {
-  // 0.1 mm deep in a ring 20 mm wide: the crack is as long as the ring is wide at a/c = 0.01.
+  // A crack 0.1 mm deep in a ring 20 mm wide is as long as the ring is wide at a/c = 0.01.
   GearSet gear = test::article_gear();
   gear.wave_generator->inner_ring_width = 0.02;
   const SolveResult result = solved(gear, "wave_generator.crack[0].aspect_ratio",
@@ -392,7 +393,7 @@ TEST(Solve, CrosscheckATargetOfTheCoupledDrive) {
       parse_target(thin, Method::corrected, fmt::format("curve.intact.K2={:.17g} N*m/rad", K2)),
       {.n_scan = 7});
   ASSERT_EQ(found.solutions.size(), 1U) << found.reason;
-  // The value that the file has gives this stiffness; the curve is solved to 1e-11.
+  // The value in the file gives this stiffness; the curve is solved to 1e-11.
   EXPECT_NEAR(found.solutions[0].value.value, gear.mesh->gap_factor, 1e-7);
   EXPECT_TRUE(found.solutions[0].result.curve);
 }

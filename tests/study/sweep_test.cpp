@@ -84,10 +84,10 @@ TEST(Variation, InputMessagesNameOptionAndValue) {
   EXPECT_EQ(fault("drive.ratio=1...2:3"),  // may mean 1. to 2, or 1 to .2
             "--vary drive.ratio: \"1...2\" must be FROM..TO, each with its unit");
   EXPECT_EQ(fault("drive.ratio=0..2:3:log"),
-            "--vary drive.ratio: 0..2 spaced by equal ratios (log) must not reach or cross 0");
-  EXPECT_EQ(fault("drive.ratio=1..2:3:cubic"),
-            "--vary drive.ratio: \"cubic\" after the number of points; only \"log\" can stand "
-            "there");
+            "--vary drive.ratio: 0..2 with equal ratios (log) must not reach or cross 0");
+  EXPECT_EQ(
+      fault("drive.ratio=1..2:3:cubic"),
+      "--vary drive.ratio: has \"cubic\" after the number of points, where only \"log\" may stand");
   EXPECT_EQ(fault("output_shaft.crack[0].dept=1 mm..2 mm:3"),
             "--vary: output_shaft.crack[0].dept: is not a number of this drive; did you mean "
             "output_shaft.crack[0].depth?");

@@ -24,10 +24,10 @@ namespace strainwave::test {
 /// All numbers are in strainwave units; an empty cell is an input that does not apply.
 struct CsvRow {
   std::string quantity;                  ///< the column `case`
-  std::map<std::string, double> inputs;  ///< by the column's name, without its unit
+  std::map<std::string, double> inputs;  ///< values by the column's name, without its unit
   double value = 0.0;
   std::string unit;
-  int digits = 0;      ///< of `value` that can be trusted
+  int digits = 0;      ///< digits of `value` that can be trusted
   std::string source;  ///< bibliography key, or what computed it
   std::string place;   ///< file:line, for messages
 

@@ -163,7 +163,7 @@ TEST(AfterTurn, IdentityWhatMovesAgainstTheWave) {
 }
 
 TEST(AfterTurn, BehaviourWhatIsSaidOfAMovedPositionGoes) {
-  // Turned by its own angle, a crack is at 0, of which no share can scatter.
+  // A crack that is turned by its own angle is at 0, where a relative scatter has no effect.
   GearSet gear = with_tooth(0.5, 0.25);
   gear.wave_generator->crack.push_back(RaceSurfaceCrack{
       .depth = 0.1 * mm, .aspect_ratio = 0.5, .contact_factor = {}, .stress = {}, .position = 0.4});

@@ -748,7 +748,7 @@ TEST(TorsionCurve, InputTooFewSteps) {
   const CoupledOptions one_step{.max_iterations = 1};
   const TorsionCurve curve = torsion_curve(typical_drive(), {{10.0}}, one_step);
   EXPECT_FALSE(curve.usable());
-  EXPECT_TRUE(curve.unusable_because.starts_with("the assembled state was not found"));
+  EXPECT_TRUE(curve.unusable_because.starts_with("the solver did not find the assembled state"));
   EXPECT_TRUE(curve.points.empty());
   EXPECT_THROW((void)rim_states(typical_drive(), 1.0, 4, one_step), SolverError);
   EXPECT_THROW((void)makers_lines(typical_drive(), +1, one_step), SolverError);

@@ -19,7 +19,7 @@ sums over modes converge like 1/N and are extrapolated.  Reported:
 
     C_T = added compliance * mu I_p / [(4 t/pi) ln sec(pi alpha/2)],
 
-the factor over a thin-walled tube (antiplane edge crack in a strip, tada2000, secondary).
+the factor relative to that of a thin-walled tube (antiplane edge crack in a strip, tada2000, secondary).
 
 TENSION (values of annular_hollow_tension.csv).  Axisymmetric elasticity, displacement finite
 elements of degree p on a tensor-product mesh graded geometrically to the front; because the mesh

@@ -103,7 +103,7 @@ def block(kind, a, c, t, b, H, loads, p=2, sectors=8, layers=2, ratio=0.2):
     front = int(np.argmin(np.abs(s - 1)))
     T, S = np.meshgrid(th, s, indexing="ij")
     ellipse = np.stack([c * np.cos(T), a * np.sin(T)], -1)
-    # the outer ends of the radial lines lie opposite the front, but for the last of them
+    # the outer ends of all radial lines except the last lie opposite the front
     low = np.minimum(T / turn_at, 1) ** 2 * (t - a * np.sin(turn_at)) + a * np.sin(T)
     high = (np.clip((np.pi / 2 - T) / (np.pi / 2 - turn_at), 0, 1) ** 2 *
             (b - c * np.cos(turn_at)) + c * np.cos(T))

@@ -30,7 +30,8 @@ def penny_ratio(n, phi):
 
 
 def penny_exponential(decay, hump, phi):
-    """The same under (1 + hump decay |y|) exp(-decay |y|), harmonics of the pressure at each r."""
+    """The same quantity under the stress (1 + hump decay |y|) exp(-decay |y|), from harmonics of the pressure
+    at each r."""
     count = 2000
     theta = np.arange(2 * count) * np.pi / count
     k = np.arange(0, count, 2)

@@ -7,7 +7,7 @@ Half-length a, angle beta from the generator toward -theta, mean radius r, wall 
     K_I = sigma_n sqrt(pi s),  K_II = tau_n sqrt(pi s),
     compliance_ij = int_0^a (2/E)(k_I,i k_I,j + k_II,i k_II,j) 2 delta ds      (plane stress),
 
-of the flat sheet; the curved one is in shell_crack.py.
+of the flat sheet; shell_crack.py computes the curved wall.
 
 Independent: the stresses on the crack come from rotating the stress tensor, the compliance from a
 quadrature in s; the closed forms a^2/(2 pi E r^2 delta) [...] are not used.  The crack is open.

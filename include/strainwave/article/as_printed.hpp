@@ -68,7 +68,7 @@ struct Cam {
 /// K_I = 1.95 sigma sqrt(a/Q).  Implements theory manual eq. (AP-1).
 [[nodiscard]] double race_stress_intensity(double stress, double depth, double flaw_parameter);
 
-/// sigma = beta/2 sigma_max, a shear stress that the article treats as a tensile stress.
+/// The stress sigma = beta/2 sigma_max, a shear stress that the article treats as a tensile stress.
 ///
 /// Implements theory manual eq. (AP-2).
 [[nodiscard]] double race_stress(double contact_factor, double contact_pressure);

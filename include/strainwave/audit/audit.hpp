@@ -15,11 +15,11 @@ namespace strainwave {
 enum class AuditVerdict {
   reproduced,        ///< follows from the printed inputs by the printed equation
   misprint,          ///< a slip of a digit, sign or exponent that can be named
-  dimension,         ///< the equation does not have the dimension of what it gives
-  physics,           ///< the equation is wrong, whatever its numbers
-  not_reproducible,  ///< the number does not follow from anything printed
-  ambiguous,         ///< the text leaves open what is meant
-  input,             ///< the article takes it from elsewhere; there is nothing to reproduce
+  dimension,         ///< the dimension of the equation is not that of the quantity it defines
+  physics,           ///< the equation is wrong for all numbers
+  not_reproducible,  ///< nothing printed leads to the number
+  ambiguous,         ///< the text has more than one meaning
+  input,  ///< the article takes the number from elsewhere, so there is nothing to reproduce
 };
 template <>
 struct EnumNames<AuditVerdict> {
@@ -36,9 +36,10 @@ struct ReproducingInput {
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"input", "", "name of the input, by its symbol"}, &ReproducingInput::name);
-    field({"unit", "", "unit of the article: mm, N, MPa, rad, \"1\" if pure"},
+    field({"unit", "", "unit used in the article: mm, N, MPa, rad, or \"1\""},
           &ReproducingInput::unit);
-    field({"value", kUnitBeside, "its value, in the unit beside it"}, &ReproducingInput::value);
+    field({"value", kUnitBeside, "value of the input, in the unit beside it"},
+          &ReproducingInput::value);
   }
 };
 

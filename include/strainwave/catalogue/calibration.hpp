@@ -22,7 +22,7 @@ namespace strainwave {
 /// A point of a torsion curve measured with locked input.
 struct MeasuredPoint {
   double torque = 0.0;  ///< [N*m]; not 0
-  double twist = 0.0;   ///< from the unloaded state; same sign as the torque [rad]
+  double twist = 0.0;   ///< twist from the unloaded state; same sign as the torque [rad]
 
   static constexpr bool kTableRow = true;
   template <class Visitor>
@@ -32,12 +32,13 @@ struct MeasuredPoint {
   }
 };
 
-/// Reads a curve: a header "torque [N*m],twist [arcmin]" in either order and any units of torque
-/// and angle, then a line for each point; lines with # are comments, a point at zero is skipped.
-/// The dialects of spreadsheets are read: a byte order mark, any line end, cells between commas,
-/// semicolons or tabs, cells in quotes, a line "sep=;", numbers with a point or a comma.
-/// @param file_name  for messages only
-/// @throws InputError  with file, line and column
+/// Reads a measured curve.  The header names "torque [N*m],twist [arcmin]" in either order and in
+/// any units of torque and angle.  Each further line is one point.  Lines that start with # are
+/// comments; a point at zero is skipped.  The function reads the dialects of spreadsheets: a byte
+/// order mark, any line end, cells between commas, semicolons or tabs, cells in quotes, a line
+/// "sep=;", and numbers with a point or a comma.
+/// @param file_name  used in messages only
+/// @throws InputError  if the text is not such a curve; the message gives file, line and column
 [[nodiscard]] std::vector<MeasuredPoint> parse_measured_curve(std::string_view text,
                                                               std::string_view file_name);
 

@@ -72,7 +72,7 @@ struct RatingRow {
   int ratio = 0;
   double repeated_peak = 0.0;        ///< [N*m]
   double average = 0.0;              ///< largest average torque [N*m]
-  double rated = 0.0;                ///< T_N, at an input of 2000 rpm [N*m]
+  double rated = 0.0;                ///< rated torque T_N at an input of 2000 rpm [N*m]
   double momentary_peak = 0.0;       ///< [N*m]
   double max_input_speed = 0.0;      ///< largest speed of the input, with grease [rad/s]
   double average_input_speed = 0.0;  ///< largest average speed of the input, with grease [rad/s]
@@ -84,7 +84,7 @@ struct RatingRow {
     field({"series", "", "maker's series"}, &RatingRow::series);
     field({"size", "1", "maker's size, in tenths of an inch"}, &RatingRow::size);
     field({"ratio", "1", "reduction ratio"}, &RatingRow::ratio);
-    field({"rated", "N*m", "T_N, at an input of 2000 rpm"}, &RatingRow::rated);
+    field({"rated", "N*m", "rated torque T_N at an input of 2000 rpm"}, &RatingRow::rated);
     field({"average", "N*m", "largest average torque"}, &RatingRow::average);
     field({"repeated_peak", "N*m", "largest repeated torque"}, &RatingRow::repeated_peak);
     field({"momentary_peak", "N*m", "largest momentary torque"}, &RatingRow::momentary_peak);

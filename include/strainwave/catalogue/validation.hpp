@@ -36,7 +36,8 @@ struct ValidationOptions {
   ValidationMode mode = ValidationMode::geometry;
   Cup cup = Cup::short_cup;
   /// Factors for the two modes that fit.  If the list is empty, leave-one-size-out uses support,
-  /// coning and cam_flattening: one unknown each of housing, tooth and cam, which nobody publishes.
+  /// coning and cam_flattening: one unknown each of housing, tooth and cam, because makers do not
+  /// publish these.
   /// Per-row then uses coning, gap_factor and structure, which bend the curve at its beginning,
   /// middle and end.
   std::vector<Factor> factors = {};

@@ -14,7 +14,7 @@ namespace strainwave {
 /// How many lines of one chart differ by colour and dashes; further lines repeat the styles.
 inline constexpr std::size_t kDistinctLines = 7;
 
-/// Where a series shows discs in addition to its line.
+/// The points at which a series shows discs in addition to its line.
 enum class Discs { none, at_end };
 
 /// One line of a plot.  A point that is not finite, or not positive on a log axis, leaves a gap.
@@ -30,7 +30,7 @@ enum class AxisScale { linear, logarithmic };
 /// One pair of axes.
 struct PlotPanel {
   std::string title;
-  std::string subtitle = {};  ///< shown smaller, below the title
+  std::string subtitle = {};  ///< smaller text below the title
   std::string x_label;
   std::string y_label;
   std::string legend_title = {};
@@ -61,18 +61,20 @@ struct TornadoPanel {
 /// Panels of bars below each other as one SVG document, with the number at the end of each bar.
 [[nodiscard]] std::string tornado_svg(std::span<const TornadoPanel> panels);
 
-/// A quantity over two others, as lines of equal value.
+/// A panel that shows a quantity over two other quantities as lines of equal value.
 struct ContourPanel {
   std::string title;
-  std::string subtitle = {};  ///< smaller, below the title
+  std::string subtitle = {};  ///< smaller text below the title
   std::string x_label;
   std::string y_label;
-  std::string value_label;  ///< of what the lines show, with its unit: "K1 [N·m/arcmin]"
+  std::string value_label;  ///< name of the quantity that the lines show, with its unit, such as
+                            ///< "K1 [N·m/arcmin]"
   AxisScale x_scale = AxisScale::linear;
   AxisScale y_scale = AxisScale::linear;
   std::vector<double> x = {};
   std::vector<double> y = {};
-  std::vector<double> values = {};  ///< shape (n x, n y), y runs fastest; not finite: a gap
+  std::vector<double> values =
+      {};  ///< shape (n x, n y), y runs fastest; a value that is not finite leaves a gap
 };
 
 /// Panels of contour lines below each other as one SVG document.  Levels are round numbers, each

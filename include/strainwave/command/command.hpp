@@ -74,8 +74,8 @@ struct Host {
   /// Texts, tables and JSON have these units.  Texts and tables have first of all the units that
   /// options name: a target "x=1 mm" is answered in mm.
   AskedUnits units = {};
-  std::vector<std::string> columns = {};  ///< of CSV tables, by name; empty: all
-  /// The attachments of a drive that an option names; of its name.
+  std::vector<std::string> columns = {};  ///< columns of CSV tables, by name; empty means all
+  /// Returns the attachments of a drive that an option names, for its name.
   std::function<Attachments(const std::string& name)> beside = [](const std::string&) {
     return Attachments();
   };
@@ -87,8 +87,8 @@ struct Request {
   const OptionTexts& texts;
   const Progress& progress;
   const Ranks& ranks;
-  Journal* journal;  ///< of a command that keeps one; on the first rank
-  const std::function<Attachments(const std::string& name)>& beside;  ///< as of Host
+  Journal* journal;  ///< null unless the command keeps a journal and this is the first rank
+  const std::function<Attachments(const std::string& name)>& beside;  ///< as Host::beside
 };
 
 /// Whether a command takes a drive.
@@ -269,7 +269,7 @@ class Answer {
   std::shared_ptr<const void> result_;
   ResultEvidence evidence_;
   const Ranks* ranks_;
-  AskedUnits units_;       // with those that options name
+  AskedUnits units_;       // including the units that options name
   AskedUnits json_units_;  // without them
   std::vector<std::string> columns_;
 };

@@ -6,7 +6,7 @@
 
 namespace strainwave {
 
-/// What a program tells its caller when it ends; docs/adr/0002.
+/// Exit statuses of the programs; see docs/adr/0002.
 enum ExitStatus : int {
   kOk = 0,
   kUsage = 2,

@@ -16,7 +16,7 @@ namespace strainwave {
 
 /// A unit for people.
 struct DisplayUnit {
-  std::string_view text;  ///< as `parse_unit` reads it
+  std::string_view text;  ///< unit in the form that `parse_unit` reads
   double in_si = 1.0;     ///< divide a value in SI by it
 };
 
@@ -31,9 +31,10 @@ class AskedUnits {
   /// Asks for a unit of one output or field.
   /// @throws InputError  the unit is not known
   void ask_for(std::string_view name, std::string_view unit);
-  /// What was asked for an output or a field of this name and unit; nothing: the choice is free.
+  /// The unit that the caller asked for an output or a field of this name and unit; absent if the
+  /// choice is free.
   /// The text lives as long as this.
-  /// @param unit  of the values, such as "m"; text that is no unit has no other
+  /// @param unit  unit of the values, such as "m"; text that is not a unit has no other unit
   [[nodiscard]] std::optional<DisplayUnit> of(std::string_view name, std::string_view unit) const;
 
   [[nodiscard]] bool empty() const { return asked_.empty() && !si_; }
@@ -48,8 +49,9 @@ class AskedUnits {
   bool si_ = false;
 };
 
-/// The number of a value, told in one unit, in another: the shortest digits that read back.
-/// @param from, to  as `parse_unit` reads them; of one dimension
+/// Converts the number of a value from one unit to another, with the shortest digits that read back
+/// exactly.
+/// @param from, to units in the form that `parse_unit` reads; both of the same dimension
 [[nodiscard]] std::string number_in(double value, std::string_view from, std::string_view to);
 
 /// While it lives, texts that this thread writes have the units asked for.
@@ -69,7 +71,8 @@ class AskedUnitsScope {
 
 /// The units asked for in the innermost scope; none outside of all.
 [[nodiscard]] const AskedUnits& asked_units();
-/// Whether a scope lives: somebody reads what this thread writes, who typed units.  A caller from
+/// Whether a scope is active, that is, whether the reader of this thread's output typed units.  A
+/// caller from
 /// code has SI.
 [[nodiscard]] bool within_asked_units();
 

@@ -40,10 +40,10 @@ inline constexpr Range kNonNegative{.lower = 0.0, .lower_open = false};
 /// The rule of a range in words: "> 0", "> -1 and < 0.5", "<= 1.5708 rad".
 [[nodiscard]] std::string rule_text(const Range& range, std::string_view unit = "1");
 
-/// How the template of `strainwave new` shows a field.
+/// The form in which the template of `strainwave new` shows a field.
 enum class InTemplate {
-  yes,        ///< as an active line
-  commented,  ///< as a comment that the user can activate
+  yes,        ///< shown as an active line
+  commented,  ///< shown as a comment that the user can activate
 };
 
 /// Whether every value of a struct has the field.
@@ -65,22 +65,23 @@ struct Field {
   InTemplate in_template = InTemplate::yes;
   /// For a result: evidence that only complete documents show; it is not an output of a table.
   bool detail = false;
-  /// Of a result: what a table of many drives shows of each; a result with such a field can stand
-  /// in one.
+  /// For a field of a result: a table of many drives shows this field.  A result with such a field
+  /// can be a row of this table.
   bool headline = false;
-  /// Of an option: given by its place on the command line instead of by `--name`.
+  /// For an option: the command line recognises it by its place and not by `--name`.
   bool positional = false;
   /// For an option: the kind of thing that its text names, such as "field path" or "material";
   /// empty if there is nothing to list.  "attachment": a file whose text the command reads.
   std::string_view names = {};
-  /// Of a number of the input: what its size is as a rule; kFinite: that of its unit.
+  /// For a number of the input: its usual range; kFinite means the usual range of its unit.
   Range usual = kFinite;
-  /// Of a required field of the input: the field beside it that makes it optional, if given.
+  /// For a required field of the input: the name of another field of the table that makes this
+  /// field optional if given.
   std::string_view unless = {};
 };
 
-/// What the size of a number is as a rule: `usual` of its field, else that of its unit; kFinite
-/// where nothing is unusual.  Outside of it a value, or its unit, is probably a slip.
+/// The usual range of a number: `usual` of its field, or else the usual range of its unit; kFinite
+/// if every value is usual.  A value outside this range, or its unit, is probably a mistake.
 [[nodiscard]] Range usual_range(const Field& field);
 
 /// A struct that describes itself.

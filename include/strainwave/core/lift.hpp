@@ -46,9 +46,9 @@ class Lift<Dual<N>> {
   /// Deleted, because a copy has another address than the input.
   Dual<N> operator()(const double&&) const = delete;
 
-  /// Addresses of the inputs, in the order of the derivatives; the rest is null.
+  /// Addresses of the inputs in the order of the derivatives; the remaining elements are null.
   [[nodiscard]] const std::array<const double*, N>& inputs() const { return inputs_; }
-  /// What the derivative to an input is multiplied by.
+  /// The factor by which the derivative with respect to an input is multiplied.
   [[nodiscard]] static double seed(double input) { return input != 0 ? input : 1.0; }
 
  private:

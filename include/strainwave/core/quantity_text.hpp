@@ -20,7 +20,8 @@ using Dimension = std::array<double, 6>;
 struct Unit {
   double factor = 1.0;  ///< value in strainwave units = factor * value in this unit
   Dimension dimension = {};
-  /// Of the factor where it is a power of ten: such a unit moves the decimal point, exactly.
+  /// The exponent of the factor if the factor is a power of ten.  Such a unit moves the decimal
+  /// point exactly.
   std::optional<int> power_of_ten = 0;
 };
 
@@ -42,7 +43,7 @@ struct UnitPrefix {
 [[nodiscard]] std::span<const KnownUnit> known_units();
 [[nodiscard]] std::span<const UnitPrefix> unit_prefixes();
 
-/// Whether values of one unit can be told in the other.
+/// Whether values of one unit can be converted to the other.
 [[nodiscard]] bool same_dimension(const Unit& a, const Unit& b);
 
 /// Reads a product of known units with `*`, `/`, `^` and parentheses, or as it is typeset: "N·m",

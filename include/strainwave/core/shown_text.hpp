@@ -8,7 +8,8 @@
 #include "strainwave/core/quantity.hpp"
 
 /// @file
-/// Numbers and text for people: few digits, and the units of drawings.  Files use SI units and all
+/// Numbers and text for people, with few digits and in the units of engineering drawings.  Files
+/// use SI units and all
 /// digits.
 
 namespace strainwave {
@@ -38,8 +39,8 @@ inline constexpr std::size_t kTextWidth = 100;
 /// One standard relative uncertainty such as "5 %"; "none" if it cannot be stated, "-" for a zero.
 [[nodiscard]] std::string accuracy(const Quantity& quantity);
 
-/// The unit for an output or a field of this name and SI unit: the one that was asked for, or that
-/// of drawings.
+/// The display unit for an output or field with this name and SI unit: the unit that the caller
+/// asked for, or the usual unit of engineering drawings.
 [[nodiscard]] DisplayUnit display_unit(std::string_view name, std::string_view si);
 
 /// A value in its display unit: "2 mm", "210 GPa".

@@ -295,7 +295,8 @@ inline void refuse_long_keys(std::string_view text, std::string_view file_name) 
     if (std::ranges::count(content, '.') > kMaxDots)
       throw InputError(
           TextPlace{.file = std::string(file_name), .line = line, .column = start + 1},
-          fmt::format("this line has more than {} dots; no field lies that deep", kMaxDots));
+          fmt::format("this line has more than {} dots, but no field has a path that long",
+                      kMaxDots));
   }
 }
 

@@ -85,7 +85,7 @@ struct DriveCrack {
   std::vector<std::string> equations;  ///< tags of the theory manual
 
   /// Factor cos(U theta) by which K of the assembly varies round the wall [-].
-  /// @param wave_angle  theta, from a lobe to the crack [rad]
+  /// @param wave_angle  angle theta from a lobe to the crack [rad]
   [[nodiscard]] double assembly_phase(double wave_angle) const;
 };
 
@@ -94,8 +94,8 @@ struct DriveCrack {
 /// Implements theory manual eqs. (FR-4) to (FR-17), (FA-6) to (FA-12), (FA-14).
 ///
 /// @param gear  has passed `check`
-/// @return      one per crack, in the order wave generator, flexspline, mesh, circular spline,
-///              output shaft
+/// @return      one element per crack, in the order wave generator, flexspline, mesh, circular
+///              spline, output shaft
 /// @throws InputError  if the material of a crack is missing or contradicts itself
 [[nodiscard]] std::vector<DriveCrack> drive_cracks(const GearSet& gear);
 

@@ -332,7 +332,7 @@ class CrackLoads {
     return crack.stress_driver == StressDriver::ring_bending ? sif::StripLoading::bending
                                                              : sif::StripLoading::tension;
   }
-  /// The lobe force has one sense, whatever the sense of the torque.
+  /// The lobe force has the same sense for both senses of torque.
   static BothSenses race_faces(const Real& stress) {
     const double value = value_of(stress);
     const Faces state = faces(value, std::abs(value));

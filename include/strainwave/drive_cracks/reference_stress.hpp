@@ -30,7 +30,7 @@ struct NetRing {
 /// A crack through a wall, which weakens the transverse and the axial section.
 struct ThroughWall {
   double half_length = 0.0;  ///< a [m]; > 0
-  double angle = 0.0;        ///< from the generator [rad]
+  double angle = 0.0;        ///< angle from the generator [rad]
   double mean_radius = 0.0;  ///< r [m]; > 0
   /// length of the tube [m]; > 0; infinity: the crack does not weaken the axial section
   double length = 0.0;

@@ -41,11 +41,11 @@ struct FieldCell {
 
 /// Both faces of a crack at one place.
 struct CrackFacePoint {
-  Point3 place{};  ///< place in the undeformed body [m]
-  Point3 upper{};  ///< displacement of the face whose cells have side = +1 [m]
-  Point3 lower{};  ///< displacement of the other face [m]
-  double
-      opening{};  ///< (upper - lower) . normal from lower to upper [m]; < 0: they overlap (FE-39)
+  Point3 place{};    ///< place in the undeformed body [m]
+  Point3 upper{};    ///< displacement of the face whose cells have side = +1 [m]
+  Point3 lower{};    ///< displacement of the other face [m]
+  double opening{};  ///< opening: (upper - lower) . normal from lower to upper [m]; < 0 means
+                     ///< overlap (FE-39)
 };
 
 /// Grid of (n+1)^2 points of a crack's face in one cell; the first coordinate runs fastest.

@@ -49,7 +49,7 @@ struct SolidProblem {
 /// coordinate, x2 = x3 x x1 normal to the crack.  K_I > 0 opens; K_II > 0 moves the side x2 > 0
 /// toward +x1, K_III > 0 toward +x3.
 struct FrontStation {
-  double position{};             ///< along the front, 0 to 1 by segments [-]
+  double position{};             ///< position along the front, 0 to 1 by segments [-]
   Point3 place{};                ///< [m]
   double energy_release_rate{};  ///< G by domain integral [J/m^2], (FE-23)
   double ring_spread{};          ///< largest difference between rings, relative to the mean G [-]

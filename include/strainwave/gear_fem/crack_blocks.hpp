@@ -22,7 +22,7 @@ struct StraightCrackBlock {
   double width{};         ///< W of an edge crack's block, half width of a centre crack's [m]; > a
   double half_height{};   ///< half height of the block [m]; > 0
   double thickness{};     ///< [m]; > 0
-  double stress = 1;      ///< on the faces y = +-half_height [Pa]
+  double stress = 1;      ///< stress on the faces y = +-half_height [Pa]
   bool centre = true;     ///< false: the crack starts at the edge x = 0
   BlockLoad load = BlockLoad::tension;
   fem::CrackFaces crack_faces = fem::CrackFaces::free;
@@ -44,10 +44,10 @@ struct EllipticalCrackBlock {
   fem::Elasticity material;
   double depth{};         ///< a, along z [m]; > 0
   double half_length{};   ///< c, along x [m]; 0.2 <= a/c <= 5
-  double thickness{};     ///< of the block along z [m]; > a
+  double thickness{};     ///< size of the block along z [m]; > a
   double half_width{};    ///< along x [m]; > c
   double half_height{};   ///< along y [m]; > 0
-  double stress = 1;      ///< on the faces y = +-half_height [Pa]
+  double stress = 1;      ///< stress on the faces y = +-half_height [Pa]
   bool embedded = false;  ///< true: z = 0 is a plane of symmetry, so the crack is a whole ellipse
   BlockLoad load = BlockLoad::tension;
   int order = 3;     ///< order of the displacements [-]; 2 to 4

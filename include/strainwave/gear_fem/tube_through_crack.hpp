@@ -35,7 +35,7 @@ struct TubeWithThroughCrack {
   double mean_radius{};     ///< r [m]; > 0
   double wall_thickness{};  ///< t [m]; 0 < t <= 0.5 r
   double length{};          ///< L [m]; > 0
-  double half_length{};     ///< a, on the middle surface [m]; > 0
+  double half_length{};     ///< half length a on the middle surface [m]; > 0
   double angle{};           ///< beta [rad]; -pi/2 < angle <= pi/2
   double place{};           ///< z of the crack's middle [m]; 0: half the length
   BarrelEnds ends = {};     ///< parts of a cup; empty: a tube
@@ -106,8 +106,8 @@ struct TubeCrackResult {
   /// Compliance of the solid without the crack (work/T^2 minus the added compliance) over
   /// compliance_without, - 1 [-]; 0 for a tube.
   double sound_check{};
-  double compliance{};               ///< with the crack [rad/(N*m)]
-  double added_compliance{};         ///< by reciprocity [rad/(N*m)], (FE-26)
+  double compliance{};               ///< compliance with the crack [rad/(N*m)]
+  double added_compliance{};         ///< added compliance by reciprocity [rad/(N*m)], (FE-26)
   double nominal_shear{};            ///< tau of the middle surface, T r/J [Pa]
   double energy_release_rate{};      ///< G over both fronts [J/m^2], (FE-23)
   double derivative_release_rate{};  ///< T^2/2 dC/dA of neighbouring sizes [J/m^2]; 0: not computed

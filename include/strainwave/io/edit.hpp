@@ -9,26 +9,26 @@ namespace strainwave {
 
 /// Sets or removes one field, crack or section in the TOML text of a drive.
 ///
-/// Everything else keeps every byte: comments, order, blank lines, spelling, quoting, line ends.  A
-/// value that is already there keeps its spelling too.  A section that is replaced keeps the lines
-/// of the fields that stay.  A new field stands behind the fields that the description of its table
-/// has before it; a new section, behind the sections before it.  What is removed takes its comment
-/// with it: behind it or, where there is none, directly above it.  A range or a scatter of a number
-/// goes with the crack or the section that has the number; where a crack moves up, the paths that
-/// name it follow.
+/// All other bytes stay: comments, order, blank lines, spelling, quoting, line ends.  A value that
+/// does not change keeps its spelling too.  A replaced section keeps the lines of the fields that
+/// stay.  A new field is placed after the fields that precede it in the description of its table,
+/// and a new section after the sections that precede it.  Removing a field also removes its
+/// comment: the one behind the field or, if there is none, the one directly above it.  Removing a
+/// crack or a section also removes the ranges and scatters of its numbers.  If the number of a
+/// crack changes, the paths that name the crack change too.
 ///
 /// The text does not need to be a complete drive before or after the edit.
 ///
 /// @param text   TOML, at most kMaxTextSize
-/// @param path   as the program prints it: `output_shaft.crack[0].depth`, `material.40CrNiMoA
+/// @param path   path as the program prints it: `output_shaft.crack[0].depth`, `material.40CrNiMoA
 ///               QT.youngs_modulus` or `material."40CrNiMoA QT".youngs_modulus`; `[+]`, or the
 ///               number of elements as the index, adds one element
 /// @param value  TOML as behind `=`, such as `"3 mm"` with its quotes; for a table also the lines
-/// of
-///               its body, without comments; nothing: remove
-/// @return       the new text: the old document with this change and what follows from it
-/// @throws InputError  not TOML; no such path, with the nearest known one; nothing there to remove;
-///                     the text cannot be changed there without another change
+///               of its body, without comments; absent: remove what is there
+/// @return       the old document with this change and its consequences
+/// @throws InputError  if the text is not TOML; if the path does not exist (the message names the
+///                     nearest known path); if there is nothing to remove; if the change requires
+///                     another change of the text
 [[nodiscard]] std::string edit(std::string_view text, std::string_view path,
                                const std::optional<std::string>& value);
 

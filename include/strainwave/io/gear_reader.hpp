@@ -25,16 +25,16 @@ namespace strainwave {
 [[nodiscard]] GearSet read_gear_set(std::string_view text, std::string_view file_name,
                                     const Attachments& attachments = {});
 
-/// A fault that a computation finds in a drive, with its place in the text of the drive.
-/// @param text       that read_gear_set has read
+/// Adds the place in the text of a drive to a fault that a computation finds in the drive.
+/// @param text       text that read_gear_set has read
 /// @param file_name  for messages
-/// @return           the fault as it is where it has a place already, names no field of a drive, or
-///                   is of another value than the text gives
+/// @return           the unchanged fault if it already has a place, names no field of a drive, or
+///                   concerns a value that the text does not give
 [[nodiscard]] InputError located(const InputError& fault, std::string_view text,
                                  std::string_view file_name);
 
-/// Reads a drive from a file, with what it names from the folder of the file.
-/// @throws InputError  also if the file cannot be read
+/// Reads a drive from a file.  The texts that the drive names are read from the folder of the file.
+/// @throws InputError  for the reasons of read_gear_set, or if the file cannot be read
 [[nodiscard]] GearSet read_gear_set_file(const std::filesystem::path& file);
 
 }  // namespace strainwave

@@ -4,8 +4,8 @@
 #include <string>
 
 /// @file
-/// What an input file may say, in four forms, all made from the descriptions of the structs
-/// (core/fields.hpp): they cannot drift from the reader.
+/// Four descriptions of the input format.  All are made from the descriptions of the structs
+/// (core/fields.hpp), so they always agree with the reader.
 
 namespace strainwave {
 

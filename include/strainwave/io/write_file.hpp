@@ -38,19 +38,19 @@ class WaitingFile {
   std::filesystem::path waiting_;  ///< path of the temporary file; empty after `replace`
 };
 
-/// Tries a device, a pipe or a stream before a text goes there.
-/// @throws Error  it cannot be written, or is a folder
+/// Checks that a device, a pipe or a stream can be written, before a text is written to it.
+/// @throws Error  if the path cannot be written, or is a folder
 void require_open_end(const std::filesystem::path& path);
 
 /// Writes a text to an open descriptor.
 /// @param name  for messages
-/// @throws Error    if it cannot be written; a part of it may be
-/// @throws Stopped  a signal came while it waited
+/// @throws Error    if the text cannot be written completely
+/// @throws Stopped  if a signal comes while the function waits
 void write_to(int descriptor, std::string_view name, std::string_view text);
 
-/// Adds a text to the end of a file, a device or a pipe that exists; it is safe when this returns.
-/// @throws Error    if it cannot be written; a part of it may be
-/// @throws Stopped  a signal came while it waited for the reader of a pipe
+/// Appends a text to an existing file, device or pipe.  On return the text is stored permanently.
+/// @throws Error    if the text cannot be written completely
+/// @throws Stopped  if a signal comes while the function waits for the reader of a pipe
 void append_to(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace strainwave

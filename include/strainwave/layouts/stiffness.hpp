@@ -15,25 +15,26 @@ namespace strainwave {
 /// A row of the coupled drive, for any kind of table.
 struct CoupledRow {
   std::string label;        ///< "K1, up to 14 N*m"
-  std::string name;         ///< of the output below curve.intact, such as "K1"
-  std::string unit;         ///< in which it is shown
+  std::string name;         ///< name of the output below curve.intact, such as "K1"
+  std::string unit;         ///< display unit
   double unit_in_si = 1.0;  ///< of it
   Quantity sound;
   Quantity positive;
   Quantity negative;
-  std::optional<Quantity> positive_change = {};  ///< absent: it is said in another row
+  std::optional<Quantity> positive_change = {};  ///< absent: another row gives the change
   std::optional<Quantity> negative_change = {};
 };
 
-/// K1, K2, K3 in both units, wind-up at the given torque and at the maker's.
+/// Rows for K1, K2, K3 in both units, and for the wind-up at the given torque and at the maker's
+/// torques.
 [[nodiscard]] std::vector<CoupledRow> coupled_rows(const CurveResult& curve, const GearSet& gear);
 
-/// What the table of the coupled drive is called, and that of the sum of the members.
+/// The titles of the tables of the coupled drive and of the sum of the members.
 inline constexpr std::string_view kCoupledTitle =
     "Coupled drive: balls, teeth and elastic rings as one system, input locked";
 inline constexpr std::string_view kSumTitle = "Sum of the members, without contacts";
 
-/// The result as tables for a terminal; no more digits than the accuracy warrants plus two.
+/// The result as tables for a terminal, with at most two digits more than the accuracy warrants.
 [[nodiscard]] std::string stiffness_text(const StiffnessResult& result, const GearSet& gear,
                                          const Provenance& provenance);
 

@@ -15,12 +15,13 @@ namespace strainwave {
 
 /// The plot of a sweep.
 ///
-/// Over one number: K1, K2, K3 of the coupled drive, where it is solved, and what cracks change in
-/// them; stiffness of the sum of the members, sound and cracked for both senses of torque, and
-/// below it, if there are cracks, the loss of stiffness -Delta K/K and what the cracks of each
-/// member contribute to it, on a log axis if all of it is positive.  Over two: contour lines of K1,
-/// K2, K3 and of the change of the sum, under negative torque too where it differs.  Points that
-/// were refused or may not be used are gaps, and the subtitle counts them.
+/// For one varied number, the panels show K1, K2, K3 of the coupled drive with their changes by
+/// cracks, if the coupled drive is solved.  The next panel shows the stiffness of the sum of the
+/// members, sound and cracked, for both senses of torque.  If there are cracks, a lower panel shows
+/// the loss of stiffness -Delta K/K and the part that the cracks of each member contribute, on a
+/// log axis if all values are positive.  For two varied numbers, the panels show contour lines of
+/// K1, K2, K3 and of the change of the sum, with a panel for negative torque where it differs.
+/// Points that were refused or must not be used leave gaps; the subtitle counts them.
 [[nodiscard]] std::string sweep_plot(const SweepResult& result, const GearSet& gear);
 
 }  // namespace strainwave

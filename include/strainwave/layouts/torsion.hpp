@@ -17,9 +17,10 @@ namespace strainwave {
                                                       const GearSet& gear);
 [[nodiscard]] std::string torsion_text(const TorsionReport& report, const GearSet& gear,
                                        const Provenance& provenance);
-/// Both senses of torque, from the least torque on.  With a comparison the first column, `part`,
-/// says what a row is: "curve", with the sound drive beside, or "turn", with the changes of K1, K2,
-/// K3 after the wave generator has turned by `angle`.
+/// The curve for both senses of torque as CSV, in ascending order of torque.  In a comparison the
+/// first column, `part`, names the kind of a row.  A row "curve" also has the twist of the sound
+/// drive.  A row "turn" has the changes of K1, K2, K3 after the wave generator has turned by
+/// `angle`.
 [[nodiscard]] std::string torsion_csv(const TorsionReport& report);
 /// Panels of the curve with its three lines and its loop, of the tangent stiffness and, for a
 /// comparison, of the changes over a turn.

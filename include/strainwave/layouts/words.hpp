@@ -23,16 +23,17 @@ namespace strainwave {
 [[nodiscard]] std::string_view words_of(StrengthVerdict verdict);
 /// A state of strength in words, such as "T > 0, with the assembly".
 [[nodiscard]] std::string words_of(const StrengthState& state);
-/// "stiffness, T > 0" for "cracked.positive.stiffness", "K1, sound" for "curve.intact.K1".
+/// The name of an output in words, such as "stiffness, T > 0" for "cracked.positive.stiffness" or
+/// "K1, sound" for "curve.intact.K1".
 [[nodiscard]] std::string output_words(std::string_view output);
 
-/// Where the first stress intensity of a crack is: "deepest point", or "tip" of one that goes
-/// through its wall.
+/// The place of the first stress intensity of a crack: "deepest point", or "tip" for a crack that
+/// goes through its wall.
 [[nodiscard]] std::string_view place_of_intensity(std::string_view kind);
-/// "1 range", "2 ranges".
+/// A count with its noun, such as "1 range" or "2 ranges".
 [[nodiscard]] std::string counted(std::size_t n, std::string_view thing);
 
-/// The critical size of the assessment, else that of K alone.
+/// The critical size from the failure assessment or, if absent, from K alone.
 [[nodiscard]] const std::optional<CriticalSize>& critical_size(const StrengthState& state);
 
 }  // namespace strainwave

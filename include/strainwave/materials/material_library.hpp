@@ -77,18 +77,19 @@ struct MaterialLibrary {
 /// The record as a material of a drive; its origin states which numbers are unverified.
 [[nodiscard]] Material as_material(const MaterialRecord& record);
 
-/// A material with what it does not give itself taken from a record.  Its origin says what is taken
-/// and what is its own; `from_library` names the fields taken.
+/// Completes a material with values of a record.  The origin of the result states which values come
+/// from the record and which are the material's own; `from_library` names the fields that come from
+/// the record.
 ///
-/// Two of E, G and nu define a material: a shear modulus of its own stands in place of the record's
-/// Poisson's ratio, and any of the three in place of the record's shear modulus.
+/// Two of E, G and nu define a material.  Its own shear modulus therefore replaces the Poisson's
+/// ratio of the record, and any own value of the three replaces the shear modulus of the record.
 ///
-/// @param own     E of 0 is not given
+/// @param own     material to complete; E = 0 means that E is not given
 /// @param record  of the library
 [[nodiscard]] Material completed(const Material& own, const MaterialRecord& record);
 
-/// Growth per cycle of a power law, C (Delta K/1 MPa*m^0.5)^m, without regard to the range that it
-/// is stated for.  (MA-1)
+/// Growth per cycle of a power law, C (Delta K/1 MPa*m^0.5)^m (MA-1).  The function does not check
+/// the stated range of the law.
 ///
 /// @param delta_K      range of the stress intensity factor [Pa*m^0.5]; > 0
 /// @return             da/dN [m]

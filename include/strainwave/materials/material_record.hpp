@@ -44,7 +44,7 @@ struct EnumNames<MaterialUse> {
 struct Evidence {
   std::string source;  ///< key of the list of sources
   Confidence confidence = Confidence::unverified;
-  /// One standard deviation over the value [-]; > 0.  Absent if nobody states it.
+  /// One standard deviation over the value [-]; > 0.  Absent if no source states it.
   std::optional<double> scatter;
   std::string remark;  ///< statement that contradicts or limits the number; may be empty
 
@@ -65,7 +65,7 @@ struct Evidence {
           &Evidence::scatter);
     field(Field{.name = "remark",
                 .unit = "",
-                .doc = "what contradicts or limits the number",
+                .doc = "remark that contradicts or limits the number",
                 .example = R"("")",
                 .fallback = R"("")"},
           &Evidence::remark);
@@ -135,7 +135,7 @@ struct FatigueLimit : Sourced<StressKind> {
           &FatigueLimit::stress_ratio);
     field(Field{.name = "cycles",
                 .unit = "1",
-                .doc = "cycles that it is stated for",
+                .doc = "number of cycles for which the limit is stated",
                 .range = kPositive,
                 .example = "1e7"},
           &FatigueLimit::cycles);
@@ -152,11 +152,11 @@ using StressRatios = std::array<double, 2>;
 
 inline constexpr Field kStressRatioField{.name = "stress_ratio",
                                          .unit = "1",
-                                         .doc = "R it holds for, from and to",
+                                         .doc = "range of R for which the law is stated",
                                          .range = {.upper = 1.0, .upper_open = false},
                                          .example = "[0.5, 1]"};
 inline constexpr Field kEnvironmentField{
-    .name = "environment", .unit = "", .doc = "what surrounds the crack", .example = R"("air")"};
+    .name = "environment", .unit = "", .doc = "environment of the crack", .example = R"("air")"};
 
 /// Range of the stress intensity factor below which a long crack does not grow [Pa*m^0.5].
 struct GrowthThreshold : Sourced<ToughnessKind> {
@@ -308,13 +308,16 @@ struct MaterialRecord {
     const auto table = [&](std::string_view name, std::string_view doc, auto member) {
       field(Field{.name = name, .unit = "", .doc = doc}, member);
     };
-    text("name", "as an input file writes it", "", &MaterialRecord::name);
+    text("name", "name as an input file writes it", "", &MaterialRecord::name);
     field(Field{.name = "aliases", .unit = "", .doc = "other names", .example = R"(["1.4542"])"},
           &MaterialRecord::aliases);
-    field(Field{.name = "use", .unit = "", .doc = "parts it is for", .example = R"(["bearing"])"},
+    field(Field{.name = "use",
+                .unit = "",
+                .doc = "parts for which the steel is used",
+                .example = R"(["bearing"])"},
           &MaterialRecord::use);
     text("treatment", "heat treatment and product", "", &MaterialRecord::treatment);
-    text("remark", "of the whole record", R"("")", &MaterialRecord::remark);
+    text("remark", "remark on the whole record", R"("")", &MaterialRecord::remark);
     table("youngs_modulus", "Young's modulus", &MaterialRecord::youngs_modulus);
     table("shear_modulus", "shear modulus", &MaterialRecord::shear_modulus);
     table("poissons_ratio", "Poisson's ratio", &MaterialRecord::poissons_ratio);

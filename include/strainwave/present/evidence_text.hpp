@@ -14,7 +14,7 @@ namespace strainwave {
 /// "Verdict: with care.  REASON.  NEXT STEP"
 [[nodiscard]] std::string verdict_text(const Verdict& verdict);
 
-/// The tags of the theory manual as a sentence.
+/// Equation tags of the theory manual as a sentence.
 [[nodiscard]] std::string equations_text(std::span<const std::string> equations);
 
 }  // namespace strainwave

@@ -14,8 +14,8 @@ struct ListedField {
   /// `[]` stands for each element of a list, `<name>` for each name of a map.
   std::string path;
   Field field;
-  std::string values;  ///< that it may have, in words; empty: as its unit says
-  std::string kind;    ///< of an alternative, the fields behind are of it; else empty
+  std::string values;  ///< values that the field may have, in words; empty if the unit is enough
+  std::string kind;    ///< name of an alternative, to which the following fields belong; else empty
 };
 
 /// The fields of a described type, in their order.

@@ -25,11 +25,11 @@ class JsonWriter : public ValueVisitor {
   [[nodiscard]] std::string document() const { return text_ + '\n'; }
   /// Changes the form of the numbers that follow.
   void write_numbers(JsonNumbers numbers) { numbers_ = numbers; }
-  /// Numbers with a unit from here on in these units, by dimension.  A table by columns keeps the
-  /// units that stand in a column of their own.
-  /// @param units  outlive the writer
+  /// From here on, writes numbers with a unit in these units, by dimension.  In a table by columns,
+  /// units that have a column of their own do not change.
+  /// @param units  units that must outlive the writer
   void write_units(const AskedUnits& units) { units_ = &units; }
-  /// A field and its text, flag or null.
+  /// Writes a field with its text, flag or null.
   void member(std::string_view name, std::string_view value);
   void member(std::string_view name, const char* value) { member(name, std::string_view(value)); }
   void member(std::string_view name, bool value);
@@ -64,13 +64,13 @@ class JsonWriter : public ValueVisitor {
 
   JsonNumbers numbers_;
   std::string text_;
-  std::vector<bool> empty_;  // of each open bracket
-  int columns_ = 0;          // open columns: what is inside stays on the line
-  bool keyed_ = false;       // a key was written, and its value comes next
+  std::vector<bool> empty_;  // whether each open bracket is still empty
+  int columns_ = 0;          // number of open columns; their content stays on one line
+  bool keyed_ = false;       // true after a key, before its value
   const AskedUnits* units_ = nullptr;
-  std::string key_;              // the last one
-  std::vector<Change> records_;  // of each open record, by its field `unit`
-  Change column_;                // of the open column
+  std::string key_;              // the last key
+  std::vector<Change> records_;  // for each open record, from its field `unit`
+  Change column_;                // for the open column
 };
 
 /// A described value as a JSON document.

@@ -9,7 +9,8 @@ namespace strainwave {
 /// A note as the sources have it.
 struct NoteText {
   std::string_view code;  ///< "crack.closed"
-  std::string_view text;  ///< with {} for what a run puts in; empty where it depends on the case
+  std::string_view
+      text;  ///< text with {} in place of values; empty if the text depends on the drive
 };
 
 /// The notes of all sources, a code as often as it is made; made when the library is built.

@@ -63,11 +63,11 @@ template <class... Values>
 /// A CSV table with its numbers in other units: those of a column "name [unit]", and those in a
 /// column "value" with a unit in a column "unit", "x" with "x_unit", of the output or field that
 /// the first column names.
-/// @param csv  as csv_table writes it
+/// @param csv  table as csv_table writes it
 [[nodiscard]] std::string csv_in_units(const std::string& csv, const AskedUnits& units);
 /// Some columns of a CSV table, in the order asked.
-/// @param names  of columns, without their units
-/// @throws InputError  there is no such column; the message names the nearest
+/// @param names  names of columns, without their units
+/// @throws InputError  if a column does not exist; the message names the nearest column
 [[nodiscard]] std::string csv_columns(const std::string& csv,
                                       const std::vector<std::string>& names);
 

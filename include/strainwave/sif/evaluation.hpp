@@ -34,10 +34,12 @@ struct Input {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"name", "", "of the field or load"}, &Input::name);
+    field({"name", "", "name of the field or load"}, &Input::name);
     field({"unit", "", "SI unit"}, &Input::unit);
     field({"value", kUnitBeside, "its value"}, &Input::value);
-    field({"given", "", "by the caller; else the example of a field, 0 of a load"}, &Input::given);
+    field({"given", "",
+           "value from the caller; if left out, the example of a field, or 0 for a load"},
+          &Input::given);
   }
 };
 
@@ -71,7 +73,7 @@ struct ComplianceEntry {
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"load_i", "", "whose displacement"}, &ComplianceEntry::load_i);
-    field({"load_j", "", "per unit of this load"}, &ComplianceEntry::load_j);
+    field({"load_j", "", "factors per unit of this load"}, &ComplianceEntry::load_j);
     field({"unit", "", "SI unit"}, &ComplianceEntry::unit);
     field({"value", kUnitBeside, "added compliance"}, &ComplianceEntry::value);
   }
@@ -112,19 +114,22 @@ struct Evaluation {
     field({"fields", "", "of the crack"}, &Evaluation::fields);
     field({"loads", "", "that act"}, &Evaluation::loads);
     field({"material", "", "elastic constants and toughness"}, &Evaluation::material);
-    field({"crack_size", "m", "a of the geometry factors"}, &Evaluation::crack_size);
-    field({"geometry_factors", "", "per load and point"}, &Evaluation::factors);
+    field({"crack_size", "m", "crack size a in the geometry factors"}, &Evaluation::crack_size);
+    field({"geometry_factors", "", "geometry factors for each load and point"},
+          &Evaluation::factors);
     field({"points", "", "stress intensities under all loads, at the named points"},
           &Evaluation::points);
     field({"largest", "", "along the front"}, &Evaluation::largest);
-    field({"faces_pressed", "", "the faces press on each other somewhere on the front"},
+    field({"faces_pressed", "", "whether the faces press on each other somewhere on the front"},
           &Evaluation::pressed);
     field({"equivalent", "Pa*m^0.5", "sqrt(G E') at the worst point"}, &Evaluation::equivalent);
     field({"utilisation", "1", "equivalent over K_Ic"}, &Evaluation::utilisation);
     field({"added_compliance", "", "upper triangle"}, &Evaluation::compliance);
-    field({"quadrature_error", "1", "relative, of the compliance"}, &Evaluation::quadrature_error);
+    field({"quadrature_error", "1", "relative error of the compliance"},
+          &Evaluation::quadrature_error);
     field({"validity", "", "each limit of the range"}, &Evaluation::validity);
-    field({"in_range", "", "every limit of the range is kept"}, &Evaluation::in_range);
+    field({"in_range", "", "whether the crack keeps every limit of the range"},
+          &Evaluation::in_range);
   }
 };
 
@@ -133,9 +138,10 @@ struct ModeAccuracy {
   std::string_view of;                ///< "K", "K_I", or "K_II and K_III"
   double relative_uncertainty = 0.0;  ///< [-]
 };
-/// Of all modes that a solution gives.
+/// The accuracy of all modes for which a solution gives K.
 [[nodiscard]] std::vector<ModeAccuracy> mode_accuracies(const SolutionInfo& info);
-/// Of the modes that the loads of an evaluation make; of any load, if none is given.
+/// The accuracy of the modes that the loads of an evaluation cause; if no load is given, of the
+/// modes of any load.
 [[nodiscard]] std::vector<ModeAccuracy> mode_accuracies(const Evaluation& evaluation);
 
 /// Number of points at which a front is scanned for its largest stress intensity.

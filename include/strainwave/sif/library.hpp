@@ -24,7 +24,7 @@ struct PointIntensity {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"name", "", "of the point; empty for one found by scanning the front"},
+    field({"name", "", "name of the point; empty for a point found by scanning the front"},
           &PointIntensity::name);
     field({"s", "1", "front parameter"}, &PointIntensity::s);
     field({"K_I", "Pa*m^0.5", "opening"}, &PointIntensity::K_I);
@@ -41,7 +41,7 @@ struct ValidityLimit {
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"limit", "", "the limit in words"}, &ValidityLimit::text);
-    field({"inside", "", "whether the crack keeps it"}, &ValidityLimit::inside);
+    field({"inside", "", "whether the crack keeps this limit"}, &ValidityLimit::inside);
   }
 };
 

@@ -29,13 +29,13 @@ class BasicNewmanRaju {
   /// @param phi          parametric angle from the surface; pi/2 is the deepest point [rad]
   [[nodiscard]] Real factor(const Real& depth_ratio, double phi) const;
 
-  /// H, K of bending over K of tension of the same surface stress [-]; (SP-3).
+  /// H, the ratio of K in bending to K in tension for the same surface stress [-]; (SP-3).
   /// @param depth_ratio  alpha = a/t [-]
-  /// @param phi          as in `factor` [rad]
+  /// @param phi          angle as in `factor` [rad]
   [[nodiscard]] Real bending_ratio(const Real& depth_ratio, double phi) const;
 
   /// H = 1 + alpha h at the surface and at the deepest point, and the exponent of sin(phi) with
-  /// which it goes from one to the other [-]; (SP-3).
+  /// which H changes from the first to the second value [-]; (SP-3).
   struct BendingEnds {
     Real h1, h2, p;
   };
@@ -49,7 +49,8 @@ class BasicNewmanRaju {
     return 1 / sqrt(cos(std::numbers::pi / 2 * c_b * sqrt(depth_ratio)));  // (SP-1)
   }
 
-  /// Q, approximates the square of the elliptic integral of the second kind [-]; (FR-5).
+  /// Shape parameter Q, which approximates the square of the elliptic integral of the second kind
+  /// [-]; (FR-5).
   [[nodiscard]] Real shape_parameter() const { return Q_; }
 
  private:

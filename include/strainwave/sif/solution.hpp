@@ -59,32 +59,35 @@ struct SolutionInfo {
   std::string_view equation;  ///< first tag in the theory manual
   std::string_view source;    ///< keys of docs/references.bib; "-" if derived here
   Basis basis = Basis::secondary;
-  double relative_uncertainty = 0.0;  ///< one standard, of K, inside the validity range [-]
-  /// The same of K_II and K_III, where it is not that of K_I [-].
+  double relative_uncertainty =
+      0.0;  ///< one standard uncertainty of K inside the validity range [-]
+  /// One standard uncertainty of K_II and K_III, if it differs from that of K_I [-].
   std::optional<double> shear_uncertainty = {};
-  std::string_view accuracy;  ///< what was compared with what, and how it came out
+  std::string_view accuracy;  ///< comparisons made and their results
   Constraint constraint = Constraint::plane_strain;
-  /// sigma of Y = K/(sigma sqrt(pi a)): a stress of the uncracked body, and where.
+  /// sigma in Y = K/(sigma sqrt(pi a)): the name of a stress of the uncracked body and its place.
   std::string_view reference_stress = "the load itself";
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"name", "", "what the command line calls it"}, &SolutionInfo::name);
+    field({"name", "", "name on the command line"}, &SolutionInfo::name);
     field({"family", "", "plate, tube, bar or gradient"}, &SolutionInfo::family);
     field({"title", "", "one line"}, &SolutionInfo::title);
-    field({"modes", "", "modes that it gives"}, &SolutionInfo::modes);
+    field({"modes", "", "modes for which the solution gives K"}, &SolutionInfo::modes);
     field({"equation", "", "first tag in the theory manual"}, &SolutionInfo::equation);
-    field({"source", "", "keys of the references; - where derived"}, &SolutionInfo::source);
-    field({"basis", "", "what holds the formula up"}, &SolutionInfo::basis);
+    field({"source", "", "keys of the references; - if derived here"}, &SolutionInfo::source);
+    field({"basis", "", "basis of the formula"}, &SolutionInfo::basis);
     field({"relative_uncertainty", "1",
-           "one standard, of K, inside the validity range; of K_I, if shear_uncertainty is there"},
+           "one standard uncertainty of K inside the validity range; of K_I only, if "
+           "shear_uncertainty is given"},
           &SolutionInfo::relative_uncertainty);
-    field({"shear_uncertainty", "1", "the same of K_II and K_III, if it is not that of K_I"},
+    field({"shear_uncertainty", "1",
+           "one standard uncertainty of K_II and K_III, if it differs from that of K_I"},
           &SolutionInfo::shear_uncertainty);
-    field({"accuracy", "", "what was compared with what, and how it came out"},
-          &SolutionInfo::accuracy);
+    field({"accuracy", "", "comparisons made and their results"}, &SolutionInfo::accuracy);
     field({"constraint", "", "plane strain or plane stress"}, &SolutionInfo::constraint);
-    field({"reference_stress", "", "sigma of Y = K/(sigma sqrt(pi a)), and where it is taken"},
+    field({"reference_stress", "",
+           "sigma in Y = K/(sigma sqrt(pi a)), and the place at which it is taken"},
           &SolutionInfo::reference_stress);
   }
 };
@@ -99,7 +102,8 @@ struct LoadInfo {
   static void describe(Visitor&& field) {
     field({"name", "", "name of the load"}, &LoadInfo::name);
     field({"unit", "", "its unit"}, &LoadInfo::unit);
-    field({"meaning", "", "meaning, sign, where it acts"}, &LoadInfo::doc);
+    field({"meaning", "", "meaning and sign of the load, and the place where it acts"},
+          &LoadInfo::doc);
   }
 };
 
@@ -125,8 +129,8 @@ struct FrontPoint {
 ///   - `validity(range)` calls `range(inside, text)` for each limit of the range in which the
 ///     stated accuracy holds;
 ///   - `gross_stress(load)`: nominal stress of the uncracked section per unit of a load, which
-///     makes K dimensionless, Y = K/(sigma sqrt(pi a)) [1 for a stress; 1/m^2, 1/m^3].  Where it is
-///     that at the front, `gross_stress(load, a)` is that at the size a.
+///     makes K dimensionless, Y = K/(sigma sqrt(pi a)) [1 for a stress; 1/m^2, 1/m^3].  If Y refers
+///     to the stress at the front, `gross_stress(load, a)` is the stress at the size a.
 template <class S>
 concept Solution = SweptCrack<S> && Described<S> && requires(const S& s, std::size_t load) {
   { S::kInfo } -> std::convertible_to<const SolutionInfo&>;

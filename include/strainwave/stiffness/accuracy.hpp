@@ -29,22 +29,25 @@ inline constexpr ModelAccuracy kTube{
     0.01, "the solution is exact for a tube; ends, fillets and splines are left out"};
 inline constexpr ModelAccuracy kShapeFactor{
     2.0,
-    "a factor, whatever its value: of sixteen cups in finite elements, 1.06 to 11 times as "
-    "compliant as their barrel, eleven are within 200 % of 0.83 and twelve within 200 % of 1"};
+    "the same accuracy for any factor: sixteen cups in finite elements are 1.06 to 11 times as "
+    "compliant as their barrel; eleven of these cups agree within 200 % with the factor 0.83, and "
+    "twelve with the factor 1"};
 inline constexpr ModelAccuracy kSections{
     0.05, "1.1 % against finite elements with sharp corners; fillets and teeth are left out"};
 inline constexpr ModelAccuracy kLobeForce{0.15, "lobe force: c_F between 1 and 1.15"};
 inline constexpr ModelAccuracy kCamConversion{
-    0.70, "cam conversion: off by a factor of about 1.7 against reciprocity"};
-/// Of the compliance of wave generator and flexspline, (ST-18).
+    0.70, "cam conversion: reciprocity gives a result different by a factor of about 1.7"};
+/// Accuracy of the compliance of wave generator and flexspline, (ST-18).
 inline constexpr ModelAccuracy kContactsLeftOut{
     4.0, "contacts, rings and coning are left out: 2 to 5 times too stiff against catalogues"};
-inline constexpr ModelAccuracy kLoadSharing{0.30, "balls taken to share the lobe force equally"};
+inline constexpr ModelAccuracy kLoadSharing{
+    0.30, "the balls are assumed to share the lobe force equally"};
 inline constexpr ModelAccuracy kSurfaceCrack{
     0.10, "Newman and Raju: 5 % of K against finite elements, so 10 % of the compliance"};
 inline constexpr ModelAccuracy kSurfaceCrackDeep{
     0.16, "Newman and Raju beyond a/t = 0.7: 8 % of K against finite elements in a tube"};
-/// Of a crack longer than half of the ring's width, whose width factor f_w gives f_w^2 - 1.
+/// Uncertainty f_w^2 - 1 of a crack longer than half of the ring's width, from its width factor
+/// f_w.
 inline constexpr std::string_view kBeyondWidthRange =
     "width factor f_w beyond c/b = 0.5: f_w^2 - 1 of the compliance";
 inline constexpr ModelAccuracy kSurfaceCrackShear{
@@ -57,7 +60,7 @@ inline constexpr ModelAccuracy kThroughCrack{
     0.02, "curved wall, open: within 1.1 % of finite elements, r/t 20 to 60"};
 inline constexpr ModelAccuracy kThroughCrackLong{
     0.03, "curved wall at a shell parameter of 2 to 4, open: within 1.3 % of finite elements"};
-/// To be multiplied by (2a/L)^2.
+/// The code multiplies this value by (2a/L)^2.
 inline constexpr ModelAccuracy kThroughCrackBetweenJoints{
     0.16,
     "ends left out: half-way between rim and diaphragm, finite elements are softer by a term in "
@@ -66,7 +69,8 @@ inline constexpr ModelAccuracy kThroughCrackNearFreeEnd{
     0.50,
     "ends left out: half-way to a free end, finite elements are softer by a term in (2a/L)^2"};
 inline constexpr ModelAccuracy kThroughCrackAxial{
-    0.05, "curved wall under axial force: same shell theory, not compared with finite elements"};
+    0.05,
+    "curved wall under axial force: the same shell theory, but not compared with finite elements"};
 inline constexpr ModelAccuracy kThroughCrackPressed{
     0.02, "pressed faces slide without friction: 1 % of compliance, 2 % of G in finite elements"};
 inline constexpr ModelAccuracy kThroughCrackIntensity{
@@ -90,7 +94,9 @@ inline constexpr ModelAccuracy kAnnularExtrapolated{
 inline constexpr ModelAccuracy kAnnularTada{
     0.055, "handbook polynomials: 3.6 % in torsion, 5.4 % in tension against finite elements"};
 inline constexpr ModelAccuracy kOrthogonalShear{
-    1.0, "the driver treats a subsurface shear as a hoop tension: an order of magnitude at best"};
+    1.0,
+    "the driver treats a subsurface shear as a hoop tension, which gives an order of magnitude at "
+    "best"};
 inline constexpr ModelAccuracy kContactEdge{
     0.50, "the edge tension decays within the contact, but is assumed uniform"};
 inline constexpr ModelAccuracy kRingBending{

@@ -15,12 +15,13 @@ namespace strainwave {
 template <class Real>
 struct SeriesCompliance {
   Real intact{};          ///< compliance of the sound drive [rad/(N*m)]
-  Real positive{};        ///< cracked, torque about +z [rad/(N*m)]
-  Real negative{};        ///< cracked, torque about -z [rad/(N*m)]
-  Real positive_added{};  ///< what the cracks add, torque about +z [rad/(N*m)]
-  Real negative_added{};  ///< what the cracks add, torque about -z [rad/(N*m)]
-  Real output_shaft{};    ///< of the sound shaft, part of `intact` [rad/(N*m)]
-  /// What the cracks of flexspline and shaft add, which are in line with the teeth [rad/(N*m)].
+  Real positive{};        ///< compliance of the cracked drive, torque about +z [rad/(N*m)]
+  Real negative{};        ///< compliance of the cracked drive, torque about -z [rad/(N*m)]
+  Real positive_added{};  ///< compliance added by cracks, torque about +z [rad/(N*m)]
+  Real negative_added{};  ///< compliance added by cracks, torque about -z [rad/(N*m)]
+  Real output_shaft{};    ///< compliance of the sound shaft, a part of `intact` [rad/(N*m)]
+  /// Compliance added by the cracks of flexspline and shaft, which are in line with the teeth
+  /// [rad/(N*m)].
   Real positive_in_line{};
   Real negative_in_line{};
   bool usable = true;  ///< as StiffnessResult::usable

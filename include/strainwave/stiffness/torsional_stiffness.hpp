@@ -11,13 +11,14 @@
 namespace strainwave {
 
 struct StiffnessOptions {
-  /// Of the crack integrals.
+  /// Tolerance of the crack integrals.
   QuadratureOptions quadrature = {};
-  /// The coupled drive of the same gear, if it is solved and given beside the sum of the members:
-  /// the accuracy of the sum contains it, and notes on what the sum leaves out are information.
+  /// The coupled drive of the same gear, if the result gives it beside the sum of the members.  In
+  /// this case the stated accuracy of the sum contains the coupled value, and notes on effects that
+  /// the sum leaves out are information only.
   const CurveResult* coupled = nullptr;
 
-  /// Of a note on something that the sum of the members leaves out and the coupled drive contains.
+  /// Severity of a note on an effect that only the coupled drive contains.
   [[nodiscard]] Severity left_out() const {
     return coupled != nullptr ? Severity::information : Severity::care;
   }
@@ -54,10 +55,10 @@ struct MemberCompliance {
 ///
 ///     K_HD = 1/(lambda_H + lambda_f + lambda_so),
 ///
-/// each lambda the compliance of a sound member plus what its cracks add.  The tooth mesh, the
-/// circular spline and the diaphragm (unless sections are given) add compliance that is not in
-/// it: without an output shaft it is 2 to 5 times too stiff against catalogue values.  The accuracy
-/// of the sum contains this, eq. (ST-18).
+/// each lambda being the compliance of a sound member plus the part that its cracks add.  The sum
+/// leaves out the compliances of the tooth mesh, the circular spline and the diaphragm (unless
+/// sections are given).  Without an output shaft, the result is therefore 2 to 5 times too stiff
+/// against catalogue values.  The accuracy of the sum contains this, eq. (ST-18).
 ///
 /// @param gear     drive, cracks, load; checked by `check`
 /// @param options  tolerance of the crack integrals

@@ -8,20 +8,21 @@
 
 namespace strainwave {
 
-/// What is computed besides the sum of the members.
+/// Selects the computations in addition to the sum of the members.
 struct EvaluationOptions {
-  /// The coupled drive, where the file gives enough for it; some milliseconds.  Without it the
-  /// accuracies of the sum are those of a drive that does not have it.
+  /// Whether to solve the coupled drive if the file gives enough for it, which takes some
+  /// milliseconds. If false, the accuracies of the sum are those of a drive without a coupled
+  /// solution.
   bool coupled_drive = true;
 };
 
 /// Whether an output, such as "curve.positive.K1", is one of the coupled drive.
 [[nodiscard]] bool is_of_coupled_drive(std::string_view output);
 
-/// Torsional stiffness of a drive by one of the three methods: the coupled drive where it can be
-/// solved, and the sum of the members.
+/// Torsional stiffness of a drive by one of the three methods: from the coupled drive, if it can be
+/// solved, and from the sum of the members.
 ///
-/// @throws InputError  if the gear breaks a rule, or holds what the method cannot treat
+/// @throws InputError  if the gear breaks a rule, or if the method cannot treat it
 [[nodiscard]] StiffnessResult evaluate(const GearSet& gear, Method method,
                                        const EvaluationOptions& options = {});
 

@@ -74,7 +74,11 @@ struct RequirementReport {
     field({"method", "", "as-printed, repaired or corrected"}, &R::method);
     field({"coverage", "1", "number of standard uncertainties taken into account"}, &R::coverage);
     field({"requirements", "", "each requirement and its answer"}, &R::answers);
-    field({.name = "outcome", .unit = "", .doc = "of all together", .headline = true}, &R::outcome);
+    field({.name = "outcome",
+           .unit = "",
+           .doc = "combined answer to all requirements",
+           .headline = true},
+          &R::outcome);
   }
 };
 

@@ -25,8 +25,9 @@ struct SensitivityOutput {
   /// zero up to rounding unless a number was read without its derivative.
   double length_residual = 0.0;
   double force_residual = 0.0;
-  /// Elasticity to constants of the model that are pressures, which (SN-6) counts: the maker's
-  /// torques by convention, (TC-14).  Not part of documents.
+  /// Elasticity with respect to constants of the model that are pressures, which (SN-6) includes:
+  /// the constants of the maker's torques by convention, (TC-14).  Documents do not contain this
+  /// number.
   double of_pressures = 0.0;
 
   template <class Visitor>
@@ -74,16 +75,16 @@ struct SensitivityInput {
   }
 };
 
-/// Exact first derivatives at one drive: of the sum of the members, and of the coupled drive where
-/// it is solved.
+/// Exact first derivatives at one drive: those of the sum of the members and, if it is solved,
+/// those of the coupled drive.
 struct Sensitivity {
   /// Stiffness of the sum, sound and cracked under both senses of torque; its losses that are not
   /// zero; then K1, K2, K3 of the coupled drive, sound, and cracked if there are cracks.
   std::vector<SensitivityOutput> outputs;
   /// Numbers on which at least one output depends, the largest elasticity first.
   std::vector<SensitivityInput> inputs;
-  std::vector<std::string> no_influence;  ///< paths of all other numbers: every derivative is 0
-  /// Numbers to which K1, K2, K3 have no derivative; of the coupled drive, where it is solved.
+  std::vector<std::string> no_influence;  ///< paths of the numbers whose derivatives are all 0
+  /// Numbers with respect to which K1, K2, K3 have no derivative, if the coupled drive is solved.
   std::vector<CurveStep> not_differentiated;
   std::vector<Note> notes;
   std::string unusable_because;  ///< reason why the result must not be used; empty if usable
@@ -98,7 +99,7 @@ struct Sensitivity {
     field({"inputs", "", "fields with an influence, the largest elasticity first"},
           &Sensitivity::inputs);
     field({"no_influence", "", "all other numbers of the file"}, &Sensitivity::no_influence);
-    field({"not_differentiated", "", "fields to which K1, K2, K3 have no derivative"},
+    field({"not_differentiated", "", "fields with respect to which K1, K2, K3 have no derivative"},
           &Sensitivity::not_differentiated);
     field({"homogeneity_residual", "1", "largest residual of the dimensions"},
           &Sensitivity::homogeneity_residual);
@@ -109,13 +110,13 @@ struct Sensitivity {
 inline constexpr double kMaxHomogeneityResidual = 1e-9;
 
 /// Derivatives and elasticities of stiffness K_HD, of stiffness loss, and of K1, K2, K3 of the
-/// coupled drive where it is solved, to every number of a drive.
+/// coupled drive if it is solved, with respect to every number of a drive.
 ///
 /// Implements theory manual eqs. (SN-1), (SN-2), (SN-6), (TC-27): forward-mode automatic
 /// differentiation of the corrected series model and of the equilibrium of the coupled drive, exact
-/// but for rounding and the tolerance of the crack integrals.
-/// Whole numbers, such as the wave number, are not differentiated.  At a crack whose faces just
-/// touch the derivative does not exist; a note says so.
+/// apart from rounding and the tolerance of the crack integrals.
+/// Whole numbers, such as the wave number, are not differentiated.  If the faces of a crack just
+/// touch, the derivative does not exist; a note reports this.
 ///
 /// @param gear     drive, cracks, load
 /// @param options  tolerance of the crack integrals, for values and derivatives

@@ -116,7 +116,7 @@ struct SolveResult {
   /// Empty for a single solution without remarks; else sentences on no solution, several solutions,
   /// jumps over the target, or solutions that must not be used.
   std::string reason;
-  std::vector<Note> notes;  ///< on the accuracies of the solutions
+  std::vector<Note> notes;  ///< notes on the accuracies of the solutions
   [[nodiscard]] bool usable() const { return !solutions.empty(); }
 
   template <class Visitor>

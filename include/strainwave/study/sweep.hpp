@@ -90,8 +90,8 @@ struct SweepResult {
   std::vector<SweepColumn> inputs;       ///< the varied numbers
   std::vector<SweepColumn> outputs;      ///< all quantities of a result (model/result_fields.hpp)
   std::vector<SweepRow> rows;            ///< the first variation varies slowest
-  std::vector<SweepNote> notes;          ///< of all rows, each once
-  std::vector<std::string> crack_paths;  ///< of the cracks in the outputs
+  std::vector<SweepNote> notes;          ///< notes of all rows, each listed once
+  std::vector<std::string> crack_paths;  ///< paths of the cracks in the outputs
 
   /// The table by columns: varied numbers, then outputs.
   [[nodiscard]] std::vector<SweepValues> columns() const;
@@ -102,7 +102,7 @@ struct SweepResult {
     field({"columns", "", "varied fields, then outputs; one value for each point"},
           &SweepResult::columns);
     field({"rows", "", "the points; the first varied field varies slowest"}, &SweepResult::rows);
-    field({"note_rows", "", "which points each note was given for"}, &SweepResult::notes);
+    field({"note_rows", "", "the points that have each note"}, &SweepResult::notes);
     field({"crack_paths", "", "fields of the cracks"}, &SweepResult::crack_paths);
   }
 };

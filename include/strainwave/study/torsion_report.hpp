@@ -56,10 +56,11 @@ struct LineBands {
   }
 };
 
-/// Twist at the torque of the file's load, in size.
+/// Magnitude of the twist at the torque of the file's load.
 struct TwistAtLoad {
   double torque = 0.0;             ///< in size [N*m]
-  std::optional<double> positive;  ///< under torque about +z [rad]; absent if it is not reached
+  std::optional<double> positive;  ///< twist under torque about +z [rad]; absent if the drive does
+                                   ///< not reach the torque
   std::optional<double> negative;  ///< [rad]
 
   template <class Visitor>
@@ -74,17 +75,18 @@ struct TwistAtLoad {
 struct TorsionReport {
   MakersTorques torques;
   TwistAtLoad at_load;
-  MakersLines positive;  ///< with the cracks of the file, at their positions
+  MakersLines positive;  ///< lines with the cracks at the positions of the file
   MakersLines negative;
-  TorsionCurve curve;  ///< positive, at points of the plot; T1, T2, T_N and the load among them
+  TorsionCurve curve;  ///< positive torque, at the points of the plot, which include T1, T2, T_N
+                       ///< and the load
   TorsionCurve curve_negative;
   std::vector<std::size_t> shown;  ///< points of `curve` for the table: T1, T2, T_N, load
-  HysteresisLoop loop;             ///< at rated torque
+  HysteresisLoop loop;             ///< hysteresis at rated torque
   double lost_motion = 0.0;        ///< [rad]
   std::vector<RimState> rim;       ///< over a turn of the wave generator, at rated torque
   std::optional<LineBands> bands;
   std::optional<CurveComparison> comparison;
-  TorsionCurve sound;  ///< of a comparison, at the points of `curve`; empty without
+  TorsionCurve sound;  ///< curve without cracks at the points of `curve`; empty unless compared
   TorsionCurve sound_negative;
   std::vector<Note> notes;
   std::vector<std::string> equations;

@@ -23,7 +23,7 @@ class AssembledDrive {
   /// Assembles the sound drive, then adds its cracks on the same cam.
   ///
   /// A drive that cannot be assembled gives an object too; `fails_because` then states the reason.
-  /// @param gear  with bearing, sections and mesh
+  /// @param gear  drive with bearing, sections and mesh
   /// @throws InputError  if a rule is broken or this model lacks an input
   explicit AssembledDrive(const GearSet& gear, const CoupledOptions& options = {});
 
@@ -38,12 +38,12 @@ class AssembledDrive {
   [[nodiscard]] const CoupledOptions& options() const;
   /// Reason why there is no equilibrium at zero torque; empty if there is an equilibrium.
   [[nodiscard]] const std::string& fails_because() const;
-  /// What limits its answers; of the model's ground, of the cracks, of flanks that press on each
-  /// other without torque.
+  /// Notes on the limits of the answers: on the assumptions of the model, on the cracks, and on
+  /// flanks that press on each other without torque.
   [[nodiscard]] std::vector<Note> notes() const;
-  /// Tags of the equations that describe it.
+  /// Tags of the equations of the model.
   [[nodiscard]] const std::vector<std::string>& equations() const;
-  /// A that lifts the lobes to w_0 (TC-12) [m]
+  /// Cam amplitude A that lifts the lobes to w_0 (TC-12) [m].
   [[nodiscard]] double cam_amplitude() const;
 
   struct Contents;

@@ -31,7 +31,7 @@ struct LineChanges {
 
 /// Changes over a turn of the wave generator, under one sense of torque.
 struct ChangesOverTurn {
-  LineChanges as_given;  ///< at the positions of the file
+  LineChanges as_given;  ///< changes at the positions of the file
   LineChanges mean;
   LineChanges worst;  ///< most negative change of each
   LineChanges best;
@@ -74,7 +74,7 @@ struct CurveComparison {
   ChangesOverTurn positive;    ///< torque about +z
   ChangesOverTurn negative;
   double lost_motion_sound = 0.0;    ///< [rad]
-  double lost_motion_cracked = 0.0;  ///< at the positions of the file [rad]
+  double lost_motion_cracked = 0.0;  ///< value at the positions of the file [rad]
   double hysteresis_sound = 0.0;     ///< largest width of the loop at rated torque [rad]
   double hysteresis_cracked = 0.0;   ///< [rad]
   CrackClass crack_class = CrackClass::none;
@@ -104,7 +104,8 @@ struct CurveComparison {
   }
 };
 
-/// Drive without its cracks, and without what it says of their numbers (drop_lost_paths).
+/// The drive without its cracks, and without ranges and scatters of their numbers
+/// (drop_lost_paths).
 [[nodiscard]] GearSet without_cracks(const GearSet& gear);
 
 /// Whether a crack moves relative to the wave, that is, whether it lies in rim, teeth, outer ring
@@ -116,8 +117,8 @@ struct CurveComparison {
 [[nodiscard]] double turned_position(double position, double angle);
 
 /// The drive after the wave generator has turned by an angle: cracks of flexspline, circular spline
-/// and outer ring move against the wave, those of the inner race stay [rad].  What the drive says
-/// of a position that has moved goes (drop_lost_paths).
+/// and outer ring move relative to the wave, cracks of the inner race do not [rad].  Ranges and
+/// scatters of moved positions are removed (drop_lost_paths).
 [[nodiscard]] GearSet after_turn(const GearSet& gear, double angle);
 
 /// Compares the maker's stiffnesses of a drive with and without its cracks (TC-26).

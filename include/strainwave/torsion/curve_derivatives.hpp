@@ -12,7 +12,7 @@
 #include "strainwave/torsion/assembled_drive.hpp"
 
 /// @file
-/// Exact derivatives of K1, K2, K3 to the numbers of a drive.
+/// Exact derivatives of K1, K2, K3 with respect to the numbers of a drive.
 
 namespace strainwave {
 
@@ -24,22 +24,24 @@ struct LineValues {
   Real K3{};
 };
 
-/// Of the sound drive, and with the cracks under both senses of torque.
+/// The lines of the sound drive, and those with the cracks under both senses of torque.
 struct CurveDerivatives {
   LineValues<DualReal> intact;
   LineValues<DualReal> positive;
   LineValues<DualReal> negative;
 };
 
-/// Derivatives of K1, K2, K3 by those of the equilibrium.
+/// Derivatives of K1, K2, K3 from the derivatives of the equilibrium.
 ///
 /// Implements theory manual eqs. (TC-27), (SN-3): the forces of the contacts solve a system whose
-/// derivative is linear; its adjoint is solved once for each torque, and then the derivative to any
-/// number is that of the closings at fixed forces, in dual numbers.  Exact but for rounding.
+/// derivative is linear.  The code solves the adjoint once for each torque.  The derivative with
+/// respect to any number then follows from the derivatives of the closings at fixed forces, in dual
+/// numbers.  Exact except for rounding.
 ///
-/// A contact that opens or closes does no harm: its stiffness grows from zero, and the secants K1,
-/// K2, K3 keep a continuous first derivative.  Without coning (`mesh.coning` = 0) a flank has its
-/// whole stiffness at once, and the derivative is that of the flanks which touch.
+/// The derivatives stay valid if a contact opens or closes, because its stiffness grows from zero
+/// and the secants K1, K2, K3 keep a continuous first derivative.  Without coning (`mesh.coning` =
+/// 0) a flank has its full stiffness as soon as it touches, and the derivative is that of the
+/// flanks that touch.
 ///
 /// Not differentiated: `curve_steps`.
 class CurveDifferentiator {
@@ -48,8 +50,8 @@ class CurveDifferentiator {
   /// @throws SolverError  if the curve is not usable
   explicit CurveDifferentiator(const AssembledDrive& drive);
 
-  /// @param gear    that of the drive, at the addresses that the lift knows
-  /// @param series  of the same gear and lift
+  /// @param gear    the drive whose addresses the lift contains
+  /// @param series  geometry of the same gear and lift
   [[nodiscard]] CurveDerivatives of(const GearSet& gear, const Lift<DualReal>& lift,
                                     const SeriesCompliance<DualReal>& series) const;
 
@@ -58,7 +60,7 @@ class CurveDifferentiator {
   std::shared_ptr<const Contents> contents_;
 };
 
-/// A number that the coupled drive reads and that has no derivative.
+/// A number that the coupled drive reads but with respect to which it has no derivative.
 struct CurveStep {
   std::string path;
   std::string reason;
@@ -67,12 +69,12 @@ struct CurveStep {
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"path", "", "field of the input"}, &CurveStep::path);
-    field({"reason", "", "why it has no derivative"}, &CurveStep::reason);
+    field({"reason", "", "the reason why there is no derivative"}, &CurveStep::reason);
   }
 };
 
-/// Numbers to which K1, K2, K3 are not differentiated: the ratio, which sets the number of teeth,
-/// and positions that choose the nearest tooth or ball.
+/// Numbers with respect to which K1, K2, K3 have no derivative: the ratio, which determines the
+/// number of teeth, and positions that select the nearest tooth or ball.
 [[nodiscard]] std::vector<CurveStep> curve_steps(const GearSet& gear);
 
 }  // namespace strainwave

@@ -47,13 +47,13 @@ namespace strainwave {
 /// Force of a pair of teeth as a function of its closing; the tilt of the cup opens the gap along
 /// the face.
 ///
-/// Implements theory manual eq. (TC-8): F = c' u^2/(2 s) while part of the face touches, u < s b,
-/// and c' b (u - s b/2) after; 0 for u <= 0.
+/// Implements theory manual eq. (TC-8): F = c' u^2/(2 s) for contact on a part of the face, u < s
+/// b, and F = c' b (u - s b/2) beyond; F = 0 for u <= 0.
 template <class Real>
 struct BasicFlankLaw {
   Real pair_stiffness{};  ///< c' [Pa]; > 0
   Real face_width{};      ///< b [m]; > 0
-  Real slope{};           ///< s, of the gap along the face [-]; >= 0
+  Real slope{};           ///< slope s of the gap along the face [-]; >= 0
 
   [[nodiscard]] Real force(const Real& closing) const;      ///< F [N]
   [[nodiscard]] Real stiffness(const Real& closing) const;  ///< dF/du [N/m]

@@ -65,14 +65,14 @@ struct MemberShares : std::array<double, kCurveMembers> {
 
 /// Force of one contact.
 struct ContactForce {
-  double position = 0.0;  ///< from the major axis, toward +theta [rad]
+  double position = 0.0;  ///< angle from the major axis, toward +theta [rad]
   double force = 0.0;     ///< [N]
   double tangent = 0.0;   ///< dQ/dT [1/m]
 
   static constexpr bool kTableRow = true;
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"position", "rad", "from the major axis, toward +theta"}, &ContactForce::position);
+    field({"position", "rad", "angle from the major axis, toward +theta"}, &ContactForce::position);
     field({"force", "N", "force of the contact"}, &ContactForce::force);
     field({"tangent", "1/m", "change of the force with the torque"}, &ContactForce::tangent);
   }
@@ -144,8 +144,9 @@ struct TorsionCurve {
   }
 };
 
-/// Whether a drive says enough for a torsion curve: bearing with balls and outer ring, cup by
-/// sections, tooth mesh.  Empty if it does; else one sentence with the fields that are missing.
+/// The fields that a drive lacks for a torsion curve, which needs a bearing with balls and outer
+/// ring, a cup by sections, and a tooth mesh.  Empty if the drive is complete; else one sentence
+/// that names the missing fields.
 [[nodiscard]] std::string missing_for_torsion_curve(const GearSet& gear);
 
 /// Twist of the output as a function of the torque, from the assembled state, with locked input.
@@ -160,7 +161,8 @@ struct TorsionCurve {
 /// 20 % for ratios of 50 and more.  At ratio 30 the model is too stiff by a factor of up to 2.2
 /// (theory manual, chapter CV).
 ///
-/// @param torques  T at the output [N*m], finite; each is solved starting from the state before it,
+/// @param torques  torque T at the output [N*m], finite; each is solved starting from the state
+///                 before it,
 ///                 the first from the assembly
 /// @throws InputError  if a torque is not finite
 /// @throws Stopped     if the caller requests a stop
@@ -184,13 +186,13 @@ struct TorsionCurve {
 
 /// The twist at one torque [rad]; absent, with one note `curve.no_wind_up`, if the drive does not
 /// reach it.
-/// @param torque  T at the output [N*m], finite
+/// @param torque  torque T at the output [N*m], finite
 [[nodiscard]] std::optional<double> reached_twist(const AssembledDrive& drive, double torque,
                                                   std::vector<Note>& notes);
 
 /// Displacements of the rim and its stresses at the line of the tooth roots, at one torque.
 struct RimState {
-  double position = 0.0;            ///< from the major axis [rad]
+  double position = 0.0;            ///< angle from the major axis [rad]
   double radial = 0.0;              ///< w, outward [m]
   double tangential = 0.0;          ///< v, toward +theta [m]
   double rim_outside_stress = 0.0;  ///< hoop stress at the tooth roots [Pa]
@@ -202,7 +204,7 @@ struct RimState {
   static constexpr bool kTableRow = true;
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"position", "rad", "from the major axis"}, &RimState::position);
+    field({"position", "rad", "angle from the major axis"}, &RimState::position);
     field({"radial", "m", "w, outward"}, &RimState::radial);
     field({"tangential", "m", "v, toward +theta"}, &RimState::tangential);
     field({"rim_outside_stress", "Pa", "hoop stress at the tooth roots"},
@@ -221,7 +223,7 @@ struct RimState {
 /// Implements theory manual eq. (TC-24).  Ring theory leaves out stress concentrations at tooth
 /// roots and fillets.
 ///
-/// @param torque     T at the output [N*m], finite
+/// @param torque     torque T at the output [N*m], finite
 /// @param positions  number of positions, evenly over a turn; > 0
 /// @throws SolverError  if there is no equilibrium
 [[nodiscard]] std::vector<RimState> rim_states(const AssembledDrive& drive, double torque,
@@ -238,9 +240,9 @@ struct MakersLines {
   double K1 = 0.0;    ///< T1/phi(T1) [N*m/rad]
   double K2 = 0.0;    ///< (T2 - T1)/(phi(T2) - phi(T1)) [N*m/rad]
   double K3 = 0.0;    ///< (T3 - T2)/(phi(T3) - phi(T2)) [N*m/rad]
-  double phi1 = 0.0;  ///< at T1 [rad]
-  double phi2 = 0.0;  ///< at T2 [rad]
-  double phi3 = 0.0;  ///< at T3 [rad]
+  double phi1 = 0.0;  ///< twist at T1 [rad]
+  double phi2 = 0.0;  ///< twist at T2 [rad]
+  double phi3 = 0.0;  ///< twist at T3 [rad]
 
   template <class Visitor>
   static void describe(Visitor&& field) {

@@ -71,7 +71,7 @@ struct Side {
   Outputs outputs;
   std::vector<std::string> order;  // of the outputs
   double left_out = 0.0;           // lambda_l over the sound sum (ST-18)
-  Inputs tables;  // contents of tables of compliances by path of the field; a result has none
+  Inputs tables;  // contents of the tables of compliances, by path of the field; empty for a result
 };
 
 constexpr std::string_view kTableField = ".compliance_table";
@@ -133,8 +133,8 @@ Side side_of_result(const std::string& text, const std::string& name) {
   } catch (const InputError&) {
   }
   throw InputError(name,
-                   "is neither a drive nor a result: write one with strainwave stiffness FILE "
-                   "--format json --output RESULT");
+                   "is neither a drive nor a result; strainwave stiffness FILE --format json "
+                   "--output RESULT writes a result");
 }
 
 Side side_of(const std::string& name, Method method, const Request& request) {
@@ -157,14 +157,14 @@ Side side_of(const std::string& name, Method method, const Request& request) {
 /// What two texts say of one input.
 struct InputDifference {
   std::string path;
-  std::string first;  ///< empty: it is not there
+  std::string first;  ///< empty if absent
   std::string second;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"path", "", "field of the input"}, &InputDifference::path);
-    field({"first", "", "of the first; empty: not there"}, &InputDifference::first);
-    field({"second", "", "of the second; empty: not there"}, &InputDifference::second);
+    field({"first", "", "value in the first; empty if absent"}, &InputDifference::first);
+    field({"second", "", "value in the second; empty if absent"}, &InputDifference::second);
   }
 };
 
@@ -197,7 +197,7 @@ struct Difference {
   std::vector<InputDifference> inputs;
   std::vector<OutputDifference> outputs;   ///< beyond the uncertainty of their difference
   std::vector<OutputDifference> within;    ///< others that differ
-  std::vector<OutputDifference> unstated;  ///< that differ without a stated uncertainty
+  std::vector<OutputDifference> unstated;  ///< outputs that differ without a stated uncertainty
   std::vector<std::string> only_first;
   std::vector<std::string> only_second;
   std::size_t equal = 0;
@@ -212,7 +212,7 @@ struct Difference {
     field({"coverage", "1", "number of standard uncertainties that a difference must exceed"},
           &D::coverage);
     field({"inputs", "", "that differ"}, &D::inputs);
-    field({"outputs", "", "that differ by more than the uncertainty of their difference"},
+    field({"outputs", "", "outputs that differ by more than the uncertainty of their difference"},
           &D::outputs);
     field({"within_uncertainty", "", "outputs that differ by less"}, &D::within);
     field({"uncertainty_not_stated", "", "outputs that differ without a stated uncertainty"},
@@ -297,7 +297,7 @@ Parts parts_of(const Side& side, std::string_view drive) {
   return parts;
 }
 
-/// The slopes of an output of the series model; none of any other output (ST-19).
+/// The slopes of an output of the series model (ST-19); empty for any other output.
 Slopes slopes_of(const Side& side, const std::string& path) {
   Slopes slopes;
   for (const std::string_view drive : kDrives) {
@@ -338,10 +338,12 @@ std::optional<double> part_uncertainty(const Side& side, const std::string& path
   return found != side.outputs.end() ? found->second.relative_uncertainty : std::nullopt;
 }
 
-/// What an output of the sum is in the drive, with what the sum leaves out (ST-18).
+/// The values of an output of the sum in the coupled drive, which contains what the sum leaves out
+/// (ST-18).
 struct InDrive {
-  bool coupled = false;        ///< from the coupled drive
-  std::vector<double> values;  ///< at K1, K2, K3, or one; none of any other output
+  bool coupled = false;  ///< from the coupled drive
+  std::vector<double>
+      values;  ///< values at K1, K2, K3, or a single value; empty for all other outputs
 };
 
 InDrive in_drive(const Side& side, const std::string& path) {
@@ -377,7 +379,7 @@ InDrive in_drive(const Side& side, const std::string& path) {
   return {};
 }
 
-/// What the sums leave out, in second - first: u_l of (ST-19).
+/// Uncertainty u_l of the difference, second minus first, from what the sums leave out (ST-19).
 double left_out_of(const Side& first, const Side& second, const std::string& path,
                    const SameParts& same) {
   const InDrive a = in_drive(first, path);
@@ -398,8 +400,9 @@ double left_out_of(const Side& first, const Side& second, const std::string& pat
   return farthest(differences, y_b - y_a);
 }
 
-/// One standard uncertainty of second - first: the model error of a part that is the same in both
-/// is one error, which cancels; those of a part that differs are two; and what the sums leave out
+/// One standard uncertainty of second - first: a part that is the same in both has a single model
+/// error, which cancels; a part that differs has two independent errors; a further term is what the
+/// sums leave out
 /// (ST-19).
 std::optional<double> uncertainty_of(const Side& first, const Side& second, const std::string& path,
                                      const SameParts& same) {
@@ -456,7 +459,7 @@ std::vector<InputDifference> differing_inputs(const Side& first, const Side& sec
   return differing;
 }
 
-/// The fields of tables whose contents a side does not have: nobody can tell whether they differ.
+/// The fields of tables whose contents are missing on one side, so that a comparison is impossible.
 std::vector<InputDifference> unknown_tables(const Side& first, const Side& second) {
   std::vector<InputDifference> unknown;
   for (const Side* const side : {&first, &second})
@@ -470,10 +473,11 @@ Difference difference(const Request& request, const DiffOptions& options) {
   const Side first = side_of(options.first, options.method, request);
   const Side second = side_of(options.second, options.method, request);
   if (first.command != second.command)
-    throw InputError(options.second,
-                     fmt::format("is a result of {}, and {} one of {}: compare results of one "
-                                 "command",
-                                 second.command, options.first, first.command));
+    throw InputError(
+        options.second,
+        fmt::format(
+            "is a result of {}, but {} is a result of {}; compare results of the same command",
+            second.command, options.first, first.command));
   Difference difference{.first = options.first,
                         .second = options.second,
                         .coverage = options.coverage,
@@ -501,9 +505,10 @@ Difference difference(const Request& request, const DiffOptions& options) {
     const Output& a = first.outputs.at(path);
     const Output& b = other->second;
     if (a.unit != b.unit)
-      throw InputError(options.second, fmt::format("has {} in {}, and {} in {}: write both without "
-                                                   "--units",
-                                                   path, b.unit, options.first, a.unit));
+      throw InputError(
+          options.second,
+          fmt::format("has {} in {}, but {} has it in {}; write both results without --units", path,
+                      b.unit, options.first, a.unit));
     OutputDifference differing{.path = path,
                                .unit = a.unit,
                                .first = a.value,
@@ -525,7 +530,7 @@ Difference difference(const Request& request, const DiffOptions& options) {
   return difference;
 }
 
-/// An input in the unit for people: "0.1 mm" for "0.0001 m".
+/// An input in its display unit, such as "0.1 mm" for "0.0001 m".
 std::string shown_input(const std::string& path, const std::string& text) {
   if (text.empty()) return "-";
   const std::size_t length = number_length(text);
@@ -534,7 +539,8 @@ std::string shown_input(const std::string& path, const std::string& text) {
   return shown_quantity(*value, text.substr(length + 1), 9, path);
 }
 
-/// The drives' parts that outputs belong to, such as cracks; an output of none as it is.
+/// The parts of the drives to which outputs belong, such as cracks; an output that belongs to no
+/// part stays unchanged.
 std::set<std::string> parts_with(const std::vector<std::string>& paths) {
   std::set<std::string> parts;
   for (const std::string& path : paths) {
@@ -582,7 +588,7 @@ std::string difference_text(const Difference& difference) {
   text += '\n';
   only("first", difference.only_first);
   only("second", difference.only_second);
-  text += fmt::format("Of the others, {} differ by less and {} are the same.\n",
+  text += fmt::format("Of the other outputs, {} differ by less and {} are the same.\n",
                       difference.within.size(), difference.equal);
   return text + equations_text(difference.equations);
 }
@@ -608,12 +614,12 @@ std::string difference_csv(const Difference& difference) {
 Command diff_command() {
   return command<DiffOptions, Difference>({
       .name = "diff",
-      .summary = "What differs between two drives or two results",
+      .summary = "Compare two drives or two results",
       .description =
           "Compares two drives, or two results that --format json wrote. Prints the inputs that "
           "differ, and the outputs that differ by more than the uncertainty of their difference: "
-          "the model error of a member or crack that is the same in both cancels, that of one "
-          "whose inputs differ does not. The csv and json formats also list the outputs that "
+          "the model error of a member or crack cancels if its inputs are the same in both; "
+          "otherwise it counts. The csv and json formats also list the outputs that "
           "differ by less.",
       .example = "strainwave diff examples/article.toml examples/through_crack.toml",
       .takes = Takes::nothing,

@@ -43,10 +43,10 @@ struct Meaning {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"kind", "", "what the word names"}, &Meaning::kind);
+    field({"kind", "", "the kind of thing that the word names"}, &Meaning::kind);
     field({"name", "", "in full"}, &Meaning::name);
     field({"text", "", "what it means"}, &Meaning::text);
-    field({"more", "", "the command that tells more; empty: none"}, &Meaning::more);
+    field({"more", "", "the command that prints more; empty if there is none"}, &Meaning::more);
   }
 };
 
@@ -56,12 +56,12 @@ struct Explained {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"word", "", "as it was given"}, &Explained::word);
+    field({"word", "", "the word as it was given"}, &Explained::word);
     field({"meanings", "", "each thing of this name"}, &Explained::meanings);
   }
 };
 
-/// Gathers meanings of a word, and the words near to one that has none.
+/// Collects the meanings of a word or, for an unknown word, the nearest known words.
 class Search {
  public:
   explicit Search(std::string_view word) : word_(word) {}
@@ -97,16 +97,15 @@ class Search {
 
   [[nodiscard]] std::string_view word() const { return word_; }
 
-  /// @throws OptionError  nothing has this name
+  /// @throws OptionError  if nothing has this name
   Explained explained() && {
     if (meanings_.empty()) {
       const std::string near = nearest_word(word_, known_);
       throw OptionError(
           "word",
           near.empty()
-              ? fmt::format("{} is unknown to strainwave; strainwave --help "
-                            "lists the commands, strainwave schema --format markdown "
-                            "the fields",
+              ? fmt::format("{} is unknown to strainwave; strainwave --help lists the commands, "
+                            "and strainwave schema --format markdown lists the fields",
                             shown(word_))
               : fmt::format("{} is unknown to strainwave; did you mean {}?", shown(word_), near));
     }
@@ -119,7 +118,7 @@ class Search {
   std::vector<Meaning> meanings_;
 };
 
-/// The text of a note with dots for what a run puts in.
+/// The text of a note with dots in place of the values of a run.
 std::string without_places(std::string_view text) {
   std::string shown;
   while (!text.empty()) {
@@ -150,8 +149,8 @@ void search_unit(Search& search, const std::vector<ListedField>& fields) {
   std::string text = known != known_units().end() ? fmt::format("a unit of {}", known->kind)
                                                   : "a product of units";
   if (first != fields.end())
-    text += fmt::format("; 1 {} = {} {}; {} takes it, and {} more fields of the input",
-                        search.word(), unit.factor, first->field.unit, first->path,
+    text += fmt::format("; 1 {} = {} {}; {} and {} more fields of the input take it", search.word(),
+                        unit.factor, first->field.unit, first->path,
                         std::ranges::count_if(fields, takes) - 1);
   search.found("unit", search.word(), std::move(text), "strainwave units");
 }
@@ -203,9 +202,10 @@ Explained explained(std::string_view word, std::span<const Command> table) {
     search.field("field of the input", listed, "strainwave schema --format markdown");
   search_unit(search, fields);
   for (const auto& [code, text] : note_texts())
-    search.thing(
-        "note", code,
-        text.empty() ? "The text depends on the case; the result shows it" : without_places(text));
+    search.thing("note", code,
+                 text.empty()
+                     ? "The text of this note depends on the drive; a result shows the text"
+                     : without_places(text));
   for (const auto& [tag, title] : equation_titles())
     search.thing("equation of the theory manual", tag, std::string(title));
   for (const auto& [status, meaning] : kExitStatuses)
@@ -236,7 +236,7 @@ std::string explained_text(const Explained& explained) {
     if (!more.empty()) text += paragraph("More: " + more, 2, 0);
   }
   if (explained.meanings.size() > kMost)
-    text += fmt::format("{} more; --format json shows all; a longer path gives fewer\n",
+    text += fmt::format("{} more; --format json shows all, and a longer path gives fewer\n",
                         explained.meanings.size() - kMost);
   return text;
 }
@@ -246,12 +246,12 @@ std::string explained_text(const Explained& explained) {
 Command explain_command(std::span<const Command> (*table)()) {
   return command<ExplainOptions, Explained>({
       .name = "explain",
-      .summary = "What a word means: a field, a unit, a note, an equation and more",
-      .description =
-          "Explains a word on one screen: the path of a field of the input or of an output, also "
-          "in part; a unit; the code of a note; the tag of an equation; an exit status; a "
-          "material; a stress intensity solution; a command or an option. For an unknown word it "
-          "suggests the nearest known one.",
+      .summary = "Explain a word: a field, a unit, a note, an equation and more",
+      .description = "Explains a word on one screen. The word may be the path of an input field or "
+                     "of an output, or a part of a path; a unit; the code of a note; the tag of an "
+                     "equation; an exit status; a material; a stress intensity solution; a command "
+                     "or an option. For an unknown word it "
+                     "suggests the nearest known one.",
       .example = "strainwave explain flexspline.crack[0].half_length",
       .takes = Takes::nothing,
       .function = [table](const Request&,

@@ -36,13 +36,14 @@ constexpr std::string_view kSchemaLine = "#:schema ./strainwave-drive-1.schema.j
 NewDrive drive_of(const Request&, const NewOptions& options) {
   if (options.size.has_value() != options.ratio.has_value())
     throw OptionError(options.size ? "ratio" : "size",
-                      "must be given: size and ratio go together, or leave both out");
+                      "must be given; give both size and ratio, or neither");
   if (!options.size) return {std::string(kSchemaLine) + input_template()};
   const CommentedDrive drive =
       from_option([&] { return starting_drive(*options.size, *options.ratio, options.cup); });
   return {std::string(kSchemaLine) +
-          "# A typical drive of this size and ratio: no maker publishes the geometry of one.\n"
-          "# Behind each number: how it is known, its limits, and where they come from.\n" +
+          "# A typical drive of this size and ratio, because makers do not publish the geometry of "
+          "a drive.\n"
+          "# The comment behind each number states its origin, its limits and their origin.\n" +
           gear_text(drive.gear, drive.comments)};
 }
 

@@ -59,16 +59,16 @@ Command sensitivity_command() {
       .name = "sensitivity",
       .summary = "Find the inputs that determine stiffness and its loss",
       .description =
-          "Prints the elasticities of K1, K2, K3 of the coupled drive, where it is solved, of the "
-          "stiffness K_HD of the sum of the members, sound and cracked under both senses of "
-          "torque, "
-          "and of its loss by cracks, to every number of the file: per cent of output per per cent "
-          "of input, exact by automatic differentiation of the corrected method and of the "
-          "equilibrium of the contacts, the largest first. Their sums must reproduce the "
-          "dimensions of the outputs; if not, the "
-          "answer is refused. With --scatter, the relative standard deviations that the file "
-          "gives under [[scatter]] are propagated by first order and by Monte Carlo, with the "
-          "share of each input; draws that break a rule of the input are counted.",
+          "Prints the elasticities of the stiffness K_HD of the sum of the members, sound and "
+          "cracked under both senses of torque, and of its loss by cracks, with respect to every "
+          "number of the file. If the coupled drive can be solved, the elasticities of its K1, K2, "
+          "K3 come first. An elasticity is per cent of output per per cent of input. Automatic "
+          "differentiation of the corrected method and of the equilibrium of the contacts gives "
+          "exact values; the largest come first. The sums of the elasticities must reproduce the "
+          "dimensions of the outputs; otherwise the answer is refused. With --scatter, the "
+          "relative standard deviations that the file gives under [[scatter]] are propagated by "
+          "first order and by Monte Carlo, with the share of each input. Draws that break a rule "
+          "of the input are counted.",
       .example = "strainwave sensitivity examples/article_scatter.toml --scatter --plot "
                  "tornado.svg",
       .function = report_of,

@@ -29,20 +29,19 @@ Command stiffness_command() {
       .name = "stiffness",
       .summary = "Compute the torsional stiffness of a drive, sound and cracked",
       .description =
-          "Reads a drive and its cracks and prints the verdict; where the file gives enough for "
-          "the "
-          "coupled drive, K1, K2, K3, the wind-up and what the cracks change in them, for both "
-          "senses of torque; then the sum of the members without contacts: the compliance of each "
-          "member at the output with the input locked, without and with its cracks, the stiffness "
-          "K_HD and its change; the accuracy of each number, the validity notes and the equations "
-          "of the theory manual. Where a material gives toughness and yield "
-          "strength, also the strength of each crack at the given load: stress intensity against "
-          "toughness, net section against yield, reserve and critical size by a failure "
-          "assessment diagram (option 1 of BS 7910), which --plot draws and --fad tabulates; a "
-          "crack that fractures is answered, with a warning. Three methods: as-printed evaluates "
-          "every equation of the article, misprints included; repaired mends its outright errors; "
-          "corrected is the one to use. The json format carries all digits, units, uncertainties "
-          "and the input as it was understood.",
+          "Reads a drive with its cracks and prints the verdict first. If the file gives enough "
+          "for the coupled drive, K1, K2, K3, the wind-up and their changes by cracks follow, for "
+          "both senses of torque. The sum of the members without contacts comes next: the "
+          "compliance of each member at the output with the input locked, without and with its "
+          "cracks, the stiffness K_HD and its change. The output also contains the accuracy of "
+          "each number, the validity notes and the equations of the theory manual. If a material "
+          "gives toughness and yield strength, the strength of each crack at the given load "
+          "follows: stress intensity against toughness, net section against yield, reserve and "
+          "critical size by a failure assessment diagram (option 1 of BS 7910). --plot draws this "
+          "diagram and --fad tabulates it. For a crack that fractures, the answer carries a "
+          "warning. There are three methods: as-printed evaluates every equation of the article "
+          "with its misprints; repaired corrects the plain errors; corrected is the method to use. "
+          "The json format contains all digits, units, uncertainties and the input as it was read.",
       .example = "strainwave stiffness examples/article.toml --format json --output article.json",
       .function = stiffness,
       .documents = {{Format::text,

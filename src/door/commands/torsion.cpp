@@ -37,14 +37,13 @@ Command torsion_command() {
       .name = "torsion",
       .summary = "Compute the torsion curve in the maker's numbers: K1, K2, K3",
       .description =
-          "Solves the drive as one system, elastic rings on one-sided balls and flanks, and prints "
-          "the twist over the torque for both senses: K1, K2, K3 over the maker's torques, the "
-          "twist "
-          "at the torque of the load, lost motion, hysteresis loop of the flank friction, tangent "
-          "stiffness and what each member "
-          "has of it, forces and contacts. The file must give bearing, flexspline by sections and "
-          "mesh. Ranges in the file are drawn from and give a band. With --compare, the same "
-          "without the cracks, and the changes over a turn of the wave generator.",
+          "Solves the drive as one system of elastic rings on one-sided balls and flanks, and "
+          "prints the twist over the torque for both senses: K1, K2, K3 over the maker's torques, "
+          "the twist at the torque of the load, lost motion, hysteresis loop from flank friction, "
+          "tangent stiffness with the share of each member, forces and contacts. The file must "
+          "give bearing, flexspline by sections and mesh. If the file gives ranges, drives are "
+          "drawn from them and give a band. With --compare, the same numbers without the cracks "
+          "and the changes over a turn of the wave generator follow.",
       .example = "strainwave torsion examples/catalogue_size25.toml --plot torsion.svg",
       .function =
           [](const Request& request, const TorsionOptions& o) {

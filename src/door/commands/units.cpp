@@ -26,17 +26,18 @@ struct UnitRow {
   bool prefixed = false;  ///< it takes prefixes
   double factor = 0.0;    ///< value in SI of one of this unit
   std::string si;         ///< unit of the factor
-  std::string written;    ///< a field of the input that takes it; empty: none by itself
+  std::string written;    ///< a field of the input that takes the unit; empty if no field takes the
+                          ///< unit alone
 
   static constexpr bool kTableRow = true;
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"unit", "", "as a text names it"}, &UnitRow::unit);
-    field({"dimension", "", "what it is a unit of"}, &UnitRow::dimension);
-    field({"takes_prefix", "", "whether a prefix may stand before it"}, &UnitRow::prefixed);
-    field({"factor", "1", "to the SI unit"}, &UnitRow::factor);
+    field({"unit", "", "name of the unit in a text"}, &UnitRow::unit);
+    field({"dimension", "", "dimension of the unit"}, &UnitRow::dimension);
+    field({"takes_prefix", "", "whether a prefix may stand before the unit"}, &UnitRow::prefixed);
+    field({"factor", "1", "factor to the SI unit"}, &UnitRow::factor);
     field({"si", "", "the SI unit"}, &UnitRow::si);
-    field({"written_in", "", "a field of the input that takes it"}, &UnitRow::written);
+    field({"written_in", "", "a field of the input that takes the unit"}, &UnitRow::written);
   }
 };
 
@@ -58,8 +59,8 @@ struct UnitList {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"units", "", "all that a quantity can be made of"}, &UnitList::units);
-    field({"prefixes", "", "of units that take one"}, &UnitList::prefixes);
+    field({"units", "", "units of which a quantity can be made"}, &UnitList::units);
+    field({"prefixes", "", "prefixes of the units that take one"}, &UnitList::prefixes);
   }
 };
 
@@ -111,7 +112,7 @@ UnitList unit_list() {
 }
 
 Table units_table(const UnitList& list, std::string_view prefixed) {
-  Table table{.head = {"unit", "dimension", "in SI", "SI unit", "where it is written"},
+  Table table{.head = {"unit", "dimension", "in SI", "SI unit", "where the unit is written"},
               .align = "llrll"};
   for (const UnitRow& row : list.units)
     table.rows.push_back(cells(row.unit + (row.prefixed ? std::string(prefixed) : std::string()),
@@ -135,10 +136,11 @@ std::string units_text(const UnitList& list) {
 Command units_command() {
   return command<UnitsOptions, UnitList>({
       .name = "units",
-      .summary = "All units: dimension, factor to SI, and where they are written",
+      .summary = "List all units with dimension, factor to SI and a field that takes them",
       .description =
           "Prints the units that the input file, the options and --units know, each with its "
-          "dimension, its factor to SI and a field of the input that takes it, and the prefixes. "
+          "dimension, its factor to SI and a field of the input that takes the unit, and the "
+          "prefixes. "
           "Products of units are formed with * / ^ and parentheses.",
       .example = "strainwave units --format csv",
       .takes = Takes::nothing,

@@ -66,7 +66,7 @@ Complementarity solve_complementarity(const Eigen::MatrixXd& M, const Eigen::Vec
 struct Pair {
   Node upper;
   Node lower;
-  Tensor<1, 3> normal;                        ///< from lower to upper
+  Tensor<1, 3> normal;                        ///< normal from lower to upper
   double area;                                ///< the node's share of the crack [m^2]
   std::vector<std::pair<Index, double>> row;  ///< gap of the pair as a sum over unconstrained dofs
 };

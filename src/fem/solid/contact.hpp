@@ -14,7 +14,7 @@ namespace strainwave::fem::solid {
 struct Contact {
   Vector u;                      ///< displacements with the contact [m]
   Vector forces;                 ///< nodal forces of the contact [N]
-  std::vector<double> pressure;  ///< at a node's first dof [Pa]
+  std::vector<double> pressure;  ///< pressure at a node's first dof [Pa]
   std::set<Index> on_front;      ///< first dofs of the nodes that both sides share
   double share = 0;              ///< share of the crack's area that touches [-]
   int iterations = 0;

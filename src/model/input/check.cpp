@@ -84,9 +84,9 @@ void check_race_crack(const FieldPath& at, const GearSet& gear, const Crack& cra
                      "is read only with stress_driver = \"orthogonal_shear\"");
 }
 
-/// A crack of the inner ring lies across the hoop stress that opens it: its length runs along the
-/// axis of the drive, over the width of the ring.  A ring without a width is at least no wider than
-/// its circumference.
+/// A crack of the inner ring lies across the hoop stress that opens it, so its length runs along
+/// the axis of the drive, over the width of the ring.  If the file gives no width, assume that the
+/// ring is not wider than its circumference.
 void check_length_in_ring(const FieldPath& at, const GearSet& gear, const RaceSurfaceCrack& crack) {
   const WaveGenerator& wg = *gear.wave_generator;
   const double length = 2 * crack.depth / crack.aspect_ratio;
@@ -255,7 +255,8 @@ void check_cracks(const GearSet& gear, const FieldPath& member, const Cracks& cr
                cracks[i]);
 }
 
-/// Balls fit side by side on the pitch circle, and no more carry a lobe than there are.
+/// Checks that the balls fit side by side on the pitch circle, and that no more balls carry a lobe
+/// than there are.
 void check_balls(const FieldPath& path, const Bearing& bearing) {
   if (!bearing.ball_count) return;
   const int count = *bearing.ball_count;
@@ -282,7 +283,7 @@ void check_wave_generator(const GearSet& gear) {
   if (sources > 1)
     throw InputError(
         (path / (wg.radial_stiffness && wg.displacements ? "displacements" : "bearing")).text(),
-        "is one source of the radial stiffness too many; give one of radial_stiffness, "
+        "is a second source of the radial stiffness; give only one of radial_stiffness, "
         "displacements, bearing");
   if (wg.displacements) {
     const LobeDisplacements& d = *wg.displacements;
@@ -309,8 +310,9 @@ void check_wave_generator(const GearSet& gear) {
             wg.bearing->ball_diameter, "m",
             "ball_diameter <= (outer_raceway_diameter - inner_raceway_diameter)/2");
     if (wg.contact_semi_axes)
-      throw InputError((path / "contact_semi_axes").text(),
-                       "is one source of the contact too many; it follows from bearing");
+      throw InputError(
+          (path / "contact_semi_axes").text(),
+          "is a second source of the contact, which follows from bearing; remove one of them");
     if (wg.bearing->ball_count)
       require(*wg.bearing->ball_count >= 3 && *wg.bearing->ball_count <= 200,
               (bearing / "ball_count").text(), *wg.bearing->ball_count, "1", ">= 3 and <= 200");
@@ -473,11 +475,14 @@ void check_scatter(const GearSet& gear, std::size_t which) {
     throw InputError((path / "path").text(), "must be a number of the drive, not of its scatter");
   if (number.value == 0)
     throw InputError((path / "path").text(),
-                     fmt::format("{} is 0, of which no share can scatter", scatter.path));
+                     fmt::format("{} is 0, so a relative scatter has no effect; give a value other "
+                                 "than 0 or remove the scatter",
+                                 scatter.path));
   for (std::size_t i = 0; i < which; ++i)
     if (gear.scatter[i].path == scatter.path)
       throw InputError((path / "path").text(),
-                       fmt::format("{} scatters already by scatter[{}]", scatter.path, i));
+                       fmt::format("{} already has a scatter, scatter[{}]; remove one of them",
+                                   scatter.path, i));
 }
 
 void check_output_shaft(const GearSet& gear) {
@@ -489,7 +494,8 @@ void check_output_shaft(const GearSet& gear) {
   check_cracks(gear, path, shaft.crack);
 }
 
-/// Far beyond every drive; beyond it, lengths cannot be told from their sums and differences.
+/// A limit far beyond the size of any drive.  Beyond this limit, sums and differences of lengths
+/// lose their digits.
 constexpr double kLongest = 1e6;  // m
 
 bool too_long(const Field& field, double value) {

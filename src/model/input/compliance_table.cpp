@@ -85,7 +85,8 @@ void check_one(const GearSet& gear, const std::string& path, const Crack& crack)
     throw InputError(at, fmt::format("\"{}\" {}", shown(file), problem));
   };
   if (table.kind != Crack::kKind)
-    refuse(fmt::format("is of cracks of kind \"{}\", not \"{}\"", shown(table.kind), Crack::kKind));
+    refuse(fmt::format("is a table of cracks of kind \"{}\", not \"{}\"", shown(table.kind),
+                       Crack::kKind));
   const auto numbers = crack_parameters(Lift<double>(), gear, crack);
   const auto same_unit = [&](const auto& given, const auto& number) {
     if (given.unit != number.unit)
@@ -97,7 +98,7 @@ void check_one(const GearSet& gear, const std::string& path, const Crack& crack)
     if (axis != table.axes.end()) {
       same_unit(*axis, number);
       if (!(number.value >= axis->nodes.front() && number.value <= axis->nodes.back()))
-        refuse(fmt::format("reaches from {} to {} in {}, and the drive has {}",
+        refuse(fmt::format("covers {} to {} of {}, but the drive has {}",
                            shown_quantity(axis->nodes.front(), number.unit, 9, number.name),
                            shown_quantity(axis->nodes.back(), number.unit, 9, number.name),
                            number.name, shown_quantity(number.value, number.unit, 9, number.name)));
@@ -108,13 +109,13 @@ void check_one(const GearSet& gear, const std::string& path, const Crack& crack)
       refuse(fmt::format("does not state the {} of its computation", number.name));
     same_unit(*fixed, number);
     if (!agree(fixed->value, number.value))
-      refuse(fmt::format("was made with {} = {}, and the drive has {}", number.name,
+      refuse(fmt::format("was made with {} = {}, but the drive has {}", number.name,
                          shown_quantity(fixed->value, number.unit, 9, number.name),
                          shown_quantity(number.value, number.unit, 9, number.name)));
   }
   if constexpr (requires { crack.angle; })
     if (gear.load.axial_force != 0)
-      refuse("is of torque alone: load.axial_force must be 0 beside it");
+      refuse("is a table for torque alone, so load.axial_force must be 0");
 }
 
 }  // namespace

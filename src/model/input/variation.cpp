@@ -21,9 +21,8 @@ void check_variation(const Variation& variation, std::string_view option_name) {
                      fmt::format("{} points; must be from 2 to {}", n_points, kMaxSweepPoints));
   const bool one_sign = (from > 0 && to > 0) || (from < 0 && to < 0);
   if (spacing == Spacing::logarithmic && !one_sign)
-    throw InputError(option, fmt::format("{}..{} spaced by equal ratios (log) must not reach or "
-                                         "cross 0",
-                                         from, to));
+    throw InputError(
+        option, fmt::format("{}..{} with equal ratios (log) must not reach or cross 0", from, to));
 }
 
 double Variation::value(int i) const {
@@ -53,9 +52,9 @@ Variation parse_variation(const GearSet& gear, std::string_view text,
   if (const std::size_t next = points.find(':'); next != std::string_view::npos) {
     const std::string_view spacing = without_blanks(points.substr(next + 1));
     if (spacing != "log")
-      throw InputError(option, fmt::format("\"{}\" after the number of points; only \"log\" can "
-                                           "stand there",
-                                           spacing));
+      throw InputError(
+          option, fmt::format("has \"{}\" after the number of points, where only \"log\" may stand",
+                              spacing));
     variation.spacing = Spacing::logarithmic;
     points = points.substr(0, next);
   }

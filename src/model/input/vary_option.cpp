@@ -44,7 +44,7 @@ Interval parse_interval(const NumberAt& number, std::string_view text,
   const Interval interval{parse_quantity(option, text.substr(0, dots), number.field.unit),
                           parse_quantity(option, text.substr(dots + 2), number.field.unit)};
   if (interval.from == interval.to)
-    throw InputError(option, fmt::format("\"{}\" begins where it ends", text));
+    throw InputError(option, fmt::format("\"{}\" has equal ends; give two different values", text));
   return interval;
 }
 

@@ -26,7 +26,7 @@ Verdict verdict_of(std::string_view unusable_because, std::span<const Note> note
   const auto worst = std::ranges::max_element(notes, {}, &Note::severity);
   if (!unusable_because.empty())
     return {Judgement::cannot_be_told, std::string(unusable_because),
-            "Do not use the numbers: change what the reason names, and run again."};
+            "Do not use the numbers; change what the reason names, and run again."};
   if (worst == notes.end() || worst->severity == Severity::information)
     return {Judgement::good, "no note limits the answer", {}};
   return {judgement_of(worst->severity),

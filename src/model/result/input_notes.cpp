@@ -13,7 +13,8 @@
 namespace strainwave {
 namespace {
 
-/// A size outside of the usual range of its field; 0 stands for nothing, and is none.
+/// Whether a magnitude is outside the usual range of its field; 0 means an absent feature and is
+/// usual.
 bool unusual(const Field& field, double value) {
   return value != 0 && !usual_range(field).contains(std::abs(value));
 }
@@ -24,7 +25,7 @@ void note_unusual(const GearSet& gear, std::vector<Note>& notes) {
     all_usual = all_usual && !unusual(field, value);
   });
   if (all_usual) return;
-  // Paths are made only now: an ordinary drive is looked through without them.
+  // Make the paths only now, because a usual drive does not need them.
   for_each_number(gear, [&](const FieldPath& path, const Field& field, const double& value) {
     if (!unusual(field, value)) return;
     const Range usual = usual_range(field);
@@ -41,10 +42,10 @@ void note_unusual(const GearSet& gear, std::vector<Note>& notes) {
   });
 }
 
-/// A length of the flexspline that its sections give otherwise.
+/// Notes a length of the flexspline that differs from its sections.
 void note_contradiction(std::vector<Note>& notes, std::string_view field, double given,
                         double by_sections, std::string_view sections) {
-  constexpr double kRounding = 1e-3;  // of numbers with few digits
+  constexpr double kRounding = 1e-3;  // tolerance for numbers with few digits
   if (std::abs(given - by_sections) <= kRounding * by_sections) return;
   notes.push_back(
       {.code = "flexspline.contradiction",
@@ -54,7 +55,7 @@ void note_contradiction(std::vector<Note>& notes, std::string_view field, double
        .path = fmt::format("flexspline.{}", field),
        .equation = "",
        .severity = Severity::care,
-       .next_step = fmt::format("Remove {}: with sections it is not needed.", field)});
+       .next_step = fmt::format("Remove {}; a flexspline by sections does not need it.", field)});
 }
 
 }  // namespace

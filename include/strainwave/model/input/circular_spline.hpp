@@ -35,7 +35,7 @@ struct CircularSpline {
           &CircularSpline::outer_diameter);
     field(Field{.name = "inner_diameter",
                 .unit = "m",
-                .doc = "at the roots of the teeth",
+                .doc = "diameter at the roots of the teeth",
                 .range = kPositive,
                 .example = R"("163.4 mm")"},
           &CircularSpline::inner_diameter);
@@ -45,12 +45,15 @@ struct CircularSpline {
                 .range = kPositive,
                 .example = R"("25 mm")"},
           &CircularSpline::width);
-    field(Field{.name = "support",
-                .unit = "1",
-                .doc = "s_h, share of the free ring's compliance that the housing leaves; 0 rigid",
-                .range = {.lower = 0.0, .lower_open = false, .upper = 1.0, .upper_open = false},
-                .example = "0.5"},
-          &CircularSpline::support);
+    field(
+        Field{
+            .name = "support",
+            .unit = "1",
+            .doc =
+                "s_h, share of the free ring's compliance that remains in the housing; 0 is rigid",
+            .range = {.lower = 0.0, .lower_open = false, .upper = 1.0, .upper_open = false},
+            .example = "0.5"},
+        &CircularSpline::support);
     field(Field{.name = "crack", .unit = "", .doc = "cracks in the ring"}, &CircularSpline::crack);
   }
 };

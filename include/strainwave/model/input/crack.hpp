@@ -29,7 +29,7 @@ enum class CrackShape {
   semi_ellipse,  ///< semi-elliptical, from a surface
   over_width,    ///< constant depth over the width of a ring
   all_round,     ///< constant depth round a shaft
-  through,       ///< from surface to surface
+  through,       ///< a crack through the wall, from surface to surface
   groove,        ///< groove all round, with a stated width
   whole          ///< the whole part, which becomes softer
 };
@@ -107,7 +107,7 @@ struct RaceSurfaceCrack {
   static void describe_driver(Visitor&& field) {
     field(Field{.name = "stress_driver",
                 .unit = "",
-                .doc = "what stresses the crack",
+                .doc = "source of the stress on the crack",
                 .example = R"("orthogonal_shear")",
                 .fallback = R"("orthogonal_shear")"},
           &Crack::stress_driver);
@@ -126,7 +126,8 @@ struct RaceSurfaceCrack {
           &Crack::stress);
     field(Field{.name = "position",
                 .unit = "rad",
-                .doc = "from the wave generator's major axis, toward +theta; coupled drive only",
+                .doc =
+                    "angle from the wave generator's major axis, toward +theta; coupled drive only",
                 .example = R"("0 deg")",
                 .fallback = R"("0 deg")",
                 .in_template = InTemplate::commented},
@@ -178,9 +179,10 @@ constexpr CrackedPart part_of(WallSection section) {
 /// Straight crack through the wall of the flexspline.
 struct WallThroughCrack {
   static constexpr std::string_view kKind = "through";
-  double half_length = 0.0;             ///< a, along the crack [m]; > 0
-  double angle = std::numbers::pi / 4;  ///< beta, from +z toward -theta [rad]; in (-pi/2, pi/2]
-  bool shell_correction = true;         ///< A_I of the curved shell (FR-9); flat plate if false
+  double half_length = 0.0;  ///< a, along the crack [m]; > 0
+  double angle =
+      std::numbers::pi / 4;      ///< angle beta from +z toward -theta [rad]; in (-pi/2, pi/2]
+  bool shell_correction = true;  ///< A_I of the curved shell (FR-9); flat plate if false
   WallSection section = WallSection::barrel;
   /// file of a table (FE-41) that replaces the closed form
   std::optional<std::string> compliance_table = {};
@@ -202,7 +204,7 @@ struct WallThroughCrack {
     describe_place<WallThroughCrack>(field);
     field(Field{.name = "shell_correction",
                 .unit = "",
-                .doc = "raise K_I by the curvature of the shell",
+                .doc = "whether the curvature of the shell raises K_I",
                 .example = "true",
                 .fallback = "true",
                 .in_template = InTemplate::commented},
@@ -212,18 +214,21 @@ struct WallThroughCrack {
 
   template <class Crack, class Visitor>
   static void describe_place(Visitor&& field) {
-    field(Field{.name = "angle",
-                .unit = "rad",
-                .doc = "beta, from the generator (+z) toward -theta; +45 deg is opened by T > 0",
-                .range = {.lower = -std::numbers::pi / 2,
-                          .upper = std::numbers::pi / 2,
-                          .upper_open = false},
-                .example = R"("45 deg")",
-                .fallback = R"("45 deg")"},
-          &Crack::angle);
+    field(
+        Field{
+            .name = "angle",
+            .unit = "rad",
+            .doc =
+                "angle beta from the generator (+z) toward -theta; T > 0 opens a crack at +45 deg",
+            .range = {.lower = -std::numbers::pi / 2,
+                      .upper = std::numbers::pi / 2,
+                      .upper_open = false},
+            .example = R"("45 deg")",
+            .fallback = R"("45 deg")"},
+        &Crack::angle);
     field(Field{.name = "section",
                 .unit = "",
-                .doc = "where the crack is; only with crack_free = \"sections\"",
+                .doc = "section that contains the crack; only with crack_free = \"sections\"",
                 .example = R"("barrel")",
                 .fallback = R"("barrel")",
                 .in_template = InTemplate::commented},
@@ -235,7 +240,7 @@ struct WallThroughCrack {
 struct WallSurfaceCrack {
   static constexpr std::string_view kKind = "surface";
   double depth = 0.0;                   ///< a, into the wall [m]; > 0, < wall thickness
-  double half_length = 0.0;             ///< c, along the surface [m]; >= depth
+  double half_length = 0.0;             ///< half length c along the surface [m]; >= depth
   double angle = std::numbers::pi / 4;  ///< as in WallThroughCrack
   WallSection section = WallSection::barrel;
 
@@ -284,7 +289,7 @@ struct AnnularCrack {
     field(kCrackDepthField, &AnnularCrack::depth);
     field(Field{.name = "solution",
                 .unit = "",
-                .doc = "stress intensity of a solid shaft; a hollow one has a table",
+                .doc = "stress intensity solution of a solid shaft; a hollow shaft uses a table",
                 .example = R"("improved")",
                 .fallback = R"("improved")",
                 .in_template = InTemplate::commented},
@@ -300,7 +305,7 @@ struct RingCrack {
   double depth = 0.0;     ///< a, into the ring [m]; > 0, < its thickness
   double position = 0.0;  ///< angle from the wave generator's major axis, toward +theta [rad]
 
-  /// Length of a ring of a thickness [m] over which the crack softens it, l = 2t [m].
+  /// Length over which the crack softens a ring of thickness t [m], l = 2t [m].
   template <class Real>
   [[nodiscard]] static Real softened_length(const Real& thickness) {
     return 2 * thickness;
@@ -322,7 +327,7 @@ struct RingCrack {
           &RingCrack::depth);
     field(Field{.name = "position",
                 .unit = "rad",
-                .doc = "from the wave generator's major axis, toward +theta",
+                .doc = "angle from the wave generator's major axis, toward +theta",
                 .example = R"("20 deg")",
                 .fallback = R"("0 deg")"},
           &RingCrack::position);
@@ -368,7 +373,8 @@ struct ToothCrack {
           &ToothCrack::stiffness_loss);
     field(Field{.name = "position",
                 .unit = "rad",
-                .doc = "from the wave generator's major axis, toward +theta; the nearest tooth",
+                .doc = "angle from the wave generator's major axis, toward +theta; the crack is in "
+                       "the nearest tooth",
                 .example = R"("10 deg")",
                 .fallback = R"("0 deg")"},
           &ToothCrack::position);
@@ -397,7 +403,7 @@ struct DiaphragmArcCrack {
           &DiaphragmArcCrack::half_length);
     field(Field{.name = "radius",
                 .unit = "m",
-                .doc = "of the arc; the diaphragm's inner radius if left out",
+                .doc = "radius of the arc; the diaphragm's inner radius if left out",
                 .range = kPositive,
                 .example = R"("42 mm")",
                 .in_template = InTemplate::commented},

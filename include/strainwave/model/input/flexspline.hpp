@@ -28,7 +28,7 @@ struct EnumNames<CrackFree> {
   static constexpr std::array<std::string_view, 2> names = {"factor", "sections"};
 };
 
-/// What walls and rings are as a rule [m].
+/// The usual thickness of walls and rings [m].
 inline constexpr Range kUsualThickness{.lower = 5e-5, .upper = 0.2};
 
 /// A round tube: rim, barrel or boss of a flexspline.
@@ -96,19 +96,19 @@ struct Diaphragm {
   static void describe(Visitor&& field) {
     field(Field{.name = "outer_diameter",
                 .unit = "m",
-                .doc = "where it meets the barrel",
+                .doc = "diameter at which the diaphragm meets the barrel",
                 .range = kPositive,
                 .example = R"("157.76 mm")"},
           &Diaphragm::outer_diameter);
     field(Field{.name = "inner_diameter",
                 .unit = "m",
-                .doc = "where it meets the boss",
+                .doc = "diameter at which the diaphragm meets the boss",
                 .range = kPositive,
                 .example = R"("80 mm")"},
           &Diaphragm::inner_diameter);
     field(Field{.name = "thickness",
                 .unit = "m",
-                .doc = "constant thickness; with a profile, that at the outer diameter",
+                .doc = "constant thickness; with a profile, the thickness at the outer diameter",
                 .range = kPositive,
                 .example = R"("3 mm")",
                 .usual = kUsualThickness},
@@ -154,9 +154,10 @@ template <class Real>
 struct Flexspline {
   std::string material;
   FlexsplineShape shape = FlexsplineShape::cup;
-  /// delta, at the tooth ring [m]; > 0.  `factor` needs it; of `sections` it is that of the rim.
+  /// Wall thickness delta at the tooth ring [m]; > 0. `factor` needs this field; with `sections`
+  /// the rim gives the thickness.
   std::optional<double> wall_thickness = {};
-  /// L [m]; > 0.  `factor` needs it; of `sections` it is that of rim and barrel.
+  /// L [m]; > 0.  `factor` needs this field; with `sections` rim and barrel give the length.
   std::optional<double> length = {};
   CrackFree crack_free = CrackFree::factor;
   /// k of `factor` [-]; absent: 0.83 for a cup, 1 for a cylinder
@@ -175,7 +176,7 @@ struct Flexspline {
   [[nodiscard]] double tube_length() const {
     return crack_free == CrackFree::factor ? *length : (rim ? rim->length : 0.0) + barrel->length;
   }
-  /// Thickness of the wall that the wave generator bends: of the rim, if there is one [m].
+  /// Thickness of the wall that the wave generator bends, which is the rim if there is one [m].
   [[nodiscard]] const double& ring_thickness() const {
     if (crack_free == CrackFree::factor) return *wall_thickness;
     return rim ? rim->wall_thickness : wall_thickness ? *wall_thickness : barrel->wall_thickness;
@@ -196,14 +197,16 @@ struct Flexspline {
           &Flexspline::shape);
     field(Field{.name = "wall_thickness",
                 .unit = "m",
-                .doc = "delta, at the tooth ring; not needed with sections, whose rim gives it",
+                .doc = "wall thickness delta at the tooth ring; not needed with sections, because "
+                       "the rim gives it",
                 .range = kPositive,
                 .example = R"("2.24 mm")",
                 .usual = kUsualThickness},
           &Flexspline::wall_thickness);
     field(Field{.name = "length",
                 .unit = "m",
-                .doc = "L, of the cylinder; not needed with sections, whose rim and barrel give it",
+                .doc = "length L of the cylinder; not needed with sections, because rim and barrel "
+                       "give it",
                 .range = kPositive,
                 .example = R"("160 mm")"},
           &Flexspline::length);
@@ -237,7 +240,7 @@ struct Flexspline {
           &Flexspline::dynamic_load);
     field(Field{.name = "flange_compliance",
                 .unit = "rad/(N*m)",
-                .doc = "of bolts and output flange, added in series",
+                .doc = "compliance of bolts and output flange, added in series",
                 .range = kNonNegative,
                 .example = R"x("0 rad/(N*m)")x",
                 .fallback = R"x("0 rad/(N*m)")x",

@@ -26,7 +26,7 @@ inline constexpr std::string_view kDriveFormat = "strainwave-drive/1";
 /// Transmission data of the drive as a whole.
 struct Transmission {
   double ratio = 0.0;                ///< i_h, circular spline fixed [-]; > 0
-  int wave_number = 2;               ///< U, lobes of the wave generator [-]; 1 to 8
+  int wave_number = 2;               ///< U, number of lobes of the wave generator [-]; 1 to 8
   double pitch_diameter = 0.0;       ///< d_1, of the flexspline [m]; > 0
   double radial_displacement = 0.0;  ///< w_0, amplitude of the flexspline's deflection [m]; > 0
 
@@ -34,14 +34,14 @@ struct Transmission {
   static void describe(Visitor&& field) {
     field(Field{.name = "ratio",
                 .unit = "1",
-                .doc = "i_h, with the circular spline fixed",
+                .doc = "transmission ratio i_h with fixed circular spline",
                 .range = kPositive,
                 .example = "100",
                 .usual = {.lower = 10.0, .upper = 1000.0}},
           &Transmission::ratio);
     field(Field{.name = "wave_number",
                 .unit = "1",
-                .doc = "U, lobes of the wave generator",
+                .doc = "U, number of lobes of the wave generator",
                 .range = {.lower = 1.0, .lower_open = false, .upper = 8.0, .upper_open = false},
                 .example = "2",
                 .fallback = "2"},
@@ -72,12 +72,12 @@ struct Load {
   static void describe(Visitor&& field) {
     field(Field{.name = "torque",
                 .unit = "N*m",
-                .doc = "T at the output, right-handed about +z; both senses are computed",
+                .doc = "torque T at the output, right-handed about +z; both senses are computed",
                 .example = R"("100 N*m")"},
           &Load::torque);
     field(Field{.name = "axial_force",
                 .unit = "N",
-                .doc = "P at the output, tension > 0",
+                .doc = "axial force P at the output, tension > 0",
                 .example = R"("0 N")",
                 .fallback = R"("0 N")"},
           &Load::axial_force);
@@ -153,7 +153,7 @@ struct GearSet {
           &GearSet::name);
     field(Field{.name = "material",
                 .unit = "",
-                .doc = "materials by name; those of the library need none"},
+                .doc = "materials by name; steels of the library need no entry"},
           &GearSet::material);
     field(Field{.name = "drive", .unit = "", .doc = "the drive as a whole"}, &GearSet::drive);
     field(Field{.name = "load", .unit = "", .doc = "static load at the output"}, &GearSet::load);
@@ -228,9 +228,9 @@ void for_each_path_list(Gear& gear, const F& f) {
   f("scatter", gear.scatter);
 }
 
-/// Drops what the lists of for_each_path_list say of numbers that are no longer in the drive, or
-/// that no longer have the value that they had.
-/// @param before  the drive that the lists were written for
+/// Removes the entries of the lists of for_each_path_list whose numbers are no longer in the drive
+/// or have changed their values.
+/// @param before  the drive for which the lists were written
 void drop_lost_paths(GearSet& gear, const GearSet& before);
 
 /// The material that a member names.
@@ -243,11 +243,11 @@ void drop_lost_paths(GearSet& gear, const GearSet& before);
 /// stiffness, ...  Every computation calls it first.
 void check(const GearSet& gear);
 
-/// Sets the number at `path`, such as "output_shaft.crack[0].depth" [unit of the field].  The path
-/// is text: "material.17-4PH H900.yield_strength" needs no quotes.  The origin of a material says
-/// which of its numbers were set to another value.  A number that is set is known: its range and
-/// its scatter go.
-/// @throws InputError  if there is no number at the path; the message names near ones
+/// Sets the number at `path`, such as "output_shaft.crack[0].depth" [unit of the field].  A path is
+/// plain text, so "material.17-4PH H900.yield_strength" needs no quotes.  The origin of a material
+/// records which of its numbers were changed.  The range and the scatter of the number are removed,
+/// because its value is now known.
+/// @throws InputError  if no number has the path; the message names near paths
 void set_number(GearSet& gear, std::string_view path, double value);
 
 /// A number of the gear by its path.

@@ -16,7 +16,7 @@ namespace strainwave {
 /// Two of E, G, nu define the material.  All three may be given, because published examples do so.
 /// Formulas then use the given E, G and nu, and a note reports a contradiction.
 struct Material {
-  /// A record of the material library that gives what this table does not.
+  /// A record of the material library that gives the fields that this table leaves out.
   std::optional<std::string> based_on = {};
   double youngs_modulus = 0.0;           ///< E, Young's modulus [Pa]; > 0
   std::optional<double> shear_modulus;   ///< G (mu in the manual), shear modulus [Pa]; > 0
@@ -28,11 +28,12 @@ struct Material {
   /// Origin of the numbers if the input only names the material: one sentence for the notes of a
   /// result.  Empty if the input gives the numbers.  This is not a field of the input file.
   std::string origin = {};
-  bool verified = true;  ///< false: that sentence names numbers that nobody has checked
-  /// Fields that the material library gives.  No field of the input file.
+  bool verified = true;  ///< false: `origin` names numbers that are not verified
+  /// Fields whose values come from the material library.  The input file does not have this field.
   std::vector<std::string> from_library = {};
 
-  /// A table of the input file, if only to complete a record of the library.
+  /// Whether the input file has a table of this material, even if the table only completes a record
+  /// of the library.
   [[nodiscard]] bool in_file() const { return origin.empty() || based_on; }
 
   template <class Visitor>

@@ -60,8 +60,8 @@ struct Rating {
           &Rating::lost_motion_share);
     field(Field{.name = "friction_torque",
                 .unit = "N*m",
-                .doc = "of seal, grease and bearings, at the output without load; for the "
-                       "hysteresis",
+                .doc = "friction torque of seal, grease and bearings, at the output without load; "
+                       "for the hysteresis",
                 .range = kNonNegative,
                 .example = R"("0 N*m")",
                 .fallback = R"("0 N*m")",
@@ -74,7 +74,7 @@ struct Rating {
 enum class Knowledge {
   catalogue,  ///< a maker's stated value
   typical,    ///< typical of published drives
-  assumed,    ///< assumed, because nobody publishes it
+  assumed,    ///< assumed, because makers do not publish the value
 };
 template <>
 struct EnumNames<Knowledge> {

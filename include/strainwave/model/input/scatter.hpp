@@ -43,7 +43,7 @@ struct InputScatter {
           &InputScatter::relative_standard_deviation);
     field(Field{.name = "distribution",
                 .unit = "",
-                .doc = "about the value in the file, its median or its mean",
+                .doc = "distribution about the value in the file, which is its median or its mean",
                 .example = R"("lognormal")",
                 .fallback = R"("lognormal")"},
           &InputScatter::distribution);

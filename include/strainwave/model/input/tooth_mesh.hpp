@@ -16,9 +16,10 @@ struct ToothMesh {
   double gap_factor = 1.0;  ///< k_g, multiplies the kinematic gap of the flanks [-]; >= 0
   /// chi: 1 for teeth not corrected for the cup's tilt, 0 for corrected [-]
   double coning = 1.0;
-  double lobe_gap = 0.0;              ///< g_0, normal gap at the lobe; < 0 means interference [m]
-  double friction_coefficient = 0.1;  ///< mu, on the flanks, for the hysteresis [-]; >= 0
-  /// C_tr, stiffening of the rim in bending by its teeth [-]; > 0
+  double lobe_gap = 0.0;  ///< g_0, normal gap at the lobe; < 0 means interference [m]
+  double friction_coefficient =
+      0.1;  ///< friction coefficient mu of the flanks, for the hysteresis [-]; >= 0
+  /// C_tr, factor by which the teeth stiffen the rim in bending [-]; > 0
   double rim_stiffening = 1.25;
   std::optional<double> pair_stiffness;  ///< c' of a pair per face width [Pa]; absent: (TC-9)
   std::vector<ToothMeshCrack> crack;
@@ -27,14 +28,14 @@ struct ToothMesh {
   static void describe(Visitor&& field) {
     field(Field{.name = "flank_angle",
                 .unit = "rad",
-                .doc = "alpha, of the working flank against the radius",
+                .doc = "angle alpha of the working flank against the radius",
                 .range = {.lower = 0.0, .upper = std::numbers::pi / 3},
                 .example = R"("22 deg")",
                 .fallback = R"("22 deg")"},
           &ToothMesh::flank_angle);
     field(Field{.name = "gap_factor",
                 .unit = "1",
-                .doc = "k_g, of the kinematic gap between straight flanks",
+                .doc = "factor k_g on the kinematic gap between straight flanks",
                 .range = kNonNegative,
                 .example = "1",
                 .fallback = "1"},
@@ -54,14 +55,14 @@ struct ToothMesh {
           &ToothMesh::lobe_gap);
     field(Field{.name = "friction_coefficient",
                 .unit = "1",
-                .doc = "mu on the flanks, for the hysteresis",
+                .doc = "friction coefficient mu of the flanks, for the hysteresis",
                 .range = {.lower = 0.0, .lower_open = false, .upper = 0.5, .upper_open = false},
                 .example = "0.1",
                 .fallback = "0.1"},
           &ToothMesh::friction_coefficient);
     field(Field{.name = "rim_stiffening",
                 .unit = "1",
-                .doc = "C_tr, of the rim in bending by its teeth",
+                .doc = "factor C_tr by which the teeth stiffen the rim in bending",
                 .range = kPositive,
                 .example = "1.25",
                 .fallback = "1.25",
@@ -69,7 +70,8 @@ struct ToothMesh {
           &ToothMesh::rim_stiffening);
     field(Field{.name = "pair_stiffness",
                 .unit = "Pa",
-                .doc = "c' of a pair of teeth per face width; from the rim's thickness if left out",
+                .doc = "stiffness c' of a pair of teeth per face width; from the rim's thickness "
+                       "if left out",
                 .range = kPositive,
                 .example = R"("19.3 GPa")",
                 .in_template = InTemplate::commented},

@@ -31,20 +31,20 @@ struct LobeDisplacements {
   static void describe(Visitor&& field) {
     field(Field{.name = "bearing",
                 .unit = "m",
-                .doc = "of the bearing, Delta_b",
+                .doc = "displacement Delta_b of the bearing",
                 .range = kNonNegative,
                 .example = R"("3 um")"},
           &LobeDisplacements::bearing);
     field(Field{.name = "cam",
                 .unit = "m",
-                .doc = "of the cam, Delta_g",
+                .doc = "displacement Delta_g of the cam",
                 .range = kNonNegative,
                 .example = R"("1 um")",
                 .fallback = R"("0 m")"},
           &LobeDisplacements::cam);
     field(Field{.name = "shaft",
                 .unit = "m",
-                .doc = "of the input shaft in bending, Delta_a; 0 for symmetric lobes",
+                .doc = "displacement Delta_a of the input shaft in bending; 0 for symmetric lobes",
                 .range = kNonNegative,
                 .example = R"("0 m")",
                 .fallback = R"("0 m")"},
@@ -54,7 +54,7 @@ struct LobeDisplacements {
 
 /// Outer ring of the bearing, modelled as a thin elastic ring.
 struct BearingRing {
-  double mean_radius = 0.0;  ///< R, of the ring's centre line [m]; > 0
+  double mean_radius = 0.0;  ///< radius R of the ring's centre line [m]; > 0
   double thickness = 0.0;    ///< radial [m]; > 0, < mean_radius
   double width = 0.0;        ///< axial [m]; > 0
   /// Share of the full section's bending stiffness that remains with the groove [-]; coupled drive
@@ -81,21 +81,24 @@ struct BearingRing {
                 .range = kPositive,
                 .example = R"("20 mm")"},
           &BearingRing::width);
-    field(Field{.name = "groove_factor",
-                .unit = "1",
-                .doc = "share of the bending stiffness that the groove leaves; coupled drive only",
-                .range = {.lower = 0.0, .upper = 1.0, .upper_open = false},
-                .example = "0.8",
-                .fallback = "0.8"},
-          &BearingRing::groove_factor);
+    field(
+        Field{
+            .name = "groove_factor",
+            .unit = "1",
+            .doc =
+                "share of the bending stiffness that remains beside the groove; coupled drive only",
+            .range = {.lower = 0.0, .upper = 1.0, .upper_open = false},
+            .example = "0.8",
+            .fallback = "0.8"},
+        &BearingRing::groove_factor);
   }
 };
 
 /// Deep groove ball bearing between cam and flexspline.
 struct Bearing {
   double ball_diameter = 0.0;           ///< D_w [m]; > 0
-  double inner_raceway_diameter = 0.0;  ///< d_i, at the bottom of the groove [m]; > 0
-  double outer_raceway_diameter = 0.0;  ///< d_o, at the bottom of the groove [m]; > d_i
+  double inner_raceway_diameter = 0.0;  ///< diameter d_i at the bottom of the groove [m]; > 0
+  double outer_raceway_diameter = 0.0;  ///< diameter d_o at the bottom of the groove [m]; > d_i
   double inner_conformity = 0.52;       ///< f_i = groove radius / D_w [-]; > 0.5
   double outer_conformity = 0.53;       ///< f_o [-]; > 0.5
   double loaded_balls = 1.0;            ///< balls that share the lobe force equally [-]; >= 1
@@ -114,13 +117,13 @@ struct Bearing {
           &Bearing::ball_diameter);
     field(Field{.name = "inner_raceway_diameter",
                 .unit = "m",
-                .doc = "at the groove's bottom",
+                .doc = "diameter at the groove's bottom",
                 .range = kPositive,
                 .example = R"("110 mm")"},
           &Bearing::inner_raceway_diameter);
     field(Field{.name = "outer_raceway_diameter",
                 .unit = "m",
-                .doc = "at the groove's bottom",
+                .doc = "diameter at the groove's bottom",
                 .range = kPositive,
                 .example = R"("135.4 mm")"},
           &Bearing::outer_raceway_diameter);
@@ -211,14 +214,15 @@ struct WaveGenerator {
           &WaveGenerator::load_factor);
     field(Field{.name = "conversion",
                 .unit = "",
-                .doc = "radial to torsional: by reciprocity, or the article's turning of the cam",
+                .doc = "conversion of radial into torsional compliance: by reciprocity, or by the "
+                       "article's turning of the cam",
                 .example = R"("reciprocity")",
                 .fallback = R"("reciprocity")",
                 .in_template = InTemplate::commented},
           &WaveGenerator::conversion);
     field(Field{.name = "radial_stiffness",
                 .unit = "N/m",
-                .doc = "K_G0 of one lobe; or displacements, or bearing",
+                .doc = "radial stiffness K_G0 of one lobe; give this, displacements or bearing",
                 .range = kPositive,
                 .example = R"("1.2e5 N/mm")"},
           &WaveGenerator::radial_stiffness);
@@ -236,14 +240,15 @@ struct WaveGenerator {
           &WaveGenerator::inner_ring_thickness);
     field(Field{.name = "inner_ring_width",
                 .unit = "m",
-                .doc = "axial; edge cracks and ring_bending need it, surface cracks fit into it",
+                .doc = "axial width of the inner ring; edge cracks and ring_bending need it, and "
+                       "surface cracks must fit into it",
                 .range = kPositive,
                 .example = R"("20 mm")",
                 .in_template = InTemplate::commented},
           &WaveGenerator::inner_ring_width);
     field(Field{.name = "inner_ring_mean_radius",
                 .unit = "m",
-                .doc = "of the centre line; ring_bending needs it",
+                .doc = "radius of the inner ring's centre line; ring_bending needs it",
                 .range = kPositive,
                 .example = R"("60 mm")",
                 .in_template = InTemplate::commented},
@@ -259,7 +264,7 @@ struct WaveGenerator {
           &WaveGenerator::cam_flattening);
     field(Field{.name = "displacements",
                 .unit = "",
-                .doc = "of one lobe at the force of the given torque",
+                .doc = "displacements of one lobe at the force of the given torque",
                 .in_template = InTemplate::commented},
           &WaveGenerator::displacements);
     field(Field{.name = "bearing",

@@ -8,40 +8,43 @@
 #include "strainwave/core/quantity.hpp"
 
 /// @file
-/// What the coupled drive answers where it is solved: the maker's stiffnesses and the wind-up.
+/// The answers of the coupled drive if it is solved: the maker's stiffnesses and the wind-up.
 
 namespace strainwave {
 
 /// The maker's torques with their defaults filled in.
 struct MakersTorques {
-  double T1 = 0.0;             ///< [N*m]
-  double T2 = 0.0;             ///< [N*m]
-  double T3 = 0.0;             ///< [N*m]
-  double rated = 0.0;          ///< T_N [N*m]
-  double lost_motion = 0.0;    ///< where lost motion is measured [N*m]
-  bool by_convention = false;  ///< T1 and T2 were not given: 0.0517 d^3 and 0.187 d^3 N/mm^2
+  double T1 = 0.0;           ///< [N*m]
+  double T2 = 0.0;           ///< [N*m]
+  double T3 = 0.0;           ///< [N*m]
+  double rated = 0.0;        ///< T_N [N*m]
+  double lost_motion = 0.0;  ///< torque at which lost motion is measured [N*m]
+  bool by_convention =
+      false;  ///< true if T1 and T2 were not given and are 0.0517 d^3 and 0.187 d^3 N/mm^2
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"T1", "N*m", "up to which K1 holds"}, &MakersTorques::T1);
-    field({"T2", "N*m", "up to which K2 holds"}, &MakersTorques::T2);
-    field({"T3", "N*m", "up to which K3 is taken"}, &MakersTorques::T3);
+    field({"T1", "N*m", "torque up to which K1 holds"}, &MakersTorques::T1);
+    field({"T2", "N*m", "torque up to which K2 holds"}, &MakersTorques::T2);
+    field({"T3", "N*m", "torque up to which K3 is taken"}, &MakersTorques::T3);
     field({"rated", "N*m", "T_N"}, &MakersTorques::rated);
-    field({"lost_motion", "N*m", "where lost motion is measured"}, &MakersTorques::lost_motion);
+    field({"lost_motion", "N*m", "torque at which lost motion is measured"},
+          &MakersTorques::lost_motion);
     field({"by_convention", "", "whether T1 and T2 were not given"}, &MakersTorques::by_convention);
   }
 };
 
-/// The maker's stiffnesses and the wind-up of the coupled drive, cracks at the positions of the
-/// file; eq. (TC-14).
+/// The maker's stiffnesses and the wind-up of the coupled drive with the cracks at the positions of
+/// the file; eq. (TC-14).
 struct CurveStiffness {
-  Quantity K1;                      ///< [N*m/rad]
-  Quantity K2;                      ///< [N*m/rad]
-  Quantity K3;                      ///< [N*m/rad]
-  std::optional<Quantity> wind_up;  ///< at the given torque [rad]; absent if it is not reached
-  Quantity wind_up_at_T1;           ///< [rad]
-  Quantity wind_up_at_T2;           ///< [rad]
-  Quantity wind_up_at_T3;           ///< [rad]
+  Quantity K1;  ///< [N*m/rad]
+  Quantity K2;  ///< [N*m/rad]
+  Quantity K3;  ///< [N*m/rad]
+  std::optional<Quantity>
+      wind_up;  ///< twist at the given torque [rad]; absent if the drive does not reach this torque
+  Quantity wind_up_at_T1;  ///< [rad]
+  Quantity wind_up_at_T2;  ///< [rad]
+  Quantity wind_up_at_T3;  ///< [rad]
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -55,7 +58,7 @@ struct CurveStiffness {
   }
 };
 
-/// What the cracks change in the coupled drive, cracked/sound - 1 [-].
+/// Relative changes of the coupled drive by the cracks, cracked/sound - 1 [-].
 struct CurveChange {
   Quantity K1;
   Quantity K2;
@@ -64,10 +67,13 @@ struct CurveChange {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"K1", "1", "cracked/sound - 1 of K1; negative means softer"}, &CurveChange::K1);
+    field(
+        {"K1", "1", "K1 of the cracked over K1 of the sound drive, minus 1; negative means softer"},
+        &CurveChange::K1);
     field({"K2", "1", "cracked/sound - 1 of K2"}, &CurveChange::K2);
     field({"K3", "1", "cracked/sound - 1 of K3"}, &CurveChange::K3);
-    field({"wind_up", "1", "cracked/sound - 1 of the wind-up at the given torque"},
+    field({"wind_up", "1",
+           "wind-up of the cracked over that of the sound drive at the given torque, minus 1"},
           &CurveChange::wind_up);
   }
 };
@@ -79,12 +85,12 @@ struct CrackedCurve : CurveStiffness {
   template <class Visitor>
   static void describe(Visitor&& field) {
     CurveStiffness::describe(field);
-    field({"change", "", "what the cracks change"}, &CrackedCurve::change);
+    field({"change", "", "changes by the cracks"}, &CrackedCurve::change);
   }
 };
 
-/// The coupled drive, balls, teeth and elastic rings as one system, where the file gives enough for
-/// it: the answer that comes before the sum of the members.
+/// The results of the coupled drive, which solves balls, teeth and elastic rings as one system.  If
+/// the file gives enough for this model, its results come before the sum of the members.
 struct CurveResult {
   MakersTorques torques;
   CurveStiffness intact;

@@ -60,7 +60,7 @@ struct StrengthState {
   bool with_assembly = false;
   double K_load = 0.0;      ///< equivalent K of the load alone at the worst point [Pa*m^0.5]
   double K_assembly = 0.0;  ///< equivalent K of the assembly alone at the worst point [Pa*m^0.5]
-  /// equivalent elastic K of both together at the worst point [Pa*m^0.5]
+  /// equivalent elastic K of load and assembly together at the worst point [Pa*m^0.5]
   double K = 0.0;
   std::optional<double> relative_uncertainty = {};  ///< relative uncertainty of K [-]
   std::optional<double> utilisation = {};           ///< K/K_Ic [-]
@@ -94,7 +94,8 @@ struct StrengthState {
           });
     field({"K_assembly", "Pa*m^0.5", "equivalent K of the assembly alone at the worst point"},
           &S::K_assembly);
-    field({"K", "Pa*m^0.5", "equivalent K of both together at the worst point"}, &S::intensity);
+    field({"K", "Pa*m^0.5", "equivalent K of load and assembly together at the worst point"},
+          &S::intensity);
     field({"utilisation", "1", "K/K_Ic"}, &S::toughness_used);
     field({"L_r", "1", "reference stress over yield strength"}, &S::L_r);
     field({"interaction", "1", "factor V on the K of the assembly"}, &S::interaction);

@@ -92,7 +92,7 @@ struct Verdict {
 /// The verdict that follows from notes.  The order is critical, cannot be told, with care.
 ///
 /// @param unusable_because  reason why the answer must not be used; empty if usable.  An unusable
-///                          answer gives the verdict "cannot be told", whatever the notes say.
+///                          answer gives the verdict "cannot be told", regardless of the notes.
 /// @return  the judgement of the most severe note, the first if several tie, with its text as the
 ///          reason; good if no note raises doubt
 [[nodiscard]] Verdict verdict_of(std::string_view unusable_because, std::span<const Note> notes);
@@ -112,7 +112,7 @@ struct ResultEvidence {
   std::vector<Note> notes;
   std::vector<std::string> equations;  ///< tags of the theory manual
   std::vector<AccuracyBasis> accuracies;
-  /// outcome, for a command that judges requirements
+  /// outcome of a command that judges requirements
   std::optional<RequirementOutcome> requirement;
 };
 

@@ -8,11 +8,12 @@
 
 namespace strainwave {
 
-/// What a drive that passes `check` says against itself, or against what drives are like: numbers
-/// outside the usual range of their fields, and lengths that its sections contradict.
+/// Notes on a drive that passes `check`: on numbers outside the usual range of their fields, and on
+/// lengths that the sections contradict.
 ///
 /// @param gear  has passed `check`
-/// @return  notes of severity care, each with the field, its value and what it stands against
+/// @return  notes of severity care, each with the field, its value, and the usual range or
+///          the contradicting value
 [[nodiscard]] std::vector<Note> input_notes(const GearSet& gear);
 
 }  // namespace strainwave

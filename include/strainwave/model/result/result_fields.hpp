@@ -11,10 +11,11 @@ namespace strainwave {
 /// Receives the name and the value of an output.
 using QuantityReader = std::function<void(const std::string& path, const Quantity& quantity)>;
 
-/// Walks the outputs of a described result: numbers that are no detail and stand in no column, in
-/// the order of the JSON document, with paths such as "cracked.positive.stiffness".  CSV, sweep,
-/// solve and require name their outputs by this walk.  Outputs of an element that has a field
-/// `path` begin with it: "flexspline.crack[0].added_compliance.positive.at_output".
+/// Walks the outputs of a described result in the order of the JSON document: all numbers except
+/// details and columns, with paths such as "cracked.positive.stiffness".  CSV, sweep, solve and
+/// require name their outputs by this walk.  If an element has a field `path`, the names of its
+/// outputs begin with the value of this field:
+/// "flexspline.crack[0].added_compliance.positive.at_output".
 class OutputWalk : public ValueVisitor {
  public:
   explicit OutputWalk(QuantityReader read) : read_(std::move(read)) {}
@@ -35,15 +36,15 @@ class OutputWalk : public ValueVisitor {
 
  private:
   struct Level {
-    std::string path;      ///< of the record or list
-    std::size_t next = 0;  ///< index of the next element; of a list
+    std::string path;      ///< path of the record or list
+    std::size_t next = 0;  ///< index of the next element of a list
     bool list = false;
   };
   void element();
 
   QuantityReader read_;
   std::string path_;
-  std::string_view name_;  ///< of the last field
+  std::string_view name_;  ///< path of the last field
   std::vector<Level> levels_;
   int columns_ = 0;
 };

@@ -38,13 +38,13 @@ struct Compliances {
 /// Sum of the members of the sound drive, without contacts.
 struct IntactDrive {
   Compliances compliance;
-  Quantity stiffness;  ///< K_HD of the sum at the output, input locked [N*m/rad]
-  Quantity wind_up;    ///< at the given torque [rad]
+  Quantity stiffness;  ///< K_HD of the sum at the output with locked input [N*m/rad]
+  Quantity wind_up;    ///< twist at the given torque [rad]
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"compliance", "", "compliances at the output"}, &IntactDrive::compliance);
-    field({"stiffness", "N*m/rad", "K_HD of the sum at the output, input locked"},
+    field({"stiffness", "N*m/rad", "K_HD of the sum at the output with locked input"},
           &IntactDrive::stiffness);
     field({"wind_up", "rad", "twist at the given torque"}, &IntactDrive::wind_up);
   }
@@ -62,7 +62,7 @@ struct CrackedDrive {
     field({"compliance", "", "compliances at the output"}, &CrackedDrive::compliance);
     field({.name = "stiffness",
            .unit = "N*m/rad",
-           .doc = "K_HD of the sum at the output, input locked",
+           .doc = "K_HD of the sum at the output with locked input",
            .headline = true},
           &CrackedDrive::stiffness);
     field({.name = "stiffness_change",
@@ -207,7 +207,7 @@ struct CrackOutputs {
 /// Torsional stiffness of a drive, sound and cracked, by one method, with its evidence.
 struct StiffnessResult {
   Method method = Method::corrected;
-  std::optional<CurveResult> curve;  ///< the answer, where the coupled drive is solved
+  std::optional<CurveResult> curve;  ///< results of the coupled drive, if it is solved
   IntactDrive intact;                ///< sum of the members
   CrackedDrive positive;             ///< sum of the members, torque about +z
   CrackedDrive negative;             ///< sum of the members, torque about -z
@@ -234,7 +234,7 @@ struct StiffnessResult {
     field({"cracked", "", "sum of the members without contacts, with cracks"}, [](const R& r) {
       return BySense<CrackedDrive>{r.positive, r.negative};
     });
-    field({"cracks", "", "each crack"}, &R::crack_outputs);
+    field({"cracks", "", "outputs of each crack"}, &R::crack_outputs);
   }
 };
 

@@ -52,7 +52,7 @@ struct HollowAnnularInnerCrack {
   void validity(Limit&& limit) const {
     limit(inner_diameter <= 0.98 * outer_diameter, "r_i/r_o <= 0.98");
   }
-  /// At the front, r = r_i + a; (SB-5).
+  /// Nominal stress at the crack front, r = r_i + a; (SB-5).
   [[nodiscard]] double gross_stress(std::size_t load, double a) const {
     return section().stress(load, inner_diameter / 2 + a);
   }

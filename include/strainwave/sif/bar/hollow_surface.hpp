@@ -19,7 +19,7 @@ enum class BarSurface { outer, inner };
 /// @param aspect   a/c [-]; in (0, 1]
 /// @param poisson  nu, which determines the split between K_II and K_III [-]
 /// @param a        depth [m]
-/// @param phi      from the surface; pi/2 is the deepest point [rad]
+/// @param phi      angle from the surface; pi/2 is the deepest point [rad]
 [[nodiscard]] inline UnitStressIntensity<3> hollow_surface_intensity(const RoundSection& section,
                                                                      BarSurface surface,
                                                                      double aspect, double poisson,

@@ -50,7 +50,7 @@ struct BarPennyCrack {
   void validity(Limit&& limit) const {
     limit(radius <= 0.45 * diameter, "2a/d <= 0.9");
   }
-  /// At the front, r = a; (SB-6).
+  /// Nominal stress at the crack front, r = a; (SB-6).
   [[nodiscard]] double gross_stress(std::size_t load, double a) const {
     return section().stress(load, a);
   }

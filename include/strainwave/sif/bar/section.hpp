@@ -58,7 +58,7 @@ inline constexpr Field kPoissonsRatioOfBar{.name = "poissons_ratio",
 
 /// Round section, solid or hollow.
 ///
-/// Implements theory manual eq. (SB-1), the nominal stress.
+/// Implements theory manual eq. The nominal stress (SB-1).
 struct RoundSection {
   double outer_radius = 0.0;  ///< r_o [m]; > 0
   double inner_radius = 0.0;  ///< r_i [m]; >= 0, < outer_radius

@@ -34,7 +34,7 @@ struct GradientSurfaceCrack {
                                                      FrontPoint{"deepest", std::numbers::pi / 2}};
 
   double depth = 0.0;        ///< a [m]; > 0, <= 0.99 thickness
-  double half_length = 0.0;  ///< c, at the surface [m]; > 0
+  double half_length = 0.0;  ///< half length c at the surface [m]; > 0
   double thickness = 0.0;    ///< t [m]
 
   template <class Visitor>

@@ -34,7 +34,7 @@ struct NotchEdgeCrack {
   double depth = 0.0;          ///< a [m]; > 0, <= 0.99 thickness
   double thickness = 0.0;      ///< t [m]
   double width = 0.0;          ///< B, length of the front [m]
-  double root_radius = 0.0;    ///< rho, of the notch, fillet or tooth root [m]
+  double root_radius = 0.0;    ///< rho, radius of the notch, fillet or tooth root [m]
   double concentration = 0.0;  ///< K_t, largest over nominal stress at the root [-]; > 1
 
   template <class Visitor>
@@ -44,7 +44,7 @@ struct NotchEdgeCrack {
     field(kGradientWidth, &NotchEdgeCrack::width);
     field(Field{.name = "root_radius",
                 .unit = "m",
-                .doc = "rho, of the notch, fillet or tooth root",
+                .doc = "rho, radius of the notch, fillet or tooth root",
                 .range = kPositive,
                 .example = "4 mm"},
           &NotchEdgeCrack::root_radius);

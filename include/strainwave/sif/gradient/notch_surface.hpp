@@ -22,7 +22,8 @@ struct NotchSurfaceCrack {
       .source = "inglis1913, shenglinka1991",
       .basis = Basis::secondary,
       .relative_uncertainty = 0.1,
-      .accuracy = "as gradient-surface; the flanks, taken as flat, make K up to 13 % too large",
+      .accuracy =
+          "as gradient-surface; the flanks are assumed flat, which makes K up to 13 % too large",
       .constraint = Constraint::plane_strain};
   static constexpr std::size_t kLoads = 2;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
@@ -32,9 +33,9 @@ struct NotchSurfaceCrack {
                                                      FrontPoint{"deepest", std::numbers::pi / 2}};
 
   double depth = 0.0;          ///< a [m]; > 0, <= 0.99 thickness
-  double half_length = 0.0;    ///< c, at the surface [m]; > 0
+  double half_length = 0.0;    ///< half length c at the surface [m]; > 0
   double thickness = 0.0;      ///< t [m]
-  double root_radius = 0.0;    ///< rho, of the notch, fillet or tooth root [m]
+  double root_radius = 0.0;    ///< rho, radius of the notch, fillet or tooth root [m]
   double concentration = 0.0;  ///< K_t, largest over nominal stress at the root [-]; > 1
 
   template <class Visitor>
@@ -44,7 +45,7 @@ struct NotchSurfaceCrack {
     field(kGradientThickness, &NotchSurfaceCrack::thickness);
     field(Field{.name = "root_radius",
                 .unit = "m",
-                .doc = "rho, of the notch, fillet or tooth root",
+                .doc = "rho, radius of the notch, fillet or tooth root",
                 .range = kPositive,
                 .example = "4 mm"},
           &NotchSurfaceCrack::root_radius);

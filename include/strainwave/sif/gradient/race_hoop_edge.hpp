@@ -27,8 +27,8 @@ struct RaceHoopEdgeCrack {
       .basis = Basis::computed,
       .relative_uncertainty = 0.04,
       .accuracy =
-          "upper bound: the closed ring resists; tube-edge-axial at a/t 0.2 is 2 % lower for r/t "
-          "10, 4 % for r/t 5; curvature, left out, makes about t/(3 r)",
+          "upper bound, because the closed ring resists; tube-edge-axial at a/t 0.2 is 2 % lower "
+          "for r/t 10 and 4 % lower for r/t 5; the neglected curvature changes K by about t/(3 r)",
       .constraint = Constraint::plane_strain};
   static constexpr std::size_t kLoads = 2;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
@@ -41,7 +41,7 @@ struct RaceHoopEdgeCrack {
   double depth = 0.0;      ///< a [m]; > 0, <= 0.99 thickness
   double thickness = 0.0;  ///< t [m]
   double width = 0.0;      ///< B, length of the front [m]
-  double angle = 0.0;      ///< theta, from the major axis of the cam to the crack [rad]
+  double angle = 0.0;      ///< angle theta from the major axis of the cam to the crack [rad]
   double lobes = 0.0;      ///< U, lobes of the cam: 2, 3, ... [-]
 
   template <class Visitor>
@@ -51,7 +51,7 @@ struct RaceHoopEdgeCrack {
     field(kGradientWidth, &RaceHoopEdgeCrack::width);
     field(Field{.name = "angle",
                 .unit = "rad",
-                .doc = "theta, from the major axis of the cam to the crack",
+                .doc = "angle theta from the major axis of the cam to the crack",
                 .range = {.lower = -std::numbers::pi,
                           .lower_open = false,
                           .upper = std::numbers::pi,
@@ -60,7 +60,7 @@ struct RaceHoopEdgeCrack {
           &RaceHoopEdgeCrack::angle);
     field(Field{.name = "lobes",
                 .unit = "1",
-                .doc = "U, lobes of the cam",
+                .doc = "U, number of lobes of the cam",
                 .range = {.lower = 2.0, .lower_open = false},
                 .example = "2"},
           &RaceHoopEdgeCrack::lobes);

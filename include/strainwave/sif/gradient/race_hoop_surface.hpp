@@ -27,9 +27,9 @@ struct RaceHoopSurfaceCrack {
       .basis = Basis::secondary,
       .relative_uncertainty = 0.07,
       .accuracy =
-          "upper bound: the closed ring resists, by at most 2 % for r/t 10; Newman and Raju's "
-          "plate to "
-          "rounding (5 %); curvature, left out, makes about t/(3 r)",
+          "upper bound, because the closed ring resists, by at most 2 % for r/t 10; equal to "
+          "Newman and Raju's plate (5 %) except for rounding; the neglected curvature changes K by "
+          "about t/(3 r)",
       .constraint = Constraint::plane_strain};
   static constexpr std::size_t kLoads = 2;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
@@ -41,9 +41,9 @@ struct RaceHoopSurfaceCrack {
                                                      FrontPoint{"deepest", std::numbers::pi / 2}};
 
   double depth = 0.0;        ///< a [m]; > 0, <= 0.99 thickness
-  double half_length = 0.0;  ///< c, at the surface [m]; > 0
+  double half_length = 0.0;  ///< half length c at the surface [m]; > 0
   double thickness = 0.0;    ///< t [m]
-  double angle = 0.0;        ///< theta, from the major axis of the cam to the crack [rad]
+  double angle = 0.0;        ///< angle theta from the major axis of the cam to the crack [rad]
   double lobes = 0.0;        ///< U, lobes of the cam: 2, 3, ... [-]
 
   template <class Visitor>
@@ -53,7 +53,7 @@ struct RaceHoopSurfaceCrack {
     field(kGradientThickness, &RaceHoopSurfaceCrack::thickness);
     field(Field{.name = "angle",
                 .unit = "rad",
-                .doc = "theta, from the major axis of the cam to the crack",
+                .doc = "angle theta from the major axis of the cam to the crack",
                 .range = {.lower = -std::numbers::pi,
                           .lower_open = false,
                           .upper = std::numbers::pi,
@@ -62,7 +62,7 @@ struct RaceHoopSurfaceCrack {
           &RaceHoopSurfaceCrack::angle);
     field(Field{.name = "lobes",
                 .unit = "1",
-                .doc = "U, lobes of the cam",
+                .doc = "U, number of lobes of the cam",
                 .range = {.lower = 2.0, .lower_open = false},
                 .example = "2"},
           &RaceHoopSurfaceCrack::lobes);

@@ -35,7 +35,7 @@ struct ResidualSurfaceCrack {
                                                      FrontPoint{"deepest", std::numbers::pi / 2}};
 
   double depth = 0.0;        ///< a [m]; > 0, <= 0.99 thickness
-  double half_length = 0.0;  ///< c, at the surface [m]; > 0
+  double half_length = 0.0;  ///< half length c at the surface [m]; > 0
   double thickness = 0.0;    ///< t [m]
   double decay = 0.0;        ///< delta, depth in which the residual stress decays [m]
   double hump = 0.0;         ///< h; above 1 the largest value is below the surface [-]

@@ -112,7 +112,7 @@ class NotchProfile {
 
 /// Stress components of plane strain below a surface [Pa per Pa of the largest traction].
 struct SubsurfaceStress {
-  double along = 0.0;   ///< sigma_x, along the surface
+  double along = 0.0;   ///< stress sigma_x along the surface
   double normal = 0.0;  ///< sigma_z
   double shear = 0.0;   ///< tau_xz, z into the body
 };

@@ -7,7 +7,7 @@
 
 namespace strainwave::sif {
 
-/// How the stress varies over the thickness of a strip.
+/// The variation of the stress over the thickness of a strip.
 enum class StripLoading {
   tension,  ///< uniform
   bending,  ///< linear, zero at mid-thickness; the stress is that of the cracked surface
@@ -24,13 +24,13 @@ enum class StripLoading {
 /// @param depth_ratio  alpha = a/t [-]; in [0, 1)
 [[nodiscard]] double edge_crack_factor(StripLoading loading, double depth_ratio);
 
-/// a/t beyond which a crack that a deeper one would cut through has no answer, neither an edge
-/// crack nor a surface crack [-].
+/// Limit of a/t beyond which a part-through crack, an edge crack or a surface crack, has no usable
+/// answer [-].
 ///
-/// Newman and Raju's fit (FR-4) stays finite where the ligament vanishes.  A long crack shows where
-/// that begins to tell, for each slice of it is an edge crack: the fit's energy is above the sum of
-/// the slices up to a/t = 0.91, and half of it at 0.95.  Of a ring with an edge crack little but a
-/// hinge is left there, and what holds the ring decides.
+/// Newman and Raju's fit (FR-4) stays finite where the ligament vanishes.  A long crack shows the
+/// limit, because each slice of a long crack is an edge crack: the energy of the fit exceeds the
+/// sum over the slices up to a/t = 0.91, and is half of this sum at 0.95.  A ring with so deep an
+/// edge crack acts almost as a hinge, so the support of the ring determines the result.
 inline constexpr double kUsableDepthRatio = 0.9;
 
 /// Edge crack through the whole width of a ring, load [lobe force].

@@ -14,13 +14,14 @@
 
 namespace strainwave::sif {
 
-/// a/t and a/c to which the finite elements behind Newman and Raju's fit reach [-]; (FR-4).
+/// Limits of a/t and a/c in the finite elements to which Newman and Raju fitted their equation [-];
+/// (FR-4).
 inline constexpr double kFittedDepthRatio = 0.8;
 inline constexpr double kFittedAspectRatio = 0.2;
 /// c/b to which the width factor is valid [-]; (SP-1).
 inline constexpr double kFittedWidthRatio = 0.5;
 
-/// Semi-elliptical surface crack under N generalised loads, growing at a constant aspect ratio.
+/// Semi-elliptical surface crack under N generalised loads that grows at a constant aspect ratio.
 ///
 /// The parameter phi in [0, pi/2] covers half of the front.  Both halves together sweep the area 2
 /// (a/rho) dphi da.
@@ -32,13 +33,15 @@ class SurfaceCrack {
   struct Parameters {
     Real depth{};         ///< a [m]; > 0, < thickness
     Real aspect_ratio{};  ///< rho = a/c [-]; in (0, 1]
-    Real thickness{};     ///< t, of the plate [m]
+    Real thickness{};     ///< thickness t of the plate [m]
     /// b, half of the plate's width [m]; > 0.  A plate without it is wide.
     std::optional<Real> half_width = {};
     Real poissons_ratio{0.3};
-    std::array<Real, N> normal_stress{};  ///< on the crack plane, per unit of load [1/m^2 ...]
-    std::array<Real, N> shear_stress{};   ///< along the surface, per unit of load
-    /// How the normal stress varies over the thickness; it is that of the cracked surface.
+    std::array<Real, N>
+        normal_stress{};  ///< normal stress on the crack plane, per unit of load [1/m^2 ...]
+    std::array<Real, N> shear_stress{};  ///< shear stress along the surface, per unit of load
+    /// Variation of the normal stress over the thickness; `normal_stress` is the value at the
+    /// cracked surface.
     StripLoading loading = StripLoading::tension;
     bool open = true;  ///< false: the faces touch, K_I = 0 (FR-17)
   };

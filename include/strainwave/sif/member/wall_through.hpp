@@ -22,7 +22,7 @@ using CrackPlaneStress = BasicCrackPlaneStress<double>;
 ///
 /// @param mean_radius     r [m]; > 0
 /// @param wall_thickness  t [m]; > 0, t/r small (Bredt: 1.5 % of tau at t/r = 0.03)
-/// @param angle           beta, from the generator (+z) toward -theta [rad]
+/// @param angle           angle beta from the generator (+z) toward -theta [rad]
 /// @param nonuniformity   K_u, multiplies the stress of the torque [-]
 [[nodiscard]] CrackPlaneStress crack_plane_stress(double mean_radius, double wall_thickness,
                                                   double angle, double nonuniformity);

@@ -31,7 +31,7 @@ struct PlateCollinearPeriodic {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field(length_field("half_length", "a, of each crack", "5 mm"),
+    field(length_field("half_length", "a, half length of each crack", "5 mm"),
           &PlateCollinearPeriodic::half_length);
     field(length_field("pitch", "p, distance between the middles of neighbours", "15 mm"),
           &PlateCollinearPeriodic::pitch);

@@ -41,7 +41,8 @@ struct PlateCollinearTwo {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field(length_field("half_length", "a, of each crack", "5 mm"), &PlateCollinearTwo::half_length);
+    field(length_field("half_length", "a, half length of each crack", "5 mm"),
+          &PlateCollinearTwo::half_length);
     field(length_field("half_distance", "d, half of the distance between the middles of the cracks",
                        "8 mm"),
           &PlateCollinearTwo::half_distance);

@@ -34,7 +34,7 @@ struct PlateCornerCrack {
                                                      FrontPoint{"at_depth", std::numbers::pi / 2}};
 
   double depth = 0.0;      ///< a, into the thickness [m]; > 0, < thickness
-  double length = 0.0;     ///< c, along the width [m]; > 0, < width
+  double length = 0.0;     ///< length c along the width [m]; > 0, < width
   double thickness = 0.0;  ///< t [m]
   double width = 0.0;      ///< b [m]
 

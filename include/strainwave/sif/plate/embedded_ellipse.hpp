@@ -30,7 +30,7 @@ struct PlateEllipse {
       FrontPoint{"middle_plane", 0.0}, FrontPoint{"nearest_face", std::numbers::pi / 2}};
 
   double half_depth = 0.0;   ///< a, towards the faces [m]; > 0, < thickness/2
-  double half_length = 0.0;  ///< c, along the width [m]; > 0, < half_width
+  double half_length = 0.0;  ///< half length c along the width [m]; > 0, < half_width
   double thickness = 0.0;    ///< 2 t, the whole [m]
   double half_width = 0.0;   ///< b [m]
 

@@ -28,11 +28,11 @@ struct HalfPlaneEdgeCrack {
       .constraint = Constraint::plane_strain};
   static constexpr std::size_t kLoads = 1;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
-      LoadInfo{"tension", "Pa", "stress along the edge"}};
+      LoadInfo{"tension", "Pa", "stress in the direction of the edge"}};
   static constexpr std::array<FrontPoint, 1> kPoints = kTip;
 
   double length = 0.0;     ///< a, along the crack [m]
-  double angle = 0.0;      ///< beta, from the normal of the edge [rad]; in [0, pi/2)
+  double angle = 0.0;      ///< angle beta from the normal of the edge [rad]; in [0, pi/2)
   double thickness = 0.0;  ///< t, length of the front [m]
 
   template <class Visitor>
@@ -40,7 +40,7 @@ struct HalfPlaneEdgeCrack {
     field(length_field("length", "a, along the crack", "2 mm"), &HalfPlaneEdgeCrack::length);
     field(Field{.name = "angle",
                 .unit = "rad",
-                .doc = "beta, from the normal of the edge to the crack; 0 is mode I",
+                .doc = "angle beta from the normal of the edge to the crack; 0 is mode I",
                 .range = {.lower = 0.0, .lower_open = false, .upper = std::numbers::pi / 2},
                 .example = "30 deg"},
           &HalfPlaneEdgeCrack::angle);

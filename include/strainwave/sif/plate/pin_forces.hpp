@@ -28,18 +28,18 @@ struct PlatePinForces {
       .reference_stress = "stress of the uncracked plate midway between the pins"};
   static constexpr std::size_t kLoads = 1;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
-      LoadInfo{"force", "N", "of each pin, away from the crack and normal to it"}};
+      LoadInfo{"force", "N", "force of each pin, away from the crack and normal to it"}};
   static constexpr std::array<FrontPoint, 1> kPoints = kTip;
 
   double half_length = 0.0;     ///< a [m]
-  double distance = 0.0;        ///< y, of each pin from the crack's middle [m]
+  double distance = 0.0;        ///< distance y of each pin from the crack's middle [m]
   double thickness = 0.0;       ///< t [m]
   double poissons_ratio = 0.3;  ///< nu [-]; in (-1, 0.5)
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     field(length_field("half_length", "a", "5 mm"), &PlatePinForces::half_length);
-    field(length_field("distance", "y, of each pin from the middle of the crack", "10 mm"),
+    field(length_field("distance", "y, distance of each pin from the middle of the crack", "10 mm"),
           &PlatePinForces::distance);
     field(length_field("thickness", "t", "2 mm"), &PlatePinForces::thickness);
     field(kPoissonsRatioField, &PlatePinForces::poissons_ratio);

@@ -30,7 +30,7 @@ struct PlateSurfaceCrack {
                                                      FrontPoint{"deepest", std::numbers::pi / 2}};
 
   double depth = 0.0;        ///< a [m]; > 0, <= 0.99 thickness
-  double half_length = 0.0;  ///< c, at the surface [m]; > 0, < half_width
+  double half_length = 0.0;  ///< half length c at the surface [m]; > 0, < half_width
   double thickness = 0.0;    ///< t [m]
   double half_width = 0.0;   ///< b [m]
 

@@ -30,7 +30,7 @@ struct PlateThroughCrack {
 
   double half_length = 0.0;  ///< a [m]
   double thickness = 0.0;    ///< t [m]
-  double angle = 0.0;        ///< beta, from the direction of the tension to the crack [rad]
+  double angle = 0.0;        ///< angle beta from the direction of the tension to the crack [rad]
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -41,15 +41,16 @@ struct PlateThroughCrack {
     field(
         Field{.name = "thickness", .unit = "m", .doc = "t", .range = kPositive, .example = "2 mm"},
         &PlateThroughCrack::thickness);
-    field(Field{.name = "angle",
-                .unit = "rad",
-                .doc = "beta, from the direction of the tension to the crack; 90 deg is mode I",
-                .range = {.lower = 0.0,
-                          .lower_open = false,
-                          .upper = std::numbers::pi / 2,
-                          .upper_open = false},
-                .example = "90 deg"},
-          &PlateThroughCrack::angle);
+    field(
+        Field{.name = "angle",
+              .unit = "rad",
+              .doc = "angle beta from the direction of the tension to the crack; 90 deg is mode I",
+              .range = {.lower = 0.0,
+                        .lower_open = false,
+                        .upper = std::numbers::pi / 2,
+                        .upper_open = false},
+              .example = "90 deg"},
+        &PlateThroughCrack::angle);
   }
   template <class Rule>
   void check(Rule&&) const {}

@@ -33,7 +33,7 @@ struct PlateStackedPeriodic {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field(length_field("half_length", "a, of each crack", "5 mm"),
+    field(length_field("half_length", "a, half length of each crack", "5 mm"),
           &PlateStackedPeriodic::half_length);
     field(length_field("spacing", "h, distance between neighbours", "10 mm"),
           &PlateStackedPeriodic::spacing);

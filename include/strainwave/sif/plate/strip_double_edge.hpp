@@ -29,13 +29,13 @@ struct StripDoubleEdgeCrack {
                                                           kAntiplaneShear};
   static constexpr std::array<FrontPoint, 1> kPoints = kTip;
 
-  double depth = 0.0;       ///< a, of each crack [m]; > 0, < half_width
+  double depth = 0.0;       ///< a, depth of each crack [m]; > 0, < half_width
   double half_width = 0.0;  ///< b [m]
   double thickness = 0.0;   ///< t [m]
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field(length_field("depth", "a, of each crack", "2 mm"), &StripDoubleEdgeCrack::depth);
+    field(length_field("depth", "a, depth of each crack", "2 mm"), &StripDoubleEdgeCrack::depth);
     field(length_field("half_width", "b, half of the strip's width", "10 mm"),
           &StripDoubleEdgeCrack::half_width);
     field(length_field("thickness", "t", "2 mm"), &StripDoubleEdgeCrack::thickness);

@@ -37,7 +37,7 @@ struct StripEdgeCrack {
   template <class Visitor>
   static void describe(Visitor&& field) {
     field(length_field("depth", "a", "2 mm"), &StripEdgeCrack::depth);
-    field(length_field("width", "w, of the strip, in the direction of the crack", "10 mm"),
+    field(length_field("width", "w, width of the strip in the direction of the crack", "10 mm"),
           &StripEdgeCrack::width);
     field(length_field("thickness", "t, length of the front", "20 mm"), &StripEdgeCrack::thickness);
   }

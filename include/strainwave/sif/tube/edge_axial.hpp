@@ -28,12 +28,14 @@ struct TubeEdgeAxial {
       .accuracy = "plane-strain finite elements of rings, r/t 5 to 20, a/t 0.2 to 0.6: 0.7 %",
       .constraint = Constraint::plane_strain,
       .reference_stress =
-          "mean over the wall of the hoop stress of the pressure; a stress is itself"};
+          "hoop stress of the pressure, as the mean over the wall; for the stress loads, the load "
+          "itself"};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
       LoadInfo{"pressure", "Pa",
-               face == Face::inner ? "inside, also on the crack's faces" : "inside"},
-      LoadInfo{"hoop_stress", "Pa", "uniform over the wall of the uncracked ring"},
+               face == Face::inner ? "pressure inside the tube, also on the crack's faces"
+                                   : "pressure inside the tube"},
+      LoadInfo{"hoop_stress", "Pa", "hoop stress, uniform over the wall of the uncracked ring"},
       LoadInfo{"wall_bending", "Pa",
                "bending stress of the uncracked ring at the cracked face, from given forces"}};
   static constexpr std::array<FrontPoint, 1> kPoints{FrontPoint{"front", 0.0}};
@@ -49,7 +51,7 @@ struct TubeEdgeAxial {
           &TubeEdgeAxial::depth);
     field(Field{.name = "mean_radius",
                 .unit = "m",
-                .doc = "r, of the middle of the wall",
+                .doc = "r, radius of the middle of the wall",
                 .range = kPositive,
                 .example = "40 mm"},
           &TubeEdgeAxial::mean_radius);
@@ -61,7 +63,7 @@ struct TubeEdgeAxial {
           &TubeEdgeAxial::thickness);
     field(Field{.name = "length",
                 .unit = "m",
-                .doc = "of tube, crack and front along the axis",
+                .doc = "length of tube, crack and front along the axis",
                 .range = kPositive,
                 .example = "40 mm"},
           &TubeEdgeAxial::length);

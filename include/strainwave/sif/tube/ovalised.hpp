@@ -22,11 +22,12 @@ struct OvalisedSurfaceCase {
       .source = "newmanraju1984",
       .basis = Basis::secondary,
       .relative_uncertainty = 0.1,
-      .accuracy = "plate fit within 5 %; the curvature is not in it",
+      .accuracy = "plate fit within 5 %; the curvature is left out",
       .constraint = Constraint::plane_strain};
   static constexpr std::array<LoadInfo, 2> kLoadInfo{
-      LoadInfo{"wall_bending", "Pa", "hoop stress at the cracked face, opposite at the other"},
-      LoadInfo{"hoop_stress", "Pa", "uniform over the wall"}};
+      LoadInfo{"wall_bending", "Pa",
+               "hoop stress at the cracked face, with the opposite sign at the other face"},
+      LoadInfo{"hoop_stress", "Pa", "hoop stress, uniform over the wall"}};
 
   static WallStress stress(std::size_t load, const TubeWall&, double) {
     if (load == 0) return {.tension = 0.0, .bending = 1.0};  // (SU-9)

@@ -43,7 +43,7 @@ inline constexpr double kShellTableEnd = 8.0;
 /// interpolated to 0.06 %; nu between 0.25 and 0.35 changes K by up to 0.7 %.
 ///
 /// @param lambda  shell parameter, root of (FR-8) [-]; in [0, 8]
-/// @param angle   beta, from the generator toward -theta [rad]
+/// @param angle   angle beta from the generator toward -theta [rad]
 [[nodiscard]] ShellFactors shell_factors(double lambda, double angle);
 [[nodiscard]] BasicShellFactors<DualReal> shell_factors(const DualReal& lambda,
                                                         const DualReal& angle);

@@ -24,11 +24,13 @@ struct AxialSurfaceCase {
       .accuracy = "plate fit within 5 %; 0 to 9 % above the cylinder factor of newmanraju1980",
       .constraint = Constraint::plane_strain,
       .reference_stress =
-          "mean over the wall of the hoop stress of the pressure; a stress is itself"};
+          "hoop stress of the pressure, as the mean over the wall; for the stress loads, the load "
+          "itself"};
   static constexpr std::array<LoadInfo, 2> kLoadInfo{
       LoadInfo{"pressure", "Pa",
-               face == Face::inner ? "inside, also on the crack's faces" : "inside"},
-      LoadInfo{"hoop_stress", "Pa", "uniform over the wall, in the direction of theta"}};
+               face == Face::inner ? "pressure inside the tube, also on the crack's faces"
+                                   : "pressure inside the tube"},
+      LoadInfo{"hoop_stress", "Pa", "hoop stress, uniform over the wall"}};
 
   static WallStress stress(std::size_t load, const TubeWall& wall, double a) {
     if (load == 1) return {.tension = 1.0, .bending = 0.0};

@@ -23,13 +23,13 @@ struct CircumferentialSurfaceCase {
       .source = "newmanraju1984",
       .basis = Basis::secondary,
       .relative_uncertainty = 0.1,
-      .accuracy = "plate fit within 5 %; the curvature is not in it",
+      .accuracy = "plate fit within 5 %; the curvature is left out",
       .constraint = Constraint::plane_strain,
       .reference_stress =
           "axial stress, and bending stress at the cracked face, of the uncracked tube"};
   static constexpr std::array<LoadInfo, 2> kLoadInfo{
-      LoadInfo{"axial_force", "N", "tension"},
-      LoadInfo{"bending_moment", "N*m", "tension in the middle of the crack"}};
+      LoadInfo{"axial_force", "N", "axial force, tension positive"},
+      LoadInfo{"bending_moment", "N*m", "bending moment that pulls at the middle of the crack"}};
 
   static WallStress stress(std::size_t load, const TubeWall& wall, double a) {
     if (load == 0) return {.tension = gross(0, wall), .bending = 0.0};

@@ -26,17 +26,18 @@ struct TubeSurfaceInclined {
       .accuracy =
           "K_I: fit within 5 %, finite elements 2.6 %; K_II, K_III: exact without free faces",
       .constraint = Constraint::plane_strain,
-      .reference_stress = "mean over the wall of the axial and shear stress of the uncracked tube"};
+      .reference_stress = "axial and shear stress of the uncracked tube, as means over the wall"};
   static constexpr std::size_t kLoads = 2;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
-      LoadInfo{"axial_force", "N", "tension"},
-      LoadInfo{"torque", "N*m", "right-handed about +z on the output side; opens +45 deg"}};
+      LoadInfo{"axial_force", "N", "axial force, tension positive"},
+      LoadInfo{"torque", "N*m",
+               "torque on the output side, right-handed about +z; opens a crack at +45 deg"}};
   static constexpr std::array<FrontPoint, 2> kPoints{FrontPoint{"surface", 0.0},
                                                      FrontPoint{"deepest", std::numbers::pi / 2}};
 
   double depth = 0.0;           ///< a [m]; > 0, <= 0.99 thickness, <= half_length
-  double half_length = 0.0;     ///< c, at the surface [m]; > 0
-  double angle = 0.0;           ///< beta, from the generator (+z) toward -theta [rad]
+  double half_length = 0.0;     ///< half length c at the surface [m]; > 0
+  double angle = 0.0;           ///< angle beta from the generator (+z) toward -theta [rad]
   double mean_radius = 0.0;     ///< r [m]; > thickness/2
   double thickness = 0.0;       ///< t [m]; > 0
   double poissons_ratio = 0.0;  ///< nu [-]
@@ -53,7 +54,8 @@ struct TubeSurfaceInclined {
           &TubeSurfaceInclined::half_length);
     field(Field{.name = "angle",
                 .unit = "rad",
-                .doc = "beta, from the generator (+z) toward -theta; +45 deg is opened by torque",
+                .doc = "angle beta from the generator (+z) toward -theta; positive torque opens a "
+                       "crack at +45 deg",
                 .range = {.lower = -std::numbers::pi / 2,
                           .upper = std::numbers::pi / 2,
                           .upper_open = false},
@@ -61,7 +63,7 @@ struct TubeSurfaceInclined {
           &TubeSurfaceInclined::angle);
     field(Field{.name = "mean_radius",
                 .unit = "m",
-                .doc = "r, of the middle of the wall",
+                .doc = "r, radius of the middle of the wall",
                 .range = kPositive,
                 .example = "40 mm"},
           &TubeSurfaceInclined::mean_radius);

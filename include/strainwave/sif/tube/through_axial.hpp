@@ -26,13 +26,13 @@ struct TubeThroughAxial {
                                           "elements; within 3 % of Folias' fit for long cracks",
                                       .constraint = Constraint::plane_stress,
                                       .reference_stress =
-                                          "mean over the wall of the hoop and shear stress of the "
-                                          "uncracked tube; a stress is itself"};
+                                          "hoop and shear stress of the uncracked tube, as means "
+                                          "over the wall; for the stress load, the load itself"};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
-      LoadInfo{"pressure", "Pa", "inside; not on the crack's faces"},
-      LoadInfo{"hoop_stress", "Pa", "membrane stress of the wall in the direction of theta"},
-      LoadInfo{"torque", "N*m", "right-handed about +z on the output side"}};
+      LoadInfo{"pressure", "Pa", "pressure inside the tube, but not on the crack's faces"},
+      LoadInfo{"hoop_stress", "Pa", "membrane stress of the wall in the hoop direction"},
+      LoadInfo{"torque", "N*m", "torque on the output side, right-handed about +z"}};
   static constexpr auto kPoints = kWallPoints;
 
   double half_length = 0.0;     ///< a [m]; > 0
@@ -50,7 +50,7 @@ struct TubeThroughAxial {
           &TubeThroughAxial::half_length);
     field(Field{.name = "mean_radius",
                 .unit = "m",
-                .doc = "r, of the middle of the wall",
+                .doc = "r, radius of the middle of the wall",
                 .range = kPositive,
                 .example = "40 mm"},
           &TubeThroughAxial::mean_radius);

@@ -30,12 +30,13 @@ struct TubeThroughCircumferential {
           "wall"};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
-      LoadInfo{"axial_force", "N", "tension, on the axis of the tube"},
-      LoadInfo{"bending_moment", "N*m", "tension in the middle of the crack"},
-      LoadInfo{"torque", "N*m", "right-handed about +z on the output side; K_II counted positive"}};
+      LoadInfo{"axial_force", "N", "axial force on the axis of the tube, tension positive"},
+      LoadInfo{"bending_moment", "N*m", "bending moment that pulls at the middle of the crack"},
+      LoadInfo{"torque", "N*m",
+               "torque on the output side, right-handed about +z; K_II counts as positive"}};
   static constexpr auto kPoints = kWallPoints;
 
-  double half_length = 0.0;     ///< a, along the middle of the wall [m]; > 0, <= pi r/2
+  double half_length = 0.0;     ///< half length a along the middle of the wall [m]; > 0, <= pi r/2
   double mean_radius = 0.0;     ///< r [m]; 5 t to 60 t
   double thickness = 0.0;       ///< t [m]; > 0
   double poissons_ratio = 0.0;  ///< nu [-]
@@ -50,7 +51,7 @@ struct TubeThroughCircumferential {
           &TubeThroughCircumferential::half_length);
     field(Field{.name = "mean_radius",
                 .unit = "m",
-                .doc = "r, of the middle of the wall",
+                .doc = "r, radius of the middle of the wall",
                 .range = kPositive,
                 .example = "40 mm"},
           &TubeThroughCircumferential::mean_radius);

@@ -22,21 +22,23 @@ struct TubeThroughInclined {
       .basis = Basis::computed,
       .relative_uncertainty = 0.03,
       .accuracy =
-          "table to 0.1 % of shallow-shell theory; finite elements have up to 3 % more K "
-          "(r/t 20 to 60, lambda <= 4)",
+          "table to 0.1 % of shallow-shell theory; K by finite elements is up to 3 % higher (r/t "
+          "20 to 60, lambda <= 4)",
       .constraint = Constraint::plane_stress,
       .reference_stress =
-          "mean over the wall of the axial, shear and hoop stress of the uncracked tube"};
+          "axial, shear and hoop stress of the uncracked tube, as means over the wall"};
   static constexpr std::size_t kLoads = 3;
   static constexpr std::array<LoadInfo, kLoads> kLoadInfo{
-      LoadInfo{"axial_force", "N", "tension"},
+      LoadInfo{"axial_force", "N", "axial force, tension positive"},
       LoadInfo{"torque", "N*m",
-               "right-handed about +z on the output side; opens +45 deg, K_II as cos 2 beta"},
-      LoadInfo{"pressure", "Pa", "inside, ends open; not on the crack's faces"}};
+               "torque on the output side, right-handed about +z; opens a crack at +45 deg, and "
+               "K_II varies as cos 2 beta"},
+      LoadInfo{"pressure", "Pa",
+               "pressure inside the tube with open ends, but not on the crack's faces"}};
   static constexpr auto kPoints = kWallPoints;
 
   double half_length = 0.0;     ///< a [m]; > 0
-  double angle = 0.0;           ///< beta, from the generator (+z) toward -theta [rad]
+  double angle = 0.0;           ///< angle beta from the generator (+z) toward -theta [rad]
   double mean_radius = 0.0;     ///< r [m]; > thickness/2
   double thickness = 0.0;       ///< t [m]; > 0
   double poissons_ratio = 0.0;  ///< nu [-]
@@ -51,7 +53,8 @@ struct TubeThroughInclined {
           &TubeThroughInclined::half_length);
     field(Field{.name = "angle",
                 .unit = "rad",
-                .doc = "beta, from the generator (+z) toward -theta; +45 deg is opened by torque",
+                .doc = "angle beta from the generator (+z) toward -theta; positive torque opens a "
+                       "crack at +45 deg",
                 .range = {.lower = -std::numbers::pi / 2,
                           .upper = std::numbers::pi / 2,
                           .upper_open = false},
@@ -59,7 +62,7 @@ struct TubeThroughInclined {
           &TubeThroughInclined::angle);
     field(Field{.name = "mean_radius",
                 .unit = "m",
-                .doc = "r, of the middle of the wall",
+                .doc = "r, radius of the middle of the wall",
                 .range = kPositive,
                 .example = "40 mm"},
           &TubeThroughInclined::mean_radius);

@@ -28,7 +28,7 @@ struct TubeWall {
 /// Stress over the wall, tension + bending (1 - 2 x/t), with x from the cracked face.
 struct WallStress {
   double tension = 0.0;
-  double bending = 0.0;  ///< at the cracked face
+  double bending = 0.0;  ///< stress at the cracked face
 
   /// The linear stress through the values at the face and at a depth; (SU-6).
   static WallStress line(double at_face, double at_depth, double depth, double thickness) {
@@ -58,7 +58,7 @@ struct TubeSurfaceCrack {
                                                      FrontPoint{"deepest", std::numbers::pi / 2}};
 
   double depth = 0.0;        ///< a [m]; > 0, <= 0.99 thickness
-  double half_length = 0.0;  ///< c, at the surface [m]; > 0
+  double half_length = 0.0;  ///< half length c at the surface [m]; > 0
   double mean_radius = 0.0;  ///< r [m]; > thickness/2
   double thickness = 0.0;    ///< t [m]; > 0
 
@@ -74,7 +74,7 @@ struct TubeSurfaceCrack {
           &TubeSurfaceCrack::half_length);
     field(Field{.name = "mean_radius",
                 .unit = "m",
-                .doc = "r, of the middle of the wall",
+                .doc = "r, radius of the middle of the wall",
                 .range = kPositive,
                 .example = "40 mm"},
           &TubeSurfaceCrack::mean_radius);
