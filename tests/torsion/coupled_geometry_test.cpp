@@ -44,7 +44,7 @@ using AddCrack = std::function<void(GearSet&, double)>;
 const std::map<std::string, AddCrack>& contact_cracks() {
   static const std::map<std::string, AddCrack> all = {
       {"rim", [](GearSet& g, double size) { test::crack_rim(g, size, 0.3); }},
-      {"outer_race", [](GearSet& g, double size) { test::crack_outer_race(g, size, 0.3); }},
+      {"outer_race", [](GearSet& g, double size) { test::crack_outer_race(g, size, 1.3); }},
       {"circular_spline", [](GearSet& g, double size) { test::crack_spline(g, size, 0.3); }},
       {"tooth", [](GearSet& g, double size) { test::crack_tooth(g, 3, size); }},
       {"inner_race", [](GearSet& g, double size) { test::crack_race(g, 1e-7 * size); }},

@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/stiffness_result.hpp"
 
@@ -13,6 +14,9 @@ struct EvaluationOptions {
   /// The coupled drive, where the file gives enough for it; some milliseconds.  Without it the
   /// accuracies of the sum are those of a drive that does not have it.
   bool coupled_drive = true;
+  /// Besides the angles of the file, the coupled drive at all angles of a turn, where a crack turns
+  /// relative to the lobes; some tenths of a second.
+  bool over_turn = false;
 };
 
 /// Whether an output, such as "curve.positive.K1", is one of the coupled drive.
@@ -22,7 +26,9 @@ struct EvaluationOptions {
 /// solved, and the sum of the members.
 ///
 /// @throws InputError  if the gear breaks a rule, or holds what the method cannot treat
+/// @throws Stopped     if the caller requests a stop
 [[nodiscard]] StiffnessResult evaluate(const GearSet& gear, Method method,
-                                       const EvaluationOptions& options = {});
+                                       const EvaluationOptions& options = {},
+                                       const Progress& progress = {});
 
 }  // namespace strainwave
