@@ -397,7 +397,6 @@ bool can_join(double diameter, double other) {
 /// Checks that rim, barrel and diaphragm can be one body.  A diaphragm may also lie outside of the
 /// barrel, as that of a hat.
 void check_joints(const FieldPath& path, const Flexspline& fs) {
-  if (!fs.barrel) return;
   const double barrel = fs.barrel->outer_diameter;
   if (fs.rim)
     require(can_join(barrel, fs.rim->outer_diameter), (path / "barrel" / "outer_diameter").text(),
@@ -440,8 +439,6 @@ void check_flexspline(const GearSet& gear) {
   if (fs.barrel) check_tube(path / "barrel", *fs.barrel);
   if (fs.boss) check_tube(path / "boss", *fs.boss);
   if (fs.diaphragm) check_diaphragm(path / "diaphragm", *fs.diaphragm);
-  if (fs.rim) check_rim_at_teeth(path / "rim", gear, *fs.rim);
-  check_joints(path, fs);
   if (fs.crack_free == CrackFree::sections) {
     if (!fs.barrel)
       throw InputError((path / "barrel").text(),
@@ -455,6 +452,8 @@ void check_flexspline(const GearSet& gear) {
     if (fs.shape == FlexsplineShape::cup && !fs.diaphragm)
       throw InputError((path / "diaphragm").text(),
                        "must be given for a cup where crack_free = \"sections\" (bottom)");
+    if (fs.rim) check_rim_at_teeth(path / "rim", gear, *fs.rim);
+    check_joints(path, fs);
   } else if (fs.rim || fs.barrel || fs.diaphragm || fs.boss || fs.flange_compliance != 0) {
     const char* const given = fs.rim         ? "rim"
                               : fs.barrel    ? "barrel"

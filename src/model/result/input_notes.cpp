@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "strainwave/core/compare.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
 
@@ -61,7 +62,7 @@ void note_contradiction(std::vector<Note>& notes, std::string_view field, double
 void note_step(std::vector<Note>& notes, const TubeSection& barrel, double bore, double outside,
                std::string_view other) {
   const double inner = barrel.outer_diameter - 2 * barrel.wall_thickness;
-  if (inner <= outside && bore <= barrel.outer_diameter) return;
+  if (!clearly_less(outside, inner) && !clearly_less(barrel.outer_diameter, bore)) return;
   notes.push_back({.code = "flexspline.step",
                    .text = fmt::format(
                        "the wall of the barrel lies between {:.4g} and {:.4g} mm in diameter, "
@@ -94,7 +95,8 @@ std::vector<Note> input_notes(const GearSet& gear) {
     note_step(notes, *fs.barrel, fs.rim->outer_diameter - 2 * fs.rim->wall_thickness,
               fs.rim->outer_diameter, "that of the rim");
   if (fs.barrel && fs.diaphragm &&
-      fs.diaphragm->inner_diameter < fs.barrel->outer_diameter - 2 * fs.barrel->wall_thickness)
+      clearly_less(fs.diaphragm->inner_diameter,
+                   fs.barrel->outer_diameter - 2 * fs.barrel->wall_thickness))
     note_step(notes, *fs.barrel, fs.diaphragm->outer_diameter, fs.diaphragm->outer_diameter,
               "the edge of the diaphragm");
   return notes;
