@@ -186,7 +186,7 @@ void contain_left_out(StiffnessResult& result, const GearSet& gear, const Member
        .text = fmt::format(
            "the sum of the members leaves out the contacts of balls and teeth, the rings and the "
            "coning of the cup: apart from the errors of the members the drive is softer; the "
-           "accuracy of the sum contains {}, and is stated to both sides alike",
+           "accuracy of the sum contains {}, which acts to the softer side",
            coupled == nullptr
                ? "this, as catalogues show it: the sum is 2 to 5 times too stiff without a shaft"
                : "the coupled drive, which is the answer"),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What units, explain and diff answer, and in which units all commands answer.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

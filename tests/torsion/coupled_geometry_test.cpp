@@ -365,8 +365,12 @@ TEST(CoupledGeometry, InputMissingSections) {
 TEST(CoupledGeometry, InputRulesBrokenOnce) {
   const std::vector<std::pair<std::string, std::function<void(GearSet&)>>> broken = {
       {"drive.wave_number", [](GearSet& g) { g.drive.wave_number = 3; }},
-      {"drive.ratio", [](GearSet& g) { g.drive.ratio = 100.25; }},
-      {"drive.ratio", [](GearSet& g) { g.drive.ratio = 9; }},
+      {"drive.ratio", [](GearSet& g) { g.drive.ratio += 0.25; }},
+      {"drive.ratio",
+       [](GearSet& g) {
+         g.drive.ratio = 9;
+         g.drive.radial_displacement = g.drive.pitch_diameter / 18;
+       }},
       {"flexspline.rim.outer_diameter",
        [](GearSet& g) { g.flexspline->rim->outer_diameter = 63.5 * mm; }},
       {"flexspline.rim.outer_diameter",

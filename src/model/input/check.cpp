@@ -576,12 +576,12 @@ void check_displacement(const Transmission& drive) {
   constexpr double kLeast = 0.3;
   constexpr double kMost = 2;
   const double nominal = drive.pitch_diameter / (2 * drive.ratio);
-  require(
-      drive.radial_displacement > kLeast * nominal && drive.radial_displacement < kMost * nominal,
-      "drive.radial_displacement", drive.radial_displacement, "m",
-      fmt::format("between 0.3 and 2 times pitch_diameter/(2 ratio), {:.4g} mm: else the teeth "
-                  "cannot engage and disengage",
-                  nominal / units::mm));
+  require(!clearly_less(drive.radial_displacement, kLeast * nominal) &&
+              !clearly_less(kMost * nominal, drive.radial_displacement),
+          "drive.radial_displacement", drive.radial_displacement, "m",
+          fmt::format("between 0.3 and 2 times pitch_diameter/(2 ratio), {:.4g} mm: else the teeth "
+                      "cannot engage and disengage",
+                      nominal / units::mm));
 }
 
 }  // namespace
