@@ -440,7 +440,7 @@ TEST(Diff, BehaviourStatesOfACrackAreNamedInWords) {
   ASSERT_NE(second.find(torque), std::string::npos);
   second.replace(second.find(torque), torque.size(), "torque = \"700 N*m\"");
   const Answer answer = diff(first, second);
-  EXPECT_NE(answer.document("text").find("flexspline.crack[0], T > 0, with the assembly: K "),
+  EXPECT_NE(answer.document("text").find("flexspline.crack[0], T > 0, with the assembly: K_load"),
             std::string::npos)
       << answer.document("text");
   EXPECT_NE(difference_of(diff_result(answer),
