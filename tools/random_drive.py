@@ -137,7 +137,9 @@ class Drive:
                     self.put("stress", self.uniform(-100, 500), "MPa")
                 if driver == "orthogonal_shear":
                     self.maybe(0.5, "contact_factor", 0.2, 0.6)
-            self.position()
+                self.position()
+            else:  # where the assembly opens it: 0.1.0 softened the ring also where it is pressed
+                self.put("position", self.uniform(60, 120), "deg")
 
     def flexspline(self):
         d = self.d
@@ -215,7 +217,7 @@ class Drive:
                 self.put("radius", (hub + mean) / 4, "m")
             if kind == "rim_axial":
                 self.put("depth", self.uniform(0.1, 0.6) * rim, "m")
-                self.position()
+                self.maybe(0.7, "position", -35, 35, "deg")  # as above
 
     def output_shaft(self):
         outer = self.uniform(0.3, 0.6) * self.d

@@ -190,8 +190,9 @@ Asked asked_by(const Given& given, const std::string* file, KnownFiles& known) {
   return asked;
 }
 
-/// The files of the drives.  If a word of a positional option names a file, the word is a file too,
-/// as in `require a.toml b.toml 'OUTPUT >= VALUE'`.
+/// The files of the drives.  Among the words of a positional option, those that name a file are
+/// files too: `require a.toml b.toml 'OUTPUT >= VALUE'`.  A name that ends in .toml is one even if
+/// there is no such file: it is misspelt, and refused as a file.
 std::vector<std::string> take_files(Given& given) {
   std::vector<std::string> files;
   const bool several = answers_several(given.command);
@@ -203,7 +204,7 @@ std::vector<std::string> take_files(Given& given) {
     } else if (several && argument.positional()) {
       std::error_code unseen;
       const auto is_file = [&](const std::string& text) {
-        return std::filesystem::is_regular_file(text, unseen);
+        return text.ends_with(".toml") || std::filesystem::is_regular_file(text, unseen);
       };
       std::ranges::copy_if(texts, std::back_inserter(files), is_file);
       std::erase_if(texts, is_file);

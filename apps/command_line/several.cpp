@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "strainwave/core/shown_text.hpp"
@@ -30,6 +31,50 @@ class HeadlineWalk : public OutputWalk {
 
  private:
   bool headline_ = false;
+};
+
+/// Reads the headlines of the elements of a list, such as requirements: a row for each element.
+class RowWalk : public OutputWalk {
+ public:
+  using Row = std::vector<std::pair<std::string, std::string>>;  // names and texts
+
+  RowWalk() : OutputWalk([](const std::string&, const Quantity&) {}) {}
+  [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
+
+  void begin_list() override {
+    ++lists_;
+    OutputWalk::begin_list();
+  }
+  void end_list() override {
+    --lists_;
+    OutputWalk::end_list();
+  }
+  void end_record() override {
+    if (lists_ > 0 && !row_.empty()) rows_.push_back(std::exchange(row_, {}));
+    OutputWalk::end_record();
+  }
+  bool field(const Field& field) override {
+    headline_ = field.headline ? field.name : std::string_view();
+    return OutputWalk::field(field);
+  }
+  void quantity(const Quantity& value) override {
+    add(shown_quantity(value.value, value.unit, 6, row_.empty() ? "" : row_.front().second));
+    OutputWalk::quantity(value);
+  }
+  void text(std::string_view value) override {
+    add(std::string(value));
+    OutputWalk::text(value);
+  }
+
+ private:
+  void add(std::string text) {
+    if (lists_ > 0 && !headline_.empty()) row_.emplace_back(headline_, std::move(text));
+  }
+
+  std::vector<Row> rows_;
+  Row row_;
+  std::string_view headline_;
+  int lists_ = 0;
 };
 
 /// Whether a type has a field that is a headline.
@@ -97,7 +142,32 @@ std::string verdict_of(const FileAnswer& of) {
                               : std::string(enum_name(evidence.verdict.judgement));
 }
 
+/// A row for each element of the answers' lists that has headlines, and one for a file without an
+/// answer; nothing if no answer has such a list.
+std::optional<Table> table_of_elements(std::span<const FileAnswer> answers) {
+  Table table{.head = {"file", "verdict"}, .align = "ll"};
+  bool any = false;
+  for (const FileAnswer& of : answers) {
+    RowWalk walk;
+    if (of.answer) of.answer->visit(walk);
+    any = any || !walk.rows().empty();
+    if (walk.rows().empty()) table.rows.push_back(cells(of.file, verdict_of(of)));
+    for (const RowWalk::Row& row : walk.rows()) {
+      auto& into = table.rows.emplace_back(cells(of.file, verdict_of(of)));
+      for (const auto& [name, text] : row) {
+        auto column = std::ranges::find(table.head, name);
+        if (column == table.head.end()) column = table.head.insert(column, name);
+        const auto at = static_cast<std::size_t>(column - table.head.begin());
+        into.resize(std::max(into.size(), at + 1));
+        into[at] = text;
+      }
+    }
+  }
+  return any ? std::optional(std::move(table)) : std::nullopt;
+}
+
 std::string text_of_several(std::span<const FileAnswer> answers) {
+  if (const auto table = table_of_elements(answers)) return text_table(*table);
   const Outputs outputs = outputs_of<HeadlineWalk>(answers);
   Table table{.head = {"file", "verdict"}, .align = "ll"};
   for (const auto& [name, unit] : outputs.columns) {

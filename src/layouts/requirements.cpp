@@ -20,7 +20,7 @@ std::string requirements_text(const RequirementReport& report) {
         cells(fmt::format("{} {} {}", asked.output, enum_name(asked.comparison),
                           shown_quantity(asked.bound, asked.unit, 9, asked.output)),
               answer.outcome, number(answer.value.value),
-              answer.low ? number(*answer.low) + " to " + number(*answer.high) : "unknown"));
+              answer.low ? number(*answer.low) + " to " + number(*answer.high) : "not stated"));
   }
   std::string text = text_table(table);
   if (!report.unusable_because.empty()) text += paragraph("NOT USABLE: " + report.unusable_because);

@@ -156,16 +156,39 @@ std::vector<CoupledRow> coupled_rows(const CurveResult& curve, const GearSet& ge
     std::string label;
     Quantity CurveStiffness::*of;
     Quantity CurveChange::*change;
+    Quantity LineStiffness::*over_turn;
   };
-  const std::array<Line, 3> lines = {
-      {{"K1", "K1, up to T1 = " + torque(at.T1), &CurveStiffness::K1, &CurveChange::K1},
-       {"K2", "K2, up to T2 = " + torque(at.T2), &CurveStiffness::K2, &CurveChange::K2},
-       {"K3", "K3, up to T3 = " + torque(at.T3), &CurveStiffness::K3, &CurveChange::K3}}};
+  const std::array<Line, 3> lines = {{{"K1", "K1, up to T1 = " + torque(at.T1), &CurveStiffness::K1,
+                                       &CurveChange::K1, &LineStiffness::K1},
+                                      {"K2", "K2, up to T2 = " + torque(at.T2), &CurveStiffness::K2,
+                                       &CurveChange::K2, &LineStiffness::K2},
+                                      {"K3", "K3, up to T3 = " + torque(at.T3), &CurveStiffness::K3,
+                                       &CurveChange::K3, &LineStiffness::K3}}};
   for (const Line& of : lines) {
     CoupledRow& row = line(of.label, of.name, of.of, "N*m/rad", 1);
     row.positive_change = curve.positive.change.*of.change;
     row.negative_change = curve.negative.change.*of.change;
   }
+  const auto over_turn = [&](std::string_view name, LineStiffness CurveOverTurn::*of) {
+    if (!curve.positive.over_turn || !curve.negative.over_turn) return;
+    for (const Line& of_line : lines) {
+      const Quantity& sound = curve.intact.*of_line.of;
+      const Quantity& positive = (*curve.positive.over_turn).*of.*of_line.over_turn;
+      const Quantity& negative = (*curve.negative.over_turn).*of.*of_line.over_turn;
+      rows.push_back({.label = fmt::format("{}, {} of a turn", of_line.name, name),
+                      .name = fmt::format("over_turn.{}.{}", name, of_line.name),
+                      .unit = "N*m/rad",
+                      .unit_in_si = 1,
+                      .sound = sound,
+                      .positive = positive,
+                      .negative = negative,
+                      .positive_change = Quantity{positive.value / sound.value - 1, "1"},
+                      .negative_change = Quantity{negative.value / sound.value - 1, "1"},
+                      .sound_name = of_line.name});
+    }
+  };
+  over_turn("mean", &CurveOverTurn::mean);
+  over_turn("softest", &CurveOverTurn::softest);
   for (const Line& of : lines) line(of.name, of.name, of.of, "N*m/arcmin", 1 / units::arcmin);
   if (curve.intact.wind_up && curve.positive.wind_up && curve.negative.wind_up)
     rows.push_back({.label = "wind-up at " + torque(std::abs(gear.load.torque)),

@@ -193,8 +193,8 @@ ReportSection drawing_chapter(const Draft& draft) {
     if (surface)
       html += paragraph(
           "The file does not state from which surface a crack over the width of a ring starts. The "
-          "drawing lets it start at the raceway of a bearing ring and at the teeth of rim and "
-          "circular spline. A crack or groove of the flexspline starts outside.",
+          "model and the drawing let it start at the raceway of a bearing ring and at the teeth of "
+          "rim and circular spline. A crack or groove of the flexspline starts outside.",
           "remark");
   }
   return {"drawing", "The drive and its cracks", html};
@@ -210,7 +210,7 @@ Report make_report(const GearSet& gear, const Provenance& provenance, const Repo
       .options = options,
       .progress = progress,
       .input_text = options.input_text.empty() ? gear_text(gear) : options.input_text,
-      .result = evaluate(gear, options.method),
+      .result = evaluate(gear, options.method, {.over_turn = true}, progress.part(0.0, 0.1)),
       .cracks = numbered_cracks(gear),
       .notes = {},
       .equations = {}};

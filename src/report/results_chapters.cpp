@@ -52,12 +52,14 @@ RowGroup coupled_group(const CurveResult& curve, const GearSet& gear) {
                      (curve.torques.by_convention ? "; T1, T2, T3 by convention" : ""),
                  {}};
   for (const CoupledRow& row : coupled_rows(curve, gear)) {
-    group.rows.push_back({{label(fmt::format("{} [{}]", row.label, row.unit)),
-                           quantity("curve.intact." + row.name, row.sound, row.unit_in_si), "",
-                           quantity("curve.positive." + row.name, row.positive, row.unit_in_si),
-                           quantity("curve.negative." + row.name, row.negative, row.unit_in_si),
-                           accuracy(row.sound)},
-                          {}});
+    group.rows.push_back(
+        {{label(fmt::format("{} [{}]", row.label, row.unit)),
+          quantity("curve.intact." + (row.sound_name.empty() ? row.name : row.sound_name),
+                   row.sound, row.unit_in_si),
+          "", quantity("curve.positive." + row.name, row.positive, row.unit_in_si),
+          quantity("curve.negative." + row.name, row.negative, row.unit_in_si),
+          accuracy(row.sound)},
+         {}});
     if (!row.positive_change || !row.negative_change) continue;
     group.rows.push_back({{"change", "", "", typeset(percent_change(row.positive_change->value)),
                            typeset(percent_change(row.negative_change->value)), ""},

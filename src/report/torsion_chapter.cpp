@@ -35,7 +35,7 @@ ReportSection torsion_chapter(Draft& draft) {
     const TorsionReport t = torsion_report(
         draft.gear,
         {.compare = cracked, .angles = draft.options.angles, .draws = draft.options.draws},
-        draft.progress.part(0.0, 0.8));
+        draft.progress.part(0.1, 0.8));
     std::string html = paragraph(fmt::format(
         "The drive as one system of elastic rings on one-sided balls and flanks, output against "
         "locked input. The maker's torques are T₁ = {}, T₂ = {}, T₃ = {}, rated {} N·m{}.",

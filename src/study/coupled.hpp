@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/stiffness_result.hpp"
 #include "strainwave/torsion/assembled_drive.hpp"
@@ -20,7 +21,9 @@ struct Coupled {
   std::vector<std::string> equations;
 };
 
-/// @param gear  has passed `check`
-[[nodiscard]] Coupled coupled_drive(const GearSet& gear);
+/// @param gear       has passed `check`
+/// @param over_turn  also at all angles of a turn, where a crack turns relative to the lobes
+[[nodiscard]] Coupled coupled_drive(const GearSet& gear, bool over_turn = false,
+                                    const Progress& progress = {});
 
 }  // namespace strainwave

@@ -15,8 +15,11 @@
 #include "strainwave/article/as_printed.hpp"
 #include "strainwave/article/repaired.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/shown_text.hpp"
+#include "strainwave/core/units.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/strength/crack_assessment.hpp"
+#include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
 namespace strainwave {
@@ -55,7 +58,7 @@ Quantity change_of(const Quantity& cracked, const Quantity& sound) {
 
 CrackedCurve cracked_lines_of(const AssembledDrive& drive, int sense, const CurveStiffness& sound,
                               std::vector<Note>& notes) {
-  CrackedCurve curve{lines_of(drive, sense, notes), {}};
+  CrackedCurve curve{lines_of(drive, sense, notes), {}, {}};
   curve.change = {.K1 = change_of(curve.K1, sound.K1),
                   .K2 = change_of(curve.K2, sound.K2),
                   .K3 = change_of(curve.K3, sound.K3),
@@ -63,6 +66,80 @@ CrackedCurve cracked_lines_of(const AssembledDrive& drive, int sense, const Curv
   if (curve.wind_up && sound.wind_up)
     curve.change.wind_up = change_of(*curve.wind_up, *sound.wind_up);
   return curve;
+}
+
+/// The lines of a turn, from what the cracks change of the sound ones.
+CurveOverTurn over_turn_of(const CurveStiffness& sound, const ChangesOverTurn& turn) {
+  const auto lines = [&](const LineChanges& changes) {
+    const auto changed = [](Quantity K, double change) {
+      K.value *= 1 + change;
+      return K;
+    };
+    return LineStiffness{.K1 = changed(sound.K1, changes.K1),
+                         .K2 = changed(sound.K2, changes.K2),
+                         .K3 = changed(sound.K3, changes.K3)};
+  };
+  return {.mean = lines(turn.mean), .softest = lines(turn.worst)};
+}
+
+/// "mesh.crack[0] at 5 degrees": the cracks that turn relative to the lobes, where the file has
+/// them.
+std::string angles_of_file(const GearSet& gear) {
+  std::string angles;
+  for_each_crack(gear, [&]<class Crack>(const std::string& path, const Crack& crack) {
+    if constexpr (ContactCrack<Crack>)
+      angles += fmt::format("{}{} at {:.4g} degrees", angles.empty() ? "" : ", ", path,
+                            crack.position / units::deg);
+  });
+  return angles;
+}
+
+/// A line of the curve that varies most over a turn, in words.
+std::string range_of(const ChangesOverTurn& positive, const ChangesOverTurn& negative) {
+  std::string text;
+  double most = -1.0;
+  const auto take = [&](const ChangesOverTurn& turn, std::string_view torque) {
+    for (const auto& [name, line] :
+         {std::pair{"K1", &LineChanges::K1}, {"K2", &LineChanges::K2}, {"K3", &LineChanges::K3}}) {
+      if (turn.ripple.*line <= most) continue;
+      most = turn.ripple.*line;
+      text = fmt::format(
+          "there they change {} under {} torque by {}; over a turn they change it by {} to {}, and "
+          "by {} on average",
+          name, torque, percent_change(turn.as_given.*line), percent_change(turn.worst.*line),
+          percent_change(turn.best.*line), percent_change(turn.mean.*line));
+    }
+  };
+  take(positive, "positive");
+  take(negative, "negative");
+  return text;
+}
+
+/// The stiffness at one angle of a turn misleads: a crack may even raise it there.
+Note one_angle_note(const GearSet& gear, const TurnChanges* turn) {
+  const std::string at =
+      "K1, K2, K3 and the wind-up hold at one angle of the wave generator, with " +
+      angles_of_file(gear) + " from the lobe; ";
+  if (turn == nullptr)
+    return {.code = "curve.one_angle",
+            .text = at + "over a turn the effect of these cracks varies and may change its sign",
+            .path = {},
+            .equation = "TC-26",
+            .severity = Severity::care,
+            .next_step = "Run strainwave stiffness: it gives the mean and the softest of a turn."};
+  constexpr double kSeen = 1e-3;  // ripple that a designer may care about [-]
+  double ripple = 0.0;
+  for (const ChangesOverTurn* const sense : {&turn->positive, &turn->negative})
+    ripple = std::max({ripple, sense->ripple.K1, sense->ripple.K2, sense->ripple.K3});
+  return {.code = "curve.one_angle",
+          .text = at + range_of(turn->positive, turn->negative),
+          .path = {},
+          .equation = "TC-26",
+          .severity = ripple > kSeen ? Severity::care : Severity::information,
+          .next_step =
+              "Design with the softest of a turn, curve.positive.over_turn.softest and "
+              "curve.negative.over_turn.softest; strainwave torsion --compare shows every "
+              "angle."};
 }
 
 /// Adds the strength of the cracks to the stiffness, or a note that names the missing input.
@@ -90,7 +167,7 @@ void add_strength(StiffnessResult& result, const GearSet& gear) {
 
 }  // namespace
 
-Coupled coupled_drive(const GearSet& gear) {
+Coupled coupled_drive(const GearSet& gear, bool over_turn, const Progress& progress) {
   Coupled coupled;
   if (const std::string missing = missing_for_torsion_curve(gear); !missing.empty()) {
     coupled.notes.push_back({.code = "curve.missing",
@@ -105,14 +182,26 @@ Coupled coupled_drive(const GearSet& gear) {
   try {
     const AssembledDrive drive(gear);
     std::vector<Note> notes = drive.notes();
+    std::vector<std::string> equations = drive.equations();
     const AssembledDrive sound = drive.without_cracks();
     CurveResult curve{.torques = makers_torques(gear),
                       .intact = lines_of(sound, +1, notes),
                       .positive = {},
                       .negative = {}};
+    const CurveStiffness sound_negative = lines_of(sound, -1, notes);
     curve.positive = cracked_lines_of(drive, +1, curve.intact, notes);
-    curve.negative = cracked_lines_of(drive, -1, lines_of(sound, -1, notes), notes);
-    coupled = {drive, std::move(curve), std::move(notes), drive.equations()};
+    curve.negative = cracked_lines_of(drive, -1, sound_negative, notes);
+    if (has_moving_cracks(gear)) {
+      std::optional<TurnChanges> turn;
+      if (over_turn) {
+        turn = changes_over_turn(drive, 0, progress);
+        curve.positive.over_turn = over_turn_of(curve.intact, turn->positive);
+        curve.negative.over_turn = over_turn_of(sound_negative, turn->negative);
+        equations.emplace_back("TC-26");
+      }
+      notes.insert(notes.begin(), one_angle_note(gear, turn ? &*turn : nullptr));
+    }
+    coupled = {drive, std::move(curve), std::move(notes), std::move(equations)};
   } catch (const Error& error) {
     coupled.notes = {{.code = "curve.none",
                       .text = std::string("no torsion curve of the coupled drive: ") + error.what(),
@@ -125,7 +214,8 @@ Coupled coupled_drive(const GearSet& gear) {
 
 bool is_of_coupled_drive(std::string_view output) { return output.starts_with("curve."); }
 
-StiffnessResult evaluate(const GearSet& gear, Method method, const EvaluationOptions& options) {
+StiffnessResult evaluate(const GearSet& gear, Method method, const EvaluationOptions& options,
+                         const Progress& progress) {
   switch (method) {
     case Method::as_printed:
       return torsional_stiffness_as_printed(gear);
@@ -136,7 +226,8 @@ StiffnessResult evaluate(const GearSet& gear, Method method, const EvaluationOpt
   }
   assert(method == Method::corrected);
   check(gear);
-  Coupled coupled = options.coupled_drive ? coupled_drive(gear) : Coupled{};
+  Coupled coupled =
+      options.coupled_drive ? coupled_drive(gear, options.over_turn, progress) : Coupled{};
   StiffnessResult result =
       torsional_stiffness(gear, {.coupled = coupled.curve ? &*coupled.curve : nullptr});
   result.curve = std::move(coupled.curve);

@@ -20,9 +20,10 @@ constexpr std::string_view kOption = "requirements";
 Requirement parse_requirement(const StiffnessResult& result, std::string_view text) {
   const std::size_t at = text.find_first_of("<>");
   if (at == std::string_view::npos)
-    throw InputError(kOption, fmt::format("{} must be OUTPUT OP VALUE with OP one of >=, >, <=, <, "
-                                          "such as cracked.positive.stiffness >= 2e4 N*m/rad",
-                                          shown(text)));
+    throw InputError(kOption,
+                     fmt::format("{} must be OUTPUT OP VALUE with OP one of >=, >, <=, <, such as "
+                                 "curve.positive.K2 >= 4e4 N*m/rad, or a file that exists",
+                                 shown(text)));
   const std::size_t length = text.substr(at + 1).starts_with('=') ? 2 : 1;
   const std::string_view output = without_blanks(text.substr(0, at));
   const std::optional<Quantity> present = output_named(result, output);
@@ -47,14 +48,82 @@ bool keeps(Comparison comparison, double value, double bound) {
   return value < bound;
 }
 
-RequirementAnswer answer_of(Requirement requirement, const Quantity& value, double coverage) {
+/// One standard uncertainty of an output below and above its value [unit of the output].
+struct Uncertainty {
+  double below = 0.0;
+  double above = 0.0;
+  bool one_sided = false;  ///< contains what the sum leaves out, on the side where it acts (ST-18)
+};
+
+/// That of a sum of compliances without what it leaves out, relative (ST-16).
+double of_members(const Compliances& compliance) {
+  double variance = 0.0;
+  for (const Quantity& member :
+       {compliance.wave_generator, compliance.flexspline, compliance.output_shaft})
+    variance += std::pow(member.value * member.relative_uncertainty.value_or(0.0), 2);
+  return std::sqrt(variance) / compliance.total.value;
+}
+
+/// Whether the drive is known to be softer than a sum, apart from the errors of the members: by
+/// catalogues where the coupled drive is not solved, else by its own lines (ST-18).
+bool is_softer(const Quantity& stiffness, const CurveStiffness* coupled) {
+  return coupled == nullptr ||
+         (std::max({coupled->K1.value, coupled->K2.value, coupled->K3.value}) <= stiffness.value);
+}
+
+/// The side of a sum's output on which the drive lies that it stands for.
+enum class Side { below, above, either };
+
+struct SumOutput {
+  Side softer = Side::either;
+  double of_members = 0.0;  ///< relative uncertainty without what the sum leaves out [-]
+};
+
+std::optional<SumOutput> sum_output(const StiffnessResult& result, std::string_view output) {
+  if (std::ranges::find(result.notes, "sum.left_out", &Note::code) == result.notes.end())
+    return std::nullopt;
+  const auto of = [&](std::string_view drive, const auto& sum,
+                      const CurveStiffness* coupled) -> std::optional<SumOutput> {
+    if (!output.starts_with(drive)) return std::nullopt;
+    const std::string_view name = output.substr(drive.size());
+    if (name == "stiffness_change") return SumOutput{};
+    if (name != "stiffness" && name != "wind_up" && name != "compliance.total") return std::nullopt;
+    if (!is_softer(sum.stiffness, coupled)) return SumOutput{};
+    return SumOutput{.softer = name == "stiffness" ? Side::below : Side::above,
+                     .of_members = of_members(sum.compliance)};
+  };
+  const auto& curve = result.curve;
+  if (const auto found = of("intact.", result.intact, curve ? &curve->intact : nullptr))
+    return found;
+  if (const auto found =
+          of("cracked.positive.", result.positive, curve ? &curve->positive : nullptr))
+    return found;
+  return of("cracked.negative.", result.negative, curve ? &curve->negative : nullptr);
+}
+
+Uncertainty uncertainty_of(const Quantity& value, const std::optional<SumOutput>& sum) {
+  const double size = std::abs(value.value);
+  const double both = *value.relative_uncertainty * size;
+  if (!sum || sum->softer == Side::either) return {.below = both, .above = both};
+  const double members = sum->of_members * size;
+  return sum->softer == Side::below ? Uncertainty{both, members, true}   // (ST-18)
+                                    : Uncertainty{members, both, true};  // (ST-18)
+}
+
+RequirementAnswer answer_of(Requirement requirement, const Quantity& value,
+                            const std::optional<SumOutput>& sum, double coverage) {
   RequirementAnswer answer{
       .requirement = std::move(requirement), .value = value, .low = {}, .high = {}};
-  if (!value.relative_uncertainty || !std::isfinite(value.value)) return answer;
-  const double u = coverage * *value.relative_uncertainty * std::abs(value.value);
-  answer.low = value.value - u;
-  answer.high = value.value + u;
+  if (!std::isfinite(value.value)) return answer;
   const auto& [output, comparison, bound, unit] = answer.requirement;
+  if (!value.relative_uncertainty) {
+    answer.outcome = keeps(comparison, value.value, bound) ? RequirementOutcome::met
+                                                           : RequirementOutcome::not_met;
+    return answer;
+  }
+  const Uncertainty u = uncertainty_of(value, sum);
+  answer.low = value.value - coverage * u.below;
+  answer.high = value.value + coverage * u.above;
   const bool low = keeps(comparison, *answer.low, bound);
   const bool high = keeps(comparison, *answer.high, bound);
   if (low == high) answer.outcome = low ? RequirementOutcome::met : RequirementOutcome::not_met;
@@ -69,36 +138,54 @@ std::string sentence(const RequirementAnswer& answer) {
       fmt::format("{} {} {}", answer.requirement.output, enum_name(answer.requirement.comparison),
                   number(answer.requirement.bound, 9));
   const std::string between =
-      answer.low ? fmt::format(", between {} and {}", number(*answer.low), number(*answer.high))
-                 : std::string(", of unknown uncertainty");
+      answer.low
+          ? fmt::format(", between {} and {}", number(*answer.low), number(*answer.high))
+          : std::string("; no uncertainty of this output is stated, so its value alone decides");
   return fmt::format("{}: {}; the value is {}{}", asked, enum_name(answer.outcome),
                      number(answer.value.value), between);
 }
 
-/// Whether the uncertainty of an output contains what the sum leaves out (ST-18).
-bool contains_left_out(const StiffnessResult& result, std::string_view output) {
-  const auto is = [&](std::string_view ending) { return output.ends_with(ending); };
-  return std::ranges::find(result.notes, "sum.left_out", &Note::code) != result.notes.end() &&
-         (output.starts_with("intact.") || output.starts_with("cracked.")) &&
-         (is(".stiffness") || is(".stiffness_change") || is(".wind_up") || is(".total"));
+/// What the interval of a sum contains, in words; empty for any other output.
+std::string interval_words(const std::optional<SumOutput>& sum) {
+  if (!sum) return "";
+  return sum->softer == Side::either
+             ? "; the uncertainty contains what the sum of the members leaves out, on both sides"
+             : "; the sum of the members leaves out contacts and rings, which only make the drive "
+               "softer: the uncertainty contains them on the softer side alone";
 }
 
-Note note_of(const RequirementAnswer& answer, bool left_out) {
-  const bool broken = answer.outcome == RequirementOutcome::not_met;
-  const bool both_sides = left_out && !broken;
-  return {
-      .code = broken ? "require.not_met" : "require.cannot_be_told",
-      .text = sentence(answer) +
-              (both_sides
-                   ? "; the uncertainty contains the effects that the sum of the members leaves "
-                     "out, equally to both sides, although these effects only make the drive softer"
-                   : ""),
-      .path = {},
-      .equation = both_sides ? "ST-18" : "ST-16",
-      .severity = broken ? Severity::critical : Severity::cannot_tell,
-      .next_step = broken ? "Change the drive or the requirement."
-                          : "Give the value that the accuracies name as the largest "
-                            "uncertainty, or measure the output."};
+/// What is to be said of an answer; nothing where a requirement is met beyond its uncertainty.
+std::optional<Note> note_of(const RequirementAnswer& answer, const std::optional<SumOutput>& sum) {
+  const bool stated = answer.low.has_value();
+  const std::string text = sentence(answer) + (stated ? interval_words(sum) : "");
+  const std::string equation = stated && sum ? "ST-18" : "ST-16";
+  switch (answer.outcome) {
+    case RequirementOutcome::not_met:
+      return Note{.code = "require.not_met",
+                  .text = text,
+                  .path = {},
+                  .equation = equation,
+                  .severity = Severity::critical,
+                  .next_step = "Change the drive, or the requirement."};
+    case RequirementOutcome::cannot_be_told:
+      return Note{.code = "require.cannot_be_told",
+                  .text = text,
+                  .path = {},
+                  .equation = equation,
+                  .severity = Severity::cannot_tell,
+                  .next_step =
+                      "Give the value that the accuracies name as the largest "
+                      "uncertainty, or measure the output."};
+    case RequirementOutcome::met:
+      break;
+  }
+  if (stated) return std::nullopt;
+  return Note{.code = "require.by_value",
+              .text = text,
+              .path = {},
+              .equation = equation,
+              .severity = Severity::care,
+              .next_step = "Keep a margin to the bound."};
 }
 
 }  // namespace
@@ -116,11 +203,11 @@ RequirementReport require_outputs(const StiffnessResult& result,
   for (const std::string& text : texts) {
     Requirement requirement = parse_requirement(result, text);
     const Quantity value = *output_named(result, requirement.output);
-    report.answers.push_back(answer_of(std::move(requirement), value, coverage));
+    const std::optional<SumOutput> sum = sum_output(result, requirement.output);
+    report.answers.push_back(answer_of(std::move(requirement), value, sum, coverage));
     const RequirementAnswer& answer = report.answers.back();
     report.outcome = std::max(report.outcome, answer.outcome);
-    if (answer.outcome != RequirementOutcome::met)
-      report.notes.push_back(note_of(answer, contains_left_out(result, answer.requirement.output)));
+    if (auto note = note_of(answer, sum)) report.notes.push_back(std::move(*note));
   }
   return report;
 }

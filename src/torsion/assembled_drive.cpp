@@ -110,12 +110,27 @@ void note_interference(const CoupledDrive& drive, std::vector<Note>& notes) {
        "mesh.lobe_gap", "TC-6", Severity::care, "Check mesh.lobe_gap and the fields named here."});
 }
 
-/// Adds the cracks to the sound drive on its cam, if the sound drive assembles.
+/// Cracks of rings that do nothing where they stand.
+void note_pressed(const AssembledDrive::Contents& contents, std::vector<Note>& notes) {
+  for (const RingHinge& hinge : contents.cracks.hinges)
+    if (pressed_by_assembly(contents.sound, hinge))
+      notes.push_back(
+          {"crack.pressed_ring",
+           fmt::format("at {:.4g} degrees from the lobe the assembly bends the ring so that the "
+                       "faces of its crack press on each other: the crack changes nothing there",
+                       hinge.position * 180 / pi),
+           hinge.ring == RingHinge::Ring::rim ? "flexspline.rim"
+                                              : "wave_generator.bearing.outer_ring",
+           "TC-22", Severity::information,
+           "Run strainwave torsion --compare: it shows what the crack changes over a turn."});
+}
+
+/// Puts the cracks into the sound drive, on its cam, if it has one.
 void crack(AssembledDrive::Contents& into) {
-  const ContactCracks& cracks = into.cracks;
   into.drive = into.sound;
   into.fails_because = into.sound_fails_because;
   if (!into.fails_because.empty()) return;
+  const ContactCracks cracks = acting(into.sound, into.cracks);
   if (cracks.teeth.empty() && cracks.hinges.empty() && cracks.balls.empty()) return;
   into.drive = into.sound.cracked(cracks);
   if (!into.drive.assemble_on(into.sound.cam_amplitude()))
@@ -211,7 +226,9 @@ const GearSet& AssembledDrive::gear() const { return contents_->gear; }
 const CoupledOptions& AssembledDrive::options() const { return contents_->options; }
 std::vector<Note> AssembledDrive::notes() const {
   std::vector<Note> notes = contents_->notes;
-  if (contents_->fails_because.empty()) note_interference(contents_->drive, notes);
+  if (!contents_->fails_because.empty()) return notes;
+  note_interference(contents_->drive, notes);
+  note_pressed(*contents_, notes);
   return notes;
 }
 const std::vector<std::string>& AssembledDrive::equations() const { return contents_->equations; }

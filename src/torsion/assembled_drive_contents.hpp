@@ -60,13 +60,34 @@ template <class Real>
 /// nearest to a position carries the larger force.
 [[nodiscard]] Equilibrium worst_of_ball(const CoupledDrive& sound, double torque, double position);
 
+/// Whether the moment of the assembly presses the faces of a ring's crack together, so that it does
+/// not soften the ring (TC-22).  The circular spline has no moment without torque.
+template <class Real>
+[[nodiscard]] bool pressed_by_assembly(const CoupledDrive& sound,
+                                       const BasicRingHinge<Real>& hinge) {
+  if (hinge.ring == RingHinge::Ring::spline) return false;
+  const double bends_more = sound.rings().curvature(sound.coefficients_of(sound.assembled().force),
+                                                    value_of(hinge.position));
+  return hinge.from_inside ? bends_more > 0 : bends_more < 0;
+}
+
+/// The cracks without those that the assembly presses.
+template <class Real>
+[[nodiscard]] BasicContactCracks<Real> acting(const CoupledDrive& sound,
+                                              BasicContactCracks<Real> cracks) {
+  std::erase_if(cracks.hinges, [&](const BasicRingHinge<Real>& hinge) {
+    return pressed_by_assembly(sound, hinge);
+  });
+  return cracks;
+}
+
 struct AssembledDrive::Contents {
   GearSet gear;
   CoupledOptions options;
   CoupledGeometry geometry;
-  CoupledDrive sound;  // the sound drive on its cam
-  ContactCracks cracks;
-  CoupledDrive drive;  // the drive with its cracks, on the cam of the sound drive
+  CoupledDrive sound;    // the sound drive on its cam
+  ContactCracks cracks;  // also those that the assembly presses
+  CoupledDrive drive;    // the drive with its cracks, on the cam of the sound drive
   SeriesMembers series;
   std::vector<Note> notes;
   std::vector<std::string> equations;

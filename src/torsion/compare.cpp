@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/parallel.hpp"
 #include "strainwave/torsion/hysteresis.hpp"
 
 namespace strainwave {
@@ -138,27 +139,37 @@ GearSet after_turn(const GearSet& gear, double angle) {
   return turned;
 }
 
+TurnChanges changes_over_turn(const AssembledDrive& drive, int angles, const Progress& progress) {
+  require(angles >= 0, "angles", angles, "1", ">= 0");
+  const AssembledDrive sound = drive.without_cracks();
+  const MakersLines positive_sound = makers_lines(sound, +1);
+  const MakersLines negative_sound = makers_lines(sound, -1);
+  const std::vector<double> turn = positions_over_turn(drive.gear(), angles);
+  std::vector<LineChanges> positive(turn.size());
+  std::vector<LineChanges> negative(turn.size());
+  for_each_index(turn.size(), {}, progress, [&] {
+    return [&](std::size_t i) {
+      const AssembledDrive turned = drive.turned(turn[i]);
+      positive[i] = changes(makers_lines(turned, +1), positive_sound);
+      negative[i] = changes(makers_lines(turned, -1), negative_sound);
+    };
+  });
+  return {.angles = turn,
+          .positive = over_turn(std::move(positive)),
+          .negative = over_turn(std::move(negative))};
+}
+
 CurveComparison compare_curves(const AssembledDrive& drive, const SlidingDrive& sliding, int angles,
                                const Progress& progress) {
-  require(angles >= 0, "angles", angles, "1", ">= 0");
-  // Shares of the time: the positions take most of it, the loops the rest.
-  const Progress turn = progress.part(0.0, 0.9);
   const AssembledDrive sound = drive.without_cracks();
   CurveComparison comparison;
   comparison.torques = makers_torques(drive.gear());
   comparison.sound = makers_lines(sound, +1);
-  comparison.angles = positions_over_turn(drive.gear(), angles);
-  const MakersLines sound_negative = makers_lines(sound, -1);
-  std::vector<LineChanges> positive;
-  std::vector<LineChanges> negative;
-  for (const double angle : comparison.angles) {
-    const AssembledDrive turned = drive.turned(angle);
-    positive.push_back(changes(makers_lines(turned, +1), comparison.sound));
-    negative.push_back(changes(makers_lines(turned, -1), sound_negative));
-    turn.at(static_cast<double>(positive.size()) / static_cast<double>(comparison.angles.size()));
-  }
-  comparison.positive = over_turn(std::move(positive));
-  comparison.negative = over_turn(std::move(negative));
+  // Shares of the time: the positions take most of it, the loops the rest.
+  TurnChanges turn = changes_over_turn(drive, angles, progress.part(0.0, 0.9));
+  comparison.angles = std::move(turn.angles);
+  comparison.positive = std::move(turn.positive);
+  comparison.negative = std::move(turn.negative);
   comparison.lost_motion_sound = lost_motion(sound);
   comparison.lost_motion_cracked = lost_motion(drive);
   const auto largest_width = [&](const SlidingDrive& slides, const Progress& part) {

@@ -10,7 +10,7 @@
 #include "coupled_geometry.hpp"
 #include "elastic_rings.hpp"
 
-// The coupled drive as a contact problemof elastic rings between balls and flanks that may touch.
+// The coupled drive as a contact problem of elastic rings between balls and flanks that may touch.
 //
 // The unknowns are the forces of the 20 to 60 contacts that touch, instead of all coefficients of
 // the rings.  This gives a small dense system.

@@ -299,8 +299,9 @@ CurveDerivatives CurveDifferentiator::of(const GearSet& gear, const Lift<DualRea
     }
     return 0.0;
   };
-  std::vector<Note> notes;  // these notes were made when the drive was assembled
-  const auto cracks = contact_cracks(gear, lift, geometry, ball_over, notes);
+  std::vector<Note> notes;  // said when the drive was assembled
+  const auto cracks =
+      acting(of_drive.sound, contact_cracks(gear, lift, geometry, ball_over, notes));
   const adjoint::DualDrive cracked(of_drive.drive, geometry, rings, cracks, sound.amplitude);
 
   auto members = cup_members(gear, lift);

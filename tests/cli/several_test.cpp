@@ -55,6 +55,26 @@ TEST_F(SeveralFiles, BehaviourRequireTakesFilesAmongItsRequirements) {
   EXPECT_EQ(run("require " + files + bound + " " + wrong_file()).exit_code, 3);
 }
 
+TEST_F(SeveralFiles, BehaviourRequireHasARowForEachFileAndRequirement) {
+  const Outcome table =
+      run("require " + example("catalogue_size25") + " " + wrong_file() + " " +
+          example("calibrated_size25") +
+          " 'curve.positive.K2 >= 3e4 N*m/rad' 'curve.positive.change.K1 >= -1 %'");
+  EXPECT_EQ(table.exit_code, 3);
+  EXPECT_EQ(std::ranges::count(table.out, '\n'), 6) << table.out;
+  for (const char* const said : {"bound", "value", "low", "high", "outcome", "curve.positive.K2",
+                                 "30000 N*m/rad", "-1 %", "no answer"})
+    EXPECT_NE(table.out.find(said), std::string::npos) << said << '\n' << table.out;
+}
+
+TEST_F(SeveralFiles, InputAMisspeltFileIsAFile) {
+  const Outcome misspelt =
+      run("require " + example("article") + " artcle.toml 'intact.stiffness > 1 N*m/rad'");
+  EXPECT_EQ(misspelt.exit_code, 3);
+  EXPECT_NE(misspelt.err.find("artcle.toml: cannot be opened for reading"), std::string::npos)
+      << misspelt.err;
+}
+
 TEST_F(SeveralFiles, IdentityCsvAndJsonHaveTheOutputsOfEachFile) {
   const std::string files =
       example("article") + " " + wrong_file() + " " + example("through_crack");

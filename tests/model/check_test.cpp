@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 Breaks every rule once, and tests every boundary that a rule
 // still accepts.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -514,6 +515,50 @@ const std::vector<Broken> kBroken = {
      "wave_generator.bearing.ball_count", ">= 3 and <= 200", ""},
     {"TooManyBalls", coupled_gear, [](GearSet& g) { wave_generator(g).bearing->ball_count = 201; },
      "wave_generator.bearing.ball_count", ">= 3 and <= 200", ""},
+    {"InnerRingNarrowerThanTheGroove", sections_gear,
+     [](GearSet& g) { wave_generator(g).inner_ring_width = 0.1 * mm; },
+     "wave_generator.inner_ring_width",
+     fmt::format(">= wave_generator.bearing.ball_diameter/2, {:.4g} mm: the balls run in a groove "
+                 "of the ring",
+                 1e3 * sections_gear().wave_generator->bearing->ball_diameter / 2),
+     ""},
+    {"OuterRingNarrowerThanTheGroove", sections_gear,
+     [](GearSet& g) { wave_generator(g).bearing->outer_ring->width = 0.1 * mm; },
+     "wave_generator.bearing.outer_ring.width",
+     fmt::format(">= wave_generator.bearing.ball_diameter/2, {:.4g} mm: the balls run in a groove "
+                 "of the ring",
+                 1e3 * sections_gear().wave_generator->bearing->ball_diameter / 2),
+     ""},
+    {"InnerRingNarrowerThanTheContact", article,
+     [](GearSet& g) { wave_generator(g).inner_ring_width = 3.9 * mm; },
+     "wave_generator.inner_ring_width",
+     ">= 2 contact_semi_axes[1], 4 mm: the contact lies on the ring", ""},
+    {"BarrelApartFromTheRim", sections_gear,
+     [](GearSet& g) { flexspline(g).barrel->outer_diameter = 143 * mm; },
+     "flexspline.barrel.outer_diameter",
+     "within 10 % of rim.outer_diameter, 160 mm, to which the barrel is joined", ""},
+    {"DiaphragmApartFromTheBarrel", sections_gear,
+     [](GearSet& g) { flexspline(g).diaphragm->outer_diameter = 142 * mm; },
+     "flexspline.diaphragm.outer_diameter",
+     "within 10 % of barrel.outer_diameter, 158 mm, to which the diaphragm is joined", ""},
+    {"RimApartFromTheTeeth", sections_gear,
+     [](GearSet& g) { flexspline(g).rim->outer_diameter = 153 * mm; },
+     "flexspline.rim.outer_diameter",
+     "at the tooth roots, within 4 modules of 0.8 mm of drive.pitch_diameter/2, 80 mm", ""},
+    {"RimOutsideOfTheTeeth", sections_gear,
+     [](GearSet& g) { flexspline(g).rim->outer_diameter = 167 * mm; },
+     "flexspline.rim.outer_diameter",
+     "at the tooth roots, within 4 modules of 0.8 mm of drive.pitch_diameter/2, 80 mm", ""},
+    {"WaveTooLow", article, [](GearSet& g) { g.drive.radial_displacement = 0.239 * mm; },
+     "drive.radial_displacement",
+     "between 0.3 and 2 times pitch_diameter/(2 ratio), 0.8 mm: else the teeth cannot engage and "
+     "disengage",
+     ""},
+    {"WaveTooHigh", article, [](GearSet& g) { g.drive.radial_displacement = 1.61 * mm; },
+     "drive.radial_displacement",
+     "between 0.3 and 2 times pitch_diameter/(2 ratio), 0.8 mm: else the teeth cannot engage and "
+     "disengage",
+     ""},
     {"OuterRaceCrackWithoutRing", coupled_gear,
      [](GearSet& g) { wave_generator(g).bearing->outer_ring.reset(); },
      "wave_generator.bearing.outer_ring", "",
@@ -754,7 +799,10 @@ const std::vector<Accepted> kAccepted = {
     {"TinyTorque", article, [](GearSet& g) { g.load.torque = 1e-300; }},
     {"Compression", article, [](GearSet& g) { g.load.axial_force = -1e6; }},
     {"DisplacementBelowTheRadius", article,
-     [](GearSet& g) { g.drive.radial_displacement = below(g.drive.pitch_diameter / 2); }},
+     [](GearSet& g) {
+       g.drive.ratio = 1.5;
+       g.drive.radial_displacement = below(g.drive.pitch_diameter / 2);
+     }},
     {"MaterialThatYieldsAsItBreaks", article,
      [](GearSet& g) {
        g.material["steel"].yield_strength = 900e6;
@@ -843,6 +891,24 @@ const std::vector<Accepted> kAccepted = {
      [](GearSet& g) { flexspline(g).rim->wall_thickness = below(80 * mm); }},
     {"NarrowestDiaphragm", sections_gear,
      [](GearSet& g) { flexspline(g).diaphragm->inner_diameter = below(154 * mm); }},
+    {"BarrelJustJoinedToTheRim", sections_gear,
+     [](GearSet& g) {
+       flexspline(g).barrel->outer_diameter = 144.01 * mm;
+       diaphragm(g).outer_diameter = 142 * mm;
+     }},
+    {"DiaphragmOfAHat", sections_gear,
+     [](GearSet& g) {
+       diaphragm(g).inner_diameter = 157 * mm;
+       diaphragm(g).outer_diameter = 250 * mm;
+     }},
+    {"RimJustAtTheTeeth", sections_gear,
+     [](GearSet& g) { flexspline(g).rim->outer_diameter = 153.7 * mm; }},
+    {"RingAsWideAsTheGroove", sections_gear,
+     [](GearSet& g) {
+       wave_generator(g).inner_ring_width = wave_generator(g).bearing->ball_diameter / 2;
+     }},
+    {"LowestWave", article, [](GearSet& g) { g.drive.radial_displacement = 0.241 * mm; }},
+    {"HighestWave", article, [](GearSet& g) { g.drive.radial_displacement = 1.59 * mm; }},
     {"CupWithoutRimAndBoss", sections_gear,
      [](GearSet& g) {
        flexspline(g).rim.reset();

@@ -84,6 +84,30 @@ TEST(InputNotes, InputLengthsThatTheSectionsContradict) {
   EXPECT_TRUE(input_notes(gear).empty());
 }
 
+TEST(InputNotes, InputSectionsWhoseWallsDoNotMeet) {
+  // The wall of the rim lies between 154 and 160 mm.
+  GearSet gear = gear_of_sections();
+  EXPECT_TRUE(input_notes(gear).empty());
+  const std::string field = "flexspline.barrel.outer_diameter";
+  gear.flexspline->barrel->outer_diameter = 153 * mm;
+  gear.flexspline->diaphragm->outer_diameter = 152 * mm;
+  EXPECT_EQ(text_of(gear, "flexspline.step", field),
+            "the wall of the barrel lies between 149 and 153 mm in diameter, and that of the rim, "
+            "154 to 160 mm, does not meet it: a step there adds compliance that the sections leave "
+            "out");
+  gear.flexspline->barrel->outer_diameter = 154 * mm;
+  EXPECT_TRUE(input_notes(gear).empty());
+  gear.flexspline->diaphragm->outer_diameter = 148 * mm;
+  EXPECT_EQ(text_of(gear, "flexspline.step", field),
+            "the wall of the barrel lies between 150 and 154 mm in diameter, and the edge of the "
+            "diaphragm, 148 mm, does not meet it: a step there adds compliance that the sections "
+            "leave out");
+  // The diaphragm of a hat lies outside of the barrel.
+  gear.flexspline->diaphragm->inner_diameter = 153 * mm;
+  gear.flexspline->diaphragm->outer_diameter = 250 * mm;
+  EXPECT_TRUE(input_notes(gear).empty());
+}
+
 TEST(InputNotes, IdentityEveryUsualRangeContainsItsExample) {
   // The template of an input file describes a plausible drive, so its examples are usual.
   const GearSet gear = test::article_gear();

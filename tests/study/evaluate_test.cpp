@@ -4,12 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "strainwave/core/units.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/layouts/stiffness.hpp"
 #include "strainwave/study/outputs.hpp"
+#include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 #include "support/expect.hpp"
 
@@ -52,6 +55,74 @@ TEST(Evaluate, CrosscheckTheCoupledDriveIsThatOfTheModule) {
   test::expect_relative(at.T1 / sound.wind_up_at_T1.value, sound.K1.value, 1e-14);
   test::expect_relative((at.T3 - at.T2) / (sound.wind_up_at_T3.value - sound.wind_up_at_T2.value),
                         sound.K3.value, 1e-12);
+}
+
+/// A drive with one crack of the outer ring at an angle from the lobe [deg].
+GearSet with_outer_race_crack(double degrees) {
+  GearSet gear = drive_of("catalogue_size25");
+  OuterRaceCrack crack;
+  crack.depth = 0.9e-3;
+  crack.position = degrees * units::deg;
+  gear.wave_generator->crack.emplace_back(crack);
+  return gear;
+}
+
+TEST(Evaluate, CrosscheckTheTurnIsThatOfTheComparison) {
+  // At 65 degrees the crack makes K1 stiffer: the result says so, and what a turn does.
+  const GearSet gear = with_outer_race_crack(65);
+  const StiffnessResult result = evaluate(gear, Method::corrected, {.over_turn = true});
+  const CurveComparison compared = compare_curves(gear);
+  for (const bool positive : {true, false}) {
+    const CrackedCurve& curve = positive ? result.curve->positive : result.curve->negative;
+    const ChangesOverTurn& turn = positive ? compared.positive : compared.negative;
+    ASSERT_TRUE(curve.over_turn);
+    const CurveStiffness& sound = result.curve->intact;
+    test::expect_relative(curve.over_turn->mean.K1.value, sound.K1.value * (1 + turn.mean.K1),
+                          1e-9);
+    test::expect_relative(curve.over_turn->softest.K2.value, sound.K2.value * (1 + turn.worst.K2),
+                          1e-9);
+    test::expect_relative(curve.over_turn->softest.K3.value, sound.K3.value * (1 + turn.worst.K3),
+                          1e-9);
+    EXPECT_LE(curve.over_turn->softest.K1.value, curve.K1.value * (1 + 1e-12));
+    EXPECT_EQ(curve.over_turn->mean.K1.relative_uncertainty, curve.K1.relative_uncertainty);
+  }
+  EXPECT_GT(result.curve->positive.change.K1.value, 0.02);
+  EXPECT_LT(result.curve->positive.over_turn->softest.K1.value,
+            0.98 * result.curve->intact.K1.value);
+  const Note& note = note_of(result, "curve.one_angle");
+  EXPECT_EQ(note.severity, Severity::care);
+  for (const char* const said : {"wave_generator.crack[0] at 65 degrees", "+2.2", "-2.4"})
+    EXPECT_NE(note.text.find(said), std::string::npos) << note.text;
+  EXPECT_NE(note.next_step.find("strainwave torsion --compare"), std::string::npos);
+  const std::string text = stiffness_text(result, gear, {});
+  EXPECT_NE(text.find("K1, softest of a turn"), std::string::npos) << text;
+}
+
+TEST(Evaluate, BehaviourATurnIsComputedWhereItIsAskedForAndCracksTurn) {
+  const StiffnessResult alone = evaluate(with_outer_race_crack(65), Method::corrected);
+  EXPECT_FALSE(alone.curve->positive.over_turn);
+  EXPECT_EQ(note_of(alone, "curve.one_angle").severity, Severity::care);
+  // Cracks in series have no angle.
+  const StiffnessResult sound =
+      evaluate(drive_of("catalogue_size25"), Method::corrected, {.over_turn = true});
+  EXPECT_FALSE(sound.curve->positive.over_turn);
+  EXPECT_EQ(std::ranges::find(sound.notes, "curve.one_angle", &Note::code), sound.notes.end());
+  // A crack that hardly matters at any angle raises no doubt.
+  GearSet shallow = with_outer_race_crack(65);
+  std::get<OuterRaceCrack>(shallow.wave_generator->crack[0]).depth = 1e-5;
+  const StiffnessResult small = evaluate(shallow, Method::corrected, {.over_turn = true});
+  EXPECT_EQ(note_of(small, "curve.one_angle").severity, Severity::information);
+}
+
+TEST(Evaluate, BehaviourAPressedCrackIsNoted) {
+  // The assembly bends the ring more at the lobe and presses a crack of the raceway there.
+  const StiffnessResult at_lobe = evaluate(with_outer_race_crack(5), Method::corrected);
+  EXPECT_EQ(at_lobe.curve->positive.change.K1.value, 0);
+  EXPECT_EQ(note_of(at_lobe, "crack.pressed_ring").severity, Severity::information);
+  const StiffnessResult beside = evaluate(with_outer_race_crack(90), Method::corrected);
+  EXPECT_LT(beside.curve->positive.change.K1.value, -0.01);
+  EXPECT_EQ(std::ranges::find(beside.notes, "crack.pressed_ring", &Note::code),
+            beside.notes.end());
 }
 
 TEST(Evaluate, IdentityTheAccuracyOfTheSumContainsTheCoupledDrive) {

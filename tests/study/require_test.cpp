@@ -4,6 +4,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <string_view>
+#include <tuple>
+
+#include "strainwave/io/gear_reader.hpp"
 #include "strainwave/layouts/requirements.hpp"
 #include "strainwave/model/result/result_fields.hpp"
 #include "strainwave/study/evaluate.hpp"
@@ -39,21 +44,35 @@ std::string refusal_of(const std::string& text) {
   return test::broken_rule([&] { return asked({text}); });
 }
 
+/// The uncertainty of the sum by its members alone (ST-16) [N*m/rad].
+double uncertainty_of_members() {
+  const Quantity K = value_of(kStiffness);
+  double variance = 0.0;
+  for (const char* const member : {"wave_generator", "flexspline", "output_shaft"}) {
+    const Quantity c = value_of(std::string("cracked.positive.compliance.") + member);
+    variance += std::pow(*c.relative_uncertainty * c.value, 2);
+  }
+  return K.value * K.value * std::sqrt(variance);
+}
+
 TEST(Require, ReferenceMetNotMetAndBetween) {
+  // (ST-18): below the value the stated uncertainty, above it that of the members alone.
   const Quantity K = value_of(kStiffness);
   const double u = K.relative_uncertainty.value() * K.value;
-  ASSERT_GT(u, 0);
+  const double above = uncertainty_of_members();
+  ASSERT_GT(above, 0);
+  ASSERT_GT(u, 1.1 * above);
   for (const char* const op : {">=", ">"}) {
     EXPECT_EQ(outcome(bound(kStiffness, op, K.value - 1.01 * u)), RequirementOutcome::met);
     EXPECT_EQ(outcome(bound(kStiffness, op, K.value - 0.99 * u)),
               RequirementOutcome::cannot_be_told);
-    EXPECT_EQ(outcome(bound(kStiffness, op, K.value + 0.99 * u)),
+    EXPECT_EQ(outcome(bound(kStiffness, op, K.value + 0.99 * above)),
               RequirementOutcome::cannot_be_told);
-    EXPECT_EQ(outcome(bound(kStiffness, op, K.value + 1.01 * u)), RequirementOutcome::not_met);
+    EXPECT_EQ(outcome(bound(kStiffness, op, K.value + 1.01 * above)), RequirementOutcome::not_met);
   }
   for (const char* const op : {"<=", "<"}) {
-    EXPECT_EQ(outcome(bound(kStiffness, op, K.value + 1.01 * u)), RequirementOutcome::met);
-    EXPECT_EQ(outcome(bound(kStiffness, op, K.value + 0.99 * u)),
+    EXPECT_EQ(outcome(bound(kStiffness, op, K.value + 1.01 * above)), RequirementOutcome::met);
+    EXPECT_EQ(outcome(bound(kStiffness, op, K.value + 0.99 * above)),
               RequirementOutcome::cannot_be_told);
     EXPECT_EQ(outcome(bound(kStiffness, op, K.value - 1.01 * u)), RequirementOutcome::not_met);
   }
@@ -75,7 +94,8 @@ TEST(Require, ScalingCoverageWidensTheBand) {
   EXPECT_EQ(outcome(text, 1.0), RequirementOutcome::met);
   EXPECT_EQ(outcome(text, 2.0), RequirementOutcome::cannot_be_told);
   const RequirementAnswer answer = asked({text}, 2.0).answers[0];
-  test::expect_relative(*answer.high - *answer.low, 4 * u, 1e-9);
+  test::expect_relative(K.value - *answer.low, 2 * u, 1e-9);
+  test::expect_relative(*answer.high - K.value, 2 * uncertainty_of_members(), 1e-9);
 }
 
 TEST(Require, IdentityUnitsOfTheBoundAreConverted) {
@@ -98,38 +118,70 @@ TEST(Require, ReferenceAChangeHasAnUncertaintyOfItsOwn) {
   EXPECT_EQ(answer.outcome, RequirementOutcome::met);
 }
 
-TEST(Require, LimitWithoutUncertaintyItCannotBeTold) {
+TEST(Require, BehaviourWithoutUncertaintyTheValueDecides) {
   ASSERT_FALSE(value_of(kStiffness, Method::as_printed).relative_uncertainty);
-  for (const char* const text : {" >= 1 N*m/rad", " <= 1 N*m/rad"}) {
+  for (const auto& [text, expected, code] :
+       {std::tuple{" >= 1 N*m/rad", RequirementOutcome::met, "require.by_value"},
+        {" <= 1 N*m/rad", RequirementOutcome::not_met, "require.not_met"}}) {
     const RequirementReport report = asked({kStiffness + text}, 1.0, Method::as_printed);
-    EXPECT_EQ(report.outcome, RequirementOutcome::cannot_be_told);
+    EXPECT_EQ(report.outcome, expected);
     EXPECT_FALSE(report.answers[0].low);
-    EXPECT_NE(requirements_text(report).find("unknown"), std::string::npos);
+    ASSERT_EQ(test::note_codes(report.notes), std::vector<std::string>{code});
+    EXPECT_NE(report.notes[0].text.find("no uncertainty of this output is stated"),
+              std::string::npos);
+    EXPECT_NE(requirements_text(report).find("not stated"), std::string::npos);
   }
+  EXPECT_EQ(
+      evidence_of(asked({kStiffness + " >= 1 N*m/rad"}, 1.0, Method::as_printed)).verdict.judgement,
+      Judgement::with_care);
 }
 
-TEST(Require, BehaviourTheNoteSaysThatWhatIsLeftOutActsToOneSide) {
-  // The bound lies above the stiffness of the sum; the drive is softer, but the uncertainty has two
-  // sides.
-  const auto says = [](const GearSet& gear, const std::string& output, double share) {
-    const StiffnessResult result = evaluate(gear, Method::corrected);
-    const std::string text = bound(output, "<=", share * output_named(result, output)->value);
-    const Note note = require_outputs(result, {text}, 1.0).notes.at(0);
-    return note.text.find("equally to both sides") != std::string::npos && note.equation == "ST-18";
+/// The note of a requirement that lies inside the interval of an output.
+Note note_inside(const GearSet& gear, const std::string& output, double share) {
+  const StiffnessResult result = evaluate(gear, Method::corrected);
+  const std::string text =
+      fmt::format("{} <= {} {}", output, share * output_named(result, output)->value,
+                  output_named(result, output)->unit);
+  return require_outputs(result, {text}, 1.0).notes.at(0);
+}
+
+TEST(Require, BehaviourWhatTheSumLeavesOutActsOnItsSofterSide) {
+  const auto says = [](const Note& note, std::string_view what) {
+    return note.text.find(what) != std::string::npos && note.equation == "ST-18";
   };
+  const char* const softer = "on the softer side alone";
   const GearSet gear = test::article_gear();
-  EXPECT_TRUE(says(gear, "intact.stiffness", 1.1));
-  EXPECT_TRUE(says(gear, "intact.compliance.total", 1.1));
-  // The text shows the note below the table.
-  EXPECT_NE(
-      requirements_text(asked({"intact.stiffness <= 7e5 N*m/rad"})).find("equally to both sides"),
-      std::string::npos);
-  // A requirement that is not met, a member, and a sum that leaves out nothing get no such note.
-  EXPECT_FALSE(says(gear, "intact.stiffness", 0.001));
-  EXPECT_FALSE(says(gear, "intact.compliance.flexspline", 1.001));
+  EXPECT_TRUE(says(note_inside(gear, "intact.stiffness", 0.9), softer));
+  EXPECT_TRUE(says(note_inside(gear, "intact.compliance.total", 1.1), softer));
+  EXPECT_TRUE(says(note_inside(gear, "cracked.negative.wind_up", 1.1), softer));
+  EXPECT_TRUE(says(note_inside(gear, kStiffnessChange, 1.0), "on both sides"));
+  // Neither a member, nor a sum that leaves out nothing.
+  EXPECT_FALSE(says(note_inside(gear, "intact.compliance.flexspline", 1.001), "side"));
   GearSet shaft = gear;
   shaft.wave_generator.reset();
-  EXPECT_FALSE(says(shaft, "intact.stiffness", 1.001));
+  EXPECT_FALSE(says(note_inside(shaft, "intact.stiffness", 1.001), "side"));
+  // The interval of a compliance is the mirror image of that of the stiffness.
+  const RequirementReport report =
+      asked({"cracked.positive.compliance.total >= 0 rad/(N*m)", kStiffness + " >= 0 N*m/rad"});
+  const auto reach = [](const RequirementAnswer& a, double end) {
+    return std::abs(end / a.value.value - 1);
+  };
+  EXPECT_LT(reach(report.answers[0], *report.answers[0].low),
+            reach(report.answers[0], *report.answers[0].high));
+  EXPECT_GT(reach(report.answers[1], *report.answers[1].low),
+            reach(report.answers[1], *report.answers[1].high));
+}
+
+TEST(Require, BehaviourASumThatIsSofterThanTheCoupledDriveHasBothSides) {
+  StiffnessResult result =
+      evaluate(read_gear_set_file(STRAINWAVE_EXAMPLES "/catalogue_size25.toml"), Method::corrected);
+  const auto answer = [&] {
+    return require_outputs(result, {"intact.stiffness >= 0 N*m/rad"}, 1.0).answers.at(0);
+  };
+  const Quantity K = result.intact.stiffness;
+  EXPECT_LT(*answer().high - K.value, 0.5 * (K.value - *answer().low));
+  result.curve->intact.K3.value = 1.001 * K.value;
+  test::expect_relative(*answer().high - K.value, K.value - *answer().low, 1e-9);
 }
 
 TEST(Require, IdentityAllTogetherAreAsGoodAsTheWorst) {

@@ -304,12 +304,15 @@ TEST(Solve, InputMessagesNameOptionValueAndWayOut) {
   const auto target_fault = [&](const char* text) {
     return fault([&] { (void)parse_target(gear, Method::corrected, text); });
   };
+  const std::string kWhere =
+      " strainwave stiffness FILE --format csv lists its outputs, strainwave explain OUTPUT says "
+      "what one is";
   EXPECT_EQ(target_fault("stiffness_change=-1 %"),
             "--target: \"stiffness_change\" is not an output of this drive; did you mean "
-            "cracked.positive.stiffness_change or cracked.negative.stiffness_change?");
+            "cracked.positive.stiffness_change or cracked.negative.stiffness_change?" + kWhere);
   EXPECT_EQ(target_fault("cracked.positive.stifness=1 N*m/rad"),
             "--target: \"cracked.positive.stifness\" is not an output of this drive; did you mean "
-            "cracked.positive.stiffness?");
+            "cracked.positive.stiffness?" + kWhere);
   EXPECT_EQ(target_fault("intact.stiffness=5"),
             "--target intact.stiffness: \"5\" has no unit; it must be convertible to N*m/rad");
   // A range cannot be chosen from the value zero.

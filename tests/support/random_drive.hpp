@@ -53,7 +53,7 @@ inline WaveGenerator random_wave_generator(Dice& dice, const Transmission& drive
   const double d = drive.pitch_diameter;
   const double t = dice.uniform(0.02, 0.08) * d;
   wg.inner_ring_thickness = t;
-  wg.inner_ring_width = dice.uniform(0.05, 0.2) * d;
+  wg.inner_ring_width = dice.uniform(0.06, 0.2) * d;
   wg.inner_ring_mean_radius = dice.uniform(0.3, 0.4) * d;
   const double a = dice.uniform(0.005, 0.03) * d;
   wg.contact_semi_axes = {a, a * dice.uniform(0.05, 1)};
@@ -184,7 +184,8 @@ inline GearSet random_drive(std::uint64_t seed) {
   gear.drive.ratio = dice.integer(30, 320);
   gear.drive.wave_number = dice.integer(2, 4);
   gear.drive.pitch_diameter = dice.log_uniform(20 * mm, 400 * mm);
-  gear.drive.radial_displacement = dice.uniform(0.002, 0.01) * gear.drive.pitch_diameter;
+  gear.drive.radial_displacement =
+      dice.uniform(0.4, 1.9) * gear.drive.pitch_diameter / (2 * gear.drive.ratio);
   gear.load.torque = (dice.chance(0.5) ? 1 : -1) * dice.log_uniform(0.1, 1e4);
   gear.load.axial_force = dice.chance(0.4) ? 0.0 : dice.uniform(-1, 1) * 1e4;
   const int members = dice.integer(1, 7);

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
+#include <numbers>
 #include <set>
 #include <string>
 #include <thread>
@@ -14,10 +16,13 @@
 
 #include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/hysteresis.hpp"
+#include "support/expect.hpp"
 #include "torsion/solved_drive.hpp"
 
 namespace strainwave {
 namespace {
+
+using std::numbers::pi;
 
 constexpr std::array kTorques = {5.0, 14.0, 48.0};
 
@@ -78,6 +83,34 @@ TEST(AssembledDrive, IdentityEveryCrackOfTheContactsTurnsButThatOfTheInnerRace) 
   }
   expect_same(makers_lines(AssembledDrive(all).turned(kAngle)),
               makers_lines(after_turn(all, kAngle)));
+}
+
+TEST(AssembledDrive, ReferenceACrackActsWhereTheAssemblyOpensIt) {
+  // (TC-22): nominal wave of an inextensional ring, curvature 3 w_0 cos(2 theta)/R^2: more of it at
+  // the lobes opens a crack of the rim from outside, less of it beside them one of the raceway.
+  const GearSet sound = test::supported_drive();
+  const double K1 = makers_lines(sound).K1;
+  for (int degrees = 0; degrees < 360; degrees += 15) {
+    const double angle = degrees * pi / 180;
+    if (std::abs(std::cos(2 * angle)) < 0.1) continue;  // no moment
+    GearSet rim = sound;
+    test::crack_rim(rim, 0.5, angle);
+    EXPECT_EQ(makers_lines(rim).K1 != K1, std::cos(2 * angle) > 0) << degrees;
+    GearSet race = sound;
+    test::crack_outer_race(race, 0.5, angle);
+    EXPECT_EQ(makers_lines(race).K1 != K1, std::cos(2 * angle) < 0) << degrees;
+    const auto codes = [](const GearSet& gear) {
+      return test::note_codes(AssembledDrive(gear).notes());
+    };
+    EXPECT_EQ(std::ranges::count(codes(rim), std::string("crack.pressed_ring")),
+              std::cos(2 * angle) < 0 ? 1 : 0);
+    EXPECT_EQ(std::ranges::count(codes(race), std::string("crack.pressed_ring")),
+              std::cos(2 * angle) > 0 ? 1 : 0);
+  }
+  // A ring that nothing bends without torque has no such place.
+  GearSet spline = sound;
+  test::crack_spline(spline, 0.4, pi / 2);
+  EXPECT_NE(makers_lines(spline).K2, makers_lines(sound).K2);
 }
 
 TEST(AssembledDrive, BehaviourADriveThatDoesNotAssembleSaysSo) {

@@ -52,6 +52,10 @@ const std::map<std::string, Case>& cases() {
       {"rim_hinge_sound_cam", {.change = [](GearSet& g) { test::crack_rim(g); }}},
       {"rim_hinge_reversed_sound_cam", {.change = [](GearSet& g) { test::crack_rim(g); }}},
       {"outer_race_hinge_sound_cam", {.change = [](GearSet& g) { test::crack_outer_race(g); }}},
+      {"rim_hinge_pressed_sound_cam",
+       {.change = [](GearSet& g) { test::crack_rim(g, 0.5, std::numbers::pi / 2); }}},
+      {"outer_race_hinge_pressed_sound_cam",
+       {.change = [](GearSet& g) { test::crack_outer_race(g, 0.5, 0.0); }}},
       {"spline_hinge",
        {.change =
             [](GearSet& g) {

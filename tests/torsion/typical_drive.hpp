@@ -139,7 +139,8 @@ inline void crack_rim(GearSet& gear, double depth_ratio = 0.5, double position =
       ring_crack<RimAxialCrack>(depth_ratio * gear.flexspline->rim->wall_thickness, position));
 }
 
-inline void crack_outer_race(GearSet& gear, double depth_ratio = 0.5, double position = 0.0) {
+inline void crack_outer_race(GearSet& gear, double depth_ratio = 0.5,
+                             double position = std::numbers::pi / 2) {
   gear.wave_generator->crack.emplace_back(ring_crack<OuterRaceCrack>(
       depth_ratio * gear.wave_generator->bearing->outer_ring->thickness, position));
 }

@@ -12,7 +12,8 @@ torque; the step is shortened towards the zero of the slope along it, nothing is
 or energy.  It stops at |gradient| <= 1e-12 of the contact forces or where rounding stops it, and
 raises an error above 1e-11.  The cam amplitude A makes the mean of w at the two lobes the nominal
 w0 at T = 0 (Newton on A, for the cracked drive as well; in the cases "sound_cam" A is that of the
-sound drive).  There no flank may touch and the ring may
+sound drive, and only cracks of rim and outer race act that the curvature of the sound assembled
+ring opens).  There no flank may touch and the ring may
 turn freely within the play: then c0(0) is the point of the play nearest to 0, where a vanishing
 spring would hold it (the middle of the play of a sound drive).  Ring rotation is (c0(T) - c0(0))/R;
 the twist adds T lambda, lambda of the members in series.
@@ -301,6 +302,13 @@ class Coupled:
             row[2:2 + 2 * self.N] = waves
         return row, alpha
 
+    def opens(self, hinge):
+        """Whether the curvature of the assembled ring opens a crack: more of it outside."""
+        if hinge.member == "circular_spline":
+            return True
+        flatter = self.hinge(hinge)[0] @ self.start.x
+        return flatter < 0 if hinge.member == "rim" else flatter > 0
+
     def balls(self):
         g = self.g
         E, nu, D = g["youngs_modulus"], g["poissons_ratio"], g["ball_diameter"]
@@ -515,9 +523,9 @@ CASES = {  # case: changes of the typical drive, sign of the torque
     "tooth": (plain(broken_teeth={0: 0.5}), 1),
     "tooth_reversed": (plain(broken_teeth={0: 0.5}), -1),
     "rim_hinge": (plain(hinges=(Hinge("rim", 0.3, 0.5),)), 1),
-    "outer_race_hinge": (plain(hinges=(Hinge("outer_race", 0.0, 0.5),)), 1),
+    "outer_race_hinge": (plain(hinges=(Hinge("outer_race", pi / 2, 0.5),)), 1),
     "rim_hinge_sound_cam": (plain(hinges=(Hinge("rim", 0.3, 0.5),)), 1),
-    "outer_race_hinge_sound_cam": (plain(hinges=(Hinge("outer_race", 0.0, 0.5),)), 1),
+    "outer_race_hinge_sound_cam": (plain(hinges=(Hinge("outer_race", pi / 2, 0.5),)), 1),
     "spline_hinge": (dict(spline_support=0.5, hinges=(Hinge("circular_spline", 0.2, 0.4),)), 1),
 }
 OTHERS = {  # of size 25, ratio 100 only
@@ -531,9 +539,11 @@ OTHERS = {  # of size 25, ratio 100 only
     "friction_loading": (plain(flank_angle_shift=-atan(0.1)), 1),
     "friction_unloading": (plain(flank_angle_shift=atan(0.1)), 1),
     "rim_hinge_reversed": (plain(hinges=(Hinge("rim", 0.3, 0.5),)), -1),
+    "rim_hinge_pressed_sound_cam": (plain(hinges=(Hinge("rim", pi / 2, 0.5),)), 1),
+    "outer_race_hinge_pressed_sound_cam": (plain(hinges=(Hinge("outer_race", 0.0, 0.5),)), 1),
     "all_cracks": (dict(spline_support=0.5, broken_teeth={0: 0.5, 101: 1.0},
                         ball_compliance={1: 2e-8}, clearance=2e-6, hinges=(
-                            Hinge("rim", 0.3, 0.5), Hinge("outer_race", 0.0, 0.5),
+                            Hinge("rim", 0.3, 0.5), Hinge("outer_race", pi / 2, 0.5),
                             Hinge("circular_spline", 0.2, 0.4))), 1),
 }
 OTHERS |= {f"{case}_sound_cam": OTHERS[case]
@@ -546,6 +556,7 @@ def add_curve(table, case, size, ratio, changes, sign):
     if case.endswith("sound_cam"):
         sound = Coupled(drive | dict(hinges=(), broken_teeth={}, ball_compliance={}))
         sound.assemble()
+        model = Coupled(drive | dict(hinges=tuple(h for h in drive["hinges"] if sound.opens(h))))
         model.assemble(sound.amplitude)
     loads = [sign * T for T in torques(drive)]
     results = model.curve(loads)

@@ -260,7 +260,11 @@ class Answer {
   /// The files of a document that is a folder; with several ranks, only the files of this rank.
   /// @throws OptionError  if the command does not make this document
   [[nodiscard]] std::vector<OutputFile> files(std::string_view name) const;
-  void visit(ValueVisitor& to) const { command_->visit(result_.get(), to); }
+  /// Texts that the visitor makes of numbers are in the units that options name.
+  void visit(ValueVisitor& to) const {
+    const AskedUnitsScope scope(units_);
+    command_->visit(result_.get(), to);
+  }
 
  private:
   const Command* command_;

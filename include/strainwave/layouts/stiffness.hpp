@@ -23,10 +23,11 @@ struct CoupledRow {
   Quantity negative;
   std::optional<Quantity> positive_change = {};  ///< absent: another row gives the change
   std::optional<Quantity> negative_change = {};
+  std::string sound_name = {};  ///< of the output below curve.intact, where it is another
 };
 
-/// Rows for K1, K2, K3 in both units, and for the wind-up at the given torque and at the maker's
-/// torques.
+/// K1, K2, K3 in both units, over a turn where cracks turn relative to the lobes, and wind-up at the
+/// given torque and at the maker's.
 [[nodiscard]] std::vector<CoupledRow> coupled_rows(const CurveResult& curve, const GearSet& gear);
 
 /// The titles of the tables of the coupled drive and of the sum of the members.

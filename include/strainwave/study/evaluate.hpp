@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/stiffness_result.hpp"
 
@@ -14,6 +15,9 @@ struct EvaluationOptions {
   /// milliseconds. If false, the accuracies of the sum are those of a drive without a coupled
   /// solution.
   bool coupled_drive = true;
+  /// Besides the angles of the file, the coupled drive at all angles of a turn, where a crack turns
+  /// relative to the lobes; some tenths of a second.
+  bool over_turn = false;
 };
 
 /// Whether an output, such as "curve.positive.K1", is one of the coupled drive.
@@ -22,8 +26,10 @@ struct EvaluationOptions {
 /// Torsional stiffness of a drive by one of the three methods: from the coupled drive, if it can be
 /// solved, and from the sum of the members.
 ///
-/// @throws InputError  if the gear breaks a rule, or if the method cannot treat it
+/// @throws InputError  if the gear breaks a rule, or holds what the method cannot treat
+/// @throws Stopped     if the caller requests a stop
 [[nodiscard]] StiffnessResult evaluate(const GearSet& gear, Method method,
-                                       const EvaluationOptions& options = {});
+                                       const EvaluationOptions& options = {},
+                                       const Progress& progress = {});
 
 }  // namespace strainwave

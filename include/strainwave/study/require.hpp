@@ -40,21 +40,25 @@ struct RequirementAnswer {
   template <class Visitor>
   static void describe(Visitor&& field) {
     using A = RequirementAnswer;
-    field({"output", "", "name of the output"}, [](const A& a) { return a.requirement.output; });
-    field({"comparison", "", "how the output must compare with the bound"},
+    const auto shown = [](std::string_view name, std::string_view unit, std::string_view doc) {
+      return Field{.name = name, .unit = unit, .doc = doc, .headline = true};
+    };
+    field(shown("output", "", "name of the output"),
+          [](const A& a) { return a.requirement.output; });
+    field(shown("comparison", "", "how the output must compare with the bound"),
           [](const A& a) { return a.requirement.comparison; });
-    field({"bound", kUnitBeside, "the bound"}, [](const A& a) {
+    field(shown("bound", kUnitBeside, "the bound"), [](const A& a) {
       return Quantity{a.requirement.bound, a.requirement.unit};
     });
-    field({"value", kUnitBeside, "the output"}, &A::value);
+    field(shown("value", kUnitBeside, "the output"), &A::value);
     const auto limit = [](std::optional<double> A::*end) {
       return [end](const A& a) {
         return a.*end ? std::optional(Quantity{*(a.*end), a.requirement.unit}) : std::nullopt;
       };
     };
-    field({"low", kUnitBeside, "the output less its uncertainty"}, limit(&A::low));
-    field({"high", kUnitBeside, "the output plus its uncertainty"}, limit(&A::high));
-    field({"outcome", "", "met, not met, or cannot be told"}, &A::outcome);
+    field(shown("low", kUnitBeside, "the output less its uncertainty"), limit(&A::low));
+    field(shown("high", kUnitBeside, "the output plus its uncertainty"), limit(&A::high));
+    field(shown("outcome", "", "met, not met, or cannot be told"), &A::outcome);
   }
 };
 
@@ -88,12 +92,14 @@ struct RequirementReport {
 /// Judges requirements on the outputs of a result.
 ///
 /// A requirement is met if the whole uncertainty interval of the output keeps the bound.  It is not
-/// met if the whole interval breaks the bound.  In between, the answer is `cannot tell`.  A change
-/// has its own uncertainty, smaller than that of the stiffnesses it compares.  The combined answer
-/// is `not met` if one requirement is not met, and `met` if all are met.
+/// met if the whole interval breaks the bound.  In between, the answer is `cannot tell`.  An output
+/// without a stated uncertainty is judged by its value, and a note says so.  A sum of members takes
+/// what it leaves out on the softer side alone, where the drive is known to be softer (ST-18).  A
+/// change has its own uncertainty, smaller than that of the stiffnesses it compares.  The combined
+/// answer is `not met` if one requirement is not met, and `met` if all are met.
 ///
 /// @param texts     "OUTPUT OP VALUE" where OP is one of >=, >, <=, < and VALUE has a unit:
-///                  "cracked.positive.stiffness >= 2e4 N*m/rad"
+///                  "curve.positive.K2 >= 4e4 N*m/rad"
 /// @param coverage  k, number of standard uncertainties taken into account [-]; > 0
 /// @throws InputError  if a text cannot be read, or does not name an output of the result
 [[nodiscard]] RequirementReport require_outputs(const StiffnessResult& result,

@@ -121,6 +121,19 @@ struct CurveComparison {
 /// scatters of moved positions are removed (drop_lost_paths).
 [[nodiscard]] GearSet after_turn(const GearSet& gear, double angle);
 
+/// The changes of the maker's stiffnesses over a turn, under both senses of torque.
+struct TurnChanges {
+  std::vector<double> angles;  ///< angles by which the wave generator has turned [rad]
+  ChangesOverTurn positive;
+  ChangesOverTurn negative;
+};
+
+/// Changes of the maker's stiffnesses by the cracks, over a turn of the wave generator (TC-26).
+/// @param angles  as in `compare_curves`
+/// @throws InputError, SolverError, Stopped  as `compare_curves`
+[[nodiscard]] TurnChanges changes_over_turn(const AssembledDrive& drive, int angles = 0,
+                                            const Progress& progress = {});
+
 /// Compares the maker's stiffnesses of a drive with and without its cracks (TC-26).
 ///
 /// @param angles  positions of the wave generator over a turn [-], adjusted to whole teeth; 0 for

@@ -13,12 +13,21 @@
 #include "strainwave/door/door.hpp"
 #include "strainwave/layouts/words.hpp"
 #include "strainwave/model/input/method.hpp"
+#include "strainwave/model/result/crack_strength.hpp"
 #include "strainwave/present/evidence_text.hpp"
 #include "strainwave/present/table.hpp"
 
 namespace strainwave {
 
 Command stiffness_command();
+
+/// How a difference stands to its uncertainty.
+enum class Standing { beyond, within, not_stated, same };
+template <>
+struct EnumNames<Standing> {
+  static constexpr std::array<std::string_view, 4> names = {"beyond", "within", "not stated",
+                                                            "same"};
+};
 
 namespace {
 
@@ -88,14 +97,24 @@ void read_inputs(const Json& value, const std::string& path, Inputs& to) {
   }
 }
 
+/// The path of an element of a list: what it says of itself, or its index.  The states of a crack
+/// say which torque they are under, so that states of one load are compared.
+std::string element_path(const Json& element, const std::string& list, std::size_t index) {
+  if (element.is_object() && element.contains("path")) return element["path"];
+  if (element.is_object() && element.contains("torque") && element.contains("with_assembly"))
+    return fmt::format(
+        "{}[{}, {}]", list,
+        words_of(element["torque"] == enum_name(TorqueSense::negative) ? TorqueSense::negative
+                                                                       : TorqueSense::positive),
+        element["with_assembly"] == true ? "with the assembly" : "load alone");
+  return fmt::format("{}[{}]", list, index);
+}
+
 /// The numbers of a result that stand in no column, named as for_each_quantity names them.
 void read_outputs(const Json& value, const std::string& path, Side& to) {
   if (value.is_array()) {
     for (std::size_t i = 0; i < value.size(); ++i) {
-      const bool named = value[i].is_object() && value[i].contains("path");
-      read_outputs(value[i],
-                   named ? value[i]["path"].get<std::string>() : fmt::format("{}[{}]", path, i),
-                   to);
+      read_outputs(value[i], element_path(value[i], path, i), to);
     }
   } else if (value.is_object() && value.contains("value") && value.contains("unit")) {
     if (!value["value"].is_number()) return;
@@ -168,7 +187,7 @@ struct InputDifference {
   }
 };
 
-/// An output that differs.
+/// An output of both.
 struct OutputDifference {
   std::string path;
   std::string unit;
@@ -176,6 +195,7 @@ struct OutputDifference {
   double second = 0.0;
   double difference = 0.0;            ///< second - first
   std::optional<double> uncertainty;  ///< one standard, of the difference; absent: not stated
+  Standing standing = Standing::same;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -187,6 +207,7 @@ struct OutputDifference {
     field({"difference", kUnitBeside, "second less first"}, &D::difference);
     field({"uncertainty", kUnitBeside, "one standard uncertainty of the difference"},
           &D::uncertainty);
+    field({"standing", "", "whether the difference is beyond its uncertainty"}, &D::standing);
   }
 };
 
@@ -195,6 +216,8 @@ struct Difference {
   std::string second;
   double coverage = 1.0;
   std::vector<InputDifference> inputs;
+  std::vector<OutputDifference>
+      stiffness;                           ///< K1, K2, K3 and wind-up, also where they are the same
   std::vector<OutputDifference> outputs;   ///< beyond the uncertainty of their difference
   std::vector<OutputDifference> within;    ///< others that differ
   std::vector<OutputDifference> unstated;  ///< outputs that differ without a stated uncertainty
@@ -202,7 +225,7 @@ struct Difference {
   std::vector<std::string> only_second;
   std::size_t equal = 0;
   std::string unusable_because;
-  std::vector<std::string> equations = {"ST-19"};
+  std::vector<std::string> equations = {"ST-19", "ST-20"};
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -212,7 +235,9 @@ struct Difference {
     field({"coverage", "1", "number of standard uncertainties that a difference must exceed"},
           &D::coverage);
     field({"inputs", "", "that differ"}, &D::inputs);
-    field({"outputs", "", "outputs that differ by more than the uncertainty of their difference"},
+    field({"stiffness", "", "K1, K2, K3 and wind-up of both senses, also where they are the same"},
+          &D::stiffness);
+    field({"outputs", "", "that differ by more than the uncertainty of their difference"},
           &D::outputs);
     field({"within_uncertainty", "", "outputs that differ by less"}, &D::within);
     field({"uncertainty_not_stated", "", "outputs that differ without a stated uncertainty"},
@@ -225,6 +250,12 @@ struct Difference {
 
 constexpr std::array<std::string_view, 3> kMembers = {"wave_generator", "flexspline",
                                                       "output_shaft"};
+/// The parts among which the error of the coupled drive is divided alike (ST-20).
+constexpr std::array<std::string_view, 4> kCoupledParts = {"wave_generator", "flexspline.rim",
+                                                           "mesh", "circular_spline"};
+/// Fields of the flexspline that stand in series with the rim (TC-13).
+constexpr std::array<std::string_view, 4> kInSeries = {"barrel", "diaphragm", "boss",
+                                                       "flange_compliance"};
 constexpr std::array<std::string_view, 3> kDrives = {"intact", "cracked.positive",
                                                      "cracked.negative"};
 
@@ -236,38 +267,58 @@ class SameParts {
     for (const InputDifference& input : differing) {
       const std::string& path = input.path;
       const bool says_nothing = path == "name" || path == "format" || path.starts_with("scatter") ||
-                                path.starts_with("range") || path.starts_with("article.");
+                                path.starts_with("range") || path.starts_with("article.") ||
+                                path.starts_with("rating.");
       if (says_nothing) continue;
-      if (const auto member = std::ranges::find_if(
-              kMembers, [&](std::string_view m) { return path.starts_with(std::string(m) + "."); });
-          member != kMembers.end()) {
-        const bool crack = path.starts_with(fmt::format("{}.crack[", *member));
-        changed_.insert(crack ? path.substr(0, path.find(']') + 1) : std::string(*member));
-        body_ = body_ && crack;
-      } else if (path.starts_with("material.")) {
-        materials.insert(path.substr(9, path.rfind('.') - 9));
-        body_ = false;
-      } else {
-        body_ = false;
-        changed_.insert(kMembers.begin(), kMembers.end());
+      const std::string table = path.substr(0, path.find('.'));
+      if (path.starts_with(fmt::format("{}.crack[", table))) {
+        changed_.insert(path.substr(0, path.find(']') + 1));
+        continue;
       }
+      body_ = false;
+      if (table == "material")
+        materials.insert(path.substr(9, path.rfind('.') - 9));
+      else if (std::ranges::find(kMembers, table) != kMembers.end() || table == "mesh" ||
+               table == "circular_spline")
+        change(table, path);
+      else if (table == "load")  // no stiffness of the coupled drive depends on it
+        sum_changed_ = true;
+      else
+        all_changed_ = true;
     }
-    for (const std::string_view member : kMembers)
+    for (const std::string table :
+         {"wave_generator", "flexspline", "output_shaft", "circular_spline"})
       for (const Side* const side : {&first, &second})
-        if (const auto used = side->inputs.find(fmt::format("{}.material", member));
+        if (const auto used = side->inputs.find(table + ".material");
             used != side->inputs.end() && materials.contains(used->second))
-          changed_.insert(std::string(member));
+          change(table, table + ".material");
   }
 
   /// @param part  a member, or a crack of one
   [[nodiscard]] bool same(const std::string& part) const {
-    return !changed_.contains(part) && !changed_.contains(part.substr(0, part.find('.')));
+    return !sum_changed_ && same_in_coupled_drive(part) &&
+           !changed_.contains(part.substr(0, part.find('.')));
+  }
+  [[nodiscard]] bool same_in_coupled_drive(const std::string& part) const {
+    return !all_changed_ && !changed_.contains(part);
   }
   /// Whether at most cracks differ.
   [[nodiscard]] bool same_body() const { return body_; }
 
  private:
-  std::set<std::string> changed_;
+  /// A field of a part of the drive differs.
+  void change(const std::string& table, const std::string& path) {
+    changed_.insert(table);
+    const auto is_of = [&](std::string_view field) {
+      return path.starts_with(fmt::format("flexspline.{}", field));
+    };
+    if (table == "flexspline" && std::ranges::none_of(kInSeries, is_of))
+      changed_.insert("flexspline.rim");
+  }
+
+  std::set<std::string> changed_;  // members, other parts and cracks
+  bool sum_changed_ = false;
+  bool all_changed_ = false;
   bool body_ = true;
 };
 
@@ -400,9 +451,19 @@ double left_out_of(const Side& first, const Side& second, const std::string& pat
   return farthest(differences, y_b - y_a);
 }
 
-/// One standard uncertainty of second - first: a part that is the same in both has a single model
-/// error, which cancels; a part that differs has two independent errors; a further term is what the
-/// sums leave out
+/// That of an output of the coupled drive: its parts contribute alike to its relative error, and
+/// the contribution of a part that is the same in both is one error (ST-20).
+double coupled_uncertainty(double u_a, double u_b, const SameParts& same) {
+  const double share = 1 / static_cast<double>(kCoupledParts.size());  // of the variance
+  double variance = 0.0;
+  for (const std::string_view part : kCoupledParts)
+    variance += share * (same.same_in_coupled_drive(std::string(part)) ? std::pow(u_b - u_a, 2)
+                                                                       : u_a * u_a + u_b * u_b);
+  return std::sqrt(variance);
+}
+
+/// One standard uncertainty of second - first: the model error of a part that is the same in both
+/// is one error, which cancels; those of a part that differs are two; and what the sums leave out
 /// (ST-19).
 std::optional<double> uncertainty_of(const Side& first, const Side& second, const std::string& path,
                                      const SameParts& same) {
@@ -418,6 +479,7 @@ std::optional<double> uncertainty_of(const Side& first, const Side& second, cons
                          : same.same_body();
     const double u_a = *a.relative_uncertainty * std::abs(a.value);
     const double u_b = *b.relative_uncertainty * std::abs(b.value);
+    if (path.starts_with("curve.")) return coupled_uncertainty(u_a, u_b, same);
     return one ? std::abs(u_b - u_a) : std::hypot(u_a, u_b);
   }
   std::set<std::string> parts;
@@ -469,6 +531,23 @@ std::vector<InputDifference> unknown_tables(const Side& first, const Side& secon
   return unknown;
 }
 
+/// Whether an output is one that a designer asks for first: K1, K2, K3 and the wind-up of the
+/// coupled drive under either sense of torque; where it is not solved, those of the sum.
+bool is_stiffness(const std::string& path, const Side& side) {
+  const bool coupled = side.outputs.contains("curve.positive.K1");
+  for (const std::string_view sense : {"positive", "negative"}) {
+    const auto any = [&](const std::string& start, std::initializer_list<std::string_view> names) {
+      return std::ranges::any_of(
+          names, [&](std::string_view name) { return path == fmt::format("{}.{}", start, name); });
+    };
+    if (any(fmt::format("curve.{}", sense), {"K1", "K2", "K3", "wind_up"}) ||
+        any(std::string(sense), {"K1", "K2", "K3"}) || any("at_load", {sense}) ||
+        (!coupled && any(fmt::format("cracked.{}", sense), {"stiffness", "wind_up"})))
+      return true;
+  }
+  return false;
+}
+
 Difference difference(const Request& request, const DiffOptions& options) {
   const Side first = side_of(options.first, options.method, request);
   const Side second = side_of(options.second, options.method, request);
@@ -482,6 +561,7 @@ Difference difference(const Request& request, const DiffOptions& options) {
                         .second = options.second,
                         .coverage = options.coverage,
                         .inputs = differing_inputs(first, second),
+                        .stiffness = {},
                         .outputs = {},
                         .within = {},
                         .unstated = {},
@@ -516,16 +596,26 @@ Difference difference(const Request& request, const DiffOptions& options) {
                                .difference = b.value - a.value,
                                .uncertainty = uncertainty_of(first, second, path, same)};
     const double rounding = 1e-12 * std::max(std::abs(a.value), std::abs(b.value));
-    if (std::abs(differing.difference) <= rounding) {
-      ++difference.equal;
-      continue;
+    const double size = std::abs(differing.difference);
+    differing.standing = size <= rounding                                   ? Standing::same
+                         : !differing.uncertainty                           ? Standing::not_stated
+                         : size > options.coverage * *differing.uncertainty ? Standing::beyond
+                                                                            : Standing::within;
+    if (is_stiffness(path, first)) difference.stiffness.push_back(differing);
+    switch (differing.standing) {
+      case Standing::beyond:
+        difference.outputs.push_back(std::move(differing));
+        break;
+      case Standing::within:
+        difference.within.push_back(std::move(differing));
+        break;
+      case Standing::not_stated:
+        difference.unstated.push_back(std::move(differing));
+        break;
+      case Standing::same:
+        ++difference.equal;
+        break;
     }
-    std::vector<OutputDifference>& group =
-        !differing.uncertainty ? difference.unstated
-        : std::abs(differing.difference) > options.coverage * *differing.uncertainty
-            ? difference.outputs
-            : difference.within;
-    group.push_back(std::move(differing));
   }
   return difference;
 }
@@ -550,6 +640,27 @@ std::set<std::string> parts_with(const std::vector<std::string>& paths) {
   return parts;
 }
 
+/// The outputs of a group that are not among others.
+std::vector<OutputDifference> without(std::vector<OutputDifference> group,
+                                      const std::vector<OutputDifference>& others) {
+  std::erase_if(group, [&](const OutputDifference& output) {
+    return std::ranges::find(others, output.path, &OutputDifference::path) != others.end();
+  });
+  return group;
+}
+
+/// "flexspline.crack[0], T > 0, load alone: reserve" for a number of a state of a crack; any other
+/// path as it is.
+std::string words_of_path(const std::string& path) {
+  constexpr std::string_view kStates = ".strength.states[";
+  const std::size_t at = path.find(kStates);
+  const std::size_t end = path.find("].", at);
+  if (at == std::string::npos || end == std::string::npos) return path;
+  return fmt::format("{}, {}: {}", path.substr(0, at),
+                     path.substr(at + kStates.size(), end - at - kStates.size()),
+                     path.substr(end + 2));
+}
+
 std::string difference_text(const Difference& difference) {
   std::string text = fmt::format("first:  {}\nsecond: {}\n", difference.first, difference.second);
   if (!difference.unusable_because.empty())
@@ -559,26 +670,35 @@ std::string difference_text(const Difference& difference) {
     inputs.rows.push_back(cells(path, shown_input(path, first), shown_input(path, second)));
   text += "\nInputs that differ\n" +
           (inputs.rows.empty() ? std::string("  none\n") : text_table(inputs));
-  const auto list = [&](std::string_view title, const std::vector<OutputDifference>& listed) {
+  const auto others = [&](const std::vector<OutputDifference>& group) {
+    return without(group, difference.stiffness);
+  };
+  const auto list = [&](std::string_view title, const std::vector<OutputDifference>& listed,
+                        bool judged = false) {
     Table outputs{.head = {"output", "first", "second", "difference", "uncertainty", "unit"},
                   .align = "lrrrrl"};
+    if (judged) outputs.head.emplace_back("difference is");
     for (const OutputDifference& output : listed) {
       const DisplayUnit unit = display_unit(output.path, output.unit);
       const auto number = [&](double value, int digits) {
         return fmt::format("{:.{}g}", value / unit.in_si, digits);
       };
       outputs.rows.push_back(
-          cells(output.path, number(output.first, 6), number(output.second, 6),
+          cells(words_of_path(output.path), number(output.first, 6), number(output.second, 6),
                 number(output.difference, 3),
                 output.uncertainty ? number(*output.uncertainty, 2) : std::string("not stated"),
                 unit.text == "1" ? std::string_view() : unit.text));
+      if (judged) outputs.rows.back().emplace_back(enum_name(output.standing));
     }
     text += fmt::format("\n{}\n{}", title,
                         outputs.rows.empty() ? std::string("  none\n") : text_table(outputs));
   };
-  list("Outputs that differ by more than the uncertainty of their difference", difference.outputs);
-  if (!difference.unstated.empty())
-    list("Outputs that differ without a stated uncertainty", difference.unstated);
+  if (!difference.stiffness.empty()) list("Stiffness and wind-up", difference.stiffness, true);
+  const std::string_view other = difference.stiffness.empty() ? "Outputs" : "Other outputs";
+  list(fmt::format("{} that differ by more than the uncertainty of their difference", other),
+       others(difference.outputs));
+  if (const auto unstated = others(difference.unstated); !unstated.empty())
+    list(fmt::format("{} that differ without a stated uncertainty", other), unstated);
   const auto only = [&](std::string_view which, const std::vector<std::string>& paths) {
     if (!paths.empty())
       text += paragraph(fmt::format("{} {} only in the {}: {}", counted(paths.size(), "output"),
@@ -588,9 +708,26 @@ std::string difference_text(const Difference& difference) {
   text += '\n';
   only("first", difference.only_first);
   only("second", difference.only_second);
-  text += fmt::format("Of the other outputs, {} differ by less and {} are the same.\n",
-                      difference.within.size(), difference.equal);
+  const auto same =
+      std::ranges::count(difference.stiffness, Standing::same, &OutputDifference::standing);
+  text += fmt::format("Of the others, {} differ by less and {} are the same.\n",
+                      others(difference.within).size(),
+                      difference.equal - static_cast<std::size_t>(same));
   return text + equations_text(difference.equations);
+}
+
+std::string_view csv_word(Standing standing) {
+  switch (standing) {
+    case Standing::beyond:
+      return "output";
+    case Standing::within:
+      return "within uncertainty";
+    case Standing::not_stated:
+      return "uncertainty not stated";
+    case Standing::same:
+      break;
+  }
+  return "same";
 }
 
 std::string difference_csv(const Difference& difference) {
@@ -598,14 +735,13 @@ std::string difference_csv(const Difference& difference) {
                        "difference_unit", "uncertainty", "uncertainty_unit"}};
   for (const auto& [path, first, second] : difference.inputs)
     table.rows.push_back(cells(path, "input", first, "", second, ""));
-  const auto add = [&](const std::vector<OutputDifference>& outputs, std::string_view what) {
-    for (const OutputDifference& o : outputs)
-      table.rows.push_back(cells(o.path, what, o.first, o.unit, o.second, o.unit, o.difference,
-                                 o.unit, o.uncertainty, o.uncertainty ? o.unit : ""));
+  const auto add = [&](const OutputDifference& o) {
+    table.rows.push_back(cells(o.path, csv_word(o.standing), o.first, o.unit, o.second, o.unit,
+                               o.difference, o.unit, o.uncertainty, o.uncertainty ? o.unit : ""));
   };
-  add(difference.outputs, "output");
-  add(difference.within, "within uncertainty");
-  add(difference.unstated, "uncertainty not stated");
+  for (const OutputDifference& first : difference.stiffness) add(first);
+  for (const auto* const outputs : {&difference.outputs, &difference.within, &difference.unstated})
+    for (const OutputDifference& output : without(*outputs, difference.stiffness)) add(output);
   return csv_table(table);
 }
 
@@ -617,9 +753,12 @@ Command diff_command() {
       .summary = "Compare two drives or two results",
       .description =
           "Compares two drives, or two results that --format json wrote. Prints the inputs that "
-          "differ, and the outputs that differ by more than the uncertainty of their difference: "
-          "the model error of a member or crack cancels if its inputs are the same in both; "
-          "otherwise it counts. The csv and json formats also list the outputs that "
+          "differ, K1, K2, K3 and the wind-up of both, and the outputs that differ by more than "
+          "the uncertainty of their difference: "
+          "the model error of a member or crack that is the same in both cancels, that of one "
+          "whose inputs differ does not. The error of the coupled drive is divided among wave "
+          "generator, rim, mesh and circular spline in the same way. The csv and json "
+          "formats also list the outputs that "
           "differ by less.",
       .example = "strainwave diff examples/article.toml examples/through_crack.toml",
       .takes = Takes::nothing,

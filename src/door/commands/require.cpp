@@ -32,7 +32,8 @@ struct RequireOptions {
 };
 
 RequirementReport required(const Request& request, const RequireOptions& options) {
-  const StiffnessResult result = evaluate(request.drive.gear, options.method);
+  const StiffnessResult result =
+      evaluate(request.drive.gear, options.method, {.over_turn = true}, request.progress);
   return from_option(
       [&] { return require_outputs(result, options.requirements, options.coverage); });
 }
@@ -46,11 +47,13 @@ Command require_command() {
       .description =
           "Compares outputs of a drive with bounds, with regard to the uncertainty of each output. "
           "A requirement is met if the whole uncertainty interval of the output keeps the bound. "
-          "It is not met if the whole interval breaks the bound. In between it cannot be told. A "
-          "change of stiffness has its own uncertainty. The exit status is 0 if all requirements "
+          "It is not met if the whole interval breaks the bound. In between it cannot be told. An "
+          "output without a stated uncertainty is judged by its value, and a note says so. A "
+          "change "
+          "of stiffness has its own uncertainty. The exit status is 0 if all requirements "
           "are met, 5 if one is not met, and 6 if none is broken but one cannot be told.",
-      .example = "strainwave require examples/article.toml 'cracked.positive.stiffness >= 2e5 "
-                 "N*m/rad' 'cracked.positive.stiffness_change >= -1 %'",
+      .example = "strainwave require examples/cracked_size25.toml 'curve.positive.K2 >= 2e4 "
+                 "N*m/rad' 'curve.positive.over_turn.softest.K1 >= 1.5e4 N*m/rad'",
       .function = required,
       .documents = {{Format::text, requirements_text}},
   });

@@ -19,7 +19,7 @@ struct StiffnessCommandOptions {
 };
 
 StiffnessResult stiffness(const Request& request, const StiffnessCommandOptions& options) {
-  return evaluate(request.drive.gear, options.method);
+  return evaluate(request.drive.gear, options.method, {.over_turn = true}, request.progress);
 }
 
 }  // namespace

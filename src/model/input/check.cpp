@@ -271,6 +271,14 @@ void check_balls(const FieldPath& path, const Bearing& bearing) {
           bearing.loaded_balls, "1", fmt::format("<= ball_count, {}", count));
 }
 
+/// A ring of the bearing is at least as wide as the groove of a ball, of half its diameter.
+void check_groove(const FieldPath& path, double width, const Bearing& bearing) {
+  require(!clearly_less(width, bearing.ball_diameter / 2), path.text(), width, "m",
+          fmt::format(">= wave_generator.bearing.ball_diameter/2, {:.4g} mm: the balls run in a "
+                      "groove of the ring",
+                      bearing.ball_diameter / 2 / units::mm));
+}
+
 void check_wave_generator(const GearSet& gear) {
   const WaveGenerator& wg = *gear.wave_generator;
   const FieldPath path("wave_generator");
@@ -294,6 +302,11 @@ void check_wave_generator(const GearSet& gear) {
     const auto& [a, b] = *wg.contact_semi_axes;
     require(b <= a, (path / "contact_semi_axes")[1].text(), b, "m",
             "second semi-axis <= first semi-axis");
+    if (wg.inner_ring_width)
+      require(!clearly_less(*wg.inner_ring_width, 2 * b), (path / "inner_ring_width").text(),
+              *wg.inner_ring_width, "m",
+              fmt::format(">= 2 contact_semi_axes[1], {:.4g} mm: the contact lies on the ring",
+                          2 * b / units::mm));
   }
   if (wg.inner_ring_thickness && wg.inner_ring_mean_radius)
     require(*wg.inner_ring_thickness < *wg.inner_ring_mean_radius,
@@ -317,10 +330,13 @@ void check_wave_generator(const GearSet& gear) {
       require(*wg.bearing->ball_count >= 3 && *wg.bearing->ball_count <= 200,
               (bearing / "ball_count").text(), *wg.bearing->ball_count, "1", ">= 3 and <= 200");
     check_balls(bearing, *wg.bearing);
+    if (wg.inner_ring_width)
+      check_groove(path / "inner_ring_width", *wg.inner_ring_width, *wg.bearing);
     if (wg.bearing->outer_ring) {
       const BearingRing& ring = *wg.bearing->outer_ring;
       require(ring.thickness < ring.mean_radius, (bearing / "outer_ring" / "thickness").text(),
               ring.thickness, "m", "thickness < mean_radius");
+      check_groove(bearing / "outer_ring" / "width", ring.width, *wg.bearing);
       check_waves_that_bend(gear);
     }
   }
@@ -372,6 +388,48 @@ void check_overlaps(const FieldPath& path, const Flexspline& fs) {
     }
 }
 
+/// Sections of a cup are joined wall to wall.  Teeth, steps and fillets lie within this share of
+/// the diameter: at ratio 30 a tooth is 0.04 of it tall.
+constexpr double kJoined = 0.1;
+
+bool can_join(double diameter, double other) {
+  return std::abs(diameter - other) <= kJoined * std::max(diameter, other);
+}
+
+/// Checks that rim, barrel and diaphragm can be one body.  A diaphragm may also lie outside of the
+/// barrel, as that of a hat.
+void check_joints(const FieldPath& path, const Flexspline& fs) {
+  const double barrel = fs.barrel->outer_diameter;
+  if (fs.rim)
+    require(can_join(barrel, fs.rim->outer_diameter), (path / "barrel" / "outer_diameter").text(),
+            barrel, "m",
+            fmt::format("within 10 % of rim.outer_diameter, {:.4g} mm, to which the barrel is "
+                        "joined",
+                        fs.rim->outer_diameter / units::mm));
+  if (fs.diaphragm)
+    require(can_join(fs.diaphragm->outer_diameter, barrel) ||
+                can_join(fs.diaphragm->inner_diameter, barrel),
+            (path / "diaphragm" / "outer_diameter").text(), fs.diaphragm->outer_diameter, "m",
+            fmt::format("within 10 % of barrel.outer_diameter, {:.4g} mm, to which the diaphragm "
+                        "is joined",
+                        barrel / units::mm));
+}
+
+/// No tooth is taller than this many modules [-].
+constexpr double kMostRootDistance = 4;
+
+/// The rim lies at the roots of the teeth.
+void check_rim_at_teeth(const FieldPath& path, const GearSet& gear, const TubeSection& rim) {
+  const Transmission& drive = gear.drive;
+  const double module = drive.pitch_diameter / (drive.wave_number * drive.ratio);
+  require(
+      std::abs(drive.pitch_diameter - rim.outer_diameter) < 2 * kMostRootDistance * module,
+      (path / "outer_diameter").text(), rim.outer_diameter, "m",
+      fmt::format("at the tooth roots, within 4 modules of {:.4g} mm of drive.pitch_diameter/2, "
+                  "{:.4g} mm",
+                  module / units::mm, drive.pitch_diameter / 2 / units::mm));
+}
+
 void check_flexspline(const GearSet& gear) {
   const Flexspline& fs = *gear.flexspline;
   const FieldPath path("flexspline");
@@ -396,6 +454,8 @@ void check_flexspline(const GearSet& gear) {
     if (fs.shape == FlexsplineShape::cup && !fs.diaphragm)
       throw InputError((path / "diaphragm").text(),
                        "must be given for a cup where crack_free = \"sections\" (bottom)");
+    if (fs.rim) check_rim_at_teeth(path / "rim", gear, *fs.rim);
+    check_joints(path, fs);
   } else if (fs.rim || fs.barrel || fs.diaphragm || fs.boss || fs.flange_compliance != 0) {
     const char* const given = fs.rim         ? "rim"
                               : fs.barrel    ? "barrel"
@@ -516,6 +576,20 @@ void check_ranges(const GearSet& gear) {
   });
 }
 
+/// The wave lifts the teeth by about a tooth's height: by pitch_diameter/(2 ratio) in the
+/// kinematics of any wave number.
+void check_displacement(const Transmission& drive) {
+  constexpr double kLeast = 0.3;
+  constexpr double kMost = 2;
+  const double nominal = drive.pitch_diameter / (2 * drive.ratio);
+  require(!clearly_less(drive.radial_displacement, kLeast * nominal) &&
+              !clearly_less(kMost * nominal, drive.radial_displacement),
+          "drive.radial_displacement", drive.radial_displacement, "m",
+          fmt::format("between 0.3 and 2 times pitch_diameter/(2 ratio), {:.4g} mm: else the teeth "
+                      "cannot engage and disengage",
+                      nominal / units::mm));
+}
+
 }  // namespace
 
 void check(const GearSet& gear) {
@@ -532,6 +606,7 @@ void check(const GearSet& gear) {
   require(gear.drive.radial_displacement < gear.drive.pitch_diameter / 2,
           "drive.radial_displacement", gear.drive.radial_displacement, "m",
           "radial_displacement < pitch_diameter/2");
+  check_displacement(gear.drive);
   require(gear.load.torque != 0, "load.torque", gear.load.torque, "N*m", "torque != 0");
   if (!gear.wave_generator && !gear.flexspline && !gear.output_shaft)
     throw InputError("flexspline",

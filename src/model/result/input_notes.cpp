@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "strainwave/core/compare.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
 
@@ -58,6 +59,26 @@ void note_contradiction(std::vector<Note>& notes, std::string_view field, double
        .next_step = fmt::format("Remove {}; a flexspline by sections does not need it.", field)});
 }
 
+/// Two joined sections whose walls do not meet: a step, whose compliance the sum leaves out.
+void note_step(std::vector<Note>& notes, const TubeSection& barrel, double bore, double outside,
+               std::string_view other) {
+  const double inner = barrel.outer_diameter - 2 * barrel.wall_thickness;
+  if (!clearly_less(outside, inner) && !clearly_less(barrel.outer_diameter, bore)) return;
+  notes.push_back({.code = "flexspline.step",
+                   .text = fmt::format(
+                       "the wall of the barrel lies between {:.4g} and {:.4g} mm in diameter, "
+                       "and {} does not meet it: a step there adds compliance that the "
+                       "sections leave out",
+                       inner / units::mm, barrel.outer_diameter / units::mm,
+                       bore == outside ? fmt::format("{}, {:.4g} mm,", other, outside / units::mm)
+                                       : fmt::format("{}, {:.4g} to {:.4g} mm,", other,
+                                                     bore / units::mm, outside / units::mm)),
+                   .path = "flexspline.barrel.outer_diameter",
+                   .equation = "ST-2",
+                   .severity = Severity::care,
+                   .next_step = "Check the diameters of the sections."});
+}
+
 }  // namespace
 
 std::vector<Note> input_notes(const GearSet& gear) {
@@ -71,6 +92,14 @@ std::vector<Note> input_notes(const GearSet& gear) {
   if (fs.wall_thickness && fs.rim)
     note_contradiction(notes, "wall_thickness", *fs.wall_thickness, fs.rim->wall_thickness,
                        "rim.wall_thickness");
+  if (fs.barrel && fs.rim)
+    note_step(notes, *fs.barrel, fs.rim->outer_diameter - 2 * fs.rim->wall_thickness,
+              fs.rim->outer_diameter, "that of the rim");
+  if (fs.barrel && fs.diaphragm &&
+      clearly_less(fs.diaphragm->inner_diameter,
+                   fs.barrel->outer_diameter - 2 * fs.barrel->wall_thickness))
+    note_step(notes, *fs.barrel, fs.diaphragm->outer_diameter, fs.diaphragm->outer_diameter,
+              "the edge of the diaphragm");
   return notes;
 }
 

@@ -78,14 +78,45 @@ struct CurveChange {
   }
 };
 
+/// K1, K2, K3 [N*m/rad].
+struct LineStiffness {
+  Quantity K1;
+  Quantity K2;
+  Quantity K3;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"K1", "N*m/rad", "up to T1"}, &LineStiffness::K1);
+    field({"K2", "N*m/rad", "from T1 to T2"}, &LineStiffness::K2);
+    field({"K3", "N*m/rad", "from T2"}, &LineStiffness::K3);
+  }
+};
+
+/// The maker's stiffnesses over a turn of the wave generator, in which the cracks of teeth, rim,
+/// outer ring and circular spline pass the lobes; eq. (TC-26).
+struct CurveOverTurn {
+  LineStiffness mean;
+  LineStiffness softest;  ///< of each line, at the angle where it is softest
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"mean", "", "mean over the angles"}, &CurveOverTurn::mean);
+    field({"softest", "", "each line at the angle where it is softest"}, &CurveOverTurn::softest);
+  }
+};
+
 /// The coupled drive with its cracks under one sense of torque.
 struct CrackedCurve : CurveStiffness {
   CurveChange change;
+  /// absent without cracks that turn relative to the lobes, and where it is not asked for
+  std::optional<CurveOverTurn> over_turn;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     CurveStiffness::describe(field);
-    field({"change", "", "changes by the cracks"}, &CrackedCurve::change);
+    field({"change", "", "what the cracks change"}, &CrackedCurve::change);
+    field({"over_turn", "", "over a turn, where cracks turn relative to the lobes"},
+          &CrackedCurve::over_turn);
   }
 };
 
