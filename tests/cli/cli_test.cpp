@@ -608,6 +608,26 @@ TEST_F(Program, BehaviourCalibratedDriveIsAnInput) {
       run("calibrate " + drive + " --catalogue --factors coning --output " + calibrated);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(run("stiffness " + calibrated).exit_code, 0);
+  // The text is the given one, but for a head and the line of the calibrated number.
+  const std::string text = contents(in_folder("calibrated.toml"));
+  EXPECT_TRUE(text.starts_with("# Calibrated with catalogue, size 25, ratio 100.\n# coning: "))
+      << text.substr(0, 200);
+  std::istringstream given(contents(STRAINWAVE_EXAMPLES "/catalogue_size25.toml"));
+  std::vector<std::string> changed;
+  for (std::string line; std::getline(given, line);)
+    if (text.find(line + '\n') == std::string::npos) changed.push_back(line);
+  ASSERT_EQ(changed.size(), 1U);
+  EXPECT_TRUE(changed[0].starts_with("coning = ")) << changed[0];
+  // So a material of the library stays a name, and the line of the schema stays first.
+  const std::string named =
+      write("named.toml",
+            "#:schema x.json\n" + contents(STRAINWAVE_EXAMPLES "/library_material.toml"));
+  const std::string again = quoted(in_folder("again.toml").string());
+  ASSERT_EQ(run("calibrate " + named + " --catalogue --factors support -o " + again).exit_code, 0);
+  const std::string kept = contents(in_folder("again.toml"));
+  EXPECT_TRUE(kept.starts_with("#:schema x.json\n# Calibrated with ")) << kept.substr(0, 200);
+  EXPECT_EQ(kept.find("\n[material"), std::string::npos);
+  EXPECT_EQ(run("stiffness " + again).exit_code, run("stiffness " + named).exit_code);
   const std::string curve =
       write("curve.csv", "torque [N*m],twist [arcmin]\n14,1.5\n48,4.1\n-48,-4.1\n");
   EXPECT_EQ(run("calibrate " + drive + " --factors coning --measured " + curve).exit_code, 0);

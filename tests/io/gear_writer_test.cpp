@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <locale>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -138,6 +139,25 @@ TEST(GearWriter, BehaviourUnitsAndComments) {
             std::string::npos)
       << text;
   EXPECT_EQ(gear_text(gear).find("wave_number"), std::string::npos);  // its default
+}
+
+// Kind: identity.  The text is the given one but for the lines of the numbers that differ, and reads
+// back as the other drive to the last bit.
+TEST(GearWriter, IdentityOtherNumbersKeepTheRestOfTheText) {
+  std::ifstream file(STRAINWAVE_EXAMPLES "/library_material.toml");
+  const std::string given{std::istreambuf_iterator<char>(file), {}};
+  const GearSet from = read_gear_set(given, "given.toml");
+  EXPECT_EQ(with_numbers_of(given, from, from), given);
+  GearSet to = from;
+  to.flexspline->wall_thickness = 1.0 / 3e3;    // has a line
+  to.flexspline->stress_nonuniformity = 1.25;  // a default without a line
+  const std::string text = with_numbers_of(given, from, to);
+  EXPECT_EQ(numbers(read_gear_set(text, "text.toml")), numbers(to));
+  std::istringstream lines(given);
+  std::size_t n_lost = 0;
+  for (std::string line; std::getline(lines, line);)
+    n_lost += text.find(line + '\n') == std::string::npos ? 1U : 0U;
+  EXPECT_EQ(n_lost, 1U) << text;
 }
 
 }  // namespace

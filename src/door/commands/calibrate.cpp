@@ -56,7 +56,8 @@ Command calibrate_command() {
           "curve with the columns torque and twist. Prints each factor with its uncertainty, and "
           "the combinations of factors that the targets determine. A factor whose uncertainty "
           "exceeds half of its value is not called identified. A factor changes fields of the "
-          "drive; --output writes the calibrated drive as a new input file.",
+          "drive; --output writes the calibrated drive as a new input file, which keeps the comments "
+          "and everything else of the given file.",
       .example = "strainwave calibrate examples/catalogue_size25.toml --catalogue --output "
                  "calibrated.toml",
       .function = calibrated,
@@ -65,7 +66,9 @@ Command calibrate_command() {
                       .format = Format::toml,
                       .option = "output",
                       .doc = "write the calibrated drive to this file"},
-                     calibrated_drive}},
+                     [](const Calibration& calibration, const Rendering& to) {
+                       return calibrated_drive(calibration, to.drive.gear, to.drive.text);
+                     }}},
   });
 }
 
