@@ -187,8 +187,21 @@ std::string gear_text(const GearSet& gear, const std::map<std::string, std::stri
 }
 
 std::string with_numbers_of(std::string text, const GearSet& from, const GearSet& to) {
+  GearSet kept = from;  // with the entries of lists that `to` has too
+  for_each_path_list(kept, [&](std::string_view list, auto& entries) {
+    for_each_path_list(to, [&](std::string_view, const auto& wanted) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(entries)>, std::decay_t<decltype(wanted)>>)
+        for (std::size_t i = entries.size(); i-- > 0;) {
+          if (std::ranges::any_of(wanted,
+                                  [&](const auto& one) { return one.path == entries[i].path; }))
+            continue;
+          text = edit(text, fmt::format("{}[{}]", list, i), std::nullopt);
+          entries.erase(entries.begin() + static_cast<std::ptrdiff_t>(i));
+        }
+    });
+  });
   std::map<std::string, double> before;
-  for_each_number(from, [&](const FieldPath& path, const Field&, double value) {
+  for_each_number(kept, [&](const FieldPath& path, const Field&, double value) {
     before[path.text()] = value;
   });
   for_each_number(to, [&](const FieldPath& path, const Field& field, double value) {

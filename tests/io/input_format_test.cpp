@@ -411,6 +411,29 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
   EXPECT_EQ(found, tables.size());
 }
 
+TEST(InputTemplate, BehaviourItsDimensionsFitTogether) {
+  const std::string text = input_template();
+  const auto value_below = [&](const std::string& head, const std::string& field) {
+    const std::size_t at = text.find(field + " = ", text.find("[" + head + "]"));
+    const std::size_t begin = at + field.size() + 3;
+    return text.substr(begin, text.find(" #", begin) - begin);
+  };
+  EXPECT_EQ(std::stod(value_below("flexspline.boss", "outer_diameter").substr(1)),
+            std::stod(value_below("flexspline.diaphragm", "inner_diameter").substr(1)));
+  EXPECT_LT(2 * std::stod(value_below("flexspline.boss", "wall_thickness").substr(1)),
+            std::stod(value_below("flexspline.boss", "outer_diameter").substr(1)));
+  // Each kind of crack says what it is.
+  int n_kinds = 0;
+  for (const InputTable& table : input_tables()) {
+    if (table.kind.empty()) continue;
+    ++n_kinds;
+    EXPECT_NE(text.find("kind = \"" + std::string(table.kind) + "\""), std::string::npos);
+    EXPECT_NE(text.find(std::string(table.meaning)), std::string::npos) << table.kind;
+    EXPECT_FALSE(table.meaning.empty()) << table.kind;
+  }
+  EXPECT_EQ(n_kinds, 11);
+}
+
 TEST(InputTemplate, BehaviourHasNoLineThatIsNeitherFieldNorHeadingNorComment) {
   const std::vector<std::string> lines = lines_of(input_template());
   int prose = 0;

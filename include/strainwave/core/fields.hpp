@@ -75,6 +75,8 @@ struct Field {
   std::string_view names = {};
   /// Of a number of the input: what its size is as a rule; kFinite: that of its unit.
   Range usual = kFinite;
+  /// Of a text of the input: it is a number with its unit, and may be bare if it has no unit.
+  bool number_text = false;
   /// Of a required field of the input: the field beside it that makes it optional, if given.
   std::string_view unless = {};
 };
