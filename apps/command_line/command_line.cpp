@@ -179,8 +179,8 @@ UsageError as_usage_error(const CLI::ParseError& fault, const CLI::App& app, con
         (said[argument.name.size()] != ':' && said[argument.name.size()] != ' '))
       continue;
     if (dynamic_cast<const CLI::RequiredError*>(&fault) != nullptr)
-      return UsageError(
-          fmt::format("{} needs {} ({}); see {} --help", line, argument.name, argument.doc, line));
+      return UsageError(fmt::format("{} needs {} ({}); see {} --help", command->name, argument.name,
+                                    argument.doc, line));
     if (said.find("received") != std::string_view::npos)
       return UsageError(fmt::format("{} is given more than once; give it once", argument.name));
     return UsageError(

@@ -370,7 +370,7 @@ lower = "2 mm"
 upper = "2.5 mm"
 source = "drawing"
 [[range]]
-path = "mesh.friction_coefficient"
+path = "mesh.gap_factor"
 lower = 0.05
 upper = 1
 [[scatter]]

@@ -149,8 +149,8 @@ TEST(GearWriter, IdentityOtherNumbersKeepTheRestOfTheText) {
   const GearSet from = read_gear_set(given, "given.toml");
   EXPECT_EQ(with_numbers_of(given, from, from), given);
   GearSet to = from;
-  to.flexspline->wall_thickness = 1.0 / 3e3;   // has a line
-  to.flexspline->stress_nonuniformity = 1.25;  // a default without a line
+  to.wave_generator->inner_ring_thickness = 1.0 / 700;  // has a line
+  to.flexspline->stress_nonuniformity = 1.25;           // a default without a line
   const std::string text = with_numbers_of(given, from, to);
   EXPECT_EQ(numbers(read_gear_set(text, "text.toml")), numbers(to));
   std::istringstream lines(given);

@@ -397,7 +397,8 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
     if (!is_commented_heading(lines[i])) continue;
     std::string heading = heading_of(lines[i]);
     if (const std::string kind = "# kind = \""; lines.at(i + 1).starts_with(kind))
-      heading += " " + lines[i + 1].substr(kind.size(), lines[i + 1].size() - kind.size() - 1);
+      heading +=
+          " " + lines[i + 1].substr(kind.size(), lines[i + 1].find('"', kind.size()) - kind.size());
     const auto table = std::ranges::find(tables, heading, &Table::heading);
     ASSERT_NE(table, tables.end()) << heading;
     ++found;
