@@ -150,6 +150,17 @@ function(strainwave_equation_titles module)
   target_sources(strainwave_${module} PRIVATE "${output}")
 endfunction()
 
+# strainwave_glossary(<module>)
+# Adds glossary.cpp, made from the glossary of the guide.
+function(strainwave_glossary module)
+  set(input "${PROJECT_SOURCE_DIR}/docs/guide/glossary.md")
+  set(output "${PROJECT_BINARY_DIR}/generated/glossary.cpp")
+  set(script "${PROJECT_SOURCE_DIR}/cmake/write_glossary.cmake")
+  add_custom_command(OUTPUT "${output}" DEPENDS "${input}" "${script}" VERBATIM COMMAND
+    "${CMAKE_COMMAND}" "-DGLOSSARY=${input}" "-DOUTPUT=${output}" -P "${script}")
+  target_sources(strainwave_${module} PRIVATE "${output}")
+endfunction()
+
 # strainwave_note_texts(<module>)
 # Adds note_texts.cpp, made from the sources, where each note is written.
 function(strainwave_note_texts module)

@@ -9,6 +9,7 @@
 #include "strainwave/materials/material_library.hpp"
 #include "strainwave/model/result/result_fields.hpp"
 #include "strainwave/present/equation_titles.hpp"
+#include "strainwave/present/glossary.hpp"
 #include "strainwave/present/note_texts.hpp"
 #include "strainwave/sif/library.hpp"
 #include "strainwave/study/evaluate.hpp"
@@ -25,6 +26,7 @@ std::vector<std::string> names_of(std::string_view what, const std::string& file
     for (const KnownUnit& unit : known_units()) names.emplace_back(unit.symbol);
   if (what == "explained") {
     for (const Command& command : commands()) names.emplace_back(command.name);
+    for (const GlossaryTerm& term : glossary()) names.emplace_back(term.term);
     for (const NoteText& note : note_texts()) names.emplace_back(note.code);
     for (const EquationTitle& equation : equation_titles()) names.emplace_back(equation.tag);
     for (const sif::Row& row : sif::library()) names.emplace_back(row.info.name);

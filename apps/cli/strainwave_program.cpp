@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave_program.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "own_commands.hpp"
@@ -18,6 +19,8 @@ const Program& strainwave_program() {
     rows.push_back(man_command(strainwave_program, "strainwave man stiffness | man -l -"));
     rows.push_back(
         completion_command(strainwave_program, "eval \"$(strainwave completion bash)\""));
+    *std::ranges::find(rows, "explain", &Command::name) = explain_command(
+        [] { return strainwave_program().table; }, [] { return own_words(strainwave_program()); });
     return rows;
   }();
   static const Program program{.name = "strainwave",

@@ -37,9 +37,6 @@ void add_argument(CLI::App* sub, const Argument& argument, std::vector<std::stri
                                              texts, description_of(argument))
                                  ->required(argument.required)
                                  ->type_name(std::string(argument.type));
-  if (argument.role == Role::format)
-    added->check(
-        CLI::IsMember(std::vector<std::string>(argument.choices.begin(), argument.choices.end())));
   // An option must not take the words behind its value.
   added->allow_extra_args(argument.repeatable && argument.positional());
   if (argument.repeatable)
@@ -55,6 +52,16 @@ bool lacks_memory(const std::exception& error) {
          (system != nullptr && system->code() == std::errc::resource_unavailable_try_again);
 }
 
+/// @throws UsageError  a format that the command does not write
+void require_choice(const Argument& argument, const std::vector<std::string>& texts) {
+  if (argument.role != Role::format) return;
+  for (const std::string& text : texts)
+    if (std::ranges::find(argument.choices, text) == argument.choices.end())
+      throw UsageError(fmt::format("{}: {} is not a choice here; choose one of {}", argument.name,
+                                   text.empty() ? "\"\"" : shown(text),
+                                   fmt::join(argument.choices, ", ")));
+}
+
 using Work = std::function<ExitCode()>;
 
 void add_command(CLI::App& parent, std::string_view word, const Program& program,
@@ -68,6 +75,8 @@ void add_command(CLI::App& parent, std::string_view word, const Program& program
   sub->callback([&chosen, given] {
     chosen = [given] {
       try {
+        for (std::size_t i = 0; i < given->arguments.size(); ++i)
+          require_choice(given->arguments[i], given->texts[i]);
         return run_command(*given);
       } catch (const OptionError& error) {
         throw UsageError(as_typed(error, given->arguments));
@@ -105,6 +114,82 @@ void require_command(const Program& program, std::span<const std::string> words)
     refuse(fmt::format(" {}", first), words[1], known);
 }
 
+/// The command that the line names; null if it names none.
+const Command* command_of(const Program& program, std::span<const std::string> words) {
+  if (words.empty()) return nullptr;
+  const bool unnamed = means_unnamed(program, words.front());
+  for (const Command* const command :
+       commands_of(program, unnamed ? program.unnamed : std::string_view(words.front())))
+    if (second_word(*command).empty() || (words.size() > 1 && words[1] == second_word(*command)))
+      return command;
+  return nullptr;
+}
+
+/// Which commands have an option, as "sweep, solve"; empty: none has it, or many.
+std::string commands_with(const Program& program, std::string_view option) {
+  constexpr std::size_t kMost = 4;
+  std::vector<std::string_view> names;
+  for (const Command& command : program.table)
+    if (std::ranges::any_of(arguments_of(command),
+                            [&](const Argument& one) { return one.name == option; }))
+      names.push_back(command.name);
+  return names.size() > kMost ? std::string() : fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// What to type instead of a word that the command does not take.
+/// @param command  null: none is named
+std::string unexpected(const Program& program, const Command* command, std::string word) {
+  const std::string line(command != nullptr ? fmt::format("{} {}", program.name, command->name)
+                                            : program.name);
+  if (!word.starts_with('-'))
+    return fmt::format("the word {} has no place here; {} --help shows what it takes", shown(word),
+                       line);
+  word.erase(std::min(word.find('='), word.size()));
+  std::vector<std::string> known = {"--help"};
+  if (command == nullptr)
+    known.emplace_back("--version");
+  else
+    for (const Argument& argument : arguments_of(*command))
+      if (!argument.positional()) known.push_back(argument.name);
+  std::string advice;
+  // Of so short an option, any letter is near.
+  if (const std::string near = word.size() > 2 ? nearest_word(word, known) : std::string();
+      !near.empty())
+    advice = fmt::format("did you mean {}? ", near);
+  else if (const std::string others = commands_with(program, word); !others.empty())
+    advice = fmt::format("it is an option of {}; ", others);
+  return fmt::format("the option {} is not known here; {}{} --help lists those that are",
+                     shown(word), advice, line);
+}
+
+/// A fault that the parser found, in words like those of all others.
+UsageError as_usage_error(const CLI::ParseError& fault, const CLI::App& app, const Program& program,
+                          std::span<const std::string> words) {
+  const Command* const command = command_of(program, words);
+  if (command == nullptr) return UsageError(unexpected(program, command, words.front()));
+  if (std::vector<std::string> rest = app.remaining(true);
+      dynamic_cast<const CLI::ExtrasError*>(&fault) != nullptr && !rest.empty()) {
+    const auto option = std::ranges::find_if(
+        rest, [](const std::string& word) { return word.size() > 1 && word.starts_with('-'); });
+    return UsageError(unexpected(program, command, option != rest.end() ? *option : rest.front()));
+  }
+  const std::string line = fmt::format("{} {}", program.name, command->name);
+  const std::string_view said = fault.what();
+  for (const Argument& argument : arguments_of(*command)) {
+    if (!said.starts_with(argument.name) || said.size() == argument.name.size() ||
+        (said[argument.name.size()] != ':' && said[argument.name.size()] != ' '))
+      continue;
+    if (dynamic_cast<const CLI::RequiredError*>(&fault) != nullptr)
+      return UsageError(fmt::format("{} needs {} ({}); see {} --help", command->name, argument.name,
+                                    argument.doc, line));
+    if (said.find("received") != std::string_view::npos)
+      return UsageError(fmt::format("{} is given more than once; give it once", argument.name));
+    return UsageError(
+        fmt::format("{} needs a value behind it: {}", argument.name, description_of(argument)));
+  }
+  return UsageError(fmt::format("{}; see {} --help", said, line));
+}
+
 ExitCode parse_and_run(const Program& program, std::span<const std::string> words) {
   CLI::App app{std::string(program.summary), std::string(program.name)};
   app.set_version_flag("--version",
@@ -137,8 +222,8 @@ ExitCode parse_and_run(const Program& program, std::span<const std::string> word
     std::ostream nowhere(nullptr);
     const bool speaks = program.ranks == nullptr || program.ranks->first();
     // CLI11 prints help and version through an "error" of code 0.
-    if (app.exit(error, speaks ? std::cout : nowhere, speaks ? std::cerr : nowhere) != 0)
-      return kUsage;
+    if (error.get_exit_code() != 0) throw as_usage_error(error, app, program, words);
+    (void)app.exit(error, speaks ? std::cout : nowhere, nowhere);
     if (!std::cout.flush()) throw UnwritableError("standard output cannot be written");
     return kOk;
   }

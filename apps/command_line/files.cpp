@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <deque>
 #include <filesystem>
 #include <fstream>
@@ -68,7 +69,9 @@ std::string text_of(const std::string& file, std::size_t most) {
   if (file != "-") {
     require_that_it_ends(file);
     opened.open(file, std::ios::binary);
-    if (!opened) throw InputError(file, "cannot be opened for reading");
+    if (!opened)
+      throw InputError(file, fmt::format("cannot be opened for reading: {}",
+                                         std::generic_category().message(errno)));
   }
   std::string text;
   for (std::size_t before = 0; text.size() <= most; before = text.size()) {

@@ -51,6 +51,9 @@ void KnownFiles::require_not_read(const std::string& name, const std::string& pa
 }
 
 void KnownFiles::add_input(const std::string& name, const std::string& path) {
+  if (path.empty())
+    throw UsageError(
+        fmt::format("{} must name a file; give its name, or - for standard input", name));
   if (std::string file = identity_of(path); !file.empty())
     inputs_.try_emplace(std::move(file), name);
 }

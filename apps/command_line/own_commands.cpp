@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "completion.hpp"
 #include "manual.hpp"
 
@@ -115,6 +118,41 @@ Command completion_command(ProgramOf program, std::string_view example) {
                       const CompletionOptions& options) { return completion(program(), options); },
       .documents = {{{.name = "text"}, text_of_result}},
   });
+}
+
+std::vector<Meaning> own_words(const Program& program) {
+  std::vector<Meaning> words;
+  std::vector<std::vector<std::string_view>> commands_of_word;
+  for (const Command& command : program.table)
+    for (const Argument& argument : arguments_of(command)) {
+      if (argument.role == Role::option || argument.role == Role::input) continue;
+      const auto same = std::ranges::find_if(words, [&](const Meaning& word) {
+        return word.name == argument.name && word.text == argument.doc;
+      });
+      const auto at = static_cast<std::size_t>(same - words.begin());
+      if (same == words.end()) {
+        words.push_back({.kind = {},
+                         .name = argument.name,
+                         .text = argument.doc,
+                         .more = fmt::format("{} {} --help", program.name, command.name)});
+        commands_of_word.emplace_back();
+      }
+      commands_of_word[at].push_back(command.name);
+    }
+  constexpr std::size_t kFew = 4;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    words[i].kind = commands_of_word[i].size() > kFew
+                        ? fmt::format("option of {} commands", commands_of_word[i].size())
+                        : fmt::format("option of {}", fmt::join(commands_of_word[i], ", "));
+  for (const auto& [name, text] : {std::pair{"-o", "short for --output"},
+                                   {"-h", "short for --help"},
+                                   {"--help", "print the help of a command, and exit"},
+                                   {"--version", "print version and revision, and exit"}})
+    words.push_back({.kind = "option of the program",
+                     .name = name,
+                     .text = text,
+                     .more = fmt::format("{} --help", program.name)});
+  return words;
 }
 
 }  // namespace cli

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "program.hpp"
+#include "strainwave/command/meaning.hpp"
 
 namespace strainwave::cli {
 
@@ -12,5 +15,8 @@ using ProgramOf = const Program& (*)();
 // holds them.
 [[nodiscard]] Command man_command(ProgramOf program, std::string_view example);
 [[nodiscard]] Command completion_command(ProgramOf program, std::string_view example);
+
+/// What the options mean that the command line adds to those of the commands, for `explain`.
+[[nodiscard]] std::vector<Meaning> own_words(const Program& program);
 
 }  // namespace strainwave::cli

@@ -119,13 +119,16 @@ class CurveReader {
     }
     if (!separator_) {
       separator_ = told_separator_.value_or(separator_of(line));
-      return read_names(cells_of(line, *separator_, place_));
+      const std::vector<Cell> names = cells_of(line, *separator_, place_);
+      n_columns_ = names.size();
+      return read_names(names);
     }
     const std::vector<Cell> cells = cells_of(line, *separator_, place_);
     // Spreadsheets write an empty row as a line of separators.
     if (std::ranges::all_of(cells, [](const Cell& cell) { return cell.text.empty(); })) return;
-    const double torque = number(cells, torque_, line.size());
-    const double twist = number(cells, twist_, line.size());
+    if (cells.size() != n_columns_) refuse_count(cells.size());
+    const double torque = number(cells, torque_);
+    const double twist = number(cells, twist_);
     if (torque == 0.0 && twist == 0.0) return;
     if (!(torque * twist > 0))
       refuse(cells[*twist_.index].column,
@@ -163,13 +166,18 @@ class CurveReader {
              "[N*m],twist [arcmin]\"");
   }
 
-  double number(const std::vector<Cell>& cells, const Column& column, std::size_t length) {
-    if (cells.size() <= *column.index)
-      refuse(
-          length + 1,
-          fmt::format(
-              "has too few columns, because {} is column {}; give torque and twist in every line",
-              column.name, *column.index + 1));
+  /// A decimal comma between cells that commas separate makes two cells of one number.
+  [[noreturn]] void refuse_count(std::size_t n_cells) const {
+    const std::string_view advice =
+        n_cells < n_columns_ ? "write a cell for each column; it may be empty"
+        : *separator_ == ',' ? "if commas are decimal, separate the cells by semicolons, or put "
+                               "each number in quotes"
+                             : "remove the cells without a column";
+    refuse(0, fmt::format("has {} cell{}, but the head names {} columns; {}", n_cells,
+                          n_cells == 1 ? "" : "s", n_columns_, advice));
+  }
+
+  double number(const std::vector<Cell>& cells, const Column& column) {
     const Cell& cell = cells[*column.index];
     const auto fault = [&](std::string_view why) {
       refuse(cell.column, fmt::format("{} = \"{}\" {}", column.name, shown(cell.text), why));
@@ -197,6 +205,7 @@ class CurveReader {
   TextPlace place_;
   std::optional<char> told_separator_;  // by a line "sep=;"
   std::optional<char> separator_;
+  std::size_t n_columns_ = 0;
   Column torque_{.name = "torque", .si = "N*m", .usual = "N*m"};
   Column twist_{.name = "twist", .si = "rad", .usual = "arcmin"};
   std::array<std::size_t, 2> decimal_line_ = {};  // lines in which a point and a comma were seen

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "strainwave/core/nearest.hpp"
@@ -30,14 +32,22 @@ double number_option(const Field& field, std::string_view text) {
   });
 }
 
-std::int64_t whole_option(const Field& field, std::string_view text) {
+std::int64_t whole_option(const Field& field, std::string_view text, std::int64_t least,
+                          std::int64_t most) {
   std::int64_t value = 0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (fault != std::errc() || end != text.data() + text.size())
-    throw OptionError(field.name, fmt::format("{} is not a whole number", shown(text)));
-  if (!field.range.contains(static_cast<double>(value)))
-    throw OptionError(field.name, fmt::format("{} violates: {}", value, rule_text(field.range)));
-  return value;
+  const bool too_large = fault == std::errc::result_out_of_range;
+  if ((fault != std::errc() && !too_large) || end != text.data() + text.size())
+    throw OptionError(field.name, fmt::format("{} is not a whole number, such as 100",
+                                              text.empty() ? "\"\"" : shown(text)));
+  if (!too_large && value >= least && value <= most &&
+      field.range.contains(static_cast<double>(value)))
+    return value;
+  std::string rule = rule_text(field.range);
+  if (!std::isfinite(field.range.upper))
+    rule = fmt::format("{} and <= {}",
+                       std::isfinite(field.range.lower) ? rule : fmt::format(">= {}", least), most);
+  throw OptionError(field.name, fmt::format("{} violates: {}", shown(text), rule));
 }
 
 bool flag_option(const Field& field, std::string_view text) {

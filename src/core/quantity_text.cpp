@@ -53,6 +53,7 @@ constexpr KnownUnit kUnits[] = {
     {"N", {1.0, kForce, 0}, "force", true},
     {"lbf", {units::lbf, kForce, {}}, "force", false},
     {"Nm", {1.0, kTorque, 0}, "torque", true},
+    {"Nmm", {1e-3, kTorque, -3}, "torque", false},
     {"Pa", {1.0, kStress, 0}, "stress", true},
     {"psi", {units::psi, kStress, {}}, "stress", false},
     {"ksi", {1e3 * units::psi, kStress, {}}, "stress", false},
@@ -70,13 +71,13 @@ struct TypesetSign {
   std::string_view plain;
 };
 constexpr TypesetSign kSigns[] = {
-    {"\xC2\xB7", "*"},           // middle dot
-    {"\xE2\x8B\x85", "*"},       // dot operator
-    {"\xC3\x97", "*"},           // multiplication sign
-    {"\xE2\x88\x92", "-"},       // minus
-    {"\xE2\x88\x9Am", "m^0.5"},  // root of a metre
-    {"\xC2\xA0", " "},          {"\xE2\x80\x89", " "}, {"\xE2\x80\xAF", " "},  // narrow blanks
+    {"\xC2\xB7", "*"},                                                    // middle dot
+    {"\xE2\x8B\x85", "*"},                                                // dot operator
+    {"\xC3\x97", "*"},                                                    // multiplication sign
+    {"\xE2\x88\x92", "-"},                                                // minus
+    {"\xC2\xA0", " "},     {"\xE2\x80\x89", " "}, {"\xE2\x80\xAF", " "},  // narrow blanks
 };
+constexpr std::string_view kRootOfMetre = "\xE2\x88\x9Am";
 constexpr TypesetSign kRaised[] = {
     {"\xE2\x81\xBB", "-"}, {"\xE2\x81\xB0", "0"}, {"\xC2\xB9", "1"},     {"\xC2\xB2", "2"},
     {"\xC2\xB3", "3"},     {"\xE2\x81\xB4", "4"}, {"\xE2\x81\xB5", "5"}, {"\xE2\x81\xB6", "6"},
@@ -101,6 +102,16 @@ std::string plainly_written(std::string_view text) {
       continue;
     }
     raised = false;
+    if (text.starts_with(kRootOfMetre)) {
+      // "MPa√m" and "MPa √m" mean the product, as people write it.
+      text.remove_prefix(kRootOfMetre.size());
+      while (plain.ends_with(' ')) plain.pop_back();
+      const bool behind_unit =
+          !plain.empty() &&
+          std::string_view("0123456789*/(").find(plain.back()) == std::string_view::npos;
+      plain += behind_unit ? "*m^0.5" : "m^0.5";
+      continue;
+    }
     if (const TypesetSign* const sign = take(kSigns)) {
       plain += sign->plain;
     } else {
@@ -205,10 +216,28 @@ class UnitParser {
         return {power_of_ten(prefix.power + *unit->power_of_ten), unit->dimension,
                 prefix.power + *unit->power_of_ten};
     }
+    if (const std::string product = meant_product(symbol); !product.empty())
+      refuse(fmt::format("needs * between units; write {}", product));
+    if (symbol.find("sqrt") != std::string_view::npos)
+      refuse("needs ^0.5 for a root, such as MPa*m^0.5");
     refuse(symbol.empty() ? "lacks a unit where the text needs one"
                           : fmt::format("has the unknown unit \"{}\"; write a unit such as mm, "
                                         "N*m/rad or MPa*m^0.5; strainwave units lists all units",
                                         shown(symbol)));
+  }
+
+  /// "N*m" for "N.m", "N-m" and "N m"; empty if the symbol is no such product.
+  static std::string meant_product(std::string_view symbol) {
+    std::string product(symbol);
+    std::ranges::replace_if(
+        product, [](char c) { return c == '.' || c == '-' || c == ' '; }, '*');
+    if (product == symbol) return {};
+    try {
+      (void)UnitParser({}, product, product).parse();
+      return product;
+    } catch (const InputError&) {
+      return {};
+    }
   }
 
   static void multiply(Unit& result, const Unit& by, double exponent) {

@@ -8,7 +8,6 @@ Command audit_command();
 Command calibrate_command();
 Command catalogue_command();
 Command diff_command();
-Command explain_command(std::span<const Command> (*table)());
 Command material_list_command();
 Command material_show_command();
 Command new_command();

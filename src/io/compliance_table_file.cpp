@@ -207,7 +207,10 @@ TableFile parse_table_file(std::string_view text, std::string_view name) {
     }
     const std::vector<std::string> places = places_of(content);
     if (places.size() != n_places)
-      refuse(name, line, fmt::format("has {} places instead of {}", places.size(), n_places));
+      refuse(name, line,
+             fmt::format("has {} cell{}, but the head names {} columns; commas separate cells, and "
+                         "numbers have a decimal point",
+                         places.size(), places.size() == 1 ? "" : "s", n_places));
     file.rows.push_back(row_of(places, n_at, name, line));
   }
   if (n_places == 0) throw InputError(name, "ends before the names of the columns");

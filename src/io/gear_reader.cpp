@@ -61,6 +61,17 @@ void complete_from_library(GearSet& gear) {
   }
 }
 
+/// Refuses what people take for a drive, and whose first fault as TOML would say nothing to them.
+void refuse_other_formats(std::string_view text, std::string_view file_name) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  const char begins = first == std::string_view::npos ? '#' : text[first];
+  if (begins == '<' || begins == '{')
+    throw InputError(TextPlace{.file = std::string(file_name)},
+                     begins == '<' ? "is HTML or XML, not a drive in TOML"
+                                   : "is JSON, not a drive in TOML; the input of a result is in "
+                                     "the file that provenance.input_file names");
+}
+
 }  // namespace
 
 GearSet read_gear_set(std::string_view text, std::string_view file_name,
@@ -68,6 +79,7 @@ GearSet read_gear_set(std::string_view text, std::string_view file_name,
   if (text.size() > kMaxTextSize)
     throw InputError(TextPlace{.file = std::string(file_name)},
                      "is larger than 1 MiB; a drive takes a few kilobytes");
+  refuse_other_formats(text, file_name);
   const toml::table table = parse_toml(text, file_name);
   TomlReader reader(file_name);
   GearSet gear;

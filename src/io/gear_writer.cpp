@@ -11,6 +11,7 @@
 
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/core/shown_text.hpp"
+#include "strainwave/io/edit.hpp"
 
 namespace strainwave {
 namespace {
@@ -59,6 +60,12 @@ std::string toml_string(std::string_view text) {
     }
   }
   return result + '"';
+}
+
+/// Right-hand side of a number.
+std::string number_text(double value, const Field& field) {
+  const std::string text = exact_text(value, field.unit);
+  return field.unit == "1" ? text : toml_string(text);
 }
 
 /// A key of a table, bare if TOML allows it.
@@ -112,8 +119,7 @@ class GearWriter {
   template <class T>
   static std::string plain(const T& value, const Field& field) {
     if constexpr (std::is_same_v<T, double>) {
-      const std::string text = exact_text(value, field.unit);
-      return field.unit == "1" ? text : toml_string(text);
+      return number_text(value, field);
     } else if constexpr (is_optional<T>) {
       return value ? plain(*value, field) : std::string();
     } else if constexpr (is_pair_of_numbers<T>) {
@@ -178,6 +184,32 @@ std::string gear_text(const GearSet& gear, const std::map<std::string, std::stri
   GearWriter writer(comments);
   writer.body(gear, {}, FieldPath());
   return std::move(writer).text();
+}
+
+std::string with_numbers_of(std::string text, const GearSet& from, const GearSet& to) {
+  GearSet kept = from;  // with the entries of lists that `to` has too
+  for_each_path_list(kept, [&](std::string_view list, auto& entries) {
+    for_each_path_list(to, [&](std::string_view, const auto& wanted) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(entries)>, std::decay_t<decltype(wanted)>>)
+        for (std::size_t i = entries.size(); i-- > 0;) {
+          if (std::ranges::any_of(wanted,
+                                  [&](const auto& one) { return one.path == entries[i].path; }))
+            continue;
+          text = edit(text, fmt::format("{}[{}]", list, i), std::nullopt);
+          entries.erase(entries.begin() + static_cast<std::ptrdiff_t>(i));
+        }
+    });
+  });
+  std::map<std::string, double> before;
+  for_each_number(kept, [&](const FieldPath& path, const Field&, double value) {
+    before[path.text()] = value;
+  });
+  for_each_number(to, [&](const FieldPath& path, const Field& field, double value) {
+    const auto old = before.find(path.text());
+    if (old == before.end() || old->second != value)
+      text = edit(text, path.text(), number_text(value, field));
+  });
+  return text;
 }
 
 }  // namespace strainwave

@@ -58,6 +58,40 @@ bool always_required(const Field& field) {
   return required<T>(field) && field.unless.empty();
 }
 
+/// A table below a described type.
+struct TableHead {
+  std::string path;      // "flexspline.crack"
+  std::string head;      // "[[flexspline.crack]]"
+  std::string_view doc;  // of the field that holds it
+  std::string_view kind = {};
+};
+
+/// Calls f.template operator()<Table>(const TableHead&) for each table below T, in their order.
+template <class T, class F>
+void for_each_table(const std::string& path, const F& f) {
+  T::describe([&](const Field& field, auto member) {
+    using Value = ValueOf<decltype(member)>;
+    if constexpr (is_section<Value>) {
+      using Inner = typename Unwrapped<Value>::type;
+      std::string at(field.name);
+      if (!path.empty()) at = fmt::format("{}.{}", path, field.name);
+      if constexpr (is_string_map<Value>) at += ".NAME";
+      TableHead table{.path = at,
+                      .head = fmt::format(is_vector<Value> ? "[[{}]]" : "[{}]", at),
+                      .doc = field.doc};
+      if constexpr (is_variant<Inner>) {
+        for_each_alternative<Inner>([&]<class Alternative>() {
+          table.kind = Alternative::kKind;
+          f.template operator()<Alternative>(table);
+        });
+      } else {
+        f.template operator()<Inner>(table);
+        for_each_table<Inner>(at, f);
+      }
+    }
+  });
+}
+
 // ---------------------------------------------------------------------------------------------
 // Template
 
@@ -68,13 +102,14 @@ class TemplateWriter {
   template <class T>
   void table(const std::string& path, const Field* field, bool live) {
     heading(fmt::format("[{}]", path), field, live);
-    body<T>(path, {}, live);
+    body<T>(path, live);
   }
 
   /// Writes plain fields first, then the tables below, as TOML requires.
   template <class T>
-  void body(const std::string& path, std::string_view kind, bool live) {
-    if (!kind.empty()) line(fmt::format("kind = \"{}\"", kind), {}, live);
+  void body(const std::string& path, bool live) {
+    if constexpr (requires { T::kKind; })
+      line(fmt::format("kind = \"{}\"", T::kKind), std::string(T::kMeaning), live);
     T::describe([&](const Field& field, auto member) {
       using Value = ValueOf<decltype(member)>;
       if constexpr (!is_section<Value>)
@@ -98,12 +133,12 @@ class TemplateWriter {
       table<Inner>(at + ".steel", &field, shown);
     } else if constexpr (is_vector<Value> && !is_variant<Inner>) {
       heading(fmt::format("[[{}]]", at), &field, shown);
-      body<Inner>(at, {}, shown);
+      body<Inner>(at, shown);
     } else if constexpr (is_vector<Value>) {
       bool first = true;  // one kind of crack is active, the others are commented out
       for_each_alternative<Inner>([&]<class Alternative>() {
         heading(fmt::format("[[{}]]", at), &field, shown && first);
-        body<Alternative>(at, Alternative::kKind, shown && first);
+        body<Alternative>(at, shown && first);
         first = false;
       });
     } else {
@@ -222,6 +257,7 @@ Json value_schema(const Field& field) {
   } else if constexpr (std::is_same_v<Value, bool>) {
     return {{"type", "boolean"}};
   } else if constexpr (std::is_same_v<Value, std::string>) {
+    if (field.number_text) return {{"type", {"string", "number"}}};
     return {{"type", "string"}};
   } else if constexpr (std::is_enum_v<Value>) {
     Json schema;
@@ -297,7 +333,7 @@ class ReferenceWriter {
   std::string text() && { return std::move(text_); }
 
   template <class T>
-  void table(const std::string& head, std::string_view doc, std::string_view kind) {
+  void table(const std::string& head, std::string_view doc) {
     if (form_ == Form::markdown)
       text_ += fmt::format(
           "\n## `{}`: {}\n\n| field | unit | rule | default | meaning |\n"
@@ -305,33 +341,12 @@ class ReferenceWriter {
           head, doc);
     else
       text_ += fmt::format(".SS {}\n\\&{}\n", as_roff(head), as_roff(doc));
-    if (!kind.empty()) row("kind", "", fmt::format("`\"{}\"`", kind), "required", "");
+    if constexpr (requires { T::kKind; })
+      row("kind", "", fmt::format("`\"{}\"`", T::kKind), "required", T::kMeaning);
     T::describe([&](const Field& field, auto member) {
       using Value = ValueOf<decltype(member)>;
       if constexpr (!is_section<Value>)
         row(field.name, unit(field), rule<Value>(field), fallback<Value>(field), field.doc);
-    });
-  }
-
-  template <class T>
-  void tables_below(const std::string& path) {
-    T::describe([&](const Field& field, auto member) {
-      using Value = ValueOf<decltype(member)>;
-      if constexpr (is_section<Value>) {
-        using Inner = typename Unwrapped<Value>::type;
-        const std::string at =
-            path.empty() ? std::string(field.name) : fmt::format("{}.{}", path, field.name);
-        if constexpr (is_variant<Inner>) {
-          for_each_alternative<Inner>([&]<class Alternative>() {
-            table<Alternative>(fmt::format("[[{}]] {}", at, Alternative::kKind), field.doc,
-                               Alternative::kKind);
-          });
-        } else {
-          const std::string head = is_string_map<Value> ? at + ".NAME" : at;
-          table<Inner>(fmt::format(is_vector<Value> ? "[[{}]]" : "[{}]", head), field.doc, {});
-          tables_below<Inner>(head);
-        }
-      }
     });
   }
 
@@ -377,8 +392,11 @@ class ReferenceWriter {
 
 std::string reference_in(Form form) {
   ReferenceWriter writer(form);
-  writer.table<GearSet>("top of the file", "Format and name.", {});
-  writer.tables_below<GearSet>("");
+  writer.table<GearSet>("top of the file", "Format and name.");
+  for_each_table<GearSet>("", [&]<class Table>(const TableHead& table) {
+    const std::string kind(table.kind.empty() ? "" : fmt::format(" {}", table.kind));
+    writer.table<Table>(table.head + kind, table.doc);
+  });
   return std::move(writer).text();
 }
 
@@ -386,7 +404,7 @@ std::string reference_in(Form form) {
 
 std::string input_template() {
   TemplateWriter writer;
-  writer.body<GearSet>("", {}, true);
+  writer.body<GearSet>("", true);
   return "# A strain wave gear for strainwave.  Quantities are text with a unit; pure numbers are\n"
          "# bare.  Lines that start with # can be switched on.  Any member may be left out.\n\n" +
          std::move(writer).text();
@@ -408,6 +426,17 @@ std::string input_reference() {
          "of a field names it, such as `output_shaft.crack[0].depth`. The\n[glossary](glossary.md) "
          "explains the terms.\n" +
          reference_in(Form::markdown);
+}
+
+std::vector<InputTable> input_tables() {
+  std::vector<InputTable> tables;
+  for_each_table<GearSet>("", [&]<class Table>(const TableHead& head) {
+    InputTable& table = tables.emplace_back(InputTable{
+        .path = head.path, .head = head.head, .doc = head.doc, .kind = head.kind, .fields = {}});
+    if constexpr (requires { Table::kMeaning; }) table.meaning = Table::kMeaning;
+    Table::describe([&](const Field& field, auto) { table.fields.push_back(field.name); });
+  });
+  return tables;
 }
 
 std::string input_manual() { return reference_in(Form::roff); }

@@ -57,7 +57,8 @@ std::string calibration_text(const Calibration& c) {
       percent(c.residual), c.iterations, c.converged ? "" : ", NOT CONVERGED");
 }
 
-std::string calibrated_drive(const Calibration& calibration) {
+std::string calibrated_drive(const Calibration& calibration, const GearSet& before,
+                             const std::string& text) {
   std::string head = "# Calibrated with " + calibration.source + ".\n";
   for (const CalibratedFactor& factor : calibration.factors)
     head += fmt::format("# {}: {:.4g}, was {:.4g}; standard uncertainty {:.2g}, {}\n",
@@ -66,7 +67,13 @@ std::string calibrated_drive(const Calibration& calibration) {
             (factor.at_limit    ? "#   the fit stopped at a limit of the factor\n"
              : factor.plausible ? ""
                                 : "#   outside the plausible range\n");
-  return head + gear_text(calibration.gear);
+  std::string drive =
+      with_numbers_of(text.empty() ? gear_text(before) : text, before, calibration.gear);
+  // A byte order mark and the line that names the schema to an editor stay first.
+  std::size_t first = drive.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+  if (drive.substr(first).starts_with("#:schema"))
+    first = std::min(drive.find('\n', first), drive.size() - 1) + 1;
+  return drive.insert(first, head);
 }
 
 }  // namespace strainwave

@@ -209,11 +209,19 @@ TEST(MeasuredCurve, InputRefusals) {
             std::string::npos);
   const std::string head = "torque [N*m];twist [rad]\n";
   for (const auto& [text, sentence] : std::map<std::string, std::string>{
-           {head + "1\n", "bench.csv:2:2: has too few columns: twist is the column 2"},
-           {head + "1;x\n",
-            "bench.csv:2:3: twist = \"x\" is not a number; write a number such as 12.5 or 12,5"},
-           {head + "1;\n",
-            "bench.csv:2:3: twist = \"\" is not a number; write a number such as 12.5 or 12,5"},
+           {head + "1\n",
+            "bench.csv:2: has 1 cell, but the head names 2 columns; write a cell for each column; "
+            "it may be empty"},
+           {head + "1;2\n1;2;3\n",
+            "bench.csv:3: has 3 cells, but the head names 2 columns; remove the cells without a "
+            "column"},
+           {"torque [N*m],twist [rad]\n30,2,132\n",
+            "bench.csv:2: has 3 cells, but the head names 2 columns; if commas are decimal, "
+            "separate the cells by semicolons, or put each number in quotes"},
+           {"torque [N*m],twist [rad],remark\n30,2,1\n30,2\n",
+            "bench.csv:3: has 2 cells, but the head names 3 columns"},
+           {head + "1;x\n", "bench.csv:2:3: twist = \"x\" is not a number, such as 12.5 or 12,5"},
+           {head + "1;\n", "bench.csv:2:3: twist = \"\" is not a number, such as 12.5 or 12,5"},
            {head + "\n 1.234,5; 1\n",
             "bench.csv:3:2: torque = \"1.234,5\" has separators of thousands; write the number "
             "without them"},

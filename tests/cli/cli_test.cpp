@@ -583,9 +583,18 @@ TEST_F(Program, BehaviourTypicalDriveOfACatalogueSize) {
   ASSERT_EQ(drive.exit_code, 0) << drive.err;
   const Outcome curve = run("torsion --draws 0 " + write("size32.toml", drive.out));
   EXPECT_EQ(curve.exit_code, 0) << curve.err;
+  // The lines of the shaft are a valid section once their # is gone.
+  std::string shafted = drive.out;
+  const std::size_t section = shafted.find("# [output_shaft]\n");
+  ASSERT_NE(section, std::string::npos);
+  for (std::size_t at = section; at != std::string::npos; at = shafted.find("\n# ", at))
+    shafted.erase(at == section ? at : at + 1, 2);
+  const Outcome softer = run("stiffness --format json " + write("shaft.toml", shafted));
+  ASSERT_EQ(softer.exit_code, 0) << softer.err;
+  EXPECT_GT(Json::parse(softer.out)["result"]["intact"]["compliance"]["output_shaft"]["value"], 0);
   for (const char* const arguments :
        {"new --size 32", "new --ratio 50", "new --size 22 --ratio 50", "new --size 32 --ratio 20",
-        "catalogue --size 22", "validate --factors support"}) {
+        "catalogue --size 22", "validate --factors support", "new --size 4294967321 --ratio 100"}) {
     const Outcome refused = run(arguments);
     EXPECT_EQ(refused.exit_code, 2) << arguments << refused.out;
     EXPECT_FALSE(refused.err.empty()) << arguments;
@@ -608,6 +617,27 @@ TEST_F(Program, BehaviourCalibratedDriveIsAnInput) {
       run("calibrate " + drive + " --catalogue --factors coning --output " + calibrated);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(run("stiffness " + calibrated).exit_code, 0);
+  // The text is the given one, apart from a head, the line of the calibrated number and its range.
+  const std::string text = contents(in_folder("calibrated.toml"));
+  EXPECT_TRUE(text.starts_with("# Calibrated with catalogue, size 25, ratio 80+.\n# coning: "))
+      << text.substr(0, 200);
+  std::istringstream given(contents(STRAINWAVE_EXAMPLES "/catalogue_size25.toml"));
+  std::vector<std::string> changed;
+  for (std::string line; std::getline(given, line);)
+    if (text.find(line + '\n') == std::string::npos) changed.push_back(line);
+  ASSERT_GE(changed.size(), 2U);
+  EXPECT_LE(changed.size(), 6U);  // a range has a heading and up to five lines
+  EXPECT_TRUE(changed[0].starts_with("coning = ")) << changed[0];
+  EXPECT_EQ(changed[1], "path = \"mesh.coning\"");
+  // So a material of the library stays a name, and the line of the schema stays first.
+  const std::string named = write(
+      "named.toml", "#:schema x.json\n" + contents(STRAINWAVE_EXAMPLES "/library_material.toml"));
+  const std::string again = quoted(in_folder("again.toml").string());
+  ASSERT_EQ(run("calibrate " + named + " --catalogue --factors support -o " + again).exit_code, 0);
+  const std::string kept = contents(in_folder("again.toml"));
+  EXPECT_TRUE(kept.starts_with("#:schema x.json\n# Calibrated with ")) << kept.substr(0, 200);
+  EXPECT_EQ(kept.find("\n[material"), std::string::npos);
+  EXPECT_EQ(run("stiffness " + again).exit_code, run("stiffness " + named).exit_code);
   const std::string curve =
       write("curve.csv", "torque [N*m],twist [arcmin]\n14,1.5\n48,4.1\n-48,-4.1\n");
   EXPECT_EQ(run("calibrate " + drive + " --factors coning --measured " + curve).exit_code, 0);
@@ -692,9 +722,13 @@ TEST_F(Program, BehaviourReportHasADateOnlyIfItIsGiven) {
   EXPECT_NE(run("report " + kArticle, "SOURCE_DATE_EPOCH=86400 ")
                 .out.find("<dt>Date</dt><dd>1970-01-02</dd>"),
             std::string::npos);
-  EXPECT_NE(run("report --date 'Friday & more' " + kArticle, "SOURCE_DATE_EPOCH=86400 ")
-                .out.find("<dt>Date</dt><dd>Friday &amp; more</dd>"),
+  EXPECT_NE(run("report --date 2024-02-29 " + kArticle, "SOURCE_DATE_EPOCH=86400 ")
+                .out.find("<dt>Date</dt><dd>2024-02-29</dd>"),
             std::string::npos);
+  for (const char* const date : {"tomorrow", "2023-02-29", "2024-2-1", "2024-02-01 ", "01.02.2024"})
+    EXPECT_EQ(run("report " + kArticle + " --date " + quoted(date)).err,
+              std::string("strainwave: --date: ") + date +
+                  " is not a date; write YYYY-MM-DD, such as 2024-03-28\n");
   for (const char* const epoch : {"SOURCE_DATE_EPOCH=soon ", "SOURCE_DATE_EPOCH=-1 ",
                                   "SOURCE_DATE_EPOCH=1e9 ", "SOURCE_DATE_EPOCH=253402300800 "}) {
     const Outcome outcome = run("report " + kArticle, epoch);

@@ -85,10 +85,12 @@ TEST_F(Files, InputFaultsOfTheInputEndWithThree) {
            {"/dev/null", "is a device, a socket or a named pipe"},
            {at("large.toml"), "is larger than 1 MiB"},
            {at("zero.toml"), "zero.toml:1"},
-           {"''", "cannot be opened for reading"},
            {"- <&-", "standard input is closed"},
            {"- </dev/zero", "is larger than 1 MiB"}})
     expect_refused("stiffness " + file, 3, words);
+  for (const char* const arguments :
+       {"stiffness ''", "calibrate x.toml --measured ''", "diff '' x.toml", "torsion ''"})
+    expect_refused(arguments, 2, "must name a file; give its name, or - for standard input");
   for (const std::string& file : {at("pipe"), std::string("/dev/zero")})
     expect_refused("calibrate " + word(kTables + "/catalogue_size25.toml") + " --measured " + file,
                    3, "is a device, a socket or a named pipe");
@@ -116,6 +118,57 @@ TEST_F(Files, BehaviourNamesOfAnyKind) {
     // The message shows the name of a missing file on one line.
     fs::remove(in_folder(name));
     expect_refused("stiffness " + at(name), 3, "cannot be opened for reading");
+  }
+}
+
+// What is no drive is refused at its first byte that tells so.
+TEST_F(Files, InputTextsThatAreNoDrive) {
+  for (const auto& [text, words] : std::vector<std::pair<std::string, std::string>>{
+           {"", ":1:1: format: must be given"},
+           {"\n\n", ":1:1: format: must be given"},
+           {"<!DOCTYPE html>\n<html></html>\n", ": is HTML or XML, not a drive in TOML"},
+           {"\n{\"format\": \"strainwave-result/1\"}\n", ": is JSON, not a drive in TOML"},
+           {"\x89PNG\r\n\x1A\n", ":1:1: "},
+           {"\xFF\xFE"
+            "f\0o\0",
+            ":1:1: "},
+           {"torque [N*m],twist [arcmin]\n14,1.5\n", ":1:8: "},
+           {"name = \"\xC3\x28\"\n", ":1:"}})
+    expect_refused("stiffness " + write("no_drive.toml", text), 3, "no_drive.toml" + words);
+  for (const char* const folder : {"/", ".", "/dev", "/proc/self/fd"})
+    expect_refused(std::string("stiffness ") + folder, 3, "is a directory");
+}
+
+// Kind: identity.  One drive in every form that editors write has one answer.
+TEST_F(Files, IdentityFormsOfTheSameText) {
+  const std::string text = contents(kDrive);
+  const std::string answer = run("stiffness --format csv " + word(kDrive)).out;
+  ASSERT_FALSE(answer.empty());
+  std::string returns;
+  for (const char c : text) returns += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  ASSERT_EQ(text.back(), '\n');
+  for (const std::string& same :
+       {"\xEF\xBB\xBF" + text, returns, "\xEF\xBB\xBF" + returns, text.substr(0, text.size() - 1),
+        text + "\n\n", "\n \t\n# first\n" + text})
+    EXPECT_EQ(run("stiffness --format csv " + write("same.toml", same)).out, answer);
+}
+
+// Kind: identity.  A locale whose numbers have a decimal comma changes no byte.
+TEST_F(Files, IdentityTheLocaleChangesNothing) {
+  // Where the system can make a locale, it is there; else only its name is.
+  (void)execute("localedef -i de_DE -f UTF-8 " + at("de_DE.UTF-8"));
+  const std::string comma = "LOCPATH=" + word(folder_.string()) + " LC_ALL=de_DE.UTF-8 ";
+  const std::string size25 = word(kTables + "/catalogue_size25.toml");
+  for (const std::string& arguments :
+       {"stiffness " + word(kDrive), "stiffness --format json " + word(kDrive),
+        "calibrate " + size25 + " --factors coning --measured " +
+            word(kTables + "/measured_size25.csv"),
+        std::string("stiffness 1,5.toml")}) {
+    const Outcome plain = run(arguments, "LC_ALL=C ");
+    const Outcome german = run(arguments, comma);
+    EXPECT_EQ(german.exit_code, plain.exit_code) << arguments;
+    EXPECT_EQ(german.out, plain.out) << arguments;
+    EXPECT_EQ(german.err, plain.err) << arguments;
   }
 }
 

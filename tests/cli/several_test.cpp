@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "strainwave/catalogue/factors.hpp"
+#include "strainwave/command/exit_status.hpp"
 #include "support/program.hpp"
 
 namespace strainwave {
@@ -115,6 +117,75 @@ TEST_F(SeveralFiles, InputAWordThatIsNoCommandIsNamed) {
     const Outcome outcome = run(line);
     EXPECT_EQ(outcome.exit_code, 2) << line;
     EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err;
+  }
+}
+
+// What the parser of the line finds is said like all else: with the name of the program, the
+// nearest option, and the help of the command.
+TEST_F(SeveralFiles, InputFaultsOfTheLineNameOptionAndCommand) {
+  const std::string article = example("article");
+  for (const auto& [line, says] : std::vector<std::pair<std::string, std::string>>{
+           {"stiffness " + article + " --fomat csv",
+            "the option --fomat is not known here; did you mean --format? strainwave stiffness "
+            "--help lists those that are"},
+           {"stiffness " + article + " --vary=1",
+            "the option --vary is not known here; it is an option of sweep, solve; strainwave "
+            "stiffness --help lists those that are"},
+           {"sif show plate-through -x",
+            "the option -x is not known here; strainwave sif show --help lists those that are"},
+           {"--verson",
+            "the option --verson is not known here; did you mean --version? strainwave --help "
+            "lists "
+            "those that are"},
+           {"explain ratio more",
+            "the word more has no place here; strainwave explain --help shows what it takes"},
+           {"stiffness",
+            "stiffness needs FILE (input file, or - for standard input; of several files "
+            "a table, one row for each); see strainwave stiffness --help"},
+           {"stiffness " + article + " --method",
+            "--method needs a value behind it: theory to use: as-printed, repaired, corrected; "
+            "default corrected"},
+           {"stiffness " + article + " --output=",
+            "--output needs a value behind it: write to this file instead of standard output"},
+           {"stiffness " + article + " --format csv --format csv",
+            "--format is given more than once; give it once"},
+           {"stiffness " + article + " --format xml",
+            "--format: xml is not a choice here; choose one of text, csv, json"},
+           {"sensitivity " + article + " --scatter --seed 99999999999999999999",
+            "--seed: 99999999999999999999 violates: >= 0 and <= 9223372036854775807"},
+           {"sensitivity " + article + " --scatter --seed x",
+            "--seed: x is not a whole number, such as 100"}}) {
+    const Outcome outcome = run(line);
+    EXPECT_EQ(outcome.exit_code, 2) << line;
+    EXPECT_EQ(outcome.err, "strainwave: " + says + "\n") << line;
+    EXPECT_TRUE(outcome.out.empty()) << line;
+  }
+}
+
+// The guide has each exit status and each factor with the words of the program.
+TEST_F(SeveralFiles, BehaviourTheGuideListsStatusesAndFactors) {
+  const std::string page =
+      test::contents(std::string(STRAINWAVE_EXAMPLES) + "/../docs/guide/command_line.md");
+  for (const auto& [status, meaning] : kExitStatuses)
+    EXPECT_NE(page.find("| " + std::to_string(static_cast<int>(status)) + " | " +
+                        std::string(meaning) + " |\n"),
+              std::string::npos)
+        << meaning;
+  for (const std::string_view factor : EnumNames<Factor>::names)
+    EXPECT_NE(page.find("| `" + std::string(factor) + "` |"), std::string::npos) << factor;
+}
+
+// Words of the program itself are explained too.
+TEST_F(SeveralFiles, BehaviourExplainKnowsTheOptionsOfTheProgram) {
+  for (const auto& [word, says] : std::vector<std::pair<std::string, std::string>>{
+           {"--force", "option of calibrate, new"},
+           {"-o", "short for --output"},
+           {"--units", "of the answer, such as mm"},
+           {"completion", "Print a script that completes words in a shell"},
+           {"fe", "Finite elements of shaft and cup"}}) {
+    const Outcome outcome = run("explain -- " + word);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find(says), std::string::npos) << word << '\n' << outcome.out;
   }
 }
 

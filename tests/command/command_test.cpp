@@ -126,8 +126,10 @@ TEST(Options, InputEveryRuleIsBrokenOnceByText) {
                "is not an option here; known options are name, count, length");
   EXPECT_PRED2(says, refusal("count", "11"), "11 violates: >= 0 and <= 10");
   EXPECT_PRED2(says, refusal("count", "-1"), "-1 violates");
-  for (const char* const text : {"1.5", "x", "", " 1", "1 ", "99999999999999999999"})
+  for (const char* const text : {"1.5", "x", "", " 1", "1 "})
     EXPECT_PRED2(says, refusal("count", text), "is not a whole number");
+  EXPECT_PRED2(says, refusal("count", "99999999999999999999"),
+               "99999999999999999999 violates: >= 0 and <= 10");
   EXPECT_PRED2(says, refusal("length", "-1 m"), "> 0");
   EXPECT_PRED2(says, refusal("length", "1 kg"), "length");
   EXPECT_PRED2(says, refusal("length", "nan m"), "length");

@@ -129,6 +129,22 @@ TEST(QuantityText, BehaviourReadsWhatAReportPrints) {
             "field: \"3\u00B710\u207B mm\" needs a whole number after 10^");
 }
 
+TEST(QuantityText, BehaviourReadsUnitsAsPeopleWriteThem) {
+  for (const char* const text :
+       {"18 MPa\u221Am", "18 MPa \u221Am", "18MPa\u221Am", "18 MPa*\u221Am"})
+    EXPECT_EQ(parse_quantity("x", text, "Pa*m^0.5"), 18e6) << text;
+  EXPECT_EQ(parse_quantity("x", "3 \u221Am", "m^0.5"), 3);
+  EXPECT_EQ(parse_quantity("x", "18 N/mm*\u221Am/m", "Pa*m^0.5"), 18e3);
+  for (const char* const text : {"120 Nmm", "120 N*mm", "120 N\u00B7mm"})
+    EXPECT_EQ(parse_quantity("x", text, "N*m"), 0.12) << text;
+  EXPECT_EQ(refusal("120 N.mm", "N*m"), "field: \"120 N.mm\" needs * between units; write N*mm");
+  EXPECT_EQ(refusal("120 N mm", "N*m"), "field: \"120 N mm\" needs * between units; write N*mm");
+  EXPECT_EQ(refusal("18 MPa*sqrt(m)", "Pa*m^0.5"),
+            "field: \"18 MPa*sqrt(m)\" needs ^0.5 for a root, such as MPa*m^0.5");
+  EXPECT_EQ(refusal("9 lbf-in/deg", "N*m/rad"),
+            "field: \"9 lbf-in/deg\" needs * between units; write lbf*in");
+}
+
 TEST(QuantityText, RegressionADecimalPointIsMovedWithoutRounding) {
   // 0.4 * 1e-3 is 0.00039999999999999996 or 0.0004, as the multiplication rounds.
   for (int i = 1; i < 2000; ++i) {

@@ -12,7 +12,9 @@
 #include "strainwave/command/exit_status.hpp"
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/io/input_format.hpp"
 #include "strainwave/model/result/result_fields.hpp"
+#include "strainwave/present/glossary.hpp"
 #include "support/expect.hpp"
 
 namespace strainwave {
@@ -160,7 +162,24 @@ TEST(Explain, BehaviourEachKindOfWordIsExplained) {
            {"cracked.positive.stiffness", "output of", "in N*m/rad"},
            {"stiffness", "command", "strainwave stiffness --help"},
            {"--vary", "option of sweep", "FROM..TO"},
-           {"all_sets", "option of validate", "leave-one-size-out"}}) {
+           {"all_sets", "option of validate", "leave-one-size-out"},
+           // terms and symbols of the glossary
+           {"flexspline", "term of the glossary", "the thin-walled gear wheel"},
+           {"Circular Spline", "term of the glossary", "it does not rotate"},
+           {"K_HD", "term of the glossary", "inverse of the sum of compliances of the members"},
+           {"pressed", "term of the glossary", "the load presses the faces together"},
+           {"scatter", "term of the glossary", "an input ([[scatter]])"},
+           // tables, and kinds of crack
+           {"[[flexspline.crack]]", "table of the input", "cracks of wall, diaphragm and rim"},
+           {"flexspline.diaphragm.profile", "table of the input", "fields: radius, thickness"},
+           {"rating", "table of the input", "the maker's torques"},
+           {"diaphragm_arc", "kind of [[flexspline.crack]]", "along an arc round the boss"},
+           {"rim-axial", "kind of [[flexspline.crack]]", "fields: depth, position"},
+           {"as-printed", "value of --method", "as-printed, repaired, corrected"},
+           {"ring_bending", "value of wave_generator.crack[].stress_driver", "what stresses"},
+           {"pair_compliance", "factor of calibrate --factors", "compliance of a pair of teeth"},
+           {"sif", "first word of commands", "sif eval"},
+           {"fr-9", "equation of the theory manual", "Shell correction"}}) {
     const std::string text = explained(word);
     EXPECT_NE(text.find(kind), std::string::npos) << word << '\n' << text;
     std::string joined = text;
@@ -178,6 +197,11 @@ TEST(Explain, InputAnUnknownWordGetsTheNearest) {
   EXPECT_EQ(test::broken_rule([] { return explained("crack.thick_walls"); }),
             "word: crack.thick_walls is unknown to strainwave; did you mean "
             "crack.thick_wall?");
+  // A part of a word.
+  EXPECT_EQ(test::broken_rule([] { return explained("intensity_fact"); }),
+            "word: intensity_fact is unknown to strainwave; did you mean stress intensity factor?");
+  EXPECT_EQ(test::broken_rule([] { return explained(" "); }),
+            "word: is empty; give a word, such as torque");
 }
 
 TEST(Explain, IdentityEveryListedNoteAndExitStatusIsExplained) {
@@ -193,6 +217,24 @@ TEST(Explain, IdentityEveryListedNoteAndExitStatusIsExplained) {
   for (const auto& [status, meaning] : kExitStatuses)
     EXPECT_NE(explained(std::to_string(static_cast<int>(status))).find("exit status"),
               std::string::npos);
+}
+
+TEST(Explain, IdentityEveryTermTableAndKindIsExplained) {
+  for (const GlossaryTerm& term : glossary())
+    EXPECT_NE(explained(std::string(term.term)).find("term of the glossary"), std::string::npos)
+        << term.term;
+  EXPECT_GT(glossary().size(), 70U);
+  for (const InputTable& table : input_tables()) {
+    EXPECT_NE(explained(table.head).find("table of the input"), std::string::npos) << table.head;
+    if (!table.kind.empty()) {
+      EXPECT_NE(explained(std::string(table.kind)).find(": kind of "), std::string::npos)
+          << table.kind;
+    }
+  }
+  // What makes the terms in plain letters leaves no mark of the page.
+  for (const GlossaryTerm& term : glossary())
+    for (const std::string_view text : {term.term, term.meaning, term.symbol, term.unit})
+      EXPECT_EQ(text.find_first_of("\\$|`{}<>"), std::string_view::npos) << text;
 }
 
 // --- Diff ----------------------------------------------------------------------------------------
@@ -553,6 +595,8 @@ TEST(Diff, InputWhatCannotBeComparedIsRefused) {
   EXPECT_EQ(test::broken_rule([&] { return diff(drive, "{\"a\": 1}"); }),
             "b: is neither a drive nor a result; strainwave stiffness FILE --format json --output "
             "RESULT writes a result");
+  EXPECT_EQ(test::broken_rule([&] { return diff(drive, "\n<!DOCTYPE html>\n<p>x</p>\n"); }),
+            test::broken_rule([&] { return diff(drive, "{\"a\": 1}"); }));
   EXPECT_EQ(test::broken_rule([&] {
               return diff(drive, test::run_on_example("audit", "article").json());
             }).substr(0, 3),

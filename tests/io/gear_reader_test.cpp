@@ -369,6 +369,10 @@ path = "flexspline.wall_thickness"
 lower = "2 mm"
 upper = "2.5 mm"
 source = "drawing"
+[[range]]
+path = "mesh.gap_factor"
+lower = 0.05
+upper = 1
 [[scatter]]
 path = "flexspline.wall_thickness"
 relative_standard_deviation = 0.02
@@ -391,12 +395,16 @@ source = "measured"
   EXPECT_EQ(gear.rating->T2, 766);
   EXPECT_FALSE(gear.rating->T3.has_value());
   EXPECT_EQ(gear.rating->lost_motion_share, 0.04);
-  ASSERT_EQ(gear.range.size(), 2U);
+  ASSERT_EQ(gear.range.size(), 3U);
   EXPECT_EQ(gear.range[0].knowledge, Knowledge::assumed);
   EXPECT_EQ(gear.range[0].source, "");
   EXPECT_EQ(gear.range[1].path, "flexspline.wall_thickness");
   EXPECT_EQ(gear.range[1].knowledge, Knowledge::typical);
   EXPECT_EQ(gear.range[1].upper, "2.5 mm");
+  // A number without a unit may be bare, as it is elsewhere.
+  EXPECT_EQ(gear.range[2].lower, "0.05");
+  EXPECT_EQ(gear.range[2].upper, "1");
+  EXPECT_NO_THROW(check(gear));
   ASSERT_EQ(gear.scatter.size(), 2U);
   EXPECT_EQ(gear.scatter[0].path, "flexspline.wall_thickness");
   EXPECT_EQ(gear.scatter[0].relative_standard_deviation, 0.02);

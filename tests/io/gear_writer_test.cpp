@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <locale>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -138,6 +139,41 @@ TEST(GearWriter, BehaviourUnitsAndComments) {
             std::string::npos)
       << text;
   EXPECT_EQ(gear_text(gear).find("wave_number"), std::string::npos);  // its default
+}
+
+// Kind: identity.  The text is the given one but for the lines of the numbers that differ, and
+// reads back as the other drive to the last bit.
+TEST(GearWriter, IdentityOtherNumbersKeepTheRestOfTheText) {
+  std::ifstream file(STRAINWAVE_EXAMPLES "/library_material.toml");
+  const std::string given{std::istreambuf_iterator<char>(file), {}};
+  const GearSet from = read_gear_set(given, "given.toml");
+  EXPECT_EQ(with_numbers_of(given, from, from), given);
+  GearSet to = from;
+  to.wave_generator->inner_ring_thickness = 1.0 / 700;  // has a line
+  to.flexspline->stress_nonuniformity = 1.25;           // a default without a line
+  const std::string text = with_numbers_of(given, from, to);
+  EXPECT_EQ(numbers(read_gear_set(text, "text.toml")), numbers(to));
+  std::istringstream lines(given);
+  std::size_t n_lost = 0;
+  for (std::string line; std::getline(lines, line);)
+    n_lost += text.find(line + '\n') == std::string::npos ? 1U : 0U;
+  EXPECT_EQ(n_lost, 1U) << text;
+}
+
+// A range or a scatter that the other drive lacks goes, wherever it stands in its list.
+TEST(GearWriter, BehaviourOtherNumbersDropLostRangesAndScatters) {
+  std::ifstream file(STRAINWAVE_EXAMPLES "/article_scatter.toml");
+  const std::string given{std::istreambuf_iterator<char>(file), {}};
+  const GearSet from = read_gear_set(given, "given.toml");
+  ASSERT_GE(from.scatter.size(), 3U);
+  GearSet to = from;
+  set_number(to, from.scatter[1].path, 1.01 * number_at(from, from.scatter[1].path).value);
+  ASSERT_EQ(to.scatter.size() + 1, from.scatter.size());
+  const GearSet read = read_gear_set(with_numbers_of(given, from, to), "text.toml");
+  EXPECT_EQ(numbers(read), numbers(to));
+  ASSERT_EQ(read.scatter.size(), to.scatter.size());
+  for (std::size_t i = 0; i < to.scatter.size(); ++i)
+    EXPECT_EQ(read.scatter[i].path, to.scatter[i].path);
 }
 
 }  // namespace

@@ -396,7 +396,8 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
     if (!is_commented_heading(lines[i])) continue;
     std::string heading = heading_of(lines[i]);
     if (const std::string kind = "# kind = \""; lines.at(i + 1).starts_with(kind))
-      heading += " " + lines[i + 1].substr(kind.size(), lines[i + 1].size() - kind.size() - 1);
+      heading +=
+          " " + lines[i + 1].substr(kind.size(), lines[i + 1].find('"', kind.size()) - kind.size());
     const auto table = std::ranges::find(tables, heading, &Table::heading);
     ASSERT_NE(table, tables.end()) << heading;
     ++found;
@@ -408,6 +409,29 @@ TEST(InputTemplate, InputCommentedTablesCanBeSwitchedOn) {
     EXPECT_EQ(verdict(joined(changed)), "accepted") << heading;
   }
   EXPECT_EQ(found, tables.size());
+}
+
+TEST(InputTemplate, BehaviourItsDimensionsFitTogether) {
+  const std::string text = input_template();
+  const auto value_below = [&](const std::string& head, const std::string& field) {
+    const std::size_t at = text.find(field + " = ", text.find("[" + head + "]"));
+    const std::size_t begin = at + field.size() + 3;
+    return text.substr(begin, text.find(" #", begin) - begin);
+  };
+  EXPECT_EQ(std::stod(value_below("flexspline.boss", "outer_diameter").substr(1)),
+            std::stod(value_below("flexspline.diaphragm", "inner_diameter").substr(1)));
+  EXPECT_LT(2 * std::stod(value_below("flexspline.boss", "wall_thickness").substr(1)),
+            std::stod(value_below("flexspline.boss", "outer_diameter").substr(1)));
+  // Each kind of crack says what it is.
+  int n_kinds = 0;
+  for (const InputTable& table : input_tables()) {
+    if (table.kind.empty()) continue;
+    ++n_kinds;
+    EXPECT_NE(text.find("kind = \"" + std::string(table.kind) + "\""), std::string::npos);
+    EXPECT_NE(text.find(std::string(table.meaning)), std::string::npos) << table.kind;
+    EXPECT_FALSE(table.meaning.empty()) << table.kind;
+  }
+  EXPECT_EQ(n_kinds, 11);
 }
 
 TEST(InputTemplate, BehaviourHasNoLineThatIsNeitherFieldNorHeadingNorComment) {

@@ -79,7 +79,7 @@ GearSet sections_gear() {
   fs.barrel = TubeSection{.outer_diameter = 158 * mm, .wall_thickness = 2 * mm, .length = 100 * mm};
   fs.diaphragm = Diaphragm{
       .outer_diameter = 154 * mm, .inner_diameter = 80 * mm, .thickness = 3 * mm, .profile = {}};
-  fs.boss = TubeSection{.outer_diameter = 80 * mm, .wall_thickness = 10 * mm, .length = 10 * mm};
+  fs.boss = Boss{{.outer_diameter = 80 * mm, .wall_thickness = 10 * mm, .length = 10 * mm}};
   WallSurfaceCrack in_rim;
   in_rim.depth = 1 * mm;
   in_rim.half_length = 2 * mm;
@@ -435,7 +435,7 @@ const std::vector<Broken> kBroken = {
      "flexspline.diaphragm", "", "is read only where crack_free = \"sections\""},
     {"FactorWithBoss", article,
      [](GearSet& g) {
-       flexspline(g).boss = TubeSection{1, 0.1, 1};
+       flexspline(g).boss = Boss{{1, 0.1, 1}};
      },
      "flexspline.boss", "", "is read only where crack_free = \"sections\""},
 
@@ -678,9 +678,12 @@ const std::vector<Broken> kBroken = {
     {"RangeReversed", coupled_gear, [](GearSet& g) { g.range[0].lower = "2.5 mm"; },
      "range[0].upper", "upper > lower", ""},
     {"RangeAboveItsNumber", coupled_gear, [](GearSet& g) { g.range[0].lower = "2.3 mm"; },
-     "range[0].path", "the file's value between lower and upper", ""},
+     "range[0].path", "",
+     "flexspline.wall_thickness is 2.24 mm in the file, outside of this range from 2.3 mm to 2.5 "
+     "mm"},
     {"RangeBelowItsNumber", coupled_gear, [](GearSet& g) { g.range[0].upper = "2.2 mm"; },
-     "range[0].path", "the file's value between lower and upper", ""},
+     "range[0].path", "",
+     "flexspline.wall_thickness is 2.24 mm in the file, outside of this range from 2 mm to 2.2 mm"},
     {"RangeBeyondTheRuleBelow", coupled_gear, [](GearSet& g) { g.range[0].lower = "0 mm"; },
      "range[0].lower", "> 0", ""},
     {"RangeBeyondTheRuleAbove", coupled_gear, [](GearSet& g) { g.range[1].upper = "0.6"; },

@@ -70,11 +70,13 @@ TEST(Variation, InputMessagesNameOptionAndValue) {
   };
   EXPECT_EQ(fault("output_shaft.crack[0].depth=0.1..2 mm:3"),
             "--vary output_shaft.crack[0].depth: \"0.1\" has no unit; it must be convertible to m");
-  EXPECT_EQ(fault("output_shaft.crack[0].depth=0.1 mm..2 mm:2.5"),
-            "--vary output_shaft.crack[0].depth: \"2.5\" points; must be a whole number from 2 to "
-            "100000");
+  EXPECT_EQ(
+      fault("output_shaft.crack[0].depth=0.1 mm..2 mm:2.5"),
+      "--vary output_shaft.crack[0].depth: the number of points is \"2.5\"; it must be a whole "
+      "number from 2 to 100000");
   EXPECT_EQ(fault("output_shaft.crack[0].depth=0.1 mm..2 mm:100001"),
-            "--vary output_shaft.crack[0].depth: 100001 points; must be from 2 to 100000");
+            "--vary output_shaft.crack[0].depth: the number of points is 100001; it must be from 2 "
+            "to 100000");
   EXPECT_EQ(fault("output_shaft.crack[0].depth=0.1 mm..2 mm"),
             "--vary output_shaft.crack[0].depth: \"0.1 mm..2 mm\" needs a number of points: "
             "FROM..TO:N");
@@ -83,8 +85,10 @@ TEST(Variation, InputMessagesNameOptionAndValue) {
             "unit");
   EXPECT_EQ(fault("drive.ratio=1...2:3"),  // may mean 1. to 2, or 1 to .2
             "--vary drive.ratio: \"1...2\" must be FROM..TO, each with its unit");
-  EXPECT_EQ(fault("drive.ratio=0..2:3:log"),
-            "--vary drive.ratio: 0..2 with equal ratios (log) must not reach or cross 0");
+  EXPECT_EQ(
+      fault("drive.ratio=0..2:3:log"),
+      "--vary drive.ratio: the range reaches 0, but :log goes in equal ratios, which never do; "
+      "begin at a number other than 0, or leave :log out for equal steps");
   EXPECT_EQ(
       fault("drive.ratio=1..2:3:cubic"),
       "--vary drive.ratio: has \"cubic\" after the number of points, where only \"log\" may stand");

@@ -117,8 +117,7 @@ inline Flexspline random_flexspline(Dice& dice, const Transmission& drive) {
       fs.rim = TubeSection{
           .outer_diameter = d, .wall_thickness = 0.02 * d, .length = dice.uniform(0.1, 0.2) * d};
     if (dice.chance(0.5))
-      fs.boss =
-          TubeSection{.outer_diameter = 0.4 * d, .wall_thickness = 0.1 * d, .length = 0.1 * d};
+      fs.boss = Boss{{.outer_diameter = 0.4 * d, .wall_thickness = 0.1 * d, .length = 0.1 * d}};
     fs.length = fs.barrel->length + (fs.rim ? fs.rim->length : 0.0);
     fs.diaphragm = Diaphragm{.outer_diameter = 0.95 * d,
                              .inner_diameter = dice.uniform(0.3, 0.6) * d,

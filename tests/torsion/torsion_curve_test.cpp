@@ -63,7 +63,7 @@ GearSet full_drive() {
   test::crack_spline(gear);
   test::crack_tooth(gear, 4, 0.5);
   gear.flexspline->boss =
-      TubeSection{.outer_diameter = 36 * mm, .wall_thickness = 8 * mm, .length = 6 * mm};
+      Boss{{.outer_diameter = 36 * mm, .wall_thickness = 8 * mm, .length = 6 * mm}};
   gear.flexspline->flange_compliance = 2e-7;
   gear.flexspline->crack.emplace_back(DiaphragmArcCrack{.half_length = 3 * mm, .radius = {}});
   OutputShaft shaft;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -53,7 +55,9 @@ namespace detail {
 
 /// @throws OptionError  if the text is not a number, or the number is outside the range
 [[nodiscard]] double number_option(const Field& field, std::string_view text);
-[[nodiscard]] std::int64_t whole_option(const Field& field, std::string_view text);
+/// @param least, most  of the type that takes the number
+[[nodiscard]] std::int64_t whole_option(const Field& field, std::string_view text,
+                                        std::int64_t least, std::int64_t most);
 [[nodiscard]] bool flag_option(const Field& field, std::string_view text);
 [[noreturn]] void refuse_choice(const Field& field, std::string_view text,
                                 std::span<const std::string_view> choices);
@@ -102,7 +106,13 @@ void assign_option(Value& value, const Field& field, std::string_view text) {
     if (!named) refuse_choice(field, text, EnumNames<Value>::names);
     value = *named;
   } else if constexpr (std::is_integral_v<Value>) {
-    value = static_cast<Value>(whole_option(field, text));
+    using Limits = std::numeric_limits<Value>;
+    constexpr auto kMost = static_cast<std::uint64_t>(Limits::max());
+    constexpr auto kMostWhole = std::numeric_limits<std::int64_t>::max();
+    value = static_cast<Value>(whole_option(
+        field, text, std::is_signed_v<Value> ? static_cast<std::int64_t>(Limits::min()) : 0,
+        kMost < static_cast<std::uint64_t>(kMostWhole) ? static_cast<std::int64_t>(kMost)
+                                                       : kMostWhole));
   } else if constexpr (std::is_same_v<Value, double>) {
     value = number_option(field, text);
   } else {

@@ -184,6 +184,10 @@ class TomlReader {
   void read(const toml::node& node, const FieldPath& path, const Field& field, std::string& value) {
     remember(node, path);
     const auto* const text = node.as_string();
+    if (field.number_text && node.is_number()) {
+      value = written(node);
+      return;
+    }
     if (text == nullptr) refuse_type(node, path, "text", field.example);
     value = text->get();
   }

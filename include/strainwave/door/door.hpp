@@ -2,8 +2,10 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "strainwave/command/command.hpp"
+#include "strainwave/command/meaning.hpp"
 
 /// @file
 /// The facade for all users of the library: the command line, the C interface, and what is built on
@@ -14,5 +16,11 @@ namespace strainwave {
 
 /// All commands, in the order of their help.
 [[nodiscard]] std::span<const Command> commands();
+
+/// The row `explain` of a table.
+/// @param table  whose commands, options and outputs it explains
+/// @param own    further words, of a program; null: none
+[[nodiscard]] Command explain_command(std::span<const Command> (*table)(),
+                                      std::vector<Meaning> (*own)() = nullptr);
 
 }  // namespace strainwave

@@ -2,12 +2,27 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 /// @file
 /// Four descriptions of the input format.  All are made from the descriptions of the structs
 /// (core/fields.hpp), so they always agree with the reader.
 
 namespace strainwave {
+
+/// A table that an input file may have.
+struct InputTable {
+  std::string path;  ///< "flexspline.crack"; NAME stands for the name of a material
+  std::string head;  ///< "[[flexspline.crack]]"
+  std::string_view doc;
+  std::string_view kind = {};     ///< of a crack; empty for another table
+  std::string_view meaning = {};  ///< of this kind
+  std::vector<std::string_view> fields;
+};
+
+/// The tables of an input file in their order; a table with several kinds once for each kind.
+[[nodiscard]] std::vector<InputTable> input_tables();
 
 /// A commented starting file that the reader accepts.
 [[nodiscard]] std::string input_template();

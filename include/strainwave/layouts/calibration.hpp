@@ -11,7 +11,12 @@ namespace strainwave {
 /// determine.
 [[nodiscard]] std::string calibration_text(const Calibration& calibration);
 
-/// The calibrated drive as an input file with comments on its calibration.
-[[nodiscard]] std::string calibrated_drive(const Calibration& calibration);
+/// The calibrated drive as an input file: the text of the drive with the calibrated numbers, under
+/// comments on the calibration.
+/// @param before  the drive as given
+/// @param text    its text; empty: written anew
+/// @throws InputError  as `with_numbers_of`
+[[nodiscard]] std::string calibrated_drive(const Calibration& calibration, const GearSet& before,
+                                           const std::string& text);
 
 }  // namespace strainwave

@@ -35,13 +35,20 @@ Calibration calibrated(const Request& request, const CalibrateOptions& options) 
     throw OptionError("catalogue", "give either --catalogue or --measured");
   const auto factors = from_option([&] { return parse_factors(options.factors); });
   const GearSet& gear = request.drive.gear;
-  if (options.catalogue)
-    return calibrate(gear, catalogue_target(gear), factors, {}, request.progress);
+  const auto fitted = [&](const CalibrationTarget& target) {
+    try {
+      return calibrate(gear, target, factors, {}, request.progress);
+    } catch (const InputError& error) {
+      if (error.field() == "factors") throw OptionError(error);
+      throw;
+    }
+  };
+  if (options.catalogue) return fitted(catalogue_target(gear));
   const auto text = request.texts.find(*options.measured);
   if (text == request.texts.end())
     throw OptionError("measured", "names a text that is not attached");
   const auto curve = parse_measured_curve(text->second, *options.measured);
-  return calibrate(gear, measured_target(curve, *options.measured), factors, {}, request.progress);
+  return fitted(measured_target(curve, *options.measured));
 }
 
 }  // namespace
@@ -56,7 +63,9 @@ Command calibrate_command() {
           "curve with the columns torque and twist. Prints each factor with its uncertainty, and "
           "the combinations of factors that the targets determine. A factor whose uncertainty "
           "exceeds half of its value is not called identified. A factor changes fields of the "
-          "drive; --output writes the calibrated drive as a new input file.",
+          "drive; --output writes the calibrated drive as a new input file, which keeps the "
+          "comments "
+          "of the given file. Ranges and scatters of the changed numbers are left out.",
       .example = "strainwave calibrate examples/catalogue_size25.toml --catalogue --output "
                  "calibrated.toml",
       .function = calibrated,
@@ -65,7 +74,9 @@ Command calibrate_command() {
                       .format = Format::toml,
                       .option = "output",
                       .doc = "write the calibrated drive to this file"},
-                     calibrated_drive}},
+                     [](const Calibration& calibration, const Rendering& to) {
+                       return calibrated_drive(calibration, to.drive.gear, to.drive.text);
+                     }}},
   });
 }
 

@@ -161,7 +161,8 @@ Side side_of(const std::string& name, Method method, const Request& request) {
   if (given == request.texts.end()) throw OptionError(name, "the text of this file is missing");
   const std::string& text = given->second;
   if (text.find_first_not_of(" \t\r\n") != std::string::npos &&
-      text[text.find_first_not_of(" \t\r\n")] == '{')
+      std::string_view("{<").find(text[text.find_first_not_of(" \t\r\n")]) !=
+          std::string_view::npos)
     return side_of_result(text, name);
   static const Command stiffness = stiffness_command();
   OptionValues options(stiffness.options);

@@ -3,16 +3,21 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 
+#include "strainwave/catalogue/factors.hpp"
 #include "strainwave/command/exit_status.hpp"
 #include "strainwave/core/nearest.hpp"
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/door/door.hpp"
+#include "strainwave/io/input_format.hpp"
 #include "strainwave/materials/material_library.hpp"
+#include "strainwave/model/input/vary_option.hpp"
 #include "strainwave/present/equation_titles.hpp"
 #include "strainwave/present/field_list.hpp"
+#include "strainwave/present/glossary.hpp"
 #include "strainwave/present/note_texts.hpp"
 #include "strainwave/sif/library.hpp"
 
@@ -26,27 +31,11 @@ struct ExplainOptions {
   static void describe(Visitor&& field) {
     field({.name = "word",
            .unit = "",
-           .doc = "a field, unit, note code, equation, exit status, material, solution, output, "
-                  "command or option",
+           .doc = "a term, table, kind of crack, field, unit, note code, equation, exit status, "
+                  "material, solution, output, command, or option without its dashes",
            .positional = true,
            .names = "explained"},
           &ExplainOptions::word);
-  }
-};
-
-/// One meaning of a word.
-struct Meaning {
-  std::string kind;  ///< "field of the input"
-  std::string name;
-  std::string text;
-  std::string more;  ///< the command that tells more
-
-  template <class Visitor>
-  static void describe(Visitor&& field) {
-    field({"kind", "", "the kind of thing that the word names"}, &Meaning::kind);
-    field({"name", "", "in full"}, &Meaning::name);
-    field({"text", "", "what it means"}, &Meaning::text);
-    field({"more", "", "the command that prints more; empty if there is none"}, &Meaning::more);
   }
 };
 
@@ -61,16 +50,43 @@ struct Explained {
   }
 };
 
+/// Letters in lower case, without the dashes of an option; - and blank are one with _.
+std::string folded(std::string_view word) {
+  while (word.size() > 1 && word.starts_with('-')) word.remove_prefix(1);
+  std::string letters(word);
+  for (char& c : letters)
+    c = c == '-' || c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return letters;
+}
+
+/// What stands between the separators of a text, without blanks around.
+std::vector<std::string_view> parts_of(std::string_view text, std::string_view separators) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t end = std::min(text.find_first_of(separators), text.size());
+    parts.push_back(without_blanks(text.substr(0, end)));
+    if (end == text.size()) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
 /// Collects the meanings of a word or, for an unknown word, the nearest known words.
 class Search {
  public:
-  explicit Search(std::string_view word) : word_(word) {}
+  explicit Search(std::string_view word) : word_(word), folded_(folded(word)) {}
 
+  /// Whether the word is this one.
+  bool is(std::string_view name) {
+    if (name.empty()) return false;
+    known_.emplace_back(name);
+    // With its dashes, a word is an option and nothing else.
+    const bool option = word_.size() > 1 && word_.starts_with('-');
+    return name == word_ || (folded(name) == folded_ && (!option || name.starts_with('-')));
+  }
   /// A thing with one name.
   void thing(std::string_view kind, std::string_view name, const std::string& text,
              std::string more = {}) {
-    known_.emplace_back(name);
-    if (name == word_ && !kind.empty()) found(kind, name, text, std::move(more));
+    if (is(name)) found(kind, name, text, std::move(more));
   }
   void found(std::string_view kind, std::string_view name, std::string text, std::string more) {
     meanings_.push_back({std::string(kind), std::string(name), std::move(text), std::move(more)});
@@ -79,9 +95,14 @@ class Search {
   void field(std::string_view kind, const ListedField& listed, std::string_view more) {
     const auto& [path, field, values, alternative] = listed;
     if (!alternative.empty()) return;
-    known_.push_back(path);
-    known_.emplace_back(field.name);
-    if (word_ != path && word_ != field.name && !is_path(word_, path)) return;
+    const bool is_path_of_it = is(path);
+    if (!is(field.name) && !is_path_of_it && !is_path(word_, path)) {
+      if (values.find(", ") != std::string::npos)
+        for (const std::string_view value : parts_of(values, ","))
+          thing(fmt::format("value of {}", path), value, fmt::format("{}: {}", field.doc, values),
+                std::string(more));
+      return;
+    }
     std::string text(field.doc);
     if (!field.unit.empty() && field.unit != "1" && field.unit != kUnitBeside)
       text += fmt::format("; in {}", field.unit);
@@ -99,21 +120,39 @@ class Search {
 
   /// @throws OptionError  if nothing has this name
   Explained explained() && {
-    if (meanings_.empty()) {
-      const std::string near = nearest_word(word_, known_);
-      throw OptionError(
-          "word",
-          near.empty()
-              ? fmt::format("{} is unknown to strainwave; strainwave --help lists the commands, "
-                            "and strainwave schema --format markdown lists the fields",
-                            shown(word_))
-              : fmt::format("{} is unknown to strainwave; did you mean {}?", shown(word_), near));
-    }
-    return {std::string(word_), std::move(meanings_)};
+    if (!meanings_.empty()) return {std::string(word_), std::move(meanings_)};
+    if (without_blanks(word_).empty())
+      throw OptionError("word", "is empty; give a word, such as torque");
+    const std::vector<std::string> near = near_words();
+    throw OptionError(
+        "word",
+        near.empty()
+            ? fmt::format("{} is unknown to strainwave; strainwave --help lists the commands, "
+                          "strainwave schema --format markdown the fields",
+                          shown(word_))
+            : fmt::format("{} is unknown to strainwave; did you mean {}?", shown(word_),
+                          fmt::join(near, " or ")));
   }
 
  private:
+  /// The nearest known words; where none is near, the shortest that contain the word.
+  [[nodiscard]] std::vector<std::string> near_words() const {
+    constexpr std::size_t kMost = 3;
+    std::vector<std::string> near;
+    std::vector<std::string> known = known_;
+    std::ranges::sort(known);
+    known.erase(std::unique(known.begin(), known.end()), known.end());
+    if (const std::string nearest = nearest_word(word_, known); !nearest.empty()) return {nearest};
+    if (folded_.size() < 3) return {};
+    std::ranges::stable_sort(known, {}, [](const std::string& name) { return name.size(); });
+    for (const std::string& name : known)
+      if (near.size() < kMost && folded(name).find(folded_) != std::string::npos)
+        near.push_back(name);
+    return near;
+  }
+
   std::string_view word_;
+  std::string folded_;
   std::vector<std::string> known_;
   std::vector<Meaning> meanings_;
 };
@@ -133,7 +172,7 @@ std::string without_places(std::string_view text) {
 }
 
 void search_unit(Search& search, const std::vector<ListedField>& fields) {
-  for (const KnownUnit& known : known_units()) search.thing({}, known.symbol, {});
+  for (const KnownUnit& known : known_units()) (void)search.is(known.symbol);
   Unit unit;
   try {
     unit = parse_unit(search.word());
@@ -155,6 +194,40 @@ void search_unit(Search& search, const std::vector<ListedField>& fields) {
   search.found("unit", search.word(), std::move(text), "strainwave units");
 }
 
+void search_glossary(Search& search) {
+  for (const auto& [term, meaning, symbol, unit] : glossary()) {
+    std::vector<std::string_view> words = parts_of(term, ",");
+    words.push_back(term);
+    for (const std::string_view one : parts_of(symbol, ",;")) words.push_back(one);
+    bool is = false;
+    for (const std::string_view one : words) is = search.is(one) || is;
+    if (!is) continue;
+    std::string text(meaning);
+    if (!symbol.empty()) text += fmt::format("; symbol {}", symbol);
+    if (!unit.empty() && unit != "1") text += fmt::format("; in {}", unit);
+    search.found("term of the glossary", term, std::move(text), {});
+  }
+}
+
+void search_tables(Search& search) {
+  for (const InputTable& table : input_tables()) {
+    const std::string fields = fmt::format("fields: {}", fmt::join(table.fields, ", "));
+    constexpr std::string_view kMore = "strainwave schema --format markdown";
+    if (search.is(table.kind))
+      search.found(fmt::format("kind of {}", table.head), table.kind,
+                   fmt::format("{}; {}", table.meaning, fields), std::string(kMore));
+    bool is = search.is(table.head);
+    is = search.is(table.path) || is;
+    is = search.is(table.path.substr(table.path.rfind('.') + 1)) || is;
+    if (is || is_path(search.word(), table.path))
+      search.found("table of the input", table.head,
+                   table.kind.empty() ? fmt::format("{}; {}", table.doc, fields)
+                                      : fmt::format("{}; kind = \"{}\": {}; {}", table.doc,
+                                                    table.kind, table.meaning, fields),
+                   std::string(kMore));
+  }
+}
+
 void search_commands(Search& search, std::span<const Command> table) {
   struct Place {
     ListedField listed;
@@ -174,6 +247,10 @@ void search_commands(Search& search, std::span<const Command> table) {
         "command", command.name,
         fmt::format("{}. {} Example: {}", command.summary, command.description, command.example),
         fmt::format("strainwave {} --help", command.name));
+    if (const std::size_t blank = command.name.find(' '); blank != std::string_view::npos)
+      search.thing("first word of commands", command.name.substr(0, blank),
+                   fmt::format("{}: {}", command.name, command.summary),
+                   fmt::format("strainwave {} --help", command.name));
     for (const Option& option : command.options.options)
       add(options,
           {.path = (option.field.positional ? "" : "--") + option.spelled(),
@@ -195,8 +272,11 @@ void search_commands(Search& search, std::span<const Command> table) {
   told("output", outputs, "schema --of result --command '{}' --format markdown");
 }
 
-Explained explained(std::string_view word, std::span<const Command> table) {
+Explained explained(std::string_view word, std::span<const Command> table,
+                    const std::vector<Meaning>& own) {
   Search search(word);
+  search_glossary(search);
+  search_tables(search);
   const std::vector<ListedField> fields = list_of_fields(visit_type<GearSet>);
   for (const ListedField& listed : fields)
     search.field("field of the input", listed, "strainwave schema --format markdown");
@@ -221,7 +301,12 @@ Explained explained(std::string_view word, std::span<const Command> table) {
                  fmt::format("{}; modes {}; accuracy {}; {}", row.info.title, row.info.modes,
                              percent(row.info.relative_uncertainty), row.info.accuracy),
                  fmt::format("strainwave sif show {}", row.info.name));
+  for (const std::string_view name : EnumNames<Factor>::names)
+    search.thing("factor of calibrate --factors", name,
+                 std::string(factor_info(*enum_value<Factor>(name)).meaning),
+                 "strainwave calibrate --help");
   search_commands(search, table);
+  for (const auto& [kind, name, text, more] : own) search.thing(kind, name, text, more);
   return std::move(search).explained();
 }
 
@@ -243,19 +328,23 @@ std::string explained_text(const Explained& explained) {
 
 }  // namespace
 
-Command explain_command(std::span<const Command> (*table)()) {
+Command explain_command(std::span<const Command> (*table)(), std::vector<Meaning> (*own)()) {
   return command<ExplainOptions, Explained>({
       .name = "explain",
-      .summary = "Explain a word: a field, a unit, a note, an equation and more",
-      .description = "Explains a word on one screen. The word may be the path of an input field or "
-                     "of an output, or a part of a path; a unit; the code of a note; the tag of an "
-                     "equation; an exit status; a material; a stress intensity solution; a command "
-                     "or an option. For an unknown word it "
-                     "suggests the nearest known one.",
+      .summary = "What a word means: a field, a unit, a note, an equation and more",
+      .description =
+          "Explains a word on one screen: a term of the glossary or its symbol; a table of the "
+          "input, or a kind of crack; the path of a field of the input or of an output, also in "
+          "part; a value that a field or an option may have; a unit; the code of a note; the tag "
+          "of an equation; an exit status; a material; a stress intensity solution; a factor of "
+          "a calibration; a command or an option. Case, - and _ make no difference. For an "
+          "unknown word it suggests the nearest known one.",
       .example = "strainwave explain flexspline.crack[0].half_length",
       .takes = Takes::nothing,
-      .function = [table](const Request&,
-                          const ExplainOptions& o) { return explained(o.word, table()); },
+      .function =
+          [table, own](const Request&, const ExplainOptions& o) {
+            return explained(o.word, table(), own == nullptr ? std::vector<Meaning>() : own());
+          },
       .documents = {{Format::text, explained_text}},
   });
 }

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <sstream>
+
 #include "strainwave/catalogue/proportions.hpp"
 #include "strainwave/door/door.hpp"
 #include "strainwave/io/gear_writer.hpp"
@@ -33,6 +36,26 @@ struct NewDrive {
 /// Editors find the schema of a file by its first line.
 constexpr std::string_view kSchemaLine = "#:schema ./strainwave-drive-1.schema.json\n";
 
+/// Lines to switch on for the shaft behind the gear, which no catalogue contains.
+std::string output_shaft_of(const GearSet& gear) {
+  const double d = gear.drive.pitch_diameter;
+  GearSet with;
+  // A steel shaft of usual proportions, in whole millimetres.
+  with.output_shaft = OutputShaft{.material = gear.flexspline->material,
+                                  .outer_diameter = std::round(450 * d) * 1e-3,
+                                  .length = std::round(600 * d) * 1e-3};
+  constexpr std::string_view kHead = "[output_shaft]\n";
+  const std::string text = gear_text(with);
+  std::istringstream lines(text.substr(text.find(kHead)));
+  std::string commented =
+      "\n# The maker's stiffness ends at the output flange, and so does this drive. Your shaft "
+      "makes it\n"
+      "# softer: remove the # of these lines and give its dimensions.\n";
+  for (std::string line; std::getline(lines, line) && !line.empty();)
+    commented += "# " + line + '\n';
+  return commented;
+}
+
 NewDrive drive_of(const Request&, const NewOptions& options) {
   if (options.size.has_value() != options.ratio.has_value())
     throw OptionError(options.size ? "ratio" : "size",
@@ -44,7 +67,7 @@ NewDrive drive_of(const Request&, const NewOptions& options) {
           "# A typical drive of this size and ratio, because makers do not publish the geometry of "
           "a drive.\n"
           "# The comment behind each number states its origin, its limits and their origin.\n" +
-          gear_text(drive.gear, drive.comments)};
+          gear_text(drive.gear, drive.comments) + output_shaft_of(drive.gear)};
 }
 
 }  // namespace
@@ -57,8 +80,8 @@ Command new_command() {
           "Prints a valid input file with every field and its meaning; fields that are not needed "
           "are commented out. With --size and --ratio, prints the typical drive of that size in "
           "the makers' catalogues instead. Every number then has a comment on its origin and its "
-          "limits, and ranges for the torsion curve are included."
-          "curve.",
+          "limits, and ranges for the torsion curve are included. The output shaft, which no "
+          "catalogue contains, is there as a comment.",
       .example = "strainwave new --size 25 --ratio 100 --output drive.toml",
       .takes = Takes::nothing,
       .function = drive_of,

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/report/report.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+
 #include "commands/method_option.hpp"
 #include "strainwave/door/door.hpp"
 
@@ -16,7 +22,8 @@ struct ReportCommandOptions {
     field(kMethodOption, &ReportCommandOptions::method);
     field({.name = "date",
            .unit = "",
-           .doc = "date to print; if left out, a command line takes SOURCE_DATE_EPOCH",
+           .doc = "date to print, YYYY-MM-DD; if left out, a command line takes "
+                  "SOURCE_DATE_EPOCH",
            .names = "date"},
           &ReportCommandOptions::date);
   }
@@ -37,11 +44,30 @@ struct ReportedDrive {
 
 ResultEvidence evidence_of(const ReportedDrive& drive) { return evidence_of(drive.report.result); }
 
+/// @throws OptionError  the text is no date of the form YYYY-MM-DD
+std::string date_of(const std::string& text) {
+  constexpr std::string_view kForm = "dddd-dd-dd";
+  const bool formed = std::ranges::equal(text, kForm, [](unsigned char c, char of_form) {
+    return of_form == 'd' ? std::isdigit(c) != 0 : c == of_form;
+  });
+  const auto number = [&](std::size_t at, std::size_t length) {
+    return std::stoi(text.substr(at, length));
+  };
+  if (!formed ||
+      !std::chrono::year_month_day(std::chrono::year(number(0, 4)),
+                                   std::chrono::month(static_cast<unsigned>(number(5, 2))),
+                                   std::chrono::day(static_cast<unsigned>(number(8, 2))))
+           .ok())
+    throw OptionError("date", fmt::format("{} is not a date; write YYYY-MM-DD, such as 2024-03-28",
+                                          text.empty() ? "\"\"" : shown(text)));
+  return text;
+}
+
 ReportedDrive reported(const Request& request, const ReportCommandOptions& options) {
   return {make_report(request.drive.gear, provenance_of(request.drive),
                       {.method = options.method,
                        .input_text = request.drive.text,
-                       .date = options.date.value_or(std::string())},
+                       .date = options.date ? date_of(*options.date) : std::string()},
                       request.progress)};
 }
 

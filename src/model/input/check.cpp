@@ -11,6 +11,7 @@
 #include "strainwave/core/compare.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 
@@ -521,8 +522,11 @@ void check_range(const GearSet& gear, const FieldPath& path, const InputRange& r
   for (const auto& [field, value] : {std::pair{"lower", lower}, {"upper", upper}})
     require(number.field.range.contains(value), (path / field).text(), value, number.field.unit,
             rule_text(number.field.range, number.field.unit));
-  require(number.value >= lower && number.value <= upper, (path / "path").text(), number.value,
-          number.field.unit, "the file's value between lower and upper");
+  if (number.value < lower || number.value > upper)
+    throw InputError(
+        (path / "path").text(),
+        fmt::format("{} is {} in the file, outside of this range from {} to {}", range.path,
+                    shown_quantity(number.value, number.field.unit), range.lower, range.upper));
 }
 
 void check_scatter(const GearSet& gear, std::size_t which) {

@@ -17,12 +17,16 @@ void check_variation(const Variation& variation, std::string_view option_name) {
   if (!std::isfinite(from) || !std::isfinite(to) || from == to)
     throw InputError(option, fmt::format("{}..{} must be two different finite numbers", from, to));
   if (n_points < 2 || n_points > kMaxSweepPoints)
-    throw InputError(option,
-                     fmt::format("{} points; must be from 2 to {}", n_points, kMaxSweepPoints));
+    throw InputError(option, fmt::format("the number of points is {}; it must be from 2 to {}",
+                                         n_points, kMaxSweepPoints));
   const bool one_sign = (from > 0 && to > 0) || (from < 0 && to < 0);
   if (spacing == Spacing::logarithmic && !one_sign)
-    throw InputError(
-        option, fmt::format("{}..{} with equal ratios (log) must not reach or cross 0", from, to));
+    throw InputError(option, fmt::format("the range {} 0, but :log goes in equal ratios, which "
+                                         "never do; {}, or leave :log out for equal steps",
+                                         from == 0 || to == 0 ? "reaches" : "crosses",
+                                         from == 0 ? "begin at a number other than 0"
+                                         : to == 0 ? "end at a number other than 0"
+                                                   : "give ends of one sign"));
 }
 
 double Variation::value(int i) const {
@@ -62,8 +66,10 @@ Variation parse_variation(const GearSet& gear, std::string_view text,
   const auto [end, error] =
       std::from_chars(points.data(), points.data() + points.size(), variation.n_points);
   if (error != std::errc{} || end != points.data() + points.size())
-    throw InputError(option, fmt::format("\"{}\" points; must be a whole number from 2 to {}",
-                                         points, kMaxSweepPoints));
+    throw InputError(
+        option,
+        fmt::format("the number of points is \"{}\"; it must be a whole number from 2 to {}",
+                    points, kMaxSweepPoints));
   check_variation(variation, option_name);
   return variation;
 }

@@ -76,6 +76,8 @@ inline constexpr Field kCrackDepthField{.name = "depth",
 /// Semi-elliptical surface crack in the inner ring of the wave generator's bearing.
 struct RaceSurfaceCrack {
   static constexpr std::string_view kKind = "surface";
+  static constexpr std::string_view kMeaning =
+      "semi-elliptical crack in the race of the inner ring";
   double depth = 0.0;         ///< a, into the ring [m]; > 0, < ring thickness
   double aspect_ratio = 0.0;  ///< a/c, depth per half length [-]; in (0, 1]
   StressDriver stress_driver = StressDriver::orthogonal_shear;
@@ -138,6 +140,8 @@ struct RaceSurfaceCrack {
 /// Edge crack through the whole width of the inner ring.
 struct RaceEdgeCrack {
   static constexpr std::string_view kKind = "edge";
+  static constexpr std::string_view kMeaning =
+      "crack of one depth over the whole width of the inner ring";
   double depth = 0.0;  ///< a, into the ring [m]; > 0, < ring thickness
   StressDriver stress_driver = StressDriver::orthogonal_shear;
   std::optional<double> contact_factor;  ///< as in RaceSurfaceCrack
@@ -163,7 +167,7 @@ inline constexpr Field kComplianceTableField{
     .name = "compliance_table",
     .unit = "",
     .doc = "CSV of `strainwave fe tabulate` beside this file, in place of the closed form",
-    .example = R"("tables/through_45.csv")",
+    .example = R"("table.csv")",
     .in_template = InTemplate::commented};
 
 /// The part of a flexspline's wall that contains a crack, if sections are given.
@@ -179,6 +183,7 @@ constexpr CrackedPart part_of(WallSection section) {
 /// Straight crack through the wall of the flexspline.
 struct WallThroughCrack {
   static constexpr std::string_view kKind = "through";
+  static constexpr std::string_view kMeaning = "straight crack through the wall";
   double half_length = 0.0;  ///< a, along the crack [m]; > 0
   double angle =
       std::numbers::pi / 4;      ///< angle beta from +z toward -theta [rad]; in (-pi/2, pi/2]
@@ -239,6 +244,7 @@ struct WallThroughCrack {
 /// Semi-elliptical surface crack in the wall of the flexspline.
 struct WallSurfaceCrack {
   static constexpr std::string_view kKind = "surface";
+  static constexpr std::string_view kMeaning = "semi-elliptical crack in the surface of the wall";
   double depth = 0.0;                   ///< a, into the wall [m]; > 0, < wall thickness
   double half_length = 0.0;             ///< half length c along the surface [m]; >= depth
   double angle = std::numbers::pi / 4;  ///< as in WallThroughCrack
@@ -277,6 +283,7 @@ struct EnumNames<AnnularSolution> {
 /// Circumferential crack of uniform depth in the outer surface of a shaft.
 struct AnnularCrack {
   static constexpr std::string_view kKind = "annular";
+  static constexpr std::string_view kMeaning = "crack of one depth all round the shaft";
   double depth = 0.0;  ///< a, radial [m]; > 0, < wall of a hollow shaft, < radius of a solid one
   AnnularSolution solution = AnnularSolution::improved;  ///< solid shafts only
   std::optional<std::string> compliance_table = {};      ///< as in WallThroughCrack
@@ -337,22 +344,28 @@ struct RingCrack {
 /// Axial crack of the toothed rim, from a tooth root; acts in the coupled drive only.
 struct RimAxialCrack : RingCrack<CrackedPart::rim, false> {
   static constexpr std::string_view kKind = "rim_axial";
+  static constexpr std::string_view kMeaning =
+      "axial crack of the rim from a tooth root; coupled drive only";
 };
 
 /// Axial crack of the wave generator bearing's outer ring; acts in the coupled drive only.
 struct OuterRaceCrack : RingCrack<CrackedPart::outer_ring, true> {
   static constexpr std::string_view kKind = "outer_race";
+  static constexpr std::string_view kMeaning = "axial crack of the outer ring; coupled drive only";
 };
 
 /// Axial crack of the circular spline; acts in the coupled drive only.
 struct CircularSplineRingCrack : RingCrack<CrackedPart::circular_spline, true> {
   static constexpr std::string_view kKind = "ring";
+  static constexpr std::string_view kMeaning =
+      "axial crack of the circular spline; coupled drive only";
 };
 
 /// A cracked tooth of the flexspline.  Its pair is softer on both flanks (TC-21); acts in the
 /// coupled drive only.
 struct ToothCrack {
   static constexpr std::string_view kKind = "tooth";
+  static constexpr std::string_view kMeaning = "a cracked or a missing tooth; coupled drive only";
   static constexpr bool kActsInCoupledDrive = true;
   double stiffness_loss = 0.0;  ///< delta, lost share of the pair's stiffness [-]; in (0, 1]
   double position = 0.0;        ///< angle as in RingCrack; it selects the nearest tooth [rad]
@@ -384,6 +397,8 @@ struct ToothCrack {
 /// Circumferential crack through the diaphragm of a cup, along an arc round the boss (TC-19).
 struct DiaphragmArcCrack {
   static constexpr std::string_view kKind = "diaphragm_arc";
+  static constexpr std::string_view kMeaning =
+      "crack through the diaphragm along an arc round the boss";
   double half_length = 0.0;      ///< a, along the arc [m]; > 0
   std::optional<double> radius;  ///< radius of the arc [m]; absent: the diaphragm's inner radius
 
@@ -414,6 +429,7 @@ struct DiaphragmArcCrack {
 /// Groove all round the diaphragm of a cup, of less depth than the thickness (TC-20).
 struct DiaphragmGroove {
   static constexpr std::string_view kKind = "diaphragm_groove";
+  static constexpr std::string_view kMeaning = "groove all round the diaphragm";
   double depth = 0.0;   ///< into the thickness [m]; > 0, < thickness there
   double width = 0.0;   ///< radial [m]; > 0
   double radius = 0.0;  ///< radius of its middle [m]; > 0

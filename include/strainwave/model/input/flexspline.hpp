@@ -31,7 +31,7 @@ struct EnumNames<CrackFree> {
 /// The usual thickness of walls and rings [m].
 inline constexpr Range kUsualThickness{.lower = 5e-5, .upper = 0.2};
 
-/// A round tube: rim, barrel or boss of a flexspline.
+/// A round tube: rim or barrel of a flexspline.
 struct TubeSection {
   double outer_diameter = 0.0;  ///< D [m]; > 0
   double wall_thickness = 0.0;  ///< t [m]; > 0, < D/2
@@ -58,6 +58,32 @@ struct TubeSection {
                 .range = kPositive,
                 .example = R"("80 mm")"},
           &TubeSection::length);
+  }
+};
+
+/// The hub of a cup.
+struct Boss : TubeSection {
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "outer_diameter",
+                .unit = "m",
+                .doc = "outer diameter, where the diaphragm begins",
+                .range = kPositive,
+                .example = R"("80 mm")"},
+          &Boss::outer_diameter);
+    field(Field{.name = "wall_thickness",
+                .unit = "m",
+                .doc = "wall thickness, from the bore of the hub",
+                .range = kPositive,
+                .example = R"("20 mm")",
+                .usual = kUsualThickness},
+          &Boss::wall_thickness);
+    field(Field{.name = "length",
+                .unit = "m",
+                .doc = "length",
+                .range = kPositive,
+                .example = R"("10 mm")"},
+          &Boss::length);
   }
 };
 
@@ -96,13 +122,13 @@ struct Diaphragm {
   static void describe(Visitor&& field) {
     field(Field{.name = "outer_diameter",
                 .unit = "m",
-                .doc = "diameter at which the diaphragm meets the barrel",
+                .doc = "diameter at which the diaphragm meets the barrel, in the middle of its wall",
                 .range = kPositive,
                 .example = R"("157.76 mm")"},
           &Diaphragm::outer_diameter);
     field(Field{.name = "inner_diameter",
                 .unit = "m",
-                .doc = "diameter at which the diaphragm meets the boss",
+                .doc = "diameter at which the diaphragm meets the boss, the outer diameter of the boss",
                 .range = kPositive,
                 .example = R"("80 mm")"},
           &Diaphragm::inner_diameter);
@@ -115,7 +141,8 @@ struct Diaphragm {
           &Diaphragm::thickness);
     field(Field{.name = "profile",
                 .unit = "",
-                .doc = "thickness over the radius, linear in between; constant if left out",
+                .doc = "stations of a thickness that varies: constant up to the first one, then "
+                       "linear to the next and to the outer diameter",
                 .in_template = InTemplate::commented},
           &Diaphragm::profile);
   }
@@ -167,7 +194,7 @@ struct Flexspline {
   std::optional<TubeSection> rim;      ///< rim, for `sections`
   std::optional<TubeSection> barrel;   ///< barrel, for `sections`
   std::optional<Diaphragm> diaphragm;  ///< diaphragm, for `sections`
-  std::optional<TubeSection> boss;     ///< boss, for `sections`
+  std::optional<Boss> boss;            ///< boss, for `sections`
   /// compliance of boss bolts and output flange [rad/(N*m)]; >= 0
   double flange_compliance = 0.0;
   std::vector<FlexsplineCrack> crack;

@@ -96,13 +96,18 @@ struct InputRange {
                 .doc = "of the number",
                 .example = R"("flexspline.wall_thickness")"},
           &InputRange::path);
-    field(
-        Field{.name = "lower", .unit = "", .doc = "lower limit, with unit", .example = R"("2 mm")"},
-        &InputRange::lower);
-    field(
-        Field{
-            .name = "upper", .unit = "", .doc = "upper limit, with unit", .example = R"("2.5 mm")"},
-        &InputRange::upper);
+    field(Field{.name = "lower",
+                .unit = "",
+                .doc = "lower limit, with its unit; bare if the number has no unit",
+                .example = R"("2 mm")",
+                .number_text = true},
+          &InputRange::lower);
+    field(Field{.name = "upper",
+                .unit = "",
+                .doc = "upper limit, with its unit; bare if the number has no unit",
+                .example = R"("2.5 mm")",
+                .number_text = true},
+          &InputRange::upper);
     field(Field{.name = "knowledge",
                 .unit = "",
                 .doc = "where the limits come from",
