@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/provenance.hpp"
 #include "strainwave/model/result/stiffness_result.hpp"
@@ -25,7 +26,9 @@ struct CoupledRow {
   std::optional<Quantity> negative_change = {};
 };
 
-/// K1, K2, K3 in both units, wind-up at the given torque and at the maker's.
+/// The units in which tables tell a stiffness: the one asked for, else two.
+[[nodiscard]] std::vector<DisplayUnit> stiffness_units();
+/// K1, K2, K3 in these units, wind-up at the given torque and at the maker's.
 [[nodiscard]] std::vector<CoupledRow> coupled_rows(const CurveResult& curve, const GearSet& gear);
 
 /// What the table of the coupled drive is called, and that of the sum of the members.
