@@ -102,8 +102,8 @@ ExitCode judged(const Program& program, const Answer& answer, std::string_view m
 void warn_of_unused(const Program& program, const AskedUnits& units) {
   const std::vector<std::string> unused = units.unused();
   if (!unused.empty())
-    warn(program, fmt::format("--units {}: the answer shows no value of {} dimension",
-                              fmt::join(unused, ","), unused.size() == 1 ? "this" : "these"));
+    warn(program, fmt::format("--units {}: the answer shows no value of {}", fmt::join(unused, ","),
+                              unused.size() == 1 ? "this dimension" : "these dimensions"));
 }
 
 /// @throws UsageError       a drive would take the place of a file, and nobody said so
@@ -221,7 +221,7 @@ std::vector<std::string> take_files(Given& given) {
 /// The answer for one of several files; what is wrong with it does not stop the others.
 FileAnswer answer_for(const Given& given, const std::string& file, const AskedUnits& units,
                       KnownFiles& known, const Progress& progress) {
-  FileAnswer of{.file = file, .answer = {}, .fault = {}};
+  FileAnswer of{.file = shown_name(file), .answer = {}, .fault = {}};
   try {
     const Asked asked = asked_by(given, &file, known);
     of.answer.emplace(run(given.command, asked.drive, asked.options, asked.attached, progress,
@@ -263,7 +263,7 @@ ExitCode run_several(const Given& given, const std::vector<std::string>& files, 
         },
         [&](const std::string& words) {
           line.clear();
-          warn(given.program, words);
+          warn(given.program, fmt::format("{}: {}", shown_name(file), words));
         });
     answers.push_back(answer_for(given, file, asked.units, known, progress));
   }
@@ -272,7 +272,8 @@ ExitCode run_several(const Given& given, const std::vector<std::string>& files, 
   warn_of_unused(given.program, asked.units);
   for (const FileAnswer& of : answers)
     if (!of.fault.empty())
-      warn(given.program, of.fault.starts_with(of.file) ? of.fault : of.file + ": " + of.fault);
+      warn(given.program,
+           of.fault.starts_with(of.file + ":") ? of.fault : of.file + ": " + of.fault);
   return worst_of(answers);
 }
 

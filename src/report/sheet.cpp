@@ -28,7 +28,7 @@ constexpr std::string_view kSheetStyle =
     ".drawing .part{fill:var(--part,#f1f4f7);stroke:var(--ink,#1b1f24);stroke-width:.35}"
     ".drawing .solid{stroke:none}"
     ".drawing .edge{fill:none;stroke:var(--ink,#1b1f24);stroke-width:.35}"
-    ".drawing .thin{fill:var(--thin,#8c959f)}"
+    ".drawing .thin{fill:var(--thin,#7d8791)}"
     ".drawing .hatch{fill:none;stroke:var(--hatch,#6e7781);stroke-width:.13}"
     ".drawing .seen{fill:none;stroke:var(--ink,#1b1f24);stroke-width:.25}"
     ".drawing .ball{fill:var(--paper,#fff);stroke:var(--ink,#1b1f24);stroke-width:.3}"
