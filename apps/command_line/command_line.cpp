@@ -21,7 +21,6 @@
 #include "interrupt.hpp"
 #include "run_command.hpp"
 #include "strainwave/core/error.hpp"
-#include "strainwave/core/nearest.hpp"
 #include "strainwave/core/version.hpp"
 
 namespace strainwave::cli {
@@ -89,12 +88,8 @@ void add_command(CLI::App& parent, std::string_view word, const Program& program
 void require_command(const Program& program, std::span<const std::string> words) {
   const auto refuse = [&](std::string_view what, std::string_view word,
                           const std::vector<std::string>& known) {
-    const std::string near = nearest_word(word, known);
-    throw UsageError(near.empty()
-                         ? fmt::format("{} is not a command; {}{} --help lists the commands",
-                                       shown(word), program.name, what)
-                         : fmt::format("{} is not a command; did you mean {}{} {}?", shown(word),
-                                       program.name, what, near));
+    const std::string before = fmt::format("{}{} ", program.name, what);
+    throw UsageError(not_a_command(word, known, before, before + "--help lists the commands"));
   };
   if (words.empty())
     throw UsageError(fmt::format("name a command; {} --help lists the commands", program.name));

@@ -8,6 +8,7 @@
 #include <cctype>
 
 #include "several.hpp"
+#include "strainwave/present/field_list.hpp"
 
 namespace strainwave::cli {
 namespace {
@@ -70,39 +71,11 @@ Argument path_argument(Role role, std::string_view option, std::string_view key,
           .fallback = {}};
 }
 
-/// Whether a type holds a number that has a unit.
-class UnitSeeker : public TypeVisitor {
- public:
-  [[nodiscard]] bool found() const { return found_; }
-
-  void begin_record() override {}
-  void end_record() override {}
-  void field(const Field&, Presence) override {}
-  void begin_list() override {}
-  void end_list() override {}
-  void begin_map() override {}
-  void end_map() override {}
-  void begin_alternatives() override {}
-  void end_alternatives() override {}
-  void kind(std::string_view) override {}
-  void column(const Field& field) override { number(field); }
-  void number(const Field& field) override {
-    found_ = found_ || (!field.unit.empty() && field.unit != "1");
-  }
-  void quantity(const Field& field) override { number(field); }
-  void whole(const Field&) override {}
-  void flag() override {}
-  void text() override {}
-  void choice(std::span<const std::string_view>) override {}
-
- private:
-  bool found_ = false;
-};
-
+/// Whether a result holds a number that has a unit.
 bool has_units(const Command& command) {
-  UnitSeeker seeker;
-  command.walk({}, seeker);
-  return seeker.found();
+  return std::ranges::any_of(list_of_fields(command.walk), [](const ListedField& listed) {
+    return !listed.field.unit.empty() && listed.field.unit != "1";
+  });
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "run_command.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -98,6 +99,14 @@ ExitCode judged(const Program& program, const Answer& answer, std::string_view m
           note.code.starts_with(fmt::format("{}.", answer.command().name)))
         warn(program, note.text);
   return exit_code_of(answer);
+}
+
+/// Says which units of --units the documents had no place for.
+void warn_of_unused(const Program& program, const AskedUnits& units) {
+  const std::vector<std::string> unused = units.unused();
+  if (!unused.empty())
+    warn(program, fmt::format("--units {}: the answer shows no value of {}", fmt::join(unused, ","),
+                              unused.size() == 1 ? "this dimension" : "these dimensions"));
 }
 
 /// @throws UsageError       if a drive would replace an existing file without --force
@@ -214,13 +223,13 @@ std::vector<std::string> take_files(Given& given) {
 }
 
 /// The answer for one of several files.  A fault of this file does not stop the other files.
-FileAnswer answer_for(const Given& given, const std::string& file, KnownFiles& known,
-                      const Progress& progress) {
-  FileAnswer of{.file = file, .answer = {}, .fault = {}};
+FileAnswer answer_for(const Given& given, const std::string& file, const AskedUnits& units,
+                      KnownFiles& known, const Progress& progress) {
+  FileAnswer of{.file = shown_name(file), .answer = {}, .fault = {}};
   try {
     const Asked asked = asked_by(given, &file, known);
     of.answer.emplace(run(given.command, asked.drive, asked.options, asked.attached, progress,
-                          {.units = asked.units, .beside = attachments_beside}));
+                          {.units = units, .beside = attachments_beside}));
     of.fault = of.answer->evidence().unusable_because;
     of.code = exit_code_of(*of.answer);
   } catch (const OptionError& error) {
@@ -258,15 +267,17 @@ ExitCode run_several(const Given& given, const std::vector<std::string>& files, 
         },
         [&](const std::string& words) {
           line.clear();
-          warn(given.program, words);
+          warn(given.program, fmt::format("{}: {}", shown_name(file), words));
         });
-    answers.push_back(answer_for(given, file, known, progress));
+    answers.push_back(answer_for(given, file, asked.units, known, progress));
   }
   line.clear();
   deliver({{asked.main_path, several_document(asked.main, answers, asked.units, asked.columns)}});
+  warn_of_unused(given.program, asked.units);
   for (const FileAnswer& of : answers)
     if (!of.fault.empty())
-      warn(given.program, of.fault.starts_with(of.file) ? of.fault : of.file + ": " + of.fault);
+      warn(given.program,
+           of.fault.starts_with(of.file + ":") ? of.fault : of.file + ": " + of.fault);
   return worst_of(answers);
 }
 
@@ -353,7 +364,9 @@ ExitCode run_command(Given given) {
   line.clear();
   ranks.together([&] { deliver(texts); });
   if (chosen.folder) deliver(files, main_path, ranks);
-  return ranks.first() ? judged(given.program, *answer, main) : kOk;
+  if (!ranks.first()) return kOk;
+  warn_of_unused(given.program, read->units);
+  return judged(given.program, *answer, main);
 }
 
 }  // namespace strainwave::cli

@@ -10,6 +10,7 @@
 
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/model/result/result_fields.hpp"
+#include "strainwave/present/field_list.hpp"
 #include "strainwave/present/json.hpp"
 #include "strainwave/present/table.hpp"
 
@@ -77,33 +78,6 @@ class RowWalk : public OutputWalk {
   int lists_ = 0;
 };
 
-/// Whether a type has a field that is a headline.
-class HeadlineSeeker : public TypeVisitor {
- public:
-  [[nodiscard]] bool found() const { return found_; }
-
-  void begin_record() override {}
-  void end_record() override {}
-  void field(const Field& field, Presence) override { found_ = found_ || field.headline; }
-  void begin_list() override {}
-  void end_list() override {}
-  void begin_map() override {}
-  void end_map() override {}
-  void begin_alternatives() override {}
-  void end_alternatives() override {}
-  void kind(std::string_view) override {}
-  void column(const Field&) override {}
-  void number(const Field&) override {}
-  void quantity(const Field&) override {}
-  void whole(const Field&) override {}
-  void flag() override {}
-  void text() override {}
-  void choice(std::span<const std::string_view>) override {}
-
- private:
-  bool found_ = false;
-};
-
 struct Output {
   std::string name;
   std::string unit;
@@ -166,13 +140,33 @@ std::optional<Table> table_of_elements(std::span<const FileAnswer> answers) {
   return any ? std::optional(std::move(table)) : std::nullopt;
 }
 
+/// The name of an output, each of its words on a line, above its unit.
+std::vector<std::string> head_of(const Output& output) {
+  std::vector<std::string> lines(1);
+  for (const char c : output.name)
+    if (c == '.')
+      lines.emplace_back();
+    else
+      lines.back() += c;
+  const DisplayUnit shown = display_unit(output.name, output.unit);
+  if (shown.text != "1") lines.push_back(fmt::format("[{}]", shown.text));
+  return lines;
+}
+
 std::string text_of_several(std::span<const FileAnswer> answers) {
   if (const auto table = table_of_elements(answers)) return text_table(*table);
   const Outputs outputs = outputs_of<HeadlineWalk>(answers);
-  Table table{.head = {"file", "verdict"}, .align = "ll"};
-  for (const auto& [name, unit] : outputs.columns) {
-    const DisplayUnit shown = display_unit(name, unit);
-    table.head.push_back(shown.text == "1" ? name : fmt::format("{} [{}]", name, shown.text));
+  std::vector<std::vector<std::string>> heads = {{"file"}, {"verdict"}};
+  for (const Output& output : outputs.columns) heads.push_back(head_of(output));
+  std::size_t n_lines = 1;
+  for (const auto& head : heads) n_lines = std::max(n_lines, head.size());
+  Table table{.head = std::vector<std::string>(heads.size()), .align = "ll"};
+  for (std::size_t line = 0; line < n_lines; ++line) {
+    auto& row = table.rows.emplace_back();
+    for (const auto& head : heads) {
+      const std::size_t above = n_lines - head.size();
+      row.push_back(line < above ? std::string() : head[line - above]);
+    }
   }
   for (std::size_t i = 0; i < answers.size(); ++i) {
     auto& row = table.rows.emplace_back(cells(answers[i].file, verdict_of(answers[i])));
@@ -227,9 +221,9 @@ std::string json_of_several(std::span<const FileAnswer> answers) {
 }  // namespace
 
 bool answers_several(const Command& command) {
-  HeadlineSeeker seeker;
-  command.walk({}, seeker);
-  return command.takes == Takes::drive && seeker.found();
+  return command.takes == Takes::drive &&
+         std::ranges::any_of(list_of_fields(command.walk),
+                             [](const ListedField& listed) { return listed.field.headline; });
 }
 
 ExitCode worst_of(std::span<const FileAnswer> answers) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string_view>
 
 #include "contour_lines.hpp"
@@ -37,6 +38,12 @@ constexpr std::array<Stroke, kDistinctLines> kStrokes = {{{"#6E6E6E", ""},
                                                           {"#CC79A7", "9 3 2 3"},
                                                           {"#AA7A00", "12 4"},
                                                           {"#8A63D2", "4 2"}}};
+
+/// The number of characters of a UTF-8 text.
+std::size_t shown_length(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
 
 /// The first `most` characters of a UTF-8 text, with an ellipsis if there are more.
 std::string shortened(std::string_view text, std::size_t most) {
@@ -204,20 +211,25 @@ std::string words(double x, double y, std::string_view style, std::string_view t
                      more, svg_text(text));
 }
 
-/// A label that is broken at its last dot into two lines if it is too long for the margin.
-std::string margin_words(double x, double& y, std::string_view text) {
-  constexpr std::size_t kMost = 27;
+/// A label of the margin, broken behind dots, blanks and underscores into lines of at most `most`
+/// characters.
+std::string margin_words(double x, double& y, std::string_view style, std::string_view text,
+                         std::size_t most) {
   std::string svg;
-  const std::size_t dot = text.rfind('.');
-  if (text.size() > kMost && dot != std::string_view::npos) {
-    svg += words(x, y, "small", text.substr(0, dot + 1));
-    text.remove_prefix(dot + 1);
+  while (text.size() > most) {
+    const std::size_t last = text.find_last_of("._ ", most - 1);
+    const std::size_t end = last == std::string_view::npos || last == 0 ? most : last + 1;
+    svg += words(x, y, style, text.substr(0, end));
+    text.remove_prefix(end);
     y += kLabelHeight - 4;
   }
-  svg += words(x, y, "small", text);
+  svg += words(x, y, style, text);
   y += kLabelHeight;
   return svg;
 }
+/// Of labels beside the sample of a line, and of those without one.
+constexpr std::size_t kMostOfLine = 20;
+constexpr std::size_t kMostOfTitle = 26;
 
 /// The points of a series as strokes of a path.  A point that cannot be drawn leaves a gap, and a
 /// point between two gaps becomes a short stroke.
@@ -285,7 +297,8 @@ std::string panel_svg(const PlotPanel& panel, double top) {
                fmt::format(" transform=\"rotate(-90 16 {:.1f})\"", middle));
 
   double label_y = upper + 12;
-  if (!panel.legend_title.empty()) svg += margin_words(right + 14, label_y, panel.legend_title);
+  if (!panel.legend_title.empty())
+    svg += margin_words(right + 14, label_y, "small", panel.legend_title, kMostOfTitle);
   for (std::size_t n = 0; n < panel.series.size(); ++n) {
     const PlotSeries& series = panel.series[n];
     const Stroke& stroke = kStrokes[n % kStrokes.size()];
@@ -307,8 +320,7 @@ std::string panel_svg(const PlotPanel& panel, double top) {
                          x.px(series.x[n_points - 1]), y.px(series.y[n_points - 1]), stroke.colour);
     svg += fmt::format("<path d=\"M{:.1f},{:.1f} h26\" class=\"series\" {}/>\n", right + 14,
                        label_y - 4, style);
-    svg += words(right + 46, label_y, "tick", series.label);
-    label_y += kLabelHeight;
+    svg += margin_words(right + 46, label_y, "tick", series.label, kMostOfLine);
   }
   return svg;
 }
@@ -409,7 +421,6 @@ Spoken spoken(std::span<const TornadoPanel> panels) {
   return text;
 }
 
-/// A document of one height, to which panels are added.
 Spoken spoken(std::span<const ContourPanel> panels) {
   Spoken text{.title = {}, .description = "Lines of equal value."};
   for (const ContourPanel& panel : panels) {
@@ -420,6 +431,7 @@ Spoken spoken(std::span<const ContourPanel> panels) {
   return text;
 }
 
+/// Begins a document of one height, to which panels are added.
 std::string svg_head(double height, const Spoken& text) {
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" "
@@ -438,7 +450,7 @@ std::string svg_head(double height, const Spoken& text) {
       ".axis {{ stroke: #222 }}\n"
       ".series {{ fill: none; stroke-linejoin: round }}\n"
       "</style>\n"
-      "<rect width=\"{0:g}\" height=\"{1:g}\" fill=\"white\"/>\n",
+      "<rect width=\"{0:g}\" height=\"{1:g}\" class=\"ground\" fill=\"white\"/>\n",
       kPlotWidth, height, svg_text(text.title), svg_text(text.description));
 }
 
@@ -496,6 +508,100 @@ ValueRange range_of(const std::vector<double>& values, AxisScale scale) {
   return range;
 }
 
+struct Pixel {
+  double x = 0.0;
+  double y = 0.0;
+};
+using Pixels = std::vector<Pixel>;
+
+struct Box {
+  double left = 0.0;
+  double right = 0.0;
+  double upper = 0.0;
+  double lower = 0.0;
+
+  [[nodiscard]] bool holds(const Pixel& p) const {
+    return p.x >= left && p.x <= right && p.y >= upper && p.y <= lower;
+  }
+  [[nodiscard]] bool holds(const Box& b) const {
+    return holds(Pixel{b.left, b.upper}) && holds(Pixel{b.right, b.lower});
+  }
+  [[nodiscard]] bool overlaps(const Box& b) const {
+    return left < b.right && b.left < right && upper < b.lower && b.upper < lower;
+  }
+};
+
+/// The lines of one level, and how they are labelled.
+struct ContourLevel {
+  std::string label;
+  std::vector<Pixels> lines = {};
+};
+
+/// A line in steps of at most `step` px.
+Pixels divided(const Pixels& line, double step) {
+  Pixels points;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const double dx = line[i + 1].x - line[i].x;
+    const double dy = line[i + 1].y - line[i].y;
+    const int n = std::max(1, static_cast<int>(std::ceil(std::hypot(dx, dy) / step)));
+    for (int k = 0; k < n; ++k) points.push_back({line[i].x + dx * k / n, line[i].y + dy * k / n});
+  }
+  if (!line.empty()) points.push_back(line.back());
+  return points;
+}
+
+/// The labels of the lines, above all of them: inside the frame and apart from each other; where
+/// there is a choice, away from other lines, where the line is flat, and near its middle.  A line
+/// without room for a label has none: the margin lists all levels.
+std::string level_labels(const std::vector<ContourLevel>& levels, const Box& frame) {
+  constexpr double kStep = 4;
+  constexpr double kCharacter = 7.6;  // of a tick label, with its halo
+  constexpr double kHeight = 16;
+  std::vector<std::vector<Pixels>> lines;
+  for (const ContourLevel& level : levels) {
+    auto& divided_lines = lines.emplace_back();
+    for (const Pixels& one : level.lines) divided_lines.push_back(divided(one, kStep));
+  }
+  std::vector<Box> taken;
+  std::string svg;
+  for (std::size_t n = 0; n < levels.size(); ++n) {
+    const double half = (kCharacter * static_cast<double>(shown_length(levels[n].label)) + 4) / 2;
+    for (const Pixels& line : lines[n]) {
+      std::optional<Box> best;
+      double least = std::numeric_limits<double>::infinity();
+      // A label shall not hide a short line.
+      if (kStep * static_cast<double>(line.size()) < 3 * half) continue;
+      for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+        const Pixel& at = line[i];
+        const Box box{at.x - half, at.x + half, at.y - kHeight / 2, at.y + kHeight / 2};
+        if (!frame.holds(box) ||
+            std::ranges::any_of(taken, [&](const Box& other) { return other.overlaps(box); }))
+          continue;
+        double crossed = 0.0;  // points of other lines below the label
+        for (std::size_t m = 0; m < lines.size(); ++m)
+          for (const Pixels& other : lines[m])
+            if (&other != &line)
+              crossed += static_cast<double>(
+                  std::ranges::count_if(other, [&](const Pixel& p) { return box.holds(p); }));
+        const double dx = line[i + 1].x - line[i - 1].x;
+        const double dy = line[i + 1].y - line[i - 1].y;
+        const double steep = std::abs(dy) / std::max(std::hypot(dx, dy), 1e-9);
+        const double off_middle =
+            std::abs(2 * static_cast<double>(i) / static_cast<double>(line.size()) - 1);
+        const double cost = crossed + steep + 0.5 * off_middle;
+        if (cost >= least) continue;
+        least = cost;
+        best = box;
+      }
+      if (!best) continue;
+      taken.push_back(*best);
+      svg += words((best->left + best->right) / 2, (best->upper + best->lower) / 2 + 4,
+                   "tick middle halo", levels[n].label);
+    }
+  }
+  return svg;
+}
+
 /// Draws one panel of contour lines with its upper edge at `top`.
 std::string contour_panel_svg(const ContourPanel& panel, double top) {
   const double left = kLeft;
@@ -511,7 +617,7 @@ std::string contour_panel_svg(const ContourPanel& panel, double top) {
     svg += words(left, top + 46, "small", shortened(panel.subtitle, 110));
   svg += frame_svg(x, y, panel, left, right, upper, lower);
   double label_y = upper + 12;
-  svg += margin_words(right + 14, label_y, panel.value_label);
+  svg += margin_words(right + 14, label_y, "small", panel.value_label, kMostOfTitle);
   if (values.empty() || values.lower == values.upper) {
     const std::string same =
         values.empty() ? "no value" : fmt::format("{:.6g} everywhere", values.lower);
@@ -524,30 +630,24 @@ std::string contour_panel_svg(const ContourPanel& panel, double top) {
     svg += words(right + 14, label_y, "tick", levels.factor());
     label_y += kLabelHeight;
   }
-  std::string labels;  // above all lines
+  std::vector<ContourLevel> drawn;
   for (auto tick = levels.ticks().rbegin(); tick != levels.ticks().rend(); ++tick) {
     if (tick->value <= values.lower || tick->value >= values.upper) continue;
     const std::string colour =
         level_colour((tick->value - values.lower) / (values.upper - values.lower));
-    std::size_t longest = 0;
-    double label_at_x = 0.0;
-    double label_at_y = 0.0;
     std::string path;
+    ContourLevel& level = drawn.emplace_back(ContourLevel{.label = tick->label});
     for (const GridLine& one :
          contour_lines(panel.values, panel.x.size(), panel.y.size(), tick->value)) {
-      for (std::size_t p = 0; p < one.size(); ++p) {
-        const double at_x = x.px(between(panel.x, one[p].i, panel.x_scale));
-        const double at_y = y.px(between(panel.y, one[p].j, panel.y_scale));
-        path += fmt::format("{}{:.2f},{:.2f} ", p == 0 ? "M" : "L", at_x, at_y);
-        if (one.size() <= longest || p != one.size() / 2) continue;
-        label_at_x = at_x;
-        label_at_y = at_y;
-      }
-      longest = std::max(longest, one.size());
+      Pixels& line_px = level.lines.emplace_back();
+      for (const GridPoint& point : one)
+        line_px.push_back({x.px(between(panel.x, point.i, panel.x_scale)),
+                           y.px(between(panel.y, point.j, panel.y_scale))});
+      for (std::size_t p = 0; p < line_px.size(); ++p)
+        path += fmt::format("{}{:.2f},{:.2f} ", p == 0 ? "M" : "L", line_px[p].x, line_px[p].y);
     }
     svg += fmt::format("<path d=\"{}\" class=\"series\" stroke=\"{}\" stroke-width=\"2\"/>\n", path,
                        colour);
-    labels += words(label_at_x, label_at_y + 4, "tick middle halo", tick->label);
     svg += fmt::format(
         "<path d=\"M{:.1f},{:.1f} h26\" class=\"series\" stroke=\"{}\" "
         "stroke-width=\"2\"/>\n",
@@ -555,7 +655,7 @@ std::string contour_panel_svg(const ContourPanel& panel, double top) {
     svg += words(right + 46, label_y, "tick", tick->label);
     label_y += kLabelHeight;
   }
-  return svg + labels;
+  return svg + level_labels(drawn, {.left = left, .right = right, .upper = upper, .lower = lower});
 }
 
 }  // namespace

@@ -238,12 +238,17 @@ const Command& command_named(std::span<const Command> table, std::string_view na
   if (found != table.end()) return *found;
   std::vector<std::string> names;
   for (const Command& command : table) names.emplace_back(command.name);
-  const std::string near = nearest_word(name, names);
-  throw OptionError("command",
-                    near.empty()
-                        ? fmt::format("{} is not a command; known commands are {}", shown(name),
-                                      fmt::join(names, ", "))
-                        : fmt::format("{} is not a command; did you mean {}?", shown(name), near));
+  throw OptionError(
+      "command",
+      not_a_command(name, names, "", fmt::format("known commands are {}", fmt::join(names, ", "))));
+}
+
+std::string not_a_command(std::string_view word, std::span<const std::string> known,
+                          std::string_view before, std::string_view otherwise) {
+  const std::string near = nearest_word(word, known);
+  return fmt::format(
+      "{} is not a command; {}", shown(word),
+      near.empty() ? std::string(otherwise) : fmt::format("did you mean {}{}?", before, near));
 }
 
 }  // namespace strainwave

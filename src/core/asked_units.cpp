@@ -66,10 +66,21 @@ std::optional<DisplayUnit> AskedUnits::of(std::string_view name, std::string_vie
   if (empty() || unit.empty()) return std::nullopt;
   const std::optional<Unit> from = unit_if_any(unit);
   if (!from) return std::nullopt;
+  std::optional<DisplayUnit> found;
+  for (const Asked& asked : asked_) {
+    if (!same_dimension(asked.unit, *from)) continue;
+    *asked.used = true;
+    if (!found && (asked.name.empty() || asked.name == name))
+      found = DisplayUnit{asked.text, asked.unit.factor / from->factor};
+  }
+  return !found && si_ ? DisplayUnit{unit, 1.0} : found;
+}
+
+std::vector<std::string> AskedUnits::unused() const {
+  std::vector<std::string> texts;
   for (const Asked& asked : asked_)
-    if ((asked.name.empty() || asked.name == name) && same_dimension(asked.unit, *from))
-      return DisplayUnit{asked.text, asked.unit.factor / from->factor};
-  return si_ ? std::optional(DisplayUnit{unit, 1.0}) : std::nullopt;
+    if (asked.name.empty() && !*asked.used) texts.push_back(asked.text);
+  return texts;
 }
 
 std::string number_in(double value, std::string_view from, std::string_view to) {

@@ -78,7 +78,7 @@ std::string warranted_digits(const Quantity& quantity) {
   return fmt::format("{:.{}g}", quantity.value, digits);
 }
 
-std::string accuracy(const Quantity& quantity) {
+std::string accuracy_text(const Quantity& quantity) {
   if (!quantity.relative_uncertainty) return "none";
   return quantity.value == 0 ? "-" : percent(*quantity.relative_uncertainty);
 }
@@ -103,6 +103,10 @@ DisplayUnit display_unit(std::string_view name, std::string_view si) {
   if (name.find("wind_up") != std::string_view::npos) return {"arcmin", units::arcmin};
   const auto* const found = std::ranges::find(kShown, si, &Entry::si);
   return found != std::end(kShown) ? found->shown : DisplayUnit{si, 1.0};
+}
+
+DisplayUnit display_unit(std::string_view name, std::string_view si, const DisplayUnit& usual) {
+  return asked_units().of(name, si).value_or(usual);
 }
 
 std::string shown_quantity(double value, std::string_view si, int digits, std::string_view name) {

@@ -8,17 +8,21 @@
 
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/io/gear_writer.hpp"
+#include "strainwave/layouts/words.hpp"
 #include "strainwave/present/table.hpp"
 
 namespace strainwave {
 
 std::string calibration_text(const Calibration& c) {
   const auto number = [](double value) { return fmt::format("{:.5g}", value); };
-  Table stiffness{.head = {"[N*m/rad]", "wanted", "as given", "", "calibrated", ""}};
+  const DisplayUnit unit = stiffness_unit();
+  Table stiffness{
+      .head = {fmt::format("[{}]", unit.text), "wanted", "as given", "", "calibrated", ""}};
   for (const CalibratedStiffness& s : c.stiffnesses) {
     const auto off = [&](double K) { return percent_change(K / s.target.stiffness - 1); };
-    stiffness.rows.push_back(cells(s.target.name, number(s.target.stiffness), number(s.before),
-                                   off(s.before), number(s.after), off(s.after)));
+    const auto shown = [&](double K) { return number(K / unit.in_si); };
+    stiffness.rows.push_back(cells(s.target.name, shown(s.target.stiffness), shown(s.before),
+                                   off(s.before), shown(s.after), off(s.after)));
   }
   Table factors{.head = {"factor", "as given", "calibrated", "uncertainty", ""}, .align = "lrrrl"};
   for (const CalibratedFactor& f : c.factors) {

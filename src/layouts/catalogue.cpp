@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/present/table.hpp"
 
@@ -10,31 +11,38 @@ namespace strainwave {
 
 std::string catalogue_text(const CatalogueRows& rows) {
   const auto number = [](double value) { return fmt::format("{:g}", value); };
-  const auto section = [](const char* title, const Table& table) {
+  const auto section = [](const std::string& title, const Table& table) {
     return title + (table.rows.empty() ? std::string("  no rows\n") : text_table(table));
   };
+  const DisplayUnit torque = display_unit({}, "N*m");
+  const DisplayUnit of_stiffness = display_unit({}, "N*m/rad", {"1e4 N*m/rad", 1e4});
+  const DisplayUnit speed = display_unit({}, "rad/s", {"rpm", units::rpm});
+  const DisplayUnit inertia = display_unit({}, "kg*m^2");
   Table stiffness{.head = {"size", "ratio", "T1", "T2", "K1", "K2", "K3", "sources"},
                   .align = "rrrrrrrl"};
   for (const StiffnessRow& row : rows.stiffness)
-    stiffness.rows.push_back(cells(row.size, row.ratio_class, number(row.T1), number(row.T2),
-                                   number(row.K1 / 1e4), number(row.K2 / 1e4),
-                                   row.K3 ? number(*row.K3 / 1e4) : "-", row.sources));
+    stiffness.rows.push_back(cells(
+        row.size, row.ratio_class, number(row.T1 / torque.in_si), number(row.T2 / torque.in_si),
+        number(row.K1 / of_stiffness.in_si), number(row.K2 / of_stiffness.in_si),
+        row.K3 ? number(*row.K3 / of_stiffness.in_si) : "-", row.sources));
   Table ratings{.head = {"series", "size", "ratio", "rated", "average", "peak", "momentary",
                          "max speed", "average", "inertia"},
                 .align = "r"};
   for (const RatingRow& row : rows.ratings)
-    ratings.rows.push_back(cells(row.series, row.size, row.ratio, number(row.rated),
-                                 number(row.average), number(row.repeated_peak),
-                                 number(row.momentary_peak),
-                                 fmt::format("{:.0f}", row.max_input_speed / units::rpm),
-                                 fmt::format("{:.0f}", row.average_input_speed / units::rpm),
-                                 fmt::format("{:.3g}", row.input_inertia)));
-  return section("Torsional stiffness, input locked: torque in N*m, K in 1e4 N*m/rad\n",
+    ratings.rows.push_back(cells(row.series, row.size, row.ratio, number(row.rated / torque.in_si),
+                                 number(row.average / torque.in_si),
+                                 number(row.repeated_peak / torque.in_si),
+                                 number(row.momentary_peak / torque.in_si),
+                                 fmt::format("{:.0f}", row.max_input_speed / speed.in_si),
+                                 fmt::format("{:.0f}", row.average_input_speed / speed.in_si),
+                                 fmt::format("{:.3g}", row.input_inertia / inertia.in_si)));
+  return section(fmt::format("Torsional stiffness, input locked: torque in {}, K in {}\n",
+                             torque.text, of_stiffness.text),
                  stiffness) +
-         section(
-             "\nRatings: torque in N*m, speed of the input with grease in rpm, inertia in "
-             "kg*m^2\n",
-             ratings) +
+         section(fmt::format("\nRatings: torque in {}, speed of the input with grease in {}, "
+                             "inertia in {}\n",
+                             torque.text, speed.text, inertia.text),
+                 ratings) +
          "\nSources.  A: CSF/CSG catalogue of Harmonic Drive LLC, page 50.  B: engineering data "
          "1018854 of\n  Harmonic Drive AG, tables 54.3 and 54.4.  C and the ratings: data of "
          "Harmonic Drive SE, from\n  harmonic-drive-selector (Apache-2.0).\n";

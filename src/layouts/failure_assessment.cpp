@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/present/table.hpp"
 #include "strainwave/strength/failure_assessment.hpp"
 
@@ -42,13 +43,18 @@ std::vector<AssessmentPoint> line_of(const GearSet& gear, const std::string& nam
 }  // namespace
 
 PlotPanel failure_assessment_panel(const StiffnessResult& result, const GearSet& gear) {
-  PlotPanel panel{.title = gear.name.empty() ? "Failure assessment diagram"
-                                             : "Failure assessment: " + gear.name,
-                  .subtitle = fmt::format("option 1 of BS 7910; load T = {:g} N·m, P = {:g} N; "
-                                          "beyond a line: fracture",
-                                          gear.load.torque, gear.load.axial_force),
-                  .x_label = "L_r, reference stress over yield strength",
-                  .y_label = "K_r, stress intensity over toughness"};
+  const auto load = [](double value, std::string_view si) {
+    const DisplayUnit unit = display_unit({}, si);
+    return fmt::format("{:g} {}", value / unit.in_si, typeset_unit(unit.text));
+  };
+  PlotPanel panel{
+      .title =
+          gear.name.empty() ? "Failure assessment diagram" : "Failure assessment: " + gear.name,
+      .subtitle = fmt::format("option 1 of BS 7910; load T = {}, P = {}; beyond a line: "
+                              "fracture",
+                              load(gear.load.torque, "N*m"), load(gear.load.axial_force, "N")),
+      .x_label = "L_r, reference stress over yield strength",
+      .y_label = "K_r, stress intensity over toughness"};
   for (const std::string& name : materials_of(result)) {
     PlotSeries series{.label = "line, " + name};
     for (const AssessmentPoint& point : line_of(gear, name)) {

@@ -57,12 +57,12 @@ Datum datum_of(const NasgroLaw& law) {
       fmt::format("growth, NASGRO, all R, {}", law.environment),
       fmt::format("C = {:.4g} m, n = {:g}, p = {:g}, q = {:g}, K_Ic = {}, K_Ie = {}, A_k = {:g}, "
                   "B_k = {:g}, Delta K_1 = {}, C_th+ = {:g}, C_th- = {:g}, alpha = {:g}, "
-                  "S_max/sigma_0 = {:g}, a_0 = {:.4g} mm",
+                  "S_max/sigma_0 = {:g}, a_0 = {}",
                   law.coefficient, law.exponent, law.threshold_exponent, law.instability_exponent,
                   K(law.plane_strain_toughness), K(law.part_through_toughness), law.thickness_A,
                   law.thickness_B, K(law.threshold_at_one), law.threshold_slope_plus,
                   law.threshold_slope_minus, law.constraint, law.stress_level,
-                  law.intrinsic_crack_length / units::mm),
+                  shown_quantity(law.intrinsic_crack_length, "m", 4)),
       &law};
 }
 
@@ -92,9 +92,13 @@ std::string number_in(const std::optional<Sourced<Kind>>& number, double unit) {
 }  // namespace
 
 std::string material_list_text(const MaterialData& data) {
-  std::string text =
+  const DisplayUnit modulus = display_unit({}, "Pa", {"GPa", units::GPa});
+  const DisplayUnit strength = display_unit({}, "Pa");
+  const DisplayUnit toughness = display_unit({}, "Pa*m^0.5");
+  std::string text = fmt::format(
       "Steels of the material library; * means unverified, - means not known\n"
-      "E in GPa, strengths in MPa, K_Ic in MPa*m^0.5\n\n";
+      "E in {}, strengths in {}, K_Ic in {}\n\n",
+      modulus.text, strength.text, toughness.text);
   Table table{.head = {"name", "E", "nu", "yield", "tensile", "K_Ic", "growth", "use"},
               .align = "lrrrrrll"};
   for (const MaterialRecord& record : data.material) {
@@ -104,10 +108,10 @@ std::string material_list_text(const MaterialData& data) {
       if (std::ranges::find(laws, kind) == laws.end()) laws.push_back(kind);
     }
     table.rows.push_back(
-        {record.name, number_in(record.youngs_modulus, units::GPa),
-         number_in(record.poissons_ratio, 1), number_in(record.yield_strength, units::MPa),
-         number_in(record.ultimate_strength, units::MPa),
-         number_in(record.fracture_toughness, units::MPa),
+        {record.name, number_in(record.youngs_modulus, modulus.in_si),
+         number_in(record.poissons_ratio, 1), number_in(record.yield_strength, strength.in_si),
+         number_in(record.ultimate_strength, strength.in_si),
+         number_in(record.fracture_toughness, toughness.in_si),
          laws.empty() ? "-" : fmt::format("{}", fmt::join(laws, ", ")), use_text(record)});
   }
   return text + text_table(table) +

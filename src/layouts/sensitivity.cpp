@@ -159,7 +159,7 @@ std::vector<TitledTable> scatter_tables(const Scatter& scatter, const Sensitivit
     value("median", &ScatterOutput::median);
     value("95 %", &ScatterOutput::high);
     add_row(table, "in addition: form of the model", "", group, [&](std::size_t y) {
-      return accuracy({1.0, "1", scatter.outputs[y].model_uncertainty});
+      return accuracy_text({1.0, "1", scatter.outputs[y].model_uncertainty});
     });
     table.rows.push_back({"deviation of each input and its share of the variance, first order"});
     std::vector<std::size_t> order;

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "strainwave/core/shown_text.hpp"
-#include "strainwave/core/units.hpp"
 #include "strainwave/layouts/words.hpp"
 #include "strainwave/present/evidence_text.hpp"
 #include "strainwave/present/table.hpp"
@@ -29,7 +28,7 @@ Table coupled_table(const CurveResult& curve, const GearSet& gear) {
     table.rows.push_back({fmt::format("{} [{}]", row.label, row.unit),
                           digits_in(row.sound, row.unit_in_si),
                           digits_in(row.positive, row.unit_in_si),
-                          digits_in(row.negative, row.unit_in_si), accuracy(row.sound)});
+                          digits_in(row.negative, row.unit_in_si), accuracy_text(row.sound)});
     if (!row.positive_change || !row.negative_change) continue;
     const std::string positive = percent_change(row.positive_change->value);
     const std::string negative = percent_change(row.negative_change->value);
@@ -46,17 +45,18 @@ Table drive_table(const StiffnessResult& result, const GearSet& gear) {
                        const Quantity& positive, const Quantity& negative, double unit_in_si) {
     table.rows.push_back({"  " + std::move(label), digits_in(sound, unit_in_si), std::move(share),
                           digits_in(positive, unit_in_si), digits_in(negative, unit_in_si),
-                          accuracy(sound)});
+                          accuracy_text(sound)});
   };
   const auto heading = [&](std::string text) { table.rows.push_back({std::move(text)}); };
-  heading("Compliance at the output, input locked [rad/(N*m)]");
+  const DisplayUnit compliance = display_unit({}, "rad/(N*m)");
+  heading(with_unit("Compliance at the output, input locked", compliance));
   Compliances::describe([&](const Field& field, Quantity Compliances::*member) {
     const Quantity& sound = result.intact.compliance.*member;
     std::string label(field.name);
     std::ranges::replace(label, '_', ' ');
     row(std::move(label), sound,
         fmt::format("{:.1f} %", 100 * sound.value / result.intact.compliance.total.value),
-        result.positive.compliance.*member, result.negative.compliance.*member, 1);
+        result.positive.compliance.*member, result.negative.compliance.*member, compliance.in_si);
   });
   const auto drive = [&](std::string label, Quantity IntactDrive::*sound,
                          Quantity CrackedDrive::*cracked, double unit_in_si) {
@@ -64,34 +64,37 @@ Table drive_table(const StiffnessResult& result, const GearSet& gear) {
         result.negative.*cracked, unit_in_si);
   };
   heading("Torsional stiffness K_HD of the sum");
-  drive("N*m/rad", &IntactDrive::stiffness, &CrackedDrive::stiffness, 1);
-  drive("N*m/arcmin", &IntactDrive::stiffness, &CrackedDrive::stiffness, 1 / units::arcmin);
+  for (const DisplayUnit& unit : stiffness_units())
+    drive(std::string(unit.text), &IntactDrive::stiffness, &CrackedDrive::stiffness, unit.in_si);
   const Quantity& change = result.positive.stiffness_change;
   table.rows.push_back({"  change", "", "", digits_in(change, 0.01) + " %",
                         digits_in(result.negative.stiffness_change, 0.01) + " %",
-                        accuracy(change)});
-  drive(fmt::format("wind-up at {} N*m [arcmin]", std::abs(gear.load.torque)),
-        &IntactDrive::wind_up, &CrackedDrive::wind_up, units::arcmin);
+                        accuracy_text(change)});
+  const DisplayUnit angle = angle_unit();
+  drive(with_unit("wind-up at " + shown_quantity(std::abs(gear.load.torque), "N*m", 9), angle),
+        &IntactDrive::wind_up, &CrackedDrive::wind_up, angle.in_si);
   return table;
 }
 
 std::string modes(const StressIntensities& at) {
-  const auto mpa = [&](const Quantity& K) {
+  const DisplayUnit unit = display_unit({}, "Pa*m^0.5");
+  const auto digits = [&](const Quantity& K) {
     return std::abs(K.value) < 1e-12 * std::abs(at.largest().value) ? "0"
-                                                                    : digits_in(K, units::MPa);
+                                                                    : digits_in(K, unit.in_si);
   };
-  return fmt::format("K_I = {}, K_II = {}, K_III = {} MPa*m^0.5", mpa(at.K_I), mpa(at.K_II),
-                     mpa(at.K_III));
+  return fmt::format("K_I = {}, K_II = {}, K_III = {} {}", digits(at.K_I), digits(at.K_II),
+                     digits(at.K_III), unit.text);
 }
 
 Table crack_table(const std::vector<CrackReport>& cracks) {
-  Table table{.head = {"adds [rad/(N*m)]", "opens under", "T > 0", "T < 0", "accuracy"},
+  const DisplayUnit unit = display_unit({}, "rad/(N*m)");
+  Table table{.head = {with_unit("adds", unit), "opens under", "T > 0", "T < 0", "accuracy"},
               .align = "ll"};
   for (const CrackReport& crack : cracks) {
     table.rows.push_back(
         {fmt::format("{} ({})", crack.path, crack.kind), std::string(words_of(crack.opens_under)),
-         warranted_digits(crack.positive.at_output), warranted_digits(crack.negative.at_output),
-         accuracy(crack.positive.at_output)});
+         digits_in(crack.positive.at_output, unit.in_si),
+         digits_in(crack.negative.at_output, unit.in_si), accuracy_text(crack.positive.at_output)});
     if (!crack.deepest) continue;
     table.rows.push_back({fmt::format(
         "  {:<34}{}", fmt::format("at the given load, {}:", place_of_intensity(crack.kind)),
@@ -137,20 +140,28 @@ Table strength_table(const std::vector<CrackStrength>& strength) {
 
 }  // namespace
 
+std::vector<DisplayUnit> stiffness_units() {
+  if (const auto asked = asked_units().of({}, "N*m/rad")) return {*asked};
+  return {stiffness_unit(), plotted_stiffness_unit()};
+}
+
 std::vector<CoupledRow> coupled_rows(const CurveResult& curve, const GearSet& gear) {
   std::vector<CoupledRow> rows;
   const auto line = [&](std::string label, const char* name, Quantity CurveStiffness::*of,
-                        std::string unit, double unit_in_si) -> CoupledRow& {
+                        const DisplayUnit& unit) -> CoupledRow& {
     return rows.emplace_back(CoupledRow{.label = std::move(label),
                                         .name = name,
-                                        .unit = std::move(unit),
-                                        .unit_in_si = unit_in_si,
+                                        .unit = std::string(unit.text),
+                                        .unit_in_si = unit.in_si,
                                         .sound = curve.intact.*of,
                                         .positive = curve.positive.*of,
                                         .negative = curve.negative.*of});
   };
   const MakersTorques& at = curve.torques;
-  const auto torque = [](double T) { return shown_number(T, 5) + " N*m"; };
+  const auto torque = [](double T) {
+    const DisplayUnit unit = display_unit({}, "N*m");
+    return fmt::format("{} {}", shown_number(T / unit.in_si, 5), unit.text);
+  };
   struct Line {
     const char* name;
     std::string label;
@@ -164,8 +175,9 @@ std::vector<CoupledRow> coupled_rows(const CurveResult& curve, const GearSet& ge
                                        &CurveChange::K2, &LineStiffness::K2},
                                       {"K3", "K3, up to T3 = " + torque(at.T3), &CurveStiffness::K3,
                                        &CurveChange::K3, &LineStiffness::K3}}};
+  const std::vector<DisplayUnit> units = stiffness_units();
   for (const Line& of : lines) {
-    CoupledRow& row = line(of.label, of.name, of.of, "N*m/rad", 1);
+    CoupledRow& row = line(of.label, of.name, of.of, units.front());
     row.positive_change = curve.positive.change.*of.change;
     row.negative_change = curve.negative.change.*of.change;
   }
@@ -177,8 +189,8 @@ std::vector<CoupledRow> coupled_rows(const CurveResult& curve, const GearSet& ge
       const Quantity& negative = (*curve.negative.over_turn).*of.*of_line.over_turn;
       rows.push_back({.label = fmt::format("{}, {} of a turn", of_line.name, name),
                       .name = fmt::format("over_turn.{}.{}", name, of_line.name),
-                      .unit = "N*m/rad",
-                      .unit_in_si = 1,
+                      .unit = units.front().text,
+                      .unit_in_si = units.front().in_si,
                       .sound = sound,
                       .positive = positive,
                       .negative = negative,
@@ -189,29 +201,31 @@ std::vector<CoupledRow> coupled_rows(const CurveResult& curve, const GearSet& ge
   };
   over_turn("mean", &CurveOverTurn::mean);
   over_turn("softest", &CurveOverTurn::softest);
-  for (const Line& of : lines) line(of.name, of.name, of.of, "N*m/arcmin", 1 / units::arcmin);
+  if (units.size() > 1)
+    for (const Line& of : lines) line(of.name, of.name, of.of, units.back());
+  const DisplayUnit angle = angle_unit();
   if (curve.intact.wind_up && curve.positive.wind_up && curve.negative.wind_up)
     rows.push_back({.label = "wind-up at " + torque(std::abs(gear.load.torque)),
                     .name = "wind_up",
-                    .unit = "arcmin",
-                    .unit_in_si = units::arcmin,
+                    .unit = std::string(angle.text),
+                    .unit_in_si = angle.in_si,
                     .sound = *curve.intact.wind_up,
                     .positive = *curve.positive.wind_up,
                     .negative = *curve.negative.wind_up,
                     .positive_change = curve.positive.change.wind_up,
                     .negative_change = curve.negative.change.wind_up});
-  line("  at T1", "wind_up_at_T1", &CurveStiffness::wind_up_at_T1, "arcmin", units::arcmin);
-  line("  at T2", "wind_up_at_T2", &CurveStiffness::wind_up_at_T2, "arcmin", units::arcmin);
-  line("  at T3", "wind_up_at_T3", &CurveStiffness::wind_up_at_T3, "arcmin", units::arcmin);
+  line("  at T1", "wind_up_at_T1", &CurveStiffness::wind_up_at_T1, angle);
+  line("  at T2", "wind_up_at_T2", &CurveStiffness::wind_up_at_T2, angle);
+  line("  at T3", "wind_up_at_T3", &CurveStiffness::wind_up_at_T3, angle);
   return rows;
 }
 
 std::string stiffness_text(const StiffnessResult& result, const GearSet& gear,
                            const Provenance& provenance) {
-  std::string text =
-      fmt::format("{}\n{}, method {}, strainwave {}\nLoad at the output: T = {} N*m, P = {} N\n\n",
-                  name_of(gear), provenance.input_file, enum_name(result.method),
-                  provenance.version, gear.load.torque, gear.load.axial_force);
+  std::string text = fmt::format(
+      "{}\n{}, method {}, strainwave {}\nLoad at the output: T = {}, P = {}\n\n", name_of(gear),
+      provenance.input_file, enum_name(result.method), provenance.version,
+      shown_quantity(gear.load.torque, "N*m", 9), shown_quantity(gear.load.axial_force, "N", 9));
   if (!result.usable()) text += paragraph("NOT USABLE: " + result.unusable_because) + '\n';
   for (const CrackStrength& crack : result.strength)
     if (crack.breaks()) text += paragraph("WARNING: " + crack.path + " " + crack.sentence);

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "strainwave/core/shown_text.hpp"
-#include "strainwave/core/units.hpp"
 #include "strainwave/present/evidence_text.hpp"
 #include "strainwave/present/table.hpp"
 
@@ -131,28 +130,31 @@ std::string sif_evaluation_text(const sif::Evaluation& e) {
                             number(factor.Y_II), number(factor.Y_III)});
   text += text_table(factors);
   if (e.largest) {
-    text += "\nStress intensity factors under these loads [MPa*m^0.5]\n";
+    const DisplayUnit unit = display_unit({}, "Pa*m^0.5");
+    text += fmt::format("\nStress intensity factors under these loads [{}]\n", unit.text);
     Table table{.head = {"", "I", "II", "III"}};
-    const auto in_mpa = [&](double K) { return number(K / units::MPa); };
+    const auto shown = [&](double K) { return number(K / unit.in_si); };
     const auto line = [&](std::string_view name, const sif::PointIntensity& K) {
-      table.rows.push_back({std::string(name), in_mpa(K.K_I), in_mpa(K.K_II), in_mpa(K.K_III)});
+      table.rows.push_back({std::string(name), shown(K.K_I), shown(K.K_II), shown(K.K_III)});
     };
     for (const sif::PointIntensity& point : e.points) line(point.name, point);
     line("largest along the front", *e.largest);
-    table.rows.push_back({"sqrt(G E') at the worst point", in_mpa(*e.equivalent)});
+    table.rows.push_back({"sqrt(G E') at the worst point", shown(*e.equivalent)});
     if (e.utilisation)
       table.rows.push_back({"over the fracture toughness", number(*e.utilisation)});
     text += text_table(table);
     if (e.pressed)
       text += "  K_I < 0: the faces press on each other, so mode I counts as 0 (FR-17)\n";
   }
-  text += fmt::format("\nAdded compliance ({}, E = {:.4g} GPa, nu = {:.3g})\n",
-                      enum_name(e.info.constraint), e.material.youngs_modulus / units::GPa,
-                      e.material.poissons_ratio);
+  text +=
+      fmt::format("\nAdded compliance ({}, E = {}, nu = {:.3g})\n", enum_name(e.info.constraint),
+                  shown_quantity(e.material.youngs_modulus, "Pa", 4), e.material.poissons_ratio);
   Table added{.head = {"", "", "", ""}, .align = "llrl"};
-  for (const sif::ComplianceEntry& entry : e.compliance)
+  for (const sif::ComplianceEntry& entry : e.compliance) {
+    const DisplayUnit unit = display_unit({}, entry.unit, {entry.unit, 1.0});
     added.rows.push_back({std::string(entry.load_i), std::string(entry.load_j),
-                          fmt::format("{:.6g}", entry.value), std::string(entry.unit)});
+                          fmt::format("{:.6g}", entry.value / unit.in_si), std::string(unit.text)});
+  }
   text += text_table(added);
   if (!e.converged)
     text +=

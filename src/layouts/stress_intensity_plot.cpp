@@ -9,6 +9,7 @@
 #include "strainwave/chart/chart.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/layouts/stress_intensity.hpp"
+#include "strainwave/layouts/words.hpp"
 
 namespace strainwave {
 namespace {
@@ -41,10 +42,11 @@ std::string sif_plot(const sif::Row& row, const sif::Assignments& values) {
   };
 
   constexpr int kSteps = 120;
+  const DisplayUnit length = display_unit({}, "m");
   std::vector<PlotPanel> panels;
   for (const Mode& mode : kModes) {
     PlotPanel over_size{.title = fmt::format("Mode {}, over the crack size", mode.name),
-                        .x_label = "a [mm]",
+                        .x_label = axis_label("a", length),
                         .y_label = fmt::format("K_{}/(σ √(πa))", mode.name)};
     PlotPanel along_front{.title = fmt::format("Mode {}, along the front at a = {}", mode.name,
                                                shown_quantity(size, "m")),
@@ -58,7 +60,7 @@ std::string sif_plot(const sif::Row& row, const sif::Assignments& values) {
                                      : std::string(row.loads[load].name)};
         for (int i = 1; i <= kSteps; ++i) {
           const double a = size * i / kSteps;
-          line.x.push_back(a * 1e3);
+          line.x.push_back(a / length.in_si);
           line.y.push_back(factor(load, a, point.s, mode));
         }
         if (std::ranges::any_of(line.y, [](double y) { return y != 0; }))

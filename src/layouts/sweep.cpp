@@ -12,6 +12,7 @@
 
 #include "strainwave/chart/chart.hpp"
 #include "strainwave/core/shown_text.hpp"
+#include "strainwave/layouts/words.hpp"
 #include "strainwave/present/table.hpp"
 
 namespace strainwave {
@@ -48,8 +49,7 @@ class SweepTable {
   }
 
   [[nodiscard]] std::string axis_label(std::size_t which) const {
-    const std::string unit = typeset_unit(shown(which).text);
-    return result_.inputs[which].name + (unit.empty() ? "" : " [" + unit + ']');
+    return strainwave::axis_label(result_.inputs[which].name, shown(which));
   }
 
  private:
@@ -111,7 +111,8 @@ std::vector<PlotPanel> coupled_panels(const SweepResult& result, const SweepTabl
                      .y_label = std::move(y_label),
                      .x_scale = scale_of(result.variations[0])};
   };
-  PlotPanel stiffness = panel(title, "K1, K2, K3 of the coupled drive [N·m/arcmin]");
+  PlotPanel stiffness =
+      panel(title, axis_label("K1, K2, K3 of the coupled drive", plotted_stiffness_unit()));
   stiffness.subtitle = subtitle(result);
   PlotPanel change = panel("Changes of the coupled drive by the cracks", "change ΔK/K [%]");
   const bool cracked = !result.crack_paths.empty();
@@ -146,7 +147,7 @@ std::vector<PlotPanel> panels_over_one(const SweepResult& result, const GearSet&
                                                  : gear.name,
                     .subtitle = first ? subtitle(result) : "",
                     .x_label = table.axis_label(0),
-                    .y_label = "stiffness K of the sum [N·m/arcmin]",
+                    .y_label = axis_label("stiffness K of the sum", plotted_stiffness_unit()),
                     .x_scale = scale_of(result.variations[0]),
                     .series = {{"sound", x, table.output("intact.stiffness")},
                                {"cracked, T > 0", x, table.output("cracked.positive.stiffness")},
@@ -220,7 +221,7 @@ std::vector<ContourPanel> panels_over_two(const SweepResult& result, const GearS
   for (const char* const line : kLines)
     add(fmt::format("curve.{}.{}", cracked ? "positive" : "intact", line),
         fmt::format("{} of the coupled drive{}", line, cracked ? ", cracked, T > 0" : ""),
-        fmt::format("{} [N·m/arcmin]", line));
+        axis_label(line, plotted_stiffness_unit()));
   if (cracked) {
     const std::string positive = "cracked.positive.stiffness_change";
     const std::string negative = "cracked.negative.stiffness_change";
@@ -228,7 +229,8 @@ std::vector<ContourPanel> panels_over_two(const SweepResult& result, const GearS
     if (differ(table.output(positive), table.output(negative)))
       add(negative, "Change of stiffness of the sum of the members, T < 0", "ΔK/K [%]");
   } else {
-    add("intact.stiffness", "Stiffness of the sum of the members", "K [N·m/arcmin]");
+    add("intact.stiffness", "Stiffness of the sum of the members",
+        axis_label("K", plotted_stiffness_unit()));
   }
   if (!panels.empty()) {
     panels[0].subtitle = (gear.name.empty() ? "" : gear.name + "; ") + subtitle(result);

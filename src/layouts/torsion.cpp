@@ -16,38 +16,47 @@
 namespace strainwave {
 namespace {
 
-std::string arcmin(double angle) { return shown_number(angle / units::arcmin); }
+std::string twist(double angle) { return shown_number(angle / angle_unit().in_si); }
+
+std::string torque(double T) {
+  const DisplayUnit unit = display_unit({}, "N*m");
+  return fmt::format("{} {}", shown_number(T / unit.in_si), unit.text);
+}
 
 TitledTable lines_table(const TorsionReport& report, const GearSet& gear) {
   Table table{.head = {"", "T > 0", "T < 0"}};
   if (report.bands) table.head.emplace_back("90 % of the ranges");
   const auto both = [&](const char* label, double MakersLines::*line, Band LineBands::*range,
-                        double unit) {
-    auto& row = table.rows.emplace_back(cells(label, shown_number(report.positive.*line / unit),
-                                              shown_number(report.negative.*line / unit)));
+                        const DisplayUnit& unit) {
+    auto& row = table.rows.emplace_back(cells(with_unit(label, unit),
+                                              shown_number(report.positive.*line / unit.in_si),
+                                              shown_number(report.negative.*line / unit.in_si)));
     if (range == nullptr || !report.bands) return;
     const Band& band = (*report.bands).*range;
-    row.push_back(shown_number(band.low / unit, 3) + " to " + shown_number(band.high / unit, 3));
+    row.push_back(shown_number(band.low / unit.in_si, 3) + " to " +
+                  shown_number(band.high / unit.in_si, 3));
   };
-  both("K1 [N*m/rad]", &MakersLines::K1, &LineBands::K1, 1);
-  both("K2 [N*m/rad]", &MakersLines::K2, &LineBands::K2, 1);
-  both("K3 [N*m/rad]", &MakersLines::K3, &LineBands::K3, 1);
-  both("twist at T1 [arcmin]", &MakersLines::phi1, nullptr, units::arcmin);
-  both("twist at T2 [arcmin]", &MakersLines::phi2, nullptr, units::arcmin);
-  const auto reached = [](const std::optional<double>& twist) {
-    return twist ? arcmin(*twist) : std::string("not reached");
+  both("K1", &MakersLines::K1, &LineBands::K1, stiffness_unit());
+  both("K2", &MakersLines::K2, &LineBands::K2, stiffness_unit());
+  both("K3", &MakersLines::K3, &LineBands::K3, stiffness_unit());
+  const DisplayUnit angle = angle_unit();
+  both("twist at T1", &MakersLines::phi1, nullptr, angle);
+  both("twist at T2", &MakersLines::phi2, nullptr, angle);
+  const auto reached = [](const std::optional<double>& at_load) {
+    return at_load ? twist(*at_load) : std::string("not reached");
   };
   table.rows.push_back(
-      cells(fmt::format("twist at {} N*m, the load [arcmin]", shown_number(report.at_load.torque)),
+      cells(with_unit(fmt::format("twist at {}, the load", torque(report.at_load.torque)), angle),
             reached(report.at_load.positive), reached(report.at_load.negative)));
   const HysteresisLoop& loop = report.loop;
-  table.rows.push_back(cells(
-      fmt::format("lost motion [arcmin], at +-{} N*m", shown_number(report.torques.lost_motion)),
-      arcmin(report.lost_motion)));
-  table.rows.push_back(cells(fmt::format("largest loop width [arcmin], at {} N*m",
-                                         shown_number(loop.torque_of_largest_width)),
-                             arcmin(loop.largest_width)));
-  table.rows.push_back(cells("loop width at zero torque [arcmin]", arcmin(loop.width_at_zero)));
+  table.rows.push_back(cells(fmt::format("{}, at +-{}", with_unit("lost motion", angle),
+                                         torque(report.torques.lost_motion)),
+                             twist(report.lost_motion)));
+  table.rows.push_back(cells(fmt::format("{}, at {}", with_unit("largest loop width", angle),
+                                         torque(loop.torque_of_largest_width)),
+                             twist(loop.largest_width)));
+  table.rows.push_back(
+      cells(with_unit("loop width at zero torque", angle), twist(loop.width_at_zero)));
   std::string remark;
   if (report.bands) {
     remark = fmt::format("{} drawn from {}",
@@ -66,24 +75,29 @@ double largest_force(const std::vector<ContactForce>& forces) {
 }
 
 TitledTable points_table(const TorsionReport& report) {
-  Table table{.head = {"at T [N*m]"}};
+  const DisplayUnit of_torque = display_unit({}, "N*m");
+  const DisplayUnit force = display_unit({}, "N");
+  Table table{.head = {with_unit("at T", of_torque)}};
   const auto row = [&](std::vector<std::string>& to, const auto& cell_of) {
     for (const std::size_t i : report.shown) to.push_back(cell_of(report.curve.points[i]));
   };
   const auto add = [&](const std::string& label, const auto& cell_of) {
     row(table.rows.emplace_back(cells(label)), cell_of);
   };
-  row(table.head, [](const CurvePoint& p) { return fmt::format("{:.5g}", p.torque); });
-  add("twist [arcmin]", [](const CurvePoint& p) { return arcmin(p.twist); });
-  add("tangent K [N*m/rad]",
-      [](const CurvePoint& p) { return shown_number(p.tangent_stiffness()); });
+  row(table.head,
+      [&](const CurvePoint& p) { return fmt::format("{:.5g}", p.torque / of_torque.in_si); });
+  add(with_unit("twist", angle_unit()), [](const CurvePoint& p) { return twist(p.twist); });
+  add(with_unit("tangent K", stiffness_unit()), [](const CurvePoint& p) {
+    return shown_number(p.tangent_stiffness() / stiffness_unit().in_si);
+  });
   add(fmt::format("teeth in contact of {}", report.curve.teeth),
       [](const CurvePoint& p) { return cell(p.teeth_in_contact); });
   add("balls in contact", [](const CurvePoint& p) { return cell(p.balls_in_contact); });
-  add("largest ball force [N]",
-      [](const CurvePoint& p) { return shown_number(largest_force(p.balls)); });
-  add("largest flank force [N]", [](const CurvePoint& p) {
-    return shown_number(std::max(largest_force(p.drive_flanks), largest_force(p.coast_flanks)));
+  add(with_unit("largest ball force", force),
+      [&](const CurvePoint& p) { return shown_number(largest_force(p.balls) / force.in_si); });
+  add(with_unit("largest flank force", force), [&](const CurvePoint& p) {
+    return shown_number(std::max(largest_force(p.drive_flanks), largest_force(p.coast_flanks)) /
+                        force.in_si);
   });
   table.rows.push_back({"share of the tangent compliance"});
   for (std::size_t m = 0; m < kCurveMembers; ++m) {
@@ -99,19 +113,20 @@ TitledTable points_table(const TorsionReport& report) {
 }
 
 TitledTable rim_table(const TorsionReport& report) {
+  const DisplayUnit unit = display_unit({}, "Pa");
   Table table{.head = {"", "least", "largest"}};
   const auto add = [&](const char* label, double RimState::*stress) {
     const auto [least, most] = std::ranges::minmax_element(report.rim, {}, stress);
-    table.rows.push_back(cells(label, shown_number((*least).*stress / units::MPa),
-                               shown_number((*most).*stress / units::MPa)));
+    table.rows.push_back(cells(label, shown_number((*least).*stress / unit.in_si),
+                               shown_number((*most).*stress / unit.in_si)));
   };
   add("rim at the tooth roots, hoop", &RimState::rim_outside_stress);
   add("rim at its bore, hoop", &RimState::rim_inside_stress);
   add("barrel at the rim, hoop bending", &RimState::barrel_bending_stress);
   add("barrel, shear from the torque", &RimState::barrel_shear_stress);
-  return {fmt::format("Stress over a turn of the wave generator at {} N*m [MPa], without "
-                      "concentration (TC-24)",
-                      shown_number(report.torques.rated)),
+  return {fmt::format("Stress over a turn of the wave generator at {} [{}], without concentration "
+                      "(TC-24)",
+                      torque(report.torques.rated), unit.text),
           table};
 }
 
@@ -138,10 +153,10 @@ TitledTable comparison_table(const CurveComparison& c) {
                       "generator",
                       c.angles.size(), c.angles.size() == 1 ? "" : "s"),
           table,
-          fmt::format("Lost motion is {} arcmin without and {} arcmin with cracks; the largest "
-                      "width of the loop is {} and {} arcmin. Place of the crack: {}; {} (TC-26)",
-                      arcmin(c.lost_motion_sound), arcmin(c.lost_motion_cracked),
-                      arcmin(c.hysteresis_sound), arcmin(c.hysteresis_cracked), where, c.evidence)};
+          fmt::format("Lost motion is {0} {2} without and {1} {2} with cracks; the largest width of "
+                      "the loop is {3} and {4} {2}. Place of the crack: {5}; {6} (TC-26)",
+                      twist(c.lost_motion_sound), twist(c.lost_motion_cracked), angle_unit().text,
+                      twist(c.hysteresis_sound), twist(c.hysteresis_cracked), where, c.evidence)};
 }
 
 }  // namespace
@@ -157,10 +172,12 @@ std::vector<TitledTable> torsion_tables(const TorsionReport& report, const GearS
 std::string torsion_text(const TorsionReport& report, const GearSet& gear,
                          const Provenance& provenance) {
   const MakersTorques& at = report.torques;
+  const DisplayUnit unit = display_unit({}, "N*m");
   std::string text = fmt::format(
       "{}\n{}, strainwave {}\nTorsion curve of the coupled drive, output against locked input\n\n"
-      "T1 = {:.5g}, T2 = {:.5g}, T3 = {:.5g}, rated {:.5g} N*m{}\n",
-      name_of(gear), provenance.input_file, provenance.version, at.T1, at.T2, at.T3, at.rated,
+      "T1 = {:.5g}, T2 = {:.5g}, T3 = {:.5g}, rated {:.5g} {}{}\n",
+      name_of(gear), provenance.input_file, provenance.version, at.T1 / unit.in_si,
+      at.T2 / unit.in_si, at.T3 / unit.in_si, at.rated / unit.in_si, unit.text,
       at.by_convention ? " (by convention)" : "");
   text += text_tables(torsion_tables(report, gear));
   if (!report.notes.empty()) text += "\nNotes\n" + notes_text(report.notes);

@@ -3,12 +3,18 @@
 
 #include "strainwave/core/units.hpp"
 #include "strainwave/layouts/torsion.hpp"
+#include "strainwave/layouts/words.hpp"
 
 namespace strainwave {
 
 std::vector<PlotPanel> torsion_panels(const TorsionReport& report, const GearSet& gear) {
-  const auto in_arcmin = [](std::vector<double> values) {
-    for (double& value : values) value /= units::arcmin;
+  const DisplayUnit torque = display_unit({}, "N*m");
+  const DisplayUnit angle = angle_unit();
+  const DisplayUnit stiffness = plotted_stiffness_unit();
+  const DisplayUnit makers = stiffness_unit();
+  const DisplayUnit turned = display_unit({}, "rad");
+  const auto in = [](const DisplayUnit& unit, std::vector<double> values) {
+    for (double& value : values) value /= unit.in_si;
     return values;
   };
   const MakersTorques& at = report.torques;
@@ -22,45 +28,47 @@ std::vector<PlotPanel> torsion_panels(const TorsionReport& report, const GearSet
   };
   for (auto p = report.curve_negative.points.rbegin(); p != report.curve_negative.points.rend();
        ++p)
-    add(curve, p->torque, p->twist / units::arcmin);
+    add(curve, p->torque / torque.in_si, p->twist / angle.in_si);
   add(curve, 0.0, 0.0);
-  for (const CurvePoint& p : report.curve.points) {
-    add(curve, p.torque, p.twist / units::arcmin);
-    add(tangent, p.torque, units::arcmin / p.tangent_compliance);
-  }
-  for (const CurvePoint& p : report.sound.points) {
-    add(sound, p.torque, p.twist / units::arcmin);
-    add(tangent_sound, p.torque, units::arcmin / p.tangent_compliance);
-  }
+  const auto add_points = [&](PlotSeries& twist, PlotSeries& tangents, const TorsionCurve& of) {
+    for (const CurvePoint& p : of.points) {
+      add(twist, p.torque / torque.in_si, p.twist / angle.in_si);
+      add(tangents, p.torque / torque.in_si, p.tangent_stiffness() / stiffness.in_si);
+    }
+  };
+  add_points(curve, tangent, report.curve);
+  add_points(sound, tangent_sound, report.sound);
   const PlotSeries lines{
       .label = "K1, K2, K3",
-      .x = {0.0, at.T1, at.T2, at.T3},
-      .y = in_arcmin({0.0, report.positive.phi1, report.positive.phi2, report.positive.phi3})};
-  const PlotSeries loop{
-      .label = "loop, friction", .x = report.loop.torque, .y = in_arcmin(report.loop.twist)};
+      .x = in(torque, {0.0, at.T1, at.T2, at.T3}),
+      .y = in(angle, {0.0, report.positive.phi1, report.positive.phi2, report.positive.phi3})};
+  const PlotSeries loop{.label = "loop, friction",
+                        .x = in(torque, report.loop.torque),
+                        .y = in(angle, report.loop.twist)};
   std::vector<PlotPanel> panels;
   panels.push_back(
       {.title = gear.name.empty() ? "Torsion curve" : gear.name,
-       .subtitle = fmt::format("K1 = {:.3g}, K2 = {:.3g}, K3 = {:.3g} N·m/rad", report.positive.K1,
-                               report.positive.K2, report.positive.K3),
-       .x_label = "torque T at the output [N·m]",
-       .y_label = "twist φ, input locked [arcmin]",
+       .subtitle = fmt::format("K1 = {:.3g}, K2 = {:.3g}, K3 = {:.3g} {}",
+                               report.positive.K1 / makers.in_si, report.positive.K2 / makers.in_si,
+                               report.positive.K3 / makers.in_si, typeset_unit(makers.text)),
+       .x_label = axis_label("torque T at the output", torque),
+       .y_label = axis_label("twist φ, input locked", angle),
        .series = {curve, lines, loop}});
   if (report.comparison) panels.back().series.insert(panels.back().series.begin() + 1, sound);
   panels.push_back({.title = "Tangent stiffness",
-                    .x_label = "torque T at the output [N·m]",
-                    .y_label = "dT/dφ [N·m/arcmin]",
+                    .x_label = axis_label("torque T at the output", torque),
+                    .y_label = axis_label("dT/dφ", stiffness),
                     .series = {tangent}});
   if (report.comparison) {
     panels.back().series.push_back(tangent_sound);
     PlotPanel turn{.title = "Change of stiffness over a turn of the wave generator",
                    .subtitle = "T > 0",
-                   .x_label = "wave generator turned by [deg]",
+                   .x_label = axis_label("wave generator turned by", turned),
                    .y_label = "cracked/sound − 1 [%]"};
     const auto series = [&](const char* label, double LineChanges::*line) {
       PlotSeries s{.label = label};
       for (std::size_t i = 0; i < report.comparison->angles.size(); ++i)
-        add(s, report.comparison->angles[i] / units::deg,
+        add(s, report.comparison->angles[i] / turned.in_si,
             100 * report.comparison->positive.at_angle[i].*line);
       return s;
     };

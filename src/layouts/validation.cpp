@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/present/table.hpp"
 
 namespace strainwave {
@@ -72,6 +73,8 @@ Table error_table(const Validation& v) {
   return table;
 }
 
+DisplayUnit stiffness_column() { return display_unit({}, "N*m/rad", {"1e4 N*m/rad", 1e4}); }
+
 /// Table with each row of the catalogue, and the values of fitted factors.
 Table row_table(const Validation& v) {
   Table table{.head = {"size", "ratio", "K1", "K2", "K3", "p/c", "p/c", "p/c"}, .align = "r"};
@@ -79,7 +82,8 @@ Table row_table(const Validation& v) {
   for (const ValidationRow& row : v.rows) {
     const auto K = row.catalogue.K();
     auto& line = table.rows.emplace_back(cells(row.catalogue.size, row.catalogue.ratio_class));
-    for (const auto& value : K) line.push_back(value ? fmt::format("{:g}", *value / 1e4) : "-");
+    for (const auto& value : K)
+      line.push_back(value ? fmt::format("{:g}", *value / stiffness_column().in_si) : "-");
     for (const auto& ratio : row.ratio()) line.push_back(ratio_text(ratio));
     for (std::size_t k = 0; k < 3 && banded(v); ++k)
       line.push_back(K[k] && row.band[k] ? fmt::format("{:.2f}..{:.2f}", row.band[k]->low / *K[k],
@@ -103,7 +107,9 @@ Table trial_table(const Validation& v) {
   return table;
 }
 
-constexpr std::string_view kRowsAre = "catalogue [1e4 N*m/rad], then predicted/catalogue (p/c)";
+std::string row_words() {
+  return fmt::format("catalogue [{}], then predicted/catalogue (p/c)", stiffness_column().text);
+}
 
 /// The rows that the model cannot follow.
 std::string failing_rows(const Validation& v) {
@@ -138,7 +144,7 @@ std::string validation_text(const Validation& v) {
         v.options.draws, v.options.seed,
         v.failed_draws == 0 ? std::string(".")
                             : fmt::format("; {} without an equilibrium left out.", v.failed_draws));
-  text += fmt::format("\nEach row: {}\n", kRowsAre) + text_table(row_table(v));
+  text += fmt::format("\nEach row: {}\n", row_words()) + text_table(row_table(v));
   if (v.options.mode == ValidationMode::geometry) return text;
   text += fmt::format("\nLast columns: {}.  * marks a factor at the limit of its {} range.\n",
                       factor_names(v.options.factors),
@@ -171,7 +177,7 @@ std::string validation_csv(const Validation& v) {
 std::string validation_markdown(const Validation& v) {
   std::string text = fmt::format(
       "Mode **{}**. {}\n\n{}\nEach row: {}\n\n{}", enum_name(v.options.mode), what_was_done(v),
-      markdown_table(error_table(v)), kRowsAre, markdown_table(row_table(v)));
+      markdown_table(error_table(v)), row_words(), markdown_table(row_table(v)));
   return v.trials.empty() ? text : text + '\n' + markdown_table(trial_table(v));
 }
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "strainwave/core/units.hpp"
+
 namespace strainwave {
 
 std::string_view words_of(OpensUnder opens) {
@@ -51,6 +53,21 @@ std::string_view place_of_intensity(std::string_view kind) {
 
 std::string counted(std::size_t n, std::string_view thing) {
   return fmt::format("{} {}{}", n, thing, n == 1 ? "" : "s");
+}
+
+DisplayUnit stiffness_unit() { return display_unit({}, "N*m/rad", {"N*m/rad", 1.0}); }
+
+DisplayUnit plotted_stiffness_unit() { return display_unit({}, "N*m/rad"); }
+
+DisplayUnit angle_unit() { return display_unit({}, "rad", {"arcmin", units::arcmin}); }
+
+std::string with_unit(std::string_view label, const DisplayUnit& unit) {
+  return fmt::format("{} [{}]", label, unit.text);
+}
+
+std::string axis_label(std::string_view label, const DisplayUnit& unit) {
+  const std::string text = typeset_unit(unit.text);
+  return text.empty() ? std::string(label) : fmt::format("{} [{}]", label, text);
 }
 
 const std::optional<CriticalSize>& critical_size(const StrengthState& state) {

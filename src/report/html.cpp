@@ -40,6 +40,14 @@ std::size_t break_of(std::string_view label) {
   return best;
 }
 
+/// The bars in words, for a reader who does not see them.
+std::string description_of(const BarChart& chart) {
+  std::string text = chart.axis + ".";
+  for (const Bar& bar : chart.bars)
+    text += bar.same_line ? " and " + bar.text : fmt::format(" {}: {}", bar.label, bar.text);
+  return text;
+}
+
 }  // namespace
 
 std::string table(std::string_view caption, const std::vector<std::string>& head,
@@ -170,9 +178,10 @@ std::string bar_chart(const BarChart& chart) {
         chart.axis);
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"chart\" viewBox=\"0 0 {0} {1}\" "
-      "width=\"{0}mm\" height=\"{1}mm\" role=\"img\" aria-labelledby=\"{2}-title\">\n<title "
-      "id=\"{2}-title\">{3}</title>\n{4}</svg>\n",
-      coordinate(kWidth), coordinate(y + 6), chart.id, escaped(chart.title), body);
+      "width=\"{0}mm\" height=\"{1}mm\" role=\"img\" aria-labelledby=\"{2}-title {2}-desc\">\n"
+      "<title id=\"{2}-title\">{3}</title>\n<desc id=\"{2}-desc\">{4}</desc>\n{5}</svg>\n",
+      coordinate(kWidth), coordinate(y + 6), chart.id, escaped(chart.title),
+      escaped(description_of(chart)), body);
 }
 
 std::string figure(std::string_view svg, std::string_view caption, std::string_view style) {

@@ -96,7 +96,8 @@ std::string label(std::string_view text) {
          at = html.find(from, at + to.size()))
       html.replace(at, from.size(), to);
   };
-  replace("N*m", "N·m");
+  for (const std::string_view unit : {"N", "lbf", "in", "kg"})
+    replace(fmt::format("{}*", unit), fmt::format("{}·", unit));
   replace("+-", "±");
   replace("T &", "<i>T</i> &");
   for (const char symbol : {'K', 'T'})
@@ -108,6 +109,11 @@ std::string label(std::string_view text) {
 std::string number(double value, int digits) {
   if (!std::isfinite(value)) return value > 0 ? "∞" : "none";
   return typeset(shown_number(value, digits));
+}
+
+std::string typeset_quantity(double value, std::string_view si, int digits) {
+  const DisplayUnit unit = display_unit({}, si);
+  return fmt::format("{} {}", number(value / unit.in_si, digits), typeset_unit(unit.text));
 }
 
 std::string in_mm(double metres) { return shown_quantity(metres, "m", 4); }

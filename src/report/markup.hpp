@@ -26,7 +26,10 @@ namespace strainwave::report {
 /// exponent if that is short enough.
 [[nodiscard]] std::string number(double value, int digits = 4);
 
-/// A length in mm with its unit: "0.755 mm".
+/// A quantity in its display unit, typeset: "1.2·10⁷ N·m".
+[[nodiscard]] std::string typeset_quantity(double value, std::string_view si, int digits = 4);
+
+/// A length with its unit, in mm unless another unit is asked for: "0.755 mm".
 [[nodiscard]] std::string in_mm(double metres);
 
 }  // namespace strainwave::report

@@ -7,14 +7,14 @@
 namespace strainwave {
 namespace {
 
-// The style must not contain `<` or `&`, because the page is XML as well.  Plots are black on
-// white, so they get a white card on a dark screen.
+// The style must not contain `<` or `&`, because the page is XML as well.  The rules of a plot are
+// confined to plots (`.plot .tick`); those for dark screens name `svg` too, so they weigh more.
 constexpr std::string_view kPageStyle = R"css(
 :root {
   color-scheme: light dark;
   --page: #ffffff; --text: #1b1f24; --muted: #57606a; --rule: #d0d7de; --soft: #f6f8fa;
   --link: #0550ae; --good: #1a7f37; --care: #9a6700; --bad: #cf222e;
-  --ink: #1b1f24; --paper: #ffffff; --part: #f1f4f7; --thin: #8c959f; --hatch: #6e7781;
+  --ink: #1b1f24; --paper: #ffffff; --part: #f1f4f7; --thin: #7d8791; --hatch: #6e7781;
   --crack: #d1242f; --bar: #4a7fb5;
 }
 @media screen and (prefers-color-scheme: dark) {
@@ -24,6 +24,12 @@ constexpr std::string_view kPageStyle = R"css(
     --ink: #e6edf3; --paper: #14181d; --part: #27303a; --thin: #8b97a5; --hatch: #75808c;
     --crack: #ff6b63; --bar: #6ea3d8;
   }
+  .plot svg .ground { fill: var(--page); }
+  .plot svg text { fill: var(--text); }
+  .plot svg .small { fill: var(--muted); }
+  .plot svg .axis { stroke: var(--text); }
+  .plot svg .grid { stroke: var(--rule); }
+  .plot svg .minor { stroke: var(--soft); }
 }
 * { box-sizing: border-box; }
 body { margin: 0 auto; max-width: 62rem; padding: 1.2rem; background: var(--page);
@@ -60,7 +66,6 @@ figcaption, caption { font-size: .88em; text-align: left; padding: .3rem 0; }
 .scroll:focus-visible { outline: 2px solid var(--link); }
 svg { display: block; max-width: 100%; height: auto; }
 .paper svg, .bars svg { width: 100%; }
-.plot .scroll { background: #ffffff; border-radius: 4px; }
 table { border-collapse: collapse; width: 100%; font-size: .9em; margin: .4rem 0 .8rem; }
 caption { caption-side: top; font-weight: 600; }
 th, td { padding: .28rem .6rem .28rem 0; border-bottom: 1px solid var(--rule); text-align: left;
@@ -108,7 +113,8 @@ summary { cursor: pointer; }
 .chart .reference { stroke: var(--crack); stroke-width: .4; stroke-dasharray: 2 1; }
 @media screen and (max-width: 44rem) {
   body { padding: .8rem; }
-  .paper svg, .bars svg, .plot svg { width: 40rem; max-width: none; }
+  .plot svg { width: 100%; }
+  .scroll table:not(.inputs) { min-width: 36rem; }
   dl:not(.key) { grid-template-columns: 1fr; }
   dl:not(.key) dd { margin-bottom: .4rem; }
 }
@@ -118,20 +124,18 @@ summary { cursor: pointer; }
     color: #57606a; } }
 @media print {
   body { max-width: none; padding: 0; font-size: 9.5pt; }
-  h2 { break-after: avoid; margin-top: 1.2rem; }
-  h3, caption { break-after: avoid; }
-  figure, tr, li, .verdict, .key div { break-inside: avoid; }
+  h2 { margin-top: 1.2rem; }
+  h2, h2 + p, h3, caption, thead { break-after: avoid; }
+  h2 + p, figure, tr, li, .verdict, .key div { break-inside: avoid; }
   thead { display: table-header-group; }
   .scroll { overflow: visible; }
-  .results tbody { break-inside: avoid; }
+  .results, .results tbody { break-inside: avoid; }
   .group { break-after: avoid; }
   .inputs { min-width: 0; font-size: .74em; }
   .inputs th, .inputs td { padding-top: .08rem; padding-bottom: .08rem; }
   .inputs .group th { padding-top: .4rem; }
-  .inputs th, .inputs td:nth-child(2) { white-space: normal; }
-  .number, .giver, thead th { white-space: normal; }
-  th, td, code, dd { overflow-wrap: anywhere; }
-  .number { overflow-wrap: normal; }
+  .inputs td:nth-child(2), .number, thead th { white-space: normal; }
+  th, td, code, dd { overflow-wrap: break-word; }
   table { font-size: .82em; }
   pre { white-space: pre-wrap; overflow-wrap: anywhere; overflow: visible; font-size: 6.8pt; line-height: 1.35; }
   .plot svg { width: 165mm; }

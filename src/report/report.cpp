@@ -11,8 +11,8 @@
 #include "html.hpp"
 #include "markup.hpp"
 #include "strainwave/core/shown_text.hpp"
-#include "strainwave/core/units.hpp"
 #include "strainwave/io/gear_writer.hpp"
+#include "strainwave/layouts/words.hpp"
 #include "strainwave/study/evaluate.hpp"
 
 namespace strainwave {
@@ -116,11 +116,15 @@ std::string verdict_html(const Draft& draft) {
   if (broken) html += paragraph("The stiffness below is for the cracks in their present state.");
   html += paragraph("Inputs: " + draft.inputs_summary + ".");
   html += "<dl class=\"key\">\n";
+  const DisplayUnit unit = plotted_stiffness_unit();
+  const DisplayUnit angle = angle_unit();
+  const std::string unit_text = typeset_unit(unit.text);
+  const std::string angle_text = typeset_unit(angle.text);
   const auto stiffness = [&](const std::string& path, const Quantity& K) {
-    return quantity(path, K, 1 / units::arcmin);
+    return quantity(path, K, unit.in_si);
   };
   const bool positive = draft.gear.load.torque > 0;
-  const std::string wind_up = fmt::format("Wind-up at {} N·m", number(draft.gear.load.torque));
+  const std::string wind_up = "Wind-up at " + typeset_quantity(draft.gear.load.torque, "N*m");
   const std::string state = draft.cracks.empty() ? "sound" : "cracked";
   if (r.curve) {
     const std::string sense = positive ? "curve.positive." : "curve.negative.";
@@ -128,8 +132,8 @@ std::string verdict_html(const Draft& draft) {
     const auto line = [&](const char* label, const char* name, const Quantity& K,
                           const Quantity& change) {
       html += key_number(
-          label, stiffness(sense + name, K), "N·m/arcmin",
-          "accuracy " + accuracy(K) +
+          label, stiffness(sense + name, K), unit_text,
+          "accuracy " + accuracy_text(K) +
               (draft.cracks.empty() ? std::string()
                                     : ", by cracks " + typeset(percent_change(change.value))));
     };
@@ -137,14 +141,14 @@ std::string verdict_html(const Draft& draft) {
     line("<i>K</i><sub>2</sub>", "K2", curve.K2, curve.change.K2);
     line("<i>K</i><sub>3</sub>", "K3", curve.K3, curve.change.K3);
     if (curve.wind_up)
-      html += key_number(wind_up, quantity(sense + "wind_up", *curve.wind_up, units::arcmin),
-                         "arcmin", state + ", accuracy " + accuracy(*curve.wind_up));
+      html += key_number(wind_up, quantity(sense + "wind_up", *curve.wind_up, angle.in_si),
+                         angle_text, state + ", accuracy " + accuracy_text(*curve.wind_up));
   }
   html += key_number("Sum of the members, sound", stiffness("intact.stiffness", r.intact.stiffness),
-                     "N·m/arcmin", "accuracy " + accuracy(r.intact.stiffness));
+                     unit_text, "accuracy " + accuracy_text(r.intact.stiffness));
   const auto cracked = [&](const char* label, const std::string& path, const CrackedDrive& drive) {
     html += key_number(
-        label, stiffness(path + ".stiffness", drive.stiffness), "N·m/arcmin",
+        label, stiffness(path + ".stiffness", drive.stiffness), unit_text,
         "change " + quantity(path + ".stiffness_change", drive.stiffness_change, 0.01) + " %");
   };
   if (!draft.cracks.empty() && !r.curve) {
@@ -154,8 +158,8 @@ std::string verdict_html(const Draft& draft) {
   if (!r.curve)
     html += key_number(wind_up + ", of the sum",
                        quantity(positive ? "cracked.positive.wind_up" : "cracked.negative.wind_up",
-                                positive ? r.positive.wind_up : r.negative.wind_up, units::arcmin),
-                       "arcmin", state);
+                                positive ? r.positive.wind_up : r.negative.wind_up, angle.in_si),
+                       angle_text, state);
   html += strength_number(draft);
   return html + "</dl>\n</div>\n";
 }

@@ -8,7 +8,6 @@
 #include "html.hpp"
 #include "markup.hpp"
 #include "strainwave/core/shown_text.hpp"
-#include "strainwave/core/units.hpp"
 #include "strainwave/layouts/stiffness.hpp"
 #include "strainwave/layouts/words.hpp"
 
@@ -37,14 +36,15 @@ std::vector<SeriesMember> members_of(const GearSet& gear) {
 
 Row compliance_row(const StiffnessResult& result, std::string label, const std::string& name,
                    Quantity Compliances::*member) {
+  const double unit = display_unit({}, "rad/(N*m)").in_si;
   const Quantity& sound = result.intact.compliance.*member;
   const std::string path = ".compliance." + name;
-  return {
-      {std::move(label), quantity("intact" + path, sound),
-       fmt::format("{:.1f} %", 100 * sound.value / result.intact.compliance.total.value),
-       quantity("cracked.positive" + path, result.positive.compliance.*member),
-       quantity("cracked.negative" + path, result.negative.compliance.*member), accuracy(sound)},
-      name == "total" ? "sum" : ""};
+  return {{std::move(label), quantity("intact" + path, sound, unit),
+           fmt::format("{:.1f} %", 100 * sound.value / result.intact.compliance.total.value),
+           quantity("cracked.positive" + path, result.positive.compliance.*member, unit),
+           quantity("cracked.negative" + path, result.negative.compliance.*member, unit),
+           accuracy_text(sound)},
+          name == "total" ? "sum" : ""};
 }
 
 RowGroup coupled_group(const CurveResult& curve, const GearSet& gear) {
@@ -58,7 +58,7 @@ RowGroup coupled_group(const CurveResult& curve, const GearSet& gear) {
                    row.sound, row.unit_in_si),
           "", quantity("curve.positive." + row.name, row.positive, row.unit_in_si),
           quantity("curve.negative." + row.name, row.negative, row.unit_in_si),
-          accuracy(row.sound)},
+          accuracy_text(row.sound)},
          {}});
     if (!row.positive_change || !row.negative_change) continue;
     group.rows.push_back({{"change", "", "", typeset(percent_change(row.positive_change->value)),
@@ -84,8 +84,10 @@ ReportSection results_chapter(const Draft& draft) {
   const StiffnessResult& r = draft.result;
   std::vector<RowGroup> groups;
   if (r.curve) groups.push_back(coupled_group(*r.curve, draft.gear));
+  const DisplayUnit compliance = display_unit({}, "rad/(N*m)");
   RowGroup& compliances = groups.emplace_back(RowGroup{
-      std::string(kSumTitle) + ": compliance at the output, input locked [rad/(N·m)]", {}});
+      axis_label(std::string(kSumTitle) + ": compliance at the output, input locked", compliance),
+      {}});
   for (const SeriesMember& member : members_of(draft.gear))
     compliances.rows.push_back(compliance_row(r, member.label, member.name, member.compliance));
   compliances.rows.push_back(compliance_row(r, "total", "total", &Compliances::total));
@@ -94,28 +96,30 @@ ReportSection results_chapter(const Draft& draft) {
     return Row{{std::move(label), quantity("intact." + name, r.intact.*sound, unit), "",
                 quantity("cracked.positive." + name, r.positive.*cracked, unit),
                 quantity("cracked.negative." + name, r.negative.*cracked, unit),
-                accuracy(r.intact.*sound)},
+                accuracy_text(r.intact.*sound)},
                {}};
   };
-  groups.push_back(
-      {std::string(kSumTitle) + ": torsional stiffness",
-       {drive("<i>K</i><sub>HD</sub> [N·m/rad]", &IntactDrive::stiffness, &CrackedDrive::stiffness,
-              "stiffness", 1),
-        drive("<i>K</i><sub>HD</sub> [N·m/arcmin]", &IntactDrive::stiffness,
-              &CrackedDrive::stiffness, "stiffness", 1 / units::arcmin),
-        Row{{"change", "", "",
-             quantity("cracked.positive.stiffness_change", r.positive.stiffness_change, 0.01) +
-                 " %",
-             quantity("cracked.negative.stiffness_change", r.negative.stiffness_change, 0.01) +
-                 " %",
-             accuracy(r.positive.stiffness_change)},
-            "change"},
-        drive(fmt::format("wind-up at {} N·m [arcmin]", number(std::abs(draft.gear.load.torque))),
-              &IntactDrive::wind_up, &CrackedDrive::wind_up, "wind_up", units::arcmin)}});
+  RowGroup& stiffness =
+      groups.emplace_back(RowGroup{std::string(kSumTitle) + ": torsional stiffness", {}});
+  for (const DisplayUnit& unit : stiffness_units())
+    stiffness.rows.push_back(drive(axis_label("<i>K</i><sub>HD</sub>", unit),
+                                   &IntactDrive::stiffness, &CrackedDrive::stiffness, "stiffness",
+                                   unit.in_si));
+  stiffness.rows.push_back(
+      {{"change", "", "",
+        quantity("cracked.positive.stiffness_change", r.positive.stiffness_change, 0.01) + " %",
+        quantity("cracked.negative.stiffness_change", r.negative.stiffness_change, 0.01) + " %",
+        accuracy_text(r.positive.stiffness_change)},
+       "change"});
+  const DisplayUnit angle = angle_unit();
+  stiffness.rows.push_back(drive(
+      axis_label("wind-up at " + typeset_quantity(std::abs(draft.gear.load.torque), "N*m"), angle),
+      &IntactDrive::wind_up, &CrackedDrive::wind_up, "wind_up", angle.in_si));
   std::string html = paragraph(fmt::format(
-      "Load at the output: T = {} N·m, P = {} N. Both senses of torque are computed. Accuracy is "
-      "one standard relative uncertainty of the model's form, without that of the inputs.",
-      number(draft.gear.load.torque, 6), number(draft.gear.load.axial_force, 6)));
+      "Load at the output: T = {}, P = {}. Both senses of torque are computed. Accuracy is one "
+      "standard relative uncertainty of the model's form, without that of the inputs.",
+      typeset_quantity(draft.gear.load.torque, "N*m", 6),
+      typeset_quantity(draft.gear.load.axial_force, "N", 6)));
   html +=
       table("Compliance and stiffness", {"", "sound", "share", kPositive, kNegative, "accuracy"},
             groups, {.style = "results", .numbers = 1});
@@ -144,6 +148,7 @@ ReportSection shares_chapter(const Draft& draft) {
                     .title = "Compliance that each crack adds",
                     .axis = "added compliance per compliance of the sound drive [%]"};
     std::vector<Row> rows;
+    const DisplayUnit unit = display_unit({}, "rad/(N*m)");
     for (const CrackReport& crack : r.cracks) {
       const std::string mark = crack_mark(draft, crack.path);
       const auto bar = [&](const char* sense, const Quantity& added) {
@@ -159,15 +164,15 @@ ReportSection shares_chapter(const Draft& draft) {
       rows.push_back({{fmt::format("<span class=\"crack-number\">{}</span> <code>{}</code>", mark,
                                    escaped(crack.path)),
                        escaped(crack.kind), escaped(words_of(crack.opens_under)),
-                       quantity(path + ".positive.at_output", crack.positive.at_output),
-                       quantity(path + ".negative.at_output", crack.negative.at_output),
+                       quantity(path + ".positive.at_output", crack.positive.at_output, unit.in_si),
+                       quantity(path + ".negative.at_output", crack.negative.at_output, unit.in_si),
                        typeset(percent(crack.positive.at_output.value / total)),
-                       accuracy(crack.positive.at_output)},
+                       accuracy_text(crack.positive.at_output)},
                       {}});
     }
     html += figure(bar_chart(cracks),
                    "Compliance that each crack adds under the torque at its place.", "bars");
-    html += table("Added compliance of each crack at the output [rad/(N·m)]",
+    html += table(axis_label("Added compliance of each crack at the output", unit),
                   {"crack", "kind", "opens under", "<i>T</i> &gt; 0", "<i>T</i> &lt; 0",
                    "of the sound, <i>T</i> &gt; 0", "accuracy"},
                   {{"", rows}}, {.style = "results", .numbers = 3});
@@ -186,6 +191,7 @@ ReportSection intensities_chapter(const Draft& draft) {
   const StiffnessResult& r = draft.result;
   std::vector<Row> rows;
   std::string html;
+  const DisplayUnit unit = display_unit({}, "Pa*m^0.5");
   for (const CrackReport& crack : r.cracks) {
     const std::string mark = crack_mark(draft, crack.path);
     const std::string& path = crack.path;
@@ -196,13 +202,13 @@ ReportSection intensities_chapter(const Draft& draft) {
       // A mode that is only rounding compared with the largest mode counts as zero.
       const auto mode = [&](const char* which, const Quantity& K_mode) {
         return std::abs(K_mode.value) < 1e-12 * largest ? nothing(at + which, K_mode)
-                                                        : quantity(at + which, K_mode, units::MPa);
+                                                        : quantity(at + which, K_mode, unit.in_si);
       };
       rows.push_back({{first ? fmt::format("<span class=\"crack-number\">{}</span> <code>{}</code>",
                                            mark, escaped(crack.path))
                              : std::string(),
                        std::string(where), mode(".K_I", K.K_I), mode(".K_II", K.K_II),
-                       mode(".K_III", K.K_III), first ? accuracy(K.largest()) : std::string()},
+                       mode(".K_III", K.K_III), first ? accuracy_text(K.largest()) : std::string()},
                       {}});
     };
     if (crack.deepest) row(place_of_intensity(crack.kind), *crack.deepest, "deepest", true);
@@ -219,7 +225,7 @@ ReportSection intensities_chapter(const Draft& draft) {
         "report cannot judge these stress intensities.",
         "remark");
   if (!rows.empty())
-    html += table("Stress intensities at the given load, load alone [MPa·√m]",
+    html += table(axis_label("Stress intensities at the given load, load alone", unit),
                   {"crack", "where", "<i>K</i><sub>I</sub>", "<i>K</i><sub>II</sub>",
                    "<i>K</i><sub>III</sub>", "accuracy"},
                   {{"", rows}}, {.style = "results", .numbers = 2});

@@ -11,6 +11,7 @@
 #include "layout.hpp"
 #include "markup.hpp"
 #include "sheet.hpp"
+#include "strainwave/core/shown_text.hpp"
 
 namespace strainwave {
 namespace {
@@ -66,8 +67,8 @@ class Section {
     sheet_.scale_bar({4, y + 1}, 40);
     sheet_.words({kPaperWidth - 2, y + 2.2},
                  fmt::format("half section at the major axis, before assembly; scale {} at {:g} mm "
-                             "width; lengths in mm",
-                             scale_text(sheet_.scale()), kPaperWidth),
+                             "width; lengths in {}",
+                             scale_text(sheet_.scale()), kPaperWidth, display_unit({}, "m").text),
                  "small end");
     sheet_.words({kPaperWidth - 2, y + 5.8},
                  "dashed: not in the file, sketched; output (+z) to the right", "small end");

@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "markup.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
 
 namespace strainwave::report {
@@ -27,7 +28,7 @@ constexpr std::string_view kSheetStyle =
     ".drawing .part{fill:var(--part,#f1f4f7);stroke:var(--ink,#1b1f24);stroke-width:.35}"
     ".drawing .solid{stroke:none}"
     ".drawing .edge{fill:none;stroke:var(--ink,#1b1f24);stroke-width:.35}"
-    ".drawing .thin{fill:var(--thin,#8c959f)}"
+    ".drawing .thin{fill:var(--thin,#7d8791)}"
     ".drawing .hatch{fill:none;stroke:var(--hatch,#6e7781);stroke-width:.13}"
     ".drawing .seen{fill:none;stroke:var(--ink,#1b1f24);stroke-width:.25}"
     ".drawing .ball{fill:var(--paper,#fff);stroke:var(--ink,#1b1f24);stroke-width:.3}"
@@ -182,17 +183,20 @@ void Sheet::balloon(Point at, std::string_view text, std::string_view style) {
 }
 
 void Sheet::scale_bar(Point at, double longest) {
-  double length = 1e-6;  // [m]
-  for (const double decade : {1e-4, 1e-3, 1e-2, 1e-1, 1.0})
-    for (const double digit : {1.0, 2.0, 5.0})
-      if (paper(decade * digit) <= longest) length = decade * digit;
+  const DisplayUnit unit = display_unit({}, "m");
+  const double fits = std::log10(longest / (paper(1.0) * unit.in_si));
+  const double decade = std::pow(10.0, std::floor(fits + 1e-9));
+  double number = decade;  // [unit]
+  for (const double digit : {2.0, 5.0})
+    if (paper(decade * digit * unit.in_si) <= longest * (1 + 1e-9)) number = decade * digit;
+  const double length = number * unit.in_si;  // [m]
   const double half = paper(length) / 2;
   body_ += fmt::format(
       "<g data-bar-mm=\"{:g}\"><path class=\"bar\" d=\"{}\"/><path class=\"mark\" d=\"{}\"/></g>\n",
       length / units::mm, path_data(rectangle(at.x, at.y, at.x + half, at.y + 1), true),
       path_data(rectangle(at.x + half, at.y, at.x + 2 * half, at.y + 1), true));
   words({at.x, at.y + 4}, "0", "small middle");
-  words({at.x + 2 * half, at.y + 4}, fmt::format("{:g} mm", length / units::mm), "small middle");
+  words({at.x + 2 * half, at.y + 4}, fmt::format("{:g} {}", number, unit.text), "small middle");
 }
 
 std::string Sheet::svg(std::string_view id, Point size, std::string_view title,

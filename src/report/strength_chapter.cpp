@@ -7,7 +7,7 @@
 #include "chapters.hpp"
 #include "html.hpp"
 #include "markup.hpp"
-#include "strainwave/core/units.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/layouts/failure_assessment.hpp"
 #include "strainwave/layouts/words.hpp"
 
@@ -18,12 +18,14 @@ std::string optional_number(const std::optional<double>& value) {
   return value ? number(*value, 3) : std::string("–");
 }
 
-/// The critical size for a cell [mm]; if there is none, the list below the table gives the reason.
+/// The critical size for a cell, in the unit for lengths; if there is none, the list below the
+/// table gives the reason.
 std::string critical_text(const StrengthState& state) {
   const std::optional<CriticalSize>& answer = critical_size(state);
   if (!answer) return "–";
-  if (answer->size) return number(*answer->size / units::mm, 3);
-  return answer->none_up_to ? "&gt; " + number(*answer->none_up_to / units::mm, 3) : "none";
+  const double unit = display_unit({}, "m").in_si;
+  if (answer->size) return number(*answer->size / unit, 3);
+  return answer->none_up_to ? "&gt; " + number(*answer->none_up_to / unit, 3) : "none";
 }
 
 /// Reasons for missing critical sizes, each once for each crack.
@@ -67,6 +69,8 @@ ReportSection strength_chapter(const Draft& draft) {
                  .axis = "K/K_Ic at the given load",
                  .reference = 1.0,
                  .reference_label = "toughness"};
+  const DisplayUnit length = display_unit({}, "m");
+  const DisplayUnit toughness = display_unit({}, "Pa*m^0.5");
   std::vector<RowGroup> groups;
   std::string sentences;
   std::string sizes;
@@ -75,11 +79,11 @@ ReportSection strength_chapter(const Draft& draft) {
     RowGroup group{.title = fmt::format("{}: {} ({})", mark, crack.path, crack.kind), .rows = {}};
     for (const StrengthState& state : crack.states) {
       group.rows.push_back(
-          {{escaped(words_of(state)), number(state.K / units::MPa, 3),
+          {{escaped(words_of(state)), number(state.K / toughness.in_si, 3),
             optional_number(state.utilisation), optional_number(state.L_r),
             optional_number(state.K_r), optional_number(state.line), optional_number(state.reserve),
             critical_text(state),
-            state.plastic_zone ? number(*state.plastic_zone / units::mm, 3) : std::string("–"),
+            state.plastic_zone ? number(*state.plastic_zone / length.in_si, 3) : std::string("–"),
             std::string(words_of(state.verdict))},
            state.breaks() ? "breaks" : ""});
       if (state.utilisation && state.sense == crack.worst()->sense)
@@ -111,11 +115,12 @@ ReportSection strength_chapter(const Draft& draft) {
         figure(bar_chart(chart),
                "Elastic stress intensity at the given load against the toughness.", "bars");
   if (!groups.empty())
-    section.html += table("Failure assessment at the given load",
-                          {"", "<i>K</i> [MPa·√m]", "<i>K</i>/<i>K</i><sub>Ic</sub>",
-                           "<i>L</i><sub>r</sub>", "<i>K</i><sub>r</sub>", "line", "reserve",
-                           "critical size [mm]", "plastic zone [mm]", "verdict"},
-                          groups, {.style = "results", .numbers = 1});
+    section.html +=
+        table("Failure assessment at the given load",
+              {"", axis_label("<i>K</i>", toughness), "<i>K</i>/<i>K</i><sub>Ic</sub>",
+               "<i>L</i><sub>r</sub>", "<i>K</i><sub>r</sub>", "line", "reserve",
+               axis_label("critical size", length), axis_label("plastic zone", length), "verdict"},
+              groups, {.style = "results", .numbers = 1});
   if (!sizes.empty())
     section.html += fmt::format("<ul class=\"verdicts remark\">\n{}</ul>\n", sizes);
   return section;

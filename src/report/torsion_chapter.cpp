@@ -38,8 +38,9 @@ ReportSection torsion_chapter(Draft& draft) {
         draft.progress.part(0.1, 0.8));
     std::string html = paragraph(fmt::format(
         "The drive as one system of elastic rings on one-sided balls and flanks, output against "
-        "locked input. The maker's torques are T₁ = {}, T₂ = {}, T₃ = {}, rated {} N·m{}.",
-        number(t.torques.T1), number(t.torques.T2), number(t.torques.T3), number(t.torques.rated),
+        "locked input. The maker's torques are T₁ = {}, T₂ = {}, T₃ = {}, rated {}{}.",
+        typeset_quantity(t.torques.T1, "N*m"), typeset_quantity(t.torques.T2, "N*m"),
+        typeset_quantity(t.torques.T3, "N*m"), typeset_quantity(t.torques.rated, "N*m"),
         t.torques.by_convention ? ", by convention, because the file does not give them" : ""));
     for (const PlotPanel& panel : torsion_panels(t, draft.gear)) {
       const std::string caption =

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "member_support.hpp"
-#include "strainwave/core/units.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
 
 namespace strainwave {
@@ -107,10 +107,9 @@ void note_axial_coupling(MemberCompliance& member, const CrackReport& report, co
   if (turned_by_axial_force == 0) return;
   member.notes.push_back(
       {.code = "crack.axial_coupling",
-       .text = fmt::format(
-           "the axial force turns the output by {:.3g} arcmin through this inclined crack; "
-           "stiffness and wind-up are those of the torque alone",
-           turned_by_axial_force / units::arcmin),
+       .text = fmt::format("the axial force turns the output by {} through this inclined crack; "
+                           "stiffness and wind-up are those of the torque alone",
+                           shown_quantity(turned_by_axial_force, "rad", 3, "wind_up")),
        .path = report.path,
        .equation = "FR-2",
        .severity = Severity::care});
@@ -412,10 +411,10 @@ void note_ovalisation(const GearSet& gear, MemberCompliance& member) {
   member.notes.push_back(
       {.code = "flexspline.ovalisation",
        .text = fmt::format(
-           "assembly on the wave generator bends the wall at the tooth ring by {:.3g} MPa, against "
-           "{:.3g} MPa of shear from the torque; it opens one face of a crack and closes the other "
+           "assembly on the wave generator bends the wall at the tooth ring by {}, against "
+           "{} of shear from the torque; it opens one face of a crack and closes the other "
            "{} times per turn, and is left out of the decision whether a crack is open",
-           ovalisation_stress(gear) / units::MPa, tau / units::MPa, U),
+           shown_quantity(ovalisation_stress(gear), "Pa", 3), shown_quantity(tau, "Pa", 3), U),
        .path = "flexspline.crack",
        .equation = "ST-17",
        .severity = Severity::care});

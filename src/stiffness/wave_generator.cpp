@@ -8,7 +8,7 @@
 
 #include "member_support.hpp"
 #include "strainwave/contact/hertz.hpp"
-#include "strainwave/core/units.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/stiffness/accuracy.hpp"
 
 namespace strainwave {
@@ -30,9 +30,9 @@ Estimate hertz_compliance(const GearSet& gear, const SeriesModel<double>& model,
       {.code = "wave_generator.hertz",
        .text = fmt::format(
            "the contacts are not linear; the stiffness is the tangent at the given torque, where "
-           "the peak pressure on the inner race is {:.3g} MPa; the wind-up uses this tangent too, "
+           "the peak pressure on the inner race is {}; the wind-up uses this tangent too, "
            "which makes its contact part a third too small; cam and inner ring are assumed rigid",
-           model.ball_contacts().inner.peak_pressure / units::MPa),
+           shown_quantity(model.ball_contacts().inner.peak_pressure, "Pa", 3)),
        .path = "wave_generator.bearing",
        .equation = "ST-9",
        .severity = left_out});

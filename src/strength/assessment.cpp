@@ -10,7 +10,7 @@
 #include "assessed_crack.hpp"
 #include "strainwave/core/compare.hpp"
 #include "strainwave/core/roots.hpp"
-#include "strainwave/core/units.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/strength/failure_assessment.hpp"
 
 namespace strainwave {
@@ -194,7 +194,7 @@ CriticalSize first_size(const DriveCrack& crack, const char* at_once, const Beyo
     inside = size;
   }
   return {.none_up_to = end,
-          .text = fmt::format("none up to {:.3g} mm, {}", end / units::mm, crack.range_text)};
+          .text = fmt::format("none up to {}, {}", shown_quantity(end, "m", 3), crack.range_text)};
 }
 
 /// Relative uncertainty of K under load and assembly together [-]; the errors of the two parts are
@@ -256,7 +256,7 @@ void doubt(StrengthState& state, const AssessedCrack& asked, const InDiagram& po
   if (clearly_less(crack.range_end, crack.size.size)) {
     state.reserve.reset();  // the reserve at the end of the range would be too large
     cannot_tell(state,
-                fmt::format("the crack is larger than {:.3g} mm, {}", crack.range_end / units::mm,
+                fmt::format("the crack is larger than {}, {}", shown_quantity(crack.range_end, "m", 3),
                             crack.range_text),
                 "Assess so large a crack by finite elements, because no field of the file makes an "
                 "assessment possible.");
@@ -342,7 +342,7 @@ bool clearly_worse(const StrengthState& a, const StrengthState& b) {
   return clearly_less(b.K, a.K);
 }
 
-std::string mpa(double K) { return fmt::format("{:.3g} MPa*m^0.5", K / units::MPa); }
+std::string shown_intensity(double K) { return shown_quantity(K, "Pa*m^0.5", 3); }
 
 /// The critical size in words: "critical depth 1.23 mm, present 2 mm", or the reason why it is
 /// missing.
@@ -352,8 +352,8 @@ std::string size_words(const CrackStrength& crack, const StrengthState& state) {
   if (!answer) return {};
   const std::string name = crack.size_name == "half_length" ? "half length" : crack.size_name;
   if (answer->size)
-    return fmt::format("; critical {} {:.3g} mm, present {:.3g} mm", name,
-                       *answer->size / units::mm, crack.size / units::mm);
+    return fmt::format("; critical {} {}, present {}", name, shown_quantity(*answer->size, "m", 3),
+                       shown_quantity(crack.size, "m", 3));
   return fmt::format("; critical {}: {}", name, answer->text);
 }
 
@@ -385,16 +385,17 @@ std::string words(const CrackStrength& crack, const StrengthState& state, Torque
   switch (state.verdict) {
     case StrengthVerdict::fractures:
       if (!state.K_r)
-        return fmt::format("fractures at this load{}: K = {} reaches K_Ic{}", with, mpa(state.K),
-                           size_words(crack, state));
+        return fmt::format("fractures at this load{}: K = {} reaches K_Ic{}", with,
+                           shown_intensity(state.K), size_words(crack, state));
       if (*state.L_r > *state.L_r_max)
         return fmt::format("fractures at this load{}: K = {}, K_r = {:.3g}, {}{}", with,
-                           mpa(state.K), *state.K_r, beyond_the_end(state),
+                           shown_intensity(state.K), *state.K_r, beyond_the_end(state),
                            size_words(crack, state));
       return fmt::format(
           "fractures at this load{}: K = {}, K_r = {:.3g} against {:.3g} at L_r = "
           "{:.3g}{}",
-          with, mpa(state.K), *state.K_r, *state.line, *state.L_r, size_words(crack, state));
+          with, shown_intensity(state.K), *state.K_r, *state.line, *state.L_r,
+          size_words(crack, state));
     case StrengthVerdict::collapses:
       return fmt::format("collapses at this load{}: the net section is fully plastic, {}{}", sense,
                          beyond_the_end(state), size_words(crack, state));

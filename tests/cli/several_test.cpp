@@ -35,8 +35,10 @@ class SeveralFiles : public test::ProgramTest {
 TEST_F(SeveralFiles, BehaviourOneRowForEachAndTheStatusOfTheWorst) {
   const Outcome both = run("stiffness " + example("article") + " " + example("through_crack"));
   EXPECT_EQ(both.exit_code, 0) << both.err;
-  EXPECT_EQ(std::ranges::count(both.out, '\n'), 3) << both.out;
-  EXPECT_NE(both.out.find("cracked.positive.stiffness [N*m/arcmin]"), std::string::npos);
+  // A head of four lines: the words of each name, and its unit.
+  EXPECT_EQ(std::ranges::count(both.out, '\n'), 4 + 2) << both.out;
+  EXPECT_NE(both.out.find("stiffness  stiffness_change"), std::string::npos) << both.out;
+  EXPECT_NE(both.out.find("[N*m/arcmin]               [%]"), std::string::npos) << both.out;
   // A file that is wrong does not stop the one behind it.
   const Outcome wrong = run("stiffness " + wrong_file() + " " + example("article"));
   EXPECT_EQ(wrong.exit_code, 3);
@@ -44,6 +46,35 @@ TEST_F(SeveralFiles, BehaviourOneRowForEachAndTheStatusOfTheWorst) {
       << wrong.err;
   EXPECT_NE(wrong.out.find("no answer"), std::string::npos) << wrong.out;
   EXPECT_NE(wrong.out.find("179"), std::string::npos) << wrong.out;
+}
+
+TEST_F(SeveralFiles, RegressionTheCoupledDriveStandsFirst) {
+  const Outcome both = run("stiffness " + example("article") + " " + example("cracked_size25"));
+  EXPECT_EQ(both.exit_code, 0) << both.err;
+  const std::size_t K1 = both.out.find(" K1 ");
+  ASSERT_NE(K1, std::string::npos) << both.out;
+  EXPECT_LT(K1, both.out.find(" K3 "));
+  EXPECT_LT(both.out.find(" K3 "), both.out.find(" stiffness "));
+  EXPECT_NE(both.out.find(" 7.54 "), std::string::npos) << both.out;
+}
+
+TEST_F(SeveralFiles, RegressionWhatIsWrongNamesItsFile) {
+  const Outcome input = execute("printf 'ratio = 1\n' | " + test::quoted(STRAINWAVE_CLI) +
+                                " stiffness - " + example("article"));
+  EXPECT_EQ(input.err.find("-: "), std::string::npos) << input.err;
+  EXPECT_NE(input.err.find("strainwave: standard input:1:1: "), std::string::npos) << input.err;
+  EXPECT_NE(input.out.find("standard input"), std::string::npos) << input.out;
+}
+
+TEST_F(SeveralFiles, BehaviourAUnitThatTheAnswerHasNoPlaceForIsTold) {
+  const std::string says = "--units kg,rpm: the answer shows no value of these dimensions\n";
+  for (const std::string& files :
+       {example("article"), example("article") + " " + example("article")}) {
+    const Outcome unused = run("stiffness " + files + " --units kg,N*m/rad,rpm");
+    EXPECT_EQ(unused.exit_code, 0);
+    EXPECT_NE(unused.err.find(says), std::string::npos) << unused.err;
+    EXPECT_EQ(run("stiffness " + files + " --units N*m/rad").err, "");
+  }
 }
 
 TEST_F(SeveralFiles, BehaviourRequireTakesFilesAmongItsRequirements) {

@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace strainwave {
@@ -52,6 +55,35 @@ TEST(ForEachIndex, BehaviourTheCallerStopsItAndIsToldTheEnd) {
                  }),
                  nothing);
   EXPECT_EQ(last, 1.0);
+}
+
+TEST(ForEachIndex, RegressionAStopDoesNotWaitForTheEndOfABlock) {
+  // One block contains all indices of a thread; the caller stops it before its fourth index.
+  int n_asked = 0;
+  int n_done = 0;
+  const Progress stop([&](double) { return ++n_asked < 4; });
+  EXPECT_THROW(for_each_index(1000, {.block = 1000, .threads = 1}, stop,
+                              [&] { return [&](std::size_t) { ++n_done; }; }),
+               Stopped);
+  EXPECT_EQ(n_done, 3);
+  // The other threads do not finish their blocks either: each would run for 10 s.
+  std::atomic<bool> other_runs{false};
+  std::atomic<int> n_slow{0};
+  const auto caller = std::this_thread::get_id();
+  const Progress stop_both([&](double) { return !other_runs.load(); });
+  EXPECT_THROW(for_each_index(2000000, {.block = 1000000, .threads = 2}, stop_both,
+                              [&] {
+                                return [&](std::size_t) {
+                                  if (std::this_thread::get_id() != caller) {
+                                    other_runs = true;
+                                    ++n_slow;
+                                  }
+                                  while (!other_runs) std::this_thread::yield();
+                                  std::this_thread::sleep_for(std::chrono::microseconds(10));
+                                };
+                              }),
+               Stopped);
+  EXPECT_LT(n_slow, 1000000);
 }
 
 }  // namespace

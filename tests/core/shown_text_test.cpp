@@ -38,9 +38,9 @@ TEST(WarrantedDigits, BehaviourTwoMoreThanTheUncertainty) {
   EXPECT_EQ(warranted_digits({123456.7, "1", 0.05}), "1.235e+05");
   EXPECT_EQ(warranted_digits({123.4567, "1", 0.2}), "123");
   EXPECT_EQ(warranted_digits({123.4567, "1", {}}), "123.457");
-  EXPECT_EQ(accuracy({1.0, "1", 0.15}), "15 %");
-  EXPECT_EQ(accuracy({0.0, "1", 0.15}), "-");
-  EXPECT_EQ(accuracy({1.0, "1", {}}), "none");
+  EXPECT_EQ(accuracy_text({1.0, "1", 0.15}), "15 %");
+  EXPECT_EQ(accuracy_text({0.0, "1", 0.15}), "-");
+  EXPECT_EQ(accuracy_text({1.0, "1", {}}), "none");
 }
 
 TEST(Paragraph, BehaviourHangsAndBreaksAtBlanks) {

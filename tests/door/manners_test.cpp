@@ -66,6 +66,56 @@ TEST(AskedUnits, BehaviourSiIsSiThroughout) {
             std::string::npos);
 }
 
+/// The texts and plots of these commands show no value in a unit that has another one of its
+/// dimension among those asked for.
+TEST(AskedUnits, RegressionHeadingsTablesAndAxesHaveTheUnitsAskedFor) {
+  constexpr std::string_view kUnits =
+      "lbf*in,um,arcsec,lbf*in/arcsec,ksi,ksi*in^0.5,lbf,rad/(lbf*in)";
+  struct Case {
+    std::string command;
+    std::string options;
+    std::vector<std::string> documents;
+  };
+  for (const Case& of : std::vector<Case>{
+           {"stiffness", "{}", {"text"}},
+           {"torsion", R"({"draws": 3, "compare": true, "angles": 2})", {"text", "plot"}},
+           {"sweep", R"({"vary": ["output_shaft.crack[0].depth=1000..2000 um:3"]})", {"plot"}},
+           {"sweep",
+            R"({"vary": ["output_shaft.crack[0].depth=1000..2000 um:3",
+                         "output_shaft.length=40000..60000 um:3"]})",
+            {"plot"}},
+           {"report", R"({"draws": 3})", {"html"}}}) {
+    const Answer answer = answer_in(of.command, "cracked_size25", of.options, kUnits);
+    for (const std::string& name : of.documents) {
+      std::string text = answer.document(name);
+      // A report shows the inputs as the file writes them.
+      if (name == "html") {
+        const std::size_t results = text.find("id=\"results\"");
+        text = text.substr(results, text.find("id=\"notes\"") - results);
+      }
+      for (const std::string unit :
+           {"N*m", "N·m", "arcmin]", " arcmin", " mm", "[mm", "MPa", "deg]"})
+        EXPECT_EQ(text.find(unit), std::string::npos)
+            << of.command << ' ' << name << ": "
+            << text.substr(text.find(unit) < 60 ? 0 : text.find(unit) - 60, 120);
+    }
+  }
+  const std::string text =
+      answer_in("stiffness", "cracked_size25", "{}", "lbf*in,lbf*in/arcmin").document("text");
+  EXPECT_NE(text.find("Load at the output: T = 424.8"), std::string::npos) << text.substr(0, 300);
+  EXPECT_NE(text.find("K1, up to T1 = 123.91 lbf*in [lbf*in/arcmin]"), std::string::npos);
+}
+
+TEST(AskedUnits, BehaviourAUnitThatNothingHasIsKnown) {
+  const AskedUnits units("mm,kg,rpm");
+  const AskedUnits copy = units;
+  EXPECT_EQ(units.unused(), (std::vector<std::string>{"mm", "kg", "rpm"}));
+  ASSERT_TRUE(copy.of({}, "m"));
+  EXPECT_EQ(units.unused(), (std::vector<std::string>{"kg", "rpm"}));
+  EXPECT_FALSE(copy.of({}, "N"));
+  EXPECT_TRUE(AskedUnits("si").unused().empty());
+}
+
 TEST(AskedUnits, BehaviourAnAnswerHasTheUnitThatWasTyped) {
   const Answer solved = answer_in("solve", "article",
                                   R"({"vary": "output_shaft.crack[0].depth=0.1 mm..8000 um",

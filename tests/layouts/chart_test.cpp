@@ -5,29 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <regex>
 #include <set>
 #include <string>
+#include <vector>
+
+#include "support/contrast.hpp"
 
 namespace strainwave {
 namespace {
-
-/// Relative luminance of "#RRGGBB" by WCAG 2.1.
-double luminance(const std::string& colour) {
-  double sum = 0.0;
-  for (const auto& [at, weight] : {std::pair(1, 0.2126), {3, 0.7152}, {5, 0.0722}}) {
-    const double share =
-        std::stoi(colour.substr(static_cast<std::size_t>(at), 2), nullptr, 16) / 255.0;
-    sum += weight * (share <= 0.03928 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4));
-  }
-  return sum;
-}
-
-double contrast(const std::string& one, const std::string& other) {
-  const double a = luminance(one) + 0.05;
-  const double b = luminance(other) + 0.05;
-  return std::max(a, b) / std::min(a, b);
-}
 
 std::string plot_of_lines(std::size_t n) {
   PlotPanel panel{.title = "Stiffness < K >", .x_label = "depth", .y_label = "K"};
@@ -46,9 +33,75 @@ TEST(Chart, LimitEachLineHasContrastOnLightAndDarkGround) {
     colours.insert((*at)[1]);
   EXPECT_EQ(colours.size(), kDistinctLines);
   for (const std::string& colour : colours) {
-    EXPECT_GE(contrast(colour, "#ffffff"), 3.0) << colour;
-    EXPECT_GE(contrast(colour, "#14181d"), 3.0) << colour;
+    EXPECT_GE(test::contrast(colour, "#ffffff"), 3.0) << colour;
+    EXPECT_GE(test::contrast(colour, "#14181d"), 3.0) << colour;
   }
+}
+
+/// Boxes round the labels of the lines of a contour plot, for characters of 7 px.
+struct LabelBox {
+  double left, right, upper, lower;
+};
+std::vector<LabelBox> label_boxes(const std::string& svg) {
+  std::vector<LabelBox> boxes;
+  const std::regex label(
+      R"re(<text x="([\d.]+)" y="([\d.]+)" class="tick middle halo">([^<]*)<)re");
+  for (std::sregex_iterator at(svg.begin(), svg.end(), label), end; at != end; ++at) {
+    const double x = std::stod((*at)[1]);
+    const double y = std::stod((*at)[2]);
+    const double half = 3.5 * static_cast<double>((*at)[3].length());
+    boxes.push_back({x - half, x + half, y - 10, y + 2});
+  }
+  return boxes;
+}
+
+TEST(Chart, RegressionLabelsOfContoursAreInsideTheFrameAndApart) {
+  // Over logarithmic axes the lines of the first function crowd at the right edge; those of the
+  // second are closed, and some are too short for a label.
+  const auto steep = [](double x, double y) { return x * x * x / (1 + y); };
+  const auto hill = [](double x, double y) {
+    return std::exp(-std::pow(std::log10(x) - 0.6, 2) * 9 - std::pow(std::log10(y) - 0.2, 2) * 9);
+  };
+  for (const auto& f : {std::function<double(double, double)>(steep), {hill}})
+    for (const AxisScale scale : {AxisScale::linear, AxisScale::logarithmic}) {
+      ContourPanel panel{.title = "f", .x_label = "x", .y_label = "y", .value_label = "f"};
+      panel.x_scale = panel.y_scale = scale;
+      for (int i = 0; i <= 20; ++i) {
+        const double at = scale == AxisScale::linear ? 0.1 + 0.495 * i : std::pow(10, -1 + 0.1 * i);
+        panel.x.push_back(at);
+        panel.y.push_back(at);
+      }
+      for (const double x : panel.x)
+        for (const double y : panel.y) panel.values.push_back(f(x, y));
+      const std::vector<LabelBox> boxes = label_boxes(contour_svg(std::span(&panel, 1)));
+      EXPECT_GE(boxes.size(), 3U);
+      for (const LabelBox& box : boxes) {
+        EXPECT_GE(box.left, 98);  // the frame
+        EXPECT_LE(box.right, 660);
+        EXPECT_GE(box.upper, 60);
+        EXPECT_LE(box.lower, 342);
+        for (const LabelBox& other : boxes)
+          EXPECT_TRUE(&box == &other || box.right <= other.left || other.right <= box.left ||
+                      box.lower <= other.upper || other.lower <= box.upper);
+      }
+    }
+}
+
+TEST(Chart, RegressionALongLegendIsBrokenNotCut) {
+  const std::string label = "wave_generator.crack[10] +, reversed";
+  const PlotPanel panel{.title = "t",
+                        .x_label = "x",
+                        .y_label = "y",
+                        .series = {{.label = label, .x = {0, 1}, .y = {0, 1}}}};
+  const std::string svg = svg_plot(std::span(&panel, 1));
+  const std::regex text(R"re(<text x="([\d.]+)" y="[\d.]+" class="tick">([^<]*)<)re");
+  std::string whole;
+  for (std::sregex_iterator at(svg.begin(), svg.end(), text), end; at != end; ++at) {
+    // DejaVu Sans of 12 px has up to 7.6 px for a character in names.
+    EXPECT_LE(std::stod((*at)[1]) + 7.6 * static_cast<double>((*at)[2].length()), 860);
+    whole += (*at)[2];
+  }
+  EXPECT_EQ(whole, label);
 }
 
 TEST(Chart, BehaviourAPlotSaysWhatItShows) {

@@ -11,6 +11,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@
 #include "strainwave/study/evaluate.hpp"
 #include "strainwave/study/sensitivity.hpp"
 #include "support/article_gear.hpp"
+#include "support/contrast.hpp"
 
 namespace strainwave {
 namespace {
@@ -107,6 +109,47 @@ TEST(Report, BehaviourEveryExampleGivesAWholePage) {
       }
     for (const ReportSection& s : report.sections)
       EXPECT_GT(s.html.size(), 25U) << name << ' ' << s.id;
+  }
+}
+
+/// The variables of the style sheet for light and for dark screens.
+std::vector<std::map<std::string, std::string>> palettes_of(const std::string& html) {
+  std::vector<std::map<std::string, std::string>> palettes;
+  const std::regex variable("--([a-z]+): (#[0-9a-f]{6});");
+  for (std::size_t at = html.find(":root {"); at != std::string::npos;
+       at = html.find(":root {", at + 1)) {
+    const std::string block = html.substr(at, html.find('}', at) - at);
+    auto& palette = palettes.emplace_back();
+    for (std::sregex_iterator found(block.begin(), block.end(), variable), end; found != end;
+         ++found)
+      palette[(*found)[1]] = (*found)[2];
+  }
+  return palettes;
+}
+
+TEST(Report, LimitTextAndLinesHaveContrastOnLightAndDarkScreens) {
+  // WCAG 2.1, 1.4.3 and 1.4.11: text at least 4.5:1, graphical objects at least 3:1.
+  const auto palettes = palettes_of(report_html(report_on(text_of("cracked_size25"))));
+  ASSERT_EQ(palettes.size(), 2U);
+  for (const auto& palette : palettes) {
+    for (const char* const text : {"text", "muted", "link", "good", "care", "bad"})
+      for (const char* const ground : {"page", "soft"})
+        EXPECT_GE(test::contrast(palette.at(text), palette.at(ground)), 4.5) << text;
+    for (const char* const line : {"ink", "muted", "thin", "hatch", "crack", "bar", "care"})
+      for (const char* const ground : {"paper", "part"})
+        EXPECT_GE(test::contrast(palette.at(line), palette.at(ground)), 3.0) << line;
+  }
+}
+
+TEST(Report, BehaviourEveryPictureSaysWhatItShows) {
+  for (const char* const name : {"cracked_size25", "critical_crack"}) {
+    const std::vector<Element> elements = parsed(report_html(report_on(text_of(name))));
+    const auto n = [&](std::string_view tag) {
+      return std::ranges::count_if(elements, [&](const Element& e) { return e.name == tag; });
+    };
+    EXPECT_GT(n("svg"), 5) << name;
+    EXPECT_EQ(n("title"), n("svg") + 1) << name;  // and that of the page
+    EXPECT_EQ(n("desc"), n("svg")) << name;
   }
 }
 

@@ -308,4 +308,10 @@ class Answer {
 /// @throws OptionError  if the table lacks it; the message names the nearest
 [[nodiscard]] const Command& command_named(std::span<const Command> table, std::string_view name);
 
+/// Refuses a word in place of a command: "stifness is not a command; did you mean stiffness?".
+/// @param before     stands before the nearest of the known words
+/// @param otherwise  what to do if none is near
+[[nodiscard]] std::string not_a_command(std::string_view word, std::span<const std::string> known,
+                                        std::string_view before, std::string_view otherwise);
+
 }  // namespace strainwave

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,12 +40,17 @@ class AskedUnits {
   [[nodiscard]] std::optional<DisplayUnit> of(std::string_view name, std::string_view unit) const;
 
   [[nodiscard]] bool empty() const { return asked_.empty() && !si_; }
+  /// The units for values of any name whose dimension nobody asked this or a copy of it about:
+  /// nothing that was written has them.
+  [[nodiscard]] std::vector<std::string> unused() const;
 
  private:
   struct Asked {
     std::string name;  ///< empty: any of this dimension
     std::string text;
     Unit unit;
+    /// Whether `of` met this dimension.  All copies share it, and any thread may set it.
+    std::shared_ptr<std::atomic<bool>> used = std::make_shared<std::atomic<bool>>(false);
   };
   std::vector<Asked> asked_;
   bool si_ = false;

@@ -23,7 +23,8 @@ struct Parallel {
 /// Calls an evaluator with each index below n.  Any free thread takes the next block.
 ///
 /// The result of an index must depend on the index only; then the results are the same for any
-/// number of threads.  Only the calling thread reports progress.  If the machine cannot start more
+/// number of threads.  Only the calling thread reports progress, before each index; when it is told
+/// to stop, each thread ends after the index that it is at.  If the machine cannot start more
 /// threads, the running ones do the work.
 /// @param make  () -> evaluator of one thread, a function of the index
 /// @throws  the exception of the lowest block in which an evaluator threw, for any number of
@@ -32,6 +33,7 @@ template <class Make>
 void for_each_index(std::size_t n, const Parallel& parallel, const Progress& progress,
                     const Make& make) {
   std::atomic<std::size_t> next{0};
+  std::atomic<bool> stopped{false};
   std::exception_ptr fault;
   std::size_t fault_at = n;
   std::mutex fault_mutex;
@@ -44,9 +46,13 @@ void for_each_index(std::size_t n, const Parallel& parallel, const Progress& pro
       for (;;) {
         first = next.fetch_add(parallel.block);
         if (first >= n) return;
-        told.at(static_cast<double>(first) / static_cast<double>(n));
-        for (std::size_t i = first; i < std::min(first + parallel.block, n); ++i) evaluate(i);
+        for (std::size_t i = first; i < std::min(first + parallel.block, n); ++i) {
+          told.at(static_cast<double>(i) / static_cast<double>(n));
+          evaluate(i);
+        }
       }
+    } catch (const Stopped&) {
+      stopped = true;
     } catch (...) {
       // Threads take blocks in ascending order, so every lower block is done or will be finished.
       const std::scoped_lock lock(fault_mutex);
@@ -64,11 +70,12 @@ void for_each_index(std::size_t n, const Parallel& parallel, const Progress& pro
     std::vector<std::jthread> others;
     try {
       for (std::size_t t = 1; t < std::min<std::size_t>(asked, blocks); ++t)
-        others.emplace_back(work, Progress());
+        others.emplace_back(work, Progress([&](double) { return !stopped.load(); }));
     } catch (const std::system_error&) {  // the machine cannot start more threads
     }
     work(progress);
   }
+  if (stopped) throw Stopped();
   if (fault) std::rethrow_exception(fault);
   progress.at(1.0);
 }

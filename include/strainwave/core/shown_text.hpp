@@ -37,11 +37,14 @@ inline constexpr std::size_t kTextWidth = 100;
 /// A number with two digits more than its relative uncertainty warrants.
 [[nodiscard]] std::string warranted_digits(const Quantity& quantity);
 /// One standard relative uncertainty such as "5 %"; "none" if it cannot be stated, "-" for a zero.
-[[nodiscard]] std::string accuracy(const Quantity& quantity);
+[[nodiscard]] std::string accuracy_text(const Quantity& quantity);
 
 /// The display unit for an output or field with this name and SI unit: the unit that the caller
 /// asked for, or the usual unit of engineering drawings.
 [[nodiscard]] DisplayUnit display_unit(std::string_view name, std::string_view si);
+/// The unit for a place that has a usual unit of its own: the one that was asked for, or the usual.
+[[nodiscard]] DisplayUnit display_unit(std::string_view name, std::string_view si,
+                                       const DisplayUnit& usual);
 
 /// A value in its display unit: "2 mm", "210 GPa".
 /// @param value  [si]

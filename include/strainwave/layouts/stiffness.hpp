@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/provenance.hpp"
 #include "strainwave/model/result/stiffness_result.hpp"
@@ -26,6 +27,8 @@ struct CoupledRow {
   std::string sound_name = {};  ///< of the output below curve.intact, where it is another
 };
 
+/// The units in which tables give a stiffness: the unit asked for, or else two units.
+[[nodiscard]] std::vector<DisplayUnit> stiffness_units();
 /// K1, K2, K3 in both units, over a turn where cracks turn relative to the lobes, and wind-up at the
 /// given torque and at the maker's.
 [[nodiscard]] std::vector<CoupledRow> coupled_rows(const CurveResult& curve, const GearSet& gear);

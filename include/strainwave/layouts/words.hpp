@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/stiffness_result.hpp"
 
@@ -32,6 +33,15 @@ namespace strainwave {
 [[nodiscard]] std::string_view place_of_intensity(std::string_view kind);
 /// A count with its noun, such as "1 range" or "2 ranges".
 [[nodiscard]] std::string counted(std::size_t n, std::string_view thing);
+
+/// Units of the tables and plots of drives, as asked for; else N*m/rad, N*m/arcmin and arcmin.
+[[nodiscard]] DisplayUnit stiffness_unit();
+[[nodiscard]] DisplayUnit plotted_stiffness_unit();
+[[nodiscard]] DisplayUnit angle_unit();
+/// "twist [arcmin]".
+[[nodiscard]] std::string with_unit(std::string_view label, const DisplayUnit& unit);
+/// "twist [N·m/arcmin]", as on the axis of a plot.
+[[nodiscard]] std::string axis_label(std::string_view label, const DisplayUnit& unit);
 
 /// The critical size from the failure assessment or, if absent, from K alone.
 [[nodiscard]] const std::optional<CriticalSize>& critical_size(const StrengthState& state);

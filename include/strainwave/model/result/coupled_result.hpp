@@ -113,7 +113,10 @@ struct CrackedCurve : CurveStiffness {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    CurveStiffness::describe(field);
+    CurveStiffness::describe([&](Field of_both, auto member) {
+      of_both.headline = of_both.unit == "N*m/rad";
+      field(of_both, member);
+    });
     field({"change", "", "what the cracks change"}, &CrackedCurve::change);
     field({"over_turn", "", "over a turn, where cracks turn relative to the lobes"},
           &CrackedCurve::over_turn);
