@@ -59,14 +59,14 @@ bool always_required(const Field& field) {
 }
 
 /// A table below a described type.
-struct TableHead {
+struct TableHeading {
   std::string path;      // "flexspline.crack"
   std::string head;      // "[[flexspline.crack]]"
   std::string_view doc;  // of the field that holds it
   std::string_view kind = {};
 };
 
-/// Calls f.template operator()<Table>(const TableHead&) for each table below T, in their order.
+/// Calls f.template operator()<Table>(const TableHeading&) for each table below T, in their order.
 template <class T, class F>
 void for_each_table(const std::string& path, const F& f) {
   T::describe([&](const Field& field, auto member) {
@@ -76,9 +76,9 @@ void for_each_table(const std::string& path, const F& f) {
       std::string at(field.name);
       if (!path.empty()) at = fmt::format("{}.{}", path, field.name);
       if constexpr (is_string_map<Value>) at += ".NAME";
-      TableHead table{.path = at,
-                      .head = fmt::format(is_vector<Value> ? "[[{}]]" : "[{}]", at),
-                      .doc = field.doc};
+      TableHeading table{.path = at,
+                         .head = fmt::format(is_vector<Value> ? "[[{}]]" : "[{}]", at),
+                         .doc = field.doc};
       if constexpr (is_variant<Inner>) {
         for_each_alternative<Inner>([&]<class Alternative>() {
           table.kind = Alternative::kKind;
@@ -393,7 +393,7 @@ class ReferenceWriter {
 std::string reference_in(Form form) {
   ReferenceWriter writer(form);
   writer.table<GearSet>("top of the file", "Format and name.");
-  for_each_table<GearSet>("", [&]<class Table>(const TableHead& table) {
+  for_each_table<GearSet>("", [&]<class Table>(const TableHeading& table) {
     const std::string kind(table.kind.empty() ? "" : fmt::format(" {}", table.kind));
     writer.table<Table>(table.head + kind, table.doc);
   });
@@ -430,7 +430,7 @@ std::string input_reference() {
 
 std::vector<InputTable> input_tables() {
   std::vector<InputTable> tables;
-  for_each_table<GearSet>("", [&]<class Table>(const TableHead& head) {
+  for_each_table<GearSet>("", [&]<class Table>(const TableHeading& head) {
     InputTable& table = tables.emplace_back(InputTable{
         .path = head.path, .head = head.head, .doc = head.doc, .kind = head.kind, .fields = {}});
     if constexpr (requires { Table::kMeaning; }) table.meaning = Table::kMeaning;

@@ -17,8 +17,9 @@ namespace strainwave {
 [[nodiscard]] std::string gear_text(const GearSet& gear,
                                     const std::map<std::string, std::string>& comments = {});
 
-/// The text of a drive with the numbers of another drive.  `edit` sets each number that differs, and
-/// removes the ranges and scatters that the other drive lacks; everything else keeps every byte.
+/// The text of a drive with the numbers of another drive.  `edit` sets each number that differs,
+/// and removes the ranges and scatters that the other drive lacks; everything else keeps every
+/// byte.
 ///
 /// @param text    of the drive `from`
 /// @param to      as `from`, with other numbers and perhaps without some of its ranges and scatters

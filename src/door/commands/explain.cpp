@@ -60,7 +60,7 @@ std::string folded(std::string_view word) {
 }
 
 /// What stands between the separators of a text, without blanks around.
-std::vector<std::string_view> parts_of(std::string_view text, std::string_view separators) {
+std::vector<std::string_view> split_at(std::string_view text, std::string_view separators) {
   std::vector<std::string_view> parts;
   for (;;) {
     const std::size_t end = std::min(text.find_first_of(separators), text.size());
@@ -98,7 +98,7 @@ class Search {
     const bool is_path_of_it = is(path);
     if (!is(field.name) && !is_path_of_it && !is_path(word_, path)) {
       if (values.find(", ") != std::string::npos)
-        for (const std::string_view value : parts_of(values, ","))
+        for (const std::string_view value : split_at(values, ","))
           thing(fmt::format("value of {}", path), value, fmt::format("{}: {}", field.doc, values),
                 std::string(more));
       return;
@@ -196,9 +196,9 @@ void search_unit(Search& search, const std::vector<ListedField>& fields) {
 
 void search_glossary(Search& search) {
   for (const auto& [term, meaning, symbol, unit] : glossary()) {
-    std::vector<std::string_view> words = parts_of(term, ",");
+    std::vector<std::string_view> words = split_at(term, ",");
     words.push_back(term);
-    for (const std::string_view one : parts_of(symbol, ",;")) words.push_back(one);
+    for (const std::string_view one : split_at(symbol, ",;")) words.push_back(one);
     bool is = false;
     for (const std::string_view one : words) is = search.is(one) || is;
     if (!is) continue;
