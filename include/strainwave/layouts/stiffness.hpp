@@ -26,8 +26,8 @@ struct CoupledRow {
   std::string sound_name = {};  ///< of the output below curve.intact, where it is another
 };
 
-/// K1, K2, K3 in both units, over a turn where cracks turn relative to the lobes, and wind-up at the
-/// given torque and at the maker's.
+/// K1, K2, K3 in both units, over a turn where cracks turn relative to the lobes, and wind-up at
+/// the given torque and at the maker's.
 [[nodiscard]] std::vector<CoupledRow> coupled_rows(const CurveResult& curve, const GearSet& gear);
 
 /// What the table of the coupled drive is called, and that of the sum of the members.
