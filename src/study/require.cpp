@@ -52,7 +52,6 @@ bool keeps(Comparison comparison, double value, double bound) {
 struct Uncertainty {
   double below = 0.0;
   double above = 0.0;
-  bool one_sided = false;  ///< contains what the sum leaves out, on the side where it acts (ST-18)
 };
 
 /// That of a sum of compliances without what it leaves out, relative (ST-16).
@@ -106,8 +105,8 @@ Uncertainty uncertainty_of(const Quantity& value, const std::optional<SumOutput>
   const double both = *value.relative_uncertainty * size;
   if (!sum || sum->softer == Side::either) return {.below = both, .above = both};
   const double members = sum->of_members * size;
-  return sum->softer == Side::below ? Uncertainty{both, members, true}   // (ST-18)
-                                    : Uncertainty{members, both, true};  // (ST-18)
+  return sum->softer == Side::below ? Uncertainty{both, members}   // (ST-18)
+                                    : Uncertainty{members, both};  // (ST-18)
 }
 
 RequirementAnswer answer_of(Requirement requirement, const Quantity& value,

@@ -73,6 +73,7 @@ TEST(GearWriter, IdentityValuesThatAreHardToWrite) {
        {1.0 / 3, 1e-9, 0.1, 3.0000000000000004e-3, 12345.678, 5e-324 * 1e300}) {
     GearSet changed = gear;
     changed.drive.pitch_diameter = 4 + value;
+    changed.drive.radial_displacement = changed.drive.pitch_diameter / 200;
     changed.output_shaft->length = value;
     const GearSet again = read_gear_set(gear_text(changed), "written");
     EXPECT_EQ(numbers(again), numbers(changed)) << value;

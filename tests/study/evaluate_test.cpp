@@ -121,8 +121,7 @@ TEST(Evaluate, BehaviourAPressedCrackIsNoted) {
   EXPECT_EQ(note_of(at_lobe, "crack.pressed_ring").severity, Severity::information);
   const StiffnessResult beside = evaluate(with_outer_race_crack(90), Method::corrected);
   EXPECT_LT(beside.curve->positive.change.K1.value, -0.01);
-  EXPECT_EQ(std::ranges::find(beside.notes, "crack.pressed_ring", &Note::code),
-            beside.notes.end());
+  EXPECT_EQ(std::ranges::find(beside.notes, "crack.pressed_ring", &Note::code), beside.notes.end());
 }
 
 TEST(Evaluate, IdentityTheAccuracyOfTheSumContainsTheCoupledDrive) {

@@ -309,10 +309,12 @@ TEST(Solve, InputMessagesNameOptionValueAndWayOut) {
       "what one is";
   EXPECT_EQ(target_fault("stiffness_change=-1 %"),
             "--target: \"stiffness_change\" is not an output of this drive; did you mean "
-            "cracked.positive.stiffness_change or cracked.negative.stiffness_change?" + kWhere);
+            "cracked.positive.stiffness_change or cracked.negative.stiffness_change?" +
+                kWhere);
   EXPECT_EQ(target_fault("cracked.positive.stifness=1 N*m/rad"),
             "--target: \"cracked.positive.stifness\" is not an output of this drive; did you mean "
-            "cracked.positive.stiffness?" + kWhere);
+            "cracked.positive.stiffness?" +
+                kWhere);
   EXPECT_EQ(target_fault("intact.stiffness=5"),
             "--target intact.stiffness: \"5\" has no unit; it must be convertible to N*m/rad");
   // A range cannot be chosen from the value zero.
