@@ -93,18 +93,22 @@ template <class Walk>
 Outputs outputs_of(std::span<const FileAnswer> answers) {
   Outputs outputs;
   for (const FileAnswer& of : answers) {
-    auto& row = outputs.rows.emplace_back();
+    outputs.rows.emplace_back(outputs.columns.size());
+    // A column that the files before lack stands behind the one that this file has before it.
+    std::ptrdiff_t next = 0;
     Walk walk([&](const std::string& name, const Quantity& value) {
-      auto found = std::ranges::find(outputs.columns, name, &Output::name);
-      if (found == outputs.columns.end())
-        found = outputs.columns.insert(found, {name, std::string(value.unit)});
-      const auto at = static_cast<std::size_t>(found - outputs.columns.begin());
-      row.resize(std::max(row.size(), at + 1));
-      row[at] = value;
+      const auto found = std::ranges::find(outputs.columns, name, &Output::name);
+      const std::ptrdiff_t at =
+          found != outputs.columns.end() ? found - outputs.columns.begin() : next;
+      if (found == outputs.columns.end()) {
+        outputs.columns.insert(outputs.columns.begin() + at, {name, std::string(value.unit)});
+        for (auto& row : outputs.rows) row.insert(row.begin() + at, std::nullopt);
+      }
+      outputs.rows.back()[static_cast<std::size_t>(at)] = value;
+      next = at + 1;
     });
     if (of.answer) of.answer->visit(walk);
   }
-  for (auto& row : outputs.rows) row.resize(outputs.columns.size());
   return outputs;
 }
 

@@ -550,8 +550,8 @@ Pixels divided(const Pixels& line, double step) {
   return points;
 }
 
-/// The labels of the lines, above all of them: inside the frame and apart from each other; where
-/// there is a choice, away from other lines, where the line is flat, and near its middle.  A line
+/// The labels of the lines, above all of them: inside the frame, apart from each other and from
+/// other lines; where there is a choice, where the line is flat, and near its middle.  A line
 /// without room for a label has none: the margin lists all levels.
 std::string level_labels(const std::vector<ContourLevel>& levels, const Box& frame) {
   constexpr double kStep = 4;
@@ -577,18 +577,19 @@ std::string level_labels(const std::vector<ContourLevel>& levels, const Box& fra
         if (!frame.holds(box) ||
             std::ranges::any_of(taken, [&](const Box& other) { return other.overlaps(box); }))
           continue;
-        double crossed = 0.0;  // points of other lines below the label
-        for (std::size_t m = 0; m < lines.size(); ++m)
-          for (const Pixels& other : lines[m])
-            if (&other != &line)
-              crossed += static_cast<double>(
-                  std::ranges::count_if(other, [&](const Pixel& p) { return box.holds(p); }));
+        const bool crosses = std::ranges::any_of(lines, [&](const std::vector<Pixels>& of_level) {
+          return std::ranges::any_of(of_level, [&](const Pixels& other) {
+            return &other != &line &&
+                   std::ranges::any_of(other, [&](const Pixel& p) { return box.holds(p); });
+          });
+        });
+        if (crosses) continue;
         const double dx = line[i + 1].x - line[i - 1].x;
         const double dy = line[i + 1].y - line[i - 1].y;
         const double steep = std::abs(dy) / std::max(std::hypot(dx, dy), 1e-9);
         const double off_middle =
             std::abs(2 * static_cast<double>(i) / static_cast<double>(line.size()) - 1);
-        const double cost = crossed + steep + 0.5 * off_middle;
+        const double cost = steep + 0.5 * off_middle;
         if (cost >= least) continue;
         least = cost;
         best = box;

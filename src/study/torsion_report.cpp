@@ -138,7 +138,9 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   const double draws_end = !draws ? curve_ends : options.compare ? 0.5 : 1.0;
   TorsionReport report;
   const AssembledDrive drive(gear);
+  progress.at(0.0);
   const SlidingDrive sliding(gear);
+  progress.at(0.0);
   report.torques = makers_torques(gear);
   std::vector<Note> unreached;
   report.at_load = twist_at_load(drive, unreached);
@@ -164,8 +166,10 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   }
   report.positive = makers_lines(drive, +1);
   report.negative = makers_lines(drive, -1);
+  progress.at(curve_ends);
   report.lost_motion = lost_motion(drive);
   report.rim = rim_states(drive, report.torques.rated, kRimPositions);
+  progress.at(curve_ends);
   if (draws)
     report.bands =
         line_bands(drive, {.draws = options.draws}, progress.part(curve_ends, draws_end));

@@ -79,12 +79,12 @@ TEST(AskedUnits, RegressionHeadingsTablesAndAxesHaveTheUnitsAskedFor) {
   for (const Case& of : std::vector<Case>{
            {"stiffness", "{}", {"text"}},
            {"torsion", R"({"draws": 3, "compare": true, "angles": 2})", {"text", "plot"}},
-           {"sweep", R"({"vary": ["output_shaft.crack[0].depth=1000..2000 um:3"]})", {"plot"}},
+           {"sweep", R"({"vary": ["output_shaft.crack[0].depth=1000 um..2000 um:3"]})", {"plot"}},
            {"sweep",
-            R"({"vary": ["output_shaft.crack[0].depth=1000..2000 um:3",
-                         "output_shaft.length=40000..60000 um:3"]})",
+            R"({"vary": ["output_shaft.crack[0].depth=1000 um..2000 um:3",
+                         "output_shaft.length=40000 um..60000 um:3"]})",
             {"plot"}},
-           {"report", R"({"draws": 3})", {"html"}}}) {
+           {"report", "{}", {"html"}}}) {
     const Answer answer = answer_in(of.command, "cracked_size25", of.options, kUnits);
     for (const std::string& name : of.documents) {
       std::string text = answer.document(name);
