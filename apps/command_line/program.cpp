@@ -136,7 +136,7 @@ std::vector<Argument> arguments_of(const Command& command) {
                   .name = "--format",
                   .key = {},
                   .type = "TEXT",
-                  .doc = "of the answer",
+                  .doc = "format of the answer",
                   .fallback = {}};
   Argument output =
       path_argument(Role::output, "output", {}, "write to this file instead of standard output");

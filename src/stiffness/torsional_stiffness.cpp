@@ -120,18 +120,21 @@ LeftOut left_out_of(const GearSet& gear, const Members& intact, const Quantity& 
           .change = of_drive};  // (ST-18)
 }
 
-/// The distances to the coupled drive.
+/// The distances to the far ends of the intervals of the coupled drive.
 LeftOut left_out_of(const CurveStiffness& coupled, const Quantity& compliance,
                     const Quantity& wind_up) {
+  const auto far_end = [](double ratio, const Quantity& of) {
+    return std::abs(ratio - 1) + ratio * of.relative_uncertainty.value_or(0.0);  // (ST-18)
+  };
   LeftOut left;
   for (const Quantity& K : {coupled.K1, coupled.K2, coupled.K3}) {
     const double ratio = K.value * compliance.value;
-    left.compliance = std::max(left.compliance, std::abs(1 / ratio - 1));
-    left.stiffness = std::max(left.stiffness, std::abs(ratio - 1));
+    left.compliance = std::max(left.compliance, far_end(1 / ratio, K));
+    left.stiffness = std::max(left.stiffness, far_end(ratio, K));
   }
   left.wind_up = left.compliance;
   if (coupled.wind_up && wind_up.value > 0)
-    left.wind_up = std::abs(coupled.wind_up->value / wind_up.value - 1);  // (ST-18)
+    left.wind_up = far_end(coupled.wind_up->value / wind_up.value, *coupled.wind_up);
   return left;
 }
 
@@ -181,17 +184,17 @@ void contain_left_out(StiffnessResult& result, const GearSet& gear, const Member
       {"total", sound.compliance,
        std::string(coupled == nullptr ? accuracy::kContactsLeftOut.source
                                       : "contacts, rings and coning are left out; this is the "
-                                        "difference from the coupled drive")});
+                                        "difference from the coupled drive and its accuracy")});
   use_equations(result.equations, {"ST-18"});
   result.notes.push_back(
       {.code = "sum.left_out",
        .text = fmt::format(
            "the sum of the members leaves out the contacts of balls and teeth, the rings and the "
            "coning of the cup: apart from the errors of the members the drive is softer; the "
-           "accuracy of the sum contains {}, which acts to the softer side",
-           coupled == nullptr
-               ? "this, as catalogues show it: the sum is 2 to 5 times too stiff without a shaft"
-               : "the coupled drive, which is the answer"),
+           "accuracy of the sum contains this part; it acts to the softer side. {}",
+           coupled == nullptr ? "Catalogues show that the sum is 2 to 5 times too stiff without a "
+                                "shaft"
+                              : "The coupled drive is the answer"),
        .path = "",
        .equation = "ST-18",
        .severity = coupled == nullptr ? Severity::care : Severity::information,

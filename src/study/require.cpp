@@ -75,7 +75,8 @@ enum class Side { below, above, either };
 
 struct SumOutput {
   Side softer = Side::either;
-  double of_members = 0.0;  ///< relative uncertainty without what the sum leaves out [-]
+  double of_members = 0.0;    ///< relative uncertainty without what the sum leaves out [-]
+  std::string of_drive = {};  ///< an output of the coupled drive to require instead of a change
 };
 
 std::optional<SumOutput> sum_output(const StiffnessResult& result, std::string_view output) {
@@ -85,7 +86,8 @@ std::optional<SumOutput> sum_output(const StiffnessResult& result, std::string_v
                       const CurveStiffness* coupled) -> std::optional<SumOutput> {
     if (!output.starts_with(drive)) return std::nullopt;
     const std::string_view name = output.substr(drive.size());
-    if (name == "stiffness_change") return SumOutput{};
+    if (name == "stiffness_change")
+      return SumOutput{.of_drive = fmt::format("curve{}change.K1", drive.substr(drive.find('.')))};
     if (name != "stiffness" && name != "wind_up" && name != "compliance.total") return std::nullopt;
     if (!is_softer(sum.stiffness, coupled)) return SumOutput{};
     return SumOutput{.softer = name == "stiffness" ? Side::below : Side::above,
@@ -116,6 +118,7 @@ RequirementAnswer answer_of(Requirement requirement, const Quantity& value,
   if (!std::isfinite(value.value)) return answer;
   const auto& [output, comparison, bound, unit] = answer.requirement;
   if (!value.relative_uncertainty) {
+    if (sum) return answer;  // the drive changes, but the sum does not (ST-18)
     answer.outcome = keeps(comparison, value.value, bound) ? RequirementOutcome::met
                                                            : RequirementOutcome::not_met;
     return answer;
@@ -136,10 +139,13 @@ std::string sentence(const RequirementAnswer& answer) {
   const std::string asked =
       fmt::format("{} {} {}", answer.requirement.output, enum_name(answer.requirement.comparison),
                   number(answer.requirement.bound, 9));
+  const bool decided = answer.outcome != RequirementOutcome::cannot_be_told;
   const std::string between =
-      answer.low
-          ? fmt::format(", between {} and {}", number(*answer.low), number(*answer.high))
-          : std::string("; no uncertainty of this output is stated, so its value alone decides");
+      answer.low ? fmt::format(", between {} and {}", number(*answer.low), number(*answer.high))
+      : decided  ? "; no uncertainty of this output is stated, so its value alone decides"
+      : std::isfinite(answer.value.value)
+          ? "; no uncertainty of this output can contain the change of the coupled drive"
+          : "";
   return fmt::format("{}: {}; the value is {}{}", asked, enum_name(answer.outcome),
                      number(answer.value.value), between);
 }
@@ -157,7 +163,7 @@ std::string interval_words(const std::optional<SumOutput>& sum) {
 std::optional<Note> note_of(const RequirementAnswer& answer, const std::optional<SumOutput>& sum) {
   const bool stated = answer.low.has_value();
   const std::string text = sentence(answer) + (stated ? interval_words(sum) : "");
-  const std::string equation = stated && sum ? "ST-18" : "ST-16";
+  const std::string equation = sum ? "ST-18" : stated ? "ST-16" : "";
   switch (answer.outcome) {
     case RequirementOutcome::not_met:
       return Note{.code = "require.not_met",
@@ -172,9 +178,10 @@ std::optional<Note> note_of(const RequirementAnswer& answer, const std::optional
                   .path = {},
                   .equation = equation,
                   .severity = Severity::cannot_tell,
-                  .next_step =
-                      "Give the value that the accuracies name as the largest "
-                      "uncertainty, or measure the output."};
+                  .next_step = stated || !sum
+                                   ? "Give the value that the accuracies name as the largest "
+                                     "uncertainty, or measure the output."
+                                   : fmt::format("Require {} instead.", sum->of_drive)};
     case RequirementOutcome::met:
       break;
   }
@@ -182,7 +189,7 @@ std::optional<Note> note_of(const RequirementAnswer& answer, const std::optional
   return Note{.code = "require.by_value",
               .text = text,
               .path = {},
-              .equation = equation,
+              .equation = "",
               .severity = Severity::care,
               .next_step = "Keep a margin to the bound."};
 }

@@ -228,6 +228,10 @@ TEST(Explain, BehaviourEachKindOfWordIsExplained) {
            {"as-printed", "value of --method", "as-printed, repaired, corrected"},
            {"ring_bending", "value of wave_generator.crack[].stress_driver", "what stresses"},
            {"pair_compliance", "factor of calibrate --factors", "compliance of a pair of teeth"},
+           {"curve", "group of outputs of stiffness", "curve: group of outputs"},
+           {"intact", "group of outputs of stiffness", "fields: compliance, stiffness, wind_up"},
+           {"over_turn", "group of outputs of stiffness", "fields: mean, softest"},
+           {"curve.positive.over_turn.mean", "group of outputs of stiffness", "fields: K1, K2, K3"},
            {"sif", "first word of commands", "sif eval"},
            {"fr-9", "equation of the theory manual", "Shell correction"}}) {
     const std::string text = explained(word);
@@ -424,7 +428,9 @@ TEST(Diff, CrosscheckTheCoupledDrivesDifferWithinTheUncertaintyByST19) {
   EXPECT_GT(by_sum, 10 * by_drive);
   test::expect_reference(
       difference_of(result, "intact.stiffness")["uncertainty"].get<double>(),
-      {.value = std::hypot(std::sqrt(variance_of_members(x, y)), by_sum - by_drive),
+      {.value =
+           std::hypot(std::sqrt(variance_of_members(x, y)),
+                      by_sum - by_drive + *x.at("curve.intact.K1").relative_uncertainty * by_drive),
        .unit = "N*m/rad",
        .relative_tolerance = 1e-9,
        .source = "the formula (ST-19), written out; K1 is the farthest of K1, K2, K3",
@@ -497,6 +503,60 @@ TEST(Diff, ReferenceTheErrorOfTheCoupledDriveCancelsByST20) {
           << output << ' ' << differ;
     }
   }
+}
+
+TEST(Diff, BehaviourWhatACrackChangesHasNoStatedUncertaintyByST20) {
+  // The tooth loses more stiffness.
+  const std::string first = test::contents(STRAINWAVE_EXAMPLES "/cracked_size25.toml");
+  const AnyJson deeper =
+      diff_result(diff(first, cracked_with("stiffness_loss = 0.5", "stiffness_loss = 0.9")));
+  for (const std::string output : {"curve.positive.K1", "curve.negative.K3",
+                                   "curve.positive.wind_up", "curve.negative.over_turn.mean.K2"}) {
+    const AnyJson difference = difference_of(deeper, output);
+    EXPECT_NE(difference["difference"], 0) << output;
+    EXPECT_FALSE(difference.contains("uncertainty")) << output;
+    EXPECT_EQ(difference["standing"], "not stated") << output;
+  }
+  // A crack that only one of both has differs too, and the outputs of the sound drive keep theirs.
+  const std::string shaft = with_shaft_of_40_mm(first);
+  const AnyJson without = diff_result(diff(
+      first, shaft.substr(0, shaft.find("[[output_shaft")) + shaft.substr(shaft.find("[rating]"))));
+  EXPECT_FALSE(difference_of(without, "curve.positive.K1").contains("uncertainty"));
+  EXPECT_TRUE(difference_of(without, "curve.intact.K1").contains("uncertainty"));
+  EXPECT_TRUE(
+      difference_of(diff_result(diff(first, shaft)), "curve.positive.K1").contains("uncertainty"));
+}
+
+TEST(Diff, IdentityLimitsAndFrictionMakeNoPartDifferent) {
+  // These fields enter neither K nor a stress intensity, so the errors of the parts stay shared.
+  const std::string first = test::contents(STRAINWAVE_EXAMPLES "/cracked_size25.toml");
+  const std::string shaft = with_shaft_of_40_mm(first);
+  const auto compared = [&](const std::string& from, const std::string& to) {
+    std::string second = shaft;
+    const std::size_t at = second.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return diff_result(diff(first, second.replace(at, from.size(), to)));
+  };
+  const AnyJson expected = diff_result(diff(first, shaft));
+  const std::string modulus = "youngs_modulus = \"206 GPa\"\n";
+  for (const auto& [from, to] :
+       {std::pair{modulus, modulus + "fracture_toughness = \"60 MPa*m^0.5\"\n"},
+        {modulus, modulus + "yield_strength = \"900 MPa\"\n"},
+        {modulus, modulus + "ultimate_strength = \"1000 MPa\"\n"},
+        {std::string("flank_angle = \"22 deg\"\n"),
+         std::string("flank_angle = \"22 deg\"\nfriction_coefficient = 0.2\n")}}) {
+    const AnyJson result = compared(from, to);
+    EXPECT_EQ(result["inputs"].size(), expected["inputs"].size() + 1) << to;
+    for (const std::string output :
+         {"curve.intact.K1", "curve.positive.K3", "curve.negative.wind_up", "intact.stiffness",
+          "cracked.positive.wind_up", "cracked.negative.stiffness_change"})
+      EXPECT_EQ(difference_of(result, output)["uncertainty"],
+                difference_of(expected, output)["uncertainty"])
+          << output << ' ' << to;
+  }
+  // The modulus does.
+  EXPECT_GT(difference_of(compared("206 GPa", "206.001 GPa"), "curve.intact.K1")["uncertainty"],
+            difference_of(expected, "curve.intact.K1")["uncertainty"]);
 }
 
 TEST(Diff, BehaviourStiffnessAndWindUpComeFirstEvenWhereTheyAreTheSame) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -599,14 +600,53 @@ TEST(TorsionalStiffness, IdentityTheAccuracyContainsACoupledDrive) {
       EXPECT_TRUE(contains(result.intact.stiffness, line.value)) << share;
       EXPECT_TRUE(contains(result.positive.stiffness, line.value)) << share;
       EXPECT_TRUE(contains(result.intact.compliance.total, 1 / line.value)) << share;
+      // So are the ends of its own interval.
+      for (const double end : {-*line.relative_uncertainty, *line.relative_uncertainty}) {
+        EXPECT_TRUE(contains(result.intact.stiffness, line.value * (1 + end))) << share;
+        EXPECT_TRUE(contains(result.intact.compliance.total, (1 + end) / line.value)) << share;
+        EXPECT_TRUE(contains(result.intact.wind_up, coupled.intact.wind_up->value * (1 + end)))
+            << share;
+      }
     }
-    EXPECT_TRUE(contains(result.intact.wind_up, coupled.intact.wind_up->value)) << share;
     for (const Quantity& change :
          {coupled.positive.change.K1, coupled.positive.change.K2, coupled.positive.change.K3})
       EXPECT_TRUE(contains(result.positive.stiffness_change, change.value)) << share;
     ASSERT_EQ(test::count_notes(result.notes, "sum.left_out"), 1);
     EXPECT_EQ(std::ranges::find(result.notes, "sum.left_out", &Note::code)->severity,
               Severity::information);
+  }
+}
+
+TEST(TorsionalStiffness, ReferenceTheAccuracyOfTheSumByST18) {
+  // The formula, written out for lines of 0.3, 0.4, 0.5 of the sum and of 1.2, 1.5, 2 of it, with a
+  // coupled drive of 15 %.
+  const GearSet gear = sound_drive();
+  const StiffnessResult alone = torsional_stiffness(gear);
+  const double K = alone.intact.stiffness.value;
+  const Compliances& c = alone.intact.compliance;
+  double variance = 0.0;
+  for (const Quantity& member : {c.wave_generator, c.flexspline, c.output_shaft})
+    variance += std::pow(*member.relative_uncertainty * member.value / c.total.value, 2);
+  struct Case {
+    std::array<double, 3> ratios;
+    double stiffness, compliance;
+  };
+  for (const auto& [ratios, stiffness, compliance] :
+       {Case{{0.3, 0.4, 0.5}, 0.7 + 0.15 * 0.3, 1 / 0.3 - 1 + 0.15 / 0.3},
+        Case{{1.2, 1.5, 2.0}, 1.0 + 0.15 * 2, 0.5 + 0.15 / 2.0}}) {
+    CurveResult coupled;
+    coupled.intact.K1 = {ratios[0] * K, "N*m/rad", 0.15};
+    coupled.intact.K2 = {ratios[1] * K, "N*m/rad", 0.15};
+    coupled.intact.K3 = {ratios[2] * K, "N*m/rad", 0.15};
+    static_cast<CurveStiffness&>(coupled.positive) = coupled.intact;
+    static_cast<CurveStiffness&>(coupled.negative) = coupled.intact;
+    const StiffnessResult result = torsional_stiffness(gear, {.coupled = &coupled});
+    test::expect_relative(*result.intact.stiffness.relative_uncertainty,
+                          std::hypot(std::sqrt(variance), stiffness), 1e-12);
+    test::expect_relative(*result.intact.compliance.total.relative_uncertainty,
+                          std::hypot(std::sqrt(variance), compliance), 1e-12);
+    EXPECT_EQ(result.accuracies.back().path, "total");
+    test::expect_relative(result.accuracies.back().relative_uncertainty, compliance, 1e-12);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "strainwave/core/units.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/layouts/requirements.hpp"
 #include "strainwave/model/result/result_fields.hpp"
@@ -127,6 +128,7 @@ TEST(Require, BehaviourWithoutUncertaintyTheValueDecides) {
     EXPECT_EQ(report.outcome, expected);
     EXPECT_FALSE(report.answers[0].low);
     ASSERT_EQ(test::note_codes(report.notes), std::vector<std::string>{code});
+    EXPECT_EQ(report.notes[0].equation, "") << "no equation says that the value decides";
     EXPECT_NE(report.notes[0].text.find("no uncertainty of this output is stated"),
               std::string::npos);
     EXPECT_NE(requirements_text(report).find("not stated"), std::string::npos);
@@ -182,6 +184,64 @@ TEST(Require, BehaviourASumThatIsSofterThanTheCoupledDriveHasBothSides) {
   EXPECT_LT(*answer().high - K.value, 0.5 * (K.value - *answer().low));
   result.curve->intact.K3.value = 1.001 * K.value;
   test::expect_relative(*answer().high - K.value, K.value - *answer().low, 1e-9);
+}
+
+/// The size 25 of the catalogue with a crack of the outer race 90 degrees from the lobe, which acts
+/// in contacts only.
+StiffnessResult with_crack_in_contacts() {
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/catalogue_size25.toml");
+  OuterRaceCrack crack;
+  crack.depth = 0.9e-3;
+  crack.position = 90 * units::deg;
+  gear.wave_generator->crack.emplace_back(crack);
+  return evaluate(gear, Method::corrected);
+}
+
+TEST(Require, BehaviourAChangeThatTheSumDoesNotSeeCannotBeTold) {
+  // (ST-18): the crack changes the coupled drive, but not the sum.
+  const StiffnessResult result = with_crack_in_contacts();
+  ASSERT_EQ(result.positive.stiffness_change.value, 0.0);
+  ASSERT_LT(result.curve->positive.change.K1.value, -0.02);
+  for (const std::string sense : {"positive", "negative"})
+    for (const char* const bound : {" >= -0.1 %", " <= -0.1 %"}) {
+      const RequirementReport report =
+          require_outputs(result, {"cracked." + sense + ".stiffness_change" + bound}, 1.0);
+      EXPECT_EQ(report.outcome, RequirementOutcome::cannot_be_told) << sense << bound;
+      EXPECT_FALSE(report.answers[0].low);
+      ASSERT_EQ(test::note_codes(report.notes), std::vector<std::string>{"require.cannot_be_told"});
+      const Note& note = report.notes[0];
+      EXPECT_EQ(note.equation, "ST-18");
+      EXPECT_EQ(note.next_step, "Require curve." + sense + ".change.K1 instead.");
+      EXPECT_NE(note.text.find("can contain the change of the coupled drive"), std::string::npos)
+          << note.text;
+      // The next step is an output, which tells.
+      EXPECT_EQ(require_outputs(result, {"curve." + sense + ".change.K1 >= -0.1 %"}, 1.0).outcome,
+                RequirementOutcome::not_met);
+    }
+}
+
+TEST(Require, IdentityTheSumIsNeverMoreCertainThanTheCoupledDrive) {
+  // (ST-18): the softer end of the sum lies beyond that of each line of the coupled drive.
+  const StiffnessResult result =
+      evaluate(read_gear_set_file(STRAINWAVE_EXAMPLES "/cracked_size25.toml"), Method::corrected);
+  for (const double coverage : {1.0, 2.0}) {
+    const auto answer = [&](const std::string& output) {
+      return require_outputs(result, {output}, coverage).answers.at(0);
+    };
+    for (const std::string line : {"K1", "K2", "K3"}) {
+      EXPECT_LE(*answer("intact.stiffness >= 0 N*m/rad").low,
+                *answer("curve.intact." + line + " >= 0 N*m/rad").low);
+      EXPECT_LE(*answer("cracked.negative.stiffness >= 0 N*m/rad").low,
+                *answer("curve.negative." + line + " >= 0 N*m/rad").low);
+    }
+    EXPECT_GE(*answer("cracked.positive.wind_up >= 0 rad").high,
+              *answer("curve.positive.wind_up >= 0 rad").high);
+  }
+  // A bound below K1 and above its softer end, 26307 and 22361 N*m/rad.
+  for (const std::string output : {"intact.stiffness", "curve.intact.K1"})
+    EXPECT_EQ(require_outputs(result, {output + " >= 26000 N*m/rad"}, 1.0).outcome,
+              RequirementOutcome::cannot_be_told)
+        << output;
 }
 
 TEST(Require, IdentityAllTogetherAreAsGoodAsTheWorst) {

@@ -270,10 +270,11 @@ class SameParts {
       const bool says_nothing = path == "name" || path == "format" || path.starts_with("scatter") ||
                                 path.starts_with("range") || path.starts_with("article.") ||
                                 path.starts_with("rating.");
-      if (says_nothing) continue;
+      if (says_nothing || enters_no_model(path)) continue;
       const std::string table = path.substr(0, path.find('.'));
       if (path.starts_with(fmt::format("{}.crack[", table))) {
         changed_.insert(path.substr(0, path.find(']') + 1));
+        cracks_ = false;
         continue;
       }
       body_ = false;
@@ -305,8 +306,20 @@ class SameParts {
   }
   /// Whether at most cracks differ.
   [[nodiscard]] bool same_body() const { return body_; }
+  [[nodiscard]] bool same_cracks() const { return cracks_; }
 
  private:
+  /// Whether no model with a stated error depends on a field: neither K, wind-up and stress
+  /// intensities nor their errors change with the limits of a material, which only divide a stress
+  /// intensity, and with the friction, which only the hysteresis contains.
+  static bool enters_no_model(const std::string& path) {
+    constexpr std::array<std::string_view, 3> kLimits = {".fracture_toughness", ".yield_strength",
+                                                         ".ultimate_strength"};
+    return path == "mesh.friction_coefficient" ||
+           (path.starts_with("material.") &&
+            std::ranges::any_of(kLimits,
+                                [&](std::string_view limit) { return path.ends_with(limit); }));
+  }
   /// A field of a part of the drive differs.
   void change(const std::string& table, const std::string& path) {
     changed_.insert(table);
@@ -321,6 +334,7 @@ class SameParts {
   bool sum_changed_ = false;
   bool all_changed_ = false;
   bool body_ = true;
+  bool cracks_ = true;
 };
 
 /// How the error of each part, relative to its compliance, moves an output: by part.
@@ -396,6 +410,7 @@ struct InDrive {
   bool coupled = false;  ///< from the coupled drive
   std::vector<double>
       values;  ///< values at K1, K2, K3, or a single value; empty for all other outputs
+  double uncertainty = 0.0;  ///< relative, of these values [-]
 };
 
 InDrive in_drive(const Side& side, const std::string& path) {
@@ -412,10 +427,12 @@ InDrive in_drive(const Side& side, const std::string& path) {
     if (output != "stiffness" && !softer && !change) return {};
     const double y = *value_of(path);
     const std::string curve = "curve." + drive.substr(drive.find('.') + 1);
-    if (const auto K = value_of(curve + ".K1")) {
+    if (value_of(curve + ".K1")) {
+      const double uncertainty =
+          change ? 0.0 : side.outputs.at(curve + ".K1").relative_uncertainty.value_or(0.0);
       if (const auto wind_up = value_of(curve + ".wind_up"); wind_up && output == "wind_up")
-        return {.coupled = true, .values = {*wind_up}};
-      InDrive coupled{.coupled = true, .values = {}};
+        return {.coupled = true, .values = {*wind_up}, .uncertainty = uncertainty};
+      InDrive coupled{.coupled = true, .values = {}, .uncertainty = uncertainty};
       for (const std::string_view at : {"K1", "K2", "K3"}) {
         const double K_i = *value_of(fmt::format("{}.{}", curve, at));
         coupled.values.push_back(change   ? *value_of(fmt::format("{}.change.{}", curve, at))
@@ -431,29 +448,9 @@ InDrive in_drive(const Side& side, const std::string& path) {
   return {};
 }
 
-/// Uncertainty u_l of the difference, second minus first, from what the sums leave out (ST-19).
-double left_out_of(const Side& first, const Side& second, const std::string& path,
-                   const SameParts& same) {
-  const InDrive a = in_drive(first, path);
-  const InDrive b = in_drive(second, path);
-  const double y_a = first.outputs.at(path).value;
-  const double y_b = second.outputs.at(path).value;
-  const auto farthest = [](const std::vector<double>& values, double y) {
-    double most = 0.0;
-    for (const double value : values) most = std::max(most, std::abs(value - y));
-    return most;
-  };
-  const bool one_error = a.coupled == b.coupled && a.values.size() == b.values.size() &&
-                         (a.coupled || (same.same("wave_generator") && same.same("flexspline")));
-  if (!one_error) return std::hypot(farthest(a.values, y_a), farthest(b.values, y_b));  // (ST-19)
-  std::vector<double> differences;
-  for (std::size_t i = 0; i < a.values.size(); ++i)
-    differences.push_back(b.values[i] - a.values[i]);
-  return farthest(differences, y_b - y_a);
-}
-
-/// That of an output of the coupled drive: its parts contribute alike to its relative error, and
-/// the contribution of a part that is the same in both is one error (ST-20).
+/// Uncertainty of the difference of an output of the coupled drive: its parts contribute alike to
+/// its relative error, and the contribution of a part that is the same in both is one error
+/// (ST-20).
 double coupled_uncertainty(double u_a, double u_b, const SameParts& same) {
   const double share = 1 / static_cast<double>(kCoupledParts.size());  // of the variance
   double variance = 0.0;
@@ -461,6 +458,31 @@ double coupled_uncertainty(double u_a, double u_b, const SameParts& same) {
     variance += share * (same.same_in_coupled_drive(std::string(part)) ? std::pow(u_b - u_a, 2)
                                                                        : u_a * u_a + u_b * u_b);
   return std::sqrt(variance);
+}
+
+/// Uncertainty u_l of the difference, second minus first, from what the sums leave out (ST-19).
+double left_out_of(const Side& first, const Side& second, const std::string& path,
+                   const SameParts& same) {
+  const InDrive a = in_drive(first, path);
+  const InDrive b = in_drive(second, path);
+  const double y_a = first.outputs.at(path).value;
+  const double y_b = second.outputs.at(path).value;
+  const auto farthest = [](const InDrive& drive, double y) {
+    double most = 0.0;
+    for (const double value : drive.values)
+      most = std::max(most, std::abs(value - y) + drive.uncertainty * std::abs(value));
+    return most;
+  };
+  const bool one_error = a.coupled == b.coupled && a.values.size() == b.values.size() &&
+                         (a.coupled || (same.same("wave_generator") && same.same("flexspline")));
+  if (!one_error) return std::hypot(farthest(a, y_a), farthest(b, y_b));  // (ST-19)
+  double most = 0.0;
+  for (std::size_t i = 0; i < a.values.size(); ++i) {
+    const double u =
+        coupled_uncertainty(a.uncertainty * a.values[i], b.uncertainty * b.values[i], same);
+    most = std::max(most, std::abs(b.values[i] - a.values[i] - (y_b - y_a)) + u);  // (ST-19)
+  }
+  return most;
 }
 
 /// One standard uncertainty of second - first: the model error of a part that is the same in both
@@ -480,7 +502,11 @@ std::optional<double> uncertainty_of(const Side& first, const Side& second, cons
                          : same.same_body();
     const double u_a = *a.relative_uncertainty * std::abs(a.value);
     const double u_b = *b.relative_uncertainty * std::abs(b.value);
-    if (path.starts_with("curve.")) return coupled_uncertainty(u_a, u_b, same);
+    if (path.starts_with("curve.")) {
+      if (!same.same_cracks() && !path.starts_with("curve.intact."))
+        return std::nullopt;  // (ST-20)
+      return coupled_uncertainty(u_a, u_b, same);
+    }
     return one ? std::abs(u_b - u_a) : std::hypot(u_a, u_b);
   }
   std::set<std::string> parts;

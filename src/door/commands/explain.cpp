@@ -228,6 +228,20 @@ void search_tables(Search& search) {
   }
 }
 
+/// The steps that follow each proper prefix of the paths, by prefix.
+std::map<std::string, std::vector<std::string>> groups_of(const std::vector<ListedField>& fields) {
+  std::map<std::string, std::vector<std::string>> groups;
+  for (const ListedField& listed : fields)
+    for (std::size_t dot = listed.path.find('.'); dot != std::string::npos;) {
+      const std::size_t next = listed.path.find('.', dot + 1);
+      std::vector<std::string>& group = groups[listed.path.substr(0, dot)];
+      const std::string step = listed.path.substr(dot + 1, next - dot - 1);
+      if (std::ranges::find(group, step) == group.end()) group.push_back(step);
+      dot = next;
+    }
+  return groups;
+}
+
 void search_commands(Search& search, std::span<const Command> table) {
   struct Place {
     ListedField listed;
@@ -242,6 +256,8 @@ void search_commands(Search& search, std::span<const Command> table) {
   };
   std::map<std::string, Place> options;
   std::map<std::string, Place> outputs;
+  using Group = std::pair<std::string, std::string>;  // path, and the fields below it
+  std::map<Group, std::vector<std::string_view>> groups;
   for (const Command& command : table) {
     search.thing(
         "command", command.name,
@@ -258,9 +274,18 @@ void search_commands(Search& search, std::span<const Command> table) {
            .values = fmt::format("{}", fmt::join(option.choices, ", ")),
            .kind = {}},
           command);
-    for (const ListedField& listed : list_of_fields(command.walk))
+    const std::vector<ListedField> listed_outputs = list_of_fields(command.walk);
+    for (const ListedField& listed : listed_outputs)
       if (listed.path != "text") add(outputs, listed, command);
+    for (const auto& [path, fields] : groups_of(listed_outputs))
+      groups[{path, fmt::format("fields: {}", fmt::join(fields, ", "))}].push_back(command.name);
   }
+  for (const auto& [group, commands] : groups)
+    if (search.is(group.first) || is_path(search.word(), group.first))
+      search.found(fmt::format("group of outputs of {}", fmt::join(commands, ", ")), group.first,
+                   group.second,
+                   fmt::format("strainwave schema --of result --command '{}' --format markdown",
+                               commands.front()));
   const auto told = [&](std::string_view kind, const std::map<std::string, Place>& places,
                         std::string_view what) {
     for (const auto& [key, place] : places)
@@ -334,8 +359,9 @@ Command explain_command(std::span<const Command> (*table)(), std::vector<Meaning
       .summary = "What a word means: a field, a unit, a note, an equation and more",
       .description =
           "Explains a word on one screen: a term of the glossary or its symbol; a table of the "
-          "input, or a kind of crack; the path of a field of the input or of an output, also in "
-          "part; a value that a field or an option may have; a unit; the code of a note; the tag "
+          "input, or a kind of crack; the path of a field of the input, of an output or of a group "
+          "of outputs, also in part; a value that a field or an option may have; a unit; the code "
+          "of a note; the tag "
           "of an equation; an exit status; a material; a stress intensity solution; a factor of "
           "a calibration; a command or an option. Case, - and _ make no difference. For an "
           "unknown word it suggests the nearest known one.",

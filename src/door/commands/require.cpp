@@ -49,8 +49,9 @@ Command require_command() {
           "A requirement is met if the whole uncertainty interval of the output keeps the bound. "
           "It is not met if the whole interval breaks the bound. In between it cannot be told. An "
           "output without a stated uncertainty is judged by its value, and a note says so. A "
-          "change "
-          "of stiffness has its own uncertainty. The exit status is 0 if all requirements "
+          "change of stiffness has its own uncertainty. The change of the sum of the members "
+          "cannot be told if cracks change the coupled drive alone. The exit status is 0 if all "
+          "requirements "
           "are met, 5 if one is not met, and 6 if none is broken but one cannot be told.",
       .example = "strainwave require examples/cracked_size25.toml 'curve.positive.K2 >= 2e4 "
                  "N*m/rad' 'curve.positive.over_turn.softest.K1 >= 1.5e4 N*m/rad'",
