@@ -280,12 +280,6 @@ void search_commands(Search& search, std::span<const Command> table) {
     for (const auto& [path, fields] : groups_of(listed_outputs))
       groups[{path, fmt::format("fields: {}", fmt::join(fields, ", "))}].push_back(command.name);
   }
-  for (const auto& [group, commands] : groups)
-    if (search.is(group.first) || is_path(search.word(), group.first))
-      search.found(fmt::format("group of outputs of {}", fmt::join(commands, ", ")), group.first,
-                   group.second,
-                   fmt::format("strainwave schema --of result --command '{}' --format markdown",
-                               commands.front()));
   const auto told = [&](std::string_view kind, const std::map<std::string, Place>& places,
                         std::string_view what) {
     for (const auto& [key, place] : places)
@@ -295,6 +289,12 @@ void search_commands(Search& search, std::span<const Command> table) {
   };
   told("option", options, "{} --help");
   told("output", outputs, "schema --of result --command '{}' --format markdown");
+  for (const auto& [group, commands] : groups)
+    if (search.is(group.first) || is_path(search.word(), group.first))
+      search.found(fmt::format("group of outputs of {}", fmt::join(commands, ", ")), group.first,
+                   group.second,
+                   fmt::format("strainwave schema --of result --command '{}' --format markdown",
+                               commands.front()));
 }
 
 Explained explained(std::string_view word, std::span<const Command> table,
