@@ -166,10 +166,11 @@ class CurveReader {
              "[N*m],twist [arcmin]\"");
   }
 
-  /// A decimal comma between cells that commas separate makes two cells of one number.
+  /// Refuses a row with a wrong number of cells.  In a table with commas, a decimal comma makes two
+  /// cells of one number.
   [[noreturn]] void refuse_count(std::size_t n_cells) const {
     const std::string_view advice =
-        n_cells < n_columns_ ? "write a cell for each column; it may be empty"
+        n_cells < n_columns_ ? "write a cell for each column; a cell may be empty"
         : *separator_ == ',' ? "if commas are decimal, separate the cells by semicolons, or put "
                                "each number in quotes"
                              : "remove the cells without a column";

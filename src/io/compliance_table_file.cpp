@@ -208,8 +208,8 @@ TableFile parse_table_file(std::string_view text, std::string_view name) {
     const std::vector<std::string> places = places_of(content);
     if (places.size() != n_places)
       refuse(name, line,
-             fmt::format("has {} cell{}, but the head names {} columns; commas separate cells, and "
-                         "numbers have a decimal point",
+             fmt::format("has {} cell{}, but the head names {} columns; separate cells by commas, "
+                         "and write numbers with a decimal point",
                          places.size(), places.size() == 1 ? "" : "s", n_places));
     file.rows.push_back(row_of(places, n_at, name, line));
   }

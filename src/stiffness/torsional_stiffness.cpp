@@ -187,11 +187,12 @@ void contain_left_out(StiffnessResult& result, const GearSet& gear, const Member
       {.code = "sum.left_out",
        .text = fmt::format(
            "the sum of the members leaves out the contacts of balls and teeth, the rings and the "
-           "coning of the cup: apart from the errors of the members the drive is softer; the "
-           "accuracy of the sum contains {}, which acts to the softer side",
+           "coning of the cup, so the drive is softer apart from the errors of the members; the "
+           "accuracy of the sum contains this effect on the softer side, {}",
            coupled == nullptr
-               ? "this, as catalogues show it: the sum is 2 to 5 times too stiff without a shaft"
-               : "the coupled drive, which is the answer"),
+               ? "as catalogues show it: without a shaft the sum is 2 to 5 times too "
+                 "stiff"
+               : "from the coupled drive, which is the answer"),
        .path = "",
        .equation = "ST-18",
        .severity = coupled == nullptr ? Severity::care : Severity::information,

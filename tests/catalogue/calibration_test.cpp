@@ -211,7 +211,7 @@ TEST(MeasuredCurve, InputRefusals) {
   for (const auto& [text, sentence] : std::map<std::string, std::string>{
            {head + "1\n",
             "bench.csv:2: has 1 cell, but the head names 2 columns; write a cell for each column; "
-            "it may be empty"},
+            "a cell may be empty"},
            {head + "1;2\n1;2;3\n",
             "bench.csv:3: has 3 cells, but the head names 2 columns; remove the cells without a "
             "column"},

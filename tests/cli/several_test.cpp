@@ -151,33 +151,33 @@ TEST_F(SeveralFiles, InputAWordThatIsNoCommandIsNamed) {
   }
 }
 
-// What the parser of the line finds is said like all else: with the name of the program, the
-// nearest option, and the help of the command.
+// A fault that the parser of the line finds is worded like all other faults: with the name of the
+// program, the nearest option, and the help of the command.
 TEST_F(SeveralFiles, InputFaultsOfTheLineNameOptionAndCommand) {
   const std::string article = example("article");
   for (const auto& [line, says] : std::vector<std::pair<std::string, std::string>>{
            {"stiffness " + article + " --fomat csv",
             "the option --fomat is not known here; did you mean --format? strainwave stiffness "
-            "--help lists those that are"},
+            "--help lists the known options"},
            {"stiffness " + article + " --vary=1",
-            "the option --vary is not known here; it is an option of sweep, solve; strainwave "
-            "stiffness --help lists those that are"},
+            "the option --vary is not known here; this option belongs to sweep, solve; strainwave "
+            "stiffness --help lists the known options"},
            {"sif show plate-through -x",
-            "the option -x is not known here; strainwave sif show --help lists those that are"},
+            "the option -x is not known here; strainwave sif show --help lists the known options"},
            {"--verson",
             "the option --verson is not known here; did you mean --version? strainwave --help "
-            "lists "
-            "those that are"},
+            "lists the known options"},
            {"explain ratio more",
-            "the word more has no place here; strainwave explain --help shows what it takes"},
+            "the word more is not expected here; strainwave explain --help shows what the command "
+            "takes"},
            {"stiffness",
             "stiffness needs FILE (input file, or - for standard input; of several files "
             "a table, one row for each); see strainwave stiffness --help"},
            {"stiffness " + article + " --method",
-            "--method needs a value behind it: theory to use: as-printed, repaired, corrected; "
+            "--method needs a value after it: theory to use: as-printed, repaired, corrected; "
             "default corrected"},
            {"stiffness " + article + " --output=",
-            "--output needs a value behind it: write to this file instead of standard output"},
+            "--output needs a value after it: write to this file instead of standard output"},
            {"stiffness " + article + " --format csv --format csv",
             "--format is given more than once; give it once"},
            {"stiffness " + article + " --format xml",

@@ -95,7 +95,7 @@ TEST(Evaluate, CrosscheckTheTurnIsThatOfTheComparison) {
     EXPECT_NE(note.text.find(said), std::string::npos) << note.text;
   EXPECT_NE(note.next_step.find("strainwave torsion --compare"), std::string::npos);
   const std::string text = stiffness_text(result, gear, {});
-  EXPECT_NE(text.find("K1, softest of a turn"), std::string::npos) << text;
+  EXPECT_NE(text.find("K1, softest over a turn"), std::string::npos) << text;
 }
 
 TEST(Evaluate, BehaviourATurnIsComputedWhereItIsAskedForAndCracksTurn) {

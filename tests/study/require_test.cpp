@@ -149,7 +149,7 @@ TEST(Require, BehaviourWhatTheSumLeavesOutActsOnItsSofterSide) {
   const auto says = [](const Note& note, std::string_view what) {
     return note.text.find(what) != std::string::npos && note.equation == "ST-18";
   };
-  const char* const softer = "on the softer side alone";
+  const char* const softer = "on the softer side only";
   const GearSet gear = test::article_gear();
   EXPECT_TRUE(says(note_inside(gear, "intact.stiffness", 0.9), softer));
   EXPECT_TRUE(says(note_inside(gear, "intact.compliance.total", 1.1), softer));
@@ -209,13 +209,13 @@ TEST(Require, InputEveryRuleIsBrokenOnce) {
   const auto contains = [](const std::string& message, const char* part) {
     return message.find(part) != std::string::npos;
   };
-  EXPECT_PRED2(contains, refusal_of("cracked.positive.stiffness 2e4"), "must be OUTPUT OP VALUE");
+  EXPECT_PRED2(contains, refusal_of("cracked.positive.stiffness 2e4"), "write OUTPUT OP VALUE");
   EXPECT_PRED2(contains, refusal_of("cracked.positive.stifness >= 1 N*m/rad"),
                "cracked.positive.stiffness");
   EXPECT_PRED2(contains, refusal_of("nothing >= 1"), "nothing");
   EXPECT_PRED2(contains, refusal_of(kStiffness + " >= 1 kg"), "kg");
   EXPECT_PRED2(contains, refusal_of(kStiffness + " >= "), kStiffness.c_str());
-  EXPECT_PRED2(contains, refusal_of(kStiffness + " == 3 N*m/rad"), "must be OUTPUT OP VALUE");
+  EXPECT_PRED2(contains, refusal_of(kStiffness + " == 3 N*m/rad"), "write OUTPUT OP VALUE");
   EXPECT_PRED2(contains, test::broken_rule([] { return asked({}); }), "at least one");
   EXPECT_PRED2(contains, test::broken_rule([] { return asked({kStiffness + " > 1 N*m/rad"}, 0); }),
                "coverage");

@@ -305,8 +305,8 @@ TEST(Solve, InputMessagesNameOptionValueAndWayOut) {
     return fault([&] { (void)parse_target(gear, Method::corrected, text); });
   };
   const std::string kWhere =
-      " strainwave stiffness FILE --format csv lists its outputs, strainwave explain OUTPUT says "
-      "what one is";
+      " strainwave stiffness FILE --format csv lists its outputs, and strainwave explain OUTPUT "
+      "explains an output";
   EXPECT_EQ(target_fault("stiffness_change=-1 %"),
             "--target: \"stiffness_change\" is not an output of this drive; did you mean "
             "cracked.positive.stiffness_change or cracked.negative.stiffness_change?" +

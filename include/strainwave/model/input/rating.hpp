@@ -98,13 +98,13 @@ struct InputRange {
           &InputRange::path);
     field(Field{.name = "lower",
                 .unit = "",
-                .doc = "lower limit, with its unit; bare if the number has no unit",
+                .doc = "lower limit with its unit; a bare number if the field has no unit",
                 .example = R"("2 mm")",
                 .number_text = true},
           &InputRange::lower);
     field(Field{.name = "upper",
                 .unit = "",
-                .doc = "upper limit, with its unit; bare if the number has no unit",
+                .doc = "upper limit with its unit; a bare number if the field has no unit",
                 .example = R"("2.5 mm")",
                 .number_text = true},
           &InputRange::upper);
