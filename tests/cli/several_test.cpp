@@ -35,7 +35,7 @@ class SeveralFiles : public test::ProgramTest {
 TEST_F(SeveralFiles, BehaviourOneRowForEachAndTheStatusOfTheWorst) {
   const Outcome both = run("stiffness " + example("article") + " " + example("through_crack"));
   EXPECT_EQ(both.exit_code, 0) << both.err;
-  // A head of four lines: the words of each name, and its unit.
+  // The heading has four lines: the words of each name, and its unit.
   EXPECT_EQ(std::ranges::count(both.out, '\n'), 4 + 2) << both.out;
   EXPECT_NE(both.out.find("stiffness  stiffness_change"), std::string::npos) << both.out;
   EXPECT_NE(both.out.find("[N*m/arcmin]               [%]"), std::string::npos) << both.out;
@@ -193,7 +193,7 @@ TEST_F(SeveralFiles, InputFaultsOfTheLineNameOptionAndCommand) {
   }
 }
 
-// The guide has each exit status and each factor with the words of the program.
+// The guide lists each exit status and each factor in the words of the program.
 TEST_F(SeveralFiles, BehaviourTheGuideListsStatusesAndFactors) {
   const std::string page =
       test::contents(std::string(STRAINWAVE_EXAMPLES) + "/../docs/guide/command_line.md");

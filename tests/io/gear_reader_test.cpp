@@ -401,7 +401,7 @@ source = "measured"
   EXPECT_EQ(gear.range[1].path, "flexspline.wall_thickness");
   EXPECT_EQ(gear.range[1].knowledge, Knowledge::typical);
   EXPECT_EQ(gear.range[1].upper, "2.5 mm");
-  // A number without a unit may be bare, as it is elsewhere.
+  // A number without a unit may be bare, as in other fields.
   EXPECT_EQ(gear.range[2].lower, "0.05");
   EXPECT_EQ(gear.range[2].upper, "1");
   EXPECT_NO_THROW(check(gear));

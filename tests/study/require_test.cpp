@@ -56,7 +56,7 @@ double uncertainty_of_members() {
 }
 
 TEST(Require, ReferenceMetNotMetAndBetween) {
-  // (ST-18): below the value the stated uncertainty, above it that of the members alone.
+  // (ST-18): the stated uncertainty counts below the value, and that of the members alone above it.
   const Quantity K = value_of(kStiffness);
   const double u = K.relative_uncertainty.value() * K.value;
   const double above = uncertainty_of_members();
@@ -155,7 +155,7 @@ TEST(Require, BehaviourWhatTheSumLeavesOutActsOnItsSofterSide) {
   EXPECT_TRUE(says(note_inside(gear, "intact.compliance.total", 1.1), softer));
   EXPECT_TRUE(says(note_inside(gear, "cracked.negative.wind_up", 1.1), softer));
   EXPECT_TRUE(says(note_inside(gear, kStiffnessChange, 1.0), "on both sides"));
-  // Neither a member, nor a sum that leaves out nothing.
+  // A member, and a sum that leaves out nothing, get no such text.
   EXPECT_FALSE(says(note_inside(gear, "intact.compliance.flexspline", 1.001), "side"));
   GearSet shaft = gear;
   shaft.wave_generator.reset();
