@@ -278,7 +278,8 @@ ComplianceTable parse_compliance_table(std::string_view text, std::string_view n
             index * nodes.size() +
             static_cast<std::size_t>(std::ranges::lower_bound(nodes, row.at[a]) - nodes.begin());
       }
-      if (filled[index]) throw InputError(name, fmt::format("point {} is there twice", r + 1));
+      if (filled[index])
+        throw InputError(name, fmt::format("point {} appears twice; remove one of them", r + 1));
       filled[index] = true;
       column.values[index] = *row.values[place];
       table.point_error = std::max(table.point_error, std::abs(*row.relative_error));

@@ -41,7 +41,7 @@ void add_from_library(GearSet& gear, const std::optional<Member>& member, std::s
       field,
       fmt::format("\"{}\" is not one of the materials given ({}), nor in the material library; {}",
                   shown(member->material), shown(fmt::format("{}", fmt::join(given, ", "))),
-                  meant.empty() ? "strainwave material list has the names" : shown(meant)));
+                  meant.empty() ? "strainwave material list shows the names" : shown(meant)));
 }
 
 /// Completes the tables of the file that name a record of the library with the values that they
@@ -55,7 +55,7 @@ void complete_from_library(GearSet& gear) {
       throw InputError(
           (FieldPath("material") / name / "based_on").text(),
           fmt::format("\"{}\" is not in the material library; {}", shown(*material.based_on),
-                      meant.empty() ? "strainwave material list has the names" : shown(meant)));
+                      meant.empty() ? "strainwave material list shows the names" : shown(meant)));
     }
     material = completed(material, *record);
   }

@@ -526,7 +526,7 @@ TEST(GearReader, InputATableOfTheFileIsNotPassedOver) {
   EXPECT_EQ(
       refusal(with("material = \"steel\"\nouter", "material = \"unobtainium\"\nouter", library)),
       "gear.toml:50:12: output_shaft.material: \"unobtainium\" is not one of the materials given "
-      "(steel), nor in the material library; strainwave material list has the names");
+      "(steel), nor in the material library; strainwave material list shows the names");
 }
 
 TEST(GearReader, BehaviourExamplesAreRead) {
@@ -632,7 +632,7 @@ const std::vector<Wrong> kWrong = {
      "0.3\n",
      "",
      "16:12: wave_generator.material: \"steel\" is not one of the materials given (), nor in the "
-     "material library; strainwave material list has the names"},
+     "material library; strainwave material list shows the names"},
     {"MissingShearModulusAndPoissonsRatio", "shear_modulus = \"80 GPa\"\npoissons_ratio = 0.3\n",
      "", "4:1: material.steel.poissons_ratio: must be given, or shear_modulus"},
     {"MissingRadialStiffness", "radial_stiffness = \"1.2e5 N/mm\"\n", "",

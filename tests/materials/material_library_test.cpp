@@ -615,7 +615,7 @@ TEST(FindMaterial, InputUnknownNamesSuggestANearOne) {
             "material: \"17-4PH H90\" is not in the material library; did you mean 17-4PH H900?");
   EXPECT_EQ(unknown("unobtainium"),
             "material: \"unobtainium\" is not in the material library; strainwave material list "
-            "has the names");
+            "shows the names");
   // No suggestion is made for a short name: C300 differs from 4340 in only two letters.
   EXPECT_EQ(
       unknown("4340"),
