@@ -24,7 +24,7 @@ std::string column_text(std::string_view name, std::string_view unit) {
   return fmt::format("{} [{}]", name, unit);
 }
 
-/// Number of places of a line behind the values.
+/// Number of places of a line after the values.
 constexpr std::size_t kPlacesBehind = 5;
 
 [[noreturn]] void refuse(std::string_view name, std::size_t line, std::string_view problem) {

@@ -39,7 +39,7 @@ TEST_F(SeveralFiles, BehaviourOneRowForEachAndTheStatusOfTheWorst) {
   EXPECT_EQ(std::ranges::count(both.out, '\n'), 4 + 2) << both.out;
   EXPECT_NE(both.out.find("stiffness  stiffness_change"), std::string::npos) << both.out;
   EXPECT_NE(both.out.find("[N*m/arcmin]               [%]"), std::string::npos) << both.out;
-  // A file that is wrong does not stop the one behind it.
+  // A wrong file does not stop the next file.
   const Outcome wrong = run("stiffness " + wrong_file() + " " + example("article"));
   EXPECT_EQ(wrong.exit_code, 3);
   EXPECT_NE(wrong.err.find("wrong.toml:2:1: ratio: is not known here"), std::string::npos)
@@ -229,7 +229,7 @@ TEST_F(SeveralFiles, InputLikeFaultsEndAlike) {
     EXPECT_EQ(outcome.exit_code, 2) << line;
     EXPECT_NE(outcome.err.find(" --"), std::string::npos) << outcome.err;
   }
-  // A name that is not known, in an option or in place of one.
+  // An unknown name, in an option or as an option.
   for (const std::string line :
        {"material show nothing", "sif show nothing", "sif plot nothing", "sif eval nothing",
         "sif list --family nothing", "explain nothingg", "man nothing", "catalogue --size 1"})

@@ -66,7 +66,7 @@ struct BatchResult {
 ///                     drive as it is has the name (the message names near ones); if a name is
 ///                     given twice; if the values are not one for each path in each row; if
 ///                     `threads` is outside 0 to kMaxBatchThreads
-/// @throws Error       if `evaluate` throws it for the drive as it is
+/// @throws Error       if `evaluate` throws it for the unchanged drive
 /// @throws Stopped     if `progress` requests a stop; it is asked before each row that the calling
 ///                     thread takes, and at the end
 [[nodiscard]] BatchResult batch(const GearSet& gear, const BatchTask& task,

@@ -36,7 +36,7 @@ struct NewDrive {
 /// Editors find the schema of a file by its first line.
 constexpr std::string_view kSchemaLine = "#:schema ./strainwave-drive-1.schema.json\n";
 
-/// Commented lines for the shaft behind the gear, which no catalogue contains.
+/// Commented lines for the output shaft, which no catalogue contains.
 std::string output_shaft_of(const GearSet& gear) {
   const double d = gear.drive.pitch_diameter;
   GearSet with;
@@ -67,7 +67,7 @@ NewDrive drive_of(const Request&, const NewOptions& options) {
   return {std::string(kSchemaLine) +
           "# A typical drive of this size and ratio, because makers do not publish the geometry of "
           "a drive.\n"
-          "# The comment behind each number states its origin, its limits and their origin.\n" +
+          "# The comment after each number states its origin, its limits and their origin.\n" +
           gear_text(drive.gear, drive.comments) + output_shaft_of(drive.gear)};
 }
 
