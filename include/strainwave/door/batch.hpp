@@ -63,7 +63,7 @@ struct BatchResult {
 /// for any number of threads.
 ///
 /// @throws InputError  before any work, if no number of the drive has the path; if no output of the
-///                     drive as it is has the name (the message names near ones); if a name is
+///                     unchanged drive has the name (the message names near outputs); if a name is
 ///                     given twice; if the values are not one for each path in each row; if
 ///                     `threads` is outside 0 to kMaxBatchThreads
 /// @throws Error       if `evaluate` throws it for the unchanged drive

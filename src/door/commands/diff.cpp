@@ -282,8 +282,7 @@ class SameParts {
       else if (std::ranges::find(kMembers, table) != kMembers.end() || table == "mesh" ||
                table == "circular_spline")
         change(table, path);
-      else if (table == "load")  // changes only the sum; the stiffnesses of the coupled drive do
-                                 // not depend on the load
+      else if (table == "load")  // changes only the sum
         sum_changed_ = true;
       else
         all_changed_ = true;

@@ -93,7 +93,7 @@ struct InputRange {
   static void describe(Visitor&& field) {
     field(Field{.name = "path",
                 .unit = "",
-                .doc = "of the number",
+                .doc = "path of the number",
                 .example = R"("flexspline.wall_thickness")"},
           &InputRange::path);
     field(Field{.name = "lower",
