@@ -50,8 +50,8 @@ std::string fault(const std::function<void()>& call) {
 }
 
 TEST(Solve, ReferenceShaftCrackThatCostsWhatTheArticleClaims) {
-  // 3.660 mm, found in advance by root finding with an independent implementation, for a crack of
-  // the shaft alone.  Cracks of 0.1 mm in the other members do not affect the given digits; three
+  // An independent implementation found 3.660 mm in advance by root finding, for a crack of the
+  // shaft alone.  Cracks of 0.1 mm in the other members do not affect the given digits; three
   // cracks of equal size would need only 3.54 mm.
   GearSet gear = test::article_gear();
   const SolveResult result = solved(gear, kDepth, "cracked.positive.stiffness_change=-1.2 %");
