@@ -171,8 +171,8 @@ TEST_F(SeveralFiles, InputFaultsOfTheLineNameOptionAndCommand) {
            {"explain ratio more",
             "the word more has no place here; strainwave explain --help shows what it takes"},
            {"stiffness",
-            "stiffness needs FILE (input file, or - for standard input; of several files "
-            "a table, one row for each); see strainwave stiffness --help"},
+            "stiffness needs FILE (input file, or - for standard input; several files "
+            "give a table with one row for each); see strainwave stiffness --help"},
            {"stiffness " + article + " --method",
             "--method needs a value behind it: theory to use: as-printed, repaired, corrected; "
             "default corrected"},

@@ -226,7 +226,8 @@ TEST(Explain, BehaviourEachKindOfWordIsExplained) {
            {"diaphragm_arc", "kind of [[flexspline.crack]]", "along an arc round the boss"},
            {"rim-axial", "kind of [[flexspline.crack]]", "fields: depth, position"},
            {"as-printed", "value of --method", "as-printed, repaired, corrected"},
-           {"ring_bending", "value of wave_generator.crack[].stress_driver", "what stresses"},
+           {"ring_bending", "value of wave_generator.crack[].stress_driver",
+            "source of the stress"},
            {"pair_compliance", "factor of calibrate --factors", "compliance of a pair of teeth"},
            {"sif", "first word of commands", "sif eval"},
            {"fr-9", "equation of the theory manual", "Shell correction"}}) {

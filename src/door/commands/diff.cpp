@@ -759,8 +759,8 @@ Command diff_command() {
           "the model error of a member or crack that is the same in both cancels, that of one "
           "whose inputs differ does not. The error of the coupled drive is divided among wave "
           "generator, rim, mesh and circular spline in the same way. The csv and json "
-          "formats also list the outputs that "
-          "differ by less.",
+          "formats also list the outputs that differ by less. The results of stiffness carry these "
+          "uncertainties; for the results of other commands only the differences are given.",
       .example = "strainwave diff examples/article.toml examples/through_crack.toml",
       .takes = Takes::nothing,
       .function = difference,
