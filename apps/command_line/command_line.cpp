@@ -21,6 +21,7 @@
 #include "interrupt.hpp"
 #include "run_command.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/nearest.hpp"
 #include "strainwave/core/version.hpp"
 
 namespace strainwave::cli {

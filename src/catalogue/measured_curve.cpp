@@ -123,9 +123,11 @@ class CurveReader {
       n_columns_ = names.size();
       return read_names(names);
     }
-    const std::vector<Cell> cells = cells_of(line, *separator_, place_);
+    std::vector<Cell> cells = cells_of(line, *separator_, place_);
     // Spreadsheets write an empty row as a line of separators.
     if (std::ranges::all_of(cells, [](const Cell& cell) { return cell.text.empty(); })) return;
+    // Data loggers end each row with a separator.
+    while (cells.size() > n_columns_ && cells.back().text.empty()) cells.pop_back();
     if (cells.size() != n_columns_) refuse_count(cells.size());
     const double torque = number(cells, torque_);
     const double twist = number(cells, twist_);

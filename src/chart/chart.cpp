@@ -212,13 +212,14 @@ std::string words(double x, double y, std::string_view style, std::string_view t
 }
 
 /// A label of the margin, broken after dots, blanks and underscores into lines of at most `most`
-/// characters.
+/// bytes.
 std::string margin_words(double x, double& y, std::string_view style, std::string_view text,
                          std::size_t most) {
   std::string svg;
   while (text.size() > most) {
     const std::size_t last = text.find_last_of("._ ", most - 1);
-    const std::size_t end = last == std::string_view::npos || last == 0 ? most : last + 1;
+    std::size_t end = last == std::string_view::npos || last == 0 ? most : last + 1;
+    while ((static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // not inside a letter
     svg += words(x, y, style, text.substr(0, end));
     text.remove_prefix(end);
     y += kLabelHeight - 4;

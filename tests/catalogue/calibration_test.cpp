@@ -150,6 +150,7 @@ TEST(MeasuredCurve, IdentityDialectsOfSpreadsheets) {
        {"\xEF\xBB\xBFtorque [N*m],twist [arcmin]\n14,1.5\n48.25,2.75\n",  // byte order mark
         "torque [N*m];twist [arcmin]\r\n14;1,5\r\n48,25;2,75\r\n",
         "torque [N*m];twist [arcmin]\n14;1.5\n48.25;2.75\n",
+        "torque [N*m],twist [arcmin]\n14,1.5,\n48.25,2.75, ,\n",  // of a data logger
         "sep=;\nTorque [N*m];Twist [arcmin]\n14;1,5\n48,25;2,75",
         "torque [N*m]\ttwist [arcmin]\n14\t1,5\n48,25\t2,75\n",
         "torque [N*m]\ttwist [arcmin]\r14\t1.5\r48.25\t2.75\r",

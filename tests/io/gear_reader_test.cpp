@@ -487,7 +487,7 @@ TEST(GearReader, BehaviourATableCompletesARecordOfTheLibrary) {
   EXPECT_EQ(steel.youngs_modulus, record.youngs_modulus->value);
   EXPECT_EQ(steel.yield_strength, record.yield_strength->value);
   EXPECT_EQ(steel.fracture_toughness, 90e6);
-  EXPECT_NE(steel.origin.find("own: fracture_toughness 90 MPa*m^0.5"), std::string::npos)
+  EXPECT_NE(steel.origin.find("own values: fracture_toughness 90 MPa*m^0.5"), std::string::npos)
       << steel.origin;
   // Sweep and solve may set a number that the library gives; the number then counts as the file's
   // own.

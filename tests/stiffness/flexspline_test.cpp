@@ -157,7 +157,7 @@ TEST(Flexspline, IdentitySectionsInSeries) {
   const double rim = torsional_compliance(Tube{162 * mm, 154 * mm, 40 * mm}, mu);
   test::expect_relative(flexspline_compliance(gear).intact, cup + rim, 1e-14);
   gear.flexspline->boss =
-      TubeSection{.outer_diameter = 60 * mm, .wall_thickness = 9 * mm, .length = 15 * mm};
+      Boss{{.outer_diameter = 60 * mm, .wall_thickness = 9 * mm, .length = 15 * mm}};
   const double boss = torsional_compliance(Tube{60 * mm, 42 * mm, 15 * mm}, mu);
   test::expect_relative(flexspline_compliance(gear).intact, cup + rim + boss, 1e-14);
   gear.flexspline->diaphragm.reset();
@@ -433,10 +433,12 @@ TEST(FlexsplineClosure, BehaviourNoteNamesTheSense) {
       if (note.code == "crack.closed") return note.path + ": " + note.text;
     return std::string("none");
   };
-  EXPECT_TRUE(text(45, 0).starts_with("flexspline.crack[0]: closed under negative torque:"));
-  EXPECT_TRUE(text(-45, 0).starts_with("flexspline.crack[0]: closed under positive torque:"));
   EXPECT_TRUE(
-      text(90, -5).starts_with("flexspline.crack[0]: closed under either sense of torque:"));
+      text(45, 0).starts_with("flexspline.crack[0]: the crack is closed under negative torque:"));
+  EXPECT_TRUE(
+      text(-45, 0).starts_with("flexspline.crack[0]: the crack is closed under positive torque:"));
+  EXPECT_TRUE(text(90, -5).starts_with(
+      "flexspline.crack[0]: the crack is closed under either sense of torque:"));
   EXPECT_EQ(text(90, 5), "none");
 }
 

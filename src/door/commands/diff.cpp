@@ -761,7 +761,8 @@ Command diff_command() {
           "cancels if its inputs are the same in both; otherwise this error counts. The error of "
           "the coupled drive belongs in equal parts to wave generator, rim, mesh and circular "
           "spline, and cancels for each part that is the same. The csv and json formats also list "
-          "the outputs that differ by less.",
+          "the outputs that differ by less. Only results of stiffness contain these uncertainties; "
+          "for results of other commands, the answer gives only the differences.",
       .example = "strainwave diff examples/article.toml examples/through_crack.toml",
       .takes = Takes::nothing,
       .function = difference,

@@ -43,7 +43,8 @@ std::string output_shaft_of(const GearSet& gear) {
   // A steel shaft of usual proportions, in whole millimetres.
   with.output_shaft = OutputShaft{.material = gear.flexspline->material,
                                   .outer_diameter = std::round(450 * d) * 1e-3,
-                                  .length = std::round(600 * d) * 1e-3};
+                                  .length = std::round(600 * d) * 1e-3,
+                                  .crack = {}};
   constexpr std::string_view kHead = "[output_shaft]\n";
   const std::string text = gear_text(with);
   std::istringstream lines(text.substr(text.find(kHead)));
