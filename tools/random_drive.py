@@ -138,7 +138,7 @@ class Drive:
                 if driver == "orthogonal_shear":
                     self.maybe(0.5, "contact_factor", 0.2, 0.6)
                 self.position()
-            else:  # where the assembly opens it: 0.1.0 softened the ring also where it is pressed
+            else:  # the assembly opens the crack there; 0.1.0 softened the ring also at pressed cracks
                 self.put("position", self.uniform(60, 120), "deg")
 
     def flexspline(self):
@@ -217,7 +217,7 @@ class Drive:
                 self.put("radius", (hub + mean) / 4, "m")
             if kind == "rim_axial":
                 self.put("depth", self.uniform(0.1, 0.6) * rim, "m")
-                self.maybe(0.7, "position", -35, 35, "deg")  # as above
+                self.maybe(0.7, "position", -35, 35, "deg")  # the assembly opens the crack there
 
     def output_shaft(self):
         outer = self.uniform(0.3, 0.6) * self.d

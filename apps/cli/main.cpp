@@ -7,7 +7,7 @@
 
 int main(int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
-  // Every word behind `fe` belongs to the other program, including --help.
+  // Every word after `fe` belongs to the other program, including --help.
   if (!words.empty() && words.front() == "fe") words.insert(words.begin() + 1, "--");
   return strainwave::cli::run_command_line(strainwave::cli::strainwave_program(), words);
 }

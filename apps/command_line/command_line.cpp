@@ -37,7 +37,7 @@ void add_argument(CLI::App* sub, const Argument& argument, std::vector<std::stri
                                              texts, description_of(argument))
                                  ->required(argument.required)
                                  ->type_name(std::string(argument.type));
-  // An option must not take the words behind its value.
+  // An option must not take the words after its value.
   added->allow_extra_args(argument.repeatable && argument.positional());
   if (argument.repeatable)
     added->take_all();
@@ -110,7 +110,7 @@ void require_command(const Program& program, std::span<const std::string> words)
     refuse(fmt::format(" {}", first), words[1], known);
 }
 
-/// The command that the line names; null if it names none.
+/// The command that the line names; null if the line names no command.
 const Command* command_of(const Program& program, std::span<const std::string> words) {
   if (words.empty()) return nullptr;
   const bool unnamed = means_unnamed(program, words.front());
@@ -121,7 +121,8 @@ const Command* command_of(const Program& program, std::span<const std::string> w
   return nullptr;
 }
 
-/// Which commands have an option, as "sweep, solve"; empty: none has it, or many.
+/// The commands that have an option, such as "sweep, solve".  Empty if no command has the option,
+/// or if many commands have it.
 std::string commands_with(const Program& program, std::string_view option) {
   constexpr std::size_t kMost = 4;
   std::vector<std::string_view> names;
@@ -132,14 +133,14 @@ std::string commands_with(const Program& program, std::string_view option) {
   return names.size() > kMost ? std::string() : fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// What to type instead of a word that the command does not take.
-/// @param command  null: none is named
+/// The message on a word that the command does not take, with the word to type instead.
+/// @param command  null if the line names no command
 std::string unexpected(const Program& program, const Command* command, std::string word) {
   const std::string line(command != nullptr ? fmt::format("{} {}", program.name, command->name)
                                             : program.name);
   if (!word.starts_with('-'))
-    return fmt::format("the word {} has no place here; {} --help shows what it takes", shown(word),
-                       line);
+    return fmt::format("the word {} is not expected here; {} --help shows what the command takes",
+                       shown(word), line);
   word.erase(std::min(word.find('='), word.size()));
   std::vector<std::string> known = {"--help"};
   if (command == nullptr)
@@ -148,17 +149,17 @@ std::string unexpected(const Program& program, const Command* command, std::stri
     for (const Argument& argument : arguments_of(*command))
       if (!argument.positional()) known.push_back(argument.name);
   std::string advice;
-  // Of so short an option, any letter is near.
+  // Every short option is near to an option of one letter, so none is suggested.
   if (const std::string near = word.size() > 2 ? nearest_word(word, known) : std::string();
       !near.empty())
     advice = fmt::format("did you mean {}? ", near);
   else if (const std::string others = commands_with(program, word); !others.empty())
-    advice = fmt::format("it is an option of {}; ", others);
-  return fmt::format("the option {} is not known here; {}{} --help lists those that are",
+    advice = fmt::format("this option belongs to {}; ", others);
+  return fmt::format("the option {} is not known here; {}{} --help lists the known options",
                      shown(word), advice, line);
 }
 
-/// A fault that the parser found, in words like those of all others.
+/// The message on a fault that the parser found, worded like all other messages.
 UsageError as_usage_error(const CLI::ParseError& fault, const CLI::App& app, const Program& program,
                           std::span<const std::string> words) {
   const Command* const command = command_of(program, words);
@@ -181,7 +182,7 @@ UsageError as_usage_error(const CLI::ParseError& fault, const CLI::App& app, con
     if (said.find("received") != std::string_view::npos)
       return UsageError(fmt::format("{} is given more than once; give it once", argument.name));
     return UsageError(
-        fmt::format("{} needs a value behind it: {}", argument.name, description_of(argument)));
+        fmt::format("{} needs a value after it: {}", argument.name, description_of(argument)));
   }
   return UsageError(fmt::format("{}; see {} --help", said, line));
 }

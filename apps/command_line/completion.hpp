@@ -17,7 +17,7 @@ enum class Shell { bash, zsh, fish };
 inline constexpr std::string_view kFiles = ":files";
 
 /// Candidates for the last of these words.
-/// @param words  words of a command line behind the name of the program; the last may be empty.  As
+/// @param words  words of a command line after the name of the program; the last may be empty.  As
 ///               bash splits them, the "=" of "--option=value" may be a word of its own.
 [[nodiscard]] std::vector<std::string> completions(const Program& program,
                                                    std::span<const std::string> words);

@@ -93,7 +93,8 @@ std::string program_page(const Program& program) {
     page += fmt::format(".TP\n\\fB{} {}\\fR\n{}\n", program.name, command.name,
                         escaped(command.summary));
   page +=
-      ".SH OPTIONS\n.TP\n\\fB\\-\\-help\\fR\nprint help; behind a command, print its help\n"
+      ".SH OPTIONS\n.TP\n\\fB\\-\\-help\\fR\nprint help; after a command, print the help of this "
+      "command\n"
       ".TP\n\\fB\\-\\-version\\fR\nprint version and revision\n";
   page += exit_status();
   std::vector<std::string> pages;

@@ -74,7 +74,7 @@ struct CompletionOptions {
           &CompletionOptions::subject);
     field({.name = "words",
            .unit = "",
-           .doc = "words of a command line, behind --; the command completes the last word",
+           .doc = "words of a command line, after --; the command completes the last word",
            .positional = true},
           &CompletionOptions::words);
   }

@@ -16,7 +16,7 @@ using ProgramOf = const Program& (*)();
 [[nodiscard]] Command man_command(ProgramOf program, std::string_view example);
 [[nodiscard]] Command completion_command(ProgramOf program, std::string_view example);
 
-/// What the options mean that the command line adds to those of the commands, for `explain`.
+/// The meanings of the options that the command line adds to the commands, for `explain`.
 [[nodiscard]] std::vector<Meaning> own_words(const Program& program);
 
 }  // namespace strainwave::cli

@@ -47,7 +47,7 @@ struct Program {
 /// The summary of the command or of the group with this first word.
 [[nodiscard]] std::string_view summary_of(const Program& program, std::string_view first_word);
 
-/// The part of a command's name behind the group; empty if the command is not in a group.
+/// The part of a command's name after the group; empty if the command is not in a group.
 [[nodiscard]] std::string_view second_word(const Command& command);
 
 /// Purpose of an argument of a command line.

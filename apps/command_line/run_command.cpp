@@ -101,7 +101,7 @@ ExitCode judged(const Program& program, const Answer& answer, std::string_view m
   return exit_code_of(answer);
 }
 
-/// Says which units of --units the documents had no place for.
+/// Warns of the units of --units that no value of the documents has.
 void warn_of_unused(const Program& program, const AskedUnits& units) {
   const std::vector<std::string> unused = units.unused();
   if (!unused.empty())
@@ -199,9 +199,9 @@ Asked asked_by(const Given& given, const std::string* file, KnownFiles& known) {
   return asked;
 }
 
-/// The files of the drives.  Among the words of a positional option, those that name a file are
-/// files too: `require a.toml b.toml 'OUTPUT >= VALUE'`.  A name that ends in .toml is one even if
-/// there is no such file: it is misspelt, and refused as a file.
+/// The files of the drives.  If a word of a positional option names a file, the word is a file too,
+/// as in `require a.toml b.toml 'OUTPUT >= VALUE'`.  A word that ends in .toml is a file even if no
+/// such file exists, so that a misspelt name is refused as a file.
 std::vector<std::string> take_files(Given& given) {
   std::vector<std::string> files;
   const bool several = answers_several(given.command);

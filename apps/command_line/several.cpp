@@ -34,7 +34,7 @@ class HeadlineWalk : public OutputWalk {
   bool headline_ = false;
 };
 
-/// Reads the headlines of the elements of a list, such as requirements: a row for each element.
+/// Reads the headlines of the elements of a list, such as requirements.  Each element gives a row.
 class RowWalk : public OutputWalk {
  public:
   using Row = std::vector<std::pair<std::string, std::string>>;  // names and texts
@@ -94,7 +94,7 @@ Outputs outputs_of(std::span<const FileAnswer> answers) {
   Outputs outputs;
   for (const FileAnswer& of : answers) {
     outputs.rows.emplace_back(outputs.columns.size());
-    // A column that the files before lack stands behind the one that this file has before it.
+    // A column that the earlier files lack follows the previous column of this file.
     std::ptrdiff_t next = 0;
     Walk walk([&](const std::string& name, const Quantity& value) {
       const auto found = std::ranges::find(outputs.columns, name, &Output::name);
@@ -120,8 +120,8 @@ std::string verdict_of(const FileAnswer& of) {
                               : std::string(enum_name(evidence.verdict.judgement));
 }
 
-/// A row for each element of the answers' lists that has headlines, and one for a file without an
-/// answer; nothing if no answer has such a list.
+/// A table with a row for each element that has headlines in a list of the answers, and a row for
+/// each file without such elements.  There is no table if no answer has such a list.
 std::optional<Table> table_of_elements(std::span<const FileAnswer> answers) {
   Table table{.head = {"file", "verdict"}, .align = "ll"};
   bool any = false;
@@ -144,7 +144,7 @@ std::optional<Table> table_of_elements(std::span<const FileAnswer> answers) {
   return any ? std::optional(std::move(table)) : std::nullopt;
 }
 
-/// The name of an output, each of its words on a line, above its unit.
+/// The lines of the heading of an output: the words of its name, then its unit.
 std::vector<std::string> head_of(const Output& output) {
   std::vector<std::string> lines(1);
   for (const char c : output.name)

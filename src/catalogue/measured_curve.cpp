@@ -123,9 +123,11 @@ class CurveReader {
       n_columns_ = names.size();
       return read_names(names);
     }
-    const std::vector<Cell> cells = cells_of(line, *separator_, place_);
+    std::vector<Cell> cells = cells_of(line, *separator_, place_);
     // Spreadsheets write an empty row as a line of separators.
     if (std::ranges::all_of(cells, [](const Cell& cell) { return cell.text.empty(); })) return;
+    // Data loggers end each row with a separator.
+    while (cells.size() > n_columns_ && cells.back().text.empty()) cells.pop_back();
     if (cells.size() != n_columns_) refuse_count(cells.size());
     const double torque = number(cells, torque_);
     const double twist = number(cells, twist_);
@@ -166,10 +168,11 @@ class CurveReader {
              "[N*m],twist [arcmin]\"");
   }
 
-  /// A decimal comma between cells that commas separate makes two cells of one number.
+  /// Refuses a row with a wrong number of cells.  In a table with commas, a decimal comma makes two
+  /// cells of one number.
   [[noreturn]] void refuse_count(std::size_t n_cells) const {
     const std::string_view advice =
-        n_cells < n_columns_ ? "write a cell for each column; it may be empty"
+        n_cells < n_columns_ ? "write a cell for each column; a cell may be empty"
         : *separator_ == ',' ? "if commas are decimal, separate the cells by semicolons, or put "
                                "each number in quotes"
                              : "remove the cells without a column";

@@ -211,14 +211,15 @@ std::string words(double x, double y, std::string_view style, std::string_view t
                      more, svg_text(text));
 }
 
-/// A label of the margin, broken behind dots, blanks and underscores into lines of at most `most`
-/// characters.
+/// A label of the margin, broken after dots, blanks and underscores into lines of at most `most`
+/// bytes.
 std::string margin_words(double x, double& y, std::string_view style, std::string_view text,
                          std::size_t most) {
   std::string svg;
   while (text.size() > most) {
     const std::size_t last = text.find_last_of("._ ", most - 1);
-    const std::size_t end = last == std::string_view::npos || last == 0 ? most : last + 1;
+    std::size_t end = last == std::string_view::npos || last == 0 ? most : last + 1;
+    while ((static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // not inside a letter
     svg += words(x, y, style, text.substr(0, end));
     text.remove_prefix(end);
     y += kLabelHeight - 4;
@@ -227,7 +228,7 @@ std::string margin_words(double x, double& y, std::string_view style, std::strin
   y += kLabelHeight;
   return svg;
 }
-/// Of labels beside the sample of a line, and of those without one.
+// The largest number of characters of a label beside the sample of a line, and of another label.
 constexpr std::size_t kMostOfLine = 20;
 constexpr std::size_t kMostOfTitle = 26;
 
@@ -531,13 +532,13 @@ struct Box {
   }
 };
 
-/// The lines of one level, and how they are labelled.
+/// The lines of one level and their label.
 struct ContourLevel {
   std::string label;
   std::vector<Pixels> lines = {};
 };
 
-/// A line in steps of at most `step` px.
+/// The points of a line in steps of at most `step` px.
 Pixels divided(const Pixels& line, double step) {
   Pixels points;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -550,12 +551,12 @@ Pixels divided(const Pixels& line, double step) {
   return points;
 }
 
-/// The labels of the lines, above all of them: inside the frame, apart from each other and from
-/// other lines; where there is a choice, where the line is flat, and near its middle.  A line
-/// without room for a label has none: the margin lists all levels.
+/// The labels of the lines, drawn above all lines.  A label lies inside the frame, apart from other
+/// labels and from other lines.  It prefers a place where its line is flat, near the middle of the
+/// line.  A line without room for a label gets none, because the margin lists all levels.
 std::string level_labels(const std::vector<ContourLevel>& levels, const Box& frame) {
   constexpr double kStep = 4;
-  constexpr double kCharacter = 7.6;  // of a tick label, with its halo
+  constexpr double kCharacter = 7.6;  // width in a tick label, with the halo [px]
   constexpr double kHeight = 16;
   std::vector<std::vector<Pixels>> lines;
   for (const ContourLevel& level : levels) {
@@ -569,7 +570,7 @@ std::string level_labels(const std::vector<ContourLevel>& levels, const Box& fra
     for (const Pixels& line : lines[n]) {
       std::optional<Box> best;
       double least = std::numeric_limits<double>::infinity();
-      // A label shall not hide a short line.
+      // A label must not hide a short line.
       if (kStep * static_cast<double>(line.size()) < 3 * half) continue;
       for (std::size_t i = 1; i + 1 < line.size(); ++i) {
         const Pixel& at = line[i];

@@ -217,7 +217,7 @@ class UnitParser {
                 prefix.power + *unit->power_of_ten};
     }
     if (const std::string product = meant_product(symbol); !product.empty())
-      refuse(fmt::format("needs * between units; write {}", product));
+      refuse(fmt::format("needs * between units; write {} in place of {}", product, shown(symbol)));
     if (symbol.find("sqrt") != std::string_view::npos)
       refuse("needs ^0.5 for a root, such as MPa*m^0.5");
     refuse(symbol.empty() ? "lacks a unit where the text needs one"

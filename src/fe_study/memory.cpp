@@ -21,7 +21,7 @@ std::optional<std::string> contents(const std::string& path) {
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
-/// The number behind a key at the beginning of a line.
+/// The number after a key at the beginning of a line.
 std::optional<double> number_of(const std::optional<std::string>& text, std::string_view key) {
   if (!text) return std::nullopt;
   std::istringstream lines(*text);

@@ -45,7 +45,7 @@ void check(const ShaftSection& shaft) {
   const double end = shaft.shoulder ? shaft.shoulder->position - 2.5 * shaft.shoulder->fillet_radius
                                     : shaft.length;
   require(crack.position > 0 && crack.position < end, "crack.position", crack.position, "m",
-          shaft.shoulder ? "> 0 and before the shoulder's fillet by more than 1.5 of its radius"
+          shaft.shoulder ? "> 0, and more than 1.5 fillet radii before the shoulder's fillet"
                          : "> 0 and < length");
 }
 

@@ -24,7 +24,7 @@ std::string column_text(std::string_view name, std::string_view unit) {
   return fmt::format("{} [{}]", name, unit);
 }
 
-/// Number of places of a line behind the values.
+/// Number of places of a line after the values.
 constexpr std::size_t kPlacesBehind = 5;
 
 [[noreturn]] void refuse(std::string_view name, std::size_t line, std::string_view problem) {
@@ -208,8 +208,8 @@ TableFile parse_table_file(std::string_view text, std::string_view name) {
     const std::vector<std::string> places = places_of(content);
     if (places.size() != n_places)
       refuse(name, line,
-             fmt::format("has {} cell{}, but the head names {} columns; commas separate cells, and "
-                         "numbers have a decimal point",
+             fmt::format("has {} cell{}, but the head names {} columns; separate cells by commas, "
+                         "and write numbers with a decimal point",
                          places.size(), places.size() == 1 ? "" : "s", n_places));
     file.rows.push_back(row_of(places, n_at, name, line));
   }
@@ -278,7 +278,8 @@ ComplianceTable parse_compliance_table(std::string_view text, std::string_view n
             index * nodes.size() +
             static_cast<std::size_t>(std::ranges::lower_bound(nodes, row.at[a]) - nodes.begin());
       }
-      if (filled[index]) throw InputError(name, fmt::format("point {} is there twice", r + 1));
+      if (filled[index])
+        throw InputError(name, fmt::format("point {} appears twice; remove one of them", r + 1));
       filled[index] = true;
       column.values[index] = *row.values[place];
       table.point_error = std::max(table.point_error, std::abs(*row.relative_error));

@@ -107,7 +107,7 @@ class PathReader {
   /// Takes the dot before a key, which the first key does not have.
   void take_dot(std::string_view& rest) const {
     if (rest.size() == whole_.size()) return;
-    if (!rest.starts_with('.')) refuse(fmt::format("needs . and a key behind {}", before(rest)));
+    if (!rest.starts_with('.')) refuse(fmt::format("needs . and a key after {}", before(rest)));
     rest.remove_prefix(1);
   }
 
@@ -139,7 +139,7 @@ class PathReader {
   std::size_t take_index(std::string_view& rest) const {
     const std::size_t end = rest.find(']');
     if (!rest.starts_with('[') || end == std::string_view::npos)
-      refuse(fmt::format("needs an index behind {}, such as [0] or [+]", before(rest)));
+      refuse(fmt::format("needs an index after {}, such as [0] or [+]", before(rest)));
     const std::string_view digits = rest.substr(1, end - 1);
     rest.remove_prefix(end + 1);
     if (digits == "+") return kOneMore;
@@ -311,7 +311,7 @@ bool changed_only(const toml::node* before, const toml::node* now, const Steps& 
 
 struct NewValue {
   toml::table holder;                   ///< the value at the key "value"
-  std::string text;                     ///< text behind `=`
+  std::string text;                     ///< text after `=`
   std::vector<TomlItem> items;          ///< entries of a table, elements of a list
   std::vector<std::string> item_texts;  ///< the values of these items
   [[nodiscard]] const toml::node& node() const { return *holder.get("value"); }
@@ -376,7 +376,7 @@ std::string value_below(const Steps& path, std::size_t from, const std::string& 
   return "{ " + item_text(path, from, value) + " }";
 }
 
-/// End of the comma behind an item, or end of the item without a comma.
+/// End of the comma after an item, or end of the item without a comma.
 std::size_t behind_comma(std::string_view text, const TomlValue& list, const TomlItem& item) {
   const std::size_t next = text.find_first_not_of(" \t\r\n", item.span.end);
   return next < list.span.end && text[next] == ',' ? next + 1 : item.span.end;
@@ -513,7 +513,7 @@ std::size_t rank(const std::vector<std::string>& names, const std::string& name)
   return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
 }
 
-/// Adds a line behind those entries of the section that precede it in the description.
+/// Adds a line after those entries of the section that precede it in the description.
 std::string with_line(const std::string& text, const TomlScan& scan, std::size_t section,
                       const std::string& key, const std::string& line,
                       const std::vector<std::string>& names) {
@@ -536,7 +536,7 @@ std::string with_line(const std::string& text, const TomlScan& scan, std::size_t
                      line + (open ? "" : line_end(text)));
 }
 
-/// Adds a section behind the sections that precede it in the description.
+/// Adds a section after the sections that precede it in the description.
 /// @param lines  lines of its body, each with its line end
 std::string with_section(const std::string& text, const TomlScan& scan, const KnownPath& path,
                          const Steps& section, const std::string& lines) {

@@ -41,7 +41,7 @@ void add_from_library(GearSet& gear, const std::optional<Member>& member, std::s
       field,
       fmt::format("\"{}\" is not one of the materials given ({}), nor in the material library; {}",
                   shown(member->material), shown(fmt::format("{}", fmt::join(given, ", "))),
-                  meant.empty() ? "strainwave material list has the names" : shown(meant)));
+                  meant.empty() ? "strainwave material list shows the names" : shown(meant)));
 }
 
 /// Completes the tables of the file that name a record of the library with the values that they
@@ -55,21 +55,22 @@ void complete_from_library(GearSet& gear) {
       throw InputError(
           (FieldPath("material") / name / "based_on").text(),
           fmt::format("\"{}\" is not in the material library; {}", shown(*material.based_on),
-                      meant.empty() ? "strainwave material list has the names" : shown(meant)));
+                      meant.empty() ? "strainwave material list shows the names" : shown(meant)));
     }
     material = completed(material, *record);
   }
 }
 
-/// Refuses what people take for a drive, and whose first fault as TOML would say nothing to them.
+/// Refuses HTML, XML and JSON by name, because the first TOML fault of such a text would not help.
 void refuse_other_formats(std::string_view text, std::string_view file_name) {
   const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   const char begins = first == std::string_view::npos ? '#' : text[first];
   if (begins == '<' || begins == '{')
     throw InputError(TextPlace{.file = std::string(file_name)},
-                     begins == '<' ? "is HTML or XML, not a drive in TOML"
-                                   : "is JSON, not a drive in TOML; the input of a result is in "
-                                     "the file that provenance.input_file names");
+                     begins == '<'
+                         ? "is HTML or XML, not a drive in TOML; strainwave new writes a drive"
+                         : "is JSON, not a drive in TOML; for a result, give the file "
+                           "that provenance.input_file names");
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ std::string toml_string(std::string_view text) {
   return result + '"';
 }
 
-/// Right-hand side of a number.
+/// The text of a number on the right-hand side of its line.
 std::string number_text(double value, const Field& field) {
   const std::string text = exact_text(value, field.unit);
   return field.unit == "1" ? text : toml_string(text);
@@ -187,7 +187,7 @@ std::string gear_text(const GearSet& gear, const std::map<std::string, std::stri
 }
 
 std::string with_numbers_of(std::string text, const GearSet& from, const GearSet& to) {
-  GearSet kept = from;  // with the entries of lists that `to` has too
+  GearSet kept = from;  // will keep only the entries of lists that `to` has too
   for_each_path_list(kept, [&](std::string_view list, auto& entries) {
     for_each_path_list(to, [&](std::string_view, const auto& wanted) {
       if constexpr (std::is_same_v<std::decay_t<decltype(entries)>, std::decay_t<decltype(wanted)>>)

@@ -62,7 +62,7 @@ bool always_required(const Field& field) {
 struct TableHeading {
   std::string path;      // "flexspline.crack"
   std::string head;      // "[[flexspline.crack]]"
-  std::string_view doc;  // of the field that holds it
+  std::string_view doc;  // description of the field that holds the table
   std::string_view kind = {};
 };
 

@@ -62,8 +62,8 @@ struct TomlEntry {
 struct TomlSection {
   Steps path;
   Span line;           ///< line of the header
-  std::size_t header;  ///< position behind its brackets
-  std::size_t end;     ///< position behind its last entry and that entry's comments
+  std::size_t header;  ///< position after its brackets
+  std::size_t end;     ///< position after its last entry and that entry's comments
 };
 
 struct TomlScan {

@@ -128,7 +128,7 @@ std::vector<TitledTable> elasticity_tables(const Sensitivity& sensitivity) {
                 return std::abs(e) < kNoise ? std::string("0") : fmt::format("{:+.4g}", e);
               });
     tables.push_back(
-        {fmt::format("Elasticities of {}{}: per cent of change per per cent of the input (SN-1)",
+        {fmt::format("Elasticities of {}{}: per cent of change per per cent of input (SN-1)",
                      group.is_of_sum() ? "the " : "", group.what),
          std::move(table)});
   }

@@ -187,7 +187,7 @@ std::vector<CoupledRow> coupled_rows(const CurveResult& curve, const GearSet& ge
       const Quantity& sound = curve.intact.*of_line.of;
       const Quantity& positive = (*curve.positive.over_turn).*of.*of_line.over_turn;
       const Quantity& negative = (*curve.negative.over_turn).*of.*of_line.over_turn;
-      rows.push_back({.label = fmt::format("{}, {} of a turn", of_line.name, name),
+      rows.push_back({.label = fmt::format("{}, {} over a turn", of_line.name, name),
                       .name = fmt::format("over_turn.{}.{}", name, of_line.name),
                       .unit = std::string(units.front().text),
                       .unit_in_si = units.front().in_si,

@@ -142,8 +142,9 @@ std::string validation_text(const Validation& v) {
         "\nBands: 5 % to 95 % of {} drives whose proportions are drawn between their limits, seed "
         "{}{}\n",
         v.options.draws, v.options.seed,
-        v.failed_draws == 0 ? std::string(".")
-                            : fmt::format("; {} without an equilibrium left out.", v.failed_draws));
+        v.failed_draws == 0
+            ? std::string(".")
+            : fmt::format("; draws without an equilibrium that are left out: {}.", v.failed_draws));
   text += fmt::format("\nEach row: {}\n", row_words()) + text_table(row_table(v));
   if (v.options.mode == ValidationMode::geometry) return text;
   text += fmt::format("\nLast columns: {}.  * marks a factor at the limit of its {} range.\n",

@@ -247,7 +247,7 @@ const MaterialRecord& require_material(std::string_view name_or_alias) {
   const std::string meant = meant_material(name_or_alias, material_names());
   throw InputError("material",
                    fmt::format("\"{}\" is not in the material library; {}", shown(name_or_alias),
-                               meant.empty() ? "strainwave material list has the names" : meant));
+                               meant.empty() ? "strainwave material list shows the names" : meant));
 }
 
 Material as_material(const MaterialRecord& record) { return completed({}, record); }

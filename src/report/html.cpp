@@ -25,7 +25,7 @@ double characters(std::string_view text) {
       text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-/// Place at which a label that is too long is broken: behind the last dot, comma or blank that
+/// Place at which a label that is too long is broken: after the last dot, comma or blank that
 /// fits, such that the two lines are of similar length.
 std::size_t break_of(std::string_view label) {
   std::size_t best = 0;

@@ -48,7 +48,7 @@ struct Bar {
   std::string label;
   double from = 0.0;
   double to = 0.0;
-  std::string text;   ///< text behind the bar
+  std::string text;   ///< text after the bar
   std::string style;  ///< "", "crack", "low", "high"
   /// Draw on the line of the previous bar, as the other side of a tornado.
   bool same_line = false;

@@ -7,8 +7,9 @@
 namespace strainwave {
 namespace {
 
-// The style must not contain `<` or `&`, because the page is XML as well.  The rules of a plot are
-// confined to plots (`.plot .tick`); those for dark screens name `svg` too, so they weigh more.
+// The style must not contain `<` or `&`, because the page is XML as well.  The rules of a plot
+// apply only inside plots (`.plot .tick`).  The rules for dark screens also name `svg`, so they
+// take precedence.
 constexpr std::string_view kPageStyle = R"css(
 :root {
   color-scheme: light dark;

@@ -42,9 +42,9 @@ const Row& solution(std::string_view name) {
     if (row.info.name == name) return row;
     names.emplace_back(row.info.name);
   }
-  throw InputError(name.empty() ? "\"\"" : shown(name), "is not a solution of the library" +
-                                                            near_text(name, names) +
-                                                            "; `strainwave sif list` has them all");
+  throw InputError(name.empty() ? "\"\"" : shown(name),
+                   "is not a solution of the library" + near_text(name, names) +
+                       "; `strainwave sif list` lists all solutions");
 }
 
 }  // namespace strainwave::sif

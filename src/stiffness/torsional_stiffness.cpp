@@ -190,8 +190,8 @@ void contain_left_out(StiffnessResult& result, const GearSet& gear, const Member
       {.code = "sum.left_out",
        .text = fmt::format(
            "the sum of the members leaves out the contacts of balls and teeth, the rings and the "
-           "coning of the cup: apart from the errors of the members the drive is softer; the "
-           "accuracy of the sum contains this part; it acts to the softer side. {}",
+           "coning of the cup, so the drive is softer apart from the errors of the members; the "
+           "accuracy of the sum contains this effect; it acts to the softer side. {}",
            coupled == nullptr ? "Catalogues show that the sum is 2 to 5 times too stiff without a "
                                 "shaft"
                               : "The coupled drive is the answer"),

@@ -166,9 +166,10 @@ class RaceCracks : public CrackAdder {
     if (clearly_less(kDeepEdgeCrack * thickness, depth))
       member.notes.push_back(
           {.code = "crack.edge_range",
-           .text = fmt::format("a/t = {:.3g}: beyond {:g} the cracked section acts like a hinge, "
-                               "and the support by the cam determines the result; extrapolated",
-                               depth / thickness, kDeepEdgeCrack),
+           .text = fmt::format(
+               "a/t = {:.3g}: beyond {:g} the cracked section acts like a hinge, "
+               "and the support by the cam determines the result, which is extrapolated",
+               depth / thickness, kDeepEdgeCrack),
            .path = path,
            .equation = "FR-11",
            .severity = Severity::care});

@@ -22,7 +22,8 @@ struct Coupled {
 };
 
 /// @param gear       has passed `check`
-/// @param over_turn  also at all angles of a turn, where a crack turns relative to the lobes
+/// @param over_turn  whether to solve all angles of a turn too, if a crack turns relative to the
+///                   lobes
 [[nodiscard]] Coupled coupled_drive(const GearSet& gear, bool over_turn = false,
                                     const Progress& progress = {});
 

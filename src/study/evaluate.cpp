@@ -68,7 +68,7 @@ CrackedCurve cracked_lines_of(const AssembledDrive& drive, int sense, const Curv
   return curve;
 }
 
-/// The lines of a turn, from what the cracks change of the sound ones.
+/// The stiffnesses over a turn, from those of the sound drive and their changes by the cracks.
 CurveOverTurn over_turn_of(const CurveStiffness& sound, const ChangesOverTurn& turn) {
   const auto lines = [&](const LineChanges& changes) {
     const auto changed = [](Quantity K, double change) {
@@ -82,8 +82,8 @@ CurveOverTurn over_turn_of(const CurveStiffness& sound, const ChangesOverTurn& t
   return {.mean = lines(turn.mean), .softest = lines(turn.worst)};
 }
 
-/// "mesh.crack[0] at 5 degrees": the cracks that turn relative to the lobes, where the file has
-/// them.
+/// The cracks that turn relative to the lobes, with their angles in the file: "mesh.crack[0] at 5
+/// degrees".
 std::string angles_of_file(const GearSet& gear) {
   std::string angles;
   for_each_crack(gear, [&]<class Crack>(const std::string& path, const Crack& crack) {
@@ -94,7 +94,7 @@ std::string angles_of_file(const GearSet& gear) {
   return angles;
 }
 
-/// A line of the curve that varies most over a turn, in words.
+/// The changes of the stiffness that varies most over a turn, in words.
 std::string range_of(const ChangesOverTurn& positive, const ChangesOverTurn& negative) {
   std::string text;
   double most = -1.0;
@@ -104,8 +104,9 @@ std::string range_of(const ChangesOverTurn& positive, const ChangesOverTurn& neg
       if (turn.ripple.*line <= most) continue;
       most = turn.ripple.*line;
       text = fmt::format(
-          "there they change {} under {} torque by {}; over a turn they change it by {} to {}, and "
-          "by {} on average",
+          "at this angle the cracks change {} under {} torque by {}; over a turn the change is {} "
+          "to "
+          "{}, and {} on average",
           name, torque, percent_change(turn.as_given.*line), percent_change(turn.worst.*line),
           percent_change(turn.best.*line), percent_change(turn.mean.*line));
     }
@@ -115,18 +116,20 @@ std::string range_of(const ChangesOverTurn& positive, const ChangesOverTurn& neg
   return text;
 }
 
-/// The stiffness at one angle of a turn misleads: a crack may even raise it there.
+/// The note that a stiffness at one angle of a turn misleads, because a crack may even raise the
+/// stiffness there.
 Note one_angle_note(const GearSet& gear, const TurnChanges* turn) {
   const std::string at =
-      "K1, K2, K3 and the wind-up hold at one angle of the wave generator, with " +
+      "K1, K2, K3 and the wind-up are valid at one angle of the wave generator, with " +
       angles_of_file(gear) + " from the lobe; ";
   if (turn == nullptr)
-    return {.code = "curve.one_angle",
-            .text = at + "over a turn the effect of these cracks varies and may change its sign",
-            .path = {},
-            .equation = "TC-26",
-            .severity = Severity::care,
-            .next_step = "Run strainwave stiffness: it gives the mean and the softest of a turn."};
+    return {
+        .code = "curve.one_angle",
+        .text = at + "over a turn the effect of these cracks varies and may change its sign",
+        .path = {},
+        .equation = "TC-26",
+        .severity = Severity::care,
+        .next_step = "Run strainwave stiffness for the mean and the softest values over a turn."};
   constexpr double kSeen = 1e-3;  // ripple that a designer may care about [-]
   double ripple = 0.0;
   for (const ChangesOverTurn* const sense : {&turn->positive, &turn->negative})
@@ -137,7 +140,7 @@ Note one_angle_note(const GearSet& gear, const TurnChanges* turn) {
           .equation = "TC-26",
           .severity = ripple > kSeen ? Severity::care : Severity::information,
           .next_step =
-              "Design with the softest of a turn, curve.positive.over_turn.softest and "
+              "Design with the softest values over a turn, curve.positive.over_turn.softest and "
               "curve.negative.over_turn.softest; strainwave torsion --compare shows every "
               "angle."};
 }

@@ -31,14 +31,15 @@ void refuse_output(const StiffnessResult& result, std::string_view path, std::st
     if (std::string near = nearest_word(path, known); !near.empty())
       ending.push_back(std::move(near));
   const std::string suggested =
-      !ending.empty() ? fmt::format("; did you mean {}?", fmt::join(ending, " or "))
-                      : fmt::format(", such as {}.", result.curve ? "curve.positive.K2"
-                                                                  : "cracked.positive.stiffness");
-  throw InputError(
-      option, fmt::format("\"{}\" is not an output of this drive{} strainwave stiffness FILE "
-                          "--format csv lists its outputs, strainwave explain OUTPUT says what "
-                          "one is",
-                          path, suggested));
+      !ending.empty()
+          ? fmt::format("; did you mean {}?", fmt::join(ending, " or "))
+          : fmt::format("; write an output such as {}.",
+                        result.curve ? "curve.positive.K2" : "cracked.positive.stiffness");
+  throw InputError(option,
+                   fmt::format("\"{}\" is not an output of this drive{} strainwave stiffness FILE "
+                               "--format csv lists its outputs, and strainwave explain OUTPUT "
+                               "explains an output",
+                               path, suggested));
 }
 
 }  // namespace strainwave

@@ -20,10 +20,11 @@ constexpr std::string_view kOption = "requirements";
 Requirement parse_requirement(const StiffnessResult& result, std::string_view text) {
   const std::size_t at = text.find_first_of("<>");
   if (at == std::string_view::npos)
-    throw InputError(kOption,
-                     fmt::format("{} must be OUTPUT OP VALUE with OP one of >=, >, <=, <, such as "
-                                 "curve.positive.K2 >= 4e4 N*m/rad, or a file that exists",
-                                 shown(text)));
+    throw InputError(
+        kOption, fmt::format("{} is neither a requirement nor an existing file; write OUTPUT OP "
+                             "VALUE with OP one of >=, >, <=, <, such as curve.positive.K2 >= "
+                             "4e4 N*m/rad",
+                             shown(text)));
   const std::size_t length = text.substr(at + 1).starts_with('=') ? 2 : 1;
   const std::string_view output = without_blanks(text.substr(0, at));
   const std::optional<Quantity> present = output_named(result, output);
@@ -54,7 +55,7 @@ struct Uncertainty {
   double above = 0.0;
 };
 
-/// That of a sum of compliances without what it leaves out, relative (ST-16).
+/// The relative uncertainty of a sum of compliances by its members alone (ST-16).
 double of_members(const Compliances& compliance) {
   double variance = 0.0;
   for (const Quantity& member :
@@ -63,19 +64,20 @@ double of_members(const Compliances& compliance) {
   return std::sqrt(variance) / compliance.total.value;
 }
 
-/// Whether the drive is known to be softer than a sum, apart from the errors of the members: by
-/// catalogues where the coupled drive is not solved, else by its own lines (ST-18).
+/// Whether the drive is known to be softer than the sum, apart from the errors of the members
+/// (ST-18). The stiffnesses of the coupled drive decide.  If it is not solved, catalogues show that
+/// the drive is softer.
 bool is_softer(const Quantity& stiffness, const CurveStiffness* coupled) {
   return coupled == nullptr ||
          (std::max({coupled->K1.value, coupled->K2.value, coupled->K3.value}) <= stiffness.value);
 }
 
-/// The side of a sum's output on which the drive lies that it stands for.
+/// The side of an output of the sum on which the same output of the drive lies.
 enum class Side { below, above, either };
 
 struct SumOutput {
   Side softer = Side::either;
-  double of_members = 0.0;    ///< relative uncertainty without what the sum leaves out [-]
+  double of_members = 0.0;    ///< relative uncertainty by the members alone [-]
   std::string of_drive = {};  ///< an output of the coupled drive to require instead of a change
 };
 
@@ -154,12 +156,14 @@ std::string sentence(const RequirementAnswer& answer) {
 std::string interval_words(const std::optional<SumOutput>& sum) {
   if (!sum) return "";
   return sum->softer == Side::either
-             ? "; the uncertainty contains what the sum of the members leaves out, on both sides"
+             ? "; the uncertainty contains the effects that the sum of the members leaves out, on "
+               "both "
+               "sides"
              : "; the sum of the members leaves out contacts and rings, which only make the drive "
-               "softer: the uncertainty contains them on the softer side alone";
+               "softer, so the uncertainty contains their effect on the softer side only";
 }
 
-/// What is to be said of an answer; nothing where a requirement is met beyond its uncertainty.
+/// The note on an answer.  There is none if the requirement is met beyond the uncertainty.
 std::optional<Note> note_of(const RequirementAnswer& answer, const std::optional<SumOutput>& sum) {
   const bool stated = answer.low.has_value();
   const std::string text = sentence(answer) + (stated ? interval_words(sum) : "");
@@ -171,7 +175,7 @@ std::optional<Note> note_of(const RequirementAnswer& answer, const std::optional
                   .path = {},
                   .equation = equation,
                   .severity = Severity::critical,
-                  .next_step = "Change the drive, or the requirement."};
+                  .next_step = "Change the drive or the requirement."};
     case RequirementOutcome::cannot_be_told:
       return Note{.code = "require.cannot_be_told",
                   .text = text,

@@ -110,22 +110,22 @@ void note_interference(const CoupledDrive& drive, std::vector<Note>& notes) {
        "mesh.lobe_gap", "TC-6", Severity::care, "Check mesh.lobe_gap and the fields named here."});
 }
 
-/// Cracks of rings that do nothing where they stand.
+/// Adds a note for each crack of a ring whose faces the assembly presses together.
 void note_pressed(const AssembledDrive::Contents& contents, std::vector<Note>& notes) {
   for (const RingHinge& hinge : contents.cracks.hinges)
     if (pressed_by_assembly(contents.sound, hinge))
       notes.push_back(
           {"crack.pressed_ring",
-           fmt::format("at {:.4g} degrees from the lobe the assembly bends the ring so that the "
-                       "faces of its crack press on each other: the crack changes nothing there",
+           fmt::format("at {:.4g} degrees from the lobe the assembly presses the faces of this "
+                       "crack together, so the crack changes nothing there",
                        hinge.position * 180 / pi),
            hinge.ring == RingHinge::Ring::rim ? "flexspline.rim"
                                               : "wave_generator.bearing.outer_ring",
            "TC-22", Severity::information,
-           "Run strainwave torsion --compare: it shows what the crack changes over a turn."});
+           "Run strainwave torsion --compare to see what the crack changes over a turn."});
 }
 
-/// Puts the cracks into the sound drive, on its cam, if it has one.
+/// Adds the cracks to the sound drive on its cam, if the sound drive assembles.
 void crack(AssembledDrive::Contents& into) {
   into.drive = into.sound;
   into.fails_because = into.sound_fails_because;

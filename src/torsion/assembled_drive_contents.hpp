@@ -60,8 +60,8 @@ template <class Real>
 /// nearest to a position carries the larger force.
 [[nodiscard]] Equilibrium worst_of_ball(const CoupledDrive& sound, double torque, double position);
 
-/// Whether the moment of the assembly presses the faces of a ring's crack together, so that it does
-/// not soften the ring (TC-22).  The circular spline has no moment without torque.
+/// Whether the moment of the assembly presses the faces of a ring's crack together, so that the
+/// crack does not soften the ring (TC-22).  The circular spline has no moment without torque.
 template <class Real>
 [[nodiscard]] bool pressed_by_assembly(const CoupledDrive& sound,
                                        const BasicRingHinge<Real>& hinge) {
@@ -71,7 +71,7 @@ template <class Real>
   return hinge.from_inside ? bends_more > 0 : bends_more < 0;
 }
 
-/// The cracks without those that the assembly presses.
+/// The cracks whose faces the assembly does not press together.
 template <class Real>
 [[nodiscard]] BasicContactCracks<Real> acting(const CoupledDrive& sound,
                                               BasicContactCracks<Real> cracks) {
@@ -86,7 +86,7 @@ struct AssembledDrive::Contents {
   CoupledOptions options;
   CoupledGeometry geometry;
   CoupledDrive sound;    // the sound drive on its cam
-  ContactCracks cracks;  // also those that the assembly presses
+  ContactCracks cracks;  // including those that the assembly presses
   CoupledDrive drive;    // the drive with its cracks, on the cam of the sound drive
   SeriesMembers series;
   std::vector<Note> notes;

@@ -336,7 +336,7 @@ void check_coupled(const GearSet& gear, const CoupledOptions& options) {
   require(std::abs(teeth - std::round(teeth)) < kWhole && teeth >= kLeastTeeth, "drive.ratio",
           drive.ratio, "1", "a whole number of teeth, wave_number times ratio, of 20 or more");
   require(rim.outer_diameter < drive.pitch_diameter, "flexspline.rim.outer_diameter",
-          rim.outer_diameter, "m", "outer_diameter, of the tooth roots, < drive.pitch_diameter");
+          rim.outer_diameter, "m", "outer_diameter (of the tooth roots) < drive.pitch_diameter");
   const double bore = rim.outer_diameter / 2 - rim.wall_thickness;
   const double ring_outside = bearing.outer_ring->mean_radius + bearing.outer_ring->thickness / 2;
   if (std::abs(ring_outside - bore) > kFitInBore * bore)

@@ -61,9 +61,9 @@ struct BasicRingHinge {
   using Ring = HingedRing;
   Ring ring = Ring::rim;
   Real position{};           // theta_c
-  Real length{};             // l, over which the crack softens the ring [m]
-  Real softening{};          // alpha, bending stiffness lost times length (TC-22) [N*m^3]
-  bool from_inside = false;  // it opens where the ring bends less
+  Real length{};             // length l over which the crack softens the ring [m]
+  Real softening{};          // alpha, lost bending stiffness times length (TC-22) [N*m^3]
+  bool from_inside = false;  // a crack from inside opens where the ring bends less
 };
 template <class Real>
 struct BasicSoftTooth {

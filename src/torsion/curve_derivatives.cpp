@@ -299,7 +299,7 @@ CurveDerivatives CurveDifferentiator::of(const GearSet& gear, const Lift<DualRea
     }
     return 0.0;
   };
-  std::vector<Note> notes;  // said when the drive was assembled
+  std::vector<Note> notes;  // the assembly of the drive has already added these notes
   const auto cracks =
       acting(of_drive.sound, contact_cracks(gear, lift, geometry, ball_over, notes));
   const adjoint::DualDrive cracked(of_drive.drive, geometry, rings, cracks, sound.amplitude);

@@ -150,6 +150,7 @@ TEST(MeasuredCurve, IdentityDialectsOfSpreadsheets) {
        {"\xEF\xBB\xBFtorque [N*m],twist [arcmin]\n14,1.5\n48.25,2.75\n",  // byte order mark
         "torque [N*m];twist [arcmin]\r\n14;1,5\r\n48,25;2,75\r\n",
         "torque [N*m];twist [arcmin]\n14;1.5\n48.25;2.75\n",
+        "torque [N*m],twist [arcmin]\n14,1.5,\n48.25,2.75, ,\n",  // of a data logger
         "sep=;\nTorque [N*m];Twist [arcmin]\n14;1,5\n48,25;2,75",
         "torque [N*m]\ttwist [arcmin]\n14\t1,5\n48,25\t2,75\n",
         "torque [N*m]\ttwist [arcmin]\r14\t1.5\r48.25\t2.75\r",
@@ -211,7 +212,7 @@ TEST(MeasuredCurve, InputRefusals) {
   for (const auto& [text, sentence] : std::map<std::string, std::string>{
            {head + "1\n",
             "bench.csv:2: has 1 cell, but the head names 2 columns; write a cell for each column; "
-            "it may be empty"},
+            "a cell may be empty"},
            {head + "1;2\n1;2;3\n",
             "bench.csv:3: has 3 cells, but the head names 2 columns; remove the cells without a "
             "column"},
@@ -220,8 +221,10 @@ TEST(MeasuredCurve, InputRefusals) {
             "separate the cells by semicolons, or put each number in quotes"},
            {"torque [N*m],twist [rad],remark\n30,2,1\n30,2\n",
             "bench.csv:3: has 2 cells, but the head names 3 columns"},
-           {head + "1;x\n", "bench.csv:2:3: twist = \"x\" is not a number, such as 12.5 or 12,5"},
-           {head + "1;\n", "bench.csv:2:3: twist = \"\" is not a number, such as 12.5 or 12,5"},
+           {head + "1;x\n",
+            "bench.csv:2:3: twist = \"x\" is not a number; write a number such as 12.5 or 12,5"},
+           {head + "1;\n",
+            "bench.csv:2:3: twist = \"\" is not a number; write a number such as 12.5 or 12,5"},
            {head + "\n 1.234,5; 1\n",
             "bench.csv:3:2: torque = \"1.234,5\" has separators of thousands; write the number "
             "without them"},

@@ -76,8 +76,8 @@ TEST(TypicalDrive, ReferenceLengthsOfSize25) {
                         0.85 * 63.5 * kMm, 1e-12);
 }
 
-// The same drive by an independent program, circular spline rigid, diaphragm without resistance to
-// warping; the tolerance is the fifth given digit.
+// An independent program computed the same drive with a rigid circular spline and a diaphragm
+// without resistance to warping.  The tolerance is the fifth given digit.
 TEST(TypicalDrive, ReferenceMakersLinesOfSize25) {
   ProportionValues rigid;
   rigid.spline_support = 0;

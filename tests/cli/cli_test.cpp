@@ -617,7 +617,7 @@ TEST_F(Program, BehaviourCalibratedDriveIsAnInput) {
       run("calibrate " + drive + " --catalogue --factors coning --output " + calibrated);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(run("stiffness " + calibrated).exit_code, 0);
-  // The text is the given one, apart from a head, the line of the calibrated number and its range.
+  // Only a head, the line of the calibrated number and its range differ from the given text.
   const std::string text = contents(in_folder("calibrated.toml"));
   EXPECT_TRUE(text.starts_with("# Calibrated with catalogue, size 25, ratio 80+.\n# coning: "))
       << text.substr(0, 200);
@@ -629,7 +629,7 @@ TEST_F(Program, BehaviourCalibratedDriveIsAnInput) {
   EXPECT_LE(changed.size(), 6U);  // a range has a heading and up to five lines
   EXPECT_TRUE(changed[0].starts_with("coning = ")) << changed[0];
   EXPECT_EQ(changed[1], "path = \"mesh.coning\"");
-  // So a material of the library stays a name, and the line of the schema stays first.
+  // A material of the library therefore stays a name, and the line of the schema stays first.
   const std::string named = write(
       "named.toml", "#:schema x.json\n" + contents(STRAINWAVE_EXAMPLES "/library_material.toml"));
   const std::string again = quoted(in_folder("again.toml").string());

@@ -121,12 +121,13 @@ TEST_F(Files, BehaviourNamesOfAnyKind) {
   }
 }
 
-// What is no drive is refused at its first byte that tells so.
+// A text that is not a drive is refused at the first byte that shows this.
 TEST_F(Files, InputTextsThatAreNoDrive) {
   for (const auto& [text, words] : std::vector<std::pair<std::string, std::string>>{
            {"", ":1:1: format: must be given"},
            {"\n\n", ":1:1: format: must be given"},
-           {"<!DOCTYPE html>\n<html></html>\n", ": is HTML or XML, not a drive in TOML"},
+           {"<!DOCTYPE html>\n<html></html>\n",
+            ": is HTML or XML, not a drive in TOML; strainwave new writes a drive"},
            {"\n{\"format\": \"strainwave-result/1\"}\n", ": is JSON, not a drive in TOML"},
            {"\x89PNG\r\n\x1A\n", ":1:1: "},
            {"\xFF\xFE"
@@ -139,7 +140,7 @@ TEST_F(Files, InputTextsThatAreNoDrive) {
     expect_refused(std::string("stiffness ") + folder, 3, "is a directory");
 }
 
-// Kind: identity.  One drive in every form that editors write has one answer.
+// Kind: identity.  A drive gives the same answer in every form that editors write.
 TEST_F(Files, IdentityFormsOfTheSameText) {
   const std::string text = contents(kDrive);
   const std::string answer = run("stiffness --format csv " + word(kDrive)).out;
@@ -155,7 +156,7 @@ TEST_F(Files, IdentityFormsOfTheSameText) {
 
 // Kind: identity.  A locale whose numbers have a decimal comma changes no byte.
 TEST_F(Files, IdentityTheLocaleChangesNothing) {
-  // Where the system can make a locale, it is there; else only its name is.
+  // If the system cannot make the locale, only its name is set.
   (void)execute("localedef -i de_DE -f UTF-8 " + at("de_DE.UTF-8"));
   const std::string comma = "LOCPATH=" + word(folder_.string()) + " LC_ALL=de_DE.UTF-8 ";
   const std::string size25 = word(kTables + "/catalogue_size25.toml");

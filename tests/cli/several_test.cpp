@@ -35,11 +35,11 @@ class SeveralFiles : public test::ProgramTest {
 TEST_F(SeveralFiles, BehaviourOneRowForEachAndTheStatusOfTheWorst) {
   const Outcome both = run("stiffness " + example("article") + " " + example("through_crack"));
   EXPECT_EQ(both.exit_code, 0) << both.err;
-  // A head of four lines: the words of each name, and its unit.
+  // The heading has four lines: the words of each name, and its unit.
   EXPECT_EQ(std::ranges::count(both.out, '\n'), 4 + 2) << both.out;
   EXPECT_NE(both.out.find("stiffness  stiffness_change"), std::string::npos) << both.out;
   EXPECT_NE(both.out.find("[N*m/arcmin]               [%]"), std::string::npos) << both.out;
-  // A file that is wrong does not stop the one behind it.
+  // A wrong file does not stop the next file.
   const Outcome wrong = run("stiffness " + wrong_file() + " " + example("article"));
   EXPECT_EQ(wrong.exit_code, 3);
   EXPECT_NE(wrong.err.find("wrong.toml:2:1: ratio: is not known here"), std::string::npos)
@@ -151,33 +151,33 @@ TEST_F(SeveralFiles, InputAWordThatIsNoCommandIsNamed) {
   }
 }
 
-// What the parser of the line finds is said like all else: with the name of the program, the
-// nearest option, and the help of the command.
+// A fault that the parser of the line finds is worded like all other faults: with the name of the
+// program, the nearest option, and the help of the command.
 TEST_F(SeveralFiles, InputFaultsOfTheLineNameOptionAndCommand) {
   const std::string article = example("article");
   for (const auto& [line, says] : std::vector<std::pair<std::string, std::string>>{
            {"stiffness " + article + " --fomat csv",
             "the option --fomat is not known here; did you mean --format? strainwave stiffness "
-            "--help lists those that are"},
+            "--help lists the known options"},
            {"stiffness " + article + " --vary=1",
-            "the option --vary is not known here; it is an option of sweep, solve; strainwave "
-            "stiffness --help lists those that are"},
+            "the option --vary is not known here; this option belongs to sweep, solve; strainwave "
+            "stiffness --help lists the known options"},
            {"sif show plate-through -x",
-            "the option -x is not known here; strainwave sif show --help lists those that are"},
+            "the option -x is not known here; strainwave sif show --help lists the known options"},
            {"--verson",
             "the option --verson is not known here; did you mean --version? strainwave --help "
-            "lists "
-            "those that are"},
+            "lists the known options"},
            {"explain ratio more",
-            "the word more has no place here; strainwave explain --help shows what it takes"},
+            "the word more is not expected here; strainwave explain --help shows what the command "
+            "takes"},
            {"stiffness",
-            "stiffness needs FILE (input file, or - for standard input; of several files "
-            "a table, one row for each); see strainwave stiffness --help"},
+            "stiffness needs FILE (input file, or - for standard input; several files give a table "
+            "with one row for each); see strainwave stiffness --help"},
            {"stiffness " + article + " --method",
-            "--method needs a value behind it: theory to use: as-printed, repaired, corrected; "
+            "--method needs a value after it: theory to use: as-printed, repaired, corrected; "
             "default corrected"},
            {"stiffness " + article + " --output=",
-            "--output needs a value behind it: write to this file instead of standard output"},
+            "--output needs a value after it: write to this file instead of standard output"},
            {"stiffness " + article + " --format csv --format csv",
             "--format is given more than once; give it once"},
            {"stiffness " + article + " --format xml",
@@ -193,7 +193,7 @@ TEST_F(SeveralFiles, InputFaultsOfTheLineNameOptionAndCommand) {
   }
 }
 
-// The guide has each exit status and each factor with the words of the program.
+// The guide lists each exit status and each factor in the words of the program.
 TEST_F(SeveralFiles, BehaviourTheGuideListsStatusesAndFactors) {
   const std::string page =
       test::contents(std::string(STRAINWAVE_EXAMPLES) + "/../docs/guide/command_line.md");
@@ -229,7 +229,7 @@ TEST_F(SeveralFiles, InputLikeFaultsEndAlike) {
     EXPECT_EQ(outcome.exit_code, 2) << line;
     EXPECT_NE(outcome.err.find(" --"), std::string::npos) << outcome.err;
   }
-  // A name that is not known, in an option or in place of one.
+  // An unknown name, in an option or as an option.
   for (const std::string line :
        {"material show nothing", "sif show nothing", "sif plot nothing", "sif eval nothing",
         "sif list --family nothing", "explain nothingg", "man nothing", "catalogue --size 1"})

@@ -151,8 +151,8 @@ TEST(QuadratureRule, ConvergenceOrderOfARootIsThreeHalves) {
 }
 
 TEST(QuadratureRule, ConvergenceOrderOfASmoothIntegrandIs25) {
-  // The rule is exact for degree 23, so the error of one panel is of order h^25.  Between rounding
-  // and the next term (a tenth at this width) it is just visible.
+  // The rule is exact for degree 23, so the error of one panel is of order h^25.  At this
+  // width the error is just visible between rounding and the next term, which is a tenth of it.
   const auto error = [](double half_width) {
     const IntegralCase wave{"", [](double x) { return std::cos(x); }, -half_width, half_width,
                             2 * std::sin(half_width)};

@@ -137,12 +137,14 @@ TEST(QuantityText, BehaviourReadsUnitsAsPeopleWriteThem) {
   EXPECT_EQ(parse_quantity("x", "18 N/mm*\u221Am/m", "Pa*m^0.5"), 18e3);
   for (const char* const text : {"120 Nmm", "120 N*mm", "120 N\u00B7mm"})
     EXPECT_EQ(parse_quantity("x", text, "N*m"), 0.12) << text;
-  EXPECT_EQ(refusal("120 N.mm", "N*m"), "field: \"120 N.mm\" needs * between units; write N*mm");
-  EXPECT_EQ(refusal("120 N mm", "N*m"), "field: \"120 N mm\" needs * between units; write N*mm");
+  EXPECT_EQ(refusal("120 N.mm", "N*m"),
+            "field: \"120 N.mm\" needs * between units; write N*mm in place of N.mm");
+  EXPECT_EQ(refusal("120 N mm", "N*m"),
+            "field: \"120 N mm\" needs * between units; write N*mm in place of N mm");
   EXPECT_EQ(refusal("18 MPa*sqrt(m)", "Pa*m^0.5"),
             "field: \"18 MPa*sqrt(m)\" needs ^0.5 for a root, such as MPa*m^0.5");
   EXPECT_EQ(refusal("9 lbf-in/deg", "N*m/rad"),
-            "field: \"9 lbf-in/deg\" needs * between units; write lbf*in");
+            "field: \"9 lbf-in/deg\" needs * between units; write lbf*in in place of lbf-in");
 }
 
 TEST(QuantityText, RegressionADecimalPointIsMovedWithoutRounding) {

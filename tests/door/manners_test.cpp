@@ -66,8 +66,8 @@ TEST(AskedUnits, BehaviourSiIsSiThroughout) {
             std::string::npos);
 }
 
-/// The texts and plots of these commands show no value in a unit that has another one of its
-/// dimension among those asked for.
+/// These commands show every value in the unit that was asked for, if one was asked for its
+/// dimension.
 TEST(AskedUnits, RegressionHeadingsTablesAndAxesHaveTheUnitsAskedFor) {
   constexpr std::string_view kUnits =
       "lbf*in,um,arcsec,lbf*in/arcsec,ksi,ksi*in^0.5,lbf,rad/(lbf*in)";
@@ -226,7 +226,8 @@ TEST(Explain, BehaviourEachKindOfWordIsExplained) {
            {"diaphragm_arc", "kind of [[flexspline.crack]]", "along an arc round the boss"},
            {"rim-axial", "kind of [[flexspline.crack]]", "fields: depth, position"},
            {"as-printed", "value of --method", "as-printed, repaired, corrected"},
-           {"ring_bending", "value of wave_generator.crack[].stress_driver", "what stresses"},
+           {"ring_bending", "value of wave_generator.crack[].stress_driver",
+            "source of the stress"},
            {"pair_compliance", "factor of calibrate --factors", "compliance of a pair of teeth"},
            {"curve", "group of outputs of stiffness", "curve: group of outputs"},
            {"intact", "group of outputs of stiffness", "fields: compliance, stiffness, wind_up"},
@@ -251,7 +252,7 @@ TEST(Explain, InputAnUnknownWordGetsTheNearest) {
   EXPECT_EQ(test::broken_rule([] { return explained("crack.thick_walls"); }),
             "word: crack.thick_walls is unknown to strainwave; did you mean "
             "crack.thick_wall?");
-  // A part of a word.
+  // Part of a word finds the whole word.
   EXPECT_EQ(test::broken_rule([] { return explained("intensity_fact"); }),
             "word: intensity_fact is unknown to strainwave; did you mean stress intensity factor?");
   EXPECT_EQ(test::broken_rule([] { return explained(" "); }),
@@ -285,7 +286,7 @@ TEST(Explain, IdentityEveryTermTableAndKindIsExplained) {
           << table.kind;
     }
   }
-  // What makes the terms in plain letters leaves no mark of the page.
+  // The terms in plain letters contain no markup of the page.
   for (const GlossaryTerm& term : glossary())
     for (const std::string_view text : {term.term, term.meaning, term.symbol, term.unit})
       EXPECT_EQ(text.find_first_of("\\$|`{}<>"), std::string_view::npos) << text;
@@ -438,9 +439,9 @@ TEST(Diff, CrosscheckTheCoupledDrivesDifferWithinTheUncertaintyByST19) {
 }
 
 TEST(Diff, LimitOnlyOneCoupledDriveIsSolvedByST19) {
-  // Another material of all members, and no mesh in one: nothing is the same.  The variance is that
-  // of both sides, with the distance to the coupled drive of one and the estimate of the other
-  // (ST-18).
+  // All members have another material, and one drive lacks the mesh, so no part is the same.  The
+  // variances of both sides add: the distance to the coupled drive for one side, and the estimate
+  // for the other (ST-18).
   const std::string first = test::contents(STRAINWAVE_EXAMPLES "/cracked_size25.toml");
   std::string second = with_shaft_of_40_mm(first);
   const std::size_t mesh = second.find("[mesh]");
@@ -466,7 +467,7 @@ TEST(Diff, LimitOnlyOneCoupledDriveIsSolvedByST19) {
   }
 }
 
-/// The drive of examples/cracked_size25.toml in which a text is another.
+/// The text of examples/cracked_size25.toml with one piece replaced.
 std::string cracked_with(const std::string& from, const std::string& to) {
   std::string text = test::contents(STRAINWAVE_EXAMPLES "/cracked_size25.toml");
   const std::size_t at = text.find(from);
@@ -475,7 +476,7 @@ std::string cracked_with(const std::string& from, const std::string& to) {
 }
 
 TEST(Diff, ReferenceTheErrorOfTheCoupledDriveCancelsByST20) {
-  // (ST-20) written out for four parts, of which none, one, two and all differ.
+  // (ST-20) is written out for four parts, of which none, one, two or all differ.
   const std::string first = test::contents(STRAINWAVE_EXAMPLES "/cracked_size25.toml");
   std::string two = cracked_with("flank_angle = \"22 deg\"", "flank_angle = \"21 deg\"");
   two.replace(two.find("support = 0.5"), 13, "support = 0.6");
@@ -578,7 +579,7 @@ TEST(Diff, BehaviourStiffnessAndWindUpComeFirstEvenWhereTheyAreTheSame) {
   EXPECT_EQ(text.find("curve.positive.K1 "), text.rfind("curve.positive.K1 "));
   EXPECT_NE(stiffer.document("csv").find("curve.positive.K1,within uncertainty,"),
             std::string::npos);
-  // Without the coupled drive, the sum; of torsion, its own lines.
+  // Without the coupled drive, the sum comes first; for torsion, its own stiffnesses come first.
   const std::string article = test::contents(STRAINWAVE_EXAMPLES "/article.toml");
   EXPECT_TRUE(listed(diff_result(diff(article, article))).contains("cracked.negative.wind_up"));
   const std::string torsion =

@@ -160,7 +160,7 @@ TEST_F(FeTable, CrosscheckShaftTableFeedsTheStiffness) {
   refused(tabulate(
               STRAINWAVE_EXAMPLES "/solid_shaft.toml",
               "--order 5 --over 'output_shaft.crack[0].depth=6 mm..12 mm:4:log'" + to("depth.csv")),
-          "it has \"# order: 4\", this run \"# order: 5\"");
+          "the file has \"# order: 4\", but this run has \"# order: 5\"");
   refused(tabulate(
               STRAINWAVE_EXAMPLES "/solid_shaft.toml",
               "--order 4 --over 'output_shaft.crack[0].depth=6 mm..12 mm:5:log'" + to("depth.csv")),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// libFuzzer: a text, a path and a value, each behind its own line.  Either `edit` refuses them by
-// an InputError, or the new text has the value, a second edit does not change the text, and the
+// libFuzzer: a text, a path and a value, each after a line of its own.  Either `edit` refuses them
+// by an InputError, or the new text has the value, a second edit does not change the text, and the
 // value can be removed again.  `edit` itself compares that only the path changes.  Run it by
 // tools/fuzz.
 

@@ -21,7 +21,7 @@ std::string_view take_to(std::string_view& rest, std::string_view mark) {
 
 void run_input(std::string_view input) {
   using namespace strainwave;  // NOLINT(google-build-using-namespace): all of it is used here
-  // The input is a drive alone, or a command behind `=`, a line of options, a drive and its
+  // The input is a drive alone, or a command after `=`, a line of options, a drive and its
   // attachment.
   std::string_view name = "stiffness";
   std::string_view options = "{}";

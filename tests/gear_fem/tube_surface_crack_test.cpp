@@ -55,7 +55,8 @@ fem::SolidResult same_block(BlockLoad load) {
 }
 
 // (FE-34), (FE-35).  Turned by 25 degrees from the direction of largest opening, the wall is under
-// tension tau sin(2 beta) and shear tau cos(2 beta).  Apart from its curvature it acts as a block.
+// tension tau sin(2 beta) and shear tau cos(2 beta).  Apart from its curvature the wall acts as a
+// block.
 TEST(TubeSurfaceCrack, CrosscheckBlockAndGrowthFromNothing) {
   TubeWithSurfaceCrack tube = surface_cracked(20);
   tube.check_sizes = true;

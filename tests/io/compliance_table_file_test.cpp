@@ -146,10 +146,11 @@ TEST(ComplianceTableFile, InputFaultsByName) {
   refused(replaced(good, "added_compliance_torsion", "added_compliance_twist"), "has no column");
   refused(good.substr(0, good.size() - 3), "ends within a line");
   refused(replaced(good, last, ""), "has 3 values of depth; interpolation needs 4");
-  refused(good + last, "point 5 is there twice");
-  refused(replaced(good, last, "0.008,1,2,3\n"),
-          "t.csv:20: has 4 cells, but the head names 8 columns; commas separate cells, and numbers "
-          "have a decimal point");
+  refused(good + last, "point 5 appears twice; remove one of them");
+  refused(
+      replaced(good, last, "0.008,1,2,3\n"),
+      "t.csv:20: has 4 cells, but the head names 8 columns; separate cells by commas, and write "
+      "numbers with a decimal point");
   refused(replaced(good, last, "0,008" + last.substr(5)),
           "t.csv:20: has 9 cells, but the head names 8 columns");
   refused(replaced(good, "true,5592", "yes,5592"), "\"yes\" is not true or false");

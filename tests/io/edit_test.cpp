@@ -104,7 +104,7 @@ TEST(Edit, ReferenceAFieldIsInsertedInTheOrderOfTheDescription) {
   expect_change("drive.wave_number", "2", "ratio = 100\n", "ratio = 100\nwave_number = 2\n");
   expect_change("output_shaft.crack[0].solution", "\"tada\"", "# by ultrasound\n",
                 "# by ultrasound\nsolution = \"tada\"\n");
-  // Insertion behind the last line of a file without a final line end.
+  // Insertion after the last line of a file without a final line end.
   EXPECT_EQ(edit("[drive]\nratio = 1", "drive.wave_number", "2"),
             "[drive]\nratio = 1\nwave_number = 2");
   EXPECT_EQ(edit("[drive]", "drive.ratio", "2"), "[drive]\nratio = 2");
@@ -281,12 +281,12 @@ TEST(Edit, InputRefusedPathsNameTheNearest) {
            {"", "path: is empty; it must name a field"},
            {"drive.ratio.x", "drive.ratio.x: goes too deep: drive.ratio has nothing below it"},
            {"output_shaft.crack.depth",
-            "output_shaft.crack.depth: needs an index behind output_shaft.crack, such as [0] or "
+            "output_shaft.crack.depth: needs an index after output_shaft.crack, such as [0] or "
             "[+]"},
            {"output_shaft.crack[x]",
             "output_shaft.crack[x]: has the index [x]; it must be a whole number or +"},
            {"output_shaft.crack[0]depth",
-            "output_shaft.crack[0]depth: needs . and a key behind output_shaft.crack[0]"},
+            "output_shaft.crack[0]depth: needs . and a key after output_shaft.crack[0]"},
            {"output_shaft.crack[3]", "output_shaft.crack: has 2 elements; the next is [2] or [+]"},
            {"material.\"x.y", "material.\"x.y: has a quote that is not closed"},
            {"wave_generator.contact_semi_axes[2]",

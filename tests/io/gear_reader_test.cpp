@@ -401,7 +401,7 @@ source = "measured"
   EXPECT_EQ(gear.range[1].path, "flexspline.wall_thickness");
   EXPECT_EQ(gear.range[1].knowledge, Knowledge::typical);
   EXPECT_EQ(gear.range[1].upper, "2.5 mm");
-  // A number without a unit may be bare, as it is elsewhere.
+  // A number without a unit may be bare, as in other fields.
   EXPECT_EQ(gear.range[2].lower, "0.05");
   EXPECT_EQ(gear.range[2].upper, "1");
   EXPECT_NO_THROW(check(gear));
@@ -487,7 +487,7 @@ TEST(GearReader, BehaviourATableCompletesARecordOfTheLibrary) {
   EXPECT_EQ(steel.youngs_modulus, record.youngs_modulus->value);
   EXPECT_EQ(steel.yield_strength, record.yield_strength->value);
   EXPECT_EQ(steel.fracture_toughness, 90e6);
-  EXPECT_NE(steel.origin.find("own: fracture_toughness 90 MPa*m^0.5"), std::string::npos)
+  EXPECT_NE(steel.origin.find("own values: fracture_toughness 90 MPa*m^0.5"), std::string::npos)
       << steel.origin;
   // Sweep and solve may set a number that the library gives; the number then counts as the file's
   // own.
@@ -526,7 +526,7 @@ TEST(GearReader, InputATableOfTheFileIsNotPassedOver) {
   EXPECT_EQ(
       refusal(with("material = \"steel\"\nouter", "material = \"unobtainium\"\nouter", library)),
       "gear.toml:50:12: output_shaft.material: \"unobtainium\" is not one of the materials given "
-      "(steel), nor in the material library; strainwave material list has the names");
+      "(steel), nor in the material library; strainwave material list shows the names");
 }
 
 TEST(GearReader, BehaviourExamplesAreRead) {
@@ -632,7 +632,7 @@ const std::vector<Wrong> kWrong = {
      "0.3\n",
      "",
      "16:12: wave_generator.material: \"steel\" is not one of the materials given (), nor in the "
-     "material library; strainwave material list has the names"},
+     "material library; strainwave material list shows the names"},
     {"MissingShearModulusAndPoissonsRatio", "shear_modulus = \"80 GPa\"\npoissons_ratio = 0.3\n",
      "", "4:1: material.steel.poissons_ratio: must be given, or shear_modulus"},
     {"MissingRadialStiffness", "radial_stiffness = \"1.2e5 N/mm\"\n", "",

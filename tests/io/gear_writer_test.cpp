@@ -142,8 +142,8 @@ TEST(GearWriter, BehaviourUnitsAndComments) {
   EXPECT_EQ(gear_text(gear).find("wave_number"), std::string::npos);  // its default
 }
 
-// Kind: identity.  The text is the given one but for the lines of the numbers that differ, and
-// reads back as the other drive to the last bit.
+// Kind: identity.  Only the lines of the numbers that differ change, and the text reads back as the
+// other drive to the last bit.
 TEST(GearWriter, IdentityOtherNumbersKeepTheRestOfTheText) {
   std::ifstream file(STRAINWAVE_EXAMPLES "/library_material.toml");
   const std::string given{std::istreambuf_iterator<char>(file), {}};
@@ -161,7 +161,7 @@ TEST(GearWriter, IdentityOtherNumbersKeepTheRestOfTheText) {
   EXPECT_EQ(n_lost, 1U) << text;
 }
 
-// A range or a scatter that the other drive lacks goes, wherever it stands in its list.
+// A range or a scatter that the other drive lacks is removed, wherever it stands in its list.
 TEST(GearWriter, BehaviourOtherNumbersDropLostRangesAndScatters) {
   std::ifstream file(STRAINWAVE_EXAMPLES "/article_scatter.toml");
   const std::string given{std::istreambuf_iterator<char>(file), {}};

@@ -56,8 +56,8 @@ std::vector<LabelBox> label_boxes(const std::string& svg) {
 }
 
 TEST(Chart, RegressionLabelsOfContoursAreInsideTheFrameAndApart) {
-  // Over logarithmic axes the lines of the first function crowd at the right edge; those of the
-  // second are closed, and some are too short for a label.
+  // Over logarithmic axes the lines of the first function crowd at the right edge.  The lines of
+  // the second function are closed, and some are too short for a label.
   const auto steep = [](double x, double y) { return x * x * x / (1 + y); };
   const auto hill = [](double x, double y) {
     return std::exp(-std::pow(std::log10(x) - 0.6, 2) * 9 - std::pow(std::log10(y) - 0.2, 2) * 9);
@@ -97,7 +97,7 @@ TEST(Chart, RegressionALongLegendIsBrokenNotCut) {
   const std::regex text(R"re(<text x="([\d.]+)" y="[\d.]+" class="tick">([^<]*)<)re");
   std::string whole;
   for (std::sregex_iterator at(svg.begin(), svg.end(), text), end; at != end; ++at) {
-    // DejaVu Sans of 12 px has up to 7.6 px for a character in names.
+    // In DejaVu Sans of 12 px, a character of a name is up to 7.6 px wide.
     EXPECT_LE(std::stod((*at)[1]) + 7.6 * static_cast<double>((*at)[2].length()), 860);
     whole += (*at)[2];
   }

@@ -219,7 +219,8 @@ TEST(MaterialFile, InputEveryRuleBrokenOnce) {
            "material[1].name: \"ALPHA1\" is given twice; case and blanks do not count"},
           {"\"A1\", ", "\"A1\", \"a 1\", ",
            "material[0].aliases[1]: \"a 1\" is given twice; case and blanks do not count"},
-          {"name = \"Beta\"\n", "", "material[1].name: must be given (as an input file writes it)"},
+          {"name = \"Beta\"\n", "",
+           "material[1].name: must be given (name as an input file writes it)"},
           {"[\"A1\", \"1.0001\"]", "\"A1\"",
            "material[0].aliases: \"A1\" is not a list, such as [\"1.4542\"]"},
           {"[\"A1\", \"1.0001\"]", "[1]",
@@ -615,7 +616,7 @@ TEST(FindMaterial, InputUnknownNamesSuggestANearOne) {
             "material: \"17-4PH H90\" is not in the material library; did you mean 17-4PH H900?");
   EXPECT_EQ(unknown("unobtainium"),
             "material: \"unobtainium\" is not in the material library; strainwave material list "
-            "has the names");
+            "shows the names");
   // No suggestion is made for a short name: C300 differs from 4340 in only two letters.
   EXPECT_EQ(
       unknown("4340"),
@@ -653,7 +654,7 @@ TEST(AsMaterial, BehaviourNumbersAndOrigin) {
       "ratio 0.25 (unverified), yield strength 900 MPa (measured), tensile strength 1000 MPa "
       "(standard), fracture toughness 60 MPa*m^0.5 (derived); these values are unverified, so "
       "check them before you "
-      "base a decision on it: Poisson's ratio");
+      "base a decision on them: Poisson's ratio");
   const Material b = as_material(library.material[1]);
   EXPECT_EQ(b.shear_modulus, 80e9);
   EXPECT_EQ(b.poissons_ratio, std::nullopt);
@@ -679,7 +680,7 @@ TEST(AsMaterial, BehaviourARecordCompletedByOwnNumbers) {
       "as printed), "
       "Poisson's ratio 0.25 (unverified), yield strength 900 MPa (measured), tensile strength "
       "1000 MPa (standard); own values: fracture_toughness 75 MPa*m^0.5; these values are "
-      "unverified, so check them before you base a decision on it: Poisson's ratio");
+      "unverified, so check them before you base a decision on them: Poisson's ratio");
   EXPECT_TRUE(a.in_file());
   // An own number removes the doubt about the number of the library.
   own.poissons_ratio = 0.3;

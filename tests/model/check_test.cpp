@@ -536,27 +536,29 @@ const std::vector<Broken> kBroken = {
     {"BarrelApartFromTheRim", sections_gear,
      [](GearSet& g) { flexspline(g).barrel->outer_diameter = 143 * mm; },
      "flexspline.barrel.outer_diameter",
-     "within 10 % of rim.outer_diameter, 160 mm, to which the barrel is joined", ""},
+     "within 10 % of rim.outer_diameter, 160 mm, because the barrel joins the rim", ""},
     {"DiaphragmApartFromTheBarrel", sections_gear,
      [](GearSet& g) { flexspline(g).diaphragm->outer_diameter = 142 * mm; },
      "flexspline.diaphragm.outer_diameter",
-     "within 10 % of barrel.outer_diameter, 158 mm, to which the diaphragm is joined", ""},
+     "within 10 % of barrel.outer_diameter, 158 mm, because the diaphragm joins the barrel", ""},
     {"RimApartFromTheTeeth", sections_gear,
      [](GearSet& g) { flexspline(g).rim->outer_diameter = 153 * mm; },
      "flexspline.rim.outer_diameter",
-     "at the tooth roots, within 4 modules of 0.8 mm of drive.pitch_diameter/2, 80 mm", ""},
+     "at the tooth roots, with outer_diameter/2 within 4 modules (0.8 mm each) of "
+"drive.pitch_diameter/2, 80 mm", ""},
     {"RimOutsideOfTheTeeth", sections_gear,
      [](GearSet& g) { flexspline(g).rim->outer_diameter = 167 * mm; },
      "flexspline.rim.outer_diameter",
-     "at the tooth roots, within 4 modules of 0.8 mm of drive.pitch_diameter/2, 80 mm", ""},
+     "at the tooth roots, with outer_diameter/2 within 4 modules (0.8 mm each) of "
+"drive.pitch_diameter/2, 80 mm", ""},
     {"WaveTooLow", article, [](GearSet& g) { g.drive.radial_displacement = 0.239 * mm; },
      "drive.radial_displacement",
-     "between 0.3 and 2 times pitch_diameter/(2 ratio), 0.8 mm: else the teeth cannot engage and "
+     "between 0.3 and 2 times pitch_diameter/(2 ratio), 0.8 mm; otherwise the teeth cannot engage and "
      "disengage",
      ""},
     {"WaveTooHigh", article, [](GearSet& g) { g.drive.radial_displacement = 1.61 * mm; },
      "drive.radial_displacement",
-     "between 0.3 and 2 times pitch_diameter/(2 ratio), 0.8 mm: else the teeth cannot engage and "
+     "between 0.3 and 2 times pitch_diameter/(2 ratio), 0.8 mm; otherwise the teeth cannot engage and "
      "disengage",
      ""},
     {"OuterRaceCrackWithoutRing", coupled_gear,
@@ -680,10 +682,11 @@ const std::vector<Broken> kBroken = {
     {"RangeAboveItsNumber", coupled_gear, [](GearSet& g) { g.range[0].lower = "2.3 mm"; },
      "range[0].path", "",
      "flexspline.wall_thickness is 2.24 mm in the file, outside of this range from 2.3 mm to 2.5 "
-     "mm"},
+     "mm; correct the range or the value"},
     {"RangeBelowItsNumber", coupled_gear, [](GearSet& g) { g.range[0].upper = "2.2 mm"; },
      "range[0].path", "",
-     "flexspline.wall_thickness is 2.24 mm in the file, outside of this range from 2 mm to 2.2 mm"},
+     "flexspline.wall_thickness is 2.24 mm in the file, outside of this range from 2 mm to 2.2 mm; "
+"correct the range or the value"},
     {"RangeBeyondTheRuleBelow", coupled_gear, [](GearSet& g) { g.range[0].lower = "0 mm"; },
      "range[0].lower", "> 0", ""},
     {"RangeBeyondTheRuleAbove", coupled_gear, [](GearSet& g) { g.range[1].upper = "0.6"; },

@@ -110,7 +110,7 @@ TEST(ComplianceTable, InputRulesBrokenOnce) {
   gear = tabulated_gear();
   gear.compliance_tables["made_up.csv"].kind = "annular";
   refused(gear, "is a table of cracks of kind \"annular\", not \"through\"");
-  refused(tabulated_gear(0.0999 * mm), "reaches from");
+  refused(tabulated_gear(0.0999 * mm), "covers 0.1 mm to 40 mm of half_length, but the drive has");
   refused(tabulated_gear(0.0405), "of half_length, but the drive has 40.5 mm");
   gear = tabulated_gear();
   gear.load.axial_force = 1;

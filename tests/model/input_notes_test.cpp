@@ -91,17 +91,19 @@ TEST(InputNotes, InputSectionsWhoseWallsDoNotMeet) {
   const std::string field = "flexspline.barrel.outer_diameter";
   gear.flexspline->barrel->outer_diameter = 153 * mm;
   gear.flexspline->diaphragm->outer_diameter = 152 * mm;
-  EXPECT_EQ(text_of(gear, "flexspline.step", field),
-            "the wall of the barrel lies between 149 and 153 mm in diameter, and that of the rim, "
-            "154 to 160 mm, does not meet it: a step there adds compliance that the sections leave "
-            "out");
+  EXPECT_EQ(
+      text_of(gear, "flexspline.step", field),
+      "the wall of the barrel lies between 149 and 153 mm in diameter, and the wall of the rim, "
+      "154 to 160 mm, does not meet this wall; the step adds compliance that the model by "
+      "sections leaves out");
   gear.flexspline->barrel->outer_diameter = 154 * mm;
   EXPECT_TRUE(input_notes(gear).empty());
   gear.flexspline->diaphragm->outer_diameter = 148 * mm;
-  EXPECT_EQ(text_of(gear, "flexspline.step", field),
-            "the wall of the barrel lies between 150 and 154 mm in diameter, and the edge of the "
-            "diaphragm, 148 mm, does not meet it: a step there adds compliance that the sections "
-            "leave out");
+  EXPECT_EQ(
+      text_of(gear, "flexspline.step", field),
+      "the wall of the barrel lies between 150 and 154 mm in diameter, and the edge of the "
+      "diaphragm, 148 mm, does not meet this wall; the step adds compliance that the model by "
+      "sections leaves out");
   // The diaphragm of a hat lies outside of the barrel.
   gear.flexspline->diaphragm->inner_diameter = 153 * mm;
   gear.flexspline->diaphragm->outer_diameter = 250 * mm;

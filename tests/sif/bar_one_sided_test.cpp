@@ -132,10 +132,10 @@ TEST(BarOneSided, CrosscheckMurakamiTension) {
 // program: the tolerance covers interpolation and fit over the front, 2 % of K_I and 3 % of K_II
 // and K_III.
 //
-// (SB-10), (SB-11) against the elements of the hollow bar, which show the error of modelling the
-// wall as a plate: K_I from 5 % low to 6.5 % high for the outer crack, 3 % low to 17 % high for the
-// inner one; K_II and K_III differ by up to 0.12 tau sqrt(pi a) because of the free surface that
-// (FR-10) leaves out.
+// The elements of the hollow bar show the error of (SB-10) and (SB-11), which model the wall as a
+// plate.  K_I is 5 % low to 6.5 % high for the outer crack, and 3 % low to 17 % high for the inner
+// crack.  K_II and K_III differ by up to 0.12 tau sqrt(pi a), because (FR-10) leaves out the free
+// surface.
 TEST(BarOneSided, ReferenceThreeDimensionalElements) {
   std::map<std::string, int> seen;
   for (const test::CsvRow& row : test::read_reference_csv("bar_surface")) {

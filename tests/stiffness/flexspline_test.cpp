@@ -433,10 +433,12 @@ TEST(FlexsplineClosure, BehaviourNoteNamesTheSense) {
       if (note.code == "crack.closed") return note.path + ": " + note.text;
     return std::string("none");
   };
-  EXPECT_TRUE(text(45, 0).starts_with("flexspline.crack[0]: closed under negative torque:"));
-  EXPECT_TRUE(text(-45, 0).starts_with("flexspline.crack[0]: closed under positive torque:"));
   EXPECT_TRUE(
-      text(90, -5).starts_with("flexspline.crack[0]: closed under either sense of torque:"));
+      text(45, 0).starts_with("flexspline.crack[0]: the crack is closed under negative torque:"));
+  EXPECT_TRUE(
+      text(-45, 0).starts_with("flexspline.crack[0]: the crack is closed under positive torque:"));
+  EXPECT_TRUE(text(90, -5).starts_with(
+      "flexspline.crack[0]: the crack is closed under either sense of torque:"));
   EXPECT_EQ(text(90, 5), "none");
 }
 

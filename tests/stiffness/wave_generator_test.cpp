@@ -299,8 +299,8 @@ TEST(WaveGenerator, CrosscheckBearingByItsContacts) {
     EXPECT_EQ(test::note_codes(member.notes), Codes{"wave_generator.hertz"});
     // The note names the pressure on the inner race, in MPa.
     const double MPa_inner = inner.peak_pressure / MPa;
-    char text[32];
-    std::snprintf(text, sizeof text, "at %.3g MPa peak", MPa_inner);
+    char text[64];
+    std::snprintf(text, sizeof text, "peak pressure on the inner race is %.3g MPa", MPa_inner);
     EXPECT_NE(member.notes.at(0).text.find(text), std::string::npos) << member.notes.at(0).text;
     for (const char* const tag : {"ST-9", "CO-1", "CO-2", "CO-3", "CO-4"})
       EXPECT_TRUE(test::uses_equation(member.equations, tag)) << tag;

@@ -696,7 +696,8 @@ TEST(Undecided, LimitRaceOnItsCam) {
   // (SW-9), written out: E/(1 - nu^2) t/2 (U^2 - 1) w0/R^2 = 769 MPa.
   CrackStrength strength = of_race(gear);
   EXPECT_EQ(strength.verdict, Verdict::cannot_tell);
-  EXPECT_TRUE(mentions(strength.sentence, "bending by its cam, about 769 MPa at the lobe"))
+  EXPECT_TRUE(
+      mentions(strength.sentence, "bending of the ring by its cam, about 769 MPa at the lobe"))
       << strength.sentence;
   EXPECT_TRUE(mentions(strength.sentence, "by the load alone: reserve factor"));
   EXPECT_FALSE(mentions(strength.sentence, "orthogonal_shear"));

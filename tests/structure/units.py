@@ -27,7 +27,7 @@ def is_number(declared):
 
 
 def parameters(text):
-    """The parameters of a declaration; `text` begins behind the parenthesis."""
+    """The parameters of a declaration; `text` begins after the parenthesis."""
     parts, depth = [""], 0
     for c in text:
         depth += (c in "(<{[") - (c in ")>}]")

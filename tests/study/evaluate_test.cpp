@@ -68,7 +68,7 @@ GearSet with_outer_race_crack(double degrees) {
 }
 
 TEST(Evaluate, CrosscheckTheTurnIsThatOfTheComparison) {
-  // At 65 degrees the crack makes K1 stiffer: the result says so, and what a turn does.
+  // At 65 degrees the crack raises K1.  The result states this, and the changes over a turn.
   const GearSet gear = with_outer_race_crack(65);
   const StiffnessResult result = evaluate(gear, Method::corrected, {.over_turn = true});
   const CurveComparison compared = compare_curves(gear);
@@ -95,7 +95,7 @@ TEST(Evaluate, CrosscheckTheTurnIsThatOfTheComparison) {
     EXPECT_NE(note.text.find(said), std::string::npos) << note.text;
   EXPECT_NE(note.next_step.find("strainwave torsion --compare"), std::string::npos);
   const std::string text = stiffness_text(result, gear, {});
-  EXPECT_NE(text.find("K1, softest of a turn"), std::string::npos) << text;
+  EXPECT_NE(text.find("K1, softest over a turn"), std::string::npos) << text;
 }
 
 TEST(Evaluate, BehaviourATurnIsComputedWhereItIsAskedForAndCracksTurn) {
@@ -107,7 +107,7 @@ TEST(Evaluate, BehaviourATurnIsComputedWhereItIsAskedForAndCracksTurn) {
       evaluate(drive_of("catalogue_size25"), Method::corrected, {.over_turn = true});
   EXPECT_FALSE(sound.curve->positive.over_turn);
   EXPECT_EQ(std::ranges::find(sound.notes, "curve.one_angle", &Note::code), sound.notes.end());
-  // A crack that hardly matters at any angle raises no doubt.
+  // A crack with a small effect at every angle needs no care.
   GearSet shallow = with_outer_race_crack(65);
   std::get<OuterRaceCrack>(shallow.wave_generator->crack[0]).depth = 1e-5;
   const StiffnessResult small = evaluate(shallow, Method::corrected, {.over_turn = true});
@@ -115,7 +115,7 @@ TEST(Evaluate, BehaviourATurnIsComputedWhereItIsAskedForAndCracksTurn) {
 }
 
 TEST(Evaluate, BehaviourAPressedCrackIsNoted) {
-  // The assembly bends the ring more at the lobe and presses a crack of the raceway there.
+  // At the lobe the assembly raises the curvature of the ring and presses a crack of the raceway.
   const StiffnessResult at_lobe = evaluate(with_outer_race_crack(5), Method::corrected);
   EXPECT_EQ(at_lobe.curve->positive.change.K1.value, 0);
   EXPECT_EQ(note_of(at_lobe, "crack.pressed_ring").severity, Severity::information);

@@ -57,7 +57,7 @@ double uncertainty_of_members() {
 }
 
 TEST(Require, ReferenceMetNotMetAndBetween) {
-  // (ST-18): below the value the stated uncertainty, above it that of the members alone.
+  // (ST-18): the stated uncertainty counts below the value, and that of the members alone above it.
   const Quantity K = value_of(kStiffness);
   const double u = K.relative_uncertainty.value() * K.value;
   const double above = uncertainty_of_members();
@@ -151,13 +151,13 @@ TEST(Require, BehaviourWhatTheSumLeavesOutActsOnItsSofterSide) {
   const auto says = [](const Note& note, std::string_view what) {
     return note.text.find(what) != std::string::npos && note.equation == "ST-18";
   };
-  const char* const softer = "on the softer side alone";
+  const char* const softer = "on the softer side only";
   const GearSet gear = test::article_gear();
   EXPECT_TRUE(says(note_inside(gear, "intact.stiffness", 0.9), softer));
   EXPECT_TRUE(says(note_inside(gear, "intact.compliance.total", 1.1), softer));
   EXPECT_TRUE(says(note_inside(gear, "cracked.negative.wind_up", 1.1), softer));
   EXPECT_TRUE(says(note_inside(gear, kStiffnessChange, 1.0), "on both sides"));
-  // Neither a member, nor a sum that leaves out nothing.
+  // A member, and a sum that leaves out nothing, get no such text.
   EXPECT_FALSE(says(note_inside(gear, "intact.compliance.flexspline", 1.001), "side"));
   GearSet shaft = gear;
   shaft.wave_generator.reset();
@@ -269,13 +269,13 @@ TEST(Require, InputEveryRuleIsBrokenOnce) {
   const auto contains = [](const std::string& message, const char* part) {
     return message.find(part) != std::string::npos;
   };
-  EXPECT_PRED2(contains, refusal_of("cracked.positive.stiffness 2e4"), "must be OUTPUT OP VALUE");
+  EXPECT_PRED2(contains, refusal_of("cracked.positive.stiffness 2e4"), "write OUTPUT OP VALUE");
   EXPECT_PRED2(contains, refusal_of("cracked.positive.stifness >= 1 N*m/rad"),
                "cracked.positive.stiffness");
   EXPECT_PRED2(contains, refusal_of("nothing >= 1"), "nothing");
   EXPECT_PRED2(contains, refusal_of(kStiffness + " >= 1 kg"), "kg");
   EXPECT_PRED2(contains, refusal_of(kStiffness + " >= "), kStiffness.c_str());
-  EXPECT_PRED2(contains, refusal_of(kStiffness + " == 3 N*m/rad"), "must be OUTPUT OP VALUE");
+  EXPECT_PRED2(contains, refusal_of(kStiffness + " == 3 N*m/rad"), "write OUTPUT OP VALUE");
   EXPECT_PRED2(contains, test::broken_rule([] { return asked({}); }), "at least one");
   EXPECT_PRED2(contains, test::broken_rule([] { return asked({kStiffness + " > 1 N*m/rad"}, 0); }),
                "coverage");

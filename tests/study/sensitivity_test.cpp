@@ -158,7 +158,7 @@ TEST(Sensitivity, InputTableHoldsNumbersFixed) {
   const Sensitivity s =
       sensitivity_of(read_gear_set_file(STRAINWAVE_EXAMPLES "/tabulated_crack.toml"));
   EXPECT_EQ(s.unusable_because,
-            "flexspline.crack[0].compliance_table: \"tables/through_45.csv\" holds angle, "
+            "flexspline.crack[0].compliance_table: \"tables/through_45.csv\" keeps angle, "
             "outer_diameter, wall_thickness, length, youngs_modulus, poissons_ratio fixed, so the "
             "derivatives with respect to these are not known");
 }

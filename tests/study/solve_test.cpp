@@ -50,8 +50,8 @@ std::string fault(const std::function<void()>& call) {
 }
 
 TEST(Solve, ReferenceShaftCrackThatCostsWhatTheArticleClaims) {
-  // 3.660 mm, found in advance by root finding with an independent implementation, for a crack of
-  // the shaft alone.  Cracks of 0.1 mm in the other members do not affect the given digits; three
+  // An independent implementation found 3.660 mm in advance by root finding, for a crack of the
+  // shaft alone.  Cracks of 0.1 mm in the other members do not affect the given digits; three
   // cracks of equal size would need only 3.54 mm.
   GearSet gear = test::article_gear();
   const SolveResult result = solved(gear, kDepth, "cracked.positive.stiffness_change=-1.2 %");
@@ -305,8 +305,8 @@ TEST(Solve, InputMessagesNameOptionValueAndWayOut) {
     return fault([&] { (void)parse_target(gear, Method::corrected, text); });
   };
   const std::string kWhere =
-      " strainwave stiffness FILE --format csv lists its outputs, strainwave explain OUTPUT says "
-      "what one is";
+      " strainwave stiffness FILE --format csv lists its outputs, and strainwave explain OUTPUT "
+      "explains an output";
   EXPECT_EQ(target_fault("stiffness_change=-1 %"),
             "--target: \"stiffness_change\" is not an output of this drive; did you mean "
             "cracked.positive.stiffness_change or cracked.negative.stiffness_change?" +

@@ -85,10 +85,9 @@ TEST(Variation, InputMessagesNameOptionAndValue) {
             "unit");
   EXPECT_EQ(fault("drive.ratio=1...2:3"),  // may mean 1. to 2, or 1 to .2
             "--vary drive.ratio: \"1...2\" must be FROM..TO, each with its unit");
-  EXPECT_EQ(
-      fault("drive.ratio=0..2:3:log"),
-      "--vary drive.ratio: the range reaches 0, but :log goes in equal ratios, which never do; "
-      "begin at a number other than 0, or leave :log out for equal steps");
+  EXPECT_EQ(fault("drive.ratio=0..2:3:log"),
+            "--vary drive.ratio: the range reaches 0, but equal ratios (:log) never reach 0; "
+            "begin at a number other than 0, or leave out :log for equal steps");
   EXPECT_EQ(
       fault("drive.ratio=1..2:3:cubic"),
       "--vary drive.ratio: has \"cubic\" after the number of points, where only \"log\" may stand");

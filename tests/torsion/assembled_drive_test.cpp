@@ -86,8 +86,9 @@ TEST(AssembledDrive, IdentityEveryCrackOfTheContactsTurnsButThatOfTheInnerRace) 
 }
 
 TEST(AssembledDrive, ReferenceACrackActsWhereTheAssemblyOpensIt) {
-  // (TC-22): nominal wave of an inextensional ring, curvature 3 w_0 cos(2 theta)/R^2: more of it at
-  // the lobes opens a crack of the rim from outside, less of it beside them one of the raceway.
+  // (TC-22): the nominal wave of an inextensional ring has the curvature 3 w_0 cos(2 theta)/R^2. It
+  // is higher at the lobes and opens a crack of the rim from outside there.  Between the lobes it
+  // is lower and opens a crack of the raceway.
   const GearSet sound = test::supported_drive();
   const double K1 = makers_lines(sound).K1;
   for (int degrees = 0; degrees < 360; degrees += 15) {
@@ -107,7 +108,7 @@ TEST(AssembledDrive, ReferenceACrackActsWhereTheAssemblyOpensIt) {
     EXPECT_EQ(std::ranges::count(codes(race), std::string("crack.pressed_ring")),
               std::cos(2 * angle) > 0 ? 1 : 0);
   }
-  // A ring that nothing bends without torque has no such place.
+  // Nothing bends the circular spline without torque, so none of its cracks is pressed.
   GearSet spline = sound;
   test::crack_spline(spline, 0.4, pi / 2);
   EXPECT_NE(makers_lines(spline).K2, makers_lines(sound).K2);

@@ -53,7 +53,7 @@ def distances(a, end):
 class Section:
     """Plane mesh of half of a section: patches, each a product mesh (s, t) and a map to (x, y).
 
-    In the first patch s = const. are crack fronts, s = a the front itself.  Nodes of the same place
+    In the first patch, lines of constant s are crack fronts, and s = a is the front itself.  Nodes of the same place
     are one node.
     """
 

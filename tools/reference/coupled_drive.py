@@ -303,7 +303,7 @@ class Coupled:
         return row, alpha
 
     def opens(self, hinge):
-        """Whether the curvature of the assembled ring opens a crack: more of it outside."""
+        """Whether the curvature of the assembled ring opens a crack; more curvature opens a crack from outside."""
         if hinge.member == "circular_spline":
             return True
         flatter = self.hinge(hinge)[0] @ self.start.x

@@ -7,8 +7,8 @@ Psi0 = conj(A)/(z - z0) + A conj(z0)/(z - z0)^2; the free edge adds
     Phi1 = -[Phi0* + z Phi0*' + Psi0*],  Psi1 = -Phi0* - Phi1 - z Phi1',  f*(z) = conj(f(conj z)).
 
 Normal and shear stress on the crack vanish: two Cauchy equations.  With s = 1 - t^2 the root at the
-tip becomes an even function of t over (-1, 1); Gauss-Legendre points, collocation at the zeros of
-the Legendre function of the second kind.  The density is finite at the mouth.
+tip becomes an even function of t over (-1, 1).  The integrals use Gauss-Legendre points, and the
+equations hold at the zeros of the Legendre function of the second kind.  The density is finite at the mouth.
 
 Reported: K_I and the magnitude of K_II over sqrt(pi a), against the angle from the normal of the
 edge; extrapolated from 30 and 60 points.  Digits: 1.121522 of the normal crack, other pairs of n.

@@ -260,7 +260,7 @@ class Answer {
   /// The files of a document that is a folder; with several ranks, only the files of this rank.
   /// @throws OptionError  if the command does not make this document
   [[nodiscard]] std::vector<OutputFile> files(std::string_view name) const;
-  /// Texts that the visitor makes of numbers are in the units that options name.
+  /// The visitor writes numbers in the units that the options name.
   void visit(ValueVisitor& to) const {
     const AskedUnitsScope scope(units_);
     command_->visit(result_.get(), to);
@@ -308,9 +308,9 @@ class Answer {
 /// @throws OptionError  if the table lacks it; the message names the nearest
 [[nodiscard]] const Command& command_named(std::span<const Command> table, std::string_view name);
 
-/// Refuses a word in place of a command: "stifness is not a command; did you mean stiffness?".
-/// @param before     stands before the nearest of the known words
-/// @param otherwise  what to do if none is near
+/// The message on an unknown command: "stifness is not a command; did you mean stiffness?".
+/// @param before     text before the nearest known word
+/// @param otherwise  advice if no known word is near
 [[nodiscard]] std::string not_a_command(std::string_view word, std::span<const std::string> known,
                                         std::string_view before, std::string_view otherwise);
 

@@ -10,14 +10,14 @@ struct Meaning {
   std::string kind;  ///< "field of the input"
   std::string name;
   std::string text;
-  std::string more;  ///< the command that tells more; empty: none
+  std::string more;  ///< the command that prints more; empty if there is none
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"kind", "", "what the word names"}, &Meaning::kind);
-    field({"name", "", "in full"}, &Meaning::name);
-    field({"text", "", "what it means"}, &Meaning::text);
-    field({"more", "", "the command that tells more; empty: none"}, &Meaning::more);
+    field({"kind", "", "the kind of thing that the word names"}, &Meaning::kind);
+    field({"name", "", "the full name"}, &Meaning::name);
+    field({"text", "", "the meaning of the word"}, &Meaning::text);
+    field({"more", "", "the command that prints more; empty if there is none"}, &Meaning::more);
   }
 };
 

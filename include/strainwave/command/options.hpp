@@ -55,7 +55,7 @@ namespace detail {
 
 /// @throws OptionError  if the text is not a number, or the number is outside the range
 [[nodiscard]] double number_option(const Field& field, std::string_view text);
-/// @param least, most  of the type that takes the number
+/// @param least, most  limits of the type that takes the number
 [[nodiscard]] std::int64_t whole_option(const Field& field, std::string_view text,
                                         std::int64_t least, std::int64_t most);
 [[nodiscard]] bool flag_option(const Field& field, std::string_view text);

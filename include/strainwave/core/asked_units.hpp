@@ -40,8 +40,8 @@ class AskedUnits {
   [[nodiscard]] std::optional<DisplayUnit> of(std::string_view name, std::string_view unit) const;
 
   [[nodiscard]] bool empty() const { return asked_.empty() && !si_; }
-  /// The units for values of any name whose dimension nobody asked this or a copy of it about:
-  /// nothing that was written has them.
+  /// The units, given without the name of an output, that no written value has.  A unit counts as
+  /// used if `of` of this object or of a copy of it met the dimension of the unit.
   [[nodiscard]] std::vector<std::string> unused() const;
 
  private:
@@ -49,7 +49,7 @@ class AskedUnits {
     std::string name;  ///< empty: any of this dimension
     std::string text;
     Unit unit;
-    /// Whether `of` met this dimension.  All copies share it, and any thread may set it.
+    /// Whether `of` met this dimension.  All copies share this flag, and any thread may set it.
     std::shared_ptr<std::atomic<bool>> used = std::make_shared<std::atomic<bool>>(false);
   };
   std::vector<Asked> asked_;

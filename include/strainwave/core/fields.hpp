@@ -75,7 +75,8 @@ struct Field {
   std::string_view names = {};
   /// For a number of the input: its usual range; kFinite means the usual range of its unit.
   Range usual = kFinite;
-  /// For a text of the input: whether it is a number with its unit, and may be bare if it has no unit.
+  /// For a text of the input: whether the text is a number with its unit.  A number without a unit
+  /// may then be bare.
   bool number_text = false;
   /// For a required field of the input: the name of another field of the table that makes this
   /// field optional if given.

@@ -23,9 +23,9 @@ struct Parallel {
 /// Calls an evaluator with each index below n.  Any free thread takes the next block.
 ///
 /// The result of an index must depend on the index only; then the results are the same for any
-/// number of threads.  Only the calling thread reports progress, before each index; when it is told
-/// to stop, each thread ends after the index that it is at.  If the machine cannot start more
-/// threads, the running ones do the work.
+/// number of threads.  Only the calling thread reports progress, before each index.  After
+/// a request to stop, each thread finishes only the index at which it works.  If the machine cannot
+/// start more threads, the running ones do the work.
 /// @param make  () -> evaluator of one thread, a function of the index
 /// @throws  the exception of the lowest block in which an evaluator threw, for any number of
 ///          threads; Stopped on request

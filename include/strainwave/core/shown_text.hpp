@@ -42,7 +42,8 @@ inline constexpr std::size_t kTextWidth = 100;
 /// The display unit for an output or field with this name and SI unit: the unit that the caller
 /// asked for, or the usual unit of engineering drawings.
 [[nodiscard]] DisplayUnit display_unit(std::string_view name, std::string_view si);
-/// The unit for a place that has a usual unit of its own: the one that was asked for, or the usual.
+/// The unit for a place with its own usual unit: the unit that was asked for, otherwise the usual
+/// unit.
 [[nodiscard]] DisplayUnit display_unit(std::string_view name, std::string_view si,
                                        const DisplayUnit& usual);
 

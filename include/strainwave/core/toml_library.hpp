@@ -6,7 +6,7 @@
 //
 // Version 3.3 gives the compiler promises that a malformed file breaks: `[&` breaks an assertion
 // (marzer/tomlplusplus issue 294), and `45°` outside quotes reaches a place marked unreachable
-// (issues 190 and 295; found again by tests/fuzz on 2026-11-21).  The code behind handles both
+// (issues 190 and 295; found again by tests/fuzz on 2026-11-21).  The code below handles both
 // cases, so the promises are removed here.  A later version with pull request 305 does not need the
 // second removal.
 

@@ -63,10 +63,10 @@ struct BatchResult {
 /// for any number of threads.
 ///
 /// @throws InputError  before any work, if no number of the drive has the path; if no output of the
-///                     drive as it is has the name (the message names near ones); if a name is
+///                     unchanged drive has the name (the message names near outputs); if a name is
 ///                     given twice; if the values are not one for each path in each row; if
 ///                     `threads` is outside 0 to kMaxBatchThreads
-/// @throws Error       if `evaluate` throws it for the drive as it is
+/// @throws Error       if `evaluate` throws it for the unchanged drive
 /// @throws Stopped     if `progress` requests a stop; it is asked before each row that the calling
 ///                     thread takes, and at the end
 [[nodiscard]] BatchResult batch(const GearSet& gear, const BatchTask& task,

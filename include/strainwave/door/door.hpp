@@ -17,9 +17,9 @@ namespace strainwave {
 /// All commands, in the order of their help.
 [[nodiscard]] std::span<const Command> commands();
 
-/// The row `explain` of a table.
-/// @param table  whose commands, options and outputs it explains
-/// @param own    further words, of a program; null: none
+/// The command `explain` for a table of commands.
+/// @param table  the table whose commands, options and outputs the command explains
+/// @param own    further words of a program; null if there are none
 [[nodiscard]] Command explain_command(std::span<const Command> (*table)(),
                                       std::vector<Meaning> (*own)() = nullptr);
 

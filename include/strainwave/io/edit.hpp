@@ -13,9 +13,9 @@ namespace strainwave {
 /// does not change keeps its spelling too.  A replaced section keeps the lines of the fields that
 /// stay.  A new field is placed after the fields that precede it in the description of its table,
 /// and a new section after the sections that precede it.  Removing a field also removes its
-/// comment: the one behind the field or, if there is none, the one directly above it.  Removing a
-/// crack or a section also removes the ranges and scatters of its numbers.  If the number of a
-/// crack changes, the paths that name the crack change too.
+/// comment: the comment after the field or, if there is none, the comment directly above the field.
+/// Removing a crack or a section also removes the ranges and scatters of its numbers.  If the
+/// number of a crack changes, the paths that name the crack change too.
 ///
 /// The text does not need to be a complete drive before or after the edit.
 ///
@@ -23,7 +23,7 @@ namespace strainwave {
 /// @param path   path as the program prints it: `output_shaft.crack[0].depth`, `material.40CrNiMoA
 ///               QT.youngs_modulus` or `material."40CrNiMoA QT".youngs_modulus`; `[+]`, or the
 ///               number of elements as the index, adds one element
-/// @param value  TOML as behind `=`, such as `"3 mm"` with its quotes; for a table also the lines
+/// @param value  TOML as after `=`, such as `"3 mm"` with its quotes; for a table also the lines
 ///               of its body, without comments; absent: remove what is there
 /// @return       the old document with this change and its consequences
 /// @throws InputError  if the text is not TOML; if the path does not exist (the message names the

@@ -18,11 +18,10 @@ namespace strainwave {
                                     const std::map<std::string, std::string>& comments = {});
 
 /// The text of a drive with the numbers of another drive.  `edit` sets each number that differs,
-/// and removes the ranges and scatters that the other drive lacks; everything else keeps every
-/// byte.
+/// and removes the ranges and scatters that the other drive lacks.  All other bytes stay the same.
 ///
-/// @param text    of the drive `from`
-/// @param to      as `from`, with other numbers and perhaps without some of its ranges and scatters
+/// @param text    the text of the drive `from`
+/// @param to      the drive `from` with other numbers, perhaps without some ranges and scatters
 /// @throws InputError  as `edit`
 [[nodiscard]] std::string with_numbers_of(std::string text, const GearSet& from, const GearSet& to);
 

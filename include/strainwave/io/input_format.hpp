@@ -16,12 +16,13 @@ struct InputTable {
   std::string path;  ///< "flexspline.crack"; NAME stands for the name of a material
   std::string head;  ///< "[[flexspline.crack]]"
   std::string_view doc;
-  std::string_view kind = {};     ///< of a crack; empty for another table
-  std::string_view meaning = {};  ///< of this kind
+  std::string_view kind = {};     ///< kind of a crack; empty for any other table
+  std::string_view meaning = {};  ///< meaning of this kind
   std::vector<std::string_view> fields;
 };
 
-/// The tables of an input file in their order; a table with several kinds once for each kind.
+/// The tables of an input file in their order.  A table with several kinds appears once for each
+/// kind.
 [[nodiscard]] std::vector<InputTable> input_tables();
 
 /// A commented starting file that the reader accepts.

@@ -16,7 +16,7 @@ struct InputRemark {
 /// The fields that an input file gives, with the spelling and the comment of each.
 ///
 /// A field that is absent here has its default value or no value.  A comment is what the file's
-/// author states about a number, such as its origin.  The comment behind the value counts; without
+/// author states about a number, such as its origin.  The comment after the value counts; without
 /// one, the comment lines directly above it count.
 ///
 /// @param text  TOML that `read_gear_set` accepts

@@ -13,8 +13,8 @@ namespace strainwave {
 
 /// The calibrated drive as an input file: the text of the drive with the calibrated numbers, under
 /// comments on the calibration.
-/// @param before  the drive as given
-/// @param text    its text; empty: written anew
+/// @param before  the drive before the calibration
+/// @param text    the text of this drive; if empty, the drive is written anew
 /// @throws InputError  as `with_numbers_of`
 [[nodiscard]] std::string calibrated_drive(const Calibration& calibration, const GearSet& before,
                                            const std::string& text);

@@ -24,13 +24,13 @@ struct CoupledRow {
   Quantity negative;
   std::optional<Quantity> positive_change = {};  ///< absent: another row gives the change
   std::optional<Quantity> negative_change = {};
-  std::string sound_name = {};  ///< of the output below curve.intact, where it is another
+  std::string sound_name = {};  ///< name of the output below curve.intact if it is not `name`
 };
 
-/// The units in which tables give a stiffness: the unit asked for, or else two units.
+/// The units of a stiffness in tables: the unit that was asked for, otherwise two units.
 [[nodiscard]] std::vector<DisplayUnit> stiffness_units();
-/// K1, K2, K3 in both units, over a turn where cracks turn relative to the lobes, and wind-up at the
-/// given torque and at the maker's.
+/// Rows for K1, K2, K3 in these units, and for the wind-up at the given torque and at the maker's
+/// torques.  If cracks turn relative to the lobes, there are also rows for K1, K2, K3 over a turn.
 [[nodiscard]] std::vector<CoupledRow> coupled_rows(const CurveResult& curve, const GearSet& gear);
 
 /// The titles of the tables of the coupled drive and of the sum of the members.

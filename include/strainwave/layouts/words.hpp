@@ -34,13 +34,14 @@ namespace strainwave {
 /// A count with its noun, such as "1 range" or "2 ranges".
 [[nodiscard]] std::string counted(std::size_t n, std::string_view thing);
 
-/// Units of the tables and plots of drives, as asked for; else N*m/rad, N*m/arcmin and arcmin.
+/// The units of the tables and plots of drives: the units that were asked for, otherwise N*m/rad,
+/// N*m/arcmin and arcmin.
 [[nodiscard]] DisplayUnit stiffness_unit();
 [[nodiscard]] DisplayUnit plotted_stiffness_unit();
 [[nodiscard]] DisplayUnit angle_unit();
-/// "twist [arcmin]".
+/// A label with its unit: "twist [arcmin]".
 [[nodiscard]] std::string with_unit(std::string_view label, const DisplayUnit& unit);
-/// "twist [N·m/arcmin]", as on the axis of a plot.
+/// A label with its unit for the axis of a plot: "K1 [N·m/arcmin]".
 [[nodiscard]] std::string axis_label(std::string_view label, const DisplayUnit& unit);
 
 /// The critical size from the failure assessment or, if absent, from K alone.

@@ -15,8 +15,8 @@ struct EvaluationOptions {
   /// milliseconds. If false, the accuracies of the sum are those of a drive without a coupled
   /// solution.
   bool coupled_drive = true;
-  /// Besides the angles of the file, the coupled drive at all angles of a turn, where a crack turns
-  /// relative to the lobes; some tenths of a second.
+  /// Whether to solve the coupled drive at all angles of a turn too, if a crack turns relative to
+  /// the lobes.  This takes some tenths of a second.
   bool over_turn = false;
 };
 
@@ -26,7 +26,7 @@ struct EvaluationOptions {
 /// Torsional stiffness of a drive by one of the three methods: from the coupled drive, if it can be
 /// solved, and from the sum of the members.
 ///
-/// @throws InputError  if the gear breaks a rule, or holds what the method cannot treat
+/// @throws InputError  if the gear breaks a rule, or if the method cannot treat it
 /// @throws Stopped     if the caller requests a stop
 [[nodiscard]] StiffnessResult evaluate(const GearSet& gear, Method method,
                                        const EvaluationOptions& options = {},

@@ -94,10 +94,11 @@ struct RequirementReport {
 /// A requirement is met if the whole uncertainty interval of the output keeps the bound.  It is not
 /// met if the whole interval breaks the bound.  In between, the answer is `cannot tell`.  An output
 /// without a stated uncertainty is judged by its value, and a note says so.  The change of a sum
-/// cannot be told if the cracks change the coupled drive alone (ST-18).  A sum of members takes
-/// what it leaves out on the softer side alone, where the drive is known to be softer (ST-18).  A
-/// change has its own uncertainty, smaller than that of the stiffnesses it compares.  The combined
-/// answer is `not met` if one requirement is not met, and `met` if all are met.
+/// cannot be told if cracks change the coupled drive alone (ST-18).  The effects that a sum
+/// of members leaves out extend its interval on the softer side only, if the drive is known to be
+/// softer (ST-18).  A change has its own uncertainty, smaller than that of the stiffnesses it
+/// compares.  The combined answer is `not met` if one requirement is not met, and `met` if all are
+/// met.
 ///
 /// @param texts     "OUTPUT OP VALUE" where OP is one of >=, >, <=, < and VALUE has a unit:
 ///                  "curve.positive.K2 >= 4e4 N*m/rad"

@@ -64,8 +64,7 @@ Command calibrate_command() {
           "the combinations of factors that the targets determine. A factor whose uncertainty "
           "exceeds half of its value is not called identified. A factor changes fields of the "
           "drive; --output writes the calibrated drive as a new input file, which keeps the "
-          "comments "
-          "of the given file. Ranges and scatters of the changed numbers are left out.",
+          "comments of the given file. Ranges and scatters of the changed numbers are left out.",
       .example = "strainwave calibrate examples/catalogue_size25.toml --catalogue --output "
                  "calibrated.toml",
       .function = calibrated,

@@ -21,7 +21,7 @@ namespace strainwave {
 
 Command stiffness_command();
 
-/// How a difference stands to its uncertainty.
+/// How a difference compares with its uncertainty.
 enum class Standing { beyond, within, not_stated, same };
 template <>
 struct EnumNames<Standing> {
@@ -97,8 +97,8 @@ void read_inputs(const Json& value, const std::string& path, Inputs& to) {
   }
 }
 
-/// The path of an element of a list: what it says of itself, or its index.  The states of a crack
-/// say which torque they are under, so that states of one load are compared.
+/// The path of an element of a list: the path that the element states, or its index.  The torque
+/// names a state of a crack, so that states under the same load are compared.
 std::string element_path(const Json& element, const std::string& list, std::size_t index) {
   if (element.is_object() && element.contains("path")) return element["path"];
   if (element.is_object() && element.contains("torque") && element.contains("with_assembly"))
@@ -188,7 +188,7 @@ struct InputDifference {
   }
 };
 
-/// An output of both.
+/// An output of both sides.
 struct OutputDifference {
   std::string path;
   std::string unit;
@@ -217,11 +217,10 @@ struct Difference {
   std::string second;
   double coverage = 1.0;
   std::vector<InputDifference> inputs;
-  std::vector<OutputDifference>
-      stiffness;                           ///< K1, K2, K3 and wind-up, also where they are the same
-  std::vector<OutputDifference> outputs;   ///< beyond the uncertainty of their difference
-  std::vector<OutputDifference> within;    ///< others that differ
-  std::vector<OutputDifference> unstated;  ///< outputs that differ without a stated uncertainty
+  std::vector<OutputDifference> stiffness;  ///< K1, K2, K3 and wind-up, even if they are the same
+  std::vector<OutputDifference> outputs;    ///< beyond the uncertainty of their difference
+  std::vector<OutputDifference> within;     ///< others that differ
+  std::vector<OutputDifference> unstated;   ///< outputs that differ without a stated uncertainty
   std::vector<std::string> only_first;
   std::vector<std::string> only_second;
   std::size_t equal = 0;
@@ -235,10 +234,11 @@ struct Difference {
     field({"second", "", "a drive or a result that is compared with the first"}, &D::second);
     field({"coverage", "1", "number of standard uncertainties that a difference must exceed"},
           &D::coverage);
-    field({"inputs", "", "that differ"}, &D::inputs);
-    field({"stiffness", "", "K1, K2, K3 and wind-up of both senses, also where they are the same"},
+    field({"inputs", "", "inputs that differ"}, &D::inputs);
+    field({"stiffness", "",
+           "K1, K2, K3 and wind-up for both senses of torque, even if they are the same"},
           &D::stiffness);
-    field({"outputs", "", "that differ by more than the uncertainty of their difference"},
+    field({"outputs", "", "outputs that differ by more than the uncertainty of their difference"},
           &D::outputs);
     field({"within_uncertainty", "", "outputs that differ by less"}, &D::within);
     field({"uncertainty_not_stated", "", "outputs that differ without a stated uncertainty"},
@@ -251,7 +251,7 @@ struct Difference {
 
 constexpr std::array<std::string_view, 3> kMembers = {"wave_generator", "flexspline",
                                                       "output_shaft"};
-/// The parts among which the error of the coupled drive is divided alike (ST-20).
+/// The parts that have equal shares in the error of the coupled drive (ST-20).
 constexpr std::array<std::string_view, 4> kCoupledParts = {"wave_generator", "flexspline.rim",
                                                            "mesh", "circular_spline"};
 /// Fields of the flexspline that stand in series with the rim (TC-13).
@@ -283,7 +283,7 @@ class SameParts {
       else if (std::ranges::find(kMembers, table) != kMembers.end() || table == "mesh" ||
                table == "circular_spline")
         change(table, path);
-      else if (table == "load")  // no stiffness of the coupled drive depends on it
+      else if (table == "load")  // changes only the sum
         sum_changed_ = true;
       else
         all_changed_ = true;
@@ -320,7 +320,7 @@ class SameParts {
             std::ranges::any_of(kLimits,
                                 [&](std::string_view limit) { return path.ends_with(limit); }));
   }
-  /// A field of a part of the drive differs.
+  /// Records that a field of a part of the drive differs.
   void change(const std::string& table, const std::string& path) {
     changed_.insert(table);
     const auto is_of = [&](std::string_view field) {
@@ -448,9 +448,9 @@ InDrive in_drive(const Side& side, const std::string& path) {
   return {};
 }
 
-/// Uncertainty of the difference of an output of the coupled drive: its parts contribute alike to
-/// its relative error, and the contribution of a part that is the same in both is one error
-/// (ST-20).
+/// One standard uncertainty of second - first for an output of the coupled drive (ST-20).  All
+/// parts have the same share of the variance.  A part that is the same in both has a single error,
+/// which cancels; a part that differs has two independent errors.
 double coupled_uncertainty(double u_a, double u_b, const SameParts& same) {
   const double share = 1 / static_cast<double>(kCoupledParts.size());  // of the variance
   double variance = 0.0;
@@ -485,9 +485,9 @@ double left_out_of(const Side& first, const Side& second, const std::string& pat
   return most;
 }
 
-/// One standard uncertainty of second - first: the model error of a part that is the same in both
-/// is one error, which cancels; those of a part that differs are two; and what the sums leave out
-/// (ST-19).
+/// One standard uncertainty of second - first (ST-19).  A part that is the same in both has a
+/// single model error, which cancels.  A part that differs has two independent errors.  A further
+/// term is the effects that the sums leave out.
 std::optional<double> uncertainty_of(const Side& first, const Side& second, const std::string& path,
                                      const SameParts& same) {
   const Output& a = first.outputs.at(path);
@@ -558,8 +558,9 @@ std::vector<InputDifference> unknown_tables(const Side& first, const Side& secon
   return unknown;
 }
 
-/// Whether an output is one that a designer asks for first: K1, K2, K3 and the wind-up of the
-/// coupled drive under either sense of torque; where it is not solved, those of the sum.
+/// Whether an output is K1, K2, K3 or the wind-up of the coupled drive under either sense of
+/// torque, which designers ask for first.  If the coupled drive is not solved, the sum gives these
+/// outputs.
 bool is_stiffness(const std::string& path, const Side& side) {
   const bool coupled = side.outputs.contains("curve.positive.K1");
   for (const std::string_view sense : {"positive", "negative"}) {
@@ -677,7 +678,7 @@ std::vector<OutputDifference> without(std::vector<OutputDifference> group,
 }
 
 /// "flexspline.crack[0], T > 0, load alone: reserve" for a number of a state of a crack; any other
-/// path as it is.
+/// path unchanged.
 std::string words_of_path(const std::string& path) {
   constexpr std::string_view kStates = ".strength.states[";
   const std::size_t at = path.find(kStates);
@@ -704,7 +705,7 @@ std::string difference_text(const Difference& difference) {
                         bool judged = false) {
     Table outputs{.head = {"output", "first", "second", "difference", "uncertainty", "unit"},
                   .align = "lrrrrl"};
-    if (judged) outputs.head.emplace_back("difference is");
+    if (judged) outputs.head.emplace_back("against uncertainty");
     for (const OutputDifference& output : listed) {
       const DisplayUnit unit = display_unit(output.path, output.unit);
       const auto number = [&](double value, int digits) {
@@ -737,7 +738,7 @@ std::string difference_text(const Difference& difference) {
   only("second", difference.only_second);
   const auto same =
       std::ranges::count(difference.stiffness, Standing::same, &OutputDifference::standing);
-  text += fmt::format("Of the others, {} differ by less and {} are the same.\n",
+  text += fmt::format("Of the other outputs, {} differ by less and {} are the same.\n",
                       others(difference.within).size(),
                       difference.equal - static_cast<std::size_t>(same));
   return text + equations_text(difference.equations);
@@ -780,13 +781,13 @@ Command diff_command() {
       .summary = "Compare two drives or two results",
       .description =
           "Compares two drives, or two results that --format json wrote. Prints the inputs that "
-          "differ, K1, K2, K3 and the wind-up of both, and the outputs that differ by more than "
-          "the uncertainty of their difference: "
-          "the model error of a member or crack that is the same in both cancels, that of one "
-          "whose inputs differ does not. The error of the coupled drive is divided among wave "
-          "generator, rim, mesh and circular spline in the same way. The csv and json "
-          "formats also list the outputs that "
-          "differ by less.",
+          "differ, then K1, K2, K3 and the wind-up of both, and then the outputs that differ by "
+          "more than the uncertainty of their difference. The model error of a member or crack "
+          "cancels if its inputs are the same in both; otherwise this error counts. The error of "
+          "the coupled drive belongs in equal parts to wave generator, rim, mesh and circular "
+          "spline, and cancels for each part that is the same. The csv and json formats also list "
+          "the outputs that differ by less. Only results of stiffness contain these uncertainties; "
+          "for results of other commands, the answer gives only the differences.",
       .example = "strainwave diff examples/article.toml examples/through_crack.toml",
       .takes = Takes::nothing,
       .function = difference,

@@ -50,7 +50,7 @@ struct Explained {
   }
 };
 
-/// Letters in lower case, without the dashes of an option; - and blank are one with _.
+/// The word in lower case, without the dashes of an option, and with _ for each - and blank.
 std::string folded(std::string_view word) {
   while (word.size() > 1 && word.starts_with('-')) word.remove_prefix(1);
   std::string letters(word);
@@ -59,7 +59,7 @@ std::string folded(std::string_view word) {
   return letters;
 }
 
-/// What stands between the separators of a text, without blanks around.
+/// The parts of a text between separators, without the blanks around them.
 std::vector<std::string_view> split_at(std::string_view text, std::string_view separators) {
   std::vector<std::string_view> parts;
   for (;;) {
@@ -75,7 +75,7 @@ class Search {
  public:
   explicit Search(std::string_view word) : word_(word), folded_(folded(word)) {}
 
-  /// Whether the word is this one.
+  /// Whether the word means this name, which becomes a known name.
   bool is(std::string_view name) {
     if (name.empty()) return false;
     known_.emplace_back(name);
@@ -127,15 +127,15 @@ class Search {
     throw OptionError(
         "word",
         near.empty()
-            ? fmt::format("{} is unknown to strainwave; strainwave --help lists the commands, "
-                          "strainwave schema --format markdown the fields",
+            ? fmt::format("{} is unknown to strainwave; strainwave --help lists the commands, and "
+                          "strainwave schema --format markdown lists the fields",
                           shown(word_))
             : fmt::format("{} is unknown to strainwave; did you mean {}?", shown(word_),
                           fmt::join(near, " or ")));
   }
 
  private:
-  /// The nearest known words; where none is near, the shortest that contain the word.
+  /// The nearest known word.  If no word is near, the shortest known words that contain the word.
   [[nodiscard]] std::vector<std::string> near_words() const {
     constexpr std::size_t kMost = 3;
     std::vector<std::string> near;
@@ -356,15 +356,15 @@ std::string explained_text(const Explained& explained) {
 Command explain_command(std::span<const Command> (*table)(), std::vector<Meaning> (*own)()) {
   return command<ExplainOptions, Explained>({
       .name = "explain",
-      .summary = "What a word means: a field, a unit, a note, an equation and more",
+      .summary = "Explain a word: a field, a unit, a note, an equation and more",
       .description =
-          "Explains a word on one screen: a term of the glossary or its symbol; a table of the "
-          "input, or a kind of crack; the path of a field of the input, of an output or of a group "
-          "of outputs, also in part; a value that a field or an option may have; a unit; the code "
-          "of a note; the tag "
+          "Explains a word on one screen. The word may be a term of the glossary or its symbol; a "
+          "table of the input or a kind of crack; the path of an input field, of an output or of a "
+          "group of outputs, or a part of a path; a value of a field or of an option; a unit; the "
+          "code of a note; the tag "
           "of an equation; an exit status; a material; a stress intensity solution; a factor of "
-          "a calibration; a command or an option. Case, - and _ make no difference. For an "
-          "unknown word it suggests the nearest known one.",
+          "a calibration; a command or an option. The search ignores case and treats - and _ "
+          "alike. For an unknown word, the command suggests the nearest known word.",
       .example = "strainwave explain flexspline.crack[0].half_length",
       .takes = Takes::nothing,
       .function =

@@ -36,7 +36,7 @@ struct NewDrive {
 /// Editors find the schema of a file by its first line.
 constexpr std::string_view kSchemaLine = "#:schema ./strainwave-drive-1.schema.json\n";
 
-/// Lines to switch on for the shaft behind the gear, which no catalogue contains.
+/// Commented lines for the output shaft, which no catalogue contains.
 std::string output_shaft_of(const GearSet& gear) {
   const double d = gear.drive.pitch_diameter;
   GearSet with;
@@ -49,9 +49,10 @@ std::string output_shaft_of(const GearSet& gear) {
   const std::string text = gear_text(with);
   std::istringstream lines(text.substr(text.find(kHead)));
   std::string commented =
-      "\n# The maker's stiffness ends at the output flange, and so does this drive. Your shaft "
-      "makes it\n"
-      "# softer: remove the # of these lines and give its dimensions.\n";
+      "\n# The maker's stiffness ends at the output flange, and so does this drive. To include "
+      "your "
+      "shaft,\n"
+      "# remove the # of these lines and give the dimensions of the shaft.\n";
   for (std::string line; std::getline(lines, line) && !line.empty();)
     commented += "# " + line + '\n';
   return commented;
@@ -67,7 +68,7 @@ NewDrive drive_of(const Request&, const NewOptions& options) {
   return {std::string(kSchemaLine) +
           "# A typical drive of this size and ratio, because makers do not publish the geometry of "
           "a drive.\n"
-          "# The comment behind each number states its origin, its limits and their origin.\n" +
+          "# The comment after each number states its origin, its limits and their origin.\n" +
           gear_text(drive.gear, drive.comments) + output_shaft_of(drive.gear)};
 }
 
@@ -81,8 +82,8 @@ Command new_command() {
           "Prints a valid input file with every field and its meaning; fields that are not needed "
           "are commented out. With --size and --ratio, prints the typical drive of that size in "
           "the makers' catalogues instead. Every number then has a comment on its origin and its "
-          "limits, and ranges for the torsion curve are included. The output shaft, which no "
-          "catalogue contains, is there as a comment.",
+          "limits, and ranges for the torsion curve are included. The lines of an output "
+          "shaft are comments, because no catalogue contains a shaft.",
       .example = "strainwave new --size 25 --ratio 100 --output drive.toml",
       .takes = Takes::nothing,
       .function = drive_of,

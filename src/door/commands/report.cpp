@@ -22,7 +22,7 @@ struct ReportCommandOptions {
     field(kMethodOption, &ReportCommandOptions::method);
     field({.name = "date",
            .unit = "",
-           .doc = "date to print, YYYY-MM-DD; if left out, a command line takes "
+           .doc = "date to print, YYYY-MM-DD; if left out, the command line uses "
                   "SOURCE_DATE_EPOCH",
            .names = "date"},
           &ReportCommandOptions::date);
@@ -44,7 +44,7 @@ struct ReportedDrive {
 
 ResultEvidence evidence_of(const ReportedDrive& drive) { return evidence_of(drive.report.result); }
 
-/// @throws OptionError  the text is no date of the form YYYY-MM-DD
+/// @throws OptionError  if the text is not a date of the form YYYY-MM-DD
 std::string date_of(const std::string& text) {
   constexpr std::string_view kForm = "dddd-dd-dd";
   const bool formed = std::ranges::equal(text, kForm, [](unsigned char c, char of_form) {

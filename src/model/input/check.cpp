@@ -272,7 +272,8 @@ void check_balls(const FieldPath& path, const Bearing& bearing) {
           bearing.loaded_balls, "1", fmt::format("<= ball_count, {}", count));
 }
 
-/// A ring of the bearing is at least as wide as the groove of a ball, of half its diameter.
+/// Checks that a ring of the bearing is at least as wide as the groove of a ball, which is half of
+/// the ball's diameter.
 void check_groove(const FieldPath& path, double width, const Bearing& bearing) {
   require(!clearly_less(width, bearing.ball_diameter / 2), path.text(), width, "m",
           fmt::format(">= wave_generator.bearing.ball_diameter/2, {:.4g} mm: the balls run in a "
@@ -390,44 +391,44 @@ void check_overlaps(const FieldPath& path, const Flexspline& fs) {
 }
 
 /// Sections of a cup are joined wall to wall.  Teeth, steps and fillets lie within this share of
-/// the diameter: at ratio 30 a tooth is 0.04 of it tall.
+/// the diameter: at ratio 30 the height of a tooth is 0.04 of the diameter.
 constexpr double kJoined = 0.1;
 
 bool can_join(double diameter, double other) {
   return std::abs(diameter - other) <= kJoined * std::max(diameter, other);
 }
 
-/// Checks that rim, barrel and diaphragm can be one body.  A diaphragm may also lie outside of the
-/// barrel, as that of a hat.
+/// Checks that rim, barrel and diaphragm can be one body.  The diaphragm of a hat lies outside
+/// of the barrel.
 void check_joints(const FieldPath& path, const Flexspline& fs) {
   const double barrel = fs.barrel->outer_diameter;
   if (fs.rim)
     require(can_join(barrel, fs.rim->outer_diameter), (path / "barrel" / "outer_diameter").text(),
             barrel, "m",
-            fmt::format("within 10 % of rim.outer_diameter, {:.4g} mm, to which the barrel is "
-                        "joined",
+            fmt::format("within 10 % of rim.outer_diameter, {:.4g} mm, because the barrel joins "
+                        "the rim",
                         fs.rim->outer_diameter / units::mm));
   if (fs.diaphragm)
     require(can_join(fs.diaphragm->outer_diameter, barrel) ||
                 can_join(fs.diaphragm->inner_diameter, barrel),
             (path / "diaphragm" / "outer_diameter").text(), fs.diaphragm->outer_diameter, "m",
-            fmt::format("within 10 % of barrel.outer_diameter, {:.4g} mm, to which the diaphragm "
-                        "is joined",
+            fmt::format("within 10 % of barrel.outer_diameter, {:.4g} mm, because the diaphragm "
+                        "joins the barrel",
                         barrel / units::mm));
 }
 
 /// No tooth is taller than this many modules [-].
 constexpr double kMostRootDistance = 4;
 
-/// The rim lies at the roots of the teeth.
+/// Checks that the rim lies at the roots of the teeth.
 void check_rim_at_teeth(const FieldPath& path, const GearSet& gear, const TubeSection& rim) {
   const Transmission& drive = gear.drive;
   const double module = drive.pitch_diameter / (drive.wave_number * drive.ratio);
   require(
       std::abs(drive.pitch_diameter - rim.outer_diameter) < 2 * kMostRootDistance * module,
       (path / "outer_diameter").text(), rim.outer_diameter, "m",
-      fmt::format("at the tooth roots, within 4 modules of {:.4g} mm of drive.pitch_diameter/2, "
-                  "{:.4g} mm",
+      fmt::format("at the tooth roots, with outer_diameter/2 within 4 modules ({:.4g} mm each) of "
+                  "drive.pitch_diameter/2, {:.4g} mm",
                   module / units::mm, drive.pitch_diameter / 2 / units::mm));
 }
 
@@ -525,8 +526,10 @@ void check_range(const GearSet& gear, const FieldPath& path, const InputRange& r
   if (number.value < lower || number.value > upper)
     throw InputError(
         (path / "path").text(),
-        fmt::format("{} is {} in the file, outside of this range from {} to {}", range.path,
-                    shown_quantity(number.value, number.field.unit), range.lower, range.upper));
+        fmt::format("{} is {} in the file, outside of this range from {} to {}; correct the range "
+                    "or the value",
+                    range.path, shown_quantity(number.value, number.field.unit), range.lower,
+                    range.upper));
 }
 
 void check_scatter(const GearSet& gear, std::size_t which) {
@@ -580,8 +583,8 @@ void check_ranges(const GearSet& gear) {
   });
 }
 
-/// The wave lifts the teeth by about a tooth's height: by pitch_diameter/(2 ratio) in the
-/// kinematics of any wave number.
+/// Checks that the wave lifts the teeth by about the height of a tooth.  The kinematics of every
+/// wave number gives pitch_diameter/(2 ratio).
 void check_displacement(const Transmission& drive) {
   constexpr double kLeast = 0.3;
   constexpr double kMost = 2;
@@ -589,8 +592,8 @@ void check_displacement(const Transmission& drive) {
   require(!clearly_less(drive.radial_displacement, kLeast * nominal) &&
               !clearly_less(kMost * nominal, drive.radial_displacement),
           "drive.radial_displacement", drive.radial_displacement, "m",
-          fmt::format("between 0.3 and 2 times pitch_diameter/(2 ratio), {:.4g} mm: else the teeth "
-                      "cannot engage and disengage",
+          fmt::format("between 0.3 and 2 times pitch_diameter/(2 ratio), {:.4g} mm; otherwise the "
+                      "teeth cannot engage and disengage",
                       nominal / units::mm));
 }
 

@@ -21,8 +21,8 @@ void check_variation(const Variation& variation, std::string_view option_name) {
                                          n_points, kMaxSweepPoints));
   const bool one_sign = (from > 0 && to > 0) || (from < 0 && to < 0);
   if (spacing == Spacing::logarithmic && !one_sign)
-    throw InputError(option, fmt::format("the range {} 0, but :log goes in equal ratios, which "
-                                         "never do; {}, or leave :log out for equal steps",
+    throw InputError(option, fmt::format("the range {} 0, but equal ratios (:log) never reach "
+                                         "0; {}, or leave out :log for equal steps",
                                          from == 0 || to == 0 ? "reaches" : "crosses",
                                          from == 0 ? "begin at a number other than 0"
                                          : to == 0 ? "end at a number other than 0"

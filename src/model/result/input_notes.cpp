@@ -59,7 +59,8 @@ void note_contradiction(std::vector<Note>& notes, std::string_view field, double
        .next_step = fmt::format("Remove {}; a flexspline by sections does not need it.", field)});
 }
 
-/// Two joined sections whose walls do not meet: a step, whose compliance the sum leaves out.
+/// Adds a note if the walls of two joined sections do not meet.  Such a step adds compliance that
+/// the sum leaves out.
 void note_step(std::vector<Note>& notes, const TubeSection& barrel, double bore, double outside,
                std::string_view other) {
   const double inner = barrel.outer_diameter - 2 * barrel.wall_thickness;
@@ -67,8 +68,8 @@ void note_step(std::vector<Note>& notes, const TubeSection& barrel, double bore,
   notes.push_back({.code = "flexspline.step",
                    .text = fmt::format(
                        "the wall of the barrel lies between {:.4g} and {:.4g} mm in diameter, "
-                       "and {} does not meet it: a step there adds compliance that the "
-                       "sections leave out",
+                       "and {} does not meet this wall; the step adds compliance that the "
+                       "model by sections leaves out",
                        inner / units::mm, barrel.outer_diameter / units::mm,
                        bore == outside ? fmt::format("{}, {:.4g} mm,", other, outside / units::mm)
                                        : fmt::format("{}, {:.4g} to {:.4g} mm,", other,
@@ -94,7 +95,7 @@ std::vector<Note> input_notes(const GearSet& gear) {
                        "rim.wall_thickness");
   if (fs.barrel && fs.rim)
     note_step(notes, *fs.barrel, fs.rim->outer_diameter - 2 * fs.rim->wall_thickness,
-              fs.rim->outer_diameter, "that of the rim");
+              fs.rim->outer_diameter, "the wall of the rim");
   if (fs.barrel && fs.diaphragm &&
       clearly_less(fs.diaphragm->inner_diameter,
                    fs.barrel->outer_diameter - 2 * fs.barrel->wall_thickness))

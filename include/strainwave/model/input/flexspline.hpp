@@ -73,7 +73,7 @@ struct Boss : TubeSection {
           &Boss::outer_diameter);
     field(Field{.name = "wall_thickness",
                 .unit = "m",
-                .doc = "wall thickness, from the bore of the hub",
+                .doc = "wall thickness, measured from the bore of the hub",
                 .range = kPositive,
                 .example = R"("20 mm")",
                 .usual = kUsualThickness},
@@ -120,18 +120,23 @@ struct Diaphragm {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field(Field{.name = "outer_diameter",
-                .unit = "m",
-                .doc = "diameter at which the diaphragm meets the barrel, in the middle of its wall",
-                .range = kPositive,
-                .example = R"("157.76 mm")"},
-          &Diaphragm::outer_diameter);
-    field(Field{.name = "inner_diameter",
-                .unit = "m",
-                .doc = "diameter at which the diaphragm meets the boss, the outer diameter of the boss",
-                .range = kPositive,
-                .example = R"("80 mm")"},
-          &Diaphragm::inner_diameter);
+    field(
+        Field{
+            .name = "outer_diameter",
+            .unit = "m",
+            .doc =
+                "diameter at which the diaphragm meets the barrel: the middle of the barrel's wall",
+            .range = kPositive,
+            .example = R"("157.76 mm")"},
+        &Diaphragm::outer_diameter);
+    field(
+        Field{
+            .name = "inner_diameter",
+            .unit = "m",
+            .doc = "diameter at which the diaphragm meets the boss: the outer diameter of the boss",
+            .range = kPositive,
+            .example = R"("80 mm")"},
+        &Diaphragm::inner_diameter);
     field(Field{.name = "thickness",
                 .unit = "m",
                 .doc = "constant thickness; with a profile, the thickness at the outer diameter",
@@ -139,12 +144,13 @@ struct Diaphragm {
                 .example = R"("3 mm")",
                 .usual = kUsualThickness},
           &Diaphragm::thickness);
-    field(Field{.name = "profile",
-                .unit = "",
-                .doc = "stations of a thickness that varies: constant up to the first one, then "
-                       "linear to the next and to the outer diameter",
-                .in_template = InTemplate::commented},
-          &Diaphragm::profile);
+    field(
+        Field{.name = "profile",
+              .unit = "",
+              .doc = "thickness at several radii: constant up to the first radius, then linear to "
+                     "the next radius and to the outer diameter",
+              .in_template = InTemplate::commented},
+        &Diaphragm::profile);
   }
 };
 

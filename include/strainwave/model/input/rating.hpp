@@ -93,18 +93,18 @@ struct InputRange {
   static void describe(Visitor&& field) {
     field(Field{.name = "path",
                 .unit = "",
-                .doc = "of the number",
+                .doc = "path of the number",
                 .example = R"("flexspline.wall_thickness")"},
           &InputRange::path);
     field(Field{.name = "lower",
                 .unit = "",
-                .doc = "lower limit, with its unit; bare if the number has no unit",
+                .doc = "lower limit with its unit; a bare number if the field has no unit",
                 .example = R"("2 mm")",
                 .number_text = true},
           &InputRange::lower);
     field(Field{.name = "upper",
                 .unit = "",
-                .doc = "upper limit, with its unit; bare if the number has no unit",
+                .doc = "upper limit with its unit; a bare number if the field has no unit",
                 .example = R"("2.5 mm")",
                 .number_text = true},
           &InputRange::upper);

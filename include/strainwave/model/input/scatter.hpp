@@ -32,7 +32,7 @@ struct InputScatter {
   static void describe(Visitor&& field) {
     field(Field{.name = "path",
                 .unit = "",
-                .doc = "of the number",
+                .doc = "path of the number",
                 .example = R"("flexspline.wall_thickness")"},
           &InputScatter::path);
     field(Field{.name = "relative_standard_deviation",

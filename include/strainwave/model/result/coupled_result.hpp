@@ -48,9 +48,9 @@ struct CurveStiffness {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"K1", "N*m/rad", "up to T1"}, &CurveStiffness::K1);
-    field({"K2", "N*m/rad", "from T1 to T2"}, &CurveStiffness::K2);
-    field({"K3", "N*m/rad", "from T2"}, &CurveStiffness::K3);
+    field({"K1", "N*m/rad", "stiffness up to T1"}, &CurveStiffness::K1);
+    field({"K2", "N*m/rad", "stiffness from T1 to T2"}, &CurveStiffness::K2);
+    field({"K3", "N*m/rad", "stiffness from T2"}, &CurveStiffness::K3);
     field({"wind_up", "rad", "twist at the given torque"}, &CurveStiffness::wind_up);
     field({"wind_up_at_T1", "rad", "twist at T1"}, &CurveStiffness::wind_up_at_T1);
     field({"wind_up_at_T2", "rad", "twist at T2"}, &CurveStiffness::wind_up_at_T2);
@@ -78,7 +78,7 @@ struct CurveChange {
   }
 };
 
-/// K1, K2, K3 [N*m/rad].
+/// The maker's stiffnesses [N*m/rad].
 struct LineStiffness {
   Quantity K1;
   Quantity K2;
@@ -86,9 +86,9 @@ struct LineStiffness {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"K1", "N*m/rad", "up to T1"}, &LineStiffness::K1);
-    field({"K2", "N*m/rad", "from T1 to T2"}, &LineStiffness::K2);
-    field({"K3", "N*m/rad", "from T2"}, &LineStiffness::K3);
+    field({"K1", "N*m/rad", "stiffness up to T1"}, &LineStiffness::K1);
+    field({"K2", "N*m/rad", "stiffness from T1 to T2"}, &LineStiffness::K2);
+    field({"K3", "N*m/rad", "stiffness from T2"}, &LineStiffness::K3);
   }
 };
 
@@ -96,19 +96,20 @@ struct LineStiffness {
 /// outer ring and circular spline pass the lobes; eq. (TC-26).
 struct CurveOverTurn {
   LineStiffness mean;
-  LineStiffness softest;  ///< of each line, at the angle where it is softest
+  LineStiffness softest;  ///< each stiffness at the angle where it is lowest
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"mean", "", "mean over the angles"}, &CurveOverTurn::mean);
-    field({"softest", "", "each line at the angle where it is softest"}, &CurveOverTurn::softest);
+    field({"mean", "", "mean values over the angles"}, &CurveOverTurn::mean);
+    field({"softest", "", "each stiffness at the angle where it is lowest"},
+          &CurveOverTurn::softest);
   }
 };
 
 /// The coupled drive with its cracks under one sense of torque.
 struct CrackedCurve : CurveStiffness {
   CurveChange change;
-  /// absent without cracks that turn relative to the lobes, and where it is not asked for
+  /// absent if no crack turns relative to the lobes, or if the caller did not ask for a turn
   std::optional<CurveOverTurn> over_turn;
 
   template <class Visitor>
@@ -117,8 +118,8 @@ struct CrackedCurve : CurveStiffness {
       of_both.headline = of_both.unit == "N*m/rad";
       field(of_both, member);
     });
-    field({"change", "", "what the cracks change"}, &CrackedCurve::change);
-    field({"over_turn", "", "over a turn, where cracks turn relative to the lobes"},
+    field({"change", "", "changes by the cracks"}, &CrackedCurve::change);
+    field({"over_turn", "", "stiffnesses over a turn, if cracks turn relative to the lobes"},
           &CrackedCurve::over_turn);
   }
 };

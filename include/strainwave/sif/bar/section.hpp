@@ -46,7 +46,7 @@ inline constexpr Field kInnerDiameter{
     .name = "inner_diameter", .unit = "m", .doc = "2 r_i", .range = kPositive, .example = "24 mm"};
 inline constexpr Field kAspectRatio{.name = "aspect_ratio",
                                     .unit = "1",
-                                    .doc = "a/c of the ellipse, 1 is the circle",
+                                    .doc = "a/c of the ellipse; 1 for a circle",
                                     .range = kPositive,
                                     .example = "0.8"};
 
