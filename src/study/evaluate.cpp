@@ -116,10 +116,22 @@ std::string range_of(const ChangesOverTurn& positive, const ChangesOverTurn& neg
 }
 
 /// The stiffness at one angle of a turn misleads: a crack may even raise it there.
-Note one_angle_note(const GearSet& gear, const TurnChanges* turn) {
+/// @param unknown_because  why the turn is not solved; empty if it is, or if nobody asked for it
+Note one_angle_note(const GearSet& gear, const TurnChanges* turn,
+                    const std::string& unknown_because) {
   const std::string at =
       "K1, K2, K3 and the wind-up hold at one angle of the wave generator, with " +
       angles_of_file(gear) + " from the lobe; ";
+  if (!unknown_because.empty())
+    return {.code = "curve.one_angle",
+            .text = at +
+                    "their effect over a turn is not known, because an angle of it has no "
+                    "solution: " +
+                    unknown_because,
+            .path = {},
+            .equation = "TC-26",
+            .severity = Severity::care,
+            .next_step = "Set other positions of these cracks for K1, K2, K3 at other angles."};
   if (turn == nullptr)
     return {.code = "curve.one_angle",
             .text = at + "over a turn the effect of these cracks varies and may change its sign",
@@ -193,13 +205,18 @@ Coupled coupled_drive(const GearSet& gear, bool over_turn, const Progress& progr
     curve.negative = cracked_lines_of(drive, -1, sound_negative, notes);
     if (has_moving_cracks(gear)) {
       std::optional<TurnChanges> turn;
+      std::string unknown_because;
       if (over_turn) {
-        turn = changes_over_turn(drive, 0, progress);
-        curve.positive.over_turn = over_turn_of(curve.intact, turn->positive);
-        curve.negative.over_turn = over_turn_of(sound_negative, turn->negative);
-        equations.emplace_back("TC-26");
+        try {
+          turn = changes_over_turn(drive, 0, progress);
+          curve.positive.over_turn = over_turn_of(curve.intact, turn->positive);
+          curve.negative.over_turn = over_turn_of(sound_negative, turn->negative);
+          equations.emplace_back("TC-26");
+        } catch (const Error& error) {
+          unknown_because = error.what();
+        }
       }
-      notes.insert(notes.begin(), one_angle_note(gear, turn ? &*turn : nullptr));
+      notes.insert(notes.begin(), one_angle_note(gear, turn ? &*turn : nullptr, unknown_because));
     }
     coupled = {drive, std::move(curve), std::move(notes), std::move(equations)};
   } catch (const Error& error) {
@@ -213,6 +230,9 @@ Coupled coupled_drive(const GearSet& gear, bool over_turn, const Progress& progr
 }
 
 bool is_of_coupled_drive(std::string_view output) { return output.starts_with("curve."); }
+bool is_over_turn(std::string_view output) {
+  return output.find(".over_turn.") != std::string_view::npos;
+}
 
 StiffnessResult evaluate(const GearSet& gear, Method method, const EvaluationOptions& options,
                          const Progress& progress) {
