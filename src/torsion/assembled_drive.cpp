@@ -117,12 +117,10 @@ void note_pressed(const AssembledDrive::Contents& contents, std::vector<Note>& n
       notes.push_back(
           {"crack.pressed_ring",
            fmt::format("at {:.4g} degrees from the lobe the assembly bends the ring so that the "
-                       "faces of its crack press on each other: the crack changes nothing there",
+                       "faces of the crack press on each other, so the crack changes nothing at "
+                       "this angle",
                        hinge.position * 180 / pi),
-           hinge.ring == RingHinge::Ring::rim ? "flexspline.rim"
-                                              : "wave_generator.bearing.outer_ring",
-           "TC-22", Severity::information,
-           "Run strainwave torsion --compare: it shows what the crack changes over a turn."});
+           hinge.path, "TC-22", Severity::information, "Look at the softest of a turn."});
 }
 
 /// Puts the cracks into the sound drive, on its cam, if it has one.

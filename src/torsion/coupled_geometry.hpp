@@ -64,6 +64,7 @@ struct BasicRingHinge {
   Real length{};             // l, over which the crack softens the ring [m]
   Real softening{};          // alpha, bending stiffness lost times length (TC-22) [N*m^3]
   bool from_inside = false;  // it opens where the ring bends less
+  std::string path = {};     // of the crack in the file
 };
 template <class Real>
 struct BasicSoftTooth {

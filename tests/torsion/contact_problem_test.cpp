@@ -10,6 +10,7 @@
 
 #include "coupled_drive.hpp"
 #include "strainwave/core/error.hpp"
+#include "support/expect.hpp"
 #include "torsion/typical_drive.hpp"
 
 namespace strainwave {
@@ -191,6 +192,38 @@ TEST(ElasticRings, BehaviourEveryFurtherHingeSoftensItsRing) {
       EXPECT_GT(more.maxCoeff(), 1e-3 * one.maxCoeff());
     }
   }
+}
+
+TEST(ContactProblem, CrosscheckAShallowHingeTurnsTheRingByItsCurvature) {
+  // (TC-22) to first order: eta kappa dkappa/dT less its value without torque, where no flank
+  // carries a force and dkappa/dT = 0.  The hinge is 1e-4 of its ring, so the terms of second order
+  // are below 1e-3.
+  const GearSet gear = housed_drive(50);
+  const CoupledGeometry g = coupled_geometry(gear, {});
+  CoupledDrive sound(gear, g, {});
+  ASSERT_TRUE(sound.assemble());
+  const double length = 1e-5;
+  int stiffer = 0;
+  for (const double angle : {0.9, 1.15, 1.4, 1.6, 2.0}) {
+    const RingHinge hinge{RingHinge::Ring::outer, angle, length, 1e-4 * g.outer_bending * 2e-3};
+    CoupledDrive cracked = sound.cracked({.hinges = {hinge}, .teeth = {}, .balls = {}});
+    ASSERT_TRUE(cracked.assemble_on(sound.cam_amplitude()));
+    const auto curvature = [&](const Eigen::VectorXd& force) {
+      return sound.rings().curvature(sound.coefficients_of(force), angle);
+    };
+    EXPECT_EQ(curvature(sound.tangent(sound.assembled()).force), 0.0);
+    for (const double torque : {-10.0, -2.0, 2.0, 10.0}) {
+      const Equilibrium state = sound.solve(torque, sound.assembled());
+      const Equilibrium soft = cracked.solve(torque, cracked.assembled());
+      const double turned = (soft.rotation - cracked.assembled().rotation) -
+                            (state.rotation - sound.assembled().rotation);
+      const double first_order = hinge.softening * curvature(state.force) *
+                                 curvature(sound.tangent(state).force) * g.ring_radius;
+      test::expect_relative(turned, first_order, 5e-2);
+      stiffer += turned * torque < 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GE(stiffer, 4);
 }
 
 TEST(ElasticRings, BehaviourHingesOnOneAnotherAreRefused) {
