@@ -2,15 +2,16 @@
 // The contact problem inside the torsion curve: reciprocity and energy of its tangent (TC-15).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "coupled_drive.hpp"
 #include "strainwave/core/error.hpp"
-#include "support/expect.hpp"
 #include "torsion/typical_drive.hpp"
 
 namespace strainwave {
@@ -196,16 +197,19 @@ TEST(ElasticRings, BehaviourEveryFurtherHingeSoftensItsRing) {
 
 TEST(ContactProblem, CrosscheckAShallowHingeTurnsTheRingByItsCurvature) {
   // (TC-22) to first order: eta kappa dkappa/dT less its value without torque, where no flank
-  // carries a force and dkappa/dT = 0.  The hinge is 1e-4 of its ring, so the terms of second order
-  // are below 1e-3.
+  // carries a force and dkappa/dT = 0.  The tolerance, 2 % of the largest rotation, stands for
+  // terms of second order and for the mode n = 0, which belongs to the curvature and not to the
+  // hinge.
   const GearSet gear = housed_drive(50);
   const CoupledGeometry g = coupled_geometry(gear, {});
   CoupledDrive sound(gear, g, {});
   ASSERT_TRUE(sound.assemble());
   const double length = 1e-5;
+  std::vector<std::pair<double, double>> compared;
+  double largest = 0.0;
   int stiffer = 0;
   for (const double angle : {0.9, 1.15, 1.4, 1.6, 2.0}) {
-    const RingHinge hinge{RingHinge::Ring::outer, angle, length, 1e-4 * g.outer_bending * 2e-3};
+    const RingHinge hinge{RingHinge::Ring::outer, angle, length, 1e-2 * g.outer_bending * 2e-3};
     CoupledDrive cracked = sound.cracked({.hinges = {hinge}, .teeth = {}, .balls = {}});
     ASSERT_TRUE(cracked.assemble_on(sound.cam_amplitude()));
     const auto curvature = [&](const Eigen::VectorXd& force) {
@@ -219,10 +223,13 @@ TEST(ContactProblem, CrosscheckAShallowHingeTurnsTheRingByItsCurvature) {
                             (state.rotation - sound.assembled().rotation);
       const double first_order = hinge.softening * curvature(state.force) *
                                  curvature(sound.tangent(state).force) * g.ring_radius;
-      test::expect_relative(turned, first_order, 5e-2);
+      compared.emplace_back(turned, first_order);
+      largest = std::max(largest, std::abs(turned));
       stiffer += turned * torque < 0 ? 1 : 0;
     }
   }
+  for (const auto& [turned, first_order] : compared)
+    EXPECT_NEAR(turned, first_order, 2e-2 * largest);
   EXPECT_GE(stiffer, 4);
 }
 
