@@ -37,7 +37,8 @@ std::size_t rows_of(const GearSet& gear, const BatchTask& task) {
     throw InputError("values", fmt::format("has {} numbers; give {} for each row",
                                            task.values.size(), task.paths.size()));
   (void)columns_of(task.paths, "paths");
-  const StiffnessResult present = evaluate(gear, task.method);
+  const StiffnessResult present =
+      evaluate(gear, task.method, {.over_turn = std::ranges::any_of(task.outputs, is_over_turn)});
   for (const std::string& output : task.outputs)
     if (!output_named(present, output)) refuse_output(present, output, "outputs");
   return task.values.size() / task.paths.size();
@@ -70,7 +71,8 @@ class RowEvaluator {
       : gear_(gear),
         task_(task),
         columns_(columns),
-        coupled_drive_(std::ranges::any_of(task.outputs, is_of_coupled_drive)),
+        options_{.coupled_drive = std::ranges::any_of(task.outputs, is_of_coupled_drive),
+                 .over_turn = std::ranges::any_of(task.outputs, is_over_turn)},
         result_(result),
         faults_(faults) {}
 
@@ -91,8 +93,7 @@ class RowEvaluator {
       const std::size_t n_paths = task_.paths.size();
       for (std::size_t i = 0; i < n_paths; ++i)
         set_number(gear_, task_.paths[i], task_.values[row * n_paths + i]);
-      const StiffnessResult at_row =
-          evaluate(gear_, task_.method, {.coupled_drive = coupled_drive_});
+      const StiffnessResult at_row = evaluate(gear_, task_.method, options_);
       std::vector<std::optional<double>> found(columns_.size());
       for_each_quantity(at_row, [&](const std::string& name, const Quantity& quantity) {
         if (const auto column = columns_.find(name); column != columns_.end())
@@ -115,7 +116,7 @@ class RowEvaluator {
   GearSet gear_;
   const BatchTask& task_;
   const Columns& columns_;
-  bool coupled_drive_ = false;  // whether an output needs it
+  EvaluationOptions options_;  // what the outputs need
   BatchResult& result_;
   FirstFaults& faults_;
 };

@@ -118,31 +118,38 @@ std::string range_of(const ChangesOverTurn& positive, const ChangesOverTurn& neg
 
 /// The note that a stiffness at one angle of a turn misleads, because a crack may even raise the
 /// stiffness there.
-Note one_angle_note(const GearSet& gear, const TurnChanges* turn) {
-  const std::string at =
-      "K1, K2, K3 and the wind-up are valid at one angle of the wave generator, with " +
-      angles_of_file(gear) + " from the lobe; ";
-  if (turn == nullptr)
-    return {
-        .code = "curve.one_angle",
-        .text = at + "over a turn the effect of these cracks varies and may change its sign",
-        .path = {},
-        .equation = "TC-26",
-        .severity = Severity::care,
-        .next_step = "Run strainwave stiffness for the mean and the softest values over a turn."};
+/// @param unknown_because  why the turn is not solved; empty if it is, or if nobody asked for it
+Note one_angle_note(const GearSet& gear, const TurnChanges* turn,
+                    const std::string& unknown_because) {
   constexpr double kSeen = 1e-3;  // ripple that a designer may care about [-]
-  double ripple = 0.0;
-  for (const ChangesOverTurn* const sense : {&turn->positive, &turn->negative})
-    ripple = std::max({ripple, sense->ripple.K1, sense->ripple.K2, sense->ripple.K3});
+  Severity severity = Severity::care;
+  std::string over_turn = "over a turn the effect of these cracks varies and may change its sign";
+  std::string next_step =
+      "Run strainwave stiffness for the mean and the softest values over a turn.";
+  if (!unknown_because.empty()) {
+    over_turn =
+        "their effect over a turn is not known, because an angle of the turn has no "
+        "solution: " +
+        unknown_because;
+    next_step = "Set other positions of these cracks for K1, K2, K3 at other angles.";
+  } else if (turn != nullptr) {
+    over_turn = range_of(turn->positive, turn->negative);
+    next_step =
+        "Design with the softest values over a turn, curve.positive.over_turn.softest and "
+        "curve.negative.over_turn.softest; strainwave torsion --compare shows every angle.";
+    double ripple = 0.0;
+    for (const ChangesOverTurn* const sense : {&turn->positive, &turn->negative})
+      ripple = std::max({ripple, sense->ripple.K1, sense->ripple.K2, sense->ripple.K3});
+    if (ripple <= kSeen) severity = Severity::information;
+  }
   return {.code = "curve.one_angle",
-          .text = at + range_of(turn->positive, turn->negative),
+          .text = fmt::format("K1, K2, K3 and the wind-up are valid at one angle of the wave "
+                              "generator, with {} from the lobe; {}",
+                              angles_of_file(gear), over_turn),
           .path = {},
           .equation = "TC-26",
-          .severity = ripple > kSeen ? Severity::care : Severity::information,
-          .next_step =
-              "Design with the softest values over a turn, curve.positive.over_turn.softest and "
-              "curve.negative.over_turn.softest; strainwave torsion --compare shows every "
-              "angle."};
+          .severity = severity,
+          .next_step = next_step};
 }
 
 /// Adds the strength of the cracks to the stiffness, or a note that names the missing input.
@@ -196,26 +203,35 @@ Coupled coupled_drive(const GearSet& gear, bool over_turn, const Progress& progr
     curve.negative = cracked_lines_of(drive, -1, sound_negative, notes);
     if (has_moving_cracks(gear)) {
       std::optional<TurnChanges> turn;
+      std::string unknown_because;
       if (over_turn) {
-        turn = changes_over_turn(drive, 0, progress);
-        curve.positive.over_turn = over_turn_of(curve.intact, turn->positive);
-        curve.negative.over_turn = over_turn_of(sound_negative, turn->negative);
-        equations.emplace_back("TC-26");
+        try {
+          turn = changes_over_turn(drive, 0, progress);
+          curve.positive.over_turn = over_turn_of(curve.intact, turn->positive);
+          curve.negative.over_turn = over_turn_of(sound_negative, turn->negative);
+          equations.emplace_back("TC-26");
+        } catch (const Error& error) {
+          unknown_because = error.what();
+        }
       }
-      notes.insert(notes.begin(), one_angle_note(gear, turn ? &*turn : nullptr));
+      notes.insert(notes.begin(), one_angle_note(gear, turn ? &*turn : nullptr, unknown_because));
     }
     coupled = {drive, std::move(curve), std::move(notes), std::move(equations)};
   } catch (const Error& error) {
-    coupled.notes = {{.code = "curve.none",
-                      .text = std::string("no torsion curve of the coupled drive: ") + error.what(),
-                      .path = "",
-                      .equation = "TC-11",
-                      .severity = Severity::care}};
+    coupled.notes = {
+        {.code = "curve.none",
+         .text = fmt::format("no torsion curve of the coupled drive: {}", error.what()),
+         .path = "",
+         .equation = "TC-11",
+         .severity = Severity::care}};
   }
   return coupled;
 }
 
 bool is_of_coupled_drive(std::string_view output) { return output.starts_with("curve."); }
+bool is_over_turn(std::string_view output) {
+  return output.find(".over_turn.") != std::string_view::npos;
+}
 
 StiffnessResult evaluate(const GearSet& gear, Method method, const EvaluationOptions& options,
                          const Progress& progress) {

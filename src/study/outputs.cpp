@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/nearest.hpp"
 #include "strainwave/model/result/result_fields.hpp"
+#include "strainwave/study/evaluate.hpp"
 
 namespace strainwave {
 
@@ -30,8 +32,14 @@ void refuse_output(const StiffnessResult& result, std::string_view path, std::st
   if (ending.empty())
     if (std::string near = nearest_word(path, known); !near.empty())
       ending.push_back(std::move(near));
+  const bool without_turn =
+      is_over_turn(path) && result.curve &&
+      std::ranges::find(result.notes, "curve.one_angle", &Note::code) == result.notes.end();
   const std::string suggested =
-      !ending.empty()
+      without_turn ? std::string(
+                         "; outputs over a turn exist only for cracks of teeth, rim, outer "
+                         "ring or circular spline.")
+      : !ending.empty()
           ? fmt::format("; did you mean {}?", fmt::join(ending, " or "))
           : fmt::format("; write an output such as {}.",
                         result.curve ? "curve.positive.K2" : "cracked.positive.stiffness");

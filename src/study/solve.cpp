@@ -48,20 +48,19 @@ class Probe {
         method_(method),
         path_(std::move(path)),
         target_(target),
+        over_turn_(is_over_turn(target.output)),
         n_scan_(n_scan),
         progress_(progress) {}
 
-  [[nodiscard]] StiffnessResult result(double x, const EvaluationOptions& options = {}) {
-    set_number(gear_, path_, x);
-    return evaluate(gear_, method_, options);
-  }
+  /// The whole result, with the coupled drive.
+  [[nodiscard]] StiffnessResult result(double x) { return result(x, {.over_turn = over_turn_}); }
 
   [[nodiscard]] Sample sample(double x) {
     // Progress counts the scan and about as many evaluations for its refinement.
     progress_.at(std::min(1.0, ++n_samples_ / (2.0 * n_scan_)));
     try {
-      const StiffnessResult at_x =
-          result(x, {.coupled_drive = is_of_coupled_drive(target_.output)});
+      const StiffnessResult at_x = result(
+          x, {.coupled_drive = is_of_coupled_drive(target_.output), .over_turn = over_turn_});
       const std::optional<Quantity> output = output_named(at_x, target_.output);
       if (!output || !std::isfinite(output->value))
         return {.x = x, .reason = target_.output + " has no finite value"};
@@ -81,10 +80,16 @@ class Probe {
   }
 
  private:
+  [[nodiscard]] StiffnessResult result(double x, const EvaluationOptions& options) {
+    set_number(gear_, path_, x);
+    return evaluate(gear_, method_, options);
+  }
+
   GearSet gear_;
   Method method_;
   std::string path_;
   Target target_;
+  bool over_turn_;
   int n_scan_;
   int n_samples_ = 0;
   const Progress& progress_;
@@ -414,7 +419,7 @@ Target parse_target(const GearSet& gear, Method method, std::string_view text) {
     throw InputError("--target", fmt::format("\"{}\" must be OUTPUT=VALUE, such as "
                                              "\"cracked.positive.stiffness_change=-1 %\"",
                                              text));
-  const StiffnessResult present = evaluate(gear, method);
+  const StiffnessResult present = evaluate(gear, method, {.over_turn = is_over_turn(given.key)});
   const std::optional<Quantity> output = output_named(present, given.key);
   if (!output) refuse_output(present, given.key, "--target");
   return {

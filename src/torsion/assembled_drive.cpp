@@ -117,12 +117,9 @@ void note_pressed(const AssembledDrive::Contents& contents, std::vector<Note>& n
       notes.push_back(
           {"crack.pressed_ring",
            fmt::format("at {:.4g} degrees from the lobe the assembly presses the faces of this "
-                       "crack together, so the crack changes nothing there",
+                       "crack together, so the crack changes nothing at this angle",
                        hinge.position * 180 / pi),
-           hinge.ring == RingHinge::Ring::rim ? "flexspline.rim"
-                                              : "wave_generator.bearing.outer_ring",
-           "TC-22", Severity::information,
-           "Run strainwave torsion --compare to see what the crack changes over a turn."});
+           hinge.path, "TC-22", Severity::information, "Look at the softest values over a turn."});
 }
 
 /// Adds the cracks to the sound drive on its cam, if the sound drive assembles.

@@ -73,7 +73,7 @@ double size(const LineChanges& c) {
 }
 
 /// Finds the kind of cracked member (TC-26).  A member in series adds the same compliance to all
-/// three lines at every position.  Teeth and rim change K1 most, by an amount that depends on the
+/// three lines at every position.  Teeth and rings change K1 most, by an amount that depends on the
 /// position.
 void diagnose(CurveComparison& comparison) {
   constexpr double kAlike = 0.1;

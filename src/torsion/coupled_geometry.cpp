@@ -225,7 +225,7 @@ class ContactCracksOf {
   }
 
   template <CrackedPart part, bool from_inside>
-  void add(const std::string&, const RingCrack<part, from_inside>& crack) {
+  void add(const std::string& path, const RingCrack<part, from_inside>& crack) {
     if (part == CrackedPart::circular_spline && !(geometry_.support > 0)) {
       note_rigid_spline();
       return;
@@ -239,7 +239,8 @@ class ContactCracksOf {
                               .position = lift_(crack.position),
                               .length = length,
                               .softening = (ring.bending - left) * length,  // (TC-22)
-                              .from_inside = from_inside});
+                              .from_inside = from_inside,
+                              .path = path});
   }
 
   /// Adds a crack of the inner race, which the balls load.

@@ -64,6 +64,7 @@ struct BasicRingHinge {
   Real length{};             // length l over which the crack softens the ring [m]
   Real softening{};          // alpha, lost bending stiffness times length (TC-22) [N*m^3]
   bool from_inside = false;  // a crack from inside opens where the ring bends less
+  std::string path = {};     // path of the crack in the file
 };
 template <class Real>
 struct BasicSoftTooth {

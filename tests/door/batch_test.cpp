@@ -62,6 +62,21 @@ TEST(Batch, CrosscheckEqualsSingleEvaluations) {
   }
 }
 
+TEST(Batch, CrosscheckOutputsOverATurn) {
+  GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/catalogue_size25.toml");
+  OuterRaceCrack crack;
+  crack.depth = 0.9e-3;
+  gear.wave_generator->crack.emplace_back(crack);
+  const std::vector<std::string> paths = {"wave_generator.crack[0].depth"};
+  const std::vector<double> values = {0.9e-3};
+  const std::vector<std::string> outputs = {"curve.positive.over_turn.softest.K1"};
+  const BatchResult result =
+      batch(gear, {.paths = paths, .values = values, .outputs = outputs, .threads = 1});
+  const StiffnessResult single = evaluate(gear, Method::corrected, {.over_turn = true});
+  EXPECT_EQ(result.codes.front(), RowCode::ok);
+  EXPECT_EQ(result.numbers.front(), output_named(single, outputs.front()).value().value);
+}
+
 TEST(Batch, CrosscheckOutputsOfTheCoupledDrive) {
   // The coupled drive is solved only if one of its outputs is asked for; the sum does not change.
   const GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/cracked_size25.toml");

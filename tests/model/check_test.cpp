@@ -534,32 +534,30 @@ const std::vector<Broken> kBroken = {
      "wave_generator.inner_ring_width",
      ">= 2 contact_semi_axes[1], 4 mm: the contact lies on the ring", ""},
     {"BarrelApartFromTheRim", sections_gear,
-     [](GearSet& g) { flexspline(g).barrel->outer_diameter = 143 * mm; },
+     [](GearSet& g) { flexspline(g).barrel->outer_diameter = 119 * mm; },
      "flexspline.barrel.outer_diameter",
-     "within 10 % of rim.outer_diameter, 160 mm, because the barrel joins the rim", ""},
+     "within 25 % of rim.outer_diameter, 160 mm, because the barrel joins the rim", ""},
     {"DiaphragmApartFromTheBarrel", sections_gear,
-     [](GearSet& g) { flexspline(g).diaphragm->outer_diameter = 142 * mm; },
+     [](GearSet& g) { flexspline(g).diaphragm->outer_diameter = 118 * mm; },
      "flexspline.diaphragm.outer_diameter",
-     "within 10 % of barrel.outer_diameter, 158 mm, because the diaphragm joins the barrel", ""},
+     "within 25 % of barrel.outer_diameter, 158 mm, because the diaphragm joins the barrel", ""},
     {"RimApartFromTheTeeth", sections_gear,
-     [](GearSet& g) { flexspline(g).rim->outer_diameter = 153 * mm; },
+     [](GearSet& g) { flexspline(g).rim->outer_diameter = 153.5 * mm; },
      "flexspline.rim.outer_diameter",
-     "at the tooth roots, with outer_diameter/2 within 4 modules (0.8 mm each) of "
-"drive.pitch_diameter/2, 80 mm", ""},
+     "between 153.6 and 161.6 mm: the rim ends at the tooth roots", ""},
     {"RimOutsideOfTheTeeth", sections_gear,
-     [](GearSet& g) { flexspline(g).rim->outer_diameter = 167 * mm; },
+     [](GearSet& g) { flexspline(g).rim->outer_diameter = 161.7 * mm; },
      "flexspline.rim.outer_diameter",
-     "at the tooth roots, with outer_diameter/2 within 4 modules (0.8 mm each) of "
-"drive.pitch_diameter/2, 80 mm", ""},
+     "between 153.6 and 161.6 mm: the rim ends at the tooth roots", ""},
     {"WaveTooLow", article, [](GearSet& g) { g.drive.radial_displacement = 0.239 * mm; },
      "drive.radial_displacement",
-     "between 0.3 and 2 times pitch_diameter/(2 ratio), 0.8 mm; otherwise the teeth cannot engage and "
-     "disengage",
+     "between 0.3 and 2 times pitch_diameter/(2 ratio), 0.8 mm; otherwise the teeth cannot engage "
+     "and disengage",
      ""},
     {"WaveTooHigh", article, [](GearSet& g) { g.drive.radial_displacement = 1.61 * mm; },
      "drive.radial_displacement",
-     "between 0.3 and 2 times pitch_diameter/(2 ratio), 0.8 mm; otherwise the teeth cannot engage and "
-     "disengage",
+     "between 0.3 and 2 times pitch_diameter/(2 ratio), 0.8 mm; otherwise the teeth cannot engage "
+     "and disengage",
      ""},
     {"OuterRaceCrackWithoutRing", coupled_gear,
      [](GearSet& g) { wave_generator(g).bearing->outer_ring.reset(); },
@@ -899,8 +897,21 @@ const std::vector<Accepted> kAccepted = {
      [](GearSet& g) { flexspline(g).diaphragm->inner_diameter = below(154 * mm); }},
     {"BarrelJustJoinedToTheRim", sections_gear,
      [](GearSet& g) {
-       flexspline(g).barrel->outer_diameter = 144.01 * mm;
-       diaphragm(g).outer_diameter = 142 * mm;
+       flexspline(g).barrel->outer_diameter = 120.01 * mm;
+       diaphragm(g).outer_diameter = 119 * mm;
+     }},
+    // Shapes of drives that are built, as multiples of their barrel or rim.
+    {"HatOfSize14WithAFilletOf2Millimetres", sections_gear,
+     [](GearSet& g) {
+       diaphragm(g).inner_diameter = 158 * 38.7 / 34.6 * mm;
+       diaphragm(g).outer_diameter = 250 * mm;
+     }},
+    {"CupOfSize14WhoseDiaphragmEndsAtItsFillet", sections_gear,
+     [](GearSet& g) { diaphragm(g).outer_diameter = 158 * 30.2 / 34.6 * mm; }},
+    {"BarrelOfSize25NeckedTo56Millimetres", sections_gear,
+     [](GearSet& g) {
+       flexspline(g).barrel->outer_diameter = 160 * 56 / 62.8 * mm;
+       diaphragm(g).outer_diameter = 140 * mm;
      }},
     {"DiaphragmOfAHat", sections_gear,
      [](GearSet& g) {
@@ -909,6 +920,8 @@ const std::vector<Accepted> kAccepted = {
      }},
     {"RimJustAtTheTeeth", sections_gear,
      [](GearSet& g) { flexspline(g).rim->outer_diameter = 153.7 * mm; }},
+    {"RimOfShiftedTeeth", sections_gear,
+     [](GearSet& g) { flexspline(g).rim->outer_diameter = 161.5 * mm; }},
     {"RingAsWideAsTheGroove", sections_gear,
      [](GearSet& g) {
        wave_generator(g).inner_ring_width = wave_generator(g).bearing->ball_diameter / 2;

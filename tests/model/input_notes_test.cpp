@@ -104,9 +104,29 @@ TEST(InputNotes, InputSectionsWhoseWallsDoNotMeet) {
       "the wall of the barrel lies between 150 and 154 mm in diameter, and the edge of the "
       "diaphragm, 148 mm, does not meet this wall; the step adds compliance that the model by "
       "sections leaves out");
-  // The diaphragm of a hat lies outside of the barrel.
-  gear.flexspline->diaphragm->inner_diameter = 153 * mm;
-  gear.flexspline->diaphragm->outer_diameter = 250 * mm;
+}
+
+TEST(InputNotes, InputDiaphragmOutsideOfTheBarrel) {
+  // The wall of the barrel lies between 154 and 158 mm.
+  GearSet gear = gear_of_sections();
+  Diaphragm& diaphragm = *gear.flexspline->diaphragm;
+  const std::string field = "flexspline.diaphragm.inner_diameter";
+  for (const auto& [inner, shown] : {std::pair{154.0, "154"}, {157.0, "157"}, {152.0, "152"}}) {
+    diaphragm.inner_diameter = inner * mm;
+    diaphragm.outer_diameter = 250 * mm;
+    EXPECT_EQ(text_of(gear, "flexspline.hat", field),
+              std::string("the diaphragm, ") + shown +
+                  " to 250 mm in diameter, lies outside of the barrel, 158 mm, as that of a hat; "
+                  "the coupled model takes the bottom as that of a cup, clamped at its inner edge");
+    // The edge beside the barrel meets its wall, or does not.
+    EXPECT_EQ(input_notes(gear).size(), inner < 154 ? 2U : 1U);
+  }
+  EXPECT_NE(text_of(gear, "flexspline.step", "flexspline.barrel.outer_diameter")
+                .find("the edge of the diaphragm, 152 mm, does not meet this wall"),
+            std::string::npos);
+  // A narrow diaphragm of a cup.
+  diaphragm = {
+      .outer_diameter = 156 * mm, .inner_diameter = 150 * mm, .thickness = 3 * mm, .profile = {}};
   EXPECT_TRUE(input_notes(gear).empty());
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string>
 
+#include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/layouts/stiffness.hpp"
@@ -112,6 +113,41 @@ TEST(Evaluate, BehaviourATurnIsComputedWhereItIsAskedForAndCracksTurn) {
   std::get<OuterRaceCrack>(shallow.wave_generator->crack[0]).depth = 1e-5;
   const StiffnessResult small = evaluate(shallow, Method::corrected, {.over_turn = true});
   EXPECT_EQ(note_of(small, "curve.one_angle").severity, Severity::information);
+}
+
+TEST(Evaluate, BehaviourAnAngleWithoutSolutionLeavesTheCurveOfTheFile) {
+  // The assembly presses the crack at 5 degrees, so the drive holds the torque T3 of a sound one.
+  // At other angles the crack turns the ring further, and at the largest T3 the flanks do not hold.
+  GearSet gear = with_outer_race_crack(5);
+  const auto with_T3 = [&](double T3, bool over_turn) {
+    gear.rating->T3 = T3;
+    return evaluate(gear, Method::corrected, {.over_turn = over_turn});
+  };
+  double held = *gear.rating->rated_torque;
+  double lost = 1e4 * held;
+  while (lost > held * (1 + 1e-6)) {
+    const double between = std::sqrt(held * lost);
+    (with_T3(between, false).curve ? held : lost) = between;
+  }
+  EXPECT_EQ(with_T3(lost, true).notes.front().code, "curve.none");
+  const StiffnessResult result = with_T3(held, true);
+  ASSERT_TRUE(result.curve);
+  EXPECT_GT(result.curve->positive.K3.value, 0);
+  EXPECT_FALSE(result.curve->positive.over_turn);
+  EXPECT_FALSE(result.curve->negative.over_turn);
+  const Note& note = note_of(result, "curve.one_angle");
+  EXPECT_EQ(note.severity, Severity::care);
+  EXPECT_NE(note.text.find("an angle of it has no solution: at "), std::string::npos) << note.text;
+  EXPECT_NE(note.text.find("the flanks do not hold"), std::string::npos) << note.text;
+  EXPECT_NE(note.next_step.find("other positions"), std::string::npos);
+  const auto missing = [&] {
+    try {
+      refuse_output(result, "curve.positive.over_turn.softest.K1", "--target");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_EQ(missing().find("exist only for cracks"), std::string::npos) << missing();
 }
 
 TEST(Evaluate, BehaviourAPressedCrackIsNoted) {

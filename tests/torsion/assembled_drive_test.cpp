@@ -108,6 +108,20 @@ TEST(AssembledDrive, ReferenceACrackActsWhereTheAssemblyOpensIt) {
     EXPECT_EQ(std::ranges::count(codes(race), std::string("crack.pressed_ring")),
               std::cos(2 * angle) > 0 ? 1 : 0);
   }
+  // The note names the crack.
+  GearSet two = sound;
+  test::crack_rim(two, 0.5, 0);
+  test::crack_rim(two, 0.5, pi / 2);
+  const std::vector<Note> notes = AssembledDrive(two).notes();
+  const auto pressed = std::ranges::find(notes, "crack.pressed_ring", &Note::code);
+  ASSERT_NE(pressed, notes.end());
+  EXPECT_EQ(pressed->path, "flexspline.crack[1]");
+  EXPECT_EQ(std::ranges::count(notes, "crack.pressed_ring", &Note::code), 1);
+  EXPECT_EQ(
+      pressed->text,
+      "at 90 degrees from the lobe the assembly presses the faces of this crack together, so the "
+      "crack changes nothing at this angle");
+  EXPECT_EQ(pressed->next_step, "Look at the softest values over a turn.");
   // Nothing bends the circular spline without torque, so none of its cracks is pressed.
   GearSet spline = sound;
   test::crack_spline(spline, 0.4, pi / 2);

@@ -2,10 +2,12 @@
 // The contact problem inside the torsion curve: reciprocity and energy of its tangent (TC-15).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "coupled_drive.hpp"
@@ -191,6 +193,44 @@ TEST(ElasticRings, BehaviourEveryFurtherHingeSoftensItsRing) {
       EXPECT_GT(more.maxCoeff(), 1e-3 * one.maxCoeff());
     }
   }
+}
+
+TEST(ContactProblem, CrosscheckAShallowHingeTurnsTheRingByItsCurvature) {
+  // (TC-22) to first order: eta kappa dkappa/dT less its value without torque, where no flank
+  // carries a force and dkappa/dT = 0.  The tolerance, 2 % of the largest rotation, stands for
+  // terms of second order and for the mode n = 0, which belongs to the curvature and not to the
+  // hinge.
+  const GearSet gear = housed_drive(50);
+  const CoupledGeometry g = coupled_geometry(gear, {});
+  CoupledDrive sound(gear, g, {});
+  ASSERT_TRUE(sound.assemble());
+  const double length = 1e-5;
+  std::vector<std::pair<double, double>> compared;
+  double largest = 0.0;
+  int stiffer = 0;
+  for (const double angle : {0.9, 1.15, 1.4, 1.6, 2.0}) {
+    const RingHinge hinge{RingHinge::Ring::outer, angle, length, 1e-2 * g.outer_bending * 2e-3};
+    CoupledDrive cracked = sound.cracked({.hinges = {hinge}, .teeth = {}, .balls = {}});
+    ASSERT_TRUE(cracked.assemble_on(sound.cam_amplitude()));
+    const auto curvature = [&](const Eigen::VectorXd& force) {
+      return sound.rings().curvature(sound.coefficients_of(force), angle);
+    };
+    EXPECT_EQ(curvature(sound.tangent(sound.assembled()).force), 0.0);
+    for (const double torque : {-10.0, -2.0, 2.0, 10.0}) {
+      const Equilibrium state = sound.solve(torque, sound.assembled());
+      const Equilibrium soft = cracked.solve(torque, cracked.assembled());
+      const double turned = (soft.rotation - cracked.assembled().rotation) -
+                            (state.rotation - sound.assembled().rotation);
+      const double first_order = hinge.softening * curvature(state.force) *
+                                 curvature(sound.tangent(state).force) * g.ring_radius;
+      compared.emplace_back(turned, first_order);
+      largest = std::max(largest, std::abs(turned));
+      stiffer += turned * torque < 0 ? 1 : 0;
+    }
+  }
+  for (const auto& [turned, first_order] : compared)
+    EXPECT_NEAR(turned, first_order, 2e-2 * largest);
+  EXPECT_GE(stiffer, 4);
 }
 
 TEST(ElasticRings, BehaviourHingesOnOneAnotherAreRefused) {

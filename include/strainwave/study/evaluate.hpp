@@ -22,6 +22,8 @@ struct EvaluationOptions {
 
 /// Whether an output, such as "curve.positive.K1", is one of the coupled drive.
 [[nodiscard]] bool is_of_coupled_drive(std::string_view output);
+/// Whether an output, such as "curve.positive.over_turn.softest.K1", needs `over_turn`.
+[[nodiscard]] bool is_over_turn(std::string_view output);
 
 /// Torsional stiffness of a drive by one of the three methods: from the coupled drive, if it can be
 /// solved, and from the sum of the members.
