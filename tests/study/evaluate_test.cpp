@@ -137,7 +137,7 @@ TEST(Evaluate, BehaviourAnAngleWithoutSolutionLeavesTheCurveOfTheFile) {
   EXPECT_FALSE(result.curve->negative.over_turn);
   const Note& note = note_of(result, "curve.one_angle");
   EXPECT_EQ(note.severity, Severity::care);
-  EXPECT_NE(note.text.find("an angle of it has no solution: at "), std::string::npos) << note.text;
+  EXPECT_NE(note.text.find("an angle of the turn has no solution: at "), std::string::npos) << note.text;
   EXPECT_NE(note.text.find("the flanks do not hold"), std::string::npos) << note.text;
   EXPECT_NE(note.next_step.find("other positions"), std::string::npos);
   const auto missing = [&] {
