@@ -244,8 +244,7 @@ TubeCrackResult solve_tube_with_through_crack(const TubeWithThroughCrack& tube_g
     if (result.reason.empty() && !(std::abs(result.sound_check) <= kSoundTolerance))
       result.reason = fmt::format(
           "without the crack, the compliance of the solid differs by {:.2g} from that of the body "
-          "of "
-          "revolution",
+          "of revolution",
           result.sound_check);
   }
   result.compliance = result.compliance_without + result.added_compliance;

@@ -55,8 +55,7 @@ std::string scatter_html(Draft& draft, const Sensitivity& s) {
   draft.add(std::vector<std::string>{"SN-7", "SN-8"});
   std::string html =
       paragraph(fmt::format("Scatter of {} inputs, as the file gives it, by first order and by {} "
-                            "draws, of which {} were "
-                            "evaluated.",
+                            "draws, of which {} were evaluated.",
                             scatter.inputs.size(), scatter.samples, scatter.evaluated));
   for (const TitledTable& one : scatter_tables(scatter, s)) html += table(one);
   return html;

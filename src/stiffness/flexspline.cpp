@@ -30,9 +30,8 @@ void add_sound_flexspline(const GearSet& gear, const SeriesModel<double>& model,
       member.notes.push_back(
           {.code = "flexspline.shape_factor",
            .text = fmt::format(
-               "the factor {:.4g} represents all parts except the barrel; cups are "
-               "1.06 to 11 times "
-               "as compliant as their barrel in finite elements{}",
+               "the factor {:.4g} represents all parts except the barrel; cups are 1.06 to 11 "
+               "times as compliant as their barrel in finite elements{}",
                model.shape_factor(),
                model.shape_factor() < 1 ? ", so a factor below 1 makes the cup too stiff" : ""),
            .path = "flexspline.crack_free",

@@ -95,8 +95,6 @@ CrackedDrive cracked_drive(const Members& intact, const Members& added, double t
   return drive;
 }
 
-/// From this change on, the text gives a multiple [-].
-constexpr double kManifold = 9.0;
 /// The largest distances of the drive's quantities from those of the sum, relative to the sum
 /// (ST-18), because of what the sum leaves out.
 struct LeftOut {
@@ -176,10 +174,17 @@ void contain_left_out(StiffnessResult& result, const GearSet& gear, const Member
     return left;
   };
   const LeftOut sound = of(result.intact, &CurveResult::intact);
+  const auto by_members = [](const auto& drive) {
+    return drive.compliance.total.relative_uncertainty.value_or(0.0);
+  };
+  const MemberUncertainty members_alone{.intact = by_members(result.intact),
+                                        .positive = by_members(result.positive),
+                                        .negative = by_members(result.negative)};
   widen(result.positive, of(result.positive, &CurveResult::positive));
   widen(result.negative, of(result.negative, &CurveResult::negative));
   widen(result.intact, sound);
   if (sound.compliance == 0) return;
+  result.members_alone = members_alone;
   result.accuracies.push_back(
       {"total", sound.compliance,
        std::string(coupled == nullptr ? accuracy::kContactsLeftOut.source
@@ -192,14 +197,17 @@ void contain_left_out(StiffnessResult& result, const GearSet& gear, const Member
            "the sum of the members leaves out the contacts of balls and teeth, the rings and the "
            "coning of the cup, so the drive is softer apart from the errors of the members; the "
            "accuracy of the sum contains this effect; it acts to the softer side. {}",
-           coupled == nullptr ? "Catalogues show that the sum is 2 to 5 times too stiff without a "
-                                "shaft"
+           coupled == nullptr ? "Catalogues show that without a shaft the sum is 2 to 5 times too "
+                                "stiff"
                               : "The coupled drive is the answer"),
        .path = "",
        .equation = "ST-18",
        .severity = coupled == nullptr ? Severity::care : Severity::information,
        .next_step = coupled == nullptr ? "Give the fields that the coupled drive needs." : ""});
 }
+
+/// From this contradiction on, the text gives a multiple [-].
+constexpr double kManifold = 9.0;
 
 void note_materials(const GearSet& gear, std::vector<Note>& notes) {
   for (const auto& [name, material] : gear.material) {

@@ -105,8 +105,7 @@ std::string range_of(const ChangesOverTurn& positive, const ChangesOverTurn& neg
       most = turn.ripple.*line;
       text = fmt::format(
           "at this angle the cracks change {} under {} torque by {}; over a turn the change is {} "
-          "to "
-          "{}, and {} on average",
+          "to {}, and {} on average",
           name, torque, percent_change(turn.as_given.*line), percent_change(turn.worst.*line),
           percent_change(turn.best.*line), percent_change(turn.mean.*line));
     }

@@ -55,15 +55,6 @@ struct Uncertainty {
   double above = 0.0;
 };
 
-/// The relative uncertainty of a sum of compliances by its members alone (ST-16).
-double of_members(const Compliances& compliance) {
-  double variance = 0.0;
-  for (const Quantity& member :
-       {compliance.wave_generator, compliance.flexspline, compliance.output_shaft})
-    variance += std::pow(member.value * member.relative_uncertainty.value_or(0.0), 2);
-  return std::sqrt(variance) / compliance.total.value;
-}
-
 /// Whether the drive is known to be softer than the sum, apart from the errors of the members
 /// (ST-18). The stiffnesses of the coupled drive decide.  If it is not solved, catalogues show that
 /// the drive is softer.
@@ -82,9 +73,8 @@ struct SumOutput {
 };
 
 std::optional<SumOutput> sum_output(const StiffnessResult& result, std::string_view output) {
-  if (std::ranges::find(result.notes, "sum.left_out", &Note::code) == result.notes.end())
-    return std::nullopt;
-  const auto of = [&](std::string_view drive, const auto& sum,
+  if (!result.members_alone) return std::nullopt;
+  const auto of = [&](std::string_view drive, const auto& sum, double members_alone,
                       const CurveStiffness* coupled) -> std::optional<SumOutput> {
     if (!output.starts_with(drive)) return std::nullopt;
     const std::string_view name = output.substr(drive.size());
@@ -93,15 +83,18 @@ std::optional<SumOutput> sum_output(const StiffnessResult& result, std::string_v
     if (name != "stiffness" && name != "wind_up" && name != "compliance.total") return std::nullopt;
     if (!is_softer(sum.stiffness, coupled)) return SumOutput{};
     return SumOutput{.softer = name == "stiffness" ? Side::below : Side::above,
-                     .of_members = of_members(sum.compliance)};
+                     .of_members = members_alone};
   };
   const auto& curve = result.curve;
-  if (const auto found = of("intact.", result.intact, curve ? &curve->intact : nullptr))
-    return found;
+  const MemberUncertainty& alone = *result.members_alone;
   if (const auto found =
-          of("cracked.positive.", result.positive, curve ? &curve->positive : nullptr))
+          of("intact.", result.intact, alone.intact, curve ? &curve->intact : nullptr))
     return found;
-  return of("cracked.negative.", result.negative, curve ? &curve->negative : nullptr);
+  if (const auto found = of("cracked.positive.", result.positive, alone.positive,
+                            curve ? &curve->positive : nullptr))
+    return found;
+  return of("cracked.negative.", result.negative, alone.negative,
+            curve ? &curve->negative : nullptr);
 }
 
 Uncertainty uncertainty_of(const Quantity& value, const std::optional<SumOutput>& sum) {
@@ -157,8 +150,7 @@ std::string interval_words(const std::optional<SumOutput>& sum) {
   if (!sum) return "";
   return sum->softer == Side::either
              ? "; the uncertainty contains the effects that the sum of the members leaves out, on "
-               "both "
-               "sides"
+               "both sides"
              : "; the sum of the members leaves out contacts and rings, which only make the drive "
                "softer, so the uncertainty contains their effect on the softer side only";
 }

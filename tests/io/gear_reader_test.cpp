@@ -516,8 +516,7 @@ TEST(GearReader, InputATableOfTheFileIsNotPassedOver) {
   text = with("material = \"steel\"\nouter", "material = \"52100 hardened\"\nouter", text);
   EXPECT_EQ(refusal(text),
             "gear.toml:35:12: flexspline.material: \"100Cr6 hardened\" is in the material library, "
-            "but the "
-            "file gives the same steel as [material.\"52100 hardened\"]; use one name");
+            "but the file gives the same steel as [material.\"52100 hardened\"]; use one name");
   // Two names of one steel of the library do not contradict each other.
   std::string library = with("material = \"steel\"\nforce", "material = \"GCr15 hardened\"\nforce");
   library = with("material = \"steel\"\nshape", "material = \"100Cr6 hardened\"\nshape", library);
@@ -578,8 +577,7 @@ const std::vector<Wrong> kWrong = {
      "name = ", "nmae = ", "2:1: nmae: is not known here; did you mean name?"},
     {"UnknownKeyInATable", "outer_diameter = ", "diameter_outer = ",
      "51:1: output_shaft.diameter_outer: is not known here; known names are material, "
-     "outer_diameter, "
-     "inner_diameter, length, crack"},
+     "outer_diameter, inner_diameter, length, crack"},
     {"UnknownKeyMisspelt", "outer_diameter = ", "outer_diametre = ",
      "51:1: output_shaft.outer_diametre: is not known here; did you mean outer_diameter?"},
     {"UnknownKeyOfACrack", "depth = \"0.1 mm\"\naspect", "dept = \"0.1 mm\"\naspect",
@@ -592,8 +590,7 @@ const std::vector<Wrong> kWrong = {
      "59:2: input_shaft: is not known here; did you mean output_shaft?"},
     {"UnknownEmptyKey", "M_M = ", "\"\" = ",
      "65:1: article.\"\": is not known here; known names are radial_load, flaw_parameter, "
-     "mean_radius, "
-     "equivalent_shaft_diameter, M_p, M_M"},
+     "mean_radius, equivalent_shaft_diameter, M_p, M_M"},
     {"UnknownDottedKey",
      "M_M = ", "\"M.M\" = ", "65:1: article.\"M.M\": is not known here; did you mean M_M?"},
     {"UnknownDottedTable",
@@ -602,8 +599,7 @@ const std::vector<Wrong> kWrong = {
      "M_M = ", "\"M\\nM\" = ", "65:1: article.\"M\\nM\": is not known here; did you mean M_M?"},
     {"KeyOfAnotherKindOfCrack", "angle = \"45 deg\"", "depth = \"0.1 mm\"",
      "46:1: flexspline.crack[0].depth: is not known here; known names are kind, half_length, "
-     "angle, "
-     "section, shell_correction, compliance_table"},
+     "angle, section, shell_correction, compliance_table"},
     {"KindWhereThereIsNone", "[load]\n", "[load]\nkind = \"static\"\n",
      "16:1: load.kind: is not known here; known names are torque, axial_force"},
 
@@ -798,8 +794,7 @@ const std::vector<Wrong> kWrong = {
     {"MaterialNearlyOfTheLibrary", "material = \"steel\"\nouter",
      "material = \"17-4PH H90\"\nouter",
      "50:12: output_shaft.material: \"17-4PH H90\" is not one of the materials given (steel), nor "
-     "in "
-     "the material library; did you mean 17-4PH H900?"},
+     "in the material library; did you mean 17-4PH H900?"},
     {"BoreNotInside", "\"45 mm\"", "\"7 cm\"",
      "52:18: output_shaft.inner_diameter = \"7 cm\" violates: inner_diameter < outer_diameter"},
     {"CrackThroughTheWall", "kind = \"annular\"\ndepth = \"0.1 mm\"",

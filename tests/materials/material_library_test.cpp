@@ -650,11 +650,9 @@ TEST(AsMaterial, BehaviourNumbersAndOrigin) {
   EXPECT_EQ(
       a.origin,
       "values of the material library, Alpha 1: Young's modulus 200 GPa (handbook; as printed), "
-      "Poisson's "
-      "ratio 0.25 (unverified), yield strength 900 MPa (measured), tensile strength 1000 MPa "
-      "(standard), fracture toughness 60 MPa*m^0.5 (derived); these values are unverified, so "
-      "check them before you "
-      "base a decision on them: Poisson's ratio");
+      "Poisson's ratio 0.25 (unverified), yield strength 900 MPa (measured), tensile strength 1000 "
+      "MPa (standard), fracture toughness 60 MPa*m^0.5 (derived); these values are unverified, so "
+      "check them before you base a decision on them: Poisson's ratio");
   const Material b = as_material(library.material[1]);
   EXPECT_EQ(b.shear_modulus, 80e9);
   EXPECT_EQ(b.poissons_ratio, std::nullopt);
@@ -676,11 +674,10 @@ TEST(AsMaterial, BehaviourARecordCompletedByOwnNumbers) {
   EXPECT_EQ(
       a.origin,
       "based on Alpha 1 of the material library; values of the library: Young's modulus 200 GPa "
-      "(handbook; "
-      "as printed), "
-      "Poisson's ratio 0.25 (unverified), yield strength 900 MPa (measured), tensile strength "
-      "1000 MPa (standard); own values: fracture_toughness 75 MPa*m^0.5; these values are "
-      "unverified, so check them before you base a decision on them: Poisson's ratio");
+      "(handbook; as printed), Poisson's ratio 0.25 (unverified), yield strength 900 MPa "
+      "(measured), tensile strength 1000 MPa (standard); own values: fracture_toughness 75 "
+      "MPa*m^0.5; these values are unverified, so check them before you base a decision on them: "
+      "Poisson's ratio");
   EXPECT_TRUE(a.in_file());
   // An own number removes the doubt about the number of the library.
   own.poissons_ratio = 0.3;

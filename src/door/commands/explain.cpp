@@ -361,10 +361,10 @@ Command explain_command(std::span<const Command> (*table)(), std::vector<Meaning
           "Explains a word on one screen. The word may be a term of the glossary or its symbol; a "
           "table of the input or a kind of crack; the path of an input field, of an output or of a "
           "group of outputs, or a part of a path; a value of a field or of an option; a unit; the "
-          "code of a note; the tag "
-          "of an equation; an exit status; a material; a stress intensity solution; a factor of "
-          "a calibration; a command or an option. The search ignores case and treats - and _ "
-          "alike. For an unknown word, the command suggests the nearest known word.",
+          "code of a note; the tag of an equation; an exit status; a material; a stress intensity "
+          "solution; a factor of a calibration; a command or an option. The search ignores case "
+          "and treats - and _ alike. For an unknown word, the command suggests the nearest known "
+          "word.",
       .example = "strainwave explain flexspline.crack[0].half_length",
       .takes = Takes::nothing,
       .function =

@@ -49,8 +49,8 @@ std::string output_shaft_of(const GearSet& gear) {
   const std::string text = gear_text(with);
   std::istringstream lines(text.substr(text.find(kHead)));
   std::string commented =
-      "\n# The maker's stiffness ends at the output flange, and so does this drive. To include "
-      "your "
+      "\n"
+      "# The maker's stiffness ends at the output flange, and so does this drive. To include your "
       "shaft,\n"
       "# remove the # of these lines and give the dimensions of the shaft.\n";
   for (std::string line; std::getline(lines, line) && !line.empty();)

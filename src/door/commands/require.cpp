@@ -51,8 +51,8 @@ Command require_command() {
           "output without a stated uncertainty is judged by its value, and a note says so. A "
           "change of stiffness has its own uncertainty. The change of the sum of the members "
           "cannot be told if cracks change the coupled drive alone. The exit status is 0 if all "
-          "requirements "
-          "are met, 5 if one is not met, and 6 if none is broken but one cannot be told.",
+          "requirements are met, 5 if one is not met, and 6 if none is broken but one cannot be "
+          "told.",
       .example = "strainwave require examples/cracked_size25.toml 'curve.positive.K2 >= 2e4 "
                  "N*m/rad' 'curve.positive.over_turn.softest.K1 >= 1.5e4 N*m/rad'",
       .function = required,

@@ -140,8 +140,7 @@ Command units_command() {
       .description =
           "Prints the units that the input file, the options and --units know, each with its "
           "dimension, its factor to SI and a field of the input that takes the unit, and the "
-          "prefixes. "
-          "Products of units are formed with * / ^ and parentheses.",
+          "prefixes. Products of units are formed with * / ^ and parentheses.",
       .example = "strainwave units --format csv",
       .takes = Takes::nothing,
       .function = [](const Request&, const UnitsOptions&) { return unit_list(); },

@@ -204,6 +204,14 @@ struct CrackOutputs {
   }
 };
 
+/// Relative uncertainties of the compliances of the sum by the errors of its members alone (ST-16)
+/// [-].
+struct MemberUncertainty {
+  double intact = 0.0;
+  double positive = 0.0;  ///< cracked, torque about +z
+  double negative = 0.0;  ///< cracked, torque about -z
+};
+
 /// Torsional stiffness of a drive, sound and cracked, by one method, with its evidence.
 struct StiffnessResult {
   Method method = Method::corrected;
@@ -217,7 +225,10 @@ struct StiffnessResult {
   std::vector<CrackStrength> strength;
   std::vector<Note> notes;
   std::vector<AccuracyBasis> accuracies;  ///< origin of the uncertainties
-  std::vector<std::string> equations;     ///< tags of the equations used, in order of first use
+  /// Present if the sum leaves out contacts, so that the uncertainties of its outputs contain their
+  /// effect (ST-18) besides that of the members.
+  std::optional<MemberUncertainty> members_alone;
+  std::vector<std::string> equations;  ///< tags of the equations used, in order of first use
   /// Reason why the answer must not be used, one sentence; empty if usable.
   std::string unusable_because;
 
