@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -305,6 +306,19 @@ TEST(RingShapes, IdentityACrackTakesItsEnergyFromItsOwnRing) {
                   i == static_cast<std::size_t>(member) ? hinge.softening * kappa * kappa : 0.0,
                   1e-6 * hinge.softening * kappa * kappa)
           << i;
+  }
+}
+
+TEST(RingShapes, IdentityTheLobeIsTheMeanOverBothLobes) {
+  // (TC-12): the lobe displacement under contact forces is the mean of w at 0 and pi, also of
+  // rings with cracks.  Tolerance 1e-10: rounding of the sums.
+  for (const bool cracked : {false, true}) {
+    const CoupledDrive drive = assembled(cracked);
+    const Eigen::VectorXd& force = drive.assembled().force;
+    const Eigen::VectorXd x = drive.rings().coefficients_of(force);
+    const double mean =
+        (drive.rings().radial(x, 0.0) + drive.rings().radial(x, std::numbers::pi)) / 2;
+    EXPECT_NEAR(drive.rings().lobe(force) / mean, 1, 1e-10) << cracked;
   }
 }
 
