@@ -7,6 +7,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <string_view>
+#include <tuple>
 
 #include "door/answers.hpp"
 #include "strainwave/command/exit_status.hpp"
@@ -558,6 +560,66 @@ TEST(Diff, IdentityLimitsAndFrictionMakeNoPartDifferent) {
   // The modulus does.
   EXPECT_GT(difference_of(compared("206 GPa", "206.001 GPa"), "curve.intact.K1")["uncertainty"],
             difference_of(expected, "curve.intact.K1")["uncertainty"]);
+}
+
+TEST(Diff, ReferenceTheErrorOfAStressIntensityByST19) {
+  // Both drives share the error of a stress intensity if the crack and its member are the same;
+  // otherwise the variances of both add.  A utilisation is a stress intensity over a limit, so its
+  // error is shared if only the limit differs.
+  const std::string first = test::contents(STRAINWAVE_EXAMPLES "/critical_crack.toml");
+  const std::string K = "flexspline.crack[0].stress_intensity.largest.K_I";
+  const std::string utilisation = "flexspline.crack[0].strength.utilisation";
+  const auto a = stiffness_outputs(first);
+  for (const auto& [from, to, output, shared] :
+       {std::tuple{"half_length = \"5 mm\"", "half_length = \"4 mm\"", K, false},
+        {"wall_thickness = \"0.9 mm\"", "wall_thickness = \"1 mm\"", K, false},
+        {"fracture_toughness = \"15 MPa", "fracture_toughness = \"20 MPa", utilisation, true},
+        {"fracture_toughness = \"15 MPa", "fracture_toughness = \"12 MPa", utilisation, true}}) {
+    std::string second = first;
+    const std::size_t at = second.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    second.replace(at, std::string_view(from).size(), to);
+    const auto b = stiffness_outputs(second);
+    const double u_a = *a.at(output).relative_uncertainty * a.at(output).value;
+    const double u_b = *b.at(output).relative_uncertainty * b.at(output).value;
+    const double expected = shared ? std::abs(u_b - u_a) : std::hypot(u_a, u_b);
+    EXPECT_NEAR(
+        difference_of(diff_result(diff(first, second)), output)["uncertainty"].get<double>() /
+            expected,
+        1, 1e-9)
+        << to;
+  }
+}
+
+TEST(Diff, IdentityFieldsOutsideTheModelMakeNoPartDifferent) {
+  // (ST-20) counts the inputs of a part.  A name, a scatter, a range and a torque that only limits
+  // the load belong to no part, so all errors of the coupled drive stay shared.
+  const std::string first = test::contents(STRAINWAVE_EXAMPLES "/cracked_size25.toml");
+  const std::string shaft = with_shaft_of_40_mm(first);
+  const auto compared = [&](const std::string& from, const std::string& to) {
+    std::string second = shaft;
+    const std::size_t at = second.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return diff_result(diff(first, second.replace(at, from.size(), to)));
+  };
+  const AnyJson expected = diff_result(diff(first, shaft));
+  const std::string rated = "rated_torque = \"87 N*m\"\n";
+  for (const auto& [from, to] :
+       {std::pair<std::string, std::string>{"every place\"", "another place\""},
+        {rated, "rated_torque = \"88 N*m\"\n"},
+        {rated, rated + "\n[[scatter]]\npath = \"mesh.flank_angle\"\n"
+                        "relative_standard_deviation = 0.01\n"},
+        {rated, rated + "\n[[range]]\npath = \"mesh.flank_angle\"\nlower = \"21 deg\"\n"
+                        "upper = \"23 deg\"\n"}}) {
+    const AnyJson result = compared(from, to);
+    EXPECT_GT(result["inputs"].size(), expected["inputs"].size()) << to;
+    for (const std::string output :
+         {"curve.intact.K1", "curve.positive.K3", "curve.negative.wind_up", "intact.stiffness",
+          "cracked.positive.wind_up"})
+      EXPECT_EQ(difference_of(result, output)["uncertainty"],
+                difference_of(expected, output)["uncertainty"])
+          << output << ' ' << to;
+  }
 }
 
 TEST(Diff, BehaviourStiffnessAndWindUpComeFirstEvenWhereTheyAreTheSame) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -13,6 +14,7 @@
 #include "strainwave/core/units.hpp"
 #include "strainwave/drive_cracks/loaded_crack.hpp"
 #include "strainwave/drive_cracks/member_loads.hpp"
+#include "strainwave/drive_cracks/reference_stress.hpp"
 #include "strainwave/sif/bar/bar_annular.hpp"
 #include "strainwave/sif/bar/hollow_annular_outer.hpp"
 #include "support/article_gear.hpp"
@@ -207,6 +209,144 @@ TEST(DriveCracks, LimitRaceCrackEndsAsLongAsTheRingIsWide) {
                           .load.I[kTorsion];
   test::expect_relative(at_end / wide, 1 / std::sqrt(std::cos(pi / 2 * std::sqrt(4 * mm / t))),
                         1e-12);
+}
+
+// Kind: identities of ranges and ligaments with the geometry of each part, written out.  Tolerance
+// 1e-12: rounding.
+
+TEST(DriveCracks, IdentityAThroughCrackEndsWhereItsWallEnds) {
+  GearSet gear = test::article_gear(1 * mm);
+  auto& through = std::get<WallThroughCrack>(gear.flexspline->crack.at(0));
+  const double r = 78.88 * mm;
+  const double t = 2.24 * mm;
+  const double nearly = 1 - 1e-6;
+  const double shell = 4 / std::sqrt(std::sqrt(12 * (1 - 0.3 * 0.3)) / (r * t));
+  const auto range_end = [&](double degrees, double length) {
+    through.angle = degrees * deg;
+    gear.flexspline->length = length;
+    return crack_of(gear, "flexspline.crack[0]").range_end;
+  };
+  test::expect_relative(range_end(90, 160 * mm), shell, 1e-12);
+  // A short tube ends before the shell parameter does, whichever way the crack leans.
+  for (const double degrees : {0.0, 60.0, -60.0, 120.0})
+    test::expect_relative(range_end(degrees, 20 * mm),
+                          nearly * 10 * mm / std::abs(std::cos(degrees * deg)), 1e-12);
+  // So does half of the circumference of a tube with a thick wall.
+  gear.flexspline->wall_thickness = 60 * mm;
+  const double thick = 50 * mm;
+  for (const double degrees : {90.0, -90.0})
+    test::expect_relative(range_end(degrees, 1.0), nearly * pi * thick / 2, 1e-12);
+}
+
+TEST(DriveCracks, LimitACrackBetweenOpenAndClosedHasAStep) {
+  // Without torque, a crack that torque opens is between open and closed, so its stiffness steps.
+  // Torque alone does not open a crack at 0 degrees.
+  GearSet gear = with_surface_crack();
+  gear.flexspline->crack.emplace_back(WallThroughCrack{});
+  gear.load.torque = 0;
+  for (const double degrees : {0.0, 30.0}) {
+    auto& through = std::get<WallThroughCrack>(gear.flexspline->crack[1]);
+    std::get<WallSurfaceCrack>(gear.flexspline->crack[0]).angle = degrees * deg;
+    through.half_length = 2 * mm;
+    through.angle = degrees * deg;
+    for (const char* const path : {"flexspline.crack[0]", "flexspline.crack[1]"}) {
+      const DriveCrack crack = crack_of(gear, path);
+      EXPECT_EQ(std::ranges::count(crack.kinks, "sensitivity.step", &Note::code),
+                degrees == 0 ? 0 : 1)
+          << path << ' ' << degrees;
+    }
+  }
+}
+
+TEST(DriveCracks, IdentityASolidShaftEndsAtItsAxis) {
+  GearSet gear = test::article_gear(2 * mm);
+  gear.output_shaft->inner_diameter = 0;
+  const DriveCrack crack = crack_of(gear, "output_shaft.crack[0]");
+  test::expect_relative(crack.range_end, (1 - 1e-6) * 35 * mm, 1e-12);
+  test::expect_relative(crack.ligament, 33 * mm, 1e-12);
+}
+
+TEST(DriveCracks, IdentityLigamentsOfAnEdgeCrackAndAnArc) {
+  GearSet gear = test::article_gear(1 * mm);
+  RaceEdgeCrack edge;
+  edge.depth = 3 * mm;
+  edge.contact_factor = 0.45;
+  gear.wave_generator->crack = {edge};
+  Diaphragm diaphragm;
+  diaphragm.outer_diameter = 157 * mm;
+  diaphragm.inner_diameter = 60 * mm;
+  diaphragm.thickness = 3 * mm;
+  gear.flexspline->diaphragm = diaphragm;
+  DiaphragmArcCrack arc;
+  arc.half_length = 4 * mm;
+  arc.radius = 40 * mm;
+  gear.flexspline->crack = {arc};
+  const DriveCrack race = crack_of(gear, "wave_generator.crack[0]");
+  test::expect_relative(race.ligament, 7 * mm, 1e-12);
+  test::expect_relative(race.range_end, 0.9 * 10 * mm, 1e-12);
+  EXPECT_EQ(race.front(race.size, Faces::open).size(), 1U);
+  const DriveCrack wall = crack_of(gear, "flexspline.crack[0]");
+  test::expect_relative(wall.ligament, pi * 40 * mm - 4 * mm, 1e-12);
+  test::expect_relative(wall.range_end, 20 * mm, 1e-12);
+}
+
+TEST(DriveCracks, IdentityAGrooveIsAssessedAtItsEndsAndStations) {
+  // (FA-11): the worst place of a groove is an edge of it, or a station of the thickness inside it.
+  GearSet gear = test::article_gear(1 * mm);
+  Diaphragm diaphragm;
+  diaphragm.outer_diameter = 157 * mm;
+  diaphragm.inner_diameter = 60 * mm;
+  diaphragm.thickness = 4 * mm;
+  diaphragm.profile = {{.radius = 35 * mm, .thickness = 4 * mm},
+                       {.radius = 41 * mm, .thickness = 2 * mm},
+                       {.radius = 50 * mm, .thickness = 4 * mm}};
+  gear.flexspline->diaphragm = diaphragm;
+  DiaphragmGroove groove;
+  groove.depth = 0.5 * mm;
+  groove.width = 6 * mm;
+  groove.radius = 40 * mm;
+  gear.flexspline->crack = {groove};
+  const DriveCrack crack = crack_of(gear, "flexspline.crack[0]");
+  const auto front = crack.front(crack.size, Faces::open);
+  const std::vector<std::array<double, 2>> places = {
+      {37 * mm, (4 - 2 * 2.0 / 6) * mm}, {43 * mm, (2 + 2 * 2.0 / 9) * mm}, {41 * mm, 2 * mm}};
+  ASSERT_EQ(front.size(), places.size());
+  double worst = 0.0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto& [r, h] = places[i];
+    const double shear = 1 / (2 * pi * r * r * h);  // under 1 N*m
+    test::expect_relative(front[i].load.III[kTorsion], groove_intensity(shear, 0.5 * mm, h), 1e-12);
+    worst = std::max(worst, std::sqrt(3.0) * shear * h / (h - 0.5 * mm));
+  }
+  test::expect_relative(crack.reference_stress(crack.size, 0.0, 1.0), worst, 1e-12);
+  test::expect_relative(crack.ligament, 1.5 * mm, 1e-12);
+  test::expect_relative(crack.range_end, (1 - 1e-6) * 2 * mm, 1e-12);
+}
+
+TEST(DriveCracks, IdentityBendingAndTensionOfAWallAreTheSameStress) {
+  // Navier: a moment M causes the stress of the axial force 2 M/r in the middle of the tension
+  // side, so all modes follow.
+  GearSet gear = with_surface_crack();
+  WallThroughCrack through;
+  through.half_length = 2 * mm;
+  through.angle = 30 * deg;
+  gear.flexspline->crack.emplace_back(through);
+  const double r = 78.88 * mm;
+  for (const char* const path : {"flexspline.crack[0]", "flexspline.crack[1]"}) {
+    const DriveCrack crack = crack_of(gear, path);
+    const auto front = crack.front(crack.size, Faces::open);
+    const auto bent = crack.bending(crack.size);
+    ASSERT_EQ(bent.size(), front.size());
+    for (std::size_t i = 0; i < bent.size(); ++i) {
+      EXPECT_NEAR(bent[i][0], front[i].load.I[kAxial] * 2 / r, 1e-12 * std::abs(bent[i][0]));
+      EXPECT_NEAR(bent[i][1], front[i].load.II[kAxial] * 2 / r, 1e-12 * std::abs(bent[i][1]));
+      EXPECT_NEAR(bent[i][2], front[i].load.III[kAxial] * 2 / r, 1e-12 * std::abs(bent[i][2]));
+    }
+    // (FA-8), (FA-9): an axial force P = sqrt(3) K_u T/r has the equivalent stress of a torque T.
+    const double T = 100;
+    test::expect_relative(crack.reference_stress(crack.size, std::sqrt(3.0) * 1.1 * T / r, 0.0),
+                          crack.reference_stress(crack.size, 0.0, T), 1e-12);
+  }
 }
 
 }  // namespace

@@ -650,6 +650,52 @@ TEST(TorsionalStiffness, ReferenceTheAccuracyOfTheSumByST18) {
   }
 }
 
+TEST(TorsionalStiffness, ReferenceTheAccuraciesOfWindUpAndChangeByST18) {
+  // The formula, written out: the wind-up of the coupled drive is 1.5 times that of the sum with an
+  // accuracy of 10 %, and the farthest of its changes is 1.4 times that of the sum.  A coupled
+  // drive that equals the sum gives the errors of the members alone.  Tolerance 1e-12: rounding.
+  const GearSet gear = article_drive(2 * mm);
+  const StiffnessResult alone = torsional_stiffness(gear);
+  const auto equal = [](const auto& drive) {
+    const Quantity K{drive.stiffness.value, "N*m/rad", 0.0};
+    CurveStiffness same;
+    same.K1 = same.K2 = same.K3 = K;
+    same.wind_up = Quantity{drive.wind_up.value, "rad", 0.0};
+    return same;
+  };
+  CurveResult coupled;
+  coupled.intact = equal(alone.intact);
+  static_cast<CurveStiffness&>(coupled.positive) = equal(alone.positive);
+  static_cast<CurveStiffness&>(coupled.negative) = equal(alone.negative);
+  const double change = alone.positive.stiffness_change.value;
+  ASSERT_LT(change, 0);
+  coupled.positive.change = {{change, "1"}, {change, "1"}, {change, "1"}, {}};
+  const Quantity& opposite = alone.negative.stiffness_change;
+  coupled.negative.change = {opposite, opposite, opposite, {}};
+  const StiffnessResult members = torsional_stiffness(gear, {.coupled = &coupled});
+
+  coupled.intact.wind_up = Quantity{1.5 * alone.intact.wind_up.value, "rad", 0.1};
+  coupled.positive.wind_up = Quantity{1.5 * alone.positive.wind_up.value, "rad", 0.1};
+  coupled.positive.change.K2.value = 1.4 * change;
+  coupled.positive.change.K3.value = 0.8 * change;
+  const StiffnessResult result = torsional_stiffness(gear, {.coupled = &coupled});
+  const auto expect_widened = [](const Quantity& wide, const Quantity& own, double distance) {
+    test::expect_relative(*wide.relative_uncertainty,
+                          std::hypot(*own.relative_uncertainty, distance), 1e-12);
+  };
+  expect_widened(result.intact.wind_up, members.intact.wind_up, 0.5 + 1.5 * 0.1);
+  expect_widened(result.positive.wind_up, members.positive.wind_up, 0.5 + 1.5 * 0.1);
+  expect_widened(result.positive.stiffness_change, members.positive.stiffness_change, 0.4);
+  expect_widened(result.negative.wind_up, members.negative.wind_up, 0.0);
+  expect_widened(result.negative.stiffness_change, members.negative.stiffness_change, 0.0);
+
+  // A drive that does not reach the torque has no wind-up there, so that of its compliance counts.
+  coupled.intact.wind_up.reset();
+  coupled.intact.K1.value /= 2;
+  const StiffnessResult beyond = torsional_stiffness(gear, {.coupled = &coupled});
+  expect_widened(beyond.intact.wind_up, members.intact.wind_up, 1.0);
+}
+
 TEST(TorsionalStiffness, LimitAChangeThatTheSumDoesNotSeeHasNoAccuracy) {
   // For cracks that act on contacts alone, the change of the sum is 0, so its uncertainty cannot
   // contain the change of the drive.

@@ -125,6 +125,44 @@ TEST(CoupledSensitivity, CrosscheckDifferencesWhereFlanksHoldTheRestingRing) {
   expect_differences(gear, kStep, kTolerance);
 }
 
+TEST(CoupledSensitivity, IdentityMirroredRaceCracksExchangeTheSenses) {
+  // A crack of the inner race is evaluated at the sense of torque that loads its ball more.  The
+  // mirror image of a drive under -T is the drive with its cracks mirrored under T, so derivatives
+  // of the outputs for T > 0 and T < 0 change places.  Tolerance 1e-9 of an elasticity: rounding of
+  // both equilibria.
+  GearSet gear = inside(example_drive("cracked_size25"));
+  gear.wave_generator->crack.resize(1);
+  gear.flexspline->crack.clear();
+  gear.mesh->crack.clear();
+  gear.circular_spline->crack.clear();
+  gear.output_shaft->crack.clear();
+  auto& race = std::get<RaceSurfaceCrack>(gear.wave_generator->crack[0]);
+  race.depth = 0.8e-3;  // deep enough for K1 to depend on the load of its ball
+  const Sensitivity given = sensitivity_of(gear);
+  race.position = -race.position;
+  const Sensitivity mirrored = sensitivity_of(gear);
+  ASSERT_TRUE(given.usable()) << given.unusable_because;
+  ASSERT_TRUE(mirrored.usable()) << mirrored.unusable_because;
+  ASSERT_EQ(given.inputs.size(), mirrored.inputs.size());
+  const auto index_of = [&](const std::string& output) {
+    const auto found = std::ranges::find(given.outputs, output, &SensitivityOutput::name);
+    EXPECT_NE(found, given.outputs.end()) << output;
+    return static_cast<std::size_t>(found - given.outputs.begin());
+  };
+  for (const SensitivityInput& input : given.inputs) {
+    const auto other = std::ranges::find(mirrored.inputs, input.path, &SensitivityInput::path);
+    ASSERT_NE(other, mirrored.inputs.end()) << input.path;
+    for (const std::string K : {"K1", "K2", "K3"}) {
+      const std::size_t positive = index_of("curve.positive." + K);
+      const std::size_t negative = index_of("curve.negative." + K);
+      EXPECT_NEAR(input.influence[positive].elasticity, other->influence[negative].elasticity, 1e-9)
+          << input.path << ' ' << K;
+      EXPECT_NEAR(input.influence[negative].elasticity, other->influence[positive].elasticity, 1e-9)
+          << input.path << ' ' << K;
+    }
+  }
+}
+
 // (SN-6): no number is read without its derivative.
 TEST(CoupledSensitivity, IdentityDimensionsHold) {
   GearSet convention = example_drive("cracked_size25");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -243,6 +244,98 @@ TEST(ElasticRings, BehaviourHingesOnOneAnotherAreRefused) {
   EXPECT_NO_THROW((void)sound.cracked({.hinges = {hinge}, .teeth = {}, .balls = {}}));
   EXPECT_THROW((void)sound.cracked({.hinges = {hinge, hinge}, .teeth = {}, .balls = {}}),
                SolverError);
+}
+
+TEST(RingShapes, IdentityEachCoefficientMovesTheRingAsItsWave) {
+  // (TC-1): w = a cos n theta + b sin n theta, v = c cos n theta + d sin n theta.  The second road
+  // for the curvature -(w'' + w)/R^2 and the hoop strain (w + v')/R is central differences of w and
+  // v over 1e-3 of a wave.  Tolerance 1e-6 of the largest term: their truncation is 2e-7.
+  const CoupledDrive drive = assembled(false);
+  const ElasticRings& rings = drive.rings();
+  const RingModel<double>& model = rings.model();
+  const double R = model.ring_radius();
+  const double theta = 0.3;
+  for (const int n : {0, 1, 2, 3, model.harmonics()})
+    for (int k = 0; k < (n == 0 ? 1 : 4); ++k) {
+      Eigen::VectorXd x = Eigen::VectorXd::Zero(model.coefficients());
+      x[n == 0 ? 0 : model.at(n) + k] = 1.0;
+      const double wave = k % 2 == 0 ? std::cos(n * theta) : std::sin(n * theta);
+      EXPECT_NEAR(rings.radial(x, theta), k < 2 ? wave : 0.0, 1e-12) << n << ' ' << k;
+      EXPECT_NEAR(rings.tangential(x, theta), k < 2 ? 0.0 : wave, 1e-12) << n << ' ' << k;
+      const double h = 1e-3 / std::max(n, 1);
+      const auto w = [&](double step) { return rings.radial(x, theta + step); };
+      const auto v = [&](double step) { return rings.tangential(x, theta + step); };
+      EXPECT_NEAR(-R * R * rings.curvature(x, theta), (w(h) - 2 * w(0) + w(-h)) / (h * h) + w(0),
+                  1e-6 * (1 + n * n))
+          << n << ' ' << k;
+      EXPECT_NEAR(R * rings.hoop_strain(x, theta), w(0) + (v(h) - v(-h)) / (2 * h), 1e-6 * (1 + n))
+          << n << ' ' << k;
+    }
+}
+
+TEST(RingShapes, IdentityACrackTakesItsEnergyFromItsOwnRing) {
+  // (TC-22): at the same displacements, a crack reduces twice the energy of its own ring by eta
+  // kappa^2, and that of no other member.  For a short length, kappa is the curvature of the ring
+  // without the mode n = 0.  Tolerance 1e-6: rounding of sums that are 1e5 times larger.
+  const CoupledDrive drive = assembled(false);
+  const Equilibrium state = drive.solve(48.0, drive.assembled());
+  ASSERT_TRUE(state.converged);
+  const ElasticRings& sound = drive.rings();
+  const Eigen::VectorXd x = sound.coefficients_of(state.force);
+  const double R = sound.model().ring_radius();
+  const auto shares = [&](const ElasticRings& rings) {
+    std::array<double, kCurveMembers> share{};
+    rings.add_shares(x, share);
+    return share;
+  };
+  const auto before = shares(sound);
+  const double angle = 0.2;
+  for (const auto& [ring, member, stiffness] :
+       {std::tuple{RingHinge::Ring::rim, CurveMember::rim_bending, drive.geometry().rim_bending},
+        {RingHinge::Ring::outer, CurveMember::outer_ring_bending, drive.geometry().outer_bending},
+        {RingHinge::Ring::spline, CurveMember::circular_spline, drive.geometry().spline_bending}}) {
+    const RingHinge hinge{ring, angle, 1e-5, 0.5 * stiffness * 1e-5};
+    const ElasticRings soft = sound.softened({hinge});
+    const auto after = shares(soft);
+    const double kappa = ring == RingHinge::Ring::spline
+                             ? soft.model().softenings().back().curvature.dot(x)
+                             : sound.curvature(x, angle) + x[0] / (R * R);
+    ASSERT_NE(kappa, 0.0);
+    for (std::size_t i = 0; i < before.size(); ++i)
+      EXPECT_NEAR(before[i] - after[i],
+                  i == static_cast<std::size_t>(member) ? hinge.softening * kappa * kappa : 0.0,
+                  1e-6 * hinge.softening * kappa * kappa)
+          << i;
+  }
+}
+
+TEST(RingShapes, IdentityTheLobeIsTheMeanOverBothLobes) {
+  // (TC-12): the lobe displacement under contact forces is the mean of w at 0 and pi, also of
+  // rings with cracks.  Tolerance 1e-10: rounding of the sums.
+  for (const bool cracked : {false, true}) {
+    const CoupledDrive drive = assembled(cracked);
+    const Eigen::VectorXd& force = drive.assembled().force;
+    const Eigen::VectorXd x = drive.rings().coefficients_of(force);
+    const double mean =
+        (drive.rings().radial(x, 0.0) + drive.rings().radial(x, std::numbers::pi)) / 2;
+    EXPECT_NEAR(drive.rings().lobe(force) / mean, 1, 1e-10) << cracked;
+  }
+}
+
+TEST(RingShapes, IdentityADiaphragmThatTapersHasItsMeanThickness) {
+  // (TC-2) takes the mean thickness over the radius.  For a taper from the inner to the outer
+  // diameter, the mean is that of both ends, exactly for sums over the middles of equal parts.
+  // Tolerance 1e-12: rounding.
+  const auto warping = [](const GearSet& gear, int n) {
+    return CoupledDrive(gear, coupled_geometry(gear, {}), {}).rings().model().mode(n).diaphragm;
+  };
+  GearSet tapered = test::typical_drive();
+  Diaphragm& diaphragm = *tapered.flexspline->diaphragm;
+  const double at_outer = diaphragm.thickness;
+  GearSet plain = tapered;
+  plain.flexspline->diaphragm->thickness = 1.5 * at_outer;
+  diaphragm.profile = {{.radius = diaphragm.inner_diameter / 2, .thickness = 2 * at_outer}};
+  for (const int n : {2, 3, 8}) EXPECT_NEAR(warping(tapered, n) / warping(plain, n), 1, 1e-12) << n;
 }
 
 }  // namespace
