@@ -16,9 +16,10 @@ using std::numbers::pi;
 constexpr double kToothSpan = pi / 4;  // teeth farther from a lobe cannot touch
 
 /// Places of all balls, and of the teeth near the lobes.
-ContactPlaces contact_places(int balls, int teeth) {
+ContactPlaces contact_places(int balls, double cage_phase, int teeth) {
   ContactPlaces places{.balls = {}, .teeth = {}, .pitches = teeth};
-  for (int k = 0; k < balls; ++k) places.balls.push_back(2 * pi * k / balls);
+  for (int k = 0; k < balls; ++k)
+    places.balls.push_back(cage_phase + 2 * pi * k / balls);  // (TC-5)
   for (int j = 0; j < teeth; ++j)
     if (std::abs(angle_from_lobe((j + 0.5) * places.pitch())) <= kToothSpan + 1e-12)
       places.teeth.push_back(j);
@@ -30,7 +31,7 @@ ContactPlaces contact_places(int balls, int teeth) {
 CoupledDrive::CoupledDrive(const GearSet& gear, const CoupledGeometry& geometry,
                            const CoupledOptions& options)
     : g_(geometry), tolerance_(options.tolerance), max_iterations_(options.max_iterations) {
-  const ContactPlaces places = contact_places(g_.balls, g_.teeth);
+  const ContactPlaces places = contact_places(g_.balls, options.cage_phase, g_.teeth);
   rings_ = std::make_shared<const ElasticRings>(gear, g_, options, places);
   tooth_count_ = static_cast<int>(places.teeth.size());
   const int count = rings_->contacts();

@@ -240,7 +240,8 @@ class ContactCracksOf {
                               .length = length,
                               .softening = (ring.bending - left) * length,  // (TC-22)
                               .from_inside = from_inside,
-                              .path = path});
+                              .path = path,
+                              .depth = crack.depth});
   }
 
   /// Adds a crack of the inner race, which the balls load.
@@ -327,6 +328,8 @@ void check_coupled(const GearSet& gear, const CoupledOptions& options) {
     throw InputError(gaps.front().field, rule_of(gaps));
   require(options.harmonics >= 8 && options.harmonics <= 128, "harmonics", options.harmonics, "1",
           ">= 8 and <= 128");
+  require(std::isfinite(options.cage_phase), "cage_phase", options.cage_phase, "rad",
+          "a finite number");
   const Transmission& drive = gear.drive;
   const TubeSection& rim = *gear.flexspline->rim;
   const WaveGenerator& wg = *gear.wave_generator;

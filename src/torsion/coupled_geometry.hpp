@@ -65,6 +65,7 @@ struct BasicRingHinge {
   Real softening{};          // alpha, lost bending stiffness times length (TC-22) [N*m^3]
   bool from_inside = false;  // a crack from inside opens where the ring bends less
   std::string path = {};     // path of the crack in the file
+  double depth = 0.0;        // a [m]
 };
 template <class Real>
 struct BasicSoftTooth {

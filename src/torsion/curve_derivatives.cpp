@@ -275,8 +275,10 @@ struct CurveDifferentiator::Contents {
 
 CurveDifferentiator::CurveDifferentiator(const AssembledDrive& drive) {
   const AssembledDrive::Contents& contents = drive.contents();
+  require(contents.options.cage_phase == 0, "cage_phase", contents.options.cage_phase, "rad",
+          "0 for derivatives, because the cam is made for a ball at the lobe (TC-12)");
   if (!contents.fails_because.empty()) throw SolverError(contents.fails_because);
-  if (!contents.series_unusable.empty()) throw SolverError(contents.series_unusable);
+  if (!contents.unusable_because.empty()) throw SolverError(contents.unusable_because);
   contents_ = std::make_shared<const Contents>(drive, line_torques(drive.gear(), Lift<double>()));
 }
 

@@ -41,6 +41,7 @@ struct Case {
   std::function<void(GearSet&)> change = [](GearSet&) {};
   bool warping = false;
   FlankFriction friction = FlankFriction::none;
+  double cage_phase = 0.0;
 };
 
 const std::map<std::string, Case>& cases() {
@@ -81,6 +82,7 @@ const std::map<std::string, Case>& cases() {
        {.change = [](GearSet& g) { g.wave_generator->bearing->clearance = 5 * kMicron; }}},
       {"lobe_interference", {.change = [](GearSet& g) { g.mesh->lobe_gap = -2 * kMicron; }}},
       {"cam_factor", {.change = [](GearSet& g) { g.wave_generator->cam_flattening = 1.5; }}},
+      {"cage_phase", {.cage_phase = 4 * deg}},
       {"no_coning", {.change = [](GearSet& g) { g.mesh->coning = 0; }}},
       {"friction_loading", {.friction = FlankFriction::loading}},
       {"friction_unloading", {.friction = FlankFriction::unloading}},
@@ -156,7 +158,8 @@ TEST_P(DenseSolver, CrosscheckCurvesOfASize) {
     GearSet gear = typical_drive(size, ratio);
     it.change(gear);
     const TorsionCurve curve = torsion_curve(
-        gear, drive.torques, {.diaphragm_warping = it.warping, .friction = it.friction});
+        gear, drive.torques,
+        {.diaphragm_warping = it.warping, .friction = it.friction, .cage_phase = it.cage_phase});
     ASSERT_TRUE(curve.usable()) << name << ": " << curve.unusable_because;
     for (const test::CsvRow& row : drive.rows) {
       const auto i = std::ranges::find(drive.torques, row("torque")) - drive.torques.begin();

@@ -11,7 +11,7 @@ found by damped Newton on all Fourier coefficients with the dense Hessian, the l
 torque; the step is shortened towards the zero of the slope along it, nothing is added to gradient
 or energy.  It stops at |gradient| <= 1e-12 of the contact forces or where rounding stops it, and
 raises an error above 1e-11.  The cam amplitude A makes the mean of w at the two lobes the nominal
-w0 at T = 0 (Newton on A, for the cracked drive as well; in the cases "sound_cam" A is that of the
+w0 at T = 0 (Newton on A, for the cracked drive as well; in the case "cage_phase" A is that with a ball at the lobe; in the cases "sound_cam" A is that of the
 sound drive, and only cracks of rim and outer race act that the curvature of the sound assembled
 ring opens).  There no flank may touch and the ring may
 turn freely within the play: then c0(0) is the point of the play nearest to 0, where a vanishing
@@ -63,7 +63,7 @@ def typical(size, ratio, **changes):
         outer_race_diameter=pitch + ball, inner_conformity=0.53, outer_conformity=0.53,
         clearance=0.0, outer_race_thickness=(section - ball) / 2, race_width=0.15 * bore,
         groove_factor=0.8, flank_angle=radians(22), gap_factor=1.0, coning=1.0, lobe_gap=0.0,
-        rim_stiffening=1.25, cam_factor=0.0, pair_stiffness=None,
+        rim_stiffening=1.25, cam_factor=0.0, cage_phase=0.0, pair_stiffness=None,
         spline_outer_diameter=1.34 * d, spline_inner_diameter=d + 2.2 * m, spline_width=0.15 * d,
         spline_support=0.0, youngs_modulus=206e9, poissons_ratio=0.3, diaphragm_warping=True,
         boss_compliance=0.0, flange_compliance=0.0, groove=None, diaphragm_arc=None,
@@ -312,7 +312,7 @@ class Coupled:
     def balls(self):
         g = self.g
         E, nu, D = g["youngs_modulus"], g["poissons_ratio"], g["ball_diameter"]
-        psi = 2 * pi * np.arange(g["ball_count"]) / g["ball_count"]
+        psi = g["cage_phase"] + 2 * pi * np.arange(g["ball_count"]) / g["ball_count"]
         self.ball_rows = self.radial(psi)
         self.cam = np.cos(2 * psi)
         self.ball_free = (g["clearance"] + g["cam_factor"] * g["radial_displacement"] ** 2 / self.R
@@ -535,6 +535,7 @@ OTHERS = {  # of size 25, ratio 100 only
     "clearance": (plain(clearance=5e-6), 1),
     "lobe_interference": (plain(lobe_gap=-2e-6), 1),
     "cam_factor": (plain(cam_factor=1.5), 1),
+    "cage_phase": (plain(cage_phase=radians(4)), 1),
     "no_coning": (plain(coning=0.0), 1),
     "friction_loading": (plain(flank_angle_shift=-atan(0.1)), 1),
     "friction_unloading": (plain(flank_angle_shift=atan(0.1)), 1),
@@ -558,6 +559,10 @@ def add_curve(table, case, size, ratio, changes, sign):
         sound.assemble()
         model = Coupled(drive | dict(hinges=tuple(h for h in drive["hinges"] if sound.opens(h))))
         model.assemble(sound.amplitude)
+    if drive["cage_phase"]:  # the cam is made for a ball at the lobe
+        made = Coupled(drive | dict(cage_phase=0.0))
+        made.assemble()
+        model.assemble(made.amplitude)
     loads = [sign * T for T in torques(drive)]
     results = model.curve(loads)
     add_state(table, case, (size, ratio, 0.0), model, 0.0, 0.0, model.start)
@@ -625,7 +630,7 @@ def drive_table():
     table = Table("coupled_drive_members", "size [1]", "ratio [1]", "harmonic [1]")
     units = {"angle": "rad", "modulus": "Pa", "compliance": "rad/(N*m)"}
     no_length = ("ratio", "count", "conformity", "factor", "coning", "stiffening", "support")
-    skipped = ("shift", "harmonics")
+    skipped = ("shift", "harmonics", "phase")
     for size, ratio in (*SIZES, (25, 30)):
         drive = typical(size, ratio)
 
