@@ -1,0 +1,407 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Gap between the flanks of flexspline and circular spline over the angle from the lobe.
+
+A tooth is rigid and stands normal to the rim's centre line.  This line is r = R_m + w0 cos(2 phi)
+in polar coordinates about the axis, and it keeps its length exactly: R_m follows from the length of
+a quarter, and the polar angle phi of the section theta from the length of the arc up to it.  Seen
+from the wave generator the tooth at theta and the space at theta z/(z + 2) belong together.  The
+frame of the space has Y along its middle, outward, and X toward +theta.  The gap is that of the
+flank on the side of +X; the other flank is its mirror image, t -> -t.
+
+Profiles (heights are those that work, without chamfer or relief; h over the pitch height):
+
+    straight    trapezoids of angle alpha against the middle of tooth and space
+    involute    base circles R_p cos(alpha) and (z + 2)/z times that, alpha at the pitch height
+    double_arc  convex arc, tangent, concave arc; the space is what the tooth sweeps (conjugate)
+
+The flanks of straight teeth and involutes are placed so that they touch without crossing for
+|t| <= 30 degrees: at the lobe there may be a gap.
+
+Two roads.  "Direct": 4001 points on each flank, joined by chords; the gap is the least distance of
+a point of one flank to a chord of the other.  Nothing else is known of the curves; two chords
+deviate from their curves by less than 1e-11 m.  The centre line is integrated by Gauss's rule.
+"Law": closed forms with the centre line as a Fourier series, straight and involute.  For the swept
+space the second road has no curve of the space at all: the depth of a point inside the space is the
+greatest depth inside any position of the tooth.
+
+    tooth_gap.py            JSON on stdout
+    tooth_gap.py --write    and tests/data/tooth_gap.csv
+    tooth_gap.py --check    largest difference of the two roads
+    tooth_gap.py --plot DIR one SVG per ratio
+"""
+import sys
+from functools import cache
+from math import acos, asin, atan2, cos, degrees, hypot, pi, radians, sin, sqrt, tan
+from typing import NamedTuple
+
+import numpy as np
+from scipy.optimize import brentq, minimize_scalar
+from scipy.spatial import cKDTree
+
+from reference_csv import Table, publish
+
+POINTS = 4001
+SEAT = radians(30)  # flanks are seated on the teeth up to here
+
+
+class Drive(NamedTuple):
+    ratio: int
+    module: float  # m
+    wave: float  # w0, half the difference of the axes of the deformed centre line, m
+    radius: float  # R, of the centre line of the undeformed rim, m
+    offset: float  # e, pitch radius less R, m
+
+    @property
+    def teeth(self):
+        return 2 * self.ratio
+
+    @property
+    def pitch_radius(self):
+        return self.radius + self.offset
+
+
+class Profile(NamedTuple):
+    name: str
+    flank_angle: float = 0.0  # rad
+    flexspline_addendum: float = 0.0  # over the module, as all below
+    spline_addendum: float = 0.0
+    thickness: float = pi / 2  # of the flexspline's tooth at the pitch height
+    dedendum: float = 0.0  # depth of the flexspline's flank
+    arcs: tuple = ()  # r1, c1, e1, r2, c2, e2
+
+
+def size_25(ratio, wave=1.0):
+    """Rim of a drive of 63.5 mm pitch diameter; walls over module as in the chapter's study."""
+    d = 63.5e-3
+    m = d / (2 * ratio)
+    wall = 1e-4 * (65 + 2.5 * ratio ** (2 / 3)) * d
+    R = d / 2 - 1.1 * m - wall / 2
+    return Drive(ratio, m, wave * m, R, d / 2 - R)
+
+
+STRAIGHT = Profile("straight", radians(22), 0.65, 0.65, dedendum=1.1)
+INVOLUTE = Profile("involute", radians(22), 0.65, 0.65, dedendum=1.1)
+# Liu et al., Machines 13, 535 (2025), module 0.5 mm, over the module
+DOUBLE_ARC = Profile("double_arc", 0.0, 0.55, 0.55, dedendum=0.75,
+                     arcs=(1.37, 0.664, 0.31, 1.57, 0.66, 0.268))
+PROFILES = (STRAIGHT, INVOLUTE, DOUBLE_ARC)
+RATIOS = (30, 50, 80, 100, 160)
+
+
+# Motion ---------------------------------------------------------------------------------------
+
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(40)
+
+
+def arc_length(R_m, w0, phi):
+    x = phi / 2 * (1 + NODES)
+    r, slope = R_m + w0 * np.cos(2 * x), -2 * w0 * np.sin(2 * x)
+    return phi / 2 * WEIGHTS @ np.sqrt(r * r + slope * slope)
+
+
+@cache
+def mean_radius(drive):
+    quarter = pi / 2 * drive.radius
+    return brentq(lambda R_m: arc_length(R_m, drive.wave, pi / 2) - quarter, 0.9 * drive.radius,
+                  drive.radius, xtol=1e-17, rtol=1e-15)
+
+
+def poses(drive, theta):
+    """X, Y of the section's centre and angle of the tooth toward +X, in the frame of the space."""
+    theta = np.asarray(theta, dtype=float)
+    R_m, w0 = mean_radius(drive), drive.wave
+    phi = theta.copy()
+    for _ in range(5):
+        x = phi[:, None] / 2 * (1 + NODES)
+        s = phi / 2 * (np.hypot(R_m + w0 * np.cos(2 * x), 2 * w0 * np.sin(2 * x)) @ WEIGHTS)
+        r, slope = R_m + w0 * np.cos(2 * phi), -2 * w0 * np.sin(2 * phi)
+        phi -= (s - drive.radius * theta) / np.hypot(r, slope)
+    r, slope = R_m + w0 * np.cos(2 * phi), -2 * w0 * np.sin(2 * phi)
+    space = theta * drive.teeth / (drive.teeth + 2)
+    return r * np.sin(phi - space), r * np.cos(phi - space), phi - np.arctan2(slope, r) - space
+
+
+def pose(drive, theta):
+    return tuple(float(x[0]) for x in poses(drive, [theta]))
+
+
+def placed(drive, theta, points):
+    """Points (x, y) of the tooth, y over the centre line, in the frame of the space."""
+    X, Y, turn = pose(drive, theta)
+    c, s = cos(turn), sin(turn)
+    x, y = points[:, 0], points[:, 1]
+    return np.column_stack((X + x * c + y * s, Y - x * s + y * c))
+
+
+def pitch_height(drive):
+    """Y of the pitch height of a tooth at the lobe."""
+    return mean_radius(drive) + drive.wave + drive.offset
+
+
+# Direct geometry ------------------------------------------------------------------------------
+
+def involute(base, half_angle, radii):
+    """Right flank about the own axis; half_angle: of the tooth where the flank begins, at the base
+    circle, less: the flank leans away from +X with growing radius."""
+    pressure = np.arccos(base / radii)
+    angle = half_angle - (np.tan(pressure) - pressure)
+    return np.column_stack((radii * np.sin(angle), radii * np.cos(angle)))
+
+
+def base_angles(drive, profile):
+    """Base radii and angles at the base circles of tooth and space that coincide at the lobe at the
+    pitch height."""
+    m, R_p, alpha = drive.module, drive.pitch_radius, profile.flank_angle
+    base = R_p * cos(alpha), R_p * cos(alpha) * (drive.teeth + 2) / drive.teeth
+    tooth = profile.thickness * m / (2 * R_p) + tan(alpha) - alpha
+    Y = pitch_height(drive)
+    x, y = R_p * sin(profile.thickness * m / (2 * R_p)), R_p * cos(
+        profile.thickness * m / (2 * R_p)) + Y - R_p
+    pressure = acos(base[1] / hypot(x, y))
+    return base, (tooth, atan2(x, y) + tan(pressure) - pressure)
+
+
+def tooth_flank(drive, profile, points=POINTS):
+    """Flank of the flexspline's tooth from the lowest working point to the tip."""
+    m = drive.module
+    h = np.linspace(-profile.dedendum * m, profile.flexspline_addendum * m, points)
+    if profile.arcs:
+        x = arc_half_thickness(profile, h / m) * m
+    elif profile.name == "straight":
+        x = profile.thickness * m / 2 - h * tan(profile.flank_angle)
+    else:
+        base, angle = base_angles(drive, profile)
+        flank = involute(base[0], angle[0], np.maximum(drive.pitch_radius + h, base[0]))
+        return flank - [0, drive.radius]
+    return np.column_stack((x, drive.offset + h))
+
+
+def arc_tangent(profile):
+    """Inclination of the common tangent, and heights where it meets the arcs."""
+    r1, c1, e1, r2, c2, e2 = profile.arcs
+    dx, dy = pi / 2 + c2 + c1, e2 + e1
+    tilt = acos((r1 + r2) / hypot(dx, dy)) + atan2(dy, dx)
+    return tilt, r1 * sin(tilt) - e1, e2 - r2 * sin(tilt)
+
+
+def arc_half_thickness(profile, h):
+    r1, c1, e1, r2, c2, e2 = profile.arcs
+    tilt, upper, lower = arc_tangent(profile)
+    line = r1 * cos(tilt) - c1 + (upper - h) * tan(tilt)
+    tip = np.sqrt(np.maximum(r1 ** 2 - (h + e1) ** 2, 0)) - c1
+    root = pi / 2 + c2 - np.sqrt(np.maximum(r2 ** 2 - (e2 - h) ** 2, 0))
+    return np.where(h > upper, tip, np.where(h < lower, root, line))
+
+
+@cache
+def space_flank(drive, profile):
+    """Flank of the circular spline's space from its tip to where the flexspline never reaches."""
+    m, Y_p, alpha = drive.module, pitch_height(drive), profile.flank_angle
+    h = np.linspace(-profile.spline_addendum * m, (profile.flexspline_addendum + 0.05) * m, POINTS)
+    if profile.arcs:
+        return swept_flank(drive, profile)
+    play = seat(drive, profile)
+    if profile.name == "straight":
+        x = profile.thickness * m / 2 - h * tan(alpha)
+        return np.column_stack((x + play * cos(alpha), Y_p + h + play * sin(alpha)))
+    base, angle = base_angles(drive, profile)
+    return involute(base[1], angle[1] + play / base[1], Y_p + h)
+
+
+@cache
+def swept_flank(drive, profile):
+    """Outline of all positions of the tooth: the farthest X at each height."""
+    Y_p, m = pitch_height(drive), drive.module
+    Y = np.linspace(Y_p - profile.spline_addendum * m, Y_p + profile.flexspline_addendum * m, POINTS)
+    steps = np.radians(np.arange(-89, 89.01, 0.1))
+    X, at = np.full(POINTS, -np.inf), np.zeros(POINTS)
+    for t, pose_t in zip(steps, np.array(poses(drive, steps)).T):
+        x = flank_at_height(drive, profile, pose_t, Y)
+        at[x > X] = t
+        X = np.maximum(X, x)
+    width = radians(0.1)
+    for _ in range(34):  # zoom to the maximum at each height
+        width /= 2
+        for t in (at - width, at + width):
+            x = flank_at_height(drive, profile, poses(drive, t), Y)
+            at = np.where(x > X, t, at)
+            X = np.maximum(X, x)
+    return np.column_stack((X, Y))
+
+
+def flank_at_height(drive, profile, pose_t, Y):
+    """X of the tooth's flank at heights Y in given poses; -inf above the tip."""
+    X, height, turn = pose_t
+    c, s = np.cos(turn), np.sin(turn)
+    m, h = drive.module, Y - height
+    y = h.copy()
+    for _ in range(16):
+        x = arc_half_thickness(profile, (y - drive.offset) / m) * m
+        y = (h + x * s) / c
+    top = drive.offset + profile.flexspline_addendum * m
+    return np.where(y <= top, X + x * c + y * s, -np.inf)
+
+
+def to_chords(points, curve):
+    """Least distance of points to the chords of a curve, the point and its foot."""
+    _, nearest = cKDTree(curve).query(points)
+    best = (np.inf, None, None)
+    for first in (nearest - 1, nearest):
+        first = np.clip(first, 0, len(curve) - 2)
+        a, d = curve[first], curve[first + 1] - curve[first]
+        share = np.clip(((points - a) * d).sum(1) / (d * d).sum(1), 0, 1)
+        foot = a + share[:, None] * d
+        distance = np.hypot(*(points - foot).T)
+        k = distance.argmin()
+        if distance[k] < best[0]:
+            best = distance[k], points[k], foot[k]
+    return best
+
+
+class Gap(NamedTuple):
+    value: float  # m
+    height: float  # of the point of contact over the pitch height of the tooth, m
+    engaged: bool  # a normal of one flank meets the other
+
+
+def direct_gap(drive, profile, t):
+    tooth = placed(drive, t, tooth_flank(drive, profile))
+    space = space_flank(drive, profile)
+    pairs = [to_chords(tooth, space)]
+    value, q, p = to_chords(space, tooth)
+    pairs.append((value, p, q))
+    value, p, q = min(pairs, key=lambda pair: pair[0])
+    X, Y, turn = pose(drive, t)
+    height = (p[0] - X) * sin(turn) + (p[1] - Y) * cos(turn) - drive.offset
+    corners = np.allclose(p, tooth[-1], atol=1e-15) and np.allclose(q, space[0], atol=1e-15)
+    return Gap(value, height, not corners)
+
+
+def crosses(drive, profile, t):
+    """Largest X by which the tooth stands inside the wall at one height, or a negative number."""
+    tooth, space = placed(drive, t, tooth_flank(drive, profile)), space_flank(drive, profile)
+    keep = (tooth[:, 1] >= space[0, 1]) & (tooth[:, 1] <= space[-1, 1])
+    if not keep.any():
+        return -np.inf
+    return (tooth[keep, 0] - np.interp(tooth[keep, 1], space[:, 1], space[:, 0])).max()
+
+
+# Closed forms ---------------------------------------------------------------------------------
+
+@cache
+def arc_series(drive):
+    """R_m and a_n of ds/dphi = R + sum a_n cos(2 n phi); R_m makes the mean of ds/dphi equal to R."""
+    phi = pi * np.arange(32) / 32
+    wave, slope = drive.wave * np.cos(2 * phi), -2 * drive.wave * np.sin(2 * phi)
+    R_m = drive.radius - drive.wave ** 2 / drive.radius
+    for _ in range(5):
+        speed = np.hypot(R_m + wave, slope)
+        R_m += drive.radius - speed.mean()
+    return R_m, [2 * (speed * np.cos(2 * n * phi)).mean() for n in range(1, 8)]
+
+
+@cache
+def law_pose(drive, t):
+    R_m, a = arc_series(drive)
+    phi = t - drive.wave / (2 * drive.radius) * sin(2 * t)
+    for _ in range(4):
+        s = drive.radius * phi + sum(x * sin(2 * n * phi) / (2 * n) for n, x in enumerate(a, 1))
+        r, slope = R_m + drive.wave * cos(2 * phi), -2 * drive.wave * sin(2 * phi)
+        phi -= (s - drive.radius * t) / hypot(r, slope)
+    r, slope = R_m + drive.wave * cos(2 * phi), -2 * drive.wave * sin(2 * phi)
+    space = t * drive.teeth / (drive.teeth + 2)
+    return r * sin(phi - space), r * cos(phi - space), phi - atan2(slope, r) - space
+
+
+def law_straight(drive, profile, t, play):
+    """Gap, height of the contact, and overlap along the flank (negative: the teeth have parted)."""
+    m, alpha, Y_p = drive.module, profile.flank_angle, arc_series(drive)[0] + drive.wave + drive.offset
+    X, Y, turn = law_pose(drive, t)
+    half, up, down = (profile.thickness * m / 2, profile.flexspline_addendum * m,
+                      profile.spline_addendum * m)
+    beta = alpha - turn  # of the tooth's flank against the space's middle
+    # from the pitch point of the tooth's flank to that of the wall
+    dx = half - X - half * cos(turn) - drive.offset * sin(turn)
+    dy = Y_p - Y + half * sin(turn) - drive.offset * cos(turn)
+    length = (up + down) / cos(alpha)  # the heights that overlap at the lobe, along a flank
+    tip = dx * cos(alpha) + dy * sin(alpha) + play - up / cos(alpha) * sin(turn)
+    root = dx * cos(beta) + dy * sin(beta) + play * cos(turn) + down / cos(alpha) * sin(turn)
+    along_wall = (-(dx * -sin(alpha) + dy * cos(alpha)) + up / cos(alpha) * cos(turn)
+                  + down / cos(alpha))
+    along_tooth = (-(dx * -sin(beta) + dy * cos(beta)) + up / cos(alpha)
+                   + down / cos(alpha) * cos(turn) - play * sin(turn))
+    candidates = []
+    if along_wall >= 0:
+        candidates.append((tip, up))
+    if along_tooth >= 0:
+        candidates.append((root, up - along_tooth * cos(alpha)))
+    value, height = min(candidates, default=(None, None))
+    return value, height, max(along_wall, along_tooth) / length
+
+
+def law_involute(drive, profile, t, play):
+    m, R_p = drive.module, drive.pitch_radius
+    Y_p = arc_series(drive)[0] + drive.wave + drive.offset
+    (b1, b2), (A1, A2) = base_angles(drive, profile)
+    A2 += play / b2
+    X, Y, turn = law_pose(drive, t)
+    O = X - drive.radius * sin(turn), Y - drive.radius * cos(turn)
+
+    def roll(radius, base):
+        return sqrt((radius / base) ** 2 - 1)
+
+    def point(center, base, start, u):
+        beta = start - u
+        return (center[0] + base * (sin(beta) + u * cos(beta)),
+                center[1] + base * (cos(beta) - u * sin(beta)))
+
+    def start_of(center, base, p):
+        x, y = p[0] - center[0], p[1] - center[1]
+        u = roll(hypot(x, y), base)
+        return atan2(x, y) + u - atan2(u, 1), u
+
+    u_tip = roll(R_p + profile.flexspline_addendum * m, b1)
+    u_wall = roll(Y_p - profile.spline_addendum * m, b2)
+    candidates, overlaps = [], []
+    start, u = start_of((0, 0), b2, point(O, b1, A1 + turn, u_tip))
+    u += A2 - start  # the foot on the wall lies on the same tangent of the base circle
+    overlaps.append(u - u_wall)
+    if u >= u_wall:
+        candidates.append((b2 * (A2 - start), u_tip))
+    start, u = start_of(O, b1, point((0, 0), b2, A2, u_wall))
+    u += A1 + turn - start
+    overlaps.append(u_tip - u)
+    if u <= u_tip:
+        candidates.append((b1 * (start - A1 - turn), u))
+    far, near = hypot(*O), b2 - b1
+    if far > near:
+        beta = atan2(*O) - acos(near / far)
+        u1, u2 = A1 + turn - beta, A2 - beta
+        if u1 <= u_tip and u2 >= u_wall:
+            candidates.append((b2 * u2 - b1 * u1 - (O[0] * cos(beta) - O[1] * sin(beta)), u1))
+    if not candidates:
+        return None, None, max(overlaps)
+    value, u1 = min(candidates)
+    x, y = point((0, -drive.radius), b1, A1, u1)
+    return value, y - drive.offset, max(overlaps)
+
+
+LAWS = {"straight": law_straight, "involute": law_involute}
+
+
+@cache
+def seat(drive, profile):
+    """Play at which the flanks just touch for |t| <= SEAT, normal to the flank."""
+    law = LAWS[profile.name]
+    t = np.linspace(-SEAT, SEAT, 241)
+    raw = [law(drive, profile, float(x), 0.0)[0] for x in t]
+    k = int(np.argmin(raw))
+    low, high = t[max(k - 1, 0)], t[min(k + 1, len(t) - 1)]
+    least = minimize_scalar(lambda x: law(drive, profile, x, 0.0)[0], bounds=(low, high),
+                            method="bounded", options={"xatol": 1e-10})
+    return -min(least.fun, raw[k])
+
+
+def law_gap(drive, profile, t):
+    value, height, overlap = LAWS[profile.name](drive, profile, t, seat(drive, profile))
+    return value, height, overlap
