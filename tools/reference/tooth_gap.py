@@ -84,7 +84,8 @@ INVOLUTE = Profile("involute", radians(22), 0.65, 0.65, dedendum=1.1)
 # Liu et al., Machines 13, 535 (2025), module 0.5 mm, over the module
 DOUBLE_ARC = Profile("double_arc", 0.0, 0.55, 0.55, dedendum=0.75,
                      arcs=(1.37, 0.664, 0.31, 1.57, 0.66, 0.268))
-PROFILES = (STRAIGHT, INVOLUTE, DOUBLE_ARC)
+HALF_PATH = Profile("half_path", 0.0, 0.65, 0.65, dedendum=1.1)
+PROFILES = (STRAIGHT, INVOLUTE, DOUBLE_ARC, HALF_PATH)
 RATIOS = (30, 50, 80, 100, 160)
 
 
@@ -165,10 +166,8 @@ def tooth_flank(drive, profile, points=POINTS):
     """Flank of the flexspline's tooth from the lowest working point to the tip."""
     m = drive.module
     h = np.linspace(-profile.dedendum * m, profile.flexspline_addendum * m, points)
-    if profile.arcs:
-        x = arc_half_thickness(profile, h / m) * m
-    elif profile.name == "straight":
-        x = profile.thickness * m / 2 - h * tan(profile.flank_angle)
+    if profile.name != "involute":
+        x = half_thickness(drive, profile, h)
     else:
         base, angle = base_angles(drive, profile)
         flank = involute(base[0], angle[0], np.maximum(drive.pitch_radius + h, base[0]))
@@ -193,12 +192,29 @@ def arc_half_thickness(profile, h):
     return np.where(h > upper, tip, np.where(h < lower, root, line))
 
 
+def half_path(drive, h):
+    """How far the half-size path of the pitch point lies behind the pitch height's X at height h."""
+    half = drive.wave / 2
+    eta = np.arccos(np.clip(1 - np.maximum(h, 0) / half, -1, 1))
+    return half / 2 * (eta * drive.module / drive.wave - np.sin(eta))
+
+
+def half_thickness(drive, profile, h):
+    """X of the flank over the middle of the tooth at heights h over the pitch height."""
+    m = drive.module
+    if profile.name == "straight":
+        return profile.thickness * m / 2 - h * tan(profile.flank_angle)
+    if profile.name == "half_path":
+        return profile.thickness * m / 2 - half_path(drive, h)
+    return arc_half_thickness(profile, h / m) * m
+
+
 @cache
 def space_flank(drive, profile):
     """Flank of the circular spline's space from its tip to where the flexspline never reaches."""
     m, Y_p, alpha = drive.module, pitch_height(drive), profile.flank_angle
     h = np.linspace(-profile.spline_addendum * m, (profile.flexspline_addendum + 0.05) * m, POINTS)
-    if profile.arcs:
+    if profile.name not in LAWS:
         return swept_flank(drive, profile)
     play = seat(drive, profile)
     if profile.name == "straight":
@@ -236,7 +252,7 @@ def flank_at_height(drive, profile, pose_t, Y):
     m, h = drive.module, Y - height
     y = h.copy()
     for _ in range(16):
-        x = arc_half_thickness(profile, (y - drive.offset) / m) * m
+        x = half_thickness(drive, profile, y - drive.offset)
         y = (h + x * s) / c
     top = drive.offset + profile.flexspline_addendum * m
     return np.where(y <= top, X + x * c + y * s, -np.inf)
