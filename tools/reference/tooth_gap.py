@@ -13,25 +13,27 @@ Profiles (heights are those that work, without chamfer or relief; h over the pit
     straight    trapezoids of angle alpha against the middle of tooth and space
     involute    base circles R_p cos(alpha) and (z + 2)/z times that, alpha at the pitch height
     double_arc  convex arc, tangent, concave arc; the space is what the tooth sweeps (conjugate)
+    half_path   over the pitch height the tooth has the path of the pitch point at half its size,
+                below it a straight flank of angle zero; the space is what the tooth sweeps
 
-The flanks of straight teeth and involutes are placed so that they touch without crossing for
-|t| <= 30 degrees: at the lobe there may be a gap.
+Straight flanks and involutes are seated so that they touch without crossing for |t| <= 30 degrees:
+at the lobe there may be a gap.
 
-Two roads.  "Direct": 4001 points on each flank, joined by chords; the gap is the least distance of
-a point of one flank to a chord of the other.  Nothing else is known of the curves; two chords
-deviate from their curves by less than 1e-11 m.  The centre line is integrated by Gauss's rule.
-"Law": closed forms with the centre line as a Fourier series, straight and involute.  For the swept
-space the second road has no curve of the space at all: the depth of a point inside the space is the
-greatest depth inside any position of the tooth.
+Two roads.  "Points": 4001 points on each flank, joined by chords; the gap is the least distance of
+a point of one flank to a chord of the other.  Nothing else is known of the curves; chords deviate
+from their curves by less than 1e-11 m.  The centre line is integrated by Gauss's rule.  The swept
+space is the farthest X of all positions of the tooth at each height.  "Law": closed forms of the
+straight flanks and the involutes, with the centre line as a Fourier series; for the swept spaces
+the points of contact by the condition that the velocity has no component along the normal.
 
     tooth_gap.py            JSON on stdout
     tooth_gap.py --write    and tests/data/tooth_gap.csv
-    tooth_gap.py --check    largest difference of the two roads
-    tooth_gap.py --plot DIR one SVG per ratio
+    tooth_gap.py --check    largest differences of the two roads
+    tooth_gap.py --plot DIR one SVG per profile
 """
 import sys
 from functools import cache
-from math import acos, asin, atan2, cos, degrees, hypot, pi, radians, sin, sqrt, tan
+from math import acos, atan2, cos, degrees, hypot, pi, radians, sin, sqrt, tan
 from typing import NamedTuple
 
 import numpy as np
@@ -229,29 +231,29 @@ def swept_flank(drive, profile):
     """Outline of all positions of the tooth: the farthest X at each height."""
     Y_p, m = pitch_height(drive), drive.module
     Y = np.linspace(Y_p - profile.spline_addendum * m, Y_p + profile.flexspline_addendum * m, POINTS)
-    steps = np.radians(np.arange(-89, 89.01, 0.1))
+    step = radians(0.02)
+    steps = np.arange(-radians(65), radians(65), step)
     X, at = np.full(POINTS, -np.inf), np.zeros(POINTS)
     for t, pose_t in zip(steps, np.array(poses(drive, steps)).T):
-        x = flank_at_height(drive, profile, pose_t, Y)
+        x = flank_at_height(drive, profile, pose_t, Y, 9)
         at[x > X] = t
         X = np.maximum(X, x)
-    width = radians(0.1)
-    for _ in range(34):  # zoom to the maximum at each height
-        width /= 2
-        for t in (at - width, at + width):
+    for _ in range(30):  # zoom to the maximum at each height
+        step /= 2
+        for t in (at - step, at + step):
             x = flank_at_height(drive, profile, poses(drive, t), Y)
             at = np.where(x > X, t, at)
             X = np.maximum(X, x)
     return np.column_stack((X, Y))
 
 
-def flank_at_height(drive, profile, pose_t, Y):
+def flank_at_height(drive, profile, pose_t, Y, rounds=14):
     """X of the tooth's flank at heights Y in given poses; -inf above the tip."""
     X, height, turn = pose_t
     c, s = np.cos(turn), np.sin(turn)
     m, h = drive.module, Y - height
     y = h.copy()
-    for _ in range(16):
+    for _ in range(rounds):
         x = half_thickness(drive, profile, y - drive.offset)
         y = (h + x * s) / c
     top = drive.offset + profile.flexspline_addendum * m
@@ -277,7 +279,6 @@ def to_chords(points, curve):
 class Gap(NamedTuple):
     value: float  # m
     height: float  # of the point of contact over the pitch height of the tooth, m
-    engaged: bool  # a normal of one flank meets the other
 
 
 def direct_gap(drive, profile, t):
@@ -286,20 +287,10 @@ def direct_gap(drive, profile, t):
     pairs = [to_chords(tooth, space)]
     value, q, p = to_chords(space, tooth)
     pairs.append((value, p, q))
-    value, p, q = min(pairs, key=lambda pair: pair[0])
+    value, p, _ = min(pairs, key=lambda pair: pair[0])
     X, Y, turn = pose(drive, t)
     height = (p[0] - X) * sin(turn) + (p[1] - Y) * cos(turn) - drive.offset
-    corners = np.allclose(p, tooth[-1], atol=1e-15) and np.allclose(q, space[0], atol=1e-15)
-    return Gap(value, height, not corners)
-
-
-def crosses(drive, profile, t):
-    """Largest X by which the tooth stands inside the wall at one height, or a negative number."""
-    tooth, space = placed(drive, t, tooth_flank(drive, profile)), space_flank(drive, profile)
-    keep = (tooth[:, 1] >= space[0, 1]) & (tooth[:, 1] <= space[-1, 1])
-    if not keep.any():
-        return -np.inf
-    return (tooth[keep, 0] - np.interp(tooth[keep, 1], space[:, 1], space[:, 0])).max()
+    return Gap(value, height)
 
 
 # Closed forms ---------------------------------------------------------------------------------
@@ -330,29 +321,20 @@ def law_pose(drive, t):
 
 
 def law_straight(drive, profile, t, play):
-    """Gap, height of the contact, and overlap along the flank (negative: the teeth have parted)."""
-    m, alpha, Y_p = drive.module, profile.flank_angle, arc_series(drive)[0] + drive.wave + drive.offset
+    """Gap and height of the contact over the pitch height of the tooth."""
+    m, alpha = drive.module, profile.flank_angle
     X, Y, turn = law_pose(drive, t)
     half, up, down = (profile.thickness * m / 2, profile.flexspline_addendum * m,
                       profile.spline_addendum * m)
-    beta = alpha - turn  # of the tooth's flank against the space's middle
-    # from the pitch point of the tooth's flank to that of the wall
+    beta = alpha - turn  # of the tooth's flank against the middle of the space
+    # from the pitch point of the tooth's flank to that of the wall without play
     dx = half - X - half * cos(turn) - drive.offset * sin(turn)
-    dy = Y_p - Y + half * sin(turn) - drive.offset * cos(turn)
-    length = (up + down) / cos(alpha)  # the heights that overlap at the lobe, along a flank
-    tip = dx * cos(alpha) + dy * sin(alpha) + play - up / cos(alpha) * sin(turn)
-    root = dx * cos(beta) + dy * sin(beta) + play * cos(turn) + down / cos(alpha) * sin(turn)
-    along_wall = (-(dx * -sin(alpha) + dy * cos(alpha)) + up / cos(alpha) * cos(turn)
-                  + down / cos(alpha))
-    along_tooth = (-(dx * -sin(beta) + dy * cos(beta)) + up / cos(alpha)
-                   + down / cos(alpha) * cos(turn) - play * sin(turn))
-    candidates = []
-    if along_wall >= 0:
-        candidates.append((tip, up))
-    if along_tooth >= 0:
-        candidates.append((root, up - along_tooth * cos(alpha)))
-    value, height = min(candidates, default=(None, None))
-    return value, height, max(along_wall, along_tooth) / length
+    dy = (arc_series(drive)[0] + drive.wave + drive.offset
+          - Y + half * sin(turn) - drive.offset * cos(turn))
+    tip = dx * cos(alpha) + dy * sin(alpha) + play - up * sin(turn) / cos(alpha)
+    root = dx * cos(beta) + dy * sin(beta) + play * cos(turn) + down * sin(turn) / cos(alpha)
+    foot = dy * cos(beta) - dx * sin(beta) + play * sin(turn) - down * cos(turn) / cos(alpha)
+    return min((tip, up), (root, foot * cos(alpha)))
 
 
 def law_involute(drive, profile, t, play):
@@ -378,28 +360,19 @@ def law_involute(drive, profile, t, play):
 
     u_tip = roll(R_p + profile.flexspline_addendum * m, b1)
     u_wall = roll(Y_p - profile.spline_addendum * m, b2)
-    candidates, overlaps = [], []
-    start, u = start_of((0, 0), b2, point(O, b1, A1 + turn, u_tip))
-    u += A2 - start  # the foot on the wall lies on the same tangent of the base circle
-    overlaps.append(u - u_wall)
-    if u >= u_wall:
-        candidates.append((b2 * (A2 - start), u_tip))
+    start, _ = start_of((0, 0), b2, point(O, b1, A1 + turn, u_tip))
+    candidates = [(b2 * (A2 - start), u_tip)]
     start, u = start_of(O, b1, point((0, 0), b2, A2, u_wall))
-    u += A1 + turn - start
-    overlaps.append(u_tip - u)
-    if u <= u_tip:
-        candidates.append((b1 * (start - A1 - turn), u))
+    candidates.append((b1 * (start - A1 - turn), u + A1 + turn - start))
     far, near = hypot(*O), b2 - b1
     if far > near:
         beta = atan2(*O) - acos(near / far)
         u1, u2 = A1 + turn - beta, A2 - beta
         if u1 <= u_tip and u2 >= u_wall:
             candidates.append((b2 * u2 - b1 * u1 - (O[0] * cos(beta) - O[1] * sin(beta)), u1))
-    if not candidates:
-        return None, None, max(overlaps)
     value, u1 = min(candidates)
     x, y = point((0, -drive.radius), b1, A1, u1)
-    return value, y - drive.offset, max(overlaps)
+    return value, y - drive.offset
 
 
 LAWS = {"straight": law_straight, "involute": law_involute}
@@ -419,5 +392,213 @@ def seat(drive, profile):
 
 
 def law_gap(drive, profile, t):
-    value, height, overlap = LAWS[profile.name](drive, profile, t, seat(drive, profile))
-    return value, height, overlap
+    return LAWS[profile.name](drive, profile, t, seat(drive, profile))
+
+
+# Conjugate flanks -----------------------------------------------------------------------------
+
+def contact_points(drive, profile, t, count=4001):
+    """Points of the flank in the position t whose velocity lies along the flank: where the tooth
+    touches the space that it sweeps.  Rows h, X, Y."""
+    step = 1e-4
+    m = drive.module
+    h = np.linspace(-profile.dedendum * m, profile.flexspline_addendum * m, count)
+    before, here, after = np.array(law_pose(drive, t - step)), np.array(law_pose(drive, t)), \
+        np.array(law_pose(drive, t + step))
+    rate = (after - before) / (2 * step)
+
+    def across(h):
+        x, y = half_thickness(drive, profile, h), drive.offset + h
+        tiny = 1e-5 * m
+        slope = (half_thickness(drive, profile, h + tiny)
+                 - half_thickness(drive, profile, h - tiny)) / (2 * tiny)
+        c, s = np.cos(here[2]), np.sin(here[2])
+        vx = rate[0] + rate[2] * (-x * s + y * c)
+        vy = rate[1] + rate[2] * (-x * c - y * s)
+        return (c - slope * s) * vx + (-s - slope * c) * vy  # normal (1, -slope) of the tooth, turned
+
+    value = across(h)
+    found = []
+    for k in np.nonzero(value[:-1] * value[1:] < 0)[0]:
+        root = brentq(across, h[k], h[k + 1], xtol=1e-16)
+        x, y = float(half_thickness(drive, profile, root)), drive.offset + root
+        c, s = cos(here[2]), sin(here[2])
+        found.append((root, here[0] + x * c + y * s, here[1] - x * s + y * c))
+    return found
+
+
+def envelope_deviation(drive, profile):
+    """Largest distance by which a point of contact stands outside the swept space, and the least by
+    which the best point of each position lies inside it."""
+    wall = swept_flank(drive, profile)
+    outside, angles = -np.inf, []
+    for t in np.radians(np.arange(-80, 80.01, 0.5)):
+        for _, X, Y in contact_points(drive, profile, t):
+            if wall[0, 1] < Y < wall[-1, 1]:
+                deep = X - np.interp(Y, wall[:, 1], wall[:, 0])
+                outside = max(outside, deep)
+                if abs(deep) < 1e-10:
+                    angles.append(degrees(t))
+    return outside, angles
+
+
+# Ends -----------------------------------------------------------------------------------------
+
+def overlap(drive, profile, t):
+    """Height by which the tip of the tooth stands over the tip of the space's wall, m."""
+    tip = placed(drive, t, tooth_flank(drive, profile)[-1:])
+    return float(tip[0, 1] - space_flank(drive, profile)[0, 1])
+
+
+@cache
+def end(drive, profile, side):
+    """|t| from which on tooth and wall have no height in common; side +1: drive flank."""
+    return brentq(lambda t: overlap(drive, profile, side * t), radians(10), radians(89), xtol=1e-12)
+
+
+def interferes(drive, profile, t):
+    """Whether tooth and wall cross; a swept space is never crossed."""
+    return profile.name in LAWS and law_gap(drive, profile, t)[0] < -1e-10
+
+
+# Tables ---------------------------------------------------------------------------------------
+
+VARIANTS = (
+    (size_25(100, 1.1), STRAIGHT._replace(flank_angle=radians(28.6), flexspline_addendum=0.875,
+                                          spline_addendum=0.8)),
+    (size_25(100, 0.9), STRAIGHT._replace(thickness=1.375)),
+    (size_25(50, 1.05), INVOLUTE._replace(flank_angle=radians(28.6), thickness=1.375)),
+    (size_25(30, 1.15), HALF_PATH),
+    (Drive(50, 0.5e-3, 0.5e-3, 24.275e-3, 0.725e-3), DOUBLE_ARC),
+)
+ANGLES = (-50, -40, -30, -20, -10, -5, -2, 0, 2, 5, 10, 15, 20, 25, 30, 35, 40, 45, 50, 55, 60)
+ROUNDING = 2e-10  # of a gap by points, m
+SOURCE = "points on the flanks; 1e-10 m"
+
+
+def cases():
+    return [(size_25(ratio), p) for p in PROFILES for ratio in RATIOS] + list(VARIANTS)
+
+
+def inputs_of(drive, profile):
+    m = drive.module
+    arcs = [x * m for x in profile.arcs] or [""] * 6
+    return [drive.ratio, m, drive.wave, drive.radius, drive.offset, profile.flank_angle or "",
+            profile.flexspline_addendum * m, profile.spline_addendum * m,
+            "" if profile.arcs else profile.thickness * m, profile.dedendum * m, *arcs]
+
+
+def digits(value, error):
+    return max(1, int(np.floor(np.log10(abs(value) / error)))) if value else 1
+
+
+def table_of(pairs, angles):
+    table = Table("tooth_gap", "ratio [1]", "module [m]", "wave [m]", "radius [m]", "offset [m]",
+                  "flank_angle [rad]", "flexspline_addendum [m]", "spline_addendum [m]",
+                  "thickness [m]", "dedendum [m]", "r1 [m]", "c1 [m]", "e1 [m]", "r2 [m]", "c2 [m]",
+                  "e2 [m]", "angle [rad]")
+    for drive, profile in pairs:
+        inputs = inputs_of(drive, profile)
+
+        def add(what, angle, value, unit, error, source=SOURCE):
+            table.add(f"{profile.name}.{what}", [*inputs, angle], value, unit, source,
+                      digits(value, error), 12)
+
+        for name, side in (("drive_end", 1), ("coast_end", -1)):
+            add(name, "", end(drive, profile, side), "rad", 1e-7)
+        if profile.name in LAWS:
+            add("seat", "", round(seat(drive, profile), 13), "m", 1e-11, "closed form of the flanks")
+        for t in map(radians, angles):
+            side = 1 if t >= 0 else -1
+            if abs(t) >= end(drive, profile, side) or interferes(drive, profile, t):
+                continue
+            gap = direct_gap(drive, profile, t)
+            add("gap", t, round(gap.value, 12) if gap.value > ROUNDING else 0.0, "m", ROUNDING)
+            if gap.value > 1e-8:  # where flanks are nearly parallel the place says little
+                add("contact_height", t, round(gap.height, 9), "m", 2e-7)
+    return table
+
+
+def tables():
+    return [table_of(cases(), ANGLES)]
+
+
+def some_tables():
+    return [table_of([(size_25(30), STRAIGHT), (size_25(100), INVOLUTE)], (-20, 5, 30))]
+
+
+# Command line ---------------------------------------------------------------------------------
+
+def check():
+    for drive, profile in cases():
+        if profile.name in LAWS:
+            worst = cross = 0.0
+            for t in np.linspace(-0.999 * end(drive, profile, -1), 0.999 * end(drive, profile, 1), 67):
+                value = law_gap(drive, profile, t)[0]
+                cross = min(cross, value)
+                if not interferes(drive, profile, t):
+                    worst = max(worst, abs(direct_gap(drive, profile, t).value - value))
+            print(f"{profile.name} {drive.ratio}: law less points {worst:.1e} m, "
+                  f"interference {-cross:.2e} m")
+        else:
+            outside, angles = envelope_deviation(drive, profile)
+            print(f"{profile.name} {drive.ratio}: contact outside the swept space {outside:.1e} m, "
+                  f"on it for {min(angles):.1f} to {max(angles):.1f} degrees")
+
+
+COLOURS = ("#c00000", "#e08000", "#008000", "#0050c0", "#7000a0")
+
+
+def plot(folder):
+    """Gap over the angle: one picture per profile, one line per ratio, gap over w0."""
+    for profile in PROFILES:
+        wide, high, left, bottom = 900, 520, 70, 50
+        top = 0.30
+
+        def x(t):
+            return left + (t + 60) / 120 * (wide - left - 20)
+
+        def y(g):
+            return high - bottom - g / top * (high - bottom - 40)
+
+        out = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{wide}" height="{high}" '
+               'font-family="sans-serif" font-size="13">',
+               f'<rect width="{wide}" height="{high}" fill="white"/>',
+               f'<text x="{left}" y="22">Gap over w0, {profile.name.replace("_", " ")}; '
+               'drive flank t &gt; 0, coast flank t &lt; 0; dots: ends of engagement</text>']
+        for t in range(-60, 61, 10):
+            out.append(f'<path d="M{x(t):.1f} {y(0):.1f}V{y(top):.1f}" stroke="#ddd"/>'
+                       f'<text x="{x(t) - 10:.1f}" y="{high - 28}">{t}</text>')
+        for g in np.arange(0, top + 0.001, 0.05):
+            out.append(f'<path d="M{x(-60):.1f} {y(g):.1f}H{x(60):.1f}" stroke="#ddd"/>'
+                       f'<text x="25" y="{y(g) + 4:.1f}">{g:.2f}</text>')
+        out.append(f'<text x="{wide // 2 - 60}" y="{high - 8}">angle from the lobe, degrees</text>')
+        for colour, ratio in zip(COLOURS, RATIOS):
+            drive = size_25(ratio)
+            points = []
+            for degree in np.arange(-60, 60.01, 1.0):
+                t = radians(degree)
+                if -end(drive, profile, -1) < t < end(drive, profile, 1):
+                    law = profile.name in LAWS
+                    gap = (law_gap(drive, profile, t)[0] if law
+                           else direct_gap(drive, profile, t).value) / drive.wave
+                    if gap <= top:
+                        points.append((x(degree), y(gap)))
+            line = " ".join(f"{a:.1f},{b:.1f}" for a, b in points)
+            out.append(f'<polyline points="{line}" fill="none" stroke="{colour}" stroke-width="1.6"/>'
+                       f'<circle cx="{points[-1][0]:.1f}" cy="{points[-1][1]:.1f}" r="3" '
+                       f'fill="{colour}"/>')
+            out.append(f'<text x="{wide - 120}" y="{60 + 18 * RATIOS.index(ratio)}" '
+                       f'fill="{colour}">ratio {ratio}</text>')
+        out.append("</svg>")
+        with open(f"{folder}/tooth_gap_{profile.name}.svg", "w", encoding="ascii") as file:
+            file.write("\n".join(out) + "\n")
+
+
+if __name__ == "__main__":
+    if "--check" in sys.argv[1:]:
+        check()
+    elif "--plot" in sys.argv[1:]:
+        plot(sys.argv[sys.argv.index("--plot") + 1])
+    else:
+        publish(*tables())
