@@ -33,7 +33,7 @@ the points of contact by the condition that the velocity has no component along 
 """
 import sys
 from functools import cache
-from math import acos, atan2, cos, degrees, hypot, pi, radians, sin, sqrt, tan
+from math import acos, atan2, cos, hypot, pi, radians, sin, sqrt, tan
 from typing import NamedTuple
 
 import numpy as np
@@ -397,48 +397,55 @@ def law_gap(drive, profile, t):
 
 # Conjugate flanks -----------------------------------------------------------------------------
 
-def contact_points(drive, profile, t, count=4001):
+def slope_of(drive, profile, h):
+    tiny = 1e-5 * drive.module
+    return (half_thickness(drive, profile, h + tiny)
+            - half_thickness(drive, profile, h - tiny)) / (2 * tiny)
+
+
+def contact_points(drive, profile, t):
     """Points of the flank in the position t whose velocity lies along the flank: where the tooth
-    touches the space that it sweeps.  Rows h, X, Y."""
-    step = 1e-4
-    m = drive.module
-    h = np.linspace(-profile.dedendum * m, profile.flexspline_addendum * m, count)
-    before, here, after = np.array(law_pose(drive, t - step)), np.array(law_pose(drive, t)), \
-        np.array(law_pose(drive, t + step))
+    touches the space that it sweeps.  Rows: height over the pitch height, X, Y, angle of the common
+    normal against X."""
+    step, m = 1e-4, drive.module
+    before, here, after = (np.array(law_pose(drive, x)) for x in (t - step, t, t + step))
     rate = (after - before) / (2 * step)
+    c, s = cos(here[2]), sin(here[2])
 
     def across(h):
-        x, y = half_thickness(drive, profile, h), drive.offset + h
-        tiny = 1e-5 * m
-        slope = (half_thickness(drive, profile, h + tiny)
-                 - half_thickness(drive, profile, h - tiny)) / (2 * tiny)
-        c, s = np.cos(here[2]), np.sin(here[2])
+        x, y, slope = half_thickness(drive, profile, h), drive.offset + h, slope_of(drive, profile, h)
         vx = rate[0] + rate[2] * (-x * s + y * c)
         vy = rate[1] + rate[2] * (-x * c - y * s)
         return (c - slope * s) * vx + (-s - slope * c) * vy  # normal (1, -slope) of the tooth, turned
 
-    value = across(h)
-    found = []
+    h = np.linspace(-profile.dedendum * m, profile.flexspline_addendum * m, POINTS)
+    value, found = across(h), []
     for k in np.nonzero(value[:-1] * value[1:] < 0)[0]:
         root = brentq(across, h[k], h[k + 1], xtol=1e-16)
         x, y = float(half_thickness(drive, profile, root)), drive.offset + root
-        c, s = cos(here[2]), sin(here[2])
-        found.append((root, here[0] + x * c + y * s, here[1] - x * s + y * c))
+        angle = atan2(-float(slope_of(drive, profile, root)), 1) - here[2]
+        found.append((root, here[0] + x * c + y * s, here[1] - x * s + y * c, angle))
     return found
 
 
+def on_outline(drive, profile, t):
+    """The points of contact that lie on the outline of the swept space."""
+    wall = swept_flank(drive, profile)
+    return [p for p in contact_points(drive, profile, t) if wall[0, 1] < p[2] < wall[-1, 1]
+            and abs(p[1] - np.interp(p[2], wall[:, 1], wall[:, 0])) < 1e-10]
+
+
 def envelope_deviation(drive, profile):
-    """Largest distance by which a point of contact stands outside the swept space, and the least by
-    which the best point of each position lies inside it."""
+    """Largest distance by which a point of contact stands outside the swept space, and the positions
+    that touch it, degrees."""
     wall = swept_flank(drive, profile)
     outside, angles = -np.inf, []
-    for t in np.radians(np.arange(-80, 80.01, 0.5)):
-        for _, X, Y in contact_points(drive, profile, t):
+    for degree in np.arange(-60, 60.01, 0.5):
+        for _, X, Y, _ in contact_points(drive, profile, radians(degree)):
             if wall[0, 1] < Y < wall[-1, 1]:
-                deep = X - np.interp(Y, wall[:, 1], wall[:, 0])
-                outside = max(outside, deep)
-                if abs(deep) < 1e-10:
-                    angles.append(degrees(t))
+                outside = max(outside, X - np.interp(Y, wall[:, 1], wall[:, 0]))
+        if on_outline(drive, profile, radians(degree)):
+            angles.append(degree)
     return outside, angles
 
 
@@ -514,8 +521,11 @@ def table_of(pairs, angles):
                 continue
             gap = direct_gap(drive, profile, t)
             add("gap", t, round(gap.value, 12) if gap.value > ROUNDING else 0.0, "m", ROUNDING)
-            if gap.value > 1e-8:  # where flanks are nearly parallel the place says little
+            if gap.value > 1e-8:  # where they touch all over, the nearest points say little
                 add("contact_height", t, round(gap.height, 9), "m", 2e-7)
+            elif profile.name not in LAWS and (touching := on_outline(drive, profile, t)):
+                add("contact_height", t, touching[0][0], "m", 1e-8, "velocity along the flank")
+                add("contact_angle", t, touching[0][3], "rad", 1e-5, "velocity along the flank")
     return table
 
 
