@@ -195,7 +195,7 @@ def arc_half_thickness(profile, h):
 
 
 def half_path(drive, h):
-    """How far the half-size path of the pitch point lies behind the pitch height's X at height h."""
+    """Distance in X of the half-size path of the pitch point from the pitch point, at height h."""
     half = drive.wave / 2
     eta = np.arccos(np.clip(1 - np.maximum(h, 0) / half, -1, 1))
     return half / 2 * (eta * drive.module / drive.wave - np.sin(eta))
@@ -230,7 +230,7 @@ def space_flank(drive, profile):
 def swept_flank(drive, profile):
     """Outline of all positions of the tooth: the farthest X at each height."""
     Y_p, m = pitch_height(drive), drive.module
-    Y = np.linspace(Y_p - profile.spline_addendum * m, Y_p + profile.flexspline_addendum * m, POINTS)
+    Y = Y_p + m * np.linspace(-profile.spline_addendum, profile.flexspline_addendum, POINTS)
     step = radians(0.02)
     steps = np.arange(-radians(65), radians(65), step)
     X, at = np.full(POINTS, -np.inf), np.zeros(POINTS)
@@ -297,7 +297,7 @@ def direct_gap(drive, profile, t):
 
 @cache
 def arc_series(drive):
-    """R_m and a_n of ds/dphi = R + sum a_n cos(2 n phi); R_m makes the mean of ds/dphi equal to R."""
+    """R_m and a_n of ds/dphi = R + sum a_n cos(2 n phi); the mean of ds/dphi is R."""
     phi = pi * np.arange(32) / 32
     wave, slope = drive.wave * np.cos(2 * phi), -2 * drive.wave * np.sin(2 * phi)
     R_m = drive.radius - drive.wave ** 2 / drive.radius
@@ -413,10 +413,11 @@ def contact_points(drive, profile, t):
     c, s = cos(here[2]), sin(here[2])
 
     def across(h):
-        x, y, slope = half_thickness(drive, profile, h), drive.offset + h, slope_of(drive, profile, h)
+        x, y = half_thickness(drive, profile, h), drive.offset + h
+        slope = slope_of(drive, profile, h)
         vx = rate[0] + rate[2] * (-x * s + y * c)
         vy = rate[1] + rate[2] * (-x * c - y * s)
-        return (c - slope * s) * vx + (-s - slope * c) * vy  # normal (1, -slope) of the tooth, turned
+        return (c - slope * s) * vx - (s + slope * c) * vy  # normal (1, -slope) of the tooth
 
     h = np.linspace(-profile.dedendum * m, profile.flexspline_addendum * m, POINTS)
     value, found = across(h), []
@@ -436,8 +437,8 @@ def on_outline(drive, profile, t):
 
 
 def envelope_deviation(drive, profile):
-    """Largest distance by which a point of contact stands outside the swept space, and the positions
-    that touch it, degrees."""
+    """Largest X by which a point of contact stands outside the swept space, and the positions that
+    touch its outline, degrees."""
     wall = swept_flank(drive, profile)
     outside, angles = -np.inf, []
     for degree in np.arange(-60, 60.01, 0.5):
@@ -514,7 +515,7 @@ def table_of(pairs, angles):
         for name, side in (("drive_end", 1), ("coast_end", -1)):
             add(name, "", end(drive, profile, side), "rad", 1e-7)
         if profile.name in LAWS:
-            add("seat", "", round(seat(drive, profile), 13), "m", 1e-11, "closed form of the flanks")
+            add("seat", "", round(seat(drive, profile), 13), "m", 1e-11, "closed form")
         for t in map(radians, angles):
             side = 1 if t >= 0 else -1
             if abs(t) >= end(drive, profile, side) or interferes(drive, profile, t):
@@ -543,13 +544,14 @@ def check():
     for drive, profile in cases():
         if profile.name in LAWS:
             worst = cross = 0.0
-            for t in np.linspace(-0.999 * end(drive, profile, -1), 0.999 * end(drive, profile, 1), 67):
+            ends = 0.999 * end(drive, profile, -1), 0.999 * end(drive, profile, 1)
+            for t in np.linspace(-ends[0], ends[1], 67):
                 value = law_gap(drive, profile, t)[0]
                 cross = min(cross, value)
                 if not interferes(drive, profile, t):
                     worst = max(worst, abs(direct_gap(drive, profile, t).value - value))
             print(f"{profile.name} {drive.ratio}: law less points {worst:.1e} m, "
-                  f"interference {-cross:.2e} m")
+                  f"interference {abs(cross):.2e} m")
         else:
             outside, angles = envelope_deviation(drive, profile)
             print(f"{profile.name} {drive.ratio}: contact outside the swept space {outside:.1e} m, "
@@ -595,7 +597,7 @@ def plot(folder):
                     if gap <= top:
                         points.append((x(degree), y(gap)))
             line = " ".join(f"{a:.1f},{b:.1f}" for a, b in points)
-            out.append(f'<polyline points="{line}" fill="none" stroke="{colour}" stroke-width="1.6"/>'
+            out.append(f'<polyline points="{line}" fill="none" stroke="{colour}"/>'
                        f'<circle cx="{points[-1][0]:.1f}" cy="{points[-1][1]:.1f}" r="3" '
                        f'fill="{colour}"/>')
             out.append(f'<text x="{wide - 120}" y="{60 + 18 * RATIOS.index(ratio)}" '
