@@ -164,7 +164,6 @@ class Strip:
         good = (np.abs(area) > 1e-7 * size(x.mean(1)) ** 2) & self.inside(x.mean(1), 0.0)
         tri, area = tri[good], area[good]
         tri[area < 0] = tri[area < 0][:, [0, 2, 1]]
-        n = len(edge)
         polygon = 0.5 * np.sum(edge[:, 0] * np.roll(edge[:, 1], -1) - edge[:, 1] * np.roll(edge[:, 0], -1))
         if abs(np.abs(area).sum() / polygon - 1) > 1e-9:
             raise RuntimeError(f"the mesh does not fill the outline: {np.abs(area).sum() / polygon - 1}")
@@ -350,7 +349,7 @@ def formula(tooth):
     share = base / PITCH
     held = 1 + 0.091 * share / wall
     free = 1 / (1 - 0.523 * share * (1 - 1 / (1 + 0.175 / wall)))
-    bend = 1 / (1 - 0.881 * share**0.741 * (1 - np.exp(-0.685 / wall)))
+    bend = 1 / (1 - 0.881 * share**0.741 * (1 - np.exp(-0.369 / wall)))
     return tooth_c, held, free, bend
 
 
@@ -479,7 +478,7 @@ def rows(cases):
         if wall <= 5:
             held, free, bending, _ = section(tooth)
             values += [("stretch_held", held), ("stretch_free", free), ("bending", bending)]
-        if wall >= 8 and shape == row_of():
+        if wall >= 20 and shape == row_of():
             many = Loaded(tooth, teeth=31, flat=2.5 * wall)
             values += [(f"next_{k}", many.centre(k)) for k in (1, 2, 3)]
         for case, value in values:
