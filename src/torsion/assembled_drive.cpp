@@ -46,6 +46,24 @@ constexpr double kMostKappa = 1.3;
 /// Pitch diameter of size 17, 43.18 mm, rounded down so that this size does not count as small [m].
 constexpr double kSize17 = 0.043;
 
+/// Notes on teeth as drawn.
+void note_teeth(const ToothGap& teeth, std::vector<Note>& notes) {
+  notes.push_back(
+      {"torsion.drawn_teeth",
+       "the stiffness of the pairs leaves out that loaded teeth of the circular spline move their "
+       "neighbours, which would add 5 to 80 % to the compliance of a pair between ratio 30 and 160",
+       "mesh.tooth", "TC-30", Severity::care,
+       "Treat K1, K2, K3 as upper limits, or calibrate the drive with a measured curve."});
+  if (const double crossing = teeth.crossing(); crossing > 1e-9)
+    notes.push_back(
+        {"torsion.tips",
+         fmt::format("beyond 30 degrees from a lobe the flanks would cross by up to {:.3g} um; the "
+                     "model takes the tips as relieved by this amount",
+                     1e6 * crossing),
+         "mesh.tooth", "TC-29", Severity::care,
+         "Give lower addendum and spline_addendum, or a larger mesh.flank_angle."});
+}
+
 void note_geometry(const GearSet& gear, const CoupledGeometry& g, std::vector<Note>& notes) {
   const double kappa = g.radial_displacement / g.module;
   if (kappa < kLeastKappa || kappa > kMostKappa)
@@ -53,7 +71,8 @@ void note_geometry(const GearSet& gear, const CoupledGeometry& g, std::vector<No
         {"torsion.deflection",
          fmt::format("w_0 is {:.3g} modules, but the gap law is for about one module", kappa),
          "drive.radial_displacement", "TC-7", Severity::care, "Check drive.radial_displacement."});
-  if (const double least = least_flank_angle(kappa); g.flank_angle < least)
+  if (g.tooth) note_teeth(*g.tooth, notes);
+  if (const double least = least_flank_angle(kappa); !g.tooth && g.flank_angle < least)
     notes.push_back({"torsion.flank_angle",
                      fmt::format("w_0 of {:.3g} modules needs a flank angle of at least {:.3g} "
                                  "degrees, because otherwise the tooth path crosses the flank",
@@ -138,6 +157,8 @@ std::vector<std::string> equations_of(const CoupledGeometry& geometry) {
   std::vector<std::string> equations = {"TC-1", "TC-2",  "TC-4",  "TC-5",  "TC-6",  "TC-7", "TC-8",
                                         "TC-9", "TC-11", "TC-12", "TC-13", "TC-14", "TC-15"};
   if (geometry.support > 0) equations.emplace_back("TC-10");
+  if (geometry.tooth)
+    for (const char* const tag : {"TC-29", "TC-30"}) equations.emplace_back(tag);
   return equations;
 }
 

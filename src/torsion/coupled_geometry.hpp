@@ -2,11 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "strainwave/core/lift.hpp"
 #include "strainwave/torsion/flank.hpp"
+#include "strainwave/torsion/tooth_flanks.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
 // The numbers of the coupled drive, and of its cracks inside the contact problem.
@@ -46,7 +48,8 @@ struct BasicCoupledGeometry {
   Real force_angle{};  // alpha turned by friction
   Real gap_factor{};
   Real lobe_gap{};
-  BasicFlankLaw<Real> flank;
+  BasicFlankLaw<Real> flank;                   // without `tooth`, of every flank
+  std::optional<BasicToothGap<Real>> tooth{};  // teeth as drawn
   // circular spline; support 0: rigid
   Real spline_radius{};   // R_c
   Real spline_bending{};  // E I_c

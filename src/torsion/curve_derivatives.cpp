@@ -62,7 +62,8 @@ struct DualDrive {
   [[nodiscard]] DualReal force(int contact, const Equilibrium& at) const {
     const double u = at.closing[contact];
     if (contact < drive.balls()) return ball_force(geometry, u);
-    return multiplier[static_cast<std::size_t>(contact)] * geometry.flank.force(DualReal(u));
+    const auto law = flank_law(geometry, drive.position_of(contact), drive.side_of(contact));
+    return multiplier[static_cast<std::size_t>(contact)] * law.force(DualReal(u));
   }
 };
 

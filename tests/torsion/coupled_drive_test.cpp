@@ -44,10 +44,28 @@ struct Case {
   double cage_phase = 0.0;
 };
 
+/// Teeth as drawn, and roots of the circular spline that the tips of the flexspline do not meet.
+void draw_teeth(GearSet& gear, ToothProfile profile) {
+  test::half_free(gear);
+  gear.mesh->tooth =
+      ToothShape{.profile = profile, .addendum = {}, .spline_addendum = {}, .thickness = {}};
+  const double module = gear.drive.pitch_diameter / (2 * gear.drive.ratio);
+  gear.circular_spline->inner_diameter = gear.drive.pitch_diameter + 4.2 * module;
+}
+
 const std::map<std::string, Case>& cases() {
   static const std::map<std::string, Case> all = {
       {"sound", {}},
       {"sound_warping_support", {.change = test::half_free, .warping = true}},
+      {"straight_teeth",
+       {.change = [](GearSet& g) { draw_teeth(g, ToothProfile::straight); }, .warping = true}},
+      {"involute_teeth",
+       {.change =
+            [](GearSet& g) {
+              draw_teeth(g, ToothProfile::involute);
+              g.mesh->coning = 0.5;
+            },
+        .warping = true}},
       {"tooth", {.change = [](GearSet& g) { test::crack_tooth(g, 0, 0.5); }}},
       {"tooth_reversed", {.change = [](GearSet& g) { test::crack_tooth(g, 0, 0.5); }}},
       {"rim_hinge_sound_cam", {.change = [](GearSet& g) { test::crack_rim(g); }}},
