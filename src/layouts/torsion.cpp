@@ -68,6 +68,24 @@ TitledTable lines_table(const TorsionReport& report, const GearSet& gear) {
   return {"Torsion curve in the maker's numbers, with the cracks of the file", table, remark};
 }
 
+TitledTable cage_table(const LinesOverCage& over) {
+  Table table{.head = {"", "softest", "mean", "stiffest"}};
+  const DisplayUnit unit = stiffness_unit();
+  const auto add = [&](const char* label, double LineStiffnesses::*line) {
+    table.rows.push_back(cells(with_unit(label, unit),
+                               shown_number(over.softest.*line / unit.in_si),
+                               shown_number(over.mean.*line / unit.in_si),
+                               shown_number(over.stiffest.*line / unit.in_si)));
+  };
+  add("K1", &LineStiffnesses::K1);
+  add("K2", &LineStiffnesses::K2);
+  add("K3", &LineStiffnesses::K3);
+  return {fmt::format("Stiffness under T > 0 while the balls roll past the lobes, at {} phases of "
+                      "the cage",
+                      over.phases.size()),
+          table};
+}
+
 double largest_force(const std::vector<ContactForce>& forces) {
   double largest = 0.0;
   for (const ContactForce& contact : forces) largest = std::max(largest, contact.force);
@@ -149,14 +167,15 @@ TitledTable comparison_table(const CurveComparison& c) {
                                 ? "in the path of the contacts"
                             : c.crack_class == CrackClass::none ? "cannot tell"
                                                                 : "cannot tell, or several members";
-  return {fmt::format("Change of stiffness by the cracks, at {} position{} over a turn of the wave "
-                      "generator",
-                      c.angles.size(), c.angles.size() == 1 ? "" : "s"),
-          table,
-          fmt::format("Lost motion is {0} {2} without and {1} {2} with cracks; the largest width of "
-                      "the loop is {3} and {4} {2}. Place of the crack: {5}; {6} (TC-26)",
-                      twist(c.lost_motion_sound), twist(c.lost_motion_cracked), angle_unit().text,
-                      twist(c.hysteresis_sound), twist(c.hysteresis_cracked), where, c.evidence)};
+  return {
+      fmt::format("Change of stiffness by the cracks, at {} position{} over a turn of the wave "
+                  "generator",
+                  c.angles.size(), c.angles.size() == 1 ? "" : "s"),
+      table,
+      fmt::format("Lost motion is {0} {2} without and {1} {2} with cracks; the largest width of "
+                  "the loop is {3} and {4} {2}. Place of the crack: {5}; {6} (TC-26)",
+                  twist(c.lost_motion_sound), twist(c.lost_motion_cracked), angle_unit().text,
+                  twist(c.hysteresis_sound), twist(c.hysteresis_cracked), where, c.evidence)};
 }
 
 }  // namespace
@@ -164,6 +183,7 @@ TitledTable comparison_table(const CurveComparison& c) {
 std::vector<TitledTable> torsion_tables(const TorsionReport& report, const GearSet& gear) {
   std::vector<TitledTable> tables{lines_table(report, gear)};
   if (report.comparison) tables.push_back(comparison_table(*report.comparison));
+  tables.push_back(cage_table(report.over_cage));
   tables.push_back(points_table(report));
   tables.push_back(rim_table(report));
   return tables;

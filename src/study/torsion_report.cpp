@@ -15,6 +15,7 @@
 #include "strainwave/core/parallel.hpp"
 #include "strainwave/core/quantile.hpp"
 #include "strainwave/core/quantity_text.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/model/result/input_notes.hpp"
 
@@ -55,6 +56,64 @@ TwistAtLoad twist_at_load(const AssembledDrive& drive, std::vector<Note>& notes)
   reach(at.positive, +1);
   reach(at.negative, -1);
   return at;
+}
+
+/// Lost motion from which a drive is not like those that makers sell, whose limit is 1 to 2 arcmin
+/// [rad].
+constexpr double kLargeLostMotion = 3 * units::arcmin;
+
+/// Share of the ball force at T2 from which the force of the assembly alone is noted [-].
+constexpr double kLargeAssemblyShare = 0.5;
+
+double largest_ball_force(const TorsionCurve& curve, double torque) {
+  const auto point = std::ranges::min_element(
+      curve.points, {}, [&](const CurvePoint& p) { return std::abs(p.torque - torque); });
+  return std::ranges::max(point->balls, {}, &ContactForce::force).force;
+}
+
+/// Notes results that a working drive does not have, with their cause.
+void note_consequences(TorsionReport& report) {
+  const auto shown = [](double angle) { return shown_quantity(angle, "rad", 4, "lost_motion"); };
+  const double at_rest = report.curve.assembly_ball_force;
+  const double at_T2 = largest_ball_force(report.curve, report.torques.T2);
+  if (at_rest > kLargeAssemblyShare * at_T2)
+    report.notes.push_back(
+        {"torsion.assembly_force",
+         fmt::format(
+             "a ball carries {} without torque and {} at T2, so most of its load comes from "
+             "the assembly",
+             shown_quantity(at_rest, "N", 3, "force"), shown_quantity(at_T2, "N", 3, "force")),
+         "wave_generator.bearing", "TC-12", Severity::care,
+         "Check ball_count, the lengths of the flexspline and the thicknesses of its walls."});
+  if (report.lost_motion > kLargeLostMotion)
+    report.notes.push_back(
+        {"torsion.lost_motion",
+         fmt::format(
+             "the lost motion of {} is far above the 1 to 2 arcmin that makers state; gaps of "
+             "flanks or bearing let the output turn without load",
+             shown(report.lost_motion)),
+         "mesh.lobe_gap", "TC-18", Severity::care,
+         "Check mesh.lobe_gap and wave_generator.bearing.clearance."});
+  if (std::max(report.positive.K1, report.negative.K1) >
+      std::min(report.positive.K2, report.negative.K2))
+    report.notes.push_back({"torsion.falling_stiffness",
+                            "K1 is above K2, unlike in any catalogue: flanks press on each other "
+                            "without torque and part "
+                            "as the torque grows",
+                            "mesh.lobe_gap", "TC-14", Severity::care,
+                            "Check mesh.lobe_gap and drive.radial_displacement."});
+  if (!report.comparison) return;
+  const auto& [with, without] =
+      std::pair(report.comparison->lost_motion_cracked, report.comparison->lost_motion_sound);
+  if (with < without * (1 - 1e-9))
+    report.notes.push_back(
+        {"torsion.less_lost_motion",
+         fmt::format(
+             "at the positions of the file the cracks reduce the lost motion from {} to {}, "
+             "because a cracked ring gives back part of the bending of the assembly there; "
+             "this is no sign of a better drive",
+             shown(without), shown(with)),
+         "", "TC-22", Severity::information, "Look at the changes over a turn."});
 }
 
 void add_once(std::vector<Note>& notes, const std::vector<Note>& more) {
@@ -137,9 +196,10 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   const double curve_ends = draws || options.compare ? 0.2 : 1.0;
   const double draws_end = !draws ? curve_ends : options.compare ? 0.5 : 1.0;
   TorsionReport report;
-  const AssembledDrive drive(gear);
+  const CoupledOptions coupled{.cage_phase = options.cage_phase};
+  const AssembledDrive drive(gear, coupled);
   progress.at(0.0);
-  const SlidingDrive sliding(gear);
+  const SlidingDrive sliding(gear, coupled);
   progress.at(0.0);
   report.torques = makers_torques(gear);
   std::vector<Note> unreached;
@@ -166,6 +226,8 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   }
   report.positive = makers_lines(drive, +1);
   report.negative = makers_lines(drive, -1);
+  progress.at(curve_ends);
+  report.over_cage = lines_over_cage(drive);
   progress.at(curve_ends);
   report.lost_motion = lost_motion(drive);
   report.rim = rim_states(drive, report.torques.rated, kRimPositions);
@@ -206,6 +268,7 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
     report.notes.push_back({"torsion.no_cracks",
                             "the file has no cracks, so there is nothing to compare", "", "TC-26",
                             Severity::information});
+  note_consequences(report);
   report.equations = report.curve.equations;
   for (const char* const tag : {"TC-16", "TC-17", "TC-18", "TC-24"})
     report.equations.emplace_back(tag);

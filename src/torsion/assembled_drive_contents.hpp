@@ -93,7 +93,7 @@ struct AssembledDrive::Contents {
   std::vector<std::string> equations;
   std::string sound_fails_because;  // reason; empty if the sound drive assembles
   std::string fails_because;        // reason; empty if the drive with its cracks assembles
-  std::string series_unusable;      // reason; empty if the members in series may be used
+  std::string unusable_because;     // reason; empty if the answers with these cracks may be used
 
   /// Twist of the output at a state of the rings (TC-14) [rad].
   [[nodiscard]] double twist(const Equilibrium& state) const {

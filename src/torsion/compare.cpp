@@ -57,14 +57,32 @@ ChangesOverTurn over_turn(std::vector<LineChanges> at_angle) {
   return result;
 }
 
-/// Positions over a turn in steps of whole teeth, so a crack meets the same teeth and gaps at each
-/// position.
+/// Whether a crack moves with the circular spline; other cracks of the contacts move with the
+/// flexspline.
+template <ContactCrack Crack>
+bool of_spline(const Crack& crack) {
+  return crack.place().part == CrackedPart::circular_spline;
+}
+
+/// Angles of the wave generator over one of its turns against the cracked part, in steps of one
+/// tooth of the circular spline.  In each step the flexspline passes the wave by one of its own
+/// teeth (TC-28), so a crack meets the same teeth and gaps at each position.
 std::vector<double> positions_over_turn(const GearSet& gear, int angles) {
   const int teeth = static_cast<int>(std::lround(gear.drive.wave_number * gear.drive.ratio));
-  const int count = !has_moving_cracks(gear) ? 1 : angles == 0 ? teeth : std::min(angles, teeth);
+  const int spaces = teeth + gear.drive.wave_number;
+  bool any = false;
+  bool flexspline = false;
+  for_each_crack(gear, [&]<class Crack>(const std::string&, const Crack& crack) {
+    if constexpr (ContactCrack<Crack>) {
+      any = true;
+      flexspline = flexspline || !of_spline(crack);
+    }
+  });
+  const int steps = flexspline ? teeth : spaces;
+  const int count = !any ? 1 : angles == 0 ? steps : std::min(angles, steps);
   std::vector<double> positions;
   for (int i = 0; i < count; ++i)
-    positions.push_back(2 * pi / teeth * std::round(static_cast<double>(i) * teeth / count));
+    positions.push_back(2 * pi / spaces * std::round(static_cast<double>(i) * steps / count));
   return positions;
 }
 
@@ -126,6 +144,10 @@ bool has_moving_cracks(const GearSet& gear) {
   return any;
 }
 
+double flexspline_turn(const Transmission& drive, double angle) {
+  return (1 + 1 / drive.ratio) * angle;  // (TC-28)
+}
+
 double turned_position(double position, double angle) {
   return std::remainder(position - angle, 2 * pi);
 }
@@ -133,7 +155,9 @@ double turned_position(double position, double angle) {
 GearSet after_turn(const GearSet& gear, double angle) {
   GearSet turned = gear;
   for_each_crack(turned, [&]<class Crack>(const std::string&, Crack& crack) {
-    if constexpr (ContactCrack<Crack>) crack.position = turned_position(crack.position, angle);
+    if constexpr (ContactCrack<Crack>)
+      crack.position = turned_position(
+          crack.position, of_spline(crack) ? angle : flexspline_turn(gear.drive, angle));
   });
   drop_lost_paths(turned, gear);
   return turned;
@@ -157,6 +181,31 @@ TurnChanges changes_over_turn(const AssembledDrive& drive, int angles, const Pro
   return {.angles = turn,
           .positive = over_turn(std::move(positive)),
           .negative = over_turn(std::move(negative))};
+}
+
+LinesOverCage lines_over_cage(const AssembledDrive& drive, int phases, const Progress& progress) {
+  require(phases >= 1, "phases", phases, "1", ">= 1");
+  const double pitch = 2 * pi / *drive.gear().wave_generator->bearing->ball_count;
+  LinesOverCage result;
+  for (int i = 0; i < phases; ++i)
+    result.phases.push_back(drive.options().cage_phase + pitch * i / phases);
+  result.at_phase.resize(result.phases.size());
+  for_each_index(result.phases.size(), {}, progress, [&] {
+    return [&](std::size_t i) {
+      CoupledOptions options = drive.options();
+      options.cage_phase = result.phases[i];
+      const MakersLines lines = makers_lines(AssembledDrive(drive.gear(), options));
+      result.at_phase[i] = {lines.K1, lines.K2, lines.K3};
+    };
+  });
+  for (double LineStiffnesses::*const line :
+       {&LineStiffnesses::K1, &LineStiffnesses::K2, &LineStiffnesses::K3}) {
+    const auto [softest, stiffest] = std::ranges::minmax(result.at_phase, {}, line);
+    result.softest.*line = softest.*line;
+    result.stiffest.*line = stiffest.*line;
+    for (const LineStiffnesses& at : result.at_phase) result.mean.*line += at.*line / phases;
+  }
+  return result;
 }
 
 CurveComparison compare_curves(const AssembledDrive& drive, const SlidingDrive& sliding, int angles,

@@ -30,9 +30,19 @@ template <class Real>
                               const BasicContactDirection<Real>& direction, double theta,
                               int side) {
   const Real& w0 = g.radial_displacement;
-  return -of_nominal_wave(direction, theta, w0) -
-         flank_gap(side * angle_from_lobe(theta), w0, g.flank_angle, g.gap_factor) -
-         g.lobe_gap;  // (TC-6)
+  const double t = side * angle_from_lobe(theta);
+  const Real gap = g.tooth ? Real(g.gap_factor * g.tooth->gap(t))
+                           : flank_gap(t, w0, g.flank_angle, g.gap_factor);
+  return -of_nominal_wave(direction, theta, w0) - gap - g.lobe_gap;  // (TC-6)
+}
+
+/// Law of the force of a flank; side as in `free_flank`.
+template <class Real>
+[[nodiscard]] BasicFlankLaw<Real> flank_law(const BasicCoupledGeometry<Real>& g, double theta,
+                                            int side) {
+  BasicFlankLaw<Real> law = g.flank;
+  if (g.tooth) law.slope = g.tooth->slope(side * angle_from_lobe(theta));
+  return law;
 }
 
 /// Force of a ball that is pressed by a closing [N].

@@ -13,14 +13,17 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kToothSpan = pi / 4;  // teeth farther from a lobe cannot touch
+/// Without teeth as drawn, teeth farther from a lobe are taken as out of engagement (TC-7).
+constexpr double kToothSpan = pi / 4;
 
 /// Places of all balls, and of the teeth near the lobes.
-ContactPlaces contact_places(int balls, int teeth) {
-  ContactPlaces places{.balls = {}, .teeth = {}, .pitches = teeth};
-  for (int k = 0; k < balls; ++k) places.balls.push_back(2 * pi * k / balls);
-  for (int j = 0; j < teeth; ++j)
-    if (std::abs(angle_from_lobe((j + 0.5) * places.pitch())) <= kToothSpan + 1e-12)
+ContactPlaces contact_places(const CoupledGeometry& g, double cage_phase) {
+  ContactPlaces places{.balls = {}, .teeth = {}, .pitches = g.teeth};
+  for (int k = 0; k < g.balls; ++k)
+    places.balls.push_back(cage_phase + 2 * pi * k / g.balls);  // (TC-5)
+  const double span = g.tooth ? g.tooth->end() : kToothSpan;
+  for (int j = 0; j < g.teeth; ++j)
+    if (std::abs(angle_from_lobe((j + 0.5) * places.pitch())) <= span + 1e-12)
       places.teeth.push_back(j);
   return places;
 }
@@ -30,7 +33,7 @@ ContactPlaces contact_places(int balls, int teeth) {
 CoupledDrive::CoupledDrive(const GearSet& gear, const CoupledGeometry& geometry,
                            const CoupledOptions& options)
     : g_(geometry), tolerance_(options.tolerance), max_iterations_(options.max_iterations) {
-  const ContactPlaces places = contact_places(g_.balls, g_.teeth);
+  const ContactPlaces places = contact_places(g_, options.cage_phase);
   rings_ = std::make_shared<const ElasticRings>(gear, g_, options, places);
   tooth_count_ = static_cast<int>(places.teeth.size());
   const int count = rings_->contacts();
@@ -64,6 +67,7 @@ void CoupledDrive::place_flanks() {
     const int side = side_of(i);
     rotation_[i] = side * drive.tangential;
     free_[i] = free_flank(g_, side > 0 ? drive : coast, position_of(i), side);
+    flanks_.push_back(flank_law(g_, position_of(i), side));
   }
 }
 
@@ -101,8 +105,8 @@ CoupledDrive::Law CoupledDrive::pressed_law(int contact, double closing) const {
     return {force, 1.5 * g_.ball_stiffness * std::sqrt(closing), 0.4 * force * closing};
   }
   const double m = multiplier_[contact];
-  return {m * g_.flank.force(closing), m * g_.flank.stiffness(closing),
-          m * g_.flank.energy(closing)};
+  const FlankLaw& flank = flanks_[static_cast<std::size_t>(contact - g_.balls)];
+  return {m * flank.force(closing), m * flank.stiffness(closing), m * flank.energy(closing)};
 }
 
 void CoupledDrive::close_rigidly(Equilibrium& state) const {

@@ -144,8 +144,9 @@ class CoupledDrive {
   CoupledGeometry g_;
   double tolerance_ = 0.0;
   int max_iterations_ = 0;
-  int tooth_count_ = 0;  // teeth within 45 degrees of a lobe
+  int tooth_count_ = 0;  // teeth that can engage
   std::shared_ptr<const ElasticRings> rings_;
+  std::vector<FlankLaw> flanks_;
   Eigen::VectorXd free_;        // closing without forces, c_0 and cam
   Eigen::VectorXd cam_;         // closing per unit of cam amplitude
   Eigen::VectorXd rotation_;    // closing per unit of c_0

@@ -23,10 +23,11 @@ using std::numbers::pi;
 // Limits of the coupled drive.  Beyond a limit the input is a mistake, or a law is not valid.
 // share of the bore [-]: a bearing with a larger deviation does not fit
 constexpr double kFitInBore = 0.005;
-constexpr double kMostFlattening = 6;  // c_cam [-], (TC-5): four times that of an ellipse
-constexpr double kMostConing = 5;      // chi [-], (TC-8): five times an uncorrected tooth
-constexpr int kLeastTeeth = 20;        // [-]: a tooth is small against the wave
-constexpr double kWhole = 1e-9;        // rounding of a number of teeth [-]
+constexpr double kMostFlattening = 6;      // c_cam [-], (TC-5): four times that of an ellipse
+constexpr double kMostConing = 5;          // chi [-], (TC-8): five times an uncorrected tooth
+constexpr int kLeastTeeth = 20;            // [-]: a tooth is small against the wave
+constexpr double kWhole = 1e-9;            // rounding of a number of teeth [-]
+constexpr double kTypicalAddendum = 0.65;  // of drawn teeth, over the module [-] (TC-29)
 
 /// A missing input of the coupled drive that `check` does not require: its field and meaning.
 struct Missing {
@@ -162,10 +163,61 @@ DualReal race_crack_compliance(const GearSet& gear, const Lift<DualReal>& lift,
   return at_force + chain(of_torque / of_torque.value, 0.0, by_force.partial[0]);  // (TC-23)
 }
 
+/// The tooth of the circular spline on its ring, and the ring's material.
+template <class Real>
+struct SplineTooth {
+  BasicToothOnWall<Real> on_ring;
+  BasicElasticConstants<Real> steel;
+};
+
+/// Without a circular spline in the file, the ring is as thick as the formula reaches.
+template <class Real>
+SplineTooth<Real> spline_tooth(const GearSet& gear, const Lift<Real>& lift,
+                               const BasicCoupledGeometry<Real>& g,
+                               const BasicToothOnWall<Real>& on_rim) {
+  constexpr double kThickest = 40;  // modules (TC-30)
+  SplineTooth<Real> tooth{.on_ring = on_rim, .steel = g.rim_steel};
+  tooth.on_ring.thickness = pi * g.module - on_rim.thickness;
+  tooth.on_ring.wall = kThickest * g.module;
+  if (!gear.circular_spline) return tooth;
+  const CircularSpline& spline = *gear.circular_spline;
+  tooth.steel =
+      elastic_constants(lift, material_of(gear, spline.material, "circular_spline.material"));
+  const Real inside = lift(spline.inner_diameter);
+  tooth.on_ring.wall = (lift(spline.outer_diameter) - inside) / 2;
+  tooth.on_ring.dedendum = inside / 2 - g.pitch_radius - g.radial_displacement;
+  return tooth;
+}
+
+/// Stiffness of a pair of drawn teeth per face width, c' (TC-30) [Pa].
+/// @param g  with the extension of the toothed rim
+template <class Real>
+Real drawn_pair_stiffness(const BasicCoupledGeometry<Real>& g, const BasicToothOnWall<Real>& on_rim,
+                          const SplineTooth<Real>& spline) {
+  using std::cos, std::log, std::sin, std::sqrt;
+  const Real& alpha = g.flank_angle;
+  const Real& nu = g.rim_steel.nu;
+  const Real layer = 2 * (1 - nu * nu) / pi;
+  // The reference load of the line contact is T2 by convention (TC-14) on a sixth of the teeth, and
+  // its curvature is that of an involute against a straight flank.
+  constexpr double kT2 = 0.187e6;  // over the cube of the pitch diameter [Pa]
+  const Real d = 2 * g.pitch_radius;
+  const Real force = 12 * kT2 * d * d / (cos(alpha) * g.teeth * g.rim_width);  // [N/m]
+  const Real both = 1 / g.rim_steel.E + 1 / spline.steel.E;
+  const Real half_width =
+      sqrt(4 * (1 - nu * nu) * force * (g.pitch_radius * sin(alpha)) * both / pi);
+  const Real depth = on_rim.thickness / (2 * cos(alpha));
+  const Real contact = layer * (log(2 * depth / half_width) + 0.045) * both;
+  const Real step = cos(alpha) * cos(alpha) * pi / 12 * g.module * g.rim_width / g.extension;
+  return 1 / (tooth_compliance(on_rim, nu) / g.rim_steel.E +
+              tooth_compliance(spline.on_ring, spline.steel.nu) / spline.steel.E + contact + step);
+}
+
 /// Sets the flank angle, turned by friction, and the gaps and stiffness of the tooth pairs.
 template <class Real>
-void add_mesh(BasicCoupledGeometry<Real>& g, const ToothMesh& mesh, const Lift<Real>& lift,
+void add_mesh(BasicCoupledGeometry<Real>& g, const GearSet& gear, const Lift<Real>& lift,
               FlankFriction friction) {
+  const ToothMesh& mesh = *gear.mesh;
   using std::atan, std::sin;
   g.flank_angle = lift(mesh.flank_angle);
   const Real turn = atan(lift(mesh.friction_coefficient));
@@ -177,12 +229,38 @@ void add_mesh(BasicCoupledGeometry<Real>& g, const ToothMesh& mesh, const Lift<R
       "less than the tangent of mesh.flank_angle, because otherwise the flanks lock themselves");
   g.gap_factor = lift(mesh.gap_factor);
   g.lobe_gap = lift(mesh.lobe_gap);
+  const Real cone =
+      lift(mesh.coning) * g.radial_displacement / (g.length - g.rim_width / 2);  // (TC-8)
   g.flank = {.pair_stiffness = mesh.pair_stiffness
                                    ? Real(lift(*mesh.pair_stiffness))
                                    : tooth_pair_stiffness(g.rim_steel.E, g.module, g.rim_thickness),
              .face_width = g.rim_width,
-             .slope = lift(mesh.coning) * sin(g.flank_angle) * g.radial_displacement /
-                      (g.length - g.rim_width / 2)};  // (TC-8)
+             .slope = cone * sin(g.flank_angle)};
+  if (!mesh.tooth) return;
+  const ToothShape& shape = *mesh.tooth;
+  const auto given = [&](const std::optional<double>& number, const Real& typical) {
+    return number ? Real(lift(*number)) : typical;
+  };
+  const BasicTeeth<Real> teeth{
+      .profile = shape.profile,
+      .flank_angle = g.flank_angle,
+      .addendum = given(shape.addendum, kTypicalAddendum * g.module),
+      .spline_addendum = given(shape.spline_addendum, kTypicalAddendum * g.module),
+      .thickness = given(shape.thickness, pi / 2 * g.module),
+      .ring_radius = g.ring_radius,
+      .pitch_offset = g.pitch_radius - g.ring_radius,
+      .wave = g.radial_displacement,
+      .teeth = g.teeth};
+  g.tooth.emplace(teeth, cone, g.rim_width);
+  const BasicToothOnWall<Real> on_rim{
+      .flank_angle = g.flank_angle,
+      .thickness = teeth.thickness,
+      .dedendum = g.pitch_radius - g.ring_radius - g.rim_thickness / 2,
+      .wall = g.rim_thickness,
+      .module = g.module};
+  g.extension *= toothed_extension(on_rim);  // (TC-30)
+  if (!mesh.pair_stiffness)
+    g.flank.pair_stiffness = drawn_pair_stiffness(g, on_rim, spline_tooth(gear, lift, g, on_rim));
 }
 
 /// A ring that a crack softens.
@@ -240,7 +318,8 @@ class ContactCracksOf {
                               .length = length,
                               .softening = (ring.bending - left) * length,  // (TC-22)
                               .from_inside = from_inside,
-                              .path = path});
+                              .path = path,
+                              .depth = crack.depth});
   }
 
   /// Adds a crack of the inner race, which the balls load.
@@ -314,6 +393,28 @@ class ContactCracksOf {
   std::vector<Note>& notes_;
 };
 
+/// Rules of teeth as drawn.
+void check_teeth(const GearSet& gear, const ToothShape& tooth) {
+  const Transmission& drive = gear.drive;
+  const double module = drive.pitch_diameter / (drive.wave_number * drive.ratio);
+  const double addendum = tooth.addendum.value_or(kTypicalAddendum * module);
+  const double depth = addendum + tooth.spline_addendum.value_or(kTypicalAddendum * module);
+  require(depth < 2 * drive.radial_displacement, "mesh.tooth.addendum", addendum, "m",
+          "addendum + spline_addendum < 2 drive.radial_displacement, because otherwise the teeth "
+          "never part");
+  if (gear.circular_spline)
+    require(gear.circular_spline->inner_diameter / 2 >=
+                drive.pitch_diameter / 2 + drive.radial_displacement + addendum,
+            "circular_spline.inner_diameter", gear.circular_spline->inner_diameter, "m",
+            "at least drive.pitch_diameter + 2 (drive.radial_displacement + mesh.tooth.addendum), "
+            "because otherwise the tips of the flexspline meet the roots of the circular spline");
+  const double pitch = pi * module;
+  if (tooth.thickness)
+    require(*tooth.thickness > 0.25 * pitch && *tooth.thickness < 0.75 * pitch,
+            "mesh.tooth.thickness", *tooth.thickness, "m",
+            "between a quarter and three quarters of a pitch, pi pitch_diameter/teeth");
+}
+
 }  // namespace
 
 std::string missing_for_torsion_curve(const GearSet& gear) {
@@ -327,6 +428,8 @@ void check_coupled(const GearSet& gear, const CoupledOptions& options) {
     throw InputError(gaps.front().field, rule_of(gaps));
   require(options.harmonics >= 8 && options.harmonics <= 128, "harmonics", options.harmonics, "1",
           ">= 8 and <= 128");
+  require(std::isfinite(options.cage_phase), "cage_phase", options.cage_phase, "rad",
+          "a finite number");
   const Transmission& drive = gear.drive;
   const TubeSection& rim = *gear.flexspline->rim;
   const WaveGenerator& wg = *gear.wave_generator;
@@ -354,6 +457,7 @@ void check_coupled(const GearSet& gear, const CoupledOptions& options) {
           bearing.clearance, "m", "clearance < drive.radial_displacement");
   require(wg.cam_flattening <= kMostFlattening, "wave_generator.cam_flattening", wg.cam_flattening,
           "1", "<= 6 for the torsion curve");
+  if (gear.mesh->tooth) check_teeth(gear, *gear.mesh->tooth);
   require(gear.mesh->coning <= kMostConing, "mesh.coning", gear.mesh->coning, "1",
           "<= 5 for the torsion curve");
 }
@@ -397,7 +501,7 @@ BasicCoupledGeometry<Real> coupled_geometry(const GearSet& gear, const CoupledOp
   g.balls = *bearing.ball_count;
   g.clearance = lift(bearing.clearance);
   g.cam_flattening = lift(wg.cam_flattening);
-  add_mesh(g, *gear.mesh, lift, options.friction);
+  add_mesh(g, gear, lift, options.friction);
   if (gear.circular_spline) {
     const CircularSpline& spline = *gear.circular_spline;
     const Real E =

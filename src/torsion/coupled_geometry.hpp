@@ -2,11 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "strainwave/core/lift.hpp"
 #include "strainwave/torsion/flank.hpp"
+#include "strainwave/torsion/tooth_flanks.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
 // The numbers of the coupled drive, and of its cracks inside the contact problem.
@@ -46,7 +48,8 @@ struct BasicCoupledGeometry {
   Real force_angle{};  // alpha turned by friction
   Real gap_factor{};
   Real lobe_gap{};
-  BasicFlankLaw<Real> flank;
+  BasicFlankLaw<Real> flank;                   // without `tooth`, of every flank
+  std::optional<BasicToothGap<Real>> tooth{};  // teeth as drawn
   // circular spline; support 0: rigid
   Real spline_radius{};   // R_c
   Real spline_bending{};  // E I_c
@@ -65,6 +68,7 @@ struct BasicRingHinge {
   Real softening{};          // alpha, lost bending stiffness times length (TC-22) [N*m^3]
   bool from_inside = false;  // a crack from inside opens where the ring bends less
   std::string path = {};     // path of the crack in the file
+  double depth = 0.0;        // a [m]
 };
 template <class Real>
 struct BasicSoftTooth {

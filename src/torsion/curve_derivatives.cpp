@@ -62,7 +62,8 @@ struct DualDrive {
   [[nodiscard]] DualReal force(int contact, const Equilibrium& at) const {
     const double u = at.closing[contact];
     if (contact < drive.balls()) return ball_force(geometry, u);
-    return multiplier[static_cast<std::size_t>(contact)] * geometry.flank.force(DualReal(u));
+    const auto law = flank_law(geometry, drive.position_of(contact), drive.side_of(contact));
+    return multiplier[static_cast<std::size_t>(contact)] * law.force(DualReal(u));
   }
 };
 
@@ -275,8 +276,10 @@ struct CurveDifferentiator::Contents {
 
 CurveDifferentiator::CurveDifferentiator(const AssembledDrive& drive) {
   const AssembledDrive::Contents& contents = drive.contents();
+  require(contents.options.cage_phase == 0, "cage_phase", contents.options.cage_phase, "rad",
+          "0 for derivatives, because the cam is made for a ball at the lobe (TC-12)");
   if (!contents.fails_because.empty()) throw SolverError(contents.fails_because);
-  if (!contents.series_unusable.empty()) throw SolverError(contents.series_unusable);
+  if (!contents.unusable_because.empty()) throw SolverError(contents.unusable_because);
   contents_ = std::make_shared<const Contents>(drive, line_torques(drive.gear(), Lift<double>()));
 }
 

@@ -99,7 +99,7 @@ std::string walk(const AssembledDrive::Contents& contents, std::span<const doubl
     see(state);
     progress.at(static_cast<double>(i + 1) / static_cast<double>(torques.size()));
   }
-  return contents.series_unusable;
+  return contents.unusable_because;
 }
 
 void require_finite(std::span<const double> torques) {

@@ -65,10 +65,10 @@ TEST(Batch, CrosscheckEqualsSingleEvaluations) {
 TEST(Batch, CrosscheckOutputsOverATurn) {
   GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/catalogue_size25.toml");
   OuterRaceCrack crack;
-  crack.depth = 0.9e-3;
+  crack.depth = 0.7e-3;
   gear.wave_generator->crack.emplace_back(crack);
   const std::vector<std::string> paths = {"wave_generator.crack[0].depth"};
-  const std::vector<double> values = {0.9e-3};
+  const std::vector<double> values = {0.7e-3};
   const std::vector<std::string> outputs = {"curve.positive.over_turn.softest.K1"};
   const BatchResult result =
       batch(gear, {.paths = paths, .values = values, .outputs = outputs, .threads = 1});

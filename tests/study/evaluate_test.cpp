@@ -62,7 +62,7 @@ TEST(Evaluate, CrosscheckTheCoupledDriveIsThatOfTheModule) {
 GearSet with_outer_race_crack(double degrees) {
   GearSet gear = drive_of("catalogue_size25");
   OuterRaceCrack crack;
-  crack.depth = 0.9e-3;
+  crack.depth = 0.7e-3;
   crack.position = degrees * units::deg;
   gear.wave_generator->crack.emplace_back(crack);
   return gear;
@@ -87,12 +87,12 @@ TEST(Evaluate, CrosscheckTheTurnIsThatOfTheComparison) {
     EXPECT_LE(curve.over_turn->softest.K1.value, curve.K1.value * (1 + 1e-12));
     EXPECT_EQ(curve.over_turn->mean.K1.relative_uncertainty, curve.K1.relative_uncertainty);
   }
-  EXPECT_GT(result.curve->positive.change.K1.value, 0.02);
+  EXPECT_GT(result.curve->positive.change.K1.value, 0.015);
   EXPECT_LT(result.curve->positive.over_turn->softest.K1.value,
-            0.98 * result.curve->intact.K1.value);
+            0.985 * result.curve->intact.K1.value);
   const Note& note = note_of(result, "curve.one_angle");
   EXPECT_EQ(note.severity, Severity::care);
-  for (const char* const said : {"wave_generator.crack[0] at 65 degrees", "+2.2", "-2.4"})
+  for (const char* const said : {"wave_generator.crack[0] at 65 degrees", "+1.55", "-1.57"})
     EXPECT_NE(note.text.find(said), std::string::npos) << note.text;
   EXPECT_NE(note.next_step.find("strainwave torsion --compare"), std::string::npos);
   const std::string text = stiffness_text(result, gear, {});

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/units.hpp"
 #include "strainwave/io/gear_reader.hpp"
 #include "strainwave/layouts/torsion.hpp"
 #include "strainwave/present/json.hpp"
@@ -60,6 +61,51 @@ TEST(TorsionReport, IdentityItsNumbersAreThoseOfTheModule) {
   test::expect_relative((48 - 14) / (at(1).twist - at(0).twist), lines.K2, 1e-9);
   EXPECT_FALSE(report.bands.has_value());
   EXPECT_FALSE(report.comparison.has_value());
+}
+
+TEST(TorsionReport, BehaviourWhatNoWorkingDriveHasIsNoted) {
+  const auto has = [](const TorsionReport& report, std::string_view code) {
+    return test::count_notes(report.notes, code) == 1;
+  };
+  const TorsionReport sound = torsion_report(drive());
+  for (const char* const code : {"torsion.assembly_force", "torsion.lost_motion",
+                                 "torsion.falling_stiffness", "torsion.less_lost_motion"})
+    EXPECT_FALSE(has(sound, code)) << code;
+  GearSet few = drive();
+  few.wave_generator->bearing->ball_count = 5;
+  EXPECT_TRUE(has(torsion_report(few), "torsion.assembly_force"));
+  GearSet loose = drive();
+  loose.mesh->lobe_gap = 200e-6;
+  EXPECT_TRUE(has(torsion_report(loose), "torsion.lost_motion"));
+  GearSet tight = drive();
+  tight.mesh->lobe_gap = -50e-6;
+  EXPECT_TRUE(has(torsion_report(tight), "torsion.falling_stiffness"));
+  // A crack of the outer ring between the lobes gives back part of the bending of the assembly.
+  GearSet cracked = drive();
+  OuterRaceCrack crack;
+  crack.depth = 0.5 * cracked.wave_generator->bearing->outer_ring->thickness;
+  bool noted = false;
+  for (const double degrees : {50.0, 60.0, 70.0, 80.0, 90.0}) {
+    crack.position = degrees * units::deg;
+    cracked.wave_generator->crack = {crack};
+    const TorsionReport report = torsion_report(cracked, {.compare = true, .angles = 1});
+    const bool less =
+        report.comparison->lost_motion_cracked < report.comparison->lost_motion_sound * (1 - 1e-9);
+    EXPECT_EQ(has(report, "torsion.less_lost_motion"), less) << degrees;
+    noted = noted || less;
+  }
+  EXPECT_TRUE(noted);
+}
+
+TEST(TorsionReport, IdentityTheCageMovesOn) {
+  // The lines over the phases of the cage contain those of the report, and --cage-phase moves the
+  // first of them.
+  const TorsionReport report = torsion_report(drive(), {.cage_phase = 0.05});
+  ASSERT_EQ(report.over_cage.phases.size(), 12U);
+  EXPECT_EQ(report.over_cage.phases[0], 0.05);
+  EXPECT_EQ(report.over_cage.at_phase[0].K1, report.positive.K1);
+  EXPECT_NE(report.positive.K1, torsion_report(drive()).positive.K1);
+  EXPECT_GT(report.over_cage.stiffest.K2, report.over_cage.softest.K2);
 }
 
 TEST(TorsionReport, BehaviourNotesAndEquations) {

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "strainwave/core/error.hpp"
 #include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/hysteresis.hpp"
 #include "support/expect.hpp"
@@ -126,6 +127,40 @@ TEST(AssembledDrive, ReferenceACrackActsWhereTheAssemblyOpensIt) {
   GearSet spline = sound;
   test::crack_spline(spline, 0.4, pi / 2);
   EXPECT_NE(makers_lines(spline).K2, makers_lines(sound).K2);
+}
+
+TEST(AssembledDrive, BehaviourADeepCrackOfARingIsNoHinge) {
+  // (TC-22): the model holds up to half of the thickness.  The circular spline is one ring, so its
+  // hinge needs no other ring that bridges it.
+  for (const auto& crack : {&test::crack_rim, &test::crack_outer_race}) {
+    GearSet half = test::supported_drive();
+    crack(half, 0.5, std::numbers::pi / 7);
+    EXPECT_TRUE(torsion_curve(half, kTorques).usable());
+    GearSet deep = test::supported_drive();
+    crack(deep, 0.51, std::numbers::pi / 7);
+    const AssembledDrive drive(deep);
+    const TorsionCurve curve = torsion_curve(drive, kTorques);
+    EXPECT_NE(curve.unusable_because.find("crack[0] goes through 51 % of the ring; beyond 50 %"),
+              std::string::npos)
+        << curve.unusable_because;
+    EXPECT_THROW((void)makers_lines(drive.turned(0.3)), SolverError);
+    EXPECT_TRUE(torsion_curve(drive.without_cracks(), kTorques).usable());
+  }
+  GearSet spline = test::supported_drive();
+  test::crack_spline(spline, 0.8, 0.2);
+  EXPECT_TRUE(torsion_curve(spline, kTorques).usable());
+}
+
+TEST(AssembledDrive, LimitNearlyRigidBodies) {
+  // A drive of material 1e4 times stiffer assembles.  Its contacts and rings still yield, but its
+  // gaps do not, so it is stiffer by less than that factor.
+  GearSet gear = test::supported_drive();
+  const double K1 = makers_lines(gear).K1;
+  for (auto& [name, material] : gear.material)
+    material.youngs_modulus = 1e4 * material.youngs_modulus;
+  const MakersLines stiff = makers_lines(gear);
+  EXPECT_GT(stiff.K1, 10 * K1);
+  EXPECT_LT(stiff.K1, 1e4 * K1);
 }
 
 TEST(AssembledDrive, BehaviourADriveThatDoesNotAssembleSaysSo) {

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/torsion/curve_derivatives.hpp"
 #include "support/expect.hpp"
 #include "torsion/typical_drive.hpp"
 
@@ -102,7 +104,7 @@ TEST(CompareCurves, IdentityToothCrackActsTwicePerTurn) {
   EXPECT_LT(std::abs(c.positive.mean.K1), 0.1 * std::abs(c.positive.worst.K1));
   EXPECT_EQ(c.positive.ripple.K1, c.positive.best.K1 - c.positive.worst.K1);
   EXPECT_EQ(c.angles.size(), c.positive.at_angle.size());
-  const double pitch = 2 * pi / 200;
+  const double pitch = 2 * pi / 202;  // of the circular spline (TC-28)
   for (const double angle : c.angles) EXPECT_NEAR(angle / pitch, std::round(angle / pitch), 1e-9);
 }
 
@@ -153,9 +155,10 @@ TEST(AfterTurn, IdentityWhatMovesAgainstTheWave) {
       .depth = 0.1 * mm, .aspect_ratio = 0.5, .contact_factor = {}, .stress = {}, .position = 0.4});
   gear.circular_spline->crack.push_back(ring_crack<CircularSplineRingCrack>(1 * mm, 0.1));
   const GearSet turned = after_turn(gear, 0.25);
-  EXPECT_NEAR(std::get<ToothCrack>(turned.mesh->crack[0]).position, 0.05, 1e-15);
-  EXPECT_NEAR(std::get<RimAxialCrack>(turned.flexspline->crack[0]).position, -0.05, 1e-15);
-  EXPECT_NEAR(std::get<OuterRaceCrack>(turned.wave_generator->crack[0]).position, -3.25 + 2 * pi,
+  // (TC-28): at ratio 100, the flexspline moves by 0.2525.
+  EXPECT_NEAR(std::get<ToothCrack>(turned.mesh->crack[0]).position, 0.0475, 1e-15);
+  EXPECT_NEAR(std::get<RimAxialCrack>(turned.flexspline->crack[0]).position, -0.0525, 1e-15);
+  EXPECT_NEAR(std::get<OuterRaceCrack>(turned.wave_generator->crack[0]).position, -3.2525 + 2 * pi,
               1e-14);
   EXPECT_EQ(std::get<RaceSurfaceCrack>(turned.wave_generator->crack[1]).position, 0.4);
   EXPECT_NEAR(std::get<CircularSplineRingCrack>(turned.circular_spline->crack[0]).position, -0.15,
@@ -164,7 +167,7 @@ TEST(AfterTurn, IdentityWhatMovesAgainstTheWave) {
 
 TEST(AfterTurn, BehaviourWhatIsSaidOfAMovedPositionGoes) {
   // A crack that is turned by its own angle is at 0, where a relative scatter has no effect.
-  GearSet gear = with_tooth(0.5, 0.25);
+  GearSet gear = with_tooth(0.5, 0.2525);  // moves to 0 with a turn of 0.25
   gear.wave_generator->crack.push_back(RaceSurfaceCrack{
       .depth = 0.1 * mm, .aspect_ratio = 0.5, .contact_factor = {}, .stress = {}, .position = 0.4});
   gear.wave_generator->inner_ring_thickness = 3 * mm;
@@ -180,6 +183,77 @@ TEST(AfterTurn, BehaviourWhatIsSaidOfAMovedPositionGoes) {
   ASSERT_EQ(turned.scatter.size(), 1U);
   EXPECT_EQ(turned.scatter[0].path, "wave_generator.crack[0].position");
   EXPECT_EQ(after_turn(gear, 0.0).range.size(), 2U);
+}
+
+TEST(FlexsplineTurn, ReferenceTeethPassTheWaveInPairs) {
+  // (TC-28), by counting: a tooth of the flexspline meets one space of the circular spline after
+  // another, so equal numbers of both pass a lobe.  After as many turns of the input as the ratio,
+  // the flexspline has turned backward once.
+  for (const double ratio : {30.0, 50.5, 100.0, 160.0}) {
+    const Transmission drive{.ratio = ratio, .pitch_diameter = 0.06, .radial_displacement = 3e-4};
+    const double teeth = 2 * ratio;
+    EXPECT_NEAR(flexspline_turn(drive, 2 * pi / (teeth + 2)), 2 * pi / teeth, 1e-15);
+    EXPECT_NEAR(flexspline_turn(drive, 2 * pi * ratio), 2 * pi * (ratio + 1), 1e-10);
+  }
+}
+
+TEST(CompareCurves, BehaviourPositionsAreWholeTeethOfTheCrackedPart) {
+  // A crack of the flexspline passes its 200 teeth, a crack of the circular spline its 202 spaces.
+  // Each position turns the input by one tooth of the circular spline (TC-28).
+  GearSet rim = rated_drive();
+  rim.flexspline->crack.push_back(ring_crack<RimAxialCrack>(0.1 * mm));
+  GearSet spline = rated_drive();
+  spline.circular_spline->support = 0.5;
+  spline.circular_spline->crack.push_back(ring_crack<CircularSplineRingCrack>(1 * mm));
+  EXPECT_EQ(changes_over_turn(AssembledDrive(rim)).angles.size(), 200U);
+  EXPECT_EQ(changes_over_turn(AssembledDrive(spline)).angles.size(), 202U);
+  const std::vector<double> four = changes_over_turn(AssembledDrive(spline), 4).angles;
+  ASSERT_EQ(four.size(), 4U);
+  EXPECT_NEAR(four[2], pi, 1e-12);
+  EXPECT_NEAR(four[1], 2 * pi * 51 / 202, 1e-12);
+  // The last position of a rim's crack is one tooth before its first.
+  EXPECT_NEAR(flexspline_turn(rim.drive, changes_over_turn(AssembledDrive(rim)).angles.back()),
+              2 * pi * 199 / 200, 1e-12);
+}
+
+TEST(LinesOverCage, IdentityOneOfManyIsTheDriveItself) {
+  const AssembledDrive drive(rated_drive());
+  const MakersLines lines = makers_lines(drive);
+  const LinesOverCage over = lines_over_cage(drive, 4);
+  ASSERT_EQ(over.at_phase.size(), 4U);
+  EXPECT_EQ(over.at_phase[0].K1, lines.K1);
+  EXPECT_EQ(over.at_phase[0].K3, lines.K3);
+  EXPECT_LE(over.softest.K1, over.mean.K1);
+  EXPECT_LT(over.softest.K1, over.stiffest.K1);
+  EXPECT_NEAR(
+      over.mean.K2,
+      (over.at_phase[0].K2 + over.at_phase[1].K2 + over.at_phase[2].K2 + over.at_phase[3].K2) / 4,
+      1e-9 * lines.K2);
+  EXPECT_THROW((void)lines_over_cage(drive, 0), InputError);
+}
+
+TEST(LinesOverCage, IdentityHalfATurnAndAMirrorChangeNothing) {
+  // With an odd number of balls, half a turn of the drive puts a ball where the middle between two
+  // balls was, and the two lobes are alike.  A mirror turns phase and torque around.
+  // Tolerance: that of the contact forces, 1e-11, and sums in another order.
+  const GearSet gear = rated_drive();
+  ASSERT_EQ(*gear.wave_generator->bearing->ball_count % 2, 1);
+  const double pitch = 2 * pi / *gear.wave_generator->bearing->ball_count;
+  const auto K1 = [&](double phase, int sense) {
+    return makers_lines(AssembledDrive(gear, {.cage_phase = phase}), sense).K1;
+  };
+  EXPECT_NEAR(K1(pitch / 8, +1) / K1(pitch * 5 / 8, +1), 1, 1e-9);
+  EXPECT_NEAR(K1(pitch / 8, +1) / K1(-pitch / 8, -1), 1, 1e-9);
+  EXPECT_GT(std::abs(K1(pitch / 8, +1) / K1(pitch / 8, -1) - 1), 1e-6);
+  EXPECT_NEAR(K1(pitch, +1) / K1(0, +1), 1, 1e-9);
+  EXPECT_THROW((void)K1(std::numeric_limits<double>::infinity(), +1), InputError);
+}
+
+TEST(LinesOverCage, IdentityTheCamStaysThatOfABallAtTheLobe) {
+  const GearSet gear = rated_drive();
+  const double amplitude = AssembledDrive(gear).cam_amplitude();
+  EXPECT_EQ(AssembledDrive(gear, {.cage_phase = 0.1}).cam_amplitude(), amplitude);
+  EXPECT_THROW(CurveDifferentiator{AssembledDrive(gear, {.cage_phase = 0.1})}, InputError);
 }
 
 TEST(WithoutCracks, BehaviourNothingElseChanges) {

@@ -41,12 +41,31 @@ struct Case {
   std::function<void(GearSet&)> change = [](GearSet&) {};
   bool warping = false;
   FlankFriction friction = FlankFriction::none;
+  double cage_phase = 0.0;
 };
+
+/// Teeth as drawn, and roots of the circular spline that the tips of the flexspline do not meet.
+void draw_teeth(GearSet& gear, ToothProfile profile) {
+  test::half_free(gear);
+  gear.mesh->tooth =
+      ToothShape{.profile = profile, .addendum = {}, .spline_addendum = {}, .thickness = {}};
+  const double module = gear.drive.pitch_diameter / (2 * gear.drive.ratio);
+  gear.circular_spline->inner_diameter = gear.drive.pitch_diameter + 4.2 * module;
+}
 
 const std::map<std::string, Case>& cases() {
   static const std::map<std::string, Case> all = {
       {"sound", {}},
       {"sound_warping_support", {.change = test::half_free, .warping = true}},
+      {"straight_teeth",
+       {.change = [](GearSet& g) { draw_teeth(g, ToothProfile::straight); }, .warping = true}},
+      {"involute_teeth",
+       {.change =
+            [](GearSet& g) {
+              draw_teeth(g, ToothProfile::involute);
+              g.mesh->coning = 0.5;
+            },
+        .warping = true}},
       {"tooth", {.change = [](GearSet& g) { test::crack_tooth(g, 0, 0.5); }}},
       {"tooth_reversed", {.change = [](GearSet& g) { test::crack_tooth(g, 0, 0.5); }}},
       {"rim_hinge_sound_cam", {.change = [](GearSet& g) { test::crack_rim(g); }}},
@@ -81,6 +100,7 @@ const std::map<std::string, Case>& cases() {
        {.change = [](GearSet& g) { g.wave_generator->bearing->clearance = 5 * kMicron; }}},
       {"lobe_interference", {.change = [](GearSet& g) { g.mesh->lobe_gap = -2 * kMicron; }}},
       {"cam_factor", {.change = [](GearSet& g) { g.wave_generator->cam_flattening = 1.5; }}},
+      {"cage_phase", {.cage_phase = 4 * deg}},
       {"no_coning", {.change = [](GearSet& g) { g.mesh->coning = 0; }}},
       {"friction_loading", {.friction = FlankFriction::loading}},
       {"friction_unloading", {.friction = FlankFriction::unloading}},
@@ -156,7 +176,8 @@ TEST_P(DenseSolver, CrosscheckCurvesOfASize) {
     GearSet gear = typical_drive(size, ratio);
     it.change(gear);
     const TorsionCurve curve = torsion_curve(
-        gear, drive.torques, {.diaphragm_warping = it.warping, .friction = it.friction});
+        gear, drive.torques,
+        {.diaphragm_warping = it.warping, .friction = it.friction, .cage_phase = it.cage_phase});
     ASSERT_TRUE(curve.usable()) << name << ": " << curve.unusable_because;
     for (const test::CsvRow& row : drive.rows) {
       const auto i = std::ranges::find(drive.torques, row("torque")) - drive.torques.begin();

@@ -11,7 +11,7 @@ found by damped Newton on all Fourier coefficients with the dense Hessian, the l
 torque; the step is shortened towards the zero of the slope along it, nothing is added to gradient
 or energy.  It stops at |gradient| <= 1e-12 of the contact forces or where rounding stops it, and
 raises an error above 1e-11.  The cam amplitude A makes the mean of w at the two lobes the nominal
-w0 at T = 0 (Newton on A, for the cracked drive as well; in the cases "sound_cam" A is that of the
+w0 at T = 0 (Newton on A, for the cracked drive as well; in the case "cage_phase" A is that with a ball at the lobe; in the cases "sound_cam" A is that of the
 sound drive, and only cracks of rim and outer race act that the curvature of the sound assembled
 ring opens).  There no flank may touch and the ring may
 turn freely within the play: then c0(0) is the point of the play nearest to 0, where a vanishing
@@ -32,13 +32,17 @@ diameter d = 2.54 mm x size, except where a table gives its torques.
 import sys
 from collections import namedtuple
 from functools import cache
-from math import asin, atan, cos, pi, radians, sin, sqrt
+from math import asin, atan, cos, log, pi, radians, sin, sqrt, tan
 
 import numpy as np
 from scipy.integrate import quad
 from scipy.linalg import LinAlgError, cho_factor, cho_solve
-from scipy.optimize import brentq
+from scipy.optimize import brentq, minimize_scalar
 from scipy.special import elliprd, elliprf
+
+import tooth_gap
+
+
 
 Drive = dict  # the inputs of one drive, see typical()
 State = namedtuple("State", "x ball_force flank_force closing residual steps")
@@ -63,12 +67,14 @@ def typical(size, ratio, **changes):
         outer_race_diameter=pitch + ball, inner_conformity=0.53, outer_conformity=0.53,
         clearance=0.0, outer_race_thickness=(section - ball) / 2, race_width=0.15 * bore,
         groove_factor=0.8, flank_angle=radians(22), gap_factor=1.0, coning=1.0, lobe_gap=0.0,
-        rim_stiffening=1.25, cam_factor=0.0, pair_stiffness=None,
+        rim_stiffening=1.25, cam_factor=0.0, cage_phase=0.0, pair_stiffness=None, tooth=None,
         spline_outer_diameter=1.34 * d, spline_inner_diameter=d + 2.2 * m, spline_width=0.15 * d,
         spline_support=0.0, youngs_modulus=206e9, poissons_ratio=0.3, diaphragm_warping=True,
         boss_compliance=0.0, flange_compliance=0.0, groove=None, diaphragm_arc=None,
         flank_angle_shift=0.0, broken_teeth={}, ball_compliance={}, hinges=(), harmonics=32)
     assert not set(changes) - set(drive), changes
+    if changes.get("tooth"):  # roots that the tips of the flexspline do not meet
+        drive["spline_inner_diameter"] = d + 4.2 * m
     return drive | changes
 
 
@@ -191,6 +197,81 @@ def flank_gap(t, angle, w0, factor=1.0):
     return factor * w0 * np.maximum(0, opening)
 
 
+def drawn_teeth(g, t):
+    """Gap at the end of the face that touches first, and growth of the gap along the face, of the
+    flanks at the angles t; the end of the engagement comes from the pose of a tip."""
+    m, R, w0 = g["pitch_diameter"] / (2 * g["ratio"]), g["rim_radius"], g["radial_displacement"]
+    drive = tooth_gap.Drive(g["ratio"], m, w0, R, g["pitch_diameter"] / 2 - R)
+    profile = tooth_gap.Profile(g["tooth"], g["flank_angle"], 0.65, 0.65)
+    b, L = g["face_width"], g["barrel_length"] + g["face_width"]
+    lever = 3 * (drive.offset + 0.65 * m) / R
+
+    def slope(t):
+        return g["coning"] * w0 / (L - b / 2) * abs(
+            sin(profile.flank_angle) * cos(2 * t)
+            - (1 - lever) / 2 * sin(2 * t) * cos(profile.flank_angle))
+
+    def gap(t, play):
+        return tooth_gap.LAWS[g["tooth"]](drive, profile, float(t), play)[0] - slope(t) * b / 2
+
+    angles = np.linspace(-pi / 6, pi / 6, 241)
+    k = int(np.argmin([gap(x, 0.0) for x in angles]))
+    play = -minimize_scalar(lambda x: gap(x, 0.0), method="bounded", options={"xatol": 1e-8},
+                            bounds=(angles[max(k - 1, 0)], angles[min(k + 1, 240)])).fun
+    return np.array([max(gap(x, play), 0.0) for x in t]), np.array([slope(x) for x in t])
+
+
+def drawn_end(g):
+    """The angle at which the tip of the tooth is as high as the tip of the circular spline's."""
+    m, R, w0 = g["pitch_diameter"] / (2 * g["ratio"]), g["rim_radius"], g["radial_displacement"]
+    drive = tooth_gap.Drive(g["ratio"], m, w0, R, g["pitch_diameter"] / 2 - R)
+    tip = np.array([[(pi / 4 - 0.65 * tan(g["flank_angle"])) * m, drive.offset + 0.65 * m]])
+
+    def above(t):
+        return tooth_gap.placed(drive, t, tip)[0, 1] - tooth_gap.pitch_height(drive) + 0.65 * m
+
+    return brentq(above, 0.1, 1.5, xtol=1e-13)
+
+
+def wall_compliance(alpha, s, h_f, t, nu):
+    """Tooth on a wall, lengths over the module, times E (TC-30); beam terms by quadrature."""
+    B = s + 2 * h_f * tan(alpha)
+    x, q, l = (h_f - s * tan(alpha) / 2) / B, s / (B * cos(alpha) ** 2), t / B
+    layer = 2 * (1 - nu ** 2) / pi
+    height = B * (1 - q) / (2 * tan(alpha))
+    bending, shear, pressure = (quad(lambda y: f(y, B - 2 * y * tan(alpha)), 0, height, epsrel=1e-12)[0]
+                                for f in (lambda y, W: 12 * (1 - nu ** 2) * (height - y) ** 2 / W ** 3,
+                                          lambda y, W: 2.4 * (1 + nu) / W,
+                                          lambda y, W: (1 - nu ** 2) / W))
+    return (cos(alpha) ** 2 * (bending + shear + 4.84 * (x + 0.26) ** 2 * l / (l + 0.44)
+                               - 2.87 * x - 0.54 * q + layer * log(1 + 2.12 * l))
+            + sin(alpha) ** 2 * (pressure + layer * log(1 + 6.17 * l)))
+
+
+def drawn_extension(g):
+    """EA of the toothed rim over that of the bare rim."""
+    m = g["pitch_diameter"] / (2 * g["ratio"])
+    h_f = g["pitch_diameter"] / 2 - g["rim_radius"] - g["rim_thickness"] / 2
+    B = pi / 2 * m + 2 * h_f * tan(g["flank_angle"])
+    return 1 / (1 - 0.523 * B / (pi * m) * (1 - 1 / (1 + 0.175 * B / g["rim_thickness"])))
+
+
+def drawn_pair(g):
+    """c' of drawn teeth by (TC-30)."""
+    d, nu, E, alpha = g["pitch_diameter"], g["poissons_ratio"], g["youngs_modulus"], g["flank_angle"]
+    m, b = d / (2 * g["ratio"]), g["face_width"]
+    h_f = d / 2 - g["rim_radius"] - g["rim_thickness"] / 2
+    t_c = (g["spline_outer_diameter"] - g["spline_inner_diameter"]) / 2
+    h_c = g["spline_inner_diameter"] / 2 - d / 2 - g["radial_displacement"]
+    T2, z = 187e3 * d ** 3, 2 * g["ratio"]
+    force = T2 / (d / 2 * cos(alpha) * z / 6 * b)
+    a = sqrt(8 * (1 - nu ** 2) * force * d / 2 * sin(alpha) / (pi * E))
+    contact = 4 * (1 - nu ** 2) / pi * (np.log(pi / 2 * m / cos(alpha) / a) + 0.045)
+    step = cos(alpha) ** 2 * pi / 12 * m / g["rim_thickness"] / drawn_extension(g)
+    return E / (wall_compliance(alpha, pi / 2, h_f / m, g["rim_thickness"] / m, nu)
+                + wall_compliance(alpha, pi / 2, h_c / m, t_c / m, nu) + contact + step)
+
+
 def touching(state):
     """Flanks that carry more than the rounding of a force."""
     return state.flank_force > 1e-10 * state.ball_force.max()
@@ -199,6 +280,8 @@ def touching(state):
 def pair_stiffness(g):
     if g["pair_stiffness"]:
         return g["pair_stiffness"]
+    if g["tooth"]:
+        return drawn_pair(g)
     module = g["pitch_diameter"] / (2 * g["ratio"])
     return g["youngs_modulus"] / (
         3.296 + 3.09 * module / g["rim_thickness"] + 3.605 + 2.472)
@@ -252,7 +335,7 @@ class Coupled:
         g, R, n = self.g, self.R, self.n
         E, nu = g["youngs_modulus"], g["poissons_ratio"]
         K = np.zeros((self.size, self.size))
-        EA = E * g["face_width"] * g["rim_thickness"]
+        EA = E * g["face_width"] * g["rim_thickness"] * (drawn_extension(g) if g["tooth"] else 1)
         K[0, 0] = 2 * pi * (EA / R + bending_stiffness(g) / R ** 3)
         a, b, c, d = (np.arange(self.size)[self.part(p)] for p in "abcd")
         bend, ke = np.array([ring_stiffness(g, k) for k in n]), pi * EA / R
@@ -312,7 +395,7 @@ class Coupled:
     def balls(self):
         g = self.g
         E, nu, D = g["youngs_modulus"], g["poissons_ratio"], g["ball_diameter"]
-        psi = 2 * pi * np.arange(g["ball_count"]) / g["ball_count"]
+        psi = g["cage_phase"] + 2 * pi * np.arange(g["ball_count"]) / g["ball_count"]
         self.ball_rows = self.radial(psi)
         self.cam = np.cos(2 * psi)
         self.ball_free = (g["clearance"] + g["cam_factor"] * g["radial_displacement"] ** 2 / self.R
@@ -330,7 +413,8 @@ class Coupled:
         index = np.arange(count)
         theta = (index + 0.5) * 2 * pi / count
         t = np.remainder(theta + pi / 2, pi) - pi / 2
-        near = np.abs(t) <= pi / 4 * (1 + 1e-12)  # a tooth at 45 degrees counts
+        end = drawn_end(g) if g["tooth"] else pi / 4
+        near = np.abs(t) <= end * (1 + 1e-12)  # a tooth at 45 degrees counts
         index, theta, t = index[near], theta[near], t[near]
         lever = (g["pitch_diameter"] / 2 - R) / R
         along = self.tangential(theta) * (1 + lever) - self.radial_slope(theta) * lever
@@ -351,11 +435,18 @@ class Coupled:
             radial[:, self.ring:] = -w_c
         flank = g["flank_angle"]
         angle = flank + g["flank_angle_shift"]
-        rows, free = [], []
+        rows, free, slopes = [], [], []
+        L = g["barrel_length"] + g["face_width"]
         for side in (1, -1):
+            if g["tooth"]:
+                gap, slope = drawn_teeth(g, side * t)
+            else:
+                gap = flank_gap(side * t, flank, w0, g["gap_factor"])
+                slope = np.full(len(t), g["coning"] * sin(flank) * w0 / (L - g["face_width"] / 2))
+            slopes.append(slope)
             rows.append(side * cos(angle) * along + sin(angle) * radial)
             free.append(side * cos(angle) * offset_along + sin(angle) * offset_radial
-                        + flank_gap(side * t, flank, w0, g["gap_factor"]) + g["lobe_gap"])
+                        + gap + g["lobe_gap"])
         self.flank_rows, self.flank_free = np.vstack(rows), np.concatenate(free)
         self.teeth = len(index)
         self.health = np.ones(self.teeth)
@@ -363,8 +454,7 @@ class Coupled:
             self.health[index == j] -= loss
         self.health = np.tile(self.health, 2)
         self.pair = pair_stiffness(g)
-        L = g["barrel_length"] + g["face_width"]
-        self.slope = g["coning"] * sin(flank) * w0 / (L - g["face_width"] / 2)
+        self.slope = np.concatenate(slopes)
 
     def ball_law(self, d):
         """Force and its derivative at closing d."""
@@ -386,11 +476,10 @@ class Coupled:
     def flank_law(self, u):
         b, s = self.g["face_width"], self.slope
         u = np.maximum(u, 0)
-        if not s:
-            return self.health * self.pair * b * u, self.health * self.pair * b * (u > 0)
-        whole = u > s * b
-        force = np.where(whole, b * (u - s * b / 2), u * u / (2 * s))
-        rate = np.where(whole, b, u / s)
+        whole = (u > 0) & (u >= s * b)
+        some = np.maximum(s, 1e-30)
+        force = np.where(whole, b * (u - s * b / 2), u * u / (2 * some))
+        rate = np.where(whole, b, u / some)
         return self.health * self.pair * force, self.health * self.pair * rate
 
     def gradient(self, x, torque, amplitude):
@@ -526,6 +615,8 @@ CASES = {  # case: changes of the typical drive, sign of the torque
     "outer_race_hinge": (plain(hinges=(Hinge("outer_race", pi / 2, 0.5),)), 1),
     "rim_hinge_sound_cam": (plain(hinges=(Hinge("rim", 0.3, 0.5),)), 1),
     "outer_race_hinge_sound_cam": (plain(hinges=(Hinge("outer_race", pi / 2, 0.5),)), 1),
+    "straight_teeth": (dict(spline_support=0.5, tooth="straight"), 1),
+    "involute_teeth": (dict(spline_support=0.5, tooth="involute", coning=0.5), -1),
     "spline_hinge": (dict(spline_support=0.5, hinges=(Hinge("circular_spline", 0.2, 0.4),)), 1),
 }
 OTHERS = {  # of size 25, ratio 100 only
@@ -535,6 +626,7 @@ OTHERS = {  # of size 25, ratio 100 only
     "clearance": (plain(clearance=5e-6), 1),
     "lobe_interference": (plain(lobe_gap=-2e-6), 1),
     "cam_factor": (plain(cam_factor=1.5), 1),
+    "cage_phase": (plain(cage_phase=radians(4)), 1),
     "no_coning": (plain(coning=0.0), 1),
     "friction_loading": (plain(flank_angle_shift=-atan(0.1)), 1),
     "friction_unloading": (plain(flank_angle_shift=atan(0.1)), 1),
@@ -558,6 +650,10 @@ def add_curve(table, case, size, ratio, changes, sign):
         sound.assemble()
         model = Coupled(drive | dict(hinges=tuple(h for h in drive["hinges"] if sound.opens(h))))
         model.assemble(sound.amplitude)
+    if drive["cage_phase"]:  # the cam is made for a ball at the lobe
+        made = Coupled(drive | dict(cage_phase=0.0))
+        made.assemble()
+        model.assemble(made.amplitude)
     loads = [sign * T for T in torques(drive)]
     results = model.curve(loads)
     add_state(table, case, (size, ratio, 0.0), model, 0.0, 0.0, model.start)
@@ -625,7 +721,7 @@ def drive_table():
     table = Table("coupled_drive_members", "size [1]", "ratio [1]", "harmonic [1]")
     units = {"angle": "rad", "modulus": "Pa", "compliance": "rad/(N*m)"}
     no_length = ("ratio", "count", "conformity", "factor", "coning", "stiffening", "support")
-    skipped = ("shift", "harmonics")
+    skipped = ("shift", "harmonics", "phase")
     for size, ratio in (*SIZES, (25, 30)):
         drive = typical(size, ratio)
 
@@ -642,7 +738,7 @@ def drive_table():
         model = Coupled(drive)
         add("ball_force_constant", model.hertz ** -1.5, "N/m^1.5", "Carlson's integrals", 12)
         add("pair_stiffness", model.pair, "Pa", "sum of compliances", 14)
-        add("coning_slope", model.slope, "1", "definition", 14)
+        add("coning_slope", float(model.slope[0]), "1", "definition", 14)
         add("ring_bending_stiffness", bending_stiffness(drive), "N*m^2", "definition", 14)
         add("structure_compliance", model.lambda_s, "rad/(N*m)", "quadrature", 13)
         for n in (2, 3, 4, 6, 8, 16, 32):

@@ -19,8 +19,9 @@ namespace strainwave {
 struct TorsionReportOptions {
   /// compare with the drive without cracks, over a turn of the wave generator
   bool compare = false;
-  int angles = 0;   ///< positions of the wave generator in the comparison; 0: every tooth
-  int draws = 200;  ///< draws of the ranges that the file gives; 0: no bands
+  int angles = 0;           ///< positions of the wave generator in the comparison; 0: every tooth
+  int draws = 200;          ///< draws of the ranges that the file gives; 0: no bands
+  double cage_phase = 0.0;  ///< as in CoupledOptions [rad]
 };
 
 /// Quantiles of a prediction whose inputs are drawn from their ranges.
@@ -77,6 +78,7 @@ struct TorsionReport {
   TwistAtLoad at_load;
   MakersLines positive;  ///< lines with the cracks at the positions of the file
   MakersLines negative;
+  LinesOverCage over_cage;  ///< lines under torque about +z while the balls roll past the lobes
   TorsionCurve curve;  ///< positive torque, at the points of the plot, which include T1, T2, T_N
                        ///< and the load
   TorsionCurve curve_negative;
@@ -97,6 +99,8 @@ struct TorsionReport {
     field({"at_load", "", "twist at the torque of the load"}, &TorsionReport::at_load);
     field({"positive", "", "the maker's lines under torque about +z"}, &TorsionReport::positive);
     field({"negative", "", "the maker's lines under torque about -z"}, &TorsionReport::negative);
+    field({"over_cage", "", "K1, K2, K3 under torque about +z over the phases of the cage"},
+          &TorsionReport::over_cage);
     field({"lost_motion", "rad", "lost motion between both senses of torque"},
           &TorsionReport::lost_motion);
     field({"hysteresis", "", "hysteresis loop at rated torque"}, &TorsionReport::loop);

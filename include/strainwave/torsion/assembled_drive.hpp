@@ -30,7 +30,8 @@ class AssembledDrive {
   /// The same drive without its cracks; the assembled sound drive is reused.
   [[nodiscard]] AssembledDrive without_cracks() const;
   /// The same drive after the wave generator has turned by an angle [rad]: cracks of flexspline,
-  /// circular spline and outer ring move relative to the wave, cracks of the inner race do not.
+  /// outer ring and circular spline move against the wave, each by its own angle (TC-28).  Cracks
+  /// of the inner race do not move, and the cage keeps its phase.
   [[nodiscard]] AssembledDrive turned(double angle) const;
 
   /// The drive as given, or after `turned`.

@@ -112,13 +112,19 @@ struct CurveComparison {
 /// or circular spline.
 [[nodiscard]] bool has_moving_cracks(const GearSet& gear);
 
-/// Position of a point of flexspline, circular spline or outer ring after the wave generator has
-/// turned by an angle, measured from the major axis [rad].
+/// Angle by which flexspline, teeth and outer ring move against the wave when the wave generator
+/// turns by an angle and the circular spline is fixed, (1 + 1/i_h) times the angle (TC-28) [rad].
+/// The circular spline itself moves by the angle.
+[[nodiscard]] double flexspline_turn(const Transmission& drive, double angle);
+
+/// Position of a point that has moved against the wave by an angle, measured from the major axis
+/// [rad].
 [[nodiscard]] double turned_position(double position, double angle);
 
-/// The drive after the wave generator has turned by an angle: cracks of flexspline, circular spline
-/// and outer ring move relative to the wave, cracks of the inner race do not [rad].  Ranges and
-/// scatters of moved positions are removed (drop_lost_paths).
+/// The drive after the wave generator has turned by an angle [rad]: cracks of flexspline, teeth,
+/// outer ring and circular spline move against the wave, each by its own angle (TC-28).  Cracks of
+/// the inner race do not move, and the cage keeps its phase.  Ranges and scatters of moved
+/// positions are removed (drop_lost_paths).
 [[nodiscard]] GearSet after_turn(const GearSet& gear, double angle);
 
 /// The changes of the maker's stiffnesses over a turn, under both senses of torque.
@@ -132,6 +138,50 @@ struct TurnChanges {
 /// @param angles  as in `compare_curves`
 /// @throws InputError, SolverError, Stopped  as `compare_curves`
 [[nodiscard]] TurnChanges changes_over_turn(const AssembledDrive& drive, int angles = 0,
+                                            const Progress& progress = {});
+
+/// The maker's stiffnesses at one phase of the cage [N*m/rad].
+struct LineStiffnesses {
+  double K1 = 0.0;
+  double K2 = 0.0;
+  double K3 = 0.0;
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"K1", "N*m/rad", "T1/phi(T1)"}, &LineStiffnesses::K1);
+    field({"K2", "N*m/rad", "slope from T1 to T2"}, &LineStiffnesses::K2);
+    field({"K3", "N*m/rad", "slope from T2 to T3"}, &LineStiffnesses::K3);
+  }
+};
+
+/// The maker's stiffnesses over the phases of the cage, from one ball at the lobe to the next ball
+/// at the lobe (TC-5).  A sound drive has this ripple too.
+struct LinesOverCage {
+  std::vector<double> phases;  ///< angles of the first ball from the major axis [rad]
+  LineStiffnesses mean;
+  LineStiffnesses softest;   ///< lowest value of each
+  LineStiffnesses stiffest;  ///< highest value of each
+  std::vector<LineStiffnesses> at_phase;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"phases", "rad", "angles of the first ball from the major axis"},
+          &LinesOverCage::phases);
+    field({"mean", "", "mean over the phases"}, &LinesOverCage::mean);
+    field({"softest", "", "lowest value of each"}, &LinesOverCage::softest);
+    field({"stiffest", "", "highest value of each"}, &LinesOverCage::stiffest);
+    field({"at_phase", "", "values at each phase"}, &LinesOverCage::at_phase);
+  }
+};
+
+/// Implements theory manual eqs. (TC-5), (TC-12): the balls stand at other places on the same cam.
+///
+/// @param phases  evenly spaced phases over the angle between two balls [-]; >= 1
+/// @throws InputError   if `phases` is below 1
+/// @throws SolverError  if a curve is not usable
+/// @throws Stopped      if the caller requests a stop
+[[nodiscard]] LinesOverCage lines_over_cage(const AssembledDrive& drive, int phases = 12,
                                             const Progress& progress = {});
 
 /// Compares the maker's stiffnesses of a drive with and without its cracks (TC-26).

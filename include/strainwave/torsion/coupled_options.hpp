@@ -13,6 +13,9 @@ struct CoupledOptions {
   int harmonics = 32;             ///< N of the ring [-]; 8 to 128; error 0.1 % at 32
   bool diaphragm_warping = true;  ///< whether the diaphragm resists warping of the barrel (TC-2)
   FlankFriction friction = FlankFriction::none;
+  /// psi_0, angle of the first ball from the major axis [rad]; the cam is that of the drive with a
+  /// ball at the lobe (TC-12)
+  double cage_phase = 0.0;
   double tolerance = 1e-11;  ///< tolerance of the contact forces, relative to the largest [-]
   int max_iterations = 200;  ///< Newton steps per load
 };

@@ -47,6 +47,7 @@ struct CurveDerivatives {
 class CurveDifferentiator {
  public:
   /// Solves the states and their adjoints.
+  /// @throws InputError   if the cage has a phase other than 0
   /// @throws SolverError  if the curve is not usable
   explicit CurveDifferentiator(const AssembledDrive& drive);
 

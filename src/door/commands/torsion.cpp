@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "strainwave/layouts/torsion.hpp"
 
+#include "strainwave/core/quantity_text.hpp"
 #include "strainwave/door/door.hpp"
 
 namespace strainwave {
@@ -10,6 +11,7 @@ struct TorsionOptions {
   bool compare = false;
   std::optional<int> angles;
   int draws = 200;
+  std::string cage_phase = "0 deg";
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -27,6 +29,11 @@ struct TorsionOptions {
            .range = {.lower = 0, .lower_open = false, .upper = 100000, .upper_open = false},
            .fallback = "200"},
           &TorsionOptions::draws);
+    field({.name = "cage_phase",
+           .unit = "",
+           .doc = "angle of the first ball from the major axis, a number with its unit",
+           .fallback = "0 deg"},
+          &TorsionOptions::cage_phase);
   }
 };
 
@@ -42,7 +49,9 @@ Command torsion_command() {
           "the twist at the torque of the load, lost motion, hysteresis loop from flank friction, "
           "tangent stiffness with the share of each member, forces and contacts. The file must "
           "give bearing, flexspline by sections and mesh. If the file gives ranges, drives are "
-          "drawn from them and give a band. With --compare, the same numbers without the cracks "
+          "drawn from them and give a band. K1, K2 and K3 change slightly while the balls roll "
+          "past the lobes; --cage-phase places the balls. With --compare, the same numbers without "
+          "the cracks "
           "and the changes over a turn of the wave generator follow.",
       .example = "strainwave torsion examples/catalogue_size25.toml --plot torsion.svg",
       .function =
@@ -50,7 +59,10 @@ Command torsion_command() {
             if (o.angles && !o.compare) throw OptionError("angles", "needs --compare; give it too");
             return torsion_report(
                 request.drive.gear,
-                {.compare = o.compare, .angles = o.angles.value_or(0), .draws = o.draws},
+                {.compare = o.compare,
+                 .angles = o.angles.value_or(0),
+                 .draws = o.draws,
+                 .cage_phase = parse_quantity("--cage-phase", o.cage_phase, "rad")},
                 request.progress);
           },
       .documents = {{Format::text,

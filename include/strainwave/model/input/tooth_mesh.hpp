@@ -1,14 +1,68 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <numbers>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "strainwave/core/fields.hpp"
 #include "strainwave/model/input/crack.hpp"
 
 namespace strainwave {
+
+/// Shape of the working flanks.
+enum class ToothProfile { straight, involute };
+template <>
+struct EnumNames<ToothProfile> {
+  static constexpr std::array<std::string_view, 2> names = {"straight", "involute"};
+};
+
+/// The teeth as drawn (TC-29, TC-30).  All heights are those of the working flanks, without chamfer
+/// and relief, over the pitch height.
+struct ToothShape {
+  ToothProfile profile = ToothProfile::straight;
+  std::optional<double> addendum;         ///< h_a of the flexspline [m]; absent: 0.65 modules
+  std::optional<double> spline_addendum;  ///< h_ac of the circular spline [m]; absent: 0.65 modules
+  /// s_t of the flexspline at the pitch height [m]; absent: pi/2 modules
+  std::optional<double> thickness;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "profile",
+                .unit = "",
+                .doc = "shape of the working flanks, whose angle at the pitch height is "
+                       "mesh.flank_angle",
+                .example = R"("straight")",
+                .fallback = R"("straight")"},
+          &ToothShape::profile);
+    field(Field{.name = "addendum",
+                .unit = "m",
+                .doc = "working height of the flexspline's tooth above the pitch height, without "
+                       "chamfer; 0.65 modules if left out",
+                .range = kPositive,
+                .example = R"("0.2 mm")",
+                .in_template = InTemplate::commented},
+          &ToothShape::addendum);
+    field(Field{.name = "spline_addendum",
+                .unit = "m",
+                .doc = "working height of the circular spline's tooth below the pitch height, "
+                       "without chamfer; 0.65 modules if left out",
+                .range = kPositive,
+                .example = R"("0.2 mm")",
+                .in_template = InTemplate::commented},
+          &ToothShape::spline_addendum);
+    field(Field{.name = "thickness",
+                .unit = "m",
+                .doc = "thickness of the flexspline's tooth at the pitch height; half a pitch if "
+                       "left out",
+                .range = kPositive,
+                .example = R"("0.5 mm")",
+                .in_template = InTemplate::commented},
+          &ToothShape::thickness);
+  }
+};
 
 /// Engagement of the teeth of flexspline and circular spline (TC-6 to TC-9).
 struct ToothMesh {
@@ -22,6 +76,9 @@ struct ToothMesh {
   /// C_tr, factor by which the teeth stiffen the rim in bending [-]; > 0
   double rim_stiffening = 1.25;
   std::optional<double> pair_stiffness;  ///< c' of a pair per face width [Pa]; absent: (TC-9)
+  /// The teeth as drawn; absent: gap of first order, engagement up to 45 degrees from a lobe
+  /// (TC-7), stiffness of a pair by (TC-9)
+  std::optional<ToothShape> tooth;
   std::vector<ToothMeshCrack> crack;
 
   template <class Visitor>
@@ -76,6 +133,11 @@ struct ToothMesh {
                 .example = R"("19.3 GPa")",
                 .in_template = InTemplate::commented},
           &ToothMesh::pair_stiffness);
+    field(Field{.name = "tooth",
+                .unit = "",
+                .doc = "the teeth as drawn, which give the gap of the flanks, the end of their "
+                       "engagement and the stiffness of a pair"},
+          &ToothMesh::tooth);
     field(Field{.name = "crack", .unit = "", .doc = "cracked teeth"}, &ToothMesh::crack);
   }
 };

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "strainwave/core/dual.hpp"
+#include "strainwave/model/input/tooth_mesh.hpp"
+
+/// @file
+/// Teeth as drawn: gap between their flanks on the deformed rim, end of their engagement, and their
+/// compliance.
+
+namespace strainwave {
+
+/// The teeth of a drive, and the rim on which they stand.
+template <class Real>
+struct BasicTeeth {
+  ToothProfile profile = ToothProfile::straight;
+  Real flank_angle{};      ///< alpha at the pitch height [rad]; in (0, pi/3)
+  Real addendum{};         ///< h_a of the flexspline, working height [m]; > 0
+  Real spline_addendum{};  ///< h_ac of the circular spline [m]; > 0
+  Real thickness{};        ///< s_t of the flexspline's tooth at the pitch height [m]; > 0
+  Real ring_radius{};      ///< R, centre line of the round rim [m]
+  Real pitch_offset{};     ///< e, pitch radius minus R [m]
+  Real wave{};             ///< w_0, half the difference of the axes of the deformed rim [m]
+  int teeth = 0;           ///< z
+};
+
+/// Gap between the flanks of rigid teeth that stand normal to the deformed centre line of the rim.
+///
+/// Implements theory manual eqs. (TC-28), (TC-29): finite motion of the tooth in the space of the
+/// circular spline, closed forms for straight flanks and involutes.  The flanks are seated so that
+/// they touch without crossing anywhere on the face up to 30 degrees from a lobe.  Accuracy: closed
+/// forms, exact for a rigid tooth on a centre line r = R_m + w_0 cos(2 phi) of constant length.
+template <class Real>
+class BasicToothGap {
+ public:
+  /// @param cone        growth of the wave along the face, chi w_0/(L - b/2) [-]; >= 0
+  /// @param face_width  b [m]; > 0
+  BasicToothGap(const BasicTeeth<Real>& teeth, const Real& cone, const Real& face_width);
+
+  /// Gap at the end of the face that touches first [m]; 0 where the flanks would cross.
+  /// @param t  angle of the tooth from the lobe, toward the flank [rad]; in [-pi/2, pi/2]
+  [[nodiscard]] Real gap(double t) const;
+  /// Growth of the gap along the face, s [-]; >= 0.
+  [[nodiscard]] Real slope(double t) const;
+  /// Largest angle at which drive flanks have a height in common [rad].
+  [[nodiscard]] double end() const { return end_; }
+  /// Angle at which the flanks are seated [rad].
+  [[nodiscard]] double seat() const { return seat_; }
+  /// Play g_s of the seat, normal to the flank [m].
+  [[nodiscard]] const Real& play() const { return play_; }
+  /// Depth by which flanks would cross beyond 30 degrees, where makers relieve the tips [m]; 0 if
+  /// they do not cross.
+  [[nodiscard]] double crossing() const;
+  /// Gap at mid-face, negative where the flanks cross [m].
+  [[nodiscard]] Real mid_gap(double t) const { return mid_gap(t, play_); }
+
+ private:
+  /// Centre of the section and turn of the tooth, in the frame of the space.
+  struct Pose {
+    Real across{};
+    Real outward{};
+    Real turn{};
+  };
+  [[nodiscard]] Pose pose(double t) const;
+  [[nodiscard]] Real mid_gap(double t, const Real& play) const;
+  [[nodiscard]] Real straight_gap(const Pose& at, const Real& play) const;
+  [[nodiscard]] Real involute_gap(const Pose& at, const Real& play) const;
+  [[nodiscard]] Real pitch_height() const;
+  [[nodiscard]] bool engaged(double t) const;
+  [[nodiscard]] double find_seat() const;
+
+  static constexpr int kTerms = 7;
+  BasicTeeth<Real> teeth_;
+  Real cone_{};
+  Real face_width_{};
+  Real mean_radius_{};               // R_m
+  std::array<Real, kTerms> series_;  // a_n of ds/dphi
+  double end_ = 0.0;
+  double seat_ = 0.0;
+  Real play_{};
+};
+using ToothGap = BasicToothGap<double>;
+
+extern template class BasicToothGap<double>;
+extern template class BasicToothGap<DualReal>;
+
+/// A tooth on its wall, in plane strain.
+template <class Real>
+struct BasicToothOnWall {
+  Real flank_angle{};  ///< alpha [rad]; fitted in 15 to 30 degrees
+  Real thickness{};    ///< s_t at the pitch height [m]; fitted in 0.4 to 0.5 pitches
+  Real dedendum{};     ///< h_f [m]; fitted in 1.0 to 1.4 modules
+  Real wall{};    ///< t, thickness of the wall under the roots [m]; fitted in 0.4 to 40 modules
+  Real module{};  ///< m [m]
+
+  /// Width B of the tooth at its roots [m].
+  [[nodiscard]] Real root_width() const;
+};
+
+/// Compliance of a tooth on its wall under a flank force at the pitch height, times E and per face
+/// width, without the stretch of the wall as a bar, c_t [-].
+///
+/// Implements theory manual eq. (TC-30).  Beam integrals without fitted numbers; the foundation is
+/// fitted to plane finite elements, within 4 % of 186 teeth.
+template <class Real>
+[[nodiscard]] Real tooth_compliance(const BasicToothOnWall<Real>& tooth,
+                                    const Real& poissons_ratio);
+
+/// Stiffness in tension of a toothed wall over that of the bare wall, EA/(E b t_r) [-].
+///
+/// Implements theory manual eq. (TC-30), fitted to plane finite elements within 2.5 % (t_r/m 0.4 to
+/// 5).
+template <class Real>
+[[nodiscard]] Real toothed_extension(const BasicToothOnWall<Real>& tooth);
+
+}  // namespace strainwave

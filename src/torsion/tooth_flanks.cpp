@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/torsion/tooth_flanks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <type_traits>
+#include <utility>
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kSeat = pi / 6;  // flanks are seated on the teeth up to this angle from a lobe
+
+/// The angle whose sine and cosine are in the ratio of two numbers, in all four quadrants.
+template <class Real>
+Real angle_of(const Real& y, const Real& x) {
+  const double at_x = value_of(x);
+  const double at_y = value_of(y);
+  // The second term is zero; it carries the derivatives.
+  return Real(std::atan2(at_y, at_x)) + (at_x * y - at_y * x) / (at_x * at_x + at_y * at_y);
+}
+
+template <class Real>
+Real arc_cosine(const Real& x) {
+  using std::sqrt;
+  return angle_of(Real(sqrt(1 - x * x)), x);
+}
+
+template <class Real>
+Real length_of(const Real& x, const Real& y) {
+  using std::sqrt;
+  return sqrt(x * x + y * y);
+}
+
+template <class Real>
+const Real& least(const Real& a, const Real& b) {
+  return b < a ? b : a;
+}
+
+template <class Real>
+BasicTeeth<double> values_of(const BasicTeeth<Real>& t) {
+  return {.profile = t.profile,
+          .flank_angle = value_of(t.flank_angle),
+          .addendum = value_of(t.addendum),
+          .spline_addendum = value_of(t.spline_addendum),
+          .thickness = value_of(t.thickness),
+          .ring_radius = value_of(t.ring_radius),
+          .pitch_offset = value_of(t.pitch_offset),
+          .wave = value_of(t.wave),
+          .teeth = t.teeth};
+}
+
+/// Roll angle of an involute at a distance from the centre.
+template <class Real>
+Real roll(const Real& distance, const Real& base) {
+  using std::sqrt;
+  const Real over = distance / base;
+  const Real square = over * over - 1;
+  return square > 0 ? Real(sqrt(square)) : Real(0.0);
+}
+
+}  // namespace
+
+template <class Real>
+BasicToothGap<Real>::BasicToothGap(const BasicTeeth<Real>& teeth, const Real& cone,
+                                   const Real& face_width)
+    : teeth_(teeth), cone_(cone), face_width_(face_width) {
+  // (TC-29): the centre line keeps its length; ds/dphi = R + sum a_n cos(2 n phi).
+  constexpr int kSamples = 32;
+  constexpr int kSteps = 4;
+  const Real& R = teeth.ring_radius;
+  const Real& w0 = teeth.wave;
+  mean_radius_ = R - w0 * w0 / R;
+  std::array<Real, kSamples> speed;
+  for (int step = 0; step < kSteps; ++step) {
+    Real mean(0.0);
+    for (int i = 0; i < kSamples; ++i) {
+      const double phi = pi * i / kSamples;
+      speed[static_cast<std::size_t>(i)] =
+          length_of(Real(mean_radius_ + w0 * std::cos(2 * phi)), Real(2 * w0 * std::sin(2 * phi)));
+      mean += speed[static_cast<std::size_t>(i)] / kSamples;
+    }
+    if (step + 1 < kSteps) mean_radius_ += R - mean;
+  }
+  for (int n = 1; n <= kTerms; ++n) {
+    Real a(0.0);
+    for (int i = 0; i < kSamples; ++i)
+      a += 2 * speed[static_cast<std::size_t>(i)] * std::cos(2 * n * pi * i / kSamples) / kSamples;
+    series_[static_cast<std::size_t>(n - 1)] = a;
+  }
+  double low = 0.0;
+  double high = pi / 2;
+  while (high - low > 1e-12) {
+    const double t = (low + high) / 2;
+    (engaged(t) ? low : high) = t;
+  }
+  end_ = low;
+  // At the seat the gap is least, so its derivative by the angle is zero, and the angle may be that
+  // of the values alone.
+  if constexpr (std::is_same_v<Real, double>)
+    seat_ = find_seat();
+  else
+    seat_ = BasicToothGap<double>(values_of(teeth), value_of(cone), value_of(face_width)).seat();
+  play_ = slope(seat_) * face_width_ / 2 - mid_gap(seat_, Real(0.0));
+}
+
+template <class Real>
+typename BasicToothGap<Real>::Pose BasicToothGap<Real>::pose(double t) const {
+  using std::atan, std::cos, std::sin;
+  const Real& R = teeth_.ring_radius;
+  const Real& w0 = teeth_.wave;
+  constexpr int kSteps = 3;  // of Newton's method; the start errs by (w_0/R)^2
+  Real phi = t - w0 / (2 * R) * std::sin(2 * t);
+  Real r;
+  Real slope;
+  for (int step = 0; step <= kSteps; ++step) {
+    const Real c = cos(2 * phi);
+    const Real s = sin(2 * phi);
+    r = mean_radius_ + w0 * c;
+    slope = -2 * w0 * s;
+    if (step == kSteps) break;
+    Real length = R * phi;
+    Real before(0.0);  // sin(2 (n - 1) phi)
+    Real sine = s;     // sin(2 n phi)
+    for (int n = 1; n <= kTerms; ++n) {
+      length += series_[static_cast<std::size_t>(n - 1)] * sine / (2 * n);
+      before = std::exchange(sine, Real(2 * c * sine - before));
+    }
+    phi -= (length - R * t) / length_of(r, slope);
+  }
+  const Real from_space = phi - t * teeth_.teeth / (teeth_.teeth + 2);  // (TC-28)
+  return {.across = r * sin(from_space),
+          .outward = r * cos(from_space),
+          .turn = from_space - atan(slope / r)};
+}
+
+template <class Real>
+Real BasicToothGap<Real>::pitch_height() const {
+  return mean_radius_ + teeth_.wave + teeth_.pitch_offset;
+}
+
+template <class Real>
+bool BasicToothGap<Real>::engaged(double t) const {
+  using std::cos, std::sin, std::tan;
+  const Pose at = pose(t);
+  const Real tip_thickness = teeth_.thickness - 2 * teeth_.addendum * tan(teeth_.flank_angle);
+  return at.outward - tip_thickness / 2 * sin(at.turn) +
+             (teeth_.pitch_offset + teeth_.addendum) * cos(at.turn) >=
+         pitch_height() - teeth_.spline_addendum;  // (TC-29)
+}
+
+template <class Real>
+Real BasicToothGap<Real>::straight_gap(const Pose& at, const Real& play) const {
+  using std::cos, std::sin;
+  const Real& alpha = teeth_.flank_angle;
+  const Real c = cos(at.turn);
+  const Real s = sin(at.turn);
+  const Real half = teeth_.thickness / 2;
+  const Real& e = teeth_.pitch_offset;
+  // from the pitch point of the tooth's flank to that of the wall
+  const Real dx = half - at.across - half * c - e * s;
+  const Real dy = pitch_height() - at.outward + half * s - e * c;
+  const Real beta = alpha - at.turn;
+  const Real tip = dx * cos(alpha) + dy * sin(alpha) + play - teeth_.addendum * s / cos(alpha);
+  const Real root =
+      dx * cos(beta) + dy * sin(beta) + play * c + teeth_.spline_addendum * s / cos(alpha);
+  return least(tip, root);  // (TC-29)
+}
+
+template <class Real>
+Real BasicToothGap<Real>::involute_gap(const Pose& at, const Real& play) const {
+  using std::cos, std::sin, std::tan;
+  const Real& alpha = teeth_.flank_angle;
+  const Real pitch_radius = teeth_.ring_radius + teeth_.pitch_offset;
+  const Real b1 = pitch_radius * cos(alpha);
+  const Real b2 = b1 * (teeth_.teeth + 2) / teeth_.teeth;
+  const Real centre_x = at.across - teeth_.ring_radius * sin(at.turn);
+  const Real centre_y = at.outward - teeth_.ring_radius * cos(at.turn);
+  const Real half_angle = teeth_.thickness / (2 * pitch_radius);
+  const Real A1 = half_angle + tan(alpha) - alpha + at.turn;
+  const auto beginning = [](const Real& x, const Real& y, const Real& base) {
+    const Real q = roll(length_of(x, y), base);
+    return angle_of(x, y) + q - angle_of(q, Real(1.0));
+  };
+  // At the lobe both flanks go through the same point of the pitch height.
+  const Real A2 = beginning(pitch_radius * sin(half_angle),
+                            pitch_radius * cos(half_angle) + pitch_height() - pitch_radius, b2) +
+                  play / b2;
+  const auto point = [](const Real& x, const Real& y, const Real& base, const Real& start,
+                        const Real& q) {
+    const Real b = start - q;
+    return std::pair{Real(x + base * (sin(b) + q * cos(b))),
+                     Real(y + base * (cos(b) - q * sin(b)))};
+  };
+  const Real tip = roll(Real(pitch_radius + teeth_.addendum), b1);
+  const Real wall = roll(Real(pitch_height() - teeth_.spline_addendum), b2);
+  const auto [tip_x, tip_y] = point(centre_x, centre_y, b1, A1, tip);
+  Real gap = b2 * (A2 - beginning(tip_x, tip_y, b2));
+  const auto [wall_x, wall_y] = point(Real(0.0), Real(0.0), b2, A2, wall);
+  gap =
+      least(gap, Real(b1 * (beginning(Real(wall_x - centre_x), Real(wall_y - centre_y), b1) - A1)));
+  const Real apart = length_of(centre_x, centre_y);
+  const Real differ = b2 - b1;
+  if (apart > differ) {
+    const Real b = angle_of(centre_x, centre_y) - arc_cosine(Real(differ / apart));
+    const Real q1 = A1 - b;
+    const Real q2 = A2 - b;
+    if (q1 <= tip && q2 >= wall)  // the common normal meets both working flanks
+      gap = least(gap, Real(b2 * q2 - b1 * q1 - (centre_x * cos(b) - centre_y * sin(b))));
+  }
+  return gap;  // (TC-29)
+}
+
+template <class Real>
+Real BasicToothGap<Real>::mid_gap(double t, const Real& play) const {
+  const Pose at = pose(t);
+  return teeth_.profile == ToothProfile::straight ? straight_gap(at, play) : involute_gap(at, play);
+}
+
+template <class Real>
+Real BasicToothGap<Real>::slope(double t) const {
+  using std::abs, std::cos, std::sin;
+  const Real& alpha = teeth_.flank_angle;
+  const Real lever = 3 * (teeth_.pitch_offset + teeth_.addendum) / teeth_.ring_radius;
+  return cone_ * abs(sin(alpha) * std::cos(2 * t) -
+                     (1 - lever) / 2 * std::sin(2 * t) * cos(alpha));  // (TC-29)
+}
+
+template <class Real>
+Real BasicToothGap<Real>::gap(double t) const {
+  const Real at_end = mid_gap(t, play_) - slope(t) * face_width_ / 2;
+  return at_end > 0 ? at_end : Real(0.0);
+}
+
+template <class Real>
+double BasicToothGap<Real>::crossing() const {
+  constexpr int kSamples = 60;
+  double deepest = 0.0;
+  for (int i = 0; i <= kSamples; ++i) {
+    const double t = kSeat + (end_ - kSeat) * i / kSamples;
+    deepest = std::max(deepest, value_of(slope(t) * face_width_ / 2 - mid_gap(t, play_)));
+  }
+  return deepest;
+}
+
+template <class Real>
+double BasicToothGap<Real>::find_seat() const {
+  const auto height = [&](double t) {
+    return value_of(mid_gap(t, Real(0.0)) - slope(t) * face_width_ / 2);
+  };
+  constexpr int kSamples = 60;
+  double best = 0.0;
+  for (int i = 0; i <= kSamples; ++i) {
+    const double t = kSeat * (2.0 * i / kSamples - 1);
+    if (height(t) < height(best)) best = t;
+  }
+  // Golden section around the best sample.  The derivatives hold at the exact seat, so the angle is
+  // found as well as rounding allows.
+  constexpr double kGolden = 0.6180339887498949;
+  double low = std::max(-kSeat, best - 2 * kSeat / kSamples);
+  double high = std::min(kSeat, best + 2 * kSeat / kSamples);
+  double left = high - kGolden * (high - low);
+  double right = low + kGolden * (high - low);
+  double at_left = height(left);
+  double at_right = height(right);
+  while (high - low > 1e-8) {
+    if (at_left < at_right) {
+      high = std::exchange(right, left);
+      at_right = at_left;
+      left = high - kGolden * (high - low);
+      at_left = height(left);
+    } else {
+      low = std::exchange(left, right);
+      at_left = at_right;
+      right = low + kGolden * (high - low);
+      at_right = height(right);
+    }
+  }
+  const double found = (low + high) / 2;
+  return height(found) < height(best) ? found : best;
+}
+
+template class BasicToothGap<double>;
+template class BasicToothGap<DualReal>;
+
+template <class Real>
+Real BasicToothOnWall<Real>::root_width() const {
+  using std::tan;
+  return thickness + 2 * dedendum * tan(flank_angle);
+}
+
+template struct BasicToothOnWall<double>;
+template struct BasicToothOnWall<DualReal>;
+
+template <class Real>
+Real tooth_compliance(const BasicToothOnWall<Real>& tooth, const Real& nu) {
+  using std::cos, std::log, std::tan;
+  const Real tau = tan(tooth.flank_angle);
+  const Real c = cos(tooth.flank_angle);
+  const Real c2 = c * c;
+  const Real B = tooth.root_width();
+  const Real x = (tooth.dedendum - tooth.thickness * tau / 2) / B;
+  const Real q = tooth.thickness / (B * c2);
+  const Real l = tooth.wall / B;
+  const Real plane = 1 - nu * nu;
+  const Real layer = 2 * plane / pi;
+  const Real narrows = log(1 / q);
+  const Real bending =
+      plane * 3 / (2 * tau * tau * tau) * (narrows - 2 * (1 - q) + (1 - q * q) / 2);
+  const Real rocks = x + 0.26;
+  // (TC-30): the numbers of the foundation are fitted to plane finite elements.
+  return c2 * (bending + 2.4 * (1 + nu) / (2 * tau) * narrows +
+               4.84 * rocks * rocks * l / (l + 0.44) - 2.87 * x - 0.54 * q +
+               layer * log(1 + 2.12 * l)) +
+         (1 - c2) * (plane / (2 * tau) * narrows + layer * log(1 + 6.17 * l));
+}
+template double tooth_compliance(const BasicToothOnWall<double>&, const double&);
+template DualReal tooth_compliance(const BasicToothOnWall<DualReal>&, const DualReal&);
+
+template <class Real>
+Real toothed_extension(const BasicToothOnWall<Real>& tooth) {
+  const Real B = tooth.root_width();
+  const Real pitch = pi * tooth.module;
+  // (TC-30): fitted to plane finite elements
+  return 1 / (1 - 0.523 * B / pitch * (1 - 1 / (1 + 0.175 * B / tooth.wall)));
+}
+template double toothed_extension(const BasicToothOnWall<double>&);
+template DualReal toothed_extension(const BasicToothOnWall<DualReal>&);
+
+}  // namespace strainwave

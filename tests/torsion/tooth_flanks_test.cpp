@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0 Teeth as drawn: gap of the flanks (TC-29), compliance
+// (TC-30).
+#include "strainwave/torsion/tooth_flanks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "strainwave/core/units.hpp"
+#include "support/expect.hpp"
+#include "support/reference_csv.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+
+/// The teeth of a row of tests/data/tooth_gap.csv.
+BasicTeeth<double> teeth_of(const test::CsvRow& row) {
+  return {.profile = row.quantity.starts_with("straight") ? ToothProfile::straight
+                                                          : ToothProfile::involute,
+          .flank_angle = row("flank_angle"),
+          .addendum = row("flexspline_addendum"),
+          .spline_addendum = row("spline_addendum"),
+          .thickness = row("thickness"),
+          .ring_radius = row("radius"),
+          .pitch_offset = row("offset"),
+          .wave = row("wave"),
+          .teeth = static_cast<int>(std::lround(2 * row("ratio")))};
+}
+
+/// Size 25 with the walls of a typical drive.
+BasicTeeth<double> typical_teeth(double ratio, ToothProfile profile = ToothProfile::straight) {
+  const double d = 63.5e-3;
+  const double m = d / (2 * ratio);
+  const double wall = 1e-4 * (65 + 2.5 * std::cbrt(ratio * ratio)) * d;
+  const double R = d / 2 - 1.1 * m - wall / 2;
+  return {.profile = profile,
+          .flank_angle = 22 * units::deg,
+          .addendum = 0.65 * m,
+          .spline_addendum = 0.65 * m,
+          .thickness = pi / 2 * m,
+          .ring_radius = R,
+          .pitch_offset = d / 2 - R,
+          .wave = m,
+          .teeth = static_cast<int>(std::lround(2 * ratio))};
+}
+
+TEST(ToothGap, CrosscheckPointsOnTheFlanks) {
+  // tools/reference/tooth_gap.py measures the distance between points on both flanks and the chords
+  // of the other, and integrates the centre line by Gauss's rule.  Tolerance: 1e-9 m, as the
+  // chapter promises; chords and closed forms agree better.  The end of the table moves the wall by
+  // its play along the normal, the library across, which changes the angle by less than 0.25
+  // degrees.
+  int gaps = 0;
+  int seats = 0;
+  int ends = 0;
+  for (const test::CsvRow& row : test::read_reference_csv("tooth_gap")) {
+    const bool law = row.quantity.starts_with("straight.") || row.quantity.starts_with("involute.");
+    if (!law) continue;
+    const std::string what = row.quantity.substr(row.quantity.find('.') + 1);
+    const ToothGap gap(teeth_of(row), 0.0, 1e-2);
+    if (what == "gap") {
+      EXPECT_NEAR(std::abs(gap.mid_gap(row("angle"))), row.value, 1e-9)
+          << row.quantity << " " << row("ratio") << " " << row("angle");
+      ++gaps;
+    } else if (what == "seat") {
+      EXPECT_NEAR(gap.play(), row.value, 1e-9) << row.quantity << row("ratio");
+      ++seats;
+    } else if (what == "drive_end") {
+      EXPECT_NEAR(gap.end(), row.value, 0.4 * units::deg) << row.quantity << row("ratio");
+      ++ends;
+    }
+  }
+  EXPECT_GE(gaps, 240);
+  EXPECT_GE(seats, 10);
+  EXPECT_GE(ends, 10);
+}
+
+TEST(ToothGap, LimitSmallTeethFollowTheFirstOrder) {
+  // (TC-7) with the displacement of the point of contact: at ratio 1000 the gap of the drive flank
+  // at 20 degrees is that of the path x = w_0 [t - (1 - 3 e_c/R) sin(2t)/2], y = w_0 cos(2t), less
+  // the turn of the section, within the order w_0/R.
+  const BasicTeeth<double> teeth = typical_teeth(1000);
+  const ToothGap gap(teeth, 0.0, 1e-2);
+  const double t = 20 * units::deg;
+  const double lever = 3 * (teeth.pitch_offset + teeth.addendum) / teeth.ring_radius;
+  const double x = t - (1 - lever) / 2 * std::sin(2 * t);
+  const double first = teeth.wave * ((1 - std::cos(2 * t)) * std::sin(teeth.flank_angle) -
+                                     x * std::cos(teeth.flank_angle));
+  EXPECT_NEAR(gap.mid_gap(t) - gap.play(), first, 0.02 * first);
+}
+
+TEST(ToothGap, IdentityTheSeatTouchesWithoutCrossing) {
+  for (const double ratio : {30.0, 100.0, 160.0})
+    for (const ToothProfile profile : {ToothProfile::straight, ToothProfile::involute})
+      for (const double cone : {0.0, 0.01}) {
+        const ToothGap gap(typical_teeth(ratio, profile), cone, 9.525e-3);
+        double least = 1.0;
+        for (int i = -300; i <= 300; ++i) {
+          const double t = 0.1 * i * units::deg;
+          least = std::min(least, gap.mid_gap(t) - gap.slope(t) * 9.525e-3 / 2);
+        }
+        // The samples are 0.1 degrees apart; the gap is flat at its least value.
+        EXPECT_NEAR(least, 0.0, 2e-8) << ratio << " " << cone;
+        EXPECT_LE(std::abs(gap.seat()), 30 * units::deg + 1e-9);
+        EXPECT_EQ(
+            gap.gap(gap.end()) == 0.0,
+            gap.crossing() > 0.0 && gap.mid_gap(gap.end()) <= gap.slope(gap.end()) * 9.525e-3 / 2);
+      }
+}
+
+TEST(ToothGap, ReferenceTheGapGrowsAlongTheFaceWithTheWave) {
+  // Direct geometry: a section with a larger wave has another path.  The drive with the wave w_0 (1
+  // + h) against the same wall, less that with (1 - h), gives the slope of (TC-29) within 3 % of
+  // its value at the lobe, plus what both seats change.
+  BasicTeeth<double> teeth = typical_teeth(100);
+  const double w0 = teeth.wave;
+  constexpr double kStep = 0.02;
+  const double cone = 0.0145;
+  const ToothGap slope_of(teeth, cone, 1e-2);
+  const auto moved = [&](double t) {
+    double gap[2];
+    double lobe[2];
+    for (const int i : {0, 1}) {
+      teeth.wave = w0 * (1 + (i == 0 ? -kStep : kStep));
+      const ToothGap section(teeth, 0.0, 1e-2);
+      gap[i] = section.mid_gap(t) - section.play();
+      lobe[i] = teeth.wave;
+    }
+    // The wall of the library moves out with the lobe; a straight wall stays.
+    return (gap[1] - gap[0]) / (lobe[1] - lobe[0]) - std::sin(teeth.flank_angle);
+  };
+  for (const double degrees : {0.0, 10.0, 20.0, 30.0, 40.0, 50.0}) {
+    const double t = degrees * units::deg;
+    const double sign = t < 20.4 * units::deg ? 1.0 : -1.0;
+    EXPECT_NEAR(-moved(t), sign * slope_of.slope(t) / cone, 0.03 * std::sin(teeth.flank_angle))
+        << degrees;
+  }
+}
+
+TEST(ToothGap, IdentityDerivativesAreThoseOfTheGap) {
+  // Dual numbers against central differences, 1e-6 of the gap.
+  for (const ToothProfile profile : {ToothProfile::straight, ToothProfile::involute}) {
+    const BasicTeeth<double> at = typical_teeth(80, profile);
+    const std::array<double BasicTeeth<double>::*, 6> inputs = {
+        &BasicTeeth<double>::flank_angle,     &BasicTeeth<double>::addendum,
+        &BasicTeeth<double>::spline_addendum, &BasicTeeth<double>::thickness,
+        &BasicTeeth<double>::ring_radius,     &BasicTeeth<double>::wave};
+    const std::array<DualReal BasicTeeth<DualReal>::*, 6> duals = {
+        &BasicTeeth<DualReal>::flank_angle,     &BasicTeeth<DualReal>::addendum,
+        &BasicTeeth<DualReal>::spline_addendum, &BasicTeeth<DualReal>::thickness,
+        &BasicTeeth<DualReal>::ring_radius,     &BasicTeeth<DualReal>::wave};
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+      BasicTeeth<DualReal> dual{.profile = at.profile,
+                                .flank_angle = at.flank_angle,
+                                .addendum = at.addendum,
+                                .spline_addendum = at.spline_addendum,
+                                .thickness = at.thickness,
+                                .ring_radius = at.ring_radius,
+                                .pitch_offset = at.pitch_offset,
+                                .wave = at.wave,
+                                .teeth = at.teeth};
+      (dual.*duals[k]).partial[0] = 1.0;
+      const BasicToothGap<DualReal> gap(dual, DualReal(0.01), DualReal(9e-3));
+      for (const double degrees : {-12.0, 3.0, 17.0, 35.0, 48.0}) {
+        const double t = degrees * units::deg;
+        const double step = 1e-5 * at.*inputs[k];
+        const auto shifted = [&](double by) {
+          BasicTeeth<double> other = at;
+          other.*inputs[k] += by;
+          return ToothGap(other, 0.01, 9e-3).mid_gap(t);
+        };
+        const double expected = (shifted(step) - shifted(-step)) / (2 * step);
+        EXPECT_NEAR(gap.mid_gap(t).partial[0], expected,
+                    1e-6 * std::abs(expected) + 1e-9 * at.wave / at.*inputs[k])
+            << k << " " << degrees;
+      }
+    }
+  }
+}
+
+TEST(ToothCompliance, CrosscheckPlaneFiniteElements) {
+  // tools/reference/tooth_pair.py: quadratic plane elements.  The tolerances are the errors of the
+  // fit that (TC-30) states.
+  int teeth = 0;
+  int walls = 0;
+  for (const test::CsvRow& row : test::read_reference_csv("tooth_pair_fe")) {
+    const double m = 1.0;
+    const BasicToothOnWall<double> tooth{.flank_angle = row("flank_angle"),
+                                         .thickness = row("thickness_over_pitch") * pi * m,
+                                         .dedendum = row("dedendum_over_module") * m,
+                                         .wall = row("wall_over_module") * m,
+                                         .module = m};
+    if (row.quantity == "tooth") {
+      test::expect_relative(tooth_compliance(tooth, 0.3), row.value, 0.04);
+      ++teeth;
+    } else if (row.quantity == "stretch_free") {
+      test::expect_relative(toothed_extension(tooth), row.value, 0.025);
+      ++walls;
+    }
+  }
+  EXPECT_GE(teeth, 90);
+  EXPECT_GE(walls, 70);
+}
+
+}  // namespace
+}  // namespace strainwave
