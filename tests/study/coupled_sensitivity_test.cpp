@@ -136,8 +136,9 @@ GearSet drawn(GearSet gear, ToothProfile profile) {
 }
 
 TEST(CoupledSensitivity, CrosscheckDifferencesWithDrawnTeeth) {
+  // Tolerance 1e-6: the rounding of the seat's angle (TC-29) moves the differences by 3e-7.
   for (const ToothProfile profile : {ToothProfile::straight, ToothProfile::involute})
-    expect_differences(inside(drawn(example_drive("cracked_size25"), profile)), kStep, kTolerance);
+    expect_differences(inside(drawn(example_drive("cracked_size25"), profile)), kStep, 1e-6);
 }
 
 // (SN-6): no number is read without its derivative.
