@@ -198,11 +198,12 @@ Real drawn_pair_stiffness(const BasicCoupledGeometry<Real>& g, const BasicToothO
   const Real& alpha = g.flank_angle;
   const Real& nu = g.rim_steel.nu;
   const Real layer = 2 * (1 - nu * nu) / pi;
-  // The reference load of the line contact is T2 by convention (TC-14) on a sixth of the teeth, and
-  // its curvature is that of an involute against a straight flank.
-  constexpr double kT2 = 0.187e6;  // over the cube of the pitch diameter [Pa]
+  // The reference load of the line contact is T2 of a steel drive by convention (TC-14) on a sixth
+  // of the teeth, and its curvature is that of an involute against a straight flank.
+  constexpr double kT2 = 0.187e6 / 206e9;  // over E and the cube of the pitch diameter [-]
   const Real d = 2 * g.pitch_radius;
-  const Real force = 12 * kT2 * d * d / (cos(alpha) * g.teeth * g.rim_width);  // [N/m]
+  const Real force =
+      12 * kT2 * g.rim_steel.E * d * d / (cos(alpha) * g.teeth * g.rim_width);  // [N/m]
   const Real both = 1 / g.rim_steel.E + 1 / spline.steel.E;
   const Real half_width =
       sqrt(4 * (1 - nu * nu) * force * (g.pitch_radius * sin(alpha)) * both / pi);

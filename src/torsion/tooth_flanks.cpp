@@ -257,8 +257,7 @@ double BasicToothGap<Real>::find_seat() const {
     const double t = kSeat * (2.0 * i / kSamples - 1);
     if (height(t) < height(best)) best = t;
   }
-  // Golden section around the best sample.  The derivatives hold at the exact seat, so the angle is
-  // found as well as rounding allows.
+  // golden section around the best sample
   constexpr double kGolden = 0.6180339887498949;
   double low = std::max(-kSeat, best - 2 * kSeat / kSamples);
   double high = std::min(kSeat, best + 2 * kSeat / kSamples);
@@ -266,7 +265,7 @@ double BasicToothGap<Real>::find_seat() const {
   double right = low + kGolden * (high - low);
   double at_left = height(left);
   double at_right = height(right);
-  while (high - low > 1e-8) {
+  while (high - low > 1e-4) {
     if (at_left < at_right) {
       high = std::exchange(right, left);
       at_right = at_left;
@@ -279,7 +278,18 @@ double BasicToothGap<Real>::find_seat() const {
       at_right = height(right);
     }
   }
-  const double found = (low + high) / 2;
+  double found = (low + high) / 2;
+  // The derivatives hold at the exact seat.  Newton's method on the slope finds the angle better
+  // than the height itself, whose change near the seat is lost in rounding.
+  constexpr double kStep = 1e-4;
+  for (int step = 0; step < 3; ++step) {
+    const double before = height(found - kStep);
+    const double after = height(found + kStep);
+    const double bend = (after - 2 * height(found) + before) / (kStep * kStep);
+    const double next = found - (after - before) / (2 * kStep * bend);
+    if (!(bend > 0) || std::abs(next - found) > 0.01) break;  // a corner, or the last tooth
+    found = next;
+  }
   return height(found) < height(best) ? found : best;
 }
 

@@ -177,7 +177,7 @@ TEST(ToothGap, IdentityDerivativesAreThoseOfTheGap) {
         };
         const double expected = (shifted(step) - shifted(-step)) / (2 * step);
         EXPECT_NEAR(gap.mid_gap(t).partial[0], expected,
-                    1e-6 * std::abs(expected) + 1e-9 * at.wave / at.*inputs[k])
+                    1e-6 * std::abs(expected) + 1e-8 * at.wave / at.*inputs[k])
             << k << " " << degrees;
       }
     }

@@ -774,8 +774,50 @@ TEST(TorsionCurve, BehaviourNotes) {
               g.mesh->flank_angle = 30 * deg;
             }),
             (Codes{"torsion.deflection", "torsion.flank_angle"}));
+  const auto draw = [](GearSet& g, double angle) {
+    const double module = g.drive.pitch_diameter / (2 * g.drive.ratio);
+    g.circular_spline->inner_diameter = g.drive.pitch_diameter + 4.2 * module;
+    g.mesh->tooth = ToothShape{};
+    g.mesh->flank_angle = angle;
+    g.mesh->coning = 0.0;
+    g.mesh->lobe_gap = 5 * test::kMicron;  // no flank presses at rest
+  };
+  EXPECT_EQ(codes([&](GearSet& g) { draw(g, 25 * deg); }), Codes{"torsion.drawn_teeth"});
+  EXPECT_EQ(codes([&](GearSet& g) { draw(g, 18 * deg); }),
+            (Codes{"torsion.drawn_teeth", "torsion.tips"}));
   // A contact crack is inside this model: so the note of the series model on it must not appear.
   EXPECT_EQ(codes([](GearSet& g) { test::crack_rim(g); }), Codes{});
+}
+
+TEST(TorsionCurve, InputRulesOfDrawnTeeth) {
+  const auto refusal = [](const auto& change) {
+    GearSet gear = typical_drive();
+    const double module = gear.drive.pitch_diameter / (2 * gear.drive.ratio);
+    gear.circular_spline->inner_diameter = gear.drive.pitch_diameter + 4.2 * module;
+    gear.mesh->tooth = ToothShape{};
+    change(gear, module);
+    try {
+      (void)torsion_curve(gear, {{5.0}});
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal([](GearSet&, double) {}), "");
+  EXPECT_NE(refusal([](GearSet& g, double m) {
+              g.mesh->tooth->addendum = 1.3 * m;
+              g.mesh->tooth->spline_addendum = 0.75 * m;
+            }).find("never part"),
+            std::string::npos);
+  EXPECT_NE(refusal([](GearSet& g, double m) {
+              g.circular_spline->inner_diameter = g.drive.pitch_diameter + 3.2 * m;
+            }).find("meet the roots"),
+            std::string::npos);
+  for (const double share : {0.24, 0.76})
+    EXPECT_NE(refusal([&](GearSet& g, double m) {
+                g.mesh->tooth->thickness = share * std::numbers::pi * m;
+              }).find("three quarters of a pitch"),
+              std::string::npos);
 }
 
 TEST(TorsionCurve, InputDefaults) {
