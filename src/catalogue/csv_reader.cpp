@@ -180,7 +180,9 @@ double CsvReader::number(std::string_view column_name) {
   const auto fault = [&](std::string_view why) {
     refuse(column.name, fmt::format("{} = \"{}\" {}", column.name, shown(text(column.name)), why));
   };
+  constexpr std::string_view kNoNumber = "is not a number; write a number such as 12.5 or 12,5";
   std::string text(this->text(column.name));
+  if (text.empty()) fault(kNoNumber);
   const auto marks = std::ranges::count_if(text, [](char c) { return c == '.' || c == ','; });
   if (marks > 1) fault("has separators of thousands; write the number without them");
   if (marks == 1) {
@@ -195,7 +197,7 @@ double CsvReader::number(std::string_view column_name) {
   try {
     return parse_quantity(column.name, fmt::format("{} {}", text, column.unit), column.si);
   } catch (const InputError&) {
-    fault("is not a number; write a number such as 12.5 or 12,5");
+    fault(kNoNumber);
   }
   return 0.0;
 }

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "similar_rows.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
+
+#include "strainwave/core/error.hpp"
 
 namespace strainwave {
 
@@ -34,8 +38,18 @@ std::vector<std::vector<ThreeK>> predicted_rows(
     // The first step from the assembled state is the hardest, so a smaller step precedes it.
     std::vector<double> torques = {loads.front().torque / 3};
     for (const RowLoad& load : loads) torques.push_back(load.torque);
-    const std::vector<double> solved = twists(
-        AssembledDrive(drive_of(of_drive.first.first, of_drive.first.second), options), torques);
+    std::vector<double> solved;
+    try {
+      solved = twists(
+          AssembledDrive(drive_of(of_drive.first.first, of_drive.first.second), options), torques);
+    } catch (const SolverError& error) {
+      const StiffnessRow& highest = rows[loads.back().row];
+      throw SolverError(
+          fmt::format("ratio {:g}, loaded up to size {:g} with T2 = {:g} N*m ({}), computed at the "
+                      "diameter {:g} mm: {}",
+                      of_drive.first.first, highest.size, highest.T2, highest.sources,
+                      1e3 * pitch_diameter, error.what()));
+    }
     for (std::size_t n = 0; n < loads.size(); ++n)
       twist[loads[n].row][loads[n].at][loads[n].which] = solved[n + 1];
   }
