@@ -24,9 +24,10 @@ struct ValidateOptions {
            .doc = "other factors to fit, at most three, separated by commas",
            .names = "factor"},
           &ValidateOptions::factors);
-    field(
-        {"all_sets", "", "with a mode that leaves out, also fit every set of one to three factors"},
-        &ValidateOptions::all_sets);
+    field({"all_sets", "",
+           "with mode leave-one-size-out or leave-one-class-out, also fit every set of one to "
+           "three factors"},
+          &ValidateOptions::all_sets);
     field({.name = "draws",
            .unit = "",
            .doc = "number of drives drawn for the bands; 0 for none",
