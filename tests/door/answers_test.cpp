@@ -216,8 +216,8 @@ TEST(Facade, InputATextThatTheDriveNamesMustBeAttached) {
 
 TEST(Facade, InputATextThatAnOptionNamesMustBeGiven) {
   const auto drive = test::example_drives().at("catalogue_size25");
-  for (const auto& [command, options] : {std::pair("calibrate", R"({"measured": "table.csv"})"),
-                                         std::pair("validate", R"({"data": "table.csv"})")}) {
+  for (const auto& tested : {std::pair("calibrate", R"({"measured": "table.csv"})"),
+                             std::pair("validate", R"({"data": "table.csv"})")}) {
     const auto said = [&](const OptionTexts& texts) {
       return test::broken_rule(
           [&] { return test::run_command(tested.first, drive, tested.second, texts); });
