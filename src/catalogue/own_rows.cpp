@@ -34,7 +34,7 @@ E choice(const CsvReader& reader, std::string_view column, E fallback) {
   return *value;
 }
 
-std::optional<double> stiffness(CsvReader& reader, std::string_view column) {
+std::optional<double> stiffness_cell(CsvReader& reader, std::string_view column) {
   if (reader.text(column).empty()) return std::nullopt;
   return ruled(reader, column, require_positive);
 }
@@ -65,9 +65,9 @@ std::vector<StiffnessRow> parse_stiffness_rows(std::string_view text, std::strin
                      .ratios = {ruled(reader, "ratio", require_typical_ratio)},
                      .T1 = ruled(reader, "T1", require_positive),
                      .T2 = ruled(reader, "T2", require_positive),
-                     .K1 = stiffness(reader, "K1"),
-                     .K2 = stiffness(reader, "K2"),
-                     .K3 = stiffness(reader, "K3"),
+                     .K1 = stiffness_cell(reader, "K1"),
+                     .K2 = stiffness_cell(reader, "K2"),
+                     .K3 = stiffness_cell(reader, "K3"),
                      .sources = fmt::format("{}:{}", file_name, reader.line())};
     row.ratio_class = ratio_class_of(row.ratios.front());
     const bool sized = !reader.text("size").empty();

@@ -43,7 +43,7 @@ struct EnumNames<FlexsplineForm> {
 enum class FlexsplineLength {
   standard,      ///< the long form of handbooks
   short_length,  ///< present-day component sets, about half as long
-  flat,          ///< about half as long again
+  flat,          ///< about half as long as the short one
 };
 template <>
 struct EnumNames<FlexsplineLength> {
