@@ -16,7 +16,9 @@ namespace {
 const std::map<std::string, std::string> kSources = {
     {"A", "CSF/CSG catalogue of Harmonic Drive LLC, p. 50"},
     {"B", "engineering data 1018854 of Harmonic Drive AG, tables 54.3 and 54.4"},
-    {"C", "Harmonic Drive SE, by harmonic-drive-selector (Apache-2.0)"}};
+    {"C", "Harmonic Drive SE, by harmonic-drive-selector (Apache-2.0)"},
+    {"D", "manual of the FHA mini actuators, p. 16, and manual of the RSF-B actuators, p. 12"},
+    {"E", "manual of the FHA-C actuators, p. 16; the size of the gear follows from T1 and T2"}};
 
 }  // namespace
 
@@ -25,20 +27,15 @@ RatioClass ratio_class_of(double ratio) {
   return ratio * ratio < 50.0 * 80.0 ? RatioClass::fifty : RatioClass::eighty_up;
 }
 
-double representative_ratio(RatioClass ratio_class) {
-  static constexpr std::array<double, kRatioClasses> kRatios = {30, 50, 100};
-  return kRatios[static_cast<std::size_t>(ratio_class)];
-}
-
 std::vector<int> catalogue_sizes() {
   std::vector<int> sizes;
-  for (const StiffnessRow& row : stiffness_rows()) sizes.push_back(row.size);
+  for (const StiffnessRow& row : stiffness_rows()) sizes.push_back(static_cast<int>(row.size));
   std::ranges::sort(sizes);
   sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
   return sizes;
 }
 
-double pitch_diameter_of(int size) { return 2.54 * units::mm * size; }
+double pitch_diameter_of(double size) { return 2.54 * units::mm * size; }
 
 const StiffnessRow* find_stiffness(int size, double ratio) {
   const auto rows = stiffness_rows();
@@ -81,6 +78,10 @@ CatalogueRows catalogue_rows(const CatalogueFilter& filter) {
   for (const StiffnessRow& row : stiffness_rows())
     if ((!filter.size || row.size == *filter.size) &&
         (!filter.ratio || row.ratio_class == ratio_class_of(*filter.ratio)))
+      rows.stiffness.push_back(row);
+  for (const StiffnessRow& row : other_series_rows())
+    if ((!filter.size || row.size == *filter.size) &&
+        (!filter.ratio || row.ratios.front() == *filter.ratio))
       rows.stiffness.push_back(row);
   for (const RatingRow& row : rating_rows())
     if ((!filter.size || row.size == *filter.size) && (!filter.ratio || row.ratio == *filter.ratio))

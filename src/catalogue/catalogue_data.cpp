@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
 #include "strainwave/catalogue/catalogue.hpp"
 #include "strainwave/core/units.hpp"
 
@@ -11,6 +13,16 @@
 // e1df012 (Apache-2.0), which holds data of Harmonic Drive SE; a row for SHG/HFUS says so.  If a
 // row has several sources, they agree.  "A(K1 K2)" means that A lacks K3, so K3 is from the other
 // sources.
+//
+// The catalogue's rows are those of cups of the present short length.  The same numbers stand in
+// the tables of the series CSF, CSG and HFUC; one row is known from the silk hats SHG and HFUS
+// only. The tables of ratcheting torques of source A show which ratios of 80 and more a size has.
+//
+// Rows of other series judge only.  Sources:
+//   D  manual of the FHA mini actuators, page 16, and manual of the RSF-B actuators, page 12, which
+// misprints K1 of ratio 50 as 0.44e4; the row of ratio 50 repeats the catalogue;
+//   E  manual of the FHA-C actuators, page 16.  The manual gives the size of the actuator; the size
+// of the gear follows from T1 and T2.
 //
 // Ratings of the CSG and HFUC series with grease: source C.  Torques in N*m, speeds in rpm, inertia
 // of the wave generator in 1e-4 kg*m^2.
@@ -27,17 +39,55 @@ constexpr std::optional<double> kNone = std::nullopt;
 
 /// Converts from 1e4 N*m/rad and rounds, because all values are whole N*m/rad but the double 0.81 *
 /// 1e4 is not.
-constexpr double whole(double K) { return static_cast<double>(static_cast<long>(1e4 * K + 0.5)); }
+std::optional<double> whole(std::optional<double> K) {
+  return K ? std::optional(std::round(1e4 * *K)) : std::nullopt;
+}
 
-constexpr StiffnessRow stiffness(int size, RatioClass ratio_class, double T1, double T2, double K1,
-                                 double K2, std::optional<double> K3, std::string_view sources) {
-  return {.size = size,
+std::vector<double> offered_ratios(int size, RatioClass ratio_class) {
+  if (ratio_class == k30) return {30};
+  if (ratio_class == k50) return {50};
+  if (size < 14) return {100};
+  if (size < 17) return {80, 100};
+  if (size < 20) return {80, 100, 120};
+  return {80, 100, 120, 160};
+}
+
+/// A row of the catalogue.
+StiffnessRow stiffness(int size, RatioClass ratio_class, double T1, double T2, double K1, double K2,
+                       std::optional<double> K3, const std::string& sources) {
+  const bool hat = sources == "C(SHG/HFUS)";
+  return {.series = hat ? "SHG/HFUS" : "CSF/CSG/HFUC",
+          .form = hat ? FlexsplineForm::hat : FlexsplineForm::cup,
+          .length = FlexsplineLength::short_length,
+          .origin = RowOrigin::catalogue,
+          .size = static_cast<double>(size),
           .ratio_class = ratio_class,
+          .ratios = offered_ratios(size, ratio_class),
           .T1 = T1,
           .T2 = T2,
           .K1 = whole(K1),
           .K2 = whole(K2),
-          .K3 = K3 ? std::optional(whole(*K3)) : std::nullopt,
+          .K3 = whole(K3),
+          .sources = sources};
+}
+
+/// A row of another series, which states its ratio.
+StiffnessRow other(const std::string& series, FlexsplineForm form, FlexsplineLength length,
+                   RowOrigin origin, int size, double ratio, double T1, double T2,
+                   std::optional<double> K1, std::optional<double> K2, std::optional<double> K3,
+                   const std::string& sources) {
+  return {.series = series,
+          .form = form,
+          .length = length,
+          .origin = origin,
+          .size = static_cast<double>(size),
+          .ratio_class = ratio_class_of(ratio),
+          .ratios = {ratio},
+          .T1 = T1,
+          .T2 = T2,
+          .K1 = whole(K1),
+          .K2 = whole(K2),
+          .K3 = whole(K3),
           .sources = sources};
 }
 
@@ -57,7 +107,7 @@ constexpr RatingRow rating(std::string_view series, int size, int ratio, double 
 }
 
 // clang-format off
-constexpr StiffnessRow kStiffness[] = {
+const StiffnessRow kStiffness[] = {
     //        size class   T1    T2    K1     K2     K3     sources
     stiffness(8, k30, 0.29, 0.75, 0.034, 0.044, 0.054, "A"),
     stiffness(11, k30, 0.80, 2.0, 0.084, 0.13, 0.16, "A"),
@@ -94,6 +144,25 @@ constexpr StiffnessRow kStiffness[] = {
     stiffness(65, k80, 235, 843, 54, 88, 98, "C"),
     stiffness(80, k80, 430, 1570, 100, 162, 185, "C"),
     stiffness(90, k80, 618, 2260, 145, 230, 263, "C"),
+};
+
+constexpr FlexsplineForm kCup = FlexsplineForm::cup;
+constexpr FlexsplineForm kHat = FlexsplineForm::hat;
+constexpr FlexsplineLength kShort = FlexsplineLength::short_length;
+constexpr FlexsplineLength kFlat = FlexsplineLength::flat;
+constexpr RowOrigin kOther = RowOrigin::other_series;
+constexpr RowOrigin kRepeat = RowOrigin::repeat;
+
+const StiffnessRow kOtherSeries[] = {
+    //    series         form  length  origin  size ratio T1    T2    K1     K2     K3     sources
+    other("FHA-C mini/RSF-B", kCup, kShort, kRepeat, 8, 50, 0.29, 0.75, 0.044, 0.067, kNone, "D"),
+    other("FHA-C mini/RSF-B", kCup, kShort, kOther, 8, 100, 0.29, 0.75, 0.091, 0.10, 0.12, "D"),
+    other("FHA-C", kHat, kFlat, kOther, 20, 50, 7.0, 25, 1.1, 1.3, kNone, "E"),
+    other("FHA-C", kHat, kFlat, kOther, 20, 100, 7.0, 25, 1.3, 1.7, kNone, "E"),
+    other("FHA-C", kHat, kFlat, kOther, 20, 160, 7.0, 25, 1.3, 1.7, kNone, "E"),
+    other("FHA-C", kHat, kFlat, kOther, 40, 50, 54, 196, 8.8, kNone, kNone, "E"),
+    other("FHA-C", kHat, kFlat, kOther, 40, 100, 54, 196, 11, kNone, kNone, "E"),
+    other("FHA-C", kHat, kFlat, kOther, 40, 160, 54, 196, 11, kNone, kNone, "E"),
 };
 
 constexpr RatingRow kRatings[] = {
@@ -140,6 +209,7 @@ constexpr RatingRow kRatings[] = {
 }  // namespace
 
 std::span<const StiffnessRow> stiffness_rows() { return kStiffness; }
+std::span<const StiffnessRow> other_series_rows() { return kOtherSeries; }
 std::span<const RatingRow> rating_rows() { return kRatings; }
 
 }  // namespace strainwave

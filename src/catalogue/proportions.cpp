@@ -270,12 +270,16 @@ ProportionValues draw_proportions(std::mt19937_64& generator) {
   return values;
 }
 
-GearSet typical_drive(double pitch_diameter, double ratio, Cup cup, const ProportionValues& p) {
-  const double d = pitch_diameter;
-  require(d > 0 && std::isfinite(d), "pitch_diameter", d, "m", "> 0");
+void require_typical_ratio(double ratio) {
   require(ratio >= 30 && ratio <= 320, "ratio", ratio, "1", ">= 30 and <= 320");
   require(std::abs(2 * ratio - std::round(2 * ratio)) < 1e-9, "ratio", ratio, "1",
           "2 ratio, the teeth of the flexspline, a whole number");
+}
+
+GearSet typical_drive(double pitch_diameter, double ratio, Cup cup, const ProportionValues& p) {
+  const double d = pitch_diameter;
+  require(d > 0 && std::isfinite(d), "pitch_diameter", d, "m", "> 0");
+  require_typical_ratio(ratio);
   const double m = d / (2 * ratio);
   const TypicalRim rim = typical_rim(d, ratio, p);
   GearSet gear;

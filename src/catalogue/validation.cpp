@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
+#include <set>
+#include <utility>
 
 #include "least_squares.hpp"
 #include "similar_rows.hpp"
@@ -15,28 +18,27 @@
 namespace strainwave {
 namespace {
 
-constexpr int kReferenceSize = 25;
+constexpr double kReferenceSize = 25;
 
-/// The typical drive of a class with factors applied; all classes share the factors.
+/// The predictions of rows, each at each of its ratios.
+using Predictions = std::vector<std::vector<ThreeK>>;
+
+/// Typical drives with factors applied; all ratios share the factors.
 struct Drives {
-  double diameter;
-  std::array<std::optional<GearSet>, kRatioClasses> of_class;
+  ProportionValues proportions = {};
 
-  Drives(Cup cup, const ProportionValues& values = {})
-      : diameter(pitch_diameter_of(kReferenceSize)) {
-    for (std::size_t c = 0; c < kRatioClasses; ++c)
-      of_class[c] =
-          typical_drive(diameter, representative_ratio(static_cast<RatioClass>(c)), cup, values);
+  [[nodiscard]] GearSet drive(double ratio, Cup cup) const {
+    return typical_drive(pitch_diameter_of(kReferenceSize), ratio, cup, proportions);
   }
 
-  [[nodiscard]] std::vector<ThreeK> predict(std::span<const StiffnessRow> rows,
-                                            const CoupledOptions& options,
-                                            const std::vector<Factor>& factors = {},
-                                            const std::vector<double>& values = {}) const {
+  [[nodiscard]] Predictions predict(std::span<const StiffnessRow> rows,
+                                    const CoupledOptions& options,
+                                    const std::vector<Factor>& factors = {},
+                                    const std::vector<double>& values = {}) const {
     return predicted_rows(
-        rows, diameter,
-        [&](RatioClass ratio_class) {
-          GearSet gear = *of_class[static_cast<std::size_t>(ratio_class)];
+        rows, pitch_diameter_of(kReferenceSize),
+        [&](double ratio, Cup cup) {
+          GearSet gear = drive(ratio, cup);
           for (std::size_t i = 0; i < factors.size(); ++i)
             gear = with_factor(std::move(gear), factors[i], values[i]);
           return gear;
@@ -45,19 +47,30 @@ struct Drives {
   }
 
   [[nodiscard]] std::vector<double> start(const std::vector<Factor>& factors) const {
+    const GearSet gear = drive(100, Cup::short_cup);
     std::vector<double> values;
-    for (const Factor factor : factors) values.push_back(factor_value(*of_class[0], factor));
+    for (const Factor factor : factors) values.push_back(factor_value(gear, factor));
     return values;
   }
 };
 
-Eigen::VectorXd log_ratios(std::span<const StiffnessRow> rows,
-                           const std::vector<ThreeK>& predicted) {
+/// K1 to K3, the mean over the ratios of a row.
+ThreeK mean_of(std::span<const ThreeK> at_ratios) {
+  ThreeK mean{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (const ThreeK& K : at_ratios) mean[k] += K[k];
+    mean[k] /= static_cast<double>(at_ratios.size());
+  }
+  return mean;
+}
+
+Eigen::VectorXd log_ratios(std::span<const StiffnessRow> rows, const Predictions& predicted) {
   std::vector<double> logs;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto K = rows[i].K();
+    const ThreeK mean = mean_of(predicted[i]);
     for (std::size_t k = 0; k < 3; ++k)
-      if (K[k]) logs.push_back(std::log(predicted[i][k] / *K[k]));
+      if (K[k]) logs.push_back(std::log(mean[k] / *K[k]));
   }
   return Eigen::Map<const Eigen::VectorXd>(logs.data(), static_cast<Eigen::Index>(logs.size()));
 }
@@ -92,6 +105,7 @@ FactorTrial trial_of(const std::vector<Factor>& factors, const FactorFit& fit) {
   return {.factors = factors,
           .values = fit.values,
           .at_limit = fit.at_limit,
+          .fitted = static_cast<int>(errors.size()),
           .median = median(errors),
           .worst = largest(errors)};
 }
@@ -116,23 +130,55 @@ void add_trials(Validation& v, const Drives& drives, std::span<const StiffnessRo
       for (std::size_t c = b + 1; c < kFactors; ++c) try_set({factor(a), factor(b), factor(c)});
 }
 
-void predict_geometry(Validation& v, const Drives& drives, std::span<const StiffnessRow> rows) {
-  const auto predicted = drives.predict(rows, v.options.coupled);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    v.rows.push_back({.catalogue = rows[i],
-                      .predicted = predicted[i],
-                      .factors = {},
-                      .at_limit = {},
-                      .band = {}});
+ValidationRow judged(const StiffnessRow& row, std::span<const double> ratios,
+                     std::span<const ThreeK> predicted, const FactorFit& fit) {
+  ValidationRow judged{.catalogue = row,
+                       .ratios = {ratios.begin(), ratios.end()},
+                       .predicted = mean_of(predicted),
+                       .least = predicted.front(),
+                       .most = predicted.front(),
+                       .factors = fit.values,
+                       .at_limit = fit.at_limit,
+                       .band = {}};
+  for (const ThreeK& K : predicted)
+    for (std::size_t k = 0; k < 3; ++k) {
+      judged.least[k] = std::min(judged.least[k], K[k]);
+      judged.most[k] = std::max(judged.most[k], K[k]);
+    }
+  return judged;
 }
 
+/// Adds a row as the mean over its ratios and at each of them.
+void add_row(Validation& v, const StiffnessRow& row, std::span<const ThreeK> predicted,
+             const FactorFit& fit = {}) {
+  const std::span<const double> ratios = row.ratios;
+  v.rows.push_back(judged(row, ratios, predicted, fit));
+  for (std::size_t r = 0; r < ratios.size(); ++r)
+    v.each_ratio.push_back(judged(row, ratios.subspan(r, 1), predicted.subspan(r, 1), fit));
+}
+
+void predict_geometry(Validation& v, const Drives& drives, std::span<const StiffnessRow> rows) {
+  const Predictions predicted = drives.predict(rows, v.options.coupled);
+  for (std::size_t i = 0; i < rows.size(); ++i) add_row(v, rows[i], predicted[i]);
+}
+
+/// The rows of the catalogue that a fit may use.
+std::vector<StiffnessRow> regular_rows(std::span<const StiffnessRow> rows) {
+  std::vector<StiffnessRow> regular;
+  std::ranges::copy_if(rows, std::back_inserter(regular), is_regular);
+  return regular;
+}
+
+/// Predicts each row by a fit to the rows with another key.
+/// @param key   the size or class of a row
+/// @param what  the key in words
 void predict_left_out(Validation& v, const Drives& drives, std::span<const StiffnessRow> rows,
+                      double (*key)(const StiffnessRow&), std::string_view what,
                       const Progress& progress) {
   const std::vector<Factor>& factors = v.options.factors;
   const CoupledOptions& coupled = v.options.coupled;
   constexpr double kTrialsEnd = 0.8;  // share of the time if all sets are tried
-  std::vector<StiffnessRow> regular;
-  std::ranges::copy_if(rows, std::back_inserter(regular), is_regular);
+  const std::vector<StiffnessRow> regular = regular_rows(rows);
   if (regular.empty())
     throw InputError("sizes",
                      "must include a row of size 17 or more and ratio 50 or more for the fit");
@@ -141,38 +187,34 @@ void predict_left_out(Validation& v, const Drives& drives, std::span<const Stiff
   v.trials.push_back(trial_of(factors, all));
   if (v.options.all_sets) add_trials(v, drives, regular, progress.part(0.1, kTrialsEnd));
 
-  std::vector<int> sizes;
-  for (const StiffnessRow& row : rows) sizes.push_back(row.size);
-  std::ranges::sort(sizes);
-  sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
-  std::vector<ValidationRow> predicted_in_any_order;
-  double size_begins = v.options.all_sets ? kTrialsEnd : 0.1;
-  const double share = (1 - size_begins) / static_cast<double>(sizes.size());
-  for (const int size : sizes) {
+  std::map<double, std::vector<std::size_t>> rows_of;
+  for (std::size_t i = 0; i < rows.size(); ++i) rows_of[key(rows[i])].push_back(i);
+  Predictions predicted(rows.size());
+  std::vector<FactorFit> fit_of(rows.size());
+  double begins = v.options.all_sets ? kTrialsEnd : 0.1;
+  const double share = (1 - begins) / static_cast<double>(rows_of.size());
+  for (const auto& group : rows_of) {
     std::vector<StiffnessRow> others;
     std::ranges::copy_if(regular, std::back_inserter(others),
-                         [&](const StiffnessRow& row) { return row.size != size; });
-    if (others.empty()) throw InputError("sizes", "must include two sizes of 17 or more");
+                         [&](const StiffnessRow& row) { return key(row) != group.first; });
+    if (others.empty())
+      throw InputError("sizes", fmt::format("must include rows of size 17 or more and ratio 50 or "
+                                            "more of another {}",
+                                            what));
     const FactorFit fit = others.size() == regular.size()
                               ? all
                               : fit_rows(drives, others, factors, all.values, coupled, true,
-                                         progress.part(size_begins, size_begins + share));
-    size_begins += share;
+                                         progress.part(begins, begins + share));
+    begins += share;
     std::vector<StiffnessRow> left_out;
-    std::ranges::copy_if(rows, std::back_inserter(left_out),
-                         [&](const StiffnessRow& row) { return row.size == size; });
-    const auto predicted = drives.predict(left_out, coupled, factors, fit.values);
-    for (std::size_t i = 0; i < left_out.size(); ++i)
-      predicted_in_any_order.push_back({.catalogue = left_out[i],
-                                        .predicted = predicted[i],
-                                        .factors = fit.values,
-                                        .at_limit = fit.at_limit,
-                                        .band = {}});
+    for (const std::size_t i : group.second) left_out.push_back(rows[i]);
+    Predictions of_group = drives.predict(left_out, coupled, factors, fit.values);
+    for (std::size_t n = 0; n < left_out.size(); ++n) {
+      predicted[group.second[n]] = std::move(of_group[n]);
+      fit_of[group.second[n]] = fit;
+    }
   }
-  for (const StiffnessRow& row : rows)
-    v.rows.push_back(*std::ranges::find_if(predicted_in_any_order, [&](const ValidationRow& other) {
-      return other.catalogue.size == row.size && other.catalogue.ratio_class == row.ratio_class;
-    }));
+  for (std::size_t i = 0; i < rows.size(); ++i) add_row(v, rows[i], predicted[i], fit_of[i]);
 }
 
 void predict_per_row(Validation& v, const Drives& drives, std::span<const StiffnessRow> rows,
@@ -185,46 +227,59 @@ void predict_per_row(Validation& v, const Drives& drives, std::span<const Stiffn
         fit_rows(drives, one, factors, drives.start(factors), v.options.coupled, false,
                  progress.part(row_begins, row_begins + 1.0 / static_cast<double>(rows.size())));
     row_begins += 1.0 / static_cast<double>(rows.size());
-    v.rows.push_back({.catalogue = row,
-                      .predicted = drives.predict(one, v.options.coupled, factors, fit.values)[0],
-                      .factors = fit.values,
-                      .at_limit = fit.at_limit,
-                      .band = {}});
+    add_row(v, row, drives.predict(one, v.options.coupled, factors, fit.values)[0], fit);
+  }
+}
+
+/// K1 to K3 of one prediction over all draws.
+using Drawn = std::array<std::vector<double>, 3>;
+
+void draw(Drawn& drawn, const ThreeK& K) {
+  for (std::size_t k = 0; k < 3; ++k) drawn[k].push_back(K[k]);
+}
+
+void set_band(ValidationRow& row, Drawn& drawn) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (drawn[k].empty()) throw SolverError("none of the drawn drives has an equilibrium");
+    row.band[k] =
+        PredictionBand{quantile(drawn[k], 0.05), quantile(drawn[k], 0.5), quantile(drawn[k], 0.95)};
   }
 }
 
 void add_bands(Validation& v, std::span<const StiffnessRow> rows, const Progress& progress) {
   std::mt19937_64 generator(v.options.seed);
-  std::vector<std::array<std::vector<double>, 3>> drawn(rows.size());
+  std::vector<Drawn> mean(v.rows.size());
+  std::vector<Drawn> each(v.each_ratio.size());
   for (int n = 0; n < v.options.draws; ++n) {
     progress.at(static_cast<double>(n) / v.options.draws);
-    const Drives drives(v.options.cup, draw_proportions(generator));
-    std::vector<ThreeK> predicted;
+    const Drives drives{draw_proportions(generator)};
+    Predictions predicted;
     try {
       predicted = drives.predict(rows, v.options.coupled);
     } catch (const SolverError&) {
       ++v.failed_draws;
       continue;
     }
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      for (std::size_t k = 0; k < 3; ++k) drawn[i][k].push_back(predicted[i][k]);
-  }
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) {
-      std::vector<double>& values = drawn[i][k];
-      if (values.empty()) throw SolverError("none of the drawn drives has an equilibrium");
-      v.rows[i].band[k] =
-          PredictionBand{quantile(values, 0.05), quantile(values, 0.5), quantile(values, 0.95)};
+    std::size_t at = 0;  // place in v.each_ratio
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      draw(mean[i], mean_of(predicted[i]));
+      for (const ThreeK& K : predicted[i]) draw(each[at++], K);
     }
+  }
+  for (std::size_t i = 0; i < mean.size(); ++i) set_band(v.rows[i], mean[i]);
+  for (std::size_t i = 0; i < each.size(); ++i) set_band(v.each_ratio[i], each[i]);
 }
 
-ErrorSummary summary(const Validation& v, const std::string& of,
-                     const std::function<bool(const StiffnessRow&)>& belongs) {
+using Belongs = std::function<bool(const ValidationRow&)>;
+
+ErrorSummary summary(std::span<const ValidationRow> rows, const std::string& of,
+                     const Belongs& belongs) {
   ErrorSummary s{.of = of};
   std::vector<double> all;
   std::array<std::vector<double>, 3> each;
-  for (const ValidationRow& row : v.rows) {
-    if (!belongs(row.catalogue)) continue;
+  std::array<std::vector<double>, 3> spread;
+  for (const ValidationRow& row : rows) {
+    if (!belongs(row)) continue;
     ++s.rows;
     const auto ratio = row.ratio();
     const auto K = row.catalogue.K();
@@ -232,6 +287,7 @@ ErrorSummary summary(const Validation& v, const std::string& of,
       if (!ratio[k]) continue;
       all.push_back(std::abs(*ratio[k] - 1));
       each[k].push_back(all.back());
+      if (row.ratios.size() > 1) spread[k].push_back(row.most[k] / row.least[k] - 1);
       if (row.band[k]) s.in_band += *K[k] >= row.band[k]->low && *K[k] <= row.band[k]->high;
     }
   }
@@ -239,48 +295,120 @@ ErrorSummary summary(const Validation& v, const std::string& of,
   s.median = median(all);
   s.worst = largest(all);
   for (std::size_t k = 0; k < 3; ++k) {
+    if (!spread[k].empty()) s.spread_of[k] = median(spread[k]);
+    if (each[k].empty()) continue;
     s.median_of[k] = median(each[k]);
     s.worst_of[k] = largest(each[k]);
   }
   return s;
 }
 
+/// The name of a row's group, after a number that orders the groups.
+using Label = std::function<std::pair<double, std::string>(const ValidationRow&)>;
+
+/// Summaries of all rows, and of each origin by series, form, ratio and size.  A row that repeats
+/// the catalogue counts nowhere, and a group with all rows of its origin is left out.
+std::vector<ErrorSummary> summaries(std::span<const ValidationRow> rows, const Label& ratio) {
+  std::vector<ErrorSummary> errors = {summary(rows, "all rows", [](const ValidationRow& row) {
+    return row.catalogue.origin != RowOrigin::repeat;
+  })};
+  const auto add_origin = [&](RowOrigin origin, const std::string& name) {
+    const auto from = [&](const Belongs& belongs) {
+      return [origin, belongs](const ValidationRow& row) {
+        return row.catalogue.origin == origin && belongs(row);
+      };
+    };
+    const ErrorSummary whole = summary(rows, name, from([](const ValidationRow&) { return true; }));
+    if (whole.rows == 0) return;
+    errors.push_back(whole);
+    const auto add = [&](const std::string& of, const Belongs& belongs) {
+      ErrorSummary part = summary(rows, name + ", " + of, from(belongs));
+      if (part.rows > 0 && part.rows < whole.rows) errors.push_back(std::move(part));
+    };
+    const auto add_each = [&](const Label& label) {
+      std::set<std::pair<double, std::string>> labels;
+      for (const ValidationRow& row : rows)
+        if (row.catalogue.origin == origin) labels.insert(label(row));
+      for (const auto& one : labels)
+        if (!one.second.empty())
+          add(one.second, [&](const ValidationRow& row) { return label(row) == one; });
+    };
+    const auto large = [](const ValidationRow& row) { return row.catalogue.size >= 17; };
+    const auto fine = [](const ValidationRow& row) {
+      return row.catalogue.ratio_class != RatioClass::thirty;
+    };
+    add_each([](const ValidationRow& row) { return std::pair(0.0, row.catalogue.series); });
+    add_each([](const ValidationRow& row) {
+      return std::pair(0.0, fmt::format("{} {}", enum_name(row.catalogue.length),
+                                        enum_name(row.catalogue.form)));
+    });
+    add_each(ratio);
+    add("size < 17", [&](const ValidationRow& row) { return !large(row); });
+    add("size >= 17", large);
+    add("ratio >= 50", fine);
+    add("size >= 17, ratio >= 50",
+        [&](const ValidationRow& row) { return large(row) && fine(row); });
+  };
+  add_origin(RowOrigin::catalogue, "catalogue");
+  add_origin(RowOrigin::other_series, "other series");
+  add_origin(RowOrigin::file, "FILE");
+  return errors;
+}
+
 }  // namespace
 
 std::array<std::optional<double>, 3> ValidationRow::ratio() const {
-  std::array<std::optional<double>, 3> ratios;
+  std::array<std::optional<double>, 3> over_stated;
   const auto K = catalogue.K();
   for (std::size_t k = 0; k < 3; ++k)
-    if (K[k]) ratios[k] = predicted[k] / *K[k];
-  return ratios;
+    if (K[k]) over_stated[k] = predicted[k] / *K[k];
+  return over_stated;
 }
 
 bool is_regular(const StiffnessRow& row) {
-  return row.size >= 17 && row.ratio_class != RatioClass::thirty;
+  return row.origin == RowOrigin::catalogue && row.size >= 17 &&
+         row.ratio_class != RatioClass::thirty;
 }
 
 Validation validate(const ValidationOptions& options, const Progress& progress) {
-  Validation v{.options = options, .rows = {}, .errors = {}, .trials = {}, .failed_draws = 0};
+  Validation v{.options = options,
+               .rows = {},
+               .errors = {},
+               .each_ratio = {},
+               .errors_at_each_ratio = {},
+               .trials = {},
+               .failed_draws = 0};
   require(options.draws >= 0 && options.draws <= 100000, "draws", options.draws, "1",
           ">= 0 and <= 100000");
   std::vector<Factor>& factors = v.options.factors;
   if (options.mode == ValidationMode::geometry && (!factors.empty() || options.all_sets))
     throw InputError("factors", "must be left out in mode geometry, which does not fit factors");
   if (options.mode == ValidationMode::per_row && options.all_sets)
-    throw InputError("all-sets", "needs mode leave-one-size-out");
+    throw InputError("all-sets", "needs mode leave-one-size-out or leave-one-class-out");
+  if (options.mode == ValidationMode::per_row && !options.data.empty())
+    throw InputError("data",
+                     "must be left out in mode per-row, which fits each row; rows of a "
+                     "file only judge");
   if (factors.size() > 3)
     throw InputError("factors", "name at most three, because a row has three values");
-  if (factors.empty() && options.mode == ValidationMode::leave_one_size_out)
+  if (factors.empty() && (options.mode == ValidationMode::leave_one_size_out ||
+                          options.mode == ValidationMode::leave_one_class_out))
     factors = {Factor::support, Factor::coning, Factor::cam_flattening};
   if (factors.empty() && options.mode == ValidationMode::per_row)
     factors = {Factor::coning, Factor::gap_factor, Factor::structure};
-  std::vector<StiffnessRow> rows;
   for (const int size : options.sizes) require_catalogue_size(size);
-  for (const StiffnessRow& row : stiffness_rows())
-    if (options.sizes.empty() || std::ranges::find(options.sizes, row.size) != options.sizes.end())
-      rows.push_back(row);
+  std::vector<StiffnessRow> rows;
+  const auto take = [&](std::span<const StiffnessRow> table) {
+    std::ranges::copy_if(table, std::back_inserter(rows), [&](const StiffnessRow& row) {
+      return options.sizes.empty() ||
+             std::ranges::find(options.sizes, row.size) != options.sizes.end();
+    });
+  };
+  take(stiffness_rows());
+  if (options.mode != ValidationMode::per_row) take(other_series_rows());
+  rows.insert(rows.end(), options.data.begin(), options.data.end());
 
-  const Drives drives(options.cup);
+  const Drives drives;
   const Progress fits = progress.part(0.0, options.draws > 0 ? 0.5 : 1.0);
   switch (options.mode) {
     case ValidationMode::geometry:
@@ -288,7 +416,14 @@ Validation validate(const ValidationOptions& options, const Progress& progress) 
       predict_geometry(v, drives, rows);
       break;
     case ValidationMode::leave_one_size_out:
-      predict_left_out(v, drives, rows, fits);
+      predict_left_out(
+          v, drives, rows, [](const StiffnessRow& row) { return row.size; }, "size", fits);
+      break;
+    case ValidationMode::leave_one_class_out:
+      predict_left_out(
+          v, drives, rows,
+          [](const StiffnessRow& row) { return static_cast<double>(row.ratio_class); },
+          "class of ratio", fits);
       break;
     case ValidationMode::per_row:
       predict_per_row(v, drives, rows, fits);
@@ -297,19 +432,13 @@ Validation validate(const ValidationOptions& options, const Progress& progress) 
   if (options.draws > 0) add_bands(v, rows, progress.part(0.5, 1.0));
   progress.at(1.0);
 
-  const auto of_class = [](RatioClass wanted) {
-    return [wanted](const StiffnessRow& row) { return row.ratio_class == wanted; };
-  };
-  for (ErrorSummary s :
-       {summary(v, "all rows", [](const StiffnessRow&) { return true; }),
-        summary(v, "ratio 30", of_class(RatioClass::thirty)),
-        summary(v, "ratio 50", of_class(RatioClass::fifty)),
-        summary(v, "ratio 80+", of_class(RatioClass::eighty_up)),
-        summary(v, "size >= 17", [](const StiffnessRow& row) { return row.size >= 17; }),
-        summary(v, "size >= 17, ratio >= 50", is_regular),
-        summary(v, "ratio >= 50",
-                [](const StiffnessRow& row) { return row.ratio_class != RatioClass::thirty; })})
-    if (s.values > 0) v.errors.push_back(std::move(s));
+  v.errors = summaries(v.rows, [](const ValidationRow& row) {
+    const RatioClass of = row.catalogue.ratio_class;
+    return std::pair(static_cast<double>(of), fmt::format("ratio {}", enum_name(of)));
+  });
+  v.errors_at_each_ratio = summaries(v.each_ratio, [](const ValidationRow& row) {
+    return std::pair(row.ratios.front(), fmt::format("ratio {:g}", row.ratios.front()));
+  });
   return v;
 }
 

@@ -18,13 +18,18 @@ std::string catalogue_text(const CatalogueRows& rows) {
   const DisplayUnit of_stiffness = display_unit({}, "N*m/rad", {"1e4 N*m/rad", 1e4});
   const DisplayUnit speed = display_unit({}, "rad/s", {"rpm", units::rpm});
   const DisplayUnit inertia = display_unit({}, "kg*m^2");
-  Table stiffness{.head = {"size", "ratio", "T1", "T2", "K1", "K2", "K3", "sources"},
-                  .align = "rrrrrrrl"};
+  const auto stated = [&](const std::optional<double>& K) {
+    return K ? number(*K / of_stiffness.in_si) : std::string("-");
+  };
+  Table stiffness{
+      .head = {"size", "ratio", "T1", "T2", "K1", "K2", "K3", "sources", "series", "form"},
+      .align = "rrrrrrrlll"};
   for (const StiffnessRow& row : rows.stiffness)
     stiffness.rows.push_back(cells(
-        row.size, row.ratio_class, number(row.T1 / torque.in_si), number(row.T2 / torque.in_si),
-        number(row.K1 / of_stiffness.in_si), number(row.K2 / of_stiffness.in_si),
-        row.K3 ? number(*row.K3 / of_stiffness.in_si) : "-", row.sources));
+        row.size, row.origin == RowOrigin::catalogue ? cell(row.ratio_class) : cell(row.ratios[0]),
+        number(row.T1 / torque.in_si), number(row.T2 / torque.in_si), stated(row.K1),
+        stated(row.K2), stated(row.K3), row.sources, row.series,
+        fmt::format("{} {}", enum_name(row.length), enum_name(row.form))));
   Table ratings{.head = {"series", "size", "ratio", "rated", "average", "peak", "momentary",
                          "max speed", "average", "inertia"},
                 .align = "r"};
@@ -36,6 +41,12 @@ std::string catalogue_text(const CatalogueRows& rows) {
                                  fmt::format("{:.0f}", row.max_input_speed / speed.in_si),
                                  fmt::format("{:.0f}", row.average_input_speed / speed.in_si),
                                  fmt::format("{:.3g}", row.input_inertia / inertia.in_si)));
+  std::string sources =
+      "\nSources.  The ratings are from C.  Rows from D and E are of other series: they judge "
+      "only, "
+      "and no fit\nuses them.\n";
+  for (const auto& [letter, source] : rows.sources)
+    sources += fmt::format("  {}: {}\n", letter, source);
   return section(fmt::format("Torsional stiffness, input locked: torque in {}, K in {}\n",
                              torque.text, of_stiffness.text),
                  stiffness) +
@@ -43,17 +54,17 @@ std::string catalogue_text(const CatalogueRows& rows) {
                              "inertia in {}\n",
                              torque.text, speed.text, inertia.text),
                  ratings) +
-         "\nSources.  A: CSF/CSG catalogue of Harmonic Drive LLC, page 50.  B: engineering data "
-         "1018854 of\n  Harmonic Drive AG, tables 54.3 and 54.4.  C and the ratings: data of "
-         "Harmonic Drive SE, from\n  harmonic-drive-selector (Apache-2.0).\n";
+         sources;
 }
 
 std::string catalogue_csv(const CatalogueRows& rows) {
   Table table{.head = {"size", "ratio_class", "T1 [N*m]", "T2 [N*m]", "K1 [N*m/rad]",
-                       "K2 [N*m/rad]", "K3 [N*m/rad]", "sources"}};
+                       "K2 [N*m/rad]", "K3 [N*m/rad]", "sources", "series", "form", "length",
+                       "origin", "ratios"}};
   for (const StiffnessRow& row : rows.stiffness)
-    table.rows.push_back(
-        cells(row.size, row.ratio_class, row.T1, row.T2, row.K1, row.K2, row.K3, row.sources));
+    table.rows.push_back(cells(row.size, row.ratio_class, row.T1, row.T2, row.K1, row.K2, row.K3,
+                               row.sources, row.series, row.form, row.length, row.origin,
+                               fmt::format("{}", fmt::join(row.ratios, " "))));
   return csv_table(table);
 }
 

@@ -132,6 +132,14 @@ TEST(CalibrationTargets, ReferenceCatalogueRow) {
             2U);  // the row lacks K3
 }
 
+// Rows of other series judge only: size 8 has a row of ratio 100 there, but the nearest row of the
+// catalogue is size 11, scaled by the cube of the diameter; 1e-12 is rounding.
+TEST(CalibrationTargets, BehaviourRowsOfOtherSeriesAreNoTarget) {
+  const CalibrationTarget target = catalogue_target(typical_drive(pitch_diameter_of(8), 100));
+  EXPECT_EQ(target.source.rfind("catalogue, size 11, ratio 80+", 0), 0U) << target.source;
+  test::expect_relative(target.values[0].stiffness, 2700 * std::pow(8.0 / 11, 3), 1e-12);
+}
+
 TEST(MeasuredCurve, BehaviourUnitsAndColumns) {
   const auto points = parse_measured_curve(
       "# a bench\n\ntwist [arcmin], speed, torque [kN*m]\r\n0,0,0\n1.5,9,0.014\n-1.5,9,-0.014\n",

@@ -66,7 +66,7 @@ TEST(RatingTable, ReferenceSpotChecks) {
 }
 
 TEST(StiffnessTable, BehaviourRowsAreOnceAndRise) {
-  std::set<std::pair<int, RatioClass>> seen;
+  std::set<std::pair<double, RatioClass>> seen;
   for (const StiffnessRow& row : stiffness_rows()) {
     EXPECT_TRUE(seen.insert({row.size, row.ratio_class}).second) << row.size;
     EXPECT_LT(row.T1, row.T2) << row.size;
@@ -79,6 +79,46 @@ TEST(StiffnessTable, BehaviourRowsAreOnceAndRise) {
   for (const RatingRow& row : rating_rows()) {
     EXPECT_LT(row.rated, row.repeated_peak) << row.size;
     EXPECT_LT(row.repeated_peak, row.momentary_peak) << row.size;
+  }
+}
+
+// Typed from the manuals a second time.
+TEST(OtherSeries, ReferenceSpotChecks) {
+  ASSERT_EQ(other_series_rows().size(), 8U);
+  const StiffnessRow& cup = other_series_rows()[1];
+  EXPECT_EQ(cup.size, 8);
+  EXPECT_EQ(cup.ratios, std::vector<double>{100});
+  EXPECT_EQ(cup.T2, 0.75);
+  EXPECT_EQ(cup.K1, 910);
+  EXPECT_EQ(cup.K2, 1000);
+  EXPECT_EQ(cup.K3, 1200);
+  const StiffnessRow& hat = other_series_rows()[7];
+  EXPECT_EQ(hat.size, 40);
+  EXPECT_EQ(hat.ratios, std::vector<double>{160});
+  EXPECT_EQ(hat.form, FlexsplineForm::hat);
+  EXPECT_EQ(hat.length, FlexsplineLength::flat);
+  EXPECT_EQ(hat.T1, 54);
+  EXPECT_EQ(hat.K1, 110000);
+  EXPECT_EQ(hat.K2, std::nullopt);
+}
+
+// The row that is marked as a repeat is one of the catalogue, and no other row is.
+TEST(OtherSeries, IdentityOneRowRepeatsTheCatalogue) {
+  for (const StiffnessRow& row : other_series_rows()) {
+    const StiffnessRow* const known = find_stiffness(static_cast<int>(row.size), row.ratios[0]);
+    const bool same = known != nullptr && known->T1 == row.T1 && known->T2 == row.T2 &&
+                      known->K() == row.K() && known->form == row.form;
+    EXPECT_EQ(row.origin, same ? RowOrigin::repeat : RowOrigin::other_series) << row.size;
+  }
+}
+
+// Every rating of 80 and more is at a ratio for which the size's stiffness row holds.
+TEST(StiffnessTable, CrosscheckRatiosOfTheRatings) {
+  for (const RatingRow& rating : rating_rows()) {
+    const StiffnessRow* const row = find_stiffness(rating.size, rating.ratio);
+    ASSERT_NE(row, nullptr) << rating.size;
+    EXPECT_NE(std::ranges::find(row->ratios, rating.ratio), row->ratios.end())
+        << rating.size << ' ' << rating.ratio;
   }
 }
 
@@ -100,7 +140,6 @@ TEST(RatioClasses, LimitMeansOfNeighbours) {
   EXPECT_EQ(ratio_class_of(63.2), RatioClass::fifty);
   EXPECT_EQ(ratio_class_of(63.3), RatioClass::eighty_up);
   EXPECT_EQ(ratio_class_of(320), RatioClass::eighty_up);
-  EXPECT_EQ(representative_ratio(RatioClass::eighty_up), 100);
 }
 
 // Sizes are tenths of an inch, so size 32 is 81.28 mm.  The tolerance is rounding.
@@ -138,8 +177,13 @@ TEST(CatalogueOutput, BehaviourFormatsAgree) {
   const auto small = nlohmann::json::parse(json_of(catalogue_rows({.size = 8, .ratio = 50})));
   EXPECT_TRUE(small["stiffness"]["K3"]["values"][0].is_null());
   const std::string csv = catalogue_csv(catalogue_rows());
-  EXPECT_EQ(std::ranges::count(csv, '\n'), 36);
-  EXPECT_NE(csv.find("25,80+,14,48,31000,50000,57000,B+C\n"), std::string::npos);
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + 35 + 8);
+  EXPECT_NE(csv.find("25,80+,14,48,31000,50000,57000,B+C,CSF/CSG/HFUC,cup,short,catalogue,80 100 "
+                     "120 160\n"),
+            std::string::npos);
+  // Rows of other series state their ratio, so a ratio selects them exactly.
+  EXPECT_EQ(catalogue_rows({.size = 20, .ratio = 160}).stiffness.size(), 2U);
+  EXPECT_EQ(catalogue_rows({.size = 20, .ratio = 120}).stiffness.size(), 1U);
   const std::string text = catalogue_text(one);
   EXPECT_NE(text.find("80+"), std::string::npos);
   EXPECT_NE(text.find("87"), std::string::npos);

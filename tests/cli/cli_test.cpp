@@ -606,7 +606,7 @@ TEST_F(Program, BehaviourCatalogueAndValidation) {
   const fs::path plot = in_folder("validation.svg");
   const Outcome outcome = run("validate --format json --plot " + quoted(plot.string()));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_EQ(Json::parse(outcome.out)["result"]["rows"]["size"]["values"].size(), 35U);
+  EXPECT_EQ(Json::parse(outcome.out)["result"]["rows"]["size"]["values"].size(), 35U + 8U);
   EXPECT_EQ(contents(plot).rfind("<svg", 0), 0U);
 }
 

@@ -216,16 +216,17 @@ TEST(Facade, InputATextThatTheDriveNamesMustBeAttached) {
 
 TEST(Facade, InputATextThatAnOptionNamesMustBeGiven) {
   const auto drive = test::example_drives().at("catalogue_size25");
-  constexpr std::string_view kOptions = R"({"measured": "curve.csv"})";
-  EXPECT_NE(test::broken_rule([&] {
-              return test::run_command("calibrate", drive, kOptions);
-            }).find("names a text that is not attached"),
-            std::string::npos);
-  EXPECT_NE(test::broken_rule([&] {
-              return test::run_command("calibrate", drive, kOptions, {{"curve.csv", "no csv"}});
-            }).find("curve.csv"),
-            std::string::npos)
-      << "the given text is read";
+  for (const auto& tested : {std::pair("calibrate", R"({"measured": "table.csv"})"),
+                             std::pair("validate", R"({"data": "table.csv"})")}) {
+    const auto said = [&](const OptionTexts& texts) {
+      return test::broken_rule(
+          [&] { return test::run_command(tested.first, drive, tested.second, texts); });
+    };
+    EXPECT_NE(said({}).find("names a text that is not attached"), std::string::npos)
+        << tested.first;
+    EXPECT_NE(said({{"table.csv", "no csv"}}).find("table.csv"), std::string::npos)
+        << tested.first << ": the given text is read";
+  }
 }
 
 }  // namespace

@@ -12,8 +12,8 @@
 #include "strainwave/core/fields.hpp"
 
 /// @file
-/// Data that makers publish: torsional stiffness in 35 rows of size and ratio, and torques of 36
-/// drives.
+/// Data that makers publish: torsional stiffness in 35 rows of size and ratio and in 8 rows of
+/// other series, and torques of 36 drives.
 
 namespace strainwave {
 
@@ -29,20 +29,59 @@ inline constexpr std::size_t kRatioClasses = EnumNames<RatioClass>::names.size()
 /// @param ratio  i_h [-]; > 0
 [[nodiscard]] RatioClass ratio_class_of(double ratio);
 
-/// The ratio that represents a class in computations: 30, 50, and 100 for 80+.
-[[nodiscard]] double representative_ratio(RatioClass ratio_class);
+/// Shape of the flexspline.
+enum class FlexsplineForm {
+  cup,  ///< the diaphragm points inward
+  hat,  ///< silk hat: the diaphragm points outward, and the drive is hollow
+};
+template <>
+struct EnumNames<FlexsplineForm> {
+  static constexpr std::array<std::string_view, 2> names = {"cup", "hat"};
+};
+
+/// Length class of the flexspline.
+enum class FlexsplineLength {
+  standard,      ///< the long form of handbooks
+  short_length,  ///< present-day component sets, about half as long
+  flat,          ///< about half as long as the short one
+};
+template <>
+struct EnumNames<FlexsplineLength> {
+  static constexpr std::array<std::string_view, 3> names = {"standard", "short", "flat"};
+};
+
+/// Where a row of data comes from.  Only rows of the catalogue may enter a fit; all other rows
+/// judge.
+enum class RowOrigin {
+  catalogue,
+  other_series,  ///< manuals of other series by the same maker
+  repeat,        ///< another series that repeats a row of the catalogue; not counted again
+  file,          ///< the user's own rows
+};
+template <>
+struct EnumNames<RowOrigin> {
+  static constexpr std::array<std::string_view, 4> names = {"catalogue", "other-series", "repeat",
+                                                            "file"};
+};
 
 /// One row of the stiffness tables.  The numbers are printed with two or three digits, so rounding
 /// errors reach 5 %.
 struct StiffnessRow {
-  int size = 0;
+  std::string series;  ///< maker's series, several separated by slashes
+  FlexsplineForm form = FlexsplineForm::cup;
+  FlexsplineLength length = FlexsplineLength::short_length;
+  RowOrigin origin = RowOrigin::catalogue;
+  double size = 0.0;  ///< maker's size, d in tenths of an inch; fractions in rows of a file only
   RatioClass ratio_class = RatioClass::eighty_up;
+  /// Reduction ratios for which the row holds: those that the maker offers in a class, or the one
+  /// that the source states.
+  std::vector<double> ratios;
   double T1 = 0.0;           ///< upper torque of K1 [N*m]
   double T2 = 0.0;           ///< upper torque of K2 [N*m]
-  double K1 = 0.0;           ///< [N*m/rad]
-  double K2 = 0.0;           ///< [N*m/rad]
-  std::optional<double> K3;  ///< stiffness beyond T2 [N*m/rad]; absent in two rows
-  std::string_view sources;  ///< letters A, B, C of the sources in catalogue_data.cpp
+  std::optional<double> K1;  ///< stiffness up to T1 [N*m/rad]
+  std::optional<double> K2;  ///< stiffness from T1 to T2 [N*m/rad]
+  std::optional<double> K3;  ///< stiffness beyond T2 [N*m/rad]; absent in two rows of the catalogue
+  std::string sources;       ///< letters of the sources in catalogue_data.cpp, or a line of a file
 
   /// K1, K2, K3 as an array [N*m/rad].
   [[nodiscard]] std::array<std::optional<double>, 3> K() const { return {K1, K2, K3}; }
@@ -54,14 +93,25 @@ struct StiffnessRow {
   static constexpr bool kTableRow = true;
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"size", "1", "maker's size, in tenths of an inch"}, &StiffnessRow::size);
-    field({"ratio_class", "", "30, 50, or 80 and more"}, &StiffnessRow::ratio_class);
+    describe_drive(field);
     field({"T1", "N*m", "upper torque of K1"}, &StiffnessRow::T1);
     field({"T2", "N*m", "upper torque of K2"}, &StiffnessRow::T2);
     field({"K1", "N*m/rad", "stiffness up to T1"}, &StiffnessRow::K1);
     field({"K2", "N*m/rad", "stiffness from T1 to T2"}, &StiffnessRow::K2);
     field({"K3", "N*m/rad", "stiffness beyond T2"}, &StiffnessRow::K3);
     field({"sources", "", "tables that state the row"}, &StiffnessRow::sources);
+  }
+  /// Describes the drive of the row, without its numbers.
+  template <class Visitor>
+  static void describe_drive(Visitor&& field) {
+    field({"size", "1", "maker's size, in tenths of an inch"}, &StiffnessRow::size);
+    field({"ratio_class", "", "30, 50, or 80 and more"}, &StiffnessRow::ratio_class);
+    field({"ratios", "1", "reduction ratios for which the row holds"}, &StiffnessRow::ratios);
+    field({"series", "", "maker's series"}, &StiffnessRow::series);
+    field({"form", "", "cup, or hat with the diaphragm outward"}, &StiffnessRow::form);
+    field({"length", "", "length class of the flexspline"}, &StiffnessRow::length);
+    field({"origin", "", "where the row comes from; only rows of the catalogue enter a fit"},
+          &StiffnessRow::origin);
   }
 };
 
@@ -96,14 +146,17 @@ struct RatingRow {
   }
 };
 
+/// The rows of the catalogue.  Only these may enter a fit.
 [[nodiscard]] std::span<const StiffnessRow> stiffness_rows();
+/// Rows of other series.  They judge only; no fit and no calibration reads them.
+[[nodiscard]] std::span<const StiffnessRow> other_series_rows();
 [[nodiscard]] std::span<const RatingRow> rating_rows();
 
 /// Sizes of the stiffness table, in ascending order.
 [[nodiscard]] std::vector<int> catalogue_sizes();
 
 /// Pitch diameter d of a size [m].  A maker's size is d in tenths of an inch.
-[[nodiscard]] double pitch_diameter_of(int size);
+[[nodiscard]] double pitch_diameter_of(double size);
 
 /// The row of a size and of the class of a ratio; null if the table lacks it.
 [[nodiscard]] const StiffnessRow* find_stiffness(int size, double ratio);
@@ -119,10 +172,20 @@ struct RatingRow {
 /// Throws InputError unless the size is in the catalogue; the message lists the sizes that are.
 void require_catalogue_size(int size);
 
+/// Reads rows of a user: a table with the columns T1, T2 [N*m], K1, K2, K3 [N*m/rad], ratio, and
+/// size or pitch_diameter [mm], in any order and in any units of torque, stiffness and length.
+/// Cells of K1 to K3 may be empty, but not all of a row.  The columns series, form (cup or hat) and
+/// length (standard, short or flat) may be left out; a row is then a short cup.  The function reads
+/// the dialects of parse_measured_curve.
+/// @param file_name  used in messages and as `sources` of the rows
+/// @throws InputError  if the text is not such a table; the message gives file, line and column
+[[nodiscard]] std::vector<StiffnessRow> parse_stiffness_rows(std::string_view text,
+                                                             std::string_view file_name);
+
 /// Selects rows of the catalogue.
 struct CatalogueFilter {
   std::optional<int> size;
-  std::optional<double> ratio;  ///< selects stiffness rows by class and ratings exactly
+  std::optional<double> ratio;  ///< selects the catalogue's stiffness rows by class, others exactly
 };
 /// Rows of both tables, with their sources.
 struct CatalogueRows {
@@ -132,7 +195,8 @@ struct CatalogueRows {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"stiffness", "", "torsional stiffness, input locked"}, &CatalogueRows::stiffness);
+    field({"stiffness", "", "torsional stiffness, input locked, also of other series"},
+          &CatalogueRows::stiffness);
     field({"ratings", "", "torques, speeds and inertia"}, &CatalogueRows::ratings);
     field({"sources", "", "publications from which the rows were taken"}, &CatalogueRows::sources);
   }

@@ -87,6 +87,9 @@ struct Proportion {
 /// which the standard fixes, and the code here makes the uniform number from its 53 upper bits.
 [[nodiscard]] ProportionValues draw_proportions(std::mt19937_64& generator);
 
+/// Throws InputError unless typical_drive accepts the ratio.
+void require_typical_ratio(double ratio);
+
 /// A complete and consistent drive with a given pitch diameter.  It has no rating, so the torques
 /// T1 and T2 are 0.0517 d^3 and 0.187 d^3 N/mm^2 (model/rating.hpp).
 ///

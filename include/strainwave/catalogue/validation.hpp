@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "strainwave/catalogue/catalogue.hpp"
@@ -21,23 +22,23 @@
 namespace strainwave {
 
 enum class ValidationMode {
-  geometry,            ///< no factor is fitted
-  leave_one_size_out,  ///< at most three factors, fitted to all other sizes
-  per_row,             ///< at most three factors, fitted to each row alone: shows what the model
-                       ///< can follow, not what it predicts
+  geometry,             ///< no factor is fitted
+  leave_one_size_out,   ///< at most three factors, fitted to all other sizes
+  leave_one_class_out,  ///< at most three factors, fitted to all other classes of ratio
+  per_row,              ///< at most three factors, fitted to each row alone: shows what the model
+                        ///< can follow, not what it predicts
 };
 template <>
 struct EnumNames<ValidationMode> {
-  static constexpr std::array<std::string_view, 3> names = {"geometry", "leave-one-size-out",
-                                                            "per-row"};
+  static constexpr std::array<std::string_view, 4> names = {"geometry", "leave-one-size-out",
+                                                            "leave-one-class-out", "per-row"};
 };
 
 struct ValidationOptions {
   ValidationMode mode = ValidationMode::geometry;
-  Cup cup = Cup::short_cup;
-  /// Factors for the two modes that fit.  If the list is empty, leave-one-size-out uses support,
-  /// coning and cam_flattening: one unknown each of housing, tooth and cam, because makers do not
-  /// publish these.
+  /// Factors for the modes that fit.  If the list is empty, leave-one-size-out and
+  /// leave-one-class-out use support, coning and cam_flattening: one unknown each of housing, tooth
+  /// and cam, because makers do not publish these.
   /// Per-row then uses coning, gap_factor and structure, which bend the curve at its beginning,
   /// middle and end.
   std::vector<Factor> factors = {};
@@ -45,6 +46,8 @@ struct ValidationOptions {
   int draws = 0;          ///< draws of the proportions for the bands; 0 to 100000
   std::uint64_t seed = 1;
   std::vector<int> sizes = {};  ///< sizes of the catalogue to predict; empty: all
+  /// Rows of a user, which judge only (parse_stiffness_rows).
+  std::vector<StiffnessRow> data = {};
   CoupledOptions coupled = {};
 };
 
@@ -55,35 +58,40 @@ struct PredictionBand {
   double high = 0.0;
 };
 
-/// One row of the catalogue and its prediction.
+/// One row of a table and its prediction, at one ratio or as the mean over several.
 struct ValidationRow {
   StiffnessRow catalogue;
+  std::vector<double> ratios;         ///< reduction ratios over which `predicted` is the mean
   std::array<double, 3> predicted{};  ///< K1, K2, K3 [N*m/rad]
+  std::array<double, 3> least{};      ///< least prediction over the ratios [N*m/rad]
+  std::array<double, 3> most{};       ///< largest prediction over the ratios [N*m/rad]
   /// values of the factors in the prediction; empty in mode geometry
   std::vector<double> factors;
   std::vector<bool> at_limit;  ///< whether each factor is at a limit
   std::array<std::optional<PredictionBand>, 3> band;
 
-  /// predicted/catalogue of K1, K2, K3 [-]; absent if the catalogue has no value
+  /// predicted/catalogue of K1, K2, K3 [-]; absent if the table has no value
   [[nodiscard]] std::array<std::optional<double>, 3> ratio() const;
 
   static constexpr bool kTableRow = true;
   template <class Visitor>
   static void describe(Visitor&& field) {
     using Row = ValidationRow;
-    field({"size", "1", "maker's size"}, [](const Row& row) { return row.catalogue.size; });
-    field({"ratio_class", "", "30, 50, or 80 and more"},
-          [](const Row& row) { return row.catalogue.ratio_class; });
+    StiffnessRow::describe_drive([&](const Field& of_drive, auto member) {
+      if constexpr (!std::is_same_v<decltype(member), std::vector<double> StiffnessRow::*>)
+        field(of_drive, [member](const Row& row) { return row.catalogue.*member; });
+    });
+    field({"ratios", "1", "reduction ratios over which predicted is the mean"}, &Row::ratios);
     field({"T1", "N*m", "upper torque of K1"}, [](const Row& row) { return row.catalogue.T1; });
     field({"T2", "N*m", "upper torque of K2"}, [](const Row& row) { return row.catalogue.T2; });
     field({"T3", "N*m", "upper torque of the comparison of K3"},
           [](const Row& row) { return row.catalogue.T3(); });
-    describe_line<0>(
-        field, {"catalogue_K1", "predicted_K1", "ratio_K1", "low_K1", "middle_K1", "high_K1"});
-    describe_line<1>(
-        field, {"catalogue_K2", "predicted_K2", "ratio_K2", "low_K2", "middle_K2", "high_K2"});
-    describe_line<2>(
-        field, {"catalogue_K3", "predicted_K3", "ratio_K3", "low_K3", "middle_K3", "high_K3"});
+    describe_line<0>(field, {"catalogue_K1", "predicted_K1", "least_K1", "most_K1", "ratio_K1",
+                             "low_K1", "middle_K1", "high_K1"});
+    describe_line<1>(field, {"catalogue_K2", "predicted_K2", "least_K2", "most_K2", "ratio_K2",
+                             "low_K2", "middle_K2", "high_K2"});
+    describe_line<2>(field, {"catalogue_K3", "predicted_K3", "least_K3", "most_K3", "ratio_K3",
+                             "low_K3", "middle_K3", "high_K3"});
     field({"factors", "1", "values of the factors in the prediction"}, &Row::factors);
     field({"at_limit", "", "whether each factor is at a limit"}, &Row::at_limit);
   }
@@ -91,17 +99,22 @@ struct ValidationRow {
  private:
   /// Describes one of K1, K2, K3; the band is absent if nothing was drawn.
   template <std::size_t k, class Visitor>
-  static void describe_line(Visitor&& field, const std::array<std::string_view, 6>& names) {
+  static void describe_line(Visitor&& field, const std::array<std::string_view, 8>& names) {
     using Row = ValidationRow;
-    field({names[0], "N*m/rad", "stiffness in the catalogue"},
+    field({names[0], "N*m/rad", "stiffness that the table states"},
           [](const Row& row) { return row.catalogue.K()[k]; });
-    field({names[1], "N*m/rad", "predicted"}, [](const Row& row) { return row.predicted[k]; });
-    field({names[2], "1", "predicted/catalogue"}, [](const Row& row) { return row.ratio()[k]; });
-    field({names[3], "N*m/rad", "5 % quantile of the drawn predictions"},
+    field({names[1], "N*m/rad", "predicted, mean over the ratios"},
+          [](const Row& row) { return row.predicted[k]; });
+    field({names[2], "N*m/rad", "least prediction over the ratios"},
+          [](const Row& row) { return row.least[k]; });
+    field({names[3], "N*m/rad", "largest prediction over the ratios"},
+          [](const Row& row) { return row.most[k]; });
+    field({names[4], "1", "predicted/catalogue"}, [](const Row& row) { return row.ratio()[k]; });
+    field({names[5], "N*m/rad", "5 % quantile of the drawn predictions"},
           [](const Row& row) { return row.of_band(k, &PredictionBand::low); });
-    field({names[4], "N*m/rad", "50 % quantile of the drawn predictions"},
+    field({names[6], "N*m/rad", "50 % quantile of the drawn predictions"},
           [](const Row& row) { return row.of_band(k, &PredictionBand::middle); });
-    field({names[5], "N*m/rad", "95 % quantile of the drawn predictions"},
+    field({names[7], "N*m/rad", "95 % quantile of the drawn predictions"},
           [](const Row& row) { return row.of_band(k, &PredictionBand::high); });
   }
   [[nodiscard]] std::optional<double> of_band(std::size_t k, double PredictionBand::*limit) const {
@@ -116,8 +129,10 @@ struct ErrorSummary {
   int values = 0;
   double median = 0.0;
   double worst = 0.0;
-  std::array<double, 3> median_of{};  ///< medians of K1, K2, K3
-  std::array<double, 3> worst_of{};
+  std::array<std::optional<double>, 3> median_of{};  ///< medians of K1, K2, K3; absent: no value
+  std::array<std::optional<double>, 3> worst_of{};
+  /// medians of largest/least - 1 over the ratios of a row, of the rows with several ratios [-]
+  std::array<std::optional<double>, 3> spread_of{};
   int in_band = 0;  ///< how many of `values` lie between `low` and `high`
 
   static constexpr bool kTableRow = true;
@@ -140,6 +155,12 @@ struct ErrorSummary {
           [](const ErrorSummary& s) { return s.worst_of[1]; });
     field({"worst_K3", "1", "largest for K3 alone"},
           [](const ErrorSummary& s) { return s.worst_of[2]; });
+    field({"spread_K1", "1", "median of largest/least - 1 over the ratios of a row, for K1"},
+          [](const ErrorSummary& s) { return s.spread_of[0]; });
+    field({"spread_K2", "1", "median of largest/least - 1 over the ratios of a row, for K2"},
+          [](const ErrorSummary& s) { return s.spread_of[1]; });
+    field({"spread_K3", "1", "median of largest/least - 1 over the ratios of a row, for K3"},
+          [](const ErrorSummary& s) { return s.spread_of[2]; });
     field({"in_band", "1", "number of values within the band"}, &ErrorSummary::in_band);
   }
 };
@@ -149,6 +170,7 @@ struct FactorTrial {
   std::vector<Factor> factors;
   std::vector<double> values;
   std::vector<bool> at_limit;
+  int fitted = 0;       ///< number of values of the catalogue to which the factors are fitted
   double median = 0.0;  ///< median of |error| over the fitted rows
   double worst = 0.0;
 
@@ -158,15 +180,19 @@ struct FactorTrial {
     field({"factors", "", "names of the factors"}, &FactorTrial::factors);
     field({"values", "1", "fitted values of the factors"}, &FactorTrial::values);
     field({"at_limit", "", "whether each factor is at a limit"}, &FactorTrial::at_limit);
+    field({"fitted", "1", "number of values to which the factors are fitted"},
+          &FactorTrial::fitted);
     field({"median", "1", "median of |error| over the fitted rows"}, &FactorTrial::median);
     field({"worst", "1", "largest of |error| over the fitted rows"}, &FactorTrial::worst);
   }
 };
 
 struct Validation {
-  ValidationOptions options;  ///< with the factors filled in
-  std::vector<ValidationRow> rows;
-  std::vector<ErrorSummary> errors;
+  ValidationOptions options;              ///< with the factors filled in
+  std::vector<ValidationRow> rows;        ///< each row, as the mean over its ratios
+  std::vector<ErrorSummary> errors;       ///< of `rows`
+  std::vector<ValidationRow> each_ratio;  ///< each row at each of its ratios
+  std::vector<ErrorSummary> errors_at_each_ratio;
   std::vector<FactorTrial> trials;  ///< the set in use first, then the other sets on request
   int failed_draws = 0;             ///< draws left out because they have no equilibrium
 
@@ -174,7 +200,6 @@ struct Validation {
   static void describe(Visitor&& field) {
     field({"mode", "", "which factors are fitted, and to what"},
           [](const Validation& v) { return v.options.mode; });
-    field({"cup", "", "short or standard"}, [](const Validation& v) { return v.options.cup; });
     field({"factors", "", "names of the fitted factors"},
           [](const Validation& v) { return v.options.factors; });
     field({"draws", "", "drives drawn for the bands"},
@@ -182,21 +207,31 @@ struct Validation {
     field({"failed_draws", "", "draws left out because they have no equilibrium"},
           &Validation::failed_draws);
     field({"seed", "", "seed of the draws"}, [](const Validation& v) { return v.options.seed; });
-    field({"errors", "", "errors over groups of rows"}, &Validation::errors);
-    field({"rows", "", "each row of the catalogue and its prediction"}, &Validation::rows);
+    field({"errors", "", "errors over groups of rows, a row as the mean over its ratios"},
+          &Validation::errors);
+    field({"errors_at_each_ratio", "", "errors over groups of rows, each row at each ratio"},
+          &Validation::errors_at_each_ratio);
+    field({"rows", "", "each row of the tables and its prediction, the mean over its ratios"},
+          &Validation::rows);
+    field({"each_ratio", "", "each row of the tables and its prediction at each of its ratios"},
+          &Validation::each_ratio);
     field({"sets_tried", "", "sets of factors fitted to all sizes at once"}, &Validation::trials);
   }
 };
 
-/// Whether a fit uses this row: size 17 and more, ratio 50 and more.  In the catalogue, smaller
-/// sizes deviate from the similarity K ~ d^3 by 20 to 50 %.  At ratio 30 the model is not valid.
+/// Whether a fit uses this row: a row of the catalogue, size 17 and more, ratio 50 and more.  In
+/// the catalogue, smaller sizes deviate from the similarity K ~ d^3 by 20 to 50 %.  At ratio 30 the
+/// model is not valid.
 [[nodiscard]] bool is_regular(const StiffnessRow& row);
 
-/// Predicts every row of the catalogue with the typical drive of its ratio, without an output
-/// shaft, at the catalogue's T1 and T2 and at 1.6 T2.  Ratio 100 represents 80 and more.
+/// Predicts every row of the catalogue, of other series and of a user with the typical drive of
+/// each of its ratios, without an output shaft, at the row's T1 and T2 and at 1.6 T2.  A row of the
+/// class 80 and more states one number for several ratios, so it is judged by the mean over the
+/// ratios that the maker offers in this size, and at each ratio by itself.
 ///
-/// In mode leave_one_size_out, every row is predicted by a fit to the other sizes.  Fits are least
-/// squares of ln K with equal weights, with factors in their plausible ranges (factor_info).
+/// In the modes that leave out, every row is predicted by a fit to the catalogue's rows of other
+/// sizes or of other classes.  Fits are least squares of ln K with equal weights, with factors in
+/// their plausible ranges (factor_info).
 ///
 /// @throws InputError   if an option is out of range or a size is unknown
 /// @throws SolverError  if a drive has no equilibrium

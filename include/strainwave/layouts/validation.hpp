@@ -9,13 +9,14 @@ namespace strainwave {
 
 /// The report for people.
 [[nodiscard]] std::string validation_text(const Validation& validation);
-/// CSV with one line for each row: predicted/catalogue, and bands if drawn.
+/// CSV with one line for each K of each row at each ratio: predicted/stated, and bands if drawn.
 [[nodiscard]] std::string validation_csv(const Validation& validation);
 /// Tables for a manual.
 [[nodiscard]] std::string validation_markdown(const Validation& validation);
 
-/// Predicted over catalogue stiffness against size as SVG, with one panel for each class of ratio
-/// and with K1, K2, K3.  With drawn proportions, the panels also show the band of K2.
+/// Predicted over stated stiffness of the catalogue as SVG, with K1, K2, K3: against size, with one
+/// panel for each class of ratio, and against the ratio for the sizes 25 and 40.  With drawn
+/// proportions, the panels also show the band of K2.
 [[nodiscard]] std::string validation_plot(const Validation& validation);
 
 }  // namespace strainwave

@@ -10,6 +10,7 @@ struct ValidateOptions {
   std::optional<std::string> factors;
   bool all_sets = false;
   int draws = 0;
+  std::optional<std::string> data;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -24,7 +25,8 @@ struct ValidateOptions {
            .names = "factor"},
           &ValidateOptions::factors);
     field({"all_sets", "",
-           "with mode leave-one-size-out, also fit every set of one to three factors"},
+           "with mode leave-one-size-out or leave-one-class-out, also fit every set of one to "
+           "three factors"},
           &ValidateOptions::all_sets);
     field({.name = "draws",
            .unit = "",
@@ -32,10 +34,23 @@ struct ValidateOptions {
            .range = {.lower = 0, .lower_open = false, .upper = 100000, .upper_open = false},
            .fallback = "0"},
           &ValidateOptions::draws);
+    field({.name = "data",
+           .unit = "",
+           .doc = "also judge rows of your own: CSV with the columns series, form, length, size or "
+                  "pitch_diameter [mm], ratio, T1 [N*m], T2 [N*m], K1 [N*m/rad], K2 [N*m/rad], K3 "
+                  "[N*m/rad]",
+           .names = "attachment"},
+          &ValidateOptions::data);
   }
 };
 
 Validation validated(const Request& request, const ValidateOptions& options) {
+  std::vector<StiffnessRow> rows;
+  if (options.data) {
+    const auto text = request.texts.find(*options.data);
+    if (text == request.texts.end()) throw OptionError("data", "names a text that is not attached");
+    rows = parse_stiffness_rows(text->second, *options.data);
+  }
   return from_option([&] {
     return validate(
         {.mode = options.mode,
@@ -43,6 +58,7 @@ Validation validated(const Request& request, const ValidateOptions& options) {
          .all_sets = options.all_sets,
          .draws = options.draws,
          .sizes = {},
+         .data = std::move(rows),
          .coupled = {}},
         request.progress);
   });
@@ -55,12 +71,15 @@ Command validate_command() {
       .name = "validate",
       .summary = "Compare the torsion curve with the makers' tables",
       .description =
-          "Predicts every row of the stiffness tables and compares prediction and table. Mode "
-          "geometry does not fit factors: every drive has the typical proportions. Mode "
-          "leave-one-size-out fits up to three factors to all other sizes and predicts the "
-          "remaining one. Mode per-row fits up to three factors to each row and shows what the "
-          "model can follow, not what it predicts. With --draws, the proportions are drawn between "
-          "their limits, which gives the band of a drive of unknown geometry.",
+          "Predicts every row of the stiffness tables at each ratio for which it holds, and "
+          "compares "
+          "prediction and table by series, form, size and ratio. Rows of other series and rows of "
+          "a file (--data) judge only; no fit uses them. Mode geometry does not fit factors: every "
+          "drive has the typical proportions. Mode leave-one-size-out fits up to three factors to "
+          "all other sizes and predicts the remaining one; leave-one-class-out does the same with "
+          "the classes of ratio. Mode per-row fits up to three factors to each row and shows what "
+          "the model can follow, not what it predicts. With --draws, the proportions are drawn "
+          "between their limits, which gives the band of a drive of unknown geometry.",
       .example = "strainwave validate --mode geometry --draws 200 --plot validation.svg",
       .takes = Takes::nothing,
       .function = validated,
@@ -70,7 +89,7 @@ Command validate_command() {
                     {{.name = "plot",
                       .format = Format::svg,
                       .option = "plot",
-                      .doc = "draw predicted over catalogue as an SVG file"},
+                      .doc = "draw predicted over stated stiffness as an SVG file"},
                      validation_plot}},
   });
 }
