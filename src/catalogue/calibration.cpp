@@ -214,6 +214,22 @@ ResultEvidence evidence_of(const Calibration& calibration) {
   ResultEvidence evidence;
   if (!calibration.converged)
     evidence.unusable_because = "the calibration did not converge; fit fewer factors";
+  std::string names;
+  for (const CalibratedFactor& factor : calibration.factors)
+    if (!factor.identified)
+      names += (names.empty() ? "" : ", ") + std::string(enum_name(factor.factor));
+  if (!names.empty())
+    evidence.notes.push_back(
+        {.code = "calibration.not_identified",
+         .text = fmt::format("these values do not identify {}", names),
+         .path = {},
+         .equation = "",
+         .severity = Severity::care,
+         .next_step = calibration.factors.size() > 1
+                          ? "Fit one factor or other factors (--factors), or give a measured curve "
+                            "with more points (--measured)."
+                          : "Fit another factor (--factors), or give a measured curve with more "
+                            "points (--measured)."});
   evidence.verdict = verdict_of(evidence.unusable_because, evidence.notes);
   return evidence;
 }

@@ -51,13 +51,22 @@ const char* const kRim =
 const char* const kOrder =
     "the driver orthogonal_shear gives an order of magnitude at best (ST-12)";
 
-/// Marks a stress as unknown.  It decides the verdict, and no field of the file can give it.
-void leave_unknown(DriveCrack& made, std::string stress) {
+const char* const kNoField =
+    "Assess the crack by finite elements of the part, because no field of the file can give this "
+    "stress.";
+const char* const kOnlyRisesWithTorque =
+    "Assess the crack by finite elements of the part. No driver makes this crack acceptable, "
+    "because every stress of a driver, also a given one, counts as proportional to the torque, and "
+    "the bending by the cam is constant.";
+const char* const kOtherDriver =
+    "Choose contact_edge, or give the hoop stress with stress_driver = \"given\".";
+
+/// Marks a stress as unknown, which decides the verdict.
+/// @param next_step  what the user can do
+void leave_unknown(DriveCrack& made, std::string stress, const char* next_step) {
   if (stress.empty()) return;
   made.unknown = std::move(stress);
-  made.next_step =
-      "Assess the crack by finite elements of the part, because no field of the file can give this "
-      "stress.";
+  made.next_step = next_step;
 }
 
 void use(DriveCrack& made, std::initializer_list<const char*> tags) {
@@ -232,7 +241,7 @@ class Maker {
     take_basics(made, loaded);
     step_where_touching(made, loads_.plane_of(crack).normal[kTorsion]);
     const AssemblyStress bending = assembly_of(made, wall, crack.angle);
-    if (on_rim(crack.section)) leave_unknown(made, kRim);
+    if (on_rim(crack.section)) leave_unknown(made, kRim, kNoField);
     made.front = [states = BothStates(loaded.solution), bending](const CrackSize& size,
                                                                  Faces faces) {
       const double root = std::sqrt(pi * size.size);
@@ -282,7 +291,7 @@ class Maker {
     take_basics(made, loaded);
     step_where_touching(made, loads_.plane_of(crack).normal[kTorsion]);
     const AssemblyStress bending = assembly_of(made, wall, crack.angle);
-    if (on_rim(crack.section)) leave_unknown(made, kRim);
+    if (on_rim(crack.section)) leave_unknown(made, kRim, kNoField);
     made.front = [=, given = SurfaceFits(loaded.solution, nu)](const CrackSize& size, Faces faces) {
       const double a = size.size;
       const SurfaceFits fits =
@@ -336,7 +345,7 @@ class Maker {
     take_size(made, "half_length", {.size = crack.half_length}, pi * r - crack.half_length);
     made.range_end = r / 2;
     made.range_text = "half of the arc's radius";
-    leave_unknown(made, kDiaphragm);
+    leave_unknown(made, kDiaphragm, kNoField);
     use(made, {"FA-6", "FA-8"});
     const bool at_station = std::ranges::any_of(
         gear_.flexspline->diaphragm->profile, [&](const DiaphragmStation& station) {
@@ -389,7 +398,7 @@ class Maker {
     take_size(made, "depth", {.size = groove.depth}, thinnest - groove.depth);
     made.range_end = kNearlyAll * thinnest;
     made.range_text = "the thickness of the diaphragm";
-    leave_unknown(made, kDiaphragm);
+    leave_unknown(made, kDiaphragm, kNoField);
     made.notes.push_back(kGroove);
     use(made, {"FA-6", "FA-9", "FA-11"});
   }
@@ -484,7 +493,12 @@ class Maker {
     made.reference_stress = [=](const CrackSize& size, double, double T) {
       return ligament_reference_stress(loading, stress * std::abs(T), size.size / t);
     };
-    leave_unknown(made, missing_stress(crack.stress_driver));
+    leave_unknown(made, missing_stress(crack.stress_driver),
+                  gear_.drive.wave_number < 2 ? kOtherDriver : kOnlyRisesWithTorque);
+    if (crack.stress_driver == StressDriver::ring_bending)
+      made.upper_bound = "the bending of a free ring (ST-13)";
+    if (crack.stress_driver == StressDriver::contact_edge)
+      made.upper_bound = "the tension at the edge of the contact (CO-7)";
     made.notes.push_back(kFit);
     use(made, {loading == SectionLoading::membrane ? "FA-9" : "FA-10"});
     if (gear_.drive.wave_number >= 2) use(made, {"SW-9"});

@@ -21,6 +21,14 @@ namespace fs = std::filesystem;
   throw Error(fmt::format("{}: cannot be written: {}", path.string(), why));
 }
 
+/// Refuses by the fault of a system call.  A file to write is created, so only its folder can be
+/// missing.
+[[noreturn]] void refuse(const fs::path& path, std::error_code fault) {
+  refuse(path,
+         fault.message() +
+             (fault == std::errc::no_such_file_or_directory ? "; make the folder first" : ""));
+}
+
 /// Reason why the last system call failed.
 std::error_code last_fault() { return {errno, std::system_category()}; }
 
@@ -78,13 +86,13 @@ WaitingFile::WaitingFile(const fs::path& path, std::string_view text)
     waiting_ = file_;
     waiting_ += fmt::format(".{}.part", n);
     descriptor = ::open(waiting_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-    if (descriptor < 0 && errno != EEXIST) refuse(path, last_fault().message());
+    if (descriptor < 0 && errno != EEXIST) refuse(path, last_fault());
   }
   // A new file gets the permissions that the user's mask allows.
   if (fs::exists(old)) (void)::fchmod(descriptor, mode);
   if (const std::error_code why = write_and_close(descriptor, text, false)) {
     fs::remove(waiting_, fault);
-    refuse(path, why.message());
+    refuse(path, why);
   }
 }
 
@@ -96,27 +104,27 @@ WaitingFile::~WaitingFile() {
 void WaitingFile::replace() {
   std::error_code fault;
   fs::rename(waiting_, file_, fault);
-  if (fault) refuse(file_, fault.message());
+  if (fault) refuse(file_, fault);
   waiting_.clear();
 }
 
 void require_open_end(const fs::path& path) {
   std::error_code fault;
   const fs::file_type type = fs::status(path, fault).type();
-  if (fault) refuse(path, fault.message());
+  if (fault) refuse(path, fault);
   if (type == fs::file_type::directory) refuse(path, "it is a directory");
-  if (::access(path.c_str(), W_OK) != 0) refuse(path, last_fault().message());
+  if (::access(path.c_str(), W_OK) != 0) refuse(path, last_fault());
   // Do not open and close a pipe here, because the reader would take this as the end of the text.
   if (type != fs::file_type::character) return;
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-  if (descriptor < 0) refuse(path, last_fault().message());
+  if (descriptor < 0) refuse(path, last_fault());
   (void)::close(descriptor);
 }
 
 void write_to(int descriptor, std::string_view name, std::string_view text) {
   const std::error_code fault = write_all(descriptor, text);
   if (fault == std::errc::interrupted) throw Stopped();
-  if (fault) refuse(name, fault.message());
+  if (fault) refuse(name, fault);
 }
 
 void append_to(const fs::path& path, std::string_view text) {
@@ -124,7 +132,7 @@ void append_to(const fs::path& path, std::string_view text) {
   const std::error_code fault =
       descriptor < 0 ? last_fault() : write_and_close(descriptor, text, true);
   if (fault == std::errc::interrupted) throw Stopped();
-  if (fault) refuse(path, fault.message());
+  if (fault) refuse(path, fault);
 }
 
 }  // namespace strainwave

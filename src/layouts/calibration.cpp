@@ -9,6 +9,7 @@
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/io/gear_writer.hpp"
 #include "strainwave/layouts/words.hpp"
+#include "strainwave/present/evidence_text.hpp"
 #include "strainwave/present/table.hpp"
 
 namespace strainwave {
@@ -49,7 +50,7 @@ std::string calibration_text(const Calibration& c) {
                                       combination.identified ? "identified" : "not identified",
                                       sum));
   }
-  return fmt::format(
+  std::string text = fmt::format(
       "Calibration with {}: {} factors, {} values\n\n{}\n{}\n"
       "With all other numbers of the file taken as exact, {} values identify {} of {} "
       "combinations:\n"
@@ -59,6 +60,9 @@ std::string calibration_text(const Calibration& c) {
       c.stiffnesses.size(), std::ranges::count_if(c.combinations, &FactorCombination::identified),
       c.combinations.size(), text_table(combinations), percent(c.relative_uncertainty),
       percent(c.residual), c.iterations, c.converged ? "" : ", NOT CONVERGED");
+  const std::vector<Note> notes = evidence_of(c).notes;
+  if (!notes.empty()) text += "\nNotes\n" + notes_text(notes);
+  return text;
 }
 
 std::string calibrated_drive(const Calibration& calibration, const GearSet& before,

@@ -10,7 +10,9 @@
 namespace strainwave {
 
 std::string requirements_text(const RequirementReport& report) {
-  Table table{.head = {"requirement", "answer", "value", "with its uncertainty"}, .align = "llrl"};
+  Table table{.head = {"requirement", "answer", "value",
+                       fmt::format("with its standard uncertainty times {:g}", report.coverage)},
+              .align = "llrl"};
   for (const RequirementAnswer& answer : report.answers) {
     const Requirement& asked = answer.requirement;
     const auto number = [&](double value) {

@@ -400,20 +400,29 @@ void FlexsplineCracks::add(CrackReport report, const DiaphragmGroove& groove, co
   member.cracks.push_back(std::move(report));
 }
 
-void note_ovalisation(const GearSet& gear, MemberCompliance& member) {
+/// Notes the stress by the assembly at the wall that contains cracks.
+void note_ovalisation(const GearSet& gear, const CrackLoads<double>& loads, WallSection section,
+                      MemberCompliance& member) {
   const int U = gear.drive.wave_number;
   if (U < 2) return;  // one lobe shifts the ring without bending it
-  const Wall<double> wall = tooth_ring(Lift<double>(), gear);
+  const Wall<double> wall = loads.wall_of(section);
+  const char* const where = gear.flexspline->crack_free == CrackFree::factor ? "at the tooth ring"
+                            : section == WallSection::rim                    ? "of the rim"
+                                                                             : "of the barrel";
   const double tau = std::abs(gear.load.torque) * gear.flexspline->stress_nonuniformity /
                      (2 * std::numbers::pi * wall.mean_radius * wall.mean_radius * wall.thickness);
   use_equations(member.equations, {"ST-17"});
   member.notes.push_back(
       {.code = "flexspline.ovalisation",
        .text = fmt::format(
-           "assembly on the wave generator bends the wall at the tooth ring by {}, against "
-           "{} of shear from the torque; it opens one face of a crack and closes the other "
+           "assembly on the wave generator bends the wall {} by {}, against {} of shear from the "
+           "torque; it opens one face of a crack and closes the other "
            "{} times per turn, and is left out of the decision whether a crack is open",
-           shown_quantity(ovalisation_stress(gear), "Pa", 3), shown_quantity(tau, "Pa", 3), U),
+           where,
+           shown_quantity(bending_to_shape(gear.drive, loads.flexspline_steel(), wall.mean_radius,
+                                           wall.thickness),
+                          "Pa", 3),
+           shown_quantity(tau, "Pa", 3), U),
        .path = "flexspline.crack",
        .equation = "ST-17",
        .severity = Severity::care});
@@ -428,10 +437,17 @@ MemberCompliance flexspline_compliance(const GearSet& gear, const StiffnessOptio
   add_sound_flexspline(gear, model, member);
   add_cracks(member, model.loads(), "flexspline", fs.crack,
              FlexsplineCracks({gear, model, options, member}));
-  const bool in_the_wall = std::ranges::any_of(fs.crack, [](const FlexsplineCrack& any) {
-    return std::visit([](const auto& crack) { return crack.place().angle.has_value(); }, any);
-  });
-  if (in_the_wall) note_ovalisation(gear, member);
+  for (const WallSection section : {WallSection::barrel, WallSection::rim}) {
+    const bool cracked = std::ranges::any_of(fs.crack, [&](const FlexsplineCrack& any) {
+      return std::visit(
+          [&](const auto& crack) {
+            const CrackPlace place = crack.place();
+            return place.angle.has_value() && place.part == part_of(section);
+          },
+          any);
+    });
+    if (cracked) note_ovalisation(gear, model.loads(), section, member);
+  }
   if (fs.dynamic_load != 1)
     member.notes.push_back({.code = "flexspline.dynamic_load",
                             .text = "this factor of the load is not used, because a compliance "

@@ -102,8 +102,8 @@ Driver driver_of(const Crack& crack, const std::string& path) {
               "ST-12"),
           .accuracy = accuracy::kOrthogonalShear};
       driver.note->next_step =
-          "Give the stress of the crack with stress_driver = \"given\", or choose contact_edge or "
-          "ring_bending.";
+          "Choose contact_edge, which the torsion curve contains too. Or give the hoop stress with "
+          "stress_driver = \"given\"; the torsion curve leaves such a crack out.";
       if (!crack.contact_factor) driver.equations.insert(driver.equations.begin(), "CO-5");
       return driver;
     }

@@ -50,12 +50,22 @@ CrackStrength strength_of(const GearSet& gear, const DriveCrack& crack,
   if (material.fracture_toughness) report.equations.emplace_back("FR-20");
   if (material.yield_strength) report.equations.emplace_back("FR-19");
   const auto of_path = std::ranges::find(reports, crack.path, &CrackReport::path);
-  return assess({.crack = crack,
-                 .material = material,
-                 .load = gear.load,
-                 .relative_uncertainty = of_path == reports.end() ? std::optional<double>()
-                                                                  : of_path->intensity_uncertainty},
-                std::move(report));
+  report =
+      assess({.crack = crack,
+              .material = material,
+              .load = gear.load,
+              .relative_uncertainty = of_path == reports.end() ? std::optional<double>()
+                                                               : of_path->intensity_uncertainty},
+             std::move(report));
+  if (report.breaks())
+    report.next_step =
+        (crack.upper_bound.empty()
+             ? "Lower"
+             : fmt::format("Assess the crack by finite elements of the part, because its stress, "
+                           "{}, is an upper bound; otherwise lower",
+                           crack.upper_bound)) +
+        " the load or replace the part; the stiffness holds for the present size of the crack.";
+  return report;
 }
 
 /// Note that the plastic zone is not small, at the given load alone.
@@ -96,9 +106,7 @@ std::vector<Note> strength_notes(std::span<const CrackStrength> cracks) {
                        .path = crack.path,
                        .equation = "FA-13",
                        .severity = Severity::critical,
-                       .next_step =
-                           "Lower the load or replace the part; the stiffness holds for the "
-                           "present size of the crack."});
+                       .next_step = crack.next_step});
     else if (crack.verdict == StrengthVerdict::cannot_tell)
       notes.push_back({.code = "strength.cannot_tell",
                        .text = crack.sentence,

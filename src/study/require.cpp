@@ -155,6 +155,18 @@ std::string interval_words(const std::optional<SumOutput>& sum) {
                "softer, so the uncertainty contains their effect on the softer side only";
 }
 
+/// What to do about a requirement whose bound lies within the uncertainty, or whose output has no
+/// interval.  The accuracy of the coupled drive is that of its model, which no other value of the
+/// file improves.
+std::string next_step_of(const RequirementAnswer& answer, const std::optional<SumOutput>& sum) {
+  if (!answer.low && sum) return fmt::format("Require {} instead.", sum->of_drive);
+  return answer.requirement.output.starts_with("curve.")
+             ? "Calibrate the drive with a measured curve (strainwave calibrate), or measure the "
+               "output."
+             : "Give the value that the accuracies name as the largest uncertainty, or measure the "
+               "output.";
+}
+
 /// The note on an answer.  There is none if the requirement is met beyond the uncertainty.
 std::optional<Note> note_of(const RequirementAnswer& answer, const std::optional<SumOutput>& sum) {
   const bool stated = answer.low.has_value();
@@ -174,10 +186,7 @@ std::optional<Note> note_of(const RequirementAnswer& answer, const std::optional
                   .path = {},
                   .equation = equation,
                   .severity = Severity::cannot_tell,
-                  .next_step = stated || !sum
-                                   ? "Give the value that the accuracies name as the largest "
-                                     "uncertainty, or measure the output."
-                                   : fmt::format("Require {} instead.", sum->of_drive)};
+                  .next_step = next_step_of(answer, sum)};
     case RequirementOutcome::met:
       break;
   }

@@ -115,7 +115,7 @@ void diagnose(CurveComparison& comparison) {
   comparison.class_ratio = k3_still ? 0.0 : more.mean.K1 / more.mean.K3;
   if (alike && more.ripple.K1 < kAlike * mean)
     comparison.crack_class = CrackClass::series;
-  else if (more.ripple.K1 > mean || k3_still || comparison.class_ratio > kContact)
+  else if (!alike && (more.ripple.K1 > mean || k3_still || comparison.class_ratio > kContact))
     comparison.crack_class = CrackClass::contact_path;
   else
     comparison.crack_class = CrackClass::undecided;

@@ -329,11 +329,14 @@ class ContactCracksOf {
   void add(const std::string& path, const Crack& crack) {
     if (crack.stress_driver != StressDriver::orthogonal_shear &&
         crack.stress_driver != StressDriver::contact_edge) {
-      notes_.push_back({"crack.not_of_a_ball",
-                        "the stress of this crack does not follow from the force of the ball over "
-                        "it, so the torsion curve leaves the crack out",
-                        path, "TC-23", Severity::care,
-                        "Choose a stress_driver of the ball, orthogonal_shear or contact_edge."});
+      notes_.push_back(
+          {"crack.not_of_a_ball",
+           "the stress of this crack does not follow from the force of the ball over "
+           "it, so the torsion curve leaves the crack out",
+           path, "TC-23", Severity::care,
+           "If the curve must contain the crack, choose stress_driver = \"contact_edge\", an "
+           "upper bound. Otherwise, read the effect of this crack from the sum of "
+           "the members."});
     } else if (const Real force = ball_force_(crack.position); force > 0) {
       result_.balls.push_back(
           {crack.position, race_crack_compliance(gear_, lift_, path, crack, force, notes_)});

@@ -44,6 +44,7 @@ TEST(Calibration, IdentityRecoversWhatWasPutIn) {
   test::expect_relative(c.factors[1].value, 0.6, 1e-3);
   EXPECT_TRUE(c.factors[0].identified);
   EXPECT_TRUE(c.factors[1].identified);
+  EXPECT_TRUE(evidence_of(c).notes.empty());
   EXPECT_EQ(c.gear.circular_spline->support, c.factors[0].value);
   for (const CalibratedStiffness& s : c.stiffnesses)
     test::expect_relative(s.after, s.target.stiffness, 1e-4);
@@ -63,6 +64,14 @@ TEST(Calibration, LimitInseparableFactorsAreNotIdentified) {
   const std::string text = calibration_text(c);
   EXPECT_NE(text.find("NOT IDENTIFIED"), std::string::npos) << text;
   EXPECT_NE(text.find("3 values identify 1 of 2"), std::string::npos) << text;
+  // The verdict asks for care, and the note says what to do.
+  const ResultEvidence evidence = evidence_of(c);
+  ASSERT_EQ(evidence.notes.size(), 1U);
+  EXPECT_EQ(evidence.notes[0].code, "calibration.not_identified");
+  EXPECT_EQ(evidence.notes[0].text, "these values do not identify coning, pair_compliance");
+  EXPECT_NE(evidence.notes[0].next_step.find("one factor or other factors"), std::string::npos);
+  EXPECT_EQ(evidence.verdict.judgement, Judgement::with_care);
+  EXPECT_NE(text.find("do not identify coning"), std::string::npos) << text;
 }
 
 // The sum of squares of the weights is one; a single factor is its own combination.

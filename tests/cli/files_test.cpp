@@ -187,7 +187,7 @@ TEST_F(Files, InputFaultsOfTheOutputEndWithSevenBeforeTheWork) {
                            "'load.axial_force=0 N..9 N:300' ";
   const auto begin = std::chrono::steady_clock::now();
   for (const auto& [output, words] : std::vector<std::pair<std::string, std::string>>{
-           {"-o " + at("no/such/folder/x.csv"), "cannot be written: No such file or directory"},
+           {"-o " + at("no/such/folder/x.csv"), "No such file or directory; make the folder first"},
            {"-o " + at("folder"), "it is a directory"},
            {"-o " + at("protected.txt"), "it is write-protected"},
            {"-o " + at("link.txt"), "it is write-protected"},

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "stiffness/members_support.hpp"
+#include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/drive_cracks/member_loads.hpp"
 #include "strainwave/sif/member/semi_ellipse.hpp"
@@ -891,6 +893,32 @@ TEST(Ovalisation, BehaviourNoteNamesBothStresses) {
     EXPECT_NE(text.find("bends the wall at the tooth ring by 99.7 MPa, against 1.26 MPa of shear"),
               std::string::npos)
         << text;
+  }
+}
+
+TEST(Ovalisation, BehaviourNoteIsOfTheCrackedSection) {
+  // Both stresses are those of the section that the crack is in, not those of the tooth ring.
+  GearSet gear = cup_of_sections();
+  gear.flexspline->rim =
+      TubeSection{.outer_diameter = 162 * mm, .wall_thickness = 4 * mm, .length = 40 * mm};
+  gear.flexspline->crack = {WallThroughCrack{.half_length = 2 * mm}};
+  gear.flexspline->crack.push_back(
+      WallThroughCrack{.half_length = 2 * mm, .section = WallSection::rim});
+  for (const auto& [name, section] :
+       {std::pair{"barrel", *gear.flexspline->barrel}, {"rim", *gear.flexspline->rim}}) {
+    const double r = (section.outer_diameter - section.wall_thickness) / 2;
+    const double tau = std::abs(gear.load.torque) * gear.flexspline->stress_nonuniformity /
+                       (2 * pi * r * r * section.wall_thickness);
+    const double bending =
+        assembly_stress(gear, r, section.wall_thickness, 0.0).normal;  // at 0 the hoop stress
+    const std::string expected =
+        fmt::format("bends the wall of the {} by {}, against {} of shear", name,
+                    shown_quantity(bending, "Pa", 3), shown_quantity(tau, "Pa", 3));
+    EXPECT_EQ(std::ranges::count_if(
+                  flexspline_compliance(gear).notes,
+                  [&](const Note& note) { return note.text.find(expected) != std::string::npos; }),
+              1)
+        << expected;
   }
 }
 

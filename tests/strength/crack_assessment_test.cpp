@@ -241,6 +241,29 @@ TEST(StrengthNotes, LimitPlasticZoneOfATenth) {
   }
 }
 
+TEST(StrengthNotes, BehaviourBreaksUnderAnUpperBound) {
+  // The next step says that the stress of a driver is an upper bound, and of no other driver.
+  GearSet gear = article(1 * mm, 1.0);
+  gear.wave_generator->inner_ring_mean_radius = 60 * mm;
+  gear.wave_generator->inner_ring_width = 20 * mm;
+  auto& race = std::get<RaceSurfaceCrack>(gear.wave_generator->crack[0]);
+  race.contact_factor.reset();
+  for (const auto& [driver, bound] : {std::pair{StressDriver::ring_bending, "of a free ring"},
+                                      {StressDriver::contact_edge, "edge of the contact"},
+                                      {StressDriver::given, ""}}) {
+    race.stress_driver = driver;
+    race.stress.reset();
+    if (driver == StressDriver::given) race.stress = 50 * MPa;
+    const std::vector<CrackStrength> strengths{of_race(gear)};
+    const std::vector<Note> notes = strength_notes(strengths);
+    const auto breaks = std::ranges::find(notes, "strength.breaks", &Note::code);
+    ASSERT_NE(breaks, notes.end()) << bound;
+    EXPECT_EQ(mentions(breaks->next_step, "upper bound"), driver != StressDriver::given);
+    EXPECT_TRUE(mentions(breaks->next_step, bound)) << breaks->next_step;
+    EXPECT_TRUE(mentions(breaks->next_step, "ower the load or replace the part"));
+  }
+}
+
 TEST(StrengthNotes, LimitCriticalWhereACrackBreaks) {
   GearSet gear = article(1 * mm, 1.0);
   const double K = of_shaft(gear).states.at(0).K;
@@ -276,10 +299,10 @@ TEST(StrengthNotes, InputWhichFieldWouldTell) {
             "Give fracture_toughness and yield_strength of material.steel in the file.");
   gear.material["steel"].fracture_toughness = kTough;
   EXPECT_EQ(of_shaft(gear).next_step, "Give yield_strength of material.steel in the file.");
-  // A race crack's ring is bent by its cam: no field of the file gives the amount.
+  // A race crack's ring is bent by its cam: no driver contains it, not even a given stress.
   gear.material["steel"].yield_strength = kYield;
   EXPECT_EQ(of_race(gear).verdict, Verdict::cannot_tell);
-  EXPECT_TRUE(mentions(of_race(gear).next_step, "no field of the file can give this stress"));
+  EXPECT_TRUE(mentions(of_race(gear).next_step, "No driver makes this crack acceptable"));
   EXPECT_TRUE(of_shaft(gear).next_step.empty());
 }
 
@@ -704,6 +727,7 @@ TEST(Undecided, LimitRaceOnItsCam) {
   gear.wave_generator->inner_ring_mean_radius.reset();  // no size without a radius
   EXPECT_TRUE(mentions(of_race(gear).sentence,
                        "the stress of this driver leaves out the bending of the ring by its cam"));
+  EXPECT_TRUE(mentions(of_race(gear).next_step, "also a given one"));
   gear.drive.wave_number = 1;  // one lobe bends nothing
   EXPECT_EQ(of_race(gear).verdict, Verdict::acceptable);
   race.stress = 5000 * MPa;  // the crack fractures even without the cam
@@ -717,6 +741,15 @@ TEST(Undecided, LimitOrthogonalShearDecidesNothing) {
   const CrackStrength strength = of_race(gear);
   EXPECT_EQ(strength.verdict, Verdict::cannot_tell);
   EXPECT_TRUE(mentions(strength.sentence, "order of magnitude")) << strength.sentence;
+  // The step leads to a verdict.
+  EXPECT_TRUE(mentions(strength.next_step, "give the hoop stress with stress_driver = \"given\""));
+  auto& race = std::get<RaceSurfaceCrack>(gear.wave_generator->crack[0]);
+  race.contact_factor.reset();
+  race.stress_driver = StressDriver::contact_edge;
+  EXPECT_NE(of_race(gear).verdict, Verdict::cannot_tell);
+  race.stress_driver = StressDriver::given;
+  race.stress = 50 * MPa;
+  EXPECT_NE(of_race(gear).verdict, Verdict::cannot_tell);
 }
 
 TEST(Undecided, LimitDeeperThanTheRange) {

@@ -238,10 +238,14 @@ TEST(Require, IdentityTheSumIsNeverMoreCertainThanTheCoupledDrive) {
               *answer("curve.positive.wind_up >= 0 rad").high);
   }
   // A bound below K1 and above its softer end, 26307 and 22361 N*m/rad.
-  for (const std::string output : {"intact.stiffness", "curve.intact.K1"})
-    EXPECT_EQ(require_outputs(result, {output + " >= 26000 N*m/rad"}, 1.0).outcome,
-              RequirementOutcome::cannot_be_told)
-        << output;
+  for (const std::string output : {"intact.stiffness", "curve.intact.K1"}) {
+    const RequirementReport report = require_outputs(result, {output + " >= 26000 N*m/rad"}, 1.0);
+    EXPECT_EQ(report.outcome, RequirementOutcome::cannot_be_told) << output;
+    // No value of the file improves the accuracy of the coupled drive; a calibration does.
+    EXPECT_EQ(report.notes.at(0).next_step.find("strainwave calibrate") != std::string::npos,
+              output.starts_with("curve."))
+        << report.notes.at(0).next_step;
+  }
 }
 
 TEST(Require, IdentityAllTogetherAreAsGoodAsTheWorst) {
@@ -262,6 +266,8 @@ TEST(Require, IdentityAllTogetherAreAsGoodAsTheWorst) {
             (std::vector<std::string>{"require.cannot_be_told", "require.not_met"}));
   EXPECT_EQ(evidence_of(asked({broken})).requirement, RequirementOutcome::not_met);
   EXPECT_NE(requirements_text(asked({met, open})).find("All together: cannot be told\n"),
+            std::string::npos);
+  EXPECT_NE(requirements_text(asked({met}, 2.0)).find("standard uncertainty times 2"),
             std::string::npos);
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
@@ -106,6 +107,20 @@ TEST(CompareCurves, IdentityToothCrackActsTwicePerTurn) {
   EXPECT_EQ(c.angles.size(), c.positive.at_angle.size());
   const double pitch = 2 * pi / 202;  // of the circular spline (TC-28)
   for (const double angle : c.angles) EXPECT_NEAR(angle / pitch, std::round(angle / pitch), 1e-9);
+}
+
+TEST(CompareCurves, RegressionAlikeCompliancesAreNotOfTheContacts) {
+  // A barrel crack and a crack of the circular spline's ring: their compliances added to the three
+  // lines agree within 10 %, as in series, while the ripple exceeds the mean change, as by
+  // contacts. Both signs together decide nothing (TC-26).
+  GearSet gear = rated_drive();
+  gear.circular_spline->support = 0.5;
+  gear.circular_spline->crack.push_back(ring_crack<CircularSplineRingCrack>(3 * mm));
+  gear.flexspline->crack.push_back(WallThroughCrack{.half_length = 5 * mm});
+  const CurveComparison c = compare_curves(gear, 50);
+  EXPECT_GT(c.positive.ripple.K1, std::abs(c.positive.mean.K1));
+  EXPECT_NE(c.evidence.find("are alike"), std::string::npos) << c.evidence;
+  EXPECT_EQ(c.crack_class, CrackClass::undecided);
 }
 
 TEST(CompareCurves, IdentityMeanWorstAndBestAreThoseOfTheTurn) {

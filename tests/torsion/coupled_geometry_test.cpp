@@ -202,6 +202,13 @@ TEST(ContactCracks, IdentityCracksThatDoNotReachTheContacts) {
   const TorsionCurve bent = torsion_curve(gear, {{T}});
   test::expect_relative(bent.points.at(0).twist, sound, 1e-11);
   EXPECT_EQ(test::count_notes(bent.notes, "crack.not_of_a_ball", "wave_generator.crack[0]"), 1);
+  // The driver that its next step names makes the crack act, and asks for no other driver.
+  EXPECT_NE(bent.notes.at(0).next_step.find("contact_edge"), std::string::npos);
+  race.stress_driver = StressDriver::contact_edge;
+  const TorsionCurve edge = torsion_curve(gear, {{T}});
+  EXPECT_GT(edge.points.at(0).twist, sound * (1 + 1e-9));
+  for (const Note& note : edge.notes)
+    EXPECT_EQ(note.next_step.find("stress_driver"), std::string::npos) << note.next_step;
 }
 
 TEST(ContactCracks, IdentityRaceCrackIsThatOfItsBall) {

@@ -79,7 +79,9 @@ struct DriveCrack {
   int wave_number = 0;         ///< U [-]
   /// the stress of the crack that is not known; empty: all are known
   std::string unknown;
-  std::string next_step;               ///< action that makes the stress known
+  std::string next_step;  ///< action that makes the stress known
+  /// the model of the stress, in words, if it gives an upper bound; empty: it gives none
+  std::string upper_bound;
   std::vector<StrengthNote> notes;     ///< effects that the stress leaves out
   std::vector<Note> kinks;             ///< places of this drive at which the compliance has a kink
   std::vector<std::string> equations;  ///< tags of the theory manual

@@ -146,7 +146,7 @@ struct CrackStrength {
   std::size_t governing = 0;  ///< the worst state under either sense of torque
   StrengthVerdict verdict = StrengthVerdict::cannot_tell;  ///< verdict of the governing state
   std::string sentence = {};                               ///< the verdict in words
-  std::string next_step = {};               ///< step that leads to a verdict if it is cannot_tell
+  std::string next_step = {};               ///< what to do if the verdict is not acceptable
   std::vector<StrengthNote> notes = {};     ///< effects that the verdict leaves out
   std::vector<std::string> equations = {};  ///< tags of the theory manual
 
