@@ -253,12 +253,16 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   add_once(report.notes, report.curve.notes);
   add_once(report.notes, report.curve_negative.notes);
   if (gear.mesh->friction_coefficient > 0 && (!gear.rating || gear.rating->friction_torque == 0))
-    report.notes.push_back({"hysteresis.no_load",
-                            "flank friction vanishes with the load, so the loop closes at zero "
-                            "torque; a maker's hysteresis loss at zero torque comes from seal, "
-                            "grease and bearings, which friction_torque describes",
-                            "rating.friction_torque", "TC-17", Severity::care,
-                            "Give rating.friction_torque."});
+    report.notes.push_back(
+        {"hysteresis.no_load",
+         report.curve.assembly_flank_force > 0
+             ? "flanks press on each other without torque, but the model has no "
+               "loss by their friction there, so the loop is too narrow at zero "
+               "torque"
+             : "flank friction vanishes with the load, so the loop closes at "
+               "zero torque; a maker's hysteresis loss at zero torque comes from "
+               "seal, grease and bearings, which friction_torque describes",
+         "rating.friction_torque", "TC-17", Severity::care, "Give rating.friction_torque."});
   if (has_cracks(gear) && !options.compare)
     report.notes.push_back({"torsion.compare",
                             "the drive has cracks; --compare shows the changes by the cracks, also "

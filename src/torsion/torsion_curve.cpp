@@ -121,6 +121,7 @@ TorsionCurve torsion_curve(const AssembledDrive& assembled, std::span<const doub
   if (contents.fails_because.empty()) {
     const CoupledDrive& drive = contents.drive;
     curve.cam_amplitude = drive.cam_amplitude();
+    curve.assembly_flank_force = drive.largest_flank_force(drive.assembled());
     for (int k = 0; k < drive.balls(); ++k)
       curve.assembly_ball_force = std::max(curve.assembly_ball_force, drive.assembled().force[k]);
   }

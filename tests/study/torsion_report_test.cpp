@@ -80,6 +80,14 @@ TEST(TorsionReport, BehaviourWhatNoWorkingDriveHasIsNoted) {
   GearSet tight = drive();
   tight.mesh->lobe_gap = -50e-6;
   EXPECT_TRUE(has(torsion_report(tight), "torsion.falling_stiffness"));
+  // Flanks that press without torque have friction there; the note on the loss must not deny it.
+  const auto loss_of = [](const TorsionReport& report) {
+    return std::ranges::find(report.notes, "hysteresis.no_load", &Note::code)->text;
+  };
+  EXPECT_EQ(sound.curve.assembly_flank_force, 0.0);
+  EXPECT_GT(torsion_report(tight).curve.assembly_flank_force, 100.0);
+  EXPECT_EQ(loss_of(torsion_report(tight)).rfind("flanks press on each other", 0), 0U);
+  EXPECT_EQ(loss_of(sound).rfind("flank friction vanishes", 0), 0U);
   // A crack of the outer ring between the lobes gives back part of the bending of the assembly.
   GearSet cracked = drive();
   OuterRaceCrack crack;

@@ -124,6 +124,8 @@ struct TorsionCurve {
   int teeth = 0;                     ///< teeth of the flexspline, z
   double cam_amplitude = 0.0;        ///< cam amplitude A that lifts the lobe to w_0 [m]
   double assembly_ball_force = 0.0;  ///< largest ball force without torque [N]
+  /// largest flank force without torque [N]; 0 if no flanks press on each other
+  double assembly_flank_force = 0.0;
   double series_compliance = 0.0;    ///< compliance of the members outside the ring [rad/(N*m)]
   std::vector<Note> notes;
   std::vector<std::string> equations;
@@ -138,6 +140,8 @@ struct TorsionCurve {
           &TorsionCurve::cam_amplitude);
     field({"assembly_ball_force", "N", "largest ball force without torque"},
           &TorsionCurve::assembly_ball_force);
+    field({"assembly_flank_force", "N", "largest flank force without torque"},
+          &TorsionCurve::assembly_flank_force);
     field({"series_compliance", "rad/(N*m)", "compliance of the members outside the ring"},
           &TorsionCurve::series_compliance);
     field({"points", "", "the drive in equilibrium at each torque"}, &TorsionCurve::points);
