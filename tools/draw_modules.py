@@ -67,7 +67,7 @@ def legs(depends):
 
 
 def places(grid, edges):
-    """The middle of each stop across the picture, near the stops that it is joined to."""
+    """Return the horizontal middle of each stop, near the stops that it is joined to."""
     room = {stop: GAP if isinstance(stop, tuple) else WIDTH + GAP for row in grid.values() for stop in row}
     joined = {stop: [b if a == stop else a for a, b in edges if stop in (a, b)] for stop in room}
     x = {stop: i * (WIDTH + GAP) for row in grid.values() for i, stop in enumerate(row)}

@@ -381,9 +381,12 @@ Validation validate(const ValidationOptions& options, const Progress& progress) 
   require(options.draws >= 0 && options.draws <= 100000, "draws", options.draws, "1",
           ">= 0 and <= 100000");
   std::vector<Factor>& factors = v.options.factors;
-  if (options.mode == ValidationMode::geometry && (!factors.empty() || options.all_sets))
-    throw InputError("factors", "must be left out in mode geometry, which does not fit factors");
-  if (options.mode == ValidationMode::per_row && options.all_sets)
+  const bool leaves_out =
+      options.mode != ValidationMode::geometry && options.mode != ValidationMode::per_row;
+  if (options.mode == ValidationMode::geometry && !factors.empty())
+    throw InputError("factors",
+                     "mode geometry fits no factors; leave them out or choose another mode");
+  if (!leaves_out && options.all_sets)
     throw InputError("all-sets", "needs mode leave-one-size-out or leave-one-class-out");
   if (options.mode == ValidationMode::per_row && !options.data.empty())
     throw InputError("data",

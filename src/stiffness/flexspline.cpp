@@ -258,8 +258,9 @@ void FlexsplineCracks::add_flat_plate(const std::string& path,
   accuracy.compliance_rests_on.push_back(flat);
   member.notes.push_back(
       {.code = "crack.flat_plate",
-       .text = fmt::format("without the shell correction the crack is up to {:.2g} % too stiff",
-                           100 * missing),
+       .text = fmt::format(
+           "the shell correction would raise the added compliance of this crack by up to {:.2g} %",
+           100 * missing),
        .path = path,
        .equation = "FR-9",
        .severity = Severity::care,

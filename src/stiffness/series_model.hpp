@@ -11,7 +11,7 @@
 #include "strainwave/stiffness/elastic_members.hpp"
 
 // The numbers of the series model, each computed in one place for double and dual numbers.  The
-// sources of the three members add notes, accuracies and equations.
+// source files of the three members add notes, accuracies and equations.
 
 namespace strainwave {
 

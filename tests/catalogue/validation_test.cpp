@@ -137,7 +137,7 @@ TEST(ValidationByFit, ReferenceLeaveOneSizeOut) {
   const ErrorSummary& regular = errors_of(v, "catalogue, size >= 17, ratio >= 50");
   EXPECT_LE(regular.median, 0.08);  // the model form with one factor
   EXPECT_LE(regular.worst, 0.15);
-  // The two sizes are fitted to each other: the factor differs between them.
+  // Each size is predicted by a fit to the other, so the two factors differ.
   EXPECT_NE(v.rows.front().factors.at(0), v.rows.back().factors.at(0));
 }
 
