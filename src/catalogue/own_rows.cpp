@@ -73,8 +73,12 @@ std::vector<StiffnessRow> parse_stiffness_rows(std::string_view text, std::strin
     const bool sized = !reader.text("size").empty();
     if (sized == !reader.text("pitch_diameter").empty())
       reader.refuse_at(0, "must give either size or pitch_diameter [mm]");
+    // Rounding makes 50.8 mm the size 20 of the catalogue.
+    const auto size_of = [](double diameter) {
+      return std::round(1e9 * diameter / pitch_diameter_of(1)) / 1e9;
+    };
     row.size = sized ? ruled(reader, "size", require_positive)
-                     : ruled(reader, "pitch_diameter", require_positive) / pitch_diameter_of(1);
+                     : size_of(ruled(reader, "pitch_diameter", require_positive));
     if (!(row.T2 > row.T1))
       reader.refuse("T2", fmt::format("T2 = {} violates: > T1", shown(reader.text("T2"))));
     if (!row.K1 && !row.K2 && !row.K3) reader.refuse("K1", "must give one of K1, K2, K3");

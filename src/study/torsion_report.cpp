@@ -23,6 +23,7 @@ namespace strainwave {
 namespace {
 
 constexpr int kRimPositions = 180;
+constexpr int kCagePhases = 12;
 constexpr int kCurvePoints = 40;  // points on each side, evenly spaced in the root of the torque
 
 std::vector<double> curve_torques(const MakersTorques& at, const TwistAtLoad& at_load) {
@@ -79,10 +80,11 @@ void note_consequences(TorsionReport& report) {
   if (at_rest > kLargeAssemblyShare * at_T2)
     report.notes.push_back(
         {"torsion.assembly_force",
-         fmt::format(
-             "a ball carries {} without torque and {} at T2, so most of its load comes from "
-             "the assembly",
-             shown_quantity(at_rest, "N", 3, "force"), shown_quantity(at_T2, "N", 3, "force")),
+         fmt::format("the most loaded ball carries {} without torque and {} at T2, so most of its "
+                     "load comes from "
+                     "the assembly",
+                     shown_quantity(at_rest, "N", 3, "force"),
+                     shown_quantity(at_T2, "N", 3, "force")),
          "wave_generator.bearing", "TC-12", Severity::care,
          "Check ball_count, the lengths of the flexspline and the thicknesses of its walls."});
   if (report.lost_motion > kLargeLostMotion)
@@ -94,12 +96,13 @@ void note_consequences(TorsionReport& report) {
              shown(report.lost_motion)),
          "mesh.lobe_gap", "TC-18", Severity::care,
          "Check mesh.lobe_gap and wave_generator.bearing.clearance."});
-  if (std::max(report.positive.K1, report.negative.K1) >
-      std::min(report.positive.K2, report.negative.K2))
+  if (report.positive.K1 > report.positive.K2 || report.negative.K1 > report.negative.K2)
     report.notes.push_back({"torsion.falling_stiffness",
-                            "K1 is above K2, unlike in any catalogue: flanks press on each other "
-                            "without torque and part "
-                            "as the torque grows",
+                            fmt::format("K1 is above K2, unlike in any catalogue{}",
+                                        report.curve.assembly_flank_force > 0
+                                            ? ": flanks press on each other without torque and "
+                                              "part as the torque grows"
+                                            : ""),
                             "mesh.lobe_gap", "TC-14", Severity::care,
                             "Check mesh.lobe_gap and drive.radial_displacement."});
   if (!report.comparison) return;
@@ -212,7 +215,7 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
         report.loop =
             hysteresis_loop(Hysteresis(sliding, report.torques.rated), report.torques.rated);
       }};
-  for_each_index(parts.size(), {}, progress.part(0.0, curve_ends),
+  for_each_index(parts.size(), {}, progress.part(0.0, 0.9 * curve_ends),
                  [&] { return [&](std::size_t i) { parts[i](); }; });
   std::vector<double> shown = {report.torques.T1, report.torques.T2, report.torques.rated};
   if (report.at_load.torque > 0 && report.at_load.positive && report.at_load.negative)
@@ -227,7 +230,8 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   report.positive = makers_lines(drive, +1);
   report.negative = makers_lines(drive, -1);
   progress.at(curve_ends);
-  report.over_cage = lines_over_cage(drive);
+  report.over_cage =
+      lines_over_cage(drive, kCagePhases, progress.part(0.9 * curve_ends, curve_ends));
   progress.at(curve_ends);
   report.lost_motion = lost_motion(drive);
   report.rim = rim_states(drive, report.torques.rated, kRimPositions);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -47,13 +48,16 @@ constexpr double kMostKappa = 1.3;
 constexpr double kSize17 = 0.043;
 
 /// Notes on teeth as drawn.
-void note_teeth(const ToothGap& teeth, std::vector<Note>& notes) {
-  notes.push_back(
-      {"torsion.drawn_teeth",
-       "the stiffness of the pairs leaves out that loaded teeth of the circular spline move their "
-       "neighbours, which would add 5 to 80 % to the compliance of a pair between ratio 30 and 160",
-       "mesh.tooth", "TC-30", Severity::care,
-       "Treat K1, K2, K3 as upper limits, or calibrate the drive with a measured curve."});
+void note_teeth(const GearSet& gear, const ToothGap& teeth, std::vector<Note>& notes) {
+  if (!gear.mesh->pair_stiffness)
+    notes.push_back(
+        {"torsion.drawn_teeth",
+         "the stiffness of the pairs leaves out that loaded teeth of the circular spline move "
+         "their "
+         "neighbours, which would add 6 to 85 % to the compliance of a pair between ratio 30 and "
+         "160",
+         "mesh.tooth", "TC-30", Severity::care,
+         "Treat K1, K2, K3 as upper limits, or calibrate the drive with a measured curve."});
   if (const double crossing = teeth.crossing(); crossing > 1e-9)
     notes.push_back(
         {"torsion.tips",
@@ -66,12 +70,12 @@ void note_teeth(const ToothGap& teeth, std::vector<Note>& notes) {
 
 void note_geometry(const GearSet& gear, const CoupledGeometry& g, std::vector<Note>& notes) {
   const double kappa = g.radial_displacement / g.module;
-  if (kappa < kLeastKappa || kappa > kMostKappa)
+  if (!g.tooth && (kappa < kLeastKappa || kappa > kMostKappa))
     notes.push_back(
         {"torsion.deflection",
          fmt::format("w_0 is {:.3g} modules, but the gap law is for about one module", kappa),
          "drive.radial_displacement", "TC-7", Severity::care, "Check drive.radial_displacement."});
-  if (g.tooth) note_teeth(*g.tooth, notes);
+  if (g.tooth) note_teeth(gear, *g.tooth, notes);
   if (const double least = least_flank_angle(kappa); !g.tooth && g.flank_angle < least)
     notes.push_back({"torsion.flank_angle",
                      fmt::format("w_0 of {:.3g} modules needs a flank angle of at least {:.3g} "
@@ -154,11 +158,13 @@ void crack(AssembledDrive::Contents& into) {
 }
 
 std::vector<std::string> equations_of(const CoupledGeometry& geometry) {
-  std::vector<std::string> equations = {"TC-1", "TC-2",  "TC-4",  "TC-5",  "TC-6",  "TC-7", "TC-8",
-                                        "TC-9", "TC-11", "TC-12", "TC-13", "TC-14", "TC-15"};
+  std::vector<std::string> equations = {"TC-1", "TC-2", "TC-4", "TC-5", "TC-6"};
+  // Drawn teeth have their own gap and stiffness.
+  const auto of_teeth = geometry.tooth ? std::array{"TC-29", "TC-30"} : std::array{"TC-7", "TC-9"};
+  equations.insert(equations.end(), of_teeth.begin(), of_teeth.end());
+  for (const char* const tag : {"TC-8", "TC-11", "TC-12", "TC-13", "TC-14", "TC-15"})
+    equations.emplace_back(tag);
   if (geometry.support > 0) equations.emplace_back("TC-10");
-  if (geometry.tooth)
-    for (const char* const tag : {"TC-29", "TC-30"}) equations.emplace_back(tag);
   return equations;
 }
 
@@ -173,8 +179,10 @@ std::string too_deep(const ContactCracks& cracks, const CoupledGeometry& g) {
         hinge.depth / (hinge.ring == RingHinge::Ring::rim ? g.rim_thickness : g.outer_thickness);
     if (share > kDeepestHinge * (1 + 1e-9))
       return fmt::format(
-          "{} goes through {:.3g} % of the ring; beyond 50 % the ring tears open instead of acting "
-          "as a hinge that the other ring bridges (TC-22), so the coupled drive has no answer",
+          "{} goes through {:.4g} % of the ring; beyond 50 % the ring tears open instead of acting "
+          "as a hinge that the other ring bridges (TC-22), so the coupled drive has no answer; "
+          "give a depth of at most half of the "
+          "thickness, or assess the crack by finite elements",
           hinge.path, 100 * share);
   }
   return "";

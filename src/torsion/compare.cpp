@@ -70,16 +70,12 @@ bool of_spline(const Crack& crack) {
 std::vector<double> positions_over_turn(const GearSet& gear, int angles) {
   const int teeth = static_cast<int>(std::lround(gear.drive.wave_number * gear.drive.ratio));
   const int spaces = teeth + gear.drive.wave_number;
-  bool any = false;
   bool flexspline = false;
   for_each_crack(gear, [&]<class Crack>(const std::string&, const Crack& crack) {
-    if constexpr (ContactCrack<Crack>) {
-      any = true;
-      flexspline = flexspline || !of_spline(crack);
-    }
+    if constexpr (ContactCrack<Crack>) flexspline = flexspline || !of_spline(crack);
   });
   const int steps = flexspline ? teeth : spaces;
-  const int count = !any ? 1 : angles == 0 ? steps : std::min(angles, steps);
+  const int count = !has_moving_cracks(gear) ? 1 : angles == 0 ? steps : std::min(angles, steps);
   std::vector<double> positions;
   for (int i = 0; i < count; ++i)
     positions.push_back(2 * pi / spaces * std::round(static_cast<double>(i) * steps / count));

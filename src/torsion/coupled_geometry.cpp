@@ -10,6 +10,7 @@
 
 #include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/units.hpp"
 #include "strainwave/drive_cracks/loaded_crack.hpp"
 #include "strainwave/drive_cracks/member_loads.hpp"
 #include "strainwave/sif/member/ring_edge.hpp"
@@ -402,21 +403,50 @@ void check_teeth(const GearSet& gear, const ToothShape& tooth) {
   const Transmission& drive = gear.drive;
   const double module = drive.pitch_diameter / (drive.wave_number * drive.ratio);
   const double addendum = tooth.addendum.value_or(kTypicalAddendum * module);
-  const double depth = addendum + tooth.spline_addendum.value_or(kTypicalAddendum * module);
-  require(depth < 2 * drive.radial_displacement, "mesh.tooth.addendum", addendum, "m",
+  const double spline_addendum = tooth.spline_addendum.value_or(kTypicalAddendum * module);
+  const double rim_dedendum = (drive.pitch_diameter - gear.flexspline->rim->outer_diameter) / 2;
+  require(addendum + spline_addendum < 2 * drive.radial_displacement, "mesh.tooth.addendum",
+          addendum, "m",
           "addendum + spline_addendum < 2 drive.radial_displacement, because otherwise the teeth "
           "never part");
-  if (gear.circular_spline)
-    require(gear.circular_spline->inner_diameter / 2 >=
-                drive.pitch_diameter / 2 + drive.radial_displacement + addendum,
-            "circular_spline.inner_diameter", gear.circular_spline->inner_diameter, "m",
-            "at least drive.pitch_diameter + 2 (drive.radial_displacement + mesh.tooth.addendum), "
-            "because otherwise the tips of the flexspline meet the roots of the circular spline");
+  require(spline_addendum <= rim_dedendum, "mesh.tooth.spline_addendum", spline_addendum, "m",
+          "at most (drive.pitch_diameter - flexspline.rim.outer_diameter)/2, because otherwise the "
+          "tips of the circular spline meet the roots of the flexspline");
   const double pitch = pi * module;
-  if (tooth.thickness)
-    require(*tooth.thickness > 0.25 * pitch && *tooth.thickness < 0.75 * pitch,
-            "mesh.tooth.thickness", *tooth.thickness, "m",
-            "between a quarter and three quarters of a pitch, pi pitch_diameter/teeth");
+  const double thickness = tooth.thickness.value_or(pitch / 2);
+  require(thickness >= 0.4 * pitch && thickness <= 0.6 * pitch, "mesh.tooth.thickness", thickness,
+          "m", "between 0.4 and 0.6 pitches, pi pitch_diameter/teeth");
+  const double narrowing = 2 * std::tan(gear.mesh->flank_angle);
+  require(narrowing * addendum < thickness, "mesh.tooth.addendum", addendum, "m",
+          "2 addendum tan(mesh.flank_angle) < thickness, because otherwise the tooth is pointed");
+  require(
+      narrowing * spline_addendum < pitch - thickness, "mesh.tooth.spline_addendum",
+      spline_addendum, "m",
+      "2 spline_addendum tan(mesh.flank_angle) < pitch - thickness, because otherwise the tooth "
+      "of the circular spline is pointed");
+  // The finite elements of (TC-30) cover these teeth.  Outside, the fit may even turn negative.
+  const auto covered = [&](double dedendum, const char* field, double value, const char* rule) {
+    require(gear.mesh->pair_stiffness || (dedendum >= 0.9 * module && dedendum <= 1.5 * module),
+            field, value, "m", rule);
+  };
+  if (!gear.mesh->pair_stiffness)
+    require(gear.mesh->flank_angle >= 15 * units::deg && gear.mesh->flank_angle <= 30 * units::deg,
+            "mesh.flank_angle", gear.mesh->flank_angle, "rad",
+            "between 15 and 30 deg for drawn teeth without mesh.pair_stiffness (TC-30)");
+  covered(rim_dedendum, "flexspline.rim.outer_diameter", gear.flexspline->rim->outer_diameter,
+          "1.8 to 3 modules below drive.pitch_diameter for drawn teeth without "
+          "mesh.pair_stiffness (TC-30)");
+  require(gear.flexspline->rim->wall_thickness >= 0.4 * module, "flexspline.rim.wall_thickness",
+          gear.flexspline->rim->wall_thickness, "m", ">= 0.4 modules for drawn teeth (TC-30)");
+  if (!gear.circular_spline) return;
+  const double inside = gear.circular_spline->inner_diameter;
+  const double spline_dedendum = inside / 2 - drive.pitch_diameter / 2 - drive.radial_displacement;
+  require(spline_dedendum >= addendum, "circular_spline.inner_diameter", inside, "m",
+          "at least drive.pitch_diameter + 2 (drive.radial_displacement + mesh.tooth.addendum), "
+          "because otherwise the tips of the flexspline meet the roots of the circular spline");
+  covered(spline_dedendum, "circular_spline.inner_diameter", inside,
+          "1.8 to 3 modules above drive.pitch_diameter + 2 drive.radial_displacement for drawn "
+          "teeth without mesh.pair_stiffness (TC-30)");
 }
 
 }  // namespace

@@ -288,7 +288,7 @@ double BasicToothGap<Real>::find_seat() const {
     const double bend = (after - 2 * height(found) + before) / (kStep * kStep);
     const double next = found - (after - before) / (2 * kStep * bend);
     if (!(bend > 0) || std::abs(next - found) > 0.01) break;  // a corner, or the last tooth
-    found = next;
+    found = std::clamp(next, -kSeat, kSeat);
   }
   return height(found) < height(best) ? found : best;
 }

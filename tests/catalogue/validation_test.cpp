@@ -274,6 +274,17 @@ TEST(OwnRows, IdentityARowOfTheCatalogueInOtherUnits) {
   EXPECT_EQ(errors_of(v, "all rows").values, errors_of(v, "catalogue").values + 4);
 }
 
+// A diameter of 50.8 mm is size 20 of the catalogue, in spite of rounding, so a fit that leaves
+// this size out leaves it out for both rows.
+TEST(OwnRows, IdentityADiameterIsTheSizeOfTheCatalogue) {
+  const auto rows = parse_stiffness_rows(
+      "pitch_diameter [mm],ratio,T1 [N*m],T2 [N*m],K1 [N*m/rad],K2 [N*m/rad],K3 [N*m/rad]\n"
+      "50.8,100,7,25,16000,25000,29000\n101.6,100,54,196,130000,200000,230000\n",
+      "own.csv");
+  EXPECT_EQ(rows.at(0).size, 20.0);
+  EXPECT_EQ(rows.at(1).size, 40.0);
+}
+
 // The length of a row decides which cup predicts it: a standard cup is longer, so it is softer.
 TEST(OwnRows, BehaviourTheLengthOfARowCounts) {
   const auto rows = parse_stiffness_rows("length," + std::string(kHead) +

@@ -813,11 +813,41 @@ TEST(TorsionCurve, InputRulesOfDrawnTeeth) {
               g.circular_spline->inner_diameter = g.drive.pitch_diameter + 3.2 * m;
             }).find("meet the roots"),
             std::string::npos);
-  for (const double share : {0.24, 0.76})
+  for (const double share : {0.39, 0.61})
     EXPECT_NE(refusal([&](GearSet& g, double m) {
                 g.mesh->tooth->thickness = share * std::numbers::pi * m;
-              }).find("three quarters of a pitch"),
+              }).find("0.4 and 0.6 pitches"),
               std::string::npos);
+  EXPECT_NE(refusal([](GearSet& g, double m) {
+              g.mesh->tooth->addendum = 0.5 * m;
+              g.mesh->tooth->spline_addendum = 1.12 * m;
+            }).find("meet the roots of the flexspline"),
+            std::string::npos);
+  // 45 degrees makes teeth pointed and leaves the fit of the elements.
+  const auto at_45 = [](GearSet& g, double m) {
+    g.mesh->flank_angle = 45 * deg;
+    g.mesh->tooth->addendum = 0.8 * m;
+    g.mesh->tooth->spline_addendum = 0.5 * m;
+  };
+  EXPECT_NE(refusal(at_45).find("the tooth is pointed"), std::string::npos);
+  EXPECT_NE(refusal([&](GearSet& g, double m) {
+              at_45(g, m);
+              std::swap(g.mesh->tooth->addendum, g.mesh->tooth->spline_addendum);
+            }).find("of the circular spline is pointed"),
+            std::string::npos);
+  EXPECT_NE(refusal([](GearSet& g, double) {
+              g.mesh->flank_angle = 31 * deg;
+            }).find("between 15 and 30 deg"),
+            std::string::npos);
+  EXPECT_EQ(refusal([](GearSet& g, double) {
+              g.mesh->flank_angle = 31 * deg;
+              g.mesh->pair_stiffness = 2e10;
+            }),
+            "");
+  EXPECT_NE(refusal([](GearSet& g, double m) {
+              g.circular_spline->inner_diameter = g.drive.pitch_diameter + 5.2 * m;
+            }).find("1.8 to 3 modules above"),
+            std::string::npos);
 }
 
 TEST(TorsionCurve, InputDefaults) {

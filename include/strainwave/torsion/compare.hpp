@@ -36,7 +36,7 @@ struct ChangesOverTurn {
   LineChanges worst;  ///< most negative change of each
   LineChanges best;
   LineChanges ripple;    ///< best minus worst
-  int ripple_order = 0;  ///< periods of K1 per turn of the wave generator; 0: no ripple
+  int ripple_order = 0;  ///< periods of K1 per turn against the cracked part; 0: no ripple
   std::vector<LineChanges> at_angle;
 
   template <class Visitor>
@@ -46,7 +46,8 @@ struct ChangesOverTurn {
     field({"worst", "", "most negative change of each"}, &ChangesOverTurn::worst);
     field({"best", "", "least negative change of each"}, &ChangesOverTurn::best);
     field({"ripple", "", "best minus worst"}, &ChangesOverTurn::ripple);
-    field({"ripple_order", "", "periods of K1 per turn of the wave generator; 0: no ripple"},
+    field({"ripple_order", "",
+           "periods of K1 per turn of the wave generator against the cracked part; 0: no ripple"},
           &ChangesOverTurn::ripple_order);
     field({"at_angle", "", "changes at each position of the wave generator"},
           &ChangesOverTurn::at_angle);
@@ -155,8 +156,8 @@ struct LineStiffnesses {
   }
 };
 
-/// The maker's stiffnesses over the phases of the cage, from one ball at the lobe to the next ball
-/// at the lobe (TC-5).  A sound drive has this ripple too.
+/// The maker's stiffnesses under torque about +z over the phases of the cage, which cover the angle
+/// between two balls from the phase of the drive on (TC-5).  A sound drive has this ripple too.
 struct LinesOverCage {
   std::vector<double> phases;  ///< angles of the first ball from the major axis [rad]
   LineStiffnesses mean;

@@ -92,7 +92,7 @@ struct ToothMesh {
           &ToothMesh::flank_angle);
     field(Field{.name = "gap_factor",
                 .unit = "1",
-                .doc = "factor k_g on the kinematic gap between straight flanks",
+                .doc = "factor k_g on the kinematic gap between the flanks",
                 .range = kNonNegative,
                 .example = "1",
                 .fallback = "1"},
@@ -125,14 +125,15 @@ struct ToothMesh {
                 .fallback = "1.25",
                 .in_template = InTemplate::commented},
           &ToothMesh::rim_stiffening);
-    field(Field{.name = "pair_stiffness",
-                .unit = "Pa",
-                .doc = "stiffness c' of a pair of teeth per face width; from the rim's thickness "
-                       "if left out",
-                .range = kPositive,
-                .example = R"("19.3 GPa")",
-                .in_template = InTemplate::commented},
-          &ToothMesh::pair_stiffness);
+    field(
+        Field{.name = "pair_stiffness",
+              .unit = "Pa",
+              .doc = "stiffness c' of a pair of teeth per face width; if left out, from the teeth "
+                     "as drawn, or from the rim's thickness",
+              .range = kPositive,
+              .example = R"("19.3 GPa")",
+              .in_template = InTemplate::commented},
+        &ToothMesh::pair_stiffness);
     field(Field{.name = "tooth",
                 .unit = "",
                 .doc = "the teeth as drawn, which give the gap of the flanks, the end of their "
