@@ -229,7 +229,6 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   }
   report.positive = makers_lines(drive, +1);
   report.negative = makers_lines(drive, -1);
-  progress.at(curve_ends);
   report.over_cage =
       lines_over_cage(drive, kCagePhases, progress.part(0.9 * curve_ends, curve_ends));
   progress.at(curve_ends);
