@@ -20,7 +20,7 @@ class DrawnDrive {
     gear_.range.clear();
     gear_.scatter.clear();
     for_each_number(gear_, [&](const FieldPath& path, const Field&, double& number) {
-      const std::string text = path.text();
+      const std::string& text = path.text();
       for (std::size_t i = 0; i < inputs.size(); ++i)
         if (inputs[i].path == text) numbers_[i] = &number;
     });
