@@ -182,7 +182,7 @@ Scatter scatter_of(const GearSet& gear, const Sensitivity& sensitivity,
   bool coupled = false;
   for (std::size_t y = 0; y < sensitivity.outputs.size(); ++y) {
     const SensitivityOutput& of = sensitivity.outputs[y];
-    const auto name = std::ranges::find(kNames, of.name);
+    const auto* const name = std::ranges::find(kNames, of.name);
     if (name == kNames.end()) {  // an output of the coupled drive, which the draws do not solve
       coupled = true;
       continue;
