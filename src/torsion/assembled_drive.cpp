@@ -58,6 +58,12 @@ void note_teeth(const GearSet& gear, const ToothGap& teeth, std::vector<Note>& n
          "160",
          "mesh.tooth", "TC-30", Severity::care,
          "Treat K1, K2, K3 as upper limits, or calibrate the drive with a measured curve."});
+  if (teeth.relief() > 0)
+    notes.push_back({"torsion.relieved_tips",
+                     fmt::format("the tips are taken as relieved by at least {:.3g} um, so that no "
+                                 "flank touches beyond {:.3g} degrees from a lobe",
+                                 1e6 * teeth.relief(), teeth.end() * 180 / pi),
+                     "mesh.tooth.tips", "TC-29", Severity::information});
   if (const double crossing = teeth.crossing(); crossing > 1e-9)
     notes.push_back(
         {"torsion.tips",

@@ -252,7 +252,8 @@ void add_mesh(BasicCoupledGeometry<Real>& g, const GearSet& gear, const Lift<Rea
       .ring_radius = g.ring_radius,
       .pitch_offset = g.pitch_radius - g.ring_radius,
       .wave = g.radial_displacement,
-      .teeth = g.teeth};
+      .teeth = g.teeth,
+      .tips = shape.tips};
   g.tooth.emplace(teeth, cone, g.rim_width);
   const BasicToothOnWall<Real> on_rim{
       .flank_angle = g.flank_angle,

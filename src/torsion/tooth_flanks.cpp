@@ -50,7 +50,8 @@ BasicTeeth<double> values_of(const BasicTeeth<Real>& t) {
           .ring_radius = value_of(t.ring_radius),
           .pitch_offset = value_of(t.pitch_offset),
           .wave = value_of(t.wave),
-          .teeth = t.teeth};
+          .teeth = t.teeth,
+          .tips = t.tips};
 }
 
 /// Roll angle of an involute at a distance from the centre.
@@ -105,6 +106,11 @@ BasicToothGap<Real>::BasicToothGap(const BasicTeeth<Real>& teeth, const Real& co
   else
     seat_ = BasicToothGap<double>(values_of(teeth), value_of(cone), value_of(face_width)).seat();
   play_ = slope(seat_) * face_width_ / 2 - mid_gap(seat_, Real(0.0));
+  if (teeth.tips == ToothTips::relieved) {
+    const double widest = find_widest();
+    relief_ = value_of(mid_gap(widest, play_) - mid_gap(end_, play_));
+    end_ = widest;
+  }
 }
 
 template <class Real>
@@ -291,6 +297,24 @@ double BasicToothGap<Real>::find_seat() const {
     found = std::clamp(next, -kSeat, kSeat);
   }
   return height(found) < height(best) ? found : best;
+}
+
+template <class Real>
+double BasicToothGap<Real>::find_widest() const {
+  const auto height = [&](double t) { return value_of(mid_gap(t, play_)); };
+  constexpr int kSamples = 120;
+  const double step = end_ / kSamples;
+  double best = 0.0;
+  for (int i = 1; i <= kSamples; ++i)
+    if (height(i * step) > height(best)) best = i * step;
+  double low = std::max(best - step, 0.0);
+  double high = std::min(best + step, end_);
+  while (high - low > 1e-10) {  // by the sign of the slope
+    constexpr double kStep = 1e-6;
+    const double t = (low + high) / 2;
+    (height(t + kStep) > height(t - kStep) ? low : high) = t;
+  }
+  return (low + high) / 2;
 }
 
 template class BasicToothGap<double>;

@@ -45,10 +45,10 @@ struct Case {
 };
 
 /// Teeth as drawn, and roots of the circular spline that the tips of the flexspline do not meet.
-void draw_teeth(GearSet& gear, ToothProfile profile) {
+void draw_teeth(GearSet& gear, ToothProfile profile, ToothTips tips = ToothTips::full) {
   test::half_free(gear);
-  gear.mesh->tooth =
-      ToothShape{.profile = profile, .addendum = {}, .spline_addendum = {}, .thickness = {}};
+  gear.mesh->tooth = ToothShape{
+      .profile = profile, .addendum = {}, .spline_addendum = {}, .thickness = {}, .tips = tips};
   const double module = gear.drive.pitch_diameter / (2 * gear.drive.ratio);
   gear.circular_spline->inner_diameter = gear.drive.pitch_diameter + 4.2 * module;
 }
@@ -59,6 +59,9 @@ const std::map<std::string, Case>& cases() {
       {"sound_warping_support", {.change = test::half_free, .warping = true}},
       {"straight_teeth",
        {.change = [](GearSet& g) { draw_teeth(g, ToothProfile::straight); }, .warping = true}},
+      {"relieved_teeth",
+       {.change = [](GearSet& g) { draw_teeth(g, ToothProfile::straight, ToothTips::relieved); },
+        .warping = true}},
       {"involute_teeth",
        {.change =
             [](GearSet& g) {

@@ -116,6 +116,29 @@ TEST(ToothGap, IdentityTheSeatTouchesWithoutCrossing) {
       }
 }
 
+TEST(ToothGap, IdentityRelievedTipsEndAtTheLargestGap) {
+  // Definition: no gap of the full tooth between the seat and its end is larger than the gap at the
+  // relieved end, and the relief is the difference of the gaps at the two ends.  Tolerance 1e-12 m:
+  // rounding.  The end moves with the profile; that of straight flanks is near tan t = 2 tan alpha,
+  // 38.9 degrees, up to terms of w_0/R (3 degrees at ratio 30).
+  for (const ToothProfile profile : {ToothProfile::straight, ToothProfile::involute})
+    for (const double ratio : {30.0, 50.0, 100.0, 160.0}) {
+      BasicTeeth<double> teeth = typical_teeth(ratio, profile);
+      const ToothGap full(teeth, 0.0, 9e-3);
+      teeth.tips = ToothTips::relieved;
+      const ToothGap relieved(teeth, 0.0, 9e-3);
+      EXPECT_NEAR(relieved.end(), std::atan(2 * std::tan(teeth.flank_angle)), 3 * units::deg);
+      for (int i = 0; i <= 100; ++i)
+        EXPECT_LE(full.mid_gap(full.end() * i / 100), full.mid_gap(relieved.end()) + 1e-12)
+            << ratio;
+      EXPECT_NEAR(relieved.relief(), full.mid_gap(relieved.end()) - full.mid_gap(full.end()),
+                  1e-12);
+      EXPECT_GT(relieved.relief(), 0.1 * full.mid_gap(relieved.end()));
+      EXPECT_EQ(full.relief(), 0.0);
+      EXPECT_EQ(relieved.gap(0.3), full.gap(0.3));
+    }
+}
+
 TEST(ToothGap, ReferenceTipsCrossBelowTheLargestAddendum) {
   // tools/reference/tooth_gap.py: at ratio 100 straight flanks have the largest equal addenda
   // without interference of 0.61, 0.70 and 0.81 modules at 20, 22 and 25 degrees, to 0.01.

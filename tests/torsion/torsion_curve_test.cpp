@@ -785,6 +785,11 @@ TEST(TorsionCurve, BehaviourNotes) {
   EXPECT_EQ(codes([&](GearSet& g) { draw(g, 25 * deg); }), Codes{"torsion.drawn_teeth"});
   EXPECT_EQ(codes([&](GearSet& g) { draw(g, 18 * deg); }),
             (Codes{"torsion.drawn_teeth", "torsion.tips"}));
+  EXPECT_EQ(codes([&](GearSet& g) {
+              draw(g, 25 * deg);
+              g.mesh->tooth->tips = ToothTips::relieved;
+            }),
+            (Codes{"torsion.drawn_teeth", "torsion.relieved_tips"}));
   // A contact crack is inside this model: so the note of the series model on it must not appear.
   EXPECT_EQ(codes([](GearSet& g) { test::crack_rim(g); }), Codes{});
 }

@@ -67,7 +67,7 @@ def typical(size, ratio, **changes):
         outer_race_diameter=pitch + ball, inner_conformity=0.53, outer_conformity=0.53,
         clearance=0.0, outer_race_thickness=(section - ball) / 2, race_width=0.15 * bore,
         groove_factor=0.8, flank_angle=radians(22), gap_factor=1.0, coning=1.0, lobe_gap=0.0,
-        rim_stiffening=1.25, cam_factor=0.0, cage_phase=0.0, pair_stiffness=None, tooth=None,
+        rim_stiffening=1.25, cam_factor=0.0, cage_phase=0.0, pair_stiffness=None, tooth=None, tips=None,
         spline_outer_diameter=1.34 * d, spline_inner_diameter=d + 2.2 * m, spline_width=0.15 * d,
         spline_support=0.0, youngs_modulus=206e9, poissons_ratio=0.3, diaphragm_warping=True,
         boss_compliance=0.0, flange_compliance=0.0, groove=None, diaphragm_arc=None,
@@ -231,6 +231,16 @@ def drawn_end(g):
         return tooth_gap.placed(drive, t, tip)[0, 1] - tooth_gap.pitch_height(drive) + 0.65 * m
 
     return brentq(above, 0.1, 1.5, xtol=1e-13)
+
+
+def widest_gap(g):
+    """The first angle at which the gap of a leaving drive flank is largest."""
+    m, R, w0 = g["pitch_diameter"] / (2 * g["ratio"]), g["rim_radius"], g["radial_displacement"]
+    drive = tooth_gap.Drive(g["ratio"], m, w0, R, g["pitch_diameter"] / 2 - R)
+    profile = tooth_gap.Profile(g["tooth"], g["flank_angle"], 0.65, 0.65)
+    return minimize_scalar(lambda t: -tooth_gap.LAWS[g["tooth"]](drive, profile, t, 0.0)[0],
+                           method="bounded", bounds=(radians(25), drawn_end(g)),
+                           options={"xatol": 1e-10}).x
 
 
 def wall_compliance(alpha, s, h_f, t, nu):
@@ -413,7 +423,9 @@ class Coupled:
         index = np.arange(count)
         theta = (index + 0.5) * 2 * pi / count
         t = np.remainder(theta + pi / 2, pi) - pi / 2
-        end = drawn_end(g) if g["tooth"] else pi / 4
+        end = pi / 4
+        if g["tooth"]:
+            end = widest_gap(g) if g["tips"] else drawn_end(g)
         near = np.abs(t) <= end * (1 + 1e-12)  # a tooth at 45 degrees counts
         index, theta, t = index[near], theta[near], t[near]
         lever = (g["pitch_diameter"] / 2 - R) / R
@@ -617,6 +629,7 @@ CASES = {  # case: changes of the typical drive, sign of the torque
     "outer_race_hinge_sound_cam": (plain(hinges=(Hinge("outer_race", pi / 2, 0.5),)), 1),
     "straight_teeth": (dict(spline_support=0.5, tooth="straight"), 1),
     "involute_teeth": (dict(spline_support=0.5, tooth="involute", coning=0.5), -1),
+    "relieved_teeth": (dict(spline_support=0.5, tooth="straight", tips="relieved"), 1),
     "spline_hinge": (dict(spline_support=0.5, hinges=(Hinge("circular_spline", 0.2, 0.4),)), 1),
 }
 OTHERS = {  # of size 25, ratio 100 only

@@ -24,6 +24,7 @@ struct BasicTeeth {
   Real pitch_offset{};     ///< e, pitch radius minus R [m]
   Real wave{};             ///< w_0, half the difference of the semi-axes of the deformed rim [m]
   int teeth = 0;           ///< z
+  ToothTips tips = ToothTips::full;
 };
 
 /// Gap between the flanks of rigid teeth that stand normal to the deformed centre line of the rim.
@@ -44,8 +45,12 @@ class BasicToothGap {
   [[nodiscard]] Real gap(double t) const;
   /// Growth of the gap along the face, s [-]; >= 0.
   [[nodiscard]] Real slope(double t) const;
-  /// Largest angle at which drive flanks have a height in common [rad].
+  /// Largest angle at which drive flanks can touch [rad]: where they have a height in common, and
+  /// with relieved tips at most where their gap is largest.
   [[nodiscard]] double end() const { return end_; }
+  /// Least relief of the tips that `ToothTips::relieved` presumes: the largest gap less the gap
+  /// where the flanks part [m]; 0 for full tips.
+  [[nodiscard]] double relief() const { return relief_; }
   /// Angle at which the flanks are seated [rad].
   [[nodiscard]] double seat() const { return seat_; }
   /// Play g_s of the seat, normal to the flank [m].
@@ -70,6 +75,7 @@ class BasicToothGap {
   [[nodiscard]] Real pitch_height() const;
   [[nodiscard]] bool engaged(double t) const;
   [[nodiscard]] double find_seat() const;
+  [[nodiscard]] double find_widest() const;
 
   static constexpr int kTerms = 7;
   BasicTeeth<Real> teeth_;
@@ -78,6 +84,7 @@ class BasicToothGap {
   Real mean_radius_{};               // R_m
   std::array<Real, kTerms> series_;  // a_n of ds/dphi
   double end_ = 0.0;
+  double relief_ = 0.0;
   double seat_ = 0.0;
   Real play_{};
 };

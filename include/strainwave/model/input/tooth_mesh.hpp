@@ -19,6 +19,16 @@ struct EnumNames<ToothProfile> {
   static constexpr std::array<std::string_view, 2> names = {"straight", "involute"};
 };
 
+/// The tips of drawn teeth.
+enum class ToothTips {
+  full,      ///< flanks work up to the given heights
+  relieved,  ///< the tips are relieved where the gap of a leaving tooth would become smaller again
+};
+template <>
+struct EnumNames<ToothTips> {
+  static constexpr std::array<std::string_view, 2> names = {"full", "relieved"};
+};
+
 /// The teeth as drawn (TC-29, TC-30).  All heights are those of the working flanks, without chamfer
 /// and relief, over the pitch height.
 struct ToothShape {
@@ -27,6 +37,7 @@ struct ToothShape {
   std::optional<double> spline_addendum;  ///< h_ac of the circular spline [m]; absent: 0.65 modules
   /// s_t of the flexspline at the pitch height [m]; absent: pi/2 modules
   std::optional<double> thickness;
+  ToothTips tips = ToothTips::full;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -61,6 +72,13 @@ struct ToothShape {
                 .example = R"("0.5 mm")",
                 .in_template = InTemplate::commented},
           &ToothShape::thickness);
+    field(Field{.name = "tips",
+                .unit = "",
+                .doc = "full: flanks work up to their addenda; relieved: engagement ends where the "
+                       "gap of a leaving tooth is largest",
+                .example = R"("relieved")",
+                .fallback = R"("full")"},
+          &ToothShape::tips);
   }
 };
 
