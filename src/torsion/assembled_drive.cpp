@@ -48,16 +48,7 @@ constexpr double kMostKappa = 1.3;
 constexpr double kSize17 = 0.043;
 
 /// Notes on teeth as drawn.
-void note_teeth(const GearSet& gear, const ToothGap& teeth, std::vector<Note>& notes) {
-  if (!gear.mesh->pair_stiffness)
-    notes.push_back(
-        {"torsion.drawn_teeth",
-         "the stiffness of the pairs leaves out that loaded teeth of the circular spline move "
-         "their "
-         "neighbours, which would add 6 to 85 % to the compliance of a pair between ratio 30 and "
-         "160",
-         "mesh.tooth", "TC-30", Severity::care,
-         "Treat K1, K2, K3 as upper limits, or calibrate the drive with a measured curve."});
+void note_teeth(const ToothGap& teeth, std::vector<Note>& notes) {
   if (teeth.relief() > 0)
     notes.push_back({"torsion.relieved_tips",
                      fmt::format("the tips are taken as relieved by at least {:.3g} um, so that no "
@@ -81,7 +72,7 @@ void note_geometry(const GearSet& gear, const CoupledGeometry& g, std::vector<No
         {"torsion.deflection",
          fmt::format("w_0 is {:.3g} modules, but the gap law is for about one module", kappa),
          "drive.radial_displacement", "TC-7", Severity::care, "Check drive.radial_displacement."});
-  if (g.tooth) note_teeth(gear, *g.tooth, notes);
+  if (g.tooth) note_teeth(*g.tooth, notes);
   if (const double least = least_flank_angle(kappa); !g.tooth && g.flank_angle < least)
     notes.push_back({"torsion.flank_angle",
                      fmt::format("w_0 of {:.3g} modules needs a flank angle of at least {:.3g} "
@@ -171,6 +162,7 @@ std::vector<std::string> equations_of(const CoupledGeometry& geometry) {
   for (const char* const tag : {"TC-8", "TC-11", "TC-12", "TC-13", "TC-14", "TC-15"})
     equations.emplace_back(tag);
   if (geometry.support > 0) equations.emplace_back("TC-10");
+  if (geometry.neighbours) equations.emplace_back("TC-31");
   return equations;
 }
 

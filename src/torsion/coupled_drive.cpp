@@ -357,6 +357,7 @@ void CoupledDrive::add_shares(const Equilibrium& state, const Tangent& tangent,
       add(i < g_.balls ? CurveMember::balls : CurveMember::teeth,
           tangent.force[i] * tangent.force[i] * (1 / law(i, state.closing[i]).stiffness + own_[i]));
   rings_->add_shares(coefficients_of(tangent.force), share);
+  add(CurveMember::circular_spline, rings_->neighbour_energy(tangent.force));
 }
 
 }  // namespace strainwave

@@ -262,8 +262,12 @@ void add_mesh(BasicCoupledGeometry<Real>& g, const GearSet& gear, const Lift<Rea
       .wall = g.rim_thickness,
       .module = g.module};
   g.extension *= toothed_extension(on_rim);  // (TC-30)
-  if (!mesh.pair_stiffness)
-    g.flank.pair_stiffness = drawn_pair_stiffness(g, on_rim, spline_tooth(gear, lift, g, on_rim));
+  if (mesh.pair_stiffness) return;
+  const SplineTooth<Real> spline = spline_tooth(gear, lift, g, on_rim);
+  g.flank.pair_stiffness = drawn_pair_stiffness(g, on_rim, spline);
+  if (gear.circular_spline)
+    g.neighbours.emplace(spline.on_ring, g.force_angle, spline.steel, g.rim_width,
+                         g.teeth);  // (TC-31)
 }
 
 /// A ring that a crack softens.
@@ -448,6 +452,11 @@ void check_teeth(const GearSet& gear, const ToothShape& tooth) {
   covered(spline_dedendum, "circular_spline.inner_diameter", inside,
           "1.8 to 3 modules above drive.pitch_diameter + 2 drive.radial_displacement for drawn "
           "teeth without mesh.pair_stiffness (TC-30)");
+  require(gear.mesh->pair_stiffness || narrowing * spline_dedendum <= thickness,
+          "circular_spline.inner_diameter", inside, "m",
+          "at most drive.pitch_diameter + 2 drive.radial_displacement + "
+          "thickness/tan(mesh.flank_angle), because otherwise the roots of the circular spline's "
+          "teeth overlap (TC-31)");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "strainwave/torsion/flank.hpp"
 #include "strainwave/torsion/tooth_flanks.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
+#include "tooth_neighbours.hpp"
 
 // The numbers of the coupled drive, and of its cracks inside the contact problem.
 
@@ -54,6 +55,8 @@ struct BasicCoupledGeometry {
   Real spline_radius{};   // R_c
   Real spline_bending{};  // E I_c
   Real support{};         // s_h
+  // of drawn teeth without a given pair stiffness
+  std::optional<BasicToothNeighbours<Real>> neighbours{};
 };
 using CoupledGeometry = BasicCoupledGeometry<double>;
 

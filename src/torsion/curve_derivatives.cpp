@@ -103,6 +103,7 @@ class Functional {
     const auto left = dual.rings.load_of(adjoint_waves_);
     const auto right = dual.rings.response_to(dual.rings.load_of(force_waves_));
     DualReal sum = -left.dot(right);  // closing by the rings
+    if (dual.geometry.neighbours) sum -= by_neighbours(*dual.geometry.neighbours);
     DualReal missing = load;
     for (int i = 0; i < drive_.contacts(); ++i) {
       if (i >= drive_.balls() && state_.force[i] != 0) missing -= dual.turn(i) * state_.force[i];
@@ -113,6 +114,17 @@ class Functional {
         sum += weight * dual.force(i, state_) / k;
     }
     return sum - adjoint_.rotation * missing;  // (TC-27)
+  }
+  /// The part of the closings by neighbouring teeth (TC-31).
+  [[nodiscard]] DualReal by_neighbours(const BasicToothNeighbours<DualReal>& neighbours) const {
+    const ElasticRings& rings = drive_.rings();
+    DualReal sum = 0.0;
+    for (int i = drive_.balls(); i < drive_.contacts(); ++i)
+      for (int j = drive_.balls(); adjoint_.force[i] != 0 && j < drive_.contacts(); ++j)
+        if (state_.force[j] != 0)
+          sum += adjoint_.force[i] * state_.force[j] *
+                 neighbours.between(rings.flank(i), rings.flank(j));
+    return sum;
   }
   [[nodiscard]] const Equilibrium& state() const { return state_; }
   [[nodiscard]] const ForceWaves& force_waves() const { return force_waves_; }

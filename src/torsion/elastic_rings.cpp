@@ -33,11 +33,14 @@ ElasticRings::ElasticRings(const GearSet& gear, const CoupledGeometry& geometry,
     : model_(gear, Lift<double>(), geometry, options),
       balls_(static_cast<int>(places.balls.size())),
       teeth_(static_cast<int>(places.teeth.size())),
+      tooth_(places.teeth),
+      neighbours_(geometry.neighbours),
       position_(places.positions()),
       at_balls_({position_.begin(), position_.begin() + balls_}, options.harmonics),
       at_teeth_({position_.begin() + balls_, position_.begin() + balls_ + teeth_},
                 options.harmonics) {
   fill_flexibility(places);
+  if (neighbours_) add_neighbours();
   fill_lobe();
 }
 
@@ -141,6 +144,27 @@ void ElasticRings::fill_flexibility(const ContactPlaces& places) {
       flexibility_(drive + i, coast + j) = drive_by_coast[k];
       flexibility_(coast + i, drive + j) = coast_by_drive[k];
     }
+}
+
+FlankPlace ElasticRings::flank(int contact) const {
+  const bool drive = contact < balls_ + teeth_;
+  const int place = contact - balls_ - (drive ? 0 : teeth_);
+  return {.tooth = tooth_[static_cast<std::size_t>(place)], .side = drive ? 1 : -1};
+}
+
+void ElasticRings::add_neighbours() {
+  for (int j = balls_; j < contacts(); ++j)
+    for (int i = balls_; i < contacts(); ++i)
+      flexibility_(i, j) += neighbours_->between(flank(i), flank(j));  // (TC-31)
+}
+
+double ElasticRings::neighbour_energy(const Eigen::VectorXd& force) const {
+  double energy = 0.0;
+  if (!neighbours_) return energy;
+  for (int i = balls_; i < contacts(); ++i)
+    for (int j = balls_; force[i] != 0 && j < contacts(); ++j)
+      if (force[j] != 0) energy += force[i] * neighbours_->between(flank(i), flank(j)) * force[j];
+  return energy;
 }
 
 void ElasticRings::fill_lobe() {

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <array>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "ring_model.hpp"
@@ -55,16 +56,22 @@ class ElasticRings {
   [[nodiscard]] ForceWaves waves_of(const Eigen::VectorXd& force) const;
   /// Mean of w over the lobes per unit of the force of each contact.
   [[nodiscard]] const Eigen::VectorXd& lobe_of_forces() const { return lobe_; }
-  /// Closing of contact i under a unit force of contact j, due to the rings [m/N] (TC-4).
+  /// Distance by which contact i opens under a unit force of contact j, due to the rings [m/N]
+  /// (TC-4), (TC-31).
   [[nodiscard]] const Eigen::MatrixXd& flexibility() const { return flexibility_; }
   /// Closings of all contacts under contact forces.
   [[nodiscard]] Eigen::VectorXd closings(const Eigen::VectorXd& force) const;
   /// Coefficients of all modes under contact forces.
   [[nodiscard]] Eigen::VectorXd coefficients_of(const Eigen::VectorXd& force) const;
-  /// Closings of all contacts from coefficients.
+  /// Closings of all contacts from coefficients, without (TC-31).
   [[nodiscard]] Eigen::VectorXd closings_of(const Eigen::VectorXd& x) const;
   /// Mean of w over the lobes under contact forces.
   [[nodiscard]] double lobe(const Eigen::VectorXd& force) const { return lobe_.dot(force); }
+  /// Place of a contact that is a flank.
+  [[nodiscard]] FlankPlace flank(int contact) const;
+  /// Twice the energy of contact forces in the teeth of the circular spline beside the loaded ones
+  /// (TC-31).
+  [[nodiscard]] double neighbour_energy(const Eigen::VectorXd& force) const;
   /// Adds twice the energies of a set of coefficients to the members.
   void add_shares(const Eigen::VectorXd& x, std::array<double, kCurveMembers>& share) const;
 
@@ -81,6 +88,7 @@ class ElasticRings {
   };
   [[nodiscard]] Kernel kernel(const ContactDirection& of, const ContactDirection& by) const;
   void fill_flexibility(const ContactPlaces& places);
+  void add_neighbours();
   void fill_lobe();
   /// A group of contacts of one direction, with the waves at their positions.
   struct Group {
@@ -93,6 +101,8 @@ class ElasticRings {
   RingModel<double> model_;
   int balls_ = 0;
   int teeth_ = 0;
+  std::vector<int> tooth_;  // numbers of the teeth
+  std::optional<ToothNeighbours> neighbours_;
   std::vector<double> position_;  // positions of balls, drive flanks, coast flanks
   Waves at_balls_;
   Waves at_teeth_;

@@ -20,7 +20,9 @@ the twist adds T lambda, lambda of the members in series.
 
 Independent: no condensation to the contacts, so no flexibility matrix and no complementarity; ball
 force constants by Carlson's integrals; stiffness of the diaphragm's edge by a Rayleigh-Ritz method
-in Legendre polynomials instead of the four powers of r; hinges and series members by quadrature.
+in Legendre polynomials instead of the four powers of r; hinges and series members by quadrature;
+neighbouring teeth of the circular spline as displacements of their own, whose layer comes from the
+equations of plane elasticity by the matrix exponential, integrated over the wave number alone.
 
 Units of everything: N, m, rad, Pa.  T1 = 51.7e3 Pa d^3, T2 = 187e3 Pa d^3, T3 = 1.6 T2 for pitch
 diameter d = 2.54 mm x size, except where a table gives its torques.
@@ -36,7 +38,7 @@ from math import asin, atan, cos, log, pi, radians, sin, sqrt, tan
 
 import numpy as np
 from scipy.integrate import quad
-from scipy.linalg import LinAlgError, cho_factor, cho_solve
+from scipy.linalg import LinAlgError, block_diag, cho_factor, cho_solve, expm, inv
 from scipy.optimize import brentq, minimize_scalar
 from scipy.special import elliprd, elliprf
 
@@ -266,20 +268,112 @@ def drawn_extension(g):
     return 1 / (1 - 0.523 * B / (pi * m) * (1 - 1 / (1 + 0.175 * B / g["rim_thickness"])))
 
 
+SHORTEST = 20.0  # wave number times thickness from which a layer is a half-plane
+
+
+@cache
+def layer_waves():
+    """Waves on a plane layer of thickness 1 on a smooth rigid base, E/(1 - nu^2) = 1/2 per wave number:
+    nodes, weights, tangential motion under a shear wave less that of a bar, radial motion under a
+    pressure, radial motion under a shear wave less that of a bar.
+
+    (u, v, sigma, tau) over the depth obey four equations of the first order; u and sigma are free at the
+    base."""
+    nu = 0.3  # none of the results depends on it
+    mu, lame = 1 / (2 * (1 + nu)), nu / ((1 + nu) * (1 - 2 * nu))
+    both = lame + 2 * mu
+    A = np.array([[0, 1, 0, 1 / mu], [-lame / both, 0, 1 / both, 0], [0, 0, 0, -1],
+                  [both - lame ** 2 / both, 0, lame / both, 0]])
+    x, w = np.polynomial.legendre.leggauss(25)
+    panels, half = np.arange(40) * SHORTEST / 40, SHORTEST / 80
+    K = (panels[:, None] + half * (1 + x)).ravel()
+    shear, press, mixed = [], [], []
+    for k in K:
+        edge = expm(A * k)[:, [0, 2]]
+        u, v = (edge @ np.linalg.solve(edge[2:], [0, 1]))[:2]
+        down = -(edge @ np.linalg.solve(edge[2:], [-1, 0]))[1]
+        shear.append(u / (2 * (1 - nu ** 2)) - 1 / (2 * k))
+        press.append(down / (2 * (1 - nu ** 2)))
+        mixed.append((v + nu * (1 + nu)) / (1 - nu ** 2))
+    return K, np.tile(half * w, len(panels)), np.array(shear), np.array(press), np.array(mixed)
+
+
+def neighbour_table(wall, root, lever, count):
+    """Motion of a tooth 1 to `count` pitches from a loaded one, lengths over the module, over
+    2(1 - nu^2)/(pi E b): tangential under a tangential force, radial under a radial one, radial under a
+    tangential one."""
+    places = pi * np.arange(1, count + 1)
+    K, weight, shear, press, mixed = layer_waves()
+    k = K / wall
+    a = k * root / 2
+    even, linear = np.sin(a) / a, 3 * (np.sin(a) - a * np.cos(a)) / a ** 3
+    linear = np.where(a < 0.02, 1 - a ** 2 / 10 + a ** 4 / 280, linear) * k * lever
+    cosine, sine, weight = np.cos(np.outer(places, k)), np.sin(np.outer(places, k)), weight / K
+    out = [cosine @ (weight * (shear * even ** 2 + mixed * even * linear + press * linear ** 2)),
+           cosine @ (weight * press * even ** 2),
+           sine @ (weight * (mixed * even ** 2 / 2 + press * even * linear))]
+    # From k_0 on, along k_0 + i s, where the waves decrease: exp(i k y) for y = x, x + B, x - B.
+    tau = np.arange(-4.2, 4.2, 0.03)
+    s = np.exp(pi / 2 * np.sinh(tau))
+    k0 = SHORTEST / wall
+    k = k0 * (1 + 1j * s)
+    step = 1j * k0 * 0.03 * s * pi / 2 * np.cosh(tau)
+    a = k * root / 2
+    for shift in (0, 1, -1):
+        # coefficients of exp(2 i a shift) in the squares and products of sin a and cos a
+        sin_sin = 0.5 if shift == 0 else -0.25
+        sin_cos = 0 if shift == 0 else -0.25j * shift
+        cos_cos = abs(sin_sin)
+        even_even = sin_sin / a ** 2
+        even_linear = 3 * (sin_sin - a * sin_cos) / a ** 4 * k * lever
+        linear_linear = 9 * (sin_sin - 2 * a * sin_cos + a * a * cos_cos) / a ** 6 * (k * lever) ** 2
+        waves = np.exp(1j * np.outer(places + shift * root, k)) * (step / k)
+        out[0] += (waves @ ((1 - 1 / (2 * k * wall)) * even_even + even_linear + linear_linear)).real
+        out[1] += (waves @ even_even).real
+        out[2] += (waves @ (even_even / 2 + even_linear)).imag
+    return out
+
+
+def spline_teeth(g):
+    """Module; wall of the circular spline and dedendum of its teeth over the module."""
+    m = g["pitch_diameter"] / (2 * g["ratio"])
+    wall = (g["spline_outer_diameter"] - g["spline_inner_diameter"]) / 2
+    dedendum = (g["spline_inner_diameter"] - g["pitch_diameter"]) / 2 - g["radial_displacement"]
+    return m, wall / m, dedendum / m
+
+
+def neighbour_compliance(g, tooth, side):
+    """Motion of each flank under a force on another one through the circular spline (TC-31)."""
+    _, wall, dedendum = spline_teeth(g)
+    alpha, z = g["flank_angle"], round(2 * g["ratio"])
+    table = neighbour_table(wall, pi / 2 + 2 * dedendum * tan(alpha),
+                            dedendum - pi / 4 * tan(alpha), z // 2)
+    along, outward, mixed = (np.concatenate(([0.0], column)) for column in table)
+    place = tooth + side / 2  # of the tooth of the circular spline that the flank presses
+    apart = np.round(place[:, None] - place).astype(int)
+    apart = (apart + z // 2) % z - z // 2
+    n = np.minimum(abs(apart), z // 2)
+    c, s = cos(alpha + g["flank_angle_shift"]), sin(alpha + g["flank_angle_shift"])
+    across = c * side
+    motion = (np.outer(across, across) * along[n] + s * s * outward[n]
+              + s * (across - across[:, None]) * np.sign(apart) * mixed[n])
+    E, nu = g["youngs_modulus"], g["poissons_ratio"]
+    return 2 * (1 - nu ** 2) / (pi * E * g["face_width"]) * motion
+
+
 def drawn_pair(g):
     """c' of drawn teeth by (TC-30)."""
     d, nu, E, alpha = g["pitch_diameter"], g["poissons_ratio"], g["youngs_modulus"], g["flank_angle"]
-    m, b = d / (2 * g["ratio"]), g["face_width"]
+    m, wall, dedendum = spline_teeth(g)
+    b = g["face_width"]
     h_f = d / 2 - g["rim_radius"] - g["rim_thickness"] / 2
-    t_c = (g["spline_outer_diameter"] - g["spline_inner_diameter"]) / 2
-    h_c = g["spline_inner_diameter"] / 2 - d / 2 - g["radial_displacement"]
     T2, z = 187e3 * d ** 3, 2 * g["ratio"]
     force = T2 / (d / 2 * cos(alpha) * z / 6 * b)
     a = sqrt(8 * (1 - nu ** 2) * force * d / 2 * sin(alpha) / (pi * E))
     contact = 4 * (1 - nu ** 2) / pi * (np.log(pi / 2 * m / cos(alpha) / a) + 0.045)
     step = cos(alpha) ** 2 * pi / 12 * m / g["rim_thickness"] / drawn_extension(g)
     return E / (wall_compliance(alpha, pi / 2, h_f / m, g["rim_thickness"] / m, nu)
-                + wall_compliance(alpha, pi / 2, h_c / m, t_c / m, nu) + contact + step)
+                + wall_compliance(alpha, pi / 2, dedendum, wall, nu) + contact + step)
 
 
 def touching(state):
@@ -300,17 +394,22 @@ def pair_stiffness(g):
 # The coupled solve ----------------------------------------------------------------------------
 
 class Coupled:
-    """Energy of one drive in the coefficients (a0, c0, a_n, b_n, c_n, d_n; spline a_n, b_n)."""
+    """Energy of one drive in the coefficients (a0, c0, a_n, b_n, c_n, d_n; spline a_n, b_n; of drawn
+    teeth, the displacements of the circular spline's flanks)."""
 
     def __init__(self, drive, tolerance=1e-12):
         self.g, self.N, self.tolerance = drive, drive["harmonics"], tolerance
         self.n = np.arange(1, self.N + 1)
         self.ring = 2 + 4 * self.N
-        self.size = self.ring + (2 * (self.N - 1) if drive["spline_support"] else 0)
+        self.rings = self.ring + (2 * (self.N - 1) if drive["spline_support"] else 0)
+        self.size = self.rings
         self.R = drive["rim_radius"]
         self.K = self.stiffness_matrix()
         self.balls()
         self.flanks()
+        self.moved = 0.0
+        if drive["tooth"]:
+            self.neighbours()
         self.lambda_s = structure_compliance(drive)
         self.start = None  # assembled state
 
@@ -390,7 +489,7 @@ class Coupled:
         row = np.zeros(self.size)
         waves = np.concatenate((mean * np.cos(n * hinge.angle), mean * np.sin(n * hinge.angle)))
         if hinge.member == "circular_spline":
-            row[self.ring:] = waves
+            row[self.ring:self.rings] = waves
         else:
             row[2:2 + 2 * self.N] = waves
         return row, alpha
@@ -467,6 +566,19 @@ class Coupled:
         self.health = np.tile(self.health, 2)
         self.pair = pair_stiffness(g)
         self.slope = np.concatenate(slopes)
+        self.index = index
+
+    def neighbours(self):
+        """A displacement of the circular spline for each flank.  The flank's own force moves it by
+        `moved`, which its law gives back, so that only the forces of the others count."""
+        side = np.repeat([1, -1], self.teeth)
+        C = neighbour_compliance(self.g, np.tile(self.index, 2), side)
+        self.moved = 0.6 / (self.pair * self.g["face_width"])
+        self.K = block_diag(self.K, inv(C + self.moved * np.eye(len(side))))
+        self.flank_rows = np.hstack((self.flank_rows, -np.eye(len(side))))
+        self.ball_rows = np.hstack((self.ball_rows, np.zeros((len(self.ball_rows), len(side)))))
+        self.nominal = np.concatenate((self.nominal, np.zeros(len(side))))
+        self.size += len(side)
 
     def ball_law(self, d):
         """Force and its derivative at closing d."""
@@ -486,13 +598,18 @@ class Coupled:
         return force, rate
 
     def flank_law(self, u):
-        b, s = self.g["face_width"], self.slope
+        b, s, back = self.g["face_width"], self.slope, self.moved
         u = np.maximum(u, 0)
-        whole = (u > 0) & (u >= s * b)
+        k = self.health * self.pair
         some = np.maximum(s, 1e-30)
-        force = np.where(whole, b * (u - s * b / 2), u * u / (2 * some))
-        rate = np.where(whole, b, u / some)
-        return self.health * self.pair * force, self.health * self.pair * rate
+        # u + back F is the closing of the law
+        part = 2 * u / (1 + np.sqrt(np.maximum(1 - 2 * back * k * u / some, 0)))
+        full = (u - back * k * s * b * b / 2) / (1 - back * k * b)
+        whole = (u > 0) & (u >= s * b * (1 - back * k * b / 2))
+        u = np.where(whole, full, part)
+        force = k * np.where(whole, b * (u - s * b / 2), u * u / (2 * some))
+        rate = k * np.where(whole, b, u / some)
+        return force, rate / (1 - back * rate)
 
     def gradient(self, x, torque, amplitude):
         d = amplitude * self.cam - self.ball_free - self.ball_rows @ x

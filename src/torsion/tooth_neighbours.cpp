@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tooth_neighbours.hpp"
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <utility>
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+
+// Lengths in this file are divided by the thickness of the layer, and K is the wave number.
+
+/// Distance from which the layer rests: its slowest part decreases like exp(-2.1 x).
+constexpr double kReach = 16;
+/// Wave number from which the layer is a half-plane, within K exp(-2K).
+constexpr double kShortest = 16;
+
+/// What the layer is more than a half-plane, at one point of the integral over the wave number.
+struct LayerPoint {
+  double wave = 0.0;    // K
+  double weight = 0.0;  // of the integral over K
+  double shear = 0.0;   // (cosh 2K + 1)/(sinh 2K + 2K) - 1
+  double press = 0.0;   // (cosh 2K - 1)/(sinh 2K + 2K) - 1
+  double mixed = 0.0;   // (sinh 2K - 2K)/(sinh 2K + 2K) - 1
+  double fading = 0.0;  // exp(-2K)
+};
+
+/// The sum of f(x, weight) over the points of Gauss's rule in [0, 1].
+template <int Points, class Function>
+void for_each_point(const Function& f) {
+  using Rule = boost::math::quadrature::gauss<double, Points>;
+  for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
+    const double x = Rule::abscissa()[i];
+    const double weight = Rule::weights()[i] / 2;
+    f((1 + x) / 2, weight);
+    if (x > 0) f((1 - x) / 2, weight);
+  }
+}
+
+std::vector<LayerPoint> make_layer_points() {
+  constexpr int kPanels = 6;
+  std::vector<LayerPoint> points;
+  for (int panel = 0; panel < kPanels; ++panel)
+    for_each_point<30>([&](double x, double weight) {
+      constexpr double kLength = kShortest / kPanels;
+      const double K = (panel + x) * kLength;
+      const double e = std::exp(-2 * K);
+      const double below = 1 - e * e + 4 * K * e;  // 2 exp(-2K) (sinh 2K + 2K)
+      points.push_back({.wave = K,
+                        .weight = weight * kLength,
+                        .shear = 2 * e * (e + 1 - 2 * K) / below,
+                        .press = 2 * e * (e - 1 - 2 * K) / below,
+                        .mixed = -8 * K * e / below,
+                        .fading = e});
+    });
+  return points;
+}
+
+const std::vector<LayerPoint>& layer_points() {
+  static const std::vector<LayerPoint> points = make_layer_points();
+  return points;
+}
+
+/// Transform of a load that is constant over the root, with x = K B/2.
+template <class Real>
+Real of_even_load(const Real& x) {
+  using std::sin;
+  return sin(x) / x;
+}
+
+/// Transform of the pressure of a moment, which is linear over the root, divided by x/3.
+template <class Real>
+Real of_linear_load(const Real& x) {
+  using std::cos, std::sin;
+  const Real square = x * x;
+  constexpr double kSmall = 0.3;
+  return x < kSmall
+             ? Real(1 - square / 10 * (1 - square / 28 * (1 - square / 54 * (1 - square / 88))))
+             : Real(3 * (sin(x) - x * cos(x)) / (square * x));
+}
+
+/// Means of -ln over the distances between the points of two roots.
+template <class Real>
+struct HalfPlane {
+  Real even{};    // of constant loads
+  Real mixed{};   // of a constant and a linear load
+  Real linear{};  // of linear loads
+};
+
+template <int Points, class Real>
+HalfPlane<Real> half_plane(const Real& distance, const Real& root) {
+  using std::log;
+  HalfPlane<Real> sum{};
+  for_each_point<Points>([&](double u, double weight) {
+    const Real ahead = log(distance + root * u);
+    const Real behind = log(distance - root * u);
+    const Real both = weight * (ahead + behind);
+    sum.even -= (1 - u) * both;
+    sum.mixed -= (6 * weight * u * (1 - u)) * (ahead - behind);
+    sum.linear -= (12 - 36 * u + 24 * u * u * u) * both;
+  });
+  return sum;
+}
+
+}  // namespace
+
+template <class Real>
+BasicToothNeighbours<Real>::BasicToothNeighbours(const BasicToothOnWall<Real>& tooth,
+                                                 const Real& force_angle,
+                                                 const BasicElasticConstants<Real>& steel,
+                                                 const Real& face_width, int pitches)
+    : pitches_(pitches) {
+  using std::cos, std::sin, std::tan;
+  const Real root = tooth.root_width() / tooth.wall;
+  const Real lever = (tooth.dedendum - tooth.thickness * tan(tooth.flank_angle) / 2) / tooth.wall;
+  const Real pitch = pi * tooth.module / tooth.wall;
+  const Real slant = lever / root;
+  const std::vector<LayerPoint>& points = layer_points();
+  // The half-plane is integrated over the roots, the rest over the wave numbers.
+  struct Weight {
+    Real tangential{};
+    Real radial{};
+    Real mixed{};
+    double first_cosine = 0.0;
+    double cosine = 1.0;
+    double sine = 0.0;
+    double first_sine = 0.0;
+  };
+  std::vector<Weight> weights;
+  double tangential_constant = std::numbers::ln2 - 1;
+  double radial_constant = std::numbers::ln2;
+  for (const LayerPoint& at : points) {
+    const double K = at.wave;
+    const Real x = K * root / 2;
+    const Real even = of_even_load(x);
+    const Real linear = lever * of_linear_load(x);
+    weights.push_back(
+        {.tangential = at.weight * (at.shear / K * even * even + at.mixed * even * linear +
+                                    K * at.press * linear * linear),
+         .radial = at.weight * at.press / K * even * even,
+         .mixed = at.weight * (at.mixed / (2 * K) * even * even + at.press * even * linear),
+         .first_cosine = std::cos(K * value_of(pitch)),
+         .first_sine = std::sin(K * value_of(pitch))});
+    tangential_constant -= at.weight * at.fading / (2 * K * K);
+    radial_constant += at.weight * at.fading / K;
+  }
+  const Real layer = 2 * (1 - steel.nu * steel.nu) / (pi * steel.E * face_width);
+  const Real c = cos(force_angle);
+  const Real s = sin(force_angle);
+  const Real shift = pitch - value_of(pitch);  // zero; it carries the derivatives
+  const int count =
+      std::min(pitches / 2, static_cast<int>(std::floor(kReach / value_of(pitch)))) + 1;
+  for (std::vector<Real>* const table : {&tangential_, &radial_, &mixed_})
+    table->assign(static_cast<std::size_t>(count), Real(0.0));
+  for (int n = 1; n < count; ++n) {
+    const Real distance = n * pitch;
+    constexpr int kNear = 8;
+    const HalfPlane<Real> plane =
+        n < kNear ? half_plane<15>(distance, root) : half_plane<7>(distance, root);
+    Real tangential =
+        plane.even + slant * slant * plane.linear + pi / 4 * distance + tangential_constant;
+    Real radial = plane.even + radial_constant;
+    Real mixed = pi / 4 - slant * plane.mixed;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      Weight& at = weights[i];
+      const double cosine = at.first_cosine * at.cosine - at.first_sine * at.sine;
+      at.sine = at.first_sine * at.cosine + at.first_cosine * at.sine;
+      at.cosine = cosine;
+      const double turn = n * points[i].wave;
+      const Real even = at.cosine - turn * at.sine * shift;
+      tangential += at.tangential * even;
+      radial += at.radial * even;
+      mixed += at.mixed * Real(at.sine + turn * at.cosine * shift);
+    }
+    const auto k = static_cast<std::size_t>(n);
+    tangential_[k] = layer * c * c * tangential;  // (TC-31)
+    radial_[k] = layer * s * s * radial;
+    mixed_[k] = 2 * layer * s * c * mixed;
+  }
+}
+
+template <class Real>
+Real BasicToothNeighbours<Real>::between(FlankPlace of, FlankPlace by) const {
+  // The flanks of a tooth press the teeth half a pitch beside it.
+  int steps = of.tooth - by.tooth + (of.side - by.side) / 2;
+  if (2 * steps > pitches_) steps -= pitches_;
+  if (2 * steps < -pitches_) steps += pitches_;
+  const auto apart = static_cast<std::size_t>(std::abs(steps));
+  if (apart >= radial_.size()) return Real(0.0);
+  if (of.side == by.side) return tangential_[apart] + radial_[apart];
+  const double ahead = steps > 0 ? of.side : -of.side;
+  return radial_[apart] - tangential_[apart] - ahead * mixed_[apart];
+}
+
+template class BasicToothNeighbours<double>;
+template class BasicToothNeighbours<DualReal>;
+
+}  // namespace strainwave
