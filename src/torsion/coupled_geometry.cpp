@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "flexspline_wall.hpp"
 #include "strainwave/contact/hertz.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
@@ -231,8 +232,7 @@ void add_mesh(BasicCoupledGeometry<Real>& g, const GearSet& gear, const Lift<Rea
       "less than the tangent of mesh.flank_angle, because otherwise the flanks lock themselves");
   g.gap_factor = lift(mesh.gap_factor);
   g.lobe_gap = lift(mesh.lobe_gap);
-  const Real cone =
-      lift(mesh.coning) * g.radial_displacement / (g.length - g.rim_width / 2);  // (TC-8)
+  const Real cone = lift(mesh.coning) * g.radial_displacement * g.tilt;  // (TC-8)
   g.flank = {.pair_stiffness = mesh.pair_stiffness
                                    ? Real(lift(*mesh.pair_stiffness))
                                    : tooth_pair_stiffness(g.rim_steel.E, g.module, g.rim_thickness),
@@ -535,7 +535,9 @@ BasicCoupledGeometry<Real> coupled_geometry(const GearSet& gear, const CoupledOp
   g.extension = g.rim_steel.E * g.rim_width * g.rim_thickness;
   g.barrel_length = lift(fs.barrel->length);
   g.barrel_thickness = lift(fs.barrel->wall_thickness);
-  g.length = g.barrel_length + g.rim_width;
+  g.tilt =
+      wall_mode(flexspline_wall(fs, lift, g.ring_radius, g.rim_steel, options.diaphragm_warping), 2)
+          .tilt;
 
   const BasicRaceContacts<Real> races = race_contacts(lift, bearing, g.ball_steel);
   // delta = c Q^(2/3) at each race: c is the approach at 1 N.

@@ -38,7 +38,7 @@ struct BasicCoupledGeometry {
   // barrel and diaphragm
   Real barrel_length{};
   Real barrel_thickness{};
-  Real length{};  // length L from the bottom to the open end
+  Real tilt{};  // slope of the rim along the axis per radial displacement, n = 2 (TC-2) [1/m]
   // bearing
   Real ball_stiffness{};  // K_h, Q = K_h d^1.5
   int balls = 0;

@@ -63,27 +63,31 @@ Real edge_stiffness(const BasicClampedPlate<Real>& plate, int harmonic) {
           "0 < inner_radius < outer_radius");
   require(plate.thickness > 0, "thickness", value_of(plate.thickness), "m", "thickness > 0");
   const Real D = plate.youngs_modulus * pow(plate.thickness, 3.0) / (12 * (1 - nu * nu));  // (TC-3)
-  // Deflection r^p cos(n theta), r over the outer radius.  The negative powers are scaled to 1 at
-  // the inner edge, where they matter, because a high n would otherwise overflow.
+  const bool inside = plate.clamped == ClampedEdge::inner;
+  const Real& edge = inside ? plate.outer_radius : plate.inner_radius;  // that of the tube
+  const Real bends = (inside ? 1.0 : -1.0) * D / edge;
+  // Deflection r^p cos(n theta).  The positive powers are scaled to 1 at the outer edge and the
+  // negative powers at the inner edge, because a high n would otherwise overflow.
   const std::array<double, 4> powers = {n, -n, n + 2, 2 - n};
   std::array<std::array<Real, 4>, 4> conditions;
-  std::array<Real, 4> edge_shear;
+  std::array<Real, 4> edge_force;
   for (std::size_t i = 0; i < 4; ++i) {
     const double p = powers[i];
-    const Real at_inner = p < 0 ? Real(1.0) : Real(pow(rho, p));
-    const Real at_outer = p < 0 ? Real(pow(rho, -p)) : Real(1.0);
-    conditions[0][i] = at_inner;
-    conditions[1][i] = p * at_inner;                                 // slope, times r_i
-    conditions[2][i] = at_outer;                                     // deflection
-    conditions[3][i] = (p * (p - 1) + nu * (p - n * n)) * at_outer;  // moment M_r
-    edge_shear[i] =
-        -((p * p - n * n) * (p - 2) - (1 - nu) * n * n * (p - 1)) * at_outer;  // Kirchhoff's V_r
+    const Real far = Real(pow(rho, std::abs(p)));
+    const Real at_clamp = (p < 0) == inside ? Real(1.0) : far;
+    const Real at_edge = (p < 0) == inside ? far : Real(1.0);
+    const Real slip = (p - n * n) * plate.corner;  // moment of the corner, over at_edge/edge
+    conditions[0][i] = at_clamp;
+    conditions[1][i] = p * at_clamp;  // slope, times the radius
+    conditions[2][i] = at_edge;       // deflection
+    conditions[3][i] = (bends * (p * (p - 1) + nu * (p - n * n)) + slip) * at_edge;
+    const double shear = (p * p - n * n) * (p - 2);
+    edge_force[i] = -(bends * (shear - (1 - nu) * n * n * (p - 1)) + n * n * slip) * at_edge;
   }
   const std::array<Real, 4> amplitudes = amplitudes_of(conditions, {0.0, 0.0, 1.0, 0.0});
-  Real shear(0.0);
-  for (std::size_t i = 0; i < 4; ++i) shear += edge_shear[i] * amplitudes[i];
-  const Real R = plate.outer_radius;
-  return std::numbers::pi * D / (R * R) * shear;  // (TC-3)
+  Real force(0.0);
+  for (std::size_t i = 0; i < 4; ++i) force += edge_force[i] * amplitudes[i];
+  return std::numbers::pi / edge * force;  // (TC-3)
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "coupled_geometry.hpp"
+#include "flexspline_wall.hpp"
 #include "strainwave/core/error.hpp"
-#include "strainwave/torsion/plate_edge.hpp"
 
 // Flexspline, outer ring and circular spline as Fourier modes, in templates for double and for dual
 // numbers.
@@ -252,37 +252,12 @@ class RingModel {
   }
 
  private:
-  /// Up to this harmonic the whole barrel follows its end.  Beyond, the part that follows decreases
-  /// like 1/n, because short waves stay near the rim.  The number is not derived (TC-2), but the
-  /// ring's own bending dominates there.
-  static constexpr double kDecay = 2.5;
-
-  /// Mean thickness over the radius; the thickness law of the plate matters little here.
-  static Real mean_thickness(const Lift<Real>& lift, const Diaphragm& diaphragm) {
-    if (diaphragm.profile.empty()) return lift(diaphragm.thickness);
-    constexpr int kPoints = 64;
-    const Real inner = lift(diaphragm.inner_diameter);
-    const Real width = lift(diaphragm.outer_diameter) - inner;
-    Real h(0.0);
-    for (int i = 0; i < kPoints; ++i)
-      h += diaphragm_thickness(lift, diaphragm, Real((inner + width * (i + 0.5) / kPoints) / 2)) /
-           kPoints;
-    return h;
-  }
-
   void make_modes(const GearSet& gear, const Lift<Real>& lift, const BasicCoupledGeometry<Real>& g,
                   const CoupledOptions& options) {
     using std::numbers::pi, std::pow;
-    const Diaphragm& diaphragm = *gear.flexspline->diaphragm;
     const Real R = g.ring_radius;
-    const Real L = g.barrel_length;
-    const auto& [E, G, nu] = g.rim_steel;
-    const Real plate = E * pow(g.barrel_thickness, 3.0) / (12 * (1 - nu * nu));
-    const BasicClampedPlate<Real> bottom{.outer_radius = lift(diaphragm.outer_diameter) / 2,
-                                         .inner_radius = lift(diaphragm.inner_diameter) / 2,
-                                         .thickness = mean_thickness(lift, diaphragm),
-                                         .youngs_modulus = E,
-                                         .poissons_ratio = nu};
+    const auto wall =
+        flexspline_wall(*gear.flexspline, lift, R, g.rim_steel, options.diaphragm_warping);
     modes_.assign(static_cast<std::size_t>(N_) + 1, {});
     modes_[0].extension = 2 * pi * g.extension / R;  // (TC-1)
     modes_[0].rim_bending = 2 * pi * g.rim_bending / (R * R * R);
@@ -295,15 +270,13 @@ class RingModel {
       mode.outer_bending = pi * g.outer_bending / (R * R * R) * bent;  // (TC-1)
       mode.extension = pi * g.extension / R;                           // (TC-1)
       if (n == 1) {
-        mode.lateral = 0.5 * pi * G * R * g.barrel_thickness / L;  // (TC-2)
+        mode.lateral =
+            0.5 * pi * g.rim_steel.G * R * g.barrel_thickness / g.barrel_length;  // (TC-2)
         continue;
       }
-      const double twist = (n - 1.0 / n) * (n - 1.0 / n);
-      mode.barrel = plate * pi * R * (L / 3) *
-                    (bent / pow(R, 4.0) + 6 * (1 - nu) * twist / (R * R * L * L)) *
-                    std::min(1.0, kDecay / n);  // (TC-2)
-      if (options.diaphragm_warping)
-        mode.diaphragm = plate_edge_stiffness(bottom, n) * pow(R / (n2 * L), 2.0);  // (TC-2)
+      const auto along = wall_mode(wall, n);
+      mode.barrel = along.barrel;
+      mode.diaphragm = along.diaphragm;
       if (g.support > 0)
         mode.spline =
             pi * g.spline_bending / pow(g.spline_radius, 3.0) * bent / g.support;  // (TC-10)

@@ -90,6 +90,18 @@ GearSet sections_gear() {
   return gear;
 }
 
+/// The second drive as a sound silk hat.
+GearSet hat_gear() {
+  GearSet gear = sections_gear();
+  Flexspline& fs = *gear.flexspline;
+  fs.shape = FlexsplineShape::hat;
+  fs.diaphragm = Diaphragm{
+      .outer_diameter = 210 * mm, .inner_diameter = 156 * mm, .thickness = 3 * mm, .profile = {}};
+  fs.boss.reset();
+  fs.crack.clear();
+  return gear;
+}
+
 /// The second drive with the inputs of the torsion curve and its cracks.
 GearSet coupled_gear() {
   GearSet gear = sections_gear();
@@ -541,6 +553,42 @@ const std::vector<Broken> kBroken = {
      [](GearSet& g) { flexspline(g).diaphragm->outer_diameter = 118 * mm; },
      "flexspline.diaphragm.outer_diameter",
      "within 25 % of barrel.outer_diameter, 158 mm, because the diaphragm joins the barrel", ""},
+    {"CupWithTheDiaphragmOfAHat", sections_gear,
+     [](GearSet& g) {
+       flexspline(g).diaphragm->inner_diameter = 156 * mm;
+       flexspline(g).diaphragm->outer_diameter = 220 * mm;
+     },
+     "flexspline.shape", "",
+     "is \"cup\", but the diaphragm, 156 to 220 mm in diameter, lies outside of the barrel, 158 mm; give shape = \"hat\" or correct the diameters"},
+    {"HatWithTheDiaphragmOfACup", hat_gear,
+     [](GearSet& g) { diaphragm(g) = *sections_gear().flexspline->diaphragm; }, "flexspline.shape",
+     "",
+     "is \"hat\", but the diaphragm, 80 to 154 mm in diameter, lies inside of the barrel, 158 mm; give shape = \"cup\" or correct the diameters"},
+    {"HatWithoutDiaphragm", hat_gear, [](GearSet& g) { flexspline(g).diaphragm.reset(); },
+     "flexspline.diaphragm", "",
+     "must be given for a hat where crack_free = \"sections\" (bottom)"},
+    {"HatWithABoss", hat_gear,
+     [](GearSet& g) { flexspline(g).boss = *sections_gear().flexspline->boss; }, "flexspline.boss",
+     "",
+     "is not read for a hat, whose output is the flange around the diaphragm; remove the boss"},
+    {"HatByAFactor", article, [](GearSet& g) { flexspline(g).shape = FlexsplineShape::hat; },
+     "flexspline.crack_free", "",
+     "must be \"sections\" for a hat, because no factor is known for it"},
+    {"DiaphragmOfAHatApartFromTheBarrel", hat_gear,
+     [](GearSet& g) { diaphragm(g).inner_diameter = 212 * mm; },
+     "flexspline.diaphragm.inner_diameter",
+     "within 25 % of barrel.outer_diameter, 158 mm, because the diaphragm joins the barrel", ""},
+    {"ArcInsideOfTheBarrelOfAHat", hat_gear,
+     [](GearSet& g) {
+       flexspline(g).crack = {DiaphragmArcCrack{.half_length = 3 * mm, .radius = 70 * mm}};
+     },
+     "flexspline.crack[0].radius", "on the diaphragm", ""},
+    {"GrooveInTheFlangeOfAHat", hat_gear,
+     [](GearSet& g) {
+       flexspline(g).crack = {
+           DiaphragmGroove{.depth = 0.5 * mm, .width = 2 * mm, .radius = 110 * mm}};
+     },
+     "flexspline.crack[0].radius", "radius +- width/2 on the diaphragm", ""},
     {"RimApartFromTheTeeth", sections_gear,
      [](GearSet& g) { flexspline(g).rim->outer_diameter = 153.5 * mm; },
      "flexspline.rim.outer_diameter",
@@ -938,6 +986,13 @@ const std::vector<Accepted> kAccepted = {
      [](GearSet& g) {
        flexspline(g).shape = FlexsplineShape::cylinder;
        flexspline(g).diaphragm.reset();
+     }},
+    {"Hat", hat_gear, [](GearSet&) {}},
+    {"HatWithCracks", hat_gear,
+     [](GearSet& g) {
+       flexspline(g).crack = {
+           DiaphragmArcCrack{.half_length = 3 * mm, .radius = {}},
+           DiaphragmGroove{.depth = 0.5 * mm, .width = 2 * mm, .radius = 100 * mm}};
      }},
     {"CylinderWithBottom", sections_gear,
      [](GearSet& g) { flexspline(g).shape = FlexsplineShape::cylinder; }},

@@ -104,6 +104,13 @@ const std::map<std::string, Case>& cases() {
       {"lobe_interference", {.change = [](GearSet& g) { g.mesh->lobe_gap = -2 * kMicron; }}},
       {"cam_factor", {.change = [](GearSet& g) { g.wave_generator->cam_flattening = 1.5; }}},
       {"cage_phase", {.cage_phase = 4 * deg}},
+      {"hat",
+       {.change =
+            [](GearSet& g) {
+              test::half_free(g);
+              test::make_hat(g);
+            },
+        .warping = true}},
       {"no_coning", {.change = [](GearSet& g) { g.mesh->coning = 0; }}},
       {"friction_loading", {.friction = FlankFriction::loading}},
       {"friction_unloading", {.friction = FlankFriction::unloading}},

@@ -37,17 +37,20 @@ double bending(const ClampedPlate& plate) {
 TEST(PlateEdge, ReferenceTable) {
   int rows = 0;
   for (const test::CsvRow& row : test::read_reference_csv("coupled_drive_laws")) {
-    if (row.quantity != "plate_edge_stiffness") continue;
-    const ClampedPlate plate{.outer_radius = row("outer_radius"),
-                             .inner_radius = row("inner_radius"),
-                             .thickness = row("thickness"),
-                             .youngs_modulus = row("youngs_modulus"),
-                             .poissons_ratio = row("poissons_ratio")};
+    if (!row.quantity.starts_with("plate_edge_stiffness")) continue;
+    const ClampedPlate plate{
+        .outer_radius = row("outer_radius"),
+        .inner_radius = row("inner_radius"),
+        .thickness = row("thickness"),
+        .youngs_modulus = row("youngs_modulus"),
+        .poissons_ratio = row("poissons_ratio"),
+        .clamped = row.quantity.ends_with("of_hat") ? ClampedEdge::outer : ClampedEdge::inner,
+        .corner = row("corner")};
     const int n = static_cast<int>(row("harmonics_or_harmonic"));
     test::expect_row(plate_edge_stiffness(plate, n), row, 1e-10);  // rounding of a 4x4 solve
     ++rows;
   }
-  EXPECT_EQ(rows, 7);
+  EXPECT_EQ(rows, 28);
 }
 
 TEST(PlateEdge, ReferenceTableOfDrives) {

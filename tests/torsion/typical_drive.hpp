@@ -111,6 +111,16 @@ inline GearSet typical_drive(int size = 25, double ratio = 50) {
   return gear;
 }
 
+/// Makes a short silk hat of the cup of size 25.
+inline void make_hat(GearSet& gear) {
+  Flexspline& hat = *gear.flexspline;
+  hat.shape = FlexsplineShape::hat;
+  hat.length.reset();
+  hat.barrel->length = 9.525e-3;
+  hat.diaphragm->inner_diameter = 62.04e-3;
+  hat.diaphragm->outer_diameter = 86e-3;
+}
+
 /// The maker's torques by convention [N*m]: where the lines of the curve of a drive meet.
 inline std::array<double, 3> conventional_torques(const GearSet& gear) {
   const double d3 =

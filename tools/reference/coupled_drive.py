@@ -19,10 +19,11 @@ spring would hold it (the middle of the play of a sound drive).  Ring rotation i
 the twist adds T lambda, lambda of the members in series.
 
 Independent: no condensation to the contacts, so no flexibility matrix and no complementarity; ball
-force constants by Carlson's integrals; stiffness of the diaphragm's edge by a Rayleigh-Ritz method
-in Legendre polynomials instead of the four powers of r; hinges and series members by quadrature;
-neighbouring teeth of the circular spline as displacements of their own, whose layer comes from the
-equations of plane elasticity by the matrix exponential, integrated over the wave number alone.
+force constants by Carlson's integrals; stiffness of the diaphragm's edge, and of barrel and rim
+over their length, by a Rayleigh-Ritz method in Legendre polynomials instead of the four powers of r
+and of power series from piece to piece; hinges and series members by quadrature; neighbouring teeth
+of the circular spline as displacements of their own, whose layer comes from the equations of plane
+elasticity by the matrix exponential, integrated over the wave number alone.
 
 Units of everything: N, m, rad, Pa.  T1 = 51.7e3 Pa d^3, T2 = 187e3 Pa d^3, T3 = 1.6 T2 for pitch
 diameter d = 2.54 mm x size, except where a table gives its torques.
@@ -65,6 +66,7 @@ def typical(size, ratio, **changes):
         pitch_diameter=d, ratio=ratio, radial_displacement=m, rim_radius=R, rim_thickness=t_r,
         face_width=0.15 * d, barrel_thickness=0.6 * t_r, barrel_length=(0.42 - 0.15) * d,
         diaphragm_outer_radius=R, diaphragm_inner_radius=0.29 * d, diaphragm_thickness=0.012 * d,
+        hat=False,
         ball_diameter=ball, ball_count=23, inner_race_diameter=pitch - ball,
         outer_race_diameter=pitch + ball, inner_conformity=0.53, outer_conformity=0.53,
         clearance=0.0, outer_race_thickness=(section - ball) / 2, race_width=0.15 * bore,
@@ -92,42 +94,90 @@ def legendre_tables(terms):
                         for k in range(3))
 
 
-def plate_edge_stiffness(n, inner, outer, thickness, E, nu, terms=26):
-    """Force per length times pi r_o over f(r_o): plate clamped at r_i, outer edge f cos(n theta)
-    with no moment.  Twice the least energy with f(r_o) = 1, f = (r - r_i)^2 sum c_k P_k."""
-    half = (outer - inner) / 2
+def plate_edge_stiffness(n, edge, clamped, thickness, E, nu, corner=0.0, terms=26):
+    """Force per length times pi r_e over f(r_e): plate clamped at one radius, its other edge r_e
+    f cos(n theta).  A spring holds the slope f' at n^2 f/r_e, the slope of a tube that warps by f.
+    Twice the least energy with f(r_e) = 1, f = (r - r_c)^2 sum c_k P_k."""
+    half = (edge - clamped) / 2
     s, weight, P, dP, ddP = legendre_tables(terms)
-    r = inner + half * (1 + s)
-    q = 1 + s  # (r - r_i)/half
+    r = clamped + half * (1 + s)
+    q = 1 + s  # (r - r_c)/half
     f, df, ddf = q ** 2 * P, q ** 2 * dP + 2 * q * P, q ** 2 * ddP + 4 * q * dP + 2 * P
     df, ddf = df / half, ddf / half ** 2
     radial, hoop, twist = ddf, df / r - n * n * f / r ** 2, n * (df / r - f / r ** 2)
-    measure = pi * r * weight * half * E * thickness ** 3 / (12 * (1 - nu ** 2))
+    measure = pi * r * weight * abs(half) * E * thickness ** 3 / (12 * (1 - nu ** 2))
 
     def energy(a, b):
         return (a * measure) @ b.T
 
     A = (energy(radial, radial) + energy(hoop, hoop) + nu * (energy(radial, hoop)
          + energy(hoop, radial)) + 2 * (1 - nu) * energy(twist, twist))
-    edge = np.full(terms, 4.0)  # f(r_o) of each function
+    k = np.arange(terms)
+    at_edge = np.full(terms, 4.0)  # f(r_e) of each function
+    slope = (2 * k * (k + 1) + 4) / half  # f'(r_e)
+    off = slope - n * n * at_edge / edge
+    A += pi * edge * corner * np.outer(off, off)
     scale = 1 / np.sqrt(np.diag(A))
-    return 1 / (scale * edge @ np.linalg.solve(A * np.outer(scale, scale), scale * edge))
+    return 1 / (scale * at_edge @ np.linalg.solve(A * np.outer(scale, scale), scale * at_edge))
 
 
-def ring_stiffness(drive, n):
+def bottom_stiffness(g, n):
+    """Of the diaphragm's edge at the barrel, with the corner between plate and tube."""
+    E, nu, t = g["youngs_modulus"], g["poissons_ratio"], g["barrel_thickness"]
+    edges = g["diaphragm_outer_radius"], g["diaphragm_inner_radius"]
+    corner = (2 * E * t ** 3 / (12 * (1 - nu ** 2))
+              * (3 * (1 - nu ** 2) / (g["rim_radius"] * t) ** 2) ** 0.25)
+    return plate_edge_stiffness(n, *(edges[::-1] if g["hat"] else edges), g["diaphragm_thickness"],
+                                E, nu, corner)
+
+
+def wall_mode(g, n, terms=48):
+    """Twice the energy of barrel, tilting rim and bottom, that of the bottom, and the tilt, for
+    cos(n theta) at mid-face.  Least energy of W = (1 - b tilt/2) x + x (1 - x) sum c_k P_k and
+    psi = tilt + (1 - x) sum d_k P_k, x from the bottom over the barrel's length."""
+    E, nu, R = g["youngs_modulus"], g["poissons_ratio"], g["rim_radius"]
+    G, L, t, b = E / (2 * (1 + nu)), g["barrel_length"], g["barrel_thickness"], g["face_width"]
+    s, weight, P, dP, _ = legendre_tables(terms)
+    x, weight = (1 + s) / 2, weight * L / 2
+    dP = 2 * dP / L
+    none = np.zeros_like(P)
+    one = np.ones_like(x)
+
+    def table(W, psi, tilted, fixed):  # over the unknowns c, d, tilt and the constant part
+        return np.vstack((W, psi, tilted, fixed))
+
+    W = table(x * (1 - x) * P, none, -b / 2 * x, x)
+    dW = table(x * (1 - x) * dP + (1 - 2 * x) / L * P, none, -b / 2 / L * one, one / L)
+    psi = table(none, (1 - x) * P, one, 0 * one)
+    dpsi = table(none, (1 - x) * dP - P / L, 0 * one, 0 * one)
+    D, D_r = (E * h ** 3 / (12 * (1 - nu ** 2)) for h in (t, g["rim_thickness"]))
+    turn, hoop = 2 * (1 - nu) * ((n - 1 / n) / R) ** 2, ((n * n - 1) / R ** 2) ** 2
+    A = np.zeros((2 * terms + 2, 2 * terms + 2))
+    for factor, strain in ((E * t * (R / n ** 2) ** 2, dpsi), (G * t / n ** 2, dW - psi),
+                           (turn * D, dW), (hoop * D, W)):
+        A += pi * R * factor * (strain * weight) @ strain.T
+    A[-2, -2] += pi * R * D_r * (turn * b + hoop * b ** 3 / 12)
+    k = bottom_stiffness(g, n) * (R / n ** 2) ** 2 if g["diaphragm_warping"] else 0.0
+    slope = np.concatenate((np.zeros(terms), (-1.0) ** np.arange(terms), [1.0, 0.0]))
+    A += k * np.outer(slope, slope)
+    scale = 1 / np.sqrt(np.diag(A))
+    A *= np.outer(scale, scale)
+    y = -cho_solve(cho_factor(A[:-1, :-1]), A[:-1, -1])
+    state = scale * np.append(y, 1.0)
+    whole = (A[-1, -1] + A[-1, :-1] @ y) / scale[-1] ** 2
+    bottom = k * (slope @ state / state[-1]) ** 2
+    return whole, bottom, state[-2] / state[-1]
+
+
+def ring_stiffness(g, n):
     """kb_n: bending of rim and race, barrel, diaphragm, for amplitude 1 of cos(n theta)."""
-    g, E, nu = drive, drive["youngs_modulus"], drive["poissons_ratio"]
-    R, L_b, t_b = g["rim_radius"], g["barrel_length"], g["barrel_thickness"]
-    k = pi * bending_stiffness(g) / R ** 3 * (1 - n * n) ** 2
-    if n >= 2:
-        plate = E * t_b ** 3 / (12 * (1 - nu ** 2))
-        k += (plate * pi * R * L_b / 3 * min(1, 2.5 / n)
-              * ((n * n - 1) ** 2 / R ** 4 + 6 * (1 - nu) * ((n - 1 / n) / (R * L_b)) ** 2))
-        if g["diaphragm_warping"]:
-            k += (R / (n * n * L_b)) ** 2 * plate_edge_stiffness(
-                n, g["diaphragm_inner_radius"], g["diaphragm_outer_radius"],
-                g["diaphragm_thickness"], E, nu)
-    return k
+    k = pi * bending_stiffness(g) / g["rim_radius"] ** 3 * (1 - n * n) ** 2
+    return k + (wall_mode(g, n)[0] if n >= 2 else 0.0)
+
+
+def coning(g):
+    """Growth of the wave along the axis."""
+    return g["coning"] * g["radial_displacement"] * wall_mode(g, 2)[2]
 
 
 def strip_bending(E, width, thickness):
@@ -205,11 +255,11 @@ def drawn_teeth(g, t):
     m, R, w0 = g["pitch_diameter"] / (2 * g["ratio"]), g["rim_radius"], g["radial_displacement"]
     drive = tooth_gap.Drive(g["ratio"], m, w0, R, g["pitch_diameter"] / 2 - R)
     profile = tooth_gap.Profile(g["tooth"], g["flank_angle"], 0.65, 0.65)
-    b, L = g["face_width"], g["barrel_length"] + g["face_width"]
+    b, cone = g["face_width"], coning(g)
     lever = 3 * (drive.offset + 0.65 * m) / R
 
     def slope(t):
-        return g["coning"] * w0 / (L - b / 2) * abs(
+        return cone * abs(
             sin(profile.flank_angle) * cos(2 * t)
             - (1 - lever) / 2 * sin(2 * t) * cos(profile.flank_angle))
 
@@ -547,13 +597,13 @@ class Coupled:
         flank = g["flank_angle"]
         angle = flank + g["flank_angle_shift"]
         rows, free, slopes = [], [], []
-        L = g["barrel_length"] + g["face_width"]
+        cone = coning(g)
         for side in (1, -1):
             if g["tooth"]:
                 gap, slope = drawn_teeth(g, side * t)
             else:
                 gap = flank_gap(side * t, flank, w0, g["gap_factor"])
-                slope = np.full(len(t), g["coning"] * sin(flank) * w0 / (L - g["face_width"] / 2))
+                slope = np.full(len(t), cone * sin(flank))
             slopes.append(slope)
             rows.append(side * cos(angle) * along + sin(angle) * radial)
             free.append(side * cos(angle) * offset_along + sin(angle) * offset_radial
@@ -756,6 +806,8 @@ OTHERS = {  # of size 25, ratio 100 only
     "clearance": (plain(clearance=5e-6), 1),
     "lobe_interference": (plain(lobe_gap=-2e-6), 1),
     "cam_factor": (plain(cam_factor=1.5), 1),
+    "hat": (dict(spline_support=0.5, hat=True, diaphragm_inner_radius=31.02e-3,
+                 diaphragm_outer_radius=43e-3, barrel_length=9.525e-3), 1),
     "cage_phase": (plain(cage_phase=radians(4)), 1),
     "no_coning": (plain(coning=0.0), 1),
     "friction_loading": (plain(flank_angle_shift=-atan(0.1)), 1),
@@ -873,11 +925,13 @@ def drive_table():
         add("structure_compliance", model.lambda_s, "rad/(N*m)", "quadrature", 13)
         for n in (2, 3, 4, 6, 8, 16, 32):
             add("plate_edge_stiffness", plate_edge_stiffness(
-                n, drive["diaphragm_inner_radius"], drive["diaphragm_outer_radius"],
+                n, drive["diaphragm_outer_radius"], drive["diaphragm_inner_radius"],
                 drive["diaphragm_thickness"], drive["youngs_modulus"], drive["poissons_ratio"]),
                 "N/m", "Rayleigh-Ritz", 10, n)
-            add("ring_stiffness_free_warping", ring_stiffness(
-                drive | {"diaphragm_warping": False}, n), "N/m", "definition", 14, n)
+            for name, value, unit in zip(("wall_stiffness", "bottom_stiffness", "wall_tilt"),
+                                         wall_mode(drive, n), ("N/m", "N/m", "1/m")):
+                if name != "bottom_stiffness" or n <= 8:  # it vanishes for short waves
+                    add(name, value, unit, "Rayleigh-Ritz", 10, n)
         for member, t in (("rim", drive["rim_thickness"]),
                           ("outer_race", drive["outer_race_thickness"])):
             width = drive["face_width" if member == "rim" else "race_width"]
@@ -893,8 +947,8 @@ def kernel_table():
 
     table = Table("coupled_drive_laws", "harmonics_or_harmonic [1]", "angle [rad]",
                   "inner_radius [m]", "outer_radius [m]", "thickness [m]", "youngs_modulus [Pa]",
-                  "poissons_ratio [1]")
-    blank = ("",) * 7
+                  "poissons_ratio [1]", "corner [N]")
+    blank = ("",) * 8
     for N in (8, 16, 32, 64):
         # 2 F a_n = pi E I/R^3 (n^2 - 1)^2 a_n^2 for even n, the load at theta = 0 and pi
         value = sum(2 / (pi * (n * n - 1) ** 2) for n in range(2, N + 1, 2))
@@ -910,10 +964,14 @@ def kernel_table():
     for ratio, degrees in ((0.6, 0), (0.7, 0), (0.8, 0)):
         table.add(f"least_flank_angle_{ratio}", blank, asin(sqrt(1 - ratio ** 2) / sqrt(
             1 + 3 * ratio ** 2)), "rad", "tangent of the tooth's path", digits=15, printed=16)
-    plate = (18.415e-3, 31.02e-3, 0.762e-3, 2.06e11, 0.3)
-    for n in (2, 3, 4, 6, 10, 20, 32):
-        table.add("plate_edge_stiffness", (n, "", *plate), plate_edge_stiffness(n, *plate), "N/m",
-                  "Rayleigh-Ritz", digits=10, printed=12)
+    for case, inner, outer in (("plate_edge_stiffness", 18.415e-3, 31.02e-3),
+                               ("plate_edge_stiffness_of_hat", 31.02e-3, 43e-3)):
+        for corner in (0.0, 2500.0):
+            for n in (2, 3, 4, 6, 10, 20, 32):
+                rest = (0.762e-3, 2.06e11, 0.3, corner)
+                edges = (inner, outer) if case.endswith("hat") else (outer, inner)
+                table.add(case, (n, "", inner, outer, *rest), plate_edge_stiffness(n, *edges, *rest),
+                          "N/m", "Rayleigh-Ritz", digits=10, printed=12)
     return table
 
 

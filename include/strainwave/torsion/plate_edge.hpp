@@ -5,7 +5,13 @@
 
 namespace strainwave {
 
-/// A flat annular plate, clamped at its inner edge.
+/// The edge of a plate that does not move.
+enum class ClampedEdge {
+  inner,  ///< at the boss of a cup
+  outer,  ///< at the flange of a hat
+};
+
+/// A flat annular plate, clamped at one edge; a tube stands on the other edge.
 template <class Real>
 struct BasicClampedPlate {
   Real outer_radius{};    ///< r_o [m]; > inner_radius
@@ -13,12 +19,16 @@ struct BasicClampedPlate {
   Real thickness{};       ///< h [m]; > 0
   Real youngs_modulus{};  ///< E [Pa]; > 0
   Real poissons_ratio{0.3};
+  ClampedEdge clamped = ClampedEdge::inner;
+  /// moment per length of the edge that turns the tube's wall against the plate by 1 rad [N]; 0: a
+  /// free hinge
+  Real corner{};
 };
 using ClampedPlate = BasicClampedPlate<double>;
 
-/// Stiffness of the plate's outer edge against an axial displacement u cos(n theta) [N/m].
+/// Stiffness of the plate's edge under the tube against an axial displacement u cos(n theta) [N/m].
 ///
-/// Implements theory manual eq. (TC-3): Kirchhoff plate without edge moment; the energy is k_u
+/// Implements theory manual eq. (TC-3): Kirchhoff's plate; the energy of plate and corner is k_u
 /// u^2/2.
 ///
 /// @param harmonic     n [-]; >= 2

@@ -399,8 +399,24 @@ bool can_join(double diameter, double other) {
   return std::abs(diameter - other) <= kJoined * std::max(diameter, other);
 }
 
-/// Checks that rim, barrel and diaphragm can be one body.  The diaphragm of a hat lies outside
-/// of the barrel.
+/// Checks that a cup has its diaphragm inside of the barrel, and a hat outside.
+void check_side_of_diaphragm(const FieldPath& path, const Flexspline& fs) {
+  const Diaphragm& plate = *fs.diaphragm;
+  const double barrel = fs.barrel->outer_diameter;
+  const bool outside =
+      std::abs(plate.inner_diameter - barrel) < std::abs(plate.outer_diameter - barrel);
+  if (outside == (fs.shape == FlexsplineShape::hat)) return;
+  throw InputError(
+      (path / "shape").text(),
+      fmt::format("is \"{}\", but the diaphragm, {:.4g} to {:.4g} mm in diameter, lies "
+                  "{} of the barrel, {:.4g} mm; give shape = \"{}\" or correct the "
+                  "diameters",
+                  enum_name(fs.shape), plate.inner_diameter / units::mm,
+                  plate.outer_diameter / units::mm, outside ? "outside" : "inside",
+                  barrel / units::mm, outside ? "hat" : "cup"));
+}
+
+/// Checks that rim, barrel and diaphragm can be one body.
 void check_joints(const FieldPath& path, const Flexspline& fs) {
   const double barrel = fs.barrel->outer_diameter;
   if (fs.rim)
@@ -409,13 +425,15 @@ void check_joints(const FieldPath& path, const Flexspline& fs) {
             fmt::format("within {:.4g} % of rim.outer_diameter, {:.4g} mm, because the barrel "
                         "joins the rim",
                         100 * kJoined, fs.rim->outer_diameter / units::mm));
-  if (fs.diaphragm)
-    require(can_join(fs.diaphragm->outer_diameter, barrel) ||
-                can_join(fs.diaphragm->inner_diameter, barrel),
-            (path / "diaphragm" / "outer_diameter").text(), fs.diaphragm->outer_diameter, "m",
-            fmt::format("within {:.4g} % of barrel.outer_diameter, {:.4g} mm, because the "
-                        "diaphragm joins the barrel",
-                        100 * kJoined, barrel / units::mm));
+  if (!fs.diaphragm) return;
+  check_side_of_diaphragm(path, fs);
+  const bool hat = fs.shape == FlexsplineShape::hat;
+  const double edge = hat ? fs.diaphragm->inner_diameter : fs.diaphragm->outer_diameter;
+  require(can_join(edge, barrel),
+          (path / "diaphragm" / (hat ? "inner_diameter" : "outer_diameter")).text(), edge, "m",
+          fmt::format("within {:.4g} % of barrel.outer_diameter, {:.4g} mm, because the "
+                      "diaphragm joins the barrel",
+                      100 * kJoined, barrel / units::mm));
 }
 
 /// No tooth is taller than this many modules [-].
@@ -456,9 +474,15 @@ void check_flexspline(const GearSet& gear) {
     if (fs.shape_factor)
       throw InputError((path / "shape_factor").text(),
                        "is read only where crack_free = \"factor\"");
-    if (fs.shape == FlexsplineShape::cup && !fs.diaphragm)
-      throw InputError((path / "diaphragm").text(),
-                       "must be given for a cup where crack_free = \"sections\" (bottom)");
+    if (fs.shape != FlexsplineShape::cylinder && !fs.diaphragm)
+      throw InputError(
+          (path / "diaphragm").text(),
+          fmt::format("must be given for a {} where crack_free = \"sections\" (bottom)",
+                      enum_name(fs.shape)));
+    if (fs.shape == FlexsplineShape::hat && fs.boss)
+      throw InputError((path / "boss").text(),
+                       "is not read for a hat, whose output is the flange around the diaphragm; "
+                       "remove the boss");
     if (fs.rim) check_rim_at_teeth(path / "rim", gear, *fs.rim);
     check_joints(path, fs);
   } else if (fs.rim || fs.barrel || fs.diaphragm || fs.boss || fs.flange_compliance != 0) {
@@ -469,6 +493,9 @@ void check_flexspline(const GearSet& gear) {
                                              : "flange_compliance";
     throw InputError((path / given).text(), "is read only where crack_free = \"sections\"");
   }
+  if (fs.crack_free == CrackFree::factor && fs.shape == FlexsplineShape::hat)
+    throw InputError((path / "crack_free").text(),
+                     "must be \"sections\" for a hat, because no factor is known for it");
   if (fs.crack_free == CrackFree::factor)
     for (const auto& [field, value] :
          {std::pair{"wall_thickness", fs.wall_thickness}, {"length", fs.length}})

@@ -80,28 +80,6 @@ void note_step(std::vector<Note>& notes, const TubeSection& barrel, double bore,
                    .next_step = "Check the diameters of the sections."});
 }
 
-/// Whether the diaphragm lies outside of the barrel, whose edge it meets with its inner edge.
-bool lies_outside(const Diaphragm& diaphragm, const TubeSection& barrel) {
-  return std::abs(diaphragm.inner_diameter - barrel.outer_diameter) <
-         std::abs(diaphragm.outer_diameter - barrel.outer_diameter);
-}
-
-void note_hat(std::vector<Note>& notes, const Diaphragm& diaphragm, const TubeSection& barrel) {
-  notes.push_back(
-      {.code = "flexspline.hat",
-       .text =
-           fmt::format("the diaphragm, {:.4g} to {:.4g} mm in diameter, lies outside of the "
-                       "barrel, {:.4g} mm, as that of a hat; the coupled model takes the bottom "
-                       "as that of a cup, clamped at its inner edge",
-                       diaphragm.inner_diameter / units::mm, diaphragm.outer_diameter / units::mm,
-                       barrel.outer_diameter / units::mm),
-       .path = "flexspline.diaphragm.inner_diameter",
-       .equation = "TC-2",
-       .severity = Severity::care,
-       .next_step = "If the flexspline is a cup, correct the diameters of the diaphragm. If it is "
-                    "a hat, calibrate the drive with a measured curve."});
-}
-
 }  // namespace
 
 std::vector<Note> input_notes(const GearSet& gear) {
@@ -119,10 +97,9 @@ std::vector<Note> input_notes(const GearSet& gear) {
     note_step(notes, *fs.barrel, fs.rim->outer_diameter - 2 * fs.rim->wall_thickness,
               fs.rim->outer_diameter, "the wall of the rim");
   if (fs.barrel && fs.diaphragm) {
-    const bool outside = lies_outside(*fs.diaphragm, *fs.barrel);
-    const double edge = outside ? fs.diaphragm->inner_diameter : fs.diaphragm->outer_diameter;
+    const bool hat = fs.shape == FlexsplineShape::hat;
+    const double edge = hat ? fs.diaphragm->inner_diameter : fs.diaphragm->outer_diameter;
     note_step(notes, *fs.barrel, edge, edge, "the edge of the diaphragm");
-    if (outside) note_hat(notes, *fs.diaphragm, *fs.barrel);
   }
   return notes;
 }

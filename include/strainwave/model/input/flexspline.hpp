@@ -12,10 +12,14 @@
 
 namespace strainwave {
 
-enum class FlexsplineShape { cup, cylinder };
+enum class FlexsplineShape {
+  cup,       ///< diaphragm inward, to a boss
+  cylinder,  ///< no diaphragm
+  hat,       ///< silk hat: diaphragm outward, to a flange that is the output
+};
 template <>
 struct EnumNames<FlexsplineShape> {
-  static constexpr std::array<std::string_view, 2> names = {"cup", "cylinder"};
+  static constexpr std::array<std::string_view, 3> names = {"cup", "cylinder", "hat"};
 };
 
 /// Source of the compliance of the sound flexspline.
@@ -109,33 +113,35 @@ struct DiaphragmStation {
   }
 };
 
-/// The bottom of a cup: a flat annular plate, twisted in its plane.
+/// The bottom of a cup or a hat: a flat annular plate, twisted in its plane.
 struct Diaphragm {
-  double outer_diameter = 0.0;  ///< diameter at the barrel [m]; > inner_diameter
-  double inner_diameter = 0.0;  ///< diameter at the boss [m]; > 0
-  double thickness = 0.0;       ///< h, constant, or with a profile at the outer diameter [m]; > 0
+  /// diameter at the barrel of a cup, at the flange of a hat [m]; > inner_diameter
+  double outer_diameter = 0.0;
+  /// diameter at the boss of a cup, at the barrel of a hat [m]; > 0
+  double inner_diameter = 0.0;
+  double thickness = 0.0;  ///< h, constant, or with a profile at the outer diameter [m]; > 0
   /// Law of the thickness: constant inside the first station, then linear between the stations and
   /// on to the outer diameter; empty: constant thickness.
   std::vector<DiaphragmStation> profile;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
+    field(Field{.name = "outer_diameter",
+                .unit = "m",
+                .doc = "cup: diameter at which the diaphragm meets the barrel, the middle of the "
+                       "barrel's wall; hat: diameter at which the flange begins",
+                .range = kPositive,
+                .example = R"("157.76 mm")"},
+          &Diaphragm::outer_diameter);
     field(
-        Field{
-            .name = "outer_diameter",
-            .unit = "m",
-            .doc =
-                "diameter at which the diaphragm meets the barrel: the middle of the barrel's wall",
-            .range = kPositive,
-            .example = R"("157.76 mm")"},
-        &Diaphragm::outer_diameter);
-    field(
-        Field{
-            .name = "inner_diameter",
-            .unit = "m",
-            .doc = "diameter at which the diaphragm meets the boss: the outer diameter of the boss",
-            .range = kPositive,
-            .example = R"("80 mm")"},
+        Field{.name = "inner_diameter",
+              .unit = "m",
+              .doc =
+                  "cup: diameter at which the diaphragm meets the boss, the outer diameter of the "
+                  "boss; hat: diameter at which the diaphragm meets the barrel, the middle of the "
+                  "barrel's wall",
+              .range = kPositive,
+              .example = R"("80 mm")"},
         &Diaphragm::inner_diameter);
     field(Field{.name = "thickness",
                 .unit = "m",
@@ -183,7 +189,7 @@ template <class Real>
   return radius < edge.radius ? between(station(*inside), edge) : edge.thickness;
 }
 
-/// The flexspline: cup or cylinder, and its cracks.
+/// The flexspline: cup, cylinder or hat, and its cracks.
 struct Flexspline {
   std::string material;
   FlexsplineShape shape = FlexsplineShape::cup;
@@ -224,7 +230,7 @@ struct Flexspline {
           &Flexspline::material);
     field(Field{.name = "shape",
                 .unit = "",
-                .doc = "cup or cylinder",
+                .doc = "cup, cylinder, or hat with the diaphragm outward to a flange (silk hat)",
                 .example = R"("cup")",
                 .fallback = R"("cup")"},
           &Flexspline::shape);

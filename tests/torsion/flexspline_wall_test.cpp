@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "flexspline_wall.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+
+#include "coupled_geometry.hpp"
+#include "strainwave/core/units.hpp"
+#include "support/expect.hpp"
+#include "support/reference_csv.hpp"
+#include "torsion/typical_drive.hpp"
+
+// The flexspline over its length (TC-2).
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+using Wall = BasicFlexsplineWall<double>;
+
+Wall wall_of(const GearSet& gear, const CoupledOptions& options = {}) {
+  const CoupledGeometry g = coupled_geometry(gear, options);
+  return flexspline_wall(*gear.flexspline, Lift<double>(), g.ring_radius, g.rim_steel,
+                         options.diaphragm_warping);
+}
+
+double bending(const Wall& wall, double thickness) {
+  return wall.steel.plane_strain_modulus() * std::pow(thickness, 3) / 12;
+}
+
+// --- Rayleigh and Ritz in Legendre polynomials over the whole barrel ----------------------------
+
+TEST(FlexsplineWall, CrosscheckTableOfDrives) {
+  std::map<std::string, int> seen;
+  for (const test::CsvRow& row : test::read_reference_csv("coupled_drive_members")) {
+    if (row.quantity != "wall_stiffness" && row.quantity != "bottom_stiffness" &&
+        row.quantity != "wall_tilt")
+      continue;
+    const Wall wall = wall_of(test::typical_drive(static_cast<int>(row("size")), row("ratio")));
+    const auto mode = wall_mode(wall, static_cast<int>(row("harmonic")));
+    // Rounding: the energy is a difference of terms up to a thousand times as large.
+    test::expect_row(row.quantity == "wall_tilt"          ? mode.tilt
+                     : row.quantity == "bottom_stiffness" ? mode.diaphragm
+                                                          : mode.barrel + mode.diaphragm,
+                     row, 1e-10);
+    ++seen[row.quantity];
+  }
+  EXPECT_EQ(seen["wall_stiffness"], 77);
+  EXPECT_EQ(seen["bottom_stiffness"], 55);
+  EXPECT_EQ(seen["wall_tilt"], 77);
+}
+
+// --- limits -------------------------------------------------------------------------------------
+
+/// Energies of the straight cone W z/(L - b/2), twice, per amplitude squared at mid-face: barrel
+/// and tilting rim by the integrals of the strainless displacement, bottom by its edge.
+BasicWallMode<double> cone(const Wall& wall, int n) {
+  const double R = wall.radius;
+  const double L = wall.barrel_length;
+  const double b = wall.rim_width;
+  const double tilt = 1 / (L + b / 2);
+  const double hoop = std::pow((n * n - 1) / (R * R), 2);
+  const double turn = 2 * (1 - wall.steel.nu) * std::pow((n - 1.0 / n) / R, 2);
+  const double barrel =
+      bending(wall, wall.barrel_thickness) * (hoop * L * L * L / 3 + turn * L) * tilt * tilt;
+  const double rim =
+      bending(wall, wall.rim_thickness) * (hoop * b * b * b / 12 + turn * b) * tilt * tilt;
+  const double edge = wall.bottom ? plate_edge_stiffness(*wall.bottom, n) : 0.0;
+  return {.barrel = pi * R * (barrel + rim),
+          .diaphragm = edge * std::pow(R * tilt / (n * n), 2),
+          .tilt = tilt};
+}
+
+TEST(FlexsplineWall, LimitThinWallsStayAStraightCone) {
+  // The membrane's stiffness grows with t, and all that would bend the cone with t^3.
+  for (const int n : {2, 3, 5}) {
+    double last = 1.0;
+    for (const double thinner : {1.0, 0.1, 0.01, 0.001}) {
+      GearSet gear = test::typical_drive(25, 100);
+      gear.flexspline->barrel->wall_thickness *= thinner;
+      gear.flexspline->diaphragm->thickness *= thinner;
+      Wall wall = wall_of(gear);
+      wall.rim_thickness *= thinner;
+      const auto mode = wall_mode(wall, n);
+      const auto straight = cone(wall, n);
+      const double off = std::abs(mode.barrel / straight.barrel - 1) +
+                         std::abs(mode.diaphragm / straight.diaphragm - 1) +
+                         std::abs(mode.tilt / straight.tilt - 1);
+      EXPECT_LT(off, last) << n << " " << thinner;
+      last = off;
+    }
+    EXPECT_LT(last, 2e-4) << n;  // falls with t^2 down to the rounding
+  }
+}
+
+TEST(FlexsplineWall, IdentityTheConeIsAnUpperBound) {
+  // The energy is the least of all shapes, and the cone is one of them.
+  for (const bool warping : {false, true})
+    for (const double length : {3e-3, 8e-3, 17e-3, 60e-3})
+      for (int n = 2; n <= 32; ++n) {
+        GearSet gear = test::typical_drive(25, 100);
+        gear.flexspline->length.reset();
+        gear.flexspline->barrel->length = length;
+        const Wall wall = wall_of(gear, {.diaphragm_warping = warping});
+        const auto mode = wall_mode(wall, n);
+        const auto straight = cone(wall, n);
+        const double energy = mode.barrel + mode.diaphragm;
+        EXPECT_LE(energy, (straight.barrel + straight.diaphragm) * (1 + 1e-12)) << n;
+        EXPECT_GT(mode.barrel, 0.0) << n;
+        EXPECT_GE(mode.diaphragm, 0.0) << n;
+        EXPECT_EQ(mode.diaphragm > 0, warping) << n;
+      }
+}
+
+TEST(FlexsplineWall, LimitLongBarrelForgetsItsBottom) {
+  // Beyond a few decay lengths, length and bottom do not matter.
+  GearSet gear = test::typical_drive(25, 100);
+  gear.flexspline->length.reset();
+  gear.flexspline->barrel->length = 0.4;
+  const Wall longer = wall_of(gear);
+  Wall open = longer;
+  open.bottom.reset();
+  open.barrel_length = 0.3;
+  for (const int n : {8, 16, 32, 128}) {
+    const auto mode = wall_mode(longer, n);
+    EXPECT_NEAR(wall_mode(open, n).barrel / mode.barrel, 1, 1e-6) << n;
+    EXPECT_LT(mode.diaphragm, 1e-6 * mode.barrel) << n;
+  }
+}
+
+TEST(FlexsplineWall, ScalingIsForcePerLength) {
+  Wall wall = wall_of(test::typical_drive(25, 100));
+  Wall large = wall;
+  for (double* const length : {&large.radius, &large.barrel_length, &large.barrel_thickness,
+                               &large.rim_width, &large.rim_thickness, &large.bottom->outer_radius,
+                               &large.bottom->inner_radius, &large.bottom->thickness})
+    *length *= 3;
+  large.bottom->corner *= 9;
+  for (const int n : {2, 5, 20}) {
+    test::expect_relative(wall_mode(large, n).barrel, 3 * wall_mode(wall, n).barrel, 1e-11);
+    test::expect_relative(wall_mode(large, n).diaphragm, 3 * wall_mode(wall, n).diaphragm, 1e-11);
+    test::expect_relative(wall_mode(large, n).tilt, wall_mode(wall, n).tilt / 3, 1e-11);
+  }
+}
+
+}  // namespace
+}  // namespace strainwave
