@@ -62,7 +62,13 @@ class ElasticRings {
   /// Coefficients of all modes under contact forces.
   [[nodiscard]] Eigen::VectorXd coefficients_of(const Eigen::VectorXd& force) const;
   /// Closings of all contacts from coefficients.
-  [[nodiscard]] Eigen::VectorXd closings_of(const Eigen::VectorXd& x) const;
+  [[nodiscard]] Eigen::VectorXd closings_of(const Eigen::VectorXd& x) const {
+    return displacements_of(x, model_.directions());
+  }
+  /// Displacements of the rings at all contacts from coefficients, each in the direction given for
+  /// balls, drive flanks and coast flanks.
+  [[nodiscard]] Eigen::VectorXd displacements_of(
+      const Eigen::VectorXd& x, const std::array<ContactDirection, 3>& directions) const;
   /// Mean of w over the lobes under contact forces.
   [[nodiscard]] double lobe(const Eigen::VectorXd& force) const { return lobe_.dot(force); }
   /// Adds twice the energies of a set of coefficients to the members.
@@ -82,11 +88,10 @@ class ElasticRings {
   [[nodiscard]] Kernel kernel(const ContactDirection& of, const ContactDirection& by) const;
   void fill_flexibility(const ContactPlaces& places);
   void fill_lobe();
-  /// A group of contacts of one direction, with the waves at their positions.
+  /// Balls, drive flanks or coast flanks, with the waves at their positions.
   struct Group {
     int first = 0;
     const Waves& waves;
-    ContactDirection direction;
   };
   [[nodiscard]] std::array<Group, 3> groups() const;
 
