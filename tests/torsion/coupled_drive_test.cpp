@@ -173,8 +173,7 @@ TEST_P(DenseSolver, CrosscheckCurvesOfASize) {
     GearSet gear = typical_drive(size, ratio);
     it.change(gear);
     const TorsionCurve curve = torsion_curve(
-        gear, drive.torques,
-        {.diaphragm_warping = it.warping, .cage_phase = it.cage_phase});
+        gear, drive.torques, {.diaphragm_warping = it.warping, .cage_phase = it.cage_phase});
     ASSERT_TRUE(curve.usable()) << name << ": " << curve.unusable_because;
     for (const test::CsvRow& row : drive.rows) {
       const auto i = std::ranges::find(drive.torques, row("torque")) - drive.torques.begin();

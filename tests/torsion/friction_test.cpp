@@ -41,9 +41,11 @@ GearSet pressed(GearSet gear, double interference) {
 
 /// A case of tools/reference/friction_loop.py.
 GearSet drive_of(const std::string& name, int size, double ratio) {
-  static const std::map<std::string, double> interference = {
-      {"pressed_1", 1e-6},   {"pressed_2", 2e-6},           {"pressed_5", 5e-6},
-      {"pressed_50", 50e-6}, {"half_free_pressed_50", 50e-6}};
+  static const std::map<std::string, double> interference = {{"pressed_1", 1e-6},
+                                                             {"pressed_2", 2e-6},
+                                                             {"pressed_5", 5e-6},
+                                                             {"pressed_50", 50e-6},
+                                                             {"half_free_pressed_50", 50e-6}};
   GearSet gear = with_friction(test::typical_drive(size, ratio));
   if (name.starts_with("half_free")) test::half_free(gear);
   if (const auto found = interference.find(name); found != interference.end())
@@ -58,10 +60,11 @@ FrictionWidth width(const GearSet& gear, double torque) {
 TEST(Friction, CrosscheckAgainstTheDenseSolver) {
   // Both solvers stop at 1e-11 of the contact forces; where a soft flank just touches, its tangent
   // has fewer digits.
-  const std::map<std::string, double> units = {
-      {"width_flanks", kMu},          {"width_outer_ring", kMuOuterRing},
-      {"running_balls", kMuRolling},  {"running_outer_ring", kMuOuterRing},
-      {"running_flanks", kMu}};
+  const std::map<std::string, double> units = {{"width_flanks", kMu},
+                                               {"width_outer_ring", kMuOuterRing},
+                                               {"running_balls", kMuRolling},
+                                               {"running_outer_ring", kMuOuterRing},
+                                               {"running_flanks", kMu}};
   int compared = 0;
   for (const test::CsvRow& row : test::read_reference_csv("friction_loop")) {
     const std::size_t dot = row.quantity.rfind('.');
@@ -77,8 +80,9 @@ TEST(Friction, CrosscheckAgainstTheDenseSolver) {
       value = what == "width_flanks" ? at.flanks : at.outer_ring;
     } else {
       const RunningTorque at = running_torque(drive, row("torque"));
-      value = what == "running_balls" ? at.balls : what == "running_flanks" ? at.flanks
-                                                                            : at.outer_ring;
+      value = what == "running_balls"    ? at.balls
+              : what == "running_flanks" ? at.flanks
+                                         : at.outer_ring;
     }
     EXPECT_NEAR(value, unit->second * row.value, 1e-8 * unit->second * row.value);
     ++compared;
@@ -87,9 +91,9 @@ TEST(Friction, CrosscheckAgainstTheDenseSolver) {
 }
 
 TEST(Friction, ReferenceTheFirstOrderAgainstTheWholeProblem) {
-  // Equilibria in which all flanks slip, with friction of 0.1, by a solver without a potential.  The
-  // difference is of the order of mu.  It stays below 1 % if the flanks carry what the torque needs,
-  // and reaches 30 % if they press with many times that force.
+  // Equilibria in which all flanks slip, with friction of 0.1, by a solver without a potential. The
+  // difference is of the order of mu.  It stays below 1 % if the flanks carry what the torque
+  // needs, and reaches 30 % if they press with many times that force.
   int compared = 0;
   for (const test::CsvRow& row : test::read_reference_csv("friction_loop")) {
     const std::string name = row.quantity.substr(0, row.quantity.rfind('.'));
@@ -169,9 +173,9 @@ TEST(Friction, BehaviourTheLossAtZeroTorqueNeedsPressedContacts) {
 }
 
 TEST(Friction, ReferenceMakersLimitsOfTheLoss) {
-  // Makers guarantee less than 3 arcmin at ratio 30 and less than 1 arcmin from ratio 50 on.  Grease
-  // and seals are not in the model, so a typical drive stays far below; a drive whose flanks jam does
-  // not.
+  // Makers guarantee less than 3 arcmin at ratio 30 and less than 1 arcmin from ratio 50 on. Grease
+  // and seals are not in the model, so a typical drive stays far below; a drive whose flanks jam
+  // does not.
   for (const auto& [size, ratio] :
        {std::pair{14, 50.0}, {14, 100.0}, {25, 30.0}, {25, 50.0}, {25, 100.0}, {50, 160.0}}) {
     const GearSet gear = test::typical_drive(size, ratio);
@@ -189,14 +193,14 @@ TEST(Friction, ReferenceRunningAndBackDrivingOfAMaker) {
   // A maker's values at ratio 100: rated torque, starting torque, no-load torque at 2000 rpm,
   // back-driving torque, efficiency.  Grease and seals, which are not in the model, make the
   // difference between the stated and the predicted torque without load.  With this difference the
-  // model gives the efficiency within the maker's tolerance of 3 %, and the back-driving torque over
-  // the starting torque within 0.5 %.
+  // model gives the efficiency within the maker's tolerance of 3 %, and the back-driving torque
+  // over the starting torque within 0.5 %.
   struct Stated {
     int size;
     double rated, start, run, back, efficiency;
   };
-  for (const Stated& stated : {Stated{14, 10, 21e-3, 35e-3, 2.21, 0.67},
-                               Stated{25, 87, 69e-3, 195e-3, 7.26, 0.77}}) {
+  for (const Stated& stated :
+       {Stated{14, 10, 21e-3, 35e-3, 2.21, 0.67}, Stated{25, 87, 69e-3, 195e-3, 7.26, 0.77}}) {
     SCOPED_TRACE(stated.size);
     const AssembledDrive drive(test::typical_drive(stated.size, 100));
     const double none = no_load_torque(drive).total();
@@ -243,7 +247,9 @@ TEST(Friction, InputRefusals) {
   EXPECT_THROW((void)width(gear, std::nan("")), InputError);
   EXPECT_THROW((void)running_torque(AssembledDrive(gear), std::nan("")), InputError);
   gear.mesh->friction_coefficient = std::tan(gear.mesh->flank_angle);
-  test::expect_input_error([&] { (void)width(gear, 1.0); }, "mesh.friction_coefficient");
+  EXPECT_NE(
+      test::broken_rule([&] { return width(gear, 1.0).flanks; }).find("mesh.friction_coefficient"),
+      std::string::npos);
   gear = test::typical_drive(25, 100);
   gear.mesh->lobe_gap = 2e-3;  // more than half a pitch of free travel
   EXPECT_THROW((void)width(gear, 1.0), SolverError);

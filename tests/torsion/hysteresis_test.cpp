@@ -189,8 +189,7 @@ TEST(Hysteresis, InputFrictionTorqueBelowTheLoop) {
 
 TEST(LostMotion, IdentityTwiceTheTwistAtItsTorque) {
   const GearSet gear = drive_with_friction();
-  test::expect_relative(lost_motion(gear), 2 * twist(gear, 0.04 * kRated),
-                        1e-12);
+  test::expect_relative(lost_motion(gear), 2 * twist(gear, 0.04 * kRated), 1e-12);
 }
 
 TEST(LostMotion, ReferenceLobeGapDecidesIt) {

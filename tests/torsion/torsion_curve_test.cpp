@@ -267,17 +267,17 @@ TEST(TorsionCurve, IdentityFlanksCarryTheTorque) {
   interference.mesh->lobe_gap = -2 * kMicron;
   for (const GearSet& gear : {interference, full_drive()})
     for (const double T : {T1 / 2, -T2}) {
-        const CurvePoint p = point_at(gear, T);
-        const double lever = std::cos(gear.mesh->flank_angle) * gear.drive.pitch_diameter / 2;
-        const auto force = [](const ContactForce& c) { return c.force; };
-        const auto tangent = [](const ContactForce& c) { return c.tangent; };
-        test::expect_relative((sum(p.drive_flanks, force) - sum(p.coast_flanks, force)) * lever, T,
-                              1e-9);  // of the solver
-        test::expect_relative((sum(p.drive_flanks, tangent) - sum(p.coast_flanks, tangent)) * lever,
-                              1, 1e-10);
-        for (const auto* const contacts : {&p.balls, &p.drive_flanks, &p.coast_flanks})
-          for (const ContactForce& c : *contacts) EXPECT_GE(c.force, 0.0);
-      }
+      const CurvePoint p = point_at(gear, T);
+      const double lever = std::cos(gear.mesh->flank_angle) * gear.drive.pitch_diameter / 2;
+      const auto force = [](const ContactForce& c) { return c.force; };
+      const auto tangent = [](const ContactForce& c) { return c.tangent; };
+      test::expect_relative((sum(p.drive_flanks, force) - sum(p.coast_flanks, force)) * lever, T,
+                            1e-9);  // of the solver
+      test::expect_relative((sum(p.drive_flanks, tangent) - sum(p.coast_flanks, tangent)) * lever,
+                            1, 1e-10);
+      for (const auto* const contacts : {&p.balls, &p.drive_flanks, &p.coast_flanks})
+        for (const ContactForce& c : *contacts) EXPECT_GE(c.force, 0.0);
+    }
 }
 
 TEST(TorsionCurve, IdentityBallsAndFlanksBalanceTheRing) {
