@@ -72,8 +72,9 @@ TitledTable friction_table(const FrictionReport& friction) {
   const DisplayUnit of_torque = display_unit({}, "N*m");
   const auto at_input = [&](double T) { return shown_number(T / of_torque.in_si); };
   const LossAtZero& loss = friction.loss_at_zero;
-  table.rows.push_back(cells(with_unit("loop width at zero torque", angle), twist(loss.total()), "",
-                             twist(loss.outer_ring), twist(loss.flanks), twist(loss.output)));
+  table.rows.push_back(cells(with_unit("loss at zero torque, all contacts slip", angle),
+                             twist(loss.total()), "", twist(loss.outer_ring), twist(loss.flanks),
+                             twist(loss.output)));
   const RunningTorque& run = friction.no_load;
   table.rows.push_back(cells(with_unit("no-load torque at the input", of_torque),
                              at_input(run.total()), at_input(run.balls), at_input(run.outer_ring),

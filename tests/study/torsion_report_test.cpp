@@ -124,8 +124,8 @@ TEST(TorsionReport, IdentityItsLossesAreThoseOfTheModule) {
   EXPECT_EQ(friction.back_driving_torque, back_driving_torque(assembled));
   EXPECT_EQ(friction.no_load.output, 0.5 / 100);
   const std::string text = torsion_text(report, gear, {});
-  for (const char* const line : {"loop width at zero torque", "no-load torque at the input",
-                                 "back-driving torque at the output"})
+  for (const char* const line :
+       {"loss at zero torque", "no-load torque at the input", "back-driving torque at the output"})
     EXPECT_NE(text.find(line), std::string::npos) << line;
   // A drive that cannot be driven back says so.
   gear.mesh->lobe_gap = -50e-6;

@@ -92,7 +92,7 @@ TEST(Friction, CrosscheckAgainstTheDenseSolver) {
 
 TEST(Friction, ReferenceTheFirstOrderAgainstTheWholeProblem) {
   // Equilibria in which all flanks slip, with friction of 0.1, by a solver without a potential. The
-  // difference is of the order of mu.  It stays below 1 % if the flanks carry what the torque
+  // difference is of the order of mu.  It stays below 2 % if the flanks carry what the torque
   // needs, and reaches 30 % if they press with many times that force.
   int compared = 0;
   for (const test::CsvRow& row : test::read_reference_csv("friction_loop")) {
@@ -184,9 +184,31 @@ TEST(Friction, ReferenceMakersLimitsOfTheLoss) {
     EXPECT_GT(loop.width_at_zero, 0.0);
     EXPECT_LT(loop.width_at_zero, (ratio < 50 ? 3 : 1) * 0.05 * arcmin) << size << ' ' << ratio;
     EXPECT_LT(loop.largest_width, (ratio < 50 ? 3 : 1) * arcmin) << size << ' ' << ratio;
-    EXPECT_LT(lost_motion(gear), (ratio < 50 ? 3 : 2) * arcmin) << size << ' ' << ratio;
   }
   EXPECT_GT(width(pressed(test::typical_drive(25, 100), 50e-6), 0).total(), 1 * arcmin);
+}
+
+TEST(Friction, ReferenceMakersLimitOfLostMotion) {
+  // Makers guarantee less than 1 arcmin of lost motion at 0.04 of the rated torque.  Without play
+  // and without interference the model gives 0.8 to 1.5 arcmin; an interference of 2 um at size 25,
+  // in proportion to the size, stays below the limit, and costs hardly any hysteresis.
+  struct Stated {
+    int size;
+    double ratio, rated;
+  };
+  for (const Stated& stated :
+       {Stated{14, 50, 7}, Stated{14, 100, 10}, Stated{25, 50, 51}, Stated{25, 100, 87}}) {
+    SCOPED_TRACE(std::to_string(stated.size) + ' ' + std::to_string(stated.ratio));
+    GearSet gear = test::typical_drive(stated.size, stated.ratio);
+    const MakersTorques at = makers_torques(gear);
+    gear.rating = Rating{.T1 = at.T1, .T2 = at.T2, .T3 = {}, .rated_torque = stated.rated};
+    const double without = lost_motion(gear);
+    EXPECT_GT(without, 0.8 * arcmin);
+    EXPECT_LT(without, 1.5 * arcmin);
+    gear = pressed(gear, 2e-6 * stated.size / 25);
+    EXPECT_LT(lost_motion(gear), 1 * arcmin);
+    EXPECT_LT(width(gear, 0).total(), 0.05 * arcmin);
+  }
 }
 
 TEST(Friction, ReferenceRunningAndBackDrivingOfAMaker) {

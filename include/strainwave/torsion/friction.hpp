@@ -28,9 +28,9 @@ struct SlidingCurve {
 
 /// Twist and friction width with locked input; eqs. (TC-16) and (TC-33).
 ///
-/// Valid to first order in the coefficients of friction: 1 % of the width at 0.1, unless flanks
-/// press on each other without torque so hard that the circular spline hardly turns (TC-16).  At
-/// zero torque, if no flank is pressed there, the width is the mean of those at +-0.001 T1.
+/// Valid to first order in the coefficients of friction: 2 % of the width at 0.1, and up to 30 % if
+/// flanks press on each other without torque with a multiple of their load (TC-16).  At zero
+/// torque, if no flank is pressed there, the outer ring takes the mean of its widths at +-0.001 T1.
 /// @param torques  [N*m], one after the other
 /// @throws InputError   if a torque is not finite, or flanks would lock themselves
 /// @throws SolverError  if the curve is not usable
