@@ -55,8 +55,6 @@ TitledTable lines_table(const TorsionReport& report, const GearSet& gear) {
   table.rows.push_back(cells(fmt::format("{}, at {}", with_unit("largest loop width", angle),
                                          torque(loop.torque_of_largest_width)),
                              twist(loop.largest_width)));
-  table.rows.push_back(
-      cells(with_unit("loop width at zero torque", angle), twist(loop.width_at_zero)));
   std::string remark;
   if (report.bands) {
     remark = fmt::format("{} drawn from {}",
@@ -66,6 +64,25 @@ TitledTable lines_table(const TorsionReport& report, const GearSet& gear) {
       remark += fmt::format("; {} further draws could not be assembled", report.bands->rejected);
   }
   return {"Torsion curve in the maker's numbers, with the cracks of the file", table, remark};
+}
+
+TitledTable friction_table(const FrictionReport& friction) {
+  Table table{.head = {"", "total", "balls", "outer ring", "flanks", "output"}};
+  const DisplayUnit angle = angle_unit();
+  const DisplayUnit of_torque = display_unit({}, "N*m");
+  const auto at_input = [&](double T) { return shown_number(T / of_torque.in_si); };
+  const LossAtZero& loss = friction.loss_at_zero;
+  table.rows.push_back(cells(with_unit("loss at zero torque, all contacts slip", angle),
+                             twist(loss.total()), "", twist(loss.outer_ring), twist(loss.flanks),
+                             twist(loss.output)));
+  const RunningTorque& run = friction.no_load;
+  table.rows.push_back(cells(with_unit("no-load torque at the input", of_torque),
+                             at_input(run.total()), at_input(run.balls), at_input(run.outer_ring),
+                             at_input(run.flanks), at_input(run.output)));
+  table.rows.push_back(cells(with_unit("back-driving torque at the output", of_torque),
+                             friction.back_driving_torque ? at_input(*friction.back_driving_torque)
+                                                          : "above the rated torque"));
+  return {"Friction without load, by its causes, without the grease (TC-16, TC-34, TC-35)", table};
 }
 
 TitledTable cage_table(const LinesOverCage& over) {
@@ -181,7 +198,7 @@ TitledTable comparison_table(const CurveComparison& c) {
 }  // namespace
 
 std::vector<TitledTable> torsion_tables(const TorsionReport& report, const GearSet& gear) {
-  std::vector<TitledTable> tables{lines_table(report, gear)};
+  std::vector<TitledTable> tables{lines_table(report, gear), friction_table(report.friction)};
   if (report.comparison) tables.push_back(comparison_table(*report.comparison));
   tables.push_back(cage_table(report.over_cage));
   tables.push_back(points_table(report));

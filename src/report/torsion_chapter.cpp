@@ -47,7 +47,7 @@ ReportSection torsion_chapter(Draft& draft) {
           panel.title == draft.gear.name || panel.title == "Torsion curve"
               ? std::string(
                     "Twist over torque with locked input, the maker's three lines, and the loop of "
-                    "the flank friction at rated torque.")
+                    "the friction at rated torque.")
               : panel.title + (panel.subtitle.empty() ? "" : ", " + panel.subtitle) + ".";
       html += plot_figure(svg_plot(std::span(&panel, 1)), caption);
     }

@@ -119,6 +119,40 @@ void note_consequences(TorsionReport& report) {
          "", "TC-22", Severity::information, "Look at the changes over a turn."});
 }
 
+/// The makers' limit of the hysteresis loss [rad].
+double makers_loss(const GearSet& gear) {
+  constexpr double kLeastRegularRatio = 50;
+  return (gear.drive.ratio < kLeastRegularRatio ? 3 : 1) * units::arcmin;
+}
+
+/// Notes on the friction without load.
+void note_friction(TorsionReport& report, const GearSet& gear) {
+  const auto shown = [](double angle) { return shown_quantity(angle, "rad", 3, "width_at_zero"); };
+  const LossAtZero& loss = report.friction.loss_at_zero;
+  const bool pressed = report.curve.assembly_flank_force > 0;
+  if (loss.output == 0)
+    report.notes.push_back(
+        {"hysteresis.no_load",
+         fmt::format(
+             "the loss at zero torque and the no-load torque contain the friction of {}; "
+             "grease and seals cause most of a maker's values, and the output's part of them "
+             "is rating.friction_torque, which is 0",
+             pressed ? "balls, outer ring and flanks, which press on each other without "
+                       "torque"
+                     : "balls and outer ring; flanks carry nothing without torque"),
+         "rating.friction_torque", "TC-34", Severity::care, "Give rating.friction_torque."});
+  if (loss.total() > makers_loss(gear))
+    report.notes.push_back(
+        {"hysteresis.large_loss",
+         fmt::format(
+             "the loss at zero torque of {} is above the {} that makers guarantee: {} by the "
+             "flanks, {} by the outer ring, {} by rating.friction_torque",
+             shown(loss.total()), shown(makers_loss(gear)), shown(loss.flanks),
+             shown(loss.outer_ring), shown(loss.output)),
+         pressed ? "mesh.lobe_gap" : "rating.friction_torque", "TC-16", Severity::care,
+         "Check mesh.lobe_gap, the coefficients of friction and rating.friction_torque."});
+}
+
 void add_once(std::vector<Note>& notes, const std::vector<Note>& more) {
   for (const Note& note : more)
     if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
@@ -202,8 +236,6 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   const CoupledOptions coupled{.cage_phase = options.cage_phase};
   const AssembledDrive drive(gear, coupled);
   progress.at(0.0);
-  const SlidingDrive sliding(gear, coupled);
-  progress.at(0.0);
   report.torques = makers_torques(gear);
   std::vector<Note> unreached;
   report.at_load = twist_at_load(drive, unreached);
@@ -212,8 +244,11 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
       [&] { report.curve = usable_curve(drive, torques, +1); },
       [&] { report.curve_negative = usable_curve(drive, torques, -1); },
       [&] {
-        report.loop =
-            hysteresis_loop(Hysteresis(sliding, report.torques.rated), report.torques.rated);
+        const Hysteresis hysteresis(drive, report.torques.rated);
+        report.loop = hysteresis_loop(hysteresis, report.torques.rated);
+        report.friction = {.loss_at_zero = hysteresis.loss_at_zero(),
+                           .no_load = no_load_torque(drive),
+                           .back_driving_torque = back_driving_torque(drive)};
       }};
   for_each_index(parts.size(), {}, progress.part(0.0, 0.9 * curve_ends),
                  [&] { return [&](std::size_t i) { parts[i](); }; });
@@ -239,8 +274,7 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
     report.bands =
         line_bands(drive, {.draws = options.draws}, progress.part(curve_ends, draws_end));
   if (options.compare) {
-    report.comparison =
-        compare_curves(drive, sliding, options.angles, progress.part(draws_end, 1.0));
+    report.comparison = compare_curves(drive, options.angles, progress.part(draws_end, 1.0));
     const AssembledDrive sound = drive.without_cracks();
     report.sound = usable_curve(sound, torques, +1);
     report.sound_negative = usable_curve(sound, torques, -1);
@@ -255,17 +289,6 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   add_once(report.notes, unreached);
   add_once(report.notes, report.curve.notes);
   add_once(report.notes, report.curve_negative.notes);
-  if (gear.mesh->friction_coefficient > 0 && (!gear.rating || gear.rating->friction_torque == 0))
-    report.notes.push_back(
-        {"hysteresis.no_load",
-         report.curve.assembly_flank_force > 0
-             ? "flanks press on each other without torque, but the model has no "
-               "loss by their friction there, so the loop is too narrow at zero "
-               "torque"
-             : "flank friction vanishes with the load, so the loop closes at "
-               "zero torque; a maker's hysteresis loss at zero torque comes from "
-               "seal, grease and bearings, which friction_torque describes",
-         "rating.friction_torque", "TC-17", Severity::care, "Give rating.friction_torque."});
   if (has_cracks(gear) && !options.compare)
     report.notes.push_back({"torsion.compare",
                             "the drive has cracks; --compare shows the changes by the cracks, also "
@@ -276,8 +299,9 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
                             "the file has no cracks, so there is nothing to compare", "", "TC-26",
                             Severity::information});
   note_consequences(report);
+  note_friction(report, gear);
   report.equations = report.curve.equations;
-  for (const char* const tag : {"TC-16", "TC-17", "TC-18", "TC-24"})
+  for (const char* const tag : {"TC-16", "TC-17", "TC-18", "TC-24", "TC-33", "TC-34", "TC-35"})
     report.equations.emplace_back(tag);
   if (options.compare) report.equations.emplace_back("TC-26");
   return report;

@@ -289,24 +289,4 @@ const std::vector<std::string>& AssembledDrive::equations() const { return conte
 const std::string& AssembledDrive::fails_because() const { return contents_->fails_because; }
 double AssembledDrive::cam_amplitude() const { return contents_->drive.cam_amplitude(); }
 
-namespace {
-
-CoupledOptions in_friction(CoupledOptions options, FlankFriction friction) {
-  options.friction = friction;
-  return options;
-}
-
-}  // namespace
-
-SlidingDrive::SlidingDrive(const GearSet& gear, const CoupledOptions& options)
-    : loading(gear, in_friction(options, FlankFriction::loading)),
-      unloading(gear, in_friction(options, FlankFriction::unloading)) {}
-
-SlidingDrive::SlidingDrive(AssembledDrive at_loading, AssembledDrive at_unloading)
-    : loading(std::move(at_loading)), unloading(std::move(at_unloading)) {}
-
-SlidingDrive SlidingDrive::without_cracks() const {
-  return {loading.without_cracks(), unloading.without_cracks()};
-}
-
 }  // namespace strainwave

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "coupled_drive.hpp"
 #include "strainwave/core/lift.hpp"
+#include "strainwave/core/progress.hpp"
 #include "strainwave/model/result/evidence.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
 #include "strainwave/torsion/assembled_drive.hpp"
@@ -101,5 +104,11 @@ struct AssembledDrive::Contents {
            (series.sound() + series.cracks(state.torque)) * state.torque;
   }
 };
+
+/// Solves one torque after the other and passes each state to `see`.
+/// @return  reason why the curve is not usable from some torque on; empty if all states were found
+[[nodiscard]] std::string walk(const AssembledDrive::Contents& contents,
+                               std::span<const double> torques, const Progress& progress,
+                               const std::function<void(const Equilibrium&)>& see);
 
 }  // namespace strainwave

@@ -204,8 +204,7 @@ LinesOverCage lines_over_cage(const AssembledDrive& drive, int phases, const Pro
   return result;
 }
 
-CurveComparison compare_curves(const AssembledDrive& drive, const SlidingDrive& sliding, int angles,
-                               const Progress& progress) {
+CurveComparison compare_curves(const AssembledDrive& drive, int angles, const Progress& progress) {
   const AssembledDrive sound = drive.without_cracks();
   CurveComparison comparison;
   comparison.torques = makers_torques(drive.gear());
@@ -217,12 +216,12 @@ CurveComparison compare_curves(const AssembledDrive& drive, const SlidingDrive& 
   comparison.negative = std::move(turn.negative);
   comparison.lost_motion_sound = lost_motion(sound);
   comparison.lost_motion_cracked = lost_motion(drive);
-  const auto largest_width = [&](const SlidingDrive& slides, const Progress& part) {
+  const auto largest_width = [&](const AssembledDrive& of, const Progress& part) {
     const double rated = comparison.torques.rated;
-    return hysteresis_loop(Hysteresis(slides, rated, {}, part), rated).largest_width;
+    return hysteresis_loop(Hysteresis(of, rated, {}, part), rated).largest_width;
   };
-  comparison.hysteresis_sound = largest_width(sliding.without_cracks(), progress.part(0.9, 0.95));
-  comparison.hysteresis_cracked = largest_width(sliding, progress.part(0.95, 1.0));
+  comparison.hysteresis_sound = largest_width(sound, progress.part(0.9, 0.95));
+  comparison.hysteresis_cracked = largest_width(drive, progress.part(0.95, 1.0));
   diagnose(comparison);
   return comparison;
 }

@@ -216,20 +216,12 @@ Real drawn_pair_stiffness(const BasicCoupledGeometry<Real>& g, const BasicToothO
               tooth_compliance(spline.on_ring, spline.steel.nu) / spline.steel.E + contact + step);
 }
 
-/// Sets the flank angle, turned by friction, and the gaps and stiffness of the tooth pairs.
+/// Sets the flank angle, and the gaps and stiffness of the tooth pairs.
 template <class Real>
-void add_mesh(BasicCoupledGeometry<Real>& g, const GearSet& gear, const Lift<Real>& lift,
-              FlankFriction friction) {
+void add_mesh(BasicCoupledGeometry<Real>& g, const GearSet& gear, const Lift<Real>& lift) {
   const ToothMesh& mesh = *gear.mesh;
-  using std::atan, std::sin;
+  using std::sin;
   g.flank_angle = lift(mesh.flank_angle);
-  const Real turn = atan(lift(mesh.friction_coefficient));
-  g.force_angle = g.flank_angle;
-  if (friction == FlankFriction::loading) g.force_angle -= turn;    // (TC-16)
-  if (friction == FlankFriction::unloading) g.force_angle += turn;  // (TC-16)
-  require(
-      g.force_angle > 0, "mesh.friction_coefficient", mesh.friction_coefficient, "1",
-      "less than the tangent of mesh.flank_angle, because otherwise the flanks lock themselves");
   g.gap_factor = lift(mesh.gap_factor);
   g.lobe_gap = lift(mesh.lobe_gap);
   const Real cone = lift(mesh.coning) * g.radial_displacement * g.tilt;  // (TC-8)
@@ -507,8 +499,7 @@ void check_coupled(const GearSet& gear, const CoupledOptions& options) {
 }
 
 template <class Real>
-BasicCoupledGeometry<Real> coupled_geometry(const GearSet& gear, const CoupledOptions& options,
-                                            const Lift<Real>& lift) {
+BasicCoupledGeometry<Real> coupled_geometry(const GearSet& gear, const Lift<Real>& lift) {
   using std::pow;
   const Transmission& drive = gear.drive;
   const Flexspline& fs = *gear.flexspline;
@@ -547,7 +538,7 @@ BasicCoupledGeometry<Real> coupled_geometry(const GearSet& gear, const CoupledOp
   g.balls = *bearing.ball_count;
   g.clearance = lift(bearing.clearance);
   g.cam_flattening = lift(wg.cam_flattening);
-  add_mesh(g, gear, lift, options.friction);
+  add_mesh(g, gear, lift);
   if (gear.circular_spline) {
     const CircularSpline& spline = *gear.circular_spline;
     const Real E =
@@ -564,7 +555,7 @@ BasicCoupledGeometry<Real> coupled_geometry(const GearSet& gear, const CoupledOp
 
 CoupledGeometry coupled_geometry(const GearSet& gear, const CoupledOptions& options) {
   check_coupled(gear, options);
-  return coupled_geometry(gear, options, Lift<double>());
+  return coupled_geometry(gear, Lift<double>());
 }
 
 template <class Real>
@@ -575,10 +566,8 @@ BasicContactCracks<Real> contact_cracks(const GearSet& gear, const Lift<Real>& l
   return ContactCracksOf<Real>(gear, lift, geometry, ball_force, notes).all();
 }
 
-template CoupledGeometry coupled_geometry(const GearSet&, const CoupledOptions&,
-                                          const Lift<double>&);
-template BasicCoupledGeometry<DualReal> coupled_geometry(const GearSet&, const CoupledOptions&,
-                                                         const Lift<DualReal>&);
+template CoupledGeometry coupled_geometry(const GearSet&, const Lift<double>&);
+template BasicCoupledGeometry<DualReal> coupled_geometry(const GearSet&, const Lift<DualReal>&);
 template ContactCracks contact_cracks(const GearSet&, const Lift<double>&, const CoupledGeometry&,
                                       const BallForce&, std::vector<Note>&);
 template BasicContactCracks<DualReal> contact_cracks(const GearSet&, const Lift<DualReal>&,

@@ -45,8 +45,7 @@ struct BasicCoupledGeometry {
   Real clearance{};
   Real cam_flattening{};  // c_cam
   // mesh
-  Real flank_angle{};  // geometric alpha
-  Real force_angle{};  // alpha turned by friction
+  Real flank_angle{};  // alpha
   Real gap_factor{};
   Real lobe_gap{};
   BasicFlankLaw<Real> flank;                   // without `tooth`, of every flank
@@ -99,7 +98,6 @@ void check_coupled(const GearSet& gear, const CoupledOptions& options);
 /// @param gear  has passed `check_coupled`
 template <class Real>
 [[nodiscard]] BasicCoupledGeometry<Real> coupled_geometry(const GearSet& gear,
-                                                          const CoupledOptions& options,
                                                           const Lift<Real>& lift);
 [[nodiscard]] CoupledGeometry coupled_geometry(const GearSet& gear, const CoupledOptions& options);
 /// Force of the ball nearest to a position, in the sound drive [N].

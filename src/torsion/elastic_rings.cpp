@@ -45,14 +45,13 @@ ElasticRings::ElasticRings(const GearSet& gear, const CoupledGeometry& geometry,
 }
 
 std::array<ElasticRings::Group, 3> ElasticRings::groups() const {
-  const auto [ball, drive, coast] = model_.directions();
-  return {{{0, at_balls_, ball}, {balls_, at_teeth_, drive}, {balls_ + teeth_, at_teeth_, coast}}};
+  return {{{0, at_balls_}, {balls_, at_teeth_}, {balls_ + teeth_, at_teeth_}}};
 }
 
 ForceWaves ElasticRings::waves_of(const Eigen::VectorXd& force) const {
   ForceWaves sums;
   std::size_t group = 0;
-  for (const auto& [first, waves, d] : groups()) {
+  for (const auto& [first, waves] : groups()) {
     const auto of_group = force.segment(first, waves.cosine.rows());
     sums.even[group] = waves.cosine.transpose() * of_group;
     sums.odd[group] = waves.sine.transpose() * of_group;
@@ -61,9 +60,12 @@ ForceWaves ElasticRings::waves_of(const Eigen::VectorXd& force) const {
   return sums;
 }
 
-Eigen::VectorXd ElasticRings::closings_of(const Eigen::VectorXd& x) const {
-  Eigen::VectorXd closings(contacts());
-  for (const auto& [first, waves, d] : groups()) {
+Eigen::VectorXd ElasticRings::displacements_of(
+    const Eigen::VectorXd& x, const std::array<ContactDirection, 3>& directions) const {
+  Eigen::VectorXd moved(contacts());
+  std::size_t group = 0;
+  for (const auto& [first, waves] : groups()) {
+    const ContactDirection& d = directions[group++];
     Eigen::VectorXd even = Eigen::VectorXd::Zero(model_.harmonics() + 1);
     Eigen::VectorXd odd = even;
     even[0] = d.radial * x[0];
@@ -76,9 +78,9 @@ Eigen::VectorXd ElasticRings::closings_of(const Eigen::VectorXd& x) const {
       even[n] += d.spline_radial * x[j] + d.spline_turn(n) * x[j + 1];
       odd[n] += d.spline_radial * x[j + 1] - d.spline_turn(n) * x[j];
     }
-    closings.segment(first, waves.cosine.rows()) = waves.cosine * even + waves.sine * odd;
+    moved.segment(first, waves.cosine.rows()) = waves.cosine * even + waves.sine * odd;
   }
-  return closings;
+  return moved;
 }
 
 ElasticRings::Kernel ElasticRings::kernel(const ContactDirection& of,

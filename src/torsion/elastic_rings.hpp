@@ -64,7 +64,13 @@ class ElasticRings {
   /// Coefficients of all modes under contact forces.
   [[nodiscard]] Eigen::VectorXd coefficients_of(const Eigen::VectorXd& force) const;
   /// Closings of all contacts from coefficients, without (TC-31).
-  [[nodiscard]] Eigen::VectorXd closings_of(const Eigen::VectorXd& x) const;
+  [[nodiscard]] Eigen::VectorXd closings_of(const Eigen::VectorXd& x) const {
+    return displacements_of(x, model_.directions());
+  }
+  /// Displacements of the rings at all contacts from coefficients, each in the direction given for
+  /// balls, drive flanks and coast flanks.
+  [[nodiscard]] Eigen::VectorXd displacements_of(
+      const Eigen::VectorXd& x, const std::array<ContactDirection, 3>& directions) const;
   /// Mean of w over the lobes under contact forces.
   [[nodiscard]] double lobe(const Eigen::VectorXd& force) const { return lobe_.dot(force); }
   /// Place of a contact that is a flank.
@@ -90,11 +96,10 @@ class ElasticRings {
   void fill_flexibility(const ContactPlaces& places);
   void add_neighbours();
   void fill_lobe();
-  /// A group of contacts of one direction, with the waves at their positions.
+  /// Balls, drive flanks or coast flanks, with the waves at their positions.
   struct Group {
     int first = 0;
     const Waves& waves;
-    ContactDirection direction;
   };
   [[nodiscard]] std::array<Group, 3> groups() const;
 

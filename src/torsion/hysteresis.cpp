@@ -13,49 +13,37 @@
 
 namespace strainwave {
 struct Hysteresis::Envelopes {
-  /// A monotonic curve through the origin over the magnitude of the torque.
-  class Branch {
-   public:
-    Branch(std::vector<double> torque, std::vector<double> twist)
-        : curve_(std::move(torque), std::move(twist)) {}
-    [[nodiscard]] double operator()(double torque) const { return curve_(torque); }
+  using Pchip = boost::math::interpolators::pchip<std::vector<double>>;
 
-   private:
-    boost::math::interpolators::pchip<std::vector<double>> curve_;
+  /// Twist without friction and friction width over the magnitude of the torque, for one sense.
+  struct Branch {
+    Pchip twist;
+    Pchip flanks;
+    Pchip outer_ring;
   };
 
   double largest = 0.0;
   double friction_torque = 0.0;
   int elements = 0;
-  Branch loading_positive;
-  Branch unloading_positive;
-  Branch loading_negative;
-  Branch unloading_negative;
+  Branch positive;
+  Branch negative;
 
-  /// Twist with slip on all flanks while the torque grows in size, (TC-16).
-  [[nodiscard]] double loading(double torque) const {
-    return torque < 0 ? -loading_negative(-torque) : loading_positive(torque);
-  }
-  [[nodiscard]] double unloading(double torque) const {
-    return torque < 0 ? -unloading_negative(-torque) : unloading_positive(torque);
-  }
-  /// Twist with slip on all flanks while the torque rises or falls; the order of both curves does
-  /// not change.
-  [[nodiscard]] double rising(double torque) const {
-    return torque < 0 ? unloading(torque) : loading(torque);
-  }
-  [[nodiscard]] double sinking(double torque) const {
-    return torque < 0 ? loading(torque) : unloading(torque);
+  [[nodiscard]] const Branch& of(double torque) const { return torque < 0 ? negative : positive; }
+  /// Middle of the envelopes, the twist without friction.
+  [[nodiscard]] double middle(double torque) const { return of(torque).twist(std::abs(torque)); }
+  [[nodiscard]] FrictionWidth width(double torque) const {
+    const double size = std::abs(torque);
+    return {.flanks = of(torque).flanks(size), .outer_ring = of(torque).outer_ring(size)};
   }
 };
 
-Hysteresis::Hysteresis(const SlidingDrive& drive, double largest_torque,
+Hysteresis::Hysteresis(const AssembledDrive& drive, double largest_torque,
                        const HysteresisOptions& options, const Progress& progress) {
   require(largest_torque > 0 && std::isfinite(largest_torque), "largest_torque", largest_torque,
           "N*m", "> 0");
   require(options.elements >= 1, "elements", options.elements, "1", ">= 1");
   require(options.grid >= 8, "grid", options.grid, "1", ">= 8");
-  const Rating rating = drive.loading.gear().rating.value_or(Rating{});
+  const Rating rating = drive.gear().rating.value_or(Rating{});
   require(rating.friction_torque < largest_torque, "rating.friction_torque", rating.friction_torque,
           "N*m", "less than the torque of the loop");
   std::vector<double> grid = {0.0};
@@ -64,25 +52,28 @@ Hysteresis::Hysteresis(const SlidingDrive& drive, double largest_torque,
     grid.push_back(largest_torque * share *
                    share);  // more points there, because the curve is steep at the origin
   }
-  int solved = 0;
-  const auto branch = [&](double sense, const AssembledDrive& sliding) {
-    std::vector<double> torques;
-    for (std::size_t i = 1; i < grid.size(); ++i) torques.push_back(sense * grid[i]);
-    std::vector<double> twist = {0.0};
-    for (const double solution :
-         twists(sliding, torques, progress.part(0.25 * solved, 0.25 * (solved + 1))))
-      twist.push_back(sense * solution);
-    ++solved;
-    return Envelopes::Branch(grid, std::move(twist));
+  const auto branch = [&](double sense, const Progress& part) {
+    std::vector<double> torques = grid;
+    for (double& torque : torques) torque *= sense;
+    SlidingCurve curve = sliding_curve(drive, torques, part);
+    std::vector<double> flanks;
+    std::vector<double> outer_ring;
+    for (const FrictionWidth& width : curve.width) {
+      flanks.push_back(width.flanks);
+      outer_ring.push_back(width.outer_ring);
+    }
+    const auto over_torque = [&](std::vector<double> values) {
+      return Envelopes::Pchip(std::vector(grid), std::move(values));
+    };
+    return Envelopes::Branch{over_torque(std::move(curve.twist)), over_torque(std::move(flanks)),
+                             over_torque(std::move(outer_ring))};
   };
   envelopes_ = std::make_unique<Envelopes>(Envelopes{
       .largest = largest_torque,
       .friction_torque = rating.friction_torque,
       .elements = options.elements,
-      .loading_positive = branch(+1, drive.loading),
-      .unloading_positive = branch(+1, drive.unloading),
-      .loading_negative = branch(-1, drive.loading),
-      .unloading_negative = branch(-1, drive.unloading),
+      .positive = branch(+1, progress.part(0.0, 0.5)),
+      .negative = branch(-1, progress.part(0.5, 1.0)),
   });
 }
 
@@ -90,8 +81,25 @@ Hysteresis::~Hysteresis() = default;
 Hysteresis::Hysteresis(Hysteresis&&) noexcept = default;
 Hysteresis& Hysteresis::operator=(Hysteresis&&) noexcept = default;
 
-double Hysteresis::loading(double torque) const { return envelopes_->loading(torque); }
-double Hysteresis::unloading(double torque) const { return envelopes_->unloading(torque); }
+double Hysteresis::rising(double torque) const {
+  return envelopes_->middle(torque) - envelopes_->width(torque).total() / 2;
+}
+double Hysteresis::falling(double torque) const {
+  return envelopes_->middle(torque) + envelopes_->width(torque).total() / 2;
+}
+
+LossAtZero Hysteresis::loss_at_zero() const {
+  const Envelopes& e = *envelopes_;
+  LossAtZero loss;
+  for (const double sense : {+1.0, -1.0}) {
+    const double at = sense * e.friction_torque;
+    const FrictionWidth width = e.width(at);
+    loss.flanks += width.flanks / 2;
+    loss.outer_ring += width.outer_ring / 2;
+    loss.output += sense * e.middle(at);  // (TC-17)
+  }
+  return loss;
+}
 
 std::vector<double> Hysteresis::twist(std::span<const double> path) const {
   const Envelopes& e = *envelopes_;
@@ -102,14 +110,12 @@ std::vector<double> Hysteresis::twist(std::span<const double> path) const {
   for (const double torque : path) {
     require(std::abs(torque) <= e.largest * (1 + 1e-12), "torque", torque, "N*m",
             "within the largest torque of the envelopes");
-    // (TC-17): the friction torque of seal and bearings does not reach the flanks.
+    // (TC-17): the friction torque of seals and output bearing does not reach the flanks.
     elastic_torque =
         std::clamp(elastic_torque, torque - e.friction_torque, torque + e.friction_torque);
     const double at = std::clamp(elastic_torque, -e.largest, e.largest);
-    const double low = e.rising(at);
-    const double high = e.sinking(at);
-    const double middle = (low + high) / 2;
-    const double half = (high - low) / 2;
+    const double middle = e.middle(at);
+    const double half = e.width(at).total() / 2;
     double sum = 0.0;
     for (std::size_t k = 0; k < play.size(); ++k) {
       const double threshold = 2 * (static_cast<double>(k) + 0.5) / e.elements;

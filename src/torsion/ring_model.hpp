@@ -56,16 +56,17 @@ template <class Real>
   return {.radial = Real(-1.0)};
 }
 
-/// The direction of a drive flank (TC-6); the tooth of the circular spline moves away under the
-/// same force.
+/// The direction of a force at the angle of a drive flank (TC-6); the tooth of the circular spline
+/// moves away under the same force.
 template <class Real>
-[[nodiscard]] BasicContactDirection<Real> flank_direction(const BasicCoupledGeometry<Real>& g) {
+[[nodiscard]] BasicContactDirection<Real> flank_direction(const BasicCoupledGeometry<Real>& g,
+                                                          const Real& angle) {
   using std::cos, std::sin;
   const Real reach = (g.pitch_radius - g.ring_radius) / g.ring_radius;
   const Real spline_reach =
       g.support > 0 ? Real((g.pitch_radius - g.spline_radius) / g.spline_radius) : Real(0.0);
-  const Real up = sin(g.force_angle);
-  const Real across = cos(g.force_angle);
+  const Real up = sin(angle);
+  const Real across = cos(angle);
   return {.radial = up,
           .tangential = across * (1 + reach),
           .slope = -across * reach,
@@ -145,7 +146,7 @@ class RingModel {
         ring_radius_(geometry.ring_radius),
         spline_radius_(geometry.spline_radius),
         ball_(ball_direction<Real>()),
-        drive_flank_(flank_direction(geometry)) {
+        drive_flank_(flank_direction(geometry, geometry.flank_angle)) {
     make_modes(gear, lift, geometry, options);
   }
 

@@ -69,11 +69,15 @@ CurvePoint point_of(const AssembledDrive::Contents& contents, const Equilibrium&
   return point;
 }
 
-/// Solves one torque after the other and passes each state to `see`.
-/// @return  reason why the curve is not usable from some torque on; empty if all states were found
-template <class See>
+void require_finite(std::span<const double> torques) {
+  for (const double torque : torques)
+    require(std::isfinite(torque), "torque", torque, "N*m", "a finite number");
+}
+
+}  // namespace
+
 std::string walk(const AssembledDrive::Contents& contents, std::span<const double> torques,
-                 const Progress& progress, const See& see) {
+                 const Progress& progress, const std::function<void(const Equilibrium&)>& see) {
   const CoupledDrive& drive = contents.drive;
   const CoupledGeometry& g = contents.geometry;
   if (!contents.fails_because.empty()) return contents.fails_because;
@@ -101,13 +105,6 @@ std::string walk(const AssembledDrive::Contents& contents, std::span<const doubl
   }
   return contents.unusable_because;
 }
-
-void require_finite(std::span<const double> torques) {
-  for (const double torque : torques)
-    require(std::isfinite(torque), "torque", torque, "N*m", "a finite number");
-}
-
-}  // namespace
 
 TorsionCurve torsion_curve(const AssembledDrive& assembled, std::span<const double> torques,
                            const Progress& progress) {

@@ -546,6 +546,10 @@ TEST(Diff, IdentityLimitsAndFrictionMakeNoPartDifferent) {
        {std::pair{modulus, modulus + "fracture_toughness = \"60 MPa*m^0.5\"\n"},
         {modulus, modulus + "yield_strength = \"900 MPa\"\n"},
         {modulus, modulus + "ultimate_strength = \"1000 MPa\"\n"},
+        {std::string("ball_count = 23\n"),
+         std::string("ball_count = 23\nrolling_friction = 0.002\n")},
+        {std::string("[wave_generator.bearing.outer_ring]\n"),
+         std::string("[wave_generator.bearing.outer_ring]\nfriction_coefficient = 0.2\n")},
         {std::string("flank_angle = \"22 deg\"\n"),
          std::string("flank_angle = \"22 deg\"\nfriction_coefficient = 0.2\n")}}) {
     const AnyJson result = compared(from, to);

@@ -1281,6 +1281,8 @@ TEST(CheckRange, ReferenceRanges) {
       {"wave_generator.bearing.inner_conformity", "> 0.5 and < 1"},
       {"wave_generator.bearing.outer_conformity", "> 0.5 and < 1"},
       {"wave_generator.bearing.loaded_balls", ">= 1"},
+      {"wave_generator.bearing.rolling_friction", ">= 0 and <= 0.1"},
+      {"wave_generator.bearing.outer_ring.friction_coefficient", ">= 0 and <= 0.5"},
       {"wave_generator.bearing.outer_ring.groove_factor", "> 0 and <= 1"},
       {"mesh.flank_angle", "> 0 and < 60 deg"},
       {"mesh.friction_coefficient", ">= 0 and <= 0.5"},

@@ -80,14 +80,20 @@ TEST(TorsionReport, BehaviourWhatNoWorkingDriveHasIsNoted) {
   GearSet tight = drive();
   tight.mesh->lobe_gap = -50e-6;
   EXPECT_TRUE(has(torsion_report(tight), "torsion.falling_stiffness"));
-  // Flanks that press without torque have friction there; the note on the loss must not deny it.
+  // Flanks that press without torque have friction there, and the loss contains it.
   const auto loss_of = [](const TorsionReport& report) {
     return std::ranges::find(report.notes, "hysteresis.no_load", &Note::code)->text;
   };
   EXPECT_EQ(sound.curve.assembly_flank_force, 0.0);
   EXPECT_GT(torsion_report(tight).curve.assembly_flank_force, 100.0);
-  EXPECT_EQ(loss_of(torsion_report(tight)).rfind("flanks press on each other", 0), 0U);
-  EXPECT_EQ(loss_of(sound).rfind("flank friction vanishes", 0), 0U);
+  EXPECT_NE(loss_of(torsion_report(tight)).find("flanks, which press on each other without torque"),
+            std::string::npos);
+  EXPECT_NE(loss_of(sound).find("flanks carry nothing without torque"), std::string::npos);
+  EXPECT_EQ(sound.friction.loss_at_zero.flanks, 0.0);
+  EXPECT_FALSE(has(sound, "hysteresis.large_loss"));
+  const TorsionReport jammed = torsion_report(tight);
+  EXPECT_GT(jammed.friction.loss_at_zero.flanks, 0.5 * units::arcmin);
+  EXPECT_TRUE(has(jammed, "hysteresis.large_loss"));
   // A crack of the outer ring between the lobes gives back part of the bending of the assembly.
   GearSet cracked = drive();
   OuterRaceCrack crack;
@@ -103,6 +109,28 @@ TEST(TorsionReport, BehaviourWhatNoWorkingDriveHasIsNoted) {
     noted = noted || less;
   }
   EXPECT_TRUE(noted);
+}
+
+TEST(TorsionReport, IdentityItsLossesAreThoseOfTheModule) {
+  GearSet gear = drive();
+  gear.rating->friction_torque = 0.5;
+  const TorsionReport report = torsion_report(gear);
+  const FrictionReport& friction = report.friction;
+  // The loop at rated torque has reached both envelopes before it comes to zero torque.
+  test::expect_relative(friction.loss_at_zero.total(), report.loop.width_at_zero, 1e-9);
+  EXPECT_GT(friction.loss_at_zero.output, 0.5 * report.loop.width_at_zero);
+  const AssembledDrive assembled(gear);
+  EXPECT_EQ(friction.no_load.total(), no_load_torque(assembled).total());
+  EXPECT_EQ(friction.back_driving_torque, back_driving_torque(assembled));
+  EXPECT_EQ(friction.no_load.output, 0.5 / 100);
+  const std::string text = torsion_text(report, gear, {});
+  for (const char* const line :
+       {"loss at zero torque", "no-load torque at the input", "back-driving torque at the output"})
+    EXPECT_NE(text.find(line), std::string::npos) << line;
+  // A drive that cannot be driven back says so.
+  gear.mesh->lobe_gap = -50e-6;
+  EXPECT_NE(torsion_text(torsion_report(gear), gear, {}).find("above the rated torque"),
+            std::string::npos);
 }
 
 TEST(TorsionReport, IdentityTheCageMovesOn) {

@@ -200,11 +200,10 @@ struct Heard {
 TEST(TorsionProgress, BehaviourSharesGrowToOneAndAStopEndsIt) {
   const GearSet gear = cracked_drive();
   const AssembledDrive drive(gear);
-  const SlidingDrive sliding(gear);
   const std::vector<std::function<void(const Progress&)>> computations = {
-      [&](const Progress& p) { (void)compare_curves(drive, sliding, 8, p); },
+      [&](const Progress& p) { (void)compare_curves(drive, 8, p); },
       [&](const Progress& p) { (void)torsion_curve(drive, kTorques, p); },
-      [&](const Progress& p) { (void)Hysteresis(sliding, 80.0, {}, p); }};
+      [&](const Progress& p) { (void)Hysteresis(drive, 80.0, {}, p); }};
   for (const auto& compute : computations) {
     Heard all;
     compute(all.progress());

@@ -101,7 +101,7 @@ TEST(ContactProblem, IdentityFlanksCarryTheTorque) {
     double carried = 0.0;
     for (int i = drive.balls(); i < drive.contacts(); ++i)
       carried += (i < drive.balls() + drive.tooth_count() ? 1 : -1) * state.force[i];
-    EXPECT_NEAR(carried * std::cos(g.force_angle) * g.pitch_radius / torque, 1.0, 1e-10);
+    EXPECT_NEAR(carried * std::cos(g.flank_angle) * g.pitch_radius / torque, 1.0, 1e-10);
   }
 }
 
@@ -157,7 +157,7 @@ TEST(ElasticRings, IdentityNominalWaveOfEachContact) {
   for (int k = 0; k < drive.balls(); ++k)
     EXPECT_DOUBLE_EQ(drive.rings().of_nominal_wave(k, 2e-4),
                      -2e-4 * std::cos(2 * drive.position_of(k)));
-  const double up = std::sin(drive.geometry().force_angle);
+  const double up = std::sin(drive.geometry().flank_angle);
   for (int i = drive.balls(); i < drive.balls() + drive.tooth_count(); ++i)
     EXPECT_NEAR(drive.rings().of_nominal_wave(i, 1.0) +
                     drive.rings().of_nominal_wave(i + drive.tooth_count(), 1.0),

@@ -40,7 +40,6 @@ using test::typical_drive;
 struct Case {
   std::function<void(GearSet&)> change = [](GearSet&) {};
   bool warping = false;
-  FlankFriction friction = FlankFriction::none;
   double cage_phase = 0.0;
 };
 
@@ -112,8 +111,6 @@ const std::map<std::string, Case>& cases() {
             },
         .warping = true}},
       {"no_coning", {.change = [](GearSet& g) { g.mesh->coning = 0; }}},
-      {"friction_loading", {.friction = FlankFriction::loading}},
-      {"friction_unloading", {.friction = FlankFriction::unloading}},
       {"all_cracks_sound_cam",
        {.change =
             [](GearSet& g) {
@@ -186,8 +183,7 @@ TEST_P(DenseSolver, CrosscheckCurvesOfASize) {
     GearSet gear = typical_drive(size, ratio);
     it.change(gear);
     const TorsionCurve curve = torsion_curve(
-        gear, drive.torques,
-        {.diaphragm_warping = it.warping, .friction = it.friction, .cage_phase = it.cage_phase});
+        gear, drive.torques, {.diaphragm_warping = it.warping, .cage_phase = it.cage_phase});
     ASSERT_TRUE(curve.usable()) << name << ": " << curve.unusable_because;
     for (const test::CsvRow& row : drive.rows) {
       const auto i = std::ranges::find(drive.torques, row("torque")) - drive.torques.begin();

@@ -17,6 +17,7 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/torsion/friction.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 #include "support/article_gear.hpp"
 #include "support/expect.hpp"
@@ -256,8 +257,7 @@ TEST(CoupledGeometry, InputLimitsOfTheModel) {
             "drive.radial_displacement");
   GearSet locking = typical_drive();
   locking.mesh->friction_coefficient = 0.5;
-  const CoupledOptions loading{.friction = FlankFriction::loading};
-  EXPECT_THROW((void)torsion_curve(locking, {{1.0}}, loading), InputError);
+  EXPECT_THROW((void)sliding_curve(AssembledDrive(locking), {{1.0}}), InputError);
 }
 
 // --- cracks in series ---------------------------------------------------------------------------

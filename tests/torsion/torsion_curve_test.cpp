@@ -266,23 +266,18 @@ TEST(TorsionCurve, IdentityFlanksCarryTheTorque) {
   GearSet interference = typical_drive();
   interference.mesh->lobe_gap = -2 * kMicron;
   for (const GearSet& gear : {interference, full_drive()})
-    for (const FlankFriction friction :
-         {FlankFriction::none, FlankFriction::loading, FlankFriction::unloading})
-      for (const double T : {T1 / 2, -T2}) {
-        const CurvePoint p = point_at(gear, T, {.friction = friction});
-        double angle = gear.mesh->flank_angle;
-        if (friction == FlankFriction::loading) angle -= std::atan(0.1);
-        if (friction == FlankFriction::unloading) angle += std::atan(0.1);
-        const double lever = std::cos(angle) * gear.drive.pitch_diameter / 2;
-        const auto force = [](const ContactForce& c) { return c.force; };
-        const auto tangent = [](const ContactForce& c) { return c.tangent; };
-        test::expect_relative((sum(p.drive_flanks, force) - sum(p.coast_flanks, force)) * lever, T,
-                              1e-9);  // of the solver
-        test::expect_relative((sum(p.drive_flanks, tangent) - sum(p.coast_flanks, tangent)) * lever,
-                              1, 1e-10);
-        for (const auto* const contacts : {&p.balls, &p.drive_flanks, &p.coast_flanks})
-          for (const ContactForce& c : *contacts) EXPECT_GE(c.force, 0.0);
-      }
+    for (const double T : {T1 / 2, -T2}) {
+      const CurvePoint p = point_at(gear, T);
+      const double lever = std::cos(gear.mesh->flank_angle) * gear.drive.pitch_diameter / 2;
+      const auto force = [](const ContactForce& c) { return c.force; };
+      const auto tangent = [](const ContactForce& c) { return c.tangent; };
+      test::expect_relative((sum(p.drive_flanks, force) - sum(p.coast_flanks, force)) * lever, T,
+                            1e-9);  // of the solver
+      test::expect_relative((sum(p.drive_flanks, tangent) - sum(p.coast_flanks, tangent)) * lever,
+                            1, 1e-10);
+      for (const auto* const contacts : {&p.balls, &p.drive_flanks, &p.coast_flanks})
+        for (const ContactForce& c : *contacts) EXPECT_GE(c.force, 0.0);
+    }
 }
 
 TEST(TorsionCurve, IdentityBallsAndFlanksBalanceTheRing) {
@@ -534,18 +529,6 @@ TEST(TorsionCurve, LimitDiaphragmOfOneThickness) {
   test::expect_relative(twist(gear, 20.0), plain, 1e-11);  // of the quadrature
   diaphragm.profile[0].thickness *= 2;
   EXPECT_LT(twist(gear, 20.0), plain);
-}
-
-TEST(TorsionCurve, LimitFrictionThatIsNone) {
-  GearSet gear = typical_drive();
-  const double T = Ts()[1];
-  const double loading = twist(gear, T, {.friction = FlankFriction::loading});
-  const double unloading = twist(gear, T, {.friction = FlankFriction::unloading});
-  EXPECT_NE(loading, unloading);
-  EXPECT_NEAR((loading + unloading) / 2 / twist(gear, T), 1, 0.02);  // the error is of order mu^2
-  gear.mesh->friction_coefficient = 0;
-  EXPECT_EQ(twist(gear, T, {.friction = FlankFriction::loading}), twist(gear, T));
-  EXPECT_EQ(twist(gear, T, {.friction = FlankFriction::unloading}), twist(gear, T));
 }
 
 // --- the rim (TC-24) -----------------------------------------------------------------------------
@@ -858,7 +841,6 @@ TEST(TorsionCurve, InputDefaults) {
   const CoupledOptions options;
   EXPECT_EQ(options.harmonics, 32);
   EXPECT_TRUE(options.diaphragm_warping);
-  EXPECT_EQ(options.friction, FlankFriction::none);
   EXPECT_EQ(options.tolerance, 1e-11);
   EXPECT_EQ(options.max_iterations, 200);
   EXPECT_EQ(kCurveMembers, 14U);

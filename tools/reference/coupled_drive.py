@@ -35,7 +35,7 @@ diameter d = 2.54 mm x size, except where a table gives its torques.
 import sys
 from collections import namedtuple
 from functools import cache
-from math import asin, atan, cos, log, pi, radians, sin, sqrt, tan
+from math import asin, cos, log, pi, radians, sin, sqrt, tan
 
 import numpy as np
 from scipy.integrate import quad
@@ -75,7 +75,7 @@ def typical(size, ratio, **changes):
         spline_outer_diameter=1.34 * d, spline_inner_diameter=d + 2.2 * m, spline_width=0.15 * d,
         spline_support=0.0, youngs_modulus=206e9, poissons_ratio=0.3, diaphragm_warping=True,
         boss_compliance=0.0, flange_compliance=0.0, groove=None, diaphragm_arc=None,
-        flank_angle_shift=0.0, broken_teeth={}, ball_compliance={}, hinges=(), harmonics=32)
+        broken_teeth={}, ball_compliance={}, hinges=(), harmonics=32)
     assert not set(changes) - set(drive), changes
     if changes.get("tooth"):  # roots that the tips of the flexspline do not meet
         drive["spline_inner_diameter"] = d + 4.2 * m
@@ -595,7 +595,6 @@ class Coupled:
             along[:, self.ring:] = -(v_c * (1 + lever) - slope * lever)
             radial[:, self.ring:] = -w_c
         flank = g["flank_angle"]
-        angle = flank + g["flank_angle_shift"]
         rows, free, slopes = [], [], []
         cone = coning(g)
         for side in (1, -1):
@@ -605,8 +604,8 @@ class Coupled:
                 gap = flank_gap(side * t, flank, w0, g["gap_factor"])
                 slope = np.full(len(t), cone * sin(flank))
             slopes.append(slope)
-            rows.append(side * cos(angle) * along + sin(angle) * radial)
-            free.append(side * cos(angle) * offset_along + sin(angle) * offset_radial
+            rows.append(side * cos(flank) * along + sin(flank) * radial)
+            free.append(side * cos(flank) * offset_along + sin(flank) * offset_radial
                         + gap + g["lobe_gap"])
         self.flank_rows, self.flank_free = np.vstack(rows), np.concatenate(free)
         self.teeth = len(index)
@@ -810,8 +809,6 @@ OTHERS = {  # of size 25, ratio 100 only
                  diaphragm_outer_radius=43e-3, barrel_length=9.525e-3), 1),
     "cage_phase": (plain(cage_phase=radians(4)), 1),
     "no_coning": (plain(coning=0.0), 1),
-    "friction_loading": (plain(flank_angle_shift=-atan(0.1)), 1),
-    "friction_unloading": (plain(flank_angle_shift=atan(0.1)), 1),
     "rim_hinge_reversed": (plain(hinges=(Hinge("rim", 0.3, 0.5),)), -1),
     "rim_hinge_pressed_sound_cam": (plain(hinges=(Hinge("rim", pi / 2, 0.5),)), 1),
     "outer_race_hinge_pressed_sound_cam": (plain(hinges=(Hinge("outer_race", 0.0, 0.5),)), 1),
@@ -903,7 +900,7 @@ def drive_table():
     table = Table("coupled_drive_members", "size [1]", "ratio [1]", "harmonic [1]")
     units = {"angle": "rad", "modulus": "Pa", "compliance": "rad/(N*m)"}
     no_length = ("ratio", "count", "conformity", "factor", "coning", "stiffening", "support")
-    skipped = ("shift", "harmonics", "phase")
+    skipped = ("harmonics", "phase")
     for size, ratio in (*SIZES, (25, 30)):
         drive = typical(size, ratio)
 

@@ -8,6 +8,7 @@
 #include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/torsion/compare.hpp"
+#include "strainwave/torsion/friction.hpp"
 #include "strainwave/torsion/hysteresis.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
@@ -73,6 +74,25 @@ struct TwistAtLoad {
   }
 };
 
+/// What the friction of the drive costs without load.
+struct FrictionReport {
+  LossAtZero loss_at_zero;
+  RunningTorque no_load;
+  std::optional<double> back_driving_torque;  ///< [N*m]; absent if above the rated torque
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"loss_at_zero", "", "width of the hysteresis loop at zero torque, by its causes"},
+          &FrictionReport::loss_at_zero);
+    field({"no_load", "",
+           "torque that turns the input without load, without the grease, by its causes"},
+          &FrictionReport::no_load);
+    field({"back_driving_torque", "N*m",
+           "torque at the output that turns a free input; null if above the rated torque"},
+          &FrictionReport::back_driving_torque);
+  }
+};
+
 struct TorsionReport {
   MakersTorques torques;
   TwistAtLoad at_load;
@@ -84,8 +104,9 @@ struct TorsionReport {
   TorsionCurve curve_negative;
   std::vector<std::size_t> shown;  ///< points of `curve` for the table: T1, T2, T_N, load
   HysteresisLoop loop;             ///< hysteresis at rated torque
-  double lost_motion = 0.0;        ///< [rad]
-  std::vector<RimState> rim;       ///< over a turn of the wave generator, at rated torque
+  FrictionReport friction;
+  double lost_motion = 0.0;   ///< [rad]
+  std::vector<RimState> rim;  ///< over a turn of the wave generator, at rated torque
   std::optional<LineBands> bands;
   std::optional<CurveComparison> comparison;
   TorsionCurve sound;  ///< curve without cracks at the points of `curve`; empty unless compared
@@ -104,6 +125,7 @@ struct TorsionReport {
     field({"lost_motion", "rad", "lost motion between both senses of torque"},
           &TorsionReport::lost_motion);
     field({"hysteresis", "", "hysteresis loop at rated torque"}, &TorsionReport::loop);
+    field({"friction", "", "losses without load"}, &TorsionReport::friction);
     field({"curve", "", "curve under torque about +z"}, &TorsionReport::curve);
     field({"curve_negative", "", "curve under torque about -z"}, &TorsionReport::curve_negative);
     field({"rim", "", "rim and barrel over a turn of the wave generator, at rated torque"},

@@ -14,7 +14,7 @@
 
 namespace strainwave {
 
-/// The coupled drive in equilibrium on its cam at zero torque, for one state of flank friction.
+/// The coupled drive in equilibrium on its cam at zero torque, without friction.
 ///
 /// Implements theory manual eqs. (TC-1) to (TC-13).  The object is immutable.  Copies share the
 /// computed state, and any number of threads may use one drive.
@@ -55,18 +55,6 @@ class AssembledDrive {
   explicit AssembledDrive(std::shared_ptr<const Contents> contents);
 
   std::shared_ptr<const Contents> contents_;
-};
-
-/// A drive with slip on all flanks: the two envelopes of its hysteresis (TC-16).
-struct SlidingDrive {
-  AssembledDrive loading;    ///< while the torque grows in size
-  AssembledDrive unloading;  ///< while the torque falls in size
-
-  /// @throws InputError  on the same conditions as AssembledDrive
-  explicit SlidingDrive(const GearSet& gear, const CoupledOptions& options = {});
-  SlidingDrive(AssembledDrive at_loading, AssembledDrive at_unloading);
-
-  [[nodiscard]] SlidingDrive without_cracks() const;
 };
 
 }  // namespace strainwave

@@ -193,15 +193,13 @@ struct LinesOverCage {
 /// @throws InputError   if `angles` is negative
 /// @throws SolverError  if a curve is not usable
 /// @throws Stopped      if the caller requests a stop
-[[nodiscard]] CurveComparison compare_curves(const AssembledDrive& drive,
-                                             const SlidingDrive& sliding, int angles = 0,
+[[nodiscard]] CurveComparison compare_curves(const AssembledDrive& drive, int angles = 0,
                                              const Progress& progress = {});
 /// Compares the curves of a drive that is not assembled yet.
 [[nodiscard]] inline CurveComparison compare_curves(const GearSet& gear, int angles = 0,
                                                     const CoupledOptions& options = {},
                                                     const Progress& progress = {}) {
-  return compare_curves(AssembledDrive(gear, options), SlidingDrive(gear, options), angles,
-                        progress);
+  return compare_curves(AssembledDrive(gear, options), angles, progress);
 }
 
 }  // namespace strainwave

@@ -6,13 +6,9 @@
 
 namespace strainwave {
 
-/// Direction of the flank friction, which turns the force by atan(mu) (TC-16).
-enum class FlankFriction { none, loading, unloading };
-
 struct CoupledOptions {
   int harmonics = 32;             ///< N of the ring [-]; 8 to 128; error 0.1 % at 32
   bool diaphragm_warping = true;  ///< whether the diaphragm resists warping of the barrel (TC-2)
-  FlankFriction friction = FlankFriction::none;
   /// psi_0, angle of the first ball from the major axis [rad]; the cam is that of the drive with a
   /// ball at the lobe (TC-12)
   double cage_phase = 0.0;

@@ -5,10 +5,11 @@
 #include <span>
 #include <vector>
 
+#include "strainwave/torsion/friction.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
 /// @file
-/// Hysteresis from flank friction, for any path of the torque between two envelopes.
+/// Hysteresis from friction, for any path of the torque between two envelopes.
 
 namespace strainwave {
 
@@ -18,27 +19,43 @@ struct HysteresisOptions {
   int grid = 48;  ///< torques per sense at which the envelopes are solved [-]; >= 8
 };
 
-/// Twist of the drive along a path of the torque, with friction on the flanks.
+/// Width of the hysteresis loop at zero torque, by its causes.
+struct LossAtZero {
+  double flanks = 0.0;      ///< flanks that press on each other without torque [rad]
+  double outer_ring = 0.0;  ///< outer ring in the bore of the rim, under the assembly [rad]
+  double output = 0.0;      ///< `Rating::friction_torque` [rad]
+  [[nodiscard]] double total() const { return flanks + outer_ring + output; }
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"total", "rad", "maker's hysteresis loss"}, &LossAtZero::total);
+    field({"flanks", "rad", "by flanks that press on each other without torque"},
+          &LossAtZero::flanks);
+    field({"outer_ring", "rad", "by the outer ring in the bore of the rim"},
+          &LossAtZero::outer_ring);
+    field({"output", "rad", "by rating.friction_torque"}, &LossAtZero::output);
+  }
+};
+
+/// Twist of the drive along a path of the torque, with friction of flanks, outer ring and output.
 ///
-/// Implements theory manual eqs. (TC-16) and (TC-17).  Friction turns the force of the flanks by
-/// atan(mu).  One envelope is for full slip while the torque grows in size, the other while it
-/// falls. Between the envelopes, play elements with thresholds spread evenly from 0 to twice the
-/// distance of the envelopes make Masing branches: smooth after a reversal, with closed minor
-/// loops, and with the memory of a minor loop erased once the path leaves it.  The envelopes are an
-/// upper bound of the loop's width (full slip on all flanks).  At zero load the flank friction
-/// vanishes.  The hysteresis of a real drive there comes from seal, grease and bearings:
-/// `Rating::friction_torque`.
+/// Implements theory manual eqs. (TC-16) and (TC-17).  All contacts slip on the envelopes, one for
+/// rising and one for falling torque; their middle is the twist without friction.  Between the
+/// envelopes, play elements with thresholds spread evenly from 0 to twice the distance of the
+/// envelopes make Masing branches: smooth after a reversal, with closed minor loops, and with the
+/// memory of a minor loop erased once the path leaves it.  At zero torque the distance comes from
+/// what the assembly presses; grease, seals and output bearing add `Rating::friction_torque`.
 class Hysteresis {
  public:
   /// Solves the envelopes up to `largest_torque` [N*m]; > 0.
   /// @throws InputError   if a number is out of range
   /// @throws SolverError  if a curve is not usable
   /// @throws Stopped      if the caller requests a stop
-  Hysteresis(const SlidingDrive& drive, double largest_torque,
+  Hysteresis(const AssembledDrive& drive, double largest_torque,
              const HysteresisOptions& options = {}, const Progress& progress = {});
   /// Solves the envelopes of a drive that is not assembled yet.
   Hysteresis(const GearSet& gear, double largest_torque, const HysteresisOptions& options = {})
-      : Hysteresis(SlidingDrive(gear), largest_torque, options) {}
+      : Hysteresis(AssembledDrive(gear), largest_torque, options) {}
   ~Hysteresis();
   Hysteresis(Hysteresis&&) noexcept;
   Hysteresis& operator=(Hysteresis&&) noexcept;
@@ -49,10 +66,14 @@ class Hysteresis {
   /// @param path  torques [N*m], within +- largest_torque
   [[nodiscard]] std::vector<double> twist(std::span<const double> path) const;
 
-  /// Twist while the torque grows in size, with slip on all flanks [rad]; odd in the torque.
-  [[nodiscard]] double loading(double torque) const;
-  /// Twist while the torque falls in size, with slip on all flanks [rad]; odd in the torque.
-  [[nodiscard]] double unloading(double torque) const;
+  /// Twist while the torque rises, with slip in all contacts and without the friction torque of the
+  /// output [rad].
+  [[nodiscard]] double rising(double torque) const;
+  /// Twist while the torque falls [rad].
+  [[nodiscard]] double falling(double torque) const;
+
+  /// Width at zero torque of a loop that is long enough for slip in all contacts.
+  [[nodiscard]] LossAtZero loss_at_zero() const;
 
  private:
   struct Envelopes;

@@ -315,7 +315,10 @@ class SameParts {
   static bool enters_no_model(const std::string& path) {
     constexpr std::array<std::string_view, 3> kLimits = {".fracture_toughness", ".yield_strength",
                                                          ".ultimate_strength"};
-    return path == "mesh.friction_coefficient" ||
+    constexpr std::array<std::string_view, 3> kFriction = {
+        "mesh.friction_coefficient", "wave_generator.bearing.rolling_friction",
+        "wave_generator.bearing.outer_ring.friction_coefficient"};
+    return std::ranges::find(kFriction, path) != kFriction.end() ||
            (path.starts_with("material.") &&
             std::ranges::any_of(kLimits,
                                 [&](std::string_view limit) { return path.ends_with(limit); }));

@@ -46,7 +46,7 @@ Command torsion_command() {
       .description =
           "Solves the drive as one system of elastic rings on one-sided balls and flanks, and "
           "prints the twist over the torque for both senses: K1, K2, K3 over the maker's torques, "
-          "the twist at the torque of the load, lost motion, hysteresis loop from flank friction, "
+          "the twist at the torque of the load, lost motion, hysteresis loop, losses without load, "
           "tangent stiffness with the share of each member, forces and contacts. The file must "
           "give bearing, flexspline by sections and mesh. If the file gives ranges, drives are "
           "drawn from them and give a band. K1, K2 and K3 change slightly while the balls roll "

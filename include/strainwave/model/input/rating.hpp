@@ -19,7 +19,7 @@ struct Rating {
   std::optional<double> rated_torque;  ///< T_N [N*m]; > 0; absent: 1.8 T2
   /// share of T_N at which lost motion is measured [-]; in (0, 1)
   double lost_motion_share = 0.04;
-  /// friction of seal, grease and bearings at the output [N*m]; >= 0
+  /// friction of seals, grease and output bearing, at the output [N*m]; >= 0
   double friction_torque = 0.0;
 
   template <class Visitor>
@@ -60,8 +60,8 @@ struct Rating {
           &Rating::lost_motion_share);
     field(Field{.name = "friction_torque",
                 .unit = "N*m",
-                .doc = "friction torque of seal, grease and bearings, at the output without load; "
-                       "for the hysteresis",
+                .doc = "friction torque of seals, grease and output bearing, at the output without "
+                       "load; for the hysteresis and the running torque",
                 .range = kNonNegative,
                 .example = R"("0 N*m")",
                 .fallback = R"("0 N*m")",

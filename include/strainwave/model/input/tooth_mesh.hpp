@@ -90,7 +90,7 @@ struct ToothMesh {
   double coning = 1.0;
   double lobe_gap = 0.0;  ///< g_0, normal gap at the lobe; < 0 means interference [m]
   double friction_coefficient =
-      0.1;  ///< friction coefficient mu of the flanks, for the hysteresis [-]; >= 0
+      0.1;  ///< mu of the flanks, for hysteresis and running torque [-]; >= 0
   /// C_tr, factor by which the teeth stiffen the rim in bending [-]; > 0
   double rim_stiffening = 1.25;
   std::optional<double> pair_stiffness;  ///< c' of a pair per face width [Pa]; absent: (TC-9)
@@ -130,7 +130,8 @@ struct ToothMesh {
           &ToothMesh::lobe_gap);
     field(Field{.name = "friction_coefficient",
                 .unit = "1",
-                .doc = "friction coefficient mu of the flanks, for the hysteresis",
+                .doc = "friction coefficient mu of the flanks, for the hysteresis and the running "
+                       "torque",
                 .range = {.lower = 0.0, .lower_open = false, .upper = 0.5, .upper_open = false},
                 .example = "0.1",
                 .fallback = "0.1"},

@@ -60,6 +60,8 @@ struct BearingRing {
   /// Share of the full section's bending stiffness that remains with the groove [-]; coupled drive
   /// only.
   double groove_factor = 0.8;
+  /// mu_o between the ring and the bore of the rim, for hysteresis and running torque [-]; >= 0
+  double friction_coefficient = 0.1;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -91,6 +93,16 @@ struct BearingRing {
             .example = "0.8",
             .fallback = "0.8"},
         &BearingRing::groove_factor);
+    field(
+        Field{.name = "friction_coefficient",
+              .unit = "1",
+              .doc = "friction coefficient mu_o between the ring and the bore of the rim, for the "
+                     "hysteresis and the running torque",
+              .range = {.lower = 0.0, .lower_open = false, .upper = 0.5, .upper_open = false},
+              .example = "0.1",
+              .fallback = "0.1",
+              .in_template = InTemplate::commented},
+        &BearingRing::friction_coefficient);
   }
 };
 
@@ -102,8 +114,9 @@ struct Bearing {
   double inner_conformity = 0.52;       ///< f_i = groove radius / D_w [-]; > 0.5
   double outer_conformity = 0.53;       ///< f_o [-]; > 0.5
   double loaded_balls = 1.0;            ///< balls that share the lobe force equally [-]; >= 1
-  std::optional<int> ball_count;  ///< n_b, all round; the coupled drive needs it [-]; 3 to 200
-  double clearance = 0.0;         ///< c, radial play at a ball; coupled drive only [m]; >= 0
+  std::optional<int> ball_count;    ///< n_b, all round; the coupled drive needs it [-]; 3 to 200
+  double clearance = 0.0;           ///< c, radial play at a ball; coupled drive only [m]; >= 0
+  double rolling_friction = 0.001;  ///< mu_r, moment over pitch radius and ball force [-]; >= 0
   std::optional<BearingRing> outer_ring;  ///< adds ring bending in series (ST-10)
 
   template <class Visitor>
@@ -163,6 +176,16 @@ struct Bearing {
                 .fallback = R"("0 m")",
                 .in_template = InTemplate::commented},
           &Bearing::clearance);
+    field(
+        Field{.name = "rolling_friction",
+              .unit = "1",
+              .doc = "rolling friction mu_r, the bearing's moment over the sum of its ball forces "
+                     "and its pitch radius; for the running torque",
+              .range = {.lower = 0.0, .lower_open = false, .upper = 0.1, .upper_open = false},
+              .example = "0.001",
+              .fallback = "0.001",
+              .in_template = InTemplate::commented},
+        &Bearing::rolling_friction);
     field(Field{.name = "outer_ring",
                 .unit = "",
                 .doc = "outer ring, bent by the lobe forces",
