@@ -25,10 +25,11 @@ using Predictions = std::vector<std::vector<ThreeK>>;
 
 /// Typical drives with factors applied; all ratios share the factors.
 struct Drives {
+  Blank blank = Blank::ratio;
   ProportionValues proportions = {};
 
-  [[nodiscard]] GearSet drive(double ratio, Cup cup) const {
-    return typical_drive(pitch_diameter_of(kReferenceSize), ratio, cup, proportions);
+  [[nodiscard]] GearSet drive(double ratio, const DriveType& type) const {
+    return typical_drive(pitch_diameter_of(kReferenceSize), ratio, type, proportions);
   }
 
   [[nodiscard]] Predictions predict(std::span<const StiffnessRow> rows,
@@ -36,9 +37,9 @@ struct Drives {
                                     const std::vector<Factor>& factors = {},
                                     const std::vector<double>& values = {}) const {
     return predicted_rows(
-        rows, pitch_diameter_of(kReferenceSize),
-        [&](double ratio, Cup cup) {
-          GearSet gear = drive(ratio, cup);
+        rows, pitch_diameter_of(kReferenceSize), blank,
+        [&](double ratio, const DriveType& type) {
+          GearSet gear = drive(ratio, type);
           for (std::size_t i = 0; i < factors.size(); ++i)
             gear = with_factor(std::move(gear), factors[i], values[i]);
           return gear;
@@ -47,7 +48,7 @@ struct Drives {
   }
 
   [[nodiscard]] std::vector<double> start(const std::vector<Factor>& factors) const {
-    const GearSet gear = drive(100, Cup::short_cup);
+    const GearSet gear = drive(100, {.blank = blank});
     std::vector<double> values;
     for (const Factor factor : factors) values.push_back(factor_value(gear, factor));
     return values;
@@ -252,7 +253,7 @@ void add_bands(Validation& v, std::span<const StiffnessRow> rows, const Progress
   std::vector<Drawn> each(v.each_ratio.size());
   for (int n = 0; n < v.options.draws; ++n) {
     progress.at(static_cast<double>(n) / v.options.draws);
-    const Drives drives{draw_proportions(generator)};
+    const Drives drives{v.options.blank, draw_proportions(generator)};
     Predictions predicted;
     try {
       predicted = drives.predict(rows, v.options.coupled);
@@ -411,7 +412,7 @@ Validation validate(const ValidationOptions& options, const Progress& progress) 
   if (options.mode != ValidationMode::per_row) take(other_series_rows());
   rows.insert(rows.end(), options.data.begin(), options.data.end());
 
-  const Drives drives;
+  const Drives drives{.blank = options.blank};
   const Progress fits = progress.part(0.0, options.draws > 0 ? 0.5 : 1.0);
   switch (options.mode) {
     case ValidationMode::geometry:

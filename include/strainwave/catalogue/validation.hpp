@@ -42,8 +42,9 @@ struct ValidationOptions {
   /// Per-row then uses coning, gap_factor and structure, which bend the curve at its beginning,
   /// middle and end.
   std::vector<Factor> factors = {};
-  bool all_sets = false;  ///< also fit every set of one to three factors to all sizes at once
-  int draws = 0;          ///< draws of the proportions for the bands; 0 to 100000
+  Blank blank = Blank::ratio;  ///< of all drives
+  bool all_sets = false;       ///< also fit every set of one to three factors to all sizes at once
+  int draws = 0;               ///< draws of the proportions for the bands; 0 to 100000
   std::uint64_t seed = 1;
   std::vector<int> sizes = {};  ///< sizes of the catalogue to predict; empty: all
   /// Rows of a user, which judge only (parse_stiffness_rows).
@@ -202,6 +203,8 @@ struct Validation {
           [](const Validation& v) { return v.options.mode; });
     field({"factors", "", "names of the fitted factors"},
           [](const Validation& v) { return v.options.factors; });
+    field({"blank", "", "the wave for which the walls of the drives are made"},
+          [](const Validation& v) { return v.options.blank; });
     field({"draws", "", "drives drawn for the bands"},
           [](const Validation& v) { return v.options.draws; });
     field({"failed_draws", "", "draws left out because they have no equilibrium"},

@@ -456,9 +456,11 @@ void check_flexspline(const GearSet& gear) {
     if (fs.shape_factor)
       throw InputError((path / "shape_factor").text(),
                        "is read only where crack_free = \"factor\"");
-    if (fs.shape == FlexsplineShape::cup && !fs.diaphragm)
-      throw InputError((path / "diaphragm").text(),
-                       "must be given for a cup where crack_free = \"sections\" (bottom)");
+    if (fs.shape != FlexsplineShape::cylinder && !fs.diaphragm)
+      throw InputError(
+          (path / "diaphragm").text(),
+          fmt::format("must be given for a {} where crack_free = \"sections\" (bottom)",
+                      enum_name(fs.shape)));
     if (fs.rim) check_rim_at_teeth(path / "rim", gear, *fs.rim);
     check_joints(path, fs);
   } else if (fs.rim || fs.barrel || fs.diaphragm || fs.boss || fs.flange_compliance != 0) {

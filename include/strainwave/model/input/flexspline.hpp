@@ -12,10 +12,14 @@
 
 namespace strainwave {
 
-enum class FlexsplineShape { cup, cylinder };
+enum class FlexsplineShape {
+  cup,       ///< the diaphragm points inward, to a boss
+  hat,       ///< the diaphragm points outward, to a clamped flange
+  cylinder,  ///< no diaphragm
+};
 template <>
 struct EnumNames<FlexsplineShape> {
-  static constexpr std::array<std::string_view, 2> names = {"cup", "cylinder"};
+  static constexpr std::array<std::string_view, 3> names = {"cup", "hat", "cylinder"};
 };
 
 /// Source of the compliance of the sound flexspline.
@@ -224,7 +228,7 @@ struct Flexspline {
           &Flexspline::material);
     field(Field{.name = "shape",
                 .unit = "",
-                .doc = "cup or cylinder",
+                .doc = "cup, hat with the diaphragm outward, or cylinder",
                 .example = R"("cup")",
                 .fallback = R"("cup")"},
           &Flexspline::shape);
