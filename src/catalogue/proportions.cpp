@@ -31,7 +31,7 @@ constexpr double kBlankRatio = 100;
 constexpr double kLeastDiaphragm = 0.004;
 
 // clang-format off
-constexpr std::array<Proportion, 31> kProportions = {{
+constexpr std::array<Proportion, 32> kProportions = {{
     {"rim_thickness", "t_r over its law", &Values::rim_thickness, 0.8, 1.2, kDrawing,
      "handbook law 1e-4 (65 + 2.5 i^(2/3)) d; 0.010 to 0.015 d in samples", ""},
     {"rim_stress", "bending stress of the rim by the wave", &Values::rim_stress, 180 * kMPa, 300 * kMPa, kStress,
@@ -58,12 +58,14 @@ constexpr std::array<Proportion, 31> kProportions = {{
      "bolt circles of hats, about 1.6 d from memory, less two bolt diameters", "flexspline.diaphragm.outer_diameter"},
     {"dedendum", "h_f/m", &Values::dedendum, 1.1, 1.35, kDrawing,
      "published samples", ""},
+    {"tooth_addendum", "h_a/m of both teeth", &Values::tooth_addendum, 0.55, 0.8, kDrawing,
+     "the drawing that states all numbers of its teeth, 0.65; tooth heights of samples less the dedendum", ""},
     {"flank_angle", "alpha", &Values::flank_angle, 18 * deg, 26 * deg, kAssumed,
      "makers do not publish the working tooth; 20 degrees is traditional", "mesh.flank_angle"},
     {"coning", "chi", &Values::coning, 0.1, 1.0, kAssumed,
      "teeth not corrected for the tilt of the cup; makers may correct their teeth", "mesh.coning"},
     {"gap_factor", "k_g", &Values::gap_factor, 0.8, 1.2, kAssumed,
-     "straight flanks on the tooth path; the true flank is not published", "mesh.gap_factor"},
+     "straight flanks as drawn, on their exact path; the true flank is not published", "mesh.gap_factor"},
     {"radial_displacement", "w_0/m", &Values::radial_displacement, 0.9, 1.05, kDrawing,
      "handbooks and samples; smaller in some designs of low ratio", "drive.radial_displacement"},
     {"rim_stiffening", "C_tr", &Values::rim_stiffening, 1.2, 1.3, kDrawing,
@@ -370,6 +372,8 @@ std::map<std::string, std::string> origins(const GearSet& gear, int size, const 
       {"wave_generator.bearing.outer_ring.mean_radius", "fills the bore of the flexspline"},
       {"wave_generator.bearing.outer_ring.thickness",
        remark(walls.outer_ring, "ball_diameter", "ring_stress", stresses.outer_ring, of_ratio)},
+      {"mesh.tooth.addendum", remark("tooth_addendum")},
+      {"mesh.tooth.spline_addendum", remark("tooth_addendum")},
       {"circular_spline.width", "assumed: same as the face width"}};
   if (rated != nullptr)
     comments["rating.rated_torque"] =
@@ -453,6 +457,10 @@ GearSet typical_drive(double pitch_diameter, double ratio, const DriveType& type
   mesh.lobe_gap = p.lobe_gap * d;
   mesh.friction_coefficient = p.friction;
   mesh.rim_stiffening = p.rim_stiffening;
+  mesh.tooth = ToothShape{.profile = ToothProfile::straight,
+                          .addendum = p.tooth_addendum * m,
+                          .spline_addendum = p.tooth_addendum * m,
+                          .thickness = {}};
   gear.mesh = mesh;
 
   CircularSpline spline;

@@ -55,6 +55,7 @@ struct ProportionValues {
   double boss_diameter = 0.58;         ///< outer diameter of a cup's boss over d [-]
   double flange_diameter = 1.42;       ///< where the clamped flange of a hat begins, over d [-]
   double dedendum = 1.1;               ///< h_f/m [-]
+  double tooth_addendum = 0.65;        ///< h_a/m and h_ac/m of the teeth as drawn [-]
   double flank_angle = 22 * std::numbers::pi / 180;  ///< alpha [rad]
   double coning = 1.0;                               ///< chi [-]
   double gap_factor = 1.0;                           ///< k_g [-]
@@ -124,7 +125,8 @@ struct WaveStresses {
 ///
 /// With m = d/(2 i), the mean radius of rim, barrel and diaphragm edge is R = d/2 - h_f - t_r/2.
 /// The bore is D = 2 R - t_r, and the bearing fills the bore.  The stress limits of (CV-1, CV-2)
-/// make outer ring, rim and diaphragm thinner where the wave demands it.
+/// make outer ring, rim and diaphragm thinner where the wave demands it.  The teeth are drawn with
+/// straight flanks (TC-29).
 ///
 /// @param pitch_diameter  d [m]; > 0
 /// @param ratio           i_h [-]; 30 to 320, 2 i a whole number of teeth
