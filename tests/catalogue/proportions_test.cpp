@@ -124,7 +124,8 @@ TEST(TypicalDrive, ReferenceTeethInContact) {
   rigid.spline_support = 0;
   const std::vector<double> torques = {14, 48, 87};
   const auto share = [&](const ProportionValues& values, std::size_t at) {
-    const TorsionCurve curve = torsion_curve(typical_drive_of_size(25, 100, {}, values), torques);
+    const TorsionCurve curve =
+        torsion_curve(without_drawn_teeth(typical_drive_of_size(25, 100, {}, values)), torques);
     return static_cast<double>(curve.points.at(at).teeth_in_contact) / curve.teeth;
   };
   EXPECT_GE(share(rigid, 0), 0.11 - 0.02);
@@ -134,18 +135,19 @@ TEST(TypicalDrive, ReferenceTeethInContact) {
 }
 
 // A maker's stated twist of size 32, ratio 100 at 60 N*m; the tolerance is the model form: 10 %
-// with a rigid circular spline, 12 % with a half held spline, which is softer by a sixth.
+// with a rigid circular spline and without drawn teeth, 12 % for the typical drive.
 TEST(TypicalDrive, ReferenceTwistOfSize32) {
   ProportionValues rigid;
   rigid.spline_support = 0;
-  test::expect_relative(twist(typical_drive_of_size(32, 100, {}, rigid), 60), 7.15e-4, 0.10);
+  test::expect_relative(twist(without_drawn_teeth(typical_drive_of_size(32, 100, {}, rigid)), 60),
+                        7.15e-4, 0.10);
   test::expect_relative(twist(typical_drive_of_size(32, 100), 60), 7.15e-4, 0.12);
 }
 
 // The article's drive, d = 160 mm at ratio 100, against the catalogue scaled by the cube of d; the
 // tolerance is the model form.
 TEST(TypicalDrive, ReferenceArticleDrive) {
-  const MakersLines lines = makers_lines(typical_drive(0.16, 100));
+  const MakersLines lines = makers_lines(without_drawn_teeth(typical_drive(0.16, 100)));
   test::expect_relative(lines.K1, 50.0e4, 0.25);
   test::expect_relative(lines.K2, 78.8e4, 0.25);
   test::expect_relative(lines.K3, 90.2e4, 0.25);
@@ -242,9 +244,9 @@ TEST(WaveStresses, IdentityLimitsHold) {
           by_stress += decided;
         };
         const Bearing& bearing = *gear.wave_generator->bearing;
-        bears(
-            stresses.outer_ring, limits.ring_stress,
-            bearing.outer_ring->thickness < gear.wave_generator->inner_ring_thickness * (1 - 1e-9));
+        bears(stresses.outer_ring, limits.ring_stress,
+              bearing.outer_ring->thickness <
+                  *gear.wave_generator->inner_ring_thickness * (1 - 1e-9));
         bears(stresses.rim, limits.rim_stress, ratio < 31);
         if (least)
           EXPECT_GT(stresses.diaphragm, limits.diaphragm_stress) << ratio;
@@ -256,8 +258,8 @@ TEST(WaveStresses, IdentityLimitsHold) {
                               fs.rim->outer_diameter - 2 * fs.rim->wall_thickness, 1e-12);
         test::expect_relative(bearing.outer_ring->mean_radius - bearing.outer_ring->thickness / 2,
                               bearing.outer_raceway_diameter / 2, 1e-12);
-        test::expect_relative(gear.wave_generator->inner_ring_mean_radius +
-                                  gear.wave_generator->inner_ring_thickness / 2,
+        test::expect_relative(*gear.wave_generator->inner_ring_mean_radius +
+                                  *gear.wave_generator->inner_ring_thickness / 2,
                               bearing.inner_raceway_diameter / 2, 1e-12);
       }
   EXPECT_GE(by_stress, 24);
@@ -267,8 +269,10 @@ TEST(WaveStresses, IdentityLimitsHold) {
 TEST(TypicalDrive, IdentityOneBlankForAllRatios) {
   const DriveType blank{.blank = Blank::size};
   const GearSet hundred = typical_drive(0.0635, 100);
-  EXPECT_EQ(gear_text(typical_drive(0.0635, 100, blank)).substr(200),
-            gear_text(hundred).substr(200));
+  GearSet same = typical_drive(0.0635, 100, blank);
+  EXPECT_NE(same.name, hundred.name);
+  same.name = hundred.name;
+  EXPECT_EQ(gear_text(same), gear_text(hundred));
   for (const double ratio : {30.0, 160.0}) {
     const GearSet own = typical_drive(0.0635, ratio);
     const GearSet shared = typical_drive(0.0635, ratio, blank);
