@@ -10,10 +10,10 @@
 #include <set>
 #include <utility>
 
+#include "bands.hpp"
 #include "least_squares.hpp"
 #include "similar_rows.hpp"
 #include "strainwave/core/error.hpp"
-#include "strainwave/core/quantile.hpp"
 
 namespace strainwave {
 namespace {
@@ -25,10 +25,11 @@ using Predictions = std::vector<std::vector<ThreeK>>;
 
 /// Typical drives with factors applied; all ratios share the factors.
 struct Drives {
+  Blank blank = Blank::ratio;
   ProportionValues proportions = {};
 
-  [[nodiscard]] GearSet drive(double ratio, Cup cup) const {
-    return typical_drive(pitch_diameter_of(kReferenceSize), ratio, cup, proportions);
+  [[nodiscard]] GearSet drive(double ratio, const DriveType& type) const {
+    return typical_drive(pitch_diameter_of(kReferenceSize), ratio, type, proportions);
   }
 
   [[nodiscard]] Predictions predict(std::span<const StiffnessRow> rows,
@@ -36,9 +37,9 @@ struct Drives {
                                     const std::vector<Factor>& factors = {},
                                     const std::vector<double>& values = {}) const {
     return predicted_rows(
-        rows, pitch_diameter_of(kReferenceSize),
-        [&](double ratio, Cup cup) {
-          GearSet gear = drive(ratio, cup);
+        rows, pitch_diameter_of(kReferenceSize), blank,
+        [&](double ratio, const DriveType& type) {
+          GearSet gear = drive(ratio, type);
           for (std::size_t i = 0; i < factors.size(); ++i)
             gear = with_factor(std::move(gear), factors[i], values[i]);
           return gear;
@@ -47,7 +48,7 @@ struct Drives {
   }
 
   [[nodiscard]] std::vector<double> start(const std::vector<Factor>& factors) const {
-    const GearSet gear = drive(100, Cup::short_cup);
+    const GearSet gear = drive(100, {.blank = blank});
     std::vector<double> values;
     for (const Factor factor : factors) values.push_back(factor_value(gear, factor));
     return values;
@@ -231,19 +232,44 @@ void predict_per_row(Validation& v, const Drives& drives, std::span<const Stiffn
   }
 }
 
-/// K1 to K3 of one prediction over all draws.
+/// ln of K1 to K3 of one prediction over all draws.
 using Drawn = std::array<std::vector<double>, 3>;
 
 void draw(Drawn& drawn, const ThreeK& K) {
-  for (std::size_t k = 0; k < 3; ++k) drawn[k].push_back(K[k]);
+  for (std::size_t k = 0; k < 3; ++k) drawn[k].push_back(std::log(K[k]));
 }
 
-void set_band(ValidationRow& row, Drawn& drawn) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (drawn[k].empty()) throw SolverError("none of the drawn drives has an equilibrium");
-    row.band[k] =
-        PredictionBand{quantile(drawn[k], 0.05), quantile(drawn[k], 0.5), quantile(drawn[k], 0.95)};
+/// Why a row lies outside of what the bands were made from: short cups of the catalogue.
+std::string outside_of(const StiffnessRow& row, const std::vector<double>& ratios,
+                       std::span<const StiffnessRow> rows) {
+  std::vector<double> sizes;
+  std::vector<double> made_at;
+  for (const StiffnessRow& one : rows) {
+    if (!makes_bands(one)) continue;
+    sizes.push_back(one.size);
+    made_at.insert(made_at.end(), one.ratios.begin(), one.ratios.end());
   }
+  std::string why;
+  const auto add = [&](const std::string& reason) { why += (why.empty() ? "" : ", ") + reason; };
+  const auto beyond = [](double value, const std::vector<double>& range) {
+    const auto [least, most] = std::ranges::minmax(range);
+    return value < least || value > most;
+  };
+  if (row.form != FlexsplineForm::cup) add(std::string(enum_name(row.form)));
+  if (row.length != FlexsplineLength::short_length) add(std::string(enum_name(row.length)));
+  if (beyond(row.size, sizes)) add("size");
+  if (std::ranges::any_of(ratios, [&](double ratio) { return beyond(ratio, made_at); }))
+    add("ratio");
+  return why;
+}
+
+void set_band(ValidationRow& row, const Drawn& drawn, const BandFit& fit,
+              std::span<const StiffnessRow> rows) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto at = [&](double p) { return std::exp(band_quantile(drawn[k], fit.discrepancy, p)); };
+    row.band[k] = PredictionBand{at(0.05), at(0.5), at(0.95)};
+  }
+  row.outside = outside_of(row.catalogue, row.ratios, rows);
 }
 
 void add_bands(Validation& v, std::span<const StiffnessRow> rows, const Progress& progress) {
@@ -252,7 +278,7 @@ void add_bands(Validation& v, std::span<const StiffnessRow> rows, const Progress
   std::vector<Drawn> each(v.each_ratio.size());
   for (int n = 0; n < v.options.draws; ++n) {
     progress.at(static_cast<double>(n) / v.options.draws);
-    const Drives drives{draw_proportions(generator)};
+    const Drives drives{v.options.blank, draw_proportions(generator)};
     Predictions predicted;
     try {
       predicted = drives.predict(rows, v.options.coupled);
@@ -266,8 +292,23 @@ void add_bands(Validation& v, std::span<const StiffnessRow> rows, const Progress
       for (const ThreeK& K : predicted[i]) draw(each[at++], K);
     }
   }
-  for (std::size_t i = 0; i < mean.size(); ++i) set_band(v.rows[i], mean[i]);
-  for (std::size_t i = 0; i < each.size(); ++i) set_band(v.each_ratio[i], each[i]);
+  if (v.failed_draws == v.options.draws)
+    throw SolverError("none of the drawn drives has an equilibrium");
+
+  std::vector<DrawnValue> values;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!makes_bands(rows[i])) continue;
+    const auto K = rows[i].K();
+    for (std::size_t k = 0; k < 3; ++k)
+      if (K[k]) values.push_back({&rows[i], std::log(*K[k]), mean[i][k]});
+  }
+  std::vector<const DrawnValue*> all;
+  for (const DrawnValue& value : values) all.push_back(&value);
+  v.band_fit = fit_band(all);
+  v.band_tests = band_tests(values, *v.band_fit);
+  for (std::size_t i = 0; i < mean.size(); ++i) set_band(v.rows[i], mean[i], *v.band_fit, rows);
+  for (std::size_t i = 0; i < each.size(); ++i)
+    set_band(v.each_ratio[i], each[i], *v.band_fit, rows);
 }
 
 using Belongs = std::function<bool(const ValidationRow&)>;
@@ -377,6 +418,8 @@ Validation validate(const ValidationOptions& options, const Progress& progress) 
                .each_ratio = {},
                .errors_at_each_ratio = {},
                .trials = {},
+               .band_fit = {},
+               .band_tests = {},
                .failed_draws = 0};
   require(options.draws >= 0 && options.draws <= 100000, "draws", options.draws, "1",
           ">= 0 and <= 100000");
@@ -411,7 +454,7 @@ Validation validate(const ValidationOptions& options, const Progress& progress) 
   if (options.mode != ValidationMode::per_row) take(other_series_rows());
   rows.insert(rows.end(), options.data.begin(), options.data.end());
 
-  const Drives drives;
+  const Drives drives{.blank = options.blank};
   const Progress fits = progress.part(0.0, options.draws > 0 ? 0.5 : 1.0);
   switch (options.mode) {
     case ValidationMode::geometry:

@@ -35,15 +35,11 @@ std::string what_was_done(const Validation& v) {
       "by the mean\nover these ratios, and then at each ratio by itself.  Only rows of the "
       "catalogue "
       "enter fits; rows of\nother series and of a file judge only.";
-  const auto is_cup = [](const ValidationRow& row) {
-    return row.catalogue.form == FlexsplineForm::cup &&
-           row.catalogue.length != FlexsplineLength::flat;
-  };
-  if (!std::ranges::all_of(v.rows, is_cup))
+  if (v.options.blank == Blank::size)
     text +=
-        "\nA hat is predicted as a cup and a flat flexspline as a short one, because the program "
-        "has "
-        "no such member.";
+        "\nOne blank serves all ratios of a size: its walls are those of ratio 100, and the teeth "
+        "are "
+        "cut to the\nratio.";
   if (std::ranges::any_of(v.rows, [](const ValidationRow& row) {
         return row.catalogue.origin == RowOrigin::repeat;
       }))
@@ -118,7 +114,8 @@ Table row_table(const Validation& v, const std::vector<ValidationRow>& rows, boo
   Table table{.head = {"series", "form", "size", "ratio", "K1", "K2", "K3", "p/c", "p/c", "p/c"},
               .align = "llr"};
   if (banded(v)) {
-    table.head.insert(table.head.end(), {"band of K1", "of K2", "of K3"});
+    table.head.insert(table.head.end(), {"band of K1", "of K2", "of K3", "outside"});
+    table.align = "llrrrrrrrrrrrl";
   } else {
     if (!several) table.head.insert(table.head.end(), {"over ratios", "", ""});
     if (!v.rows.empty() && !v.rows.front().factors.empty())
@@ -144,6 +141,7 @@ Table row_table(const Validation& v, const std::vector<ValidationRow>& rows, boo
         line.push_back(over_stated(k, row.band[k]->low, row.band[k]->high));
       else if (!several)
         line.push_back(row.ratios.size() > 1 ? over_stated(k, row.least[k], row.most[k]) : "");
+    if (banded(v)) line.push_back(row.outside);
     for (std::size_t i = 0; i < row.factors.size() && !banded(v); ++i)
       line.push_back(factor_text(row.factors[i], row.at_limit[i]));
   }
@@ -163,6 +161,43 @@ Table trial_table(const Validation& v) {
 std::string row_words() {
   return fmt::format("K1, K2, K3 stated [{}], then predicted/stated (p/c)",
                      stiffness_column().text);
+}
+
+/// How the bands were made.
+std::string band_words(const Validation& v) {
+  const BandFit& fit = *v.band_fit;
+  return fmt::format(
+      "Bands: 5 % to 95 % of {} drives whose proportions are drawn between their limits, seed "
+      "{}{}, "
+      "each\nmultiplied by a log-normal discrepancy of the model.  Its standard deviation, {:.3f} "
+      "of "
+      "ln K, is a fit of the\nbands, never of a prediction: the mean errors of {} classes of size "
+      "and "
+      "ratio have the root mean square\n{:.3f}, the errors within a class {:.3f}, and the draws "
+      "{:.3f}. "
+      " Student's distribution widens the bands for the\nnumber of classes (CV-3).  The error is "
+      "common to K1, K2, K3 and to all rows of a class, so values of one\nclass are not "
+      "independent. "
+      " The bands are made from short cups; \"outside\" names what differs.",
+      v.options.draws, v.options.seed,
+      v.failed_draws == 0
+          ? std::string()
+          : fmt::format(" (draws without an equilibrium that are left out: {})", v.failed_draws),
+      fit.discrepancy, fit.classes, fit.between, fit.within, fit.draws);
+}
+
+/// Coverage of the bands, with each class left out in turn.
+Table band_table(const Validation& v) {
+  Table table{.head = {"values in the 90 % band", "values", "fitted to all", "class left out",
+                       "discrepancy without it"}};
+  const auto share = [](int inside, const BandTest& test) {
+    return fmt::format("{} ({:.0f} %)", inside, 100.0 * inside / test.values);
+  };
+  for (const BandTest& test : v.band_tests)
+    table.rows.push_back(cells(test.of, test.values, share(test.in_band, test),
+                               share(test.left_out, test),
+                               test.discrepancy ? fmt::format("{:.3f}", *test.discrepancy) : ""));
+  return table;
 }
 
 /// The rows that the model cannot follow.
@@ -192,14 +227,7 @@ std::string validation_text(const Validation& v) {
                      text_table(error_table(v)) + "\nThe same at each ratio by itself\n" +
                      text_table(error_table_at_each_ratio(v));
   if (v.options.mode == ValidationMode::per_row) text += failing_rows(v);
-  if (banded(v))
-    text += fmt::format(
-        "\nBands: 5 % to 95 % of {} drives whose proportions are drawn between their limits, seed "
-        "{}{}\n",
-        v.options.draws, v.options.seed,
-        v.failed_draws == 0
-            ? std::string(".")
-            : fmt::format("; draws without an equilibrium that are left out: {}.", v.failed_draws));
+  if (banded(v)) text += fmt::format("\n{}\n\n", band_words(v)) + text_table(band_table(v));
   text += fmt::format("\nEach row: {}\n", row_words()) + text_table(row_table(v, v.rows, false)) +
           "\nRows of several ratios, at each ratio\n" +
           text_table(row_table(v, v.each_ratio, true));
@@ -241,6 +269,7 @@ std::string validation_markdown(const Validation& v) {
       markdown_table(error_table_at_each_ratio(v)), row_words(),
       markdown_table(row_table(v, v.rows, false)),
       markdown_table(row_table(v, v.each_ratio, true)));
+  if (banded(v)) text += fmt::format("\n{}\n\n{}", band_words(v), markdown_table(band_table(v)));
   return v.trials.empty() ? text : text + '\n' + markdown_table(trial_table(v));
 }
 

@@ -17,9 +17,15 @@ namespace strainwave::report {
 namespace {
 
 /// Origin of a value.
-enum class Giver { file, catalogue, typical, assumed, fallback, library };
-constexpr std::array<std::string_view, 6> kGivers = {
-    "in the file", "catalogue", "typical", "assumed", "default", "material library"};
+enum class Giver { file, catalogue, drawing, stress, typical, assumed, fallback, library };
+constexpr std::array<std::string_view, 8> kGivers = {"in the file", "catalogue",       "drawing",
+                                                     "stress",      "typical",         "assumed",
+                                                     "default",     "material library"};
+
+/// The origin that a file states.
+Giver giver_of(Knowledge knowledge) {
+  return static_cast<Giver>(static_cast<int>(knowledge) + static_cast<int>(Giver::catalogue));
+}
 
 struct Entry {
   std::string path;
@@ -118,10 +124,10 @@ class Collector {
     if (found != remarks_.end()) {
       entry.value = found->second.written;
       entry.remark = found->second.comment;
-      for (const Giver giver : {Giver::catalogue, Giver::typical, Giver::assumed}) {
-        const std::string_view word = kGivers[static_cast<std::size_t>(giver)];
+      for (std::size_t k = 0; k < EnumNames<Knowledge>::names.size(); ++k) {
+        const std::string_view word = EnumNames<Knowledge>::names[k];
         if (!entry.remark.starts_with(word)) continue;
-        entry.giver = giver;
+        entry.giver = giver_of(static_cast<Knowledge>(k));
         entry.remark.erase(0, word.size());
         entry.remark.erase(0,
                            std::min(entry.remark.find_first_not_of(":;, "), entry.remark.size()));
@@ -138,9 +144,7 @@ class Collector {
     }
     for (const InputRange& range : gear_.range) {
       if (range.path != entry.path) continue;
-      entry.giver = range.knowledge == Knowledge::catalogue ? Giver::catalogue
-                    : range.knowledge == Knowledge::typical ? Giver::typical
-                                                            : Giver::assumed;
+      entry.giver = giver_of(range.knowledge);
       const std::string between = fmt::format("{} to {}", range.lower, range.upper);
       if (entry.remark.find(range.source) == std::string::npos && !range.source.empty())
         entry.remark += (entry.remark.empty() ? "" : "; ") + range.source;

@@ -82,10 +82,10 @@ tbody th { font-weight: 400; }
 .inputs { min-width: 44rem; }
 .inputs .group th { white-space: normal; }
 .giver { font-size: .85em; padding: 0 .4em; border: 1px solid var(--rule); border-radius: 3px; }
-.g1, .g5 { color: var(--link); border-color: currentColor; }
-.g2, .g3 { color: var(--care); border-color: currentColor; }
-.g3 { font-weight: 700; }
-.g4 { color: var(--muted); }
+.g1, .g7 { color: var(--link); border-color: currentColor; }
+.g2, .g3, .g4, .g5 { color: var(--care); border-color: currentColor; }
+.g5 { font-weight: 700; }
+.g6 { color: var(--muted); }
 .crack-number { display: inline-block; min-width: 1.5em; text-align: center; font-size: .85em;
   color: var(--crack); border: 1px solid var(--crack); border-radius: 1em; }
 .breaks, .breaks td, .breaks th { color: var(--bad); }

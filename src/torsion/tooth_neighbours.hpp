@@ -26,11 +26,11 @@ template <class Real>
 class BasicToothNeighbours {
  public:
   /// @param tooth        of the circular spline; its roots do not overlap, B <= pitch
-  /// @param force_angle  angle of the flanks against the radius, turned by friction [rad]
+  /// @param flank_angle  angle of the flanks against the radius [rad]
   /// @param steel        of the circular spline
   /// @param face_width   b [m]; > 0
   /// @param pitches      pitches of the whole turn
-  BasicToothNeighbours(const BasicToothOnWall<Real>& tooth, const Real& force_angle,
+  BasicToothNeighbours(const BasicToothOnWall<Real>& tooth, const Real& flank_angle,
                        const BasicElasticConstants<Real>& steel, const Real& face_width,
                        int pitches);
 

@@ -579,10 +579,14 @@ TEST_F(Program, BehaviourWhatIsSaidOfCracksStopsNoCommand) {
 }
 
 TEST_F(Program, BehaviourTypicalDriveOfACatalogueSize) {
-  const Outcome drive = run("new --size 32 --ratio 50 --cup standard");
+  const Outcome drive = run("new --size 32 --ratio 50 --length standard");
   ASSERT_EQ(drive.exit_code, 0) << drive.err;
   const Outcome curve = run("torsion --draws 0 " + write("size32.toml", drive.out));
   EXPECT_EQ(curve.exit_code, 0) << curve.err;
+  const Outcome hat = run("new --size 32 --ratio 50 --form hat --length flat");
+  ASSERT_EQ(hat.exit_code, 0) << hat.err;
+  EXPECT_NE(hat.out.find("flat hat"), std::string::npos);
+  EXPECT_EQ(run("torsion --draws 0 " + write("hat.toml", hat.out)).exit_code, 0);
   // The lines of the shaft are a valid section once their # is gone.
   std::string shafted = drive.out;
   const std::size_t section = shafted.find("# [output_shaft]\n");

@@ -403,7 +403,7 @@ def neighbour_compliance(g, tooth, side):
     apart = np.round(place[:, None] - place).astype(int)
     apart = (apart + z // 2) % z - z // 2
     n = np.minimum(abs(apart), z // 2)
-    c, s = cos(alpha + g["flank_angle_shift"]), sin(alpha + g["flank_angle_shift"])
+    c, s = cos(alpha), sin(alpha)
     across = c * side
     motion = (np.outer(across, across) * along[n] + s * s * outward[n]
               + s * (across - across[:, None]) * np.sign(apart) * mixed[n])

@@ -42,8 +42,9 @@ struct ValidationOptions {
   /// Per-row then uses coning, gap_factor and structure, which bend the curve at its beginning,
   /// middle and end.
   std::vector<Factor> factors = {};
-  bool all_sets = false;  ///< also fit every set of one to three factors to all sizes at once
-  int draws = 0;          ///< draws of the proportions for the bands; 0 to 100000
+  Blank blank = Blank::ratio;  ///< of all drives
+  bool all_sets = false;       ///< also fit every set of one to three factors to all sizes at once
+  int draws = 0;               ///< draws of the proportions for the bands; 0 to 100000
   std::uint64_t seed = 1;
   std::vector<int> sizes = {};  ///< sizes of the catalogue to predict; empty: all
   /// Rows of a user, which judge only (parse_stiffness_rows).
@@ -51,7 +52,8 @@ struct ValidationOptions {
   CoupledOptions coupled = {};
 };
 
-/// Quantiles 5 %, 50 % and 95 % of the drawn predictions [N*m/rad].
+/// Quantiles 5 %, 50 % and 95 % of the drawn predictions with the discrepancy of the model (CV-3)
+/// [N*m/rad].
 struct PredictionBand {
   double low = 0.0;
   double middle = 0.0;
@@ -69,6 +71,8 @@ struct ValidationRow {
   std::vector<double> factors;
   std::vector<bool> at_limit;  ///< whether each factor is at a limit
   std::array<std::optional<PredictionBand>, 3> band;
+  /// why the row lies outside of what the bands were made from; empty if it lies inside
+  std::string outside = {};
 
   /// predicted/catalogue of K1, K2, K3 [-]; absent if the table has no value
   [[nodiscard]] std::array<std::optional<double>, 3> ratio() const;
@@ -94,6 +98,8 @@ struct ValidationRow {
                              "low_K3", "middle_K3", "high_K3"});
     field({"factors", "1", "values of the factors in the prediction"}, &Row::factors);
     field({"at_limit", "", "whether each factor is at a limit"}, &Row::at_limit);
+    field({"outside", "", "why the row lies outside of what the bands were made from"},
+          &Row::outside);
   }
 
  private:
@@ -110,11 +116,11 @@ struct ValidationRow {
     field({names[3], "N*m/rad", "largest prediction over the ratios"},
           [](const Row& row) { return row.most[k]; });
     field({names[4], "1", "predicted/catalogue"}, [](const Row& row) { return row.ratio()[k]; });
-    field({names[5], "N*m/rad", "5 % quantile of the drawn predictions"},
+    field({names[5], "N*m/rad", "5 % quantile of the drawn predictions with the discrepancy"},
           [](const Row& row) { return row.of_band(k, &PredictionBand::low); });
-    field({names[6], "N*m/rad", "50 % quantile of the drawn predictions"},
+    field({names[6], "N*m/rad", "50 % quantile of the drawn predictions with the discrepancy"},
           [](const Row& row) { return row.of_band(k, &PredictionBand::middle); });
-    field({names[7], "N*m/rad", "95 % quantile of the drawn predictions"},
+    field({names[7], "N*m/rad", "95 % quantile of the drawn predictions with the discrepancy"},
           [](const Row& row) { return row.of_band(k, &PredictionBand::high); });
   }
   [[nodiscard]] std::optional<double> of_band(std::size_t k, double PredictionBand::*limit) const {
@@ -165,6 +171,58 @@ struct ErrorSummary {
   }
 };
 
+/// The discrepancy of the model, by which the bands are wider than the draws of the proportions.
+///
+/// It is a fit of the bands to the catalogue's short cups, never of a prediction.  Implements
+/// theory manual eq. (CV-3).  All spreads are standard deviations of ln K.
+struct BandFit {
+  int classes = 0;           ///< classes of size and ratio
+  int values = 0;            ///< values of the catalogue
+  double between = 0.0;      ///< root mean square of the mean errors of the classes [-]
+  double within = 0.0;       ///< spread of the errors within a class [-]
+  double draws = 0.0;        ///< spread by the draws of the proportions [-]
+  double discrepancy = 0.0;  ///< spread by which the bands are wider than the draws [-]
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"classes", "1", "classes of size and ratio to which the bands are fitted"},
+          &BandFit::classes);
+    field({"values", "1", "values of the catalogue in these classes"}, &BandFit::values);
+    field({"between", "1", "root mean square of the mean errors of the classes, of ln K"},
+          &BandFit::between);
+    field({"within", "1", "standard deviation of the errors within a class, of ln K"},
+          &BandFit::within);
+    field({"draws", "1", "standard deviation by the draws of the proportions, of ln K"},
+          &BandFit::draws);
+    field({"discrepancy", "1",
+           "standard deviation of ln K by which the bands are wider than the draws; a fit of the "
+           "bands, never of a prediction"},
+          &BandFit::discrepancy);
+  }
+};
+
+/// How many values of a class lie within their 90 % bands.
+struct BandTest {
+  std::string of = {};  ///< name of the class, or of all classes in turn
+  int values = 0;
+  int in_band = 0;                         ///< with bands from all classes
+  int left_out = 0;                        ///< with bands from the other classes
+  std::optional<double> discrepancy = {};  ///< that of the other classes [-]
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"of", "", "class of size or ratio, or all of them in turn"}, &BandTest::of);
+    field({"values", "1", "number of values"}, &BandTest::values);
+    field({"in_band", "1", "values within bands that are fitted to all classes"},
+          &BandTest::in_band);
+    field({"left_out", "1", "values within bands that are fitted to the other classes"},
+          &BandTest::left_out);
+    field({"discrepancy", "1", "discrepancy of the bands that are fitted to the other classes"},
+          &BandTest::discrepancy);
+  }
+};
+
 /// A set of factors fitted to all sizes at once.
 struct FactorTrial {
   std::vector<Factor> factors;
@@ -194,7 +252,9 @@ struct Validation {
   std::vector<ValidationRow> each_ratio;  ///< each row at each of its ratios
   std::vector<ErrorSummary> errors_at_each_ratio;
   std::vector<FactorTrial> trials;  ///< the set in use first, then the other sets on request
-  int failed_draws = 0;             ///< draws left out because they have no equilibrium
+  std::optional<BandFit> band_fit;  ///< absent if nothing was drawn
+  std::vector<BandTest> band_tests;
+  int failed_draws = 0;  ///< draws left out because they have no equilibrium
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -202,11 +262,16 @@ struct Validation {
           [](const Validation& v) { return v.options.mode; });
     field({"factors", "", "names of the fitted factors"},
           [](const Validation& v) { return v.options.factors; });
+    field({"blank", "", "the wave for which the walls of the drives are made"},
+          [](const Validation& v) { return v.options.blank; });
     field({"draws", "", "drives drawn for the bands"},
           [](const Validation& v) { return v.options.draws; });
     field({"failed_draws", "", "draws left out because they have no equilibrium"},
           &Validation::failed_draws);
     field({"seed", "", "seed of the draws"}, [](const Validation& v) { return v.options.seed; });
+    field({"band_fit", "", "discrepancy of the model in the bands"}, &Validation::band_fit);
+    field({"band_tests", "", "values within their bands, with each class left out in turn"},
+          &Validation::band_tests);
     field({"errors", "", "errors over groups of rows, a row as the mean over its ratios"},
           &Validation::errors);
     field({"errors_at_each_ratio", "", "errors over groups of rows, each row at each ratio"},

@@ -13,14 +13,29 @@ namespace {
 struct NewOptions {
   std::optional<int> size;
   std::optional<double> ratio;
-  Cup cup = Cup::short_cup;
+  FlexsplineForm form = FlexsplineForm::cup;
+  FlexsplineLength length = FlexsplineLength::short_length;
+  Blank blank = Blank::ratio;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"size", "", "size in the catalogue; prints its typical drive"}, &NewOptions::size);
     field({"ratio", "1", "ratio of the typical drive, 30 to 320"}, &NewOptions::ratio);
-    field({.name = "cup", .unit = "", .doc = "cup of the typical drive", .fallback = "short"},
-          &NewOptions::cup);
+    field({.name = "form",
+           .unit = "",
+           .doc = "flexspline of the typical drive: cup, or silk hat with the diaphragm outward",
+           .fallback = "cup"},
+          &NewOptions::form);
+    field({.name = "length",
+           .unit = "",
+           .doc = "length class of its flexspline",
+           .fallback = "short"},
+          &NewOptions::length);
+    field({.name = "blank",
+           .unit = "",
+           .doc = "walls made for the wave of this ratio, or of ratio 100 for all ratios of a size",
+           .fallback = "ratio"},
+          &NewOptions::blank);
   }
 };
 
@@ -63,8 +78,10 @@ NewDrive drive_of(const Request&, const NewOptions& options) {
     throw OptionError(options.size ? "ratio" : "size",
                       "must be given; give both size and ratio, or neither");
   if (!options.size) return {std::string(kSchemaLine) + input_template()};
-  const CommentedDrive drive =
-      from_option([&] { return starting_drive(*options.size, *options.ratio, options.cup); });
+  const CommentedDrive drive = from_option([&] {
+    return starting_drive(*options.size, *options.ratio,
+                          {.form = options.form, .length = options.length, .blank = options.blank});
+  });
   return {std::string(kSchemaLine) +
           "# A typical drive of this size and ratio, because makers do not publish the geometry of "
           "a drive.\n"

@@ -8,6 +8,7 @@ namespace {
 struct ValidateOptions {
   ValidationMode mode = ValidationMode::geometry;
   std::optional<std::string> factors;
+  Blank blank = Blank::ratio;
   bool all_sets = false;
   int draws = 0;
   std::optional<std::string> data;
@@ -24,6 +25,12 @@ struct ValidateOptions {
            .doc = "other factors to fit, at most three, separated by commas",
            .names = "factor"},
           &ValidateOptions::factors);
+    field({.name = "blank",
+           .unit = "",
+           .doc = "walls of the drives: made for the wave of each ratio, or of ratio 100 for all "
+                  "ratios of a size",
+           .fallback = "ratio"},
+          &ValidateOptions::blank);
     field({"all_sets", "",
            "with mode leave-one-size-out or leave-one-class-out, also fit every set of one to "
            "three factors"},
@@ -55,6 +62,7 @@ Validation validated(const Request& request, const ValidateOptions& options) {
     return validate(
         {.mode = options.mode,
          .factors = options.factors ? parse_factors(*options.factors) : std::vector<Factor>(),
+         .blank = options.blank,
          .all_sets = options.all_sets,
          .draws = options.draws,
          .sizes = {},

@@ -14,12 +14,12 @@ namespace strainwave {
 
 enum class FlexsplineShape {
   cup,       ///< diaphragm inward, to a boss
+  hat,       ///< silk hat: diaphragm outward, to a clamped flange that is the output
   cylinder,  ///< no diaphragm
-  hat,       ///< silk hat: diaphragm outward, to a flange that is the output
 };
 template <>
 struct EnumNames<FlexsplineShape> {
-  static constexpr std::array<std::string_view, 3> names = {"cup", "cylinder", "hat"};
+  static constexpr std::array<std::string_view, 3> names = {"cup", "hat", "cylinder"};
 };
 
 /// Source of the compliance of the sound flexspline.
@@ -230,7 +230,7 @@ struct Flexspline {
           &Flexspline::material);
     field(Field{.name = "shape",
                 .unit = "",
-                .doc = "cup, cylinder, or hat with the diaphragm outward to a flange (silk hat)",
+                .doc = "cup, hat with the diaphragm outward to a flange (silk hat), or cylinder",
                 .example = R"("cup")",
                 .fallback = R"("cup")"},
           &Flexspline::shape);

@@ -73,12 +73,15 @@ struct Rating {
 /// Origin of a value.
 enum class Knowledge {
   catalogue,  ///< a maker's stated value
+  drawing,    ///< from drawings, published samples and handbooks
+  stress,     ///< from the endurance of the part at the drive's deflection
   typical,    ///< typical of published drives
   assumed,    ///< assumed, because makers do not publish the value
 };
 template <>
 struct EnumNames<Knowledge> {
-  static constexpr std::array<std::string_view, 3> names = {"catalogue", "typical", "assumed"};
+  static constexpr std::array<std::string_view, 5> names = {"catalogue", "drawing", "stress",
+                                                            "typical", "assumed"};
 };
 
 /// A number of the file that is known only within limits, with a uniform distribution between them.
