@@ -88,7 +88,6 @@ class ElasticRings {
   };
   [[nodiscard]] Kernel kernel(const ContactDirection& of, const ContactDirection& by) const;
   void fill_flexibility(const ContactPlaces& places);
-  void add_neighbours();
   void fill_lobe();
   /// A group of contacts of one direction, with the waves at their positions.
   struct Group {
