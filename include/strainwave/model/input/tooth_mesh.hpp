@@ -19,7 +19,7 @@ struct EnumNames<ToothProfile> {
   static constexpr std::array<std::string_view, 2> names = {"straight", "involute"};
 };
 
-/// The teeth as drawn (TC-29 to TC-31).  All heights are those of the working flanks, without chamfer
+/// The teeth as drawn (TC-29, TC-30).  All heights are those of the working flanks, without chamfer
 /// and relief, over the pitch height.
 struct ToothShape {
   ToothProfile profile = ToothProfile::straight;
@@ -75,7 +75,7 @@ struct ToothMesh {
       0.1;  ///< friction coefficient mu of the flanks, for the hysteresis [-]; >= 0
   /// C_tr, factor by which the teeth stiffen the rim in bending [-]; > 0
   double rim_stiffening = 1.25;
-  std::optional<double> pair_stiffness;  ///< c' of a pair, per face width [Pa]; absent: (TC-9), (TC-30)
+  std::optional<double> pair_stiffness;  ///< c' of a pair per width [Pa]; absent: (TC-9), (TC-30)
   /// The teeth as drawn; absent: gap of first order, engagement up to 45 degrees from a lobe
   /// (TC-7), stiffness of a pair by (TC-9)
   std::optional<ToothShape> tooth;
