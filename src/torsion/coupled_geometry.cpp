@@ -499,7 +499,8 @@ void check_coupled(const GearSet& gear, const CoupledOptions& options) {
 }
 
 template <class Real>
-BasicCoupledGeometry<Real> coupled_geometry(const GearSet& gear, const Lift<Real>& lift) {
+BasicCoupledGeometry<Real> coupled_geometry(const GearSet& gear, const CoupledOptions& options,
+                                            const Lift<Real>& lift) {
   using std::pow;
   const Transmission& drive = gear.drive;
   const Flexspline& fs = *gear.flexspline;
@@ -555,7 +556,7 @@ BasicCoupledGeometry<Real> coupled_geometry(const GearSet& gear, const Lift<Real
 
 CoupledGeometry coupled_geometry(const GearSet& gear, const CoupledOptions& options) {
   check_coupled(gear, options);
-  return coupled_geometry(gear, Lift<double>());
+  return coupled_geometry(gear, options, Lift<double>());
 }
 
 template <class Real>
@@ -566,8 +567,10 @@ BasicContactCracks<Real> contact_cracks(const GearSet& gear, const Lift<Real>& l
   return ContactCracksOf<Real>(gear, lift, geometry, ball_force, notes).all();
 }
 
-template CoupledGeometry coupled_geometry(const GearSet&, const Lift<double>&);
-template BasicCoupledGeometry<DualReal> coupled_geometry(const GearSet&, const Lift<DualReal>&);
+template CoupledGeometry coupled_geometry(const GearSet&, const CoupledOptions&,
+                                          const Lift<double>&);
+template BasicCoupledGeometry<DualReal> coupled_geometry(const GearSet&, const CoupledOptions&,
+                                                         const Lift<DualReal>&);
 template ContactCracks contact_cracks(const GearSet&, const Lift<double>&, const CoupledGeometry&,
                                       const BallForce&, std::vector<Note>&);
 template BasicContactCracks<DualReal> contact_cracks(const GearSet&, const Lift<DualReal>&,

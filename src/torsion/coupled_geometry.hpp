@@ -98,6 +98,7 @@ void check_coupled(const GearSet& gear, const CoupledOptions& options);
 /// @param gear  has passed `check_coupled`
 template <class Real>
 [[nodiscard]] BasicCoupledGeometry<Real> coupled_geometry(const GearSet& gear,
+                                                          const CoupledOptions& options,
                                                           const Lift<Real>& lift);
 [[nodiscard]] CoupledGeometry coupled_geometry(const GearSet& gear, const CoupledOptions& options);
 /// Force of the ball nearest to a position, in the sound drive [N].

@@ -299,7 +299,7 @@ CurveDerivatives CurveDifferentiator::of(const GearSet& gear, const Lift<DualRea
                                          const SeriesCompliance<DualReal>& series) const {
   const AssembledDrive::Contents& of_drive = contents_->drive.contents();
   const auto torques = line_torques(gear, lift);
-  const auto geometry = coupled_geometry(gear, lift);
+  const auto geometry = coupled_geometry(gear, of_drive.options, lift);
   const RingModel<DualReal> rings(gear, lift, geometry, of_drive.options);
   adjoint::DualDrive sound(of_drive.sound, geometry, rings, {}, of_drive.sound.cam_amplitude());
   sound.amplitude = contents_->cam.amplitude(sound);

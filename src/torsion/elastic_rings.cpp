@@ -40,7 +40,6 @@ ElasticRings::ElasticRings(const GearSet& gear, const CoupledGeometry& geometry,
       at_teeth_({position_.begin() + balls_, position_.begin() + balls_ + teeth_},
                 options.harmonics) {
   fill_flexibility(places);
-  if (neighbours_) add_neighbours();
   fill_lobe();
 }
 
@@ -132,9 +131,14 @@ void ElasticRings::fill_flexibility(const ContactPlaces& places) {
   const Waves waves(apart, model_.harmonics());
   const Kernel like = kernel(model_.drive_flank(), model_.drive_flank());
   const Kernel facing = kernel(model_.drive_flank(), model_.drive_flank().mirrored());
-  const Eigen::VectorXd like_flanks = waves.cosine * like.even;
-  const Eigen::VectorXd drive_by_coast = waves.cosine * facing.even + waves.sine * facing.odd;
-  const Eigen::VectorXd coast_by_drive = waves.cosine * facing.even - waves.sine * facing.odd;
+  Eigen::VectorXd like_flanks = waves.cosine * like.even;
+  Eigen::VectorXd drive_by_coast = waves.cosine * facing.even + waves.sine * facing.odd;
+  Eigen::VectorXd coast_by_drive = waves.cosine * facing.even - waves.sine * facing.odd;
+  for (int k = 0; neighbours_ && k < places.pitches; ++k) {  // (TC-31)
+    like_flanks[k] += neighbours_->between({k, +1}, {0, +1});
+    drive_by_coast[k] += neighbours_->between({k, +1}, {0, -1});
+    coast_by_drive[k] += neighbours_->between({k, -1}, {0, +1});
+  }
   const int drive = balls_;
   const int coast = balls_ + teeth_;
   for (int j = 0; j < teeth_; ++j)
@@ -152,12 +156,6 @@ FlankPlace ElasticRings::flank(int contact) const {
   const bool drive = contact < balls_ + teeth_;
   const int place = contact - balls_ - (drive ? 0 : teeth_);
   return {.tooth = tooth_[static_cast<std::size_t>(place)], .side = drive ? 1 : -1};
-}
-
-void ElasticRings::add_neighbours() {
-  for (int j = balls_; j < contacts(); ++j)
-    for (int i = balls_; i < contacts(); ++i)
-      flexibility_(i, j) += neighbours_->between(flank(i), flank(j));  // (TC-31)
 }
 
 double ElasticRings::neighbour_energy(const Eigen::VectorXd& force) const {

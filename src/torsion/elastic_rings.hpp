@@ -94,7 +94,6 @@ class ElasticRings {
   };
   [[nodiscard]] Kernel kernel(const ContactDirection& of, const ContactDirection& by) const;
   void fill_flexibility(const ContactPlaces& places);
-  void add_neighbours();
   void fill_lobe();
   /// Balls, drive flanks or coast flanks, with the waves at their positions.
   struct Group {

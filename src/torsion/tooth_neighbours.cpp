@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth_neighbours.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
-#include <utility>
+#include <type_traits>
 
 namespace strainwave {
 namespace {
@@ -107,6 +108,39 @@ HalfPlane<Real> half_plane(const Real& distance, const Real& root) {
   return sum;
 }
 
+/// Weights of the points of an integral, with their derivatives: a value of type Real for each
+/// point.
+template <class Real>
+class Weights {
+ public:
+  explicit Weights(std::size_t points) : columns_(static_cast<Eigen::Index>(points), kColumns) {}
+
+  void set(std::size_t point, const Real& weight) {
+    const auto row = static_cast<Eigen::Index>(point);
+    columns_(row, 0) = value_of(weight);
+    if constexpr (kColumns > 1)
+      for (std::size_t k = 0; k < weight.partial.size(); ++k)
+        columns_(row, static_cast<Eigen::Index>(k) + 1) = weight.partial[k];
+  }
+  /// The sum of weights times values that change by `slopes` per unit of `shift`.
+  [[nodiscard]] Real sum(const Eigen::VectorXd& values, const Eigen::VectorXd& slopes,
+                         const Real& shift) const {
+    if constexpr (kColumns == 1) {
+      return columns_.col(0).dot(values);
+    } else {
+      Real sum = columns_.col(0).dot(values);
+      for (std::size_t k = 0; k < sum.partial.size(); ++k)
+        sum.partial[k] = columns_.col(static_cast<Eigen::Index>(k) + 1).dot(values);
+      return sum + columns_.col(0).dot(slopes) * shift;
+    }
+  }
+
+ private:
+  static constexpr int kColumns =
+      std::is_same_v<Real, double> ? 1 : 1 + static_cast<int>(kDualWidth);
+  Eigen::Matrix<double, Eigen::Dynamic, kColumns> columns_;
+};
+
 }  // namespace
 
 template <class Real>
@@ -120,32 +154,25 @@ BasicToothNeighbours<Real>::BasicToothNeighbours(const BasicToothOnWall<Real>& t
   const Real lever = (tooth.dedendum - tooth.thickness * tan(tooth.flank_angle) / 2) / tooth.wall;
   const Real pitch = pi * tooth.module / tooth.wall;
   const Real slant = lever / root;
-  const std::vector<LayerPoint>& points = layer_points();
   // The half-plane is integrated over the roots, the rest over the wave numbers.
-  struct Weight {
-    Real tangential{};
-    Real radial{};
-    Real mixed{};
-    double first_cosine = 0.0;
-    double cosine = 1.0;
-    double sine = 0.0;
-    double first_sine = 0.0;
-  };
-  std::vector<Weight> weights;
+  const std::vector<LayerPoint>& points = layer_points();
+  Weights<Real> of_tangential(points.size());
+  Weights<Real> of_radial(points.size());
+  Weights<Real> of_mixed(points.size());
+  Eigen::VectorXd waves(static_cast<Eigen::Index>(points.size()));
   double tangential_constant = std::numbers::ln2 - 1;
   double radial_constant = std::numbers::ln2;
-  for (const LayerPoint& at : points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const LayerPoint& at = points[i];
     const double K = at.wave;
     const Real x = K * root / 2;
     const Real even = of_even_load(x);
     const Real linear = lever * of_linear_load(x);
-    weights.push_back(
-        {.tangential = at.weight * (at.shear / K * even * even + at.mixed * even * linear +
-                                    K * at.press * linear * linear),
-         .radial = at.weight * at.press / K * even * even,
-         .mixed = at.weight * (at.mixed / (2 * K) * even * even + at.press * even * linear),
-         .first_cosine = std::cos(K * value_of(pitch)),
-         .first_sine = std::sin(K * value_of(pitch))});
+    of_tangential.set(i, at.weight * (at.shear / K * even * even + at.mixed * even * linear +
+                                      K * at.press * linear * linear));
+    of_radial.set(i, at.weight * at.press / K * even * even);
+    of_mixed.set(i, at.weight * (at.mixed / (2 * K) * even * even + at.press * even * linear));
+    waves[static_cast<Eigen::Index>(i)] = K;
     tangential_constant -= at.weight * at.fading / (2 * K * K);
     radial_constant += at.weight * at.fading / K;
   }
@@ -157,26 +184,28 @@ BasicToothNeighbours<Real>::BasicToothNeighbours(const BasicToothOnWall<Real>& t
       std::min(pitches / 2, static_cast<int>(std::floor(kReach / value_of(pitch)))) + 1;
   for (std::vector<Real>* const table : {&tangential_, &radial_, &mixed_})
     table->assign(static_cast<std::size_t>(count), Real(0.0));
-  for (int n = 1; n < count; ++n) {
+  const Eigen::ArrayXd first_cosine = (waves.array() * value_of(pitch)).cos();
+  const Eigen::ArrayXd first_sine = (waves.array() * value_of(pitch)).sin();
+  Eigen::VectorXd cosine = Eigen::VectorXd::Ones(waves.size());
+  Eigen::VectorXd sine = Eigen::VectorXd::Zero(waves.size());
+  Eigen::VectorXd cosine_slope;
+  Eigen::VectorXd sine_slope;
+  for (int n = 1; n < count; ++n) {  // advanced by one pitch
+    const Eigen::ArrayXd before = cosine;
+    cosine = first_cosine * before - first_sine * sine.array();
+    sine = first_sine * before + first_cosine * sine.array();
+    if constexpr (!std::is_same_v<Real, double>) {
+      cosine_slope = -n * waves.cwiseProduct(sine);
+      sine_slope = n * waves.cwiseProduct(cosine);
+    }
     const Real distance = n * pitch;
     constexpr int kNear = 8;
     const HalfPlane<Real> plane =
         n < kNear ? half_plane<15>(distance, root) : half_plane<7>(distance, root);
-    Real tangential =
-        plane.even + slant * slant * plane.linear + pi / 4 * distance + tangential_constant;
-    Real radial = plane.even + radial_constant;
-    Real mixed = pi / 4 - slant * plane.mixed;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      Weight& at = weights[i];
-      const double cosine = at.first_cosine * at.cosine - at.first_sine * at.sine;
-      at.sine = at.first_sine * at.cosine + at.first_cosine * at.sine;
-      at.cosine = cosine;
-      const double turn = n * points[i].wave;
-      const Real even = at.cosine - turn * at.sine * shift;
-      tangential += at.tangential * even;
-      radial += at.radial * even;
-      mixed += at.mixed * Real(at.sine + turn * at.cosine * shift);
-    }
+    const Real tangential = plane.even + slant * slant * plane.linear + pi / 4 * distance +
+                            tangential_constant + of_tangential.sum(cosine, cosine_slope, shift);
+    const Real radial = plane.even + radial_constant + of_radial.sum(cosine, cosine_slope, shift);
+    const Real mixed = pi / 4 - slant * plane.mixed + of_mixed.sum(sine, sine_slope, shift);
     const auto k = static_cast<std::size_t>(n);
     tangential_[k] = layer * c * c * tangential;  // (TC-31)
     radial_[k] = layer * s * s * radial;

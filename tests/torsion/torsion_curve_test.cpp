@@ -835,6 +835,17 @@ TEST(TorsionCurve, InputRulesOfDrawnTeeth) {
               g.circular_spline->inner_diameter = g.drive.pitch_diameter + 5.2 * m;
             }).find("1.8 to 3 modules above"),
             std::string::npos);
+  // at 30 degrees the roots overlap from a dedendum of 1.36 modules on
+  const auto deep = [](GearSet& g, double m) {
+    g.mesh->flank_angle = 30 * deg;
+    g.circular_spline->inner_diameter = g.drive.pitch_diameter + 4.8 * m;
+  };
+  EXPECT_NE(refusal(deep).find("roots of the circular spline's teeth overlap"), std::string::npos);
+  EXPECT_EQ(refusal([&](GearSet& g, double m) {
+              deep(g, m);
+              g.mesh->pair_stiffness = 2e10;
+            }),
+            "");
 }
 
 TEST(TorsionCurve, InputDefaults) {

@@ -93,7 +93,7 @@ struct ToothMesh {
       0.1;  ///< mu of the flanks, for hysteresis and running torque [-]; >= 0
   /// C_tr, factor by which the teeth stiffen the rim in bending [-]; > 0
   double rim_stiffening = 1.25;
-  std::optional<double> pair_stiffness;  ///< c' of a pair per face width [Pa]; absent: (TC-9)
+  std::optional<double> pair_stiffness;  ///< c' of a pair per width [Pa]; absent: (TC-9), (TC-30)
   /// The teeth as drawn; absent: gap of first order, engagement up to 45 degrees from a lobe
   /// (TC-7), stiffness of a pair by (TC-9)
   std::optional<ToothShape> tooth;
