@@ -575,7 +575,10 @@ const std::vector<Broken> kBroken = {
      "flexspline.crack_free", "",
      "must be \"sections\" for a hat, because no factor is known for it"},
     {"DiaphragmOfAHatApartFromTheBarrel", hat_gear,
-     [](GearSet& g) { diaphragm(g).inner_diameter = 212 * mm; },
+     [](GearSet& g) {
+       diaphragm(g).inner_diameter = 212 * mm;
+       diaphragm(g).outer_diameter = 230 * mm;
+     },
      "flexspline.diaphragm.inner_diameter",
      "within 25 % of barrel.outer_diameter, 158 mm, because the diaphragm joins the barrel", ""},
     {"ArcInsideOfTheBarrelOfAHat", hat_gear,
@@ -949,7 +952,7 @@ const std::vector<Accepted> kAccepted = {
        diaphragm(g).outer_diameter = 119 * mm;
      }},
     // Shapes of drives that are built, as multiples of their barrel or rim.
-    {"HatOfSize14WithAFilletOf2Millimetres", sections_gear,
+    {"HatOfSize14WithAFilletOf2Millimetres", hat_gear,
      [](GearSet& g) {
        diaphragm(g).inner_diameter = 158 * 38.7 / 34.6 * mm;
        diaphragm(g).outer_diameter = 250 * mm;
@@ -960,11 +963,6 @@ const std::vector<Accepted> kAccepted = {
      [](GearSet& g) {
        flexspline(g).barrel->outer_diameter = 160 * 56 / 62.8 * mm;
        diaphragm(g).outer_diameter = 140 * mm;
-     }},
-    {"DiaphragmOfAHat", sections_gear,
-     [](GearSet& g) {
-       diaphragm(g).inner_diameter = 157 * mm;
-       diaphragm(g).outer_diameter = 250 * mm;
      }},
     {"RimJustAtTheTeeth", sections_gear,
      [](GearSet& g) { flexspline(g).rim->outer_diameter = 153.7 * mm; }},

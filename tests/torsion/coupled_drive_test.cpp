@@ -188,9 +188,11 @@ TEST_P(DenseSolver, CrosscheckCurvesOfASize) {
     for (const test::CsvRow& row : drive.rows) {
       const auto i = std::ranges::find(drive.torques, row("torque")) - drive.torques.begin();
       const std::string what = row.quantity.substr(row.quantity.rfind('.') + 1);
-      // Both solvers stop at 1e-11 of the contact forces.
+      // Both solvers stop at 1e-11 of the contact forces.  Where flanks only just touch without
+      // torque, as at the ratio 160, this leaves 1e-12 rad in the angle from which twist counts.
+      const bool angle = row.unit == "rad" && row.value != 0;
       test::expect_row(stated(what, curve, curve.points.at(static_cast<std::size_t>(i))), row,
-                       1e-9);
+                       angle ? std::max(1e-9, 1e-12 / std::abs(row.value)) : 1e-9);
       ++compared;
     }
   }
