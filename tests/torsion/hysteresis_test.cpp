@@ -100,6 +100,34 @@ TEST(HysteresisPath, IdentityMinorLoopsCloseAndAreWipedOut) {
   test::expect_relative(phi[7], solved().rising(80), 1e-12);
 }
 
+TEST(HysteresisPath, IdentityMinorLoopsAroundZeroOfPressedFlanks) {
+  // The envelopes stay apart at zero torque; minor loops across it close, too.
+  GearSet gear = drive_with_friction();
+  gear.mesh->lobe_gap = -5e-6;
+  const Hysteresis hysteresis(gear, kRated);
+  const std::vector<double> path = {60, -0.2, 0.2, -0.2, 0.2, -0.2, -60, 0, 60, 0};
+  const std::vector<double> phi = hysteresis.twist(path);
+  EXPECT_NEAR(phi[3], phi[1], 1e-15);
+  EXPECT_NEAR(phi[4], phi[2], 1e-15);
+  EXPECT_LT(phi[2], hysteresis.falling(0.2));
+  EXPECT_GT(phi[2], hysteresis.rising(0.2));
+  // On both branches of the large loop all contacts slip at zero torque.
+  test::expect_relative(phi[9] - phi[7], hysteresis.loss_at_zero().total(), 1e-12);
+}
+
+TEST(HysteresisPath, IdentityMasing) {
+  // Between jammed flanks the width hardly depends on the torque: the branch after a reversal is
+  // the first loading, doubled in both directions.  The width varies by 5 % up to 20 N*m.
+  GearSet gear = drive_with_friction();
+  gear.mesh->lobe_gap = -50e-6;
+  const Hysteresis hysteresis(gear, kRated);
+  const std::vector<double> path = {20, 10, 0, -10, -20};
+  const std::vector<double> phi = hysteresis.twist(path);
+  for (std::size_t i = 1; i < path.size(); ++i)
+    test::expect_relative(phi[0] - phi[i],
+                          2 * hysteresis.twist(std::vector{5.0 * static_cast<double>(i)})[0], 0.05);
+}
+
 TEST(HysteresisPath, IdentityBranchAfterReversalIsSmooth) {
   // Masing: no jump and no kink down to the envelope; elements with thresholds near 0 slip at once.
   const double reversal = 60.0;
@@ -141,6 +169,21 @@ TEST(HysteresisLoopOf, IdentityWidthAndArea) {
   EXPECT_EQ(loop.largest_width, widest);
   EXPECT_GT(loop.torque_of_largest_width, 0.4 * kRated);
   test::expect_relative(loop.width_at_zero, solved().loss_at_zero().total(), 1e-12);
+}
+
+TEST(HysteresisLoopOf, IdentityAreaIsTheWorkOfSlip) {
+  // (TC-16): the area of the loop is the integral of the width, except after the two reversals,
+  // where not all contacts slip yet.
+  const AssembledDrive drive(drive_with_friction());
+  std::vector<double> torques;
+  for (int i = -200; i <= 200; ++i) torques.push_back(kRated * i / 200);
+  const SlidingCurve curve = sliding_curve(drive, torques);
+  double work = 0.0;
+  for (std::size_t i = 1; i < torques.size(); ++i)
+    work += (curve.width[i].total() + curve.width[i - 1].total()) / 2 * kRated / 200;
+  const double area = hysteresis_loop(solved(), kRated, 401).lost_energy;
+  EXPECT_LT(area, work);
+  EXPECT_GT(area, 0.85 * work);
 }
 
 TEST(HysteresisLoopOf, LimitFrictionTorqueAtZeroLoad) {

@@ -88,7 +88,7 @@ struct FrictionReport {
            "torque that turns the input without load, without the grease, by its causes"},
           &FrictionReport::no_load);
     field({"back_driving_torque", "N*m",
-           "torque at the output that turns a free input; null if above the rated torque"},
+           "torque at the output that turns a free input; absent if above the rated torque"},
           &FrictionReport::back_driving_torque);
   }
 };
