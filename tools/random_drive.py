@@ -278,7 +278,7 @@ class Drive:
             self.put("lower", f"{0.95 * self.w0 * 1e3:.6g} mm")
             self.put("upper", f"{1.05 * self.w0 * 1e3:.6g} mm")
             if self.chance(0.5):
-                self.put("knowledge", self.random.choice(["catalogue", "drawing", "stress", "typical", "assumed"]))
+                self.put("knowledge", self.random.choice(["catalogue", "typical", "assumed"]))
         scattered = ["load.torque", "drive.pitch_diameter"]
         if "\n[flexspline]" in self.lines:
             scattered.append("flexspline.wall_thickness")

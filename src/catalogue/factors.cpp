@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "strainwave/core/error.hpp"
-#include "strainwave/torsion/flank.hpp"
+#include "strainwave/torsion/assembled_drive.hpp"
 
 namespace strainwave {
 namespace {
@@ -94,15 +94,9 @@ GearSet with_factor(GearSet gear, Factor factor, double value) {
     case Factor::gap_factor:
       gear.mesh->gap_factor = value;
       break;
-    case Factor::pair_compliance: {
-      const double teeth = gear.drive.wave_number * gear.drive.ratio;
-      const double E =
-          material_of(gear, gear.flexspline->material, "flexspline.material").youngs_modulus;
-      const double stiffness = gear.mesh->pair_stiffness.value_or(tooth_pair_stiffness(
-          E, gear.drive.pitch_diameter / teeth, gear.flexspline->rim->wall_thickness));
-      gear.mesh->pair_stiffness = stiffness / value;
+    case Factor::pair_compliance:
+      gear.mesh->pair_stiffness = drive_pair_stiffness(gear) / value;
       break;
-    }
     case Factor::structure: {
       TubeSection& barrel = *gear.flexspline->barrel;
       const double mean = barrel.outer_diameter - barrel.wall_thickness;

@@ -16,6 +16,7 @@
 #include "strainwave/drive_cracks/member_loads.hpp"
 #include "strainwave/sif/member/ring_edge.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/torsion/assembled_drive.hpp"
 
 namespace strainwave {
 namespace {
@@ -557,6 +558,10 @@ BasicCoupledGeometry<Real> coupled_geometry(const GearSet& gear, const CoupledOp
 CoupledGeometry coupled_geometry(const GearSet& gear, const CoupledOptions& options) {
   check_coupled(gear, options);
   return coupled_geometry(gear, options, Lift<double>());
+}
+
+double drive_pair_stiffness(const GearSet& gear) {
+  return coupled_geometry(gear, CoupledOptions{}).flank.pair_stiffness;
 }
 
 template <class Real>

@@ -7,6 +7,7 @@
 
 #include "strainwave/catalogue/proportions.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/torsion/assembled_drive.hpp"
 #include "strainwave/torsion/flank.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 #include "support/expect.hpp"
@@ -55,9 +56,13 @@ TEST(Factors, BehaviourFieldsThatChange) {
   test::expect_relative(walls.flexspline->diaphragm->thickness,
                         gear.flexspline->diaphragm->thickness / 2, 1e-14);
   const GearSet pair = with_factor(gear, Factor::pair_compliance, 2.0);
+  test::expect_relative(pair.mesh->pair_stiffness.value(), drive_pair_stiffness(gear) / 2, 1e-14);
+  // Without drawn teeth the stiffness is that of (TC-9).
+  GearSet plain = gear;
+  plain.mesh->tooth.reset();
   test::expect_relative(
-      pair.mesh->pair_stiffness.value(),
-      tooth_pair_stiffness(206e9, 0.0635 / 200, gear.flexspline->rim->wall_thickness) / 2, 1e-14);
+      drive_pair_stiffness(plain),
+      tooth_pair_stiffness(206e9, 0.0635 / 200, gear.flexspline->rim->wall_thickness), 1e-14);
   test::expect_relative(
       with_factor(pair, Factor::pair_compliance, 3.0).mesh->pair_stiffness.value(),
       *pair.mesh->pair_stiffness / 3, 1e-14);

@@ -185,9 +185,9 @@ struct BandFit {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"classes", "1", "classes of size and ratio to which the bands are fitted"},
+    field({"classes", "", "classes of size and ratio to which the bands are fitted"},
           &BandFit::classes);
-    field({"values", "1", "values of the catalogue in these classes"}, &BandFit::values);
+    field({"values", "", "values of the catalogue in these classes"}, &BandFit::values);
     field({"between", "1", "root mean square of the mean errors of the classes, of ln K"},
           &BandFit::between);
     field({"within", "1", "standard deviation of the errors within a class, of ln K"},

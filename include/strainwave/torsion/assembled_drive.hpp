@@ -57,4 +57,9 @@ class AssembledDrive {
   std::shared_ptr<const Contents> contents_;
 };
 
+/// Stiffness of a pair of teeth of a drive per unit of face width, c' [Pa]: that of the file, else
+/// that of the teeth as drawn (TC-30), else that of (TC-9).
+/// @throws InputError  if a rule of the torsion curve is broken
+[[nodiscard]] double drive_pair_stiffness(const GearSet& gear);
+
 }  // namespace strainwave
