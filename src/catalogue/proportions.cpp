@@ -372,6 +372,8 @@ std::map<std::string, std::string> origins(const GearSet& gear, int size, const 
       {"wave_generator.bearing.outer_ring.mean_radius", "fills the bore of the flexspline"},
       {"wave_generator.bearing.outer_ring.thickness",
        remark(walls.outer_ring, "ball_diameter", "ring_stress", stresses.outer_ring, of_ratio)},
+      {"mesh.tooth.tips",
+       "assumed: makers relieve the tips, because a leaving tooth would touch the next flank"},
       {"mesh.tooth.addendum", remark("tooth_addendum")},
       {"mesh.tooth.spline_addendum", remark("tooth_addendum")},
       {"circular_spline.width", "assumed: same as the face width"}};
@@ -460,7 +462,8 @@ GearSet typical_drive(double pitch_diameter, double ratio, const DriveType& type
   mesh.tooth = ToothShape{.profile = ToothProfile::straight,
                           .addendum = p.tooth_addendum * m,
                           .spline_addendum = p.tooth_addendum * m,
-                          .thickness = {}};
+                          .thickness = {},
+                          .tips = ToothTips::relieved};
   gear.mesh = mesh;
 
   CircularSpline spline;
