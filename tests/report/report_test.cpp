@@ -274,12 +274,13 @@ TEST(Report, ReferenceInputsSayWhoGaveThem) {
   }
   const std::map<std::string, std::string> expected = {
       {"drive.ratio", "catalogue"},                         // from its comment
-      {"wave_generator.bearing.ball_diameter", "typical"},  // from the comment above it
+      {"wave_generator.bearing.ball_diameter", "drawing"},  // from the comment above it
       {"wave_generator.bearing.loaded_balls", "assumed"},
-      {"flexspline.diaphragm.thickness", "typical"},  // from its [[range]]
+      {"flexspline.diaphragm.thickness", "drawing"},  // from its [[range]]
+      {"material.steel.youngs_modulus", "typical"},
       {"mesh.flank_angle", "assumed"},
       {"wave_generator.load_factor", "default"},
-      {"flexspline.length", "typical"},
+      {"flexspline.length", "catalogue"},
       {"flexspline.rim.outer_diameter", "in the file"},  // its comment begins with another word
       {"load.axial_force", "default"}};
   for (const auto& [field, giver] : expected) EXPECT_EQ(givers[field], giver) << field;

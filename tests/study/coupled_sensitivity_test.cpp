@@ -109,7 +109,9 @@ constexpr double kStep = 3e-5;
 constexpr double kTolerance = 1e-8;
 
 TEST(CoupledSensitivity, CrosscheckDifferencesOfASoundDrive) {
-  expect_differences(inside(example_drive("catalogue_size25")), kStep, kTolerance);
+  GearSet gear = example_drive("catalogue_size25");
+  gear.mesh->tooth.reset();  // drawn teeth have a test of their own, with their own tolerance
+  expect_differences(inside(gear), kStep, kTolerance);
 }
 
 TEST(CoupledSensitivity, CrosscheckDifferencesOfADriveWithEveryCrack) {
