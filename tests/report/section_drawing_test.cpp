@@ -312,6 +312,14 @@ TEST(SectionDrawing, LimitEveryCombinationOfMembersIsWellFormed) {
   }
 }
 
+TEST(SectionDrawing, ScalingTheDiaphragmOfAHatRunsOutward) {
+  const GearSet gear = example("silk_hat");
+  const Drawing drawing(section_drawing(gear));
+  const Box plate = drawing.box("data-part", "diaphragm");
+  EXPECT_NEAR(plate.width(), 0.4, 2 * kRounding / drawing.scale);
+  EXPECT_NEAR(plate.height(), (86 - 62.0467) / 2, 2 * kRounding / drawing.scale);
+}
+
 TEST(SectionDrawing, BehaviourDiaphragmProfileIsFollowed) {
   GearSet gear = example("cracked_size25");
   gear.flexspline->crack.clear();

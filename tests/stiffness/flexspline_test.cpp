@@ -1029,6 +1029,53 @@ TEST(Flexspline, IdentityProfiledDiaphragmInSeries) {
   EXPECT_LT(flexspline_compliance(gear).intact, plain);
 }
 
+/// The cup of sections with its diaphragm turned outward.
+GearSet hat_of_sections() {
+  GearSet gear = cup_of_sections();
+  Flexspline& fs = *gear.flexspline;
+  fs.shape = FlexsplineShape::hat;
+  fs.boss.reset();
+  fs.diaphragm->inner_diameter = fs.barrel->outer_diameter - fs.barrel->wall_thickness;
+  fs.diaphragm->outer_diameter = 1.4 * fs.barrel->outer_diameter;
+  return gear;
+}
+
+TEST(Flexspline, IdentityHatInSeries) {
+  // Tube and plate: the integral of (ST-3) from the barrel to the flange.
+  const GearSet gear = hat_of_sections();
+  const Flexspline& fs = *gear.flexspline;
+  const double mu = kE / 2.6;
+  const double D = fs.barrel->outer_diameter;
+  const double d = D - 2 * fs.barrel->wall_thickness;
+  const double tube = 32 * fs.barrel->length / (mu * pi * (std::pow(D, 4) - std::pow(d, 4)));
+  const double r_i = fs.diaphragm->inner_diameter / 2;
+  const double r_o = fs.diaphragm->outer_diameter / 2;
+  const double plate =
+      (1 / (r_i * r_i) - 1 / (r_o * r_o)) / (4 * pi * mu * fs.diaphragm->thickness);
+  const MemberCompliance member = flexspline_compliance(gear);
+  test::expect_relative(member.intact, tube + plate, 1e-13);
+  EXPECT_TRUE(test::uses_equation(member.equations, "ST-3"));
+}
+
+TEST(DiaphragmArc, IdentityOfAHatBeginsAtTheBarrel) {
+  GearSet gear = hat_of_sections();
+  const double r = gear.flexspline->diaphragm->inner_diameter / 2;
+  gear.flexspline->crack = {DiaphragmArcCrack{.half_length = 3 * mm, .radius = {}}};
+  const double h = gear.flexspline->diaphragm->thickness;
+  test::expect_relative(positive(gear), 9 * mm * mm / (2 * pi * kE * std::pow(r, 4) * h), 1e-11);
+}
+
+TEST(DiaphragmGroove, IdentityOfAHatAddsTheThinnerRing) {
+  GearSet gear = hat_of_sections();
+  const DiaphragmGroove groove{.depth = 0.5 * mm, .width = 1 * mm, .radius = 95 * mm};
+  gear.flexspline->crack = {groove};
+  // A narrow groove: width times the thinner plate's integrand.
+  const double h = gear.flexspline->diaphragm->thickness;
+  const double expected =
+      1 * mm / (2 * pi * (kE / 2.6) * std::pow(95 * mm, 3)) * (1 / (h - 0.5 * mm) - 1 / h);
+  test::expect_relative(positive(gear), expected, 1e-4);  // (width/radius)^2
+}
+
 TEST(Flexspline, IdentityCracksOfTheContactPathAddNothingHere) {
   GearSet gear = cup_of_sections();
   gear.flexspline->rim =

@@ -170,7 +170,7 @@ def tables(chosen=None):
             inputs = n, *g.values()
             table.add(f"{shape}.stiffness", inputs, stiffness, "N/m", "shell of revolution",
                       digits=5, printed=9)
-            table.add(f"{shape}.tilt", inputs, tilt, "1/m", "shell of revolution", digits=6,
+            table.add(f"{shape}.tilt", inputs, tilt, "1/m", "shell of revolution", digits=5,
                       printed=9)
         if shape != "open":
             table.add(f"{shape}.twist", (0, *g.values()), shell(0, g), "rad/(N*m)",
