@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flexspline_wall.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>

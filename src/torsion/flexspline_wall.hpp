@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/torsion/plate_edge.hpp"
 

@@ -92,7 +92,7 @@ void expect_differences(const GearSet& gear, double step, double tolerance) {
 GearSet inside(GearSet gear) {
   gear.range.clear();
   gear.wave_generator->bearing->ball_diameter *= 0.999;
-  gear.wave_generator->bearing->clearance = 2e-6;
+  gear.wave_generator->bearing->clearance = 2.3e-6;
   gear.wave_generator->cam_flattening = 0.3;
   *gear.flexspline->length += 1e-4;
   gear.flexspline->flange_compliance = 1e-7;
@@ -177,8 +177,11 @@ GearSet drawn(GearSet gear, ToothProfile profile) {
 
 TEST(CoupledSensitivity, CrosscheckDifferencesWithDrawnTeeth) {
   // Tolerance 1e-6: the rounding of the seat's angle (TC-29) moves the differences by 3e-7.
-  for (const ToothProfile profile : {ToothProfile::straight, ToothProfile::involute})
-    expect_differences(inside(drawn(example_drive("cracked_size25"), profile)), kStep, 1e-6);
+  for (const ToothProfile profile : {ToothProfile::straight, ToothProfile::involute}) {
+    GearSet gear = inside(drawn(example_drive("cracked_size25"), profile));
+    gear.wave_generator->bearing->clearance = 3e-6;  // no contact opens within the steps
+    expect_differences(gear, kStep, 1e-6);
+  }
 }
 
 // (SN-6): no number is read without its derivative.
