@@ -15,6 +15,10 @@ using std::numbers::pi;
 
 /// Without teeth as drawn, teeth farther from a lobe are taken as out of engagement (TC-7).
 constexpr double kToothSpan = pi / 4;
+/// Newton's method needs fewer steps than this unless rounding stops it; then a residual of this
+/// many tolerances is accepted.
+constexpr int kStalled = 60;
+constexpr double kRounding = 100;
 
 /// Places of all balls, and of the teeth near the lobes.
 ContactPlaces contact_places(const CoupledGeometry& g, double cage_phase) {
@@ -258,6 +262,9 @@ Equilibrium CoupledDrive::solve(double torque, const Equilibrium& start) const {
     Equilibrium full = newton_step(state, load);
     judge(full, load);
     state.residual = full.residual;
+    // Where a contact just touches, rounding may keep the steps from the tolerance itself.
+    if (state.iterations >= kStalled && full.residual <= kRounding * tolerance_)
+      full.converged = true;
     if (full.converged) {  // the full step satisfies the laws of the contacts
       full.iterations = state.iterations + 1;
       return full;

@@ -304,10 +304,14 @@ double BasicToothGap<Real>::find_widest() const {
   const auto height = [&](double t) { return value_of(mid_gap(t, play_)); };
   constexpr int kSamples = 120;
   const double step = end_ / kSamples;
-  double best = 0.0;
-  for (int i = 1; i <= kSamples; ++i)
-    if (height(i * step) > height(best)) best = i * step;
-  double low = std::max(best - step, 0.0);
+  // Flanks that are seated beside the lobe have a gap at the lobe, too.
+  double seated = 0.0;
+  for (int i = 1; i * step <= kSeat; ++i)
+    if (height(i * step) < height(seated)) seated = i * step;
+  double best = seated;
+  for (double t = seated; t <= end_; t += step)
+    if (height(t) > height(best)) best = t;
+  double low = std::max(best - step, seated);
   double high = std::min(best + step, end_);
   while (high - low > 1e-10) {  // by the sign of the slope
     constexpr double kStep = 1e-6;

@@ -94,7 +94,7 @@ std::string walk(const AssembledDrive::Contents& contents, std::span<const doubl
           "no equilibrium at {:.6g} N*m: residual {:.2g} of the largest contact force "
           "after {} steps",
           torque, state.residual, state.iterations);
-    if (std::abs(state.rotation) > most)
+    if (!(std::abs(state.rotation) <= most))
       return fmt::format(
           "at {:.6g} N*m the ring has turned by {:.4g} mm, more than half a tooth pitch, so the "
           "flanks do not hold; the torque, the lobe gap of {:.4g} um or the gap factor is too "

@@ -139,6 +139,18 @@ TEST(ToothGap, IdentityRelievedTipsEndAtTheLargestGap) {
     }
 }
 
+TEST(ToothGap, BehaviourRelievedTipsOfASmallWave) {
+  // With w_0 = 0.9 m at ratio 30 the flanks are seated far from the lobe, and their gap at the lobe
+  // is larger than any gap beyond the seat.  Engagement must not end at the lobe.
+  BasicTeeth<double> teeth = typical_teeth(30);
+  teeth.wave *= 0.9;
+  teeth.tips = ToothTips::relieved;
+  const ToothGap gap(teeth, 0.0, 9e-3);
+  EXPECT_GT(gap.mid_gap(0.0), gap.mid_gap(gap.end()));
+  EXPECT_GT(gap.end(), gap.seat());
+  EXPECT_GT(gap.end(), 25 * units::deg);
+}
+
 TEST(ToothGap, ReferenceTipsCrossBelowTheLargestAddendum) {
   // tools/reference/tooth_gap.py: at ratio 100 straight flanks have the largest equal addenda
   // without interference of 0.61, 0.70 and 0.81 modules at 20, 22 and 25 degrees, to 0.01.

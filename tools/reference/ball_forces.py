@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Forces of balls and teeth at the rated torque, against equilibrium and against a stated life.
+"""Forces of balls and teeth at the rated torque (TC-37), against equilibrium and a stated life.
 
 For size 25 at the ratios 50 and 100 the script prints the force of every loaded ball with the Hertz
 pressures of both races, the forces of the drive flanks, the least possible largest ball force, and
