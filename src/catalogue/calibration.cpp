@@ -75,16 +75,6 @@ std::vector<double> stiffnesses(const GearSet& gear, const CalibrationTarget& ta
   return K;
 }
 
-/// The drive to which a catalogue stiffness applies: sound, without the customer's flange and
-/// shaft.
-GearSet component_set(const GearSet& gear) {
-  GearSet set = without_cracks(gear);
-  set.output_shaft.reset();
-  if (set.flexspline) set.flexspline->flange_compliance = 0.0;
-  drop_lost_paths(set, gear);
-  return set;
-}
-
 /// Finds the combinations of factors that the values determine, and the uncertainty of each factor.
 void tell_identified(Calibration& result, const FactorProblem& problem, const FactorFit& fit) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(fit.jacobian,
@@ -126,6 +116,14 @@ void tell_identified(Calibration& result, const FactorProblem& problem, const Fa
 }
 
 }  // namespace
+
+GearSet component_set(const GearSet& gear) {
+  GearSet set = without_cracks(gear);
+  set.output_shaft.reset();
+  if (set.flexspline) set.flexspline->flange_compliance = 0.0;
+  drop_lost_paths(set, gear);
+  return set;
+}
 
 CalibrationTarget catalogue_target(const GearSet& gear) {
   const double d = gear.drive.pitch_diameter;
