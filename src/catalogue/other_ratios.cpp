@@ -27,7 +27,7 @@ struct Family {
   DriveType type;
 };
 
-int size_of(const GearSet& gear) {
+int catalogue_size_of(const GearSet& gear) {
   const double d = gear.drive.pitch_diameter;
   const std::vector<int> known = catalogue_sizes();
   const auto found = std::ranges::find_if(
@@ -171,7 +171,7 @@ OtherRatios predict_other_ratios(const Calibration& calibration, const std::vect
                                  const Progress& progress) {
   const GearSet& gear = calibration.gear;
   const double from = gear.drive.ratio;
-  const Family family{.size = size_of(gear),
+  const Family family{.size = catalogue_size_of(gear),
                       .type = {form_of(*gear.flexspline), length_of(gear), blank}};
   OtherRatios result{.from = from,
                      .size = family.size,

@@ -240,9 +240,9 @@ TEST(OtherRatiosOutput, BehaviourTextAndJson) {
         "over 11 of the catalogue's sizes", "From ratio 50 to 30: median "})
     EXPECT_NE(text.find(words), std::string::npos) << words << '\n' << text;
   const auto json = nlohmann::json::parse(json_of(c))["other_ratios"];
-  EXPECT_EQ(json["from"], 50);
-  EXPECT_EQ(json["median"], *c.other_ratios->median);
-  EXPECT_EQ(json["worst"], *c.other_ratios->worst);
+  EXPECT_EQ(json["from"]["value"], 50);
+  EXPECT_EQ(json["median"]["value"], *c.other_ratios->median);
+  EXPECT_EQ(json["worst"]["value"], *c.other_ratios->worst);
   const auto& predictions = json["predictions"];
   EXPECT_EQ(predictions["ratio"]["values"][6], 80);
   EXPECT_EQ(predictions["stated"]["values"][6], 31000);
