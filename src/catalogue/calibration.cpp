@@ -228,6 +228,24 @@ ResultEvidence evidence_of(const Calibration& calibration) {
                             "with more points (--measured)."
                           : "Fit another factor (--factors), or give a measured curve with more "
                             "points (--measured)."});
+  if (calibration.other_ratios && calibration.other_ratios->geometry_difference > kTypicalDrive) {
+    const OtherRatios& other = *calibration.other_ratios;
+    evidence.notes.push_back(
+        {.code = "calibration.other_geometry",
+         .text = fmt::format("K1 to K3 of the typical drive with these factors differ from the "
+                             "calibrated drive by up to {:.2g} %, so the predictions at other "
+                             "ratios leave out what is special in its geometry, and the usual "
+                             "errors are those of typical drives only",
+                             100 * other.geometry_difference),
+         .path = {},
+         .equation = "",
+         .severity = Severity::care,
+         .next_step =
+             fmt::format("Calibrate the drive that strainwave new --size {} --ratio {:g} "
+                         "--form {} --length {} writes, and predict the other ratios from "
+                         "it.",
+                         other.size, other.from, enum_name(other.form), enum_name(other.length))});
+  }
   evidence.verdict = verdict_of(evidence.unusable_because, evidence.notes);
   return evidence;
 }

@@ -156,7 +156,7 @@ std::vector<double> parse_ratios(std::string_view text) {
     try {
       require_typical_ratio(*ratio);
     } catch (const InputError& error) {
-      throw InputError(kOption, *ratio, "1", error.rule());
+      throw InputError(kOption, fmt::format("{:g} violates: {}", *ratio, error.rule()));
     }
     if (std::ranges::find(ratios, *ratio) != ratios.end())
       throw InputError(kOption, fmt::format("{:g} is named twice; name it once", *ratio));

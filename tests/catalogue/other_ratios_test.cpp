@@ -165,9 +165,21 @@ TEST(OtherRatios, BehaviourGeometryOfTheDriveIsJudgedAtItsRatio) {
   EXPECT_EQ(same.geometry_difference, 0.0);
   EXPECT_EQ(same.predictions[0].predicted, others_of_size25().predictions[6].predicted);
 
-  gear.flexspline->barrel->wall_thickness *= 0.5;
+  gear.flexspline->barrel->wall_thickness *= 0.4;
   const OtherRatios thinner = predict_other_ratios(fitted_drive(gear), {80}, Blank::ratio, kCoarse);
-  EXPECT_GT(thinner.geometry_difference, 0.01);
+  EXPECT_GT(thinner.geometry_difference, kTypicalDrive);
+
+  Calibration c = with_flange;
+  const auto codes = [&] {
+    std::set<std::string> found;
+    for (const Note& note : evidence_of(c).notes) found.insert(note.code);
+    return found;
+  };
+  c.other_ratios = same;
+  EXPECT_FALSE(codes().contains("calibration.other_geometry"));
+  c.other_ratios = thinner;
+  EXPECT_TRUE(codes().contains("calibration.other_geometry"));
+  EXPECT_EQ(evidence_of(c).verdict.judgement, Judgement::with_care);
 }
 
 TEST(OtherRatios, IdentityTheSameCalibrationGivesTheSameNumbers) {
@@ -191,8 +203,8 @@ TEST(OtherRatios, InputRefusals) {
            {"", "\"\" is not a ratio; write ratios such as 50,80,100, or all"},
            {"50,", "\"\" is not a ratio"},
            {"50,many", "\"many\" is not a ratio"},
-           {"29", "predict-ratios = 29 violates: >= 30 and <= 320"},
-           {"321", "predict-ratios = 321 violates: >= 30 and <= 320"},
+           {"29", "predict-ratios: 29 violates: >= 30 and <= 320"},
+           {"321", "predict-ratios: 321 violates: >= 30 and <= 320"},
            {"50.3", "2 ratio, the teeth of the flexspline, a whole number"},
            {"50,80,50", "50 is named twice; name it once"}})
     EXPECT_NE(broken_rule([&] { return parse_ratios(text); }).find(words), std::string::npos)

@@ -86,6 +86,10 @@ struct TransferErrors {
   int left_out = 0;                    ///< sizes left out because a drive cannot be computed
 };
 
+/// Largest geometry_difference of a drive that counts as typical [-]: the uncertainty of a row's
+/// values by rounding.
+inline constexpr double kTypicalDrive = 0.02;
+
 /// The other ratios of a drive's size and type, predicted by a calibration.
 struct OtherRatios {
   double from = 0.0;  ///< calibrated ratio [-]
