@@ -75,16 +75,6 @@ std::vector<double> stiffnesses(const GearSet& gear, const CalibrationTarget& ta
   return K;
 }
 
-/// The drive to which a catalogue stiffness applies: sound, without the customer's flange and
-/// shaft.
-GearSet component_set(const GearSet& gear) {
-  GearSet set = without_cracks(gear);
-  set.output_shaft.reset();
-  if (set.flexspline) set.flexspline->flange_compliance = 0.0;
-  drop_lost_paths(set, gear);
-  return set;
-}
-
 /// Finds the combinations of factors that the values determine, and the uncertainty of each factor.
 void tell_identified(Calibration& result, const FactorProblem& problem, const FactorFit& fit) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(fit.jacobian,
@@ -126,6 +116,14 @@ void tell_identified(Calibration& result, const FactorProblem& problem, const Fa
 }
 
 }  // namespace
+
+GearSet component_set(const GearSet& gear) {
+  GearSet set = without_cracks(gear);
+  set.output_shaft.reset();
+  if (set.flexspline) set.flexspline->flange_compliance = 0.0;
+  drop_lost_paths(set, gear);
+  return set;
+}
 
 CalibrationTarget catalogue_target(const GearSet& gear) {
   const double d = gear.drive.pitch_diameter;
@@ -230,6 +228,24 @@ ResultEvidence evidence_of(const Calibration& calibration) {
                             "with more points (--measured)."
                           : "Fit another factor (--factors), or give a measured curve with more "
                             "points (--measured)."});
+  if (calibration.other_ratios && calibration.other_ratios->geometry_difference > kTypicalDrive) {
+    const OtherRatios& other = *calibration.other_ratios;
+    evidence.notes.push_back(
+        {.code = "calibration.other_geometry",
+         .text = fmt::format("K1 to K3 of the typical drive with these factors differ from the "
+                             "calibrated drive by up to {:.2g} %, so the predictions at other "
+                             "ratios leave out what is special in its geometry, and the usual "
+                             "errors are those of typical drives only",
+                             100 * other.geometry_difference),
+         .path = {},
+         .equation = "",
+         .severity = Severity::care,
+         .next_step =
+             fmt::format("Calibrate the drive that strainwave new --size {} --ratio {:g} "
+                         "--form {} --length {} writes, and predict the other ratios from "
+                         "it.",
+                         other.size, other.from, enum_name(other.form), enum_name(other.length))});
+  }
   evidence.verdict = verdict_of(evidence.unusable_because, evidence.notes);
   return evidence;
 }

@@ -13,6 +13,7 @@
 #include "bands.hpp"
 #include "least_squares.hpp"
 #include "similar_rows.hpp"
+#include "statistics.hpp"
 #include "strainwave/core/error.hpp"
 
 namespace strainwave {
@@ -87,17 +88,6 @@ FactorFit fit_rows(const Drives& drives, std::span<const StiffnessRow> rows,
                             return log_ratios(rows, drives.predict(rows, options, factors, values));
                           }},
                      progress);
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  std::ranges::sort(values);
-  const std::size_t n = values.size();
-  return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
-}
-
-double largest(const std::vector<double>& values) {
-  return values.empty() ? 0.0 : *std::ranges::max_element(values);
 }
 
 FactorTrial trial_of(const std::vector<Factor>& factors, const FactorFit& fit) {

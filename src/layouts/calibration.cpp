@@ -13,6 +13,63 @@
 #include "strainwave/present/table.hpp"
 
 namespace strainwave {
+namespace {
+
+std::string percent_or_dash(const std::optional<double>& share) {
+  return share ? percent(*share) : std::string("-");
+}
+
+std::string_view words_of(RatioClass to) {
+  return to == RatioClass::eighty_up ? "80 and more" : enum_name(to);
+}
+
+std::string other_ratios_text(const OtherRatios& other) {
+  const DisplayUnit unit = stiffness_unit();
+  const auto shown = [&](double K) { return fmt::format("{:.5g}", K / unit.in_si); };
+  Table table{.head = {"ratio", fmt::format("[{}]", unit.text), "predicted", "stated", "error",
+                       "usual error", "worst error"},
+              .align = "rlrrrrr"};
+  for (const RatioPrediction& p : other.predictions)
+    table.rows.push_back(cells(fmt::format("{:g}", p.ratio), p.name, shown(p.predicted),
+                               p.stated ? shown(*p.stated) : "-",
+                               p.error() ? percent_change(*p.error()) : "-",
+                               percent_or_dash(p.usual_error), percent_or_dash(p.worst_error)));
+  const std::string type =
+      fmt::format("{} {} of size {}", enum_name(other.length), enum_name(other.form), other.size);
+  std::string text =
+      fmt::format("\nOther ratios of a {}, from the calibration at ratio {:g}\n\n{}\n", type,
+                  other.from, text_table(table));
+  text += other.median
+              ? paragraph(fmt::format("Error against the stated values: median {}, worst {}.",
+                                      percent(*other.median), percent(*other.worst)),
+                          0, 0)
+              : paragraph("No table states a value at these ratios.", 0, 0);
+  text += paragraph(
+      fmt::format("Each other ratio is the typical {} with the fitted factors. The geometry of "
+                  "that drive is typical; only the factors are those of the calibration. At ratio "
+                  "{:g} the typical drive with these factors differs from the calibrated drive by "
+                  "{} at most in K1 to K3.",
+                  type, other.from, percent(other.geometry_difference)),
+      0, 0);
+  text += paragraph(
+      "Usual and worst error: the same calibration and prediction, repeated with the typical short "
+      "cup of each size of the catalogue; the rows of the predicted ratios enter no fit.",
+      0, 0);
+  for (const TransferError& transfer : other.transfer.classes)
+    text += paragraph(
+        fmt::format("From ratio {:g} to {}: median {}, worst {} over {} of the catalogue's sizes "
+                    "of 17 and more ({} values).",
+                    other.from, words_of(transfer.to), percent(transfer.median),
+                    percent(transfer.worst), transfer.sizes, transfer.values),
+        2, 2);
+  if (other.transfer.left_out > 0)
+    text += paragraph(fmt::format("Sizes left out because a drive cannot be computed: {}.",
+                                  other.transfer.left_out),
+                      2, 2);
+  return text;
+}
+
+}  // namespace
 
 std::string calibration_text(const Calibration& c) {
   const auto number = [](double value) { return fmt::format("{:.5g}", value); };
@@ -60,6 +117,7 @@ std::string calibration_text(const Calibration& c) {
       c.stiffnesses.size(), std::ranges::count_if(c.combinations, &FactorCombination::identified),
       c.combinations.size(), text_table(combinations), percent(c.relative_uncertainty),
       percent(c.residual), c.iterations, c.converged ? "" : ", NOT CONVERGED");
+  if (c.other_ratios) text += other_ratios_text(*c.other_ratios);
   const std::vector<Note> notes = evidence_of(c).notes;
   if (!notes.empty()) text += "\nNotes\n" + notes_text(notes);
   return text;

@@ -8,6 +8,7 @@
 
 #include "strainwave/catalogue/catalogue.hpp"
 #include "strainwave/catalogue/factors.hpp"
+#include "strainwave/catalogue/other_ratios.hpp"
 #include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/evidence.hpp"
@@ -62,6 +63,8 @@ struct CalibrationTarget {
 /// K1, K2, K3 of the nearest row, scaled to the drive's diameter by d^3; each with an uncertainty
 /// of 2 % for rounding.
 [[nodiscard]] CalibrationTarget catalogue_target(const GearSet& gear);
+/// The drive to which a catalogue stiffness applies: without cracks, output shaft and flange.
+[[nodiscard]] GearSet component_set(const GearSet& gear);
 /// The secant stiffness of every point; each with an uncertainty of 1 % unless stated.
 [[nodiscard]] CalibrationTarget measured_target(const std::vector<MeasuredPoint>& points,
                                                 std::string_view name,
@@ -152,6 +155,7 @@ struct Calibration {
   double relative_uncertainty = 0.0;
   bool converged = false;
   int iterations = 0;
+  std::optional<OtherRatios> other_ratios = {};  ///< predict_other_ratios, if asked for
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -166,6 +170,8 @@ struct Calibration {
           &Calibration::factors);
     field({"combinations", "", "directions in the space of factors"}, &Calibration::combinations);
     field({"stiffness", "", "each stiffness before and after the fit"}, &Calibration::stiffnesses);
+    field({"other_ratios", "", "predictions at other ratios of the size, and their errors"},
+          &Calibration::other_ratios);
   }
 };
 

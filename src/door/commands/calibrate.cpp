@@ -9,6 +9,8 @@ struct CalibrateOptions {
   bool catalogue = false;
   std::optional<std::string> measured;
   std::string factors = "support,coning";
+  std::optional<std::string> predict_ratios;
+  Blank blank = Blank::ratio;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -27,6 +29,16 @@ struct CalibrateOptions {
            .fallback = "support,coning",
            .names = "factor"},
           &CalibrateOptions::factors);
+    field({"predict_ratios", "",
+           "also predict K1, K2, K3 at these ratios of the size, such as 50,80,100, or all for "
+           "the other ratios of the tables, with the error"},
+          &CalibrateOptions::predict_ratios);
+    field({.name = "blank",
+           .unit = "",
+           .doc = "with --predict-ratios, walls of the drives of other ratios: made for the wave "
+                  "of each ratio, or of ratio 100 for all ratios of a size",
+           .fallback = "ratio"},
+          &CalibrateOptions::blank);
   }
 };
 
@@ -35,11 +47,20 @@ Calibration calibrated(const Request& request, const CalibrateOptions& options) 
     throw OptionError("catalogue", "give either --catalogue or --measured");
   const auto factors = from_option([&] { return parse_factors(options.factors); });
   const GearSet& gear = request.drive.gear;
+  std::optional<std::vector<double>> ratios;
+  if (options.predict_ratios)
+    ratios = from_option([&] { return parse_ratios(*options.predict_ratios); });
   const auto fitted = [&](const CalibrationTarget& target) {
+    const double fit_ends = ratios ? 0.1 : 1.0;
     try {
-      return calibrate(gear, target, factors, {}, request.progress);
+      Calibration calibration =
+          calibrate(gear, target, factors, {}, request.progress.part(0.0, fit_ends));
+      if (ratios)
+        calibration.other_ratios = predict_other_ratios(calibration, *ratios, options.blank, {},
+                                                        request.progress.part(fit_ends, 1.0));
+      return calibration;
     } catch (const InputError& error) {
-      if (error.field() == "factors") throw OptionError(error);
+      if (error.field() == "factors" || error.field() == "predict-ratios") throw OptionError(error);
       throw;
     }
   };
@@ -64,7 +85,10 @@ Command calibrate_command() {
           "the combinations of factors that the targets determine. A factor whose uncertainty "
           "exceeds half of its value is not called identified. A factor changes fields of the "
           "drive; --output writes the calibrated drive as a new input file, which keeps the "
-          "comments of the given file. Ranges and scatters of the changed numbers are left out.",
+          "comments of the given file. Ranges and scatters of the changed numbers are left out. "
+          "--predict-ratios predicts K1, K2, K3 at other ratios of the size by typical drives with "
+          "the fitted factors, and states the error of each value and of such predictions over "
+          "the catalogue.",
       .example = "strainwave calibrate examples/catalogue_size25.toml --catalogue --output "
                  "calibrated.toml",
       .function = calibrated,
