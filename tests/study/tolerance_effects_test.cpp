@@ -4,13 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
+#include <cmath>
 #include <string>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/layouts/torsion.hpp"
-#include "strainwave/present/json.hpp"
 #include "strainwave/study/torsion_report.hpp"
 #include "support/expect.hpp"
 #include "torsion/typical_drive.hpp"
@@ -38,18 +36,21 @@ TEST(ToleranceEffects, IdentityOfNumbers) {
   EXPECT_GE(one.contacts[2].teeth.nominal, one.contacts[0].teeth.nominal);
 }
 
-// Deviations make K1 softer and lost motion larger, much more than K2 and K3, and a sound ring of
-// teeth has no ripple.  The bounds are half and twice of what the manual prints (TC-36).
+// Deviations make K1 softer and lost motion larger and leave K2 and K3 nearly alone, and a drive
+// without deviations has no ripple.  The bounds are half to twice of what the manual prints for
+// ratio 100 (TC-36): K1 by -26 %, K2 and K3 by less than 1 %, lost motion by +90 %.
 TEST(ToleranceEffects, BehaviourOnTheCurve) {
   const ToleranceEffects of =
       tolerance_effects(AssembledDrive(toleranced()), {.draws = 30, .seed = 1});
   const auto change = [](const ToleranceSpread& spread) {
     return spread.median / spread.nominal - 1;
   };
-  EXPECT_LT(change(of.K1), -0.1);
-  EXPECT_LT(std::abs(change(of.K2)), -change(of.K1) / 3);
-  EXPECT_LT(std::abs(change(of.K3)), -change(of.K1) / 3);
-  EXPECT_GT(change(of.lost_motion), 0.1);
+  EXPECT_LT(change(of.K1), -0.13);
+  EXPECT_GT(change(of.K1), -0.52);
+  EXPECT_LT(std::abs(change(of.K2)), 0.02);
+  EXPECT_LT(std::abs(change(of.K3)), 0.02);
+  EXPECT_GT(change(of.lost_motion), 0.45);
+  EXPECT_LT(change(of.lost_motion), 1.8);
   EXPECT_EQ(of.ripple.nominal, 0.0);
   EXPECT_GT(of.ripple.low, 0.0);
   for (const ToleranceSpread* const spread :
@@ -104,11 +105,13 @@ TEST(ToleranceEffects, BehaviourInTheReport) {
             0);
 }
 
-// Drives whose flanks press so hard that the solver finds no state are counted.
+// With a lobe gap near half a pitch, the flanks of some drawn drives do not hold T3.  These drives
+// are counted and left out.
 TEST(ToleranceEffects, BehaviourOfFailures) {
   GearSet gear = toleranced();
   gear.tolerance = Tolerance{.grade = 11};
-  gear.mesh->lobe_gap = FAILING;
+  gear.rating = Rating{.T1 = 13.2, .T2 = 47.9, .T3 = 76.6, .rated_torque = 47.9};
+  gear.mesh->lobe_gap = 408e-6;
   const TorsionReport report = torsion_report(gear, {.tolerances = ToleranceOptions{.draws = 12}});
   EXPECT_GT(report.tolerances->failed, 0);
   EXPECT_EQ(report.tolerances->failed + report.tolerances->draws, 12);

@@ -67,8 +67,8 @@ TEST(Deviations, ReferenceSinglePitch) {
   EXPECT_NEAR(limits.single_pitch, 5.1905e-6, 1e-17);
   EXPECT_NEAR(limits.thickness, 5.1905e-6 / 3, 1e-17);
   EXPECT_NEAR(limits.position, 5.1905e-6 / 6, 1e-17);
-  EXPECT_EQ(limits.eccentricity, 2.5 * kMicron);
-  EXPECT_EQ(limits.diameter_of_ball, 0.25 * kMicron);
+  EXPECT_NEAR(limits.eccentricity, 2.5e-6, 1e-20);
+  EXPECT_NEAR(limits.diameter_of_ball, 0.25e-6, 1e-20);
 }
 
 // Whatever the thickness takes, the flanks of one side keep the variance f_pT^2/18 (TC-36).
