@@ -113,8 +113,9 @@ double pairing_gap(const Deviations& deviations, double flank_angle) {
 Deviations moved_on(const Deviations& deviations, int teeth) {
   Deviations moved = deviations;
   const auto move = [&](std::vector<ToothDeviation>& of) {
-    if (!of.empty())
-      std::ranges::rotate(of, of.begin() + static_cast<std::ptrdiff_t>(around(teeth, of.size())));
+    if (of.empty()) return;
+    const auto first = of.begin() + static_cast<std::ptrdiff_t>(around(teeth, of.size()));
+    std::rotate(of.begin(), first, of.end());
   };
   move(moved.flexspline);
   move(moved.spline);

@@ -67,7 +67,8 @@ TEST(ToleranceEffects, BehaviourOfTheGrade) {
   double last = 0.0;
   for (const int grade : {9, 7, 5, 3, 1}) {
     GearSet gear = toleranced();
-    gear.tolerance = Tolerance{.grade = grade, .run_out = 0, .ball_variation = 0};
+    gear.tolerance =
+        Tolerance{.grade = grade, .thickness_deviation = {}, .run_out = 0, .ball_variation = 0};
     const ToleranceEffects of = tolerance_effects(AssembledDrive(gear), {.draws = 8});
     EXPECT_GT(of.K1.median, last) << grade;
     EXPECT_LT(of.K1.median, of.K1.nominal) << grade;
@@ -109,7 +110,7 @@ TEST(ToleranceEffects, BehaviourInTheReport) {
 // are counted and left out.
 TEST(ToleranceEffects, BehaviourOfFailures) {
   GearSet gear = toleranced();
-  gear.tolerance = Tolerance{.grade = 11};
+  gear.tolerance = Tolerance{.grade = 11, .thickness_deviation = {}};
   gear.rating = Rating{.T1 = 13.2, .T2 = 47.9, .T3 = 76.6, .rated_torque = 47.9};
   gear.mesh->lobe_gap = 408e-6;
   const TorsionReport report = torsion_report(gear, {.tolerances = ToleranceOptions{.draws = 12}});

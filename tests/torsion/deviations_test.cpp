@@ -187,8 +187,9 @@ TEST(Deviations, IdentityOfSigns) {
   constexpr int kTeeth = 200;
   const double alpha = gear_25().mesh->flank_angle;
   const double c = kMicron * std::cos(alpha);
-  Deviations none{.flexspline = std::vector<ToothDeviation>(kTeeth),
-                  .spline = std::vector<ToothDeviation>(kTeeth + 2)};
+  Deviations none;
+  none.flexspline.resize(kTeeth);
+  none.spline.resize(kTeeth + 2);
   const auto closing = [&](const Deviations& of, int tooth, int side) {
     return flank_closing(of, tooth, side, kTeeth, alpha);
   };
@@ -237,7 +238,8 @@ TEST(Deviations, BehaviourOfForces) {
   const AssembledDrive drive(gear_25());
   const double T2 = test::conventional_torques(gear_25())[1];
   constexpr int kTooth = 6;
-  Deviations one{.flexspline = std::vector<ToothDeviation>(200)};
+  Deviations one;
+  one.flexspline.resize(200);
   one.flexspline[kTooth].position = 2 * kMicron;
   const double place = (kTooth + 0.5) * 2 * std::numbers::pi / 200;
   const auto force_at = [](const std::vector<ContactForce>& flanks, double position) {
@@ -251,7 +253,8 @@ TEST(Deviations, BehaviourOfForces) {
   EXPECT_GT(drive_flank(drive.with_deviations(one)), 1.05 * drive_flank(drive));
   one.flexspline[kTooth].position *= -1;
   EXPECT_LT(drive_flank(drive.with_deviations(one)), 0.95 * drive_flank(drive));
-  Deviations ball{.balls = std::vector<double>(23)};
+  Deviations ball;
+  ball.balls.resize(23);
   ball.balls[0] = 3 * kMicron;
   const auto first_ball = [&](const AssembledDrive& of) {
     return torsion_curve(of, {{T2}}).points.front().balls.front().force;
@@ -355,14 +358,14 @@ TEST(Deviations, InputRules) {
     gear.tolerance = tolerance;
     EXPECT_THROW((void)AssembledDrive(gear), InputError);
   };
-  refused_tolerance({.grade = 0});
-  refused_tolerance({.grade = 12});
+  refused_tolerance({.grade = 0, .thickness_deviation = {}});
+  refused_tolerance({.grade = 12, .thickness_deviation = {}});
   refused_tolerance({.thickness_deviation = -1 * kMicron});
   refused_tolerance({.thickness_deviation = 2.5 * kMicron});  // f_pT sqrt(2)/3 is 2.447 um
-  refused_tolerance({.run_out = -1 * kMicron});
-  refused_tolerance({.run_out = 20.1 * kMicron});
-  refused_tolerance({.ball_variation = -1 * kMicron});
-  refused_tolerance({.ball_variation = 5.1 * kMicron});
+  refused_tolerance({.thickness_deviation = {}, .run_out = -1 * kMicron});
+  refused_tolerance({.thickness_deviation = {}, .run_out = 20.1 * kMicron});
+  refused_tolerance({.thickness_deviation = {}, .ball_variation = -1 * kMicron});
+  refused_tolerance({.thickness_deviation = {}, .ball_variation = 5.1 * kMicron});
 }
 
 }  // namespace
