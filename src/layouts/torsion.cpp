@@ -103,6 +103,38 @@ TitledTable cage_table(const LinesOverCage& over) {
           table};
 }
 
+TitledTable tolerance_table(const ToleranceEffects& effects) {
+  Table table{.head = {"", "without deviations", "5 %", "median", "95 %"}};
+  const auto add = [&](const std::string& label, const ToleranceSpread& spread, double in_si) {
+    auto& row = table.rows.emplace_back(cells(label));
+    for (const double value : {spread.nominal, spread.low, spread.median, spread.high})
+      row.push_back(shown_number(value / in_si));
+  };
+  const DisplayUnit stiffness = stiffness_unit();
+  add(with_unit("K1", stiffness), effects.K1, stiffness.in_si);
+  add(with_unit("K2", stiffness), effects.K2, stiffness.in_si);
+  add(with_unit("K3", stiffness), effects.K3, stiffness.in_si);
+  add(with_unit("lost motion", angle_unit()), effects.lost_motion, angle_unit().in_si);
+  add("ripple of K1 over a turn [%]", effects.ripple, 0.01);
+  for (const ContactSpread& contacts : effects.contacts) {
+    add("flanks in contact at " + torque(contacts.torque), contacts.flanks, 1);
+    add("teeth in contact at " + torque(contacts.torque), contacts.teeth, 1);
+  }
+  const DeviationLimits& limits = effects.limits;
+  const DisplayUnit micron = display_unit("tolerances", "m", {"um", 1e-6});
+  const auto length = [&](double value) {
+    return fmt::format("{} {}", shown_number(value / micron.in_si, 3), micron.text);
+  };
+  return {
+      fmt::format("Drives with deviations within their tolerances, {} from seed {} (TC-36)",
+                  counted(static_cast<std::size_t>(effects.draws), "drive"), effects.seed),
+      table,
+      fmt::format("Single pitch deviation {}; standard deviations: middle of a tooth {}, "
+                  "thickness {}, ball {}; eccentricity of the cam {}",
+                  length(limits.single_pitch), length(limits.position), length(limits.thickness),
+                  length(limits.diameter_of_ball), length(limits.eccentricity))};
+}
+
 double largest_force(const std::vector<ContactForce>& forces) {
   double largest = 0.0;
   for (const ContactForce& contact : forces) largest = std::max(largest, contact.force);
@@ -201,6 +233,7 @@ std::vector<TitledTable> torsion_tables(const TorsionReport& report, const GearS
   std::vector<TitledTable> tables{lines_table(report, gear), friction_table(report.friction)};
   if (report.comparison) tables.push_back(comparison_table(*report.comparison));
   tables.push_back(cage_table(report.over_cage));
+  if (report.tolerances) tables.push_back(tolerance_table(*report.tolerances));
   tables.push_back(points_table(report));
   tables.push_back(rim_table(report));
   return tables;

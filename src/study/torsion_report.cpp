@@ -153,6 +153,38 @@ void note_friction(TorsionReport& report, const GearSet& gear) {
          "Check mesh.lobe_gap, the coefficients of friction and rating.friction_torque."});
 }
 
+/// Module below which ISO 1328-1 gives no tolerances [m].
+constexpr double kLeastModule = 0.5 * units::mm;
+
+/// Notes on the drives drawn from the tolerances.
+void note_tolerances(TorsionReport& report, const GearSet& gear) {
+  if (!report.tolerances) {
+    if (gear.tolerance)
+      report.notes.push_back(
+          {"tolerance.not_drawn",
+           "the file gives tolerances, but the curve is that of a drive without deviations", "",
+           "TC-36", Severity::information, "Run the command with --tolerances 100."});
+    return;
+  }
+  const ToleranceEffects& effects = *report.tolerances;
+  if (const double module = gear.drive.pitch_diameter / report.curve.teeth; module < kLeastModule)
+    report.notes.push_back(
+        {"tolerance.small_module",
+         fmt::format("ISO 1328-1 holds for modules of {} and more; its single pitch deviation of "
+                     "{} is extrapolated to {}",
+                     shown_quantity(kLeastModule, "m", 3, "module"),
+                     shown_quantity(effects.limits.single_pitch, "m", 3, "single_pitch"),
+                     shown_quantity(module, "m", 3, "module")),
+         "tolerance.grade", "TC-36", Severity::information});
+  if (effects.failed > 0)
+    report.notes.push_back(
+        {"tolerance.failed",
+         fmt::format("{} of {} drawn drives have no equilibrium and are left out of the quantiles",
+                     effects.failed, effects.failed + effects.draws),
+         "tolerance", "TC-36", Severity::care,
+         "Check tolerance.grade, tolerance.run_out and mesh.lobe_gap."});
+}
+
 void add_once(std::vector<Note>& notes, const std::vector<Note>& more) {
   for (const Note& note : more)
     if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
@@ -232,10 +264,11 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   const bool draws = !gear.range.empty() && options.draws > 0;
   const double curve_ends = draws || options.compare ? 0.2 : 1.0;
   const double draws_end = !draws ? curve_ends : options.compare ? 0.5 : 1.0;
+  const Progress of_file = options.tolerances ? progress.part(0.0, 0.4) : progress;
   TorsionReport report;
   const CoupledOptions coupled{.cage_phase = options.cage_phase};
   const AssembledDrive drive(gear, coupled);
-  progress.at(0.0);
+  of_file.at(0.0);
   report.torques = makers_torques(gear);
   std::vector<Note> unreached;
   report.at_load = twist_at_load(drive, unreached);
@@ -250,7 +283,7 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
                            .no_load = no_load_torque(drive),
                            .back_driving_torque = back_driving_torque(drive)};
       }};
-  for_each_index(parts.size(), {}, progress.part(0.0, 0.9 * curve_ends),
+  for_each_index(parts.size(), {}, of_file.part(0.0, 0.9 * curve_ends),
                  [&] { return [&](std::size_t i) { parts[i](); }; });
   std::vector<double> shown = {report.torques.T1, report.torques.T2, report.torques.rated};
   if (report.at_load.torque > 0 && report.at_load.positive && report.at_load.negative)
@@ -265,20 +298,21 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
   report.positive = makers_lines(drive, +1);
   report.negative = makers_lines(drive, -1);
   report.over_cage =
-      lines_over_cage(drive, kCagePhases, progress.part(0.9 * curve_ends, curve_ends));
-  progress.at(curve_ends);
+      lines_over_cage(drive, kCagePhases, of_file.part(0.9 * curve_ends, curve_ends));
+  of_file.at(curve_ends);
   report.lost_motion = lost_motion(drive);
   report.rim = rim_states(drive, report.torques.rated, kRimPositions);
-  progress.at(curve_ends);
+  of_file.at(curve_ends);
   if (draws)
-    report.bands =
-        line_bands(drive, {.draws = options.draws}, progress.part(curve_ends, draws_end));
+    report.bands = line_bands(drive, {.draws = options.draws}, of_file.part(curve_ends, draws_end));
   if (options.compare) {
-    report.comparison = compare_curves(drive, options.angles, progress.part(draws_end, 1.0));
+    report.comparison = compare_curves(drive, options.angles, of_file.part(draws_end, 1.0));
     const AssembledDrive sound = drive.without_cracks();
     report.sound = usable_curve(sound, torques, +1);
     report.sound_negative = usable_curve(sound, torques, -1);
   }
+  if (options.tolerances)
+    report.tolerances = tolerance_effects(drive, *options.tolerances, progress.part(0.4, 1.0));
   if (report.torques.by_convention)
     report.notes.push_back({"rating.convention",
                             "the file does not give T1 and T2; they are assumed as 0.0517 and "
@@ -300,10 +334,12 @@ TorsionReport torsion_report(const GearSet& gear, const TorsionReportOptions& op
                             Severity::information});
   note_consequences(report);
   note_friction(report, gear);
+  note_tolerances(report, gear);
   report.equations = report.curve.equations;
   for (const char* const tag : {"TC-16", "TC-17", "TC-18", "TC-24", "TC-33", "TC-34", "TC-35"})
     report.equations.emplace_back(tag);
   if (options.compare) report.equations.emplace_back("TC-26");
+  if (options.tolerances) report.equations.emplace_back("TC-36");
   return report;
 }
 

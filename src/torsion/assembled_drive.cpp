@@ -207,6 +207,14 @@ AssembledDrive::Contents sound_contents(const GearSet& gear, const CoupledOption
   return contents;
 }
 
+/// Gives a sound drive deviations of its parts, on its cam.  Returns false if it does not assemble.
+bool deviate(CoupledDrive& sound, const Deviations& deviations) {
+  CoupledDrive deviating = sound.deviating(deviations);
+  const bool assembles = deviating.assemble_on(sound.cam_amplitude());
+  sound = std::move(deviating);
+  return assembles;
+}
+
 AssembledDrive::Contents assembled(const GearSet& gear, const CoupledOptions& options) {
   const CoupledGeometry geometry = coupled_geometry(gear, options);
   CoupledOptions at_lobe = options;
@@ -220,6 +228,7 @@ AssembledDrive::Contents assembled(const GearSet& gear, const CoupledOptions& op
     assembles = moved.assemble_on(sound.cam_amplitude());
     sound = std::move(moved);
   }
+  if (assembles && !options.deviations.empty()) assembles = deviate(sound, options.deviations);
   if (!assembles) {
     contents.sound_fails_because = no_assembly(sound);
     crack(contents);
@@ -272,6 +281,17 @@ AssembledDrive AssembledDrive::turned(double angle) const {
                                      hinge.ring == RingHinge::Ring::spline ? angle : of_flexspline);
   for (SoftTooth& tooth : contents.cracks.teeth)
     tooth.position = turned_position(tooth.position, of_flexspline);
+  crack(contents);
+  return AssembledDrive(std::make_shared<const Contents>(std::move(contents)));
+}
+
+AssembledDrive AssembledDrive::with_deviations(const Deviations& deviations) const {
+  check_deviations(deviations, gear());
+  if (deviations.empty() && options().deviations.empty()) return *this;
+  Contents contents = *contents_;
+  contents.options.deviations = deviations;
+  if (contents.sound_fails_because.empty() && !deviate(contents.sound, deviations))
+    contents.sound_fails_because = no_assembly(contents.sound);
   crack(contents);
   return AssembledDrive(std::make_shared<const Contents>(std::move(contents)));
 }

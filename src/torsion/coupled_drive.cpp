@@ -48,6 +48,19 @@ CoupledDrive::CoupledDrive(const GearSet& gear, const CoupledGeometry& geometry,
   own_.setZero(count);
   place_balls();
   place_flanks();
+  as_drawn_ = free_;
+}
+
+CoupledDrive CoupledDrive::deviating(const Deviations& deviations) const {
+  CoupledDrive drive = *this;
+  drive.free_ = as_drawn_;
+  if (deviations.empty()) return drive;
+  for (int k = 0; k < g_.balls; ++k) drive.free_[k] += ball_closing(deviations, k, position_of(k));
+  for (int i = g_.balls; i < contacts(); ++i) {
+    const auto tooth = static_cast<int>(std::lround(position_of(i) * g_.teeth / (2 * pi) - 0.5));
+    drive.free_[i] += flank_closing(deviations, tooth, side_of(i), g_.teeth, g_.flank_angle);
+  }
+  return drive;
 }
 
 CoupledDrive CoupledDrive::cracked(const ContactCracks& cracks) const {

@@ -35,6 +35,8 @@ class CoupledDrive {
   CoupledDrive(const GearSet& gear, const CoupledGeometry& geometry, const CoupledOptions& options);
   /// The same drive with cracks, not yet on its cam.
   [[nodiscard]] CoupledDrive cracked(const ContactCracks& cracks) const;
+  /// The same drive with deviations of its parts in place of those it has, not yet on its cam.
+  [[nodiscard]] CoupledDrive deviating(const Deviations& deviations) const;
 
   /// Finds the cam amplitude that lifts the lobes to w_0.  Returns false if it is not found.
   [[nodiscard]] bool assemble();
@@ -147,6 +149,7 @@ class CoupledDrive {
   int tooth_count_ = 0;  // teeth that can engage
   std::shared_ptr<const ElasticRings> rings_;
   std::vector<FlankLaw> flanks_;
+  Eigen::VectorXd as_drawn_;    // free_ without deviations of the parts
   Eigen::VectorXd free_;        // closing without forces, c_0 and cam
   Eigen::VectorXd cam_;         // closing per unit of cam amplitude
   Eigen::VectorXd rotation_;    // closing per unit of c_0

@@ -41,7 +41,27 @@ struct Case {
   std::function<void(GearSet&)> change = [](GearSet&) {};
   bool warping = false;
   double cage_phase = 0.0;
+  std::function<Deviations()> deviations = [] { return Deviations{}; };
 };
+
+/// The deviations that tools/reference/coupled_drive.py calls wavy, of the size 25 at ratio 100.
+Deviations wavy() {
+  const auto wave = [](double amplitude, double rate, double phase, int number) {
+    return amplitude * kMicron * std::sin(rate * number + phase);
+  };
+  Deviations of{.flexspline = {},
+                .spline = {},
+                .balls = {},
+                .eccentricity = 2 * kMicron,
+                .eccentricity_angle = 0.7,
+                .pairing_gap = 3 * kMicron};
+  for (int j = 0; j < 200; ++j)
+    of.flexspline.push_back({wave(1.5, 1.3, 0.4, j), wave(1.0, 2.1, 1.2, j)});
+  for (int j = 0; j < 202; ++j)
+    of.spline.push_back({wave(1.2, 0.9, 2.0, j), wave(0.8, 1.7, 1.0, j)});
+  for (int k = 0; k < 23; ++k) of.balls.push_back(wave(0.4, 2.3, 0.0, k));
+  return of;
+}
 
 /// Teeth as drawn, and roots of the circular spline that the tips of the flexspline do not meet.
 void draw_teeth(GearSet& gear, ToothProfile profile, ToothTips tips = ToothTips::full) {
@@ -103,6 +123,7 @@ const std::map<std::string, Case>& cases() {
       {"lobe_interference", {.change = [](GearSet& g) { g.mesh->lobe_gap = -2 * kMicron; }}},
       {"cam_factor", {.change = [](GearSet& g) { g.wave_generator->cam_flattening = 1.5; }}},
       {"cage_phase", {.cage_phase = 4 * deg}},
+      {"deviations", {.deviations = wavy}},
       {"hat",
        {.change =
             [](GearSet& g) {
@@ -182,8 +203,10 @@ TEST_P(DenseSolver, CrosscheckCurvesOfASize) {
     const Case& it = cases().at(name);
     GearSet gear = typical_drive(size, ratio);
     it.change(gear);
-    const TorsionCurve curve = torsion_curve(
-        gear, drive.torques, {.diaphragm_warping = it.warping, .cage_phase = it.cage_phase});
+    const TorsionCurve curve = torsion_curve(gear, drive.torques,
+                                             {.diaphragm_warping = it.warping,
+                                              .cage_phase = it.cage_phase,
+                                              .deviations = it.deviations()});
     ASSERT_TRUE(curve.usable()) << name << ": " << curve.unusable_because;
     for (const test::CsvRow& row : drive.rows) {
       const auto i = std::ranges::find(drive.torques, row("torque")) - drive.torques.begin();

@@ -11,7 +11,7 @@ found by damped Newton on all Fourier coefficients with the dense Hessian, the l
 torque; the step is shortened towards the zero of the slope along it, nothing is added to gradient
 or energy.  It stops at |gradient| <= 1e-12 of the contact forces or where rounding stops it, and
 raises an error above 1e-11.  The cam amplitude A makes the mean of w at the two lobes the nominal
-w0 at T = 0 (Newton on A, for the cracked drive as well; in the case "cage_phase" A is that with a ball at the lobe; in the cases "sound_cam" A is that of the
+w0 at T = 0 (Newton on A, for the cracked drive as well; in the case "cage_phase" A is that with a ball at the lobe; in the case "deviations" A is that without them; in the cases "sound_cam" A is that of the
 sound drive, and only cracks of rim and outer race act that the curvature of the sound assembled
 ring opens).  There no flank may touch and the ring may
 turn freely within the play: then c0(0) is the point of the play nearest to 0, where a vanishing
@@ -71,7 +71,7 @@ def typical(size, ratio, **changes):
         outer_race_diameter=pitch + ball, inner_conformity=0.53, outer_conformity=0.53,
         clearance=0.0, outer_race_thickness=(section - ball) / 2, race_width=0.15 * bore,
         groove_factor=0.8, flank_angle=radians(22), gap_factor=1.0, coning=1.0, lobe_gap=0.0,
-        rim_stiffening=1.25, cam_factor=0.0, cage_phase=0.0, pair_stiffness=None, tooth=None, tips=None,
+        rim_stiffening=1.25, cam_factor=0.0, cage_phase=0.0, deviations={}, pair_stiffness=None, tooth=None, tips=None,
         spline_outer_diameter=1.34 * d, spline_inner_diameter=d + 2.2 * m, spline_width=0.15 * d,
         spline_support=0.0, youngs_modulus=206e9, poissons_ratio=0.3, diaphragm_warping=True,
         boss_compliance=0.0, flange_compliance=0.0, groove=None, diaphragm_arc=None,
@@ -441,6 +441,31 @@ def pair_stiffness(g):
         3.296 + 3.09 * module / g["rim_thickness"] + 3.605 + 2.472)
 
 
+# Deviations of the parts, in um; angles in rad.  Tooth or ball k: amplitude sin(rate k + phase).
+WAVY = dict(position=(1.5, 1.3, 0.4), thickness=(1.0, 2.1, 1.2), spline_position=(1.2, 0.9, 2.0),
+            spline_thickness=(0.8, 1.7, 1.0), ball=(0.4, 2.3, 0.0), eccentricity=2.0, direction=0.7,
+            pairing_gap=3.0)
+
+
+def wave(deviations, part, number):
+    amplitude, rate, phase = deviations[part]
+    return 1e-6 * amplitude * np.sin(rate * number + phase)
+
+
+def wavy_flanks(g, index, theta, side):
+    """Distance by which wavy teeth close the gaps, normal to the flanks.  A tooth meets the teeth of
+    the circular spline that stand next to its own displaced place."""
+    of, z = g["deviations"], round(2 * g["ratio"])
+    pitch = 2 * pi / (z + 2)
+    place = theta - g["radial_displacement"] / (2 * g["rim_radius"]) * np.sin(2 * theta)
+    # tooth k of the circular spline stands at (k + 1) pitches
+    met = (np.ceil(place / pitch) if side > 0 else np.floor(place / pitch)).astype(int) - 1
+    met %= z + 2
+    flank = side * wave(of, "position", index) + wave(of, "thickness", index) / 2
+    facing = -side * wave(of, "spline_position", met) + wave(of, "spline_thickness", met) / 2
+    return cos(g["flank_angle"]) * (flank + facing) - 1e-6 * of["pairing_gap"]
+
+
 # The coupled solve ----------------------------------------------------------------------------
 
 class Coupled:
@@ -559,6 +584,10 @@ class Coupled:
         self.cam = np.cos(2 * psi)
         self.ball_free = (g["clearance"] + g["cam_factor"] * g["radial_displacement"] ** 2 / self.R
                           * np.sin(2 * psi) ** 2)
+        if g["deviations"]:
+            of = g["deviations"]
+            self.ball_free -= (wave(of, "ball", np.arange(len(psi)))
+                               + 1e-6 * of["eccentricity"] * np.cos(psi - of["direction"]))
         self.hertz = (
             ball_race_constant(D, g["inner_race_diameter"], g["inner_conformity"], True, E, nu)
             + ball_race_constant(D, g["outer_race_diameter"], g["outer_conformity"], False, E, nu))
@@ -607,6 +636,8 @@ class Coupled:
             rows.append(side * cos(flank) * along + sin(flank) * radial)
             free.append(side * cos(flank) * offset_along + sin(flank) * offset_radial
                         + gap + g["lobe_gap"])
+            if g["deviations"]:
+                free[-1] -= wavy_flanks(g, index, theta, side)
         self.flank_rows, self.flank_free = np.vstack(rows), np.concatenate(free)
         self.teeth = len(index)
         self.health = np.ones(self.teeth)
@@ -808,6 +839,7 @@ OTHERS = {  # of size 25, ratio 100 only
     "hat": (dict(spline_support=0.5, hat=True, diaphragm_inner_radius=31.02e-3,
                  diaphragm_outer_radius=43e-3, barrel_length=9.525e-3), 1),
     "cage_phase": (plain(cage_phase=radians(4)), 1),
+    "deviations": (plain(deviations=WAVY), 1),
     "no_coning": (plain(coning=0.0), 1),
     "rim_hinge_reversed": (plain(hinges=(Hinge("rim", 0.3, 0.5),)), -1),
     "rim_hinge_pressed_sound_cam": (plain(hinges=(Hinge("rim", pi / 2, 0.5),)), 1),
@@ -829,8 +861,8 @@ def add_curve(table, case, size, ratio, changes, sign):
         sound.assemble()
         model = Coupled(drive | dict(hinges=tuple(h for h in drive["hinges"] if sound.opens(h))))
         model.assemble(sound.amplitude)
-    if drive["cage_phase"]:  # the cam is made for a ball at the lobe
-        made = Coupled(drive | dict(cage_phase=0.0))
+    if drive["cage_phase"] or drive["deviations"]:  # the cam is made for a ball at the lobe
+        made = Coupled(drive | dict(cage_phase=0.0, deviations={}))
         made.assemble()
         model.assemble(made.amplitude)
     loads = [sign * T for T in torques(drive)]

@@ -7,6 +7,7 @@
 
 #include "strainwave/core/progress.hpp"
 #include "strainwave/model/input/gear_set.hpp"
+#include "strainwave/study/tolerance_effects.hpp"
 #include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/friction.hpp"
 #include "strainwave/torsion/hysteresis.hpp"
@@ -23,6 +24,7 @@ struct TorsionReportOptions {
   int angles = 0;           ///< positions of the wave generator in the comparison; 0: every tooth
   int draws = 200;          ///< draws of the ranges that the file gives; 0: no bands
   double cage_phase = 0.0;  ///< as in CoupledOptions [rad]
+  std::optional<ToleranceOptions> tolerances;  ///< absent: no drives from the tolerances
 };
 
 /// Quantiles of a prediction whose inputs are drawn from their ranges.
@@ -109,6 +111,7 @@ struct TorsionReport {
   std::vector<RimState> rim;  ///< over a turn of the wave generator, at rated torque
   std::optional<LineBands> bands;
   std::optional<CurveComparison> comparison;
+  std::optional<ToleranceEffects> tolerances;
   TorsionCurve sound;  ///< curve without cracks at the points of `curve`; empty unless compared
   TorsionCurve sound_negative;
   std::vector<Note> notes;
@@ -133,6 +136,8 @@ struct TorsionReport {
     field({"bands", "", "bands of the lines under the ranges of the file"}, &TorsionReport::bands);
     field({"comparison", "", "drive with cracks compared with the drive without"},
           &TorsionReport::comparison);
+    field({"tolerances", "", "drives whose parts are drawn from their tolerances"},
+          &TorsionReport::tolerances);
   }
 };
 

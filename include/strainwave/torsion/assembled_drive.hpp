@@ -34,6 +34,11 @@ class AssembledDrive {
   /// of the inner race do not move, and the cage keeps its phase.
   [[nodiscard]] AssembledDrive turned(double angle) const;
 
+  /// The same drive with deviations of its parts in place of those it has, on the cam of the drive
+  /// without them (TC-36).  The rings are reused, so this costs one solve.
+  /// @throws InputError  if the deviations do not fit the drive
+  [[nodiscard]] AssembledDrive with_deviations(const Deviations& deviations) const;
+
   /// The drive as given, or after `turned`.
   [[nodiscard]] const GearSet& gear() const;
   [[nodiscard]] const CoupledOptions& options() const;

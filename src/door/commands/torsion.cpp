@@ -12,6 +12,8 @@ struct TorsionOptions {
   std::optional<int> angles;
   int draws = 200;
   std::string cage_phase = "0 deg";
+  std::optional<int> tolerances;
+  std::optional<std::uint64_t> seed;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -34,6 +36,17 @@ struct TorsionOptions {
            .doc = "angle of the first ball from the major axis, a number with its unit",
            .fallback = "0 deg"},
           &TorsionOptions::cage_phase);
+    field({.name = "tolerances",
+           .unit = "",
+           .doc = "number of drives whose parts are drawn from their tolerances; none if left out",
+           .range = {.lower = 1, .lower_open = false, .upper = 100000, .upper_open = false}},
+          &TorsionOptions::tolerances);
+    field({.name = "seed",
+           .unit = "",
+           .doc = "seed of the draws of --tolerances",
+           .range = kNonNegative,
+           .fallback = "1"},
+          &TorsionOptions::seed);
   }
 };
 
@@ -50,19 +63,30 @@ Command torsion_command() {
           "tangent stiffness with the share of each member, forces and contacts. The file must "
           "give bearing, flexspline by sections and mesh. If the file gives ranges, drives are "
           "drawn from them and give a band. K1, K2 and K3 change slightly while the balls roll "
-          "past the lobes; --cage-phase places the balls. With --compare, the same numbers without "
+          "past the lobes; --cage-phase places the balls. With --tolerances, drives with "
+          "deviations of teeth, balls and cam within their tolerances are drawn, and the spread of "
+          "these numbers follows. With --compare, the same numbers without "
           "the cracks "
           "and the changes over a turn of the wave generator follow.",
       .example = "strainwave torsion examples/catalogue_size25.toml --plot torsion.svg",
       .function =
           [](const Request& request, const TorsionOptions& o) {
             if (o.angles && !o.compare) throw OptionError("angles", "needs --compare; give it too");
+            if (o.seed && !o.tolerances)
+              throw OptionError("seed", "needs --tolerances; give it too");
+            std::optional<ToleranceOptions> tolerances;
+            if (o.tolerances) {
+              tolerances.emplace();
+              tolerances->draws = *o.tolerances;
+              tolerances->seed = o.seed.value_or(tolerances->seed);
+            }
             return torsion_report(
                 request.drive.gear,
                 {.compare = o.compare,
                  .angles = o.angles.value_or(0),
                  .draws = o.draws,
-                 .cage_phase = parse_quantity("--cage-phase", o.cage_phase, "rad")},
+                 .cage_phase = parse_quantity("--cage-phase", o.cage_phase, "rad"),
+                 .tolerances = tolerances},
                 request.progress);
           },
       .documents = {{Format::text,

@@ -655,6 +655,9 @@ void check(const GearSet& gear) {
   if (gear.mesh) check_cracks(gear, FieldPath("mesh"), gear.mesh->crack);
   if (gear.circular_spline) check_circular_spline(gear);
   if (gear.rating) check_rating(*gear.rating);
+  if (gear.tolerance)
+    require(gear.tolerance->grade >= 1 && gear.tolerance->grade <= 11, "tolerance.grade",
+            gear.tolerance->grade, "1", ">= 1 and <= 11");
   check_compliance_tables(gear);
   for (std::size_t i = 0; i < gear.range.size(); ++i)
     check_range(gear, FieldPath("range")[i], gear.range[i]);

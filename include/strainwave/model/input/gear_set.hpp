@@ -15,6 +15,7 @@
 #include "strainwave/model/input/output_shaft.hpp"
 #include "strainwave/model/input/rating.hpp"
 #include "strainwave/model/input/scatter.hpp"
+#include "strainwave/model/input/tolerance.hpp"
 #include "strainwave/model/input/tooth_mesh.hpp"
 #include "strainwave/model/input/wave_generator.hpp"
 
@@ -131,6 +132,7 @@ struct GearSet {
   std::optional<ToothMesh> mesh;                  ///< teeth of the coupled drive
   std::optional<CircularSpline> circular_spline;  ///< ring of the coupled drive; absent: rigid
   std::optional<Rating> rating;                   ///< the maker's torques, for K1, K2, K3
+  std::optional<Tolerance> tolerance;             ///< tolerances of the parts; absent: defaults
   std::vector<InputRange> range;                  ///< inputs that are known only within limits
   std::vector<InputScatter> scatter;              ///< inputs that scatter, for combined uncertainty
   std::optional<ArticleOverrides> article;
@@ -177,6 +179,11 @@ struct GearSet {
                 .doc = "the maker's torques, for the torsion curve",
                 .in_template = InTemplate::commented},
           &GearSet::rating);
+    field(Field{.name = "tolerance",
+                .unit = "",
+                .doc = "tolerances of the parts, for torsion --tolerances",
+                .in_template = InTemplate::commented},
+          &GearSet::tolerance);
     field(Field{.name = "range",
                 .unit = "",
                 .doc = "inputs that are known only within limits, for the torsion curve",
