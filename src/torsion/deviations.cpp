@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
-#include <string_view>
 
 #include "strainwave/core/counter_random.hpp"
 #include "strainwave/core/error.hpp"

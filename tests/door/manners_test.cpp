@@ -561,6 +561,10 @@ TEST(Diff, IdentityLimitsAndFrictionMakeNoPartDifferent) {
                 difference_of(expected, output)["uncertainty"])
           << output << ' ' << to;
   }
+  // Nor do tolerances, from which nothing is drawn here.
+  EXPECT_EQ(difference_of(compared("[rating]\n", "[tolerance]\ngrade = 7\n\n[rating]\n"),
+                          "curve.intact.K1")["uncertainty"],
+            difference_of(expected, "curve.intact.K1")["uncertainty"]);
   // The modulus does.
   EXPECT_GT(difference_of(compared("206 GPa", "206.001 GPa"), "curve.intact.K1")["uncertainty"],
             difference_of(expected, "curve.intact.K1")["uncertainty"]);

@@ -24,7 +24,7 @@ struct TorsionReportOptions {
   int angles = 0;           ///< positions of the wave generator in the comparison; 0: every tooth
   int draws = 200;          ///< draws of the ranges that the file gives; 0: no bands
   double cage_phase = 0.0;  ///< as in CoupledOptions [rad]
-  std::optional<ToleranceOptions> tolerances;  ///< absent: no drives from the tolerances
+  std::optional<ToleranceOptions> tolerances = {};  ///< absent: no drives from the tolerances
 };
 
 /// Quantiles of a prediction whose inputs are drawn from their ranges.

@@ -269,7 +269,7 @@ class SameParts {
       const std::string& path = input.path;
       const bool says_nothing = path == "name" || path == "format" || path.starts_with("scatter") ||
                                 path.starts_with("range") || path.starts_with("article.") ||
-                                path.starts_with("rating.");
+                                path.starts_with("rating.") || path.starts_with("tolerance.");
       if (says_nothing || enters_no_model(path)) continue;
       const std::string table = path.substr(0, path.find('.'));
       if (path.starts_with(fmt::format("{}.crack[", table))) {
