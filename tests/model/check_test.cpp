@@ -1272,6 +1272,7 @@ TEST(CheckRange, ReferenceRanges) {
                                      "mesh.crack[0].position",
                                      "circular_spline.crack[0].position"};
   const std::set<std::string> may_be_zero = {"output_shaft.inner_diameter",
+                                             "tolerance.thickness_deviation",
                                              "wave_generator.displacements.bearing",
                                              "wave_generator.displacements.cam",
                                              "wave_generator.displacements.shaft",
@@ -1294,6 +1295,8 @@ TEST(CheckRange, ReferenceRanges) {
       {"mesh.crack[0].stiffness_loss", "> 0 and <= 1"},
       {"circular_spline.support", ">= 0 and <= 1"},
       {"rating.lost_motion_share", "> 0 and < 1"},
+      {"tolerance.run_out", ">= 0 and <= 2e-05 m"},
+      {"tolerance.ball_variation", ">= 0 and <= 5e-06 m"},
       {"scatter[0].relative_standard_deviation", "> 0 and <= 1"},
       {"wave_generator.crack[0].aspect_ratio", "> 0 and <= 1"},
       {"wave_generator.crack[0].contact_factor", "> 0 and <= 1"},

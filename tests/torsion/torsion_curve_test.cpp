@@ -361,8 +361,7 @@ TEST(TorsionCurve, LimitLeastPossibleBallForce) {
     double lever = 0.0;
     for (int k = 0; k < balls; ++k)
       lever += std::max(0.0, std::sin(4 * std::numbers::pi * k / balls));
-    const double least =
-        row.torque / (2 * row.ratio * gear.drive.radial_displacement) / lever;
+    const double least = row.torque / (2 * row.ratio * gear.drive.radial_displacement) / lever;
     EXPECT_NEAR(least, row.least, 0.5);
     double largest = 0.0;
     for (const ContactForce& ball : point_at(gear, row.torque).balls)

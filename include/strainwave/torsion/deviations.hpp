@@ -89,6 +89,8 @@ struct DeviationLimits {
 /// Closing of a flank by the deviations, normal to it [m].
 /// @param tooth  number j of the place, 0 to z - 1
 /// @param side   +1 for the drive flank, -1 for the coast flank
+/// @param teeth  z of the flexspline
+/// @param flank_angle  alpha [rad]
 [[nodiscard]] double flank_closing(const Deviations& deviations, int tooth, int side, int teeth,
                                    double flank_angle);
 

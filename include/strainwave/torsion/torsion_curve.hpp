@@ -126,7 +126,7 @@ struct TorsionCurve {
   double assembly_ball_force = 0.0;  ///< largest ball force without torque [N]
   /// largest flank force without torque [N]; 0 if no flanks press on each other
   double assembly_flank_force = 0.0;
-  double series_compliance = 0.0;    ///< compliance of the members outside the ring [rad/(N*m)]
+  double series_compliance = 0.0;  ///< compliance of the members outside the ring [rad/(N*m)]
   std::vector<Note> notes;
   std::vector<std::string> equations;
   std::string unusable_because;  ///< reason why the answer must not be used; empty if usable

@@ -161,7 +161,8 @@ struct GearSet {
     field(Field{.name = "load", .unit = "", .doc = "static load at the output"}, &GearSet::load);
     field(Field{.name = "wave_generator", .unit = "", .doc = "cam and bearing"},
           &GearSet::wave_generator);
-    field(Field{.name = "flexspline", .unit = "", .doc = "cup, cylinder or hat"}, &GearSet::flexspline);
+    field(Field{.name = "flexspline", .unit = "", .doc = "cup, cylinder or hat"},
+          &GearSet::flexspline);
     field(Field{.name = "output_shaft", .unit = "", .doc = "solid or hollow"},
           &GearSet::output_shaft);
     field(Field{.name = "mesh",
