@@ -83,7 +83,7 @@ void note_geometry(const GearSet& gear, const CoupledGeometry& g, std::vector<No
   if (gear.drive.ratio < 50)
     notes.push_back({"torsion.low_ratio",
                      "compared with catalogues, the model is too stiff below ratio 50, by a factor "
-                     "of up to 2.2 at ratio 30",
+                     "of up to 2.0 at ratio 30",
                      "drive.ratio", "TC-14", Severity::care,
                      "Calibrate the drive with a measured curve."});
   if (gear.drive.pitch_diameter < kSize17)

@@ -162,7 +162,7 @@ struct TorsionCurve {
 /// this system, under the sense of the torque.
 ///
 /// The model is for cups with two lobes.  Geometry alone predicts catalogue stiffness within about
-/// 20 % for ratios of 50 and more.  At ratio 30 the model is too stiff by a factor of up to 2.2
+/// 40 % for ratios of 50 and more.  At ratio 30 the model is too stiff by a factor of up to 2.0
 /// (theory manual, chapter CV).
 ///
 /// @param torques  torque T at the output [N*m], finite; each is solved starting from the state
