@@ -199,7 +199,7 @@ TEST(OtherRatios, BehaviourBlankOfTheOtherDrives) {
 TEST(OtherRatios, InputRefusals) {
   EXPECT_EQ(parse_ratios("all"), std::vector<double>());
   EXPECT_EQ(parse_ratios("50,80,100.5"), (std::vector<double>{50, 80, 100.5}));
-  for (const auto& [text, words] : std::map<std::string, std::string>{
+  for (const auto& row : std::map<std::string, std::string>{
            {"", "\"\" is not a ratio; write ratios such as 50,80,100, or all"},
            {"50,", "\"\" is not a ratio"},
            {"50,many", "\"many\" is not a ratio"},
@@ -207,8 +207,9 @@ TEST(OtherRatios, InputRefusals) {
            {"321", "predict-ratios: 321 violates: >= 30 and <= 320"},
            {"50.3", "2 ratio, the teeth of the flexspline, a whole number"},
            {"50,80,50", "50 is named twice; name it once"}})
-    EXPECT_NE(broken_rule([&] { return parse_ratios(text); }).find(words), std::string::npos)
-        << text << ": " << broken_rule([&] { return parse_ratios(text); });
+    EXPECT_NE(broken_rule([&] { return parse_ratios(row.first); }).find(row.second),
+              std::string::npos)
+        << row.first << ": " << broken_rule([&] { return parse_ratios(row.first); });
 
   const auto refusal = [](const GearSet& gear, const std::vector<double>& ratios) {
     Calibration c;
