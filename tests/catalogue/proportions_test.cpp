@@ -303,6 +303,22 @@ TEST(Draws, IdentityTeethFitEveryDrive) {
   }
 }
 
+// Each drawn drive carries the makers' torques.  The generator's first drives contain waves of less
+// than a module, whose seat is far from the lobe (draw 1 at ratio 30), and a drive with a contact
+// that just touches (draw 10 at ratio 50).
+TEST(Draws, BehaviourEveryDriveCarriesItsTorque) {
+  std::mt19937_64 generator(1);
+  for (int n = 0; n < 12; ++n) {
+    const ProportionValues drawn = draw_proportions(generator);
+    for (const double ratio : {30.0, 50.0, 160.0}) {
+      const MakersLines lines = makers_lines(typical_drive(0.0635, ratio, {}, drawn));
+      EXPECT_GT(lines.K1, 0) << n << ' ' << ratio;
+      EXPECT_GT(lines.K2, 0) << n << ' ' << ratio;
+      EXPECT_GT(lines.K3, 0) << n << ' ' << ratio;
+    }
+  }
+}
+
 TEST(TypicalDrive, BehaviourFormsAndLengths) {
   const auto fs_of = [](FlexsplineForm form, FlexsplineLength length) {
     return *typical_drive_of_size(25, 100, {.form = form, .length = length}).flexspline;

@@ -36,7 +36,7 @@ struct BasicTeeth {
 template <class Real>
 class BasicToothGap {
  public:
-  /// @param cone        growth of the wave along the face, chi w_0/(L - b/2) [-]; >= 0
+  /// @param cone        growth of the wave along the face, chi w_0 times the tilt (TC-2) [-]; >= 0
   /// @param face_width  b [m]; > 0
   BasicToothGap(const BasicTeeth<Real>& teeth, const Real& cone, const Real& face_width);
 

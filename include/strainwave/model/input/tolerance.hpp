@@ -9,7 +9,7 @@ namespace strainwave {
 
 /// Tolerances of the parts of the coupled drive (TC-36).  They do not scale with the deflection.
 struct Tolerance {
-  int grade = 5;  ///< flank tolerance class of ISO 1328-1:2013 of both gears [-]; 1 to 11
+  int grade = 5;  ///< class of both toothed parts by ISO 1328-1:2013 [-]; 1 to 11
   /// standard deviation of the thickness of the teeth along the pitch circle [m]; absent: a third
   /// of the single pitch deviation, as of flanks that deviate independently
   std::optional<double> thickness_deviation;
@@ -20,8 +20,8 @@ struct Tolerance {
   static void describe(Visitor&& field) {
     field(Field{.name = "grade",
                 .unit = "1",
-                .doc = "flank tolerance class of ISO 1328-1 of both gears, for the deviations of "
-                       "the pitch",
+                .doc = "tolerance class that the flanks of both toothed parts meet by ISO 1328-1; it "
+                       "limits the deviations of the pitch",
                 .range = {.lower = 1.0, .lower_open = false, .upper = 11.0, .upper_open = false},
                 .example = "5",
                 .fallback = "5",
