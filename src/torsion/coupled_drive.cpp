@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "contact_laws.hpp"
+#include "strainwave/core/error.hpp"
 
 namespace strainwave {
 namespace {
@@ -15,10 +16,10 @@ using std::numbers::pi;
 
 /// Without teeth as drawn, teeth farther from a lobe are taken as out of engagement (TC-7).
 constexpr double kToothSpan = pi / 4;
-/// Newton's method needs fewer steps than this unless rounding stops it; then a residual of this
-/// many tolerances is accepted.
-constexpr int kStalled = 60;
-constexpr double kRounding = 100;
+/// Rounding stops Newton's method where a contact just touches: after this many steps without a
+/// smaller residual, a residual of this many tolerances is accepted (TC-11).
+constexpr int kStalledSteps = 5;
+constexpr double kStalledTolerances = 100;
 
 /// Places of all balls, and of the teeth near the lobes.
 ContactPlaces contact_places(const CoupledGeometry& g, double cage_phase) {
@@ -195,6 +196,10 @@ CoupledDrive::Touching CoupledDrive::touching(const Eigen::VectorXd& closing,
     matrix(p, p) += 1.0;
   }
   const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>, Eigen::Lower> factor(matrix);
+  if (factor.info() != Eigen::Success)
+    throw SolverError(
+        "the contacts are not stable: their compliance is not positive (TC-11); check "
+        "mesh.pair_stiffness and the cracks of the races");
   t.base = factor.solve(wanted);
   t.turned = factor.solve(t.border);
   t.resistance = t.border.dot(t.turned);
@@ -271,12 +276,15 @@ Equilibrium CoupledDrive::solve(double torque, const Equilibrium& start) const {
   Equilibrium state = start;
   state.torque = torque;
   state.converged = false;
+  double smallest = std::numeric_limits<double>::infinity();
+  int stalled = 0;
   for (state.iterations = 0; state.iterations < max_iterations_; ++state.iterations) {
     Equilibrium full = newton_step(state, load);
     judge(full, load);
     state.residual = full.residual;
-    // Where a contact just touches, rounding may keep the steps from the tolerance itself.
-    if (state.iterations >= kStalled && full.residual <= kRounding * tolerance_)
+    stalled = full.residual < smallest ? 0 : stalled + 1;
+    smallest = std::min(smallest, full.residual);
+    if (stalled >= kStalledSteps && full.residual <= kStalledTolerances * tolerance_)
       full.converged = true;
     if (full.converged) {  // the full step satisfies the laws of the contacts
       full.iterations = state.iterations + 1;

@@ -255,9 +255,8 @@ void add_mesh(BasicCoupledGeometry<Real>& g, const GearSet& gear, const Lift<Rea
       .wall = g.rim_thickness,
       .module = g.module};
   g.extension *= toothed_extension(on_rim);  // (TC-30)
-  if (mesh.pair_stiffness) return;
   const SplineTooth<Real> spline = spline_tooth(gear, lift, g, on_rim);
-  g.flank.pair_stiffness = drawn_pair_stiffness(g, on_rim, spline);
+  if (!mesh.pair_stiffness) g.flank.pair_stiffness = drawn_pair_stiffness(g, on_rim, spline);
   if (gear.circular_spline)
     g.neighbours.emplace(spline.on_ring, g.flank_angle, spline.steel, g.rim_width,
                          g.teeth);  // (TC-31)
@@ -422,20 +421,29 @@ void check_teeth(const GearSet& gear, const ToothShape& tooth) {
       spline_addendum, "m",
       "2 spline_addendum tan(mesh.flank_angle) < pitch - thickness, because otherwise the tooth "
       "of the circular spline is pointed");
-  // The finite elements of (TC-30) cover these teeth.  Outside, the fit may even turn negative.
+  // The finite elements of (TC-30) cover these teeth.  Outside, the fits may even turn negative.
   const auto covered = [&](double dedendum, const char* field, double value, const char* rule) {
-    require(gear.mesh->pair_stiffness || (dedendum >= 0.9 * module && dedendum <= 1.5 * module),
-            field, value, "m", rule);
+    require(dedendum >= 0.9 * module && dedendum <= 1.5 * module, field, value, "m", rule);
   };
-  if (!gear.mesh->pair_stiffness)
-    require(gear.mesh->flank_angle >= 15 * units::deg && gear.mesh->flank_angle <= 30 * units::deg,
-            "mesh.flank_angle", gear.mesh->flank_angle, "rad",
-            "between 15 and 30 deg for drawn teeth without mesh.pair_stiffness (TC-30)");
+  require(gear.mesh->flank_angle >= 15 * units::deg && gear.mesh->flank_angle <= 30 * units::deg,
+          "mesh.flank_angle", gear.mesh->flank_angle, "rad",
+          "between 15 and 30 deg for drawn teeth (TC-30)");
   covered(rim_dedendum, "flexspline.rim.outer_diameter", gear.flexspline->rim->outer_diameter,
-          "1.8 to 3 modules below drive.pitch_diameter for drawn teeth without "
-          "mesh.pair_stiffness (TC-30)");
+          "1.8 to 3 modules below drive.pitch_diameter for drawn teeth (TC-30)");
+  require(narrowing * rim_dedendum <= pitch - thickness, "flexspline.rim.outer_diameter",
+          gear.flexspline->rim->outer_diameter, "m",
+          "at least drive.pitch_diameter - (pitch - thickness)/tan(mesh.flank_angle), because "
+          "otherwise the roots of the flexspline's teeth overlap (TC-30)");
   require(gear.flexspline->rim->wall_thickness >= 0.4 * module, "flexspline.rim.wall_thickness",
           gear.flexspline->rim->wall_thickness, "m", ">= 0.4 modules for drawn teeth (TC-30)");
+  // A pair alone is softer than this, because its line contact has more than 3/E.  Up to this limit
+  // the contacts stay stable with the neighbours of (TC-31).
+  if (gear.mesh->pair_stiffness) {
+    const double E =
+        material_of(gear, gear.flexspline->material, "flexspline.material").youngs_modulus;
+    require(*gear.mesh->pair_stiffness <= E / 3, "mesh.pair_stiffness", *gear.mesh->pair_stiffness,
+            "Pa", "at most a third of Young's modulus of the flexspline for drawn teeth (TC-31)");
+  }
   if (!gear.circular_spline) return;
   const double inside = gear.circular_spline->inner_diameter;
   const double spline_dedendum = inside / 2 - drive.pitch_diameter / 2 - drive.radial_displacement;
@@ -444,9 +452,8 @@ void check_teeth(const GearSet& gear, const ToothShape& tooth) {
           "because otherwise the tips of the flexspline meet the roots of the circular spline");
   covered(spline_dedendum, "circular_spline.inner_diameter", inside,
           "1.8 to 3 modules above drive.pitch_diameter + 2 drive.radial_displacement for drawn "
-          "teeth without mesh.pair_stiffness (TC-30)");
-  require(gear.mesh->pair_stiffness || narrowing * spline_dedendum <= thickness,
-          "circular_spline.inner_diameter", inside, "m",
+          "teeth (TC-30)");
+  require(narrowing * spline_dedendum <= thickness, "circular_spline.inner_diameter", inside, "m",
           "at most drive.pitch_diameter + 2 drive.radial_displacement + "
           "thickness/tan(mesh.flank_angle), because otherwise the roots of the circular spline's "
           "teeth overlap (TC-31)");

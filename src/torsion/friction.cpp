@@ -184,7 +184,8 @@ std::optional<double> back_driving_torque(const AssembledDrive& drive) {
   const double most = makers_torques(drive.gear()).rated;
   const double friction = output_friction(drive.gear());
   double torque = friction;
-  for (int step = 0; step < kMostSteps && torque <= most; ++step) {
+  for (int step = 0; step < kMostSteps; ++step) {
+    if (torque > most) return std::nullopt;
     // The flanks carry what the friction at the output leaves.
     const double driving =
         drive.gear().drive.ratio * running_torque(drive, torque - friction).total();
@@ -192,7 +193,8 @@ std::optional<double> back_driving_torque(const AssembledDrive& drive) {
     if (std::abs(next - torque) <= kExact * next) return next;
     torque = next;
   }
-  return std::nullopt;
+  throw SolverError(
+      "the back-driving torque did not settle in 200 steps; check the coefficients of friction");
 }
 
 }  // namespace strainwave

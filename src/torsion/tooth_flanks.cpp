@@ -244,6 +244,7 @@ Real BasicToothGap<Real>::gap(double t) const {
 template <class Real>
 double BasicToothGap<Real>::crossing() const {
   constexpr int kSamples = 60;
+  if (end_ <= kSeat) return 0.0;
   double deepest = 0.0;
   for (int i = 0; i <= kSamples; ++i) {
     const double t = kSeat + (end_ - kSeat) * i / kSamples;

@@ -850,11 +850,17 @@ TEST(TorsionCurve, InputRulesOfDrawnTeeth) {
               g.mesh->flank_angle = 31 * deg;
             }).find("between 15 and 30 deg"),
             std::string::npos);
-  EXPECT_EQ(refusal([](GearSet& g, double) {
+  // A given stiffness of a pair does not replace the fit of the rim's tension.
+  EXPECT_NE(refusal([](GearSet& g, double) {
               g.mesh->flank_angle = 31 * deg;
               g.mesh->pair_stiffness = 2e10;
-            }),
-            "");
+            }).find("between 15 and 30 deg"),
+            std::string::npos);
+  EXPECT_NE(refusal([](GearSet& g, double) {
+              g.mesh->pair_stiffness = 7e10;
+            }).find("at most a third of Young's modulus"),
+            std::string::npos);
+  EXPECT_EQ(refusal([](GearSet& g, double) { g.mesh->pair_stiffness = 6.8e10; }), "");
   EXPECT_NE(refusal([](GearSet& g, double m) {
               g.circular_spline->inner_diameter = g.drive.pitch_diameter + 5.2 * m;
             }).find("1.8 to 3 modules above"),
@@ -865,11 +871,12 @@ TEST(TorsionCurve, InputRulesOfDrawnTeeth) {
     g.circular_spline->inner_diameter = g.drive.pitch_diameter + 4.8 * m;
   };
   EXPECT_NE(refusal(deep).find("roots of the circular spline's teeth overlap"), std::string::npos);
-  EXPECT_EQ(refusal([&](GearSet& g, double m) {
-              deep(g, m);
-              g.mesh->pair_stiffness = 2e10;
-            }),
-            "");
+  EXPECT_NE(refusal([](GearSet& g, double m) {
+              g.mesh->flank_angle = 30 * deg;
+              g.flexspline->rim->outer_diameter -= 0.6 * m;  // in the same bore
+              g.flexspline->rim->wall_thickness -= 0.3 * m;
+            }).find("roots of the flexspline's teeth overlap"),
+            std::string::npos);
 }
 
 TEST(TorsionCurve, InputDefaults) {

@@ -19,9 +19,7 @@ enum class Factor {
   support,     ///< s_h, support of the circular spline
   coning,      ///< chi, coning of the teeth
   gap_factor,  ///< k_g, gap of the flanks
-  /// 1/c' of a pair of teeth, relative to the file; the new c' contains the neighbours of (TC-31),
-  /// so with drawn teeth the value 1 changes K1 of the typical drive by 0.4 %
-  pair_compliance,
+  pair_compliance,  ///< 1/c' of a pair of teeth, relative to the file
   structure,       ///< thickness of barrel and diaphragm in the file, over the fitted one
   clearance,       ///< radial play at a ball, relative to w_0
   cam_flattening,  ///< c_cam, flattening of the wave generator

@@ -69,7 +69,8 @@ struct RunningTorque {
 
 /// Torque at the output that turns a free input [N*m]; eq. (TC-35).
 /// @return  absent if it is above the rated torque
-/// @throws SolverError  if the drive does not reach a torque below the rated torque
+/// @throws SolverError  if the drive does not reach a torque below the rated torque, or the torque
+///                      does not settle
 [[nodiscard]] std::optional<double> back_driving_torque(const AssembledDrive& drive);
 
 }  // namespace strainwave

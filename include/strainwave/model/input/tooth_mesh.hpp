@@ -147,8 +147,8 @@ struct ToothMesh {
     field(
         Field{.name = "pair_stiffness",
               .unit = "Pa",
-              .doc = "stiffness c' of a pair of teeth per face width; if left out, from the teeth "
-                     "as drawn, or from the rim's thickness",
+              .doc = "stiffness c' of a pair of teeth per face width, whose neighbours carry no "
+                     "load; if left out, from the teeth as drawn, or from the rim's thickness",
               .range = kPositive,
               .example = R"("19.3 GPa")",
               .in_template = InTemplate::commented},
