@@ -49,12 +49,12 @@ CoupledDrive::CoupledDrive(const GearSet& gear, const CoupledGeometry& geometry,
   own_.setZero(count);
   place_balls();
   place_flanks();
-  as_drawn_ = free_;
+  nominal_ = free_;
 }
 
 CoupledDrive CoupledDrive::deviating(const Deviations& deviations) const {
   CoupledDrive drive = *this;
-  drive.free_ = as_drawn_;
+  drive.free_ = nominal_;
   if (deviations.empty()) return drive;
   for (int k = 0; k < g_.balls; ++k) drive.free_[k] += ball_closing(deviations, k, position_of(k));
   for (int i = g_.balls; i < contacts(); ++i) {

@@ -149,7 +149,7 @@ class CoupledDrive {
   int tooth_count_ = 0;  // teeth that can engage
   std::shared_ptr<const ElasticRings> rings_;
   std::vector<FlankLaw> flanks_;
-  Eigen::VectorXd as_drawn_;    // free_ without deviations of the parts
+  Eigen::VectorXd nominal_;     // free_ without deviations of the parts
   Eigen::VectorXd free_;        // closing without forces, c_0 and cam
   Eigen::VectorXd cam_;         // closing per unit of cam amplitude
   Eigen::VectorXd rotation_;    // closing per unit of c_0

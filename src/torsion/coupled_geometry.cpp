@@ -258,7 +258,7 @@ void add_mesh(BasicCoupledGeometry<Real>& g, const GearSet& gear, const Lift<Rea
   const SplineTooth<Real> spline = spline_tooth(gear, lift, g, on_rim);
   if (!mesh.pair_stiffness) g.flank.pair_stiffness = drawn_pair_stiffness(g, on_rim, spline);
   if (gear.circular_spline)
-    g.neighbours.emplace(spline.on_ring, g.flank_angle, spline.steel, g.rim_width,
+    g.neighbours.emplace(spline.on_ring, spline.steel, g.rim_width,
                          g.teeth);  // (TC-31)
 }
 

@@ -145,7 +145,6 @@ class Weights {
 
 template <class Real>
 BasicToothNeighbours<Real>::BasicToothNeighbours(const BasicToothOnWall<Real>& tooth,
-                                                 const Real& flank_angle,
                                                  const BasicElasticConstants<Real>& steel,
                                                  const Real& face_width, int pitches)
     : pitches_(pitches) {
@@ -177,8 +176,8 @@ BasicToothNeighbours<Real>::BasicToothNeighbours(const BasicToothOnWall<Real>& t
     radial_constant += at.weight * at.fading / K;
   }
   const Real layer = 2 * (1 - steel.nu * steel.nu) / (pi * steel.E * face_width);
-  const Real c = cos(flank_angle);
-  const Real s = sin(flank_angle);
+  const Real c = cos(tooth.flank_angle);
+  const Real s = sin(tooth.flank_angle);
   const Real shift = pitch - value_of(pitch);  // zero; it carries the derivatives
   const int count =
       std::min(pitches / 2, static_cast<int>(std::floor(kReach / value_of(pitch)))) + 1;

@@ -25,12 +25,11 @@ struct FlankPlace {
 template <class Real>
 class BasicToothNeighbours {
  public:
-  /// @param tooth        of the circular spline; its roots do not overlap, B <= pitch
-  /// @param flank_angle  angle of the flanks against the radius [rad]
-  /// @param steel        of the circular spline
-  /// @param face_width   b [m]; > 0
-  /// @param pitches      pitches of the whole turn
-  BasicToothNeighbours(const BasicToothOnWall<Real>& tooth, const Real& flank_angle,
+  /// @param tooth       of the circular spline; its roots do not overlap, B <= pitch
+  /// @param steel       of the circular spline
+  /// @param face_width  b [m]; > 0
+  /// @param pitches     pitches of the whole turn
+  BasicToothNeighbours(const BasicToothOnWall<Real>& tooth,
                        const BasicElasticConstants<Real>& steel, const Real& face_width,
                        int pitches);
 

@@ -63,28 +63,19 @@ Deviations wavy() {
   return of;
 }
 
-/// Teeth as drawn, and roots of the circular spline that the tips of the flexspline do not meet.
-void draw_teeth(GearSet& gear, ToothProfile profile, ToothTips tips = ToothTips::full) {
-  test::half_free(gear);
-  gear.mesh->tooth = ToothShape{
-      .profile = profile, .addendum = {}, .spline_addendum = {}, .thickness = {}, .tips = tips};
-  const double module = gear.drive.pitch_diameter / (2 * gear.drive.ratio);
-  gear.circular_spline->inner_diameter = gear.drive.pitch_diameter + 4.2 * module;
-}
-
 const std::map<std::string, Case>& cases() {
   static const std::map<std::string, Case> all = {
       {"sound", {}},
       {"sound_warping_support", {.change = test::half_free, .warping = true}},
       {"straight_teeth",
-       {.change = [](GearSet& g) { draw_teeth(g, ToothProfile::straight); }, .warping = true}},
+       {.change = [](GearSet& g) { test::draw_teeth(g, ToothProfile::straight); }, .warping = true}},
       {"relieved_teeth",
-       {.change = [](GearSet& g) { draw_teeth(g, ToothProfile::straight, ToothTips::relieved); },
+       {.change = [](GearSet& g) { test::draw_teeth(g, ToothProfile::straight, ToothTips::relieved); },
         .warping = true}},
       {"involute_teeth",
        {.change =
             [](GearSet& g) {
-              draw_teeth(g, ToothProfile::involute);
+              test::draw_teeth(g, ToothProfile::involute);
               g.mesh->coning = 0.5;
             },
         .warping = true}},
@@ -213,9 +204,9 @@ TEST_P(DenseSolver, CrosscheckCurvesOfASize) {
       const std::string what = row.quantity.substr(row.quantity.rfind('.') + 1);
       // Both solvers stop at 1e-11 of the contact forces.  Where flanks only just touch without
       // torque, as at the ratio 160, this leaves 1e-12 rad in the angle from which twist counts.
-      const bool angle = row.unit == "rad" && row.value != 0;
+      const bool soft_start = ratio == 160 && row.unit == "rad" && row.value != 0;
       test::expect_row(stated(what, curve, curve.points.at(static_cast<std::size_t>(i))), row,
-                       angle ? std::max(1e-9, 1e-12 / std::abs(row.value)) : 1e-9);
+                       soft_start ? std::max(1e-9, 1e-12 / std::abs(row.value)) : 1e-9);
       ++compared;
     }
   }

@@ -48,6 +48,7 @@ GearSet drive_of(const std::string& name, int size, double ratio) {
                                                              {"half_free_pressed_50", 50e-6}};
   GearSet gear = with_friction(test::typical_drive(size, ratio));
   if (name.starts_with("half_free")) test::half_free(gear);
+  if (name == "relieved_teeth") test::draw_teeth(gear, ToothProfile::straight, ToothTips::relieved);
   if (const auto found = interference.find(name); found != interference.end())
     gear = pressed(gear, found->second);
   return gear;
@@ -87,7 +88,7 @@ TEST(Friction, CrosscheckAgainstTheDenseSolver) {
     EXPECT_NEAR(value, unit->second * row.value, 1e-8 * unit->second * row.value);
     ++compared;
   }
-  EXPECT_GT(compared, 500);
+  EXPECT_GT(compared, 600);
 }
 
 TEST(Friction, ReferenceTheFirstOrderAgainstTheWholeProblem) {
@@ -215,8 +216,9 @@ TEST(Friction, ReferenceRunningAndBackDrivingOfAMaker) {
   // A maker's values at ratio 100: rated torque, starting torque, no-load torque at 2000 rpm,
   // back-driving torque, efficiency.  Grease and seals, which are not in the model, make the
   // difference between the stated and the predicted torque without load.  With this difference the
-  // model gives the efficiency within the maker's tolerance of 3 %, and the back-driving torque
-  // over the starting torque within 0.5 %.
+  // model gives the efficiency within the maker's tolerance of 3 %.  The tolerance of the
+  // back-driving torque over ratio and starting torque, 0.006, covers 0.0053 for both sizes: the
+  // model gives 1.047, the maker 1.052 (TC-35).
   struct Stated {
     int size;
     double rated, start, run, back, efficiency;
@@ -234,7 +236,26 @@ TEST(Friction, ReferenceRunningAndBackDrivingOfAMaker) {
                 stated.efficiency, 0.03);
     const std::optional<double> back = back_driving_torque(drive);
     ASSERT_TRUE(back.has_value());
-    EXPECT_NEAR(*back / (100 * none), stated.back / (100 * stated.start), 0.01);
+    EXPECT_NEAR(*back / (100 * none), stated.back / (100 * stated.start), 0.006);
+  }
+}
+
+TEST(Friction, ReferenceTableOfTheNoLoadTorque) {
+  // The table of (TC-34) in mN*m, by tools/reference/friction_loop.py --makers, which shares no
+  // code with the library.  The tolerances are half of the last printed digit.
+  struct Row {
+    int size;
+    double ratio, balls, outer_ring, sum;
+  };
+  for (const Row& row : {Row{14, 100, 1.59, 0.05, 1.64}, Row{25, 100, 9.03, 0.31, 9.34},
+                         Row{40, 50, 68.29, 4.45, 72.73}}) {
+    SCOPED_TRACE(row.size);
+    const RunningTorque none =
+        no_load_torque(AssembledDrive(test::typical_drive(row.size, row.ratio)));
+    EXPECT_NEAR(1e3 * none.balls, row.balls, 0.005);
+    EXPECT_NEAR(1e3 * none.outer_ring, row.outer_ring, 0.005);
+    EXPECT_NEAR(1e3 * none.total(), row.sum, 0.005);
+    EXPECT_EQ(none.flanks, 0.0);
   }
 }
 

@@ -57,7 +57,7 @@ TEST(ToothNeighbours, ReferencePlaneFiniteElements) {
       tooth.flank_angle = row("flank_angle");
       tooth.thickness = row("thickness_over_pitch") * pi;
       tooth.dedendum = row("dedendum_over_module");
-      const ToothNeighbours teeth(tooth, tooth.flank_angle, unit_steel(), 1.0, 320);
+      const ToothNeighbours teeth(tooth, unit_steel(), 1.0, 320);
       EXPECT_NEAR(teeth.between({.tooth = row.quantity.back() - '0', .side = 1}, kDrive), row.value,
                   0.014)
           << row.quantity << " " << row("wall_over_module");
@@ -71,7 +71,7 @@ TEST(ToothNeighbours, ReferenceTheIntegralOverTheWaves) {
   // end of this integral at 700 per module, where the rest is of the order 1/(wave^2 B^2).
   const double wall = 20.0;
   const BasicToothOnWall<double> tooth = tooth_on<double>(wall);
-  const ToothNeighbours teeth(tooth, tooth.flank_angle, unit_steel(), 1.0, 320);
+  const ToothNeighbours teeth(tooth, unit_steel(), 1.0, 320);
   const double root = tooth.root_width();
   const double lever = 1.1 - pi / 4 * std::tan(tooth.flank_angle);
   const double c = std::cos(tooth.flank_angle);
@@ -111,7 +111,7 @@ TEST(ToothNeighbours, ReferenceTheIntegralOverTheWaves) {
 
 TEST(ToothNeighbours, IdentityReciprocityAndMirror) {
   const BasicToothOnWall<double> tooth = tooth_on<double>(32);
-  const ToothNeighbours teeth(tooth, tooth.flank_angle, unit_steel(), 1.0, 101);
+  const ToothNeighbours teeth(tooth, unit_steel(), 1.0, 101);
   for (int n = -50; n <= 50; ++n)
     for (const int of : {1, -1})
       for (const int by : {1, -1}) {
@@ -133,7 +133,7 @@ TEST(ToothNeighbours, LimitAThinRingHasNoNeighbours) {
   // tooth by less than a thousandth of what a thick one does.
   const auto next = [](double wall) {
     const BasicToothOnWall<double> tooth = tooth_on<double>(wall);
-    return ToothNeighbours(tooth, tooth.flank_angle, unit_steel(), 1.0, 100)
+    return ToothNeighbours(tooth, unit_steel(), 1.0, 100)
         .between({.tooth = 2, .side = 1}, kDrive);
   };
   EXPECT_LT(std::abs(next(pi / 2)), 1e-3 * next(40));
@@ -238,7 +238,7 @@ TEST(ToothNeighbours, BehaviourWhereTheTermBelongs) {
 TEST(ToothNeighbours, ScalingWithModulusAndWidth) {
   const BasicToothOnWall<double> tooth = tooth_on<double>(30);
   const auto next = [&](double E, double b) {
-    return ToothNeighbours(tooth, tooth.flank_angle, {.E = E, .G = E / 2.6, .nu = 0.3}, b, 100)
+    return ToothNeighbours(tooth, {.E = E, .G = E / 2.6, .nu = 0.3}, b, 100)
         .between({.tooth = 1, .side = 1}, kDrive);
   };
   EXPECT_NEAR(next(3.0, 5.0) * 15 / next(1.0, 1.0), 1.0, 1e-14);

@@ -196,4 +196,14 @@ inline void crack_race(GearSet& gear, double compliance, const CoupledOptions& o
 /// Puts the circular spline into a housing that leaves half of its compliance.
 inline void half_free(GearSet& gear) { gear.circular_spline->support = 0.5; }
 
+/// Teeth as drawn in a half free circular spline, whose roots the tips of the flexspline do not
+/// meet.
+inline void draw_teeth(GearSet& gear, ToothProfile profile, ToothTips tips = ToothTips::full) {
+  half_free(gear);
+  gear.mesh->tooth = ToothShape{
+      .profile = profile, .addendum = {}, .spline_addendum = {}, .thickness = {}, .tips = tips};
+  const double module = gear.drive.pitch_diameter / (2 * gear.drive.ratio);
+  gear.circular_spline->inner_diameter = gear.drive.pitch_diameter + 4.2 * module;
+}
+
 }  // namespace strainwave::test

@@ -9,7 +9,7 @@ to turn.
 
 Mode n >= 2: a line load cos(n theta) at the middle of the face; `stiffness` is twice the energy over
 the squared displacement there, with the outer ring of the bearing as a ring that bends under the
-middle of the face; `tilt` is the slope of the wall along the axis over the displacement there.
+middle of the face; `tilt`, of n = 2 only, is the slope of the wall along the axis over the displacement there.
 Mode 0: uniform tangential traction on the rim; `twist` is the mean rotation of the face per torque.
 
 Independent of the library, whose (TC-2) is a beam along the axis and whose (TC-13) is a sum.
@@ -170,8 +170,9 @@ def tables(chosen=None):
             inputs = n, *g.values()
             table.add(f"{shape}.stiffness", inputs, stiffness, "N/m", "shell of revolution",
                       digits=5, printed=9)
-            table.add(f"{shape}.tilt", inputs, tilt, "1/m", "shell of revolution", digits=5,
-                      printed=9)
+            if n == 2:  # that of the coning
+                table.add(f"{shape}.tilt", inputs, tilt, "1/m", "shell of revolution", digits=5,
+                          printed=9)
         if shape != "open":
             table.add(f"{shape}.twist", (0, *g.values()), shell(0, g), "rad/(N*m)",
                       "shell of revolution", digits=5, printed=9)

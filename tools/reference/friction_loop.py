@@ -39,8 +39,10 @@ class Rubbing(Coupled):
     def __init__(self, drive):
         super().__init__(drive)
         alpha, teeth = drive["flank_angle"], self.teeth
-        across = (self.flank_rows[:teeth] - self.flank_rows[teeth:]) / (2 * cos(alpha))
-        up = (self.flank_rows[:teeth] + self.flank_rows[teeth:]) / (2 * sin(alpha))
+        rows = self.flank_rows.copy()
+        rows[:, self.rings:] = 0.0  # slip is the motion of the two rings, not of neighbouring teeth
+        across = (rows[:teeth] - rows[teeth:]) / (2 * cos(alpha))
+        up = (rows[:teeth] + rows[teeth:]) / (2 * sin(alpha))
         self.flank_slip = np.vstack((cos(alpha) * up - sin(alpha) * across,
                                      cos(alpha) * up + sin(alpha) * across))
         self.outer_slip = self.integrated_slip()
@@ -135,8 +137,7 @@ class Rubbing(Coupled):
             return m * t - w0 / 2 * np.sin(2 * t), w0 * np.cos(2 * t)
 
         count = round(2 * g["ratio"])
-        t = np.remainder((np.arange(count) + 0.5) * 2 * pi / count + pi / 2, pi) - pi / 2
-        t = t[np.abs(t) <= pi / 4 * (1 + 1e-12)]
+        t = np.remainder((self.index + 0.5) * 2 * pi / count + pi / 2, pi) - pi / 2
         t = np.concatenate((t, -t))
         h = 1e-3
         slide = 0.0  # eighth order difference of the path along the flank
@@ -161,7 +162,8 @@ class Rubbing(Coupled):
 CASES = {"plain": {}, "pressed_1": dict(lobe_gap=-1e-6), "pressed_2": dict(lobe_gap=-2e-6),
          "pressed_5": dict(lobe_gap=-5e-6), "pressed_50": dict(lobe_gap=-50e-6),
          "half_free": dict(spline_support=0.5), "half_free_pressed_50": dict(
-             spline_support=0.5, lobe_gap=-50e-6)}
+             spline_support=0.5, lobe_gap=-50e-6),
+         "relieved_teeth": dict(spline_support=0.5, tooth="straight", tips="relieved")}
 
 
 def tables(sizes=((25, 100), (25, 50), (14, 80), (50, 160))):

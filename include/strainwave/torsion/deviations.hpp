@@ -77,8 +77,8 @@ struct DeviationLimits {
 [[nodiscard]] Deviations draw_deviations(const GearSet& gear, std::uint64_t seed,
                                          std::uint64_t draw);
 
-/// Least gap of all flanks with which no pair of flanks that meets over a turn of the wave
-/// generator is closer than in the drive without deviations [m].
+/// Least further gap of all flanks with which no flank is closer to the flank that it faces than in
+/// the drive without deviations, at any place and in any position of the wave generator [m].
 /// @param flank_angle  alpha [rad]
 [[nodiscard]] double pairing_gap(const Deviations& deviations, double flank_angle);
 
