@@ -9,7 +9,9 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
+#include "strainwave/core/roots.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/torsion/diaphragm_stress.hpp"
 #include "wave_stresses.hpp"
 
 namespace strainwave {
@@ -141,6 +143,29 @@ struct TypicalWalls {
   double length = 0.0;         // L [m]
 };
 
+Flexspline typical_flexspline(double d, double R, const TypicalWalls& walls, FlexsplineForm form,
+                              const ProportionValues& p) {
+  const double t_r = walls.rim.thickness;
+  const double t_b = p.barrel_thickness * t_r;
+  const bool hat = form == FlexsplineForm::hat;
+  Flexspline fs;
+  fs.material = "steel";
+  fs.shape = hat ? FlexsplineShape::hat : FlexsplineShape::cup;
+  fs.wall_thickness = t_r;
+  fs.length = walls.length;
+  fs.crack_free = CrackFree::sections;
+  fs.rim =
+      TubeSection{.outer_diameter = 2 * R + t_r, .wall_thickness = t_r, .length = walls.face_width};
+  fs.barrel = TubeSection{.outer_diameter = 2 * R + t_b,
+                          .wall_thickness = t_b,
+                          .length = walls.length - walls.face_width};
+  fs.diaphragm = Diaphragm{.outer_diameter = hat ? p.flange_diameter * d : 2 * R,
+                           .inner_diameter = hat ? 2 * R : p.boss_diameter * d,
+                           .thickness = walls.diaphragm.thickness,
+                           .profile = {}};
+  return fs;
+}
+
 TypicalWalls typical_walls(double d, double ratio, const DriveType& type,
                            const ProportionValues& p) {
   const double m = d / (2 * ratio);
@@ -164,45 +189,26 @@ TypicalWalls typical_walls(double d, double ratio, const DriveType& type,
   walls.inner_ring = (section - walls.ball) / 2;
   walls.outer_ring = thinner(walls.inner_ring, ring_thickness(narrow, bore / 2, p.ring_stress));
   walls.bearing_width = p.bearing_width * bore;
-  const double clamped =
-      (type.form == FlexsplineForm::hat ? p.flange_diameter : p.boss_diameter) * d / 2;
-  walls.diaphragm =
-      thinner(p.diaphragm_thickness * d,
-              p.diaphragm_stress / plate_stress_per_thickness(
-                                       wide, {.clamped_radius = clamped,
-                                              .mouth_radius = roots - walls.rim.thickness / 2,
-                                              .barrel_length = walls.length - walls.face_width,
-                                              .poissons_ratio = steel.nu}));
-  if (walls.diaphragm.thickness < kLeastDiaphragm * d)
-    walls.diaphragm = {kLeastDiaphragm * d, Decides::least};
+  walls.diaphragm = {p.diaphragm_thickness * d};
+  const auto beyond = [&](double thickness) {
+    TypicalWalls tried = walls;
+    tried.diaphragm.thickness = thickness;
+    const double R = roots - walls.rim.thickness / 2;
+    return diaphragm_wave_stress(typical_flexspline(d, R, tried, type.form, p), steel, R,
+                                 wide.waves, wide.displacement) -
+           p.diaphragm_stress;
+  };
+  const double least = kLeastDiaphragm * d;
+  if (beyond(walls.diaphragm.thickness) > 0)
+    walls.diaphragm =
+        beyond(least) >= 0
+            ? Wall{least, Decides::least}
+            : Wall{bracketed_root(beyond, least, walls.diaphragm.thickness), Decides::stress};
   return walls;
 }
 
 double wall_ratio(double ratio, const DriveType& type) {
   return type.blank == Blank::size ? kBlankRatio : ratio;
-}
-
-Flexspline typical_flexspline(double d, double R, const TypicalWalls& walls, FlexsplineForm form,
-                              const ProportionValues& p) {
-  const double t_r = walls.rim.thickness;
-  const double t_b = p.barrel_thickness * t_r;
-  const bool hat = form == FlexsplineForm::hat;
-  Flexspline fs;
-  fs.material = "steel";
-  fs.shape = hat ? FlexsplineShape::hat : FlexsplineShape::cup;
-  fs.wall_thickness = t_r;
-  fs.length = walls.length;
-  fs.crack_free = CrackFree::sections;
-  fs.rim =
-      TubeSection{.outer_diameter = 2 * R + t_r, .wall_thickness = t_r, .length = walls.face_width};
-  fs.barrel = TubeSection{.outer_diameter = 2 * R + t_b,
-                          .wall_thickness = t_b,
-                          .length = walls.length - walls.face_width};
-  fs.diaphragm = Diaphragm{.outer_diameter = hat ? p.flange_diameter * d : 2 * R,
-                           .inner_diameter = hat ? 2 * R : p.boss_diameter * d,
-                           .thickness = walls.diaphragm.thickness,
-                           .profile = {}};
-  return fs;
 }
 
 /// @param bore  bore of the flexspline, which the bearing fills [m]

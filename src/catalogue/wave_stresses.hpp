@@ -18,15 +18,4 @@ struct BentWall {
 /// @param outer_radius  radius of its outer face [m]
 [[nodiscard]] double ring_thickness(const BentWall& wall, double outer_radius, double stress);
 
-/// An annular plate, clamped at one edge; the mouth of a barrel moves the other edge axially.
-struct MouthPlate {
-  double clamped_radius = 0.0;  ///< r_c [m]
-  double mouth_radius = 0.0;    ///< R, mean radius of the barrel [m]
-  double barrel_length = 0.0;   ///< L_b [m]
-  double poissons_ratio = 0.3;
-};
-
-/// Bending stress at the clamped edge per thickness (CV-2) [Pa/m].
-[[nodiscard]] double plate_stress_per_thickness(const BentWall& wall, const MouthPlate& plate);
-
 }  // namespace strainwave

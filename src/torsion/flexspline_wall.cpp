@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "strainwave/torsion/diaphragm_stress.hpp"
+
 namespace strainwave {
 namespace {
 
@@ -125,6 +127,7 @@ BasicWallMode<Real> wall_mode(const BasicFlexsplineWall<Real>& wall, int n) {
   BasicWallMode<Real> mode;
   mode.tilt = -couples / tilts;
   const Real slope = at_bottom[0] * mode.tilt + at_bottom[1] * (1 - half * mode.tilt);
+  mode.mouth = warp * slope;
   mode.diaphragm = resists * slope * slope;
   mode.barrel = pi * R * (moved[3] + couples * mode.tilt) - mode.diaphragm;
   return mode;
@@ -156,6 +159,14 @@ BasicFlexsplineWall<Real> flexspline_wall(const Flexspline& fs, const Lift<Real>
       .clamped = fs.shape == FlexsplineShape::hat ? ClampedEdge::outer : ClampedEdge::inner,
       .corner = 2 * plate_bending(steel, t) * decay};  // (TC-3)
   return wall;
+}
+
+double diaphragm_wave_stress(const Flexspline& flexspline, const ElasticConstants& steel,
+                             double radius, int waves, double displacement) {
+  const auto wall = flexspline_wall(flexspline, Lift<double>(), radius, steel, true);
+  return steel.plane_strain_modulus() * wall.bottom->thickness / 2 *
+         std::abs(clamped_edge_curvature(*wall.bottom, waves) * wall_mode(wall, waves).mouth) *
+         displacement;  // (CV-2)
 }
 
 template BasicWallMode<double> wall_mode(const BasicFlexsplineWall<double>&, int);

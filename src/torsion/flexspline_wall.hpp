@@ -30,6 +30,7 @@ struct BasicWallMode {
   Real barrel{};     ///< twice the energy of barrel and tilting rim [N/m]
   Real diaphragm{};  ///< twice the energy of the bottom [N/m]
   Real tilt{};       ///< slope of the rim along the axis, W'/W [1/m]
+  Real mouth{};      ///< axial displacement of the barrel's lower edge, u/W [-]
 };
 
 /// Implements theory manual eq. (TC-2).

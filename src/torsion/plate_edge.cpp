@@ -12,6 +12,12 @@ namespace strainwave {
 
 namespace {
 
+/// Radius of the edge that the tube stands on.
+template <class Real>
+const Real& edge_radius(const BasicClampedPlate<Real>& plate) {
+  return plate.clamped == ClampedEdge::inner ? plate.outer_radius : plate.inner_radius;
+}
+
 /// Amplitudes of the four powers of the radius that satisfy the conditions at the edges.
 std::array<double, 4> amplitudes_of(const std::array<std::array<double, 4>, 4>& conditions,
                                     const std::array<double, 4>& wanted) {
@@ -52,8 +58,15 @@ std::array<DualReal, 4> amplitudes_of(const std::array<std::array<DualReal, 4>, 
   return result;
 }
 
+/// The plate with the deflection f = 1 at the edge that the tube stands on (TC-3).
 template <class Real>
-Real edge_stiffness(const BasicClampedPlate<Real>& plate, int harmonic) {
+struct BentPlate {
+  Real edge_force{};         // per length of the edge
+  Real clamped_curvature{};  // f'' at the clamped edge
+};
+
+template <class Real>
+BentPlate<Real> bent_plate(const BasicClampedPlate<Real>& plate, int harmonic) {
   using std::pow;
   const double n = harmonic;
   const Real nu = plate.poissons_ratio;
@@ -64,13 +77,15 @@ Real edge_stiffness(const BasicClampedPlate<Real>& plate, int harmonic) {
   require(plate.thickness > 0, "thickness", value_of(plate.thickness), "m", "thickness > 0");
   const Real D = plate.youngs_modulus * pow(plate.thickness, 3.0) / (12 * (1 - nu * nu));  // (TC-3)
   const bool inside = plate.clamped == ClampedEdge::inner;
-  const Real& edge = inside ? plate.outer_radius : plate.inner_radius;  // that of the tube
+  const Real& edge = edge_radius(plate);
+  const Real& clamp = inside ? plate.inner_radius : plate.outer_radius;
   const Real bends = (inside ? 1.0 : -1.0) * D / edge;
   // Deflection r^p cos(n theta).  The positive powers are scaled to 1 at the outer edge and the
   // negative powers at the inner edge, because a high n would otherwise overflow.
   const std::array<double, 4> powers = {n, -n, n + 2, 2 - n};
   std::array<std::array<Real, 4>, 4> conditions;
   std::array<Real, 4> edge_force;
+  std::array<Real, 4> curvature;
   for (std::size_t i = 0; i < 4; ++i) {
     const double p = powers[i];
     const Real far = Real(pow(rho, std::abs(p)));
@@ -83,11 +98,20 @@ Real edge_stiffness(const BasicClampedPlate<Real>& plate, int harmonic) {
     conditions[3][i] = (bends * (p * (p - 1) + nu * (p - n * n)) + slip) * at_edge;
     const double shear = (p * p - n * n) * (p - 2);
     edge_force[i] = -(bends * (shear - (1 - nu) * n * n * (p - 1)) + n * n * slip) * at_edge;
+    curvature[i] = p * (p - 1) / (clamp * clamp) * at_clamp;
   }
   const std::array<Real, 4> amplitudes = amplitudes_of(conditions, {0.0, 0.0, 1.0, 0.0});
-  Real force(0.0);
-  for (std::size_t i = 0; i < 4; ++i) force += edge_force[i] * amplitudes[i];
-  return std::numbers::pi / edge * force;  // (TC-3)
+  BentPlate<Real> bent{.edge_force = Real(0.0), .clamped_curvature = Real(0.0)};
+  for (std::size_t i = 0; i < 4; ++i) {
+    bent.edge_force += edge_force[i] * amplitudes[i];
+    bent.clamped_curvature += curvature[i] * amplitudes[i];
+  }
+  return bent;
+}
+
+template <class Real>
+Real edge_stiffness(const BasicClampedPlate<Real>& plate, int harmonic) {
+  return std::numbers::pi / edge_radius(plate) * bent_plate(plate, harmonic).edge_force;  // (TC-3)
 }
 
 }  // namespace
@@ -97,6 +121,10 @@ double plate_edge_stiffness(const ClampedPlate& plate, int harmonic) {
 }
 DualReal plate_edge_stiffness(const BasicClampedPlate<DualReal>& plate, int harmonic) {
   return edge_stiffness(plate, harmonic);
+}
+
+double clamped_edge_curvature(const ClampedPlate& plate, int harmonic) {
+  return bent_plate(plate, harmonic).clamped_curvature;
 }
 
 }  // namespace strainwave

@@ -100,6 +100,20 @@ TEST(PlateEdge, LimitNarrowPlateIsACantilever) {
   }
 }
 
+TEST(PlateEdge, LimitClampedCurvatureOfANarrowPlate) {
+  // A beam of length l, clamped at one end and moved by u at the other: its curvature is 3 u/l^2 if
+  // the other end is hinged, and 6 u/l^2 if it cannot turn.  The next term is of the order l/R.
+  for (const ClampedEdge clamped : {ClampedEdge::inner, ClampedEdge::outer}) {
+    ClampedPlate narrow = kPlate;
+    narrow.clamped = clamped;
+    const double l = 1e-4 * narrow.outer_radius;
+    narrow.inner_radius = narrow.outer_radius - l;
+    EXPECT_NEAR(std::abs(clamped_edge_curvature(narrow, 2)) * l * l, 3.0, 1e-3);
+    narrow.corner = 1e6 * bending(narrow) / l;
+    EXPECT_NEAR(std::abs(clamped_edge_curvature(narrow, 2)) * l * l, 6.0, 2e-3);
+  }
+}
+
 TEST(PlateEdge, LimitPointLikeBossIsAFullPlate) {
   // Without a hole only r^n and r^(n+2) remain: D pi/r_o^2 times 2 (1 - nu)... evaluated from the
   // two powers here; the boss matters as rho^(2n - 2).

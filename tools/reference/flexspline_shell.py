@@ -9,7 +9,9 @@ to turn.
 
 Mode n >= 2: a line load cos(n theta) at the middle of the face; `stiffness` is twice the energy over
 the squared displacement there, with the outer ring of the bearing as a ring that bends under the
-middle of the face; `tilt`, of n = 2 only, is the slope of the wall along the axis over the displacement there.
+middle of the face; `tilt`, of n = 2 only, is
+the slope of the wall along the axis over the displacement there, and `clamped_curvature` that of the
+diaphragm along the radius at its clamped edge over the displacement at the middle of the face.
 Mode 0: uniform tangential traction on the rim; `twist` is the mean rotation of the face per torque.
 
 Independent of the library, whose (TC-2) is a beam along the axis and whose (TC-13) is a sum.
@@ -98,6 +100,15 @@ def solved(K, fixed, load):
     return solveh_banded(K, load, lower=True)
 
 
+def clamped_curvature(part, state):
+    """Second derivative across the first part at its clamped beginning, where w and w' are zero."""
+    r0, z0, r1, z1, _, count = part
+    h = hypot(r1 - r0, z1 - z0) / count
+    sine, cosine = (r1 - r0) / (count * h), (z1 - z0) / (count * h)
+    across = cosine * state[6] - sine * state[8]
+    return (6 / h * across - 2 * state[9]) / h
+
+
 def parts_of(g, fine):
     """Meridian from the clamped edge, or from the lower end of the barrel, to the open end."""
     R, L, b = g["radius"], g["barrel_length"], g["rim_width"]
@@ -111,7 +122,7 @@ def parts_of(g, fine):
 
 
 def shell(n, g, fine=20):
-    """(stiffness, tilt) of mode n, or the twist for n = 0."""
+    """(stiffness, tilt, curvature at the clamp) of mode n, or the twist for n = 0."""
     parts = parts_of(g, fine)
     K = energy(n, parts)
     size = K.shape[1]
@@ -122,7 +133,7 @@ def shell(n, g, fine=20):
         load[6 * middle] = 1
         state = solved(K, range(4) if g["bottom_thickness"] else range(2), load)
         W, slope = state[6 * middle], state[6 * middle + 3]
-        return 1 / W, slope / W
+        return 1 / W, slope / W, clamped_curvature(parts[0], state) / W
     for node in range(middle - fine, middle + fine):  # moment of the traction: 1 over the face
         for dof, share in ((1, 1 / 6), (5, 4 / 6), (7, 1 / 6)):
             load[6 * node + dof] += share / (2 * fine * g["radius"])
@@ -166,13 +177,16 @@ def tables(chosen=None):
                   *(f"{name} [{units.get(name, 'm')}]" for name in NAMES))
     for shape, g in chosen or cases():
         for n in (2, 3, 4, 6):
-            stiffness, tilt = shell(n, g)
+            stiffness, tilt, curvature = shell(n, g)
             inputs = n, *g.values()
             table.add(f"{shape}.stiffness", inputs, stiffness, "N/m", "shell of revolution",
                       digits=5, printed=9)
-            if n == 2:  # that of the coning
+            if n == 2:
                 table.add(f"{shape}.tilt", inputs, tilt, "1/m", "shell of revolution", digits=5,
                           printed=9)
+                if shape != "open":
+                    table.add(f"{shape}.clamped_curvature", inputs, abs(curvature), "1/m^2",
+                              "shell of revolution", digits=3, printed=9)
         if shape != "open":
             table.add(f"{shape}.twist", (0, *g.values()), shell(0, g), "rad/(N*m)",
                       "shell of revolution", digits=5, printed=9)

@@ -36,4 +36,13 @@ using ClampedPlate = BasicClampedPlate<double>;
 [[nodiscard]] double plate_edge_stiffness(const ClampedPlate& plate, int harmonic);
 [[nodiscard]] DualReal plate_edge_stiffness(const BasicClampedPlate<DualReal>& plate, int harmonic);
 
+/// Curvature f'' of the plate along the radius at its clamped edge, over the displacement of the
+/// edge under the tube [1/m^2].
+///
+/// The solution is that of (TC-3).
+///
+/// @param harmonic     n [-]; >= 2
+/// @throws InputError  if a dimension or n is out of range
+[[nodiscard]] double clamped_edge_curvature(const ClampedPlate& plate, int harmonic);
+
 }  // namespace strainwave
