@@ -238,7 +238,8 @@ LineBands line_bands(const AssembledDrive& drive, const BandOptions& options,
       for (std::size_t i = 0; i < limits.size(); ++i)
         drawn->number(i) = values[n * limits.size() + i];
       try {
-        lines[n] = makers_lines(AssembledDrive(drawn->gear(), drive.options()));
+        lines[n] = makers_lines(
+            AssembledDrive(drawn->gear(), drive.options()).with_deviations(drive.deviations()));
       } catch (const Error&) {  // this combination cannot be assembled
       }
     };

@@ -192,6 +192,7 @@ AssembledDrive::Contents sound_contents(const GearSet& gear, const CoupledOption
                                         const CoupledDrive& sound) {
   AssembledDrive::Contents contents{.gear = gear,
                                     .options = options,
+                                    .deviations = {},
                                     .geometry = geometry,
                                     .sound = sound,
                                     .cracks = {},
@@ -207,14 +208,6 @@ AssembledDrive::Contents sound_contents(const GearSet& gear, const CoupledOption
   return contents;
 }
 
-/// Gives a sound drive deviations of its parts, on its cam.  Returns false if it does not assemble.
-bool deviate(CoupledDrive& sound, const Deviations& deviations) {
-  CoupledDrive deviating = sound.deviating(deviations);
-  const bool assembles = deviating.assemble_on(sound.cam_amplitude());
-  sound = std::move(deviating);
-  return assembles;
-}
-
 AssembledDrive::Contents assembled(const GearSet& gear, const CoupledOptions& options) {
   const CoupledGeometry geometry = coupled_geometry(gear, options);
   CoupledOptions at_lobe = options;
@@ -228,7 +221,6 @@ AssembledDrive::Contents assembled(const GearSet& gear, const CoupledOptions& op
     assembles = moved.assemble_on(sound.cam_amplitude());
     sound = std::move(moved);
   }
-  if (assembles && !options.deviations.empty()) assembles = deviate(sound, options.deviations);
   if (!assembles) {
     contents.sound_fails_because = no_assembly(sound);
     crack(contents);
@@ -267,6 +259,7 @@ AssembledDrive::AssembledDrive(std::shared_ptr<const Contents> contents)
 AssembledDrive AssembledDrive::without_cracks() const {
   Contents contents = sound_contents(strainwave::without_cracks(gear()), contents_->options,
                                      contents_->geometry, contents_->sound);
+  contents.deviations = contents_->deviations;
   contents.sound_fails_because = contents_->sound_fails_because;
   crack(contents);
   return AssembledDrive(std::make_shared<const Contents>(std::move(contents)));
@@ -287,17 +280,21 @@ AssembledDrive AssembledDrive::turned(double angle) const {
 
 AssembledDrive AssembledDrive::with_deviations(const Deviations& deviations) const {
   check_deviations(deviations, gear());
-  if (deviations.empty() && options().deviations.empty()) return *this;
+  if (deviations.empty() && contents_->deviations.empty()) return *this;
   Contents contents = *contents_;
-  contents.options.deviations = deviations;
-  if (contents.sound_fails_because.empty() && !deviate(contents.sound, deviations))
-    contents.sound_fails_because = no_assembly(contents.sound);
+  contents.deviations = deviations;
+  if (contents.sound_fails_because.empty()) {
+    contents.sound = contents_->sound.deviating(deviations);
+    if (!contents.sound.assemble_on(contents_->sound.cam_amplitude()))
+      contents.sound_fails_because = no_assembly(contents.sound);
+  }
   crack(contents);
   return AssembledDrive(std::make_shared<const Contents>(std::move(contents)));
 }
 
 const GearSet& AssembledDrive::gear() const { return contents_->gear; }
 const CoupledOptions& AssembledDrive::options() const { return contents_->options; }
+const Deviations& AssembledDrive::deviations() const { return contents_->deviations; }
 std::vector<Note> AssembledDrive::notes() const {
   std::vector<Note> notes = contents_->notes;
   if (!contents_->fails_because.empty()) return notes;

@@ -87,6 +87,7 @@ template <class Real>
 struct AssembledDrive::Contents {
   GearSet gear;
   CoupledOptions options;
+  Deviations deviations;
   CoupledGeometry geometry;
   CoupledDrive sound;    // the sound drive on its cam
   ContactCracks cracks;  // including those that the assembly presses
@@ -107,6 +108,7 @@ struct AssembledDrive::Contents {
 
 /// Solves one torque after the other and passes each state to `see`.
 /// @return  reason why the curve is not usable from some torque on; empty if all states were found
+/// @throws InputError  if a torque is not a finite number
 [[nodiscard]] std::string walk(const AssembledDrive::Contents& contents,
                                std::span<const double> torques, const Progress& progress,
                                const std::function<void(const Equilibrium&)>& see);

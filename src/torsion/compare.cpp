@@ -190,7 +190,8 @@ LinesOverCage lines_over_cage(const AssembledDrive& drive, int phases, const Pro
     return [&](std::size_t i) {
       CoupledOptions options = drive.options();
       options.cage_phase = result.phases[i];
-      const MakersLines lines = makers_lines(AssembledDrive(drive.gear(), options));
+      const MakersLines lines =
+          makers_lines(AssembledDrive(drive.gear(), options).with_deviations(drive.deviations()));
       result.at_phase[i] = {lines.K1, lines.K2, lines.K3};
     };
   });

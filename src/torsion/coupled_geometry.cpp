@@ -475,7 +475,6 @@ void check_coupled(const GearSet& gear, const CoupledOptions& options) {
   require(std::isfinite(options.cage_phase), "cage_phase", options.cage_phase, "rad",
           "a finite number");
   if (gear.tolerance) (void)deviation_limits(gear);
-  check_deviations(options.deviations, gear);
   const Transmission& drive = gear.drive;
   const TubeSection& rim = *gear.flexspline->rim;
   const WaveGenerator& wg = *gear.wave_generator;

@@ -290,9 +290,8 @@ CurveDifferentiator::CurveDifferentiator(const AssembledDrive& drive) {
   const AssembledDrive::Contents& contents = drive.contents();
   require(contents.options.cage_phase == 0, "cage_phase", contents.options.cage_phase, "rad",
           "0 for derivatives, because the cam is made for a ball at the lobe (TC-12)");
-  require(contents.options.deviations.empty(), "deviations.pairing_gap",
-          contents.options.deviations.pairing_gap, "m",
-          "a drive without deviations for derivatives (TC-36)");
+  require(contents.deviations.empty(), "deviations.pairing_gap", contents.deviations.pairing_gap,
+          "m", "a drive without deviations for derivatives (TC-36)");
   if (!contents.fails_because.empty()) throw SolverError(contents.fails_because);
   if (!contents.unusable_because.empty()) throw SolverError(contents.unusable_because);
   contents_ = std::make_shared<const Contents>(drive, line_torques(drive.gear(), Lift<double>()));

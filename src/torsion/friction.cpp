@@ -152,8 +152,6 @@ SlidingCurve sliding_curve(const AssembledDrive& drive, std::span<const double> 
       mesh.friction_coefficient < std::tan(mesh.flank_angle), "mesh.friction_coefficient",
       mesh.friction_coefficient, "1",
       "less than the tangent of mesh.flank_angle, because otherwise the flanks lock themselves");
-  for (const double torque : torques)
-    require(std::isfinite(torque), "torque", torque, "N*m", "a finite number");
   SlidingCurve curve;
   require_usable(walk(contents, torques, progress, [&](const Equilibrium& state) {
     curve.twist.push_back(contents.twist(state));
@@ -163,7 +161,6 @@ SlidingCurve sliding_curve(const AssembledDrive& drive, std::span<const double> 
 }
 
 RunningTorque running_torque(const AssembledDrive& drive, double torque) {
-  require(std::isfinite(torque), "torque", torque, "N*m", "a finite number");
   RunningTorque running;
   require_usable(walk(drive.contents(), std::array{torque}, {}, [&](const Equilibrium& state) {
     running = losses(drive.contents(), state);

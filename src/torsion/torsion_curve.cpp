@@ -69,17 +69,14 @@ CurvePoint point_of(const AssembledDrive::Contents& contents, const Equilibrium&
   return point;
 }
 
-void require_finite(std::span<const double> torques) {
-  for (const double torque : torques)
-    require(std::isfinite(torque), "torque", torque, "N*m", "a finite number");
-}
-
 }  // namespace
 
 std::string walk(const AssembledDrive::Contents& contents, std::span<const double> torques,
                  const Progress& progress, const std::function<void(const Equilibrium&)>& see) {
   const CoupledDrive& drive = contents.drive;
   const CoupledGeometry& g = contents.geometry;
+  for (const double torque : torques)
+    require(std::isfinite(torque), "torque", torque, "N*m", "a finite number");
   if (!contents.fails_because.empty()) return contents.fails_because;
   Equilibrium state = drive.assembled();
   // After half a pitch of free travel, the flanks of the next tooth would touch instead of those of
@@ -108,7 +105,6 @@ std::string walk(const AssembledDrive::Contents& contents, std::span<const doubl
 
 TorsionCurve torsion_curve(const AssembledDrive& assembled, std::span<const double> torques,
                            const Progress& progress) {
-  require_finite(torques);
   const AssembledDrive::Contents& contents = assembled.contents();
   TorsionCurve curve;
   curve.teeth = contents.geometry.teeth;
@@ -130,7 +126,6 @@ TorsionCurve torsion_curve(const AssembledDrive& assembled, std::span<const doub
 
 std::vector<double> twists(const AssembledDrive& assembled, std::span<const double> torques,
                            const Progress& progress) {
-  require_finite(torques);
   const AssembledDrive::Contents& contents = assembled.contents();
   std::vector<double> twist;
   const std::string unusable_because =

@@ -68,9 +68,11 @@ const std::map<std::string, Case>& cases() {
       {"sound", {}},
       {"sound_warping_support", {.change = test::half_free, .warping = true}},
       {"straight_teeth",
-       {.change = [](GearSet& g) { test::draw_teeth(g, ToothProfile::straight); }, .warping = true}},
+       {.change = [](GearSet& g) { test::draw_teeth(g, ToothProfile::straight); },
+        .warping = true}},
       {"relieved_teeth",
-       {.change = [](GearSet& g) { test::draw_teeth(g, ToothProfile::straight, ToothTips::relieved); },
+       {.change =
+            [](GearSet& g) { test::draw_teeth(g, ToothProfile::straight, ToothTips::relieved); },
         .warping = true}},
       {"involute_teeth",
        {.change =
@@ -194,10 +196,10 @@ TEST_P(DenseSolver, CrosscheckCurvesOfASize) {
     const Case& it = cases().at(name);
     GearSet gear = typical_drive(size, ratio);
     it.change(gear);
-    const TorsionCurve curve = torsion_curve(gear, drive.torques,
-                                             {.diaphragm_warping = it.warping,
-                                              .cage_phase = it.cage_phase,
-                                              .deviations = it.deviations()});
+    const AssembledDrive assembled(gear,
+                                   {.diaphragm_warping = it.warping, .cage_phase = it.cage_phase});
+    const TorsionCurve curve =
+        torsion_curve(assembled.with_deviations(it.deviations()), drive.torques);
     ASSERT_TRUE(curve.usable()) << name << ": " << curve.unusable_because;
     for (const test::CsvRow& row : drive.rows) {
       const auto i = std::ranges::find(drive.torques, row("torque")) - drive.torques.begin();

@@ -35,16 +35,18 @@ const Hysteresis& solved() {
 }
 
 TEST(HysteresisEnvelopes, IdentityTheyAreTheTwistAndHalfOfTheWidth) {
-  // The curve is interpolated between 48 torques on each side: its error is 0.1 %, and the nodes
-  // are exact.
+  // The curve is solved at 48 torques on each side and interpolated between them.  At these nodes
+  // both values are solutions of one torque from different starts; the tolerance 1e-9 is above what
+  // the solver leaves.  Elsewhere the tolerances are those of the interpolation, whose largest
+  // error at these torques is 0.03 % of the twist and 0.24 % of the width.
   const AssembledDrive drive(drive_with_friction());
   for (const double torque : {3.0, 14.0, kRated / 4, 48.0, 80.0, kRated, -14.0, -60.0}) {
     const SlidingCurve at = sliding_curve(drive, std::array{torque});
     const bool node = torque == kRated / 4 || torque == kRated;
     const double middle = (solved().rising(torque) + solved().falling(torque)) / 2;
-    test::expect_relative(middle, at.twist[0], node ? 1e-9 : 1e-3);
+    test::expect_relative(middle, at.twist[0], node ? 1e-9 : 5e-4);
     test::expect_relative(solved().falling(torque) - solved().rising(torque), at.width[0].total(),
-                          node ? 1e-6 : 2e-2);
+                          node ? 1e-9 : 4e-3);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/evidence.hpp"
 #include "strainwave/torsion/coupled_options.hpp"
+#include "strainwave/torsion/deviations.hpp"
 
 /// @file
 /// A drive on its cam, assembled once and ready for any torque.
@@ -35,13 +36,16 @@ class AssembledDrive {
   [[nodiscard]] AssembledDrive turned(double angle) const;
 
   /// The same drive with deviations of its parts in place of those it has, on the cam of the drive
-  /// without them (TC-36).  The rings are reused, so this costs one solve.
+  /// without them (TC-36).  The rings are reused, so this costs one solve.  Cracks of the inner
+  /// race keep their compliance, which comes from the ball forces without deviations.
   /// @throws InputError  if the deviations do not fit the drive
   [[nodiscard]] AssembledDrive with_deviations(const Deviations& deviations) const;
 
   /// The drive as given, or after `turned`.
   [[nodiscard]] const GearSet& gear() const;
   [[nodiscard]] const CoupledOptions& options() const;
+  /// Deviations of the parts; empty without `with_deviations`.
+  [[nodiscard]] const Deviations& deviations() const;
   /// Reason why there is no equilibrium at zero torque; empty if there is an equilibrium.
   [[nodiscard]] const std::string& fails_because() const;
   /// Notes on the limits of the answers: on the assumptions of the model, on the cracks, and on

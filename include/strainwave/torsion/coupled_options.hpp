@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "strainwave/torsion/deviations.hpp"
-
 /// @file
 /// Options of the solution of the coupled drive.
 
@@ -14,8 +12,6 @@ struct CoupledOptions {
   /// psi_0, angle of the first ball from the major axis [rad]; the cam is that of the drive with a
   /// ball at the lobe (TC-12)
   double cage_phase = 0.0;
-  /// deviations of the parts; the cam is that of the drive without them (TC-36)
-  Deviations deviations = {};
   double tolerance = 1e-11;  ///< tolerance of the contact forces, relative to the largest [-]
   int max_iterations = 200;  ///< Newton steps per load
 };
