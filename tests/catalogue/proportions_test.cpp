@@ -388,17 +388,18 @@ TEST(StartingDrive, BehaviourRemarksNameTheRule) {
   const std::string plate = "flexspline.diaphragm.thickness";
   EXPECT_TRUE(remark(100, plate).starts_with("drawing: ")) << remark(100, plate);
   EXPECT_TRUE(remark(50, plate).starts_with("stress: limited to 350 MPa")) << remark(50, plate);
-  EXPECT_TRUE(remark(30, plate).starts_with("assumed: 0.004 d, the least thickness; "))
-      << remark(30, plate);
+  const DriveType hat{.form = FlexsplineForm::hat};
+  EXPECT_TRUE(remark(30, plate, hat).starts_with("assumed: 0.004 d, the least thickness; "))
+      << remark(30, plate, hat);
   // The range belongs to the rule that decided.
-  const auto range_of = [&](double ratio) {
-    for (const InputRange& range : starting_drive(25, ratio).gear.range)
+  const auto range_of = [&](double ratio, const DriveType& type = {}) {
+    for (const InputRange& range : starting_drive(25, ratio, type).gear.range)
       if (range.path == plate) return std::string(enum_name(range.knowledge));
     return std::string("none");
   };
   EXPECT_EQ(range_of(100), "drawing");
   EXPECT_EQ(range_of(50), "stress");
-  EXPECT_EQ(range_of(30), "none");
+  EXPECT_EQ(range_of(30, hat), "none");
 }
 
 /// With one number at either limit of its range, the drive still assembles.

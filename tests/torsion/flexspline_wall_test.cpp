@@ -124,8 +124,8 @@ TEST(FlexsplineWall, CrosscheckShellOfRevolution) {
 }
 
 TEST(FlexsplineWall, CrosscheckStressOfTheShellOfRevolution) {
-  // The bending stress of the diaphragm at its clamped edge (CV-2).  The tolerances are the
-  // accuracies that the chapter states.
+  // The bending stress of the diaphragm at its clamped edge (CV-2).  The tolerances are the largest
+  // deviations that the chapter states and half of their last digit.
   int compared = 0;
   for (const test::CsvRow& row : test::read_reference_csv("flexspline_shell")) {
     if (!row.quantity.ends_with("clamped_curvature")) continue;
@@ -134,7 +134,10 @@ TEST(FlexsplineWall, CrosscheckStressOfTheShellOfRevolution) {
         drive.wall.steel.plane_strain_modulus() * row("bottom_thickness") / 2;
     const double stress =
         diaphragm_wave_stress(drive.flexspline, drive.wall.steel, drive.wall.radius, 2, 1.0);
-    test::expect_relative(stress / per_curvature, row.value, 0.05);
+    const bool thick_bottom = row("bottom_thickness") > 1e-3;
+    const bool shortest = row("barrel_length") < 9e-3;
+    const double percent = thick_bottom ? (shortest ? 21.7 : 5.5) : shortest ? 4.1 : 2.0;
+    test::expect_relative(stress / per_curvature, row.value, (percent + 0.05) / 100);
     ++compared;
   }
   EXPECT_EQ(compared, 45);
