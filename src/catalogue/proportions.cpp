@@ -55,7 +55,7 @@ constexpr std::array<Proportion, 32> kProportions = {{
     {"boss_diameter", "over d", &Values::boss_diameter, 0.493, 0.667, kDrawing,
      "bolt circles in a maker's drawings, 0.45 to 0.50 d, and two bolt diameters", "flexspline.diaphragm.inner_diameter"},
     {"flange_diameter", "over d", &Values::flange_diameter, 1.30, 1.50, kAssumed,
-     "bolt circles of hats, about 1.6 d from memory, less two bolt diameters", "flexspline.diaphragm.outer_diameter"},
+     "bolt circles of hats, no source; assumed about 1.6 d, less two bolt diameters", "flexspline.diaphragm.outer_diameter"},
     {"dedendum", "h_f/m", &Values::dedendum, 1.1, 1.35, kDrawing,
      "published samples", ""},
     {"tooth_addendum", "h_a/m of both teeth", &Values::tooth_addendum, 0.55, 0.8, kDrawing,
@@ -483,8 +483,7 @@ GearSet typical_drive_of_size(int size, double ratio, const DriveType& type,
   gear.name = fmt::format("Typical drive, size {}, ratio {:g}, {}", size, ratio, type_text(type));
   // T1 and T2 of a size are the same for all ratios.
   const StiffnessRow* const row = find_stiffness(size, ratio);
-  const StiffnessRow& torques =
-      row != nullptr ? *row : nearest_stiffness(pitch_diameter_of(size), 50);
+  const StiffnessRow& torques = row != nullptr ? *row : *find_stiffness(size, 50);
   Rating rating;
   rating.T1 = torques.T1;
   rating.T2 = torques.T2;
