@@ -120,18 +120,17 @@ void tell_identified(Calibration& result, const FactorProblem& problem, const Fa
 const StiffnessRow& compared_row(const GearSet& gear) {
   const auto type = type_of(gear);
   if (!type)
-    throw InputError("catalogue",
-                     "states the stiffness of cups and hats only; give flexspline.shape \"cup\" or "
-                     "\"hat\", or calibrate to a measured curve (--measured)");
+    throw InputError(
+        "catalogue",
+        "the catalogue states the stiffness of cups and hats only; give flexspline.shape "
+        "\"cup\" or \"hat\", or calibrate to a measured curve (--measured)");
   const double d = gear.drive.pitch_diameter;
-  const StiffnessRow* const row =
-      nearest_stiffness(d, gear.drive.ratio, type->form, type->length);
+  const StiffnessRow* const row = nearest_stiffness(d, gear.drive.ratio, type->form, type->length);
   if (row != nullptr && (is_short_cup(*type) || has_size(d, row->size))) return *row;
-  throw InputError(
-      "catalogue",
-      fmt::format("states no stiffness of a {} with a pitch diameter of {:.4g} mm at ratio {:g}; "
-                  "calibrate to a measured curve (--measured)",
-                  words_of(*type), 1e3 * d, gear.drive.ratio));
+  throw InputError("catalogue", fmt::format("the catalogue states no stiffness of a {} with a "
+                                            "pitch diameter of {:.4g} mm at ratio {:g}; "
+                                            "calibrate to a measured curve (--measured)",
+                                            words_of(*type), 1e3 * d, gear.drive.ratio));
 }
 
 }  // namespace
@@ -253,25 +252,25 @@ ResultEvidence evidence_of(const Calibration& calibration) {
          .path = {},
          .equation = "",
          .severity = Severity::care,
-         .next_step =
-             fmt::format("Calibrate the drive that strainwave new --size {} --ratio {:g} "
-                         "--form {} --length {} writes, and predict the other ratios from "
-                         "it.",
-                         other.size, other.from, enum_name(other.type.form), enum_name(other.type.length))});
+         .next_step = fmt::format("Calibrate the drive that strainwave new --size {} --ratio {:g} "
+                                  "--form {} --length {} writes, and predict the other ratios from "
+                                  "it.",
+                                  other.size, other.from, enum_name(other.type.form),
+                                  enum_name(other.type.length))});
   }
   if (calibration.other_ratios && !errors_are_known(*calibration.other_ratios)) {
     const OtherRatios& other = *calibration.other_ratios;
     evidence.notes.push_back(
         {.code = "calibration.unknown_error",
-         .text = fmt::format("the errors of predictions at other ratios are known for short cups "
-                             "of size {:g} and more only, so those of a {} of size {} are left "
-                             "empty",
-                             kLeastSimilarSize, words_of(other.type), other.size),
+         .text = fmt::format("the errors of predictions at other ratios are not known for a {} of "
+                             "size {}: the catalogue shows them for short cups of size {:g} and "
+                             "more only",
+                             words_of(other.type), other.size, kLeastSimilarSize),
          .path = {},
          .equation = "",
          .severity = Severity::care,
-         .next_step = "Measure the drive at one of the predicted ratios, and calibrate to this "
-                      "curve (--measured)."});
+         .next_step = "Measure a drive at one of the predicted ratios, and compare the prediction "
+                      "with its curve."});
   }
   evidence.verdict = verdict_of(evidence.unusable_because, evidence.notes);
   return evidence;

@@ -28,12 +28,11 @@ std::optional<DriveType> type_of(const GearSet& gear) {
        {FlexsplineLength::short_length, typical.short_length},
        {FlexsplineLength::flat, typical.flat_length}}};
   const double own = gear.flexspline->tube_length() / gear.drive.pitch_diameter;
-  return DriveType{
-      .form = gear.flexspline->shape == FlexsplineShape::hat ? FlexsplineForm::hat
-                                                             : FlexsplineForm::cup,
-      .length = std::ranges::min_element(lengths, {}, [&](const auto& length) {
-                  return std::abs(std::log(own / length.second));
-                })->first};
+  return DriveType{.form = gear.flexspline->shape == FlexsplineShape::hat ? FlexsplineForm::hat
+                                                                          : FlexsplineForm::cup,
+                   .length = std::ranges::min_element(lengths, {}, [&](const auto& length) {
+                               return std::abs(std::log(own / length.second));
+                             })->first};
 }
 
 bool has_size(double pitch_diameter, double size) {

@@ -181,10 +181,10 @@ OtherRatios predict_other_ratios(const Calibration& calibration, const std::vect
           ? stated_ratios(family, [&](double ratio, const StiffnessRow*) { return ratio == from; })
           : ratios;
   if (wanted.empty())
-    throw InputError(
-        kOption, fmt::format("no table states another ratio of a {} of size {}; name ratios, "
-                             "such as 50,80,100",
-                             words_of(family.type), family.size));
+    throw InputError(kOption,
+                     fmt::format("no table states another ratio of a {} of size {}; name ratios, "
+                                 "such as 50,80,100",
+                                 words_of(family.type), family.size));
   for (const double ratio : wanted) require_typical_ratio(ratio);
   result.predictions = predictions(calibration, family, wanted, options, progress.part(0.0, 0.1));
 

@@ -20,7 +20,7 @@ namespace strainwave {
 namespace {
 
 constexpr double kReferenceSize = 25;
-constexpr int kFewDraws = 20;  // fewer draws leave the ends of a 90 % band to one or two drives
+constexpr int kFewDraws = 20;  // with fewer draws a single drive decides an end of the 90 % band
 
 /// The predictions of rows, each at each of its ratios.
 using Predictions = std::vector<std::vector<ThreeK>>;
@@ -374,7 +374,8 @@ std::vector<ErrorSummary> summaries(std::span<const ValidationRow> rows, const L
         if (!one.second.empty())
           add(one.second, [&](const ValidationRow& row) { return label(row) == one; });
     };
-    const auto large = [](const ValidationRow& row) { return row.catalogue.size >= kLeastSimilarSize;
+    const auto large = [](const ValidationRow& row) {
+      return row.catalogue.size >= kLeastSimilarSize;
     };
     const auto fine = [](const ValidationRow& row) {
       return row.catalogue.ratio_class != RatioClass::thirty;

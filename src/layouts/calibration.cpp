@@ -32,11 +32,10 @@ std::string other_ratios_text(const OtherRatios& other) {
                        "usual error", "worst error", ""},
               .align = "rlrrrrrl"};
   for (const RatioPrediction& p : other.predictions)
-    table.rows.push_back(cells(fmt::format("{:g}", p.ratio), p.name, shown(p.predicted),
-                               p.stated ? shown(*p.stated) : "-",
-                               p.error() ? percent_change(*p.error()) : "-",
-                               percent_or_dash(p.usual_error), percent_or_dash(p.worst_error),
-                               p.same_row ? "same row as the fit" : ""));
+    table.rows.push_back(cells(
+        fmt::format("{:g}", p.ratio), p.name, shown(p.predicted), p.stated ? shown(*p.stated) : "-",
+        p.error() ? percent_change(*p.error()) : "-", percent_or_dash(p.usual_error),
+        percent_or_dash(p.worst_error), p.same_row ? "same row as the fit" : ""));
   const std::string type = fmt::format("{} {} of size {}", enum_name(other.type.length),
                                        enum_name(other.type.form), other.size);
   std::string text =

@@ -168,8 +168,8 @@ struct RatingRow {
 /// The row of exactly this size and ratio; null if the table lacks it.
 [[nodiscard]] const RatingRow* find_rating(int size, double ratio);
 
-/// The row of a form, a length and the class of a ratio with the nearest size by the logarithm; null
-/// if the table has none.
+/// The row of a form, a length and the class of a ratio with the nearest size by the logarithm;
+/// null if the table has none.
 /// @param pitch_diameter  [m]; > 0
 [[nodiscard]] const StiffnessRow* nearest_stiffness(
     double pitch_diameter, double ratio, FlexsplineForm form = FlexsplineForm::cup,

@@ -29,7 +29,7 @@ struct RatioPrediction {
   double predicted = 0.0;        ///< [N*m/rad]
   std::string series;            ///< series whose table states the ratio; empty if no table does
   std::optional<double> stated;  ///< stiffness that this table states [N*m/rad]
-  bool same_row = false;         ///< the calibration was fitted to the row that states the stiffness
+  bool same_row = false;  ///< the calibration was fitted to the row that states the stiffness
   /// median and largest error of such predictions over the catalogue (TransferError) [-]; absent at
   /// the calibrated ratio, if no row but the fitted one states the class of the ratio, and beyond
   /// the ratios of the catalogue
@@ -104,26 +104,29 @@ struct OtherRatios {
   /// calibrated ratio [-]; 0 for a drive with typical geometry
   double geometry_difference = 0.0;
   std::vector<RatioPrediction> predictions;
-  std::optional<double> median;  ///< of |error| over the values that entered no fit [-]
-  std::optional<double> worst;   ///< of |error| over the values that entered no fit [-]
-  TransferErrors transfer;       ///< empty unless the drive is a short cup of kLeastSimilarSize
+  /// of |error| over the other ratios, without the values of the fitted row [-]
+  std::optional<double> median;
+  std::optional<double> worst;
+  TransferErrors transfer;  ///< empty unless the drive is a short cup of kLeastSimilarSize
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"from", "1", "calibrated ratio"}, &OtherRatios::from);
     field({"size", "", "size of the drive in the catalogue"}, &OtherRatios::size);
-    field({"form", "", "cup, or hat with the diaphragm outward"}, [](const OtherRatios& o) { return o.type.form; });
-    field({"length", "", "length class of the flexspline"}, [](const OtherRatios& o) { return o.type.length; });
+    field({"form", "", "cup, or hat with the diaphragm outward"},
+          [](const OtherRatios& o) { return o.type.form; });
+    field({"length", "", "length class of the flexspline"},
+          [](const OtherRatios& o) { return o.type.length; });
     field({"blank", "", "the wave for which the walls of the other drives are made"},
           [](const OtherRatios& o) { return o.type.blank; });
     field({"geometry_difference", "1",
            "largest difference in K1 to K3 between the typical drive with the fitted factors and "
            "the calibrated drive, at the calibrated ratio"},
           &OtherRatios::geometry_difference);
-    field({"median", "1", "median of |error| over the values that entered no fit"},
+    field({"median", "1",
+           "median of |error| over the other ratios, without the values of the fitted row"},
           &OtherRatios::median);
-    field({"worst", "1", "largest |error| over the values that entered no fit"},
-          &OtherRatios::worst);
+    field({"worst", "1", "largest |error|, likewise"}, &OtherRatios::worst);
     field({"left_out", "", "sizes left out of transfer_errors because a drive cannot be computed"},
           [](const OtherRatios& o) { return o.transfer.left_out; });
     field({"transfer_errors", "",

@@ -14,7 +14,7 @@
 #include "strainwave/catalogue/proportions.hpp"
 #include "strainwave/core/fields.hpp"
 #include "strainwave/core/progress.hpp"
-#include "strainwave/model/result/note.hpp"
+#include "strainwave/model/result/evidence.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
 /// @file

@@ -14,7 +14,9 @@ struct CalibrateOptions {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"catalogue", "", "calibrate to K1, K2, K3 of the catalogue's row for this form, length, ratio and the nearest "
+    field({"catalogue", "",
+           "calibrate to K1, K2, K3 of the catalogue's row for this form, length, ratio and the "
+           "nearest "
            "size"},
           &CalibrateOptions::catalogue);
     field(
@@ -59,8 +61,9 @@ Calibration calibrated(const Request& request, const CalibrateOptions& options) 
       Calibration calibration =
           calibrate(gear, target, factors, {}, request.progress.part(0.0, fit_ends));
       if (ratios)
-        calibration.other_ratios = predict_other_ratios(calibration, *ratios, options.blank.value_or(Blank::ratio), {},
-                                                        request.progress.part(fit_ends, 1.0));
+        calibration.other_ratios =
+            predict_other_ratios(calibration, *ratios, options.blank.value_or(Blank::ratio), {},
+                                 request.progress.part(fit_ends, 1.0));
       return calibration;
     } catch (const InputError& error) {
       if (error.field() == "factors" || error.field() == "predict-ratios") throw OptionError(error);

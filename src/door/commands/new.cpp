@@ -78,8 +78,7 @@ NewDrive drive_of(const Request&, const NewOptions& options) {
     throw OptionError(options.size ? "ratio" : "size",
                       "must be given; give both size and ratio, or neither");
   const auto needs_size = [&](std::string_view name, bool given) {
-    if (given && !options.size)
-      throw OptionError(name, "needs --size and --ratio; give them too");
+    if (given && !options.size) throw OptionError(name, "needs --size and --ratio; give them too");
   };
   needs_size("form", options.form.has_value());
   needs_size("length", options.length.has_value());
