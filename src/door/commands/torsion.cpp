@@ -69,6 +69,7 @@ Command torsion_command() {
           "the cracks "
           "and the changes over a turn of the wave generator follow.",
       .example = "strainwave torsion examples/catalogue_size25.toml --plot torsion.svg",
+      .not_in_tables = "tolerances",
       .function =
           [](const Request& request, const TorsionOptions& o) {
             if (o.angles && !o.compare) throw OptionError("angles", "needs --compare; give it too");
