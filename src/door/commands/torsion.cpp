@@ -98,7 +98,7 @@ Command torsion_command() {
                     {{.name = "plot",
                       .format = Format::svg,
                       .option = "plot",
-                      .doc = "draw the curve as an SVG file"},
+                      .doc = "draw the curve, and the forces of balls and flanks, as an SVG file"},
                      torsion_plot}},
   });
 }
