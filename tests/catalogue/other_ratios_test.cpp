@@ -314,6 +314,12 @@ TEST(OtherRatiosOutput, BehaviourTextAndJson) {
         "over 11 of the catalogue's sizes", "From ratio 50 to 30: median ", "same row as the fit",
         "Error against the stated values that entered no fit: median "})
     EXPECT_NE(text.find(words), std::string::npos) << words << '\n' << text;
+  // A difference that comes from rounding is shown as none; a larger one has its digits.
+  Calibration rounded = c;
+  rounded.other_ratios->geometry_difference = 1.2e-7;
+  EXPECT_NE(calibration_text(rounded).find("drive by 0 % at most"), std::string::npos);
+  rounded.other_ratios->geometry_difference = 0.012;
+  EXPECT_NE(calibration_text(rounded).find("drive by 1.2 % at most"), std::string::npos);
   const auto json = nlohmann::json::parse(json_of(c))["other_ratios"];
   EXPECT_EQ(json["from"]["value"], 50);
   EXPECT_EQ(json["median"]["value"], *c.other_ratios->median);
