@@ -199,6 +199,17 @@ Asked asked_by(const Given& given, const std::string* file, KnownFiles& known) {
   return asked;
 }
 
+/// Refuses an option whose result the main document leaves out.
+/// @param document  the document that leaves out the result of Command::not_in_tables
+/// @param words     how the message names this document
+/// @param advice    what to do instead
+void require_shown(const Command& command, const Asked& asked, std::string_view document,
+                   std::string_view words, std::string_view advice) {
+  const std::string_view option = command.not_in_tables;
+  if (asked.main == document && !option.empty() && asked.options.given(option))
+    throw UsageError(fmt::format("{} does not show the result of --{}: {}", words, option, advice));
+}
+
 /// The files of the drives.  If a word of a positional option names a file, the word is a file too,
 /// as in `require a.toml b.toml 'OUTPUT >= VALUE'`.  A word that ends in .toml is a file even if no
 /// such file exists, so that a misspelt name is refused as a file.
@@ -253,6 +264,8 @@ ExitCode run_several(const Given& given, const std::vector<std::string>& files, 
     throw UsageError(fmt::format("--{} shows one drive: name one FILE", asked.beside[0].second));
   if (asked.main != "text" && asked.main != "csv" && asked.main != "json")
     throw UsageError(fmt::format("--format {} shows one drive: name one FILE", asked.main));
+  require_shown(given.command, asked, "text", "the table of several files",
+                "name one FILE, or add --format csv or json");
   require_writable(asked.main_path);
   const Interrupt interrupt;
   ProgressLine line(std::string(given.program.name), progress_style(given));
@@ -296,6 +309,7 @@ ExitCode run_command(Given given) {
       throw InputError("FILE", "standard input reaches the first rank only: name a file");
     read = asked_by(given, inputs.empty() ? nullptr : &inputs[0], *known);
   });
+  require_shown(command, *read, "csv", "--format csv", "choose --format text or json");
   OptionValues& options = read->options;
   std::optional<FileJournal> journal;
   if (!read->journal.empty()) journal.emplace(read->journal);

@@ -24,8 +24,8 @@ namespace {
 constexpr double kLow = 0.05;
 constexpr double kHigh = 0.95;
 
-/// Sizes from 17 on are similar to each other and form one class.
-double size_class(const StiffnessRow& row) { return std::min(row.size, 17.0); }
+/// Similar sizes form one class.
+double size_class(const StiffnessRow& row) { return std::min(row.size, kLeastSimilarSize); }
 double ratio_class(const StiffnessRow& row) { return static_cast<double>(row.ratio_class); }
 
 double mean(std::span<const double> values) {
@@ -111,13 +111,13 @@ std::vector<BandTest> band_tests(std::span<const DrawnValue> values, const BandF
     std::set<double> classes;
     for (const DrawnValue& value : values) classes.insert(class_of(*value.row));
     if (classes.size() < 2) return;
-    BandTest sum{.of = whole, .left_out = 0};
+    BandTest sum{.of = whole};
     for (const double one : classes) {
       std::vector<const DrawnValue*> others;
       for (const DrawnValue& value : values)
         if (class_of(*value.row) != one) others.push_back(&value);
       const double discrepancy = fit_band(others).discrepancy;
-      BandTest test{.of = name_of(one), .left_out = 0, .discrepancy = discrepancy};
+      BandTest test{.of = name_of(one), .discrepancy = discrepancy};
       for (const DrawnValue& value : values) {
         if (class_of(*value.row) != one) continue;
         ++test.values;
@@ -132,7 +132,7 @@ std::vector<BandTest> band_tests(std::span<const DrawnValue> values, const BandF
     tests.push_back(std::move(sum));
   };
   test_each(size_class, "each class of size", [](double size) {
-    return fmt::format("size {:g}{}", size, size == 17 ? " and more" : "");
+    return fmt::format("size {:g}{}", size, size == kLeastSimilarSize ? " and more" : "");
   });
   test_each(ratio_class, "each class of ratio", [](double ratio) {
     return fmt::format("ratio {}", enum_name(static_cast<RatioClass>(static_cast<int>(ratio))));

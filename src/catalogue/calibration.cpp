@@ -8,6 +8,7 @@
 #include <iterator>
 #include <map>
 
+#include "compared_drive.hpp"
 #include "least_squares.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/torsion/compare.hpp"
@@ -115,25 +116,35 @@ void tell_identified(Calibration& result, const FactorProblem& problem, const Fa
   }
 }
 
-}  // namespace
-
-GearSet component_set(const GearSet& gear) {
-  GearSet set = without_cracks(gear);
-  set.output_shaft.reset();
-  if (set.flexspline) set.flexspline->flange_compliance = 0.0;
-  drop_lost_paths(set, gear);
-  return set;
+/// The catalogue's row for a drive.
+const StiffnessRow& compared_row(const GearSet& gear) {
+  const auto type = type_of(gear);
+  if (!type)
+    throw InputError(
+        "catalogue",
+        "the catalogue states the stiffness of cups and hats only; give flexspline.shape "
+        "\"cup\" or \"hat\", or calibrate to a measured curve (--measured)");
+  const double d = gear.drive.pitch_diameter;
+  const StiffnessRow* const row = nearest_stiffness(d, gear.drive.ratio, type->form, type->length);
+  if (row != nullptr && (is_short_cup(*type) || has_size(d, row->size))) return *row;
+  throw InputError("catalogue", fmt::format("the catalogue states no stiffness of a {} with a "
+                                            "pitch diameter of {:.4g} mm at ratio {:g}; "
+                                            "calibrate to a measured curve (--measured)",
+                                            words_of(*type), 1e3 * d, gear.drive.ratio));
 }
+
+}  // namespace
 
 CalibrationTarget catalogue_target(const GearSet& gear) {
   const double d = gear.drive.pitch_diameter;
-  const StiffnessRow& row = nearest_stiffness(d, gear.drive.ratio);
+  const StiffnessRow& row = compared_row(gear);
   const double scale = std::pow(d / pitch_diameter_of(row.size), 3);
   CalibrationTarget target{
       .source = fmt::format("catalogue, size {}, ratio {}", row.size, enum_name(row.ratio_class)),
       .values = {},
       .relative_uncertainty = 0.02,
-      .component_set_only = true};
+      .component_set_only = true,
+      .row = &row};
   if (std::abs(scale - 1) > 1e-6)
     target.source += fmt::format(", torques and stiffness times {:.4g} for the diameter", scale);
   const std::array<double, 4> torques = {0.0, row.T1, row.T2, row.T3()};
@@ -191,6 +202,7 @@ Calibration calibrate(const GearSet& gear, const CalibrationTarget& target,
 
   Calibration result;
   result.source = target.source;
+  result.row = target.row;
   result.converged = fit.converged;
   result.iterations = fit.iterations;
   result.residual = std::sqrt(fit.residuals.squaredNorm() / static_cast<double>(n_values));
@@ -240,11 +252,25 @@ ResultEvidence evidence_of(const Calibration& calibration) {
          .path = {},
          .equation = "",
          .severity = Severity::care,
-         .next_step =
-             fmt::format("Calibrate the drive that strainwave new --size {} --ratio {:g} "
-                         "--form {} --length {} writes, and predict the other ratios from "
-                         "it.",
-                         other.size, other.from, enum_name(other.form), enum_name(other.length))});
+         .next_step = fmt::format("Calibrate the drive that strainwave new --size {} --ratio {:g} "
+                                  "--form {} --length {} writes, and predict the other ratios from "
+                                  "it.",
+                                  other.size, other.from, enum_name(other.type.form),
+                                  enum_name(other.type.length))});
+  }
+  if (calibration.other_ratios && !errors_are_known(*calibration.other_ratios)) {
+    const OtherRatios& other = *calibration.other_ratios;
+    evidence.notes.push_back(
+        {.code = "calibration.unknown_error",
+         .text = fmt::format("the errors of predictions at other ratios are not known for a {} of "
+                             "size {}: the catalogue shows them for short cups of size {:g} and "
+                             "more only",
+                             words_of(other.type), other.size, kLeastSimilarSize),
+         .path = {},
+         .equation = "",
+         .severity = Severity::care,
+         .next_step = "Measure a drive at one of the predicted ratios, and compare the prediction "
+                      "with its curve."});
   }
   evidence.verdict = verdict_of(evidence.unusable_because, evidence.notes);
   return evidence;

@@ -52,16 +52,19 @@ const RatingRow* find_rating(int size, double ratio) {
   return found == rows.end() ? nullptr : &*found;
 }
 
-const StiffnessRow& nearest_stiffness(double pitch_diameter, double ratio) {
+const StiffnessRow* nearest_stiffness(double pitch_diameter, double ratio, FlexsplineForm form,
+                                      FlexsplineLength length) {
   require(pitch_diameter > 0, "pitch_diameter", pitch_diameter, "m", "> 0");
   require(ratio > 0, "ratio", ratio, "1", "> 0");
-  const RatioClass wanted = ratio_class_of(ratio);
+  const StiffnessRow* nearest = nullptr;
   const auto distance = [&](const StiffnessRow& row) {
-    return row.ratio_class == wanted
-               ? std::abs(std::log(pitch_diameter_of(row.size) / pitch_diameter))
-               : std::numeric_limits<double>::infinity();
+    return std::abs(std::log(pitch_diameter_of(row.size) / pitch_diameter));
   };
-  return *std::ranges::min_element(stiffness_rows(), {}, distance);
+  for (const StiffnessRow& row : stiffness_rows())
+    if (row.ratio_class == ratio_class_of(ratio) && row.form == form && row.length == length &&
+        (nearest == nullptr || distance(row) < distance(*nearest)))
+      nearest = &row;
+  return nearest;
 }
 
 void require_catalogue_size(int size) {

@@ -9,17 +9,16 @@
 #include <map>
 #include <set>
 
-#include "statistics.hpp"
+#include "compared_drive.hpp"
 #include "strainwave/catalogue/calibration.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/number_text.hpp"
+#include "strainwave/core/quantile.hpp"
 
 namespace strainwave {
 namespace {
 
 constexpr std::string_view kOption = "predict-ratios";
-constexpr double kSameSize = 1e-3;  // largest relative difference of the pitch diameters of a size
-constexpr double kLeastSize = 17;   // smaller sizes deviate from the similarity K ~ d^3
 
 /// The drives of one size that differ in ratio only.
 struct Family {
@@ -30,8 +29,7 @@ struct Family {
 int catalogue_size_of(const GearSet& gear) {
   const double d = gear.drive.pitch_diameter;
   const std::vector<int> known = catalogue_sizes();
-  const auto found = std::ranges::find_if(
-      known, [&](int size) { return std::abs(d / pitch_diameter_of(size) - 1) <= kSameSize; });
+  const auto found = std::ranges::find_if(known, [&](int size) { return has_size(d, size); });
   if (found == known.end())
     throw InputError("drive.pitch_diameter", d, "m",
                      fmt::format("2.54 mm times a size of the catalogue, {}, to predict other "
@@ -40,25 +38,15 @@ int catalogue_size_of(const GearSet& gear) {
   return *found;
 }
 
-FlexsplineForm form_of(const Flexspline& flexspline) {
-  if (flexspline.shape == FlexsplineShape::cylinder)
+Family family_of(const GearSet& gear, Blank blank) {
+  Family family{.size = catalogue_size_of(gear), .type = {}};
+  const auto type = type_of(gear);
+  if (!type)
     throw InputError("flexspline.shape",
                      "must be cup or hat to predict other ratios (--predict-ratios)");
-  return flexspline.shape == FlexsplineShape::hat ? FlexsplineForm::hat : FlexsplineForm::cup;
-}
-
-/// The length class with the nearest typical length, by the logarithm.
-FlexsplineLength length_of(const GearSet& gear) {
-  const ProportionValues typical;
-  const std::array<std::pair<FlexsplineLength, double>, 3> lengths = {
-      {{FlexsplineLength::standard, typical.standard_length},
-       {FlexsplineLength::short_length, typical.short_length},
-       {FlexsplineLength::flat, typical.flat_length}}};
-  const double own = gear.flexspline->tube_length() / gear.drive.pitch_diameter;
-  return std::ranges::min_element(
-             lengths, {},
-             [&](const auto& length) { return std::abs(std::log(own / length.second)); })
-      ->first;
+  family.type = *type;
+  family.type.blank = blank;
+  return family;
 }
 
 /// The row of a table that states a ratio of the family; null if no table does.
@@ -80,11 +68,15 @@ std::set<double> known_ratios() {
   return ratios;
 }
 
-/// The ratios that the tables state for a family, without one of them.
-std::vector<double> stated_ratios(const Family& family, double without) {
+/// The ratios that the tables state for a family.
+/// @param without  leave out a ratio and its row
+template <class Without>
+std::vector<double> stated_ratios(const Family& family, const Without& without) {
   std::vector<double> ratios;
   for (const double ratio : known_ratios())
-    if (ratio != without && stating_row(family, ratio) != nullptr) ratios.push_back(ratio);
+    if (const StiffnessRow* const row = stating_row(family, ratio);
+        row != nullptr && !without(ratio, row))
+      ratios.push_back(ratio);
   return ratios;
 }
 
@@ -134,6 +126,7 @@ std::vector<RatioPrediction> predictions(const Calibration& calibration, const F
                            .predicted = K[k],
                            .series = row != nullptr ? row->series : std::string(),
                            .stated = row != nullptr ? row->K()[k] : std::nullopt,
+                           .same_row = row != nullptr && row == calibration.row,
                            .usual_error = {},
                            .worst_error = {}});
   }
@@ -141,6 +134,10 @@ std::vector<RatioPrediction> predictions(const Calibration& calibration, const F
 }
 
 }  // namespace
+
+bool errors_are_known(const OtherRatios& other) {
+  return is_short_cup(other.type) && other.size >= kLeastSimilarSize;
+}
 
 std::vector<double> parse_ratios(std::string_view text) {
   std::vector<double> ratios;
@@ -171,23 +168,23 @@ OtherRatios predict_other_ratios(const Calibration& calibration, const std::vect
                                  const Progress& progress) {
   const GearSet& gear = calibration.gear;
   const double from = gear.drive.ratio;
-  const Family family{.size = catalogue_size_of(gear),
-                      .type = {form_of(*gear.flexspline), length_of(gear), blank}};
+  const Family family = family_of(gear, blank);
   OtherRatios result{.from = from,
                      .size = family.size,
-                     .form = family.type.form,
-                     .length = family.type.length,
-                     .blank = blank,
+                     .type = family.type,
                      .predictions = {},
                      .median = {},
                      .worst = {},
                      .transfer = {}};
-  const std::vector<double> wanted = ratios.empty() ? stated_ratios(family, from) : ratios;
+  const std::vector<double> wanted =
+      ratios.empty()
+          ? stated_ratios(family, [&](double ratio, const StiffnessRow*) { return ratio == from; })
+          : ratios;
   if (wanted.empty())
-    throw InputError(
-        kOption, fmt::format("no table states another ratio of a {} {} of size {}; name ratios, "
-                             "such as 50,80,100",
-                             enum_name(result.length), enum_name(result.form), result.size));
+    throw InputError(kOption,
+                     fmt::format("no table states another ratio of a {} of size {}; name ratios, "
+                                 "such as 50,80,100",
+                                 words_of(family.type), family.size));
   for (const double ratio : wanted) require_typical_ratio(ratio);
   result.predictions = predictions(calibration, family, wanted, options, progress.part(0.0, 0.1));
 
@@ -198,15 +195,17 @@ OtherRatios predict_other_ratios(const Calibration& calibration, const std::vect
     result.geometry_difference =
         std::max(result.geometry_difference, std::abs(typical[k] / own[k] - 1));
 
-  std::vector<Factor> factors;
-  for (const CalibratedFactor& factor : calibration.factors) factors.push_back(factor.factor);
-  result.transfer = transfer_errors(from, factors, blank, options, progress.part(0.1, 1.0));
+  if (errors_are_known(result)) {
+    std::vector<Factor> factors;
+    for (const CalibratedFactor& factor : calibration.factors) factors.push_back(factor.factor);
+    result.transfer = transfer_errors(from, factors, blank, options, progress.part(0.1, 1.0));
+  }
 
   std::vector<double> errors;
   const std::set<double> known = known_ratios();
   for (RatioPrediction& p : result.predictions) {
     if (p.ratio == from) continue;
-    if (const auto error = p.error()) errors.push_back(std::abs(*error));
+    if (const auto error = p.error(); error && !p.same_row) errors.push_back(std::abs(*error));
     if (p.ratio < *known.begin() || p.ratio > *known.rbegin()) continue;
     for (const TransferError& transfer : result.transfer.classes)
       if (transfer.to == ratio_class_of(p.ratio)) {
@@ -215,8 +214,8 @@ OtherRatios predict_other_ratios(const Calibration& calibration, const std::vect
       }
   }
   if (!errors.empty()) {
-    result.median = median(errors);
-    result.worst = largest(errors);
+    result.median = quantile(errors, 0.5);
+    result.worst = std::ranges::max(errors);
   }
   return result;
 }
@@ -240,7 +239,7 @@ TransferErrors transfer_errors(double from, const std::vector<Factor>& factors, 
       return (static_cast<double>(i) + done) / static_cast<double>(sizes.size());
     };
     const StiffnessRow* const row = find_stiffness(sizes[i], from);
-    if (sizes[i] < kLeastSize || row == nullptr) continue;
+    if (sizes[i] < kLeastSimilarSize || row == nullptr) continue;
     const auto K = row->K();
     if (static_cast<std::size_t>(std::ranges::count_if(
             K, [](const std::optional<double>& of) { return of.has_value(); })) < factors.size())
@@ -250,23 +249,25 @@ TransferErrors transfer_errors(double from, const std::vector<Factor>& factors, 
       const GearSet gear = typical_drive_of_size(family.size, from, family.type);
       const Calibration calibration = calibrate(gear, catalogue_target(gear), factors, options,
                                                 progress.part(share(0.0), share(0.8)));
-      for (const RatioPrediction& p : predictions(calibration, family, stated_ratios(family, from),
-                                                  options, progress.part(share(0.8), share(1.0)))) {
+      const std::vector<double> ratios = stated_ratios(
+          family, [&](double, const StiffnessRow* stating) { return stating == calibration.row; });
+      for (const RatioPrediction& p : predictions(calibration, family, ratios, options,
+                                                  progress.part(share(0.8), share(1.0)))) {
         if (!p.stated) continue;
         OfClass& of_class = classes[ratio_class_of(p.ratio)];
         of_class.sizes.insert(family.size);
         of_class.errors.push_back(std::abs(*p.error()));
       }
-    } catch (const Error&) {
+    } catch (const SolverError&) {
       ++result.left_out;
     }
   }
-  for (const auto& of_class : classes)
+  for (auto& of_class : classes)
     result.classes.push_back({.to = of_class.first,
                               .sizes = static_cast<int>(of_class.second.sizes.size()),
                               .values = static_cast<int>(of_class.second.errors.size()),
-                              .median = median(of_class.second.errors),
-                              .worst = largest(of_class.second.errors)});
+                              .median = quantile(of_class.second.errors, 0.5),
+                              .worst = std::ranges::max(of_class.second.errors)});
   progress.at(1.0);
   return result;
 }

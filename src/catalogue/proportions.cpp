@@ -50,14 +50,14 @@ constexpr std::array<Proportion, 32> kProportions = {{
      "published samples, 0.12 to 0.17; handbooks", ""},
     {"flat_face_width", "b/d, flat length", &Values::flat_face_width, 0.09, 0.14, kAssumed,
      "in proportion to the rated torques of a maker's flat hats, 0.7 to 0.8 of the short series", ""},
-    {"diaphragm_thickness", "t_d/d", &Values::diaphragm_thickness, 0.008, 0.020, kDrawing,
-     "mean of a few samples, mostly tapered", "flexspline.diaphragm.thickness"},
+    {"diaphragm_thickness", "t_d/d", &Values::diaphragm_thickness, 0.008, 0.020, kAssumed,
+     "no source; one thickness in place of a plate that is thicker at the clamped edge", "flexspline.diaphragm.thickness"},
     {"diaphragm_stress", "bending stress of the diaphragm by the wave", &Values::diaphragm_stress, 250 * kMPa, 450 * kMPa, kStress,
      "endurance of quenched and tempered steel, 455 to 490 MPa, over 1.1 to 1.8 for the fillet", "flexspline.diaphragm.thickness"},
     {"boss_diameter", "over d", &Values::boss_diameter, 0.493, 0.667, kDrawing,
      "bolt circles in a maker's drawings, 0.45 to 0.50 d, and two bolt diameters", "flexspline.diaphragm.inner_diameter"},
     {"flange_diameter", "over d", &Values::flange_diameter, 1.30, 1.50, kAssumed,
-     "bolt circles of hats, about 1.6 d from memory, less two bolt diameters", "flexspline.diaphragm.outer_diameter"},
+     "bolt circles of hats, about 1.6 d without a source, less two bolt diameters", "flexspline.diaphragm.outer_diameter"},
     {"dedendum", "h_f/m", &Values::dedendum, 1.1, 1.35, kDrawing,
      "published samples", ""},
     {"tooth_addendum", "h_a/m of both teeth", &Values::tooth_addendum, 0.55, 0.8, kDrawing,
@@ -489,8 +489,7 @@ GearSet typical_drive_of_size(int size, double ratio, const DriveType& type,
   gear.name = fmt::format("Typical drive, size {}, ratio {:g}, {}", size, ratio, type_text(type));
   // T1 and T2 of a size are the same for all ratios.
   const StiffnessRow* const row = find_stiffness(size, ratio);
-  const StiffnessRow& torques =
-      row != nullptr ? *row : nearest_stiffness(pitch_diameter_of(size), 50);
+  const StiffnessRow& torques = row != nullptr ? *row : *find_stiffness(size, 50);
   Rating rating;
   rating.T1 = torques.T1;
   rating.T2 = torques.T2;

@@ -13,13 +13,14 @@
 #include "bands.hpp"
 #include "least_squares.hpp"
 #include "similar_rows.hpp"
-#include "statistics.hpp"
 #include "strainwave/core/error.hpp"
+#include "strainwave/core/quantile.hpp"
 
 namespace strainwave {
 namespace {
 
 constexpr double kReferenceSize = 25;
+constexpr int kFewDraws = 20;  // with fewer draws a single drive decides an end of the 90 % band
 
 /// The predictions of rows, each at each of its ratios.
 using Predictions = std::vector<std::vector<ThreeK>>;
@@ -97,8 +98,8 @@ FactorTrial trial_of(const std::vector<Factor>& factors, const FactorFit& fit) {
           .values = fit.values,
           .at_limit = fit.at_limit,
           .fitted = static_cast<int>(errors.size()),
-          .median = median(errors),
-          .worst = largest(errors)};
+          .median = quantile(errors, 0.5),
+          .worst = std::ranges::max(errors)};
 }
 
 void add_trials(Validation& v, const Drives& drives, std::span<const StiffnessRow> regular,
@@ -285,6 +286,14 @@ void add_bands(Validation& v, std::span<const StiffnessRow> rows, const Progress
   if (v.failed_draws == v.options.draws)
     throw SolverError("none of the drawn drives has an equilibrium");
 
+  const int solved = v.options.draws - v.failed_draws;
+  if (solved < kFewDraws)
+    v.notes.push_back({.code = "validation.few_draws",
+                       .text = fmt::format("bands of {} drawn drives are rough", solved),
+                       .path = {},
+                       .equation = "CV-3",
+                       .severity = Severity::care,
+                       .next_step = "Draw at least 100 drives (--draws 100)."});
   std::vector<DrawnValue> values;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (!makes_bands(rows[i])) continue;
@@ -323,13 +332,14 @@ ErrorSummary summary(std::span<const ValidationRow> rows, const std::string& of,
     }
   }
   s.values = static_cast<int>(all.size());
-  s.median = median(all);
-  s.worst = largest(all);
+  if (all.empty()) return s;
+  s.median = quantile(all, 0.5);
+  s.worst = std::ranges::max(all);
   for (std::size_t k = 0; k < 3; ++k) {
-    if (!spread[k].empty()) s.spread_of[k] = median(spread[k]);
+    if (!spread[k].empty()) s.spread_of[k] = quantile(spread[k], 0.5);
     if (each[k].empty()) continue;
-    s.median_of[k] = median(each[k]);
-    s.worst_of[k] = largest(each[k]);
+    s.median_of[k] = quantile(each[k], 0.5);
+    s.worst_of[k] = std::ranges::max(each[k]);
   }
   return s;
 }
@@ -364,7 +374,9 @@ std::vector<ErrorSummary> summaries(std::span<const ValidationRow> rows, const L
         if (!one.second.empty())
           add(one.second, [&](const ValidationRow& row) { return label(row) == one; });
     };
-    const auto large = [](const ValidationRow& row) { return row.catalogue.size >= 17; };
+    const auto large = [](const ValidationRow& row) {
+      return row.catalogue.size >= kLeastSimilarSize;
+    };
     const auto fine = [](const ValidationRow& row) {
       return row.catalogue.ratio_class != RatioClass::thirty;
     };
@@ -397,7 +409,7 @@ std::array<std::optional<double>, 3> ValidationRow::ratio() const {
 }
 
 bool is_regular(const StiffnessRow& row) {
-  return row.origin == RowOrigin::catalogue && row.size >= 17 &&
+  return row.origin == RowOrigin::catalogue && row.size >= kLeastSimilarSize &&
          row.ratio_class != RatioClass::thirty;
 }
 
@@ -411,8 +423,8 @@ Validation validate(const ValidationOptions& options, const Progress& progress) 
                .band_fit = {},
                .band_tests = {},
                .failed_draws = 0};
-  require(options.draws >= 0 && options.draws <= 100000, "draws", options.draws, "1",
-          ">= 0 and <= 100000");
+  require(options.draws >= 0 && options.draws <= 100000 && options.draws != 1, "draws",
+          options.draws, "1", "0 for no bands, or 2 to 100000");
   std::vector<Factor>& factors = v.options.factors;
   const bool leaves_out =
       options.mode != ValidationMode::geometry && options.mode != ValidationMode::per_row;

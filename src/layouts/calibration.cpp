@@ -23,37 +23,45 @@ std::string_view words_of(RatioClass to) {
   return to == RatioClass::eighty_up ? "80 and more" : enum_name(to);
 }
 
+constexpr double kShownDifference = 1e-4;  // a smaller one comes from rounding and the solver [-]
+
 std::string other_ratios_text(const OtherRatios& other) {
   const DisplayUnit unit = stiffness_unit();
   const auto shown = [&](double K) { return fmt::format("{:.5g}", K / unit.in_si); };
   Table table{.head = {"ratio", fmt::format("[{}]", unit.text), "predicted", "stated", "error",
-                       "usual error", "worst error"},
-              .align = "rlrrrrr"};
+                       "usual error", "worst error", ""},
+              .align = "rlrrrrrl"};
   for (const RatioPrediction& p : other.predictions)
-    table.rows.push_back(cells(fmt::format("{:g}", p.ratio), p.name, shown(p.predicted),
-                               p.stated ? shown(*p.stated) : "-",
-                               p.error() ? percent_change(*p.error()) : "-",
-                               percent_or_dash(p.usual_error), percent_or_dash(p.worst_error)));
-  const std::string type =
-      fmt::format("{} {} of size {}", enum_name(other.length), enum_name(other.form), other.size);
+    table.rows.push_back(cells(
+        fmt::format("{:g}", p.ratio), p.name, shown(p.predicted), p.stated ? shown(*p.stated) : "-",
+        p.error() ? percent_change(*p.error()) : "-", percent_or_dash(p.usual_error),
+        percent_or_dash(p.worst_error), p.same_row ? "same row as the fit" : ""));
+  const std::string type = fmt::format("{} {} of size {}", enum_name(other.type.length),
+                                       enum_name(other.type.form), other.size);
   std::string text =
       fmt::format("\nOther ratios of a {}, from the calibration at ratio {:g}\n\n{}\n", type,
                   other.from, text_table(table));
   text += other.median
-              ? paragraph(fmt::format("Error against the stated values: median {}, worst {}.",
+              ? paragraph(fmt::format("Error against the stated values that entered no fit: median "
+                                      "{}, worst {}.",
                                       percent(*other.median), percent(*other.worst)),
                           0, 0)
-              : paragraph("No table states a value at these ratios.", 0, 0);
+              : paragraph("At these ratios no table states a value that entered no fit.", 0, 0);
   text += paragraph(
       fmt::format("Each other ratio is the typical {} with the fitted factors. The geometry of "
                   "that drive is typical; only the factors are those of the calibration. At ratio "
                   "{:g} the typical drive with these factors differs from the calibrated drive by "
                   "{} at most in K1 to K3.",
-                  type, other.from, percent(other.geometry_difference)),
+                  type, other.from,
+                  other.geometry_difference < kShownDifference
+                      ? std::string("0 %")
+                      : percent(other.geometry_difference)),
       0, 0);
+  if (!errors_are_known(other)) return text;
   text += paragraph(
       "Usual and worst error: the same calibration and prediction, repeated with the typical short "
-      "cup of each size of the catalogue; the rows of the predicted ratios enter no fit.",
+      "cup of each size of the catalogue. The values of the fitted rows are left out, so the other "
+      "ratios of such a row have no usual error.",
       0, 0);
   for (const TransferError& transfer : other.transfer.classes)
     text += paragraph(

@@ -1,11 +1,78 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <tuple>
+
 #include "strainwave/core/units.hpp"
 #include "strainwave/layouts/torsion.hpp"
 #include "strainwave/layouts/words.hpp"
 
 namespace strainwave {
+namespace {
+
+/// Forces over the angle from the nearest lobe.  Neighbours are joined by a line; the contacts of
+/// each lobe have a line of their own.
+/// @param pitch  angle between neighbours [rad]
+PlotSeries forces_of(std::string label, std::span<const ContactForce> contacts, double pitch,
+                     int lobes) {
+  const double spacing = 2 * std::numbers::pi / lobes;
+  std::vector<std::tuple<long, double, double>> sorted;  // lobe, angle from it, force
+  for (const ContactForce& contact : contacts) {
+    const long lobe = std::lround(contact.position / spacing);
+    sorted.emplace_back(lobe % lobes, contact.position - static_cast<double>(lobe) * spacing,
+                        contact.force);
+  }
+  std::ranges::sort(sorted);
+  const DisplayUnit angle = display_unit({}, "rad");
+  const DisplayUnit newton = display_unit({}, "N");
+  PlotSeries series{.label = std::move(label)};
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const auto& [lobe, at, force] = sorted[i];
+    const bool neighbours = i > 0 && std::get<0>(sorted[i - 1]) == lobe &&
+                            at - std::get<1>(sorted[i - 1]) < 1.5 * pitch;
+    if (i > 0 && !neighbours) {
+      series.x.push_back(std::numeric_limits<double>::quiet_NaN());
+      series.y.push_back(std::numeric_limits<double>::quiet_NaN());
+    }
+    series.x.push_back(at / angle.in_si);
+    series.y.push_back(force / newton.in_si);
+  }
+  return series;
+}
+
+/// Forces of balls and of flanks, each at the least torque of the curve, at T1 and at T2.
+std::vector<PlotPanel> force_panels(const TorsionReport& report, const GearSet& gear) {
+  const std::string angle =
+      axis_label("angle from the nearest lobe, toward +θ", display_unit({}, "rad"));
+  const std::string force = axis_label("force", display_unit({}, "N"));
+  PlotPanel balls{
+      .title = "Forces of the balls", .subtitle = "T > 0", .x_label = angle, .y_label = force};
+  PlotPanel flanks{
+      .title = "Forces of the flanks", .subtitle = "T > 0", .x_label = angle, .y_label = force};
+  const DisplayUnit shown = display_unit({}, "N*m");
+  const double turn = 2 * std::numbers::pi;
+  for (const double torque : {0.0, report.torques.T1, report.torques.T2}) {
+    const CurvePoint& p = *std::ranges::min_element(
+        report.curve.points, {},
+        [&](const CurvePoint& of) { return std::abs(of.torque - torque); });
+    const std::string at =
+        fmt::format("T = {:.3g} {}", p.torque / shown.in_si, typeset_unit(shown.text));
+    balls.series.push_back(
+        forces_of(at, p.balls, turn / static_cast<double>(p.balls.size()), gear.drive.wave_number));
+    const double pitch = turn / report.curve.teeth;
+    flanks.series.push_back(forces_of(at, p.drive_flanks, pitch, gear.drive.wave_number));
+    if (!p.coast_flanks.empty())
+      flanks.series.push_back(
+          forces_of(at + ", coast flanks", p.coast_flanks, pitch, gear.drive.wave_number));
+  }
+  return {std::move(balls), std::move(flanks)};
+}
+
+}  // namespace
 
 std::vector<PlotPanel> torsion_panels(const TorsionReport& report, const GearSet& gear) {
   const DisplayUnit torque = display_unit({}, "N*m");
@@ -76,6 +143,7 @@ std::vector<PlotPanel> torsion_panels(const TorsionReport& report, const GearSet
                    series("K3", &LineChanges::K3)};
     panels.push_back(std::move(turn));
   }
+  for (PlotPanel& panel : force_panels(report, gear)) panels.push_back(std::move(panel));
   return panels;
 }
 

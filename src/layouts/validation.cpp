@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "strainwave/core/shown_text.hpp"
+#include "strainwave/present/evidence_text.hpp"
 #include "strainwave/present/table.hpp"
 
 namespace strainwave {
@@ -188,8 +189,8 @@ std::string band_words(const Validation& v) {
 
 /// Coverage of the bands, with each class left out in turn.
 Table band_table(const Validation& v) {
-  Table table{.head = {"values in the 90 % band", "values", "fitted to all", "class left out",
-                       "discrepancy without it"}};
+  Table table{
+      .head = {"class", "values", "fitted to all", "class left out", "discrepancy without it"}};
   const auto share = [](int inside, const BandTest& test) {
     return fmt::format("{} ({:.0f} %)", inside, 100.0 * inside / test.values);
   };
@@ -227,7 +228,10 @@ std::string validation_text(const Validation& v) {
                      text_table(error_table(v)) + "\nThe same at each ratio by itself\n" +
                      text_table(error_table_at_each_ratio(v));
   if (v.options.mode == ValidationMode::per_row) text += failing_rows(v);
-  if (banded(v)) text += fmt::format("\n{}\n\n", band_words(v)) + text_table(band_table(v));
+  if (banded(v))
+    text +=
+        fmt::format("\n{}\n\nValues in the 90 % band\n", band_words(v)) + text_table(band_table(v));
+  if (!v.notes.empty()) text += "\nNotes\n" + notes_text(v.notes);
   text += fmt::format("\nEach row: {}\n", row_words()) + text_table(row_table(v, v.rows, false)) +
           "\nRows of several ratios, at each ratio\n" +
           text_table(row_table(v, v.each_ratio, true));
@@ -269,7 +273,9 @@ std::string validation_markdown(const Validation& v) {
       markdown_table(error_table_at_each_ratio(v)), row_words(),
       markdown_table(row_table(v, v.rows, false)),
       markdown_table(row_table(v, v.each_ratio, true)));
-  if (banded(v)) text += fmt::format("\n{}\n\n{}", band_words(v), markdown_table(band_table(v)));
+  if (banded(v))
+    text += fmt::format("\n{}\n\nValues in the 90 % band:\n\n{}", band_words(v),
+                        markdown_table(band_table(v)));
   return v.trials.empty() ? text : text + '\n' + markdown_table(trial_table(v));
 }
 

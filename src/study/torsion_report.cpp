@@ -170,11 +170,11 @@ void note_tolerances(TorsionReport& report, const GearSet& gear) {
   if (const double module = gear.drive.pitch_diameter / report.curve.teeth; module < kLeastModule)
     report.notes.push_back(
         {"tolerance.small_module",
-         fmt::format("ISO 1328-1 holds for modules of {} and more; its single pitch deviation of "
-                     "{} is extrapolated to {}",
+         fmt::format("the module of this drive, {}, is below {}, where ISO 1328-1 begins, so the "
+                     "single pitch deviation of {} is extrapolated from its formula",
+                     shown_quantity(module, "m", 3, "module"),
                      shown_quantity(kLeastModule, "m", 3, "module"),
-                     shown_quantity(effects.limits.single_pitch, "m", 3, "single_pitch"),
-                     shown_quantity(module, "m", 3, "module")),
+                     shown_quantity(effects.limits.single_pitch, "m", 3, "single_pitch")),
          "tolerance.grade", "TC-36", Severity::information});
   if (effects.failed > 0)
     report.notes.push_back(

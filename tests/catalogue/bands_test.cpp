@@ -45,6 +45,29 @@ TEST(BandFit, ReferenceTwoClassesByHand) {
   test::expect_relative(fit.discrepancy, 0.5523969, 1e-6);  // digits of the quantiles
 }
 
+// Three classes with errors of 0.2, 0.4, of 0.0, 0.2, 0.4 and of -0.3, and draws of the variances
+// 0.01, 0.01 and 0.04, by hand (CV-3): between (0.09 + 0.04 + 0.09)/3, within (0.02 + 0.08)/(6 -
+// 3), draws 0.06/3.  Student's 95 % quantile for three degrees of freedom is 2.353363.  Equal sizes
+// of other ratios are other classes, and a class counts once however many values it has.
+TEST(BandFit, ReferenceThreeClassesByHand) {
+  const StiffnessRow a = row_of_class(8, RatioClass::fifty);
+  const StiffnessRow b = row_of_class(25, RatioClass::fifty);
+  const StiffnessRow c = row_of_class(25, RatioClass::eighty_up);
+  const std::vector<double> drawn = {-0.1, 0.1};
+  const std::vector<double> wide = {-0.2, 0.2};
+  const std::vector<DrawnValue> values = {{&a, 0.2, drawn}, {&b, 0.0, drawn}, {&c, -0.3, wide},
+                                          {&b, 0.4, drawn}, {&a, 0.4, drawn}, {&b, 0.2, drawn}};
+  const BandFit fit = fit_band(pointers(values));
+  EXPECT_EQ(fit.classes, 3);
+  EXPECT_EQ(fit.values, 6);
+  test::expect_relative(fit.between, std::sqrt(0.22 / 3), 1e-12);
+  test::expect_relative(fit.within, std::sqrt(0.1 / 3), 1e-12);
+  test::expect_relative(fit.draws, std::sqrt(0.02), 1e-12);
+  test::expect_relative(fit.discrepancy,
+                        std::sqrt(std::pow(2.353363 / 1.644854, 2) * (0.22 / 3 + 0.1 / 3) - 0.02),
+                        1e-6);
+}
+
 // If the draws cover the errors, the band is that of the draws.
 TEST(BandFit, LimitDrawsCoverTheErrors) {
   const StiffnessRow row = row_of_class(25, RatioClass::fifty);

@@ -142,12 +142,42 @@ TEST(CalibrationTargets, ReferenceCatalogueRow) {
             2U);  // the row lacks K3
 }
 
-// Rows of other series judge only: size 8 has a row of ratio 100 there, but the nearest row of the
-// catalogue is size 11, scaled by the cube of the diameter; 1e-12 is rounding.
+// Rows of other series judge only: size 8 has a row of ratio 100 there, but the nearest row of a
+// cup in the catalogue is size 14, because size 11 is stated for a hat.  It is scaled by the cube
+// of the diameter; 1e-12 is rounding.
 TEST(CalibrationTargets, BehaviourRowsOfOtherSeriesAreNoTarget) {
   const CalibrationTarget target = catalogue_target(typical_drive(pitch_diameter_of(8), 100));
-  EXPECT_EQ(target.source.rfind("catalogue, size 11, ratio 80+", 0), 0U) << target.source;
-  test::expect_relative(target.values[0].stiffness, 2700 * std::pow(8.0 / 11, 3), 1e-12);
+  EXPECT_EQ(target.source.rfind("catalogue, size 14, ratio 80+", 0), 0U) << target.source;
+  test::expect_relative(target.values[0].stiffness, 4700 * std::pow(8.0 / 14, 3), 1e-12);
+}
+
+// A drive is fitted to a row of its own form and length only; the one row of a hat is that of size
+// 11, 80 and more, and it is not scaled to other sizes.
+TEST(CalibrationTargets, InputNoRowOfTheForm) {
+  const DriveType short_hat{.form = FlexsplineForm::hat};
+  const CalibrationTarget own = catalogue_target(typical_drive_of_size(11, 100, short_hat));
+  EXPECT_EQ(own.source, "catalogue, size 11, ratio 80+");
+  EXPECT_EQ(own.values[0].stiffness, 2700);
+  ASSERT_NE(own.row, nullptr);
+  EXPECT_EQ(own.row->form, FlexsplineForm::hat);
+
+  const auto refusal = [](const GearSet& gear) {
+    return broken_rule([&] { return catalogue_target(gear); });
+  };
+  EXPECT_EQ(refusal(typical_drive_of_size(25, 100, short_hat)),
+            "catalogue: the catalogue states no stiffness of a short hat with a pitch diameter of "
+            "63.5 mm at "
+            "ratio 100; calibrate to a measured curve (--measured)");
+  for (const DriveType& type :
+       {DriveType{.form = FlexsplineForm::hat, .length = FlexsplineLength::flat},
+        DriveType{.length = FlexsplineLength::flat},
+        DriveType{.length = FlexsplineLength::standard}})
+    EXPECT_NE(refusal(typical_drive_of_size(20, 100, type)).find("states no stiffness of a "),
+              std::string::npos);
+  GearSet cylinder = typical_drive_of_size(25, 100);
+  cylinder.flexspline->shape = FlexsplineShape::cylinder;
+  EXPECT_NE(refusal(cylinder).find("states the stiffness of cups and hats only"),
+            std::string::npos);
 }
 
 TEST(MeasuredCurve, BehaviourUnitsAndColumns) {

@@ -151,10 +151,20 @@ TEST(Sizes, ReferencePitchDiameter) {
 }
 
 TEST(NearestStiffness, BehaviourClassBeforeSize) {
-  EXPECT_EQ(nearest_stiffness(0.0635, 120).size, 25);
-  EXPECT_EQ(nearest_stiffness(0.0635, 120).ratio_class, RatioClass::eighty_up);
-  EXPECT_EQ(nearest_stiffness(0.16, 100).size, 65);
-  EXPECT_EQ(nearest_stiffness(1.0, 30).size, 32);  // the largest of ratio 30
+  EXPECT_EQ(nearest_stiffness(0.0635, 120)->size, 25);
+  EXPECT_EQ(nearest_stiffness(0.0635, 120)->ratio_class, RatioClass::eighty_up);
+  EXPECT_EQ(nearest_stiffness(0.16, 100)->size, 65);
+  EXPECT_EQ(nearest_stiffness(1.0, 30)->size, 32);  // the largest of ratio 30
+}
+
+// The row of size 11, 80 and more, is that of a hat.
+TEST(NearestStiffness, BehaviourFormAndLengthBeforeSize) {
+  EXPECT_EQ(nearest_stiffness(0.028, 100)->size, 14);
+  EXPECT_EQ(nearest_stiffness(0.028, 100, FlexsplineForm::hat)->size, 11);
+  EXPECT_EQ(nearest_stiffness(0.0635, 100, FlexsplineForm::hat)->size, 11);
+  EXPECT_EQ(nearest_stiffness(0.028, 50, FlexsplineForm::hat), nullptr);
+  EXPECT_EQ(nearest_stiffness(0.0635, 100, FlexsplineForm::cup, FlexsplineLength::standard),
+            nullptr);
 }
 
 TEST(CatalogueInput, InputRefusals) {

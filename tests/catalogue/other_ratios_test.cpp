@@ -54,6 +54,7 @@ TEST(OtherRatios, IdentityTheCalibratedRatioReturnsTheFit) {
     test::expect_relative(p.predicted, fit[k].after, 1e-9);
     test::expect_relative(p.stated.value(), fit[k].target.stiffness, 1e-12);
     test::expect_relative(p.to_torque, fit[k].target.to_torque, 1e-12);
+    EXPECT_TRUE(p.same_row);
     EXPECT_FALSE(p.usual_error.has_value());
   }
   EXPECT_EQ(others.geometry_difference, 0.0);
@@ -83,6 +84,7 @@ TEST(OtherRatios, BehaviourErrorsAreThoseOfTheStatedValues) {
     ASSERT_EQ(p.stated.has_value(), stated) << p.ratio;
     EXPECT_EQ(p.series.empty(), !stated);
     ASSERT_EQ(p.error().has_value(), stated);
+    EXPECT_EQ(p.same_row, p.ratio == 50);
     if (!stated) continue;
     EXPECT_EQ(*p.error(), p.predicted / *p.stated - 1);
     if (p.ratio >= 80) {
@@ -140,20 +142,88 @@ TEST(OtherRatios, CrosscheckTransferErrorsAreThoseOfEachSize) {
   test::expect_relative(thirty.worst, errors[11], 1e-12);
 }
 
-// Without a list, the tables decide: rows of other series judge hats of their size and length.
-TEST(OtherRatios, BehaviourAllRatiosOfTheTables) {
-  const auto ratios_of = [](int size, double ratio, const DriveType& type) {
-    const OtherRatios others = predict_other_ratios(
-        fitted_drive(typical_drive_of_size(size, ratio, type)), {}, Blank::ratio, kCoarse);
-    EXPECT_EQ(others.form, type.form);
-    EXPECT_EQ(others.length, type.length);
-    std::set<double> ratios;
-    for (const RatioPrediction& p : others.predictions) ratios.insert(p.ratio);
-    return ratios;
-  };
-  EXPECT_EQ(ratios_of(17, 100, {}), (std::set<double>{30, 50, 80, 120}));
-  EXPECT_EQ(ratios_of(20, 100, {.form = FlexsplineForm::hat, .length = FlexsplineLength::flat}),
-            (std::set<double>{50, 160}));
+/// A drive fitted by its coning to stiffnesses of its own, times 1.05, which no table states.
+Calibration fitted_to_a_bench(const GearSet& gear) {
+  const MakersTorques at = makers_torques(gear);
+  const MakersLines lines = makers_lines(gear, +1, kCoarse);
+  return calibrate(
+      gear,
+      {.source = "made up",
+       .values = {{"K1", 0, at.T1, 1.05 * lines.K1}, {"K2", at.T1, at.T2, 1.05 * lines.K2}},
+       .relative_uncertainty = 0.01},
+      {Factor::coning}, kCoarse);
+}
+
+std::set<double> ratios_of(const OtherRatios& others) {
+  std::set<double> ratios;
+  for (const RatioPrediction& p : others.predictions) ratios.insert(p.ratio);
+  return ratios;
+}
+
+std::set<std::string> note_codes_of(Calibration c, const OtherRatios& others) {
+  c.other_ratios = others;
+  std::set<std::string> codes;
+  for (const Note& note : evidence_of(c).notes) codes.insert(note.code);
+  return codes;
+}
+
+// The row of 80 and more holds for four ratios.  A fit to it at ratio 100 has read the values of
+// the other three, so these judge nothing, neither here nor over the catalogue.
+TEST(OtherRatios, BehaviourTheFittedRowJudgesNothing) {
+  const Calibration c = fitted_drive(typical_drive_of_size(17, 100));
+  const OtherRatios others = predict_other_ratios(c, {}, Blank::ratio, kCoarse);
+  EXPECT_EQ(ratios_of(others), (std::set<double>{30, 50, 80, 120}));
+  std::vector<double> errors;
+  for (const RatioPrediction& p : others.predictions) {
+    const bool same_row = p.ratio >= 80;
+    EXPECT_EQ(p.same_row, same_row) << p.ratio;
+    EXPECT_TRUE(p.error().has_value()) << p.ratio;
+    EXPECT_EQ(p.usual_error.has_value(), !same_row) << p.ratio;
+    EXPECT_EQ(p.worst_error.has_value(), !same_row) << p.ratio;
+    if (!same_row) errors.push_back(std::abs(*p.error()));
+  }
+  ASSERT_EQ(errors.size(), 6U);
+  std::ranges::sort(errors);
+  test::expect_relative(others.median.value(), (errors[2] + errors[3]) / 2, 1e-12);
+  EXPECT_EQ(others.worst.value(), errors[5]);
+  ASSERT_EQ(others.transfer.classes.size(), 2U);
+  EXPECT_EQ(others.transfer.classes[0].to, RatioClass::thirty);
+  EXPECT_EQ(others.transfer.classes[1].to, RatioClass::fifty);
+  EXPECT_FALSE(note_codes_of(c, others).contains("calibration.unknown_error"));
+
+  // No value of a table entered the fit to a measured curve, so all judge.
+  const OtherRatios measured = predict_other_ratios(
+      fitted_to_a_bench(typical_drive_of_size(17, 100)), {80}, Blank::ratio, kCoarse);
+  EXPECT_FALSE(measured.predictions[0].same_row);
+  EXPECT_TRUE(measured.median.has_value());
+}
+
+// Without a list, the tables decide: rows of other series judge hats of their size and length.  The
+// catalogue shows errors of predictions for short cups of size 17 and more; a note says that those
+// of any other drive are not known.
+TEST(OtherRatios, BehaviourDrivesWhoseErrorsAreNotKnown) {
+  const DriveType flat_hat{.form = FlexsplineForm::hat, .length = FlexsplineLength::flat};
+  const Calibration hat = fitted_to_a_bench(typical_drive_of_size(20, 100, flat_hat));
+  const OtherRatios of_hat = predict_other_ratios(hat, {}, Blank::ratio, kCoarse);
+  EXPECT_EQ(of_hat.type.form, flat_hat.form);
+  EXPECT_EQ(of_hat.type.length, flat_hat.length);
+  EXPECT_EQ(ratios_of(of_hat), (std::set<double>{50, 160}));
+  EXPECT_TRUE(of_hat.median.has_value());
+
+  const Calibration small = fitted_to_a_bench(typical_drive_of_size(14, 100));
+  const OtherRatios of_small = predict_other_ratios(small, {50}, Blank::ratio, kCoarse);
+
+  for (const auto& [c, others] : {std::pair(hat, of_hat), std::pair(small, of_small)}) {
+    EXPECT_FALSE(errors_are_known(others));
+    EXPECT_TRUE(others.transfer.classes.empty());
+    for (const RatioPrediction& p : others.predictions)
+      EXPECT_FALSE(p.usual_error || p.worst_error) << p.ratio;
+    EXPECT_TRUE(note_codes_of(c, others).contains("calibration.unknown_error"));
+    Calibration with = c;
+    with.other_ratios = others;
+    EXPECT_EQ(evidence_of(with).verdict.judgement, Judgement::with_care);
+    EXPECT_EQ(calibration_text(with).find("Usual and worst error"), std::string::npos);
+  }
 }
 
 // Cracks, shaft and flange are no part of a catalogue's drive; a drive of other geometry is told.
@@ -169,17 +239,8 @@ TEST(OtherRatios, BehaviourGeometryOfTheDriveIsJudgedAtItsRatio) {
   const OtherRatios thinner = predict_other_ratios(fitted_drive(gear), {80}, Blank::ratio, kCoarse);
   EXPECT_GT(thinner.geometry_difference, kTypicalDrive);
 
-  Calibration c = with_flange;
-  const auto codes = [&] {
-    std::set<std::string> found;
-    for (const Note& note : evidence_of(c).notes) found.insert(note.code);
-    return found;
-  };
-  c.other_ratios = same;
-  EXPECT_FALSE(codes().contains("calibration.other_geometry"));
-  c.other_ratios = thinner;
-  EXPECT_TRUE(codes().contains("calibration.other_geometry"));
-  EXPECT_EQ(evidence_of(c).verdict.judgement, Judgement::with_care);
+  EXPECT_FALSE(note_codes_of(with_flange, same).contains("calibration.other_geometry"));
+  EXPECT_TRUE(note_codes_of(with_flange, thinner).contains("calibration.other_geometry"));
 }
 
 TEST(OtherRatios, IdentityTheSameCalibrationGivesTheSameNumbers) {
@@ -250,14 +311,23 @@ TEST(OtherRatiosOutput, BehaviourTextAndJson) {
   for (const char* const words :
        {"Other ratios of a short cup of size 25, from the calibration at ratio 50",
         "only the factors are those of the calibration", "From ratio 50 to 80 and more: median ",
-        "over 11 of the catalogue's sizes", "From ratio 50 to 30: median "})
+        "over 11 of the catalogue's sizes", "From ratio 50 to 30: median ", "same row as the fit",
+        "Error against the stated values that entered no fit: median "})
     EXPECT_NE(text.find(words), std::string::npos) << words << '\n' << text;
+  // A difference that comes from rounding is shown as none; a larger one has its digits.
+  Calibration rounded = c;
+  rounded.other_ratios->geometry_difference = 1.2e-7;
+  EXPECT_NE(calibration_text(rounded).find("drive by 0 % at most"), std::string::npos);
+  rounded.other_ratios->geometry_difference = 0.012;
+  EXPECT_NE(calibration_text(rounded).find("drive by 1.2 % at most"), std::string::npos);
   const auto json = nlohmann::json::parse(json_of(c))["other_ratios"];
   EXPECT_EQ(json["from"]["value"], 50);
   EXPECT_EQ(json["median"]["value"], *c.other_ratios->median);
   EXPECT_EQ(json["worst"]["value"], *c.other_ratios->worst);
   const auto& predictions = json["predictions"];
   EXPECT_EQ(predictions["ratio"]["values"][6], 80);
+  EXPECT_EQ(predictions["same_row"]["values"][0], true);
+  EXPECT_EQ(predictions["same_row"]["values"][6], false);
   EXPECT_EQ(predictions["stated"]["values"][6], 31000);
   EXPECT_EQ(predictions["error"]["values"][6], *c.other_ratios->predictions[6].error());
   EXPECT_TRUE(predictions["error"]["values"][18].is_null());  // no table states ratio 90

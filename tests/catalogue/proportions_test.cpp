@@ -134,14 +134,15 @@ TEST(TypicalDrive, ReferenceTeethInContact) {
   EXPECT_LE(share({}, 2), 0.20 + 0.03);
 }
 
-// A maker's stated twist of size 32, ratio 100 at 60 N*m; the tolerance is the model form: 10 %
-// with a rigid circular spline and without drawn teeth, 12 % for the typical drive.
+// A manual computes the twist of size 32, ratio 100 at 60 N*m from its table, T1/K1 + (T - T1)/K2,
+// so the value is not a measurement.  The tolerance is the model form: 10 % with a rigid circular
+// spline and without drawn teeth, 13 % for the typical drive.
 TEST(TypicalDrive, ReferenceTwistOfSize32) {
   ProportionValues rigid;
   rigid.spline_support = 0;
   test::expect_relative(twist(without_drawn_teeth(typical_drive_of_size(32, 100, {}, rigid)), 60),
                         7.15e-4, 0.10);
-  test::expect_relative(twist(typical_drive_of_size(32, 100), 60), 7.15e-4, 0.15);
+  test::expect_relative(twist(typical_drive_of_size(32, 100), 60), 7.15e-4, 0.13);
 }
 
 // The article's drive, d = 160 mm at ratio 100, against the catalogue scaled by the cube of d; the
@@ -275,13 +276,17 @@ TEST(TypicalDrive, IdentityOneBlankForAllRatios) {
 // No draw breaks a rule of drawn teeth (TC-29, TC-30), at any ratio, form, length or blank.
 TEST(Draws, IdentityTeethFitEveryDrive) {
   std::mt19937_64 generator(5);
-  for (int n = 0; n < 60; ++n) {
+  for (int n = 0; n < 20; ++n) {
     const ProportionValues drawn = draw_proportions(generator);
-    for (const double ratio : {30.0, 30.5, 50.0, 80.0, 160.0, 320.0})
-      for (const Blank blank : {Blank::ratio, Blank::size}) {
-        const GearSet gear = typical_drive(0.0635, ratio, {.blank = blank}, drawn);
-        EXPECT_NO_THROW((void)AssembledDrive(gear, {.harmonics = 8})) << n << ' ' << ratio;
-      }
+    for (const FlexsplineForm form : {FlexsplineForm::cup, FlexsplineForm::hat})
+      for (const FlexsplineLength length :
+           {FlexsplineLength::standard, FlexsplineLength::short_length, FlexsplineLength::flat})
+        for (const double ratio : {30.0, 30.5, 50.0, 80.0, 160.0, 320.0})
+          for (const Blank blank : {Blank::ratio, Blank::size}) {
+            const GearSet gear = typical_drive(
+                0.0635, ratio, {.form = form, .length = length, .blank = blank}, drawn);
+            EXPECT_NO_THROW((void)AssembledDrive(gear, {.harmonics = 8})) << n << ' ' << gear.name;
+          }
   }
 }
 
@@ -386,7 +391,8 @@ TEST(StartingDrive, BehaviourRemarksNameTheRule) {
   EXPECT_TRUE(remark(30, rim).starts_with("stress: limited to 220 MPa")) << remark(30, rim);
   EXPECT_TRUE(remark(50, rim).starts_with("drawing: t_r over its law 0.8 to 1.2; "));
   const std::string plate = "flexspline.diaphragm.thickness";
-  EXPECT_TRUE(remark(100, plate).starts_with("drawing: ")) << remark(100, plate);
+  EXPECT_TRUE(remark(100, plate).starts_with("assumed: t_d/d 0.008 to 0.02; "))
+      << remark(100, plate);
   EXPECT_TRUE(remark(50, plate).starts_with("stress: limited to 350 MPa")) << remark(50, plate);
   const DriveType hat{.form = FlexsplineForm::hat};
   EXPECT_TRUE(remark(30, plate, hat).starts_with("assumed: 0.004 d, the least thickness; "))
@@ -397,7 +403,7 @@ TEST(StartingDrive, BehaviourRemarksNameTheRule) {
       if (range.path == plate) return std::string(enum_name(range.knowledge));
     return std::string("none");
   };
-  EXPECT_EQ(range_of(100), "drawing");
+  EXPECT_EQ(range_of(100), "assumed");
   EXPECT_EQ(range_of(50), "stress");
   EXPECT_EQ(range_of(30, hat), "none");
 }

@@ -234,6 +234,20 @@ TEST(ValidationBands, IdentityReproducibleAndOrdered) {
   EXPECT_NE(validation_csv(one), validation_csv(validate(other)));
 }
 
+// The ends of a 90 % band of less than 20 drives are those of one drive, so a note asks for care.
+TEST(ValidationBands, BehaviourFewDrawsAreNoted) {
+  for (const int draws : {2, 19, 20}) {
+    const Validation v =
+        validate({.draws = draws, .seed = 11, .sizes = {90}, .coupled = {.harmonics = 8}});
+    ASSERT_EQ(v.failed_draws, 0);
+    EXPECT_EQ(test::count_notes(v.notes, "validation.few_draws"), draws < 20 ? 1 : 0) << draws;
+    EXPECT_EQ(validation_text(v).find("Draw at least 100 drives") != std::string::npos, draws < 20);
+    EXPECT_EQ(evidence_of(v).verdict.judgement,
+              draws < 20 ? Judgement::with_care : Judgement::good);
+  }
+  EXPECT_TRUE(geometry().notes.empty());
+}
+
 // Bands say what they were made from, and which rows differ from it.
 TEST(ValidationBands, BehaviourRowsOutsideAreNamed) {
   ValidationOptions options{.draws = 3, .sizes = {11, 20}, .coupled = {.harmonics = 8}};
@@ -393,7 +407,10 @@ TEST(OwnRows, InputATorqueThatNoDriveHolds) {
 }
 
 TEST(ValidationInput, InputRefusals) {
-  EXPECT_NE(broken_rule([] { return validate({.draws = -1}); }).find(">= 0"), std::string::npos);
+  for (const int draws : {-1, 1, 100001})
+    EXPECT_NE(broken_rule([&] { return validate({.draws = draws}); }).find("2 to 100000"),
+              std::string::npos)
+        << draws;
   EXPECT_NE(broken_rule([] { return validate({.sizes = {22}}); }).find("not a size"),
             std::string::npos);
   EXPECT_NE(broken_rule([] { return validate({.factors = {Factor::coning}}); }).find("geometry"),

@@ -133,7 +133,7 @@ TEST(NoteCodes, ReferenceNotesThatCommandsAdd) {
 }
 
 TEST(NoteCodes, ReferenceADriveWithoutACurveSaysWhy) {
-  std::string text = test::example_drives().at("cracked_size25")->text;
+  std::string text = test::example_drives().at("catalogue_size25")->text;
   // Under a hundred times the maker's torque the flanks slip past each other.
   const std::size_t torque = text.find("T2 = \"48 N*m\"");
   ASSERT_NE(torque, std::string::npos);

@@ -430,13 +430,6 @@ const std::vector<Broken> kBroken = {
     {"CupWithoutBottom", sections_gear, [](GearSet& g) { flexspline(g).diaphragm.reset(); },
      "flexspline.diaphragm", "",
      "must be given for a cup where crack_free = \"sections\" (bottom)"},
-    {"HatWithoutBottom", sections_gear,
-     [](GearSet& g) {
-       flexspline(g).shape = FlexsplineShape::hat;
-       flexspline(g).diaphragm.reset();
-     },
-     "flexspline.diaphragm", "",
-     "must be given for a hat where crack_free = \"sections\" (bottom)"},
     {"FactorWithRim", article,
      [](GearSet& g) {
        flexspline(g).rim = TubeSection{1, 0.1, 1};

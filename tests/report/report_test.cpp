@@ -276,7 +276,7 @@ TEST(Report, ReferenceInputsSayWhoGaveThem) {
       {"drive.ratio", "catalogue"},                         // from its comment
       {"wave_generator.bearing.ball_diameter", "drawing"},  // from the comment above it
       {"wave_generator.bearing.loaded_balls", "assumed"},
-      {"flexspline.diaphragm.thickness", "drawing"},  // from its [[range]]
+      {"flexspline.diaphragm.thickness", "assumed"},  // from its [[range]]
       {"material.steel.youngs_modulus", "typical"},
       {"mesh.flank_angle", "assumed"},
       {"wave_generator.load_factor", "default"},
@@ -286,7 +286,7 @@ TEST(Report, ReferenceInputsSayWhoGaveThem) {
   for (const auto& [field, giver] : expected) EXPECT_EQ(givers[field], giver) << field;
   const std::string& html = section(report, "inputs").html;
   EXPECT_NE(html.find("18 deg to 26 deg"), std::string::npos);
-  EXPECT_NE(html.find("mean of a few samples, mostly tapered"), std::string::npos);
+  EXPECT_NE(html.find("one thickness in place of a plate"), std::string::npos);
 }
 
 TEST(Report, BehaviourACompletedMaterialIsMarkedFieldByField) {

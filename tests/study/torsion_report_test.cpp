@@ -342,6 +342,44 @@ TEST(TorsionPlot, BehaviourPanels) {
   EXPECT_NE(both.find(">with cracks<"), std::string::npos);
 }
 
+// The last panels show each ball and each flank in contact once, at its angle from the nearest of
+// two lobes, with a gap in the line between the lobes.  200 teeth are alike at both lobes.
+TEST(TorsionPlot, CrosscheckForcesAreThoseOfTheContacts) {
+  const TorsionReport report = torsion_report(drive(), {.draws = 0});
+  const std::vector<PlotPanel> panels = torsion_panels(report, drive());
+  const PlotPanel& balls = panels.at(panels.size() - 2);
+  const PlotPanel& flanks = panels.back();
+  EXPECT_EQ(balls.title, "Forces of the balls");
+  EXPECT_EQ(flanks.title, "Forces of the flanks");
+  const auto at_T2 = std::ranges::find(report.curve.points, report.torques.T2, &CurvePoint::torque);
+  ASSERT_NE(at_T2, report.curve.points.end());
+  const auto expect_shown = [](const PlotSeries& series,
+                               const std::vector<ContactForce>& contacts) {
+    std::vector<double> shown;
+    long gaps = 0;
+    for (std::size_t i = 0; i < series.y.size(); ++i) {
+      gaps += std::isnan(series.y[i]);
+      if (std::isnan(series.y[i])) continue;
+      shown.push_back(series.y[i]);
+      EXPECT_LE(std::abs(series.x[i]), 90.0);
+      EXPECT_FALSE(i > 0 && series.x[i] < series.x[i - 1]);
+    }
+    std::vector<double> forces;
+    for (const ContactForce& contact : contacts) forces.push_back(contact.force);
+    std::ranges::sort(shown);
+    std::ranges::sort(forces);
+    EXPECT_EQ(shown, forces);
+    EXPECT_EQ(gaps, 1);
+  };
+  ASSERT_EQ(balls.series.size(), 3U);
+  ASSERT_EQ(flanks.series.size(), 3U);
+  EXPECT_EQ(balls.series[2].label, "T = 48 N·m");
+  expect_shown(balls.series[2], at_T2->balls);
+  expect_shown(flanks.series[2], at_T2->drive_flanks);
+  const std::vector<double>& x = flanks.series[2].x;
+  EXPECT_NEAR(x.front(), x[x.size() / 2 + 1], 1e-9);  // rounding of degrees
+}
+
 TEST(TorsionReport, InputUnusableCurveSaysWhy) {
   GearSet gear = drive();
   gear.mesh->lobe_gap = 2e-3;

@@ -58,13 +58,15 @@ struct CalibrationTarget {
   double relative_uncertainty = 0.0;  ///< least standard uncertainty of one value, relative [-]
   /// Compare the drive without its cracks, output shaft and flange, as a catalogue does.
   bool component_set_only = false;
+  const StiffnessRow* row = nullptr;  ///< row of the catalogue that states the values, if any
 };
 
-/// K1, K2, K3 of the nearest row, scaled to the drive's diameter by d^3; each with an uncertainty
-/// of 2 % for rounding.
+/// K1, K2, K3 of the catalogue's nearest row of the drive's form and length, scaled to the drive's
+/// diameter by d^3; each with an uncertainty of 2 % for rounding.  Only short cups are scaled: any
+/// other drive needs a row of its own size, because the catalogue shows this similarity for short
+/// cups only.
+/// @throws InputError  if the drive is neither cup nor hat, or if the catalogue has no such row
 [[nodiscard]] CalibrationTarget catalogue_target(const GearSet& gear);
-/// The drive to which a catalogue stiffness applies: without cracks, output shaft and flange.
-[[nodiscard]] GearSet component_set(const GearSet& gear);
 /// The secant stiffness of every point; each with an uncertainty of 1 % unless stated.
 [[nodiscard]] CalibrationTarget measured_target(const std::vector<MeasuredPoint>& points,
                                                 std::string_view name,
@@ -147,6 +149,7 @@ struct Calibration {
   /// the drive with the fitted factors; `range` widened where the fit passed a limit
   GearSet gear;
   std::string source;
+  const StiffnessRow* row = nullptr;  ///< row of the catalogue that was fitted, if any
   std::vector<CalibratedFactor> factors;
   std::vector<FactorCombination> combinations;
   std::vector<CalibratedStiffness> stiffnesses;

@@ -29,6 +29,10 @@ inline constexpr std::size_t kRatioClasses = EnumNames<RatioClass>::names.size()
 /// @param ratio  i_h [-]; > 0
 [[nodiscard]] RatioClass ratio_class_of(double ratio);
 
+/// Size from which the catalogue's sizes are similar within a few per cent: K is proportional to
+/// d^3.
+inline constexpr double kLeastSimilarSize = 17;
+
 /// Shape of the flexspline.
 enum class FlexsplineForm {
   cup,  ///< the diaphragm points inward
@@ -164,10 +168,12 @@ struct RatingRow {
 /// The row of exactly this size and ratio; null if the table lacks it.
 [[nodiscard]] const RatingRow* find_rating(int size, double ratio);
 
-/// The row nearest to a drive.  The class of the ratio decides first, then the size by its
-/// logarithm.
+/// The row of a form, a length and the class of a ratio with the nearest size by the logarithm;
+/// null if the table has none.
 /// @param pitch_diameter  [m]; > 0
-[[nodiscard]] const StiffnessRow& nearest_stiffness(double pitch_diameter, double ratio);
+[[nodiscard]] const StiffnessRow* nearest_stiffness(
+    double pitch_diameter, double ratio, FlexsplineForm form = FlexsplineForm::cup,
+    FlexsplineLength length = FlexsplineLength::short_length);
 
 /// Throws InputError unless the size is in the catalogue; the message lists the sizes that are.
 void require_catalogue_size(int size);

@@ -29,8 +29,10 @@ struct RatioPrediction {
   double predicted = 0.0;        ///< [N*m/rad]
   std::string series;            ///< series whose table states the ratio; empty if no table does
   std::optional<double> stated;  ///< stiffness that this table states [N*m/rad]
+  bool same_row = false;  ///< the calibration was fitted to the row that states the stiffness
   /// median and largest error of such predictions over the catalogue (TransferError) [-]; absent at
-  /// the calibrated ratio and beyond the ratios of the catalogue
+  /// the calibrated ratio, if no row but the fitted one states the class of the ratio, and beyond
+  /// the ratios of the catalogue
   std::optional<double> usual_error;
   std::optional<double> worst_error;
 
@@ -51,6 +53,8 @@ struct RatioPrediction {
           &RatioPrediction::predicted);
     field({"series", "", "series whose table states the ratio"}, &RatioPrediction::series);
     field({"stated", "N*m/rad", "stiffness that the table states"}, &RatioPrediction::stated);
+    field({"same_row", "", "whether the calibration was fitted to the row that states it"},
+          &RatioPrediction::same_row);
     field({"error", "1", "predicted/stated - 1"},
           [](const RatioPrediction& p) { return p.error(); });
     field({"usual_error", "1", "median error of such predictions over the catalogue"},
@@ -61,6 +65,7 @@ struct RatioPrediction {
 };
 
 /// Errors |predicted/stated - 1| of one class of ratio, predicted from calibrations at one ratio.
+/// Values of a row that its own calibration was fitted to are left out.
 struct TransferError {
   RatioClass to = RatioClass::eighty_up;
   int sizes = 0;
@@ -94,42 +99,49 @@ inline constexpr double kTypicalDrive = 0.02;
 struct OtherRatios {
   double from = 0.0;  ///< calibrated ratio [-]
   int size = 0;
-  FlexsplineForm form = FlexsplineForm::cup;
-  FlexsplineLength length = FlexsplineLength::short_length;
-  Blank blank = Blank::ratio;
+  DriveType type;  ///< form and length of the drive, and the blank of the other drives
   /// largest |K of the typical drive with the fitted factors/K of the calibrated drive - 1| at the
   /// calibrated ratio [-]; 0 for a drive with typical geometry
   double geometry_difference = 0.0;
   std::vector<RatioPrediction> predictions;
-  std::optional<double> median;  ///< of |error| without the calibrated ratio [-]
-  std::optional<double> worst;   ///< of |error| without the calibrated ratio [-]
-  TransferErrors transfer;
+  /// of |error| over the other ratios, without the values of the fitted row [-]
+  std::optional<double> median;
+  std::optional<double> worst;
+  TransferErrors transfer;  ///< empty unless the drive is a short cup of kLeastSimilarSize
 
   template <class Visitor>
   static void describe(Visitor&& field) {
     field({"from", "1", "calibrated ratio"}, &OtherRatios::from);
     field({"size", "", "size of the drive in the catalogue"}, &OtherRatios::size);
-    field({"form", "", "cup, or hat with the diaphragm outward"}, &OtherRatios::form);
-    field({"length", "", "length class of the flexspline"}, &OtherRatios::length);
+    field({"form", "", "cup, or hat with the diaphragm outward"},
+          [](const OtherRatios& o) { return o.type.form; });
+    field({"length", "", "length class of the flexspline"},
+          [](const OtherRatios& o) { return o.type.length; });
     field({"blank", "", "the wave for which the walls of the other drives are made"},
-          &OtherRatios::blank);
+          [](const OtherRatios& o) { return o.type.blank; });
     field({"geometry_difference", "1",
            "largest difference in K1 to K3 between the typical drive with the fitted factors and "
            "the calibrated drive, at the calibrated ratio"},
           &OtherRatios::geometry_difference);
-    field({"median", "1", "median of |error|, without the calibrated ratio"}, &OtherRatios::median);
-    field({"worst", "1", "largest |error|, without the calibrated ratio"}, &OtherRatios::worst);
+    field({"median", "1",
+           "median of |error| over the other ratios, without the values of the fitted row"},
+          &OtherRatios::median);
+    field({"worst", "1", "largest |error|, likewise"}, &OtherRatios::worst);
     field({"left_out", "", "sizes left out of transfer_errors because a drive cannot be computed"},
           [](const OtherRatios& o) { return o.transfer.left_out; });
     field({"transfer_errors", "",
            "errors of the same calibration and prediction over the catalogue's sizes of 17 and "
-           "more"},
+           "more, without the values of fitted rows"},
           [](const OtherRatios& o) -> const std::vector<TransferError>& {
             return o.transfer.classes;
           });
     field({"predictions", "", "each stiffness at each ratio"}, &OtherRatios::predictions);
   }
 };
+
+/// Whether the catalogue shows the errors of such predictions: those of short cups of
+/// kLeastSimilarSize and more.
+[[nodiscard]] bool errors_are_known(const OtherRatios& other);
 
 /// Reads ratios such as "50,80,100", none repeated, or "all" for all other ratios of the tables,
 /// which gives an empty list.
@@ -140,7 +152,10 @@ struct OtherRatios {
 ///
 /// At the calibrated ratio, this is the calibrated drive itself.  At any other ratio, it is the
 /// typical drive of size, form and length with the fitted factors, without cracks, output shaft and
-/// flange.  The rows of catalogue and other series judge the predictions; no fit reads them.
+/// flange.  The rows of catalogue and other series judge the predictions.  If the calibration was
+/// fitted to one of these rows, this row judges no prediction, though it may state several ratios.
+/// The errors over the catalogue are those of short cups of kLeastSimilarSize and more; any other
+/// drive has none.
 ///
 /// @param ratios  if the list is empty, all other ratios that the tables state for this size, form
 ///                and length
@@ -155,8 +170,8 @@ struct OtherRatios {
                                                const CoupledOptions& options = {},
                                                const Progress& progress = {});
 
-/// Calibrates the typical short cup of each catalogue size of 17 and more to its row at one ratio
-/// and predicts the other ratios of its size.  The rows of the predicted ratios enter no fit.
+/// Calibrates the typical short cup of each catalogue size from kLeastSimilarSize on to its row at
+/// one ratio and predicts the ratios that other rows of its size state.
 ///
 /// A row that has fewer values than there are factors is left out.
 /// @param from  calibrated ratio [-]

@@ -95,8 +95,10 @@ struct Proportion {
 
 /// All proportions, in the order of ProportionValues.
 ///
-/// All values were fixed before their first comparison with a catalogue.  The support of the
-/// circular spline is the middle of its plausible range.
+/// All values were fixed before their first comparison with a catalogue, with two exceptions.  The
+/// support of the circular spline is close to the middle of its plausible range, but an earlier
+/// study of the same drives had shown that such a value fits.  Relieved tips became the rule after
+/// a first run of the tables with full tips.
 [[nodiscard]] std::span<const Proportion> proportions();
 
 /// Proportions drawn uniformly and independently between their limits.
@@ -135,7 +137,7 @@ struct WaveStresses {
                                     const ProportionValues& values = {});
 
 /// The typical drive of a catalogue size, with T1 and T2 of that size.  The rated torque is set if
-/// the catalogue states one for exactly this ratio and the drive is a short cup.
+/// the catalogue states one for exactly this ratio and the flexspline is short.
 /// @throws InputError  if the catalogue lacks the size.  Sizes between two rows are refused too,
 ///                     because no maker states their torques
 [[nodiscard]] GearSet typical_drive_of_size(int size, double ratio, const DriveType& type = {},

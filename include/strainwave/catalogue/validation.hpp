@@ -14,6 +14,7 @@
 #include "strainwave/catalogue/proportions.hpp"
 #include "strainwave/core/fields.hpp"
 #include "strainwave/core/progress.hpp"
+#include "strainwave/model/result/evidence.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
 /// @file
@@ -44,7 +45,7 @@ struct ValidationOptions {
   std::vector<Factor> factors = {};
   Blank blank = Blank::ratio;  ///< of all drives
   bool all_sets = false;       ///< also fit every set of one to three factors to all sizes at once
-  int draws = 0;               ///< draws of the proportions for the bands; 0 to 100000
+  int draws = 0;               ///< draws of the proportions for the bands; 0, or 2 to 100000
   std::uint64_t seed = 1;
   std::vector<int> sizes = {};  ///< sizes of the catalogue to predict; empty: all
   /// Rows of a user, which judge only (parse_stiffness_rows).
@@ -255,6 +256,7 @@ struct Validation {
   std::optional<BandFit> band_fit;  ///< absent if nothing was drawn
   std::vector<BandTest> band_tests;
   int failed_draws = 0;  ///< draws left out because they have no equilibrium
+  std::vector<Note> notes = {};
 
   template <class Visitor>
   static void describe(Visitor&& field) {

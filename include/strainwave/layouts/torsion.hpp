@@ -22,8 +22,9 @@ namespace strainwave {
 /// drive.  A row "turn" has the changes of K1, K2, K3 after the wave generator has turned by
 /// `angle`.
 [[nodiscard]] std::string torsion_csv(const TorsionReport& report);
-/// Panels of the curve with its three lines and its loop, of the tangent stiffness and, for a
-/// comparison, of the changes over a turn.
+/// Panels of the curve with its three lines and its loop, of the tangent stiffness, for a
+/// comparison of the changes over a turn, and of the forces of balls and flanks over the angle from
+/// a lobe at the least torque, T1 and T2.
 [[nodiscard]] std::vector<PlotPanel> torsion_panels(const TorsionReport& report,
                                                     const GearSet& gear);
 /// The panels as one SVG document.

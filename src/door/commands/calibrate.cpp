@@ -10,11 +10,14 @@ struct CalibrateOptions {
   std::optional<std::string> measured;
   std::string factors = "support,coning";
   std::optional<std::string> predict_ratios;
-  Blank blank = Blank::ratio;
+  std::optional<Blank> blank;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field({"catalogue", "", "calibrate to K1, K2, K3 of the nearest size and ratio"},
+    field({"catalogue", "",
+           "calibrate to K1, K2, K3 of the catalogue's row for this form, length, ratio and the "
+           "nearest "
+           "size"},
           &CalibrateOptions::catalogue);
     field(
         {.name = "measured",
@@ -45,6 +48,8 @@ struct CalibrateOptions {
 Calibration calibrated(const Request& request, const CalibrateOptions& options) {
   if (options.catalogue == options.measured.has_value())
     throw OptionError("catalogue", "give either --catalogue or --measured");
+  if (options.blank && !options.predict_ratios)
+    throw OptionError("blank", "needs --predict-ratios; give it too");
   const auto factors = from_option([&] { return parse_factors(options.factors); });
   const GearSet& gear = request.drive.gear;
   std::optional<std::vector<double>> ratios;
@@ -56,15 +61,16 @@ Calibration calibrated(const Request& request, const CalibrateOptions& options) 
       Calibration calibration =
           calibrate(gear, target, factors, {}, request.progress.part(0.0, fit_ends));
       if (ratios)
-        calibration.other_ratios = predict_other_ratios(calibration, *ratios, options.blank, {},
-                                                        request.progress.part(fit_ends, 1.0));
+        calibration.other_ratios =
+            predict_other_ratios(calibration, *ratios, options.blank.value_or(Blank::ratio), {},
+                                 request.progress.part(fit_ends, 1.0));
       return calibration;
     } catch (const InputError& error) {
       if (error.field() == "factors" || error.field() == "predict-ratios") throw OptionError(error);
       throw;
     }
   };
-  if (options.catalogue) return fitted(catalogue_target(gear));
+  if (options.catalogue) return fitted(from_option([&] { return catalogue_target(gear); }));
   const auto text = request.texts.find(*options.measured);
   if (text == request.texts.end())
     throw OptionError("measured", "names a text that is not attached");

@@ -13,9 +13,9 @@ namespace {
 struct NewOptions {
   std::optional<int> size;
   std::optional<double> ratio;
-  FlexsplineForm form = FlexsplineForm::cup;
-  FlexsplineLength length = FlexsplineLength::short_length;
-  Blank blank = Blank::ratio;
+  std::optional<FlexsplineForm> form;
+  std::optional<FlexsplineLength> length;
+  std::optional<Blank> blank;
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -77,10 +77,19 @@ NewDrive drive_of(const Request&, const NewOptions& options) {
   if (options.size.has_value() != options.ratio.has_value())
     throw OptionError(options.size ? "ratio" : "size",
                       "must be given; give both size and ratio, or neither");
+  const auto needs_size = [&](std::string_view name, bool given) {
+    if (given && !options.size) throw OptionError(name, "needs --size and --ratio; give them too");
+  };
+  needs_size("form", options.form.has_value());
+  needs_size("length", options.length.has_value());
+  needs_size("blank", options.blank.has_value());
   if (!options.size) return {std::string(kSchemaLine) + input_template()};
   const CommentedDrive drive = from_option([&] {
+    const DriveType usual;
     return starting_drive(*options.size, *options.ratio,
-                          {.form = options.form, .length = options.length, .blank = options.blank});
+                          {.form = options.form.value_or(usual.form),
+                           .length = options.length.value_or(usual.length),
+                           .blank = options.blank.value_or(usual.blank)});
   });
   return {std::string(kSchemaLine) +
           "# A typical drive of this size and ratio, because makers do not publish the geometry of "

@@ -69,6 +69,7 @@ Command torsion_command() {
           "the cracks "
           "and the changes over a turn of the wave generator follow.",
       .example = "strainwave torsion examples/catalogue_size25.toml --plot torsion.svg",
+      .not_in_tables = "tolerances",
       .function =
           [](const Request& request, const TorsionOptions& o) {
             if (o.angles && !o.compare) throw OptionError("angles", "needs --compare; give it too");
@@ -97,7 +98,7 @@ Command torsion_command() {
                     {{.name = "plot",
                       .format = Format::svg,
                       .option = "plot",
-                      .doc = "draw the curve as an SVG file"},
+                      .doc = "draw the curve, and the forces of balls and flanks, as an SVG file"},
                      torsion_plot}},
   });
 }

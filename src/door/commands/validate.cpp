@@ -37,7 +37,7 @@ struct ValidateOptions {
           &ValidateOptions::all_sets);
     field({.name = "draws",
            .unit = "",
-           .doc = "number of drives drawn for the bands; 0 for none",
+           .doc = "number of drives drawn for the bands, at least 2; 0 for none",
            .range = {.lower = 0, .lower_open = false, .upper = 100000, .upper_open = false},
            .fallback = "0"},
           &ValidateOptions::draws);
