@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -152,6 +153,41 @@ TEST(PlateEdge, IdentityFiniteUpToTheLargestHarmonic) {
     const double k = plate_edge_stiffness(plate, 128);
     EXPECT_TRUE(std::isfinite(k));
     EXPECT_GT(k, 0.0);
+  }
+}
+
+TEST(PlateEdge, IdentityDerivativesAreThoseOfTheValues) {
+  // Dual numbers against central differences of relative steps of 1e-5, for a cup and a hat.
+  // Tolerance 1e-8 of the stiffness: the steps' truncation, and rounding over the step.
+  const auto stiffness = []<class Real>(const std::array<Real, 6>& x, ClampedEdge clamped) {
+    return plate_edge_stiffness(BasicClampedPlate<Real>{.outer_radius = x[0],
+                                                        .inner_radius = x[1],
+                                                        .thickness = x[2],
+                                                        .youngs_modulus = x[3],
+                                                        .poissons_ratio = x[4],
+                                                        .clamped = clamped,
+                                                        .corner = x[5]},
+                                3);
+  };
+  const std::array<double, 6> at = {31e-3, 18e-3, 0.76e-3, 2.06e11, 0.28, 2500.0};
+  std::array<DualReal, 6> dual;
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    dual[k] = at[k];
+    dual[k].partial[k] = at[k];
+  }
+  for (const ClampedEdge clamped : {ClampedEdge::inner, ClampedEdge::outer}) {
+    const DualReal found = stiffness(dual, clamped);
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      constexpr double kStep = 1e-5;
+      std::array<double, 6> more = at;
+      std::array<double, 6> less = at;
+      more[k] *= 1 + kStep;
+      less[k] *= 1 - kStep;
+      EXPECT_NEAR(found.partial[k],
+                  (stiffness(more, clamped) - stiffness(less, clamped)) / (2 * kStep),
+                  1e-8 * found.value)
+          << k;
+    }
   }
 }
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include "coupled_drive.hpp"
@@ -106,6 +107,31 @@ TEST(ToothNeighbours, ReferenceTheIntegralOverTheWaves) {
     // the coast flank of the tooth 0 presses one tooth of the circular spline farther back
     EXPECT_NEAR(teeth.between({.tooth = n - 1, .side = 1}, {.tooth = 0, .side = -1}), facing, 2e-6)
         << n;
+  }
+}
+
+TEST(ToothNeighbours, ReferenceTheLayerByItsEquations) {
+  // tools/reference/coupled_drive.py solves the four equations of the layer over its depth for each
+  // wave number, and integrates beyond them along a contour.  Tolerance 2e-12 of the largest entry,
+  // which is 1: the accuracy that the chapter states, and as much for the other program.
+  const std::vector<test::CsvRow> rows = test::read_reference_csv("tooth_neighbours");
+  ASSERT_EQ(rows.size(), 45U);
+  for (std::size_t i = 0; i < rows.size(); i += 3) {
+    const test::CsvRow& row = rows[i];  // tangential; then radial, mixed
+    BasicToothOnWall<double> tooth = tooth_on<double>(row("wall_over_module"));
+    tooth.flank_angle = row("flank_angle");
+    tooth.dedendum = row("dedendum_over_module");
+    const ToothNeighbours teeth(tooth, unit_steel(), 1.0, 320);
+    const int n = static_cast<int>(row("pitches"));
+    const double layer = 2 * 0.91 / pi;
+    const double c = std::cos(tooth.flank_angle);
+    const double s = std::sin(tooth.flank_angle);
+    const double along = c * c * rows[i].value;
+    const double outward = s * s * rows[i + 1].value;
+    SCOPED_TRACE(std::to_string(row("wall_over_module")) + ' ' + std::to_string(n));
+    EXPECT_NEAR(teeth.between({.tooth = n, .side = 1}, kDrive) / layer, along + outward, 2e-12);
+    EXPECT_NEAR(teeth.between({.tooth = n - 1, .side = 1}, {.tooth = 0, .side = -1}) / layer,
+                outward - along - 2 * s * c * rows[i + 2].value, 2e-12);
   }
 }
 

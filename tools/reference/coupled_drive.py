@@ -1004,13 +1004,30 @@ def kernel_table():
     return table
 
 
+def neighbour_rows():
+    """Motion of neighbouring teeth (TC-31), lengths over the module."""
+    from reference_csv import Table
+
+    table = Table("tooth_neighbours", "wall_over_module [1]", "dedendum_over_module [1]",
+                  "flank_angle [rad]", "pitches [1]")
+    for wall, dedendum, degrees in ((6.0, 1.1, 22.0), (20.0, 1.1, 22.0), (40.0, 1.3, 18.0)):
+        slope = tan(radians(degrees))
+        out = neighbour_table(wall, pi / 2 + 2 * dedendum * slope, dedendum - pi / 4 * slope, 20)
+        for n in (1, 2, 5, 8, 20):
+            for case, column in zip(("tangential", "radial", "mixed"), out):
+                table.add(case, (wall, dedendum, radians(degrees), n), column[n - 1], "1",
+                          "waves of a layer by its differential equation", digits=12, printed=15)
+    return table
+
+
 def tables():
-    return [curve_table(), maker_table(), drive_table(), kernel_table()]
+    return [curve_table(), maker_table(), drive_table(), kernel_table(), neighbour_rows()]
 
 
 def some_tables():
     """The same tables, the long one for two drives only."""
-    return [curve_table([(25, 100), (14, 50)]), maker_table(), drive_table(), kernel_table()]
+    return [curve_table([(25, 100), (14, 50)]), maker_table(), drive_table(), kernel_table(),
+            neighbour_rows()]
 
 
 def main():

@@ -478,6 +478,9 @@ VARIANTS = (
     (size_25(50, 1.05), INVOLUTE._replace(flank_angle=radians(28.6), thickness=1.375)),
     (size_25(30, 1.15), HALF_PATH),
     (Drive(50, 0.5e-3, 0.5e-3, 24.275e-3, 0.725e-3), DOUBLE_ARC),
+    # the common normal meets both working flanks at -10 degrees
+    (size_25(30, 1.3), INVOLUTE._replace(flank_angle=radians(15), flexspline_addendum=0.95,
+                                         spline_addendum=0.95)),
 )
 ANGLES = (-50, -40, -30, -20, -10, -5, -2, 0, 2, 5, 10, 15, 20, 25, 30, 35, 40, 45, 50, 55, 60)
 ROUNDING = 2e-10  # of a gap by points, m
