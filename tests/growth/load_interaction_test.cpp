@@ -19,14 +19,14 @@ using std::numbers::pi;
 /// A zone of 0.2 mm at K = 1.
 PlasticZone zone_of_unit_K() { return {.yield_strength = 1 / std::sqrt(0.2e-3 * pi), .factor = 1}; }
 
-TEST(LoadInteraction, ReferencePlasticZone) {
+TEST(LoadInteraction, ReferencePlasticZone) {  // GR-17
   // (K/sigma_y)^2/pi with 30 MPa sqrt(m) and 1000 MPa: 0.9e-3/pi m; half of it for beta 2.
   test::expect_relative(PlasticZone{1000e6, 1}.size(30e6), 0.9e-3 / pi, 1e-14);
   test::expect_relative(PlasticZone{1000e6, 2}.size(30e6), 0.45e-3 / pi, 1e-14);
   EXPECT_EQ((PlasticZone{1000e6, 1}.size(0.0)), 0.0);
 }
 
-TEST(LoadInteraction, ReferenceWheelerInClosedForm) {
+TEST(LoadInteraction, ReferenceWheelerInClosedForm) {  // GR-18
   // Constant rate v = 1e-7 m, zone rho = 0.2 mm, overload of twice the load, gamma 1.5: N = rho
   // (r^(2 (gamma + 1)) - 1)/(v (gamma + 1)) = 24 800 until the zones leave the overload's zone,
   // 6000 of them without it.
@@ -46,7 +46,7 @@ TEST(LoadInteraction, ReferenceWheelerInClosedForm) {
 
 Willenborg rule() { return {.zone = zone_of_unit_K(), .threshold = 4, .shut_off_ratio = 2.65}; }
 
-TEST(LoadInteraction, ReferenceWillenborg) {
+TEST(LoadInteraction, ReferenceWillenborg) {  // GR-19
   // K_max 15, K_min 3, K at the threshold 4, R_so 2.65; overload 30; K_R = 6.666667, 4.880339 and 0
   // at 0, 0.25 and 0.75 of the zone.  Values of a computation of our own; tolerance: their digits.
   const TipCycle cycle{.largest = 15, .ratio = 0.2};

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-TEST(MixedMode, ReferenceFiveThreeTwo) {
+TEST(MixedMode, ReferenceFiveThreeTwo) {  // GR-13, GR-14, GR-15
   // K = (5, 3, 2), nu 0.3.  Values of a computation of our own; tolerance: their digits.
   const ModeFactors K{5, 3, 2};
   EXPECT_NEAR(equivalent_factor(MixedMode::energy, K, 0.3), 6.3019271, 5e-8);
@@ -27,7 +27,7 @@ TEST(MixedMode, ReferenceFiveThreeTwo) {
   EXPECT_NEAR(kink_angle({0, 1, 0}) / kDegree, -70.528779, 5e-7);
 }
 
-TEST(MixedMode, CrosscheckLargestTangentialStressBySearch) {
+TEST(MixedMode, CrosscheckLargestTangentialStressBySearch) {  // GR-16
   // sigma_theta sqrt(2 pi r) = cos(t/2)^2 [K_I cos(t/2) - 3 K_II sin(t/2)] over a fine grid.
   // Tolerances: half a step of the grid, and its effect of second order.
   for (const double two : {-3.0, -0.1, 1e-9, 0.5, 2.0, 8.0}) {

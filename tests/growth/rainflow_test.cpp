@@ -97,7 +97,7 @@ History random_history(int seed, int size, int levels) {
 
 // --- published counts ---------------------------------------------------------------------------
 
-TEST(Rainflow, ReferenceFigure6OfTheStandard) {
+TEST(Rainflow, ReferenceFigure6OfTheStandard) {  // GR-1
   // ASTM E1049, figure 6.  Exact.
   const auto cycles = counted({-2, 1, -3, 5, -1, 3, -4, 4, -2}, Residue::half_cycles);
   EXPECT_EQ(by_range(cycles),

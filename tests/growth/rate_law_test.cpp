@@ -50,7 +50,7 @@ Nasgro stainless() {  // 15-5PH H900 of the material library, for a part-through
 
 // --- lives in closed form ------------------------------------------------------------------------
 
-TEST(RateLaw, ReferenceParisInClosedForm) {
+TEST(RateLaw, ReferenceParisInClosedForm) {  // GR-2
   // C 6.9e-12, m 3, Y 1.12, 200 MPa, 1 to 10 mm; m 2: 1e-11, Y 1, 100 MPa, 1 to 2 mm; m 4: 1e-12,
   // Y 1.12, 150 MPa, 0.5 to 5 mm.  Closed forms of N(a); tolerance of the quadrature.
   const double g = 1.12 * 200 * std::sqrt(pi);
@@ -67,13 +67,13 @@ TEST(RateLaw, LimitAtTheUnitOfDeltaKItIsTheCoefficient) {  // MA-1
   test::expect_relative(law.rate({.largest = 4e6}), 3e-12 * 32, 1e-14);  // 4^2.5 = 2^5
 }
 
-TEST(RateLaw, ReferenceWalkerInClosedForm) {
+TEST(RateLaw, ReferenceWalkerInClosedForm) {  // GR-4
   // gamma 0.5 at R = 0.5: C_eff = C/(1-R)^(m (1-gamma)) = 1.951614716e-11, N 35 406.13401.
   test::expect_relative(cycles(Walker{6.9e-12, 3, 0.5}, 1.12, 200e6, 0.5, 1e-3, 1e-2), 35406.13401,
                         1e-9);
 }
 
-TEST(RateLaw, ReferenceFormanInClosedForm) {
+TEST(RateLaw, ReferenceFormanInClosedForm) {  // GR-5
   // C 4e-10, m 3, K_c 60, R 0.1, Y 1.12, 150 MPa, 1 to 12 mm; and to the size at which K_max = K_c.
   const Forman law{4e-10, 3, 60e6};
   test::expect_relative(cycles(law, 1.12, 150e6, 0.1, 1e-3, 12e-3), 159965.29282, 1e-9);
@@ -83,7 +83,7 @@ TEST(RateLaw, ReferenceFormanInClosedForm) {
                         1e-9);
 }
 
-TEST(RateLaw, ReferenceTwoLines) {
+TEST(RateLaw, ReferenceTwoLines) {  // GR-3
   // The library's generic steel: the lines meet at 6.18360484 MPa sqrt(m), a = 1.21712052 mm; N =
   // 838 755.826 for 100 MPa, Y 1, 1 to 10 mm, with the constants as the library rounds them.
   const Paris low{2.144e-13, 5.10};
@@ -99,7 +99,7 @@ TEST(RateLaw, ReferenceTwoLines) {
 
 // --- NASGRO --------------------------------------------------------------------------------------
 
-TEST(RateLaw, ReferenceNewmansOpening) {
+TEST(RateLaw, ReferenceNewmansOpening) {  // GR-7
   // alpha 2, s 0.3; tolerance: the printed digits.
   const NewmanClosure closure{.constraint = 2, .stress_level = 0.3};
   for (const auto& [R, f] : {std::pair{-1.0, 0.243756},
@@ -115,7 +115,7 @@ TEST(RateLaw, ReferenceNewmansOpening) {
   EXPECT_EQ(closure.opening(-2.0), closure.opening(-7.0));
 }
 
-TEST(RateLaw, ReferenceNasgroOfAnAluminium) {
+TEST(RateLaw, ReferenceNasgroOfAnAluminium) {  // GR-8, GR-9
   // 7050-T7451 at Delta K 6.6, R 0, a -> 0: a public program prints 3.2668e-8 m; 3.26683669e-8 by a
   // computation of our own.  The threshold of a short crack is 0.
   const Nasgro law{.coefficient = 6.35e-10,
@@ -133,7 +133,7 @@ TEST(RateLaw, ReferenceNasgroOfAnAluminium) {
                         3.26683669e-8, 1e-6);
 }
 
-TEST(RateLaw, ReferenceNasgroOfTheLibrarysStainlessSteel) {
+TEST(RateLaw, ReferenceNasgroOfTheLibrarysStainlessSteel) {  // GR-8, GR-10
   // 15-5PH H900, a 1 mm: f and Delta K_th at three R, and da/dN with the toughness of a wall of
   // 0.5 mm, 82.2823016 MPa sqrt(m), by a computation of our own.  Tolerance: its printed digits.
   Nasgro law = stainless();
@@ -166,7 +166,7 @@ TEST(RateLaw, IdentityThresholdsAreContinuousAtZero) {
   test::expect_relative(law.threshold(1 - 1e-9, 1e3), law.threshold_datum, 1e-6);
 }
 
-TEST(RateLaw, ReferenceToughnessOverThickness) {
+TEST(RateLaw, ReferenceToughnessOverThickness) {  // GR-11
   test::expect_relative(toughness_of_thickness(60e6, 1000e6, 2.24e-3, 0.75, 0.5), 88.97267e6, 1e-7);
   test::expect_relative(toughness_of_thickness(60e6, 1000e6, 1.0, 0.75, 0.5), 60e6, 1e-12);
 }
@@ -182,7 +182,7 @@ std::vector<RateLaw> all_laws() {
           stainless()};
 }
 
-TEST(RateLaw, BehaviourThresholdAndToughnessOfEachLaw) {
+TEST(RateLaw, BehaviourThresholdAndToughnessOfEachLaw) {  // GR-12
   const GrowthLimits limits{.threshold = 4e6, .toughness = 55e6};
   for (const RateLaw& law : all_laws()) {
     SCOPED_TRACE(law.index());
@@ -230,7 +230,15 @@ TEST(RateLaw, ReferenceArrestSizeAndShortCracks) {
   EXPECT_EQ(growth_rate(law, {.largest = half * (1 + 1e-8)}, a, limits).state, TipState::grows);
 }
 
-TEST(RateLaw, BehaviourOfPressedCycles) {
+TEST(RateLaw, ReferenceHartmanAndSchijve) {  // GR-6
+  // By hand: D 1e-10, p 2, thr 1.5, A 80; K_max 20, R 0.25: (15 - 1.5)^2/(1 - 0.25) = 243.
+  const HartmanSchijve law{1e-10, 2, 1.5e6, 80e6};
+  test::expect_relative(growth_rate(law, {.largest = 20e6, .ratio = 0.25}, 1e-3).per_cycle,
+                        243e-10, 1e-13);
+  EXPECT_EQ(growth_rate(law, {.largest = 2e6, .ratio = 0.25}, 1e-3).state, TipState::arrested);
+}
+
+TEST(RateLaw, BehaviourOfPressedCycles) {  // GR-2 to GR-6
   // R < 0: Paris, Forman and two lines count the full range, Walker and Hartman and Schijve K_max.
   const auto rate = [](const RateLaw& law, double largest, double R) {
     return growth_rate(law, {.largest = largest, .ratio = R}, 1e-3).per_cycle;
