@@ -307,11 +307,6 @@ Material completed(const Material& own, const MaterialRecord& record) {
   return material;
 }
 
-double growth_per_cycle(const ParisLaw& law, double delta_K) {
-  require(delta_K > 0, "delta_K", delta_K, "Pa*m^0.5", "> 0");
-  return law.coefficient * std::pow(delta_K / units::MPa, law.exponent);  // (MA-1)
-}
-
 double transition_range(const ParisLaw& first, const ParisLaw& second) {
   require(first.exponent != second.exponent, "exponent", second.exponent, "1",
           "an exponent that differs from that of the first law");

@@ -88,14 +88,6 @@ struct MaterialLibrary {
 /// @param record  of the library
 [[nodiscard]] Material completed(const Material& own, const MaterialRecord& record);
 
-/// Growth per cycle of a power law, C (Delta K/1 MPa*m^0.5)^m (MA-1).  The function does not check
-/// the stated range of the law.
-///
-/// @param delta_K      range of the stress intensity factor [Pa*m^0.5]; > 0
-/// @return             da/dN [m]
-/// @throws InputError  if delta_K is not positive
-[[nodiscard]] double growth_per_cycle(const ParisLaw& law, double delta_K);
-
 /// Delta K at which two power laws give the same growth (MA-3).
 /// @return             Delta K [Pa*m^0.5]
 /// @throws InputError  if the exponents are equal

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+#include "strainwave/core/units.hpp"
+#include "strainwave/growth/tip_cycle.hpp"
+
+namespace strainwave {
+
+/// da/dN = C (Delta K/K_1)^m K_1/[(1 - R) K_c - Delta K] (GR-5).
+///
+/// R < 0: Delta K is the full range, so the denominator is (1 - R)(K_c - K_max) for every R.
+struct Forman {
+  double coefficient = 0.0;  ///< C [m]; > 0.  In other texts C has the unit of m/cycle times K_1
+  double exponent = 0.0;     ///< m [-]; > 0
+  double toughness = 0.0;    ///< K_c [Pa*m^0.5]; > 0
+
+  /// da/dN [m] without threshold; K_max < K_c.
+  [[nodiscard]] double rate(const TipCycle& cycle) const {
+    return coefficient * std::pow(cycle.full_range() / units::MPa, exponent) * units::MPa /
+           ((1 - cycle.ratio) * (toughness - cycle.largest));  // (GR-5)
+  }
+};
+
+}  // namespace strainwave

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+#include "strainwave/core/units.hpp"
+#include "strainwave/growth/tip_cycle.hpp"
+
+namespace strainwave {
+
+/// da/dN = D [(Delta K - Delta K_thr)/(K_1 sqrt(1 - K_max/A))]^p (GR-6).
+///
+/// R < 0: Delta K is K_max, because the law describes the open crack.
+struct HartmanSchijve {
+  double coefficient = 0.0;  ///< D [m]; > 0
+  double exponent = 0.0;     ///< p [-]; > 0, about 2
+  double threshold = 0.0;    ///< Delta K_thr, fitted; not that of long cracks [Pa*m^0.5]; >= 0
+  double toughness = 0.0;    ///< A [Pa*m^0.5]; > 0
+
+  /// da/dN [m]; 0 up to Delta K_thr; K_max < A.
+  [[nodiscard]] double rate(const TipCycle& cycle) const {
+    const double over = cycle.open_range() - threshold;
+    if (!(over > 0)) return 0.0;
+    return coefficient * std::pow(over / units::MPa / std::sqrt(1 - cycle.largest / toughness),
+                                  exponent);  // (GR-6)
+  }
+};
+
+}  // namespace strainwave

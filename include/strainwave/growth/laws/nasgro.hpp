@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include "strainwave/core/fields.hpp"
+#include "strainwave/core/units.hpp"
+#include "strainwave/growth/tip_cycle.hpp"
+
+namespace strainwave {
+
+/// Newman's crack opening (GR-7).
+struct NewmanClosure {
+  double constraint = 2.0;    ///< alpha [-]; 1 for plane stress to 3 for plane strain
+  double stress_level = 0.3;  ///< s = S_max/sigma_0 [-]; in (0, 1)
+
+  /// A_0, the opening at R = 0.
+  [[nodiscard]] double at_zero() const {
+    const double alpha = constraint;
+    return (0.825 - 0.34 * alpha + 0.05 * alpha * alpha) *
+           std::pow(std::cos(std::numbers::pi * stress_level / 2), 1 / alpha);
+  }
+  /// f = K_op/K_max.
+  /// @param ratio  R [-]; < 1
+  [[nodiscard]] double opening(double ratio) const {
+    const double A0 = at_zero();
+    const double A1 = (0.415 - 0.071 * constraint) * stress_level;
+    if (ratio < 0) return A0 + A1 * std::max(ratio, -2.0);
+    const double A3 = 2 * A0 + A1 - 1;
+    const double A2 = 1 - A0 - A1 - A3;
+    return std::max(ratio, A0 + ratio * (A1 + ratio * (A2 + ratio * A3)));
+  }
+};
+
+/// How the threshold depends on the stress ratio.
+enum class NasgroThreshold {
+  from_zero,  ///< the datum is Delta K_0 at R = 0 (GR-9)
+  from_one,   ///< the datum is Delta K_1 for R -> 1 (GR-10)
+};
+template <>
+struct EnumNames<NasgroThreshold> {
+  static constexpr std::array<std::string_view, 2> names = {"from_zero", "from_one"};
+};
+
+/// da/dN = C [(1 - f)/(1 - R) Delta K/K_1]^n (1 - Delta K_th/Delta K)^p/(1 - K_max/K_c)^q (GR-8).
+///
+/// R < 0: Delta K is the full range; the opening f lets only a part of it count.
+struct Nasgro {
+  double coefficient = 0.0;           ///< C [m]; > 0
+  double exponent = 0.0;              ///< n [-]; > 0
+  double threshold_exponent = 0.0;    ///< p [-]; >= 0
+  double instability_exponent = 0.0;  ///< q [-]; >= 0
+  double toughness = 0.0;             ///< K_c, or K_Ie of a part-through crack [Pa*m^0.5]; > 0
+  NewmanClosure closure;
+  NasgroThreshold form = NasgroThreshold::from_one;
+  double threshold_datum = 0.0;  ///< Delta K_0 or Delta K_1 [Pa*m^0.5]; > 0
+  double slope_plus = 0.0;       ///< C_th of R >= 0 [-]
+  double slope_minus = 0.0;      ///< C_th of R < 0 [-]
+  double intrinsic_size = 0.0;   ///< a_0 of short cracks [m]; >= 0
+
+  /// Delta K_th, full range [Pa*m^0.5].
+  /// @param crack_size  a [m]; > 0
+  [[nodiscard]] double threshold(double ratio, double crack_size) const {
+    const double datum = threshold_datum * std::sqrt(crack_size / (crack_size + intrinsic_size));
+    const double A0 = closure.at_zero();
+    const double open = (1 - closure.opening(ratio)) / (1 - ratio);
+    const double slope = ratio < 0 ? slope_minus : slope_plus;
+    const double power = 1 + ratio * slope;
+    if (form == NasgroThreshold::from_zero)
+      return datum * std::pow((1 - A0) / open, power);  // (GR-9)
+    return datum /
+           (std::pow(open, power) * std::pow(1 - A0, slope_plus - ratio * slope));  // (GR-10)
+  }
+
+  /// da/dN [m]; 0 up to the threshold; K_max < K_c.
+  [[nodiscard]] double rate(const TipCycle& cycle, double crack_size) const {
+    const double range = cycle.full_range();
+    const double over = 1 - threshold(cycle.ratio, crack_size) / range;
+    if (!(over > 0)) return 0.0;
+    const double effective = (1 - closure.opening(cycle.ratio)) * cycle.largest / units::MPa;
+    return coefficient * std::pow(effective, exponent) * std::pow(over, threshold_exponent) /
+           std::pow(1 - cycle.largest / toughness, instability_exponent);  // (GR-8)
+  }
+};
+
+/// Toughness of a through crack over the thickness (GR-11) [Pa*m^0.5].
+/// @param plane_strain_toughness  K_Ic [Pa*m^0.5]; > 0
+/// @param yield_strength          [Pa]; > 0
+/// @param thickness               t [m]; > 0
+/// @param A                       A_k [-]; >= 0
+/// @param B                       B_k [-]; >= 0
+[[nodiscard]] inline double toughness_of_thickness(double plane_strain_toughness,
+                                                   double yield_strength, double thickness,
+                                                   double A, double B) {
+  const double zone = plane_strain_toughness / yield_strength;
+  const double over = A * thickness / (2.5 * zone * zone);
+  return plane_strain_toughness * (1 + B * std::exp(-over * over));  // (GR-11)
+}
+
+}  // namespace strainwave

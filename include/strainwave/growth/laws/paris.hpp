@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+#include "strainwave/core/units.hpp"
+#include "strainwave/growth/tip_cycle.hpp"
+
+namespace strainwave {
+
+/// da/dN = C (Delta K/K_1)^m with K_1 = 1 MPa*m^0.5 (GR-2, MA-1).
+///
+/// R < 0: Delta K is the full range, with its pressed part, which is on the safe side.
+struct Paris {
+  double coefficient = 0.0;  ///< C, growth per cycle at Delta K = 1 MPa*m^0.5 [m]; > 0
+  double exponent = 0.0;     ///< m [-]; > 0
+
+  /// da/dN [m] without threshold and toughness.
+  [[nodiscard]] double rate(const TipCycle& cycle) const {
+    return coefficient * std::pow(cycle.full_range() / units::MPa, exponent);  // (GR-2, MA-1)
+  }
+};
+
+}  // namespace strainwave

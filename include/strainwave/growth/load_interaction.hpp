@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "strainwave/growth/tip_cycle.hpp"
+
+namespace strainwave {
+
+/// Size of the plastic zone ahead of the tip, (K/sigma_y)^2/(beta pi) (GR-17) [m].
+struct PlasticZone {
+  double yield_strength = 0.0;  ///< sigma_y [Pa]; > 0
+  /// beta [-]; > 0.  1: the whole zone in plane stress, 2: its radius; 3 and 6: the same in plane
+  /// strain.  Sources differ, so the value is always given.
+  double factor = 1.0;
+
+  [[nodiscard]] double size(double K) const;
+};
+
+/// The overload that governs the growth after it.
+struct Overload {
+  double crack_size = 0.0;  ///< a at the overload [m]
+  double largest = 0.0;     ///< K_max of the overload [Pa*m^0.5]
+};
+
+/// Wheeler's factor of the growth rate behind an overload (GR-18) [-]; in (0, 1].
+/// @param exponent  gamma [-]; >= 0.  0: no retardation
+[[nodiscard]] double wheeler_factor(const PlasticZone& zone, const Overload& overload,
+                                    double crack_size, double largest, double exponent);
+
+/// What generalised Willenborg does if the reduced K_min is negative.
+enum class NegativeMinimum {
+  closed,  ///< only the positive part counts: R = 0
+  kept,    ///< R < 0
+};
+template <>
+struct EnumNames<NegativeMinimum> {
+  static constexpr std::array<std::string_view, 2> names = {"closed", "kept"};
+};
+
+/// Constants of generalised Willenborg (GR-19).
+struct Willenborg {
+  PlasticZone zone;
+  double threshold = 0.0;        ///< K_max at the threshold [Pa*m^0.5]; >= 0
+  double shut_off_ratio = 2.65;  ///< R_so, overload over later K_max that stops the crack [-]; > 1
+  NegativeMinimum negative = NegativeMinimum::closed;
+};
+
+/// The cycle that acts at the tip behind an overload (GR-19).  The same cycle where the overload no
+/// longer governs.
+[[nodiscard]] TipCycle willenborg_cycle(const Willenborg& rule, const Overload& overload,
+                                        double crack_size, const TipCycle& cycle);
+
+}  // namespace strainwave

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "strainwave/growth/laws/forman.hpp"
+#include "strainwave/growth/laws/hartman_schijve.hpp"
+#include "strainwave/growth/laws/nasgro.hpp"
+#include "strainwave/growth/laws/paris.hpp"
+#include "strainwave/growth/laws/two_lines.hpp"
+#include "strainwave/growth/laws/walker.hpp"
+#include "strainwave/growth/tip_cycle.hpp"
+
+namespace strainwave {
+
+/// Law of the growth rate.
+using RateLaw = std::variant<Paris, TwoLines, Walker, Forman, HartmanSchijve, Nasgro>;
+
+/// What bounds a law that has no such bound of its own.
+struct GrowthLimits {
+  /// Delta K_th of long cracks, full range, at the stress ratio of the load [Pa*m^0.5]; > 0
+  std::optional<double> threshold = {};
+  double intrinsic_size = 0.0;  ///< a_0 of El Haddad's short cracks [m]; >= 0
+  /// K at which the part breaks [Pa*m^0.5]; > 0
+  std::optional<double> toughness = {};
+};
+
+/// Growth of a crack in one cycle.
+///
+/// Implements theory manual eqs. (GR-2) to (GR-12).  The crack breaks where K_max reaches the
+/// lesser of the toughnesses of the law and of the limits.  It stands still where Delta K is not
+/// above the greater of both thresholds, or if K_max <= 0.  There the rate is exactly 0.
+///
+/// @param crack_size   a [m]; > 0
+/// @throws InputError  if R >= 1, a <= 0, or a number is not finite
+[[nodiscard]] GrowthRate growth_rate(const RateLaw& law, const TipCycle& cycle, double crack_size,
+                                     const GrowthLimits& limits = {});
+
+/// Throws InputError, which names the constant, unless each constant of the law is in its range.
+void require_constants(const RateLaw& law);
+
+}  // namespace strainwave

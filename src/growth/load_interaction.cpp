@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/growth/load_interaction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "strainwave/core/error.hpp"
+
+namespace strainwave {
+namespace {
+
+void check(const Overload& overload, double crack_size) {
+  require(crack_size >= overload.crack_size, "crack_size", crack_size, "m",
+          "at least the size at the overload");
+}
+
+}  // namespace
+
+double PlasticZone::size(double K) const {
+  require(yield_strength > 0, "yield_strength", yield_strength, "Pa", "> 0");
+  require(factor > 0, "plastic_zone_factor", factor, "1", "> 0");
+  const double over = K / yield_strength;
+  return over * over / (factor * std::numbers::pi);  // (GR-17)
+}
+
+double wheeler_factor(const PlasticZone& zone, const Overload& overload, double crack_size,
+                      double largest, double exponent) {
+  check(overload, crack_size);
+  require(exponent >= 0, "wheeler_exponent", exponent, "1", ">= 0");
+  const double own = zone.size(largest);
+  const double left = overload.crack_size + zone.size(overload.largest) - crack_size;
+  return own < left ? std::pow(own / left, exponent) : 1.0;  // (GR-18)
+}
+
+TipCycle willenborg_cycle(const Willenborg& rule, const Overload& overload, double crack_size,
+                          const TipCycle& cycle) {
+  check(overload, crack_size);
+  require(rule.shut_off_ratio > 1, "shut_off_ratio", rule.shut_off_ratio, "1", "> 1");
+  require(rule.threshold >= 0, "threshold", rule.threshold, "Pa*m^0.5", ">= 0");
+  if (!(cycle.largest > 0)) return cycle;
+  const double zone = rule.zone.size(overload.largest);
+  const double through = (crack_size - overload.crack_size) / zone;
+  if (!(through < 1)) return cycle;
+  const double needed = overload.largest * std::sqrt(1 - through);
+  const double share = (1 - rule.threshold / cycle.largest) / (rule.shut_off_ratio - 1);
+  const double reduction = std::max(share, 0.0) * std::max(needed - cycle.largest, 0.0);  // (GR-19)
+  const double largest = cycle.largest - reduction;
+  const double least = cycle.largest * cycle.ratio - reduction;
+  if (!(largest > 0)) return {.largest = 0.0, .ratio = 0.0};
+  const bool closes = least < 0 && cycle.ratio >= 0 && rule.negative == NegativeMinimum::closed;
+  return {.largest = largest, .ratio = closes ? 0.0 : least / largest};
+}
+
+}  // namespace strainwave

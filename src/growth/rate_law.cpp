@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/growth/rate_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <type_traits>
+
+#include "strainwave/core/error.hpp"
+
+namespace strainwave {
+namespace {
+
+constexpr std::string_view kToughness = "Pa*m^0.5";
+
+double rate_of(const RateLaw& law, const TipCycle& cycle, double crack_size) {
+  return std::visit(
+      [&](const auto& l) {
+        if constexpr (requires { l.rate(cycle, crack_size); })
+          return l.rate(cycle, crack_size);
+        else
+          return l.rate(cycle);
+      },
+      law);
+}
+
+/// The toughness of the law itself.
+std::optional<double> own_toughness(const RateLaw& law) {
+  return std::visit(
+      [](const auto& l) -> std::optional<double> {
+        if constexpr (requires { l.toughness; })
+          return l.toughness;
+        else
+          return {};
+      },
+      law);
+}
+
+void positive(std::string_view name, double value, std::string_view unit) {
+  require(value > 0 && std::isfinite(value), name, value, unit, "> 0");
+}
+void not_negative(std::string_view name, double value, std::string_view unit) {
+  require(value >= 0 && std::isfinite(value), name, value, unit, ">= 0");
+}
+
+template <class Law>
+void power(const Law& law) {
+  positive("coefficient", law.coefficient, "m");
+  positive("exponent", law.exponent, "1");
+}
+
+void check(const Paris& law) { power(law); }
+void check(const TwoLines& law) {
+  power(law.low);
+  power(law.high);
+  positive("meet", law.meet, kToughness);
+}
+void check(const Walker& law) {
+  power(law);
+  require(law.gamma >= 0 && law.gamma <= 1, "gamma", law.gamma, "1", "0 to 1");
+}
+void check(const Forman& law) {
+  power(law);
+  positive("toughness", law.toughness, kToughness);
+}
+void check(const HartmanSchijve& law) {
+  power(law);
+  not_negative("threshold", law.threshold, kToughness);
+  positive("toughness", law.toughness, kToughness);
+}
+void check(const Nasgro& law) {
+  power(law);
+  not_negative("threshold_exponent", law.threshold_exponent, "1");
+  not_negative("instability_exponent", law.instability_exponent, "1");
+  positive("toughness", law.toughness, kToughness);
+  require(law.closure.constraint >= 1 && law.closure.constraint <= 3, "constraint",
+          law.closure.constraint, "1", "1 to 3");
+  require(law.closure.stress_level > 0 && law.closure.stress_level < 1, "stress_level",
+          law.closure.stress_level, "1", "between 0 and 1");
+  positive("threshold_datum", law.threshold_datum, kToughness);
+  require(std::isfinite(law.slope_plus), "slope_plus", law.slope_plus, "1", "a finite number");
+  require(std::isfinite(law.slope_minus), "slope_minus", law.slope_minus, "1", "a finite number");
+  not_negative("intrinsic_size", law.intrinsic_size, "m");
+}
+
+}  // namespace
+
+void require_constants(const RateLaw& law) {
+  std::visit([](const auto& l) { check(l); }, law);
+}
+
+GrowthRate growth_rate(const RateLaw& law, const TipCycle& cycle, double crack_size,
+                       const GrowthLimits& limits) {
+  require(std::isfinite(cycle.largest), "K_max", cycle.largest, kToughness, "a finite number");
+  require(cycle.ratio < 1 && std::isfinite(cycle.ratio), "R", cycle.ratio, "1", "< 1");
+  require(crack_size > 0 && std::isfinite(crack_size), "crack_size", crack_size, "m", "> 0");
+  if (!(cycle.largest > 0)) return {};
+  for (const std::optional<double>& toughness : {own_toughness(law), limits.toughness})
+    if (toughness && cycle.largest >= *toughness) return {0.0, TipState::breaks};
+  if (limits.threshold) {
+    const double least = *limits.threshold *
+                         std::sqrt(crack_size / (crack_size + limits.intrinsic_size));  // (GR-12)
+    if (cycle.full_range() <= least) return {};
+  }
+  const double rate = rate_of(law, cycle, crack_size);
+  return rate > 0 ? GrowthRate{rate, TipState::grows} : GrowthRate{};
+}
+
+}  // namespace strainwave
