@@ -233,8 +233,8 @@ TEST(RateLaw, ReferenceArrestSizeAndShortCracks) {
 TEST(RateLaw, ReferenceHartmanAndSchijve) {  // GR-6
   // By hand: D 1e-10, p 2, thr 1.5, A 80; K_max 20, R 0.25: (15 - 1.5)^2/(1 - 0.25) = 243.
   const HartmanSchijve law{1e-10, 2, 1.5e6, 80e6};
-  test::expect_relative(growth_rate(law, {.largest = 20e6, .ratio = 0.25}, 1e-3).per_cycle,
-                        243e-10, 1e-13);
+  test::expect_relative(growth_rate(law, {.largest = 20e6, .ratio = 0.25}, 1e-3).per_cycle, 243e-10,
+                        1e-13);
   EXPECT_EQ(growth_rate(law, {.largest = 2e6, .ratio = 0.25}, 1e-3).state, TipState::arrested);
 }
 
