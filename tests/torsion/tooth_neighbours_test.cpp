@@ -133,8 +133,7 @@ TEST(ToothNeighbours, LimitAThinRingHasNoNeighbours) {
   // tooth by less than a thousandth of what a thick one does.
   const auto next = [](double wall) {
     const BasicToothOnWall<double> tooth = tooth_on<double>(wall);
-    return ToothNeighbours(tooth, unit_steel(), 1.0, 100)
-        .between({.tooth = 2, .side = 1}, kDrive);
+    return ToothNeighbours(tooth, unit_steel(), 1.0, 100).between({.tooth = 2, .side = 1}, kDrive);
   };
   EXPECT_LT(std::abs(next(pi / 2)), 1e-3 * next(40));
 }
@@ -164,8 +163,8 @@ TEST(ToothNeighbours, IdentityDerivativesAreThoseOfTheValues) {
   const auto values = [&]<class Real>(const std::array<Real, 8>& x) {
     const BasicToothOnWall<Real> tooth{
         .flank_angle = x[0], .thickness = x[1], .dedendum = x[2], .wall = x[3], .module = x[4]};
-    const BasicToothNeighbours<Real> teeth(tooth, x[5], {.E = x[6], .G = x[6] / 2.6, .nu = x[7]},
-                                           Real(2.0), 200);
+    const BasicToothNeighbours<Real> teeth(tooth, {.E = x[6], .G = x[6] / 2.6, .nu = x[7]}, x[5],
+                                           200);
     std::vector<Real> out;
     for (const int n : {1, 2, 9, 40}) {
       out.push_back(teeth.between({.tooth = n, .side = 1}, kDrive));
@@ -173,7 +172,7 @@ TEST(ToothNeighbours, IdentityDerivativesAreThoseOfTheValues) {
     }
     return out;
   };
-  const std::array<double, 8> at = {22 * deg, pi / 2, 1.1, wall, 1.0, 0.3, 2.0, 0.28};
+  const std::array<double, 8> at = {22 * deg, pi / 2, 1.1, wall, 1.0, 2.0, 2.0, 0.28};
   std::array<DualReal, 8> dual;
   for (std::size_t k = 0; k < at.size(); ++k) {
     dual[k] = at[k];
