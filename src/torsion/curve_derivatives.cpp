@@ -23,6 +23,11 @@ struct DualDrive {
   DualReal amplitude;
   std::vector<DualReal> multiplier;  // of the stiffness of a tooth pair
   std::vector<DualReal> own;         // compliance in series with a contact
+  struct Flank {
+    BasicToothFlank<DualReal> place;
+    BasicFlankShares<DualReal> shares;
+  };
+  mutable std::vector<std::optional<Flank>> flanks;  // made where they are needed
 
   DualDrive(const CoupledDrive& of, const BasicCoupledGeometry<DualReal>& g,
             RingModel<DualReal> sound_rings, const BasicContactCracks<DualReal>& cracks,
@@ -32,7 +37,8 @@ struct DualDrive {
         rings(std::move(sound_rings)),
         amplitude(cam_amplitude),
         multiplier(static_cast<std::size_t>(of.contacts()), DualReal(1.0)),
-        own(static_cast<std::size_t>(of.contacts()), DualReal(0.0)) {
+        own(static_cast<std::size_t>(of.contacts()), DualReal(0.0)),
+        flanks(static_cast<std::size_t>(of.contacts())) {
     for (const auto& hinge : cracks.hinges) rings.soften(hinge);
     for (const auto& soft : cracks.balls)
       own[static_cast<std::size_t>(of.ball_nearest_to(soft.position))] += soft.compliance;
@@ -42,10 +48,18 @@ struct DualDrive {
           multiplier[static_cast<std::size_t>(flank)] *= 1 - soft.stiffness_loss;
   }
 
-  /// Closing of a flank per unit of rotation.
-  [[nodiscard]] DualReal turn(int flank) const {
-    return drive.side_of(flank) * rings.drive_flank().tangential;
+  /// A contact that is a flank.
+  [[nodiscard]] const Flank& flank(int contact) const {
+    auto& found = flanks[static_cast<std::size_t>(contact)];
+    if (!found) {
+      const int side = drive.side_of(contact);
+      const auto place = flank_at(geometry, drive.position_of(contact), side);
+      found = Flank{place, flank_shares(place.contact, side)};
+    }
+    return *found;
   }
+  /// Closing of a flank per unit of rotation.
+  [[nodiscard]] DualReal turn(int contact) const { return rings.turn(flank(contact).shares); }
   /// Closing of a contact on rigid rings minus its own deflection, at fixed force and rotation.
   [[nodiscard]] DualReal closing(int contact, const Equilibrium& at) const {
     const double theta = drive.position_of(contact);
@@ -53,17 +67,57 @@ struct DualDrive {
     const DualReal yields = soft * at.force[contact];
     if (contact < drive.balls())
       return free_ball(geometry, theta) + amplitude * std::cos(2 * theta) - yields;
-    const int side = drive.side_of(contact);
-    const auto [ball, drive_flank, coast_flank] = rings.directions();
-    return free_flank(geometry, side > 0 ? drive_flank : coast_flank, theta, side) +
-           turn(contact) * at.rotation - yields;
+    const auto& [place, shares] = flank(contact);
+    return free_flank(geometry, rings, place, shares, theta) + turn(contact) * at.rotation - yields;
   }
   /// Force that the law of a contact gives at its closing.
   [[nodiscard]] DualReal force(int contact, const Equilibrium& at) const {
     const double u = at.closing[contact];
     if (contact < drive.balls()) return ball_force(geometry, u);
-    const auto law = flank_law(geometry, drive.position_of(contact), drive.side_of(contact));
-    return multiplier[static_cast<std::size_t>(contact)] * law.force(DualReal(u));
+    return multiplier[static_cast<std::size_t>(contact)] *
+           flank_law(geometry, flank(contact).place).force(DualReal(u));
+  }
+  /// The harmonics of contact forces on the rings.
+  [[nodiscard]] BasicForceWaves<DualReal> waves_of(const Eigen::VectorXd& forces) const {
+    // A row for each direction, with a column for the value and for each derivative.
+    constexpr int kColumns = 1 + static_cast<int>(kDualWidth);
+    using Columns = Eigen::Matrix<double, Eigen::Dynamic, 4 * kColumns>;
+    const Waves& at_balls = drive.rings().at_balls();
+    const Waves& at_teeth = drive.rings().at_teeth();
+    Columns even = Columns::Zero(at_teeth.cosine.cols(), 4 * kColumns);
+    Columns odd = even;
+    const auto of_balls = forces.head(drive.balls());
+    even.col(0) = at_balls.cosine.transpose() * of_balls;
+    odd.col(0) = at_balls.sine.transpose() * of_balls;
+    Eigen::Matrix<double, 1, 4 * kColumns> row = Eigen::Matrix<double, 1, 4 * kColumns>::Zero();
+    for (int i = drive.balls(); i < drive.contacts(); ++i) {
+      if (forces[i] == 0) continue;
+      const auto& shares = flank(i).shares;
+      int column = kColumns;
+      for (const DualReal* const share : {&shares.outward, &shares.along, &shares.higher}) {
+        row[column++] = forces[i] * share->value;
+        for (const double partial : share->partial) row[column++] = forces[i] * partial;
+      }
+      const Eigen::Index tooth = (i - drive.balls()) % drive.tooth_count();
+      even.noalias() += at_teeth.cosine.row(tooth).transpose() * row;
+      odd.noalias() += at_teeth.sine.row(tooth).transpose() * row;
+    }
+    BasicForceWaves<DualReal> sums;
+    const auto take = [](const Columns& from, std::size_t group) {
+      BasicForceWaves<DualReal>::Vector to(from.rows());
+      for (Eigen::Index n = 0; n < from.rows(); ++n) {
+        const auto of = from.row(n).segment(static_cast<Eigen::Index>(group) * kColumns, kColumns);
+        to[n].value = of[0];
+        for (std::size_t k = 0; k < kDualWidth; ++k)
+          to[n].partial[k] = of[static_cast<Eigen::Index>(k) + 1];
+      }
+      return to;
+    };
+    for (std::size_t group = 0; group < 4; ++group) {
+      sums.even[group] = take(even, group);
+      sums.odd[group] = take(odd, group);
+    }
+    return sums;
   }
 };
 
@@ -100,10 +154,10 @@ class Functional {
 
   /// @param load  torque over ring radius, with its derivatives
   [[nodiscard]] DualReal derivative(const DualDrive& dual, const DualReal& load) const {
-    const auto left = dual.rings.load_of(adjoint_waves_);
-    const auto right = dual.rings.response_to(dual.rings.load_of(force_waves_));
+    const auto left = dual.rings.load_of(dual.waves_of(adjoint_.force));
+    const auto right = dual.rings.response_to(dual.rings.load_of(dual.waves_of(state_.force)));
     DualReal sum = -left.dot(right);  // closing by the rings
-    if (dual.geometry.neighbours) sum -= by_neighbours(*dual.geometry.neighbours);
+    if (dual.geometry.neighbours) sum -= by_neighbours(dual, *dual.geometry.neighbours);
     DualReal missing = load;
     for (int i = 0; i < drive_.contacts(); ++i) {
       if (i >= drive_.balls() && state_.force[i] != 0) missing -= dual.turn(i) * state_.force[i];
@@ -116,32 +170,27 @@ class Functional {
     return sum - adjoint_.rotation * missing;  // (TC-27)
   }
   /// The part of the closings by neighbouring teeth (TC-31).
-  [[nodiscard]] DualReal by_neighbours(const BasicToothNeighbours<DualReal>& neighbours) const {
+  [[nodiscard]] DualReal by_neighbours(const DualDrive& dual,
+                                       const BasicToothNeighbours<DualReal>& neighbours) const {
     const ElasticRings& rings = drive_.rings();
     DualReal sum = 0.0;
     for (int i = drive_.balls(); i < drive_.contacts(); ++i)
       for (int j = drive_.balls(); adjoint_.force[i] != 0 && j < drive_.contacts(); ++j)
         if (state_.force[j] != 0)
           sum += adjoint_.force[i] * state_.force[j] *
-                 neighbours.between(rings.flank(i), rings.flank(j));
+                 neighbours.between(rings.flank(i), rings.flank(j))
+                     .opening(dual.flank(i).shares, dual.flank(j).shares);
     return sum;
   }
   [[nodiscard]] const Equilibrium& state() const { return state_; }
-  [[nodiscard]] const ForceWaves& force_waves() const { return force_waves_; }
 
  private:
   Functional(const CoupledDrive& drive, Equilibrium state, CoupledDrive::Tangent adjoint)
-      : drive_(drive),
-        state_(std::move(state)),
-        adjoint_(std::move(adjoint)),
-        adjoint_waves_(drive.rings().waves_of(adjoint_.force)),
-        force_waves_(drive.rings().waves_of(state_.force)) {}
+      : drive_(drive), state_(std::move(state)), adjoint_(std::move(adjoint)) {}
 
   const CoupledDrive& drive_;
   Equilibrium state_;
   CoupledDrive::Tangent adjoint_;
-  ForceWaves adjoint_waves_;
-  ForceWaves force_waves_;
 };
 
 /// A value with the derivatives of another number.
@@ -239,7 +288,7 @@ class Cam {
     const auto& rings = dual.rings;
     // The functional itself depends on the rings: mean of w over the lobes at fixed forces.
     const DualReal lifted =
-        rings.lobe_load().dot(rings.response_to(rings.load_of(lobe_.force_waves())));
+        rings.lobe_load().dot(rings.response_to(rings.load_of(dual.waves_of(lobe_.state().force))));
     const DualReal missing =
         dual.geometry.radial_displacement - lifted - lobe_.derivative(dual, 0.0);
     return with_derivatives(sound_.cam_amplitude(), missing / rise_);  // (TC-27)
