@@ -207,7 +207,8 @@ template <class Real>
 typename BasicHalfPath<Real>::Flanks BasicHalfPath<Real>::at(double t) const {
   if (t >= 0) return {.distance = Real(0.0), .contact = contact(t)};
   const HalfPathWall::Nearest nearest = wall_->nearest(t);
-  return {.distance = distance(t, nearest), .contact = nearest.at_tip ? at_tip(t) : contact(-t)};
+  const bool tip = nearest.at_tip || wall_->touch(-t).at_tip;
+  return {.distance = distance(t, nearest), .contact = tip ? at_tip(t) : contact(-t)};
 }
 
 template class BasicHalfPath<double>;
