@@ -33,6 +33,22 @@ ContactPlaces contact_places(const CoupledGeometry& g, double cage_phase) {
   return places;
 }
 
+/// All drive flanks, then all coast flanks.
+std::vector<ToothFlank> flanks_at(const CoupledGeometry& g, const ContactPlaces& places) {
+  std::vector<ToothFlank> flanks;
+  // With an even number of teeth, those of the other lobe stand at the same angles.
+  const int period = g.teeth % 2 == 0 ? g.teeth / 2 : g.teeth;
+  for (const int side : {+1, -1}) {
+    std::vector<std::optional<ToothFlank>> known(static_cast<std::size_t>(period));
+    for (const int tooth : places.teeth) {
+      auto& flank = known[static_cast<std::size_t>(tooth % period)];
+      if (!flank) flank = flank_at(g, places.position_of(tooth), side);
+      flanks.push_back(*flank);
+    }
+  }
+  return flanks;
+}
+
 }  // namespace
 
 CoupledDrive::CoupledDrive(const GearSet& gear, const CoupledGeometry& geometry,
@@ -40,13 +56,10 @@ CoupledDrive::CoupledDrive(const GearSet& gear, const CoupledGeometry& geometry,
     : g_(geometry), tolerance_(options.tolerance), max_iterations_(options.max_iterations) {
   const ContactPlaces places = contact_places(g_, options.cage_phase);
   tooth_count_ = static_cast<int>(places.teeth.size());
-  std::vector<ToothFlank> flanks;
+  const std::vector<ToothFlank> flanks = flanks_at(g_, places);
   std::vector<FlankShares> shares;
-  for (const int side : {+1, -1})
-    for (const int tooth : places.teeth) {
-      flanks.push_back(flank_at(g_, places.position_of(tooth), side));
-      shares.push_back(flank_shares(flanks.back().contact, side));
-    }
+  for (std::size_t i = 0; i < flanks.size(); ++i)
+    shares.push_back(flank_shares(flanks[i].contact, i < places.teeth.size() ? +1 : -1));
   rings_ = std::make_shared<const ElasticRings>(gear, g_, options, places, shares);
   const int count = rings_->contacts();
   free_.setZero(count);

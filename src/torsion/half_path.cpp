@@ -8,7 +8,7 @@
 namespace strainwave {
 namespace {
 
-constexpr int kWallSamples = 32;
+constexpr int kWallSamples = 20;
 
 /// A zero of a function between two places where it has different signs.
 template <class Function>
@@ -74,9 +74,11 @@ BasicFlankPoint<Real> velocity(const typename BasicToothMotion<Real>::Moving& mo
 
 HalfPathWall::HalfPathWall(const BasicTeeth<double>& teeth, const Motion& motion, double end)
     : flank_(half_path_flank(teeth)), motion_(motion), end_(end) {
-  // With m > w_0 the flank is hollow next to the pitch height.
-  lowest_ = flank_.stretch > 1 ? std::acos(1 / flank_.stretch) : 0.0;
-  for (int i = 0; i <= kWallSamples; ++i) samples_.push_back(touch(end_ * i / kWallSamples));
+  // With m > w_0 the flank is hollow next to the pitch height, with m < w_0 it hangs over.
+  lowest_ = std::acos(std::min(flank_.stretch, 1 / flank_.stretch));
+  // The direction of the wall changes most beside the lobe.
+  for (int i = 0; i <= kWallSamples; ++i)
+    samples_.push_back(touch(end_ * i * i / (kWallSamples * kWallSamples)));
 }
 
 HalfPathWall::Touch HalfPathWall::touch(double t) const {
@@ -149,7 +151,7 @@ HalfPathWall::Nearest HalfPathWall::nearest(double t) const {
   std::vector<Nearest> all;
   for (const Touch& sample : samples_) all.push_back(from(tooth, sample));
   Nearest best = *std::ranges::min_element(all, {}, distance);
-  // The tip and the flank have a least distance each.
+  // The tip and the flank have a least distance each; that of the tip may be the end of the wall.
   for (std::size_t i = 0; i < all.size(); ++i) {
     const bool before = i == 0 || distance(all[i]) <= distance(all[i - 1]);
     const bool after = i + 1 == all.size() || distance(all[i]) <= distance(all[i + 1]);

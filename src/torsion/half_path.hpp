@@ -103,7 +103,7 @@ class HalfPathWall {
 
   BasicHalfPathFlank<double> flank_;
   Motion motion_;
-  double lowest_ = 0.0;  // eta from which the flank is convex
+  double lowest_ = 0.0;  // eta from which the flank is convex and leans inward
   double end_ = 0.0;
   std::vector<Touch> samples_;  // of the wall
 };
