@@ -5,6 +5,15 @@
 #include <cmath>
 
 namespace strainwave {
+namespace {
+
+/// Only half-path flanks have shares in all directions.
+template <class Row>
+bool absent(const Row& shares) {
+  return (shares.array() == 0.0).all();
+}
+
+}  // namespace
 
 Waves::Waves(const std::vector<double>& positions, int harmonics) {
   const Eigen::Map<const Eigen::ArrayXd> angle(positions.data(),
@@ -61,6 +70,10 @@ BasicForceWaves<double> ElasticRings::waves_of(const Eigen::VectorXd& force) con
   sums.odd[0] = at_balls_.sine.transpose() * of_balls;
   for (std::size_t group = 1; group < 4; ++group) {
     const auto share = shares_.row(static_cast<Eigen::Index>(group) - 1).transpose();
+    if (absent(share)) {
+      sums.even[group] = sums.odd[group] = Eigen::VectorXd::Zero(model_.harmonics() + 1);
+      continue;
+    }
     const Eigen::VectorXd all = share.cwiseProduct(force.tail(2 * teeth_));
     const Eigen::VectorXd of_teeth = all.head(teeth_) + all.tail(teeth_);
     sums.even[group] = at_teeth_.cosine.transpose() * of_teeth;
@@ -90,6 +103,7 @@ Eigen::VectorXd ElasticRings::displacements_of(const Eigen::VectorXd& x,
   Eigen::VectorXd moved = Eigen::VectorXd::Zero(contacts());
   moved.head(balls_) = in(of_balls, at_balls_);
   for (int k = 0; k < 3; ++k) {
+    if (absent(of_flanks.row(k))) continue;
     const Eigen::VectorXd of_teeth = in(model_.flanks()[static_cast<std::size_t>(k)], at_teeth_);
     for (const int first : {0, teeth_})
       moved.segment(balls_ + first, teeth_) +=
@@ -140,14 +154,14 @@ void ElasticRings::fill_balls() {
     return at_balls_.sine * (at_teeth_.cosine * of.asDiagonal()).transpose() -
            at_balls_.cosine * (at_teeth_.sine * of.asDiagonal()).transpose();
   };
-  const Eigen::MatrixXd outward = even(kernel(model_.ball(), model_.flanks()[0]).even);
-  const Eigen::MatrixXd along = odd(kernel(model_.ball(), model_.flanks()[1]).odd);
-  const Eigen::MatrixXd higher = odd(kernel(model_.ball(), model_.flanks()[2]).odd);
-  for (const int first : {0, teeth_}) {
-    const auto share = shares_.middleCols(first, teeth_);
-    flexibility_.block(0, balls_ + first, balls_, teeth_) = outward * share.row(0).asDiagonal() +
-                                                            along * share.row(1).asDiagonal() +
-                                                            higher * share.row(2).asDiagonal();
+  flexibility_.rightCols(2 * teeth_).topRows(balls_).setZero();
+  for (int k = 0; k < 3; ++k) {
+    if (absent(shares_.row(k))) continue;
+    const Kernel mixed = kernel(model_.ball(), model_.flanks()[static_cast<std::size_t>(k)]);
+    const Eigen::MatrixXd opens = k == 0 ? even(mixed.even) : odd(mixed.odd);
+    for (const int first : {0, teeth_})
+      flexibility_.block(0, balls_ + first, balls_, teeth_) +=
+          opens * shares_.row(k).segment(first, teeth_).asDiagonal();
   }
   flexibility_.bottomLeftCorner(2 * teeth_, balls_) =
       flexibility_.topRightCorner(balls_, 2 * teeth_).transpose();
@@ -187,17 +201,20 @@ void ElasticRings::fill_flanks(const ContactPlaces& places) {
     return sum;
   };
   const auto fill = [&](int of_first, int by_first, const Table& by) {
+    const bool same = of_first == by_first;
     for (int j = 0; j < teeth_; ++j) {
       const auto b = shares_.col(by_first + j);
-      for (int i = 0; i < teeth_; ++i) {
+      for (int i = same ? j : 0; i < teeth_; ++i) {
         const auto a = shares_.col(of_first + i);
         const int steps = tooth_[static_cast<std::size_t>(i)] - tooth_[static_cast<std::size_t>(j)];
         const int k = steps < 0 ? steps + places.pitches : steps;
-        flexibility_(balls_ + of_first + i, balls_ + by_first + j) =
-            a[0] * b[0] * by.outward[k] + a[1] * b[1] * by.along[k] +
-            (a[1] * b[2] + a[2] * b[1]) * along_higher[k] + a[2] * b[2] * higher_higher[k] +
-            (a[0] * b[1] - a[1] * b[0]) * by.mixed[k] +
-            (a[0] * b[2] - a[2] * b[0]) * outward_higher[k];
+        const double opens = a[0] * b[0] * by.outward[k] + a[1] * b[1] * by.along[k] +
+                             (a[1] * b[2] + a[2] * b[1]) * along_higher[k] +
+                             a[2] * b[2] * higher_higher[k] +
+                             (a[0] * b[1] - a[1] * b[0]) * by.mixed[k] +
+                             (a[0] * b[2] - a[2] * b[0]) * outward_higher[k];
+        flexibility_(balls_ + of_first + i, balls_ + by_first + j) = opens;
+        flexibility_(balls_ + by_first + j, balls_ + of_first + i) = opens;  // Maxwell
       }
     }
   };
@@ -205,8 +222,6 @@ void ElasticRings::fill_flanks(const ContactPlaces& places) {
   fill(0, 0, like);
   fill(teeth_, teeth_, like);
   fill(0, teeth_, table(+1, -1));
-  const auto drive_by_coast = flexibility_.block(balls_, balls_ + teeth_, teeth_, teeth_);
-  flexibility_.block(balls_ + teeth_, balls_, teeth_, teeth_) = drive_by_coast.transpose();
 }
 
 FlankPlace ElasticRings::flank(int contact) const {

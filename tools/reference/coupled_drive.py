@@ -23,13 +23,14 @@ force constants by Carlson's integrals; stiffness of the diaphragm's edge, and o
 over their length, by a Rayleigh-Ritz method in Legendre polynomials instead of the four powers of r
 and of power series from piece to piece; hinges and series members by quadrature; neighbouring teeth
 of the circular spline as displacements of their own, whose layer comes from the equations of plane
-elasticity by the matrix exponential, integrated over the wave number alone.
+elasticity by the matrix exponential, integrated over the wave number alone; contacts of half-path flanks from
+points on the flanks and their velocities (tooth_gap.py), which leaves them 7 digits.
 
 Units of everything: N, m, rad, Pa.  T1 = 51.7e3 Pa d^3, T2 = 187e3 Pa d^3, T3 = 1.6 T2 for pitch
 diameter d = 2.54 mm x size, except where a table gives its torques.
 
     coupled_drive.py            JSON on stdout
-    coupled_drive.py --write    and tests/data/coupled_drive*.csv; 20 s
+    coupled_drive.py --write    and tests/data/coupled_drive*.csv; a minute
     coupled_drive.py --digits   change of the twist by another start, another order of torques
 """
 import sys
