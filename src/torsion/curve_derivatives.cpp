@@ -78,44 +78,42 @@ struct DualDrive {
            flank_law(geometry, flank(contact).place).force(DualReal(u));
   }
   /// The harmonics of contact forces on the rings.
-  [[nodiscard]] BasicForceWaves<DualReal> waves_of(const Eigen::VectorXd& forces) const {
-    // A row for each direction, with a column for the value and for each derivative.
-    constexpr int kColumns = 1 + static_cast<int>(kDualWidth);
-    using Columns = Eigen::Matrix<double, Eigen::Dynamic, 4 * kColumns>;
-    const Waves& at_balls = drive.rings().at_balls();
+  /// @param values  the same without derivatives
+  [[nodiscard]] BasicForceWaves<DualReal> waves_of(const Eigen::VectorXd& forces,
+                                                   const BasicForceWaves<double>& values) const {
+    // The shares of the flanks may have derivatives: a column for each direction and derivative.
+    constexpr auto kWidth = static_cast<Eigen::Index>(kDualWidth);
+    using Row = Eigen::Matrix<double, 1, 3 * kWidth>;
+    using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3 * kWidth>;
     const Waves& at_teeth = drive.rings().at_teeth();
-    Columns even = Columns::Zero(at_teeth.cosine.cols(), 4 * kColumns);
+    Columns even = Columns::Zero(at_teeth.cosine.cols(), 3 * kWidth);
     Columns odd = even;
-    const auto of_balls = forces.head(drive.balls());
-    even.col(0) = at_balls.cosine.transpose() * of_balls;
-    odd.col(0) = at_balls.sine.transpose() * of_balls;
-    Eigen::Matrix<double, 1, 4 * kColumns> row = Eigen::Matrix<double, 1, 4 * kColumns>::Zero();
+    Row row;
     for (int i = drive.balls(); i < drive.contacts(); ++i) {
       if (forces[i] == 0) continue;
       const auto& shares = flank(i).shares;
-      int column = kColumns;
-      for (const DualReal* const share : {&shares.outward, &shares.along, &shares.higher}) {
-        row[column++] = forces[i] * share->value;
+      Eigen::Index column = 0;
+      for (const DualReal* const share : {&shares.outward, &shares.along, &shares.higher})
         for (const double partial : share->partial) row[column++] = forces[i] * partial;
-      }
+      if (row.isZero(0.0)) continue;
       const Eigen::Index tooth = (i - drive.balls()) % drive.tooth_count();
       even.noalias() += at_teeth.cosine.row(tooth).transpose() * row;
       odd.noalias() += at_teeth.sine.row(tooth).transpose() * row;
     }
-    BasicForceWaves<DualReal> sums;
-    const auto take = [](const Columns& from, std::size_t group) {
-      BasicForceWaves<DualReal>::Vector to(from.rows());
-      for (Eigen::Index n = 0; n < from.rows(); ++n) {
-        const auto of = from.row(n).segment(static_cast<Eigen::Index>(group) * kColumns, kColumns);
-        to[n].value = of[0];
+    const auto with = [](const Eigen::VectorXd& value, const Columns& partials, std::size_t group) {
+      BasicForceWaves<DualReal>::Vector to(value.size());
+      for (Eigen::Index n = 0; n < value.size(); ++n) {
+        to[n] = value[n];
+        if (group == 0) continue;  // the balls press outward
         for (std::size_t k = 0; k < kDualWidth; ++k)
-          to[n].partial[k] = of[static_cast<Eigen::Index>(k) + 1];
+          to[n].partial[k] = partials(n, static_cast<Eigen::Index>((group - 1) * kDualWidth + k));
       }
       return to;
     };
+    BasicForceWaves<DualReal> sums;
     for (std::size_t group = 0; group < 4; ++group) {
-      sums.even[group] = take(even, group);
-      sums.odd[group] = take(odd, group);
+      sums.even[group] = with(values.even[group], even, group);
+      sums.odd[group] = with(values.odd[group], odd, group);
     }
     return sums;
   }
@@ -154,8 +152,8 @@ class Functional {
 
   /// @param load  torque over ring radius, with its derivatives
   [[nodiscard]] DualReal derivative(const DualDrive& dual, const DualReal& load) const {
-    const auto left = dual.rings.load_of(dual.waves_of(adjoint_.force));
-    const auto right = dual.rings.response_to(dual.rings.load_of(dual.waves_of(state_.force)));
+    const auto left = dual.rings.load_of(dual.waves_of(adjoint_.force, adjoint_waves_));
+    const auto right = dual.rings.response_to(dual.rings.load_of(force_waves(dual)));
     DualReal sum = -left.dot(right);  // closing by the rings
     if (dual.geometry.neighbours) sum -= by_neighbours(dual, *dual.geometry.neighbours);
     DualReal missing = load;
@@ -173,24 +171,49 @@ class Functional {
   [[nodiscard]] DualReal by_neighbours(const DualDrive& dual,
                                        const BasicToothNeighbours<DualReal>& neighbours) const {
     const ElasticRings& rings = drive_.rings();
+    struct Push {  // force of a flank outward and along the pitch circle
+      int flank = 0;
+      DualReal outward;
+      DualReal along;
+    };
+    std::vector<Push> pushes;
+    for (int j = drive_.balls(); j < drive_.contacts(); ++j)
+      if (const double force = state_.force[j]; force != 0)
+        pushes.push_back(
+            {j, force * dual.flank(j).shares.outward, force * dual.flank(j).shares.along});
     DualReal sum = 0.0;
-    for (int i = drive_.balls(); i < drive_.contacts(); ++i)
-      for (int j = drive_.balls(); adjoint_.force[i] != 0 && j < drive_.contacts(); ++j)
-        if (state_.force[j] != 0)
-          sum += adjoint_.force[i] * state_.force[j] *
-                 neighbours.between(rings.flank(i), rings.flank(j))
-                     .opening(dual.flank(i).shares, dual.flank(j).shares);
+    for (int i = drive_.balls(); i < drive_.contacts(); ++i) {
+      if (adjoint_.force[i] == 0) continue;
+      DualReal outward = 0.0;
+      DualReal along = 0.0;
+      for (const Push& push : pushes) {
+        const auto moves = neighbours.between(rings.flank(i), rings.flank(push.flank));
+        outward += moves.outward * push.outward + moves.mixed * push.along;
+        along += moves.along * push.along - moves.mixed * push.outward;
+      }
+      const auto& shares = dual.flank(i).shares;
+      sum += adjoint_.force[i] * (shares.outward * outward + shares.along * along);  // (TC-31)
+    }
     return sum;
   }
   [[nodiscard]] const Equilibrium& state() const { return state_; }
+  [[nodiscard]] BasicForceWaves<DualReal> force_waves(const DualDrive& dual) const {
+    return dual.waves_of(state_.force, force_waves_);
+  }
 
  private:
   Functional(const CoupledDrive& drive, Equilibrium state, CoupledDrive::Tangent adjoint)
-      : drive_(drive), state_(std::move(state)), adjoint_(std::move(adjoint)) {}
+      : drive_(drive),
+        state_(std::move(state)),
+        adjoint_(std::move(adjoint)),
+        adjoint_waves_(drive.rings().waves_of(adjoint_.force)),
+        force_waves_(drive.rings().waves_of(state_.force)) {}
 
   const CoupledDrive& drive_;
   Equilibrium state_;
   CoupledDrive::Tangent adjoint_;
+  BasicForceWaves<double> adjoint_waves_;
+  BasicForceWaves<double> force_waves_;
 };
 
 /// A value with the derivatives of another number.
@@ -288,7 +311,7 @@ class Cam {
     const auto& rings = dual.rings;
     // The functional itself depends on the rings: mean of w over the lobes at fixed forces.
     const DualReal lifted =
-        rings.lobe_load().dot(rings.response_to(rings.load_of(dual.waves_of(lobe_.state().force))));
+        rings.lobe_load().dot(rings.response_to(rings.load_of(lobe_.force_waves(dual))));
     const DualReal missing =
         dual.geometry.radial_displacement - lifted - lobe_.derivative(dual, 0.0);
     return with_derivatives(sound_.cam_amplitude(), missing / rise_);  // (TC-27)

@@ -57,8 +57,7 @@ class ElasticRings {
   [[nodiscard]] const RingModel<double>& model() const { return model_; }
   /// The harmonics of the contact forces on the rings.
   [[nodiscard]] BasicForceWaves<double> waves_of(const Eigen::VectorXd& force) const;
-  /// Cosines and sines at the balls and at the teeth.
-  [[nodiscard]] const Waves& at_balls() const { return at_balls_; }
+  /// Cosines and sines at the teeth.
   [[nodiscard]] const Waves& at_teeth() const { return at_teeth_; }
   /// Mean of w over the lobes per unit of the force of each contact.
   [[nodiscard]] const Eigen::VectorXd& lobe_of_forces() const { return lobe_; }

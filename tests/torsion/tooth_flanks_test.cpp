@@ -12,6 +12,7 @@
 #include <string>
 #include <utility>
 
+#include "half_path.hpp"
 #include "strainwave/core/units.hpp"
 #include "support/expect.hpp"
 #include "support/reference_csv.hpp"
@@ -160,6 +161,32 @@ TEST(HalfPath, IdentityTheTipLeadsBesideTheLobe) {
       if (i <= 30000 && i % 1000 == 0) {
         EXPECT_LE(gap.slope(t), gap.slope(0.0)) << ratio << " " << i;
       }
+    }
+  }
+}
+
+TEST(HalfPath, ReferenceTheGapGrowsAlongTheFaceWithTheWave) {
+  // Direct geometry: in a section with a larger wave the point of contact moves along the common
+  // normal by the slope of (TC-29), within 3 % of its value at the lobe, as for straight flanks.
+  for (const double ratio : {50.0, 100.0}) {
+    BasicTeeth<double> teeth = typical_teeth(ratio, ToothProfile::half_path);
+    const double cone = 0.0145;
+    const ToothGap gap(teeth, cone, 1e-2);
+    const double w0 = teeth.wave;
+    for (const double degrees : {5.0, 10.0, 20.0, 30.0, 40.0, 50.0}) {
+      const double t = degrees * units::deg;
+      const auto [angle, height] = gap.contact(t);
+      const BasicHalfPathFlank<double> flank = half_path_flank(teeth);
+      const auto point = flank.point(std::acos(1 - 2 * height / w0));
+      const auto along_normal = [&](double by) {
+        BasicTeeth<double> section = teeth;
+        section.wave = w0 * (1 + by);
+        const auto at = placed(BasicToothMotion<double>(section).pose(t), point);
+        return at.across * std::cos(angle) + at.outward * std::sin(angle);
+      };
+      const double moved = (along_normal(0.02) - along_normal(-0.02)) / (0.04 * w0);
+      const double lobe = gap.slope(0.0) / cone;
+      EXPECT_NEAR(std::abs(moved), gap.slope(t) / cone, 0.03 * lobe) << ratio << " " << degrees;
     }
   }
 }
