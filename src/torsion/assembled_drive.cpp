@@ -47,8 +47,29 @@ constexpr double kMostKappa = 1.3;
 /// Pitch diameter of size 17, 43.18 mm, rounded down so that this size does not count as small [m].
 constexpr double kSize17 = 0.043;
 
+/// The angles of half-path flanks, which are not those of the file.
+void note_half_path(const ToothGap& teeth, double mean, std::vector<Note>& notes) {
+  constexpr int kSamples = 60;
+  double least = teeth.contact(0.0).angle;
+  double most = least;
+  for (int i = 1; i <= kSamples; ++i) {
+    const double angle = teeth.contact(teeth.end() * i / kSamples).angle;
+    least = std::min(least, angle);
+    most = std::max(most, angle);
+  }
+  notes.push_back({"torsion.half_path",
+                   fmt::format("half-path flanks press at {:.3g} to {:.3g} degrees, and the "
+                               "stiffness of a pair is that of {:.3g} degrees; mesh.flank_angle is "
+                               "not used",
+                               least * 180 / pi, most * 180 / pi, mean * 180 / pi),
+                   "mesh.tooth.profile", "TC-29", Severity::information});
+}
+
 /// Notes on teeth as drawn.
-void note_teeth(const ToothGap& teeth, std::vector<Note>& notes) {
+void note_teeth(const GearSet& gear, const CoupledGeometry& g, std::vector<Note>& notes) {
+  const ToothGap& teeth = *g.tooth;
+  const bool half_path = gear.mesh->tooth->profile == ToothProfile::half_path;
+  if (half_path) note_half_path(teeth, g.flank_angle, notes);
   if (teeth.relief() > 0)
     notes.push_back({"torsion.relieved_tips",
                      fmt::format("the tips are taken as relieved by at least {:.3g} um, so that no "
@@ -62,7 +83,8 @@ void note_teeth(const ToothGap& teeth, std::vector<Note>& notes) {
                      "model takes the tips as relieved by this amount",
                      1e6 * crossing),
          "mesh.tooth", "TC-29", Severity::care,
-         "Give lower addendum and spline_addendum, or a larger mesh.flank_angle."});
+         half_path ? "Give a smaller mesh.coning."
+                   : "Give lower addendum and spline_addendum, or a larger mesh.flank_angle."});
 }
 
 void note_geometry(const GearSet& gear, const CoupledGeometry& g, std::vector<Note>& notes) {
@@ -72,7 +94,7 @@ void note_geometry(const GearSet& gear, const CoupledGeometry& g, std::vector<No
         {"torsion.deflection",
          fmt::format("w_0 is {:.3g} modules, but the gap law is for about one module", kappa),
          "drive.radial_displacement", "TC-7", Severity::care, "Check drive.radial_displacement."});
-  if (g.tooth) note_teeth(*g.tooth, notes);
+  if (g.tooth) note_teeth(gear, g, notes);
   if (const double least = least_flank_angle(kappa); !g.tooth && g.flank_angle < least)
     notes.push_back({"torsion.flank_angle",
                      fmt::format("w_0 of {:.3g} modules needs a flank angle of at least {:.3g} "

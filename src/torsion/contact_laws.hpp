@@ -24,24 +24,36 @@ template <class Real>
                             g.ring_radius * (s2 * s2);  // (TC-5)
 }
 
-/// Closing of a flank without forces and rotation [m]; side +1 is a drive flank, -1 a coast flank.
+/// A flank at its place on the unloaded rings; side +1 is a drive flank, -1 a coast flank.
 template <class Real>
-[[nodiscard]] Real free_flank(const BasicCoupledGeometry<Real>& g,
-                              const BasicContactDirection<Real>& direction, double theta,
-                              int side) {
-  const Real& w0 = g.radial_displacement;
+[[nodiscard]] BasicToothFlank<Real> flank_at(const BasicCoupledGeometry<Real>& g, double theta,
+                                             int side) {
   const double t = side * angle_from_lobe(theta);
-  const Real gap = g.tooth ? Real(g.gap_factor * g.tooth->gap(t))
-                           : flank_gap(t, w0, g.flank_angle, g.gap_factor);
-  return -of_nominal_wave(direction, theta, w0) - gap - g.lobe_gap;  // (TC-6)
+  if (g.tooth) {
+    BasicToothFlank<Real> flank = g.tooth->flank(t);
+    flank.gap *= g.gap_factor;
+    return flank;
+  }
+  return {.gap = flank_gap(t, g.radial_displacement, g.flank_angle, g.gap_factor),
+          .slope = g.flank.slope,
+          .contact = {.angle = g.flank_angle, .height = Real(0.0)}};
 }
 
-/// Law of the force of a flank; side as in `free_flank`.
+/// Closing of a flank without forces and rotation [m].
 template <class Real>
-[[nodiscard]] BasicFlankLaw<Real> flank_law(const BasicCoupledGeometry<Real>& g, double theta,
-                                            int side) {
+[[nodiscard]] Real free_flank(const BasicCoupledGeometry<Real>& g, const RingModel<Real>& rings,
+                              const BasicToothFlank<Real>& flank,
+                              const BasicFlankShares<Real>& shares, double theta) {
+  return -rings.of_nominal_wave(shares, theta, g.radial_displacement) - flank.gap -
+         g.lobe_gap;  // (TC-6)
+}
+
+/// Law of the force of a flank.
+template <class Real>
+[[nodiscard]] BasicFlankLaw<Real> flank_law(const BasicCoupledGeometry<Real>& g,
+                                            const BasicToothFlank<Real>& flank) {
   BasicFlankLaw<Real> law = g.flank;
-  if (g.tooth) law.slope = g.tooth->slope(side * angle_from_lobe(theta));
+  law.slope = flank.slope;
   return law;
 }
 

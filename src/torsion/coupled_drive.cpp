@@ -33,14 +33,34 @@ ContactPlaces contact_places(const CoupledGeometry& g, double cage_phase) {
   return places;
 }
 
+/// All drive flanks, then all coast flanks.
+std::vector<ToothFlank> flanks_at(const CoupledGeometry& g, const ContactPlaces& places) {
+  std::vector<ToothFlank> flanks;
+  // With an even number of teeth, those of the other lobe stand at the same angles.
+  const int period = g.teeth % 2 == 0 ? g.teeth / 2 : g.teeth;
+  for (const int side : {+1, -1}) {
+    std::vector<std::optional<ToothFlank>> known(static_cast<std::size_t>(period));
+    for (const int tooth : places.teeth) {
+      auto& flank = known[static_cast<std::size_t>(tooth % period)];
+      if (!flank) flank = flank_at(g, places.position_of(tooth), side);
+      flanks.push_back(*flank);
+    }
+  }
+  return flanks;
+}
+
 }  // namespace
 
 CoupledDrive::CoupledDrive(const GearSet& gear, const CoupledGeometry& geometry,
                            const CoupledOptions& options)
     : g_(geometry), tolerance_(options.tolerance), max_iterations_(options.max_iterations) {
   const ContactPlaces places = contact_places(g_, options.cage_phase);
-  rings_ = std::make_shared<const ElasticRings>(gear, g_, options, places);
   tooth_count_ = static_cast<int>(places.teeth.size());
+  const std::vector<ToothFlank> flanks = flanks_at(g_, places);
+  std::vector<FlankShares> shares;
+  for (std::size_t i = 0; i < flanks.size(); ++i)
+    shares.push_back(flank_shares(flanks[i].contact, i < places.teeth.size() ? +1 : -1));
+  rings_ = std::make_shared<const ElasticRings>(gear, g_, options, places, shares);
   const int count = rings_->contacts();
   free_.setZero(count);
   cam_.setZero(count);
@@ -48,7 +68,7 @@ CoupledDrive::CoupledDrive(const GearSet& gear, const CoupledGeometry& geometry,
   multiplier_.setOnes(count);
   own_.setZero(count);
   place_balls();
-  place_flanks();
+  place_flanks(flanks);
   nominal_ = free_;
 }
 
@@ -58,8 +78,10 @@ CoupledDrive CoupledDrive::deviating(const Deviations& deviations) const {
   if (deviations.empty()) return drive;
   for (int k = 0; k < g_.balls; ++k) drive.free_[k] += ball_closing(deviations, k, position_of(k));
   for (int i = g_.balls; i < contacts(); ++i) {
-    const auto tooth = static_cast<int>(std::lround(position_of(i) * g_.teeth / (2 * pi) - 0.5));
-    drive.free_[i] += flank_closing(deviations, tooth, side_of(i), g_.teeth, g_.flank_angle);
+    const auto [tooth, side] = rings_->flank(i);
+    const FlankShares shares = shares_of(i);
+    drive.free_[i] += flank_closing(deviations, tooth, side, g_.teeth,
+                                    std::atan2(shares.outward, side * shares.along));
   }
   return drive;
 }
@@ -79,13 +101,14 @@ void CoupledDrive::place_balls() {
   }
 }
 
-void CoupledDrive::place_flanks() {
-  const auto [ball, drive, coast] = rings_->model().directions();
+void CoupledDrive::place_flanks(const std::vector<ToothFlank>& flanks) {
+  const RingModel<double>& model = rings_->model();
   for (int i = g_.balls; i < contacts(); ++i) {
-    const int side = side_of(i);
-    rotation_[i] = side * drive.tangential;
-    free_[i] = free_flank(g_, side > 0 ? drive : coast, position_of(i), side);
-    flanks_.push_back(flank_law(g_, position_of(i), side));
+    const ToothFlank& flank = flanks[static_cast<std::size_t>(i - g_.balls)];
+    const FlankShares shares = shares_of(i);
+    rotation_[i] = model.turn(shares);
+    free_[i] = free_flank(g_, model, flank, shares, position_of(i));
+    flanks_.push_back(flank_law(g_, flank));
   }
 }
 
@@ -359,18 +382,19 @@ bool CoupledDrive::assemble_on(double cam_amplitude) {
 void CoupledDrive::rest_nearest_to_zero() {
   // (TC-11): without torque no flank carries load, and the ring may turn until a flank touches.
   const double negligible = 1e-10 * assembled_.force.head(g_.balls).maxCoeff();
-  // closing of the flank nearest to contact
-  double drive = -std::numeric_limits<double>::infinity();
-  double coast = drive;
+  // rotations at which the first drive flank and the first coast flank touch
+  double forward = std::numeric_limits<double>::infinity();
+  double backward = -forward;
+  const double at = assembled_.rotation;
   for (int i = g_.balls; i < contacts(); ++i) {
     if (assembled_.force[i] > negligible) return;  // interference: the flanks hold the ring
-    double& nearest = i < g_.balls + tooth_count_ ? drive : coast;
-    nearest = std::max(nearest, assembled_.closing[i]);
+    const double touches = at - assembled_.closing[i] / rotation_[i];
+    if (rotation_[i] > 0)
+      forward = std::min(forward, touches);
+    else
+      backward = std::max(backward, touches);
   }
-  // rate of closing, the same for all flanks except its sign
-  const double rate = rotation_[g_.balls];
-  const double at = assembled_.rotation;
-  assembled_.rotation = std::min(std::max(0.0, at + coast / rate), at - drive / rate);
+  assembled_.rotation = std::min(std::max(0.0, backward), forward);
   assembled_.force.tail(contacts() - g_.balls).setZero();
   close(assembled_);
 }

@@ -77,6 +77,8 @@ class CoupledDrive {
   [[nodiscard]] int tooth_count() const { return tooth_count_; }
   [[nodiscard]] double position_of(int contact) const { return rings_->position_of(contact); }
   [[nodiscard]] const CoupledGeometry& geometry() const { return g_; }
+  /// Direction of the force of a flank.
+  [[nodiscard]] FlankShares shares_of(int flank) const { return rings_->shares_of(flank); }
   /// +1 for a drive flank, -1 for a coast flank.
   [[nodiscard]] int side_of(int flank) const { return flank < g_.balls + tooth_count_ ? +1 : -1; }
   [[nodiscard]] int ball_nearest_to(double position) const {
@@ -91,7 +93,7 @@ class CoupledDrive {
 
  private:
   void place_balls();
-  void place_flanks();
+  void place_flanks(const std::vector<ToothFlank>& flanks);
   void soften_contacts(const ContactCracks& cracks);
   [[nodiscard]] int nearest_of(int first, int count, double position) const;
   struct Law {

@@ -31,6 +31,8 @@ constexpr double kMostConing = 5;          // chi [-], (TC-8): five times an unc
 constexpr int kLeastTeeth = 20;            // [-]: a tooth is small against the wave
 constexpr double kWhole = 1e-9;            // rounding of a number of teeth [-]
 constexpr double kTypicalAddendum = 0.65;  // of drawn teeth, over the module [-] (TC-29)
+constexpr double kLeastFlankAngle = 15 * units::deg;  // of the finite elements of (TC-30)
+constexpr double kMostFlankAngle = 30 * units::deg;
 
 /// A missing input of the coupled drive that `check` does not require: its field and meaning.
 struct Missing {
@@ -236,10 +238,13 @@ void add_mesh(BasicCoupledGeometry<Real>& g, const GearSet& gear, const Lift<Rea
   const auto given = [&](const std::optional<double>& number, const Real& typical) {
     return number ? Real(lift(*number)) : typical;
   };
+  const Real addendum = given(shape.addendum, kTypicalAddendum * g.module);
+  if (shape.profile == ToothProfile::half_path)
+    g.flank_angle = half_path_angle(addendum, g.radial_displacement, g.module);  // (TC-29)
   const BasicTeeth<Real> teeth{
       .profile = shape.profile,
       .flank_angle = g.flank_angle,
-      .addendum = given(shape.addendum, kTypicalAddendum * g.module),
+      .addendum = addendum,
       .spline_addendum = given(shape.spline_addendum, kTypicalAddendum * g.module),
       .thickness = given(shape.thickness, pi / 2 * g.module),
       .ring_radius = g.ring_radius,
@@ -395,6 +400,29 @@ class ContactCracksOf {
   std::vector<Note>& notes_;
 };
 
+/// Rules of half-path flanks (TC-29).
+void check_half_path(const Transmission& drive, double module, double addendum,
+                     double spline_addendum) {
+  // Down to a smaller wave the tooth has a shoulder at the pitch height, and with a larger one its
+  // path turns back at the lobe.
+  constexpr double kLeast = 0.95;
+  constexpr double kMost = 1.05;
+  require(
+      drive.radial_displacement >= kLeast * module && drive.radial_displacement <= kMost * module,
+      "drive.radial_displacement", drive.radial_displacement, "m",
+      "between 0.95 and 1.05 modules for mesh.tooth.profile = \"half_path\" (TC-29)");
+  require(
+      addendum <= spline_addendum, "mesh.tooth.addendum", addendum, "m",
+      "at most spline_addendum for mesh.tooth.profile = \"half_path\", because the tooth sweeps "
+      "the wall only as far as its own addendum reaches (TC-29)");
+  const double angle = half_path_angle(addendum, drive.radial_displacement, module);
+  require(angle >= kLeastFlankAngle && angle <= kMostFlankAngle, "mesh.tooth.addendum", addendum,
+          "m",
+          fmt::format("an addendum with a mean angle of the half-path flank between 15 and 30 deg, "
+                      "which is {:.1f} deg (TC-30)",
+                      angle / units::deg));
+}
+
 /// Rules of teeth as drawn.
 void check_teeth(const GearSet& gear, const ToothShape& tooth) {
   const Transmission& drive = gear.drive;
@@ -413,7 +441,11 @@ void check_teeth(const GearSet& gear, const ToothShape& tooth) {
   const double thickness = tooth.thickness.value_or(pitch / 2);
   require(thickness >= 0.4 * pitch && thickness <= 0.6 * pitch, "mesh.tooth.thickness", thickness,
           "m", "between 0.4 and 0.6 pitches, pi pitch_diameter/teeth");
-  const double narrowing = 2 * std::tan(gear.mesh->flank_angle);
+  const bool half_path = tooth.profile == ToothProfile::half_path;
+  if (half_path) check_half_path(drive, module, addendum, spline_addendum);
+  const double narrowing =
+      2 * std::tan(half_path ? half_path_angle(addendum, drive.radial_displacement, module)
+                             : gear.mesh->flank_angle);
   require(narrowing * addendum < thickness, "mesh.tooth.addendum", addendum, "m",
           "2 addendum tan(mesh.flank_angle) < thickness, because otherwise the tooth is pointed");
   require(
@@ -425,7 +457,8 @@ void check_teeth(const GearSet& gear, const ToothShape& tooth) {
   const auto covered = [&](double dedendum, const char* field, double value, const char* rule) {
     require(dedendum >= 0.9 * module && dedendum <= 1.5 * module, field, value, "m", rule);
   };
-  require(gear.mesh->flank_angle >= 15 * units::deg && gear.mesh->flank_angle <= 30 * units::deg,
+  require(half_path || (gear.mesh->flank_angle >= kLeastFlankAngle &&
+                        gear.mesh->flank_angle <= kMostFlankAngle),
           "mesh.flank_angle", gear.mesh->flank_angle, "rad",
           "between 15 and 30 deg for drawn teeth (TC-30)");
   covered(rim_dedendum, "flexspline.rim.outer_diameter", gear.flexspline->rim->outer_diameter,

@@ -45,7 +45,7 @@ struct BasicCoupledGeometry {
   Real clearance{};
   Real cam_flattening{};  // c_cam
   // mesh
-  Real flank_angle{};  // alpha
+  Real flank_angle{};  // alpha; of half-path flanks their mean angle
   Real gap_factor{};
   Real lobe_gap{};
   BasicFlankLaw<Real> flank;                   // without `tooth`, of every flank

@@ -23,6 +23,11 @@ struct DualDrive {
   DualReal amplitude;
   std::vector<DualReal> multiplier;  // of the stiffness of a tooth pair
   std::vector<DualReal> own;         // compliance in series with a contact
+  struct Flank {
+    BasicToothFlank<DualReal> place;
+    BasicFlankShares<DualReal> shares;
+  };
+  mutable std::vector<std::optional<Flank>> flanks;  // made where they are needed
 
   DualDrive(const CoupledDrive& of, const BasicCoupledGeometry<DualReal>& g,
             RingModel<DualReal> sound_rings, const BasicContactCracks<DualReal>& cracks,
@@ -32,7 +37,8 @@ struct DualDrive {
         rings(std::move(sound_rings)),
         amplitude(cam_amplitude),
         multiplier(static_cast<std::size_t>(of.contacts()), DualReal(1.0)),
-        own(static_cast<std::size_t>(of.contacts()), DualReal(0.0)) {
+        own(static_cast<std::size_t>(of.contacts()), DualReal(0.0)),
+        flanks(static_cast<std::size_t>(of.contacts())) {
     for (const auto& hinge : cracks.hinges) rings.soften(hinge);
     for (const auto& soft : cracks.balls)
       own[static_cast<std::size_t>(of.ball_nearest_to(soft.position))] += soft.compliance;
@@ -42,10 +48,18 @@ struct DualDrive {
           multiplier[static_cast<std::size_t>(flank)] *= 1 - soft.stiffness_loss;
   }
 
-  /// Closing of a flank per unit of rotation.
-  [[nodiscard]] DualReal turn(int flank) const {
-    return drive.side_of(flank) * rings.drive_flank().tangential;
+  /// A contact that is a flank.
+  [[nodiscard]] const Flank& flank(int contact) const {
+    auto& found = flanks[static_cast<std::size_t>(contact)];
+    if (!found) {
+      const int side = drive.side_of(contact);
+      const auto place = flank_at(geometry, drive.position_of(contact), side);
+      found = Flank{place, flank_shares(place.contact, side)};
+    }
+    return *found;
   }
+  /// Closing of a flank per unit of rotation.
+  [[nodiscard]] DualReal turn(int contact) const { return rings.turn(flank(contact).shares); }
   /// Closing of a contact on rigid rings minus its own deflection, at fixed force and rotation.
   [[nodiscard]] DualReal closing(int contact, const Equilibrium& at) const {
     const double theta = drive.position_of(contact);
@@ -53,17 +67,55 @@ struct DualDrive {
     const DualReal yields = soft * at.force[contact];
     if (contact < drive.balls())
       return free_ball(geometry, theta) + amplitude * std::cos(2 * theta) - yields;
-    const int side = drive.side_of(contact);
-    const auto [ball, drive_flank, coast_flank] = rings.directions();
-    return free_flank(geometry, side > 0 ? drive_flank : coast_flank, theta, side) +
-           turn(contact) * at.rotation - yields;
+    const auto& [place, shares] = flank(contact);
+    return free_flank(geometry, rings, place, shares, theta) + turn(contact) * at.rotation - yields;
   }
   /// Force that the law of a contact gives at its closing.
   [[nodiscard]] DualReal force(int contact, const Equilibrium& at) const {
     const double u = at.closing[contact];
     if (contact < drive.balls()) return ball_force(geometry, u);
-    const auto law = flank_law(geometry, drive.position_of(contact), drive.side_of(contact));
-    return multiplier[static_cast<std::size_t>(contact)] * law.force(DualReal(u));
+    return multiplier[static_cast<std::size_t>(contact)] *
+           flank_law(geometry, flank(contact).place).force(DualReal(u));
+  }
+  /// The harmonics of contact forces on the rings.
+  /// @param values  the same without derivatives
+  [[nodiscard]] BasicForceWaves<DualReal> waves_of(const Eigen::VectorXd& forces,
+                                                   const BasicForceWaves<double>& values) const {
+    // The shares of the flanks may have derivatives: a column for each direction and derivative.
+    constexpr auto kWidth = static_cast<Eigen::Index>(kDualWidth);
+    using Row = Eigen::Matrix<double, 1, 3 * kWidth>;
+    using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3 * kWidth>;
+    const Waves& at_teeth = drive.rings().at_teeth();
+    Columns even = Columns::Zero(at_teeth.cosine.cols(), 3 * kWidth);
+    Columns odd = even;
+    Row row;
+    for (int i = drive.balls(); i < drive.contacts(); ++i) {
+      if (forces[i] == 0) continue;
+      const auto& shares = flank(i).shares;
+      Eigen::Index column = 0;
+      for (const DualReal* const share : {&shares.outward, &shares.along, &shares.higher})
+        for (const double partial : share->partial) row[column++] = forces[i] * partial;
+      if (row.isZero(0.0)) continue;
+      const Eigen::Index tooth = (i - drive.balls()) % drive.tooth_count();
+      even.noalias() += at_teeth.cosine.row(tooth).transpose() * row;
+      odd.noalias() += at_teeth.sine.row(tooth).transpose() * row;
+    }
+    const auto with = [](const Eigen::VectorXd& value, const Columns& partials, std::size_t group) {
+      BasicForceWaves<DualReal>::Vector to(value.size());
+      for (Eigen::Index n = 0; n < value.size(); ++n) {
+        to[n] = value[n];
+        if (group == 0) continue;  // the balls press outward
+        for (std::size_t k = 0; k < kDualWidth; ++k)
+          to[n].partial[k] = partials(n, static_cast<Eigen::Index>((group - 1) * kDualWidth + k));
+      }
+      return to;
+    };
+    BasicForceWaves<DualReal> sums;
+    for (std::size_t group = 0; group < 4; ++group) {
+      sums.even[group] = with(values.even[group], even, group);
+      sums.odd[group] = with(values.odd[group], odd, group);
+    }
+    return sums;
   }
 };
 
@@ -100,10 +152,10 @@ class Functional {
 
   /// @param load  torque over ring radius, with its derivatives
   [[nodiscard]] DualReal derivative(const DualDrive& dual, const DualReal& load) const {
-    const auto left = dual.rings.load_of(adjoint_waves_);
-    const auto right = dual.rings.response_to(dual.rings.load_of(force_waves_));
+    const auto left = dual.rings.load_of(dual.waves_of(adjoint_.force, adjoint_waves_));
+    const auto right = dual.rings.response_to(dual.rings.load_of(force_waves(dual)));
     DualReal sum = -left.dot(right);  // closing by the rings
-    if (dual.geometry.neighbours) sum -= by_neighbours(*dual.geometry.neighbours);
+    if (dual.geometry.neighbours) sum -= by_neighbours(dual, *dual.geometry.neighbours);
     DualReal missing = load;
     for (int i = 0; i < drive_.contacts(); ++i) {
       if (i >= drive_.balls() && state_.force[i] != 0) missing -= dual.turn(i) * state_.force[i];
@@ -116,18 +168,38 @@ class Functional {
     return sum - adjoint_.rotation * missing;  // (TC-27)
   }
   /// The part of the closings by neighbouring teeth (TC-31).
-  [[nodiscard]] DualReal by_neighbours(const BasicToothNeighbours<DualReal>& neighbours) const {
+  [[nodiscard]] DualReal by_neighbours(const DualDrive& dual,
+                                       const BasicToothNeighbours<DualReal>& neighbours) const {
     const ElasticRings& rings = drive_.rings();
+    struct Push {  // force of a flank outward and along the pitch circle
+      int flank = 0;
+      DualReal outward;
+      DualReal along;
+    };
+    std::vector<Push> pushes;
+    for (int j = drive_.balls(); j < drive_.contacts(); ++j)
+      if (const double force = state_.force[j]; force != 0)
+        pushes.push_back(
+            {j, force * dual.flank(j).shares.outward, force * dual.flank(j).shares.along});
     DualReal sum = 0.0;
-    for (int i = drive_.balls(); i < drive_.contacts(); ++i)
-      for (int j = drive_.balls(); adjoint_.force[i] != 0 && j < drive_.contacts(); ++j)
-        if (state_.force[j] != 0)
-          sum += adjoint_.force[i] * state_.force[j] *
-                 neighbours.between(rings.flank(i), rings.flank(j));
+    for (int i = drive_.balls(); i < drive_.contacts(); ++i) {
+      if (adjoint_.force[i] == 0) continue;
+      DualReal outward = 0.0;
+      DualReal along = 0.0;
+      for (const Push& push : pushes) {
+        const auto moves = neighbours.between(rings.flank(i), rings.flank(push.flank));
+        outward += moves.outward * push.outward + moves.mixed * push.along;
+        along += moves.along * push.along - moves.mixed * push.outward;
+      }
+      const auto& shares = dual.flank(i).shares;
+      sum += adjoint_.force[i] * (shares.outward * outward + shares.along * along);  // (TC-31)
+    }
     return sum;
   }
   [[nodiscard]] const Equilibrium& state() const { return state_; }
-  [[nodiscard]] const ForceWaves& force_waves() const { return force_waves_; }
+  [[nodiscard]] BasicForceWaves<DualReal> force_waves(const DualDrive& dual) const {
+    return dual.waves_of(state_.force, force_waves_);
+  }
 
  private:
   Functional(const CoupledDrive& drive, Equilibrium state, CoupledDrive::Tangent adjoint)
@@ -140,8 +212,8 @@ class Functional {
   const CoupledDrive& drive_;
   Equilibrium state_;
   CoupledDrive::Tangent adjoint_;
-  ForceWaves adjoint_waves_;
-  ForceWaves force_waves_;
+  BasicForceWaves<double> adjoint_waves_;
+  BasicForceWaves<double> force_waves_;
 };
 
 /// A value with the derivatives of another number.
@@ -239,7 +311,7 @@ class Cam {
     const auto& rings = dual.rings;
     // The functional itself depends on the rings: mean of w over the lobes at fixed forces.
     const DualReal lifted =
-        rings.lobe_load().dot(rings.response_to(rings.load_of(lobe_.force_waves())));
+        rings.lobe_load().dot(rings.response_to(rings.load_of(lobe_.force_waves(dual))));
     const DualReal missing =
         dual.geometry.radial_displacement - lifted - lobe_.derivative(dual, 0.0);
     return with_derivatives(sound_.cam_amplitude(), missing / rise_);  // (TC-27)

@@ -95,7 +95,10 @@ Deviations draw_deviations(const GearSet& gear, std::uint64_t seed, std::uint64_
     drawn.balls.push_back(normal(limits.diameter_of_ball));
   drawn.eccentricity = limits.eccentricity;
   drawn.eccentricity_angle = 2 * pi * counter_uniform(seed, draw, input);
-  drawn.pairing_gap = pairing_gap(drawn, gear.mesh->flank_angle);
+  // The flanks of half paths have angles of their own; none closes by more than with the angle 0.
+  const auto& tooth = gear.mesh->tooth;
+  const bool own_angles = tooth && tooth->profile == ToothProfile::half_path;
+  drawn.pairing_gap = pairing_gap(drawn, own_angles ? 0.0 : gear.mesh->flank_angle);  // (TC-36)
   return drawn;
 }
 

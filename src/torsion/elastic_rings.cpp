@@ -5,6 +5,15 @@
 #include <cmath>
 
 namespace strainwave {
+namespace {
+
+/// Only half-path flanks have shares in all directions.
+template <class Row>
+bool absent(const Row& shares) {
+  return (shares.array() == 0.0).all();
+}
+
+}  // namespace
 
 Waves::Waves(const std::vector<double>& positions, int harmonics) {
   const Eigen::Map<const Eigen::ArrayXd> angle(positions.data(),
@@ -24,47 +33,59 @@ Waves::Waves(const std::vector<double>& positions, int harmonics) {
 std::vector<double> ContactPlaces::positions() const {
   std::vector<double> positions = balls;
   for (int flank = 0; flank < 2; ++flank)
-    for (const int tooth : teeth) positions.push_back((tooth + 0.5) * pitch());
+    for (const int tooth : teeth) positions.push_back(position_of(tooth));
   return positions;
 }
 
 ElasticRings::ElasticRings(const GearSet& gear, const CoupledGeometry& geometry,
-                           const CoupledOptions& options, const ContactPlaces& places)
+                           const CoupledOptions& options, const ContactPlaces& places,
+                           const std::vector<FlankShares>& shares)
     : model_(gear, Lift<double>(), geometry, options),
       balls_(static_cast<int>(places.balls.size())),
       teeth_(static_cast<int>(places.teeth.size())),
       tooth_(places.teeth),
+      shares_(3, 2 * teeth_),
       neighbours_(geometry.neighbours),
       position_(places.positions()),
       at_balls_({position_.begin(), position_.begin() + balls_}, options.harmonics),
       at_teeth_({position_.begin() + balls_, position_.begin() + balls_ + teeth_},
                 options.harmonics) {
+  for (int i = 0; i < 2 * teeth_; ++i) {
+    const FlankShares& of = shares[static_cast<std::size_t>(i)];
+    shares_.col(i) << of.outward, of.along, of.higher;
+  }
   fill_flexibility(places);
   fill_lobe();
 }
 
-std::array<ElasticRings::Group, 3> ElasticRings::groups() const {
-  return {{{0, at_balls_}, {balls_, at_teeth_}, {balls_ + teeth_, at_teeth_}}};
+FlankShares ElasticRings::shares_of(int contact) const {
+  const auto of = shares_.col(contact - balls_);
+  return {.outward = of[0], .along = of[1], .higher = of[2]};
 }
 
-ForceWaves ElasticRings::waves_of(const Eigen::VectorXd& force) const {
-  ForceWaves sums;
-  std::size_t group = 0;
-  for (const auto& [first, waves] : groups()) {
-    const auto of_group = force.segment(first, waves.cosine.rows());
-    sums.even[group] = waves.cosine.transpose() * of_group;
-    sums.odd[group] = waves.sine.transpose() * of_group;
-    ++group;
+BasicForceWaves<double> ElasticRings::waves_of(const Eigen::VectorXd& force) const {
+  BasicForceWaves<double> sums;
+  const auto of_balls = force.head(balls_);
+  sums.even[0] = at_balls_.cosine.transpose() * of_balls;
+  sums.odd[0] = at_balls_.sine.transpose() * of_balls;
+  for (std::size_t group = 1; group < 4; ++group) {
+    const auto share = shares_.row(static_cast<Eigen::Index>(group) - 1).transpose();
+    if (absent(share)) {
+      sums.even[group] = sums.odd[group] = Eigen::VectorXd::Zero(model_.harmonics() + 1);
+      continue;
+    }
+    const Eigen::VectorXd all = share.cwiseProduct(force.tail(2 * teeth_));
+    const Eigen::VectorXd of_teeth = all.head(teeth_) + all.tail(teeth_);
+    sums.even[group] = at_teeth_.cosine.transpose() * of_teeth;
+    sums.odd[group] = at_teeth_.sine.transpose() * of_teeth;
   }
   return sums;
 }
 
-Eigen::VectorXd ElasticRings::displacements_of(
-    const Eigen::VectorXd& x, const std::array<ContactDirection, 3>& directions) const {
-  Eigen::VectorXd moved(contacts());
-  std::size_t group = 0;
-  for (const auto& [first, waves] : groups()) {
-    const ContactDirection& d = directions[group++];
+Eigen::VectorXd ElasticRings::displacements_of(const Eigen::VectorXd& x,
+                                               const ContactDirection& of_balls,
+                                               const Shares& of_flanks) const {
+  const auto in = [&](const ContactDirection& d, const Waves& waves) -> Eigen::VectorXd {
     Eigen::VectorXd even = Eigen::VectorXd::Zero(model_.harmonics() + 1);
     Eigen::VectorXd odd = even;
     even[0] = d.radial * x[0];
@@ -77,7 +98,16 @@ Eigen::VectorXd ElasticRings::displacements_of(
       even[n] += d.spline_radial * x[j] + d.spline_turn(n) * x[j + 1];
       odd[n] += d.spline_radial * x[j + 1] - d.spline_turn(n) * x[j];
     }
-    moved.segment(first, waves.cosine.rows()) = waves.cosine * even + waves.sine * odd;
+    return waves.cosine * even + waves.sine * odd;
+  };
+  Eigen::VectorXd moved = Eigen::VectorXd::Zero(contacts());
+  moved.head(balls_) = in(of_balls, at_balls_);
+  for (int k = 0; k < 3; ++k) {
+    if (absent(of_flanks.row(k))) continue;
+    const Eigen::VectorXd of_teeth = in(model_.flanks()[static_cast<std::size_t>(k)], at_teeth_);
+    for (const int first : {0, teeth_})
+      moved.segment(balls_ + first, teeth_) +=
+          of_flanks.row(k).segment(first, teeth_).transpose().cwiseProduct(of_teeth);
   }
   return moved;
 }
@@ -107,49 +137,91 @@ ElasticRings::Kernel ElasticRings::kernel(const ContactDirection& of,
 
 void ElasticRings::fill_flexibility(const ContactPlaces& places) {
   flexibility_.resize(contacts(), contacts());
+  fill_balls();
+  fill_flanks(places);
+}
+
+void ElasticRings::fill_balls() {
   const Kernel balls = kernel(model_.ball(), model_.ball());
   flexibility_.topLeftCorner(balls_, balls_) =
       at_balls_.cosine * (at_balls_.cosine * balls.even.asDiagonal()).transpose() +
       at_balls_.sine * (at_balls_.sine * balls.even.asDiagonal()).transpose();
-
-  // For a ball, a coast flank is equivalent to the drive flank on its other side.
-  const Kernel mixed = kernel(model_.ball(), model_.drive_flank());
-  const Eigen::MatrixXd even =
-      at_balls_.cosine * (at_teeth_.cosine * mixed.even.asDiagonal()).transpose() +
-      at_balls_.sine * (at_teeth_.sine * mixed.even.asDiagonal()).transpose();
-  const Eigen::MatrixXd odd =
-      at_balls_.sine * (at_teeth_.cosine * mixed.odd.asDiagonal()).transpose() -
-      at_balls_.cosine * (at_teeth_.sine * mixed.odd.asDiagonal()).transpose();
-  flexibility_.block(0, balls_, balls_, teeth_) = even + odd;
-  flexibility_.block(0, balls_ + teeth_, balls_, teeth_) = even - odd;
+  const auto even = [&](const Eigen::VectorXd& of) -> Eigen::MatrixXd {
+    return at_balls_.cosine * (at_teeth_.cosine * of.asDiagonal()).transpose() +
+           at_balls_.sine * (at_teeth_.sine * of.asDiagonal()).transpose();
+  };
+  const auto odd = [&](const Eigen::VectorXd& of) -> Eigen::MatrixXd {
+    return at_balls_.sine * (at_teeth_.cosine * of.asDiagonal()).transpose() -
+           at_balls_.cosine * (at_teeth_.sine * of.asDiagonal()).transpose();
+  };
+  flexibility_.rightCols(2 * teeth_).topRows(balls_).setZero();
+  for (int k = 0; k < 3; ++k) {
+    if (absent(shares_.row(k))) continue;
+    const Kernel mixed = kernel(model_.ball(), model_.flanks()[static_cast<std::size_t>(k)]);
+    const Eigen::MatrixXd opens = k == 0 ? even(mixed.even) : odd(mixed.odd);
+    for (const int first : {0, teeth_})
+      flexibility_.block(0, balls_ + first, balls_, teeth_) +=
+          opens * shares_.row(k).segment(first, teeth_).asDiagonal();
+  }
   flexibility_.bottomLeftCorner(2 * teeth_, balls_) =
       flexibility_.topRightCorner(balls_, 2 * teeth_).transpose();
+}
 
-  // Between teeth only the number of pitches matters.
+void ElasticRings::fill_flanks(const ContactPlaces& places) {
+  // Between teeth only the number of pitches matters.  A radial and a radial force, and forces
+  // along the pitch circle, are even in it, a radial force and one along the pitch circle odd.
   std::vector<double> apart;
   for (int k = 0; k < places.pitches; ++k) apart.push_back(k * places.pitch());
   const Waves waves(apart, model_.harmonics());
-  const Kernel like = kernel(model_.drive_flank(), model_.drive_flank());
-  const Kernel facing = kernel(model_.drive_flank(), model_.drive_flank().mirrored());
-  Eigen::VectorXd like_flanks = waves.cosine * like.even;
-  Eigen::VectorXd drive_by_coast = waves.cosine * facing.even + waves.sine * facing.odd;
-  Eigen::VectorXd coast_by_drive = waves.cosine * facing.even - waves.sine * facing.odd;
-  for (int k = 0; neighbours_ && k < places.pitches; ++k) {  // (TC-31)
-    like_flanks[k] += neighbours_->between({k, +1}, {0, +1});
-    drive_by_coast[k] += neighbours_->between({k, +1}, {0, -1});
-    coast_by_drive[k] += neighbours_->between({k, -1}, {0, +1});
-  }
-  const int drive = balls_;
-  const int coast = balls_ + teeth_;
-  for (int j = 0; j < teeth_; ++j)
-    for (int i = 0; i < teeth_; ++i) {
-      const int steps =
-          places.teeth[static_cast<std::size_t>(i)] - places.teeth[static_cast<std::size_t>(j)];
-      const int k = steps < 0 ? steps + places.pitches : steps;
-      flexibility_(drive + i, drive + j) = flexibility_(coast + i, coast + j) = like_flanks[k];
-      flexibility_(drive + i, coast + j) = drive_by_coast[k];
-      flexibility_(coast + i, drive + j) = coast_by_drive[k];
+  const auto& [outward, along, higher] = model_.flanks();
+  const auto even = [&](const ContactDirection& of, const ContactDirection& by) -> Eigen::VectorXd {
+    return waves.cosine * kernel(of, by).even;
+  };
+  const auto odd = [&](const ContactDirection& of, const ContactDirection& by) -> Eigen::VectorXd {
+    return waves.sine * kernel(of, by).odd;
+  };
+  const Eigen::VectorXd along_higher = even(along, higher);
+  const Eigen::VectorXd higher_higher = even(higher, higher);
+  const Eigen::VectorXd outward_higher = odd(outward, higher);
+  struct Table {
+    Eigen::VectorXd outward;
+    Eigen::VectorXd along;
+    Eigen::VectorXd mixed;
+  };
+  const Table rings{even(outward, outward), even(along, along), odd(outward, along)};
+  // With the neighbouring teeth (TC-31), which depend on the sides of both flanks.
+  const auto table = [&](int of_side, int by_side) {
+    Table sum = rings;
+    for (int k = 0; neighbours_ && k < places.pitches; ++k) {
+      const auto moved = neighbours_->between({k, of_side}, {0, by_side});
+      sum.outward[k] += moved.outward;
+      sum.along[k] += moved.along;
+      sum.mixed[k] += moved.mixed;
     }
+    return sum;
+  };
+  const auto fill = [&](int of_first, int by_first, const Table& by) {
+    const bool same = of_first == by_first;
+    for (int j = 0; j < teeth_; ++j) {
+      const auto b = shares_.col(by_first + j);
+      for (int i = same ? j : 0; i < teeth_; ++i) {
+        const auto a = shares_.col(of_first + i);
+        const int steps = tooth_[static_cast<std::size_t>(i)] - tooth_[static_cast<std::size_t>(j)];
+        const int k = steps < 0 ? steps + places.pitches : steps;
+        const double opens = a[0] * b[0] * by.outward[k] + a[1] * b[1] * by.along[k] +
+                             (a[1] * b[2] + a[2] * b[1]) * along_higher[k] +
+                             a[2] * b[2] * higher_higher[k] +
+                             (a[0] * b[1] - a[1] * b[0]) * by.mixed[k] +
+                             (a[0] * b[2] - a[2] * b[0]) * outward_higher[k];
+        flexibility_(balls_ + of_first + i, balls_ + by_first + j) = opens;
+        flexibility_(balls_ + by_first + j, balls_ + of_first + i) = opens;  // Maxwell
+      }
+    }
+  };
+  const Table like = table(+1, +1);
+  fill(0, 0, like);
+  fill(teeth_, teeth_, like);
+  fill(0, teeth_, table(+1, -1));
 }
 
 FlankPlace ElasticRings::flank(int contact) const {
@@ -163,7 +235,9 @@ double ElasticRings::neighbour_energy(const Eigen::VectorXd& force) const {
   if (!neighbours_) return energy;
   for (int i = balls_; i < contacts(); ++i)
     for (int j = balls_; force[i] != 0 && j < contacts(); ++j)
-      if (force[j] != 0) energy += force[i] * neighbours_->between(flank(i), flank(j)) * force[j];
+      if (force[j] != 0)
+        energy += force[i] * force[j] *
+                  neighbours_->between(flank(i), flank(j)).opening(shares_of(i), shares_of(j));
   return energy;
 }
 
@@ -184,10 +258,9 @@ ElasticRings ElasticRings::softened(const std::vector<RingHinge>& hinges) const 
 }
 
 double ElasticRings::of_nominal_wave(int contact, double amplitude) const {
-  const auto group = static_cast<std::size_t>(contact < balls_            ? 0
-                                              : contact < balls_ + teeth_ ? 1
-                                                                          : 2);
-  return strainwave::of_nominal_wave(model_.directions()[group], position_of(contact), amplitude);
+  const double theta = position_of(contact);
+  return contact < balls_ ? strainwave::of_nominal_wave(model_.ball(), theta, amplitude)
+                          : model_.of_nominal_wave(shares_of(contact), theta, amplitude);
 }
 
 Eigen::VectorXd ElasticRings::coefficients_of(const Eigen::VectorXd& force) const {

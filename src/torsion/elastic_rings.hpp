@@ -29,16 +29,17 @@ struct ContactPlaces {
   std::vector<int> teeth;     ///< numbers of the teeth that may touch, tooth j at (j + 1/2) pitches
   int pitches = 1;            ///< pitches of the whole turn
   [[nodiscard]] double pitch() const { return 2 * std::numbers::pi / pitches; }
+  [[nodiscard]] double position_of(int tooth) const { return (tooth + 0.5) * pitch(); }
   /// Positions of balls, drive flanks and coast flanks.
   [[nodiscard]] std::vector<double> positions() const;
 };
 
 class ElasticRings {
  public:
-  /// The contacts are the balls, the drive flanks of the teeth, and their coast flanks, which are
-  /// mirror images of the drive flanks.
+  /// The contacts are the balls, the drive flanks of the teeth, and their coast flanks.
+  /// @param shares  of the flanks
   ElasticRings(const GearSet& gear, const CoupledGeometry& geometry, const CoupledOptions& options,
-               const ContactPlaces& places);
+               const ContactPlaces& places, const std::vector<FlankShares>& shares);
 
   /// The same rings, softened by cracks.
   /// @throws SolverError  if hinges of one ring overlap so far that the ring has no stiffness left
@@ -50,10 +51,14 @@ class ElasticRings {
   }
   /// Closing of a contact under the nominal wave w_0 cos(2 theta) of an inextensional ring.
   [[nodiscard]] double of_nominal_wave(int contact, double amplitude) const;
+  /// Shares of a contact that is a flank.
+  [[nodiscard]] FlankShares shares_of(int contact) const;
   /// The model of the rings, in its coefficients.
   [[nodiscard]] const RingModel<double>& model() const { return model_; }
   /// The harmonics of the contact forces on the rings.
-  [[nodiscard]] ForceWaves waves_of(const Eigen::VectorXd& force) const;
+  [[nodiscard]] BasicForceWaves<double> waves_of(const Eigen::VectorXd& force) const;
+  /// Cosines and sines at the teeth.
+  [[nodiscard]] const Waves& at_teeth() const { return at_teeth_; }
   /// Mean of w over the lobes per unit of the force of each contact.
   [[nodiscard]] const Eigen::VectorXd& lobe_of_forces() const { return lobe_; }
   /// Distance by which contact i opens under a unit force of contact j, due to the rings [m/N]
@@ -65,12 +70,14 @@ class ElasticRings {
   [[nodiscard]] Eigen::VectorXd coefficients_of(const Eigen::VectorXd& force) const;
   /// Closings of all contacts from coefficients, without (TC-31).
   [[nodiscard]] Eigen::VectorXd closings_of(const Eigen::VectorXd& x) const {
-    return displacements_of(x, model_.directions());
+    return displacements_of(x, model_.ball(), shares_);
   }
-  /// Displacements of the rings at all contacts from coefficients, each in the direction given for
-  /// balls, drive flanks and coast flanks.
-  [[nodiscard]] Eigen::VectorXd displacements_of(
-      const Eigen::VectorXd& x, const std::array<ContactDirection, 3>& directions) const;
+  /// Shares of all flanks, one row for each direction.
+  using Shares = Eigen::Matrix<double, 3, Eigen::Dynamic>;
+  /// Displacements of the rings at all contacts from coefficients, in given directions.
+  [[nodiscard]] Eigen::VectorXd displacements_of(const Eigen::VectorXd& x,
+                                                 const ContactDirection& of_balls,
+                                                 const Shares& of_flanks) const;
   /// Mean of w over the lobes under contact forces.
   [[nodiscard]] double lobe(const Eigen::VectorXd& force) const { return lobe_.dot(force); }
   /// Place of a contact that is a flank.
@@ -94,18 +101,15 @@ class ElasticRings {
   };
   [[nodiscard]] Kernel kernel(const ContactDirection& of, const ContactDirection& by) const;
   void fill_flexibility(const ContactPlaces& places);
+  void fill_balls();
+  void fill_flanks(const ContactPlaces& places);
   void fill_lobe();
-  /// Balls, drive flanks or coast flanks, with the waves at their positions.
-  struct Group {
-    int first = 0;
-    const Waves& waves;
-  };
-  [[nodiscard]] std::array<Group, 3> groups() const;
 
   RingModel<double> model_;
   int balls_ = 0;
   int teeth_ = 0;
   std::vector<int> tooth_;  // numbers of the teeth
+  Shares shares_;           // of drive flanks, coast flanks
   std::optional<ToothNeighbours> neighbours_;
   std::vector<double> position_;  // positions of balls, drive flanks, coast flanks
   Waves at_balls_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -68,13 +69,30 @@ Eigen::VectorXd outer_ring_slip(const CoupledDrive& drive, const Eigen::VectorXd
 /// Slip of the flanks per unit of coefficients and rotation, along the drive and the coast flank
 /// toward the tip of the tooth of the flexspline (TC-33).
 Eigen::VectorXd flank_slip(const CoupledDrive& drive, const Eigen::VectorXd& x, double rotation) {
-  const ContactDirection along =
-      flank_direction(drive.geometry(), drive.geometry().flank_angle + pi / 2);
-  Eigen::VectorXd slip =
-      drive.rings().displacements_of(x, {ContactDirection{}, along, along.mirrored()});
-  for (int i = drive.balls(); i < drive.contacts(); ++i)
-    slip[i] += drive.side_of(i) * along.tangential * rotation;
-  return slip;
+  const RingModel<double>& rings = drive.rings().model();
+  ElasticRings::Shares along(3, drive.contacts() - drive.balls());
+  Eigen::VectorXd slip = Eigen::VectorXd::Zero(drive.contacts());
+  for (int i = drive.balls(); i < drive.contacts(); ++i) {
+    const FlankShares normal = drive.shares_of(i);
+    const int side = drive.side_of(i);
+    const double height = normal.higher / normal.along;
+    const FlankShares shares{.outward = side * normal.along,
+                             .along = -side * normal.outward,
+                             .higher = -side * normal.outward * height};  // (TC-33)
+    along.col(i - drive.balls()) << shares.outward, shares.along, shares.higher;
+    slip[i] = rings.turn(shares) * rotation;
+  }
+  return slip + drive.rings().displacements_of(x, ContactDirection{}, along);
+}
+
+/// Tangent of the least angle of the flanks.
+double least_slope(const CoupledDrive& drive) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = drive.balls(); i < drive.contacts(); ++i) {
+    const FlankShares normal = drive.shares_of(i);
+    least = std::min(least, normal.outward / std::abs(normal.along));
+  }
+  return least;
 }
 
 FrictionWidth width_at(const Contents& contents, const Equilibrium& state) {
@@ -127,8 +145,9 @@ RunningTorque losses(const Contents& contents, const Equilibrium& state) {
   for (int i = drive.balls(); i < drive.contacts(); ++i) {
     const double t = drive.side_of(i) * angle_from_lobe(drive.position_of(i));
     const double w0 = g.radial_displacement;
-    const double path = 2 * w0 * std::sin(2 * t) * std::cos(g.flank_angle) +
-                        (g.module - w0 * std::cos(2 * t)) * std::sin(g.flank_angle);
+    const FlankShares normal = drive.shares_of(i);
+    const double path = 2 * w0 * std::sin(2 * t) * std::abs(normal.along) +
+                        (g.module - w0 * std::cos(2 * t)) * normal.outward;
     flanks += state.force[i] * std::abs(path);
   }
   const double pitch_radius = (bearing.inner_raceway_diameter + bearing.outer_raceway_diameter) / 4;
@@ -148,10 +167,10 @@ SlidingCurve sliding_curve(const AssembledDrive& drive, std::span<const double> 
                            const Progress& progress) {
   const Contents& contents = drive.contents();
   const ToothMesh& mesh = *contents.gear.mesh;
-  require(
-      mesh.friction_coefficient < std::tan(mesh.flank_angle), "mesh.friction_coefficient",
-      mesh.friction_coefficient, "1",
-      "less than the tangent of mesh.flank_angle, because otherwise the flanks lock themselves");
+  require(mesh.friction_coefficient < least_slope(contents.drive), "mesh.friction_coefficient",
+          mesh.friction_coefficient, "1",
+          "less than the tangent of the angle of the flanks, because otherwise the flanks lock "
+          "themselves");
   SlidingCurve curve;
   require_usable(walk(contents, torques, progress, [&](const Equilibrium& state) {
     curve.twist.push_back(contents.twist(state));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "coupled_geometry.hpp"
+#include "flank_shares.hpp"
 #include "flexspline_wall.hpp"
 #include "strainwave/core/error.hpp"
 
@@ -42,10 +43,6 @@ struct BasicContactDirection {
   /// Closing per unit of the n-th amplitude by tilt and shift of the circular spline, whose ring
   /// does not stretch.
   [[nodiscard]] Real spline_turn(int n) const { return n * spline_slope + spline_tangential / n; }
-  /// The direction of the other flank of a tooth.
-  [[nodiscard]] BasicContactDirection mirrored() const {
-    return {radial, -tangential, -slope, spline_radial, -spline_tangential, -spline_slope};
-  }
 };
 using ContactDirection = BasicContactDirection<double>;
 
@@ -55,23 +52,27 @@ template <class Real>
   return {.radial = Real(-1.0)};
 }
 
-/// The direction of a force at the angle of a drive flank (TC-6); the tooth of the circular spline
-/// moves away under the same force.
+/// The three directions of which every flank has its shares (TC-6): outward, along the pitch
+/// circle, and the change of the latter per unit of height above the pitch circle.  The tooth of
+/// the circular spline moves away under the same force.
 template <class Real>
-[[nodiscard]] BasicContactDirection<Real> flank_direction(const BasicCoupledGeometry<Real>& g,
-                                                          const Real& angle) {
-  using std::cos, std::sin;
+[[nodiscard]] std::array<BasicContactDirection<Real>, 3> flank_directions(
+    const BasicCoupledGeometry<Real>& g) {
+  const bool rigid = !(g.support > 0);
   const Real reach = (g.pitch_radius - g.ring_radius) / g.ring_radius;
   const Real spline_reach =
-      g.support > 0 ? Real((g.pitch_radius - g.spline_radius) / g.spline_radius) : Real(0.0);
-  const Real up = sin(angle);
-  const Real across = cos(angle);
-  return {.radial = up,
-          .tangential = across * (1 + reach),
-          .slope = -across * reach,
-          .spline_radial = -up,
-          .spline_tangential = -across * (1 + spline_reach),
-          .spline_slope = across * spline_reach};
+      rigid ? Real(0.0) : Real((g.pitch_radius - g.spline_radius) / g.spline_radius);
+  const Real higher = 1 / g.ring_radius;
+  const Real spline_higher = rigid ? Real(0.0) : Real(1 / g.spline_radius);
+  return {{{.radial = Real(1.0), .spline_radial = Real(-1.0)},
+           {.tangential = 1 + reach,
+            .slope = -reach,
+            .spline_tangential = -(1 + spline_reach),
+            .spline_slope = spline_reach},
+           {.tangential = higher,
+            .slope = -higher,
+            .spline_tangential = -spline_higher,
+            .spline_slope = spline_higher}}};
 }
 
 /// Closing of a contact by the nominal wave w_0 cos(2 theta) of an inextensional ring.
@@ -82,11 +83,13 @@ template <class Real>
          (d.radial * std::cos(2 * theta) - (2 * d.slope + d.tangential / 2) * std::sin(2 * theta));
 }
 
-/// Sums of contact forces times the cosines and sines of the harmonics 0 to N, of the balls, the
-/// drive flanks and the coast flanks.
-struct ForceWaves {
-  std::array<Eigen::VectorXd, 3> even;
-  std::array<Eigen::VectorXd, 3> odd;
+/// Sums of contact forces times the cosines and sines of the harmonics 0 to N: of the balls, and of
+/// the flanks with their shares in the three directions.
+template <class Real>
+struct BasicForceWaves {
+  using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+  std::array<Vector, 4> even;
+  std::array<Vector, 4> odd;
 };
 
 /// Stiffness of one harmonic per unit of amplitude squared, of both phases.
@@ -145,7 +148,7 @@ class RingModel {
         ring_radius_(geometry.ring_radius),
         spline_radius_(geometry.spline_radius),
         ball_(ball_direction<Real>()),
-        drive_flank_(flank_direction(geometry, geometry.flank_angle)) {
+        flanks_(flank_directions(geometry)) {
     make_modes(gear, lift, geometry, options);
   }
 
@@ -154,25 +157,32 @@ class RingModel {
   [[nodiscard]] const Real& ring_radius() const { return ring_radius_; }
   [[nodiscard]] const Mode& mode(int n) const { return modes_[static_cast<std::size_t>(n)]; }
   [[nodiscard]] const std::vector<Softening>& softenings() const { return softenings_; }
-  /// Directions of balls, drive flanks and coast flanks.
-  [[nodiscard]] std::array<BasicContactDirection<Real>, 3> directions() const {
-    return {ball_, drive_flank_, drive_flank_.mirrored()};
-  }
   [[nodiscard]] const BasicContactDirection<Real>& ball() const { return ball_; }
-  [[nodiscard]] const BasicContactDirection<Real>& drive_flank() const { return drive_flank_; }
+  /// The directions of which flanks have their shares.
+  [[nodiscard]] const std::array<BasicContactDirection<Real>, 3>& flanks() const { return flanks_; }
+  /// Closing of a flank per unit of rotation.
+  [[nodiscard]] Real turn(const BasicFlankShares<Real>& of) const {
+    return of.along * flanks_[1].tangential + of.higher * flanks_[2].tangential;
+  }
+  /// Closing of a flank by the nominal wave.
+  [[nodiscard]] Real of_nominal_wave(const BasicFlankShares<Real>& of, double theta,
+                                     const Real& amplitude) const {
+    return of.outward * strainwave::of_nominal_wave(flanks_[0], theta, amplitude) +
+           of.along * strainwave::of_nominal_wave(flanks_[1], theta, amplitude) +
+           of.higher * strainwave::of_nominal_wave(flanks_[2], theta, amplitude);
+  }
 
   [[nodiscard]] int at(int n) const { return 4 * n - 3; }  // a_n, b_n, c_n, d_n of the ring
   [[nodiscard]] int spline_at(int n) const { return 1 + 4 * N_ + 2 * (n - 2); }  // a_n, b_n
   [[nodiscard]] int coefficients() const { return 1 + 4 * N_ + (has_spline_ ? 2 * (N_ - 1) : 0); }
 
   /// Generalised forces of contact forces, by the transposed operation with opposite sign.
-  [[nodiscard]] Vector load_of(const ForceWaves& forces) const {
+  [[nodiscard]] Vector load_of(const BasicForceWaves<Real>& forces) const {
     Vector load = Vector::Constant(coefficients(), Real(0.0));
-    const auto all = directions();
-    for (std::size_t group = 0; group < 3; ++group) {
-      const auto& d = all[group];
-      const Eigen::VectorXd& even = forces.even[group];
-      const Eigen::VectorXd& odd = forces.odd[group];
+    for (std::size_t group = 0; group < 4; ++group) {
+      const auto& d = group == 0 ? ball_ : flanks_[group - 1];
+      const Vector& even = forces.even[group];
+      const Vector& odd = forces.odd[group];
       load[0] -= d.radial * even[0];
       for (int n = 1; n <= N_; ++n) {
         const int i = at(n);
@@ -292,7 +302,7 @@ class RingModel {
   Real ring_radius_{};
   Real spline_radius_{};
   BasicContactDirection<Real> ball_;
-  BasicContactDirection<Real> drive_flank_;
+  std::array<BasicContactDirection<Real>, 3> flanks_;
   std::vector<Mode> modes_;  // 0 to N
   std::vector<Softening> softenings_;
 };

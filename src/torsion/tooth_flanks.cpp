@@ -7,33 +7,15 @@
 #include <type_traits>
 #include <utility>
 
+#include "angles.hpp"
+#include "half_path.hpp"
+
 namespace strainwave {
 namespace {
 
 using std::numbers::pi;
 
 constexpr double kSeat = pi / 6;  // flanks are seated on the teeth up to this angle from a lobe
-
-/// The angle whose sine and cosine are in the ratio of two numbers, in all four quadrants.
-template <class Real>
-Real angle_of(const Real& y, const Real& x) {
-  const double at_x = value_of(x);
-  const double at_y = value_of(y);
-  // The second term is zero; it carries the derivatives.
-  return Real(std::atan2(at_y, at_x)) + (at_x * y - at_y * x) / (at_x * at_x + at_y * at_y);
-}
-
-template <class Real>
-Real arc_cosine(const Real& x) {
-  using std::sqrt;
-  return angle_of(Real(sqrt(1 - x * x)), x);
-}
-
-template <class Real>
-Real length_of(const Real& x, const Real& y) {
-  using std::sqrt;
-  return sqrt(x * x + y * y);
-}
 
 template <class Real>
 const Real& least(const Real& a, const Real& b) {
@@ -66,14 +48,13 @@ Real roll(const Real& distance, const Real& base) {
 }  // namespace
 
 template <class Real>
-BasicToothGap<Real>::BasicToothGap(const BasicTeeth<Real>& teeth, const Real& cone,
-                                   const Real& face_width)
-    : teeth_(teeth), cone_(cone), face_width_(face_width) {
+BasicToothMotion<Real>::BasicToothMotion(const BasicTeeth<Real>& teeth)
+    : ring_radius_(teeth.ring_radius), wave_(teeth.wave), teeth_(teeth.teeth) {
   // (TC-29): the centre line keeps its length; ds/dphi = R + sum a_n cos(2 n phi).
   constexpr int kSamples = 32;
   constexpr int kSteps = 4;
-  const Real& R = teeth.ring_radius;
-  const Real& w0 = teeth.wave;
+  const Real& R = ring_radius_;
+  const Real& w0 = wave_;
   mean_radius_ = R - w0 * w0 / R;
   std::array<Real, kSamples> speed;
   for (int step = 0; step < kSteps; ++step) {
@@ -92,32 +73,13 @@ BasicToothGap<Real>::BasicToothGap(const BasicTeeth<Real>& teeth, const Real& co
       a += 2 * speed[static_cast<std::size_t>(i)] * std::cos(2 * n * pi * i / kSamples) / kSamples;
     series_[static_cast<std::size_t>(n - 1)] = a;
   }
-  double low = 0.0;
-  double high = pi / 2;
-  while (high - low > 1e-12) {
-    const double t = (low + high) / 2;
-    (engaged(t) ? low : high) = t;
-  }
-  end_ = low;
-  // At the seat the gap is least, so its derivative by the angle is zero, and the angle may be that
-  // of the values alone.
-  if constexpr (std::is_same_v<Real, double>)
-    seat_ = find_seat();
-  else
-    seat_ = BasicToothGap<double>(values_of(teeth), value_of(cone), value_of(face_width)).seat();
-  play_ = slope(seat_) * face_width_ / 2 - mid_gap(seat_, Real(0.0));
-  if (teeth.tips == ToothTips::relieved) {
-    const double widest = find_widest();
-    relief_ = value_of(mid_gap(widest, play_) - mid_gap(end_, play_));
-    end_ = widest;
-  }
 }
 
 template <class Real>
-typename BasicToothGap<Real>::Pose BasicToothGap<Real>::pose(double t) const {
-  using std::atan, std::cos, std::sin;
-  const Real& R = teeth_.ring_radius;
-  const Real& w0 = teeth_.wave;
+typename BasicToothMotion<Real>::Section BasicToothMotion<Real>::section(double t) const {
+  using std::cos, std::sin;
+  const Real& R = ring_radius_;
+  const Real& w0 = wave_;
   constexpr int kSteps = 3;  // of Newton's method; the start errs by (w_0/R)^2
   Real phi = t - w0 / (2 * R) * std::sin(2 * t);
   Real r;
@@ -137,23 +99,92 @@ typename BasicToothGap<Real>::Pose BasicToothGap<Real>::pose(double t) const {
     }
     phi -= (length - R * t) / length_of(r, slope);
   }
-  const Real from_space = phi - t * teeth_.teeth / (teeth_.teeth + 2);  // (TC-28)
-  return {.across = r * sin(from_space),
-          .outward = r * cos(from_space),
-          .turn = from_space - atan(slope / r)};
+  return {.angle = phi, .radius = r, .slope = slope};
+}
+
+template <class Real>
+typename BasicToothMotion<Real>::Pose BasicToothMotion<Real>::pose_of(double t,
+                                                                      const Section& at) const {
+  using std::atan, std::cos, std::sin;
+  const Real from_space = at.angle - t * teeth_ / (teeth_ + 2);  // (TC-28)
+  return {.across = at.radius * sin(from_space),
+          .outward = at.radius * cos(from_space),
+          .turn = from_space - atan(at.slope / at.radius)};
+}
+
+template <class Real>
+typename BasicToothMotion<Real>::Moving BasicToothMotion<Real>::moving(double t) const {
+  using std::cos, std::sin;
+  const Section section = this->section(t);
+  const Real& r = section.radius;
+  const Real& slope = section.slope;
+  const Real square = r * r + slope * slope;
+  const Real faster = ring_radius_ / length_of(r, slope);  // dphi/dt
+  const double space = static_cast<double>(teeth_) / (teeth_ + 2);
+  const Real from_space = section.angle - t * space;
+  const Real turns = faster - space;
+  const Real grows = slope * faster;
+  const Real bend = -4 * wave_ * cos(2 * section.angle);  // of r by phi, second derivative
+  return {.at = pose_of(t, section),
+          .rate = {.across = grows * sin(from_space) + r * turns * cos(from_space),
+                   .outward = grows * cos(from_space) - r * turns * sin(from_space),
+                   .turn = turns - faster * (bend * r - slope * slope) / square}};
+}
+
+template class BasicToothMotion<double>;
+template class BasicToothMotion<DualReal>;
+
+template <class Real>
+BasicToothGap<Real>::BasicToothGap(const BasicTeeth<Real>& teeth, const Real& cone,
+                                   const Real& face_width)
+    : teeth_(teeth), cone_(cone), face_width_(face_width), motion_(teeth) {
+  double low = 0.0;
+  double high = pi / 2;
+  while (high - low > 1e-12) {
+    const double t = (low + high) / 2;
+    (engaged(t) ? low : high) = t;
+  }
+  end_ = low;
+  const bool half_path = teeth.profile == ToothProfile::half_path;
+  // At the seat the gap is least, so its derivative by the angle is zero, and the angle may be that
+  // of the values alone.
+  if constexpr (std::is_same_v<Real, double>) {
+    if (half_path)
+      half_path_ = std::make_shared<const BasicHalfPath<Real>>(
+          teeth, motion_, std::make_shared<const HalfPathWall>(teeth, motion_, end_));
+    seat_ = find_seat();
+  } else {
+    const BasicToothGap<double> values(values_of(teeth), value_of(cone), value_of(face_width));
+    if (half_path)
+      half_path_ =
+          std::make_shared<const BasicHalfPath<Real>>(teeth, motion_, values.half_path_->wall());
+    seat_ = values.seat();
+  }
+  play_ = slope(seat_) * face_width_ / 2 - mid_gap(seat_, Real(0.0));
+  if (teeth.tips == ToothTips::relieved && !half_path) {
+    const double widest = find_widest();
+    relief_ = value_of(mid_gap(widest, play_) - mid_gap(end_, play_));
+    end_ = widest;
+  }
 }
 
 template <class Real>
 Real BasicToothGap<Real>::pitch_height() const {
-  return mean_radius_ + teeth_.wave + teeth_.pitch_offset;
+  return motion_.mean_radius() + teeth_.wave + teeth_.pitch_offset;
+}
+
+template <class Real>
+Real BasicToothGap<Real>::tip_thickness() const {
+  using std::tan;
+  if (teeth_.profile == ToothProfile::half_path) return 2 * half_path_flank(teeth_).tip().across;
+  return teeth_.thickness - 2 * teeth_.addendum * tan(teeth_.flank_angle);
 }
 
 template <class Real>
 bool BasicToothGap<Real>::engaged(double t) const {
-  using std::cos, std::sin, std::tan;
-  const Pose at = pose(t);
-  const Real tip_thickness = teeth_.thickness - 2 * teeth_.addendum * tan(teeth_.flank_angle);
-  return at.outward - tip_thickness / 2 * sin(at.turn) +
+  using std::cos, std::sin;
+  const Pose at = motion_.pose(t);
+  return at.outward - tip_thickness() / 2 * sin(at.turn) +
              (teeth_.pitch_offset + teeth_.addendum) * cos(at.turn) >=
          pitch_height() - teeth_.spline_addendum;  // (TC-29)
 }
@@ -222,23 +253,43 @@ Real BasicToothGap<Real>::involute_gap(const Pose& at, const Real& play) const {
 
 template <class Real>
 Real BasicToothGap<Real>::mid_gap(double t, const Real& play) const {
-  const Pose at = pose(t);
+  if (half_path_) return half_path_->at(t).distance + play;
+  const Pose at = motion_.pose(t);
   return teeth_.profile == ToothProfile::straight ? straight_gap(at, play) : involute_gap(at, play);
 }
 
 template <class Real>
-Real BasicToothGap<Real>::slope(double t) const {
-  using std::abs, std::cos, std::sin;
-  const Real& alpha = teeth_.flank_angle;
-  const Real lever = 3 * (teeth_.pitch_offset + teeth_.addendum) / teeth_.ring_radius;
-  return cone_ * abs(sin(alpha) * std::cos(2 * t) -
-                     (1 - lever) / 2 * std::sin(2 * t) * cos(alpha));  // (TC-29)
+BasicFlankContact<Real> BasicToothGap<Real>::contact(double t) const {
+  if (half_path_) return half_path_->at(t).contact;
+  return {.angle = teeth_.flank_angle, .height = Real(0.0)};
 }
 
 template <class Real>
-Real BasicToothGap<Real>::gap(double t) const {
-  const Real at_end = mid_gap(t, play_) - slope(t) * face_width_ / 2;
-  return at_end > 0 ? at_end : Real(0.0);
+Real BasicToothGap<Real>::slope(double t, const Contact& contact) const {
+  using std::abs, std::cos, std::sin;
+  const Real& beta = contact.angle;
+  // The tip touches the drive flank, except on half paths.
+  const Real& height = half_path_ ? contact.height : teeth_.addendum;
+  const Real lever = 3 * (teeth_.pitch_offset + height) / teeth_.ring_radius;
+  return cone_ * abs(sin(beta) * std::cos(2 * t) -
+                     (1 - lever) / 2 * std::sin(2 * t) * cos(beta));  // (TC-29)
+}
+
+template <class Real>
+BasicToothFlank<Real> BasicToothGap<Real>::flank(double t) const {
+  Contact at{};
+  Real middle{};
+  if (half_path_) {
+    const auto flanks = half_path_->at(t);
+    at = flanks.contact;
+    middle = flanks.distance + play_;
+  } else {
+    at = contact(t);
+    middle = mid_gap(t, play_);
+  }
+  const Real s = slope(t, at);
+  const Real at_end = middle - s * face_width_ / 2;
+  return {.gap = at_end > 0 ? at_end : Real(0.0), .slope = s, .contact = at};
 }
 
 template <class Real>
@@ -255,6 +306,7 @@ double BasicToothGap<Real>::crossing() const {
 
 template <class Real>
 double BasicToothGap<Real>::find_seat() const {
+  if (half_path_) return 0.0;  // (TC-29): their slope along the face is largest there
   const auto height = [&](double t) {
     return value_of(mid_gap(t, Real(0.0)) - slope(t) * face_width_ / 2);
   };
@@ -324,6 +376,19 @@ double BasicToothGap<Real>::find_widest() const {
 
 template class BasicToothGap<double>;
 template class BasicToothGap<DualReal>;
+
+template <class Real>
+Real half_path_angle(const Real& addendum, const Real& wave, const Real& module) {
+  using std::atan;
+  const BasicHalfPathFlank<Real> flank{.half = Real(0.0),
+                                       .offset = Real(0.0),
+                                       .wave = wave,
+                                       .stretch = module / wave,
+                                       .addendum = addendum};
+  return atan(-flank.tip().across / addendum);  // (TC-29)
+}
+template double half_path_angle(const double&, const double&, const double&);
+template DualReal half_path_angle(const DualReal&, const DualReal&, const DualReal&);
 
 template <class Real>
 Real BasicToothOnWall<Real>::root_width() const {

@@ -148,7 +148,7 @@ BasicToothNeighbours<Real>::BasicToothNeighbours(const BasicToothOnWall<Real>& t
                                                  const BasicElasticConstants<Real>& steel,
                                                  const Real& face_width, int pitches)
     : pitches_(pitches) {
-  using std::cos, std::sin, std::tan;
+  using std::tan;
   const Real root = tooth.root_width() / tooth.wall;
   const Real lever = (tooth.dedendum - tooth.thickness * tan(tooth.flank_angle) / 2) / tooth.wall;
   const Real pitch = pi * tooth.module / tooth.wall;
@@ -176,8 +176,6 @@ BasicToothNeighbours<Real>::BasicToothNeighbours(const BasicToothOnWall<Real>& t
     radial_constant += at.weight * at.fading / K;
   }
   const Real layer = 2 * (1 - steel.nu * steel.nu) / (pi * steel.E * face_width);
-  const Real c = cos(tooth.flank_angle);
-  const Real s = sin(tooth.flank_angle);
   const Real shift = pitch - value_of(pitch);  // zero; it carries the derivatives
   const int count =
       std::min(pitches / 2, static_cast<int>(std::floor(kReach / value_of(pitch)))) + 1;
@@ -206,23 +204,23 @@ BasicToothNeighbours<Real>::BasicToothNeighbours(const BasicToothOnWall<Real>& t
     const Real radial = plane.even + radial_constant + of_radial.sum(cosine, cosine_slope, shift);
     const Real mixed = pi / 4 - slant * plane.mixed + of_mixed.sum(sine, sine_slope, shift);
     const auto k = static_cast<std::size_t>(n);
-    tangential_[k] = layer * c * c * tangential;  // (TC-31)
-    radial_[k] = layer * s * s * radial;
-    mixed_[k] = 2 * layer * s * c * mixed;
+    tangential_[k] = layer * tangential;  // (TC-31)
+    radial_[k] = layer * radial;
+    mixed_[k] = layer * mixed;
   }
 }
 
 template <class Real>
-Real BasicToothNeighbours<Real>::between(FlankPlace of, FlankPlace by) const {
+BasicNeighbourMotion<Real> BasicToothNeighbours<Real>::between(FlankPlace of, FlankPlace by) const {
   // The flanks of a tooth press the teeth half a pitch beside it.
   int steps = of.tooth - by.tooth + (of.side - by.side) / 2;
   if (2 * steps > pitches_) steps -= pitches_;
   if (2 * steps < -pitches_) steps += pitches_;
   const auto apart = static_cast<std::size_t>(std::abs(steps));
-  if (apart >= radial_.size()) return Real(0.0);
-  if (of.side == by.side) return tangential_[apart] + radial_[apart];
-  const double ahead = steps > 0 ? of.side : -of.side;
-  return radial_[apart] - tangential_[apart] - ahead * mixed_[apart];
+  if (apart >= radial_.size()) return {};
+  return {.outward = radial_[apart],
+          .along = tangential_[apart],
+          .mixed = steps > 0 ? mixed_[apart] : Real(-mixed_[apart])};
 }
 
 template class BasicToothNeighbours<double>;

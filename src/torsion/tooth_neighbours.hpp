@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "flank_shares.hpp"
 #include "strainwave/core/dual.hpp"
 #include "strainwave/model/input/material.hpp"
 #include "strainwave/torsion/tooth_flanks.hpp"
@@ -15,6 +16,21 @@ namespace strainwave {
 struct FlankPlace {
   int tooth = 0;  ///< number of the tooth
   int side = 1;   ///< +1 for the drive flank, -1 for the coast flank
+};
+
+/// Displacements of one tooth of the circular spline under forces on another one [m/N].
+template <class Real>
+struct BasicNeighbourMotion {
+  Real outward{};  ///< outward under an outward force
+  Real along{};    ///< along the pitch circle under a force along it
+  Real mixed{};    ///< outward under a force along the pitch circle
+
+  /// Distance by which one flank opens under a unit force on the other [m/N] (TC-31).
+  template <class Shares>
+  [[nodiscard]] Real opening(const Shares& of, const Shares& by) const {
+    return of.outward * by.outward * outward + of.along * by.along * along +
+           (of.outward * by.along - of.along * by.outward) * mixed;
+  }
 };
 
 /// Displacements of teeth of the circular spline under forces on other teeth.
@@ -33,16 +49,16 @@ class BasicToothNeighbours {
                        const BasicElasticConstants<Real>& steel, const Real& face_width,
                        int pitches);
 
-  /// Distance by which one flank opens under a unit force on another [m/N]; 0 if both flanks press
-  /// the same tooth of the circular spline, or if they are far from each other.
-  [[nodiscard]] Real between(FlankPlace of, FlankPlace by) const;
+  /// Motion of the tooth that one flank presses under a force on another flank; 0 if both flanks
+  /// press the same tooth of the circular spline, or if they are far from each other.
+  [[nodiscard]] BasicNeighbourMotion<Real> between(FlankPlace of, FlankPlace by) const;
 
  private:
   int pitches_ = 1;
   // by the number of pitches between two teeth; 0 at 0
-  std::vector<Real> tangential_;  // along both tangents, times cos^2
-  std::vector<Real> radial_;      // along both radii, times sin^2
-  std::vector<Real> mixed_;       // radial under a tangential force, times sin cos
+  std::vector<Real> tangential_;  // along both tangents
+  std::vector<Real> radial_;      // along both radii
+  std::vector<Real> mixed_;       // radial under a tangential force
 };
 using ToothNeighbours = BasicToothNeighbours<double>;
 

@@ -168,17 +168,19 @@ TEST(CoupledSensitivity, IdentityMirroredRaceCracksExchangeTheSenses) {
 /// The same drive with teeth as drawn.
 GearSet drawn(GearSet gear, ToothProfile profile, ToothTips tips = ToothTips::full) {
   const double module = gear.drive.pitch_diameter / (2 * gear.drive.ratio);
-  gear.mesh->tooth = ToothShape{.profile = profile,
-                                .addendum = 0.6 * module,
-                                .spline_addendum = 0.55 * module,
-                                .thickness = 1.5 * module,
-                                .tips = tips};
+  gear.mesh->tooth =
+      ToothShape{.profile = profile,
+                 .addendum = (profile == ToothProfile::half_path ? 0.5 : 0.6) * module,
+                 .spline_addendum = 0.55 * module,
+                 .thickness = 1.5 * module,
+                 .tips = tips};
   return gear;
 }
 
 TEST(CoupledSensitivity, CrosscheckDifferencesWithDrawnTeeth) {
   // Tolerance 1e-6: the rounding of the seat's angle (TC-29) moves the differences by 3e-7.
-  for (const ToothProfile profile : {ToothProfile::straight, ToothProfile::involute}) {
+  for (const ToothProfile profile :
+       {ToothProfile::straight, ToothProfile::involute, ToothProfile::half_path}) {
     GearSet gear = inside(drawn(example_drive("cracked_size25"), profile));
     gear.wave_generator->bearing->clearance = 3e-6;  // no contact opens within the steps
     expect_differences(gear, kStep, 1e-6);
@@ -202,7 +204,8 @@ TEST(CoupledSensitivity, IdentityDimensionsHold) {
        {example_drive("catalogue_size25"), example_drive("cracked_size25"), convention,
         drawn(example_drive("cracked_size25"), ToothProfile::straight),
         drawn(example_drive("cracked_size25"), ToothProfile::straight, ToothTips::relieved),
-        drawn(example_drive("catalogue_size25"), ToothProfile::involute)}) {
+        drawn(example_drive("catalogue_size25"), ToothProfile::involute),
+        drawn(example_drive("catalogue_size25"), ToothProfile::half_path)}) {
     const Sensitivity s = sensitivity_of(gear);
     EXPECT_TRUE(s.usable()) << s.unusable_because;
     EXPECT_LT(s.homogeneity_residual(), 1e-10);

@@ -63,6 +63,8 @@ Deviations wavy() {
   return of;
 }
 
+void half_path(GearSet& g) { test::draw_teeth(g, ToothProfile::half_path); }
+
 const std::map<std::string, Case>& cases() {
   static const std::map<std::string, Case> all = {
       {"sound", {}},
@@ -81,6 +83,8 @@ const std::map<std::string, Case>& cases() {
               g.mesh->coning = 0.5;
             },
         .warping = true}},
+      {"half_path_teeth", {.change = half_path, .warping = true}},
+      {"half_path_teeth_reversed", {.change = half_path, .warping = true}},
       {"tooth", {.change = [](GearSet& g) { test::crack_tooth(g, 0, 0.5); }}},
       {"tooth_reversed", {.change = [](GearSet& g) { test::crack_tooth(g, 0, 0.5); }}},
       {"rim_hinge_sound_cam", {.change = [](GearSet& g) { test::crack_rim(g); }}},

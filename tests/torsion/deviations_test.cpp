@@ -289,6 +289,29 @@ TEST(Deviations, IdentityOfPairing) {
   }
 }
 
+// Half-path flanks have angles of their own.  The gap of the pairing is that of the angle 0, so no
+// flank is closer than without deviations whatever its angle is, and a thicker tooth closes each
+// flank by half of its deviation times the cosine of its own angle.
+TEST(Deviations, IdentityOfFlanksWithTheirOwnAngles) {
+  GearSet gear = gear_25();
+  test::draw_teeth(gear, ToothProfile::half_path);
+  const Deviations drawn = draw_deviations(gear, 5, 2);
+  EXPECT_EQ(drawn.pairing_gap, pairing_gap(drawn, 0.0));
+  const AssembledDrive drive(gear);
+  Deviations thick;
+  thick.flexspline.resize(200);
+  for (ToothDeviation& tooth : thick.flexspline) tooth.thickness = -2 * kMicron;
+  Deviations gap;
+  gap.pairing_gap = kMicron;  // the same, if all flanks had the angle 0
+  const auto K2 = [&](const Deviations& of) {
+    return makers_lines(drive.with_deviations(of), +1).K2;
+  };
+  const double thinner = K2(thick);
+  const double apart = K2(gap);
+  EXPECT_GT(std::abs(thinner / apart - 1), 1e-6);
+  EXPECT_LT(std::abs(thinner / apart - 1), 1e-2);
+}
+
 // After one tooth, the next tooth and the next space stand at each place.  After a turn of the wave
 // generator the circular spline is as before, and the flexspline has moved on by two teeth.
 TEST(Deviations, IdentityOfMotion) {

@@ -7,8 +7,10 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <string>
 
+#include "coupled_drive.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/torsion/hysteresis.hpp"
@@ -106,6 +108,43 @@ TEST(Friction, ReferenceTheFirstOrderAgainstTheWholeProblem) {
     ++compared;
   }
   EXPECT_GT(compared, 15);
+}
+
+TEST(Friction, IdentityHalfPathFlanksSlideAlongThemselves) {
+  // (TC-16) from the motion of the ring itself, whose shape at two torques close to each other
+  // gives ds/dT: each flank slides along its own direction, at its own height (TC-33).  Tolerance
+  // 1e-4: the difference of two states, and the slope of the wall by a difference along the ring.
+  GearSet gear = with_friction(test::typical_drive(25, 100));
+  test::draw_teeth(gear, ToothProfile::half_path);
+  gear.circular_spline->support = 0.0;  // only the ring moves
+  const double torque = 30.0;
+  const double step = 1e-3;
+  const CoupledGeometry g = coupled_geometry(gear, {});
+  CoupledDrive drive(gear, g, {});
+  ASSERT_TRUE(drive.assemble());
+  const Equilibrium before = drive.solve(torque - step, drive.assembled());
+  const Equilibrium after = drive.solve(torque + step, before);
+  const Equilibrium at = drive.solve(torque, before);
+  const Eigen::VectorXd x =
+      drive.coefficients_of(after.force) - drive.coefficients_of(before.force);
+  const double turned = after.rotation - before.rotation;
+  double sum = 0.0;
+  for (int i = drive.balls(); i < drive.contacts(); ++i) {
+    if (!(at.force[i] > 0)) continue;
+    const double theta = drive.position_of(i);
+    const int side = drive.side_of(i);
+    const auto contact = g.tooth->contact(side * std::remainder(theta, std::numbers::pi));
+    const double higher = (g.pitch_radius + contact.height) / g.ring_radius - 1;
+    constexpr double kAlong = 1e-5;
+    const ElasticRings& rings = drive.rings();
+    const double leans =
+        (rings.radial(x, theta + kAlong) - rings.radial(x, theta - kAlong)) / (2 * kAlong);
+    const double along = (rings.tangential(x, theta) + turned) * (1 + higher) - leans * higher;
+    const double slips =
+        std::cos(contact.angle) * rings.radial(x, theta) - side * std::sin(contact.angle) * along;
+    sum += at.force[i] * std::abs(slips / (2 * step));
+  }
+  test::expect_relative(width(gear, torque).flanks, 2 * kMu * sum, 1e-4);
 }
 
 TEST(Friction, LimitWithoutFrictionNothingIsLost) {

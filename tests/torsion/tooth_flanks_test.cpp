@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <string>
 #include <utility>
 
+#include "half_path.hpp"
 #include "strainwave/core/units.hpp"
 #include "support/expect.hpp"
 #include "support/reference_csv.hpp"
@@ -22,9 +24,11 @@ using std::numbers::pi;
 
 /// The teeth of a row of tests/data/tooth_gap.csv.
 BasicTeeth<double> teeth_of(const test::CsvRow& row) {
-  return {.profile = row.quantity.starts_with("straight") ? ToothProfile::straight
-                                                          : ToothProfile::involute,
-          .flank_angle = row("flank_angle"),
+  const bool half_path = row.quantity.starts_with("half_path");
+  return {.profile = half_path                              ? ToothProfile::half_path
+                     : row.quantity.starts_with("straight") ? ToothProfile::straight
+                                                            : ToothProfile::involute,
+          .flank_angle = half_path ? 0.0 : row("flank_angle"),
           .addendum = row("flexspline_addendum"),
           .spline_addendum = row("spline_addendum"),
           .thickness = row("thickness"),
@@ -84,6 +88,173 @@ TEST(ToothGap, CrosscheckPointsOnTheFlanks) {
   EXPECT_GE(gaps, 240);
   EXPECT_GE(seats, 10);
   EXPECT_GE(ends, 10);
+}
+
+TEST(HalfPath, CrosscheckPointsOnTheFlanks) {
+  // tools/reference/tooth_gap.py: the wall is the outline of all positions of 4001 points of the
+  // tooth, gaps are distances of points from chords, contacts come from the velocities of points.
+  // Tolerances: 1e-9 m of gaps and heights, 1e-6 rad of angles, as the chapter states: chords, and
+  // differences along the flank, which give 4e-8 rad.  A wave of 1.15 modules is beyond the rule of
+  // the program; its contacts on the drive side agree, too.
+  std::map<std::string, int> seen;
+  for (const test::CsvRow& row : test::read_reference_csv("tooth_gap")) {
+    if (!row.quantity.starts_with("half_path.")) continue;
+    const std::string what = row.quantity.substr(row.quantity.find('.') + 1);
+    const ToothGap gap(teeth_of(row), 0.0, 1e-2);
+    const std::string where = std::to_string(row("ratio")) + " " +
+                              std::to_string(what.ends_with("end") ? 0 : row("angle"));
+    if (what == "drive_end") {
+      EXPECT_NEAR(gap.end(), row.value, 1e-7) << where;
+    } else if (what == "gap") {
+      if (row("wave") > 1.05 * row("module") && row("angle") < 0) continue;
+      EXPECT_NEAR(gap.mid_gap(row("angle")), row.value, 1e-9) << where;
+    } else if (what == "contact_height" && row("angle") > 0) {
+      EXPECT_NEAR(gap.contact(row("angle")).height, row.value, 1e-9) << where;
+    } else if (what == "contact_angle") {
+      EXPECT_NEAR(gap.contact(row("angle")).angle, row.value, 1e-6) << where;
+    } else {
+      continue;
+    }
+    ++seen[what];
+  }
+  EXPECT_GE(seen["drive_end"], 6);
+  EXPECT_GE(seen["gap"], 100);
+  EXPECT_GE(seen["contact_height"], 55);
+  EXPECT_GE(seen["contact_angle"], 55);
+}
+
+TEST(HalfPath, LimitARackTouchesAtHalfItsPath) {
+  // With many teeth and the pitch height on the centre line the space is that of a rack.  The point
+  // of contact then stands half as high above the pitch height of the tooth as the tooth has gone
+  // down, w_0 (1 - cos 2t)/2, and the normal has the angle tan(beta) = tan(t)/2 of the path.
+  // Tolerance: terms of w_0/R, 1e-4 at ratio 5000, times 3 and over 1 - cos 2t.
+  BasicTeeth<double> teeth = typical_teeth(5000, ToothProfile::half_path);
+  teeth.pitch_offset = 0.0;
+  teeth.ring_radius = teeth.teeth * teeth.wave / 2;
+  const ToothGap gap(teeth, 0.0, 1e-2);
+  for (const double degrees : {15.0, 30.0, 50.0}) {
+    const double t = degrees * units::deg;
+    const auto [angle, height] = gap.contact(t);
+    const double down = teeth.wave * (1 - std::cos(2 * t));
+    EXPECT_NEAR(height, down / 2, 5e-3 * down) << degrees;
+    EXPECT_NEAR(std::tan(angle), std::tan(t) / 2, 5e-3) << degrees;
+  }
+}
+
+TEST(HalfPath, IdentityTheTipLeadsBesideTheLobe) {
+  // Definition (TC-29): where the edge of the tip touches, the force has the direction of the flank
+  // at the tip.  It joins the contact of the flank without a jump, and the gap along the face is
+  // largest at the lobe, where the flanks are seated.  Tolerance of the jump: 0.001 degrees times
+  // its rate, which is steep, as a root, where the contact leaves the tip.
+  for (const double ratio : {30.0, 100.0, 160.0}) {
+    const BasicTeeth<double> teeth = typical_teeth(ratio, ToothProfile::half_path);
+    const ToothGap gap(teeth, 0.014, 9e-3);
+    EXPECT_EQ(gap.seat(), 0.0);
+    EXPECT_EQ(gap.gap(0.0), 0.0);
+    EXPECT_EQ(gap.contact(0.0).height, teeth.addendum);
+    double before = gap.contact(0.0).angle;
+    for (int i = 1; i <= 53000; i += 1) {
+      const double t = i * 1e-3 * units::deg;
+      const double angle = gap.contact(t).angle;
+      ASSERT_NEAR(angle, before, 5e-4) << ratio << " " << i;
+      before = angle;
+      if (i <= 30000 && i % 1000 == 0) {
+        EXPECT_LE(gap.slope(t), gap.slope(0.0)) << ratio << " " << i;
+      }
+    }
+  }
+}
+
+TEST(HalfPath, ReferenceTheGapGrowsAlongTheFaceWithTheWave) {
+  // Direct geometry: in a section with a larger wave the point of contact moves along the common
+  // normal by the slope of (TC-29), within 3 % of its value at the lobe, as for straight flanks.
+  for (const double ratio : {50.0, 100.0}) {
+    BasicTeeth<double> teeth = typical_teeth(ratio, ToothProfile::half_path);
+    const double cone = 0.0145;
+    const ToothGap gap(teeth, cone, 1e-2);
+    const double w0 = teeth.wave;
+    for (const double degrees : {5.0, 10.0, 20.0, 30.0, 40.0, 50.0}) {
+      const double t = degrees * units::deg;
+      const auto [angle, height] = gap.contact(t);
+      const BasicHalfPathFlank<double> flank = half_path_flank(teeth);
+      const auto point = flank.point(std::acos(1 - 2 * height / w0));
+      const auto along_normal = [&](double by) {
+        BasicTeeth<double> section = teeth;
+        section.wave = w0 * (1 + by);
+        const auto at = placed(BasicToothMotion<double>(section).pose(t), point);
+        return at.across * std::cos(angle) + at.outward * std::sin(angle);
+      };
+      const double moved = (along_normal(0.02) - along_normal(-0.02)) / (0.04 * w0);
+      const double lobe = gap.slope(0.0) / cone;
+      EXPECT_NEAR(std::abs(moved), gap.slope(t) / cone, 0.03 * lobe) << ratio << " " << degrees;
+    }
+  }
+}
+
+TEST(HalfPath, BehaviourRelievedTipsAreFullOnes) {
+  // The gap of half paths does not become smaller again, so there is nothing to relieve.
+  BasicTeeth<double> teeth = typical_teeth(100, ToothProfile::half_path);
+  const ToothGap full(teeth, 0.0, 9e-3);
+  teeth.tips = ToothTips::relieved;
+  const ToothGap relieved(teeth, 0.0, 9e-3);
+  EXPECT_EQ(relieved.end(), full.end());
+  EXPECT_EQ(relieved.relief(), 0.0);
+}
+
+TEST(HalfPath, ReferenceTheMeanAngle) {
+  // With w_0 = m and h_a = 0.65 m, cos(eta) = -0.3: across m (eta - sin eta)/4.
+  const double eta = std::acos(-0.3);
+  EXPECT_NEAR(half_path_angle(0.65, 1.0, 1.0), std::atan((eta - std::sin(eta)) / 4 / 0.65), 1e-15);
+  EXPECT_NEAR(half_path_angle(0.65, 1.0, 1.0), 19.5 * units::deg, 0.05 * units::deg);
+}
+
+TEST(HalfPath, IdentityDerivativesAreThoseOfTheContact) {
+  // Dual numbers against central differences, 1e-6 of the value over the input.  The angles lie on
+  // both sides of the lobe, where the tip and where the flank touches.
+  const BasicTeeth<double> at = typical_teeth(80, ToothProfile::half_path);
+  const std::array<double BasicTeeth<double>::*, 5> inputs = {
+      &BasicTeeth<double>::addendum, &BasicTeeth<double>::thickness,
+      &BasicTeeth<double>::ring_radius, &BasicTeeth<double>::pitch_offset,
+      &BasicTeeth<double>::wave};
+  const std::array<DualReal BasicTeeth<DualReal>::*, 5> duals = {
+      &BasicTeeth<DualReal>::addendum, &BasicTeeth<DualReal>::thickness,
+      &BasicTeeth<DualReal>::ring_radius, &BasicTeeth<DualReal>::pitch_offset,
+      &BasicTeeth<DualReal>::wave};
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    BasicTeeth<DualReal> dual{.profile = at.profile,
+                              .flank_angle = at.flank_angle,
+                              .addendum = at.addendum,
+                              .spline_addendum = at.spline_addendum,
+                              .thickness = at.thickness,
+                              .ring_radius = at.ring_radius,
+                              .pitch_offset = at.pitch_offset,
+                              .wave = at.wave,
+                              .teeth = at.teeth};
+    (dual.*duals[k]).partial[0] = 1.0;
+    const BasicToothGap<DualReal> gap(dual, DualReal(0.01), DualReal(9e-3));
+    for (const double degrees : {-25.0, -12.0, -1.0, 1.0, 5.0, 17.0, 35.0, 48.0}) {
+      const double t = degrees * units::deg;
+      const double step = 1e-6 * at.*inputs[k];
+      const auto shifted = [&](double by) {
+        BasicTeeth<double> other = at;
+        other.*inputs[k] += by;
+        const ToothGap gap_of(other, 0.01, 9e-3);
+        const auto contact = gap_of.contact(t);
+        return std::array{gap_of.mid_gap(t), gap_of.slope(t), contact.angle, contact.height};
+      };
+      const auto after = shifted(step);
+      const auto before = shifted(-step);
+      const auto contact = gap.contact(t);
+      const std::array found = {gap.mid_gap(t), gap.slope(t), contact.angle, contact.height};
+      const std::array scale = {at.wave, 0.01, 1.0, at.wave};
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        const double expected = (after[i] - before[i]) / (2 * step);
+        EXPECT_NEAR(found[i].partial[0], expected,
+                    1e-6 * (std::abs(expected) + scale[i] / at.*inputs[k]))
+            << k << " " << degrees << " " << i;
+      }
+    }
+  }
 }
 
 TEST(ToothGap, LimitSmallTeethFollowTheFirstOrder) {

@@ -18,11 +18,13 @@
 #include <utility>
 #include <vector>
 
+#include "coupled_geometry.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
 #include "strainwave/sif/member/ring_edge.hpp"
 #include "strainwave/stiffness/elastic_members.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/torsion/friction.hpp"
 #include "support/article_gear.hpp"
 #include "support/expect.hpp"
 #include "support/reference_csv.hpp"
@@ -799,8 +801,86 @@ TEST(TorsionCurve, BehaviourNotes) {
               g.mesh->tooth->tips = ToothTips::relieved;
             }),
             Codes{"torsion.relieved_tips"});
+  const auto half_path = [&](GearSet& g) {
+    draw(g, 25 * deg);
+    g.mesh->tooth->profile = ToothProfile::half_path;
+  };
+  EXPECT_EQ(codes(half_path), Codes{"torsion.half_path"});
+  EXPECT_EQ(
+      codes([&](GearSet& g) {
+        half_path(g);  // with low tips, whose slope along the face is smaller than that at the end
+        const double module = g.drive.pitch_diameter / (2 * g.drive.ratio);
+        g.mesh->coning = 1.0;
+        g.mesh->tooth->addendum = 0.47 * module;
+        g.mesh->tooth->spline_addendum = 0.8 * module;
+      }),
+      (Codes{"torsion.half_path", "torsion.tips"}));
   // A contact crack is inside this model: so the note of the series model on it must not appear.
   EXPECT_EQ(codes([](GearSet& g) { test::crack_rim(g); }), Codes{});
+}
+
+TEST(TorsionCurve, InputRulesOfHalfPathFlanks) {
+  const auto refusal = [](const auto& change) {
+    GearSet gear = typical_drive();
+    test::draw_teeth(gear, ToothProfile::half_path);
+    change(gear, gear.drive.pitch_diameter / (2 * gear.drive.ratio));
+    try {
+      (void)torsion_curve(gear, {{5.0}});
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal([](GearSet&, double) {}), "");
+  // The flank angle of the file has no effect, so it has no rule either.
+  EXPECT_EQ(refusal([](GearSet& g, double) { g.mesh->flank_angle = 40 * deg; }), "");
+  for (const double waves : {0.94, 1.06})
+    EXPECT_NE(refusal([&](GearSet& g, double m) {
+                g.drive.radial_displacement = waves * m;
+              }).find("between 0.95 and 1.05 modules"),
+              std::string::npos);
+  EXPECT_NE(refusal([](GearSet& g, double m) {
+              g.mesh->tooth->addendum = 0.7 * m;
+            }).find("at most spline_addendum"),
+            std::string::npos);
+  EXPECT_NE(refusal([](GearSet& g, double m) {
+              g.mesh->tooth->addendum = 0.45 * m;
+            }).find("mean angle of the half-path flank between 15 and 30 deg"),
+            std::string::npos);
+  // The least angle of the flanks is about 11 degrees.
+  GearSet locking = typical_drive();
+  test::draw_teeth(locking, ToothProfile::half_path);
+  locking.mesh->friction_coefficient = 0.15;
+  EXPECT_NO_THROW((void)sliding_curve(AssembledDrive(locking), {{1.0}}));
+  locking.mesh->friction_coefficient = 0.25;
+  EXPECT_THROW((void)sliding_curve(AssembledDrive(locking), {{1.0}}), InputError);
+}
+
+TEST(TorsionCurve, IdentityHalfPathFlanks) {
+  // A sound drive is the same in both senses of the torque, and its stiffness does not depend on
+  // the flank angle of the file, which its flanks do not use.  Each flank presses in its own
+  // direction: the moments of all forces about the axis make the torque, sum s F cos(beta) (R +
+  // e_c) (TC-6). Tolerances: 1e-9 of the solver; 1e-10 of the sum.
+  GearSet gear = typical_drive();
+  test::draw_teeth(gear, ToothProfile::half_path);
+  const MakersLines forward = makers_lines(gear, +1);
+  const MakersLines backward = makers_lines(gear, -1);
+  test::expect_relative(backward.K1, forward.K1, 1e-9);
+  test::expect_relative(backward.K2, forward.K2, 1e-9);
+  test::expect_relative(backward.K3, forward.K3, 1e-9);
+  const CoupledGeometry g = coupled_geometry(gear, {});
+  const TorsionCurve curve = torsion_curve(gear, {{48.0}});
+  double torque = 0.0;
+  for (const auto& [flanks, side] :
+       {std::pair{curve.points[0].drive_flanks, +1}, std::pair{curve.points[0].coast_flanks, -1}})
+    for (const ContactForce& flank : flanks) {
+      const auto contact =
+          g.tooth->contact(side * std::remainder(flank.position, std::numbers::pi));
+      torque += side * flank.force * std::cos(contact.angle) * (g.pitch_radius + contact.height);
+    }
+  EXPECT_NEAR(torque / 48.0, 1.0, 1e-10);
+  gear.mesh->flank_angle = 28 * deg;
+  test::expect_relative(makers_lines(gear, +1).K2, forward.K2, 1e-14);
 }
 
 TEST(TorsionCurve, InputRulesOfDrawnTeeth) {

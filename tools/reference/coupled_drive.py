@@ -23,19 +23,20 @@ force constants by Carlson's integrals; stiffness of the diaphragm's edge, and o
 over their length, by a Rayleigh-Ritz method in Legendre polynomials instead of the four powers of r
 and of power series from piece to piece; hinges and series members by quadrature; neighbouring teeth
 of the circular spline as displacements of their own, whose layer comes from the equations of plane
-elasticity by the matrix exponential, integrated over the wave number alone.
+elasticity by the matrix exponential, integrated over the wave number alone; contacts of half-path flanks from
+points on the flanks and their velocities (tooth_gap.py), which leaves them 7 digits.
 
 Units of everything: N, m, rad, Pa.  T1 = 51.7e3 Pa d^3, T2 = 187e3 Pa d^3, T3 = 1.6 T2 for pitch
 diameter d = 2.54 mm x size, except where a table gives its torques.
 
     coupled_drive.py            JSON on stdout
-    coupled_drive.py --write    and tests/data/coupled_drive*.csv; 20 s
+    coupled_drive.py --write    and tests/data/coupled_drive*.csv; a minute
     coupled_drive.py --digits   change of the twist by another start, another order of torques
 """
 import sys
 from collections import namedtuple
 from functools import cache
-from math import asin, cos, log, pi, radians, sin, sqrt, tan
+from math import asin, atan2, cos, log, pi, radians, sin, sqrt, tan
 
 import numpy as np
 from scipy.integrate import quad
@@ -79,6 +80,9 @@ def typical(size, ratio, **changes):
     assert not set(changes) - set(drive), changes
     if changes.get("tooth"):  # roots that the tips of the flexspline do not meet
         drive["spline_inner_diameter"] = d + 4.2 * m
+    if changes.get("tooth") == "half_path":  # the mean angle, for the stiffness of a pair only
+        h_a = 0.65 * m
+        drive["flank_angle"] = atan2(tooth_gap.half_path(drawn(drive)[0], h_a), h_a)
     return drive | changes
 
 
@@ -249,14 +253,64 @@ def flank_gap(t, angle, w0, factor=1.0):
     return factor * w0 * np.maximum(0, opening)
 
 
+def drawn(g):
+    """Drive and tooth as tooth_gap.py takes them."""
+    m, R, w0 = g["pitch_diameter"] / (2 * g["ratio"]), g["rim_radius"], g["radial_displacement"]
+    drive = tooth_gap.Drive(g["ratio"], m, w0, R, g["pitch_diameter"] / 2 - R)
+    if g["tooth"] == "half_path":
+        return drive, tooth_gap.HALF_PATH
+    return drive, tooth_gap.Profile(g["tooth"], g["flank_angle"], 0.65, 0.65)
+
+
+def half_path_contact(drive, profile, t):
+    """Distance of tooth and wall, angle of the common normal and height of the contact.
+
+    The point of contact comes from the velocities of the points of the tooth, the distance of the
+    opening side from points on both flanks.  Where the edge of the tip touches or is nearest, the
+    force has the direction of the tooth's flank at its tip."""
+    tip = profile.flexspline_addendum * drive.module
+    distance, at_tip = 0.0, False
+    if t < 0:
+        tooth = tooth_gap.placed(drive, t, tooth_gap.tooth_flank(drive, profile))
+        space = tooth_gap.space_flank(drive, profile)
+        pairs = [tooth_gap.to_chords(tooth, space)]
+        value, q, p = tooth_gap.to_chords(space, tooth)
+        distance, p, _ = min(pairs + [(value, p, q)], key=lambda pair: pair[0])
+        at_tip = np.hypot(*(p - tooth[-1])) < 1e-6 * drive.module
+    points = [] if at_tip else [x for x in tooth_gap.contact_points(drive, profile, abs(t))
+                                if 1e-3 * drive.module < x[0] < tip]
+    if points:
+        height, _, _, angle = points[0]
+        return distance, angle, height
+    tiny = 1e-6 * drive.module  # one-sided at the tip, of the second order
+    x = [float(tooth_gap.half_thickness(drive, profile, tip - k * tiny)) for k in range(3)]
+    slope = (3 * x[0] - 4 * x[1] + x[2]) / (2 * tiny)
+    return distance, atan2(-slope, 1) - tooth_gap.pose(drive, t)[2], tip
+
+
+def half_path_teeth(g, t):
+    """As drawn_teeth, and angle and height of each contact."""
+    drive, profile = drawn(g)
+    cone, R = coning(g), g["rim_radius"]
+
+    @cache
+    def at(x):
+        distance, angle, height = half_path_contact(drive, profile, x)
+        lever = 3 * (drive.offset + height) / R
+        slope = cone * abs(sin(angle) * cos(2 * x) - (1 - lever) / 2 * sin(2 * x) * cos(angle))
+        return distance - slope * g["face_width"] / 2, slope, angle, height
+
+    play = -at(0.0)[0]  # seated at the lobe
+    gap, slope, angle, height = np.array([at(round(float(x), 12)) for x in t]).T
+    return np.maximum(gap + play, 0.0), slope, angle, height
+
+
 def drawn_teeth(g, t):
     """Gap at the end of the face that touches first, and growth of the gap along the face, of the
     flanks at the angles t; the end of the engagement comes from the pose of a tip."""
-    m, R, w0 = g["pitch_diameter"] / (2 * g["ratio"]), g["rim_radius"], g["radial_displacement"]
-    drive = tooth_gap.Drive(g["ratio"], m, w0, R, g["pitch_diameter"] / 2 - R)
-    profile = tooth_gap.Profile(g["tooth"], g["flank_angle"], 0.65, 0.65)
+    drive, profile = drawn(g)
     b, cone = g["face_width"], coning(g)
-    lever = 3 * (drive.offset + 0.65 * m) / R
+    lever = 3 * (drive.offset + 0.65 * drive.module) / drive.radius
 
     def slope(t):
         return cone * abs(
@@ -275,9 +329,10 @@ def drawn_teeth(g, t):
 
 def drawn_end(g):
     """The angle at which the tip of the tooth is as high as the tip of the circular spline's."""
-    m, R, w0 = g["pitch_diameter"] / (2 * g["ratio"]), g["rim_radius"], g["radial_displacement"]
-    drive = tooth_gap.Drive(g["ratio"], m, w0, R, g["pitch_diameter"] / 2 - R)
-    tip = np.array([[(pi / 4 - 0.65 * tan(g["flank_angle"])) * m, drive.offset + 0.65 * m]])
+    drive, profile = drawn(g)
+    m = drive.module
+    tip = np.array([[float(tooth_gap.half_thickness(drive, profile, 0.65 * m)),
+                     drive.offset + 0.65 * m]])
 
     def above(t):
         return tooth_gap.placed(drive, t, tip)[0, 1] - tooth_gap.pitch_height(drive) + 0.65 * m
@@ -287,9 +342,7 @@ def drawn_end(g):
 
 def widest_gap(g):
     """The first angle at which the gap of a leaving drive flank is largest."""
-    m, R, w0 = g["pitch_diameter"] / (2 * g["ratio"]), g["rim_radius"], g["radial_displacement"]
-    drive = tooth_gap.Drive(g["ratio"], m, w0, R, g["pitch_diameter"] / 2 - R)
-    profile = tooth_gap.Profile(g["tooth"], g["flank_angle"], 0.65, 0.65)
+    drive, profile = drawn(g)
     return minimize_scalar(lambda t: -tooth_gap.LAWS[g["tooth"]](drive, profile, t, 0.0)[0],
                            method="bounded", bounds=(radians(25), drawn_end(g)),
                            options={"xatol": 1e-10}).x
@@ -392,7 +445,7 @@ def spline_teeth(g):
     return m, wall / m, dedendum / m
 
 
-def neighbour_compliance(g, tooth, side):
+def neighbour_compliance(g, tooth, side, angle):
     """Motion of each flank under a force on another one through the circular spline (TC-31)."""
     _, wall, dedendum = spline_teeth(g)
     alpha, z = g["flank_angle"], round(2 * g["ratio"])
@@ -403,10 +456,9 @@ def neighbour_compliance(g, tooth, side):
     apart = np.round(place[:, None] - place).astype(int)
     apart = (apart + z // 2) % z - z // 2
     n = np.minimum(abs(apart), z // 2)
-    c, s = cos(alpha), sin(alpha)
-    across = c * side
-    motion = (np.outer(across, across) * along[n] + s * s * outward[n]
-              + s * (across - across[:, None]) * np.sign(apart) * mixed[n])
+    across, up = np.cos(angle) * side, np.sin(angle)
+    motion = (np.outer(across, across) * along[n] + np.outer(up, up) * outward[n]
+              + (np.outer(up, across) - np.outer(across, up)) * np.sign(apart) * mixed[n])
     E, nu = g["youngs_modulus"], g["poissons_ratio"]
     return 2 * (1 - nu ** 2) / (pi * E * g["face_width"]) * motion
 
@@ -606,36 +658,28 @@ class Coupled:
             end = widest_gap(g) if g["tips"] else drawn_end(g)
         near = np.abs(t) <= end * (1 + 1e-12)  # a tooth at 45 degrees counts
         index, theta, t = index[near], theta[near], t[near]
-        lever = (g["pitch_diameter"] / 2 - R) / R
-        along = self.tangential(theta) * (1 + lever) - self.radial_slope(theta) * lever
-        radial = self.radial(theta)
         nominal = np.zeros(self.size)
         nominal[self.part("a")][1] = w0
         nominal[self.part("d")][1] = -w0 / 2
         self.nominal = nominal
-        offset_along, offset_radial = along @ nominal, radial @ nominal
-        if g["spline_support"]:
-            _, radius = self.spline_ring()
-            m = self.n[1:]
-            lever = (g["pitch_diameter"] / 2 - radius) / radius
-            cosine, sine = np.cos(np.outer(theta, m)), np.sin(np.outer(theta, m))
-            w_c, slope = np.hstack((cosine, sine)), np.hstack((-m * sine, m * cosine))
-            v_c = np.hstack((-sine / m, cosine / m))
-            along[:, self.ring:] = -(v_c * (1 + lever) - slope * lever)
-            radial[:, self.ring:] = -w_c
-        flank = g["flank_angle"]
-        rows, free, slopes = [], [], []
+        rows, free, slopes, angles = [], [], [], []
         cone = coning(g)
         for side in (1, -1):
-            if g["tooth"]:
+            angle, height = np.full(len(t), g["flank_angle"]), np.zeros(len(t))
+            if g["tooth"] == "half_path":
+                gap, slope, angle, height = half_path_teeth(g, side * t)
+            elif g["tooth"]:
                 gap, slope = drawn_teeth(g, side * t)
             else:
-                gap = flank_gap(side * t, flank, w0, g["gap_factor"])
-                slope = np.full(len(t), cone * sin(flank))
+                gap = flank_gap(side * t, g["flank_angle"], w0, g["gap_factor"])
+                slope = np.full(len(t), cone * sin(g["flank_angle"]))
             slopes.append(slope)
-            rows.append(side * cos(flank) * along + sin(flank) * radial)
-            free.append(side * cos(flank) * offset_along + sin(flank) * offset_radial
-                        + gap + g["lobe_gap"])
+            angles.append(angle)
+            along, radial = self.motion(theta, g["pitch_diameter"] / 2 + height)
+            across, up = side * np.cos(angle)[:, None], np.sin(angle)[:, None]
+            rows.append(across * along + up * radial)
+            on_ring = np.where(np.arange(self.size) < self.ring, rows[-1], 0)
+            free.append(on_ring @ nominal + gap + g["lobe_gap"])
             if g["deviations"]:
                 free[-1] -= wavy_flanks(g, index, theta, side)
         self.flank_rows, self.flank_free = np.vstack(rows), np.concatenate(free)
@@ -646,13 +690,31 @@ class Coupled:
         self.health = np.tile(self.health, 2)
         self.pair = pair_stiffness(g)
         self.slope = np.concatenate(slopes)
+        self.angle = np.concatenate(angles)
         self.index = index
+
+    def motion(self, theta, radius):
+        """Tangential and radial motion of points of the ring at given radii, less that of the
+        circular spline."""
+        lever = (radius / self.R - 1)[:, None]
+        along = self.tangential(theta) * (1 + lever) - self.radial_slope(theta) * lever
+        radial = self.radial(theta)
+        if self.g["spline_support"]:
+            _, spline = self.spline_ring()
+            m = self.n[1:]
+            lever = (radius / spline - 1)[:, None]
+            cosine, sine = np.cos(np.outer(theta, m)), np.sin(np.outer(theta, m))
+            w_c, slope = np.hstack((cosine, sine)), np.hstack((-m * sine, m * cosine))
+            v_c = np.hstack((-sine / m, cosine / m))
+            along[:, self.ring:] = -(v_c * (1 + lever) - slope * lever)
+            radial[:, self.ring:] = -w_c
+        return along, radial
 
     def neighbours(self):
         """A displacement of the circular spline for each flank.  The flank's own force moves it by
         `moved`, which its law gives back, so that only the forces of the others count."""
         side = np.repeat([1, -1], self.teeth)
-        C = neighbour_compliance(self.g, np.tile(self.index, 2), side)
+        C = neighbour_compliance(self.g, np.tile(self.index, 2), side, self.angle)
         self.moved = 0.6 / (self.pair * self.g["face_width"])
         self.K = block_diag(self.K, inv(C + self.moved * np.eye(len(side))))
         self.flank_rows = np.hstack((self.flank_rows, -np.eye(len(side))))
@@ -778,10 +840,9 @@ class Coupled:
 
     def middle_of_play(self, state, amplitude):
         """The same state turned to c0 = 0, or as near to it as the flanks let it."""
-        rate = self.flank_rows[0, 1]  # closing of a drive flank per c0; of a coast flank -rate
-        drive, coast = state.closing[:self.teeth].max(), state.closing[self.teeth:].max()
         x = state.x.copy()
-        x[1] = min(max(0.0, x[1] + coast / rate), x[1] - drive / rate)
+        touches = x[1] - state.closing / self.flank_rows[:, 1]  # c0 at which each flank touches
+        x[1] = min(max(0.0, touches[self.teeth:].max()), touches[:self.teeth].min())
         g, _, _, (Q, F, u) = self.gradient(x, 0.0, amplitude)
         return State(x, Q, F, u, np.linalg.norm(g) / np.linalg.norm(Q), state.steps)
 
@@ -849,6 +910,12 @@ OTHERS = {  # of size 25, ratio 100 only
                             Hinge("rim", 0.3, 0.5), Hinge("outer_race", pi / 2, 0.5),
                             Hinge("circular_spline", 0.2, 0.4))), 1),
 }
+HALF_PATH = {  # of size 25 at some ratios; seconds for each
+    "half_path_teeth": (dict(spline_support=0.5, tooth="half_path"), 1),
+    "half_path_teeth_reversed": (dict(spline_support=0.5, tooth="half_path"), -1),
+}
+HALF_PATH_RATIOS = (30, 50, 100, 160)
+HALF_PATH_DIGITS = 7  # the contact comes from differences along the flanks and from chords
 OTHERS |= {f"{case}_sound_cam": OTHERS[case]
            for case in ("race_crack", "rim_hinge_reversed", "all_cracks")}
 
@@ -873,7 +940,8 @@ def add_curve(table, case, size, ratio, changes, sign):
 
 
 def add_state(table, case, inputs, model, rotation, twist, state):
-    def add(what, value, unit, digits=11):
+    def add(what, value, unit):
+        digits = HALF_PATH_DIGITS if case in HALF_PATH else 11
         table.add(f"{case}.{what}", inputs, value, unit, SOURCE, digits=digits, printed=12)
 
     closed = touching(state)
@@ -890,7 +958,7 @@ def add_state(table, case, inputs, model, rotation, twist, state):
         add("largest_flank_force", state.flank_force[closed].max(initial=0), "N")
 
 
-def curve_table(sizes=SIZES):
+def curve_table(sizes=SIZES, half_path_ratios=HALF_PATH_RATIOS):
     from reference_csv import Table
 
     table = Table("coupled_drive", "size [1]", "ratio [1]", "torque [N*m]")
@@ -898,6 +966,9 @@ def curve_table(sizes=SIZES):
         cases = CASES | OTHERS if (size, ratio) == (25, 100) else CASES
         for case, (changes, sign) in cases.items():
             add_curve(table, case, size, ratio, changes, sign)
+    for ratio in half_path_ratios:
+        for case, (changes, sign) in HALF_PATH.items():
+            add_curve(table, case, 25, ratio, changes, sign)
     return table
 
 
@@ -1026,7 +1097,7 @@ def tables():
 
 def some_tables():
     """The same tables, the long one for two drives only."""
-    return [curve_table([(25, 100), (14, 50)]), maker_table(), drive_table(), kernel_table(),
+    return [curve_table([(25, 100), (14, 50)], ()), maker_table(), drive_table(), kernel_table(),
             neighbour_rows()]
 
 

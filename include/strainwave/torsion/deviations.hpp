@@ -79,7 +79,7 @@ struct DeviationLimits {
 
 /// Least further gap of all flanks with which no flank is closer to the flank that it faces than in
 /// the drive without deviations, at any place and in any position of the wave generator [m].
-/// @param flank_angle  alpha [rad]
+/// @param flank_angle  alpha, or the least angle of the flanks [rad]
 [[nodiscard]] double pairing_gap(const Deviations& deviations, double flank_angle);
 
 /// The parts after the wave generator has moved on by a number of teeth: teeth of both parts move
@@ -90,7 +90,7 @@ struct DeviationLimits {
 /// @param tooth  number j of the place, 0 to z - 1
 /// @param side   +1 for the drive flank, -1 for the coast flank
 /// @param teeth  z of the flexspline
-/// @param flank_angle  alpha [rad]
+/// @param flank_angle  alpha, or the angle beta of the flank (TC-6) [rad]
 [[nodiscard]] double flank_closing(const Deviations& deviations, int tooth, int side, int teeth,
                                    double flank_angle);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 
 #include "strainwave/core/dual.hpp"
 #include "strainwave/model/input/tooth_mesh.hpp"
@@ -16,7 +17,7 @@ namespace strainwave {
 template <class Real>
 struct BasicTeeth {
   ToothProfile profile = ToothProfile::straight;
-  Real flank_angle{};      ///< alpha at the pitch height [rad]; in (0, pi/3)
+  Real flank_angle{};      ///< alpha at the pitch height [rad]; in (0, pi/3); unused by half paths
   Real addendum{};         ///< h_a of the flexspline, working height [m]; > 0
   Real spline_addendum{};  ///< h_ac of the circular spline [m]; > 0
   Real thickness{};        ///< s_t of the flexspline's tooth at the pitch height [m]; > 0
@@ -27,29 +28,98 @@ struct BasicTeeth {
   ToothTips tips = ToothTips::full;
 };
 
+/// Finite motion of a tooth in the space of the circular spline; theory manual eqs. (TC-28),
+/// (TC-29).  Exact for a rigid tooth on a centre line r = R_m + w_0 cos(2 phi) of constant length.
+template <class Real>
+class BasicToothMotion {
+ public:
+  BasicToothMotion() = default;
+  explicit BasicToothMotion(const BasicTeeth<Real>& teeth);
+
+  /// Centre of the section and turn of the tooth, in the frame of the space.
+  struct Pose {
+    Real across{};   ///< X [m]
+    Real outward{};  ///< Y [m]
+    Real turn{};     ///< delta [rad]
+  };
+  /// @param t  angle of the tooth from the lobe, toward the flank [rad]
+  [[nodiscard]] Pose pose(double t) const { return pose_of(t, section(t)); }
+  /// A pose and its derivatives by the angle.
+  struct Moving {
+    Pose at;
+    Pose rate;
+  };
+  [[nodiscard]] Moving moving(double t) const;
+  /// R_m [m].
+  [[nodiscard]] const Real& mean_radius() const { return mean_radius_; }
+
+ private:
+  struct Section {
+    Real angle{};   // phi
+    Real radius{};  // r
+    Real slope{};   // dr/dphi
+  };
+  [[nodiscard]] Section section(double t) const;
+  [[nodiscard]] Pose pose_of(double t, const Section& at) const;
+
+  static constexpr int kTerms = 7;
+  Real ring_radius_{};
+  Real wave_{};
+  int teeth_ = 0;
+  Real mean_radius_{};
+  std::array<Real, kTerms> series_;  // a_n of ds/dphi
+};
+
+/// Where and in which direction two flanks press each other.
+template <class Real>
+struct BasicFlankContact {
+  Real angle{};   ///< beta, common normal against the tangent of the ring [rad]
+  Real height{};  ///< h_c of the point of contact above the pitch height [m]
+};
+
+/// A flank of a drawn tooth at one angle from the lobe.
+template <class Real>
+struct BasicToothFlank {
+  Real gap{};    ///< at the end of the face that touches first [m]; 0 where the flanks would cross
+  Real slope{};  ///< growth of the gap along the face, s [-]; >= 0
+  BasicFlankContact<Real> contact;
+};
+
+using ToothFlank = BasicToothFlank<double>;
+
+template <class Real>
+class BasicHalfPath;
+
 /// Gap between the flanks of rigid teeth that stand normal to the deformed centre line of the rim.
 ///
-/// Implements theory manual eqs. (TC-28), (TC-29): finite motion of the tooth in the space of the
-/// circular spline, closed forms for straight flanks and involutes.  The flanks are seated so that
-/// they touch without crossing anywhere on the face up to 30 degrees from a lobe.  Accuracy: closed
-/// forms, exact for a rigid tooth on a centre line r = R_m + w_0 cos(2 phi) of constant length.
+/// Implements theory manual eqs. (TC-28), (TC-29): closed forms for straight flanks and involutes,
+/// searches for half-path flanks.  Straight flanks and involutes are seated so that they touch
+/// without crossing anywhere on the face up to 30 degrees from a lobe, half-path flanks at the
+/// lobe. Accuracy: exact for a rigid tooth, 1e-9 m for half paths.
 template <class Real>
 class BasicToothGap {
  public:
+  using Flank = BasicToothFlank<Real>;
+  using Contact = BasicFlankContact<Real>;
+
   /// @param cone        growth of the wave along the face, chi w_0 times the tilt (TC-2) [-]; >= 0
   /// @param face_width  b [m]; > 0
   BasicToothGap(const BasicTeeth<Real>& teeth, const Real& cone, const Real& face_width);
 
-  /// Gap at the end of the face that touches first [m]; 0 where the flanks would cross.
   /// @param t  angle of the tooth from the lobe, toward the flank [rad]; in [-pi/2, pi/2]
-  [[nodiscard]] Real gap(double t) const;
+  [[nodiscard]] Flank flank(double t) const;
+  /// Gap at the end of the face that touches first [m]; 0 where the flanks would cross.
+  [[nodiscard]] Real gap(double t) const { return flank(t).gap; }
   /// Growth of the gap along the face, s [-]; >= 0.
-  [[nodiscard]] Real slope(double t) const;
+  [[nodiscard]] Real slope(double t) const { return slope(t, contact(t)); }
+  /// Place and direction of the contact.  Straight flanks and involutes keep alpha and the pitch
+  /// height.
+  [[nodiscard]] Contact contact(double t) const;
   /// Largest angle at which drive flanks can touch [rad]: where they have a height in common, and
   /// with relieved tips at most where their gap is largest.
   [[nodiscard]] double end() const { return end_; }
   /// Least relief of the tips that `ToothTips::relieved` presumes: the largest gap less the gap
-  /// where the flanks part [m]; 0 for full tips.
+  /// where the flanks part [m]; 0 for full tips and for half paths.
   [[nodiscard]] double relief() const { return relief_; }
   /// Angle at which the flanks are seated [rad].
   [[nodiscard]] double seat() const { return seat_; }
@@ -62,27 +132,24 @@ class BasicToothGap {
   [[nodiscard]] Real mid_gap(double t) const { return mid_gap(t, play_); }
 
  private:
-  /// Centre of the section and turn of the tooth, in the frame of the space.
-  struct Pose {
-    Real across{};
-    Real outward{};
-    Real turn{};
-  };
-  [[nodiscard]] Pose pose(double t) const;
+  template <class>
+  friend class BasicToothGap;
+  using Pose = typename BasicToothMotion<Real>::Pose;
   [[nodiscard]] Real mid_gap(double t, const Real& play) const;
+  [[nodiscard]] Real slope(double t, const Contact& contact) const;
   [[nodiscard]] Real straight_gap(const Pose& at, const Real& play) const;
   [[nodiscard]] Real involute_gap(const Pose& at, const Real& play) const;
   [[nodiscard]] Real pitch_height() const;
+  [[nodiscard]] Real tip_thickness() const;
   [[nodiscard]] bool engaged(double t) const;
   [[nodiscard]] double find_seat() const;
   [[nodiscard]] double find_widest() const;
 
-  static constexpr int kTerms = 7;
   BasicTeeth<Real> teeth_;
   Real cone_{};
   Real face_width_{};
-  Real mean_radius_{};               // R_m
-  std::array<Real, kTerms> series_;  // a_n of ds/dphi
+  BasicToothMotion<Real> motion_;
+  std::shared_ptr<const BasicHalfPath<Real>> half_path_;  // of half-path flanks
   double end_ = 0.0;
   double relief_ = 0.0;
   double seat_ = 0.0;
@@ -92,6 +159,15 @@ using ToothGap = BasicToothGap<double>;
 
 extern template class BasicToothGap<double>;
 extern template class BasicToothGap<DualReal>;
+
+/// Mean angle of a half-path flank against the radius, between the pitch height and the tip [rad].
+///
+/// Implements theory manual eq. (TC-29).
+/// @param addendum  h_a [m]; > 0, < wave
+/// @param wave      w_0 [m]; > 0
+/// @param module    m [m]; > 0
+template <class Real>
+[[nodiscard]] Real half_path_angle(const Real& addendum, const Real& wave, const Real& module);
 
 /// A tooth on its wall, in plane strain.
 template <class Real>

@@ -12,11 +12,12 @@
 
 namespace strainwave {
 
-/// Shape of the working flanks.
-enum class ToothProfile { straight, involute };
+/// Shape of the working flanks.  A half path is the path of the pitch point at half its size, above
+/// the pitch height; the circular spline has the space that this tooth sweeps (TC-29).
+enum class ToothProfile { straight, involute, half_path };
 template <>
 struct EnumNames<ToothProfile> {
-  static constexpr std::array<std::string_view, 2> names = {"straight", "involute"};
+  static constexpr std::array<std::string_view, 3> names = {"straight", "involute", "half_path"};
 };
 
 /// The tips of drawn teeth.
@@ -43,8 +44,8 @@ struct ToothShape {
   static void describe(Visitor&& field) {
     field(Field{.name = "profile",
                 .unit = "",
-                .doc = "shape of the working flanks, whose angle at the pitch height is "
-                       "mesh.flank_angle",
+                .doc = "shape of the working flanks; straight and involute have the angle "
+                       "mesh.flank_angle at the pitch height, half_path gives its own angles",
                 .example = R"("straight")",
                 .fallback = R"("straight")"},
           &ToothShape::profile);
@@ -75,7 +76,7 @@ struct ToothShape {
     field(Field{.name = "tips",
                 .unit = "",
                 .doc = "full: flanks work up to their addenda; relieved: engagement ends where the "
-                       "gap of a leaving tooth is largest",
+                       "gap of a leaving tooth is largest, which changes nothing for half_path",
                 .example = R"("relieved")",
                 .fallback = R"("full")"},
           &ToothShape::tips);
@@ -103,7 +104,8 @@ struct ToothMesh {
   static void describe(Visitor&& field) {
     field(Field{.name = "flank_angle",
                 .unit = "rad",
-                .doc = "angle alpha of the working flank against the radius",
+                .doc = "angle alpha of the working flank against the radius; not used with "
+                       "mesh.tooth.profile = \"half_path\"",
                 .range = {.lower = 0.0, .upper = std::numbers::pi / 3},
                 .example = R"("22 deg")",
                 .fallback = R"("22 deg")"},
@@ -144,15 +146,14 @@ struct ToothMesh {
                 .fallback = "1.25",
                 .in_template = InTemplate::commented},
           &ToothMesh::rim_stiffening);
-    field(
-        Field{.name = "pair_stiffness",
-              .unit = "Pa",
-              .doc = "stiffness c' of a pair of teeth per face width, whose neighbours carry no "
-                     "load; if left out, from the teeth as drawn, or from the rim's thickness",
-              .range = kPositive,
-              .example = R"("19.3 GPa")",
-              .in_template = InTemplate::commented},
-        &ToothMesh::pair_stiffness);
+    field(Field{.name = "pair_stiffness",
+                .unit = "Pa",
+                .doc = "stiffness c' of a pair of teeth per face width, whose neighbours carry no "
+                       "load; if left out, from the teeth as drawn, or from the rim's thickness",
+                .range = kPositive,
+                .example = R"("19.3 GPa")",
+                .in_template = InTemplate::commented},
+          &ToothMesh::pair_stiffness);
     field(Field{.name = "tooth",
                 .unit = "",
                 .doc = "the teeth as drawn, which give the gap of the flanks, the end of their "
