@@ -403,14 +403,14 @@ class ContactCracksOf {
 /// Rules of half-path flanks (TC-29).
 void check_half_path(const Transmission& drive, double module, double addendum,
                      double spline_addendum) {
-  // Down to a smaller wave the tooth has a shoulder at the pitch height, and with a larger one its
+  // With a smaller wave the tooth has a shoulder at the pitch height, and with a larger one its
   // path turns back at the lobe.
-  constexpr double kLeast = 0.95;
+  constexpr double kLeast = 0.9;
   constexpr double kMost = 1.05;
   require(
       drive.radial_displacement >= kLeast * module && drive.radial_displacement <= kMost * module,
       "drive.radial_displacement", drive.radial_displacement, "m",
-      "between 0.95 and 1.05 modules for mesh.tooth.profile = \"half_path\" (TC-29)");
+      "between 0.9 and 1.05 modules for mesh.tooth.profile = \"half_path\" (TC-29)");
   require(
       addendum <= spline_addendum, "mesh.tooth.addendum", addendum, "m",
       "at most spline_addendum for mesh.tooth.profile = \"half_path\", because the tooth sweeps "

@@ -175,14 +175,14 @@ TEST(HalfPath, ReferenceTheGapGrowsAlongTheFaceWithTheWave) {
     const double w0 = teeth.wave;
     for (const double degrees : {5.0, 10.0, 20.0, 30.0, 40.0, 50.0}) {
       const double t = degrees * units::deg;
-      const auto [angle, height] = gap.contact(t);
+      const auto contact = gap.contact(t);
       const BasicHalfPathFlank<double> flank = half_path_flank(teeth);
-      const auto point = flank.point(std::acos(1 - 2 * height / w0));
+      const auto point = flank.point(std::acos(1 - 2 * contact.height / w0));
       const auto along_normal = [&](double by) {
         BasicTeeth<double> section = teeth;
         section.wave = w0 * (1 + by);
         const auto at = placed(BasicToothMotion<double>(section).pose(t), point);
-        return at.across * std::cos(angle) + at.outward * std::sin(angle);
+        return at.across * std::cos(contact.angle) + at.outward * std::sin(contact.angle);
       };
       const double moved = (along_normal(0.02) - along_normal(-0.02)) / (0.04 * w0);
       const double lobe = gap.slope(0.0) / cone;

@@ -331,8 +331,9 @@ def drawn_end(g):
     """The angle at which the tip of the tooth is as high as the tip of the circular spline's."""
     drive, profile = drawn(g)
     m = drive.module
-    tip = np.array([[float(tooth_gap.half_thickness(drive, profile, 0.65 * m)),
-                     drive.offset + 0.65 * m]])
+    across = (tooth_gap.half_thickness(drive, profile, 0.65 * m) if g["tooth"] == "half_path"
+              else (pi / 4 - 0.65 * tan(g["flank_angle"])) * m)
+    tip = np.array([[float(across), drive.offset + 0.65 * m]])
 
     def above(t):
         return tooth_gap.placed(drive, t, tip)[0, 1] - tooth_gap.pitch_height(drive) + 0.65 * m

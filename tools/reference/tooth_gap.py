@@ -477,7 +477,7 @@ VARIANTS = (
     (size_25(100, 0.9), STRAIGHT._replace(thickness=1.375)),
     (size_25(50, 1.05), INVOLUTE._replace(flank_angle=radians(28.6), thickness=1.375)),
     (size_25(30, 1.15), HALF_PATH),
-    (size_25(50, 0.95), HALF_PATH),
+    (size_25(50, 0.9), HALF_PATH),
     (size_25(100, 1.05), HALF_PATH._replace(flexspline_addendum=0.5)),
     (Drive(50, 0.5e-3, 0.5e-3, 24.275e-3, 0.725e-3), DOUBLE_ARC),
     # the common normal meets both working flanks at -10 degrees
