@@ -79,7 +79,10 @@ BentPlate<Real> bent_plate(const BasicClampedPlate<Real>& plate, int harmonic) {
   const bool inside = plate.clamped == ClampedEdge::inner;
   const Real& edge = edge_radius(plate);
   const Real& clamp = inside ? plate.inner_radius : plate.outer_radius;
-  const Real bends = (inside ? 1.0 : -1.0) * D / edge;
+  // Moments over this scale, because a stiff corner would otherwise hide the other conditions.
+  const Real scale = D / edge + plate.corner;
+  const Real bends = (inside ? 1.0 : -1.0) * D / edge / scale;
+  const Real corner = plate.corner / scale;
   // Deflection r^p cos(n theta).  The positive powers are scaled to 1 at the outer edge and the
   // negative powers at the inner edge, because a high n would otherwise overflow.
   const std::array<double, 4> powers = {n, -n, n + 2, 2 - n};
@@ -91,7 +94,7 @@ BentPlate<Real> bent_plate(const BasicClampedPlate<Real>& plate, int harmonic) {
     const Real far = Real(pow(rho, std::abs(p)));
     const Real at_clamp = (p < 0) == inside ? Real(1.0) : far;
     const Real at_edge = (p < 0) == inside ? far : Real(1.0);
-    const Real slip = (p - n * n) * plate.corner;  // moment of the corner, over at_edge/edge
+    const Real slip = (p - n * n) * corner;  // moment of the corner, over at_edge/edge
     conditions[0][i] = at_clamp;
     conditions[1][i] = p * at_clamp;  // slope, times the radius
     conditions[2][i] = at_edge;       // deflection
@@ -103,7 +106,7 @@ BentPlate<Real> bent_plate(const BasicClampedPlate<Real>& plate, int harmonic) {
   const std::array<Real, 4> amplitudes = amplitudes_of(conditions, {0.0, 0.0, 1.0, 0.0});
   BentPlate<Real> bent{.edge_force = Real(0.0), .clamped_curvature = Real(0.0)};
   for (std::size_t i = 0; i < 4; ++i) {
-    bent.edge_force += edge_force[i] * amplitudes[i];
+    bent.edge_force += scale * edge_force[i] * amplitudes[i];
     bent.clamped_curvature += curvature[i] * amplitudes[i];
   }
   return bent;

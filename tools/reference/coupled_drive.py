@@ -36,7 +36,7 @@ diameter d = 2.54 mm x size, except where a table gives its torques.
 import sys
 from collections import namedtuple
 from functools import cache
-from math import asin, atan2, cos, log, pi, radians, sin, sqrt, tan
+from math import asin, atan2, cos, floor, log, log10, pi, radians, sin, sqrt, tan
 
 import numpy as np
 from scipy.integrate import quad
@@ -1087,8 +1087,10 @@ def neighbour_rows():
         out = neighbour_table(wall, pi / 2 + 2 * dedendum * slope, dedendum - pi / 4 * slope, 20)
         for n in (1, 2, 5, 8, 20):
             for case, column in zip(("tangential", "radial", "mixed"), out):
-                table.add(case, (wall, dedendum, radians(degrees), n), column[n - 1], "1",
-                          "waves of a layer by its differential equation", digits=12, printed=15)
+                value = column[n - 1]  # 12 digits of the largest value, 1
+                table.add(case, (wall, dedendum, radians(degrees), n), value, "1",
+                          "waves of a layer by its differential equation",
+                          digits=12 + min(0, int(floor(log10(abs(value))))), printed=15)
     return table
 
 
