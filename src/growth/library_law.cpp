@@ -19,7 +19,6 @@ Nasgro nasgro(const MaterialRecord& record, const NasgroLaw& law,
               std::optional<double> through_thickness) {
   double toughness = law.part_through_toughness;
   if (through_thickness) {
-    require(*through_thickness > 0, "thickness", *through_thickness, "m", "> 0");
     if (!record.yield_strength)
       throw InputError("material", fmt::format("{} has no yield strength, which the toughness over "
                                                "the thickness needs",
@@ -52,11 +51,20 @@ RateLaw rate_law(const MaterialRecord& record, std::optional<double> through_thi
                                              record.name, known));
   }
   const GrowthLaw& first = record.growth.front();
-  if (const auto* law = std::get_if<NasgroLaw>(&first))
+  if (const auto* law = std::get_if<NasgroLaw>(&first); law && record.growth.size() == 1)
     return nasgro(record, *law, through_thickness);
-  const auto& low = std::get<ParisLaw>(first);
-  if (record.growth.size() == 1 || !low.to) return paris(low);
-  return TwoLines{paris(low), paris(std::get<ParisLaw>(record.growth[1])), *low.to};
+  const auto* const low = std::get_if<ParisLaw>(&first);
+  if (low && record.growth.size() == 1) return paris(*low);
+  const auto* const high = std::get_if<ParisLaw>(&record.growth[1]);
+  if (record.growth.size() > 2 || low == nullptr || high == nullptr || !low->to ||
+      low->stress_ratio != high->stress_ratio || low->environment != high->environment)
+    throw InputError("material",
+                     fmt::format("{} has several laws of growth that are not two branches of one "
+                                 "law; give the constants of one law",
+                                 record.name));
+  const RateLaw law = TwoLines{paris(*low), paris(*high), *low->to};
+  require_constants(law);
+  return law;
 }
 
 }  // namespace strainwave

@@ -11,6 +11,10 @@ namespace strainwave {
 namespace {
 
 void check(const Overload& overload, double crack_size) {
+  require(overload.largest >= 0 && std::isfinite(overload.largest), "overload", overload.largest,
+          "Pa*m^0.5", ">= 0");
+  require(overload.crack_size > 0 && std::isfinite(crack_size), "crack_size", crack_size, "m",
+          "> 0");
   require(crack_size >= overload.crack_size, "crack_size", crack_size, "m",
           "at least the size at the overload");
 }
@@ -27,6 +31,7 @@ double PlasticZone::size(double K) const {
 double wheeler_factor(const PlasticZone& zone, const Overload& overload, double crack_size,
                       double largest, double exponent) {
   check(overload, crack_size);
+  require(largest >= 0 && std::isfinite(largest), "K_max", largest, "Pa*m^0.5", ">= 0");
   require(exponent >= 0, "wheeler_exponent", exponent, "1", ">= 0");
   const double own = zone.size(largest);
   const double left = overload.crack_size + zone.size(overload.largest) - crack_size;
@@ -38,7 +43,9 @@ TipCycle willenborg_cycle(const Willenborg& rule, const Overload& overload, doub
   check(overload, crack_size);
   require(rule.shut_off_ratio > 1, "shut_off_ratio", rule.shut_off_ratio, "1", "> 1");
   require(rule.threshold >= 0, "threshold", rule.threshold, "Pa*m^0.5", ">= 0");
+  require(std::isfinite(cycle.largest), "K_max", cycle.largest, "Pa*m^0.5", "a finite number");
   if (!(cycle.largest > 0)) return cycle;
+  require(cycle.ratio < 1 && std::isfinite(cycle.ratio), "R", cycle.ratio, "1", "< 1");
   const double zone = rule.zone.size(overload.largest);
   const double through = (crack_size - overload.crack_size) / zone;
   if (!(through < 1)) return cycle;
@@ -46,10 +53,11 @@ TipCycle willenborg_cycle(const Willenborg& rule, const Overload& overload, doub
   const double share = (1 - rule.threshold / cycle.largest) / (rule.shut_off_ratio - 1);
   const double reduction = std::max(share, 0.0) * std::max(needed - cycle.largest, 0.0);  // (GR-19)
   const double largest = cycle.largest - reduction;
-  const double least = cycle.largest * cycle.ratio - reduction;
+  const double own = cycle.largest * cycle.ratio;
+  double least = own - reduction;
   if (!(largest > 0)) return {.largest = 0.0, .ratio = 0.0};
-  const bool closes = least < 0 && cycle.ratio >= 0 && rule.negative == NegativeMinimum::closed;
-  return {.largest = largest, .ratio = closes ? 0.0 : least / largest};
+  if (rule.negative == NegativeMinimum::closed) least = std::max(least, std::min(own, 0.0));
+  return {.largest = largest, .ratio = least / largest};
 }
 
 }  // namespace strainwave

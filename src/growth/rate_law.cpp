@@ -54,6 +54,10 @@ void check(const TwoLines& law) {
   power(law.low);
   power(law.high);
   positive("meet", law.meet, kToughness);
+  const TipCycle meets{.largest = law.meet};
+  const double step = law.high.rate(meets) / law.low.rate(meets) - 1;
+  require(std::abs(step) <= 0.01, "meet", law.meet, kToughness,
+          "a Delta K at which both laws agree within 1 % (MA-3)");
 }
 void check(const Walker& law) {
   power(law);
@@ -83,6 +87,12 @@ void check(const Nasgro& law) {
   not_negative("intrinsic_size", law.intrinsic_size, "m");
 }
 
+void require_limits(const GrowthLimits& limits) {
+  if (limits.threshold) positive("threshold", *limits.threshold, kToughness);
+  not_negative("intrinsic_size", limits.intrinsic_size, "m");
+  if (limits.toughness) positive("toughness", *limits.toughness, kToughness);
+}
+
 }  // namespace
 
 void require_constants(const RateLaw& law) {
@@ -92,9 +102,10 @@ void require_constants(const RateLaw& law) {
 GrowthRate growth_rate(const RateLaw& law, const TipCycle& cycle, double crack_size,
                        const GrowthLimits& limits) {
   require(std::isfinite(cycle.largest), "K_max", cycle.largest, kToughness, "a finite number");
-  require(cycle.ratio < 1 && std::isfinite(cycle.ratio), "R", cycle.ratio, "1", "< 1");
   require(crack_size > 0 && std::isfinite(crack_size), "crack_size", crack_size, "m", "> 0");
-  if (!(cycle.largest > 0)) return {};
+  require_limits(limits);
+  if (!(cycle.largest > 0)) return {};  // the whole cycle presses; its R has no meaning
+  require(cycle.ratio < 1 && std::isfinite(cycle.ratio), "R", cycle.ratio, "1", "< 1");
   for (const std::optional<double>& toughness : {own_toughness(law), limits.toughness})
     if (toughness && cycle.largest >= *toughness) return {0.0, TipState::breaks};
   if (limits.threshold) {
@@ -103,7 +114,21 @@ GrowthRate growth_rate(const RateLaw& law, const TipCycle& cycle, double crack_s
     if (cycle.full_range() <= least) return {};
   }
   const double rate = rate_of(law, cycle, crack_size);
+  if (std::isnan(rate))
+    throw InputError("law", "its constants give no number; require_constants names the constant");
   return rate > 0 ? GrowthRate{rate, TipState::grows} : GrowthRate{};
+}
+
+double toughness_of_thickness(double plane_strain_toughness, double yield_strength,
+                              double thickness, double A, double B) {
+  positive("plane_strain_toughness", plane_strain_toughness, kToughness);
+  positive("yield_strength", yield_strength, "Pa");
+  positive("thickness", thickness, "m");
+  not_negative("thickness_A", A, "1");
+  not_negative("thickness_B", B, "1");
+  const double zone = plane_strain_toughness / yield_strength;
+  const double over = A * thickness / (2.5 * zone * zone);
+  return plane_strain_toughness * (1 + B * std::exp(-over * over));  // (GR-11)
 }
 
 }  // namespace strainwave

@@ -17,13 +17,29 @@ void require_share(double share) {
   require(share > 0 && share < 1, "share", share, "1", "between 0 and 1");
 }
 
-/// -ln of the survival.
-double hazard(const WeibullLife& part, double time) {
+void require_part(const WeibullLife& part) {
   require(part.ten_percent > 0 && std::isfinite(part.ten_percent), "L10", part.ten_percent, "s",
           "> 0");
   require(part.slope > 0 && std::isfinite(part.slope), "slope", part.slope, "1", "> 0");
+}
+
+/// -ln of the survival.
+double hazard(const WeibullLife& part, double time) {
+  require_part(part);
   require(time >= 0 && std::isfinite(time), "time", time, "s", ">= 0");
   return -std::log(0.9) * std::pow(time / part.ten_percent, part.slope);  // (LI-4)
+}
+
+/// Time at which the hazard of a part reaches a value.
+double time_of_hazard(const WeibullLife& part, double wanted) {
+  require_part(part);
+  return part.ten_percent * std::pow(wanted / -std::log(0.9), 1 / part.slope);  // (LI-4)
+}
+
+double hazard_of_all(std::span<const WeibullLife> parts, double time) {
+  double sum = 0.0;
+  for (const WeibullLife& part : parts) sum += hazard(part, time);
+  return sum;
 }
 
 }  // namespace
@@ -37,40 +53,40 @@ double WeibullLife::survival(double time) const { return std::exp(-hazard(*this,
 
 double WeibullLife::time_of(double share) const {
   require_share(share);
-  return ten_percent * std::pow(std::log(share) / std::log(0.9), 1 / slope);  // (LI-4)
+  return time_of_hazard(*this, -std::log(share));
 }
 
 double bearing_life(double rated_life, double rated_torque, const DutyAverage& duty) {
   require(rated_life > 0 && std::isfinite(rated_life), "rated_life", rated_life, "s", "> 0");
   require(rated_torque > 0 && std::isfinite(rated_torque), "rated_torque", rated_torque, "N*m",
           "> 0");
-  require(duty.torque > 0, "T_av", duty.torque, "N*m", "> 0, because the rule has no other load");
-  require(duty.input_speed > 0, "n_in,av", duty.input_speed, "rad/s", "> 0");
+  require(duty.torque > 0 && std::isfinite(duty.torque), "T_av", duty.torque, "N*m",
+          "> 0, because the rule has no other load");
+  require(duty.input_speed > 0 && std::isfinite(duty.input_speed), "n_in,av", duty.input_speed,
+          "rad/s", "> 0");
   const double load = rated_torque / duty.torque;
   return rated_life * load * load * load * (kMakersSpeed / duty.input_speed);  // (LI-3)
 }
 
 double survival_of_all(std::span<const WeibullLife> parts, double time) {
-  double sum = 0.0;
-  for (const WeibullLife& part : parts) sum += hazard(part, time);
-  return std::exp(-sum);  // (LI-5)
+  return std::exp(-hazard_of_all(parts, time));  // (LI-5)
 }
 
 double time_of_all(std::span<const WeibullLife> parts, double share) {
   require_share(share);
   require(!parts.empty(), "parts", 0, "1", "at least one part");
-  // The weakest part alone is an upper bound, and all parts as weak as the weakest a lower bound.
-  double most = parts.front().time_of(share);
+  // The weakest part alone reaches the longest time.  The hazards add up, so the time is at least
+  // that of parts of which each has an equal share of the hazard.
+  const double wanted = -std::log(share);
+  double most = time_of_hazard(parts.front(), wanted);
   double least = most;
-  const double each = std::pow(share, 1.0 / static_cast<double>(parts.size()));
   for (const WeibullLife& part : parts) {
-    most = std::min(most, part.time_of(share));
-    least = std::min(least, part.time_of(each));
+    most = std::min(most, time_of_hazard(part, wanted));
+    least = std::min(least, time_of_hazard(part, wanted / static_cast<double>(parts.size())));
   }
-  if (!(least < most)) return most;
   return bracketed_root(
-      [&](double time) { return std::log(survival_of_all(parts, time) / share); },  // (LI-5)
-      least * (1 - 1e-12), most * (1 + 1e-12));
+      [&](double time) { return std::log(hazard_of_all(parts, time) / wanted); },  // (LI-5)
+      least * (1 - 1e-9), most * (1 + 1e-9));
 }
 
 }  // namespace strainwave

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <variant>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/growth/library_law.hpp"
@@ -23,8 +24,7 @@ auto uniform(double stress, double Y = 1, double ratio = 0) {
       [=](double a) { return TipCycle{.largest = Y * stress * std::sqrt(pi * a), .ratio = ratio}; };
 }
 
-// --- lives in closed form, and events
-// -------------------------------------------------------------
+// --- lives in closed form, and events ----------------------------------------------------------
 
 TEST(ConstantAmplitude, ReferenceParisInClosedForm) {  // GR-20
   const auto growth =
@@ -67,18 +67,52 @@ TEST(ConstantAmplitude, ReferenceLibrarysStainlessSteel) {
   const auto below = grow_at_constant_amplitude(law, uniform(150e6), 0.26351e-3, 1e-2);
   EXPECT_EQ(below.end, GrowthEnd::arrested);
   EXPECT_EQ(below.size, 0.26351e-3);
-  EXPECT_FALSE(below.cycles.has_value());
+  EXPECT_EQ(below.cycles, 0.0);
   EXPECT_EQ(grow_at_constant_amplitude(law, uniform(150e6), 0.26353e-3, 1e-2).end, GrowthEnd::size);
 }
 
-TEST(ConstantAmplitude, BehaviourACrackThatRunsOutOfLoad) {
-  // Delta K falls with the size as 6 MPa sqrt(m) (2 mm/a); it reaches the threshold of 3 at 4 mm.
+TEST(ConstantAmplitude, ReferenceTwoLines) {
+  // The library's generic steel, 100 MPa sqrt(pi a), 1 to 10 mm, with the kink inside.
+  const auto growth = grow_at_constant_amplitude(rate_law(require_material("generic steel")),
+                                                 uniform(100e6), 1e-3, 1e-2);
+  test::expect_relative(growth.cycles.value(), 838755.826, 1e-5);
+}
+
+TEST(ConstantAmplitude, ReferenceACrackThatRunsOutOfLoad) {
+  // Delta K = 6 MPa sqrt(m) (2 mm/a) reaches the threshold of 3 at 4 mm.  Paris, m 3: N = the
+  // integral of a^3/(C (12e-3)^3) from 2 to 4 mm = (4^4 - 2^4)/(4 C 12^3) mm.
   const auto falls = [](double a) { return TipCycle{.largest = 6e6 * 2e-3 / a}; };
   const auto growth =
       grow_at_constant_amplitude(Paris{6.9e-12, 3}, falls, 2e-3, 1e-2, {.threshold = 3e6});
   EXPECT_EQ(growth.end, GrowthEnd::arrested);
   test::expect_relative(growth.size, 4e-3, 1e-14);
-  EXPECT_FALSE(growth.cycles.has_value());
+  test::expect_relative(growth.cycles.value(), (256 - 16) * 1e-3 / (4 * 6.9e-12 * 1728), 1e-9);
+  // A rate that falls to zero with the first power of the distance has no last cycle.
+  Nasgro law = std::get<Nasgro>(rate_law(require_material("15-5PH H900")));
+  law.threshold_exponent = 1;
+  const auto slow = grow_at_constant_amplitude(law, falls, 2e-3, 1e-2);
+  EXPECT_EQ(slow.end, GrowthEnd::arrested);
+  EXPECT_FALSE(slow.converged);
+  EXPECT_FALSE(slow.cycles.has_value());
+}
+
+TEST(ConstantAmplitude, BehaviourAnEndBetweenTheSteps) {
+  // K falls by 90 % over 40 um around 3.016 mm, between two of 16 steps; or rises to twice itself.
+  const auto local = [](double by) {
+    return [by](double a) {
+      const double near = std::exp(-std::pow((a - 3.016e-3) / 20e-6, 2));
+      return TipCycle{.largest = 100e6 * std::sqrt(pi * a) * (1 + by * near)};
+    };
+  };
+  const GrowthLimits limits{.threshold = 3e6, .toughness = 18.5e6};
+  const auto dip =
+      grow_at_constant_amplitude(Paris{6.9e-12, 3}, local(-0.9), 1e-3, 1e-2, limits, 1e-10, 16);
+  EXPECT_EQ(dip.end, GrowthEnd::arrested);
+  EXPECT_NEAR(dip.size, 3.0e-3, 0.03e-3);
+  const auto peak =
+      grow_at_constant_amplitude(Paris{6.9e-12, 3}, local(1.0), 1e-3, 1e-2, limits, 1e-10, 16);
+  EXPECT_EQ(peak.end, GrowthEnd::breaks);
+  EXPECT_NEAR(peak.size, 3.0e-3, 0.03e-3);
 }
 
 TEST(ConstantAmplitude, LimitBreaksInTheFirstCycle) {
@@ -115,6 +149,8 @@ TEST(ConstantAmplitude, InputEachRuleBrokenOnce) {
   EXPECT_EQ(field(law, 1e-3, 1e-3), "to");
   EXPECT_EQ(field(law, 1e-3, std::nan("")), "to");
   EXPECT_EQ(field(Paris{-1, 3}, 1e-3, 1e-2), "coefficient");
+  EXPECT_THROW((void)grow_at_constant_amplitude(law, uniform(1e8), 1e-3, 1e-2, {}, 1e-10, 0),
+               InputError);
 }
 
 }  // namespace

@@ -56,6 +56,14 @@ TEST(LibraryLaw, InputEachRuleBrokenOnce) {
   record.yield_strength.reset();
   EXPECT_EQ(message(record, {}), "");
   EXPECT_NE(message(record, 1e-3).find("no yield strength"), std::string::npos);
+  MaterialRecord two = require_material("generic steel");
+  std::get<ParisLaw>(two.growth[1]).environment = "sea water";
+  EXPECT_NE(message(two, {}).find("several laws of growth"), std::string::npos);
+  two = require_material("generic steel");
+  two.growth.push_back(two.growth[0]);
+  EXPECT_NE(message(two, {}).find("several laws of growth"), std::string::npos);
+  two.growth = {two.growth[0], record.growth[0]};
+  EXPECT_NE(message(two, {}).find("several laws of growth"), std::string::npos);
   record.growth.clear();
   EXPECT_NE(message(record, {}).find("it has laws for 15-5PH H900"), std::string::npos)
       << message(record, {});

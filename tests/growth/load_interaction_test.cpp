@@ -64,12 +64,16 @@ TEST(LoadInteraction, ReferenceWillenborg) {  // GR-19
 }
 
 TEST(LoadInteraction, BehaviourOfANegativeMinimum) {
-  // K_min 3 less 6.67 is negative: R = 0, or the ratio itself.  A cycle whose own K_min is negative
-  // keeps its ratio.
+  // K_min 3 less 6.67 is negative: it stays at 0, or becomes negative.  A K_min that is negative by
+  // itself is not reduced, and the cycle does not jump at R = 0.
   const Overload overload{.crack_size = 5e-3, .largest = 30};
   Willenborg willenborg = rule();
   EXPECT_EQ(willenborg_cycle(willenborg, overload, 5e-3, {.largest = 15, .ratio = 0.2}).ratio, 0.0);
-  EXPECT_LT(willenborg_cycle(willenborg, overload, 5e-3, {.largest = 15, .ratio = -1}).ratio, -1.0);
+  test::expect_relative(
+      willenborg_cycle(willenborg, overload, 5e-3, {.largest = 15, .ratio = -1}).ratio,
+      -15 / (15 - 20.0 / 3), 1e-14);
+  EXPECT_NEAR(willenborg_cycle(willenborg, overload, 5e-3, {.largest = 15, .ratio = -1e-12}).ratio,
+              0.0, 1e-11);
   willenborg.negative = NegativeMinimum::kept;
   test::expect_relative(
       willenborg_cycle(willenborg, overload, 5e-3, {.largest = 15, .ratio = 0.2}).ratio,
@@ -95,6 +99,20 @@ TEST(LoadInteraction, InputEachRuleBrokenOnce) {
             "crack_size");
   EXPECT_EQ(field([&] { (void)wheeler_factor(zone_of_unit_K(), overload, 6e-3, 1, -1); }),
             "wheeler_exponent");
+  EXPECT_EQ(field([&] { (void)wheeler_factor(zone_of_unit_K(), overload, 6e-3, -1, 1); }), "K_max");
+  EXPECT_EQ(field([&] {
+              (void)wheeler_factor(zone_of_unit_K(), {5e-3, -30}, 6e-3, 1, 1);
+            }),
+            "overload");
+  EXPECT_EQ(field([&] {
+              (void)wheeler_factor(zone_of_unit_K(), {0, 30}, 6e-3, 1, 1);
+            }),
+            "crack_size");
+  EXPECT_EQ(field([&] { (void)willenborg_cycle(rule(), overload, 6e-3, {1, 1}); }), "R");
+  EXPECT_EQ(field([&] {
+              (void)willenborg_cycle(rule(), overload, 6e-3, {std::nan(""), 0});
+            }),
+            "K_max");
   Willenborg wrong = rule();
   wrong.shut_off_ratio = 1;
   EXPECT_EQ(field([&] {

@@ -85,6 +85,8 @@ TEST(MixedMode, InputEachRuleBrokenOnce) {
   EXPECT_EQ(field(MixedMode::energy, {1, 2, 3}, 0.5), "poissons_ratio");
   EXPECT_EQ(field(MixedMode::energy, {1, 2, 3}, -1), "poissons_ratio");
   EXPECT_EQ(field(MixedMode::largest_tangential_stress, {1, 2, 3}, 0.3), "K_III");
+  EXPECT_THROW((void)kink_angle({1, 2, 3}), InputError);
+  EXPECT_THROW((void)kink_angle({1, std::nan(""), 0}), InputError);
 }
 
 }  // namespace

@@ -81,10 +81,9 @@ Counts by_three_points(const History& history) {
 /// open.
 Counts from_the_largest(const History& history) {
   History turned = history;
-  std::ranges::rotate(turned, std::ranges::max_element(turned));
+  std::rotate(turned.begin(), std::max_element(turned.begin(), turned.end()), turned.end());
   turned.push_back(turned.front());
-  Counts sum = by_three_points(turned);
-  return sum;
+  return by_three_points(turned);
 }
 
 History random_history(int seed, int size, int levels) {

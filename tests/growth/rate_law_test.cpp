@@ -166,6 +166,27 @@ TEST(RateLaw, IdentityThresholdsAreContinuousAtZero) {
   test::expect_relative(law.threshold(1 - 1e-9, 1e3), law.threshold_datum, 1e-6);
 }
 
+TEST(RateLaw, ReferenceThresholdFromZero) {  // GR-9
+  // Delta K_th/Delta K_0 of long cracks, alpha 2.5, s 0.3, C_th 1.36 and -0.1, by a computation of
+  // our own; tolerance: its digits.
+  Nasgro law = stainless();
+  law.form = NasgroThreshold::from_zero;
+  law.intrinsic_size = 0;
+  EXPECT_NEAR(law.threshold(-1, 1e-3) / law.threshold_datum, 1.93365100, 5e-9);
+  EXPECT_NEAR(law.threshold(0.5, 1e-3) / law.threshold_datum, 0.62720205, 5e-9);
+}
+
+TEST(RateLaw, LimitThresholdsOfStronglyPressedCycles) {  // GR-9, GR-10
+  // Below R = -2 the opening has no data.  K_max at the threshold stays there.
+  for (const NasgroThreshold form : {NasgroThreshold::from_zero, NasgroThreshold::from_one}) {
+    Nasgro law = stainless();
+    law.form = form;
+    const double largest = law.threshold(-2, 1e-3) / 3;
+    for (const double R : {-2.5, -10.0, -1e3})
+      test::expect_relative(law.threshold(R, 1e-3) / (1 - R), largest, 1e-13);
+  }
+}
+
 TEST(RateLaw, ReferenceToughnessOverThickness) {  // GR-11
   test::expect_relative(toughness_of_thickness(60e6, 1000e6, 2.24e-3, 0.75, 0.5), 88.97267e6, 1e-7);
   test::expect_relative(toughness_of_thickness(60e6, 1000e6, 1.0, 0.75, 0.5), 60e6, 1e-12);
@@ -209,8 +230,9 @@ TEST(RateLaw, BehaviourThresholdAndToughnessOfEachLaw) {  // GR-12
       EXPECT_EQ(at(1e12).per_cycle, 0.0);
     }
     // A crack that stays closed does not grow.
-    EXPECT_EQ(growth_rate(law, {.largest = 0, .ratio = 0}, 1e-3).state, TipState::arrested);
-    EXPECT_EQ(growth_rate(law, {.largest = -5e6, .ratio = 0.5}, 1e-3).per_cycle, 0.0);
+    // Its ratio, K_min/K_max, is 5 and infinite.
+    EXPECT_EQ(growth_rate(law, {.largest = -1e6, .ratio = 5}, 1e-3).state, TipState::arrested);
+    EXPECT_EQ(growth_rate(law, {.largest = 0, .ratio = -HUGE_VAL}, 1e-3).state, TipState::arrested);
   }
 }
 
@@ -269,6 +291,7 @@ TEST(RateLaw, InputEachRuleBrokenOnce) {
   EXPECT_EQ(refused(Paris{1e-12, 0}), "exponent");
   EXPECT_EQ(refused(TwoLines{Paris{1e-12, 3}, Paris{0, 3}, 1e6}), "coefficient");
   EXPECT_EQ(refused(TwoLines{Paris{1e-12, 3}, Paris{1e-12, 3}, 0}), "meet");
+  EXPECT_EQ(refused(TwoLines{Paris{1e-12, 3}, Paris{1.02e-12, 3}, 1e6}), "meet");
   EXPECT_EQ(refused(Walker{1e-12, 3, 1.5}), "gamma");
   EXPECT_EQ(refused(Forman{1e-12, 3, 0}), "toughness");
   EXPECT_EQ(refused(HartmanSchijve{1e-10, 2, -1, 80e6}), "threshold");
@@ -287,9 +310,10 @@ TEST(RateLaw, InputEachRuleBrokenOnce) {
   EXPECT_EQ(wrong([&](Nasgro& l) { l.slope_plus = nan; }), "slope_plus");
   EXPECT_EQ(wrong([&](Nasgro& l) { l.slope_minus = nan; }), "slope_minus");
   EXPECT_EQ(wrong([](Nasgro& l) { l.intrinsic_size = -1; }), "intrinsic_size");
-  const auto cycle = [](double K, double R, double a) -> std::string {
+  const auto cycle = [](double K, double R, double a, const GrowthLimits& limits = {},
+                        const RateLaw& law = Paris{1e-12, 3}) -> std::string {
     try {
-      (void)growth_rate(Paris{1e-12, 3}, {.largest = K, .ratio = R}, a);
+      (void)growth_rate(law, {.largest = K, .ratio = R}, a, limits);
     } catch (const InputError& error) {
       return error.field();
     }
@@ -299,6 +323,23 @@ TEST(RateLaw, InputEachRuleBrokenOnce) {
   EXPECT_EQ(cycle(1e6, -std::numeric_limits<double>::infinity(), 1e-3), "R");
   EXPECT_EQ(cycle(std::nan(""), 0, 1e-3), "K_max");
   EXPECT_EQ(cycle(1e6, 0, 0), "crack_size");
+  EXPECT_EQ(cycle(1e6, 0, 1e-3, {.threshold = nan}), "threshold");
+  EXPECT_EQ(cycle(1e6, 0, 1e-3, {.intrinsic_size = -1}), "intrinsic_size");
+  EXPECT_EQ(cycle(1e6, 0, 1e-3, {.toughness = 0}), "toughness");
+  EXPECT_EQ(cycle(1e6, 0, 1e-3, {}, Paris{nan, 3}), "law");
+  const auto thick = [](double K, double yield, double t, double A, double B) -> std::string {
+    try {
+      (void)toughness_of_thickness(K, yield, t, A, B);
+    } catch (const InputError& error) {
+      return error.field();
+    }
+    return "";
+  };
+  EXPECT_EQ(thick(0, 1e9, 1e-3, 1, 1), "plane_strain_toughness");
+  EXPECT_EQ(thick(6e7, 0, 1e-3, 1, 1), "yield_strength");
+  EXPECT_EQ(thick(6e7, 1e9, 0, 1, 1), "thickness");
+  EXPECT_EQ(thick(6e7, 1e9, 1e-3, -1, 1), "thickness_A");
+  EXPECT_EQ(thick(6e7, 1e9, 1e-3, 1, -1), "thickness_B");
 }
 
 }  // namespace

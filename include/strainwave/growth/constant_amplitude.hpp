@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -27,7 +28,7 @@ struct EnumNames<GrowthEnd> {
 struct ConstantAmplitudeGrowth {
   GrowthEnd end = GrowthEnd::size;
   double size = 0.0;             ///< of the crack at the end [m]
-  std::optional<double> cycles;  ///< until the end [-]; absent: the end is never reached
+  std::optional<double> cycles;  ///< until this size [-]; absent: it is only approached
   double error = 0.0;            ///< estimate for `cycles`, relative [-]
   bool converged = true;         ///< the error is within the tolerance
 };
@@ -35,59 +36,70 @@ struct ConstantAmplitudeGrowth {
 /// Cycles in which a crack grows from one size to another.
 ///
 /// Implements theory manual eq. (GR-20).  The size at which the growth ends early is found between
-/// the two sizes by 256 steps of equal ratio and bisection.  A crack that begins to grow and stands
-/// still within one step is not seen.
+/// the two sizes by steps of equal ratio and bisection, and wherever the quadrature meets a crack
+/// that does not grow.  An end that lies between all these sizes is not seen.
 ///
-/// @param cycle_at     callable: size a [m] -> TipCycle
-/// @param from         a_0 [m]; > 0
-/// @param to           a_1 [m]; > a_0
+/// @param cycle_at     callable: size a [m] -> TipCycle; about `steps` and 100 calls
+/// @param from         first size [m]; > 0
+/// @param to           last size [m]; > from
 /// @param tolerance    of the cycles, relative [-]
-/// @throws InputError  if a size or a constant of the law is out of range
+/// @param steps        of the search for an early end [-]; >= 1
+/// @throws InputError  if a size, a limit or a constant of the law is out of range
 template <class CycleAt>
-[[nodiscard]] ConstantAmplitudeGrowth grow_at_constant_amplitude(const RateLaw& law,
-                                                                 const CycleAt& cycle_at,
-                                                                 double from, double to,
-                                                                 const GrowthLimits& limits = {},
-                                                                 double tolerance = 1e-10) {
+[[nodiscard]] ConstantAmplitudeGrowth grow_at_constant_amplitude(
+    const RateLaw& law, const CycleAt& cycle_at, double from, double to,
+    const GrowthLimits& limits = {}, double tolerance = 1e-10, int steps = 64) {
   require_constants(law);
   require(from > 0 && std::isfinite(from), "from", from, "m", "> 0");
   require(to > from && std::isfinite(to), "to", to, "m", "larger than the first size");
+  require(steps >= 1, "steps", steps, "1", ">= 1");
   const auto rate = [&](double a) { return growth_rate(law, cycle_at(a), a, limits); };
-  const auto end_of = [](TipState state) {
-    return state == TipState::breaks ? GrowthEnd::breaks : GrowthEnd::arrested;
+  const auto grows = [&](double a) { return rate(a).state == TipState::grows; };
+  const auto end_of = [&](double a) {
+    return rate(a).state == TipState::breaks ? GrowthEnd::breaks : GrowthEnd::arrested;
   };
-  const TipState first = rate(from).state;
-  if (first != TipState::grows) {
-    ConstantAmplitudeGrowth none{.end = end_of(first), .size = from, .cycles = {}};
-    if (first == TipState::breaks) none.cycles = 0.0;
-    return none;
+  if (!grows(from)) {
+    const GrowthEnd end = end_of(from);
+    return {.end = end, .size = from, .cycles = 0.0};
   }
   ConstantAmplitudeGrowth growth{.size = to, .cycles = {}};
-  constexpr int kSteps = 256;
-  double grows = from;
-  for (int i = 1; i <= kSteps; ++i) {
-    const double next =
-        i == kSteps ? to : from * std::pow(to / from, static_cast<double>(i) / kSteps);
-    if (const TipState state = rate(next).state; state != TipState::grows) {
-      double ends = next;
-      while (grows < (grows + ends) / 2 && (grows + ends) / 2 < ends)
-        (rate((grows + ends) / 2).state == TipState::grows ? grows : ends) = (grows + ends) / 2;
-      growth.end = end_of(rate(ends).state);
-      growth.size = grows;
+  // Ends the growth between a size at which the crack grows and one at which it does not.
+  const auto end_between = [&](double below, double above) {
+    for (double middle = (below + above) / 2; below < middle && middle < above;
+         middle = (below + above) / 2)
+      (grows(middle) ? below : above) = middle;
+    growth.end = end_of(above);
+    growth.size = below;
+  };
+  const double factor = std::pow(to / from, 1.0 / steps);
+  double below = from;
+  for (int i = 1; i <= steps; ++i) {
+    const double next = i == steps ? to : below * factor;
+    if (!grows(next)) {
+      end_between(below, next);
       break;
     }
-    grows = next;
+    below = next;
   }
-  if (growth.end == GrowthEnd::arrested) return growth;
-  const auto inverse = [&](double a) {
-    const double per_cycle = rate(a).per_cycle;
-    return per_cycle > 0 ? 1 / per_cycle : 0.0;  // 0 only at the very end, where the part breaks
-  };
-  const auto integral =
-      integrate(inverse, from, growth.size, {.relative_tolerance = tolerance});  // (GR-20)
-  growth.cycles = integral.value;
-  growth.error = integral.error / integral.value;
-  growth.converged = integral.converged;
+  while (growth.size > from) {
+    double met = growth.size;  // least size, of those that the quadrature met, without growth
+    const auto inverse = [&](double a) {
+      const GrowthRate at = rate(a);
+      if (at.state != TipState::grows) met = std::min(met, a);
+      return at.per_cycle > 0 ? 1 / at.per_cycle : 0.0;
+    };
+    const auto integral =
+        integrate(inverse, from, growth.size, {.relative_tolerance = tolerance});  // (GR-20)
+    if (met < growth.size) {
+      end_between(from, met);
+      continue;
+    }
+    growth.error = integral.error / integral.value;
+    growth.converged = integral.converged;
+    if (growth.converged || growth.end != GrowthEnd::arrested) growth.cycles = integral.value;
+    return growth;
+  }
+  growth.cycles = 0.0;
   return growth;
 }
 

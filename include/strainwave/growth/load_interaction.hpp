@@ -21,15 +21,15 @@ struct Overload {
   double largest = 0.0;     ///< K_max of the overload [Pa*m^0.5]
 };
 
-/// Wheeler's factor of the growth rate behind an overload (GR-18) [-]; in (0, 1].
+/// Wheeler's factor of the growth rate behind an overload (GR-18) [-]; from 0 to 1.
 /// @param exponent  gamma [-]; >= 0.  0: no retardation
 [[nodiscard]] double wheeler_factor(const PlasticZone& zone, const Overload& overload,
                                     double crack_size, double largest, double exponent);
 
-/// What generalised Willenborg does if the reduced K_min is negative.
+/// What generalised Willenborg does if the reduction makes K_min negative.
 enum class NegativeMinimum {
-  closed,  ///< only the positive part counts: R = 0
-  kept,    ///< R < 0
+  closed,  ///< the reduction stops at K_min = 0; a K_min that is negative by itself is not reduced
+  kept,    ///< the reduction applies in full
 };
 template <>
 struct EnumNames<NegativeMinimum> {

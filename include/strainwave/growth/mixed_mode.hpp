@@ -40,6 +40,7 @@ struct EnumNames<MixedMode> {
 ///
 /// Positive angles turn toward the side that K_II > 0 presses in; the range is -70.53 to 70.53
 /// degrees.  0 for K_II = 0.
+/// @throws InputError  if a number is not finite or K_III is not 0
 [[nodiscard]] double kink_angle(const ModeFactors& K);
 
 }  // namespace strainwave

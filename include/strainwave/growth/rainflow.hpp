@@ -52,7 +52,7 @@ struct CountedCycle {
 class RainflowCounter {
  public:
   /// @param values       the next piece, in any one unit
-  /// @throws InputError  if a value is not finite; the message names its place in the history
+  /// @throws InputError  if a value is not finite; the message counts the values from 1
   template <class Sink>
   void add(std::span<const double> values, Sink&& sink) {
     for (const double value : values) {

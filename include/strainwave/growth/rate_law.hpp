@@ -33,7 +33,9 @@ struct GrowthLimits {
 /// above the greater of both thresholds, or if K_max <= 0.  There the rate is exactly 0.
 ///
 /// @param crack_size   a [m]; > 0
-/// @throws InputError  if R >= 1, a <= 0, or a number is not finite
+/// @param law          its constants are in range (require_constants)
+/// @throws InputError  if R >= 1 although K_max > 0, if a <= 0, if a limit is out of range, or if a
+///                     number is not finite
 [[nodiscard]] GrowthRate growth_rate(const RateLaw& law, const TipCycle& cycle, double crack_size,
                                      const GrowthLimits& limits = {});
 

@@ -63,27 +63,36 @@ struct Nasgro {
   double intrinsic_size = 0.0;   ///< a_0 of short cracks [m]; >= 0
 
   /// Delta K_th, full range [Pa*m^0.5].
+  ///
+  /// Below R = -2, where the opening has no further data, K_max at the threshold stays.
   /// @param crack_size  a [m]; > 0
   [[nodiscard]] double threshold(double ratio, double crack_size) const {
-    const double datum = threshold_datum * std::sqrt(crack_size / (crack_size + intrinsic_size));
-    const double A0 = closure.at_zero();
-    const double open = (1 - closure.opening(ratio)) / (1 - ratio);
-    const double slope = ratio < 0 ? slope_minus : slope_plus;
-    const double power = 1 + ratio * slope;
-    if (form == NasgroThreshold::from_zero)
-      return datum * std::pow((1 - A0) / open, power);  // (GR-9)
-    return datum /
-           (std::pow(open, power) * std::pow(1 - A0, slope_plus - ratio * slope));  // (GR-10)
+    return threshold_of(ratio, closure.opening(ratio), crack_size);
   }
 
   /// da/dN [m]; 0 up to the threshold; K_max < K_c.
   [[nodiscard]] double rate(const TipCycle& cycle, double crack_size) const {
-    const double range = cycle.full_range();
-    const double over = 1 - threshold(cycle.ratio, crack_size) / range;
+    const double f = closure.opening(cycle.ratio);
+    const double over = 1 - threshold_of(cycle.ratio, f, crack_size) / cycle.full_range();
     if (!(over > 0)) return 0.0;
-    const double effective = (1 - closure.opening(cycle.ratio)) * cycle.largest / units::MPa;
+    const double effective = (1 - f) * cycle.largest / units::MPa;
     return coefficient * std::pow(effective, exponent) * std::pow(over, threshold_exponent) /
            std::pow(1 - cycle.largest / toughness, instability_exponent);  // (GR-8)
+  }
+
+ private:
+  [[nodiscard]] double threshold_of(double ratio, double f, double crack_size) const {
+    const double R = std::max(ratio, -2.0);
+    const double datum = threshold_datum * std::sqrt(crack_size / (crack_size + intrinsic_size));
+    const double A0 = closure.at_zero();
+    const double open = (1 - f) / (1 - R);
+    const double slope = R < 0 ? slope_minus : slope_plus;
+    const double power = 1 + R * slope;
+    const double below = (1 - ratio) / (1 - R);  // 1 from R = -2 on
+    if (form == NasgroThreshold::from_zero)
+      return below * datum * std::pow((1 - A0) / open, power);  // (GR-9)
+    return below * datum /
+           (std::pow(open, power) * std::pow(1 - A0, slope_plus - R * slope));  // (GR-10)
   }
 };
 
@@ -93,12 +102,8 @@ struct Nasgro {
 /// @param thickness               t [m]; > 0
 /// @param A                       A_k [-]; >= 0
 /// @param B                       B_k [-]; >= 0
-[[nodiscard]] inline double toughness_of_thickness(double plane_strain_toughness,
-                                                   double yield_strength, double thickness,
-                                                   double A, double B) {
-  const double zone = plane_strain_toughness / yield_strength;
-  const double over = A * thickness / (2.5 * zone * zone);
-  return plane_strain_toughness * (1 + B * std::exp(-over * over));  // (GR-11)
-}
+/// @throws InputError             if a number is out of range
+[[nodiscard]] double toughness_of_thickness(double plane_strain_toughness, double yield_strength,
+                                            double thickness, double A, double B);
 
 }  // namespace strainwave
