@@ -11,10 +11,10 @@
 namespace strainwave {
 namespace {
 
-/// Size 25, ratio 100, with a rigid circular spline as in the peer.
+/// Size 25, ratio 100, drawn teeth and a rigid circular spline as in the peer.
 GearSet drive() {
   GearSet gear = read_gear_set_file(STRAINWAVE_EXAMPLES "/catalogue_size25.toml");
-  gear.circular_spline.reset();
+  gear.circular_spline->support = 0.0;
   gear.range.clear();
   gear.rating.reset();
   return gear;

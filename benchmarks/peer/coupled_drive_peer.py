@@ -42,7 +42,8 @@ def main():
     parser.add_argument("--support", type=float, default=0.0, metavar="S",
                         help="support of the circular spline, 0 rigid to 1 free")
     options = parser.parse_args()
-    changes = {"diaphragm_warping": not options.no_warping, "spline_support": options.support}
+    changes = {"diaphragm_warping": not options.no_warping, "spline_support": options.support,
+               "tooth": "straight", "tips": "relieved"}
     result = {}
     for points in (11, 200):
         times = []

@@ -139,7 +139,7 @@ DualReal race_crack_compliance(const GearSet& gear, const Lift<DualReal>& lift,
   for_each_number(single, [&](const FieldPath&, const Field&, const double& number) {
     const bool replaced =
         &number == &single.load.torque || &number == &single.wave_generator->bearing->loaded_balls;
-    const auto found = std::ranges::find(lift.inputs(), of_drive[at++]);
+    const auto* const found = std::ranges::find(lift.inputs(), of_drive[at++]);
     if (!replaced && found != lift.inputs().end())
       inputs[static_cast<std::size_t>(found - lift.inputs().begin())] = &number;
   });

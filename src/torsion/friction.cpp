@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "assembled_drive_contents.hpp"
@@ -15,7 +14,6 @@
 namespace strainwave {
 namespace {
 
-using std::numbers::pi;
 using Contents = AssembledDrive::Contents;
 
 const Bearing& bearing_of(const Contents& contents) {

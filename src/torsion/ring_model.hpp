@@ -23,7 +23,7 @@ struct NumTraits<strainwave::Dual<N>> : NumTraits<double> {
   using Real = strainwave::Dual<N>;
   using NonInteger = strainwave::Dual<N>;
   using Nested = strainwave::Dual<N>;
-  enum { RequireInitialization = 1 };
+  enum { RequireInitialization = 1 };  // NOLINT(readability-identifier-naming): Eigen's name
 };
 
 }  // namespace Eigen
