@@ -2,26 +2,13 @@
 #include "half_path.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
-#include <cstdint>
+
+#include "strainwave/core/roots.hpp"
 
 namespace strainwave {
 namespace {
 
 constexpr int kWallSamples = 20;
-
-/// A zero of a function between two places where it has different signs.
-template <class Function>
-double zero_between(const Function& f, double low, double high) {
-  const double at_low = f(low);
-  const double at_high = f(high);
-  if (at_low == 0) return low;
-  if (at_high == 0) return high;
-  std::uintmax_t most = 100;
-  const auto [below, above] = boost::math::tools::toms748_solve(
-      f, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(50), most);
-  return (below + above) / 2;
-}
 
 /// Velocity of the points of a flank along its normal, per angle of the tooth and times a positive
 /// factor.
@@ -89,7 +76,7 @@ HalfPathWall::Touch HalfPathWall::touch(double t) const {
   const double tip = flank_.tip_path();
   Touch touch{.angle = t, .path = tip, .at_tip = true, .at = {}, .along = {}};
   if (normal(tip) < 0) {
-    touch.path = normal(low) > 0 ? zero_between(normal, low, tip) : low;
+    touch.path = normal(low) > 0 ? bracketed_root(normal, low, tip) : low;
     touch.at_tip = false;
   }
   const Point point = flank_.point(touch.path);
@@ -120,7 +107,7 @@ HalfPathWall::Nearest HalfPathWall::from(const Motion::Pose& tooth, const Touch&
   const double tip = flank_.tip_path();
   Nearest found{.wall = wall, .path = tip, .at_tip = true, .below = false, .foot = {}, .apart = {}};
   if (ahead(tip) < 0) {
-    found.path = ahead(low) > 0 ? zero_between(ahead, low, tip) : low;
+    found.path = ahead(low) > 0 ? bracketed_root(ahead, low, tip) : low;
     found.at_tip = false;
   }
   found.foot = flank_.point(found.path);
@@ -159,7 +146,7 @@ HalfPathWall::Nearest HalfPathWall::nearest(double t) const {
     const double low = all[i == 0 ? i : i - 1].wall.angle;
     const double high = all[i + 1 == all.size() ? i : i + 1].wall.angle;
     if (!(grows(low) < 0 && grows(high) > 0)) continue;
-    const Nearest found = from(tooth, touch(zero_between(grows, low, high)));
+    const Nearest found = from(tooth, touch(bracketed_root(grows, low, high)));
     if (distance(found) < distance(best)) best = found;
   }
   return best;

@@ -64,6 +64,10 @@ TEST(ConstantAmplitude, ReferenceLibrarysStainlessSteel) {
   const RateLaw law = rate_law(require_material("15-5PH H900"), 0.5e-3);
   const auto growth = grow_at_constant_amplitude(law, uniform(150e6), 2e-3, 1e-2);
   test::expect_relative(growth.cycles.value(), 219584.886, 1e-8);
+  // Until the wall breaks: 260 623.85 cycles.
+  const auto whole = grow_at_constant_amplitude(law, uniform(150e6), 2e-3, 1.0);
+  EXPECT_EQ(whole.end, GrowthEnd::breaks);
+  test::expect_relative(whole.cycles.value(), 260623.85, 1e-6);
   const auto below = grow_at_constant_amplitude(law, uniform(150e6), 0.26351e-3, 1e-2);
   EXPECT_EQ(below.end, GrowthEnd::arrested);
   EXPECT_EQ(below.size, 0.26351e-3);

@@ -55,6 +55,19 @@ BasicTeeth<double> typical_teeth(double ratio, ToothProfile profile = ToothProfi
           .teeth = static_cast<int>(std::lround(2 * ratio))};
 }
 
+/// The same teeth in dual numbers, without derivatives.
+BasicTeeth<DualReal> lifted(const BasicTeeth<double>& at) {
+  return {.profile = at.profile,
+          .flank_angle = at.flank_angle,
+          .addendum = at.addendum,
+          .spline_addendum = at.spline_addendum,
+          .thickness = at.thickness,
+          .ring_radius = at.ring_radius,
+          .pitch_offset = at.pitch_offset,
+          .wave = at.wave,
+          .teeth = at.teeth};
+}
+
 TEST(ToothGap, CrosscheckPointsOnTheFlanks) {
   // tools/reference/tooth_gap.py measures the distance between points on both flanks and the chords
   // of the other, and integrates the centre line by Gauss's rule.  Tolerance: 1e-9 m, as the
@@ -221,15 +234,7 @@ TEST(HalfPath, IdentityDerivativesAreThoseOfTheContact) {
       &BasicTeeth<DualReal>::ring_radius, &BasicTeeth<DualReal>::pitch_offset,
       &BasicTeeth<DualReal>::wave};
   for (std::size_t k = 0; k < inputs.size(); ++k) {
-    BasicTeeth<DualReal> dual{.profile = at.profile,
-                              .flank_angle = at.flank_angle,
-                              .addendum = at.addendum,
-                              .spline_addendum = at.spline_addendum,
-                              .thickness = at.thickness,
-                              .ring_radius = at.ring_radius,
-                              .pitch_offset = at.pitch_offset,
-                              .wave = at.wave,
-                              .teeth = at.teeth};
+    BasicTeeth<DualReal> dual = lifted(at);
     (dual.*duals[k]).partial[0] = 1.0;
     const BasicToothGap<DualReal> gap(dual, DualReal(0.01), DualReal(9e-3));
     for (const double degrees : {-25.0, -12.0, -1.0, 1.0, 5.0, 17.0, 35.0, 48.0}) {
@@ -405,15 +410,7 @@ TEST(ToothGap, IdentityDerivativesAreThoseOfTheGap) {
         &BasicTeeth<DualReal>::spline_addendum, &BasicTeeth<DualReal>::thickness,
         &BasicTeeth<DualReal>::ring_radius,     &BasicTeeth<DualReal>::wave};
     for (std::size_t k = 0; k < inputs.size(); ++k) {
-      BasicTeeth<DualReal> dual{.profile = at.profile,
-                                .flank_angle = at.flank_angle,
-                                .addendum = at.addendum,
-                                .spline_addendum = at.spline_addendum,
-                                .thickness = at.thickness,
-                                .ring_radius = at.ring_radius,
-                                .pitch_offset = at.pitch_offset,
-                                .wave = at.wave,
-                                .teeth = at.teeth};
+      BasicTeeth<DualReal> dual = lifted(at);
       (dual.*duals[k]).partial[0] = 1.0;
       const BasicToothGap<DualReal> gap(dual, DualReal(0.01), DualReal(9e-3));
       for (const double degrees : {-12.0, 3.0, 17.0, 35.0, 48.0}) {

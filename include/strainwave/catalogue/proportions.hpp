@@ -95,10 +95,10 @@ struct Proportion {
 
 /// All proportions, in the order of ProportionValues.
 ///
-/// All values were fixed before their first comparison with a catalogue, with two exceptions.  The
+/// All values were fixed before their first comparison with a catalogue, with three exceptions. The
 /// support of the circular spline is close to the middle of its plausible range, but an earlier
 /// study of the same drives had shown that such a value fits.  Relieved tips became the rule after
-/// a first run of the tables with full tips.
+/// a first run of the tables with full tips, and (CV-2) was corrected after this run.
 [[nodiscard]] std::span<const Proportion> proportions();
 
 /// Proportions drawn uniformly and independently between their limits.

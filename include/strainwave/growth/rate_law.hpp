@@ -30,7 +30,8 @@ struct GrowthLimits {
 ///
 /// Implements theory manual eqs. (GR-2) to (GR-12).  The crack breaks where K_max reaches the
 /// lesser of the toughnesses of the law and of the limits.  It stands still where Delta K is not
-/// above the greater of both thresholds, or if K_max <= 0.  There the rate is exactly 0.
+/// above the threshold of the law or that of the limits, or if K_max <= 0.  Its rate is then
+/// exactly 0.
 ///
 /// @param crack_size   a [m]; > 0
 /// @param law          its constants are in range (require_constants)
