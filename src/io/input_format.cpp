@@ -203,6 +203,8 @@ std::map<std::string_view, std::string> unit_patterns() {
   const std::string stress = any({words_like("Pa"), fmt::format("{}/{}\\^2", force, length),
                                   fmt::format("{0}/{1}/{1}", force, length)});
   return {{"m", length},
+          {"s", words_like("s")},
+          {"rad/s", any({words_like("rad/s"), fmt::format("{}/{}", angle, words_like("s"))})},
           {"N", force},
           {"rad", angle},
           {"N*m", torque},

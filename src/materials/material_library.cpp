@@ -14,6 +14,7 @@
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/toml_reader.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/materials/library_law.hpp"
 
 namespace strainwave {
 
@@ -283,6 +284,38 @@ Material completed(const Material& own, const MaterialRecord& record) {
   take(material.yield_strength, "yield_strength", !own.yield_strength);
   take(material.ultimate_strength, "ultimate_strength", !own.ultimate_strength);
   take(material.fracture_toughness, "fracture_toughness", !own.fracture_toughness);
+  const auto whole = [&](bool given, std::string_view name, const std::string& words,
+                         const Evidence& evidence, const auto& fill) {
+    if (given) return;
+    fill();
+    material.from_library.emplace_back(name);
+    taken.push_back(fmt::format("{} ({}{}{})", words, enum_name(evidence.confidence),
+                                evidence.remark.empty() ? "" : "; ", evidence.remark));
+    if (evidence.confidence == Confidence::unverified) unverified.push_back(words);
+  };
+  const auto reversed = std::ranges::find(record.fatigue_limit, -1.0, &FatigueLimit::stress_ratio);
+  if (reversed != record.fatigue_limit.end())
+    whole(own.fatigue.has_value(), "fatigue",
+          "fatigue limit " + shown_quantity(reversed->value, "Pa", 4), *reversed, [&] {
+            material.fatigue =
+                FatigueStrength{.limit = reversed->value, .cycles = reversed->cycles};
+          });
+  if (!record.growth.empty())
+    std::visit(
+        [&](const Evidence& evidence) {
+          whole(!own.growth.empty(), "growth", "law of crack growth", evidence,
+                [&] { material.growth = {rate_law(record)}; });
+        },
+        record.growth.front());
+  if (!record.threshold.empty())
+    whole(own.growth_bounds.has_value() || !own.growth.empty(), "growth_bounds",
+          "threshold of crack growth " +
+              shown_quantity(record.threshold.front().value, "Pa*m^0.5", 4),
+          record.threshold.front(), [&] { material.growth_bounds = growth_bounds(record); });
+  else if (!record.growth.empty() && !own.growth_bounds && own.growth.empty()) {
+    material.growth_bounds = growth_bounds(record);
+    material.from_library.emplace_back("growth_bounds");
+  }
   for_each_number(own, [&](const FieldPath& path, const Field& field, const double& value) {
     if (value != 0)
       own_numbers.push_back(

@@ -256,8 +256,8 @@ void doubt(StrengthState& state, const AssessedCrack& asked, const InDiagram& po
   if (clearly_less(crack.range_end, crack.size.size)) {
     state.reserve.reset();  // the reserve at the end of the range would be too large
     cannot_tell(state,
-                fmt::format("the crack is larger than {}, {}", shown_quantity(crack.range_end, "m", 3),
-                            crack.range_text),
+                fmt::format("the crack is larger than {}, {}",
+                            shown_quantity(crack.range_end, "m", 3), crack.range_text),
                 "Assess so large a crack by finite elements, because no field of the file makes an "
                 "assessment possible.");
   } else if (state.with_assembly && point.chi() > kMaxInteractionRatio &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/growth/rate_law.hpp"
+#include "strainwave/growth_laws/rate_law.hpp"
 
 #include <gtest/gtest.h>
 
@@ -89,7 +89,7 @@ TEST(RateLaw, ReferenceTwoLines) {  // GR-3
   const Paris low{2.144e-13, 5.10};
   const Paris high{1.224e-11, 2.88};
   const double meet = 6.18360484e6;
-  const TwoLines law{low, high, meet};
+  const TwoLines law = TwoLines::of(low, high, meet);
   const double a = meet * meet / (1e16 * pi);
   test::expect_relative(a, 1.21712052e-3, 1e-8);
   const double N =
@@ -196,7 +196,7 @@ TEST(RateLaw, ReferenceToughnessOverThickness) {  // GR-11
 
 std::vector<RateLaw> all_laws() {
   return {Paris{6.9e-12, 3},
-          TwoLines{Paris{2.144e-13, 5.1}, Paris{1.224e-11, 2.88}, 6.1836e6},
+          TwoLines::of(Paris{2.144e-13, 5.1}, Paris{1.224e-11, 2.88}, 6.1836e6),
           Walker{6.9e-12, 3, 0.5},
           Forman{4e-10, 3, 60e6},
           HartmanSchijve{1e-10, 2, 1.5e6, 80e6},
@@ -289,9 +289,9 @@ TEST(RateLaw, InputEachRuleBrokenOnce) {
   EXPECT_EQ(refused(Paris{-1e-12, 3}), "coefficient");
   EXPECT_EQ(refused(Paris{nan, 3}), "coefficient");
   EXPECT_EQ(refused(Paris{1e-12, 0}), "exponent");
-  EXPECT_EQ(refused(TwoLines{Paris{1e-12, 3}, Paris{0, 3}, 1e6}), "coefficient");
-  EXPECT_EQ(refused(TwoLines{Paris{1e-12, 3}, Paris{1e-12, 3}, 0}), "meet");
-  EXPECT_EQ(refused(TwoLines{Paris{1e-12, 3}, Paris{1.02e-12, 3}, 1e6}), "meet");
+  EXPECT_EQ(refused(TwoLines::of(Paris{1e-12, 3}, Paris{0, 3}, 1e6)), "coefficient");
+  EXPECT_EQ(refused(TwoLines::of(Paris{1e-12, 3}, Paris{1e-12, 3}, 0)), "meet");
+  EXPECT_EQ(refused(TwoLines::of(Paris{1e-12, 3}, Paris{1.02e-12, 3}, 1e6)), "meet");
   EXPECT_EQ(refused(Walker{1e-12, 3, 1.5}), "gamma");
   EXPECT_EQ(refused(Forman{1e-12, 3, 0}), "toughness");
   EXPECT_EQ(refused(HartmanSchijve{1e-10, 2, -1, 80e6}), "threshold");

@@ -68,7 +68,7 @@ TEST(Duty, IdentitySignsOrderAndPieces) {
   const DutyAverage whole = duty_average(kExample120, 120);
   std::vector<DutyBlock> other(kExample120.rbegin(), kExample120.rend());
   other[1].torque *= -1;
-  other[2].output_speed *= -1;
+  other[2].output_speed = -*other[2].output_speed;
   other.push_back(other[2]);
   other[2].duration *= 0.3;
   other.back().duration *= 0.7;

@@ -16,13 +16,13 @@
 namespace strainwave {
 
 enum class Factor {
-  support,     ///< s_h, support of the circular spline
-  coning,      ///< chi, coning of the teeth
-  gap_factor,  ///< k_g, gap of the flanks
+  support,          ///< s_h, support of the circular spline
+  coning,           ///< chi, coning of the teeth
+  gap_factor,       ///< k_g, gap of the flanks
   pair_compliance,  ///< 1/c' of a pair of teeth, relative to the file
-  structure,       ///< thickness of barrel and diaphragm in the file, over the fitted one
-  clearance,       ///< radial play at a ball, relative to w_0
-  cam_flattening,  ///< c_cam, flattening of the wave generator
+  structure,        ///< thickness of barrel and diaphragm in the file, over the fitted one
+  clearance,        ///< radial play at a ball, relative to w_0
+  cam_flattening,   ///< c_cam, flattening of the wave generator
 };
 template <>
 struct EnumNames<Factor> {

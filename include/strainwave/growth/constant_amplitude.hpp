@@ -9,7 +9,7 @@
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quadrature.hpp"
-#include "strainwave/growth/rate_law.hpp"
+#include "strainwave/growth_laws/rate_law.hpp"
 
 namespace strainwave {
 

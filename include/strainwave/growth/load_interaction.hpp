@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "strainwave/growth/tip_cycle.hpp"
+#include "strainwave/growth_laws/tip_cycle.hpp"
 
 namespace strainwave {
 

@@ -1,30 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "strainwave/core/error.hpp"
-#include "strainwave/core/fields.hpp"
+#include "strainwave/model/input/duty.hpp"
 
 /// @file
 /// Rainflow counting of a history that comes in pieces (theory manual, GR-1).
 
 namespace strainwave {
-
-/// What counts of a history that does not end where it began.
-enum class Residue {
-  half_cycles,  ///< each range that stays open is a half cycle, as in ASTM E1049
-  repeated,     ///< the history follows on itself for ever; it has whole cycles only
-};
-template <>
-struct EnumNames<Residue> {
-  static constexpr std::array<std::string_view, 2> names = {"half_cycles", "repeated"};
-};
 
 /// One reversal of a history.
 struct Reversal {

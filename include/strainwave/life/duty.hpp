@@ -1,34 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <span>
-#include <string_view>
 
-#include "strainwave/core/fields.hpp"
+#include "strainwave/model/input/duty.hpp"
 
 namespace strainwave {
-
-/// The member of the drive that does not turn.
-enum class FixedMember {
-  circular_spline,  ///< the flexspline is the output and turns against the input, by 1/i
-  flexspline,       ///< the circular spline is the output and turns with the input, by 1/(i + 1)
-};
-template <>
-struct EnumNames<FixedMember> {
-  static constexpr std::array<std::string_view, 2> names = {"circular_spline", "flexspline"};
-};
 
 /// Turns of the wave generator per turn of the output [-]; without sign.
 /// @param ratio  i_h, that of the fixed circular spline [-]; > 0
 [[nodiscard]] double input_turns(double ratio, FixedMember fixed);
 
-/// A part of a duty cycle with constant torque and speed.
-struct DutyBlock {
-  double duration = 0.0;      ///< t [s]; > 0
-  double output_speed = 0.0;  ///< n, without sign or with it [rad/s]; 0: a pause
-  double torque = 0.0;        ///< T at the output [N*m]
-};
+/// Speed of the output of a block or a peak, with sign [rad/s].
+/// @throws InputError  if not exactly one of its two speeds is given
+[[nodiscard]] double output_speed(const DutyBlock& of, double ratio, FixedMember fixed);
+[[nodiscard]] double output_speed(const DutyPeak& of, double ratio, FixedMember fixed);
 
 /// The constant load that the maker's rules put in place of a duty cycle.
 struct DutyAverage {

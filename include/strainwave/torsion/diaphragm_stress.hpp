@@ -10,8 +10,8 @@ namespace strainwave {
 /// face [Pa].
 ///
 /// Implements theory manual eq. (CV-2).  The stress acts at the clamped edge.  The shear by the
-/// torque and notches are not contained.  Accuracy: 2 % against shells of revolution, 4 % for barrels
-/// shorter than 0.15 d, and up to 22 % too high for diaphragms thicker than 0.02 d.
+/// torque and notches are not contained.  Accuracy: 2 % against shells of revolution, 4 % for
+/// barrels shorter than 0.15 d, and up to 22 % too high for diaphragms thicker than 0.02 d.
 ///
 /// @param flexspline    with rim, barrel and diaphragm
 /// @param radius        R of the middle line of rim and barrel [m]; > 0

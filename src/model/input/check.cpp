@@ -33,10 +33,60 @@ void check_material(const FieldPath& path, const Material& material) {
     if (error.rule().empty()) throw InputError(field, "must be given, or shear_modulus");
     throw InputError(field, material.shear_modulus.value_or(0.0), "Pa", error.rule());
   }
+  if (material.growth.size() > 1)
+    throw InputError((path / "growth")[1].text(),
+                     "is a second law; give one law, and two_lines for a law of two branches");
+  if (!material.growth.empty()) {
+    try {
+      require_constants(material.growth.front());
+    } catch (const InputError& error) {
+      throw InputError(((path / "growth")[0] / error.field()).text(),
+                       "contradicts the other constants: " + std::string(error.what()));
+    }
+  }
+  if (const auto& bounds = material.growth_bounds) {
+    if (const auto& R = bounds->stress_ratio)
+      require((*R)[0] <= (*R)[1], (path / "growth_bounds.stress_ratio").text(), (*R)[1], "1",
+              "not below the first one of the pair");
+    if (bounds->from && bounds->to)
+      require(*bounds->from < *bounds->to, (path / "growth_bounds.to").text(), *bounds->to,
+              "Pa*m^0.5", "to > from");
+  }
+  if (material.fatigue && material.fatigue->slope && !material.fatigue->cycles)
+    throw InputError((path / "fatigue.cycles").text(),
+                     "must be given beside slope: the line goes through the knee");
   if (material.yield_strength && material.ultimate_strength)
     require(*material.ultimate_strength >= *material.yield_strength,
             (path / "ultimate_strength").text(), *material.ultimate_strength, "Pa",
             "ultimate_strength >= yield_strength");
+}
+
+template <class Moving>
+void check_speed(const FieldPath& at, const Moving& moving) {
+  if (moving.output_speed && moving.input_speed)
+    throw InputError((at / "input_speed").text(), "must not be given beside output_speed");
+  if (!moving.output_speed && !moving.input_speed)
+    throw InputError((at / "output_speed").text(), "must be given, or input_speed; 0 for a pause");
+}
+
+void check_duty(const Duty& duty) {
+  const FieldPath at("duty");
+  if (duty.history && !duty.block.empty())
+    throw InputError("duty.history", "must not be given beside [[duty.block]]");
+  if (!duty.history && duty.block.empty())
+    throw InputError("duty.block", "must be given, or duty.history");
+  for (std::size_t i = 0; i < duty.block.size(); ++i) check_speed((at / "block")[i], duty.block[i]);
+  for (std::size_t i = 0; i < duty.peak.size(); ++i) {
+    const FieldPath peak = (at / "peak")[i];
+    check_speed(peak, duty.peak[i]);
+    require(duty.peak[i].interval >= duty.peak[i].duration, (peak / "interval").text(),
+            duty.peak[i].interval, "s", "not shorter than the peak's duration");
+  }
+  const bool moves =
+      duty.history || std::ranges::any_of(duty.block, [](const DutyBlock& block) {
+        return block.output_speed.value_or(0.0) != 0 || block.input_speed.value_or(0.0) != 0;
+      });
+  if (!moves) throw InputError("duty.block", "does not move; give at least one block with a speed");
 }
 
 // Rules of the cracks.  Each kind has an overload of check_crack.
@@ -655,6 +705,7 @@ void check(const GearSet& gear) {
   if (gear.mesh) check_cracks(gear, FieldPath("mesh"), gear.mesh->crack);
   if (gear.circular_spline) check_circular_spline(gear);
   if (gear.rating) check_rating(*gear.rating);
+  if (gear.duty) check_duty(*gear.duty);
   if (gear.tolerance)
     require(gear.tolerance->grade >= 1 && gear.tolerance->grade <= 11, "tolerance.grade",
             gear.tolerance->grade, "1", ">= 1 and <= 11");

@@ -10,8 +10,10 @@
 #include "strainwave/core/fields.hpp"
 #include "strainwave/model/input/circular_spline.hpp"
 #include "strainwave/model/input/compliance_table.hpp"
+#include "strainwave/model/input/duty.hpp"
 #include "strainwave/model/input/flexspline.hpp"
 #include "strainwave/model/input/material.hpp"
+#include "strainwave/model/input/output_bearing.hpp"
 #include "strainwave/model/input/output_shaft.hpp"
 #include "strainwave/model/input/rating.hpp"
 #include "strainwave/model/input/scatter.hpp"
@@ -131,6 +133,8 @@ struct GearSet {
   std::optional<OutputShaft> output_shaft;
   std::optional<ToothMesh> mesh;                  ///< teeth of the coupled drive
   std::optional<CircularSpline> circular_spline;  ///< ring of the coupled drive; absent: rigid
+  std::optional<OutputBearing> output_bearing;    ///< bearing that carries the output
+  std::optional<Duty> duty;                       ///< what the drive does, for its life
   std::optional<Rating> rating;                   ///< the maker's torques, for K1, K2, K3
   std::optional<Tolerance> tolerance;             ///< tolerances of the parts; absent: defaults
   std::vector<InputRange> range;                  ///< inputs that are known only within limits
@@ -175,9 +179,19 @@ struct GearSet {
                 .doc = "ring in its housing, for the torsion curve; rigid if left out",
                 .in_template = InTemplate::commented},
           &GearSet::circular_spline);
+    field(Field{.name = "output_bearing",
+                .unit = "",
+                .doc = "bearing that carries the output, for its life",
+                .in_template = InTemplate::commented},
+          &GearSet::output_bearing);
+    field(Field{.name = "duty",
+                .unit = "",
+                .doc = "what the drive does, for its life",
+                .in_template = InTemplate::commented},
+          &GearSet::duty);
     field(Field{.name = "rating",
                 .unit = "",
-                .doc = "the maker's torques, for the torsion curve",
+                .doc = "the maker's torques, speeds and life",
                 .in_template = InTemplate::commented},
           &GearSet::rating);
     field(Field{.name = "tolerance",

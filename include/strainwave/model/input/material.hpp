@@ -8,6 +8,8 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/fields.hpp"
 #include "strainwave/core/lift.hpp"
+#include "strainwave/growth_laws/rate_law.hpp"
+#include "strainwave/model/input/material_life.hpp"
 
 namespace strainwave {
 
@@ -25,6 +27,9 @@ struct Material {
   /// sigma_u, tensile strength [Pa]; > 0, >= yield_strength
   std::optional<double> ultimate_strength = {};
   std::optional<double> fracture_toughness;  ///< K_Ic, fracture toughness [Pa*m^0.5]; > 0
+  std::optional<FatigueStrength> fatigue = {};
+  std::vector<RateLaw> growth = {};  ///< law of crack growth; at most one
+  std::optional<GrowthBounds> growth_bounds = {};
   /// Origin of the numbers if the input only names the material: one sentence for the notes of a
   /// result.  Empty if the input gives the numbers.  This is not a field of the input file.
   std::string origin = {};
@@ -90,6 +95,21 @@ struct Material {
                 .example = R"("60 MPa*m^0.5")",
                 .in_template = InTemplate::commented},
           &Material::fracture_toughness);
+    field(Field{.name = "fatigue",
+                .unit = "",
+                .doc = "endurance without a crack",
+                .in_template = InTemplate::commented},
+          &Material::fatigue);
+    field(Field{.name = "growth",
+                .unit = "",
+                .doc = "law of crack growth, one table",
+                .in_template = InTemplate::commented},
+          &Material::growth);
+    field(Field{.name = "growth_bounds",
+                .unit = "",
+                .doc = "threshold of crack growth, and what the law is stated for",
+                .in_template = InTemplate::commented},
+          &Material::growth_bounds);
   }
 };
 

@@ -19,6 +19,16 @@ struct Rating {
   std::optional<double> rated_torque;  ///< T_N [N*m]; > 0; absent: 1.8 T2
   /// share of T_N at which lost motion is measured [-]; in (0, 1)
   double lost_motion_share = 0.04;
+  /// What the maker allows; absent: not known.
+  std::optional<double> average_torque = {};     ///< limit of the average torque [N*m]; > 0
+  std::optional<double> repeated_peak = {};      ///< limit of repeated peak torque [N*m]; > 0
+  std::optional<double> momentary_peak = {};     ///< limit of momentary peak torque [N*m]; > 0
+  std::optional<double> ratcheting_torque = {};  ///< torque at which teeth jump [N*m]; > 0
+  std::optional<double> buckling_torque = {};    ///< torque at which the wall buckles [N*m]; > 0
+  std::optional<double> largest_speed = {};      ///< of the input [rad/s]; > 0
+  std::optional<double> average_speed = {};      ///< of the input [rad/s]; > 0
+  /// L10 of the wave generator's bearing at T_N and 2000 rpm [s]; > 0
+  std::optional<double> bearing_life = {};
   /// friction of seals, grease and output bearing, at the output [N*m]; >= 0
   double friction_torque = 0.0;
 
@@ -58,6 +68,33 @@ struct Rating {
                 .fallback = "0.04",
                 .in_template = InTemplate::commented},
           &Rating::lost_motion_share);
+    const auto limit = [&](std::string_view name, std::string_view unit, std::string_view doc,
+                           std::string_view example, auto member) {
+      field(Field{.name = name,
+                  .unit = unit,
+                  .doc = doc,
+                  .range = kPositive,
+                  .example = example,
+                  .in_template = InTemplate::commented},
+            member);
+    };
+    limit("average_torque", "N*m", "largest average torque that the maker allows", R"("1500 N*m")",
+          &Rating::average_torque);
+    limit("repeated_peak", "N*m", "largest repeated peak torque that the maker allows",
+          R"("2800 N*m")", &Rating::repeated_peak);
+    limit("momentary_peak", "N*m", "largest momentary peak torque that the maker allows",
+          R"("4800 N*m")", &Rating::momentary_peak);
+    limit("ratcheting_torque", "N*m", "torque at which teeth jump", R"("5000 N*m")",
+          &Rating::ratcheting_torque);
+    limit("buckling_torque", "N*m", "torque at which the flexspline buckles", R"("9000 N*m")",
+          &Rating::buckling_torque);
+    limit("largest_speed", "rad/s", "largest speed of the input", R"("2800 rpm")",
+          &Rating::largest_speed);
+    limit("average_speed", "rad/s", "largest average speed of the input", R"("1900 rpm")",
+          &Rating::average_speed);
+    limit("bearing_life", "s",
+          "life L10 of the wave generator's bearing at rated torque and 2000 rpm", R"("10000 h")",
+          &Rating::bearing_life);
     field(Field{.name = "friction_torque",
                 .unit = "N*m",
                 .doc = "friction torque of seals, grease and output bearing, at the output without "

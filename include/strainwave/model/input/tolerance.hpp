@@ -18,15 +18,16 @@ struct Tolerance {
 
   template <class Visitor>
   static void describe(Visitor&& field) {
-    field(Field{.name = "grade",
-                .unit = "1",
-                .doc = "tolerance class that the flanks of both toothed parts meet by ISO 1328-1; it "
-                       "limits the deviations of the pitch",
-                .range = {.lower = 1.0, .lower_open = false, .upper = 11.0, .upper_open = false},
-                .example = "5",
-                .fallback = "5",
-                .usual = {.lower = 3.0, .upper = 8.0}},
-          &Tolerance::grade);
+    field(
+        Field{.name = "grade",
+              .unit = "1",
+              .doc = "tolerance class that the flanks of both toothed parts meet by ISO 1328-1; it "
+                     "limits the deviations of the pitch",
+              .range = {.lower = 1.0, .lower_open = false, .upper = 11.0, .upper_open = false},
+              .example = "5",
+              .fallback = "5",
+              .usual = {.lower = 3.0, .upper = 8.0}},
+        &Tolerance::grade);
     field(Field{.name = "thickness_deviation",
                 .unit = "m",
                 .doc = "standard deviation of the thickness of the teeth along the pitch circle; "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "strainwave/growth/rate_law.hpp"
+#include "strainwave/growth_laws/rate_law.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,11 +51,12 @@ void power(const Law& law) {
 
 void check(const Paris& law) { power(law); }
 void check(const TwoLines& law) {
-  power(law.low);
-  power(law.high);
+  power(law);
+  positive("upper_coefficient", law.upper_coefficient, "m");
+  positive("upper_exponent", law.upper_exponent, "1");
   positive("meet", law.meet, kToughness);
   const TipCycle meets{.largest = law.meet};
-  const double step = law.high.rate(meets) / law.low.rate(meets) - 1;
+  const double step = law.high().rate(meets) / law.low().rate(meets) - 1;
   require(std::abs(step) <= 0.01, "meet", law.meet, kToughness,
           "a Delta K at which both laws agree within 1 % (MA-3)");
 }
@@ -117,6 +118,20 @@ GrowthRate growth_rate(const RateLaw& law, const TipCycle& cycle, double crack_s
   if (std::isnan(rate))
     throw InputError("law", "its constants give no number; require_constants names the constant");
   return rate > 0 ? GrowthRate{rate, TipState::grows} : GrowthRate{};
+}
+
+RateLaw law_of_through_crack(const RateLaw& law, double thickness,
+                             std::optional<double> yield_strength) {
+  const auto* const stated = std::get_if<Nasgro>(&law);
+  if (stated == nullptr || !stated->over_thickness) return law;
+  if (!yield_strength)
+    throw InputError("yield_strength",
+                     "must be given: the toughness over the thickness depends on it");
+  Nasgro through = *stated;
+  through.toughness =
+      toughness_of_thickness(stated->over_thickness->plane_strain_toughness, *yield_strength,
+                             thickness, stated->over_thickness->A, stated->over_thickness->B);
+  return through;
 }
 
 double toughness_of_thickness(double plane_strain_toughness, double yield_strength,

@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "strainwave/core/units.hpp"
-#include "strainwave/growth/tip_cycle.hpp"
+#include "strainwave/growth_laws/law_fields.hpp"
+#include "strainwave/growth_laws/tip_cycle.hpp"
 
 namespace strainwave {
 
@@ -12,6 +13,8 @@ namespace strainwave {
 ///
 /// R < 0: Delta K is the full range, so the denominator is (1 - R)(K_c - K_max) for every R.
 struct Forman {
+  static constexpr std::string_view kKind = "forman";
+  static constexpr std::string_view kMeaning = "power law that rises towards the toughness";
   double coefficient = 0.0;  ///< C [m]; > 0.  In other texts C has the unit of m/cycle times K_1
   double exponent = 0.0;     ///< m [-]; > 0
   double toughness = 0.0;    ///< K_c [Pa*m^0.5]; > 0
@@ -20,6 +23,13 @@ struct Forman {
   [[nodiscard]] double rate(const TipCycle& cycle) const {
     return coefficient * std::pow(cycle.full_range() / units::MPa, exponent) * units::MPa /
            ((1 - cycle.ratio) * (toughness - cycle.largest));  // (GR-5)
+  }
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(law_fields::kCoefficient, &Forman::coefficient);
+    field(law_fields::kExponent, &Forman::exponent);
+    field(law_fields::toughness("K_c at which the part breaks"), &Forman::toughness);
   }
 };
 

@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "strainwave/core/units.hpp"
-#include "strainwave/growth/tip_cycle.hpp"
+#include "strainwave/growth_laws/law_fields.hpp"
+#include "strainwave/growth_laws/tip_cycle.hpp"
 
 namespace strainwave {
 
@@ -12,6 +13,8 @@ namespace strainwave {
 ///
 /// R < 0: only K_max counts, which is the same equation with gamma = 0.
 struct Walker {
+  static constexpr std::string_view kKind = "walker";
+  static constexpr std::string_view kMeaning = "power law with Walker's effect of R";
   double coefficient = 0.0;  ///< C [m]; > 0
   double exponent = 0.0;     ///< m [-]; > 0
   double gamma = 0.5;        ///< [-]; 0 to 1.  1: no effect of R
@@ -22,6 +25,18 @@ struct Walker {
                                  ? cycle.largest
                                  : cycle.largest * std::pow(1 - cycle.ratio, gamma);  // (GR-4)
     return coefficient * std::pow(effective / units::MPa, exponent);
+  }
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(law_fields::kCoefficient, &Walker::coefficient);
+    field(law_fields::kExponent, &Walker::exponent);
+    field(Field{.name = "gamma",
+                .unit = "1",
+                .doc = "effect of R; 1: none",
+                .range = {.lower = 0.0, .lower_open = false, .upper = 1.0, .upper_open = false},
+                .example = "0.5"},
+          &Walker::gamma);
   }
 };
 

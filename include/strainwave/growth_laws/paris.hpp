@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "strainwave/core/units.hpp"
-#include "strainwave/growth/tip_cycle.hpp"
+#include "strainwave/growth_laws/law_fields.hpp"
+#include "strainwave/growth_laws/tip_cycle.hpp"
 
 namespace strainwave {
 
@@ -12,12 +13,20 @@ namespace strainwave {
 ///
 /// R < 0: Delta K is the full range, with its pressed part, which is on the safe side.
 struct Paris {
+  static constexpr std::string_view kKind = "paris";
+  static constexpr std::string_view kMeaning = "power law of the full range of K";
   double coefficient = 0.0;  ///< C, growth per cycle at Delta K = 1 MPa*m^0.5 [m]; > 0
   double exponent = 0.0;     ///< m [-]; > 0
 
   /// da/dN [m] without threshold and toughness.
   [[nodiscard]] double rate(const TipCycle& cycle) const {
     return coefficient * std::pow(cycle.full_range() / units::MPa, exponent);  // (GR-2, MA-1)
+  }
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(law_fields::kCoefficient, &Paris::coefficient);
+    field(law_fields::kExponent, &Paris::exponent);
   }
 };
 

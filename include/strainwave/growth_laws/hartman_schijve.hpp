@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "strainwave/core/units.hpp"
-#include "strainwave/growth/tip_cycle.hpp"
+#include "strainwave/growth_laws/law_fields.hpp"
+#include "strainwave/growth_laws/tip_cycle.hpp"
 
 namespace strainwave {
 
@@ -12,6 +13,8 @@ namespace strainwave {
 ///
 /// R < 0: Delta K is K_max, because the law describes the open crack.
 struct HartmanSchijve {
+  static constexpr std::string_view kKind = "hartman_schijve";
+  static constexpr std::string_view kMeaning = "power law of the range above a fitted threshold";
   double coefficient = 0.0;  ///< D [m]; > 0
   double exponent = 0.0;     ///< p [-]; > 0, about 2
   double threshold = 0.0;    ///< Delta K_thr, fitted; not that of long cracks [Pa*m^0.5]; >= 0
@@ -23,6 +26,19 @@ struct HartmanSchijve {
     if (!(over > 0)) return 0.0;
     return coefficient * std::pow(over / units::MPa / std::sqrt(1 - cycle.largest / toughness),
                                   exponent);  // (GR-6)
+  }
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(law_fields::kCoefficient, &HartmanSchijve::coefficient);
+    field(law_fields::kExponent, &HartmanSchijve::exponent);
+    field(Field{.name = "threshold",
+                .unit = "Pa*m^0.5",
+                .doc = "Delta K_thr, fitted; the threshold of long cracks is another number",
+                .range = kNonNegative,
+                .example = R"("2 MPa*m^0.5")"},
+          &HartmanSchijve::threshold);
+    field(law_fields::toughness("A, K at which the part breaks"), &HartmanSchijve::toughness);
   }
 };
 

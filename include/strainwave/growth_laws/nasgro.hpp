@@ -5,11 +5,13 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string_view>
 
 #include "strainwave/core/fields.hpp"
 #include "strainwave/core/units.hpp"
-#include "strainwave/growth/tip_cycle.hpp"
+#include "strainwave/growth_laws/law_fields.hpp"
+#include "strainwave/growth_laws/tip_cycle.hpp"
 
 namespace strainwave {
 
@@ -34,6 +36,23 @@ struct NewmanClosure {
     const double A2 = 1 - A0 - A1 - A3;
     return std::max(ratio, A0 + ratio * (A1 + ratio * (A2 + ratio * A3)));
   }
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "constraint",
+                .unit = "1",
+                .doc = "alpha, 1 in plane stress to 3 in plane strain",
+                .range = {.lower = 1.0, .lower_open = false, .upper = 3.0, .upper_open = false},
+                .example = "2.5"},
+          &NewmanClosure::constraint);
+    field(Field{.name = "stress_level",
+                .unit = "1",
+                .doc = "S_max/sigma_0, largest stress over the flow stress",
+                .range = {.lower = 0.0, .upper = 1.0},
+                .example = "0.3",
+                .fallback = "0.3"},
+          &NewmanClosure::stress_level);
+  }
 };
 
 /// How the threshold depends on the stress ratio.
@@ -46,21 +65,46 @@ struct EnumNames<NasgroThreshold> {
   static constexpr std::array<std::string_view, 2> names = {"from_zero", "from_one"};
 };
 
+/// Toughness of a through crack over the thickness (GR-11).
+struct ToughnessOverThickness {
+  double plane_strain_toughness = 0.0;  ///< K_Ic [Pa*m^0.5]; > 0
+  double A = 0.0;                       ///< A_k [-]; >= 0
+  double B = 0.0;                       ///< B_k [-]; >= 0
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "plane_strain_toughness",
+                .unit = "Pa*m^0.5",
+                .doc = "K_Ic",
+                .range = kPositive,
+                .example = R"("60 MPa*m^0.5")"},
+          &ToughnessOverThickness::plane_strain_toughness);
+    field(Field{.name = "A", .unit = "1", .doc = "A_k", .range = kNonNegative, .example = "0.75"},
+          &ToughnessOverThickness::A);
+    field(Field{.name = "B", .unit = "1", .doc = "B_k", .range = kNonNegative, .example = "0.5"},
+          &ToughnessOverThickness::B);
+  }
+};
+
 /// da/dN = C [(1 - f)/(1 - R) Delta K/K_1]^n (1 - Delta K_th/Delta K)^p/(1 - K_max/K_c)^q (GR-8).
 ///
 /// R < 0: Delta K is the full range; the opening f lets only a part of it count.
 struct Nasgro {
+  static constexpr std::string_view kKind = "nasgro";
+  static constexpr std::string_view kMeaning = "NASGRO equation with Newman's crack opening";
   double coefficient = 0.0;           ///< C [m]; > 0
   double exponent = 0.0;              ///< n [-]; > 0
   double threshold_exponent = 0.0;    ///< p [-]; >= 0
   double instability_exponent = 0.0;  ///< q [-]; >= 0
-  double toughness = 0.0;             ///< K_c, or K_Ie of a part-through crack [Pa*m^0.5]; > 0
+  double toughness = 0.0;             ///< K_Ie of a part-through crack, or K_c [Pa*m^0.5]; > 0
   NewmanClosure closure;
   NasgroThreshold form = NasgroThreshold::from_one;
   double threshold_datum = 0.0;  ///< Delta K_0 or Delta K_1 [Pa*m^0.5]; > 0
   double slope_plus = 0.0;       ///< C_th of R >= 0 [-]
   double slope_minus = 0.0;      ///< C_th of R < 0 [-]
   double intrinsic_size = 0.0;   ///< a_0 of short cracks [m]; >= 0
+  /// toughness of through cracks; absent: `toughness` holds for them too
+  std::optional<ToughnessOverThickness> over_thickness = {};
 
   /// Delta K_th, full range [Pa*m^0.5].
   ///
@@ -78,6 +122,50 @@ struct Nasgro {
     const double effective = (1 - f) * cycle.largest / units::MPa;
     return coefficient * std::pow(effective, exponent) * std::pow(over, threshold_exponent) /
            std::pow(1 - cycle.largest / toughness, instability_exponent);  // (GR-8)
+  }
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    const auto pure = [&](std::string_view name, std::string_view doc, std::string_view example,
+                          const Range& range, auto member) {
+      field(Field{.name = name, .unit = "1", .doc = doc, .range = range, .example = example},
+            member);
+    };
+    field(law_fields::kCoefficient, &Nasgro::coefficient);
+    field(law_fields::kExponent, &Nasgro::exponent);
+    pure("threshold_exponent", "p", "0.25", kNonNegative, &Nasgro::threshold_exponent);
+    pure("instability_exponent", "q", "0.25", kNonNegative, &Nasgro::instability_exponent);
+    field(law_fields::toughness("K_c of a through crack, K_Ie of a part-through crack"),
+          &Nasgro::toughness);
+    field(Field{.name = "closure", .unit = "", .doc = "crack opening"}, &Nasgro::closure);
+    field(
+        Field{.name = "form",
+              .unit = "",
+              .doc = "stress ratio of the threshold's datum: Delta K_0 at R = 0, or Delta K_1 for "
+                     "R near 1",
+              .example = R"("from_one")",
+              .fallback = R"("from_one")"},
+        &Nasgro::form);
+    field(Field{.name = "threshold_datum",
+                .unit = "Pa*m^0.5",
+                .doc = "Delta K_0 or Delta K_1 of long cracks",
+                .range = kPositive,
+                .example = R"("2.2 MPa*m^0.5")"},
+          &Nasgro::threshold_datum);
+    pure("slope_plus", "C_th of R >= 0", "1.4", kFinite, &Nasgro::slope_plus);
+    pure("slope_minus", "C_th of R < 0", "-0.1", kFinite, &Nasgro::slope_minus);
+    field(Field{.name = "intrinsic_size",
+                .unit = "m",
+                .doc = "a_0 of short cracks; 0: their threshold is that of long cracks",
+                .range = kNonNegative,
+                .example = R"("38.1 um")",
+                .fallback = R"("0 m")"},
+          &Nasgro::intrinsic_size);
+    field(Field{.name = "over_thickness",
+                .unit = "",
+                .doc = "toughness of through cracks over the thickness",
+                .in_template = InTemplate::commented},
+          &Nasgro::over_thickness);
   }
 
  private:

@@ -4,13 +4,13 @@
 #include <optional>
 #include <variant>
 
-#include "strainwave/growth/laws/forman.hpp"
-#include "strainwave/growth/laws/hartman_schijve.hpp"
-#include "strainwave/growth/laws/nasgro.hpp"
-#include "strainwave/growth/laws/paris.hpp"
-#include "strainwave/growth/laws/two_lines.hpp"
-#include "strainwave/growth/laws/walker.hpp"
-#include "strainwave/growth/tip_cycle.hpp"
+#include "strainwave/growth_laws/forman.hpp"
+#include "strainwave/growth_laws/hartman_schijve.hpp"
+#include "strainwave/growth_laws/nasgro.hpp"
+#include "strainwave/growth_laws/paris.hpp"
+#include "strainwave/growth_laws/tip_cycle.hpp"
+#include "strainwave/growth_laws/two_lines.hpp"
+#include "strainwave/growth_laws/walker.hpp"
 
 namespace strainwave {
 
@@ -42,5 +42,13 @@ struct GrowthLimits {
 
 /// Throws InputError, which names the constant, unless each constant of the law is in its range.
 void require_constants(const RateLaw& law);
+
+/// The law for a crack through the thickness: a law that states its toughness over the thickness
+/// takes that toughness (GR-11); any other law stays.
+/// @param thickness       t [m]; > 0
+/// @param yield_strength  [Pa]; > 0; absent: not known
+/// @throws InputError     if the law needs the yield strength and it is absent
+[[nodiscard]] RateLaw law_of_through_crack(const RateLaw& law, double thickness,
+                                           std::optional<double> yield_strength);
 
 }  // namespace strainwave
