@@ -163,6 +163,7 @@ class Maker {
             const LoadedCrack<sif::AnnularCrackSolid>& loaded) const {
     const double d = gear_.output_shaft->outer_diameter;
     fill_annular(made, crack, loaded);
+    made.turning = TurningLoad::bending;
     made.bending = [d](const CrackSize& size) {
       const sif::BarAnnularCrack bar{.depth = size.size, .diameter = d};
       return std::vector<Modes>{{bar.stress_intensity(size.size, 0.0).I[sif::kMoment], 0.0, 0.0}};
@@ -182,6 +183,7 @@ class Maker {
     const double D = gear_.output_shaft->outer_diameter;
     const double d = gear_.output_shaft->inner_diameter;
     fill_annular(made, crack, loaded);
+    made.turning = TurningLoad::bending;
     if (d <= sif::AnnularCrackHollow::kMaxTensionRadiusRatio * D)
       made.bending = [D, d](const CrackSize& size) {
         const sif::HollowAnnularOuterCrack bar{
@@ -252,6 +254,7 @@ class Maker {
       return front;
     };
     made.bending = tube_bending(made, wall.mean_radius);
+    made.through_thickness = wall.thickness;
     const double round = 2 * pi * wall.mean_radius;
     const double sine = std::abs(std::sin(crack.angle));
     const double cosine = std::abs(std::cos(crack.angle));
@@ -331,6 +334,7 @@ class Maker {
             const LoadedCrack<sif::ThroughCrackInTube>& loaded) const {
     const double r = loaded.solution.mean_radius;
     take_basics(made, loaded);
+    made.through_thickness = loaded.solution.wall_thickness;
     made.front = [states = BothStates(loaded.solution)](const CrackSize& size, Faces faces) {
       return along(states.with(faces), size.size, {0.0});
     };
@@ -427,6 +431,7 @@ class Maker {
                                            double angle) const {
     if (gear_.drive.wave_number < 2) return {};  // one lobe shifts the ring without bending it
     made.assembly = true;
+    made.turning = TurningLoad::wave;
     made.notes.push_back(kAssembly);
     use(made, {"ST-17", "FA-12"});
     made.assembly_peak = assembly_stress(gear_, wall.mean_radius, wall.thickness, 0.0).normal;
@@ -487,6 +492,9 @@ class Maker {
                                        : SectionLoading::membrane;
     take_basics(made, loaded);
     made.reverses = false;
+    if (crack.stress_driver == StressDriver::contact_edge ||
+        crack.stress_driver == StressDriver::orthogonal_shear)
+      made.turning = TurningLoad::balls;
     const double t = *gear_.wave_generator->inner_ring_thickness;
     // A ring in compression cannot reach its limit load in tension.
     const double stress = std::max(loads_.unit_stress(crack), 0.0) * lobe_force_per_torque();

@@ -41,6 +41,14 @@ struct FrontIntensity {
   Modes assembly{};
 };
 
+/// The load that changes in each turn of a running drive, seen from the crack.
+enum class TurningLoad {
+  none,     ///< the crack sees the torque alone
+  wave,     ///< the assembly, whose sign changes with each wave
+  bending,  ///< a bending moment fixed in space, round which the crack turns
+  balls,    ///< the pressure of the balls, from 0 to its full value and back
+};
+
 /// A crack of a drive, in one form for all kinds, as stiffness, strength and growth need it: K
 /// along its front at any size, and the limits of its validity.
 struct DriveCrack {
@@ -51,10 +59,12 @@ struct DriveCrack {
   /// below are then empty.
   bool acts_in_coupled_drive = false;
 
-  std::string size_name;  ///< "depth" or "half_length"
-  CrackSize size;         ///< size in the file
-  double ligament = 0.0;  ///< thickness of the section that the crack leaves [m]
-  CrackModuli moduli;     ///< E' and mu [Pa]
+  std::string size_name;           ///< "depth" or "half_length"
+  CrackSize size;                  ///< size in the file
+  double ligament = 0.0;           ///< thickness of the section that the crack leaves [m]
+  double through_thickness = 0.0;  ///< thickness of the wall of a through crack, else 0 [m]
+  TurningLoad turning = TurningLoad::none;
+  CrackModuli moduli;  ///< E' and mu [Pa]
   sif::Constraint constraint = sif::Constraint::plane_strain;
   BothSenses faces;  ///< state of the faces at the given load, without the assembly
   /// False if the load has the same sense for both senses of torque, as the force on a lobe does.

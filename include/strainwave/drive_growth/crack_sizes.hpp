@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "strainwave/drive_cracks/drive_cracks.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+
+namespace strainwave {
+
+/// The drive with its cracks at other sizes.
+/// @param sizes  one per crack, in the order of drive_cracks; a crack that acts in the coupled
+///               drive keeps its size
+[[nodiscard]] GearSet with_crack_sizes(const GearSet& gear, std::span<const CrackSize> sizes);
+
+/// The drive with one surface crack of the wall replaced by a crack through the wall of the same
+/// length on the surface (GR-26).
+/// @param index  of the crack, in the order of drive_cracks
+/// @return       false if the crack is of another kind, which has no such continuation
+[[nodiscard]] bool break_through(GearSet& gear, std::size_t index);
+
+}  // namespace strainwave

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "strainwave/drive_cracks/drive_cracks.hpp"
+#include "strainwave/drive_growth/load_cycles.hpp"
+#include "strainwave/growth/mixed_mode.hpp"
+#include "strainwave/growth_laws/rate_law.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+
+/// @file
+/// A crack of a drive as its growth sees it: cycles at its tips, and the rate of its sizes.
+
+namespace strainwave {
+
+/// Choices of the law.
+struct RateChoice {
+  MixedMode mixed_mode = MixedMode::energy;
+  /// Record of the material library whose law replaces that of every material; empty: none.
+  std::string law;
+};
+
+/// The cycle at a tip between two states of K (GR-22).
+///
+/// The larger equivalent factor of the two is K_max.  The range is the equivalent of the ranges of
+/// the three modes, so R = 1 - Delta K/K_max, and R = -1 for a load that changes its sign.
+[[nodiscard]] TipCycle tip_cycle(MixedMode rule, const Modes& from, const Modes& to,
+                                 double poissons_ratio);
+
+/// A cycle of the duty at one tip of a crack of a given size.
+struct TipLoad {
+  TipCycle cycle;
+  double count = 0.0;    ///< in one repetition [-]
+  std::size_t step = 0;  ///< as LoadCycle::step
+};
+
+/// The ends of a crack that grow.
+enum class Tip { depth, length };
+
+/// K per unit of each load along the front of a crack at one size.
+struct SizedFront {
+  std::vector<FrontIntensity> load;
+  std::vector<Modes> bending;  ///< empty: no bending moment acts
+};
+
+/// A crack of a drive under its duty.
+class GrowingCrack {
+ public:
+  /// @param gear   has passed `check` and has a duty
+  /// @param crack  of drive_cracks(gear); one that does not act in the coupled drive
+  /// @throws InputError  if its material has no law of growth
+  GrowingCrack(const GearSet& gear, DriveCrack crack, const std::vector<DutyStep>& steps,
+               const RateChoice& choice);
+
+  [[nodiscard]] const DriveCrack& crack() const { return crack_; }
+  [[nodiscard]] const CrackDuty& duty() const { return duty_; }
+  [[nodiscard]] const RateLaw& law() const { return law_; }
+  [[nodiscard]] MixedMode mixed_mode() const { return mixed_mode_; }
+  [[nodiscard]] const GrowthLimits& limits() const { return limits_; }
+  /// The tips that move: depth and length of a surface crack, else the size alone.
+  [[nodiscard]] std::span<const Tip> tips() const;
+
+  /// The cycles of one repetition at each tip, in the order of `tips`.
+  /// @param factor  on torque, axial force and bending moment of the duty [-]
+  [[nodiscard]] std::vector<std::vector<TipLoad>> loads(const CrackSize& size,
+                                                        double factor = 1.0) const;
+  /// Growth of a tip in one repetition without load interaction [m]; 0 if it stands still, infinite
+  /// if the law knows no rate because a cycle breaks the part.
+  [[nodiscard]] double growth(std::span<const TipLoad> loads, double crack_size) const;
+  /// The cycle with the largest K_max.
+  [[nodiscard]] static TipCycle governing(std::span<const TipLoad> loads);
+  /// The cycle with the largest range over its threshold at R; the widest if the law has none.
+  [[nodiscard]] TipCycle widest(std::span<const TipLoad> loads) const;
+  /// Threshold of the range of a cycle, of the law or of the material [Pa*m^0.5]; absent: none.
+  [[nodiscard]] std::optional<double> threshold(const TipCycle& cycle, double crack_size) const;
+  /// K at the worst point of the first tip in the state of the duty's largest K_max.
+  [[nodiscard]] Modes worst_factors(const CrackSize& size) const;
+  /// Whether K_max reaches the toughness of law or material.
+  [[nodiscard]] bool breaks(const CrackSize& size) const;
+
+ private:
+  [[nodiscard]] Modes factors_at(const std::vector<SizedFront>& fronts, std::size_t point,
+                                 const LoadState& state, double factor) const;
+
+  DriveCrack crack_;
+  std::vector<std::pair<double, DriveCrack>> at_torque_;  // only if K is not linear in the torque
+  CrackDuty duty_;
+  RateLaw law_;
+  GrowthLimits limits_;
+  MixedMode mixed_mode_;
+  double poissons_ratio_ = 0.3;
+};
+
+}  // namespace strainwave

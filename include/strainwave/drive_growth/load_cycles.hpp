@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "strainwave/drive_cracks/drive_cracks.hpp"
+#include "strainwave/model/input/gear_set.hpp"
+
+/// @file
+/// The duty of a drive as cycles of the load of one crack.
+
+namespace strainwave {
+
+/// A part of the duty with constant load, as all models of life see it.
+struct DutyStep {
+  double duration = 0.0;        ///< [s]; > 0
+  double output_speed = 0.0;    ///< with sign [rad/s]
+  double torque = 0.0;          ///< T [N*m]
+  double axial_force = 0.0;     ///< P [N]
+  double bending_moment = 0.0;  ///< M [N*m]
+};
+
+/// Load of a crack at one moment.
+struct LoadState {
+  double torque = 0.0;       ///< T [N*m]
+  double axial_force = 0.0;  ///< P [N]
+  /// Share of the assembly that acts at the crack, -1 to 1 [-]
+  double assembly = 0.0;
+  double bending_moment = 0.0;  ///< M that acts at the crack, with sign [N*m]
+};
+
+/// Equal cycles of the load of a crack.
+struct LoadCycle {
+  LoadState from;
+  LoadState to;
+  double count = 0.0;    ///< in one repetition of the duty [-]; > 0
+  std::size_t step = 0;  ///< step of the duty in which the cycle has its peak
+};
+
+/// One repetition of the duty of a drive for one crack.
+struct CrackDuty {
+  double duration = 0.0;         ///< of one repetition, with peaks [s]
+  std::vector<LoadCycle> cycle;  ///< in the order of their peaks
+  double peaks = 0.0;            ///< momentary peaks in one repetition [-]
+
+  /// Number of cycles in one repetition [-].
+  [[nodiscard]] double cycles() const;
+};
+
+/// The steps of one repetition of the duty.
+/// @throws InputError  if the drive has no duty, or its speeds cannot be read
+[[nodiscard]] std::vector<DutyStep> duty_steps(const GearSet& gear);
+
+/// Cycles per turn of the input of the load that turns relative to a crack (GR-21) [-].
+[[nodiscard]] double turning_cycles(const GearSet& gear, const DriveCrack& crack);
+
+/// Cycles of the load of one crack in one repetition of the duty.
+///
+/// Implements theory manual eq. (GR-21).  Each step gives cycles of the load that turns relative to
+/// the crack, about the constant load of the step.  The rainflow cycles of the constant loads join
+/// the peak of one step with the valley of another one; each takes half a turning cycle of either
+/// step.  A momentary peak gives a cycle from the least load of the duty, and its own turning
+/// cycles.
+///
+/// @param steps  of duty_steps; the rainflow cycles are those of the load that is largest at the
+///               crack
+[[nodiscard]] CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack,
+                                   const std::vector<DutyStep>& steps);
+
+}  // namespace strainwave

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <string>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/quantity_text.hpp"
+#include "strainwave/core/shown_text.hpp"
+#include "strainwave/door/door.hpp"
+#include "strainwave/drive_growth/grow_cracks.hpp"
+#include "strainwave/layouts/growth.hpp"
+#include "strainwave/materials/library_law.hpp"
+#include "strainwave/materials/material_library.hpp"
+
+namespace strainwave {
+namespace {
+
+struct GrowOptions {
+  std::string until = "event";
+  std::string law;
+  MixedMode mixed_mode = MixedMode::energy;
+  int points = 60;
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({.name = "until",
+           .unit = "",
+           .doc = "end of the computation: a time such as \"20000 h\", \"1e6 cycles\", a size such "
+                  "as \"output_shaft.crack[0].depth=5 mm\", or \"event\" for the first crack that "
+                  "ends the life",
+           .fallback = "event"},
+          &GrowOptions::until);
+    field({.name = "law",
+           .unit = "",
+           .doc = "steel of the material library whose law of growth replaces that of the file; "
+                  "the file's if left out",
+           .fallback = R"("")",
+           .names = "material"},
+          &GrowOptions::law);
+    field({.name = "mixed_mode",
+           .unit = "",
+           .doc = "rule that makes one stress intensity of three modes",
+           .fallback = "energy"},
+          &GrowOptions::mixed_mode);
+    field({.name = "points",
+           .unit = "",
+           .doc = "largest number of rows of a series",
+           .range = {.lower = 2, .lower_open = false, .upper = 100000, .upper_open = false},
+           .fallback = "60"},
+          &GrowOptions::points);
+  }
+};
+
+/// Reads --until.
+GrowthStop stop_of(const GearSet& gear, const std::string& until) {
+  GrowthStop stop;
+  if (until == "event") return stop;
+  constexpr std::string_view kCycles = "cycles";
+  if (until.ends_with(kCycles)) {
+    stop.cycles = parse_quantity("--until", until.substr(0, until.size() - kCycles.size()), "1");
+    require(*stop.cycles > 0, "--until", *stop.cycles, "1", "> 0");
+    return stop;
+  }
+  if (const auto equal = until.find('='); equal != std::string::npos) {
+    const std::string path = until.substr(0, equal);
+    const std::size_t dot = path.rfind('.');
+    stop.crack = path.substr(0, dot == std::string::npos ? 0 : dot);
+    for (const DriveCrack& crack : drive_cracks(gear))
+      if (crack.path == stop.crack && crack.path + "." + crack.size_name == path) {
+        stop.size = parse_quantity("--until", until.substr(equal + 1), "m");
+        require(stop.size > crack.size.size, "--until", stop.size, "m",
+                "larger than the size in the file");
+        return stop;
+      }
+    throw InputError("--until", fmt::format("{} is not the size of a crack of this drive; write "
+                                            "the path of its depth or half_length",
+                                            shown(path)));
+  }
+  stop.time = parse_quantity("--until", until, "s");
+  require(*stop.time > 0, "--until", *stop.time, "s", "> 0");
+  return stop;
+}
+
+}  // namespace
+
+Command grow_command() {
+  return command<GrowOptions, GrowthReport>({
+      .name = "grow",
+      .summary = "Grow the cracks over the duty: size, stiffness and reserve over hours",
+      .description =
+          "Counts the cycles of the duty for each crack, grows all cracks of the file together by "
+          "the law of their material, and says what ends the life, after how many hours, or that "
+          "the cracks stand still and which loads would start them again. The stiffness, the "
+          "natural frequency and the reserve against failure follow over time. The file must give "
+          "[duty] and a law of growth of each cracked material.",
+      .example = "strainwave grow examples/growing_shaft.toml --plot growth.svg",
+      .function =
+          [](const Request& request, const GrowOptions& o) {
+            const GearSet& gear = request.drive.gear;
+            GrowthOptions options;
+            options.rate = {.mixed_mode = o.mixed_mode, .law = o.law};
+            options.points = o.points;
+            options.stop = from_option([&] { return stop_of(gear, o.until); });
+            if (!o.law.empty()) from_option([&] { (void)rate_law(require_material(o.law)); });
+            return grow_cracks(gear, options, request.progress);
+          },
+      .documents = {{Format::text,
+                     [](const GrowthReport& report, const Rendering& to) {
+                       return growth_text(report, to.drive.gear, to.provenance);
+                     }},
+                    {Format::csv, growth_csv},
+                    {{.name = "plot",
+                      .format = Format::svg,
+                      .option = "plot",
+                      .doc = "draw sizes, ranges of K and stiffness over time as an SVG file"},
+                     growth_plot}},
+  });
+}
+
+}  // namespace strainwave

@@ -1,0 +1,514 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/drive_growth/grow_cracks.hpp"
+
+#include <algorithm>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <cmath>
+#include <utility>
+
+#include "notes.hpp"
+#include "strainwave/core/error.hpp"
+#include "strainwave/drive_growth/crack_sizes.hpp"
+#include "strainwave/stiffness/torsional_stiffness.hpp"
+#include "strainwave/strength/crack_assessment.hpp"
+
+namespace strainwave {
+namespace {
+
+constexpr double kLongestDuty = 1e6 * 365.25 * 24 * 3600;  // a million years [s]
+constexpr double kLongestStep = 0.05;                      // of a path in ln(size) [-]
+constexpr double kShortestStep = 1e-13;
+constexpr double kAssessmentStep = 0.02;  // path between two failure assessments [-]
+
+using State = std::vector<double>;  // ln of the size of each tip, then repetitions
+using Stepper = boost::numeric::odeint::runge_kutta_dopri5<State>;
+
+/// The cracks of a drive on their common path.
+class Growing {
+ public:
+  Growing(const GearSet& gear, const GrowthOptions& options, GrowthReport& report)
+      : gear_(gear), options_(options), report_(report), steps_(duty_steps(gear)) {
+    take_cracks();
+  }
+
+  [[nodiscard]] const GearSet& gear() const { return gear_; }
+  [[nodiscard]] const std::vector<GrowingCrack>& cracks() const { return cracks_; }
+  [[nodiscard]] bool none() const { return cracks_.empty(); }
+  [[nodiscard]] std::size_t index_in_report(std::size_t k) const { return in_report_[k]; }
+
+  /// Time of a repetition [s].
+  [[nodiscard]] double duration() const {
+    double sum = 0.0;
+    for (const DutyStep& step : steps_) sum += step.duration;
+    return sum;
+  }
+  /// Largest |T| of the duty and its peaks, with sign [N*m].
+  [[nodiscard]] double largest_torque() const {
+    double largest = 0.0;
+    const auto take = [&](double torque) {
+      if (std::abs(torque) > std::abs(largest)) largest = torque;
+    };
+    for (const DutyStep& step : steps_) take(step.torque);
+    for (const DutyPeak& peak : gear_.duty->peak) take(peak.torque);
+    return largest;
+  }
+
+  [[nodiscard]] State start(double repetitions) const {
+    State state;
+    for (const GrowingCrack& crack : cracks_)
+      for (const Tip tip : crack.tips())
+        state.push_back(std::log(tip == Tip::depth ? crack.crack().size.size
+                                                   : crack.crack().size.half_length()));
+    state.push_back(repetitions);
+    return state;
+  }
+
+  /// Size of one crack; a crack is not deeper than half its length.
+  [[nodiscard]] CrackSize size_of(const State& state, std::size_t k) const {
+    const std::size_t at = first_[k];
+    const double end = cracks_[k].crack().range_end;
+    const double a = std::min(std::exp(state[at]), end);
+    if (cracks_[k].tips().size() == 1) return {.size = a};
+    return CrackSize::of(a, std::max(std::exp(state[at + 1]), a));
+  }
+
+  /// Relative growth of each tip in one repetition.
+  [[nodiscard]] State rates(const State& state) const {
+    State rate;
+    for (std::size_t k = 0; k < cracks_.size(); ++k) {
+      const CrackSize size = size_of(state, k);
+      const auto loads = cracks_[k].loads(size);
+      for (std::size_t t = 0; t < loads.size(); ++t) {
+        const double grown = cracks_[k].growth(loads[t], size.size);
+        rate.push_back(std::min(grown / (t == 0 ? size.size : size.half_length()), kFastest));
+      }
+      // Where the fit ends at a = c, the shape stays.
+      if (loads.size() == 2 && size.aspect_ratio >= 1 && rate[rate.size() - 2] > rate.back())
+        rate[rate.size() - 2] = rate.back();
+    }
+    return rate;
+  }
+
+  /// (GR-24): the path in the logarithms of the sizes has the length of the variable.
+  void derivative(const State& state, State& by_path) const {
+    const State rate = rates(state);
+    double norm = 0.0;
+    for (const double r : rate) norm += r * r;
+    norm = std::sqrt(norm);
+    by_path.assign(state.size(), 0.0);
+    if (!(norm > 0)) {
+      by_path.back() = kStandsStill;
+      return;
+    }
+    for (std::size_t i = 0; i < rate.size(); ++i) by_path[i] = rate[i] / norm;
+    by_path.back() = 1 / norm;
+  }
+  static constexpr double kFastest = 1e40;
+  static constexpr double kStandsStill = 1e200;
+
+  [[nodiscard]] std::vector<CrackSize> sizes(const State& state) const {
+    std::vector<CrackSize> all = unchanged_;
+    for (std::size_t k = 0; k < cracks_.size(); ++k) all[in_drive_[k]] = size_of(state, k);
+    return all;
+  }
+  [[nodiscard]] GearSet gear_at(const State& state) const {
+    return with_crack_sizes(gear_, sizes(state));
+  }
+
+  /// What ends the step at a state, apart from the failure assessment.
+  struct End {
+    CrackEvent event;
+    std::size_t crack;
+  };
+  [[nodiscard]] std::optional<End> end_at(const State& state) const {
+    for (std::size_t k = 0; k < cracks_.size(); ++k) {
+      const double a = std::exp(state[first_[k]]);
+      if (cracks_[k].breaks(size_of(state, k))) return End{CrackEvent::breaks, k};
+      if (a >= cracks_[k].crack().range_end) return End{CrackEvent::range, k};
+      if (cracks_[k].crack().path == options_.stop.crack && a >= options_.stop.size)
+        return End{CrackEvent::wanted_size, k};
+    }
+    return std::nullopt;
+  }
+
+  /// Repetitions after which the duty ends.
+  [[nodiscard]] double last_repetition() const {
+    double last = kLongestDuty / duration();
+    if (options_.stop.time) last = std::min(last, *options_.stop.time / duration());
+    if (options_.stop.cycles) {
+      double most = 0.0;
+      for (const GrowingCrack& crack : cracks_) most = std::max(most, crack.duty().cycles());
+      if (most > 0) last = std::min(last, *options_.stop.cycles / most);
+    }
+    return last;
+  }
+
+  /// Lets a surface crack go on through the wall; false if the crack cannot.
+  [[nodiscard]] bool through_wall(const State& state, std::size_t k) {
+    GearSet grown = gear_at(state);
+    if (!break_through(grown, in_drive_[k])) return false;
+    gear_ = std::move(grown);
+    take_cracks();
+    return true;
+  }
+
+ private:
+  void take_cracks() {
+    cracks_.clear();
+    first_.clear();
+    in_drive_.clear();
+    in_report_.clear();
+    unchanged_.clear();
+    std::size_t at = 0;
+    const bool first_time = report_.cracks.empty();
+    std::vector<DriveCrack> all = drive_cracks(gear_);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      unchanged_.push_back(all[i].size);
+      if (all[i].acts_in_coupled_drive) {
+        if (first_time) report_.notes.push_back(coupled_crack_note(all[i].path));
+        continue;
+      }
+      in_drive_.push_back(i);
+      in_report_.push_back(in_report_.size());
+      cracks_.emplace_back(gear_, std::move(all[i]), steps_, options_.rate);
+      first_.push_back(at);
+      at += cracks_.back().tips().size();
+    }
+  }
+
+  GearSet gear_;
+  const GrowthOptions& options_;
+  GrowthReport& report_;
+  std::vector<DutyStep> steps_;
+  std::vector<GrowingCrack> cracks_;
+  std::vector<std::size_t> first_;      // first tip of each crack in the state
+  std::vector<std::size_t> in_drive_;   // index among drive_cracks
+  std::vector<std::size_t> in_report_;  // index among the report's cracks
+  std::vector<CrackSize> unchanged_;
+};
+
+/// Integrates the path and fills the report.
+class Path {
+ public:
+  Path(const GearSet& gear, const GrowthOptions& options, GrowthReport& report,
+       const Progress& progress, double step_factor)
+      : growing_(gear, options, report),
+        options_(options),
+        report_(report),
+        progress_(progress),
+        step_factor_(step_factor) {}
+
+  /// @param told  whether to fill series, events and notes of the report
+  void run(bool told) {
+    told_ = told;
+    if (growing_.none()) {
+      report_.end = DriveEnd::not_known;
+      return;
+    }
+    if (told_) begin_report();
+    State state = growing_.start(0.0);
+    const double duration = growing_.duration();
+    report_.duty_duration = duration;
+    const auto at_once = growing_.end_at(state);
+    if (at_once) record(state);
+    if (!at_once || finish_at(state, *at_once))
+      while (integrate(state)) {
+      }
+    report_.repetitions = state.back();
+    report_.time = state.back() * duration;
+    if (told_) describe_rest(state);
+  }
+
+ private:
+  /// Runs until an end; true if the cracks go on with another set.
+  bool integrate(State& state) {
+    const auto system = [this](const State& at, State& by_path, double) {
+      growing_.derivative(at, by_path);
+    };
+    Stepper stepper;
+    State slope(state.size());
+    State next(state.size());
+    State next_slope(state.size());
+    State error(state.size());
+    system(state, slope, 0.0);
+    double h = 1e-3 * step_factor_;
+    double since_assessment = kAssessmentStep;
+    const double last = growing_.last_repetition();
+    record(state);
+    while (true) {
+      progress_.at(std::min(0.99, state.back() / last));
+      if (slope.back() >= Growing::kStandsStill || h < kShortestStep) return arrested(state);
+      if (since_assessment >= kAssessmentStep) {
+        since_assessment = 0.0;
+        if (const auto failed = failing(state)) return assessment_end(state, *failed);
+        acceptable_ = state;
+      }
+      stepper.do_step(system, state, slope, 0.0, next, next_slope, h, error);
+      const double excess = error_of(error, state, next, slope, h);
+      if (!(excess <= 1)) {
+        ++report_.steps;
+        h *= std::isfinite(excess) ? std::max(0.2, 0.9 * std::pow(excess, -0.2)) : 0.2;
+        continue;
+      }
+      ++report_.steps;
+      const auto ended = [&](const State& at) {
+        return at.back() >= last || growing_.end_at(at).has_value();
+      };
+      if (ended(next)) {
+        State before = state;
+        double below = 0.0;
+        double above = h;
+        for (double middle = above / 2; below < middle && middle < above;
+             middle = (below + above) / 2) {
+          State at(state.size());
+          State at_slope(state.size());
+          stepper.do_step(system, state, slope, 0.0, at, at_slope, middle, error);
+          if (ended(at)) {
+            above = middle;
+            next = at;
+          } else {
+            below = middle;
+            before = at;
+          }
+        }
+        const auto end = growing_.end_at(next);
+        state = end ? next : before;
+        if (const auto failed = failing(before)) {
+          state = before;
+          return assessment_end(state, *failed);
+        }
+        if (!end) {
+          stop_at(state);
+          report_.end = last * growing_.duration() < 0.999 * kLongestDuty ? DriveEnd::until
+                                                                          : DriveEnd::too_slow;
+          return false;
+        }
+        return finish_at(state, *end);
+      }
+      since_assessment += h;
+      state = next;
+      slope = next_slope;
+      record(state);
+      h = std::min(
+          {5 * h, 0.9 * h * std::pow(std::max(excess, 1e-5), -0.2), kLongestStep * step_factor_});
+    }
+  }
+
+  [[nodiscard]] double error_of(const State& error, const State& state, const State& next,
+                                const State& slope, double h) const {
+    double excess = 0.0;
+    const double allowed = options_.tolerance * step_factor_;
+    for (std::size_t i = 0; i + 1 < error.size(); ++i)
+      excess = std::max(excess, std::abs(error[i]) / (allowed * h + 1e-15));
+    const double repetitions = std::abs(next.back() - state.back()) + h * slope.back();
+    excess = std::max(excess, std::abs(error.back()) / (allowed * repetitions + 1e-300));
+    return excess;
+  }
+
+  /// The crack that fails the assessment at a state.
+  [[nodiscard]] std::optional<std::string> failing(const State& state) const {
+    for (const CrackStrength& crack : strength_at(state))
+      if (crack.verdict == StrengthVerdict::fractures ||
+          crack.verdict == StrengthVerdict::collapses)
+        return crack.path;
+    return std::nullopt;
+  }
+  [[nodiscard]] std::vector<CrackStrength> strength_at(const State& state) const {
+    GearSet gear = growing_.gear_at(state);
+    gear.load.torque = growing_.largest_torque();
+    if (gear.load.torque == 0) return {};
+    return crack_strength(gear);
+  }
+
+  bool assessment_end(State& state, const std::string& path) {
+    const State beyond = state;
+    if (acceptable_.size() == beyond.size()) {
+      // The states in between lie on the path; its chord is accurate enough for an end that is
+      // known within the accuracy of the assessment.
+      double below = 0.0;
+      double above = 1.0;
+      const auto between = [&](double share) {
+        State at = beyond;
+        for (std::size_t i = 0; i < at.size(); ++i)
+          at[i] = acceptable_[i] + share * (beyond[i] - acceptable_[i]);
+        return at;
+      };
+      for (int i = 0; i < 24; ++i) {
+        const double middle = (below + above) / 2;
+        (failing(between(middle)) ? above : below) = middle;
+      }
+      state = between(above);
+    }
+    report_.end = DriveEnd::assessment;
+    report_.governing = path;
+    report_.repetitions = state.back();
+    report_.life = state.back() * growing_.duration();
+    for (std::size_t k = 0; k < growing_.cracks().size(); ++k)
+      if (growing_.cracks()[k].crack().path == path) event(state, k, CrackEvent::assessment);
+    stop_at(state);
+    return false;
+  }
+
+  bool arrested(const State& state) {
+    report_.end = DriveEnd::arrested;
+    stop_at(state);
+    return false;
+  }
+
+  bool finish_at(State& state, const Growing::End& end) {
+    const std::string path = growing_.cracks()[end.crack].crack().path;
+    if (end.event == CrackEvent::range) {
+      const State before = state;
+      event(before, end.crack, CrackEvent::range);
+      if (growing_.through_wall(state, end.crack)) {
+        if (told_) {
+          CrackGrowth& crack = report_.cracks[growing_.index_in_report(end.crack)];
+          crack.events.back().event = CrackEvent::through_wall;
+        }
+        state = growing_.start(before.back());
+        acceptable_.clear();
+        if (const auto at_once = growing_.end_at(state)) return finish_at(state, *at_once);
+        return true;
+      }
+      report_.end = DriveEnd::range;
+      report_.governing = path;
+      stop_at(state);
+      return false;
+    }
+    event(state, end.crack, end.event);
+    report_.governing = path;
+    report_.end = end.event == CrackEvent::breaks ? DriveEnd::breaks : DriveEnd::until;
+    if (end.event == CrackEvent::breaks) report_.life = state.back() * growing_.duration();
+    stop_at(state);
+    return false;
+  }
+
+  void stop_at(const State& state) {
+    record(state);
+    report_.repetitions = state.back();
+    report_.time = state.back() * growing_.duration();
+  }
+
+  void event(const State& state, std::size_t k, CrackEvent what) {
+    if (!told_) return;
+    const CrackSize size = growing_.size_of(state, k);
+    report_.cracks[growing_.index_in_report(k)].events.push_back(
+        {.event = what,
+         .time = state.back() * growing_.duration(),
+         .cycles = state.back() * growing_.cracks()[k].duty().cycles(),
+         .size = size.size,
+         .half_length = size.half_length()});
+  }
+
+  void begin_report() {
+    const auto& cracks = growing_.cracks();
+    for (const GrowingCrack& crack : cracks)
+      report_.cracks.push_back(described_crack(growing_.gear(), crack, options_.rate));
+    stands_still_.assign(cracks.size(), false);
+  }
+
+  /// What would let the cracks grow that stand still at the end.
+  void describe_rest(const State& state) {
+    for (std::size_t k = 0; k < growing_.cracks().size(); ++k)
+      if (stands_still_[k])
+        describe_arrest(report_.cracks[growing_.index_in_report(k)], growing_.cracks()[k],
+                        growing_.size_of(state, k));
+  }
+
+  /// Adds a row to the series, if the last one is far enough.
+  void record(const State& state) {
+    if (!told_) return;
+    for (std::size_t k = 0; k < growing_.cracks().size(); ++k) {
+      const GrowingCrack& crack = growing_.cracks()[k];
+      const CrackSize size = growing_.size_of(state, k);
+      const auto loads = crack.loads(size);
+      std::size_t fastest = 0;
+      double rate = 0.0;
+      for (std::size_t t = 0; t < loads.size(); ++t) {
+        const double grown = crack.growth(loads[t], size.size);
+        if (t == 0) rate = grown;
+        if (GrowingCrack::governing(loads[t]).largest >
+            GrowingCrack::governing(loads[fastest]).largest)
+          fastest = t;
+      }
+      if (rate == 0 && (loads.size() < 2 || crack.growth(loads[1], size.size) == 0) &&
+          !stands_still_[k]) {
+        stands_still_[k] = true;
+        event(state, k, CrackEvent::arrested);
+      }
+      const double cycles = crack.duty().cycles();
+      const TipCycle widest = crack.widest(loads[fastest]);
+      report_.cracks[growing_.index_in_report(k)].series.push_back(
+          {.time = state.back() * growing_.duration(),
+           .cycles = state.back() * cycles,
+           .size = size.size,
+           .half_length = size.half_length(),
+           .K_max = GrowingCrack::governing(loads[fastest]).largest,
+           .delta_K = widest.full_range(),
+           .ratio = widest.ratio,
+           .rate = cycles > 0 ? rate / cycles : 0.0});
+    }
+    const GearSet gear = growing_.gear_at(state);
+    const StiffnessResult stiffness = torsional_stiffness(gear);
+    StiffnessOverLife row{.time = state.back() * growing_.duration(),
+                          .positive = stiffness.positive.stiffness.value,
+                          .negative = stiffness.negative.stiffness.value};
+    if (report_.stiffness.empty()) {
+      first_positive_ = row.positive;
+      first_negative_ = row.negative;
+    }
+    row.change = std::min(row.positive / first_positive_, row.negative / first_negative_) - 1;
+    row.resonance = std::sqrt(1 + row.change);
+    for (const CrackStrength& crack : strength_at(state))
+      if (const auto reserve = crack.least_reserve())
+        row.reserve = std::min(row.reserve.value_or(*reserve), *reserve);
+    report_.stiffness.push_back(row);
+  }
+
+  Growing growing_;
+  const GrowthOptions& options_;
+  GrowthReport& report_;
+  const Progress& progress_;
+  double step_factor_;
+  bool told_ = true;
+  std::vector<bool> stands_still_;
+  State acceptable_;
+  double first_positive_ = 0.0;
+  double first_negative_ = 0.0;
+};
+
+/// Keeps at most n rows, with the first and the last one.
+template <class Row>
+void thin(std::vector<Row>& rows, int n) {
+  const auto keep = static_cast<std::size_t>(n);
+  if (rows.size() <= keep) return;
+  std::vector<Row> kept;
+  for (std::size_t i = 0; i < keep; ++i) kept.push_back(rows[i * (rows.size() - 1) / (keep - 1)]);
+  rows = std::move(kept);
+}
+
+}  // namespace
+
+GrowthReport grow_cracks(const GearSet& gear, const GrowthOptions& options,
+                         const Progress& progress) {
+  require(options.tolerance > 0 && options.tolerance < 1, "tolerance", options.tolerance, "1",
+          "between 0 and 1");
+  require(options.points >= 2, "points", options.points, "1", ">= 2");
+  GrowthReport report;
+  report.tolerance = options.tolerance;
+  report.mixed_mode = std::string(enum_name(options.rate.mixed_mode));
+  report.equations = {"GR-21", "GR-22", "GR-23", "GR-24"};
+  if (gear.duty) report.rainflow = std::string(enum_name(gear.duty->residue));
+  Path(gear, options, report, progress.part(0, 0.7), 1.0).run(true);
+  if (!report.cracks.empty() && report.time > 0) {
+    GrowthReport fine;
+    Path(gear, options, fine, progress.part(0.7, 1), 0.5).run(false);
+    report.step_error = std::abs(fine.time / report.time - 1);
+  }
+  complete(report, gear, options.rate);
+  for (CrackGrowth& crack : report.cracks) thin(crack.series, options.points);
+  thin(report.stiffness, options.points);
+  return report;
+}
+
+}  // namespace strainwave

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/drive_growth/growing_crack.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <variant>
+
+#include "strainwave/core/error.hpp"
+#include "strainwave/materials/library_law.hpp"
+#include "strainwave/materials/material_library.hpp"
+
+namespace strainwave {
+namespace {
+
+ModeFactors as_factors(const Modes& K) { return {.I = K[0], .II = K[1], .III = K[2]}; }
+
+/// Materials of the library that have a law, for a message.
+std::string records_with_laws() {
+  std::string known;
+  for (const MaterialRecord& record : material_library())
+    if (!record.growth.empty()) known += (known.empty() ? "" : ", ") + record.name;
+  return known;
+}
+
+bool has_toughness(const RateLaw& law) {
+  return std::visit(
+      [](const auto& l) {
+        return requires { l.toughness; };
+      },
+      law);
+}
+
+/// The bearing's K is not linear in the torque: a crack of each torque.
+std::vector<std::pair<double, DriveCrack>> cracks_at_torques(const GearSet& gear,
+                                                             const DriveCrack& crack,
+                                                             const CrackDuty& duty) {
+  std::vector<std::pair<double, DriveCrack>> made;
+  if (crack.turning != TurningLoad::balls) return made;
+  for (const LoadCycle& cycle : duty.cycle)
+    for (const LoadState* const state : {&cycle.from, &cycle.to}) {
+      const double torque = std::abs(state->torque);
+      const bool known =
+          std::ranges::any_of(made, [&](const auto& at) { return at.first == torque; });
+      if (torque == 0 || known) continue;
+      GearSet at = gear;
+      at.load.torque = torque;
+      for (DriveCrack& other : drive_cracks(at))
+        if (other.path == crack.path) made.emplace_back(torque, std::move(other));
+    }
+  return made;
+}
+
+}  // namespace
+
+TipCycle tip_cycle(MixedMode rule, const Modes& from, const Modes& to, double poissons_ratio) {
+  const auto equivalent = [&](const Modes& K) {
+    return equivalent_factor(rule, as_factors(K), poissons_ratio);
+  };
+  const double largest = std::max(equivalent(from), equivalent(to));
+  if (!(largest > 0)) return {};
+  Modes range{};
+  for (std::size_t mode = 0; mode < range.size(); ++mode)
+    range[mode] = std::abs(from[mode] - to[mode]);
+  return {.largest = largest, .ratio = 1 - equivalent(range) / largest};  // (GR-22)
+}
+
+GrowingCrack::GrowingCrack(const GearSet& gear, DriveCrack crack,
+                           const std::vector<DutyStep>& steps, const RateChoice& choice)
+    : crack_(std::move(crack)),
+      duty_(crack_duty(gear, crack_, steps)),
+      mixed_mode_(choice.mixed_mode) {
+  const std::string member = crack_.path.substr(0, crack_.path.find('.'));
+  const Material& material = material_of(gear, crack_.material, member + ".material");
+  poissons_ratio_ = elastic_constants(material).nu;
+  std::optional<GrowthBounds> bounds = material.growth_bounds;
+  if (!choice.law.empty()) {
+    const MaterialRecord& record = require_material(choice.law);
+    law_ = rate_law(record);
+    bounds = growth_bounds(record);
+  } else if (!material.growth.empty()) {
+    law_ = material.growth.front();
+  } else {
+    throw InputError(
+        (FieldPath("material") / crack_.material / "growth").text(),
+        fmt::format("must be given for the growth of {}; the library has laws for {}, which "
+                    "--law NAME takes",
+                    crack_.path, records_with_laws()));
+  }
+  if (crack_.through_thickness > 0)
+    law_ = law_of_through_crack(law_, crack_.through_thickness, material.yield_strength);
+  if (bounds) {
+    limits_.threshold = bounds->threshold;
+    limits_.intrinsic_size = bounds->short_crack_size;
+  }
+  if (!has_toughness(law_)) limits_.toughness = material.fracture_toughness;
+  at_torque_ = cracks_at_torques(gear, crack_, duty_);
+}
+
+std::span<const Tip> GrowingCrack::tips() const {
+  static constexpr std::array<Tip, 2> kBoth = {Tip::depth, Tip::length};
+  const bool surface = crack_.kind == "surface";
+  return surface ? std::span<const Tip>(kBoth) : std::span<const Tip>(kBoth).first(1);
+}
+
+Modes GrowingCrack::factors_at(const std::vector<SizedFront>& fronts, std::size_t point,
+                               const LoadState& state, double factor) const {
+  const double torque = state.torque * factor;
+  const double T = crack_.reverses ? torque : std::abs(torque);
+  std::size_t which = 0;
+  for (std::size_t i = 0; i < at_torque_.size(); ++i)
+    if (at_torque_[i].first == std::abs(state.torque)) which = i + 1;
+  const FrontIntensity& at = fronts[which].load[point];
+  const std::array<const std::array<double, 2>*, 3> load = {&at.load.I, &at.load.II, &at.load.III};
+  Modes K{};
+  for (std::size_t mode = 0; mode < K.size(); ++mode) {
+    K[mode] = (*load[mode])[kAxial] * state.axial_force * factor + (*load[mode])[kTorsion] * T +
+              at.assembly[mode] * state.assembly;
+    if (!fronts[which].bending.empty())
+      K[mode] += fronts[which].bending[point][mode] * state.bending_moment * factor;
+  }
+  return K;
+}
+
+std::vector<std::vector<TipLoad>> GrowingCrack::loads(const CrackSize& size, double factor) const {
+  const bool bent = std::ranges::any_of(duty_.cycle, [](const LoadCycle& cycle) {
+    return cycle.from.bending_moment != 0 || cycle.to.bending_moment != 0;
+  });
+  std::vector<SizedFront> fronts;
+  const auto add = [&](const DriveCrack& crack) {
+    fronts.push_back({crack.front(size, Faces::open), {}});
+    if (bent && crack.bending) fronts.back().bending = crack.bending(size);
+  };
+  add(crack_);
+  for (const auto& [torque, crack] : at_torque_) add(crack);
+  const std::size_t last = fronts.front().load.size() - 1;
+  std::vector<std::vector<TipLoad>> result;
+  for (const Tip tip : tips()) {
+    // A surface crack grows at its deepest point and at the surface; any other one by its worst
+    // point.
+    const bool surface = tips().size() == 2;
+    const std::size_t begin = surface && tip == Tip::depth ? last : 0;
+    const std::size_t end = surface && tip == Tip::length ? 0 : last;
+    std::vector<TipLoad>& at_tip = result.emplace_back();
+    at_tip.reserve(duty_.cycle.size());
+    for (const LoadCycle& cycle : duty_.cycle) {
+      // The load that turns may meet the constant loads in either phase; the wider range counts.
+      LoadState from = cycle.from;
+      LoadState to = cycle.to;
+      const bool one_phase = from.assembly == 0 && from.bending_moment == 0 && to.assembly == 0 &&
+                             to.bending_moment == 0;
+      TipCycle widest;
+      for (int phase = 0; phase < (one_phase ? 1 : 2); ++phase) {
+        for (std::size_t i = begin; i <= end; ++i) {
+          const TipCycle at = tip_cycle(mixed_mode_, factors_at(fronts, i, from, factor),
+                                        factors_at(fronts, i, to, factor), poissons_ratio_);
+          const double more = at.full_range() - widest.full_range();
+          if (more > 0 || (more == 0 && at.largest > widest.largest)) widest = at;
+        }
+        std::swap(from.assembly, to.assembly);
+        from.bending_moment = -from.bending_moment;
+        to.bending_moment = -to.bending_moment;
+      }
+      at_tip.push_back({.cycle = widest, .count = cycle.count, .step = cycle.step});
+    }
+  }
+  return result;
+}
+
+double GrowingCrack::growth(std::span<const TipLoad> loads, double crack_size) const {
+  double sum = 0.0;
+  for (const TipLoad& load : loads) {
+    GrowthLimits limits = limits_;
+    limits.toughness.reset();  // a law without its own toughness stays smooth up to the event
+    const GrowthRate rate = growth_rate(law_, load.cycle, crack_size, limits);
+    if (rate.state == TipState::breaks) return std::numeric_limits<double>::infinity();
+    sum += load.count * rate.per_cycle;
+  }
+  return sum;
+}
+
+TipCycle GrowingCrack::governing(std::span<const TipLoad> loads) {
+  TipCycle largest;
+  for (const TipLoad& load : loads)
+    if (load.cycle.largest > largest.largest) largest = load.cycle;
+  return largest;
+}
+
+TipCycle GrowingCrack::widest(std::span<const TipLoad> loads) const {
+  TipCycle widest;
+  for (const TipLoad& load : loads)
+    if (load.cycle.full_range() > widest.full_range()) widest = load.cycle;
+  return widest;
+}
+
+std::optional<double> GrowingCrack::threshold(const TipCycle& cycle, double crack_size) const {
+  std::optional<double> highest;
+  if (const auto* const nasgro = std::get_if<Nasgro>(&law_))
+    highest = nasgro->threshold(cycle.ratio, crack_size);
+  if (limits_.threshold)
+    highest = std::max(
+        highest.value_or(0.0),
+        *limits_.threshold * std::sqrt(crack_size / (crack_size + limits_.intrinsic_size)));
+  return highest;
+}
+
+Modes GrowingCrack::worst_factors(const CrackSize& size) const {
+  std::vector<SizedFront> fronts{{crack_.front(size, Faces::open), {}}};
+  for (const auto& [torque, crack] : at_torque_)
+    fronts.push_back({crack.front(size, Faces::open), {}});
+  Modes worst{};
+  double largest = 0.0;
+  for (const LoadCycle& cycle : duty_.cycle)
+    for (const LoadState* const state : {&cycle.from, &cycle.to}) {
+      const Modes K = factors_at(fronts, fronts.front().load.size() - 1, *state, 1.0);
+      const double equivalent = equivalent_factor(mixed_mode_, as_factors(K), poissons_ratio_);
+      if (equivalent <= largest) continue;
+      largest = equivalent;
+      worst = K;
+    }
+  return worst;
+}
+
+bool GrowingCrack::breaks(const CrackSize& size) const {
+  for (const std::vector<TipLoad>& at_tip : loads(size))
+    for (const TipLoad& load : at_tip)
+      if (growth_rate(law_, load.cycle, size.size, limits_).state == TipState::breaks) return true;
+  return false;
+}
+
+}  // namespace strainwave

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "strainwave/drive_growth/grow_cracks.hpp"
+
+// What a report says in words.
+
+namespace strainwave {
+
+/// Head of the report of one crack: law, origin of its constants, cycles, and its kink.
+[[nodiscard]] CrackGrowth described_crack(const GearSet& gear, const GrowingCrack& crack,
+                                          const RateChoice& choice);
+
+/// Adds margin and factor to a crack that stands still.
+void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize& size);
+
+/// A crack that only the coupled drive models.
+[[nodiscard]] Note coupled_crack_note(const std::string& path);
+
+/// Adds sentence and notes.
+void complete(GrowthReport& report, const GearSet& gear, const RateChoice& choice);
+
+}  // namespace strainwave
