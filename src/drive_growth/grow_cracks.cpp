@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "notes.hpp"
@@ -18,6 +19,7 @@ namespace {
 constexpr double kLongestDuty = 1e6 * 365.25 * 24 * 3600;  // a million years [s]
 constexpr double kLongestStep = 0.05;                      // of a path in ln(size) [-]
 constexpr double kShortestStep = 1e-13;
+constexpr double kShareOfZone = 0.01;  // by which a tip advances behind an overload in one step [-]
 constexpr double kAssessmentStep = 0.02;  // path between two failure assessments [-]
 
 using State = std::vector<double>;  // ln of the size of each tip, then repetitions
@@ -26,8 +28,13 @@ using Stepper = boost::numeric::odeint::runge_kutta_dopri5<State>;
 /// The cracks of a drive on their common path.
 class Growing {
  public:
-  Growing(const GearSet& gear, const GrowthOptions& options, GrowthReport& report)
-      : gear_(gear), options_(options), report_(report), steps_(duty_steps(gear)) {
+  Growing(const GearSet& gear, const GrowthOptions& options, GrowthReport& report,
+          double step_factor)
+      : gear_(gear),
+        options_(options),
+        report_(report),
+        step_factor_(step_factor),
+        steps_(duty_steps(gear)) {
     take_cracks();
   }
 
@@ -87,6 +94,13 @@ class Growing {
         rate[rate.size() - 2] = rate.back();
     }
     return rate;
+  }
+
+  /// Growth of a tip in one repetition [m].
+  [[nodiscard]] double grown_in_repetition(const GrowingCrack& crack,
+                                           std::span<const TipLoad> loads, double a) const {
+    return growth_with_interaction(crack, loads, a, options_.interaction,
+                                   kShareOfZone * step_factor_);
   }
 
   /// (GR-24): the path in the logarithms of the sizes has the length of the variable.
@@ -179,6 +193,7 @@ class Growing {
   GearSet gear_;
   const GrowthOptions& options_;
   GrowthReport& report_;
+  double step_factor_;
   std::vector<DutyStep> steps_;
   std::vector<GrowingCrack> cracks_;
   std::vector<std::size_t> first_;      // first tip of each crack in the state
@@ -192,7 +207,7 @@ class Path {
  public:
   Path(const GearSet& gear, const GrowthOptions& options, GrowthReport& report,
        const Progress& progress, double step_factor)
-      : growing_(gear, options, report),
+      : growing_(gear, options, report, step_factor),
         options_(options),
         report_(report),
         progress_(progress),
@@ -424,15 +439,16 @@ class Path {
       const auto loads = crack.loads(size);
       std::size_t fastest = 0;
       double rate = 0.0;
+      bool all_stand = true;
       for (std::size_t t = 0; t < loads.size(); ++t) {
-        const double grown = crack.growth(loads[t], size.size);
+        const double grown = growing_.grown_in_repetition(crack, loads[t], size.size);
         if (t == 0) rate = grown;
+        all_stand = all_stand && grown == 0;
         if (GrowingCrack::governing(loads[t]).largest >
             GrowingCrack::governing(loads[fastest]).largest)
           fastest = t;
       }
-      if (rate == 0 && (loads.size() < 2 || crack.growth(loads[1], size.size) == 0) &&
-          !stands_still_[k]) {
+      if (all_stand && !stands_still_[k]) {
         stands_still_[k] = true;
         event(state, k, CrackEvent::arrested);
       }
@@ -498,6 +514,11 @@ GrowthReport grow_cracks(const GearSet& gear, const GrowthOptions& options,
   report.tolerance = options.tolerance;
   report.mixed_mode = std::string(enum_name(options.rate.mixed_mode));
   report.equations = {"GR-21", "GR-22", "GR-23", "GR-24"};
+  report.interaction = std::string(enum_name(options.interaction.rule));
+  if (options.interaction.rule == InteractionRule::wheeler) report.equations.emplace_back("GR-18");
+  if (options.interaction.rule == InteractionRule::willenborg)
+    report.equations.emplace_back("GR-19");
+  if (options.interaction.rule != InteractionRule::none) report.equations.emplace_back("GR-27");
   if (gear.duty) report.rainflow = std::string(enum_name(gear.duty->residue));
   Path(gear, options, report, progress.part(0, 0.7), 1.0).run(true);
   if (!report.cracks.empty() && report.time > 0) {

@@ -77,6 +77,7 @@ GrowingCrack::GrowingCrack(const GearSet& gear, DriveCrack crack,
   const std::string member = crack_.path.substr(0, crack_.path.find('.'));
   const Material& material = material_of(gear, crack_.material, member + ".material");
   poissons_ratio_ = elastic_constants(material).nu;
+  yield_strength_ = material.yield_strength;
   std::optional<GrowthBounds> bounds = material.growth_bounds;
   if (!choice.law.empty()) {
     const MaterialRecord& record = require_material(choice.law);
@@ -165,22 +166,32 @@ std::vector<std::vector<TipLoad>> GrowingCrack::loads(const CrackSize& size, dou
         from.bending_moment = -from.bending_moment;
         to.bending_moment = -to.bending_moment;
       }
-      at_tip.push_back({.cycle = widest, .count = cycle.count, .step = cycle.step});
+      at_tip.push_back(
+          {.cycle = widest, .count = cycle.count, .step = cycle.step, .rare = cycle.rare});
     }
   }
   return result;
 }
 
+double GrowingCrack::rate_of(const TipCycle& cycle, double crack_size) const {
+  GrowthLimits limits = limits_;
+  limits.toughness.reset();  // a law without its own toughness stays smooth up to the event
+  const GrowthRate rate = growth_rate(law_, cycle, crack_size, limits);
+  return rate.state == TipState::breaks ? std::numeric_limits<double>::infinity() : rate.per_cycle;
+}
+
 double GrowingCrack::growth(std::span<const TipLoad> loads, double crack_size) const {
   double sum = 0.0;
-  for (const TipLoad& load : loads) {
-    GrowthLimits limits = limits_;
-    limits.toughness.reset();  // a law without its own toughness stays smooth up to the event
-    const GrowthRate rate = growth_rate(law_, load.cycle, crack_size, limits);
-    if (rate.state == TipState::breaks) return std::numeric_limits<double>::infinity();
-    sum += load.count * rate.per_cycle;
-  }
+  for (const TipLoad& load : loads) sum += load.count * rate_of(load.cycle, crack_size);
   return sum;
+}
+
+double GrowingCrack::yield_strength() const {
+  if (!yield_strength_)
+    throw InputError(
+        (FieldPath("material") / crack_.material / "yield_strength").text(),
+        "must be given: the plastic zone behind an overload depends on the yield strength");
+  return *yield_strength_;
 }
 
 TipCycle GrowingCrack::governing(std::span<const TipLoad> loads) {

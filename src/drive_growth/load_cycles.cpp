@@ -132,7 +132,8 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack,
     duty.cycle.push_back({.from = state_of(crack, steps[high], 1),
                           .to = state_of(crack, steps[low], -1),
                           .count = count,
-                          .step = high});
+                          .step = high,
+                          .rare = false});
     for (const std::size_t used : {high, low}) left[used] = std::max(0.0, left[used] - count / 2);
   };
   RainflowCounter counter;
@@ -149,7 +150,8 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack,
       duty.cycle.push_back({.from = state_of(crack, steps[b], 1),
                             .to = state_of(crack, steps[b], -1),
                             .count = left[b],
-                            .step = b});
+                            .step = b,
+                            .rare = false});
   std::ranges::stable_sort(duty.cycle, {}, &LoadCycle::step);
   // Momentary peaks follow at the end of the repetition.
   for (const DutyPeak& peak : gear.duty->peak) {
@@ -165,12 +167,14 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack,
           {.from = state_of(crack, at, 1),
            .to = state_of(crack, steps[static_cast<std::size_t>(farthest - history.begin())], -1),
            .count = count,
-           .step = step});
+           .step = step,
+           .rare = true});
     if (const double turned = turned_in(at) - 1; turned > 0)
       duty.cycle.push_back({.from = state_of(crack, at, 1),
                             .to = state_of(crack, at, -1),
                             .count = count * turned,
-                            .step = step});
+                            .step = step,
+                            .rare = true});
     duty.peaks += count;
   }
   return duty;

@@ -11,6 +11,7 @@
 #include "strainwave/core/fields.hpp"
 #include "strainwave/core/progress.hpp"
 #include "strainwave/drive_growth/growing_crack.hpp"
+#include "strainwave/drive_growth/interaction.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 #include "strainwave/model/result/evidence.hpp"
 
@@ -57,6 +58,7 @@ struct GrowthStop {
 
 struct GrowthOptions {
   RateChoice rate;
+  Interaction interaction;
   GrowthStop stop;
   double tolerance = 1e-9;  ///< of each step, relative [-]
   int points = 60;          ///< largest number of rows of a series [-]; >= 2
@@ -175,7 +177,7 @@ struct GrowthReport {
   double time = 0.0;      ///< of duty until the end [s]
   /// until a crack ends the life of the drive [s]; absent: no end is known
   std::optional<double> life = {};
-  double repetitions = 0.0;  ///< of the duty [-]
+  double repetitions = 0.0;    ///< of the duty [-]
   double duty_duration = 0.0;  ///< of one repetition [s]
   std::vector<CrackGrowth> cracks;
   std::vector<StiffnessOverLife> stiffness;
@@ -184,6 +186,7 @@ struct GrowthReport {
   double step_error = 0.0;  ///< difference of the time to a computation with half steps [-]
   std::string rainflow;     ///< rule of the residue
   std::string mixed_mode;   ///< rule of mixed modes
+  std::string interaction;  ///< rule of overloads
   std::vector<Note> notes;
   std::vector<std::string> equations;
 
@@ -206,6 +209,7 @@ struct GrowthReport {
     field({"stiffness", "", "stiffness of the drive over time"}, &G::stiffness);
     field({"rainflow", "", "rule of the ranges that stay open"}, &G::rainflow);
     field({"mixed_mode", "", "rule of mixed modes"}, &G::mixed_mode);
+    field({"interaction", "", "rule of overloads"}, &G::interaction);
     field({"steps", "", "steps of the integration"}, &G::steps);
     field({"tolerance", "1", "tolerance of each step"}, &G::tolerance);
     field({"step_error", "1", "relative change of the time if each step is halved"},

@@ -36,6 +36,7 @@ struct TipLoad {
   TipCycle cycle;
   double count = 0.0;    ///< in one repetition [-]
   std::size_t step = 0;  ///< as LoadCycle::step
+  bool rare = false;     ///< as LoadCycle::rare
 };
 
 /// The ends of a crack that grow.
@@ -71,6 +72,11 @@ class GrowingCrack {
   /// Growth of a tip in one repetition without load interaction [m]; 0 if it stands still, infinite
   /// if the law knows no rate because a cycle breaks the part.
   [[nodiscard]] double growth(std::span<const TipLoad> loads, double crack_size) const;
+  /// Growth in one cycle without load interaction [m]; infinite as in `growth`.
+  [[nodiscard]] double rate_of(const TipCycle& cycle, double crack_size) const;
+  /// Yield strength of the material [Pa].
+  /// @throws InputError  if the file does not give it
+  [[nodiscard]] double yield_strength() const;
   /// The cycle with the largest K_max.
   [[nodiscard]] static TipCycle governing(std::span<const TipLoad> loads);
   /// The cycle with the largest range over its threshold at R; the widest if the law has none.
@@ -93,6 +99,7 @@ class GrowingCrack {
   GrowthLimits limits_;
   MixedMode mixed_mode_;
   double poissons_ratio_ = 0.3;
+  std::optional<double> yield_strength_;
 };
 
 }  // namespace strainwave

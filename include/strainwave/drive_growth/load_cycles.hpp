@@ -36,6 +36,7 @@ struct LoadCycle {
   LoadState to;
   double count = 0.0;    ///< in one repetition of the duty [-]; > 0
   std::size_t step = 0;  ///< step of the duty in which the cycle has its peak
+  bool rare = false;     ///< whether the cycle is one of a momentary peak
 };
 
 /// One repetition of the duty of a drive for one crack.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <optional>
 #include <string>
 
 #include "strainwave/core/error.hpp"
@@ -19,6 +20,9 @@ struct GrowOptions {
   std::string until = "event";
   std::string law;
   MixedMode mixed_mode = MixedMode::energy;
+  InteractionRule interaction = InteractionRule::none;
+  std::optional<double> zone_factor;
+  std::optional<double> wheeler_exponent;
   int points = 60;
 
   template <class Visitor>
@@ -42,6 +46,22 @@ struct GrowOptions {
            .doc = "rule that makes one stress intensity of three modes",
            .fallback = "energy"},
           &GrowOptions::mixed_mode);
+    field({.name = "interaction",
+           .unit = "",
+           .doc = "how a large cycle slows the cycles after it",
+           .fallback = "none"},
+          &GrowOptions::interaction);
+    field({.name = "zone_factor",
+           .unit = "1",
+           .doc = "beta of the plastic zone (K/yield strength)^2/(beta pi): 1 the whole zone in "
+                  "plane stress, 2 its radius, 3 and 6 in plane strain; needed with --interaction",
+           .range = kPositive},
+          &GrowOptions::zone_factor);
+    field({.name = "wheeler_exponent",
+           .unit = "1",
+           .doc = "exponent of --interaction wheeler, which needs it",
+           .range = kNonNegative},
+          &GrowOptions::wheeler_exponent);
     field({.name = "points",
            .unit = "",
            .doc = "largest number of rows of a series",
@@ -50,6 +70,24 @@ struct GrowOptions {
           &GrowOptions::points);
   }
 };
+
+/// Reads the options of the load interaction.
+Interaction interaction_of(const GrowOptions& o) {
+  Interaction interaction;
+  interaction.rule = o.interaction;
+  const bool acts = o.interaction != InteractionRule::none;
+  if (acts && !o.zone_factor)
+    throw OptionError("zone_factor", "must be given with --interaction, because sources differ");
+  if (!acts && o.zone_factor)
+    throw OptionError("zone_factor", "is read with --interaction wheeler or willenborg only");
+  const bool wheeler = o.interaction == InteractionRule::wheeler;
+  if (wheeler != o.wheeler_exponent.has_value())
+    throw OptionError("wheeler_exponent", wheeler ? "must be given with --interaction wheeler"
+                                                  : "is read with --interaction wheeler only");
+  if (acts) interaction.zone_factor = *o.zone_factor;
+  if (wheeler) interaction.wheeler_exponent = *o.wheeler_exponent;
+  return interaction;
+}
 
 /// Reads --until.
 GrowthStop stop_of(const GearSet& gear, const std::string& until) {
@@ -99,6 +137,7 @@ Command grow_command() {
             const GearSet& gear = request.drive.gear;
             GrowthOptions options;
             options.rate = {.mixed_mode = o.mixed_mode, .law = o.law};
+            options.interaction = interaction_of(o);
             options.points = o.points;
             options.stop = from_option([&] { return stop_of(gear, o.until); });
             if (!o.law.empty()) from_option([&] { (void)rate_law(require_material(o.law)); });
