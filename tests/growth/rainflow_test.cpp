@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "strainwave/core/error.hpp"
+
 namespace strainwave {
 namespace {
 
