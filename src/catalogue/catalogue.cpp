@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "strainwave/catalogue/torque_limits.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/units.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 
 // Sources of the rows.  Rows name these letters; the ratings come from C.
 const std::map<std::string, std::string> kSources = {
-    {"A", "CSF/CSG catalogue of Harmonic Drive LLC, p. 50"},
+    {"A", "CSF/CSG catalogue of Harmonic Drive LLC, p. 50; ratcheting, buckling and lives p. 14"},
     {"B", "engineering data 1018854 of Harmonic Drive AG, tables 54.3 and 54.4"},
     {"C", "Harmonic Drive SE, by harmonic-drive-selector (Apache-2.0)"},
     {"D", "manual of the FHA mini actuators, p. 16, and manual of the RSF-B actuators, p. 12"},
@@ -77,7 +78,8 @@ void require_catalogue_size(int size) {
 CatalogueRows catalogue_rows(const CatalogueFilter& filter) {
   if (filter.size) require_catalogue_size(*filter.size);
   if (filter.ratio) require(*filter.ratio > 0, "ratio", *filter.ratio, "1", "> 0");
-  CatalogueRows rows{.stiffness = {}, .ratings = {}, .sources = kSources};
+  CatalogueRows rows{
+      .stiffness = {}, .ratings = {}, .limits = {}, .lives = {}, .sources = kSources};
   for (const StiffnessRow& row : stiffness_rows())
     if ((!filter.size || row.size == *filter.size) &&
         (!filter.ratio || row.ratio_class == ratio_class_of(*filter.ratio)))
@@ -89,7 +91,11 @@ CatalogueRows catalogue_rows(const CatalogueFilter& filter) {
   for (const RatingRow& row : rating_rows())
     if ((!filter.size || row.size == *filter.size) && (!filter.ratio || row.ratio == *filter.ratio))
       rows.ratings.push_back(row);
-  if (rows.stiffness.empty() && rows.ratings.empty())
+  for (const TorqueLimitRow& row : torque_limit_rows())
+    if ((!filter.size || row.size == *filter.size) && (!filter.ratio || row.ratio == *filter.ratio))
+      rows.limits.push_back(row);
+  rows.lives.assign(rated_lives().begin(), rated_lives().end());
+  if (rows.stiffness.empty() && rows.ratings.empty() && rows.limits.empty())
     throw InputError("ratio", fmt::format("{} has no row for size {}", filter.ratio.value_or(0.0),
                                           filter.size.value_or(0)));
   return rows;

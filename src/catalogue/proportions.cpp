@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "strainwave/catalogue/torque_limits.hpp"
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/quantity_text.hpp"
 #include "strainwave/core/roots.hpp"
@@ -325,6 +326,22 @@ const RatingRow* rating_of(int size, double ratio, const DriveType& type) {
   return type.length == FlexsplineLength::short_length ? find_rating(size, ratio) : nullptr;
 }
 
+/// Torques, speeds and life that the tables state for a drive.
+void state_limits(Rating& rating, const RatingRow& rated) {
+  rating.rated_torque = rated.rated;
+  rating.average_torque = rated.average;
+  rating.repeated_peak = rated.repeated_peak;
+  rating.momentary_peak = rated.momentary_peak;
+  rating.largest_speed = rated.max_input_speed;
+  rating.average_speed = rated.average_input_speed;
+  if (const RatedLife* const life = find_rated_life(rated.series))
+    rating.bearing_life = life->ten_percent;
+  if (const auto* const row = find_torque_limits(rated.series, rated.size, rated.ratio)) {
+    rating.ratcheting_torque = row->ratcheting;
+    rating.buckling_torque = row->buckling;
+  }
+}
+
 /// Origin of each number of a starting drive, by its path.
 /// @param walls  those of the drive
 std::map<std::string, std::string> origins(const GearSet& gear, int size, const DriveType& type,
@@ -383,9 +400,15 @@ std::map<std::string, std::string> origins(const GearSet& gear, int size, const 
       {"mesh.tooth.addendum", remark("tooth_addendum")},
       {"mesh.tooth.spline_addendum", remark("tooth_addendum")},
       {"circular_spline.width", "assumed: same as the face width"}};
-  if (rated != nullptr)
+  if (rated != nullptr) {
     comments["rating.rated_torque"] =
         fmt::format("catalogue: series {}, at an input of 2000 rpm", rated->series);
+    for (const std::string_view limit :
+         {"average_torque", "repeated_peak", "momentary_peak", "ratcheting_torque",
+          "buckling_torque", "largest_speed", "average_speed", "bearing_life"})
+      comments[fmt::format("rating.{}", limit)] =
+          fmt::format("catalogue: series {}", rated->series);
+  }
   for (const Proportion& p : kProportions)
     if (decides(p, walls, type.form)) comments.try_emplace(std::string(p.path), remark(p.name));
   return comments;
@@ -494,7 +517,7 @@ GearSet typical_drive_of_size(int size, double ratio, const DriveType& type,
   rating.T1 = torques.T1;
   rating.T2 = torques.T2;
   const RatingRow* const rated = rating_of(size, ratio, type);
-  if (rated != nullptr) rating.rated_torque = rated->rated;
+  if (rated != nullptr) state_limits(rating, *rated);
   gear.rating = rating;
   gear.load.torque = rated != nullptr ? rated->rated : torques.T2;
   return gear;

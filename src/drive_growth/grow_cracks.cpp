@@ -25,6 +25,12 @@ constexpr double kAssessmentStep = 0.02;  // path between two failure assessment
 using State = std::vector<double>;  // ln of the size of each tip, then repetitions
 using Stepper = boost::numeric::odeint::runge_kutta_dopri5<State>;
 
+/// The stiffness under the softer sense of torque [N*m/rad].
+double stiffness_at(const GearSet& gear) {
+  const StiffnessResult result = torsional_stiffness(gear);
+  return std::min(result.positive.stiffness.value, result.negative.stiffness.value);
+}
+
 /// The cracks of a drive on their common path.
 class Growing {
  public:
@@ -34,7 +40,8 @@ class Growing {
         options_(options),
         report_(report),
         step_factor_(step_factor),
-        steps_(duty_steps(gear)) {
+        history_(duty_history(gear)),
+        first_stiffness_(stiffness_at(gear)) {
     take_cracks();
   }
 
@@ -44,19 +51,15 @@ class Growing {
   [[nodiscard]] std::size_t index_in_report(std::size_t k) const { return in_report_[k]; }
 
   /// Time of a repetition [s].
-  [[nodiscard]] double duration() const {
-    double sum = 0.0;
-    for (const DutyStep& step : steps_) sum += step.duration;
-    return sum;
-  }
+  [[nodiscard]] double duration() const { return history_.duration; }
   /// Largest |T| of the duty and its peaks, with sign [N*m].
   [[nodiscard]] double largest_torque() const {
     double largest = 0.0;
     const auto take = [&](double torque) {
       if (std::abs(torque) > std::abs(largest)) largest = torque;
     };
-    for (const DutyStep& step : steps_) take(step.torque);
-    for (const DutyPeak& peak : gear_.duty->peak) take(peak.torque);
+    for (const DutyStep& step : history_.steps) take(step.torque);
+    for (const DutyMomentaryPeak& peak : history_.peaks) take(peak.step.torque);
     return largest;
   }
 
@@ -79,9 +82,20 @@ class Growing {
     return CrackSize::of(a, std::max(std::exp(state[at + 1]), a));
   }
 
+  /// Factor of the vibration on the loads, against that of the sizes in the file; (GR-28).
+  [[nodiscard]] double amplification(const State& state) const {
+    const auto& resonance = gear_.duty->resonance;
+    if (!resonance) return 1.0;
+    const double K = stiffness_at(gear_at(state));
+    const double r = resonance->frequency_ratio * std::sqrt(first_stiffness_ / K);
+    const double damped = 2 * resonance->damping_ratio * r;
+    return 1 / std::sqrt((1 - r * r) * (1 - r * r) + damped * damped);
+  }
+
   /// Relative growth of each tip in one repetition.
   [[nodiscard]] State rates(const State& state) const {
     State rate;
+    const double factor = amplification(state);
     for (std::size_t k = 0; k < cracks_.size(); ++k) {
       const CrackSize size = size_of(state, k);
       const auto loads = cracks_[k].loads(size);
@@ -135,9 +149,10 @@ class Growing {
     std::size_t crack;
   };
   [[nodiscard]] std::optional<End> end_at(const State& state) const {
+    const double factor = amplification(state);
     for (std::size_t k = 0; k < cracks_.size(); ++k) {
       const double a = std::exp(state[first_[k]]);
-      if (cracks_[k].breaks(size_of(state, k))) return End{CrackEvent::breaks, k};
+      if (cracks_[k].breaks(size_of(state, k), factor)) return End{CrackEvent::breaks, k};
       if (a >= cracks_[k].crack().range_end) return End{CrackEvent::range, k};
       if (cracks_[k].crack().path == options_.stop.crack && a >= options_.stop.size)
         return End{CrackEvent::wanted_size, k};
@@ -184,7 +199,7 @@ class Growing {
       }
       in_drive_.push_back(i);
       in_report_.push_back(in_report_.size());
-      cracks_.emplace_back(gear_, std::move(all[i]), steps_, options_.rate);
+      cracks_.emplace_back(gear_, std::move(all[i]), history_, options_.rate);
       first_.push_back(at);
       at += cracks_.back().tips().size();
     }
@@ -194,7 +209,8 @@ class Growing {
   const GrowthOptions& options_;
   GrowthReport& report_;
   double step_factor_;
-  std::vector<DutyStep> steps_;
+  DutyHistory history_;
+  double first_stiffness_;
   std::vector<GrowingCrack> cracks_;
   std::vector<std::size_t> first_;      // first tip of each crack in the state
   std::vector<std::size_t> in_drive_;   // index among drive_cracks
@@ -330,7 +346,7 @@ class Path {
   }
   [[nodiscard]] std::vector<CrackStrength> strength_at(const State& state) const {
     GearSet gear = growing_.gear_at(state);
-    gear.load.torque = growing_.largest_torque();
+    gear.load.torque = growing_.largest_torque() * growing_.amplification(state);
     if (gear.load.torque == 0) return {};
     return crack_strength(gear);
   }
@@ -427,16 +443,17 @@ class Path {
     for (std::size_t k = 0; k < growing_.cracks().size(); ++k)
       if (stands_still_[k])
         describe_arrest(report_.cracks[growing_.index_in_report(k)], growing_.cracks()[k],
-                        growing_.size_of(state, k));
+                        growing_.size_of(state, k), growing_.amplification(state));
   }
 
   /// Adds a row to the series, if the last one is far enough.
   void record(const State& state) {
     if (!told_) return;
+    const double factor = growing_.amplification(state);
     for (std::size_t k = 0; k < growing_.cracks().size(); ++k) {
       const GrowingCrack& crack = growing_.cracks()[k];
       const CrackSize size = growing_.size_of(state, k);
-      const auto loads = crack.loads(size);
+      const auto loads = crack.loads(size, factor);
       std::size_t fastest = 0;
       double rate = 0.0;
       bool all_stand = true;
@@ -519,6 +536,7 @@ GrowthReport grow_cracks(const GearSet& gear, const GrowthOptions& options,
   if (options.interaction.rule == InteractionRule::willenborg)
     report.equations.emplace_back("GR-19");
   if (options.interaction.rule != InteractionRule::none) report.equations.emplace_back("GR-27");
+  if (gear.duty && gear.duty->resonance) report.equations.emplace_back("GR-28");
   if (gear.duty) report.rainflow = std::string(enum_name(gear.duty->residue));
   Path(gear, options, report, progress.part(0, 0.7), 1.0).run(true);
   if (!report.cracks.empty() && report.time > 0) {

@@ -69,10 +69,10 @@ TipCycle tip_cycle(MixedMode rule, const Modes& from, const Modes& to, double po
   return {.largest = largest, .ratio = 1 - equivalent(range) / largest};  // (GR-22)
 }
 
-GrowingCrack::GrowingCrack(const GearSet& gear, DriveCrack crack,
-                           const std::vector<DutyStep>& steps, const RateChoice& choice)
+GrowingCrack::GrowingCrack(const GearSet& gear, DriveCrack crack, const DutyHistory& history,
+                           const RateChoice& choice)
     : crack_(std::move(crack)),
-      duty_(crack_duty(gear, crack_, steps)),
+      duty_(crack_duty(gear, crack_, history)),
       mixed_mode_(choice.mixed_mode) {
   const std::string member = crack_.path.substr(0, crack_.path.find('.'));
   const Material& material = material_of(gear, crack_.material, member + ".material");
@@ -236,8 +236,8 @@ Modes GrowingCrack::worst_factors(const CrackSize& size) const {
   return worst;
 }
 
-bool GrowingCrack::breaks(const CrackSize& size) const {
-  for (const std::vector<TipLoad>& at_tip : loads(size))
+bool GrowingCrack::breaks(const CrackSize& size, double factor) const {
+  for (const std::vector<TipLoad>& at_tip : loads(size, factor))
     for (const TipLoad& load : at_tip)
       if (growth_rate(law_, load.cycle, size.size, limits_).state == TipState::breaks) return true;
   return false;

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "strainwave/core/error.hpp"
 #include "strainwave/growth/rainflow.hpp"
-#include "strainwave/life/duty.hpp"
 
 namespace strainwave {
 namespace {
@@ -64,6 +64,28 @@ bool turns(const DriveCrack& crack, const DutyStep& step) {
   return crack.turning == TurningLoad::wave || step.torque != 0;
 }
 
+/// Cycles of the load that turns, in a turn of the output.
+double turning_cycles(const GearSet& gear, const DriveCrack& crack) {
+  const auto at = [&](DutyPlace place) {
+    const std::optional<double> cycles = cycles_per_output_turn(gear, place);
+    if (!cycles)
+      throw InputError("wave_generator.bearing.ball_count",
+                       "must be given: the balls that pass a crack of the race count");
+    return *cycles;
+  };
+  switch (crack.turning) {
+    case TurningLoad::wave:
+      return at(DutyPlace::flexspline);
+    case TurningLoad::bending:
+      return at(DutyPlace::output_shaft);
+    case TurningLoad::balls:
+      return at(DutyPlace::inner_ring);
+    case TurningLoad::none:
+      break;
+  }
+  return 0.0;
+}
+
 }  // namespace
 
 double CrackDuty::cycles() const {
@@ -72,59 +94,20 @@ double CrackDuty::cycles() const {
   return sum;
 }
 
-std::vector<DutyStep> duty_steps(const GearSet& gear) {
-  if (!gear.duty)
-    throw InputError("duty", "must be given: the growth of a crack needs a duty of the drive");
-  std::vector<DutyStep> steps;
-  for (const DutyBlock& block : gear.duty->block)
-    steps.push_back({.duration = block.duration * block.repetitions,
-                     .output_speed = output_speed(block, gear.drive.ratio, gear.duty->fixed),
-                     .torque = block.torque,
-                     .axial_force = block.axial_force,
-                     .bending_moment = block.bending_moment});
-  return steps;
-}
-
-double turning_cycles(const GearSet& gear, const DriveCrack& crack) {
-  const double i = gear.drive.ratio;
-  const bool flexspline_turns = gear.duty->fixed == FixedMember::circular_spline;
-  const double relative = flexspline_turns ? 1 + 1 / i : 1.0;  // wave over flexspline
-  switch (crack.turning) {
-    case TurningLoad::wave:
-      return gear.drive.wave_number * relative;
-    case TurningLoad::bending:
-      return 1 / input_turns(i, gear.duty->fixed);
-    case TurningLoad::balls: {
-      const auto& bearing = gear.wave_generator->bearing;
-      if (!bearing || !bearing->ball_count)
-        throw InputError("wave_generator.bearing.ball_count",
-                         "must be given: the balls that pass a crack of the race count");
-      const double pitch = (bearing->inner_raceway_diameter + bearing->outer_raceway_diameter) / 2;
-      return *bearing->ball_count / 2.0 * (1 + bearing->ball_diameter / pitch) * relative;
-    }
-    case TurningLoad::none:
-      break;
-  }
-  return 0.0;
-}
-
-CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack,
-                     const std::vector<DutyStep>& steps) {
-  CrackDuty duty;
-  const double input_per_output = input_turns(gear.drive.ratio, gear.duty->fixed);
-  const double per_input_turn = turning_cycles(gear, crack);
+CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack, const DutyHistory& history) {
+  CrackDuty duty{.duration = history.duration, .cycle = {}};
+  const double per_turn = turning_cycles(gear, crack);
   const auto turned_in = [&](const DutyStep& step) {
     if (!turns(crack, step)) return 0.0;
-    return std::abs(step.output_speed) * step.duration / (2 * std::numbers::pi) * input_per_output *
-           per_input_turn;
+    return std::abs(step.output_speed) * step.duration / (2 * std::numbers::pi) * per_turn;
   };
   const SteadyValue value(crack);
   std::vector<double> left;  // turning cycles of each step that no other cycle uses
-  std::vector<double> history;
+  std::vector<double> values;
+  const std::vector<DutyStep>& steps = history.steps;
   for (const DutyStep& step : steps) {
-    duty.duration += step.duration;
     left.push_back(turned_in(step));
-    history.push_back(value.of(step));
+    values.push_back(value.of(step));
   }
   // (GR-21): the cycles between steps.
   const auto join = [&](std::size_t high, std::size_t low, double count) {
@@ -142,8 +125,8 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack,
     join((down ? counted.from : counted.to).place, (down ? counted.to : counted.from).place,
          counted.count);
   };
-  counter.add(history, take);
-  counter.finish(gear.duty->residue, take);
+  counter.add(values, take);
+  counter.finish(history.residue, take);
   // ... and the cycles of the load that turns.
   for (std::size_t b = 0; b < steps.size(); ++b)
     if (left[b] > 0)
@@ -154,28 +137,23 @@ CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack,
                             .rare = false});
   std::ranges::stable_sort(duty.cycle, {}, &LoadCycle::step);
   // Momentary peaks follow at the end of the repetition.
-  for (const DutyPeak& peak : gear.duty->peak) {
-    const double count = duty.duration / peak.interval;
-    const DutyStep at{.duration = peak.duration,
-                      .output_speed = output_speed(peak, gear.drive.ratio, gear.duty->fixed),
-                      .torque = peak.torque};
+  for (const DutyMomentaryPeak& peak : history.peaks) {
     const std::size_t step = steps.size();
     const auto farthest = std::ranges::max_element(
-        history, {}, [&, here = value.of(at)](double there) { return std::abs(there - here); });
-    if (farthest != history.end())
-      duty.cycle.push_back(
-          {.from = state_of(crack, at, 1),
-           .to = state_of(crack, steps[static_cast<std::size_t>(farthest - history.begin())], -1),
-           .count = count,
-           .step = step,
-           .rare = true});
-    if (const double turned = turned_in(at) - 1; turned > 0)
-      duty.cycle.push_back({.from = state_of(crack, at, 1),
-                            .to = state_of(crack, at, -1),
-                            .count = count * turned,
+        values, {}, [here = value.of(peak.step)](double there) { return std::abs(there - here); });
+    duty.cycle.push_back(
+        {.from = state_of(crack, peak.step, 1),
+         .to = state_of(crack, steps[static_cast<std::size_t>(farthest - values.begin())], -1),
+         .count = peak.per_repetition,
+         .step = step,
+         .rare = true});
+    if (const double turned = turned_in(peak.step) - 1; turned > 0)
+      duty.cycle.push_back({.from = state_of(crack, peak.step, 1),
+                            .to = state_of(crack, peak.step, -1),
+                            .count = peak.per_repetition * turned,
                             .step = step,
                             .rare = true});
-    duty.peaks += count;
+    duty.peaks += peak.per_repetition;
   }
   return duty;
 }

@@ -138,13 +138,14 @@ CrackGrowth described_crack(const GearSet& gear, const GrowingCrack& crack,
   return told;
 }
 
-void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize& size) {
+void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize& size,
+                     double amplification) {
   const auto grows = [&](double factor) {
-    for (const std::vector<TipLoad>& at_tip : crack.loads(size, factor))
+    for (const std::vector<TipLoad>& at_tip : crack.loads(size, factor * amplification))
       if (crack.growth(at_tip, size.size) > 0) return true;
     return false;
   };
-  for (const std::vector<TipLoad>& at_tip : crack.loads(size))
+  for (const std::vector<TipLoad>& at_tip : crack.loads(size, amplification))
     for (const TipLoad& load : at_tip) {
       const auto threshold = crack.threshold(load.cycle, size.size);
       if (!threshold || !(load.cycle.full_range() > 0)) continue;

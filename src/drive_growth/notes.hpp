@@ -14,7 +14,9 @@ namespace strainwave {
                                           const RateChoice& choice);
 
 /// Adds margin and factor to a crack that stands still.
-void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize& size);
+/// @param amplification  of the loads by the vibration [-]
+void describe_arrest(CrackGrowth& to, const GrowingCrack& crack, const CrackSize& size,
+                     double amplification);
 
 /// A crack that only the coupled drive models.
 [[nodiscard]] Note coupled_crack_note(const std::string& path);

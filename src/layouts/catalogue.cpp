@@ -41,6 +41,16 @@ std::string catalogue_text(const CatalogueRows& rows) {
                                  fmt::format("{:.0f}", row.max_input_speed / speed.in_si),
                                  fmt::format("{:.0f}", row.average_input_speed / speed.in_si),
                                  fmt::format("{:.3g}", row.input_inertia / inertia.in_si)));
+  Table limits{.head = {"series", "size", "ratio", "ratcheting", "buckling"}, .align = "r"};
+  for (const TorqueLimitRow& row : rows.limits)
+    limits.rows.push_back(cells(row.series, row.size, row.ratio,
+                                number(row.ratcheting / torque.in_si),
+                                number(row.buckling / torque.in_si)));
+  const DisplayUnit time = display_unit("life", "s", {"h", 3600});
+  Table lives{.head = {"series", "L10", "L50"}, .align = "r"};
+  for (const RatedLife& row : rows.lives)
+    lives.rows.push_back(cells(row.series, number(row.ten_percent / time.in_si),
+                               number(row.fifty_percent / time.in_si)));
   std::string sources =
       "\nSources.  The ratings are from C.  Rows from D and E are of other series: they judge "
       "only, "
@@ -54,6 +64,12 @@ std::string catalogue_text(const CatalogueRows& rows) {
                              "inertia in {}\n",
                              torque.text, speed.text, inertia.text),
                  ratings) +
+         section(fmt::format("\nRatcheting and buckling torque in {} (A)\n", torque.text), limits) +
+         section(
+             fmt::format("\nRated life of the wave generator's bearing at rated torque and 2000 "
+                         "rpm, in {}\n",
+                         time.text),
+             lives) +
          sources;
 }
 

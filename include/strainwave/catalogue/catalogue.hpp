@@ -193,10 +193,47 @@ struct CatalogueFilter {
   std::optional<int> size;
   std::optional<double> ratio;  ///< selects the catalogue's stiffness rows by class, others exactly
 };
-/// Rows of both tables, with their sources.
+/// One row of the tables of ratcheting and buckling torque.
+struct TorqueLimitRow {
+  std::string_view series;
+  int size = 0;
+  int ratio = 0;
+  double ratcheting = 0.0;  ///< torque at which teeth jump [N*m]
+  double buckling = 0.0;    ///< torque at which the flexspline buckles, for all ratios [N*m]
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"series", "", "maker's series"}, &TorqueLimitRow::series);
+    field({"size", "1", "maker's size, in tenths of an inch"}, &TorqueLimitRow::size);
+    field({"ratio", "1", "reduction ratio"}, &TorqueLimitRow::ratio);
+    field({"ratcheting", "N*m", "torque at which teeth jump"}, &TorqueLimitRow::ratcheting);
+    field({"buckling", "N*m", "torque at which the flexspline buckles, for all ratios of a size"},
+          &TorqueLimitRow::buckling);
+  }
+};
+
+/// Lives of a series' wave generator bearing at rated torque and 2000 rpm.
+struct RatedLife {
+  std::string_view series;
+  double ten_percent = 0.0;    ///< L10 [s]
+  double fifty_percent = 0.0;  ///< L50 [s]
+
+  static constexpr bool kTableRow = true;
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field({"series", "", "maker's series"}, &RatedLife::series);
+    field({"L10", "s", "life that 90 % of the bearings reach"}, &RatedLife::ten_percent);
+    field({"L50", "s", "life that half of the bearings reach"}, &RatedLife::fifty_percent);
+  }
+};
+
+/// Rows of all tables, with their sources.
 struct CatalogueRows {
   std::vector<StiffnessRow> stiffness;
   std::vector<RatingRow> ratings;
+  std::vector<TorqueLimitRow> limits;
+  std::vector<RatedLife> lives;
   std::map<std::string, std::string> sources;
 
   template <class Visitor>

@@ -54,7 +54,7 @@ class GrowingCrack {
   /// @param gear   has passed `check` and has a duty
   /// @param crack  of drive_cracks(gear); one that does not act in the coupled drive
   /// @throws InputError  if its material has no law of growth
-  GrowingCrack(const GearSet& gear, DriveCrack crack, const std::vector<DutyStep>& steps,
+  GrowingCrack(const GearSet& gear, DriveCrack crack, const DutyHistory& history,
                const RateChoice& choice);
 
   [[nodiscard]] const DriveCrack& crack() const { return crack_; }
@@ -86,7 +86,7 @@ class GrowingCrack {
   /// K at the worst point of the first tip in the state of the duty's largest K_max.
   [[nodiscard]] Modes worst_factors(const CrackSize& size) const;
   /// Whether K_max reaches the toughness of law or material.
-  [[nodiscard]] bool breaks(const CrackSize& size) const;
+  [[nodiscard]] bool breaks(const CrackSize& size, double factor = 1.0) const;
 
  private:
   [[nodiscard]] Modes factors_at(const std::vector<SizedFront>& fronts, std::size_t point,

@@ -5,21 +5,13 @@
 #include <vector>
 
 #include "strainwave/drive_cracks/drive_cracks.hpp"
+#include "strainwave/life/load_history.hpp"
 #include "strainwave/model/input/gear_set.hpp"
 
 /// @file
 /// The duty of a drive as cycles of the load of one crack.
 
 namespace strainwave {
-
-/// A part of the duty with constant load, as all models of life see it.
-struct DutyStep {
-  double duration = 0.0;        ///< [s]; > 0
-  double output_speed = 0.0;    ///< with sign [rad/s]
-  double torque = 0.0;          ///< T [N*m]
-  double axial_force = 0.0;     ///< P [N]
-  double bending_moment = 0.0;  ///< M [N*m]
-};
 
 /// Load of a crack at one moment.
 struct LoadState {
@@ -49,13 +41,6 @@ struct CrackDuty {
   [[nodiscard]] double cycles() const;
 };
 
-/// The steps of one repetition of the duty.
-/// @throws InputError  if the drive has no duty, or its speeds cannot be read
-[[nodiscard]] std::vector<DutyStep> duty_steps(const GearSet& gear);
-
-/// Cycles per turn of the input of the load that turns relative to a crack (GR-21) [-].
-[[nodiscard]] double turning_cycles(const GearSet& gear, const DriveCrack& crack);
-
 /// Cycles of the load of one crack in one repetition of the duty.
 ///
 /// Implements theory manual eq. (GR-21).  Each step gives cycles of the load that turns relative to
@@ -64,9 +49,10 @@ struct CrackDuty {
 /// step.  A momentary peak gives a cycle from the least load of the duty, and its own turning
 /// cycles.
 ///
-/// @param steps  of duty_steps; the rainflow cycles are those of the load that is largest at the
-///               crack
+/// @param history  of duty_history(gear); the rainflow cycles are those of the mode of K that is
+///                 largest at the crack
+/// @throws InputError  if a crack of a race needs the number of balls and the file gives none
 [[nodiscard]] CrackDuty crack_duty(const GearSet& gear, const DriveCrack& crack,
-                                   const std::vector<DutyStep>& steps);
+                                   const DutyHistory& history);
 
 }  // namespace strainwave

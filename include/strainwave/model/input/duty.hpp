@@ -153,6 +153,29 @@ struct DutyRecord {
   bool of_input = false;  ///< the speeds are those of the wave generator
 };
 
+/// Vibration that raises the torque, by a drive whose natural frequency falls with its stiffness.
+struct DutyResonance {
+  double frequency_ratio = 0.0;  ///< excitation over the natural frequency at the beginning [-]
+  double damping_ratio = 0.0;    ///< zeta [-]; > 0
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "frequency_ratio",
+                .unit = "1",
+                .doc = "frequency of the excitation over the natural frequency of the drive in the "
+                       "file",
+                .range = kNonNegative,
+                .example = "0.5"},
+          &DutyResonance::frequency_ratio);
+    field(Field{.name = "damping_ratio",
+                .unit = "1",
+                .doc = "damping ratio of that vibration",
+                .range = kPositive,
+                .example = "0.02"},
+          &DutyResonance::damping_ratio);
+  }
+};
+
 /// What a drive does: blocks in their order, or a history from a file, again and again.
 struct Duty {
   FixedMember fixed = FixedMember::circular_spline;
@@ -161,6 +184,7 @@ struct Duty {
   std::optional<std::string> history;
   std::vector<DutyBlock> block;
   std::vector<DutyPeak> peak;
+  std::optional<DutyResonance> resonance;  ///< absent: the torques of the duty act as they are
 
   template <class Visitor>
   static void describe(Visitor&& field) {
@@ -191,6 +215,11 @@ struct Duty {
                 .doc = "momentary peak torques",
                 .in_template = InTemplate::commented},
           &Duty::peak);
+    field(Field{.name = "resonance",
+                .unit = "",
+                .doc = "vibration that multiplies the torques by the amplification of one mass",
+                .in_template = InTemplate::commented},
+          &Duty::resonance);
   }
 };
 

@@ -189,6 +189,37 @@ template <class Real>
   return radius < edge.radius ? between(station(*inside), edge) : edge.thickness;
 }
 
+/// The roots of the flexspline's teeth, for their fatigue (LI-41, LI-42).
+struct ToothRoot {
+  double height = 0.0;                   ///< h_f, from the root up to the pitch height [m]; > 0
+  double root_radius = 0.0;              ///< rho_F of the fillet at the root [m]; > 0
+  std::optional<double> thickness = {};  ///< s_F of the tooth at its root [m]; > 0
+
+  template <class Visitor>
+  static void describe(Visitor&& field) {
+    field(Field{.name = "height",
+                .unit = "m",
+                .doc = "height of the pitch point above the root of the tooth",
+                .range = kPositive,
+                .example = R"("0.9 mm")"},
+          &ToothRoot::height);
+    field(Field{.name = "root_radius",
+                .unit = "m",
+                .doc = "radius of the fillet at the root",
+                .range = kPositive,
+                .example = R"("0.4 mm")"},
+          &ToothRoot::root_radius);
+    field(Field{.name = "thickness",
+                .unit = "m",
+                .doc = "thickness of the tooth at its root; if left out, that of straight flanks "
+                       "at mesh.flank_angle",
+                .range = kPositive,
+                .example = R"("1.6 mm")",
+                .in_template = InTemplate::commented},
+          &ToothRoot::thickness);
+  }
+};
+
 /// The flexspline: cup, cylinder or hat, and its cracks.
 struct Flexspline {
   std::string material;
@@ -209,6 +240,7 @@ struct Flexspline {
   std::optional<Boss> boss;            ///< boss, for `sections`
   /// compliance of boss bolts and output flange [rad/(N*m)]; >= 0
   double flange_compliance = 0.0;
+  std::optional<ToothRoot> tooth_root = {};  ///< roots of the teeth, for their fatigue
   std::vector<FlexsplineCrack> crack;
 
   /// Length of the toothed and the smooth tube together [m].
@@ -305,6 +337,11 @@ struct Flexspline {
                 .doc = "hub, for crack_free = \"sections\"",
                 .in_template = InTemplate::commented},
           &Flexspline::boss);
+    field(Field{.name = "tooth_root",
+                .unit = "",
+                .doc = "roots of the teeth, for their fatigue",
+                .in_template = InTemplate::commented},
+          &Flexspline::tooth_root);
     field(Field{.name = "crack", .unit = "", .doc = "cracks of wall, diaphragm and rim"},
           &Flexspline::crack);
   }

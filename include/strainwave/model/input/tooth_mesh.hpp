@@ -95,6 +95,8 @@ struct ToothMesh {
   /// C_tr, factor by which the teeth stiffen the rim in bending [-]; > 0
   double rim_stiffening = 1.25;
   std::optional<double> pair_stiffness;  ///< c' of a pair per width [Pa]; absent: (TC-9), (TC-30)
+  /// k_w of Archard, depth of wear per pressure and sliding way [1/Pa]; > 0; absent: not known
+  std::optional<double> wear_coefficient = {};
   /// The teeth as drawn; absent: gap of first order, engagement up to 45 degrees from a lobe
   /// (TC-7), stiffness of a pair by (TC-9)
   std::optional<ToothShape> tooth;
@@ -154,6 +156,14 @@ struct ToothMesh {
                 .example = R"("19.3 GPa")",
                 .in_template = InTemplate::commented},
           &ToothMesh::pair_stiffness);
+    field(Field{.name = "wear_coefficient",
+                .unit = "1/Pa",
+                .doc = "depth of wear of a pair of flanks per pressure and sliding way; no source "
+                       "gives it for these drives",
+                .range = kPositive,
+                .example = R"("1e-18 1/Pa")",
+                .in_template = InTemplate::commented},
+          &ToothMesh::wear_coefficient);
     field(Field{.name = "tooth",
                 .unit = "",
                 .doc = "the teeth as drawn, which give the gap of the flanks, the end of their "
