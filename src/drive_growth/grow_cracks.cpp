@@ -98,9 +98,9 @@ class Growing {
     const double factor = amplification(state);
     for (std::size_t k = 0; k < cracks_.size(); ++k) {
       const CrackSize size = size_of(state, k);
-      const auto loads = cracks_[k].loads(size);
+      const auto loads = cracks_[k].loads(size, factor);
       for (std::size_t t = 0; t < loads.size(); ++t) {
-        const double grown = cracks_[k].growth(loads[t], size.size);
+        const double grown = grown_in_repetition(cracks_[k], loads[t], size.size);
         rate.push_back(std::min(grown / (t == 0 ? size.size : size.half_length()), kFastest));
       }
       // Where the fit ends at a = c, the shape stays.
