@@ -19,6 +19,7 @@
 #include "strainwave/core/units.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/strength/crack_assessment.hpp"
+#include "strainwave/study/life_report.hpp"
 #include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
@@ -174,6 +175,14 @@ void add_strength(StiffnessResult& result, const GearSet& gear) {
   result.strength = std::move(strength);
 }
 
+/// Adds the life over the duty; its notes stay with `strainwave life`.
+void add_life(StiffnessResult& result, const GearSet& gear) {
+  if (!gear.duty || gear.duty->history) return;
+  const LifeReport report = life_report(gear);
+  result.life = life_result(report);
+  use_equations(result.equations, report.equations);
+}
+
 }  // namespace
 
 Coupled coupled_drive(const GearSet& gear, bool over_turn, const Progress& progress) {
@@ -256,6 +265,7 @@ StiffnessResult evaluate(const GearSet& gear, Method method, const EvaluationOpt
   result.notes = std::move(coupled.notes);
   use_equations(result.equations, coupled.equations);
   add_strength(result, gear);
+  add_life(result, gear);
   return result;
 }
 
