@@ -90,7 +90,7 @@ TitledTable bearing_table(const LifeReport& report) {
 TitledTable fatigue_table(const LifeReport& report) {
   const DisplayUnit unit = display_unit({}, "Pa");
   Table table{.head = {"place", "hoop", "shear from", "to", "endures", "surface", "size",
-                       "support", "concentration", "reserve", "handbook", "Haibach"},
+                       "support", "concentration", "reserve", "handbook", "Miner"},
               .align = "lr"};
   for (const PlaceFatigue& place : report.fatigue) {
     auto& row = table.rows.emplace_back(cells(plain_words(enum_name(place.place))));
@@ -98,10 +98,7 @@ TitledTable fatigue_table(const LifeReport& report) {
       row.insert(row.end(), {"not known", "-", "-", "-", "-", "-", "-", "-", "-", "-", "-"});
       continue;
     }
-    std::string life = "-";
-    if (ends(place))
-      for (const MinerLife& miner : place.miner)
-        if (miner.rule == MinerRule::haibach) life = hours(miner.life);
+    const MinerLife* const sum = governing_sum(place);
     const bool known = place.endurance > 0;
     row.insert(row.end(),
                {fmt::format("{} ± {}", stress(place.hoop_mean), stress(place.hoop_amplitude)),
@@ -109,13 +106,15 @@ TitledTable fatigue_table(const LifeReport& report) {
                 known ? stress(place.endurance) : "not known", shown_number(place.surface, 3),
                 shown_number(place.size, 3), shown_number(place.support, 3),
                 shown_number(place.concentration, 3),
-                reserve(place.reserve), reserve(place.handbook), life});
+                reserve(place.reserve), reserve(place.handbook),
+                sum != nullptr ? hours(sum->life) : std::string("-")});
   }
   return {fmt::format("Fatigue of the flexspline over the duty, stresses in {} (LI-34 to LI-42)",
                       unit.text),
           table,
           fmt::format("The reserve is 1 at the endurance limit, by the most used plane; the "
-                      "handbooks ask for 1.5. Haibach gives the {} of a place above its limit.",
+                      "handbooks ask for 1.5. Miner gives the {} of a place above its limit: by Haibach if "
+                      "blocks bring it there, by the original sum if only momentary peaks do.",
                       hours_unit().text)};
 }
 

@@ -437,7 +437,12 @@ void add_fatigue(LifeReport& report, const LifeCase& of, DrivenStates& states) {
   use(report, {"TC-24", "LI-6", "LI-7", "LI-34", "LI-35", "LI-36", "LI-38"});
   if (std::ranges::any_of(report.fatigue, [](const auto& p) { return !p.miner.empty(); }))
     use(report, {"LI-8", "LI-37"});
-  if (report.fatigue.back().unknown_because.empty()) use(report, {"LI-41", "LI-42", "LI-43"});
+  if (!report.fatigue.back().reserve) return;
+  use(report, {"LI-41", "LI-42", "LI-43"});
+  note(report, "life.root_estimate",
+       "the concentration of the rim's stress between the teeth is an estimate that no finite "
+       "elements confirm",
+       "flexspline.tooth_root", "LI-42", Severity::information);
 }
 
 // --- the other parts -----------------------------------------------------------------------------
@@ -522,18 +527,18 @@ LifePart flexspline_part(const LifeReport& report) {
       continue;
     }
     reserve = std::min(reserve.value_or(*place.reserve), *place.reserve);
-    // Below the endurance limit the walls live for ever; above it, smaller cycles damage too.
-    for (const MinerLife& life : place.miner)
-      if (ends(place) && life.rule == MinerRule::haibach && life.life)
-        part.end = std::min(part.end.value_or(*life.life), *life.life);
+    if (const MinerLife* const sum = governing_sum(place);
+        sum != nullptr && (!part.end || *sum->life < *part.end)) {
+      part.end = sum->life;
+      part.origin = fmt::format("Miner's sum ({}) of the {}, without a distribution",
+                                enum_name(sum->rule), place_words(place.place));
+    }
   }
   if (report.fatigue.empty())
     part.origin = "not known: the coupled drive is not solved";
-  else if (part.end)
-    part.origin = "Miner's sum by Haibach, without a distribution";
-  else if (reserve && *reserve < 1)
+  else if (!part.end && reserve && *reserve < 1)
     part.origin = "not known: above the endurance limit, give cycles and slope of the fatigue";
-  else if (reserve)
+  else if (!part.end && reserve)
     part.origin = fmt::format("endures for ever with a reserve of {:.2f}", *reserve);
   if (!unknown.empty() && !report.fatigue.empty())
     part.origin +=
@@ -610,7 +615,7 @@ void add_survival(LifeReport& report) {
   }
   if (end) report.hours = std::min(report.hours.value_or(*end), *end);
   if (report.hours)
-    report.answer = fmt::format("ends by {} after {:.4g} h{}", report.governing,
+    report.answer = fmt::format("ends by {} after {:.0f} h{}", report.governing,
                                 *report.hours / kHour,
                                 shared ? ", which 90 % of the drives reach" : "");
   else
@@ -619,10 +624,12 @@ void add_survival(LifeReport& report) {
 
 }  // namespace
 
-bool ends(const PlaceFatigue& place) {
-  return std::ranges::any_of(place.miner, [](const MinerLife& life) {
-    return life.rule == MinerRule::original && life.life;
-  });
+const MinerLife* governing_sum(const PlaceFatigue& place) {
+  const bool by_blocks = place.reserve && *place.reserve < 1;
+  const auto found =
+      std::ranges::find(place.miner, by_blocks ? MinerRule::haibach : MinerRule::original,
+                        &MinerLife::rule);
+  return found != place.miner.end() && found->life ? &*found : nullptr;
 }
 
 LifeReport life_report(const GearSet& gear, const Progress& progress) {

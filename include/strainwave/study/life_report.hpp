@@ -189,8 +189,9 @@ struct PlaceFatigue {
   }
 };
 
-/// Whether a block or a peak brings a place above its endurance limit, so that its life ends.
-[[nodiscard]] bool ends(const PlaceFatigue& place);
+/// The sum that ends a place: Haibach's if blocks bring it above its endurance limit, the original
+/// one if only momentary peaks do, else null.
+[[nodiscard]] const MinerLife* governing_sum(const PlaceFatigue& place);
 
 /// Buckling of the barrel from its geometry.
 struct BuckledBarrel {
