@@ -91,6 +91,7 @@ DisplayUnit display_unit(std::string_view name, std::string_view si) {
   static constexpr Entry kShown[] = {
       {"m", {"mm", units::mm}},
       {"rad", {"deg", units::deg}},
+      {"rad/s", {"rpm", units::rpm}},
       {"Pa", {"MPa", units::MPa}},
       {"N/m", {"N/mm", units::N / units::mm}},
       {"N*m/rad", {"N*m/arcmin", 1 / units::arcmin}},

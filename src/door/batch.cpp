@@ -38,7 +38,9 @@ std::size_t rows_of(const GearSet& gear, const BatchTask& task) {
                                            task.values.size(), task.paths.size()));
   (void)columns_of(task.paths, "paths");
   const StiffnessResult present =
-      evaluate(gear, task.method, {.over_turn = std::ranges::any_of(task.outputs, is_over_turn)});
+      evaluate(gear, task.method,
+               {.over_turn = std::ranges::any_of(task.outputs, is_over_turn),
+                .life = std::ranges::any_of(task.outputs, is_of_life)});
   for (const std::string& output : task.outputs)
     if (!output_named(present, output)) refuse_output(present, output, "outputs");
   return task.values.size() / task.paths.size();
@@ -72,7 +74,8 @@ class RowEvaluator {
         task_(task),
         columns_(columns),
         options_{.coupled_drive = std::ranges::any_of(task.outputs, is_of_coupled_drive),
-                 .over_turn = std::ranges::any_of(task.outputs, is_over_turn)},
+                 .over_turn = std::ranges::any_of(task.outputs, is_over_turn),
+                 .life = std::ranges::any_of(task.outputs, is_of_life)},
         result_(result),
         faults_(faults) {}
 

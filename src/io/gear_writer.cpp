@@ -22,9 +22,11 @@ struct Alternative {
   std::string_view shown;
   double least = 0.0;  ///< least value in SI
 };
-constexpr std::array<Alternative, 6> kAlternatives = {{{"m", "mm", 1e-5},
+constexpr std::array<Alternative, 8> kAlternatives = {{{"m", "mm", 1e-5},
                                                        {"m", "um", 0.0},
                                                        {"rad", "deg", 0.0},
+                                                       {"rad/s", "rpm", 0.0},
+                                                       {"s", "h", 3600.0},
                                                        {"Pa", "GPa", 1e9},
                                                        {"Pa", "MPa", 0.0},
                                                        {"Pa*m^0.5", "MPa*m^0.5", 0.0}}};

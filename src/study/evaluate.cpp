@@ -17,8 +17,11 @@
 #include "strainwave/core/error.hpp"
 #include "strainwave/core/shown_text.hpp"
 #include "strainwave/core/units.hpp"
+#include "strainwave/drive_cracks/drive_cracks.hpp"
+#include "strainwave/drive_growth/grow_cracks.hpp"
 #include "strainwave/stiffness/torsional_stiffness.hpp"
 #include "strainwave/strength/crack_assessment.hpp"
+#include "strainwave/study/life_report.hpp"
 #include "strainwave/torsion/compare.hpp"
 #include "strainwave/torsion/torsion_curve.hpp"
 
@@ -174,6 +177,25 @@ void add_strength(StiffnessResult& result, const GearSet& gear) {
   result.strength = std::move(strength);
 }
 
+/// Adds the life over the duty; its notes stay with `strainwave life` and `strainwave grow`.
+void add_life(StiffnessResult& result, const GearSet& gear) {
+  if (!gear.duty || gear.duty->history) return;
+  const LifeReport report = life_report(gear);
+  result.life = life_result(report);
+  use_equations(result.equations, report.equations);
+  if (drive_cracks(gear).empty()) return;
+  try {
+    const GrowthReport growth = grow_cracks(gear);
+    use_equations(result.equations, growth.equations);
+    if (!growth.life) return;
+    result.life->cracks = Quantity{*growth.life, "s"};
+    if (!result.life->hours || result.life->hours->value > *growth.life)
+      result.life->hours = result.life->cracks;
+  } catch (const InputError&) {
+    // A crack without a law has no life that can be told; `strainwave grow` says what to give.
+  }
+}
+
 }  // namespace
 
 Coupled coupled_drive(const GearSet& gear, bool over_turn, const Progress& progress) {
@@ -228,6 +250,7 @@ Coupled coupled_drive(const GearSet& gear, bool over_turn, const Progress& progr
 }
 
 bool is_of_coupled_drive(std::string_view output) { return output.starts_with("curve."); }
+bool is_of_life(std::string_view output) { return output.starts_with("life."); }
 bool is_over_turn(std::string_view output) {
   return output.find(".over_turn.") != std::string_view::npos;
 }
@@ -256,6 +279,7 @@ StiffnessResult evaluate(const GearSet& gear, Method method, const EvaluationOpt
   result.notes = std::move(coupled.notes);
   use_equations(result.equations, coupled.equations);
   add_strength(result, gear);
+  if (options.life) add_life(result, gear);
   return result;
 }
 

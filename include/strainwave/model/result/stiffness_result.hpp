@@ -14,6 +14,7 @@
 #include "strainwave/model/result/coupled_result.hpp"
 #include "strainwave/model/result/crack_strength.hpp"
 #include "strainwave/model/result/evidence.hpp"
+#include "strainwave/model/result/life_result.hpp"
 
 namespace strainwave {
 
@@ -216,6 +217,7 @@ struct MemberUncertainty {
 struct StiffnessResult {
   Method method = Method::corrected;
   std::optional<CurveResult> curve;  ///< results of the coupled drive, if it is solved
+  std::optional<LifeResult> life;    ///< life over the duty, if the file gives one
   IntactDrive intact;                ///< sum of the members
   CrackedDrive positive;             ///< sum of the members, torque about +z
   CrackedDrive negative;             ///< sum of the members, torque about -z
@@ -241,6 +243,7 @@ struct StiffnessResult {
     using R = StiffnessResult;
     field({"method", "", "as-printed, repaired or corrected"}, &R::method);
     field({"curve", "", "the coupled drive: the maker's stiffnesses and the wind-up"}, &R::curve);
+    field({"life", "", "life over the duty, without cracks"}, &R::life);
     field({"intact", "", "sum of the members without contacts, sound"}, &R::intact);
     field({"cracked", "", "sum of the members without contacts, with cracks"}, [](const R& r) {
       return BySense<CrackedDrive>{r.positive, r.negative};

@@ -1,0 +1,695 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "strainwave/study/life_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "flexspline_fatigue.hpp"
+#include "strainwave/catalogue/torque_limits.hpp"
+#include "strainwave/core/error.hpp"
+#include "strainwave/core/shown_text.hpp"
+#include "strainwave/core/units.hpp"
+#include "strainwave/life/duty.hpp"
+#include "strainwave/life/survival.hpp"
+#include "strainwave/torsion/compare.hpp"
+#include "strainwave/torsion/torsion_curve.hpp"
+
+namespace strainwave {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kHour = 3600;
+constexpr int kCagePhases = 8;
+constexpr int kPositions = 360;  // of the wave, over a turn
+constexpr double kMakersSpeed = 2000 * units::rpm;
+constexpr double kIso281RollerSlope = 9.0 / 8.0;
+constexpr std::string_view kBearing = "wave generator bearing";
+constexpr std::string_view kOutputBearing = "output bearing";
+constexpr std::string_view kFlexspline = "flexspline";
+constexpr std::string_view kPeaks = "momentary peaks";
+
+/// A part of the duty with its movement.
+struct Movement {
+  double torque = 0.0;        // [N*m]
+  double output_speed = 0.0;  // in size [rad/s]
+  double duration = 0.0;      // in a repetition of the duty [s]
+};
+
+/// What the computations of a life share.
+struct LifeCase {
+  const GearSet& gear;
+  const Duty& duty;
+  MakersLimits limits;
+  double input_turns = 0.0;  // of the input per turn of the output [-]
+  double ring_turns = 0.0;   // of the bearing's rings against each other per turn of the input
+  double repetition = 0.0;   // time of a repetition of the duty [s]
+  std::vector<Movement> blocks;
+  std::vector<Movement> peaks;  // duration per repetition of the duty
+};
+
+LifeCase life_case(const GearSet& gear) {
+  if (!gear.duty)
+    throw InputError("duty",
+                     "must be given for the life; give [[duty.block]] with duration, "
+                     "torque and output_speed");
+  if (gear.duty->history)
+    throw InputError("duty.history", "is not read by this command; give [[duty.block]]");
+  const Duty& duty = *gear.duty;
+  const double ratio = gear.drive.ratio;
+  LifeCase of{.gear = gear,
+              .duty = duty,
+              .limits = makers_limits(gear),
+              .input_turns = input_turns(ratio, duty.fixed),
+              .ring_turns = duty.fixed == FixedMember::circular_spline ? 1 + 1 / ratio : 1.0,
+              .repetition = 0.0,
+              .blocks = {},
+              .peaks = {}};
+  for (const DutyBlock& block : duty.block) {
+    of.blocks.push_back({.torque = block.torque,
+                         .output_speed = std::abs(output_speed(block, ratio, duty.fixed)),
+                         .duration = block.repetitions * block.duration});
+    of.repetition += of.blocks.back().duration;
+  }
+  for (const DutyPeak& peak : duty.peak)
+    of.peaks.push_back({.torque = peak.torque,
+                        .output_speed = std::abs(output_speed(peak, ratio, duty.fixed)),
+                        .duration = peak.duration * of.repetition / peak.interval});
+  return of;
+}
+
+double largest_torque(const std::vector<Movement>& of) {
+  double most = 0.0;
+  for (const Movement& one : of) most = std::max(most, std::abs(one.torque));
+  return most;
+}
+
+void note(LifeReport& report, std::string code, std::string text, std::string path,
+          std::string equation, Severity severity, std::string next_step = {}) {
+  report.notes.push_back({.code = std::move(code),
+                          .text = std::move(text),
+                          .path = std::move(path),
+                          .equation = std::move(equation),
+                          .severity = severity,
+                          .next_step = std::move(next_step)});
+}
+
+void use(LifeReport& report, std::initializer_list<const char*> tags) {
+  for (const char* const tag : tags)
+    if (std::ranges::find(report.equations, tag) == report.equations.end())
+      report.equations.emplace_back(tag);
+}
+
+// --- the maker's rules ---------------------------------------------------------------------------
+
+/// A rule that compares a limit with a number of the duty.
+RuleAnswer compared(MakersRule rule, const std::optional<MakersLimit>& limit,
+                    std::optional<double> present, std::string_view unit, std::string_view field) {
+  RuleAnswer answer{.rule = rule,
+                    .outcome = RuleOutcome::not_needed,
+                    .allowed = {},
+                    .present = {},
+                    .margin = {},
+                    .origin = {}};
+  if (limit) {
+    answer.allowed = Quantity{limit->value, unit};
+    answer.origin = limit->origin;
+  } else {
+    answer.origin = fmt::format("give rating.{}", field);
+  }
+  if (!present || *present == 0) return answer;
+  answer.present = Quantity{*present, unit};
+  answer.outcome = RuleOutcome::not_known;
+  if (!limit) return answer;
+  answer.margin = limit->value / *present - 1;
+  answer.outcome = *present <= limit->value * (1 + 1e-12) ? RuleOutcome::kept : RuleOutcome::broken;
+  return answer;
+}
+
+double largest_input_speed(const LifeCase& of) {
+  double most = 0.0;
+  for (const auto* const list : {&of.blocks, &of.peaks})
+    for (const Movement& one : *list) most = std::max(most, one.output_speed * of.input_turns);
+  return most;
+}
+
+/// Time after which the momentary peaks are used up; absent if none turns the drive.
+std::optional<double> end_of_peaks(const LifeCase& of) {
+  double used = 0.0;  // share of N_k per time
+  for (std::size_t i = 0; i < of.peaks.size(); ++i) {
+    const double speed = of.peaks[i].output_speed * of.input_turns;
+    if (speed > 0)
+      used +=
+          1 / (allowed_momentary_peaks(speed, of.duty.peak[i].duration) * of.duty.peak[i].interval);
+  }
+  if (!(used > 0)) return std::nullopt;
+  return 1 / used;
+}
+
+/// The number of momentary peaks within a time against N_k (LI-2).
+RuleAnswer number_of_peaks(const LifeCase& of, const std::optional<double>& time) {
+  RuleAnswer answer{.rule = MakersRule::momentary_peaks,
+                    .outcome = RuleOutcome::not_needed,
+                    .allowed = {},
+                    .present = {},
+                    .margin = {},
+                    .origin = "the maker's rule, 10000 waves under the peaks"};
+  const std::optional<double> end = end_of_peaks(of);
+  if (!end) return answer;
+  double rate = 0.0;
+  for (const DutyPeak& peak : of.duty.peak) rate += 1 / peak.interval;
+  answer.allowed = Quantity{rate * *end, "1"};
+  answer.outcome = RuleOutcome::not_known;
+  if (!time) {
+    answer.origin = "give rating.bearing_life and rating.rated_torque, over whose life peaks count";
+    return answer;
+  }
+  answer.present = Quantity{rate * *time, "1"};
+  answer.margin = *end / *time - 1;
+  answer.outcome = *time <= *end ? RuleOutcome::kept : RuleOutcome::broken;
+  answer.origin += "; over the bearing's L10";
+  return answer;
+}
+
+void add_rules(LifeReport& report, const LifeCase& of) {
+  const MakersLimits& limits = of.limits;
+  const double blocks = largest_torque(of.blocks);
+  const double peaks = largest_torque(of.peaks);
+  const double most = std::max(blocks, peaks);
+  const auto add = [&](MakersRule rule, const std::optional<MakersLimit>& limit, double present,
+                       std::string_view unit, std::string_view field) {
+    report.rules.push_back(compared(rule, limit, present, unit, field));
+    if (limit && limit->similar && report.rules.back().outcome != RuleOutcome::not_needed)
+      note(report, "life.similar_limit",
+           fmt::format("the limit of {} is that of another size: {}", enum_name(rule),
+                       limit->origin),
+           fmt::format("rating.{}", field), "LI-30", Severity::care,
+           fmt::format("Give rating.{}.", field));
+  };
+  add(MakersRule::average_torque, limits.average_torque, report.average.torque, "N*m",
+      "average_torque");
+  add(MakersRule::repeated_peak, limits.repeated_peak, blocks, "N*m", "repeated_peak");
+  add(MakersRule::momentary_peak, limits.momentary_peak, peaks, "N*m", "momentary_peak");
+  report.rules.push_back(number_of_peaks(
+      of, report.bearing ? std::optional(report.bearing->ten_percent) : std::nullopt));
+  add(MakersRule::average_speed, limits.average_speed, report.average.input_speed, "rad/s",
+      "average_speed");
+  add(MakersRule::largest_speed, limits.largest_speed, largest_input_speed(of), "rad/s",
+      "largest_speed");
+  add(MakersRule::ratcheting, limits.ratcheting_torque, most, "N*m", "ratcheting_torque");
+  add(MakersRule::buckling, limits.buckling_torque, most, "N*m", "buckling_torque");
+  use(report, {"LI-1", "LI-2", "LI-30"});
+  std::string unknown;
+  for (const RuleAnswer& rule : report.rules) {
+    if (rule.outcome == RuleOutcome::not_known)
+      unknown += fmt::format("{}{}", unknown.empty() ? "" : ", ", enum_name(rule.rule));
+    if (rule.outcome == RuleOutcome::broken)
+      note(
+          report, "life.rule_broken",
+          fmt::format("the rule {} is broken: the maker allows {}, and the duty has {}",
+                      enum_name(rule.rule), shown_quantity(rule.allowed->value, rule.allowed->unit),
+                      shown_quantity(rule.present->value, rule.present->unit)),
+          "duty", rule.rule == MakersRule::momentary_peaks ? "LI-2" : "LI-1", Severity::critical,
+          "Lower the load of the duty, or choose a larger drive.");
+  }
+  if (!unknown.empty())
+    note(report, "life.limits_not_known",
+         fmt::format("the maker's limits of these rules are not known: {}", unknown), "rating",
+         "LI-30", Severity::care,
+         "Give the limits in [rating]; the table of the rules names them.");
+}
+
+void add_makers_bearing(LifeReport& report, const LifeCase& of) {
+  const auto& life = of.limits.bearing_life;
+  const auto& rated = of.limits.rated_torque;
+  if (!life || !rated) {
+    note(report, "life.bearing_not_known",
+         "the maker's rated life of the wave generator's bearing is not known",
+         "rating.bearing_life", "LI-3", Severity::cannot_tell,
+         "Give rating.bearing_life and rating.rated_torque.");
+    return;
+  }
+  if (!(report.average.torque > 0)) {
+    note(report, "life.no_torque",
+         "the duty turns the drive without torque, for which the maker's rule gives no life",
+         "duty.block", "LI-3", Severity::care, "Give the torques of the blocks.");
+    return;
+  }
+  const DutyAverage average{.torque = report.average.torque,
+                            .output_speed = report.average.output_speed,
+                            .input_speed = report.average.input_speed};
+  const double L10 = bearing_life(life->value, rated->value, average);
+  report.bearing = {.ten_percent = L10,
+                    .fifty_percent = WeibullLife{.ten_percent = L10}.time_of(0.5),
+                    .origin = life->origin};
+  use(report, {"LI-3", "LI-4"});
+}
+
+// --- the coupled drive ---------------------------------------------------------------------------
+
+/// Ball forces and rim states at the torques of a duty.
+class DrivenStates {
+ public:
+  explicit DrivenStates(const GearSet& sound) {
+    const int balls = *sound.wave_generator->bearing->ball_count;
+    for (int phase = 0; phase < kCagePhases; ++phase) {
+      CoupledOptions options;
+      options.cage_phase = 2 * pi * phase / (balls * kCagePhases);
+      drives_.emplace_back(sound, options);
+    }
+  }
+
+  /// Forces of all balls at all phases of the cage [N].
+  const std::vector<double>& balls(double torque) {
+    auto [at, fresh] = balls_.try_emplace(torque);
+    if (fresh)
+      for (const AssembledDrive& drive : drives_)
+        for (const ContactForce& ball : solved(drive, torque).balls)
+          at->second.push_back(ball.force);
+    return at->second;
+  }
+
+  /// The first phase at a torque.
+  const CurvePoint& point(double torque) {
+    const auto found = points_.find(torque);
+    if (found != points_.end()) return found->second;
+    return points_.emplace(torque, solved(drives_.front(), torque)).first->second;
+  }
+
+  const std::vector<RimState>& rim(double torque) {
+    const auto found = rims_.find(torque);
+    if (found != rims_.end()) return found->second;
+    return rims_.emplace(torque, rim_states(drives_.front(), torque, kPositions)).first->second;
+  }
+
+ private:
+  static CurvePoint solved(const AssembledDrive& drive, double torque) {
+    const std::array torques = {torque};
+    TorsionCurve curve = torsion_curve(drive, torques);
+    if (!curve.usable()) throw SolverError(curve.unusable_because);
+    return std::move(curve.points.front());
+  }
+
+  std::vector<AssembledDrive> drives_;
+  std::map<double, std::vector<double>> balls_;
+  std::map<double, CurvePoint> points_;
+  std::map<double, std::vector<RimState>> rims_;
+};
+
+BallLoads ball_loads(DrivenStates& states, double torque, double turns, double duration) {
+  return {.forces = states.balls(torque), .speed = turns, .duration = duration};
+}
+
+void add_ball_forces(LifeReport& report, const LifeCase& of, DrivenStates& states) {
+  const RingRatings ratings = ring_ratings(*of.gear.wave_generator->bearing);
+  std::vector<BallLoads> loads;
+  for (const Movement& block : of.blocks)
+    loads.push_back(ball_loads(states, block.torque,
+                               block.output_speed * of.input_turns * of.ring_turns / (2 * pi),
+                               block.duration));
+  BearingByForces by{.duty = ball_bearing_life(ratings, loads),
+                     .rated = {},
+                     .ratio = {},
+                     .by_ratio = {},
+                     .cage_phases = kCagePhases};
+  if (const auto& rated = of.limits.rated_torque) {
+    const double turns = kMakersSpeed * (1 + 1 / of.gear.drive.ratio) / (2 * pi);
+    const std::array load = {ball_loads(states, rated->value, turns, 1.0)};
+    by.rated = ball_bearing_life(ratings, load);
+    by.ratio = by.duty.ten_percent / by.rated->ten_percent;
+    if (of.limits.bearing_life) by.by_ratio = of.limits.bearing_life->value * *by.ratio;
+  }
+  report.bearing_by_forces = std::move(by);
+  use(report, {"LI-31", "LI-32"});
+  note(report, "life.ball_forces",
+       "the hours of the bearing from its ball forces are many times shorter than a maker's, and "
+       "the cause is open; use their ratio to the life at the rating, not the hours",
+       "wave_generator.bearing", "LI-32", Severity::information,
+       "Read the chapter on life in the theory manual.");
+}
+
+std::vector<StressTurn> turns_of(const LifeCase& of, const std::vector<Movement>& movements,
+                                 DrivenStates& states, const PlaceStresses& stresses, int side) {
+  std::vector<StressTurn> turns;
+  for (const Movement& one : movements) {
+    const double input = one.output_speed * one.duration / (2 * pi) * of.input_turns;
+    turns.push_back(
+        {.states = stresses.over_turn(states.rim(one.torque), states.point(one.torque), side),
+         .cycles = of.gear.drive.wave_number * of.ring_turns * input});
+  }
+  return turns;
+}
+
+/// Miner's lives of a place; empty if the line is not known.
+std::vector<MinerLife> miner_lives(const LifeCase& of, const std::vector<StressTurn>& blocks,
+                                   const std::vector<StressTurn>& peaks,
+                                   const PlaneStrength& strength, const FatigueStrength& fatigue) {
+  std::vector<MinerLife> lives;
+  if (!fatigue.cycles || !fatigue.slope) return lives;
+  for (const MinerRule rule : {MinerRule::original, MinerRule::elementary, MinerRule::haibach}) {
+    double damage = plane_damage(blocks, strength, *fatigue.cycles, *fatigue.slope, rule);
+    for (const StressTurn& peak : peaks)
+      damage += plane_damage({&peak, 1}, strength, *fatigue.cycles, *fatigue.slope, rule);
+    MinerLife life{.rule = rule, .damage_per_hour = damage / of.repetition, .life = {}};
+    if (damage > 0) life.life = of.repetition / damage;
+    lives.push_back(life);
+  }
+  return lives;
+}
+
+PlaceFatigue place_fatigue(const LifeCase& of, DrivenStates& states, FatiguePlace place) {
+  const PlaceStresses stresses(of.gear, place);
+  PlaceFatigue result{.place = place,
+                      .unknown_because = stresses.unknown_because(),
+                      .concentration = stresses.concentration(),
+                      .plane = {},
+                      .reserve = {},
+                      .handbook = {},
+                      .miner = {}};
+  if (!result.unknown_because.empty()) return result;
+  const PlaceStrength strength(of.gear, place);
+  result.unknown_because = strength.unknown_because();
+  result.surface = strength.surface();
+  result.size = strength.size();
+  result.support = strength.support();
+  result.sensitivity = strength.plane().sensitivity;
+  result.endurance = strength.plane().normal;
+  for (const int side : stresses.sides()) {
+    const std::vector<StressTurn> blocks = turns_of(of, of.blocks, states, stresses, side);
+    double least = 0.0;
+    double most = 0.0;
+    double least_shear = 0.0;
+    double most_shear = 0.0;
+    bool first = true;
+    for (const StressTurn& turn : blocks)
+      for (const SurfaceStress& stress : turn.states) {
+        least = first ? stress.hoop : std::min(least, stress.hoop);
+        most = first ? stress.hoop : std::max(most, stress.hoop);
+        least_shear = first ? stress.shear : std::min(least_shear, stress.shear);
+        most_shear = first ? stress.shear : std::max(most_shear, stress.shear);
+        first = false;
+      }
+    const bool known = result.unknown_because.empty();
+    const std::optional<CriticalPlane> plane =
+        known ? std::optional(critical_plane(blocks, strength.plane())) : std::nullopt;
+    const bool worse =
+        side == stresses.sides().front() || (plane ? plane->utilisation > result.plane->utilisation
+                                                   : (most - least) / 2 > result.hoop_amplitude);
+    if (!worse) continue;
+    result.hoop_amplitude = (most - least) / 2;
+    result.hoop_mean = (most + least) / 2;
+    result.shear_least = least_shear;
+    result.shear_most = most_shear;
+    if (!plane) continue;
+    result.plane = plane;
+    if (plane->utilisation > 0) result.reserve = 1 / plane->utilisation;
+    const double shear = std::max(std::abs(least_shear), std::abs(most_shear));
+    result.handbook = handbook_reserve({.bending_amplitude = result.hoop_amplitude,
+                                        .shear_amplitude = shear / 2,
+                                        .shear_mean = shear / 2},
+                                       strength.plane(), strength.specimen_shear());
+    result.miner = miner_lives(of, blocks, turns_of(of, of.peaks, states, stresses, side),
+                               strength.plane(), strength.fatigue());
+  }
+  return result;
+}
+
+void add_fatigue(LifeReport& report, const LifeCase& of, DrivenStates& states) {
+  for (const FatiguePlace place :
+       {FatiguePlace::wall, FatiguePlace::rim, FatiguePlace::tooth_root}) {
+    report.fatigue.push_back(place_fatigue(of, states, place));
+    const PlaceFatigue& result = report.fatigue.back();
+    if (!result.unknown_because.empty())
+      note(report, "life.fatigue_not_known",
+           fmt::format("the fatigue of the {} cannot be told", place_words(place)), "flexspline",
+           "LI-36", Severity::cannot_tell, result.unknown_because);
+    else if (result.reserve && *result.reserve < 1)
+      note(report, "life.finite",
+           fmt::format("the {} does not endure for ever: its reserve is {:.2f}", place_words(place),
+                       *result.reserve),
+           "flexspline", "LI-36", result.miner.empty() ? Severity::critical : Severity::care,
+           result.miner.empty() ? "Lower the load, or give cycles and slope of the material's "
+                                  "fatigue for the hours."
+                                : "Lower the load, or make the wall stronger.");
+  }
+  use(report, {"TC-24", "LI-6", "LI-7", "LI-34", "LI-35", "LI-36", "LI-38"});
+  if (std::ranges::any_of(report.fatigue, [](const auto& p) { return !p.miner.empty(); }))
+    use(report, {"LI-8", "LI-37"});
+  if (!report.fatigue.back().reserve) return;
+  use(report, {"LI-41", "LI-42", "LI-43"});
+  note(report, "life.root_estimate",
+       "the concentration of the rim's stress between the teeth is an estimate that no finite "
+       "elements confirm",
+       "flexspline.tooth_root", "LI-42", Severity::information);
+}
+
+// --- the other parts -----------------------------------------------------------------------------
+
+void add_output_bearing(LifeReport& report, const LifeCase& of) {
+  if (!of.gear.output_bearing) return;
+  std::vector<OutputBearingLoad> loads;
+  bool loaded = false;
+  for (std::size_t i = 0; i < of.blocks.size(); ++i) {
+    const DutyBlock& block = of.duty.block[i];
+    loads.push_back({.radial_force = block.radial_force,
+                     .axial_force = block.axial_force,
+                     .bending_moment = block.bending_moment,
+                     .speed = of.blocks[i].output_speed / (2 * pi),
+                     .duration = of.blocks[i].duration});
+    loaded =
+        loaded || (of.blocks[i].output_speed > 0 &&
+                   (block.radial_force > 0 || block.axial_force != 0 || block.bending_moment > 0));
+  }
+  if (!loaded) {
+    note(report, "life.output_bearing_unloaded",
+         "the output bearing has no life, because no block loads it while it turns",
+         "output_bearing", "LI-33", Severity::information,
+         "Give radial_force, axial_force or bending_moment of the blocks.");
+    return;
+  }
+  report.output_bearing = output_bearing_life(*of.gear.output_bearing, loads);
+  use(report, {"LI-33"});
+}
+
+void add_buckling(LifeReport& report, const LifeCase& of) {
+  const auto& fs = of.gear.flexspline;
+  if (!fs || !fs->barrel) return;
+  const Material& steel = material_of(of.gear, fs->material, "flexspline.material");
+  const ElasticConstants elastic = elastic_constants(steel);
+  const TwistedTube tube{.radius = (fs->barrel->outer_diameter - fs->barrel->wall_thickness) / 2,
+                         .thickness = fs->barrel->wall_thickness,
+                         .length = fs->barrel->length,
+                         .youngs_modulus = elastic.E,
+                         .poissons_ratio = elastic.nu};
+  BuckledBarrel buckled{.elastic = tube_buckling(tube), .plastic_torque = {}, .reserve = {}};
+  use(report, {"LI-39"});
+  double torque = buckled.elastic.elastic_torque;
+  if (steel.yield_strength) {
+    buckled.plastic_torque = tube_torque(
+        tube, plastic_buckling_stress(buckled.elastic.elastic_stress, *steel.yield_strength));
+    torque = *buckled.plastic_torque;
+    use(report, {"LI-40"});
+  } else {
+    note(report, "life.buckling_elastic",
+         "the buckling torque is that of an elastic wall, which is far too high for the walls of "
+         "these drives",
+         "flexspline.material", "LI-40", Severity::information,
+         "Give yield_strength of the flexspline's material.");
+  }
+  const double most = std::max(largest_torque(of.blocks), largest_torque(of.peaks));
+  if (most > 0) buckled.reserve = torque / most;
+  if (buckled.reserve && *buckled.reserve < 1)
+    note(report, "life.buckles",
+         fmt::format("the barrel buckles at {}, below the largest torque of the duty",
+                     shown_quantity(torque, "N*m", 3)),
+         "flexspline.barrel", "LI-40", Severity::critical,
+         "Lower the largest torque, or make the barrel thicker.");
+  report.buckling = buckled;
+}
+
+// --- the drive as a chain ------------------------------------------------------------------------
+
+/// The end of the flexspline by Miner and Haibach at its worst place.
+LifePart flexspline_part(const LifeReport& report) {
+  LifePart part{
+      .name = std::string(kFlexspline), .ten_percent = {}, .slope = {}, .end = {}, .origin = {}};
+  std::string unknown;
+  std::optional<double> reserve;
+  for (const PlaceFatigue& place : report.fatigue) {
+    if (!place.reserve) {
+      unknown += fmt::format("{}{}", unknown.empty() ? "" : ", ", place_words(place.place));
+      continue;
+    }
+    reserve = std::min(reserve.value_or(*place.reserve), *place.reserve);
+    if (const MinerLife* const sum = governing_sum(place);
+        sum != nullptr && (!part.end || *sum->life < *part.end)) {
+      part.end = sum->life;
+      part.origin = fmt::format("Miner's sum ({}) of the {}, without a distribution",
+                                enum_name(sum->rule), place_words(place.place));
+    }
+  }
+  if (report.fatigue.empty())
+    part.origin = "not known: the coupled drive is not solved";
+  else if (!part.end && reserve && *reserve < 1)
+    part.origin = "not known: above the endurance limit, give cycles and slope of the fatigue";
+  else if (!part.end && reserve)
+    part.origin = fmt::format("endures for ever with a reserve of {:.2f}", *reserve);
+  if (!unknown.empty() && !report.fatigue.empty())
+    part.origin += fmt::format("{}not known: {}", part.origin.empty() ? "" : "; ", unknown);
+  return part;
+}
+
+void add_parts(LifeReport& report, const LifeCase& of) {
+  LifePart bearing{.name = std::string(kBearing),
+                   .ten_percent = {},
+                   .slope = {},
+                   .end = {},
+                   .origin = "not known: give rating.bearing_life and rating.rated_torque"};
+  if (report.bearing) {
+    bearing.ten_percent = report.bearing->ten_percent;
+    bearing.slope = makers_weibull_slope();
+    bearing.origin = fmt::format("the maker's rule, {}", report.bearing->origin);
+  }
+  report.parts.push_back(bearing);
+  report.parts.push_back(flexspline_part(report));
+  if (of.gear.output_bearing) {
+    LifePart output{.name = std::string(kOutputBearing),
+                    .ten_percent = {},
+                    .slope = {},
+                    .end = {},
+                    .origin = "no load while it turns"};
+    if (report.output_bearing) {
+      output.ten_percent = report.output_bearing->ten_percent;
+      output.slope = kIso281RollerSlope;
+      output.origin = "the maker's rule for the output bearing";
+    }
+    report.parts.push_back(output);
+  }
+  if (const std::optional<double> end = end_of_peaks(of))
+    report.parts.push_back({.name = std::string(kPeaks),
+                            .ten_percent = {},
+                            .slope = {},
+                            .end = end,
+                            .origin = "the maker's number N_k, without a distribution"});
+  report.parts.push_back({.name = "flanks",
+                          .ten_percent = {},
+                          .slope = {},
+                          .end = {},
+                          .origin = "not known: no source gives the wear of these flanks"});
+}
+
+void add_survival(LifeReport& report) {
+  std::vector<WeibullLife> distributed;
+  std::optional<double> end;
+  std::optional<double> first;
+  bool shared = false;  // whether the part that ends first has a distribution
+  for (const LifePart& part : report.parts) {
+    const std::optional<double> ends = part.ten_percent ? part.ten_percent : part.end;
+    if (part.ten_percent)
+      distributed.push_back({.ten_percent = *part.ten_percent, .slope = *part.slope});
+    if (part.end) end = std::min(end.value_or(*part.end), *part.end);
+    if (ends && (!first || *ends < *first)) {
+      first = ends;
+      report.governing = part.name;
+      shared = part.ten_percent.has_value();
+    }
+  }
+  if (!distributed.empty()) {
+    report.hours = time_of_all(distributed, 0.9);
+    const double last = time_of_all(distributed, 0.05);
+    constexpr int kPoints = 60;
+    for (int i = 0; i <= kPoints; ++i) {
+      const double time = last * i / kPoints;
+      const bool over = end && time > *end;
+      report.survival.push_back(
+          {.time = time, .share = over ? 0.0 : survival_of_all(distributed, time)});
+    }
+    use(report, {"LI-5"});
+  }
+  if (end) report.hours = std::min(report.hours.value_or(*end), *end);
+  if (report.hours)
+    report.answer =
+        fmt::format("ends by {} after {:.0f} h{}", report.governing, *report.hours / kHour,
+                    shared ? ", which 90 % of the drives reach" : "");
+  else
+    report.answer = "no end found";
+}
+
+}  // namespace
+
+const MinerLife* governing_sum(const PlaceFatigue& place) {
+  const bool by_blocks = place.reserve && *place.reserve < 1;
+  const auto found = std::ranges::find(
+      place.miner, by_blocks ? MinerRule::haibach : MinerRule::original, &MinerLife::rule);
+  return found != place.miner.end() && found->life ? &*found : nullptr;
+}
+
+LifeReport life_report(const GearSet& gear, const Progress& progress) {
+  check(gear);
+  const LifeCase of = life_case(gear);
+  LifeReport report;
+  const DutyAverage average = duty_average(of.duty.block, gear.drive.ratio, of.duty.fixed);
+  report.average = {.torque = average.torque,
+                    .output_speed = average.output_speed,
+                    .input_speed = average.input_speed,
+                    .duration = of.repetition};
+  add_makers_bearing(report, of);
+  add_rules(report, of);
+  add_output_bearing(report, of);
+  add_buckling(report, of);
+  progress.at(0.1);
+  if (const std::string missing = missing_for_torsion_curve(gear); !missing.empty()) {
+    note(report, "life.no_curve",
+         "bearing and flexspline are judged by the maker's rules only; " + missing, "", "TC-1",
+         Severity::cannot_tell, "Give these fields.");
+  } else {
+    try {
+      DrivenStates states(without_cracks(gear));
+      add_ball_forces(report, of, states);
+      progress.at(0.4);
+      add_fatigue(report, of, states);
+    } catch (const SolverError& error) {
+      note(report, "life.no_curve",
+           fmt::format("the coupled drive has no solution: {}", error.what()), "", "TC-11",
+           Severity::cannot_tell, "Check the torques of the duty.");
+    }
+  }
+  add_parts(report, of);
+  add_survival(report);
+  progress.at(1);
+  return report;
+}
+
+LifeResult life_result(const LifeReport& report) {
+  LifeResult result;
+  const auto number = [](const std::optional<double>& value, std::string_view unit) {
+    return value ? std::optional(Quantity{*value, unit}) : std::nullopt;
+  };
+  result.hours = number(report.hours, "s");
+  if (report.bearing) {
+    result.bearing_L10 = Quantity{report.bearing->ten_percent, "s"};
+    result.bearing_L50 = Quantity{report.bearing->fifty_percent, "s"};
+  }
+  if (report.bearing_by_forces) result.bearing_ratio = number(report.bearing_by_forces->ratio, "1");
+  if (report.output_bearing)
+    result.output_bearing_L10 = Quantity{report.output_bearing->ten_percent, "s"};
+  result.average_torque = Quantity{report.average.torque, "N*m"};
+  result.average_input_speed = Quantity{report.average.input_speed, "rad/s"};
+  for (const PlaceFatigue& place : report.fatigue) {
+    auto& to = place.place == FatiguePlace::wall  ? result.wall_reserve
+               : place.place == FatiguePlace::rim ? result.rim_reserve
+                                                  : result.tooth_root_reserve;
+    to = number(place.reserve, "1");
+  }
+  for (const RuleAnswer& rule : report.rules)
+    if (rule.margin && (!result.makers_reserve || *rule.margin + 1 < result.makers_reserve->value))
+      result.makers_reserve = Quantity{*rule.margin + 1, "1"};
+  return result;
+}
+
+}  // namespace strainwave
